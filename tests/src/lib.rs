@@ -8,23 +8,24 @@
 //! - [`heap`]: an allocator that counts.
 //! - [`block`]: how far a block of the machine leaves its line, looked at everywhere.
 //! - [`damage`]: programs with one character wrong.
-//! - [`program`]: NC programs, read back word by word.
+//! - [`foreign`]: an interpreter for programs of all five controls that shares no code with the postprocessor.
+//! - [`agreement`]: the same programs through the product's own reader and the foreign interpreter.
 //! - [`linuxcnc`]: a real control, its interpreter alone and the whole of it, simulated.
 //! - [`binaries`]: the machines' binaries, built and run.
 //!
 //! Nothing here knows how a machine solves its equations. NaN fails a check, it never passes one.
 
+pub mod agreement;
 pub mod binaries;
 pub mod block;
 pub mod conformance;
 pub mod damage;
+pub mod foreign;
 pub mod further;
 pub mod heap;
 pub mod linuxcnc;
 pub mod oracle;
-pub mod program;
 pub mod random;
-pub mod state;
 mod subject;
 
 #[cfg(test)]

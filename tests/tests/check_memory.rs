@@ -13,6 +13,7 @@ use pp_runtime::config::{Config, Units, starting_point};
 use pp_runtime::control::{self, Control};
 use pp_runtime::post::{self, post};
 use tests::binaries::workspace;
+use tests::foreign::{Control as Foreign, lexer};
 use tests::heap::{Counting, allocations, peak};
 use tests::random::Random;
 
@@ -164,10 +165,12 @@ impl Long {
         assert!(!report.failed, "{:?}", report.diagnostics);
         let begins = beginnings(&program);
         let piece = |index: usize| program[begins[index]..begins[index + 1]].to_vec();
-        assert_eq!(without_numbers(&piece(1)), without_numbers(&piece(2)), "the part does not come again as it was");
+        let name = control.spellings().name;
+        let [second, third] = [1, 2].map(|index| without_numbers(name, &piece(index)));
+        assert_eq!(second, third, "the part does not come again as it was");
         let sections = [program[..begins[1]].to_vec(), piece(1), program[begins[3]..].to_vec()];
         let data = [(); 3].map(|()| part.as_bytes().to_vec());
-        let numbered = control.spellings().name == "heidenhain";
+        let numbered = name == "heidenhain";
         Self {
             data: Repeated { sections: data, ..Repeated::default() },
             program: Repeated { sections, numbered, ..Repeated::default() },
@@ -208,14 +211,12 @@ fn beginnings(program: &[u8]) -> Vec<usize> {
 }
 
 /// Blocks without their numbers.
-fn without_numbers(program: &[u8]) -> Vec<String> {
-    let text = String::from_utf8_lossy(program);
-    let number = |line: &str| {
-        let digits = line.strip_prefix('N').unwrap_or(line);
-        let rest = digits.trim_start_matches(|letter: char| letter.is_ascii_digit());
-        if rest.len() < digits.len() { rest.to_owned() } else { line.to_owned() }
-    };
-    text.lines().map(number).collect()
+fn without_numbers(control: &str, program: &[u8]) -> Vec<lexer::Content> {
+    let control = Foreign::by_name(control).expect("a control");
+    let lines = lexer::joined(control, std::str::from_utf8(program).expect("ASCII"));
+    let content =
+        |(_, text): (usize, String)| lexer::line(control, &text).unwrap_or_else(|why| panic!("{why}: {text}")).content;
+    lines.into_iter().map(content).collect()
 }
 
 /// The same figures and no more memory, a hundred times as long.

@@ -13,9 +13,9 @@ use pp_runtime::kinematics::{AxisKind, Limits, Machine, Pose};
 use pp_runtime::nalgebra::{Point3, UnitVector3, Vector3};
 use pp_runtime::post::{Job, Report, post};
 use tests::block::deviation_from;
+use tests::foreign::{Axes, Control, Effect, Executed, Feed, Options, run};
 use tests::further::{HeadTable, NutatingHead, Trunnion};
 use tests::oracle::{Oracle, wrapped};
-use tests::program::{Feed, Program};
 
 /// Places of a block that are looked at.
 const POINTS: usize = 1000;
@@ -106,18 +106,27 @@ fn config<M: Machine>(part_origin: [f64; 3]) -> Config {
 
 /// Axis values of the feed blocks, in chain order; the first is where they begin.
 fn printed<M: Machine>(text: &str) -> Vec<Vec<f64>> {
-    let program = Program::read(text).unwrap_or_else(|refused| panic!("{refused}"));
-    let values = |position: &std::collections::BTreeMap<char, f64>| -> Option<Vec<f64>> {
+    let feeds = straight(text).into_iter().filter(|step| step.effect == Effect::Feed);
+    let values = |step: Executed| {
         let value = |axis: &pp_runtime::kinematics::Axis| {
-            let word = *position.get(&axis.letter)?;
-            Some(if axis.kind == AxisKind::Rotary { word.to_radians() } else { word })
+            let word = step.state.position.get(axis.letter);
+            let word = word.unwrap_or_else(|| panic!("line {}: {} is unknown", step.line, axis.letter));
+            if axis.kind == AxisKind::Rotary { word.to_radians() } else { word }
         };
         M::AXES.iter().map(value).collect()
     };
-    let feeds = program.motions().filter(|(_, motion)| !motion.rapid && !motion.machine);
-    feeds
-        .map(|(line, motion)| values(&motion.position).unwrap_or_else(|| panic!("line {line}: a word is unknown")))
-        .collect()
+    feeds.map(values).collect()
+}
+
+/// Motions of a program, all of them straight.
+fn straight(text: &str) -> Vec<Executed> {
+    let program = run(text, &Options::of(Control::LinuxCnc)).unwrap_or_else(|refused| panic!("{refused}"));
+    let motions: Vec<Executed> = program.motions().cloned().collect();
+    for step in &motions {
+        let is_straight = matches!(step.effect, Effect::Rapid | Effect::Feed | Effect::Machine);
+        assert!(is_straight, "line {}: no straight motion", step.line);
+    }
+    motions
 }
 
 struct Checker<M: Machine> {
@@ -352,21 +361,20 @@ fn programmed(config: &Config, poses: &[Pose]) -> f64 {
 
 /// Axis values at both ends of each feed block, and its minutes as printed.
 fn timed<M: Machine>(text: &str) -> Vec<(Vec<f64>, Vec<f64>, f64)> {
-    let program = Program::read(text).unwrap_or_else(|refused| panic!("{refused}"));
-    let place = |position: &std::collections::BTreeMap<char, f64>| -> Option<Vec<f64>> {
-        M::AXES.iter().map(|axis| position.get(&axis.letter).copied()).collect()
-    };
+    let place =
+        |position: &Axes| -> Option<Vec<f64>> { M::AXES.iter().map(|axis| position.get(axis.letter)).collect() };
     let mut before: Option<Vec<f64>> = None;
     let mut blocks = Vec::new();
-    for (line, motion) in program.motions() {
-        let now = place(&motion.position);
-        if let (Some(from), Some(to), Some(feed)) = (&before, &now, motion.feed) {
+    for step in straight(text) {
+        let (line, now) = (step.line, place(&step.state.position));
+        if let (Some(from), Some(to), Some(feed)) = (&before, &now, step.feed()) {
             let travel = |wanted: AxisKind| {
                 let axes = M::AXES.iter().enumerate().filter(move |(_, axis)| axis.kind == wanted);
                 axes.map(|(index, _)| (to[index] - from[index]).powi(2)).sum::<f64>().sqrt()
             };
             let minutes = match feed {
                 Feed::InverseTime(per_minute) => 1.0 / per_minute,
+                Feed::PerRevolution(_) => panic!("line {line}: G95"),
                 Feed::PerMinute(feed) => {
                     assert!(travel(AxisKind::Rotary) == 0.0, "line {line}: a rotary axis turns under G94");
                     travel(AxisKind::Linear) / feed

@@ -6,26 +6,26 @@
 use std::fs;
 
 use tests::binaries::{binary, workspace};
+use tests::foreign::trace::Hole;
+use tests::foreign::{Control, Effect, Options, run};
 use tests::linuxcnc::installed;
 use tests::linuxcnc::interpreter::interpret;
 
 /// Blocks of a program that move something, and whether a cycle is among them, which makes several motions of a block.
-fn moving_blocks(program: &str) -> (usize, bool) {
-    let moves = |line: &&str| {
-        let words = line.split(' ').filter(|word| word.len() > 1 && word.starts_with(['X', 'Y', 'Z', 'A', 'B', 'C']));
-        !line.starts_with(['(', 'o']) && words.count() > 0
-    };
-    let cycle = |word: &str| ["G73", "G81", "G82", "G83", "G85", "G89"].contains(&word);
-    let cycles = program.lines().filter(moves).any(|line| line.split(' ').any(cycle));
-    (program.lines().filter(moves).count(), cycles)
+fn moving_blocks(program: &str, dry: bool) -> (usize, bool) {
+    let options = Options { dry, ..Options::of(Control::LinuxCnc) };
+    let trace = run(program, &options).unwrap_or_else(|refused| panic!("{refused}"));
+    let canned = |hole: Hole| hole.cycle.back_to.is_none();
+    let cycles = trace.motions().any(|block| matches!(block.effect, Effect::Hole(hole) if canned(hole)));
+    (trace.motions().count(), cycles)
 }
 
-/// Runs a program that has to pass, every motion of it.
-fn assert_runs(name: &str, program: &str) {
+/// Runs a program that has to pass, every motion of it; `dry`: its spindle is off.
+fn assert_runs(name: &str, program: &str, dry: bool) {
     let calls = interpret(program, 0.0).unwrap_or_else(|errors| panic!("{name}: {errors}"));
     let motion = |line: &&str| ["STRAIGHT_", "ARC_FEED", "RIGID_TAP"].iter().any(|call| line.contains(call));
     let motions = calls.lines().filter(motion).count();
-    let (blocks, cycles) = moving_blocks(program);
+    let (blocks, cycles) = moving_blocks(program, dry);
     assert!(motions == blocks || cycles && motions > blocks, "{name}: {motions} motions of {blocks} blocks");
 }
 
@@ -45,7 +45,7 @@ fn every_golden_program_runs() {
         for file in fs::read_dir(part.expect("a part").path()).expect("the folder of a part") {
             let path = file.expect("a file").path();
             if path.to_string_lossy().ends_with(".linuxcnc.nc") {
-                assert_runs(&path.display().to_string(), &fs::read_to_string(&path).expect("ASCII"));
+                assert_runs(&path.display().to_string(), &fs::read_to_string(&path).expect("ASCII"), false);
                 count += 1;
             }
         }
@@ -66,11 +66,11 @@ fn every_sample_runs_on_every_machine_that_it_suits() {
     for machine in machines {
         let program = printed(machine, &["post", "tests/data/works/works.cls", works[0], works[1]]);
         assert!(program.contains("\nG33.1 Z-10 K1\n") && program.contains(" J"), "a thread and arcs: {program}");
-        assert_runs(&format!("{machine} works"), &program);
+        assert_runs(&format!("{machine} works"), &program, false);
     }
     for (machine, part) in suited.chain(four.map(|part| ("multiprodesk", part))) {
         let name = format!("examples/cl/{part}");
-        assert_runs(&format!("{machine} {name}"), &printed(machine, &["post", &name]));
+        assert_runs(&format!("{machine} {name}"), &printed(machine, &["post", &name]), false);
     }
 }
 
@@ -80,9 +80,9 @@ fn a_proof_program_runs() {
         return;
     }
     let table = ["explain", "--proof-program", "--point=40,25,120"];
-    assert_runs("spinner-u5-620", &printed("spinner-u5-620", &table));
+    assert_runs("spinner-u5-620", &printed("spinner-u5-620", &table), true);
     let head = ["explain", "--proof-program", "--config", "examples/config/lola-xoyzba-linuxcnc.toml"];
-    assert_runs("lola-xoyzba", &printed("lola-xoyzba", &head));
+    assert_runs("lola-xoyzba", &printed("lola-xoyzba", &head), true);
 }
 
 #[test]

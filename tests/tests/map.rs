@@ -11,8 +11,8 @@ use pp_runtime::config::Config;
 use pp_runtime::kinematics::{AxisKind, Machine, Pose};
 use serde_json::Value;
 use tests::binaries::{binary, workspace};
+use tests::foreign::{Control, Effect, Options, Trace, lexer, run};
 use tests::oracle::{Oracle, angle_between};
-use tests::state::{State, moved};
 
 const CL: &str = "tests/data/works/works.cls";
 
@@ -26,6 +26,7 @@ const MODES: &[(&str, &[&str], &str)] = &[
 /// One posted program and its map.
 struct Posted {
     name: String,
+    control: Control,
     program: Vec<String>,
     lines: Vec<Value>,
 }
@@ -48,16 +49,18 @@ fn posted(machine: &str, config: &str, control: &str, mode: &str, operations: &s
     let program = fs::read_to_string(&program).expect("a program");
     Posted {
         name,
+        control: Control::by_name(control).expect("a control"),
         program: program.lines().map(str::to_owned).collect(),
         lines: whole["lines"].as_array().expect("a list").clone(),
     }
 }
 
-/// The block number that stands in a line.
-fn number_in(line: &str, counted: bool) -> Option<u64> {
-    let word = line.split(' ').next()?;
-    let digits = if counted { word } else { word.strip_prefix('N')? };
-    digits.parse().ok()
+impl Posted {
+    /// The program, run by the foreign interpreter.
+    fn trace(&self) -> Trace {
+        let text = self.program.join("\n") + "\n";
+        run(&text, &Options::of(self.control)).unwrap_or_else(|refused| panic!("{}: {refused}", self.name))
+    }
 }
 
 fn numbers<const N: usize>(value: &Value) -> Option<[f64; N]> {
@@ -73,12 +76,16 @@ fn goto(record: &str) -> Option<Vec<f64>> {
 
 /// Every line is there once, in order, with the number that stands in it.
 fn assert_complete(posted: &Posted) {
-    let Posted { name, program, lines } = posted;
+    let Posted { name, control, program, lines } = posted;
     assert_eq!(lines.len(), program.len(), "{name}");
-    let counted = name.contains("heidenhain");
     for (index, (line, text)) in lines.iter().zip(program).enumerate() {
         assert_eq!(line["line"], index as u64 + 1, "{name}");
-        let number = number_in(text, counted);
+        // A line that goes on with the parameters of a cycle has no number.
+        let number = match text.starts_with(' ') {
+            true => None,
+            false => lexer::line(*control, text).unwrap_or_else(|why| panic!("{name}: {why}: {text}")).number,
+        };
+        let number = number.map(u64::from);
         assert_eq!(line["number"].as_u64(), number, "{name} line {}: {text}", index + 1);
     }
 }
@@ -128,22 +135,17 @@ fn assert_standing<M: Machine>(posted: &Posted, config: &str) {
 /// In mode axes the words in force are the axis values, but for what each tool and work offset count from; an axis that is
 /// said to be reached has a word in force.
 fn assert_words(posted: &Posted) {
-    let blocks = moved(&posted.program.join("\n"), 0, State::default());
+    let trace = posted.trace();
     let mut shifts: BTreeMap<(char, Option<u32>), f64> = BTreeMap::new();
-    let (mut stale, mut compared) = (false, 0);
-    for block in &blocks {
-        let line = &posted.lines[block.line];
-        let cycle = line["step"] == "cycle" || block.words.contains_key(&'R');
-        // What a cycle leaves Z at is none of its words.
-        stale = cycle || stale && !block.words.contains_key(&'Z');
+    let mut compared = 0;
+    for block in trace.motions() {
+        let line = &posted.lines[block.line - 1];
+        let cycle = matches!(block.effect, Effect::Hole(_));
         let Some(axes) = line["axes"].as_object() else { continue };
         for (letter, value) in axes {
             let letter = letter.chars().next().expect("a letter");
-            if letter == 'Z' && stale {
-                continue;
-            }
             let context = format!("{} {line}", posted.name);
-            let word = block.state.at.get(&letter).unwrap_or_else(|| panic!("{context}: {letter} has no word"));
+            let word = block.state.position.get(letter).unwrap_or_else(|| panic!("{context}: {letter} has no word"));
             let shift = value.as_f64().expect("a number") - word;
             let known = *shifts.entry((letter, block.state.tool)).or_insert(shift);
             // At the end of a cycle the words are those over the hole, rounded by themselves.

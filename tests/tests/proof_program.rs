@@ -1,7 +1,7 @@
 //! `explain --proof-program`: the tip stays on one point while each rotary axis sweeps its travel.
 //!
-//! Programs of every control are read by what is common to all of them, a letter and a number, and every block goes
-//! through the matrices of the oracle, at its ends and in between.
+//! Programs of every control are run by the foreign interpreter, and every block goes through the matrices of the oracle,
+//! at its ends and in between.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -12,6 +12,8 @@ use pp_runtime::kinematics::{Axis, AxisKind, Machine};
 use pp_runtime::nalgebra::Point3;
 use tempfile::TempDir;
 use tests::binaries::binary;
+use tests::foreign::state::{Coolant, Spindle, Units};
+use tests::foreign::{Control, Effect, Options, Trace, run};
 use tests::oracle::Oracle;
 
 const CONTROLS: [&str; 5] = ["linuxcnc", "fanuc", "siemens", "heidenhain", "haas"];
@@ -49,38 +51,24 @@ fn proof(case: &Case, control: &str, more: &[&str]) -> Result<String, String> {
     }
 }
 
-/// The places of all feed blocks in chain order, mm and rad; `None` for an axis that no word has spoken of yet.
-fn feeds<M: Machine>(program: &str) -> Vec<Vec<f64>> {
-    let (mut at, mut rapid, mut feeds) = (BTreeMap::new(), true, Vec::new());
-    for line in program.lines() {
-        let words: Vec<&str> =
-            line.split(' ').skip(usize::from(line.starts_with(|c: char| c.is_ascii_digit()))).collect();
-        let strange = ["(", ";", "*", "%", "O", "T", "S", "FN", "CYCL", "BEGIN", "IF", "o", "G53", "G49", "SUPA"];
-        if strange.iter().any(|strange| words[0].starts_with(strange)) || words.contains(&"M91") {
-            continue;
-        }
-        for code in &words {
-            match *code {
-                "G0" | "G00" => rapid = true,
-                "G1" | "G01" => rapid = false,
-                "L" => rapid = words.contains(&"FMAX"),
-                _ => {}
-            }
-        }
-        let mut moves = false;
-        for word in words {
-            if let Some((letter, number)) =
-                word.chars().next().zip(word.get(1..).and_then(|text| text.parse::<f64>().ok()))
-                && "XYZABC".contains(letter)
-            {
-                at.insert(letter, number);
-                moves = true;
-            }
-        }
-        if moves && !rapid {
+/// A proof program, run with the spindle off.
+fn traced(program: &str, control: &str) -> Trace {
+    let control = Control::by_name(control).expect("a control");
+    let options = Options { dry: true, ..Options::of(control) };
+    run(program, &options).unwrap_or_else(|refused| panic!("{}: {refused}", control.name()))
+}
+
+/// Positions after all feed blocks in chain order, in the unit of the program and rad.
+fn feeds<M: Machine>(trace: &Trace) -> Vec<Vec<f64>> {
+    let mut feeds = Vec::new();
+    for step in trace.motions() {
+        let straight = matches!(step.effect, Effect::Feed | Effect::Rapid | Effect::Machine);
+        assert!(straight, "line {}: no straight motion", step.line);
+        if step.effect == Effect::Feed {
             let value = |axis: &Axis| {
-                let word = at.get(&axis.letter).unwrap_or_else(|| panic!("{} has no place: {line}", axis.letter));
-                if axis.kind == AxisKind::Rotary { word.to_radians() } else { *word }
+                let word = step.state.position.get(axis.letter);
+                let word = word.unwrap_or_else(|| panic!("line {}: {} has no place", step.line, axis.letter));
+                if axis.kind == AxisKind::Rotary { word.to_radians() } else { word }
             };
             feeds.push(M::AXES.iter().map(value).collect());
         }
@@ -99,8 +87,10 @@ fn oracle<M: Machine>(case: &Case) -> Oracle {
 /// Looks at every feed block, and gives the smallest and largest angle of each axis, degrees.
 fn look<M: Machine>(case: &Case, control: &str) -> BTreeMap<char, (f64, f64)> {
     let program = proof(case, control, &[]).unwrap_or_else(|errors| panic!("{control}: {errors}"));
-    let (oracle, blocks) = (oracle::<M>(case), feeds::<M>(&program));
-    let unit = if program.contains("INCH") || program.contains("G20") { 25.4e-4 } else { 1e-3 };
+    let trace = traced(&program, control);
+    let (oracle, blocks) = (oracle::<M>(case), feeds::<M>(&trace));
+    let inches = trace.blocks.iter().any(|block| block.state.units == Some(Units::Inches));
+    let unit = if inches { 25.4e-4 } else { 1e-3 };
     let point = Point3::from(case.point);
     let mut travel = BTreeMap::new();
     for (index, words) in blocks.iter().enumerate() {
@@ -167,8 +157,12 @@ fn the_header_says_what_must_be_seen_and_the_spindle_stands() {
     ] {
         assert!(program.contains(line), "missing: {line}\n{program}");
     }
-    let codes = |code: &str| program.lines().any(|line| line.split(' ').any(|word| word == code));
-    assert!(!["M3", "M4", "M7", "M8"].into_iter().any(codes) && codes("M5") && codes("M2"));
+    let blocks = traced(&program, "linuxcnc").blocks;
+    let still = |spindle: Option<Spindle>| matches!(spindle, None | Some(Spindle::Off));
+    let dry = |coolant: Option<Coolant>| coolant.is_none_or(|coolant| coolant == Coolant::default());
+    assert!(blocks.iter().all(|block| still(block.state.spindle) && dry(block.state.coolant)));
+    assert!(blocks.iter().any(|block| block.effect == Effect::Spindle(Spindle::Off)));
+    assert_eq!(blocks.last().map(|block| block.effect), Some(Effect::End));
     assert!(program.contains("o1 if [[ABS[#5403 - 117.25]"), "the length is compared");
 }
 
@@ -177,7 +171,7 @@ fn words_in_inches_and_within_a_turn_keep_the_tip_too() {
     let inches = Case { config: "units = 'mm'\noutput_units = 'in'\npart_origin = [10, -5, 60]\n", ..SPINNER };
     let program = proof(&inches, "linuxcnc", &[]).expect("a program");
     let oracle = oracle::<SpinnerU5620>(&inches);
-    for mut words in feeds::<SpinnerU5620>(&program) {
+    for mut words in feeds::<SpinnerU5620>(&traced(&program, "linuxcnc")) {
         for (axis, value) in SpinnerU5620::AXES.iter().zip(&mut words).filter(|(axis, _)| axis.kind == AxisKind::Linear)
         {
             assert!(value.abs() < 20.0, "{} is in inches", axis.letter);
@@ -186,7 +180,8 @@ fn words_in_inches_and_within_a_turn_keep_the_tip_too() {
         assert!((oracle.forward(&words).tip - Point3::from(inches.point)).norm() <= 2.0 * 25.4e-4);
     }
     let wrapped = Case { config: "units = 'mm'\npart_origin = [10, -5, 60]\nwrap = { C = '0..360' }\n", ..SPINNER };
-    let turns = feeds::<SpinnerU5620>(&proof(&wrapped, "heidenhain", &[]).expect("a program"));
+    let program = proof(&wrapped, "heidenhain", &[]).expect("a program");
+    let turns = feeds::<SpinnerU5620>(&traced(&program, "heidenhain"));
     assert!(turns.iter().all(|words| (0.0..360.0).contains(&words[0].to_degrees())));
 }
 

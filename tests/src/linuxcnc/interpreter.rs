@@ -10,6 +10,9 @@ use std::process::Command;
 use pp_runtime::check::read::WorkPlane;
 use tempfile::TempDir;
 
+use crate::foreign::lexer::{self, Content, Token};
+use crate::foreign::{Control, guarded_length};
+
 /// How far a printed number may be from what the interpreter holds.
 pub const PRINTED: f64 = 6e-5;
 
@@ -42,24 +45,27 @@ pub struct Arc {
     pub turns: i32,
 }
 
-/// Length of each register that a program calls, mm.
+/// Length of each register that a program calls, mm. The program may hold lines that no control takes.
 fn lengths(program: &str) -> BTreeMap<u32, f64> {
     let mut lengths = BTreeMap::new();
     let mut tool = 0;
     for line in program.lines() {
-        for word in line.split(' ').filter(|_| !line.starts_with(['(', 'o'])) {
-            if let Some(number) = word.strip_prefix('T').and_then(|number| number.parse().ok()) {
-                tool = number;
-                lengths.entry(number).or_insert(ANY_LENGTH);
+        let Ok(lexer::Line { content, .. }) = lexer::line(Control::LinuxCnc, line) else { continue };
+        match content {
+            Content::Block(tokens) => {
+                for token in tokens {
+                    if let Token::Word { name, number, .. } = token
+                        && matches!(&*name, "T" | "H")
+                    {
+                        let number = number.value as u32;
+                        tool = if name == "T" { number } else { tool };
+                        lengths.entry(number).or_insert(ANY_LENGTH);
+                    }
+                }
             }
-            if let Some(number) = word.strip_prefix('H').and_then(|number| number.parse().ok()) {
-                lengths.entry(number).or_insert(ANY_LENGTH);
-            }
-        }
-        // The guard stands behind the call of its tool.
-        if let Some((_, length)) = line.split_once("[ABS[#5403 - ") {
-            let length = length.split(']').next().and_then(|length| length.parse().ok());
-            lengths.insert(tool, length.expect("a length"));
+            // The guard comes after the call of its tool.
+            Content::Condition(text) => lengths.extend(guarded_length(&text).map(|length| (tool, length))),
+            Content::Comment(_) | Content::Mark(_) => {}
         }
     }
     lengths
@@ -153,7 +159,8 @@ mod tests {
 
     #[test]
     fn a_tool_is_as_long_as_its_guard_says() {
-        let program = "T4 M6\no1 if [[ABS[#5403 - 87.5] GT 0.01]]\nG43 H9\nT5 M6\n";
+        let guard = "o1 if [[ABS[#5403 - 87.5] GT 0.01] AND [ABS[[#5403 * 25.4] - 87.5] GT 0.01]]";
+        let program = &format!("T4 M6\n{guard}\nG43 H9\nT5 M6\n");
         assert_eq!(lengths(program), BTreeMap::from([(4, 87.5), (5, ANY_LENGTH), (9, ANY_LENGTH)]));
     }
 }

@@ -1,4 +1,5 @@
-//! Random programs on random set-ups: whatever is posted passes its check, and is the same when it is posted again.
+//! Random programs on random set-ups: whatever is posted passes its check, is the same when it is posted again, and moves
+//! for a foreign interpreter as it does for the check.
 //!
 //! CL data that is refused with a reason is fine, as long as most of it is not. A program that fails is made shorter, as
 //! long as it fails in the same way, and shown. `PP_RANDOM_PROGRAMS=N` asks for more programs than usual and tells what
@@ -13,12 +14,15 @@ use std::io::Cursor;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use machines::{Dmu70e, LolaXoyzba, MultiProDesk, SpinnerU5620};
-use pp_runtime::config::{Mode, starting_point};
+use pp_runtime::check::read::coolant;
+use pp_runtime::config::{Config, Mode, starting_point};
 use pp_runtime::control::{self, Control};
 use pp_runtime::diag::Severity;
 use pp_runtime::kinematics::Machine;
 use pp_runtime::{check, machine, post};
+use tests::agreement::{self, Compared};
 use tests::damage::damage;
+use tests::foreign::{Control as Foreign, Options};
 use tests::further::HeadTable;
 use tests::random::Random;
 
@@ -179,9 +183,25 @@ fn run<M: Machine>(case: &Case) -> Outcome {
     let first = checked.outcome.findings.first().or(checked.fault.as_ref());
     match first {
         Some(first) => Outcome::Wrong(format!("CL line {}: {}", first.location.line, first.text), program),
-        None if checked.outcome.passed() => Outcome::Passed(program),
+        None if checked.outcome.passed() => match read_alike::<M>(case, &config, &program) {
+            Ok(()) => Outcome::Passed(program),
+            Err(why) => Outcome::Wrong(format!("the foreign interpreter, {why}"), program),
+        },
         None => Outcome::Wrong("a finding that is not told".to_owned(), program),
     }
+}
+
+/// Whether the foreign interpreter finds the motions that the check has found.
+fn read_alike<M: Machine>(case: &Case, config: &Config, program: &[u8]) -> Result<(), String> {
+    let control = Foreign::by_name(case.control.spellings().name).expect("a control");
+    let [pointed, plain_numbers] = [true, false].map(|point| config.control.point == Some(point));
+    let idle = set_up::SHOP.iter().map(|code| (*code).to_owned()).collect();
+    let gauge_line = case.set_up.contains("length_mode = \"gauge\"");
+    let options = Options { pointed, plain_numbers, gauge_line, idle, ..Options::of(control) };
+    // Which codes switch mist, air and coolant through the spindle is in the set-up.
+    let compared = Compared { coolant: coolant::FLOOD, revolutions: !case.set_up.contains("[wrap]") };
+    let text = std::str::from_utf8(program).map_err(|_| "a program that is not ASCII".to_owned())?;
+    agreement::compare::<M>(text, (config, case.control), &options, compared).map(|_| ())
 }
 
 /// A number from the environment.

@@ -7,6 +7,9 @@ use tests::random::Random;
 
 use super::cl::{FRAMES, Frames, Leaning, Needs, TOOLS};
 
+/// Codes that builders of machines add, for coolant and clamps, and those of AUXFUN.
+pub(crate) const SHOP: [&str; 10] = ["M7", "M83", "M84", "M88", "M89", "M10", "M11", "M68", "M69", "M77"];
+
 /// What a set-up has to know of a machine.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Kind {

@@ -4,21 +4,25 @@
 //! What words mean is stated here a second time, with the oracle's matrices and the conventions of the controls written
 //! out; steps are looked at, not text.
 
-use std::collections::BTreeMap;
-use std::io;
+mod frames;
+mod listener;
+mod parts;
 
 use machines::{Dmu70e, LolaXoyzba, MultiProDesk, SpinnerU5620};
-use nalgebra::{Matrix3, Point3, UnitVector3, Vector3, Vector4};
-use pp_runtime::config::{Config, GivenTool, Mode, TcpFrame, TcpWords, ToolPosture, Units, starting_point};
+use nalgebra::{Point3, UnitVector3, Vector3};
+use pp_runtime::config::{Config, Mode, TcpFrame, TcpWords, ToolPosture};
 use pp_runtime::control::{self, Control};
-use pp_runtime::kinematics::{AxisKind, Machine, Pose, Side};
+use pp_runtime::kinematics::{AxisKind, Machine, Pose};
 use pp_runtime::machine;
-use pp_runtime::motion::{FeedWord, Navigator, Planner, Provenance, Sink, Source, Stage, Step, Stop};
-use pp_runtime::program::{Event, Feed, Location, Move, Rotation, Spindle, ToolCall};
+use pp_runtime::program::{Event, Feed, Move, Rotation, Spindle, ToolCall};
 use tests::block::{angle_to_arc, distance_to_line};
 use tests::further::{HeadTable, Trunnion};
-use tests::oracle::{Oracle, angle_between, rotation, rotation_about};
+use tests::oracle::{Oracle, angle_between};
 use tests::random::Random;
+
+use frames::meant;
+use listener::{Says, posted};
+use parts::{events, set_up};
 
 machine! {
     /// A table of two rotaries under a spindle with a quill.
@@ -32,279 +36,6 @@ const LENGTH: f64 = 87.25;
 
 /// One unit of linear words, mm.
 const UNIT: f64 = 1e-3;
-
-/// What the program says so far: the words of the axes, and what the control counts them in.
-#[derive(Debug, Clone, Default, PartialEq)]
-struct Says {
-    /// By position in the chain, mm and degrees.
-    words: [f64; 9],
-    /// Angles of the tilted plane, degrees.
-    plane: Option<[f64; 3]>,
-    /// The tool axis in the frame of the control.
-    vector: Option<[f64; 3]>,
-    /// Rotary words where tip control began, degrees.
-    began: Option<[f64; 9]>,
-    /// Blocks of feed, and how many of them move a rotary axis with a feed that is no inverse time.
-    feeds: usize,
-    turned_per_minute: usize,
-    /// Words at the end of each feed block since the motion before.
-    blocks: Vec<[f64; 9]>,
-}
-
-struct Listener<M: Machine> {
-    says: Says,
-    /// The record that is served, and what the program said before it and after each.
-    line: u64,
-    after: BTreeMap<u64, Says>,
-    rotary: u32,
-    machine: std::marker::PhantomData<M>,
-}
-
-impl<M: Machine> Listener<M> {
-    fn new(config: &Config) -> Self {
-        Self {
-            says: Says::default(),
-            line: 0,
-            after: BTreeMap::new(),
-            rotary: config.formats.rotary,
-            machine: std::marker::PhantomData,
-        }
-    }
-
-    /// Another record is served from here on.
-    fn serve(&mut self, line: u64) {
-        if line != self.line {
-            self.after.insert(self.line, self.says.clone());
-            self.says.blocks.clear();
-            self.line = line;
-        }
-    }
-
-    /// What the program said after the record of a line.
-    fn said(&self, line: u64) -> Says {
-        match self.after.range(..=line).next_back() {
-            Some((&at, says)) if at == line => says.clone(),
-            Some((_, says)) => Says { blocks: Vec::new(), ..says.clone() },
-            None => Says::default(),
-        }
-    }
-
-    fn take(&mut self, words: &pp_runtime::motion::Words) -> bool {
-        let mut turned = words.vector.is_some();
-        self.says.vector = words.vector.map(|vector| vector.map(|units| units as f64 * 1e-7)).or(self.says.vector);
-        for (index, axis) in M::AXES.iter().enumerate().filter(|(index, _)| words.has(*index)) {
-            let per_unit = if axis.kind == AxisKind::Linear { 3 } else { self.rotary };
-            let value = words.units[index] as f64 / 10_f64.powi(per_unit.cast_signed());
-            turned |= axis.kind == AxisKind::Rotary && (value - self.says.words[index]).abs() > 0.0;
-            self.says.words[index] = value;
-        }
-        turned
-    }
-}
-
-impl<M: Machine> Sink for Listener<M> {
-    fn step(&mut self, step: &Step<'_>, from: &Provenance<'_>) -> io::Result<()> {
-        self.serve(from.at.map_or(0, |at| at.line));
-        match step {
-            Step::Feed { words, feed } => {
-                let turned = self.take(words);
-                self.says.blocks.push(self.says.words);
-                self.says.feeds += 1;
-                self.says.turned_per_minute += usize::from(turned && matches!(feed, FeedWord::PerMinute(_)));
-                assert!(self.says.plane.is_none() || !turned, "no rotary turns in a tilted plane");
-            }
-            Step::Rapid { words } => {
-                self.take(words);
-            }
-            Step::Machine { .. } | Step::Restart { .. } | Step::Tool { .. } => {
-                let framed = self.says.plane.is_some() || self.says.began.is_some();
-                let machine = matches!(step, Step::Machine { .. });
-                assert!(!framed || machine && self.says.plane.is_some(), "{step:?} under tip control");
-            }
-            Step::TipControl { on } => {
-                assert_ne!(self.says.began.is_some(), *on);
-                self.says.began = on.then_some(self.says.words);
-            }
-            Step::Plane { angles, .. } => {
-                assert_eq!(self.says.plane, None);
-                self.says.plane = Some(angles.map(|angle| angle.value()));
-            }
-            Step::PlaneOff => {
-                assert!(self.says.plane.is_some());
-                self.says.plane = None;
-            }
-            _ => {}
-        }
-        Ok(())
-    }
-}
-
-/// What the program says at each motion, and the first fault.
-fn posted<M: Machine>(config: &Config, control: &dyn Control, events: &[Event<'_>]) -> Result<Vec<Says>, String> {
-    let machine = config.set_up.machine::<M>().expect("valid");
-    let unfit = control::unfit(&M::default(), control, config.demands());
-    if !unfit.is_empty() {
-        return Err(unfit.join("\n"));
-    }
-    let mut navigator = Navigator::new(Box::new(machine.clone()), config.policy());
-    hand_on::<M, _>(config, events, &mut navigator).expect("a navigator refuses nothing");
-    let abilities = control::abilities(control, config.demands());
-    let listener = Listener::<M>::new(config);
-    let mut planner = Planner::new(Box::new(machine), config.policy(), Units::Millimetres, &abilities, false, listener)
-        .with_course(navigator.finish());
-    let fault = |stop: Stop| match stop {
-        Stop::Fault(fault) => fault.text,
-        Stop::Output(error) => panic!("{error}"),
-    };
-    hand_on::<M, _>(config, events, &mut planner).map_err(fault)?;
-    let last = Location { line: events.len() as u64 + 1, column: 1 };
-    planner.finish(last).map_err(fault)?;
-    let listener = planner.sink();
-    let moves = events.iter().zip(1..).filter(|(event, _)| matches!(event, Event::Move(_)));
-    let all = moves.map(|(_, line)| listener.said(line)).collect();
-    let framed = listener.says.plane.is_some() || listener.says.began.is_some();
-    assert!(!framed, "the program ends with the frame off");
-    Ok(all)
-}
-
-/// Hands on the items of events; the event at position `n` is in line `n + 1`.
-fn hand_on<M: Machine, S: Stage>(config: &Config, events: &[Event<'_>], stage: &mut S) -> Result<(), S::Stop> {
-    let mut source = Source::new(&M::default(), config.policy());
-    for (line, event) in events.iter().enumerate() {
-        source.event(Location { line: line as u64 + 1, column: 1 }, event, stage)?;
-    }
-    source.finish(stage)
-}
-
-/// Turns about coordinate directions, written out.
-fn about(axis: usize, degrees: f64) -> Matrix3<f64> {
-    rotation(&[Vector3::x(), Vector3::y(), Vector3::z()][axis], degrees.to_radians())
-        .fixed_view::<3, 3>(0, 0)
-        .into_owned()
-}
-
-/// The orientation of a plane's angles, as the manual of each control has it.
-///
-/// Fanuc, B-63784EN "tilted working plane command": Euler angles I about Z, J about the new X, K about the new Z. Siemens,
-/// CYCLE800 mode 57: about X, the new Y, the new Z. Heidenhain, PLANE SPATIAL: about the fixed X, then Y, then Z.
-fn orientation(control: &str, [a, b, c]: [f64; 3]) -> Matrix3<f64> {
-    match control {
-        "fanuc" => about(2, a) * about(0, b) * about(2, c),
-        "siemens" => about(0, a) * about(1, b) * about(2, c),
-        _ => about(2, c) * about(1, b) * about(0, a),
-    }
-}
-
-/// Signs of the words X Y Z.
-fn signs<M: Machine>(machine: &M) -> Matrix3<f64> {
-    let index = |letter: char| M::AXES.iter().position(|axis| axis.letter == letter).expect("an axis of this letter");
-    Matrix3::from_diagonal(&Vector3::from(['X', 'Y', 'Z'].map(|letter| machine.joint(index(letter)).sign)))
-}
-
-fn linear_words<M: Machine>(words: &[f64; 9]) -> Vector3<f64> {
-    let word = |letter: char| words[M::AXES.iter().position(|axis| axis.letter == letter).expect("an axis")];
-    Vector3::new(word('X'), word('Y'), word('Z'))
-}
-
-fn axis_values<M: Machine>(words: &[f64; 9]) -> Vec<f64> {
-    let value = |(index, axis): (usize, &pp_runtime::kinematics::Axis)| match axis.kind {
-        AxisKind::Linear => words[index],
-        AxisKind::Rotary => words[index].to_radians(),
-    };
-    M::AXES.iter().enumerate().map(value).collect()
-}
-
-/// The point of the workpiece that stands where the words say, the table turned as in `words`.
-fn on_table<M: Machine>(machine: &M, at: &Vector3<f64>, words: &[f64; 9]) -> Point3<f64> {
-    let mut point = Vector4::new(at.x, at.y, at.z, 1.0);
-    for (index, axis) in M::AXES.iter().enumerate().rev() {
-        if axis.kind == AxisKind::Rotary && axis.side == Side::Workpiece {
-            let joint = machine.joint(index);
-            let angle = joint.sign * words[index].to_radians();
-            point = rotation_about(&joint.point.coords, &joint.direction, angle) * point;
-        }
-    }
-    Point3::new(point.x, point.y, point.z)
-}
-
-/// Where the tool is by the words of a mode: tip and axis.
-fn meant<M: Machine>(machine: &M, config: &Config, control: &str, says: &Says) -> (Point3<f64>, Vector3<f64>) {
-    let oracle = Oracle::of(machine);
-    let words = signs(machine).transpose() * linear_words::<M>(&says.words);
-    let axis = oracle.forward(&axis_values::<M>(&says.words)).axis.into_inner();
-    match config.motion.mode {
-        Mode::Axes => (oracle.forward(&axis_values::<M>(&says.words)).tip, axis),
-        Mode::Tcp => {
-            let began = says.began.expect("under tip control");
-            let tip = match config.motion.tip.tcp_frame.unwrap_or(TcpFrame::TableAtZero) {
-                TcpFrame::TableAtZero => Point3::from(words),
-                TcpFrame::TableAtStart => on_table(machine, &words, &began),
-                TcpFrame::NotTurning => on_table(machine, &words, &says.words),
-            };
-            let Some(vector) = says.vector else { return (tip, axis) };
-            let vector = signs(machine).transpose() * Vector3::from(vector);
-            let axis = match config.motion.tip.tcp_frame {
-                Some(TcpFrame::TableAtStart) => {
-                    on_table(machine, &vector, &began) - on_table(machine, &Vector3::zeros(), &began)
-                }
-                _ => vector,
-            };
-            (tip, axis)
-        }
-        Mode::Plane => {
-            let (signs, plane) = (signs(machine), orientation(control, says.plane.expect("a plane")));
-            let tip = signs * plane * linear_words::<M>(&says.words);
-            (Point3::from(tip), signs * plane.column(2))
-        }
-    }
-}
-
-/// Operations with a tool axis of their own each, and cuts in which the axis turns unless it is to be held.
-fn events<M: Machine>(machine: &M, random: &mut Random, hold: bool) -> Vec<Event<'static>> {
-    let mut events = vec![
-        Event::Tool(ToolCall { number: 1, length_mm: Some(LENGTH), ..ToolCall::default() }),
-        Event::Spindle(Spindle::On { speed_rev_per_min: Some(9000.0), rotation: Some(Rotation::Clockwise) }),
-    ];
-    for _ in 0..6 {
-        events.push(Event::Operation(b"OPERATION"));
-        let axis = |random: &mut Random| {
-            let values: Vec<f64> = M::AXES
-                .iter()
-                .map(|axis| match (axis.kind, axis.limits) {
-                    (AxisKind::Linear, _) => 0.0,
-                    (_, Some(limits)) => random.between(limits.lower.max(-1.0), limits.upper.min(1.0)),
-                    (_, None) => random.between(-3.0, 3.0),
-                })
-                .collect();
-            Oracle::of(machine).forward(&values).axis
-        };
-        let start = axis(random);
-        for point in 0..5 {
-            let tip = Point3::new(random.between(-50.0, 50.0), random.between(-50.0, 50.0), random.between(0.0, 30.0));
-            // Near enough to stay on the branch.
-            let lean = random.between(0.0, 0.1);
-            let turned = axis(random).into_inner() * lean + start.into_inner() * (1.0 - lean);
-            let within = machine.reach(&UnitVector3::new_normalize(turned), &M::HELD).is_ok();
-            let axis = if hold || point == 0 || !within { start } else { UnitVector3::new_normalize(turned) };
-            let pose = Pose { tip, axis };
-            events.push(Event::Move(Move { pose, rapid: point == 0, feed: Some(Feed::PerMinute(750.0)) }));
-        }
-    }
-    events
-}
-
-fn set_up(mode: Mode, tcp_frame: Option<TcpFrame>, control: &dyn Control, random: &mut Random) -> Config {
-    let mut config = starting_point(control);
-    config.motion.mode = mode;
-    config.motion.tip.tcp_frame = tcp_frame;
-    config.set_up.part_origin = [random.between(-40.0, 40.0), random.between(-40.0, 40.0), random.between(-20.0, 90.0)];
-    config.motion.retract.distance = Some(40.0);
-    config.motion.guards.length_guard = Some(false);
-    config.motion.feed.largest = Some(30_000.0);
-    config.motion.tip.tcp_confirmed = true;
-    config.set_up.tools.insert(1, GivenTool { length_mm: Some(LENGTH), ..GivenTool::default() });
-    config
-}
 
 /// A control in a mode, and how its program is asked for.
 #[derive(Clone, Copy)]

@@ -1,0 +1,194 @@
+//! Length guards: lines that stop the program unless the control's tool length is the one posted.
+//!
+//! | control | form |
+//! |---|---|
+//! | LinuxCNC | `o1 if [..]`, `(abort, ..)`, `o1 endif` |
+//! | Fanuc, Haas | `IF [ABS[#..+#..-L] GT t] THEN #3000=101 (..)` |
+//! | Siemens | `IF ABS($P_TOOLL[1]-L)>t`, a message, M0, M30, `ENDIF` |
+//! | Heidenhain | `FN 18` twice, `FN 1`, `FN 12` twice, `LBL "OFF1"`, a comment, `FN 14`, `LBL "FITS1"` |
+//!
+//! A guard is whole, or refused: a program whose guard lacks a line, or compares something else, does something unknown.
+
+use super::Control;
+use super::lexer::{Content, Number, Token};
+use super::trace::Effect;
+
+/// The lines of a guard that have been read, and those that are to come.
+#[derive(Debug, Default)]
+pub(super) struct Guards {
+    open: Option<Open>,
+}
+
+#[derive(Debug)]
+struct Open {
+    line: usize,
+    effect: Effect,
+    /// Lines that have to follow, the next one last.
+    due: Vec<Due>,
+}
+
+#[derive(Debug, Clone, PartialEq)]
+enum Due {
+    Comment,
+    Line(String),
+    Block(u32),
+    /// `FN 12: IF +QL1 LT +low GOTO LBL "OFF1"`, then the same for the higher length.
+    Low,
+    High(f64, String),
+}
+
+/// What became of a line.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Outcome {
+    /// The line is not part of a guard.
+    NotAGuard,
+    /// The guard goes on.
+    GoesOn,
+    /// The guard is complete; it began in this line.
+    Complete(usize, Effect),
+}
+
+/// Length with which the first line of a LinuxCNC guard compares, in the unit of the program.
+#[must_use]
+pub fn guarded_length(text: &str) -> Option<f64> {
+    match linuxcnc(text)?.0 {
+        Effect::Guard { length, .. } => Some(length),
+        _ => None,
+    }
+}
+
+const REFUSED: &str = "not a guard, or not a whole one";
+
+impl Guards {
+    /// Offers a line to the guard that is open, or to a new one.
+    pub(super) fn line(&mut self, control: Control, line: usize, content: &Content) -> Result<Outcome, String> {
+        if let Some(mut open) = self.open.take() {
+            open.next(content)?;
+            return Ok(self.keep(open));
+        }
+        let Content::Condition(text) = content else {
+            let abort = matches!(content, Content::Comment(text) if text.starts_with("abort,"));
+            return if control == Control::LinuxCnc && abort {
+                Err(REFUSED.to_owned())
+            } else {
+                Ok(Outcome::NotAGuard)
+            };
+        };
+        let begun = match control {
+            Control::LinuxCnc => linuxcnc(text),
+            Control::Fanuc | Control::Haas => alarm(control, text),
+            Control::Siemens => siemens(text),
+            Control::Heidenhain => heidenhain(text),
+        };
+        let (effect, due) = begun.ok_or(REFUSED)?;
+        Ok(self.keep(Open { line, effect, due }))
+    }
+
+    /// Whether a guard has begun and not ended.
+    pub(super) fn is_open(&self) -> bool {
+        self.open.is_some()
+    }
+
+    fn keep(&mut self, open: Open) -> Outcome {
+        if open.due.is_empty() {
+            return Outcome::Complete(open.line, open.effect);
+        }
+        self.open = Some(open);
+        Outcome::GoesOn
+    }
+}
+
+impl Open {
+    fn next(&mut self, content: &Content) -> Result<(), String> {
+        let fits = match (self.due.pop(), content) {
+            (Some(Due::Comment), Content::Comment(text)) => !text.is_empty(),
+            (Some(Due::Line(due)), Content::Condition(text)) => *text == due,
+            (Some(Due::Line(due)), Content::Comment(text)) => text.starts_with(&due),
+            (Some(Due::Block(code)), Content::Block(tokens)) => is_m(tokens, code),
+            (Some(Due::Low), Content::Condition(text)) => self.low(text).is_some(),
+            (Some(Due::High(low, label)), Content::Condition(text)) => self.high(text, low, &label).is_some(),
+            _ => false,
+        };
+        if fits { Ok(()) } else { Err(REFUSED.to_owned()) }
+    }
+
+    /// `FN 12: IF +QL1 LT +109.99 GOTO LBL "OFF1"`.
+    fn low(&mut self, text: &str) -> Option<()> {
+        let (low, label) = jump(text)?;
+        let label = label.strip_prefix("OFF")?;
+        self.due.push(Due::High(low, label.to_owned()));
+        Some(())
+    }
+
+    /// `FN 12: IF +QL1 LT +110.01 GOTO LBL "FITS1"`: the length is in the middle of both.
+    fn high(&mut self, text: &str, low: f64, label: &str) -> Option<()> {
+        let (high, to) = jump(text)?;
+        if to.strip_prefix("FITS")? != label || high <= low {
+            return None;
+        }
+        let round = |value: f64| (value * 1e6).round() / 1e6;
+        self.effect = Effect::Guard { length: round((low + high) / 2.0), tolerance: round((high - low) / 2.0) };
+        self.due = vec![
+            Due::Line(format!("LBL \"FITS{label}\"")),
+            Due::Line("FN 14: ERROR = 100".to_owned()),
+            Due::Comment,
+            Due::Line(format!("LBL \"OFF{label}\"")),
+        ];
+        Some(())
+    }
+}
+
+fn is_m(tokens: &[Token], code: u32) -> bool {
+    matches!(tokens, [Token::Word { name, number, .. }] if name == "M" && (number.value - f64::from(code)).abs() < 1e-9)
+}
+
+fn number(text: &str) -> Option<f64> {
+    Number::take(text).filter(|(_, rest)| rest.is_empty()).map(|(number, _)| number.value)
+}
+
+fn linuxcnc(text: &str) -> Option<(Effect, Vec<Due>)> {
+    let (label, condition) = text.split_once(" if ")?;
+    label.strip_prefix('o')?.parse::<u32>().ok()?;
+    let compared = condition.strip_prefix("[[ABS[#5403 - ")?.split(']').next()?;
+    let allowed = condition.rsplit(" GT ").next()?.strip_suffix("]]")?;
+    let whole = format!("[[ABS[#5403 - {compared}] GT {allowed}] AND [ABS[[#5403 * 25.4] - {compared}] GT {allowed}]]");
+    let effect = Effect::Guard { length: number(compared)?, tolerance: number(allowed)? };
+    (condition == whole).then(|| (effect, vec![Due::Line(format!("{label} endif")), Due::Line("abort,".to_owned())]))
+}
+
+/// The two registers that hold geometry and wear of one length: #10001 and #11001 on Fanuc, #2001 and #2201 on Haas.
+fn alarm(control: Control, text: &str) -> Option<(Effect, Vec<Due>)> {
+    let spaced = text.strip_prefix("IF [ABS[#")?;
+    let (condition, alarm) = spaced.split_once("] THEN #3000=")?;
+    let (sum, allowed) = condition.split_once("] GT ")?;
+    let sum = sum.replace(' ', "");
+    let (first, rest) = sum.split_once("+#")?;
+    let (second, compared) = rest.split_once('-')?;
+    let (first, second): (u32, u32) = (first.parse().ok()?, second.parse().ok()?);
+    let (base, more) = if control == Control::Fanuc { (10_000, 1000) } else { (2000, 200) };
+    let one_register = first > base && first < base + more && second == first + more;
+    let message = alarm.trim_start().strip_prefix("101 (")?.strip_suffix(')')?;
+    let effect = Effect::Guard { length: number(compared)?, tolerance: number(allowed)? };
+    (one_register && !message.contains(['(', ')'])).then(|| (effect, Vec::new()))
+}
+
+fn siemens(text: &str) -> Option<(Effect, Vec<Due>)> {
+    let (compared, allowed) = text.strip_prefix("IF ABS($P_TOOLL[1]-")?.split_once(")>")?;
+    let effect = Effect::Guard { length: number(compared)?, tolerance: number(allowed)? };
+    let due = vec![Due::Line("ENDIF".to_owned()), Due::Block(30), Due::Block(0), Due::Comment];
+    Some((effect, due))
+}
+
+/// `FN 18: SYSREAD QL1 = ID50 NR1 IDX5` reads the length of tool 5; its wear and their sum follow.
+fn heidenhain(text: &str) -> Option<(Effect, Vec<Due>)> {
+    let tool: u32 = text.strip_prefix("FN 18: SYSREAD QL1 = ID50 NR1 IDX")?.parse().ok()?;
+    let wear = format!("FN 18: SYSREAD QL2 = ID50 NR4 IDX{tool}");
+    let due = vec![Due::Low, Due::Line("FN 1: QL1 = +QL1 + +QL2".to_owned()), Due::Line(wear)];
+    Some((Effect::Modal, due))
+}
+
+/// The number and the label of `FN 12: IF +QL1 LT +109.99 GOTO LBL "OFF1"`.
+fn jump(text: &str) -> Option<(f64, &str)> {
+    let (compared, label) = text.strip_prefix("FN 12: IF +QL1 LT ")?.split_once(" GOTO LBL \"")?;
+    Some((number(compared)?, label.strip_suffix('"')?))
+}

@@ -1,0 +1,64 @@
+//! Lines of LinuxCNC, Fanuc and Haas: letters and numbers.
+
+use super::super::Control;
+use super::super::meaning::Counting;
+use super::{Content, Line, Mark, Number, Token, take_number};
+
+pub(super) fn line(control: Control, text: &str) -> Result<Line, String> {
+    let content = |content| Ok(Line { number: None, content });
+    if let Some(inside) = text.strip_prefix('(')
+        && let Some(comment) = inside.strip_suffix(')')
+        && !comment.contains(['(', ')'])
+    {
+        return content(Content::Comment(comment.to_owned()));
+    }
+    let condition = match control {
+        Control::LinuxCnc => text.starts_with(['o', 'O']),
+        _ => text.starts_with("IF"),
+    };
+    if condition {
+        return content(Content::Condition(text.to_owned()));
+    }
+    if control != Control::LinuxCnc {
+        if text == "%" {
+            return content(Content::Mark(Mark::Tape));
+        }
+        if let Some(name) = text.strip_prefix('O') {
+            return match name.split_once(' ') {
+                Some((digits, title)) if digits.parse::<u32>().is_ok() && is_comment(title) => {
+                    content(Content::Mark(Mark::Name))
+                }
+                _ => Err("not a program number with its name".to_owned()),
+            };
+        }
+    }
+    let mut tokens = tokens(&text.to_ascii_uppercase())?;
+    let number = take_number(&mut tokens)?;
+    Ok(Line { number, content: Content::Block(tokens) })
+}
+
+fn is_comment(text: &str) -> bool {
+    text.strip_prefix('(').and_then(|text| text.strip_suffix(')')).is_some_and(|text| !text.contains(['(', ')']))
+}
+
+/// Letters and their numbers, with comments between them left out.
+fn tokens(mut text: &str) -> Result<Vec<Token>, String> {
+    let mut tokens = Vec::new();
+    loop {
+        text = text.trim_start();
+        let Some(letter) = text.chars().next() else { break };
+        if letter == '(' {
+            let end = text.find(')').ok_or("a comment does not end")?;
+            if text[1..end].contains('(') {
+                return Err("a comment holds a bracket".to_owned());
+            }
+            text = &text[end + 1..];
+            continue;
+        }
+        let word = Number::take(text[1..].trim_start()).filter(|_| letter.is_ascii_uppercase());
+        let (number, rest) = word.ok_or_else(|| format!("`{text}` does not begin with a word"))?;
+        tokens.push(Token::Word { name: letter.to_string(), number, counting: Counting::AsInForce });
+        text = rest;
+    }
+    if tokens.is_empty() { Err("an empty line".to_owned()) } else { Ok(tokens) }
+}

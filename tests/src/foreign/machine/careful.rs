@@ -1,0 +1,174 @@
+//! What a control would run, and no careful programmer writes.
+//!
+//! - Two deeds in one block (a motion and M8, a dwell and a tool change), whose order a control decides.
+//! - A feed motion without tool, spindle, length compensation, F, or with F in inverse time that is not its own.
+//! - A rapid with F or in inverse time.
+//! - A motion without work offset or unit, and on LinuxCNC without length compensation.
+//! - A block that names the unit and not the rest of a complete modal state.
+//! - On LinuxCNC a length compensation that shares a block, M3 without S, a block that does nothing.
+
+use super::super::Control;
+use super::super::axes::Axes;
+use super::super::meaning::{Address, Command, Meaning};
+use super::super::state::{Compensation, CycleKind, Distance, FeedMode, Length, Spindle};
+use super::super::trace::Effect;
+use super::Machine;
+
+/// Rules for a block before it is executed.
+pub(super) fn block(machine: &Machine, command: &Command) -> Result<(), String> {
+    one_deed(command)?;
+    let linuxcnc = machine.control == Control::LinuxCnc;
+    if command.meanings.iter().any(|meaning| matches!(meaning, Meaning::Units(_))) {
+        complete(machine.control, command)?;
+    }
+    let on = |meaning: &Meaning| matches!(meaning, Meaning::LengthOn | Meaning::LengthWithTipControl(_));
+    if machine.gauge_line && command.meanings.iter().any(on) {
+        return Err("a length offset under words of the gauge line".to_owned());
+    }
+    if !linuxcnc {
+        return Ok(());
+    }
+    if command.has(Meaning::LengthOn) && (command.meanings.len() > 1 || command.words.len() > 1) {
+        return Err("G43 H shares its block with what has no business there".to_owned());
+    }
+    let starts =
+        command.has(Meaning::Spindle(Spindle::Clockwise)) || command.has(Meaning::Spindle(Spindle::CounterClockwise));
+    if starts && !command.words.iter().any(|word| word.address == Address::Speed) {
+        return Err("S is missing".to_owned());
+    }
+    Ok(())
+}
+
+/// At most one of: motion, dwell, tool change, spindle, coolant, stop, end.
+fn one_deed(command: &Command) -> Result<(), String> {
+    let deed = |meaning: &&Meaning| {
+        matches!(
+            meaning,
+            Meaning::Dwell
+                | Meaning::ToolChange
+                | Meaning::Stop
+                | Meaning::OptionalStop
+                | Meaning::End
+                | Meaning::Spindle(_)
+                | Meaning::CoolantOn(_)
+                | Meaning::CoolantOff(_)
+        )
+    };
+    let deeds = command.meanings.iter().filter(deed).count();
+    let pole = command.has(Meaning::Pole);
+    if deeds > 1 || deeds == 1 && (command.has_axes() || command.meanings.len() > 1 && !is_tool_call(command)) {
+        return Err("a code that needs a block of its own has no business in this one".to_owned());
+    }
+    let feed = command.words.iter().any(|word| word.address == Address::Feed);
+    if feed && (deeds == 1 || pole) {
+        return Err("F has no business in this block".to_owned());
+    }
+    Ok(())
+}
+
+/// `TOOL CALL 5 Z S8000` means several codes.
+fn is_tool_call(command: &Command) -> bool {
+    command.has(Meaning::ToolChange) && command.has(Meaning::Idle)
+}
+
+/// A block that names the unit is a safety line: every group that may hold something else is in it.
+fn complete(control: Control, command: &Command) -> Result<(), String> {
+    let common = [
+        (Meaning::Plane(super::super::state::Plane::Xy), "G17"),
+        (Meaning::Compensation(Compensation::Off), "G40"),
+        (Meaning::Distance(Distance::Absolute), "G90"),
+        (Meaning::FeedMode(FeedMode::PerMinute), "G94"),
+    ];
+    let iso = [(Meaning::LengthOff, "G49"), (Meaning::CancelMotion, "G80")];
+    let wanted = common.iter().chain(iso.iter().filter(|_| control != Control::Siemens));
+    for (meaning, code) in wanted {
+        if !command.has(*meaning) {
+            return Err(format!("the safety line lacks {code}"));
+        }
+    }
+    let offset = |meaning: &Meaning| matches!(meaning, Meaning::WorkOffset(_) | Meaning::FurtherOffset);
+    if !command.meanings.iter().any(offset) {
+        return Err("no work offset".to_owned());
+    }
+    if command.has_axes() || command.words.iter().any(|word| word.address == Address::Feed) {
+        return Err("a motion has no business in a safety line".to_owned());
+    }
+    Ok(())
+}
+
+/// Whether a block of LinuxCNC may move nothing: it selects a tool, or holds codes alone, none of which waits for a motion.
+fn is_mode(command: &Command) -> bool {
+    let waits = |meaning: &Meaning| {
+        matches!(meaning, Meaning::Motion(_) | Meaning::Cycle(_) | Meaning::FeedMode(FeedMode::InverseTime))
+    };
+    let words = command
+        .words
+        .iter()
+        .all(|word| matches!(word.address, Address::Tool | Address::PathTolerance | Address::RadiusRegister));
+    words && !command.meanings.iter().any(waits)
+}
+
+/// A guard of LinuxCNC reads the length that is in force.
+pub(super) fn guard(machine: &Machine) -> Result<(), String> {
+    match machine.state.length {
+        Some(Length::Register(_)) => Ok(()),
+        _ if machine.control != Control::LinuxCnc => Ok(()),
+        _ => Err("a guard before the length offset".to_owned()),
+    }
+}
+
+/// Rules for what a block has done.
+pub(super) fn effect(machine: &Machine, command: &Command, effect: &Effect, words: &Axes) -> Result<(), String> {
+    let state = &machine.state;
+    if *effect == Effect::Modal && machine.control == Control::LinuxCnc && !is_mode(command) {
+        return Err("a block that moves nothing".to_owned());
+    }
+    let feed = command.words.iter().any(|word| word.address == Address::Feed);
+    if feed && matches!(effect, Effect::Rapid | Effect::Machine) {
+        return Err("a rapid in inverse time or with F".to_owned());
+    }
+    if matches!(effect, Effect::Dwell(_)) && state.feed_mode == Some(FeedMode::InverseTime) {
+        return Err("a dwell in inverse time".to_owned());
+    }
+    if matches!(effect, Effect::Machine | Effect::Rapid) && state.feed_mode == Some(FeedMode::InverseTime) {
+        return Err("a rapid in inverse time".to_owned());
+    }
+    if !effect.moves() || matches!(effect, Effect::Orient) {
+        return Ok(());
+    }
+    if state.units.is_none() {
+        return Err("neither inches nor millimetres are in force".to_owned());
+    }
+    if *effect == Effect::Machine {
+        return Ok(());
+    }
+    let length = matches!(state.length, Some(Length::Register(_))) != machine.gauge_line;
+    let needs_length = effect.cuts() || machine.control == Control::LinuxCnc || words.contains('Z');
+    if state.work_offset.is_none() || needs_length && !length {
+        return Err("a motion without work offset or length offset".to_owned());
+    }
+    if effect.cuts() { cut(machine, effect) } else { Ok(()) }
+}
+
+fn cut(machine: &Machine, effect: &Effect) -> Result<(), String> {
+    let state = &machine.state;
+    let turns = matches!(state.spindle, Some(Spindle::Clockwise | Spindle::CounterClockwise));
+    if state.tool.is_none() || !turns && !machine.dry {
+        return Err("a feed motion without tool or with the spindle off".to_owned());
+    }
+    let own = match effect {
+        Effect::Hole(hole) => hole.cycle.feed.is_some() || matches!(hole.cycle.kind, CycleKind::Tap { .. }),
+        _ => false,
+    };
+    if state.feed.is_none() && !own {
+        let inverse = state.feed_mode == Some(FeedMode::InverseTime);
+        return Err(if inverse { "G93 without F" } else { "G1 without F" }.to_owned());
+    }
+    if state.feed_mode.is_none() {
+        return Err("neither G93 nor G94 is in force".to_owned());
+    }
+    if matches!(effect, Effect::Hole(_)) && state.feed_mode == Some(FeedMode::InverseTime) {
+        return Err("a cycle in inverse time".to_owned());
+    }
+    Ok(())
+}

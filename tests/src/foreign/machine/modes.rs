@@ -1,0 +1,227 @@
+//! Modal codes: each changes its part of the state.
+
+use super::super::Control;
+use super::super::axes::{Axes, is_rotary};
+use super::super::meaning::{Address, Command, Meaning, Supply, whole};
+use super::super::state::{
+    Compensation, FeedMode, Length, PathMode, Plane, Spindle, State, TiltedPlane, TipControl, WorkOffset,
+};
+use super::Machine;
+
+impl Machine {
+    /// Obeys every modal code and the words that belong to it, in the order in which a control does.
+    pub(super) fn modes(&mut self, meanings: &[Meaning], command: &mut Command) -> Result<(), String> {
+        let before = self.state;
+        self.feeds_and_units(meanings, command)?;
+        self.tool_and_spindle(meanings, command)?;
+        for &meaning in meanings {
+            self.mode(meaning, command)?;
+        }
+        self.tool_vector(command);
+        self.forget_positions(&before, meanings);
+        Ok(())
+    }
+
+    fn feeds_and_units(&mut self, meanings: &[Meaning], command: &mut Command) -> Result<(), String> {
+        let state = &mut self.state;
+        if state.feed_mode == Some(FeedMode::InverseTime) {
+            // An F of inverse time holds for its own block only.
+            state.feed = None;
+        }
+        for meaning in meanings {
+            match meaning {
+                Meaning::Units(units) => state.units = Some(*units),
+                Meaning::FeedMode(mode) => {
+                    state.feed_mode = Some(*mode);
+                    state.feed = None;
+                }
+                _ => {}
+            }
+        }
+        if let Some(feed) = command.take(Address::Feed) {
+            if feed <= 0.0 {
+                return Err("F0".to_owned());
+            }
+            state.feed = Some(feed);
+        }
+        Ok(())
+    }
+
+    fn tool_and_spindle(&mut self, meanings: &[Meaning], command: &mut Command) -> Result<(), String> {
+        let state = &mut self.state;
+        if let Some(speed) = command.take(Address::Speed) {
+            if speed <= 0.0 {
+                return Err("S0".to_owned());
+            }
+            state.speed = Some(speed);
+        }
+        if let Some(tool) = command.take(Address::Tool) {
+            state.selected = Some(whole(tool)?);
+        }
+        if meanings.contains(&Meaning::ToolChange) {
+            state.tool = Some(state.selected.take().ok_or("a tool change without T")?);
+            state.spindle = Some(Spindle::Off);
+            state.length = None;
+            state.position = Axes::default();
+            state.machine = Axes::default();
+        }
+        Ok(())
+    }
+
+    fn mode(&mut self, meaning: Meaning, command: &mut Command) -> Result<(), String> {
+        let siemens = self.control == Control::Siemens;
+        let state = &mut self.state;
+        match meaning {
+            Meaning::Spindle(spindle) => {
+                if spindle != Spindle::Off && state.speed.is_none() {
+                    return Err("the spindle starts without S".to_owned());
+                }
+                state.spindle = Some(spindle);
+            }
+            Meaning::CoolantOn(supply) => switch(state, supply, true),
+            Meaning::CoolantOff(supply) => switch(state, supply, false),
+            Meaning::Plane(plane) => state.plane = Some(plane),
+            Meaning::Compensation(side) => {
+                let register = command.take(Address::RadiusRegister).map(whole).transpose()?;
+                state.compensation = Some(match side {
+                    Compensation::Off if register.is_some() => return Err("G40 with a register".to_owned()),
+                    Compensation::Off => Compensation::Off,
+                    Compensation::Left(_) => Compensation::Left(register),
+                    Compensation::Right(_) => Compensation::Right(register),
+                });
+            }
+            Meaning::LengthOff => {
+                state.length = Some(Length::Off);
+                if !siemens && self.control != Control::LinuxCnc && state.under_tip_control() {
+                    state.tip_control = Some(TipControl::Off);
+                    state.vector = None;
+                }
+            }
+            Meaning::LengthOn => self.length(command)?,
+            Meaning::LengthWithTipControl(vectors) => {
+                self.length(command)?;
+                self.begin_tip_control(vectors);
+            }
+            Meaning::TipControl(true) => self.begin_tip_control(false),
+            Meaning::TipControl(false) => {
+                state.tip_control = Some(TipControl::Off);
+                state.vector = None;
+            }
+            Meaning::WorkOffset(offset) => state.work_offset = Some(offset),
+            Meaning::FurtherOffset => {
+                let number = command.take(Address::OffsetNumber).ok_or("a work offset without its number")?;
+                state.work_offset = Some(WorkOffset::Further(whole(number)?));
+            }
+            Meaning::Distance(distance) => state.distance = Some(distance),
+            Meaning::ExactStop => state.path = Some(PathMode::ExactStop),
+            Meaning::Continuous => state.path = Some(PathMode::Continuous(command.take(Address::PathTolerance))),
+            Meaning::Return(level) => state.return_level = Some(level),
+            Meaning::Tilt => state.tilt = Some(command.tilt.take()),
+            Meaning::TiltOff => state.tilt = Some(None),
+            Meaning::Orient => {
+                let plane = state.tilted_plane().ok_or("no tilted plane to turn to")?;
+                state.tilt = Some(Some(TiltedPlane { oriented: true, ..plane }));
+            }
+            Meaning::Interpolation(path) => state.interpolation = Some(path),
+            Meaning::VectorFrame(frame) => state.vector_frame = Some(frame),
+            Meaning::RotaryPath(path) => state.rotary_path = Some(path),
+            Meaning::RigidTapping => state.rigid = true,
+            Meaning::Pole => self.pole(command)?,
+            Meaning::Motion(_)
+            | Meaning::Cycle(_)
+            | Meaning::CancelMotion
+            | Meaning::RigidTap
+            | Meaning::MachineCoordinates
+            | Meaning::Dwell
+            | Meaning::Units(_)
+            | Meaning::FeedMode(_)
+            | Meaning::Smoothing
+            | Meaning::ToolChange
+            | Meaning::Stop
+            | Meaning::OptionalStop
+            | Meaning::End
+            | Meaning::ModalCall
+            | Meaning::Call
+            | Meaning::Idle => {}
+        }
+        Ok(())
+    }
+
+    fn length(&mut self, command: &mut Command) -> Result<(), String> {
+        let register = command.take(Address::LengthRegister).ok_or("a length compensation without its register")?;
+        self.state.length = Some(match whole(register)? {
+            0 => Length::Off,
+            register => Length::Register(register),
+        });
+        Ok(())
+    }
+
+    fn begin_tip_control(&mut self, vectors: bool) {
+        let mut start = self.state.position;
+        start.retain(is_rotary);
+        self.state.tip_control = Some(TipControl::On { start, vectors });
+    }
+
+    /// `CC X+.. Y+..`: the other components are no longer known.
+    fn pole(&mut self, command: &mut Command) -> Result<(), String> {
+        self.state.pole = [None; 3];
+        for (place, letter) in self.state.pole.iter_mut().zip(['X', 'Y', 'Z']) {
+            if let Some(word) = command.take_counted(Address::Axis(letter)) {
+                if word.counting != super::super::meaning::Counting::AsInForce {
+                    return Err("a pole by its distance".to_owned());
+                }
+                *place = Some(word.value);
+            }
+        }
+        Ok(())
+    }
+
+    /// Components of the tool axis in the block; a component that is not written is that of the block before.
+    fn tool_vector(&mut self, command: &mut Command) {
+        for index in 0..3 {
+            if let Some(value) = command.take(Address::Vector(index)) {
+                self.state.vector.get_or_insert_default()[index] = value;
+                if let Some(TipControl::On { vectors, .. }) = &mut self.state.tip_control {
+                    *vectors = true;
+                }
+            }
+        }
+    }
+
+    /// Positions are unknown where the block has changed what they count from.
+    fn forget_positions(&mut self, before: &State, meanings: &[Meaning]) {
+        let state = &mut self.state;
+        if meanings.iter().any(|meaning| meaning.group() == Meaning::LengthOn.group()) {
+            // The tool table of LinuxCNC may hold lengths along every linear axis.
+            let all = self.control == Control::LinuxCnc;
+            state.position.retain(|letter| if all { is_rotary(letter) } else { letter != 'Z' });
+        }
+        let tips = (before.under_tip_control(), state.under_tip_control());
+        let begun = tips.1 && before.tip_control != state.tip_control;
+        if (before.work_offset, before.units) != (state.work_offset, state.units)
+            || before.tilted_plane() != state.tilted_plane()
+            || tips.0 != tips.1
+            || begun && meanings.iter().any(|meaning| matches!(meaning, Meaning::TipControl(_)))
+        {
+            state.position.retain(is_rotary);
+        }
+        if before.units != state.units {
+            state.machine = Axes::default();
+        }
+    }
+}
+
+fn switch(state: &mut State, supply: Supply, on: bool) {
+    let coolant = state.coolant.get_or_insert_default();
+    match supply {
+        Supply::Flood => coolant.flood = on,
+        Supply::Mist => coolant.mist = on,
+        Supply::Through => coolant.through = on,
+        Supply::FloodAndMist => (coolant.flood, coolant.mist) = (on, on),
+    }
+}
+
+/// Plane of the state.
+pub(super) fn plane(state: &State) -> Result<Plane, String> {
+    state.plane.ok_or_else(|| "no plane is in force".to_owned())
+}

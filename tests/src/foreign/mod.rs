@@ -1,0 +1,260 @@
+//! A foreign interpreter: programs of all five controls, executed block by block.
+//!
+//! It shares no code with the postprocessor and imports nothing of it. Each block becomes one [`Executed`] with its
+//! [`Effect`] and the whole modal [`State`] after it; a program becomes a [`Trace`]. What the control, or this reader, does
+//! not know is refused and never passed over.
+//!
+//! Layers, each of which knows only the one below:
+//!
+//! 1. [`lexer`]: text into tokens, a lexer a family; `lexer::tidy` refuses untidy text.
+//! 2. `table`: tokens into a [`Command`](meaning::Command) of the common language in [`meaning`], a table a family. A new
+//!    code is a row.
+//! 3. `machine`: commands into effects and state, one machine for all controls; `machine::careful` refuses what a control
+//!    would execute and no careful programmer writes, such as a feed motion with the spindle off.
+//! 4. [`trace`]: the result.
+//!
+//! Length guards take several lines and are recognised as a whole, in `guard`.
+//!
+//! Lengths count in the unit of the program, angles in degrees. Kinematics, travel, offsets and tool tables are unknown
+//! here: positions are coordinates of the program.
+
+pub mod axes;
+mod guard;
+pub mod lexer;
+mod machine;
+pub mod meaning;
+pub mod state;
+mod table;
+pub mod trace;
+
+#[cfg(test)]
+mod tests;
+
+pub use axes::Axes;
+pub use guard::guarded_length;
+pub use state::State;
+pub use trace::{Effect, Executed, Feed, Refused, Trace};
+
+use guard::{Guards, Outcome};
+use lexer::{Content, Mark};
+use machine::Machine;
+
+/// Controls whose programs can be read.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Control {
+    /// LinuxCNC.
+    LinuxCnc,
+    /// Fanuc 30i and its kin.
+    Fanuc,
+    /// Haas NGC.
+    Haas,
+    /// Siemens 840D.
+    Siemens,
+    /// Heidenhain TNC, conversational.
+    Heidenhain,
+}
+
+impl Control {
+    /// Every control.
+    pub const ALL: [Self; 5] = [Self::LinuxCnc, Self::Fanuc, Self::Haas, Self::Siemens, Self::Heidenhain];
+
+    /// Name on the command line and in the names of golden programs.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::LinuxCnc => "linuxcnc",
+            Self::Fanuc => "fanuc",
+            Self::Haas => "haas",
+            Self::Siemens => "siemens",
+            Self::Heidenhain => "heidenhain",
+        }
+    }
+
+    /// The control of this name.
+    #[must_use]
+    pub fn by_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|control| control.name() == name)
+    }
+}
+
+/// A line at which the program is entered, the control just switched on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Entry {
+    /// Line, from 1.
+    pub line: usize,
+    /// Tool in the spindle, as the operator has seen to.
+    pub tool: Option<u32>,
+}
+
+/// How a program is read.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Options {
+    /// The control.
+    pub control: Control,
+    /// Where the program is entered; its first block without it.
+    pub entry: Option<Entry>,
+    /// Words are coordinates of the gauge line: no length compensation may be active.
+    pub gauge_line: bool,
+    /// Nothing is cut: feed motions run with the spindle off.
+    pub dry: bool,
+    /// Text may be untidy, as edits by hand leave it.
+    pub untidy: bool,
+    /// Whole lengths are written with a point on every control.
+    pub pointed: bool,
+    /// Fanuc and Haas read a number without a point as one with a point.
+    pub plain_numbers: bool,
+    /// Blocks of the shop, such as codes of clamps, that the control's table does not have; they change no state known here.
+    pub idle: Vec<String>,
+}
+
+impl Options {
+    /// A whole program, tidy, with length compensation and spindle.
+    #[must_use]
+    pub fn of(control: Control) -> Self {
+        Self {
+            control,
+            entry: None,
+            gauge_line: false,
+            dry: false,
+            untidy: false,
+            pointed: false,
+            plain_numbers: false,
+            idle: Vec::new(),
+        }
+    }
+}
+
+/// Executes a program from its first block to its end code.
+///
+/// # Errors
+/// [`Refused`] at the first line that this reader or a careful control would not run.
+pub fn run(text: &str, options: &Options) -> Result<Trace, Refused> {
+    let mut run = Run {
+        options,
+        machine: Machine::new(options),
+        guards: Guards::default(),
+        trace: Trace::default(),
+        reached: options.entry.is_none(),
+        ended: Ended::No,
+        last_number: None,
+    };
+    let last = text.lines().count();
+    if !options.untidy && !text.ends_with('\n') {
+        return Err(Refused { line: last, why: "the last line does not end".to_owned() });
+    }
+    if !options.untidy {
+        for (index, line) in text.split_terminator('\n').enumerate() {
+            let tidy = lexer::tidy::check(
+                options.control,
+                line.strip_suffix('~').map_or(line, str::trim_end),
+                options.pointed,
+            );
+            tidy.map_err(|why| Refused { line: index + 1, why: format!("{why}: {line}") })?;
+        }
+    }
+    for (line, text) in lexer::joined(options.control, text) {
+        run.line(line, &text).map_err(|why| Refused { line, why: format!("{why}: {text}") })?;
+    }
+    if run.ended == Ended::No || !run.reached || run.guards.is_open() {
+        return Err(Refused { line: last, why: "there is no end code".to_owned() });
+    }
+    Ok(run.trace)
+}
+
+/// Progress towards the end of the file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Ended {
+    No,
+    /// After the end code.
+    Code,
+    /// After the mark that closes the file.
+    File,
+}
+
+struct Run<'a> {
+    options: &'a Options,
+    machine: Machine,
+    guards: Guards,
+    trace: Trace,
+    /// The entry has been reached.
+    reached: bool,
+    ended: Ended,
+    /// Number of the line before, where every line has one.
+    last_number: Option<u32>,
+}
+
+impl Run<'_> {
+    fn line(&mut self, line: usize, text: &str) -> Result<(), String> {
+        let control = self.options.control;
+        let lexer::Line { number, content } = lexer::line(control, text)?;
+        if control == Control::Heidenhain {
+            if self.last_number.is_some_and(|last| number != Some(last + 1)) {
+                return Err("the line number does not follow that of the line before".to_owned());
+            }
+            self.last_number = number;
+        }
+        let closing = matches!(content, Content::Mark(Mark::Tape | Mark::End));
+        if self.ended != Ended::No && !(self.ended == Ended::Code && closing) {
+            return Err("something follows the end code".to_owned());
+        }
+        self.reached |= self.options.entry.is_some_and(|entry| line >= entry.line);
+        match self.guards.line(control, line, &content)? {
+            Outcome::NotAGuard => {}
+            Outcome::GoesOn => {
+                if let Content::Comment(text) = content {
+                    self.trace.comments.push((line, text));
+                }
+                return Ok(());
+            }
+            Outcome::Complete(line, effect) => {
+                if self.reached {
+                    self.machine.guard()?;
+                    self.push(line, None, effect, Axes::default(), false);
+                }
+                return Ok(());
+            }
+        }
+        match content {
+            Content::Comment(text) => self.trace.comments.push((line, text)),
+            Content::Mark(mark) => self.mark(mark),
+            Content::Block(tokens) if self.reached => {
+                let command = match table::command(self.options, &tokens, &self.machine.state) {
+                    Err(_) if self.is_idle(text) => return Ok(()),
+                    command => command?,
+                };
+                let (effect, words) = self.machine.execute(command)?;
+                let restart = match control {
+                    Control::Heidenhain => text.ends_with(" M129"),
+                    _ => number.is_some(),
+                };
+                self.push(line, number, effect, words, restart);
+                if effect == Effect::End {
+                    self.ended = Ended::Code;
+                }
+            }
+            Content::Block(_) => {}
+            Content::Condition(_) => return Err("a condition outside a guard".to_owned()),
+        }
+        Ok(())
+    }
+
+    /// Whether a block, its number aside, is one of the shop's.
+    fn is_idle(&self, text: &str) -> bool {
+        let unnumbered = text.split_once(' ').map(|(_, rest)| rest);
+        self.options.idle.iter().any(|idle| idle == text || unnumbered == Some(idle.as_str()))
+    }
+
+    fn mark(&mut self, mark: Mark) {
+        match mark {
+            // The file begins and ends with this mark.
+            Mark::Tape if self.ended == Ended::Code => self.ended = Ended::File,
+            Mark::End => self.ended = Ended::File,
+            Mark::Begin(inches) => self.machine.begin(inches),
+            Mark::Tape | Mark::Name | Mark::Remark => {}
+        }
+    }
+
+    fn push(&mut self, line: usize, number: Option<u32>, effect: Effect, words: Axes, restart: bool) {
+        self.trace.blocks.push(Executed { line, number, effect, words, restart, state: self.machine.state });
+    }
+}

@@ -1,0 +1,88 @@
+//! Length guards are whole, or refused.
+
+use super::super::{Control, Effect, Options, run};
+use super::{program, trace};
+
+const GUARD: Effect = Effect::Guard { length: 9.5, tolerance: 0.01 };
+
+/// Lines of the guard of a control that compares with 9.5 mm.
+fn guard(control: Control) -> Vec<&'static str> {
+    match control {
+        Control::LinuxCnc => {
+            vec![
+                "o1 if [[ABS[#5403 - 9.5] GT 0.01] AND [ABS[[#5403 * 25.4] - 9.5] GT 0.01]]",
+                "(abort, no)",
+                "o1 endif",
+            ]
+        }
+        Control::Fanuc => vec!["IF [ABS[#10001+#11001-9.5] GT 0.01] THEN #3000=101 (NO)"],
+        Control::Haas => vec!["IF [ABS[#2001 + #2201 - 9.5] GT 0.01] THEN #3000= 101 (NO)"],
+        Control::Siemens => vec!["IF ABS($P_TOOLL[1]-9.5)>0.01", "MSG(\"no\")", "M0", "M30", "ENDIF"],
+        Control::Heidenhain => vec![
+            "FN 18: SYSREAD QL1 = ID50 NR1 IDX1",
+            "FN 18: SYSREAD QL2 = ID50 NR4 IDX1",
+            "FN 1: QL1 = +QL1 + +QL2",
+            "FN 12: IF +QL1 LT +9.49 GOTO LBL \"OFF1\"",
+            "FN 12: IF +QL1 LT +9.51 GOTO LBL \"FITS1\"",
+            "LBL \"OFF1\"",
+            "; no",
+            "FN 14: ERROR = 100",
+            "LBL \"FITS1\"",
+        ],
+    }
+}
+
+fn is_refused(control: Control, lines: &[&str]) -> bool {
+    run(&program(control, &lines.join("\n")), &Options::of(control)).is_err()
+}
+
+#[test]
+fn a_whole_guard_is_one_effect() {
+    for control in Control::ALL {
+        let found = trace(control, &guard(control).join("\n"));
+        let guards = found.blocks.iter().filter(|block| block.effect == GUARD).count();
+        assert_eq!(guards, 1, "{control:?}: {:?}", found.blocks);
+    }
+}
+
+#[test]
+fn a_guard_that_lacks_a_line_is_refused() {
+    for control in Control::ALL {
+        let whole = guard(control);
+        for left_out in (0..whole.len()).filter(|_| whole.len() > 1) {
+            let mut lines = whole.clone();
+            lines.remove(left_out);
+            // A message, or the end of the program, is a block of its own.
+            assert!(is_refused(control, &lines), "{control:?} without {:?}", whole[left_out]);
+        }
+    }
+}
+
+#[test]
+fn a_guard_that_compares_something_else_is_refused() {
+    for (control, from, to) in [
+        (Control::LinuxCnc, "25.4] - 9.5", "25.4] - 9.4"),
+        (Control::LinuxCnc, "#5403 - ", "#5402 - "),
+        (Control::Fanuc, "#11001", "#11002"),
+        (Control::Fanuc, "#3000", "#3001"),
+        (Control::Haas, "#2201", "#2202"),
+        (Control::Siemens, "$P_TOOLL[1]", "$P_TOOLL[2]"),
+        (Control::Siemens, "M30", "M8"),
+        (Control::Heidenhain, "NR4 IDX1", "NR4 IDX2"),
+        (Control::Heidenhain, "FITS1", "FITS2"),
+        (Control::Heidenhain, "LT +9.51", "LT +9.48"),
+    ] {
+        let text = guard(control).join("\n");
+        let other = text.replacen(from, to, 1);
+        assert_ne!(other, text);
+        assert!(is_refused(control, &other.lines().collect::<Vec<_>>()), "{control:?}: {other}");
+    }
+    assert!(is_refused(Control::LinuxCnc, &["(abort, no)"]), "a stop outside a guard");
+}
+
+#[test]
+fn a_guard_of_linuxcnc_needs_the_length_that_it_reads() {
+    let text = guard(Control::LinuxCnc).join("\n");
+    let before = program(Control::LinuxCnc, "").replace("G43 H1", &format!("{text}\nG43 H1"));
+    assert!(run(&before, &Options::of(Control::LinuxCnc)).is_err());
+}

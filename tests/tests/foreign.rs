@@ -1,0 +1,99 @@
+//! Every golden program through the foreign interpreter: it runs to its end, and its motions are those that the product's
+//! own reader finds.
+//!
+//! The two share no code; [`tests::agreement`] has what is compared.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use machines::{Dmu70e, LolaXoyzba, MultiProDesk, SpinnerU5620};
+use pp_runtime::config::{Mode, starting_point};
+use pp_runtime::control;
+use pp_runtime::kinematics::Machine;
+use tests::agreement::{self, Compared};
+use tests::binaries::workspace;
+use tests::foreign::{Control, Effect, Options, Trace, run};
+
+/// Golden programs in the folders of `tests/data`, sorted.
+fn goldens() -> Vec<PathBuf> {
+    let mut files = Vec::new();
+    let mut folders = vec![workspace().join("tests/data")];
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(folder).expect("a folder of the parts") {
+            let path = entry.expect("an entry").path();
+            match path.extension() {
+                _ if path.is_dir() => folders.push(path),
+                Some(extension) if extension == "nc" => files.push(path),
+                _ => {}
+            }
+        }
+    }
+    files.sort();
+    files
+}
+
+/// Machine and control in the name of a golden program.
+fn names(path: &Path) -> (String, Control) {
+    let name = path.file_stem().expect("a name").to_string_lossy().into_owned();
+    let (machine, control) = name.split_once('.').expect("machine and control");
+    (machine.to_owned(), Control::by_name(control).expect("a control"))
+}
+
+fn traced(path: &Path) -> (String, Trace) {
+    let text = fs::read_to_string(path).expect("ASCII");
+    let (_, control) = names(path);
+    let trace = run(&text, &Options::of(control)).unwrap_or_else(|refused| panic!("{}: {refused}", path.display()));
+    (text, trace)
+}
+
+/// Configuration with which a golden program was posted; its folder is that of the part, or of a mode in it.
+fn config_of(path: &Path, machine: &str) -> (String, Mode) {
+    let folder = path.parent().expect("a folder");
+    let (part, mode) = match folder.file_name().and_then(|name| name.to_str()) {
+        Some("tcp") => (folder.parent().expect("the part"), Mode::Tcp),
+        Some("plane") => (folder.parent().expect("the part"), Mode::Plane),
+        _ => (folder, Mode::Axes),
+    };
+    let name = part.file_name().expect("a name").to_string_lossy().into_owned();
+    let name = if name == "works" && machine != "lola-xoyzba" { "table".to_owned() } else { name };
+    (fs::read_to_string(part.join(format!("{name}.toml"))).unwrap_or_default(), mode)
+}
+
+/// Compares every motion of a program; their number.
+fn compare<M: Machine>(path: &Path) -> usize {
+    let text = fs::read_to_string(path).expect("ASCII");
+    let (machine, foreign) = names(path);
+    let control = control::by_name(foreign.name()).expect("a control");
+    let (config, mode) = config_of(path, &machine);
+    let mut config = starting_point(control).read_over(&M::default(), &config).expect("a configuration");
+    config.motion.mode = mode;
+    let compared = agreement::compare::<M>(&text, (&config, control), &Options::of(foreign), Compared::ALL);
+    compared.unwrap_or_else(|why| panic!("{}, {why}", path.display()))
+}
+
+#[test]
+fn every_golden_program_moves_as_the_own_reader_of_the_product_finds() {
+    let (mut programs, mut motions) = (0, 0);
+    for path in goldens() {
+        motions += match names(&path).0.as_str() {
+            "dmu-70e" => compare::<Dmu70e>(&path),
+            "lola-xoyzba" => compare::<LolaXoyzba>(&path),
+            "multiprodesk" => compare::<MultiProDesk>(&path),
+            "spinner-u5-620" => compare::<SpinnerU5620>(&path),
+            name => panic!("{name} is no machine"),
+        };
+        programs += 1;
+    }
+    assert!(programs >= 110 && motions > 10_000, "{programs} programs, {motions} motions");
+}
+
+#[test]
+fn a_golden_program_cut_short_is_refused() {
+    for path in goldens() {
+        let (text, trace) = traced(&path);
+        let end = trace.blocks.iter().rfind(|block| block.effect == Effect::End).expect("an end").line;
+        let options = Options::of(names(&path).1);
+        let short: String = text.split_inclusive('\n').take(end - 1).collect();
+        assert!(run(&short, &options).is_err(), "{} without its end", path.display());
+    }
+}

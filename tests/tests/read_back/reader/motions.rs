@@ -1,0 +1,203 @@
+//! Checks of one motion: approach, retract, cut, piece of a cut, machine coordinates, travel.
+
+use pp_runtime::kinematics::{AxisKind, Machine, Pose, Side};
+use pp_runtime::nalgebra::{Point3, Vector3};
+use tests::block::{angle_to_arc, deviation_from, distance_to_line};
+use tests::foreign::{Axes, Feed};
+use tests::oracle::angle_between;
+
+use super::{
+    BLOCK_POINTS, INDEX_ANGLE, LARGEST_TURN, Motion, NOISE, ON_LINE, ROTARY_UNIT, Reader, SIX_DIGITS, Stage, TOLERANCE,
+    UnderWay,
+};
+use crate::points::Goto;
+
+impl<M: Machine> Reader<'_, M> {
+    /// The approach point: the first GOTO if the next lies straight below it, else a point above the first GOTO.
+    pub(super) fn approach(&mut self, line: usize, values: &[f64], position: &Axes) {
+        let goto = &self.cl.points[self.next];
+        let below = self.cl.points.get(self.next + 1).filter(|next| next.operation == goto.operation);
+        let is_above = goto.rapid && below.is_some_and(|below| straight_down(goto, below));
+        self.checked.approaches += 1;
+        if is_above {
+            self.check_point(line, values, position);
+            self.stage = Stage::Running;
+        } else {
+            let above = goto.tip + goto.axis * self.set_up.approach;
+            self.check_inserted(line, values, &above, &goto.axis);
+            self.place = Some((above, *position));
+        }
+    }
+
+    pub(super) fn check_inserted(&self, line: usize, values: &[f64], tip: &Point3<f64>, axis: &Vector3<f64>) {
+        let pose = self.oracle.forward(values);
+        let missed = (pose.tip - tip).norm();
+        let allowed = ON_LINE.max(self.unit);
+        assert!(missed <= allowed, "line {line}: the inserted point is {missed} mm off its line");
+        let leaning = angle_between(&pose.axis, axis).to_degrees();
+        assert!(leaning <= ROTARY_UNIT, "line {line}: the tool axis of the inserted point is {leaning}° off");
+    }
+
+    /// Out along the tool axis by the distance of the set-up, before a retract of the machine.
+    pub(super) fn is_way_out(&self, motion: &Motion, values: &[f64], then_machine: bool) -> bool {
+        let (Some(distance), Some((tip, _)), true) = (self.set_up.out, &self.place, motion.rapid && then_machine)
+        else {
+            return false;
+        };
+        let Pose { axis, .. } = self.oracle.forward(values);
+        self.check_inserted(0, values, &(tip + axis.into_inner() * distance), &axis);
+        true
+    }
+
+    /// A motion to the next GOTO.
+    pub(super) fn go_to(&mut self, line: usize, motion: &Motion, values: &[f64]) {
+        let Some((from, before)) = self.place else { panic!("line {line}: nobody knows where it begins") };
+        let linear_only = motion.written.letters().all(|letter| !"ABC".contains(letter));
+        assert!(self.stage == Stage::Running || linear_only, "line {line}: the way in turns an axis");
+        let goto = self.cl.points.get(self.next).unwrap_or_else(|| panic!("line {line}: there is no GOTO left"));
+        let (rapid, feed, tip, cl_line) = (goto.rapid, goto.feed, goto.tip, goto.line);
+        assert_eq!(motion.rapid, rapid, "line {line}: CL line {cl_line} wants the other of G0 and G1");
+        let turn = before
+            .iter()
+            .filter(|(letter, _)| "ABC".contains(*letter))
+            .map(|(letter, word)| (motion.position.get(letter).expect("a position") - word).abs())
+            .fold(0.0, f64::max);
+        if rapid {
+            assert!(turn <= INDEX_ANGLE + 1e-9, "line {line}: a rapid turns an axis by {turn}° without a retract");
+        } else {
+            assert!(turn <= LARGEST_TURN, "line {line}: a cut turns an axis by {turn}°");
+            let written = motion.feed.unwrap_or_else(|| panic!("line {line}: no F"));
+            let before = self.values(&before, self.scale).expect("every word is known in the cut");
+            if self.piece(line, &before, values, written, turn > 0.0) {
+                let reached = self.oracle.forward(values).tip;
+                self.place = Some((reached, motion.position));
+                self.led_out = 0.0;
+                self.stage = Stage::Running;
+                return;
+            }
+            if self.under_way.take().is_none() {
+                check_feed(line, written, feed, (tip - from).norm(), turn, self.scale);
+            }
+        }
+        let step = tip - from;
+        let leads_out = turn == 0.0 && angle_between(&step, &self.oracle.forward(values).axis) <= 1e-3;
+        self.led_out = if leads_out { self.led_out + step.norm() } else { 0.0 };
+        self.check_point(line, values, &motion.position);
+        self.stage = Stage::Running;
+        self.pass_repeated();
+    }
+
+    /// Follows a motion that turns an axis, block by block; true if this one ends before the GOTO.
+    pub(super) fn piece(&mut self, line: usize, before: &[f64], values: &[f64], written: Feed, turns: bool) -> bool {
+        let goto = &self.cl.points[self.next];
+        let Some((tip, _)) = self.place else { return false };
+        let begun = self.under_way.unwrap_or_else(|| {
+            let axis = self.oracle.forward(before).axis.into_inner();
+            UnderWay { tip, axis, minutes: 0.0, still: false }
+        });
+        if !turns && self.under_way.is_none() {
+            return false;
+        }
+        let ends = ((&begun.tip, &begun.axis), (&goto.tip, &goto.axis));
+        let off = deviation_from(&self.oracle, before, values, BLOCK_POINTS, ends.0, ends.1);
+        let (tip_tolerance, axis_tolerance) = if self.set_up.coarse { (1.0, 10.0) } else { TOLERANCE };
+        assert!(off.tip <= tip_tolerance, "line {line}: the tip leaves its line by {} mm", off.tip);
+        assert!(off.axis.to_degrees() <= axis_tolerance, "line {line}: the tool axis is {} rad off", off.axis);
+        let pose = self.oracle.forward(values);
+        let room = 0.5 * self.unit * 3_f64.sqrt() + NOISE;
+        let length = (pose.tip - self.oracle.forward(before).tip).norm();
+        let (minutes, exact) = match written {
+            Feed::InverseTime(word) => (1.0 / word, length / goto.feed),
+            Feed::PerMinute(word) => (length / (word * self.scale), length / goto.feed),
+            Feed::PerRevolution(_) => panic!("line {line}: G95"),
+        };
+        let still = length < self.unit + 2.0 * room;
+        let late = (minutes - exact).abs();
+        assert!(still || late <= (2.0 * room + 1e-5 * length) / goto.feed, "line {line}: a piece takes {minutes} min");
+        let under_way = UnderWay { minutes: begun.minutes + minutes, still: begun.still || still, ..begun };
+        let leaning = angle_between(&pose.axis, &goto.axis).to_degrees();
+        if (pose.tip - goto.tip).norm() <= 2.0 * room && leaning <= 2.0 * ROTARY_UNIT {
+            if self.under_way.is_some() {
+                self.under_way = Some(under_way);
+                let whole = (goto.tip - begun.tip).norm() / goto.feed;
+                let late = (under_way.minutes - whole).abs();
+                assert!(
+                    under_way.still || late <= 2.0 * SIX_DIGITS * whole,
+                    "line {line}: {under_way:?} for {whole} min"
+                );
+            }
+            return false;
+        }
+        let missed = distance_to_line(&pose.tip, &begun.tip, &goto.tip);
+        assert!(missed <= room, "line {line}: the inserted point is {missed} mm off its line");
+        let leaning = angle_to_arc(&pose.axis, &begun.axis, &goto.axis).to_degrees();
+        assert!(leaning <= 3.0 * ROTARY_UNIT, "line {line}: the tool axis of the inserted point is {leaning}° off");
+        self.under_way = Some(under_way);
+        true
+    }
+
+    pub(super) fn machine_motion(&mut self, line: usize, motion: &Motion) {
+        if self.stage == Stage::Running && self.place.take().is_some() {
+            let head = M::AXES.iter().any(|axis| axis.kind == AxisKind::Rotary && axis.side == Side::Tool);
+            let wanted = self.set_up.out.unwrap_or(if head { 1.0 } else { 0.0 });
+            assert!(self.led_out >= wanted, "line {line}: the tool leaves the part {} mm along its axis", self.led_out);
+        }
+        self.place = None;
+        self.led_out = 0.0;
+        let parking = self.next == self.cl.points.len() && self.stage == Stage::Away;
+        for (letter, value) in motion.written.iter() {
+            let value = value * self.scale;
+            let parked = self.set_up.park.iter().any(|(axis, place)| *axis == letter && (place - value).abs() < 1e-9);
+            let retracted = letter == 'Z' && (value - self.set_up.retract).abs() < 1e-9;
+            assert!(retracted || (parking && parked), "line {line}: {letter} goes to {value} in machine coordinates");
+            self.parked.extend(parked.then_some(letter));
+        }
+        self.stage = Stage::Away;
+    }
+
+    /// Rotary words against the declared limits, linear words against the travel of the set-up.
+    pub(super) fn check_limits(&self, line: usize, motion: &Motion) {
+        for axis in M::AXES {
+            let Some(word) = motion.written.get(axis.letter) else { continue };
+            if axis.kind == AxisKind::Rotary {
+                if let Some(limits) = axis.limits {
+                    let (low, high) = (limits.lower.to_degrees() - 1e-9, limits.upper.to_degrees() + 1e-9);
+                    let inside = (low..=high).contains(&self.angle(axis.letter, word));
+                    assert!(inside, "line {line}: {}{word} is beyond its limit", axis.letter);
+                }
+            } else if let Some((_, zero, low, high)) = self.set_up.travel.iter().find(|travel| travel.0 == axis.letter)
+            {
+                // The tool's length acts along Z of every machine here.
+                let length = if axis.letter == 'Z' && !motion.machine { self.length() } else { 0.0 };
+                let word = word * self.scale;
+                let place = if motion.machine { word } else { zero + word + length };
+                let inside = (low - 1e-9..=high + 1e-9).contains(&place);
+                assert!(inside, "line {line}: {}{word} is machine coordinate {place}", axis.letter);
+            }
+        }
+    }
+}
+
+fn straight_down(first: &Goto, next: &Goto) -> bool {
+    let step = next.tip - first.tip;
+    let along = step.dot(&first.axis);
+    let across = (step - first.axis * along).norm();
+    along < 0.0 && across <= ON_LINE && (first.axis - next.axis).norm() <= 1e-6
+}
+
+/// `feed` and `length` in mm, `turn` in degrees; `scale`: mm in the program's unit.
+fn check_feed(line: usize, written: Feed, feed: f64, length: f64, turn: f64, scale: f64) {
+    match written {
+        Feed::PerMinute(word) => {
+            assert!(turn == 0.0, "line {line}: G94 in a block that turns an axis");
+            assert!((word - feed / scale).abs() <= 0.5e-3 + 1e-9, "line {line}: F{word} for {feed} mm/min");
+        }
+        Feed::PerRevolution(_) => panic!("line {line}: G95"),
+        Feed::InverseTime(word) => {
+            assert!(turn > 0.0, "line {line}: G93 in a block that turns nothing");
+            let exact = feed / length;
+            let off = (word / exact - 1.0).abs();
+            assert!(off <= SIX_DIGITS, "line {line}: F{word}, and {feed} mm/min over {length} mm is {exact}");
+        }
+    }
+}
