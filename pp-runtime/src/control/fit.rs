@@ -76,10 +76,10 @@ fn unsupported(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
 fn tip_ability(control: &dyn Control, demands: Demands<'_>) -> Option<TipAbility> {
     let own = control.spellings().tip.as_ref().map(|tip| TipAbility {
         frame_is_parameter: tip.frame_is_set,
-        turns_in_plane: tip.turns_in_plane,
+        rotates_axis_in_plane: tip.turns_in_plane,
         takes_vectors: tip.vectors.is_some() && demands.options.tip_control.is_none(),
     });
-    let plain = TipAbility { frame_is_parameter: false, turns_in_plane: false, takes_vectors: false };
+    let plain = TipAbility { frame_is_parameter: false, rotates_axis_in_plane: false, takes_vectors: false };
     own.or_else(|| demands.options.tip_control.is_some().then_some(plain))
 }
 

@@ -32,7 +32,7 @@ pub struct TipAbility {
     /// A parameter of the machine selects the frame of its coordinates.
     pub frame_is_parameter: bool,
     /// It can rotate the tool axis in the plane of the tool axes at both ends of a block.
-    pub turns_in_plane: bool,
+    pub rotates_axis_in_plane: bool,
     /// It accepts the tool axis as a vector.
     pub takes_vectors: bool,
 }
@@ -119,7 +119,7 @@ impl WordFrame {
     }
 
     /// Whether the control rotates the tool axis in the plane of the tool axes at both ends; the rotary axes follow.
-    pub(crate) fn turns_in_plane(&self) -> bool {
+    pub(crate) fn rotates_axis_in_plane(&self) -> bool {
         self.posture == ToolPosture::Plane
     }
 
@@ -273,7 +273,7 @@ fn tcp_faults(
     if !tip.frame_is_parameter && policy.options.tip.tcp_frame.is_some_and(|frame| frame != TcpFrame::TableAtZero) {
         other(format!("{control} has its tip coordinates in the frame of the table at zero"), "leave `tcp_frame` out");
     }
-    if policy.options.tip.tool_posture == ToolPosture::Plane && !tip.turns_in_plane {
+    if policy.options.tip.tool_posture == ToolPosture::Plane && !tip.rotates_axis_in_plane {
         other(format!("{control} interpolates the rotary axes linearly"), "leave `tool_posture` at \"axes\"");
     }
     if policy.options.tip.tcp_words == TcpWords::Vectors && !tip.takes_vectors {

@@ -1,8 +1,9 @@
 //! Linearisation with a guarantee: blocks whose tip and tool axis are *certified* to stay within tolerance.
 //!
 //! CL data programs a straight tip path and a tool axis that rotates evenly in the plane of its ends; a control moves
-//! every axis linearly instead. [`Linearised`] splits a motion so that [`Machine::motion`] certifies every piece, for
-//! the words as they are written: the tolerance is reduced by their rounding.
+//! every axis linearly instead. [`Linearised`] splits a motion so that
+//! [`Machine::motion`](crate::kinematics::Machine::motion) certifies every piece, for the words as they are written:
+//! the tolerance is reduced by their rounding.
 //!
 //! The longest piece from the start that certifies is taken, then the longest from its end, and so on. The search is a
 //! bisection on the path parameter; because deviations grow with the square of the length, the last deviation predicts

@@ -351,7 +351,7 @@ impl Placer {
     pub(crate) fn rotation_is_unprogrammable(&self, from: &AxisPosition, to: &AxisPosition, angle_rad: f64) -> bool {
         let all = self.linear.mask | self.rotary.mask;
         self.vectors
-            && !(to.at_pole && self.frame.turns_in_plane())
+            && !(to.at_pole && self.frame.rotates_axis_in_plane())
             && self.rotary_travel(&from.words, &to.words) > angle_rad
             && self.words(from, all).vector == self.words(to, all).vector
     }
