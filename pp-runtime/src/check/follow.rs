@@ -481,8 +481,8 @@ impl<R: Read> Checker<'_, R> {
                              rapid instead of feed"
                         .to_owned(),
                     false => format!(
-                        "this block matches no motion of the CL data: it ends {off:.4} mm from the next motion, its \
-                         tool axis {turn:.4}° off"
+                        "this block matches no motion of the CL data: it ends {off:.4} mm from the path of the next \
+                         motion, its tool axis {turn:.4}° off"
                     ),
                 }
             }
