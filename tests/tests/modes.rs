@@ -13,7 +13,7 @@ use pp_runtime::config::{Config, GivenTool, Mode, TcpFrame, TcpWords, ToolPostur
 use pp_runtime::control::{self, Control};
 use pp_runtime::kinematics::{AxisKind, Machine, Pose, Side};
 use pp_runtime::machine;
-use pp_runtime::motion::{FeedWord, Navigator, Planner, Provenance, Sink, Source, Stage, Step, Stop};
+use pp_runtime::motion::{FeedWord, Navigator, Planner, PlanningError, Provenance, Sink, Source, Stage, Step};
 use pp_runtime::program::{Event, Feed, Location, Move, Rotation, Spindle, ToolCall};
 use tests::block::{angle_to_arc, distance_to_line};
 use tests::further::{HeadTable, Trunnion};
@@ -89,7 +89,7 @@ impl<M: Machine> Listener<M> {
         }
     }
 
-    fn take(&mut self, words: &pp_runtime::motion::Words) -> bool {
+    fn take(&mut self, words: &pp_runtime::motion::AxisWords) -> bool {
         let mut turned = words.vector.is_some();
         self.says.vector = words.vector.map(|vector| vector.map(|units| units as f64 * 1e-7)).or(self.says.vector);
         for (index, axis) in M::AXES.iter().enumerate().filter(|(index, _)| words.has(*index)) {
@@ -152,9 +152,9 @@ fn posted<M: Machine>(config: &Config, control: &dyn Control, events: &[Event<'_
     let listener = Listener::<M>::new(config);
     let mut planner = Planner::new(Box::new(machine), config.policy(), Units::Millimetres, &abilities, false, listener)
         .with_course(navigator.finish());
-    let fault = |stop: Stop| match stop {
-        Stop::Fault(fault) => fault.text,
-        Stop::Output(error) => panic!("{error}"),
+    let fault = |stop: PlanningError| match stop {
+        PlanningError::Fault(fault) => fault.text,
+        PlanningError::Output(error) => panic!("{error}"),
     };
     hand_on::<M, _>(config, events, &mut planner).map_err(fault)?;
     let last = Location { line: events.len() as u64 + 1, column: 1 };
@@ -298,9 +298,9 @@ fn set_up(mode: Mode, tcp_frame: Option<TcpFrame>, control: &dyn Control, random
     config.motion.mode = mode;
     config.motion.tip.tcp_frame = tcp_frame;
     config.set_up.part_origin = [random.between(-40.0, 40.0), random.between(-40.0, 40.0), random.between(-20.0, 90.0)];
-    config.motion.retract.distance = Some(40.0);
+    config.motion.retract.distance_mm = Some(40.0);
     config.motion.guards.length_guard = Some(false);
-    config.motion.feed.largest = Some(30_000.0);
+    config.motion.feed.largest_mm_per_min = Some(30_000.0);
     config.motion.tip.tcp_confirmed = true;
     config.set_up.tools.insert(1, GivenTool { length: Some(LENGTH), ..GivenTool::default() });
     config
@@ -420,9 +420,13 @@ fn between_points<M: Machine>(seed: u64, frame: TcpFrame) -> usize {
                 let now = Says { words, ..says[index + 1].clone() };
                 let (tip, axis) = meant(&machine, &config, "fanuc", &now);
                 let off = distance_to_line(&tip, &start.tip, &end.tip);
-                assert!(off <= config.motion.tolerance, "{} {frame:?} motion {index}: tip {off}", M::NAME);
+                assert!(off <= config.motion.tolerance_mm, "{} {frame:?} motion {index}: tip {off}", M::NAME);
                 let off = angle_to_arc(&axis, &start.axis, &end.axis);
-                assert!(off <= config.motion.axis_tolerance_path, "{} {frame:?} motion {index}: axis {off}", M::NAME);
+                assert!(
+                    off <= config.motion.axis_tolerance_path_rad,
+                    "{} {frame:?} motion {index}: axis {off}",
+                    M::NAME
+                );
             }
             from = *to;
             blocks += 1;

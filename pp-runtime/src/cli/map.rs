@@ -9,7 +9,7 @@ use serde::ser::{SerializeMap as _, Serializer};
 
 use crate::control::Control;
 use crate::kinematics::{AnyMachine, Axis, AxisKind, Branch};
-use crate::motion::Standing;
+use crate::motion::ReachedPosition;
 use crate::post::{Account, Origin};
 
 use super::outcome::Failure;
@@ -44,7 +44,7 @@ pub(crate) struct MapLine<'a> {
 /// Axis values by letter, mm and degrees.
 struct Axes<'a> {
     axes: &'a [Axis],
-    standing: Standing<'a>,
+    standing: ReachedPosition<'a>,
 }
 
 impl Serialize for Axes<'_> {
@@ -58,7 +58,10 @@ impl Serialize for Axes<'_> {
 }
 
 /// Letters and values of the axes that are known, mm and degrees.
-pub(crate) fn axis_values<'a>(axes: &'a [Axis], standing: &'a Standing<'_>) -> impl Iterator<Item = (char, f64)> + 'a {
+pub(crate) fn axis_values<'a>(
+    axes: &'a [Axis],
+    standing: &'a ReachedPosition<'_>,
+) -> impl Iterator<Item = (char, f64)> + 'a {
     let known = axes.iter().zip(standing.axes).enumerate().filter(|(index, _)| standing.mask & (1 << index) != 0);
     known.map(|(_, (axis, value))| {
         let value = if axis.kind == AxisKind::Rotary { value.to_degrees() } else { *value };

@@ -64,7 +64,7 @@ fn every_default_of_the_printed_file_is_the_default_when_switched_on() {
     plain.set_up.speeds = BTreeMap::new();
     plain.given = BTreeSet::new();
     // Zero as it is assumed, given once more.
-    assert_eq!(plain.motion.retract.position.take(), Some(Retract::POSITION));
+    assert_eq!(plain.motion.retract.position_mm.take(), Some(Retract::POSITION_MM));
     assert_eq!(plain, Config::default());
     let (travel, declared) = (config.set_up.travel(Sample::AXES), Config::default().set_up.travel(Sample::AXES));
     for (one, other) in travel.limits.iter().zip(&declared.limits) {
@@ -90,7 +90,7 @@ fn every_example_of_the_printed_file_is_accepted() {
     assert_eq!(config.set_up.tools[&12].rotation, Some(Rotation::Clockwise));
     assert_eq!(config.set_up.machine_zero.len(), 3);
     assert_eq!(config.motion.park.len(), 2);
-    assert_eq!(config.motion.retract.distance, Some(100.0));
+    assert_eq!(config.motion.retract.distance_mm, Some(100.0));
     assert_eq!(config.control.program.line_numbers, Some(Config::LINE_NUMBER_STEP));
     assert!(!config.file_units_assumed);
 }
@@ -104,11 +104,11 @@ fn inches_and_degrees_become_millimetres_and_radians() {
          [dimensions]\nd = 6\nalpha = 30\n",
     );
     assert!(config.set_up.part_origin.iter().zip([25.4, 12.7, -50.8]).all(|(one, other)| close(*one, other)));
-    assert!(close(config.motion.rapids.index_angle, 5_f64.to_radians()));
-    assert_eq!(config.motion.guards.floor, Some(-6.35));
+    assert!(close(config.motion.rapids.index_angle_rad, 5_f64.to_radians()));
+    assert_eq!(config.motion.guards.floor_mm, Some(-6.35));
     assert!(close(config.set_up.machine_zero[&'X'], -254.0));
     assert!(close(config.motion.park[&'B'], 90_f64.to_radians()));
-    assert_eq!(config.motion.guards.spindle_max, Some(12000.0));
+    assert_eq!(config.motion.guards.spindle_max_rev_per_min, Some(12000.0));
     assert_eq!(config.set_up.tools[&3].length, Some(101.6));
     assert!(close(config.set_up.speeds[&'X'], 2540.0));
     assert!(close(config.set_up.speeds[&'C'], std::f64::consts::TAU));
@@ -121,7 +121,7 @@ fn inches_and_degrees_become_millimetres_and_radians() {
 
 #[test]
 fn the_unit_of_the_file_counts_wherever_it_stands_among_the_keys() {
-    assert_eq!(read("floor = 1\nunits = 'in'\n").motion.guards.floor, Some(25.4));
+    assert_eq!(read("floor = 1\nunits = 'in'\n").motion.guards.floor_mm, Some(25.4));
 }
 
 #[test]
@@ -170,8 +170,11 @@ fn a_key_below_the_wrong_header_is_told_where_it_belongs() {
 fn what_moves_between_cuts_and_how_fast_is_read() {
     let config =
         read("rapid = 'feed'\nrapid_feed = 9000\n[feed]\nkeep_speeds = false\nlargest = 5000\nshortest_block = 0.01\n");
-    assert_eq!((config.motion.rapids.rapid, config.motion.rapids.rapid_feed), (super::Rapid::Feed, Some(9000.0)));
-    assert_eq!((config.motion.feed.keep_speeds, config.motion.feed.largest), (false, Some(5000.0)));
+    assert_eq!(
+        (config.motion.rapids.rapid, config.motion.rapids.rapid_feed_mm_per_min),
+        (super::Rapid::Feed, Some(9000.0))
+    );
+    assert_eq!((config.motion.feed.keep_speeds, config.motion.feed.largest_mm_per_min), (false, Some(5000.0)));
     let help = "give it per minute: `rapid_feed = 10000`";
     assert_eq!(faults("rapid = 'feed'\n"), [format!("1:1: rapid = \"feed\" needs `rapid_feed` | {help}")]);
     let config = read(
@@ -183,7 +186,7 @@ fn what_moves_between_cuts_and_how_fast_is_read() {
     );
     assert!(
         config.motion.course.greedy
-            && close(config.motion.course.axis_tolerance.to_degrees(), 0.5)
+            && close(config.motion.course.axis_tolerance_rad.to_degrees(), 0.5)
             && close(config.motion.rotaries.grid[&'C'].to_degrees(), 2.5)
     );
     assert_eq!(
@@ -390,8 +393,8 @@ fn numbers_that_a_word_would_round_to_nothing_or_could_not_hold_are_refused() {
         faults("path_tolerance = 0.00009"),
         ["1:18: less than 0.0001 mm could be written as 0, which lets the control leave the path without bound"]
     );
-    assert!(close(read("spindle_dwell = 0").motion.spindle_dwell, 0.0));
-    assert!(close(read("spindle_dwell = 600").motion.spindle_dwell, 600.0));
+    assert!(close(read("spindle_dwell = 0").motion.spindle_dwell_s, 0.0));
+    assert!(close(read("spindle_dwell = 600").motion.spindle_dwell_s, 600.0));
     for seconds in ["0.0009", "601", "1e20"] {
         let text = "1:17: a dwell of 0, or of 0.001 to 600 seconds, is needed here";
         assert_eq!(faults(&format!("spindle_dwell = {seconds}")), [text]);
@@ -408,7 +411,7 @@ fn how_cl_data_is_read_can_be_set() {
          frames = \"offset\"\ncircle_sense = \"cw\"\ninsert = \"write\"\ninsert_stop = true\nauxfun = [10, 11]\nprefun = [64]\n\
          feed_label = \"file-units\"\nfrom = \"move\"\nallow_lintol = true\ncycle.TAP.args = [\"depth\", \"pitch\"]\n",
     );
-    assert!(close(config.motion.tolerance, 0.0254) && close(config.motion.defaults.peck_gap, 0.508));
+    assert!(close(config.motion.tolerance_mm, 0.0254) && close(config.motion.defaults.peck_gap_mm, 0.508));
     assert_eq!((config.motion.defaults.tool, config.motion.allow_lintol), (Some(3), true));
     assert_eq!(config.set_up.frames, BTreeMap::from([(2, "G55".to_owned())]));
     let cl = &config.cl;
@@ -437,7 +440,7 @@ fn words_that_move_something_cannot_be_set_inert() {
             && faults("tolerance = -1")[0].contains("above zero")
     );
     for (text, degrees) in [("0.001", 0.001_f64), ("10", 10.0)] {
-        let tolerance = read(&format!("axis_tolerance_path = {text}")).motion.axis_tolerance_path;
+        let tolerance = read(&format!("axis_tolerance_path = {text}")).motion.axis_tolerance_path_rad;
         assert!(close(tolerance, degrees.to_radians()));
     }
     assert_eq!(

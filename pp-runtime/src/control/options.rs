@@ -20,7 +20,7 @@ pub struct Demands<'a> {
     /// Machine, part and shop.
     pub set_up: &'a SetUp,
     /// How motion is planned.
-    pub motion: &'a motion::Options,
+    pub motion: &'a motion::MotionOptions,
     /// What differs from the table of the control.
     pub options: &'a Options,
     /// Digits of the words.

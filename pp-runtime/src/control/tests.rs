@@ -12,7 +12,7 @@ use super::*;
 use crate::config::sample::Sample;
 use crate::config::{Config, starting_point};
 use crate::control::{Options, ProgramBlocks, Smoothing};
-use crate::motion::{ArcPlane, Circle, FeedWord, MAX_AXES, Step, Words};
+use crate::motion::{ArcPlane, AxisWords, Circle, FeedWord, MAX_AXES, Step};
 use crate::motion::{Mode, PathNorm, TcpWords};
 use crate::nc::Decimal;
 use crate::program::Units;
@@ -48,12 +48,12 @@ fn steps(control: &dyn Control, layout: &Layout, steps: &[Step<'_>]) -> Vec<Stri
 }
 
 /// Words of C A Z X.
-fn words(units: [i64; 4]) -> Words {
+fn words(units: [i64; 4]) -> AxisWords {
     only(0b1111, units)
 }
 
-fn only(mask: u16, units: [i64; 4]) -> Words {
-    let mut words = Words { units: [0; MAX_AXES], mask, vector: None };
+fn only(mask: u16, units: [i64; 4]) -> AxisWords {
+    let mut words = AxisWords { units: [0; MAX_AXES], mask, vector: None };
     words.units[..4].copy_from_slice(&units);
     words
 }
@@ -672,8 +672,8 @@ fn milling() -> Layout {
 /// Where the axes stand, whole units.
 type Place = [i64; 3];
 
-fn linear(to: Place) -> Words {
-    let mut words = Words { mask: 0b111, ..Words::default() };
+fn linear(to: Place) -> AxisWords {
+    let mut words = AxisWords { mask: 0b111, ..AxisWords::default() };
     words.units[..3].copy_from_slice(&to);
     words
 }

@@ -36,20 +36,20 @@ impl Fault {
 
 /// Why planning stopped.
 #[derive(Debug)]
-pub enum Stop {
+pub enum PlanningError {
     /// The CL data cannot be posted from here on.
     Fault(Diagnostic),
     /// The output failed.
     Output(io::Error),
 }
 
-impl From<Diagnostic> for Stop {
+impl From<Diagnostic> for PlanningError {
     fn from(fault: Diagnostic) -> Self {
         Self::Fault(fault)
     }
 }
 
-impl From<io::Error> for Stop {
+impl From<io::Error> for PlanningError {
     fn from(error: io::Error) -> Self {
         Self::Output(error)
     }
@@ -57,34 +57,34 @@ impl From<io::Error> for Stop {
 
 /// Why an item cannot be planned, before its location is attached.
 #[derive(Debug)]
-pub(crate) enum Halt {
+pub(crate) enum ItemError {
     /// The CL data cannot be posted from here on.
     Fault(Fault),
     /// The output failed.
     Output(io::Error),
 }
 
-impl Halt {
+impl ItemError {
     /// With the location of the record.
-    pub(crate) fn at(self, location: Location) -> Stop {
+    pub(crate) fn at(self, location: Location) -> PlanningError {
         match self {
-            Self::Fault(fault) => Stop::Fault(fault.at(location, Severity::Error)),
-            Self::Output(error) => Stop::Output(error),
+            Self::Fault(fault) => PlanningError::Fault(fault.at(location, Severity::Error)),
+            Self::Output(error) => PlanningError::Output(error),
         }
     }
 }
 
-impl From<Fault> for Halt {
+impl From<Fault> for ItemError {
     fn from(fault: Fault) -> Self {
         Self::Fault(fault)
     }
 }
 
-impl From<io::Error> for Halt {
+impl From<io::Error> for ItemError {
     fn from(error: io::Error) -> Self {
         Self::Output(error)
     }
 }
 
 /// What becomes of planning something.
-pub(crate) type Planned = Result<(), Halt>;
+pub(crate) type Planned = Result<(), ItemError>;

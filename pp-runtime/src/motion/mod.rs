@@ -20,24 +20,24 @@ pub(crate) mod machines;
 mod tests;
 
 pub use course::{Course, Navigator};
-pub use fault::Stop;
+pub use fault::PlanningError;
 pub use geometry::{ArcPlane, Circle};
 pub(crate) use geometry::{extent, way_out};
 pub use options::{
     Approach, ArcForm, ArcOptions, ArcOutput, ClampCodes, CourseOptions, CutterPath, CycleOptions, CycleOutput,
-    Defaults, FeedLimits, GuardOptions, Mode, Operations, Options, PathNorm, Policy, Rapid, RapidOptions, Retract,
-    Rewind, RotaryOptions, TcpFrame, TcpWords, TipOptions, ToolPosture, Transition, Wrap,
+    Defaults, FeedLimits, GuardOptions, Mode, MotionOptions, Operations, PathNorm, Policy, Rapid, RapidOptions,
+    Retract, Rewind, RotaryOptions, TcpFrame, TcpWords, TipOptions, ToolPosture, Transition, Wrap,
 };
 pub use place::{PlaneAbility, PlaneAngles, PoseRule, TipAbility, unsuited};
 pub(crate) use plan::hole_extent;
 pub use plan::{
-    Abilities, Chorded, FastestTurn, MovingAxes, OperationTime, Planner, ProofProgram, Registers, Statistics, Sweep,
-    Times,
+    Abilities, ChordedArcs, FastestRotation, MovingAxes, OperationTime, Planner, ProofProgram, Registers, Statistics,
+    Sweep, Times,
 };
 pub use rotary::Cost;
 pub(crate) use source::Setting;
 pub use source::{Action, Begins, Item, LinePart, MotionIndex, Next, Source, Stage};
 pub use step::{
-    CannedCycle, CannedKind, CycleAbilities, FeedWord, MAX_AXES, Nowhere, Provenance, Sink, Standing, Step,
-    VECTOR_DECIMALS, Why, Words,
+    AxisWords, BlockReason, CannedCycle, CannedKind, CycleAbilities, DiscardSteps, FeedWord, MAX_AXES, Provenance,
+    ReachedPosition, Sink, Step, VECTOR_DECIMALS,
 };

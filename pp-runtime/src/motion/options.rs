@@ -30,22 +30,22 @@ pub struct Policy<'a> {
     /// Machine, part and shop.
     pub set_up: &'a SetUp,
     /// How motion is planned.
-    pub options: &'a Options,
+    pub options: &'a MotionOptions,
     /// Digits of the words.
     pub formats: &'a Formats,
 }
 
 options! {
     /// How motion is planned. Lengths in mm, angles in rad, speeds in mm/min and rad/min.
-    pub struct Options {
+    pub struct MotionOptions {
         /// How far arcs and chords may leave the arcs and curves of the CL data, and the tip its line while a rotary
         /// axis moves.
-        tolerance: f64 = 0.01, key("tolerance", Measure::length(Bound::Positive).unless(beyond_words));
+        tolerance_mm: f64 = 0.01, key("tolerance", Measure::length(Bound::Positive).unless(beyond_words));
         /// How far the tool axis may leave its even turn from one point to the next.
-        axis_tolerance_path: f64 = 0.1_f64.to_radians(),
+        axis_tolerance_path_rad: f64 = 0.1_f64.to_radians(),
             key("axis_tolerance_path", Measure::angle(Bound::Positive).unless(beyond_axis_words));
         /// Wait for the spindle, seconds.
-        spindle_dwell: f64 = 0.0, key("spindle_dwell", Measure::plain(Bound::NotNegative).unless(no_dwell));
+        spindle_dwell_s: f64 = 0.0, key("spindle_dwell", Measure::plain(Bound::NotNegative).unless(no_dwell));
         /// Retract before STOP and OPSTOP.
         stop_retract: bool = true, key("stop_retract", Truth);
         /// Where axes go at the end of the program: degrees, and machine coordinates for linear axes. Without it they
@@ -84,7 +84,7 @@ options! {
         /// The operations that are posted; all of them without it.
         operations: Option<Operations> = None;
         /// Dry run: every point is this much further out along the tool axis, and the spindle stays off, mm.
-        lift: Option<f64> = None;
+        lift_mm: Option<f64> = None;
     }
 }
 
@@ -103,7 +103,7 @@ options! {
         /// Within this angle of the direction that leaves the first rotary free, the tool axis is put there.
         ///
         /// Zero: within what CL data rounds.
-        axis_tolerance: f64 = 0.0,
+        axis_tolerance_rad: f64 = 0.0,
             key("course.axis_tolerance", Measure::angle(Bound::NotNegative).unless(another_path));
     }
 }
@@ -115,11 +115,11 @@ options! {
         /// Without it where a rotary axis in the head makes the length matter.
         length_guard: Option<bool> = None, key("length_guard", Truth, "true");
         /// By how much the lengths may differ.
-        length_tolerance: f64 = 0.01, also("length_tolerance", Measure::length(Bound::Positive).unless(unmeasurable));
+        length_tolerance_mm: f64 = 0.01, also("length_tolerance", Measure::length(Bound::Positive).unless(unmeasurable));
         /// Largest spindle speed. Without it speeds are not checked.
-        spindle_max: Option<f64> = None, key("spindle_max", Measure::plain(Bound::Positive), "12000");
+        spindle_max_rev_per_min: Option<f64> = None, key("spindle_max", Measure::plain(Bound::Positive), "12000");
         /// Lowest Z of the tool tip, in the part as it lies on the table. Without it depths are not checked.
-        floor: Option<f64> = None, key("floor", Measure::length(Bound::Any), "0.0");
+        floor_mm: Option<f64> = None, key("floor", Measure::length(Bound::Any), "0.0");
         /// Refuse CL data in which the tool points into the table throughout.
         table_check: bool = true, key("table_check", Truth);
     }
@@ -128,7 +128,7 @@ options! {
 /// Branches by their names.
 pub(crate) const START_BRANCHES: [(&str, Branch); 2] = [("first", Branch::First), ("second", Branch::Second)];
 
-impl Options {
+impl MotionOptions {
     /// Tolerances of chords, mm: finer is beyond the words, wider is no path any more.
     pub(crate) const TOLERANCE: RangeInclusive<f64> = 0.0001..=1.0;
 
@@ -146,7 +146,7 @@ const DWELL: RangeInclusive<f64> = 0.001..=600.0;
 const LARGEST_AXIS_TOLERANCE: f64 = 5_f64.to_radians();
 
 fn beyond_words(tolerance: f64) -> Option<String> {
-    outside(&Options::TOLERANCE, tolerance)
+    outside(&MotionOptions::TOLERANCE, tolerance)
 }
 
 fn unmeasurable(tolerance: f64) -> Option<String> {
@@ -160,7 +160,7 @@ fn outside(range: &RangeInclusive<f64>, tolerance: f64) -> Option<String> {
 
 /// The ends of the range are degrees that have been radians in between.
 fn beyond_axis_words(tolerance: f64) -> Option<String> {
-    let range = Options::AXIS_TOLERANCE;
+    let range = MotionOptions::AXIS_TOLERANCE;
     let (low, high) = (range.start(), range.end());
     let within = low * (1.0 - 1e-12)..=high * (1.0 + 1e-12);
     let outside = !within.contains(&tolerance.to_degrees());

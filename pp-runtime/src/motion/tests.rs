@@ -12,7 +12,7 @@ use crate::control::{Control, Encoder, Layout, LinuxCnc};
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::{AxisKind, Limits, Machine, Pose};
 use crate::motion::machines::{Ay, Cb, Head, Xyw, Xyz};
-use crate::motion::{MovingAxes, Navigator, Nowhere, Planner, Sink, Source, Stage, Statistics, Stop};
+use crate::motion::{DiscardSteps, MovingAxes, Navigator, Planner, PlanningError, Sink, Source, Stage, Statistics};
 use crate::motion::{Rapid, Transition, Wrap};
 use crate::program::Units;
 use crate::program::{
@@ -66,7 +66,7 @@ pub(super) fn plan<M: Machine>(
     let policy = config.policy();
     let mut moving = MovingAxes::default();
     if !config.motion.rotaries.clamp.is_empty() {
-        let mut planner = Planner::new(Box::new(machine.clone()), policy, units, &abilities, false, Nowhere);
+        let mut planner = Planner::new(Box::new(machine.clone()), policy, units, &abilities, false, DiscardSteps);
         planner = planner.with_course(course.clone());
         hand_on::<M, _>(config, events, &mut planner).expect("a rehearsal");
         planner.finish(Location::default()).expect("a rehearsal");
@@ -79,8 +79,8 @@ pub(super) fn plan<M: Machine>(
     let mut diagnostics = planner.take_warnings();
     match planned {
         Ok(()) => {}
-        Err(Stop::Fault(fault)) => diagnostics.push(fault),
-        Err(Stop::Output(error)) => panic!("{error}"),
+        Err(PlanningError::Fault(fault)) => diagnostics.push(fault),
+        Err(PlanningError::Output(error)) => panic!("{error}"),
     }
     (diagnostics, planner.statistics())
 }
@@ -142,7 +142,7 @@ fn with_lengths(distance: Option<f64>) -> Config {
     for number in 1..=2 {
         config.set_up.tools.insert(number, GivenTool { length: Some(100.0), ..GivenTool::default() });
     }
-    config.motion.retract.distance = distance;
+    config.motion.retract.distance_mm = distance;
     config
 }
 

@@ -5,7 +5,7 @@ use std::io::{self, Write};
 
 use crate::control::Encoder;
 use crate::kinematics::{Branch, Pose};
-use crate::motion::{MAX_AXES, Provenance, Sink, Standing, Step, Why};
+use crate::motion::{BlockReason, MAX_AXES, Provenance, ReachedPosition, Sink, Step};
 use crate::program::Location;
 
 /// A line of a program, and where it comes from.
@@ -20,9 +20,9 @@ pub struct Origin<'a> {
     /// The record that it serves; none for the head.
     pub at: Option<Location>,
     /// Why it is there.
-    pub why: Why,
+    pub why: BlockReason,
     /// Where the machine stands behind it, if it moves.
-    pub standing: Option<Standing<'a>>,
+    pub standing: Option<ReachedPosition<'a>>,
 }
 
 /// Keeps the account of a program.
@@ -45,16 +45,16 @@ pub(crate) struct Stand {
 }
 
 impl Stand {
-    pub(crate) fn of(standing: &Standing<'_>) -> Self {
+    pub(crate) fn of(standing: &ReachedPosition<'_>) -> Self {
         let count = standing.axes.len().min(MAX_AXES);
         let mut axes = [0.0; MAX_AXES];
         axes[..count].copy_from_slice(&standing.axes[..count]);
         Self { pose: standing.pose.copied(), branch: standing.branch, axes, count, mask: standing.mask }
     }
 
-    pub(crate) fn standing(&self) -> Standing<'_> {
+    pub(crate) fn standing(&self) -> ReachedPosition<'_> {
         let Self { ref pose, branch, ref axes, count, mask } = *self;
-        Standing { pose: pose.as_ref(), branch, axes: &axes[..count], mask }
+        ReachedPosition { pose: pose.as_ref(), branch, axes: &axes[..count], mask }
     }
 }
 
@@ -64,7 +64,7 @@ pub(crate) struct Recorded<'e, 'r, W: Write> {
     account: Option<&'r mut dyn Account>,
     /// The record that was served last.
     at: Option<Location>,
-    why: Why,
+    why: BlockReason,
 }
 
 impl<'e, 'r, W: Write> Recorded<'e, 'r, W> {
@@ -72,7 +72,7 @@ impl<'e, 'r, W: Write> Recorded<'e, 'r, W> {
         if account.is_some() {
             encoder.keep_lines();
         }
-        Self { encoder, account, at: None, why: Why::Head }
+        Self { encoder, account, at: None, why: BlockReason::Head }
     }
 
     pub(crate) fn encoder(&mut self) -> &mut Encoder<'e, W> {
@@ -90,7 +90,7 @@ impl<'e, 'r, W: Write> Recorded<'e, 'r, W> {
     }
 
     /// Accounts for what has been written since the last step.
-    fn settle(&mut self, step: &'static str, standing: Option<Standing<'_>>) -> io::Result<()> {
+    fn settle(&mut self, step: &'static str, standing: Option<ReachedPosition<'_>>) -> io::Result<()> {
         let Some(account) = &mut self.account else { return Ok(()) };
         let (at, why) = (self.at, self.why);
         let mut lines = self.encoder.take_lines().peekable();
@@ -110,7 +110,7 @@ impl<W: Write> Sink for Recorded<'_, '_, W> {
         if self.account.is_none() {
             return Ok(());
         }
-        (self.at, self.why) = (from.at, from.why);
-        self.settle(step.name(), from.standing)
+        (self.at, self.why) = (from.at, from.reason);
+        self.settle(step.name(), from.reached)
     }
 }

@@ -22,7 +22,8 @@ use crate::control::{self, Control, Encoder, Layout};
 use crate::diag::{Diagnostic, Remarks, Severity, grouped};
 use crate::kinematics::{AnyMachine, AxisKind, Invalid, Machine};
 use crate::motion::{
-    Abilities, Chorded, Cost, Course, MovingAxes, Navigator, Nowhere, Planner, Sink, Source, Statistics, Stop, Times,
+    Abilities, ChordedArcs, Cost, Course, DiscardSteps, MovingAxes, Navigator, Planner, PlanningError, Sink, Source,
+    Statistics, Times,
 };
 use crate::program::Location;
 use crate::program::Units;
@@ -154,23 +155,23 @@ impl Report {
         if self.statistics.deviations > 0 {
             lines.push(format!(
                 "tool axes outside what the machine reaches: {}, by up to {:.2e} rad; the nearest one was used",
-                self.statistics.deviations, self.statistics.largest_deviation
+                self.statistics.deviations, self.statistics.largest_deviation_rad
             ));
         }
         if self.statistics.near_pole > 0 {
             lines.push(format!(
                 "tool axes near the pole that were put there: {}, by up to {:.2e} rad; the first rotary kept its value",
-                self.statistics.near_pole, self.statistics.largest_at_pole
+                self.statistics.near_pole, self.statistics.largest_at_pole_rad
             ));
         }
         let statistics = &self.statistics;
-        if statistics.largest_tip_bound > 0.0 {
+        if statistics.largest_tip_bound_mm > 0.0 {
             lines.push(format!(
                 "linearised: {} inserted; while a rotary axis moves at feed the tip leaves its line by at most {:.4} mm, \
                  the tool axis its even turn by at most {:.4}°",
                 counted(statistics.inserted, "block"),
-                statistics.largest_tip_bound,
-                statistics.largest_axis_bound.to_degrees(),
+                statistics.largest_tip_bound_mm,
+                statistics.largest_axis_bound_rad.to_degrees(),
             ));
         }
         lines.extend(arcs_text(statistics));
@@ -189,7 +190,7 @@ impl Report {
 
 /// How many arcs the control traces, and why others became lines.
 fn arcs_text(statistics: &Statistics) -> Option<String> {
-    let Chorded { frame, plane, radius, rounding } = statistics.chorded;
+    let ChordedArcs { frame, plane, radius, rounding } = statistics.chorded;
     let reasons = [
         (frame, "rotary axes turn in them, or the linear axes are not square"),
         (plane, "in no plane in which the control has arcs"),
@@ -343,7 +344,7 @@ impl Pass<'_> {
 
     /// Which rotary axes stay still for how long: the whole program is planned and nothing written.
     fn rehearse(&self, reader: Reader<impl Read>, course: Course) -> Result<MovingAxes, PostError> {
-        let mut planner = self.planner(course, Nowhere);
+        let mut planner = self.planner(course, DiscardSteps);
         // What goes wrong here goes wrong again when the program is written, and is reported then.
         let _ = self.plan(reader, &mut planner, &mut Remarks::default())?;
         Ok(planner.rehearsed())
@@ -375,8 +376,8 @@ impl Pass<'_> {
         report.unchecked = header::unchecked(&planner.unchecked_axes());
         match planned {
             Ok(()) => {}
-            Err(Stop::Output(error)) => return Err(PostError::Output(error)),
-            Err(Stop::Fault(diagnostic)) => report.fault(diagnostic),
+            Err(PlanningError::Output(error)) => return Err(PostError::Output(error)),
+            Err(PlanningError::Fault(diagnostic)) => report.fault(diagnostic),
         }
         let recorded = planner.sink();
         close(job, report, recorded.encoder()).map_err(PostError::Output)?;
@@ -391,7 +392,7 @@ impl Pass<'_> {
         mut reader: Reader<impl Read>,
         planner: &mut Planner<'_, S>,
         remarks: &mut Remarks,
-    ) -> Result<Result<(), Stop>, PostError> {
+    ) -> Result<Result<(), PlanningError>, PostError> {
         let mut source = Source::new(self.machine, self.job.config.policy());
         let first_error = self.survey.first_error;
         let mut last = Location::default();
@@ -425,10 +426,10 @@ impl Pass<'_> {
 
 /// What became of a first motion that still waited where the reader stopped: its approach depends on a motion that nobody
 /// could read, so the reader's error is the one to be reported.
-fn abandoned(released: Result<(), Stop>) -> Result<(), Stop> {
+fn abandoned(released: Result<(), PlanningError>) -> Result<(), PlanningError> {
     match released {
-        Err(Stop::Output(error)) => Err(Stop::Output(error)),
-        Ok(()) | Err(Stop::Fault(_)) => Ok(()),
+        Err(PlanningError::Output(error)) => Err(PlanningError::Output(error)),
+        Ok(()) | Err(PlanningError::Fault(_)) => Ok(()),
     }
 }
 

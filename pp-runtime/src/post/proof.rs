@@ -11,7 +11,7 @@ use crate::control::{self, Control, Encoder, Layout};
 use crate::diag::Diagnostic;
 use crate::kinematics::{AnyMachine, AxisKind, Side};
 use crate::motion::Mode;
-use crate::motion::{Planner, ProofProgram, Stop, Sweep};
+use crate::motion::{Planner, PlanningError, ProofProgram, Sweep};
 use crate::program::ToolCall;
 use crate::program::Units;
 
@@ -52,11 +52,11 @@ pub fn prove(machine: &dyn AnyMachine, proof: &Proof<'_>) -> Result<Vec<u8>, Str
     }
     // A dry run that stays where it is: no spindle, no coolant. What is proven is the declaration of the machine, and not what
     // the control makes of tip control or a plane.
-    let slow = given.motion.rapids.reorient_speed.min(SLOW);
+    let slow = given.motion.rapids.reorient_rad_per_min.min(SLOW);
     let mut config = given.clone();
-    config.motion.lift = Some(0.0);
+    config.motion.lift_mm = Some(0.0);
     config.motion.mode = Mode::Axes;
-    config.motion.rapids.reorient_speed = slow;
+    config.motion.rapids.reorient_rad_per_min = slow;
     let units = config.output_units.unwrap_or(Units::Millimetres);
     let machine = config
         .set_up
@@ -74,20 +74,20 @@ pub fn prove(machine: &dyn AnyMachine, proof: &Proof<'_>) -> Result<Vec<u8>, Str
     let job = Job { cl_name: "", config: &config, control: proof.control, units: None };
     let survey = survey(number, &point);
     let header = Header { job: &job, survey: &survey, units, machine: &*machine, unchecked: planner.unchecked_axes() };
-    head(&header, &point, &sweeps, planner.sink()).map_err(|error| told(Stop::Output(error)))?;
+    head(&header, &point, &sweeps, planner.sink()).map_err(|error| told(PlanningError::Output(error)))?;
     ProofProgram::new(&mut planner).plan(number, point, &sweeps).map_err(told)?;
     let encoder = planner.sink();
-    encoder.end(&[]).and_then(|()| encoder.finish()).map_err(|error| told(Stop::Output(error)))?;
+    encoder.end(&[]).and_then(|()| encoder.finish()).map_err(|error| told(PlanningError::Output(error)))?;
     drop(planner);
     Ok(out)
 }
 
 /// Why there is no proof program.
-fn told(stop: Stop) -> String {
+fn told(stop: PlanningError) -> String {
     match stop {
-        Stop::Output(error) => error.to_string(),
-        Stop::Fault(Diagnostic { text, help: Some(help), .. }) => format!("{text}: {help}"),
-        Stop::Fault(Diagnostic { text, .. }) => text,
+        PlanningError::Output(error) => error.to_string(),
+        PlanningError::Fault(Diagnostic { text, help: Some(help), .. }) => format!("{text}: {help}"),
+        PlanningError::Fault(Diagnostic { text, .. }) => text,
     }
 }
 
@@ -126,7 +126,7 @@ fn head<W: Write>(
     ];
     let number = |index: usize, sweep: &Sweep| format!("SWEEP {}: {}", index + 1, sweep.name);
     lines.extend(sweeps.iter().enumerate().map(|(index, sweep)| number(index, sweep)));
-    let within = header.length(config.motion.tolerance);
+    let within = header.length(config.motion.tolerance_mm);
     lines.extend(
         header.machine_lines(Some(format!("WHILE A ROTARY AXIS MOVES the tip stays within {within} of its point"))),
     );

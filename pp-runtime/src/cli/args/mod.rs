@@ -256,11 +256,11 @@ impl SetUpArgs {
             config.given.insert("output_units");
         }
         if let Some(tolerance) = self.tolerance {
-            config.motion.tolerance = tolerance;
+            config.motion.tolerance_mm = tolerance;
             config.given.insert("tolerance");
         }
         if let Some(tolerance) = self.axis_tolerance_path {
-            config.motion.axis_tolerance_path = tolerance.to_radians();
+            config.motion.axis_tolerance_path_rad = tolerance.to_radians();
             config.given.insert("axis_tolerance_path");
         }
         config.motion.allow_lintol |= self.allow_lintol;
@@ -280,9 +280,10 @@ impl SetUpArgs {
             config.motion.mode = mode;
             config.given.insert("mode");
         }
-        config.motion.lift = self.lift.or(config.motion.lift);
+        config.motion.lift_mm = self.lift.or(config.motion.lift_mm);
         config.motion.course.greedy |= self.greedy;
-        config.motion.course.axis_tolerance = self.axis_tolerance.unwrap_or(config.motion.course.axis_tolerance);
+        config.motion.course.axis_tolerance_rad =
+            self.axis_tolerance.unwrap_or(config.motion.course.axis_tolerance_rad);
         let cl = &mut config.cl;
         cl.dialect = self.dialect.map(Into::into).or(cl.dialect);
         cl.columns = self.columns.or(cl.columns);

@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use crate::control::dialects::{CycleCodes, CycleDefinitions, CycleForm, Thread};
 use crate::control::layout::Layout;
-use crate::motion::{CannedCycle, CannedKind, Words};
+use crate::motion::{AxisWords, CannedCycle, CannedKind};
 use crate::nc::Decimal;
 use crate::program::Units;
 
@@ -165,7 +165,7 @@ impl Holes {
         // The rapid over to it would be another hole of the cycle before.
         self.before_cycle(out)?;
         let level = |units: i64| {
-            let mut words = Words { mask: 1 << cycle.z, ..Words::default() };
+            let mut words = AxisWords { mask: 1 << cycle.z, ..AxisWords::default() };
             words.units[cycle.z] = units;
             words
         };
@@ -184,7 +184,7 @@ impl Holes {
 /// `Z R Q P F`.
 fn cycle_words<W: Write>(cycle: &CannedCycle, dwell: &str, out: &mut ModalWriter<W>) -> io::Result<()> {
     let decimals = out.decimals(cycle.z);
-    let mut bottom = Words { mask: 1 << cycle.z, ..Words::default() };
+    let mut bottom = AxisWords { mask: 1 << cycle.z, ..AxisWords::default() };
     bottom.units[cycle.z] = cycle.bottom;
     out.axis_words(&bottom, true);
     out.word("R", Decimal { units: cycle.clearance, decimals });

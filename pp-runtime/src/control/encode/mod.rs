@@ -175,7 +175,7 @@ impl<'a, W: Write> Encoder<'a, W> {
             }
             Step::Tool { number, offset, next, speed, change } => self.tool(number, offset, next, speed, change),
             Step::Length { offset } => out.length(offset),
-            Step::Beside { left, register } => {
+            Step::CutterCompensation { left, register } => {
                 out.offset_path(left, register);
                 Ok(())
             }

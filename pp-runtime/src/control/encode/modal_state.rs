@@ -4,7 +4,7 @@
 //! program makes it unknown; [`After`] lists every such case, and [`ModalState::forget`] is the one place that knows what
 //! each of them leaves.
 
-use crate::motion::{CannedCycle, MAX_AXES, Words};
+use crate::motion::{AxisWords, CannedCycle, MAX_AXES};
 use crate::nc::Decimal;
 use crate::program::Coolant;
 
@@ -32,7 +32,7 @@ pub(crate) enum After<'w> {
     /// Tip control or a tilted plane, on or off: words and F count in another frame.
     FrameChange,
     /// A rapid of these axes in machine coordinates.
-    MachineRapid(&'w Words),
+    MachineRapid(&'w AxisWords),
     /// A smoothing cycle, which may bring codes of its own.
     Smoothing,
     /// The end of a modal cycle of holes, with the position of its tool axis in the chain.
@@ -113,7 +113,7 @@ impl ModalState {
     }
 
     /// The next block with these axes writes their words.
-    pub(crate) fn forget_axes(&mut self, words: &Words) {
+    pub(crate) fn forget_axes(&mut self, words: &AxisWords) {
         for (axis, known) in self.axes.iter_mut().enumerate() {
             if words.has(axis) {
                 *known = None;

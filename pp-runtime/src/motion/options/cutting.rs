@@ -40,9 +40,9 @@ options! {
         /// centre still).
         form: ArcForm = ArcForm::Centre, key("arcs.form", OneOf(&ArcForm::NAMES));
         /// Arcs that are smaller or larger become lines.
-        smallest_radius: f64 = 0.01, key("arcs.smallest_radius", Measure::length(Bound::Positive));
+        smallest_radius_mm: f64 = 0.01, key("arcs.smallest_radius", Measure::length(Bound::Positive));
         /// Larger arcs become lines.
-        largest_radius: f64 = 10_000.0, also("arcs.largest_radius", Measure::length(Bound::Positive));
+        largest_radius_mm: f64 = 10_000.0, also("arcs.largest_radius", Measure::length(Bound::Positive));
     }
 }
 
@@ -99,7 +99,7 @@ options! {
     /// What the CL data may leave out.
     pub struct Defaults in "defaults" {
         /// Spindle speed.
-        speed: Option<f64> = None, also("defaults.speed", Measure::plain(Bound::Positive), "8000");
+        speed_rev_per_min: Option<f64> = None, also("defaults.speed", Measure::plain(Bound::Positive), "8000");
         /// CLW (M3) or CCLW (M4).
         rotation: Option<Rotation> = None, key("defaults.direction", OneOf(&ROTATIONS), "\"CLW\"");
         /// What COOLNT/ON means: "flood", "mist", "through" or "air".
@@ -109,7 +109,7 @@ options! {
         /// The tool of CL data that calls none before it moves. Without it such data is refused.
         tool: Option<u32> = None, key("defaults.tool", Whole(1..=LARGEST_TOOL), "1");
         /// How far above the bottom a rapid ends in a hole that is drilled in steps.
-        peck_gap: f64 = 0.5, key("defaults.peck_gap", Measure::length(Bound::Positive));
+        peck_gap_mm: f64 = 0.5, key("defaults.peck_gap", Measure::length(Bound::Positive));
     }
 }
 
@@ -119,8 +119,8 @@ options! {
         /// Blocks in which an axis would be faster than its speed run longer.
         keep_speeds: bool = true, key("feed.keep_speeds", Truth);
         /// Largest F of the control. Without it none.
-        largest: Option<f64> = None, key("feed.largest", Measure::length(Bound::Positive), "20000.0");
+        largest_mm_per_min: Option<f64> = None, key("feed.largest", Measure::length(Bound::Positive), "20000.0");
         /// Shortest time of a block, seconds.
-        shortest_block: f64 = 0.0, key("feed.shortest_block", Measure::plain(Bound::NotNegative));
+        shortest_block_s: f64 = 0.0, key("feed.shortest_block", Measure::plain(Bound::NotNegative));
     }
 }

@@ -11,14 +11,14 @@ options! {
         /// Transition between operations: "safe" (retract, turn, approach) or "direct" (as the CL data has it).
         transition: Transition = Transition::Safe, key("transition", OneOf(&Transition::NAMES));
         /// Rapids in which a rotary axis turns more than this go through the safe sequence.
-        index_angle: f64 = 1_f64.to_radians(), key("index_angle", Measure::angle(Bound::NotNegative));
+        index_angle_rad: f64 = 1_f64.to_radians(), key("index_angle", Measure::angle(Bound::NotNegative));
         /// Rapids inside an operation: "direct" (one block), "split" (out along the tool, across, in along the tool) or
         /// "feed" (a feed motion at `rapid_feed`, on a certified path).
         rapid: Rapid = Rapid::Direct, key("rapid", OneOf(&Rapid::NAMES));
         /// Feed of a rapid that is written as a feed motion.
-        rapid_feed: Option<f64> = None, also("rapid_feed", Measure::length(Bound::Positive), "10000.0");
+        rapid_feed_mm_per_min: Option<f64> = None, also("rapid_feed", Measure::length(Bound::Positive), "10000.0");
         /// Speed of rotary axes where only the direction of the tool changes.
-        reorient_speed: f64 = 1800_f64.to_radians(), key("reorient_speed", Measure::angle(Bound::Positive));
+        reorient_rad_per_min: f64 = 1800_f64.to_radians(), key("reorient_speed", Measure::angle(Bound::Positive));
     }
 }
 
@@ -26,10 +26,10 @@ options! {
     /// How to get away from the part.
     pub struct Retract in "retract" {
         /// Machine coordinate of the retract axis.
-        position: Option<f64> = None,
-            key("retract.position", Assumed(Measure::length(Bound::Any), Self::POSITION));
+        position_mm: Option<f64> = None,
+            key("retract.position", Assumed(Measure::length(Bound::Any), Self::POSITION_MM));
         /// Distance along the tool axis. Without it to the clearance geometry of the CL data.
-        distance: Option<f64> = None, key("retract.distance", Measure::length(Bound::Positive), "100.0");
+        distance_mm: Option<f64> = None, key("retract.distance", Measure::length(Bound::Positive), "100.0");
         /// Or, in the part as it lies on the table, a plane above, a box or a cylinder around the part that the tool
         /// has to leave.
         clearance: Option<Clearance> = None,
@@ -46,7 +46,7 @@ options! {
     /// How to get to the part.
     pub struct Approach in "approach" {
         /// The approach point lies this far from the first point along the tool axis.
-        distance: f64 = 50.0, key("approach.distance", Measure::length(Bound::Positive));
+        distance_mm: f64 = 50.0, key("approach.distance", Measure::length(Bound::Positive));
     }
 }
 
@@ -93,11 +93,11 @@ impl Rewind {
 
 impl Retract {
     /// Machine coordinate of the retract axis where none is given, mm.
-    pub const POSITION: f64 = 0.0;
+    pub const POSITION_MM: f64 = 0.0;
 
     /// Machine coordinate of the retract axis, mm.
     #[must_use]
-    pub fn position(&self) -> f64 {
-        self.position.unwrap_or(Self::POSITION)
+    pub fn position_mm(&self) -> f64 {
+        self.position_mm.unwrap_or(Self::POSITION_MM)
     }
 }

@@ -152,7 +152,7 @@ impl LinearAxes {
 
 impl Poles {
     pub(crate) fn new(machine: &dyn AnyMachine, policy: Policy<'_>, rotaries: &[Rotary]) -> Self {
-        let tolerance = policy.options.course.axis_tolerance.max(REACH_TOLERANCE);
+        let tolerance = policy.options.course.axis_tolerance_rad.max(REACH_TOLERANCE);
         Self { axes: poles(machine, rotaries), tolerance }
     }
 }

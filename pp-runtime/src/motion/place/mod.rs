@@ -22,7 +22,7 @@ use crate::kinematics::{AnyMachine, Axis, AxisKind, AxisValues, Branch, Limits, 
 use crate::motion::fault::Fault;
 use crate::motion::options::{Mode, Policy, TcpWords};
 use crate::motion::rotary::{AngleScale, Metric, OutOfLimits, Rotary, TurnTarget, Turns, choose};
-use crate::motion::step::{MAX_AXES, Standing, VECTOR_DECIMALS, Words};
+use crate::motion::step::{AxisWords, MAX_AXES, ReachedPosition, VECTOR_DECIMALS};
 use crate::nc::whole_units;
 use crate::program::Units;
 use crate::set_up::LengthMode;
@@ -186,9 +186,9 @@ impl Placer {
 
     /// The machine at a place.
     #[inline]
-    pub(crate) fn standing_at<'p>(&self, place: &'p Place) -> Standing<'p> {
+    pub(crate) fn standing_at<'p>(&self, place: &'p Place) -> ReachedPosition<'p> {
         let mask = self.linear.mask | self.rotary.mask;
-        Standing { pose: Some(&place.pose), branch: place.branch, axes: &place.axes[..self.chain.len()], mask }
+        ReachedPosition { pose: Some(&place.pose), branch: place.branch, axes: &place.axes[..self.chain.len()], mask }
     }
 
     /// Compares a place with the travel of the linear axes.
@@ -327,16 +327,16 @@ impl Placer {
 
     /// The written words of the axes in a mask.
     #[inline]
-    pub(crate) fn words(&self, place: &Place, mask: u16) -> Words {
+    pub(crate) fn words(&self, place: &Place, mask: u16) -> AxisWords {
         let units = self.written(place);
         let both = mask & self.linear.mask != 0 && mask & self.rotary.mask != 0;
         if !(self.vectors && both) {
-            return Words { units, mask, vector: None };
+            return AxisWords { units, mask, vector: None };
         }
         let axis = self.frame.map(&*self.machine, &place.axes).map(|map| map.rotation * place.pose.axis.into_inner());
         let unit = 10_f64.powi(VECTOR_DECIMALS.cast_signed());
         let vector = axis.map(|axis| axis.map(|component| (component * unit).round() as i64).into());
-        Words { units, mask: mask & !self.rotary.mask, vector }
+        AxisWords { units, mask: mask & !self.rotary.mask, vector }
     }
 
     /// Whether a block would turn rotary axes by more than an angle, rad, and could not say so: a tool axis as a vector is the
@@ -464,19 +464,19 @@ impl Placer {
     }
 
     /// Words of a linear axis at a machine coordinate.
-    pub(crate) fn machine_words(&self, index: usize, coordinate: f64) -> Result<Words, Fault> {
+    pub(crate) fn machine_words(&self, index: usize, coordinate: f64) -> Result<AxisWords, Fault> {
         self.travel.check_machine(index, coordinate)?;
         let units = whole_units(coordinate, self.linear.per_mm)
             .ok()
             .filter(|units| units.abs() < self.bounds[index])
             .ok_or_else(|| too_large(self.chain[index].letter))?;
-        let mut words = Words { units: [0; MAX_AXES], mask: 1 << index, vector: None };
+        let mut words = AxisWords { units: [0; MAX_AXES], mask: 1 << index, vector: None };
         words.units[index] = units;
         Ok(words)
     }
 
     /// Words of the machine retract. The end of the travel at the part is no place to retract to.
-    pub(crate) fn retract_words(&self, coordinate: f64) -> Result<Words, Fault> {
+    pub(crate) fn retract_words(&self, coordinate: f64) -> Result<AxisWords, Fault> {
         let index = self.linear.retract_axis;
         let part_end = |limits: Limits| if self.linear.retract_share > 0.0 { limits.lower } else { limits.upper };
         if self.limits[index].is_some_and(|limits| (coordinate - part_end(limits)).abs() < self.unit_mm()) {

@@ -13,17 +13,17 @@ use crate::motion::options::{ArcForm, ArcOutput};
 use crate::nalgebra::Vector3;
 use crate::program::{Arc, Move};
 
-use crate::motion::fault::{Fault, Halt, Planned};
+use crate::motion::fault::{Fault, ItemError, Planned};
 use crate::motion::geometry::Round;
 use crate::motion::geometry::{ArcPlane, Circle, Grid, Nominal, Off};
 use crate::motion::place::Place;
 use crate::motion::plan::Planner;
-use crate::motion::plan::feed::Stroke;
+use crate::motion::plan::feed::FeedMotion;
 use crate::motion::plan::statistics::Statistics;
 use crate::motion::rotary::TurnTarget;
 use crate::motion::source::MotionIndex;
-use crate::motion::step::Why;
-use crate::motion::step::{FeedWord, Sink, Step, Words};
+use crate::motion::step::BlockReason;
+use crate::motion::step::{AxisWords, FeedWord, Sink, Step};
 
 /// More turns than this of one record are a fault of the file.
 const MOST_TURNS: f64 = 1e6;
@@ -157,7 +157,7 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
     }
 
     /// Writes the arc as arcs of the control; nothing is written where one of them cannot be said.
-    fn trace(&mut self, end: &Place) -> Result<Result<(), NoArc>, Halt> {
+    fn trace(&mut self, end: &Place) -> Result<Result<(), NoArc>, ItemError> {
         let framed = match self.framed(end) {
             Ok(framed) => framed,
             Err(why) => return Ok(Err(why)),
@@ -194,7 +194,7 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         if lean > self.planner.mover.tolerance().tip || !self.planner.abilities.arc_planes[square] {
             return Err(NoArc::Plane);
         }
-        if !(setup.smallest_radius..=setup.largest_radius).contains(&round.radius()) {
+        if !(setup.smallest_radius_mm..=setup.largest_radius_mm).contains(&round.radius()) {
             return Err(NoArc::Radius);
         }
         let centre = placer.program_point(&arc.centre, end).ok_or(NoArc::Frame)?;
@@ -275,15 +275,19 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
 
     fn write_pieces(&mut self, framed: &Framed, cuts: Cuts) -> Planned {
         let rate = self.planner.rate(self.arc.feed)?;
-        self.planner.mover.output_mut().because(if cuts.pieces > 1 { Why::SplitArc } else { Why::Record });
+        self.planner.mover.output_mut().set_reason(if cuts.pieces > 1 {
+            BlockReason::SplitArc
+        } else {
+            BlockReason::Record
+        });
         let mask = framed.chain.iter().fold(0, |mask, axis| mask | 1 << axis);
         for piece in 1..=cuts.pieces {
             let share = cuts.share(piece);
             let length = self.round.length() * share;
             let mover = &self.planner.mover;
-            let least = mover.placer().least_minutes_of_tip(length, mover.here());
-            let stroke = Stroke { length, turn: 0.0, square: true, linear: length, degrees: 0.0, least };
-            let pace = mover.feeds().pace(rate, stroke)?;
+            let axis_time_min = mover.placer().least_minutes_of_tip(length, mover.here());
+            let motion = FeedMotion::linear(length, axis_time_min);
+            let pace = mover.feeds().pace(rate, motion)?;
             let to = self.piece_end(cuts.end(piece))?;
             let circle = self.circle(framed, share, self.planner.mover.here(), &to);
             let (Some(circle), FeedWord::PerMinute(feed)) = (circle, pace.feed) else {
@@ -291,7 +295,7 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
             };
             let mover = &mut self.planner.mover;
             mover.output_mut().feed(&pace, None);
-            let words = Words { vector: None, ..mover.placer().words(&to, mask) };
+            let words = AxisWords { vector: None, ..mover.placer().words(&to, mask) };
             mover.write_motion(&Step::Arc { words, circle: &circle, feed }, &to)?;
             mover.position_mut().go_to(to);
         }
@@ -300,7 +304,7 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
 
     /// Writes the arc as chords that leave it by no more than the tolerance.
     fn write_chords(&mut self, planned: Option<TurnTarget>) -> Planned {
-        self.planner.mover.output_mut().because(Why::Chord);
+        self.planner.mover.output_mut().set_reason(BlockReason::Chord);
         let chords = self.round.chords(self.planner.mover.tolerance().tip)?;
         for index in 1..=chords {
             let tip = self.round.tip(f64::from(index) / f64::from(chords));

@@ -61,7 +61,7 @@ impl CoolantState {
                 .help("give it its codes, on and off: `[control] coolant = { air = [\"M83\", \"M84\"] }`")
                 .into());
         }
-        if kind == Kind::Off || policy.options.lift.is_some() {
+        if kind == Kind::Off || policy.options.lift_mm.is_some() {
             return Ok(self.stop(output)?);
         }
         if self.written != Some(kind) {

@@ -16,7 +16,7 @@ use crate::program::{Arc, Compensation, CutterSide, Event, Move};
 use crate::motion::fault::{Fault, Planned};
 use crate::motion::geometry::SAME_AXIS;
 use crate::motion::place::Place;
-use crate::motion::plan::{Ahead, Planner};
+use crate::motion::plan::{MotionAndNext, Planner};
 use crate::motion::source::MotionIndex;
 use crate::motion::step::{Sink, Step};
 
@@ -178,7 +178,7 @@ fn check_set_up(policy: Policy<'_>, xy: bool) -> Result<(), Fault> {
 
 /// A motion while compensation is asked for, in force, or about to end.
 #[cold]
-pub(crate) fn line<S: Sink>(planner: &mut Planner<'_, S>, ahead: Ahead<'_>, index: MotionIndex) -> Planned {
+pub(crate) fn line<S: Sink>(planner: &mut Planner<'_, S>, ahead: MotionAndNext<'_>, index: MotionIndex) -> Planned {
     let motion = ahead.motion;
     let from = *planner.mover.here();
     let step = in_program(planner, &from, motion);
@@ -289,7 +289,7 @@ fn switch<S: Sink>(planner: &mut Planner<'_, S>, on: bool) -> Planned {
     let mover = &mut planner.mover;
     let mirrored = mover.placer().square_map(mover.here()).is_some_and(|(_, map)| map.determinant() < 0.0);
     let left = (planner.cutter.side == Some(CutterSide::Left)) != mirrored;
-    mover.output_mut().step(&Step::Beside { left: on.then_some(left), register })?;
+    mover.output_mut().step(&Step::CutterCompensation { left: on.then_some(left), register })?;
     planner.cutter.state = if on { Compensating::On } else { Compensating::Off };
     Ok(())
 }

@@ -12,12 +12,12 @@ use crate::program::{Drilling, Feed as Programmed, Hole, Move, Rotation};
 
 use crate::motion::fault::{Fault, Planned};
 use crate::motion::place::Place;
-use crate::motion::plan::feed::{Feeds, Stroke};
-use crate::motion::plan::{Ahead, Planner, records};
+use crate::motion::plan::feed::{FeedMotion, Feeds};
+use crate::motion::plan::{MotionAndNext, Planner, records};
 use crate::motion::source::{Begins, MotionIndex, Next};
-use crate::motion::step::Why;
+use crate::motion::step::BlockReason;
+use crate::motion::step::{AxisWords, FeedWord, Sink, Step};
 use crate::motion::step::{CannedCycle, CannedKind};
-use crate::motion::step::{FeedWord, Sink, Step, Words};
 
 /// More steps than this are no drilling.
 const MOST_STEPS: u32 = 10_000;
@@ -80,7 +80,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
     fn run(&mut self, index: MotionIndex) -> Planned {
         let over = self.hole.way_over();
         let bottom = Move { pose: self.hole.level(-self.hole.depth), rapid: false, feed: self.hole.feed };
-        let ahead = Ahead { motion: &over, next: Next::Motion(bottom.pose) };
+        let ahead = MotionAndNext { motion: &over, next: Next::Motion(bottom.pose) };
         if index.begins == Begins::Nothing {
             self.reach(ahead, index)?;
         } else {
@@ -93,7 +93,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
                 return Ok(());
             }
         }
-        self.planner.mover.output_mut().because(Why::Hole);
+        self.planner.mover.output_mut().set_reason(BlockReason::Hole);
         self.planner.check_state(&bottom)?;
         match self.cycle()? {
             Ok((cycle, back)) => self.run_cycle(&cycle, back),
@@ -107,7 +107,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
     }
 
     /// Turns the rotary axes for the hole; a tool that is lower than its clearance level is lifted to it.
-    fn reach(&mut self, ahead: Ahead<'_>, index: MotionIndex) -> Planned {
+    fn reach(&mut self, ahead: MotionAndNext<'_>, index: MotionIndex) -> Planned {
         let over = ahead.motion;
         self.planner.stop_spindle()?;
         self.planner.check_state(over)?;
@@ -131,7 +131,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
 
     /// A motion along the hole, which turns nothing.
     fn go(&mut self, motion: &Move) -> Planned {
-        self.planner.go(Ahead { motion, next: Next::None }, None)
+        self.planner.go(MotionAndNext { motion, next: Next::None }, None)
     }
 
     /// A rapid to a level of the hole.
@@ -161,7 +161,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
                     | Drilling::Peck { .. }
                     | Drilling::Drill
                     | Drilling::Ream
-                    | Drilling::Tap { .. } => self.planner.policy.options.defaults.peck_gap,
+                    | Drilling::Tap { .. } => self.planner.policy.options.defaults.peck_gap_mm,
                 };
                 self.rapid_to((back - before).min(hole.clearance))?;
             }
@@ -183,7 +183,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         if policy.options.cycles.output == CycleOutput::Expanded {
             return Ok(Err("`[cycles]` asks for motions"));
         }
-        if policy.options.lift.is_some() {
+        if policy.options.lift_mm.is_some() {
             return Ok(Err("a dry run has no cycles"));
         }
         if policy.options.mode == Mode::Tcp {
@@ -213,7 +213,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         if [x, y].iter().any(|&axis| clearance[axis] != bottom[axis]) {
             return Ok(Err("the hole is not along Z in the words of the program"));
         }
-        let words = Words { units: clearance, mask: 1 << x | 1 << y, vector: None };
+        let words = AxisWords { units: clearance, mask: 1 << x | 1 << y, vector: None };
         let [surface, clearance, bottom, back] = [surface, clearance, bottom, back].map(|written| written[z]);
         let dwell = hole.dwell.map(|dwell| self.planner.spindle.seconds(dwell)).transpose()?;
         let feed = self.feed(kind, &places[0])?;
@@ -250,7 +250,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         let units = |mm: f64| (mm / self.planner.mover.placer().unit_mm()).round() as i64;
         let no_dwell = hole.dwell.is_none();
         let steps_wait = no_dwell || can.steps_dwell;
-        let usual_gap = self.planner.policy.options.defaults.peck_gap;
+        let usual_gap = self.planner.policy.options.defaults.peck_gap_mm;
         Ok(match hole.drilling {
             Drilling::Drill if can.drill => Ok(CannedKind::Drill),
             Drilling::Ream if can.ream && (can.ream_higher || !higher) => Ok(CannedKind::Ream),
@@ -290,7 +290,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
             Fault::new("the pitch of this thread is not known").help("give the feed of the cycle per turn (MMPR, IPR)")
         })?;
         let too_large = |_| Fault::new("the pitch or the speed of this thread does not fit into a word");
-        let exact = pitch / self.planner.mover.feeds().length_unit();
+        let exact = pitch / self.planner.mover.feeds().unit_mm();
         let pitch = Decimal::fixed(exact, self.planner.abilities.cycles.pitch_decimals).map_err(too_large)?;
         if (pitch.value() / exact - 1.0).abs() > PITCH {
             let fault = Fault::new(format_args!("the pitch of this thread, {exact}, has too many digits for a word"));
@@ -307,21 +307,21 @@ impl<S: Sink> HoleRun<'_, '_, S> {
     fn feed(&self, kind: CannedKind, over: &Place) -> Result<Decimal, Fault> {
         let (hole, feeds) = (self.hole, self.planner.mover.feeds());
         let per_minute = match kind {
-            CannedKind::Tap { pitch, speed, .. } => pitch.value() * feeds.length_unit() * speed.value(),
+            CannedKind::Tap { pitch, speed, .. } => pitch.value() * feeds.unit_mm() * speed.value(),
             CannedKind::Drill | CannedKind::Peck { .. } | CannedKind::ChipBreak { .. } | CannedKind::Ream => {
                 let feed = hole.feed.ok_or_else(|| Fault::new("a hole without feed"))?;
                 Feeds::per_minute(feed, self.planner.spindle.speed())?
             }
         };
         let length = hole.clearance + hole.depth;
-        let least = self.planner.mover.placer().least_minutes_of_tip(length, over);
-        let stroke = Stroke { length, turn: 0.0, square: true, linear: length, degrees: 0.0, least };
-        let pace = feeds.pace(per_minute, stroke)?;
+        let axis_time_min = self.planner.mover.placer().least_minutes_of_tip(length, over);
+        let motion = FeedMotion::linear(length, axis_time_min);
+        let pace = feeds.pace(per_minute, motion)?;
         let FeedWord::PerMinute(word) = pace.feed else {
             return Err(Fault::new("a cycle has no feed in inverse time"));
         };
         if let CannedKind::Tap { .. } = kind
-            && (pace.slowed > 0.0
+            && (pace.slowed_min > 0.0
                 || self.planner.abilities.cycles.tap_feed
                     && (feeds.mm_per_minute(word) / per_minute - 1.0).abs() > THREAD_FEED)
         {
@@ -352,7 +352,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         output.cancel_inverse_time()?;
         output.times_mut().cut(if both_ways { 2.0 * minutes } else { minutes });
         output.times_mut().wait(cycle.dwell.unwrap_or(0.0) / 60.0);
-        output.because(Why::Record);
+        output.set_reason(BlockReason::Record);
         mover.write_motion(&Step::Cycle { cycle }, &back)?;
         mover.output_mut().statistics_mut().cycles += 1;
         if let CannedKind::Tap { .. } = cycle.kind {

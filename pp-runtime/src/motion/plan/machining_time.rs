@@ -16,18 +16,18 @@ pub struct OperationTime {
     /// Where it begins.
     pub at: Location,
     /// Feed motions.
-    pub cutting: f64,
+    pub cutting_min: f64,
     /// Everything.
-    pub total: f64,
+    pub total_min: f64,
 }
 
 /// A turn of a rotary axis in the cut.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct FastestTurn {
+pub struct FastestRotation {
     /// The axis.
     pub letter: char,
     /// rad/min.
-    pub speed: f64,
+    pub rad_per_min: f64,
     /// Where.
     pub at: Location,
 }
@@ -36,37 +36,37 @@ pub struct FastestTurn {
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Times {
     /// Feed motions.
-    pub cutting: f64,
+    pub cutting_min: f64,
     /// Rapids whose axes have known speeds.
-    pub rapid: f64,
+    pub rapid_min: f64,
     /// Waits.
-    pub waiting: f64,
+    pub dwell_min: f64,
     /// Rapids with an axis whose speed is not known: they count nothing.
-    pub unknown: u64,
+    pub rapids_of_unknown_speed: u64,
     /// Blocks that are slower than programmed.
-    pub slowed: u64,
+    pub slowed_blocks: u64,
     /// By how much all of them together.
-    pub slowed_by: f64,
+    pub slowed_min: f64,
     /// Where the first of them is.
-    pub slowed_first: Location,
+    pub first_slowed: Location,
     /// The fastest turn that the CL data asks for, before axis speeds slow it down.
-    pub fastest: Option<FastestTurn>,
+    pub fastest: Option<FastestRotation>,
     /// The first operations, in their order.
     pub operations: Vec<OperationTime>,
     /// Operations that are not in the list.
-    pub others: u64,
+    pub unlisted_operations: u64,
 }
 
 impl Times {
     /// Everything together.
     #[must_use]
-    pub fn total(&self) -> f64 {
-        self.cutting + self.rapid + self.waiting
+    pub fn total_min(&self) -> f64 {
+        self.cutting_min + self.rapid_min + self.dwell_min
     }
 
     pub(crate) fn operation(&mut self, at: Location, name: &[u8]) {
         if self.operations.len() >= MOST_OPERATIONS {
-            self.others += 1;
+            self.unlisted_operations += 1;
             return;
         }
         let name = name[..name.len().min(NAME_LENGTH)].to_vec();
@@ -81,23 +81,23 @@ impl Times {
 
     /// Drops operations in which nothing has happened.
     pub(crate) fn forget_empty(&mut self) {
-        self.operations.retain(|operation| operation.total > 0.0);
+        self.operations.retain(|operation| operation.total_min > 0.0);
     }
 
     #[inline]
     fn add(&mut self, minutes: f64, cutting: bool) {
-        if self.others > 0 {
+        if self.unlisted_operations > 0 {
             return;
         }
         if let Some(operation) = self.operations.last_mut() {
-            operation.total += minutes;
-            operation.cutting += if cutting { minutes } else { 0.0 };
+            operation.total_min += minutes;
+            operation.cutting_min += if cutting { minutes } else { 0.0 };
         }
     }
 
     #[inline]
     pub(crate) fn cut(&mut self, minutes: f64) {
-        self.cutting += minutes;
+        self.cutting_min += minutes;
         self.add(minutes, true);
     }
 
@@ -105,30 +105,30 @@ impl Times {
     pub(crate) fn rapid(&mut self, minutes: Option<f64>) {
         match minutes {
             Some(minutes) => {
-                self.rapid += minutes;
+                self.rapid_min += minutes;
                 self.add(minutes, false);
             }
-            None => self.unknown += 1,
+            None => self.rapids_of_unknown_speed += 1,
         }
     }
 
     pub(crate) fn wait(&mut self, minutes: f64) {
-        self.waiting += minutes;
+        self.dwell_min += minutes;
         self.add(minutes, false);
     }
 
     #[inline]
-    pub(crate) fn turn(&mut self, letter: char, speed: f64, at: Location) {
-        if self.fastest.is_none_or(|fastest| speed > fastest.speed) {
-            self.fastest = Some(FastestTurn { letter, speed, at });
+    pub(crate) fn rotate(&mut self, letter: char, rad_per_min: f64, at: Location) {
+        if self.fastest.is_none_or(|fastest| rad_per_min > fastest.rad_per_min) {
+            self.fastest = Some(FastestRotation { letter, rad_per_min, at });
         }
     }
 
     pub(crate) fn slow(&mut self, at: Location, minutes: f64) {
-        if self.slowed == 0 {
-            self.slowed_first = at;
+        if self.slowed_blocks == 0 {
+            self.first_slowed = at;
         }
-        self.slowed += 1;
-        self.slowed_by += minutes;
+        self.slowed_blocks += 1;
+        self.slowed_min += minutes;
     }
 }

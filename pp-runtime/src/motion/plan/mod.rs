@@ -38,19 +38,19 @@ use crate::program::Units;
 use crate::program::{self, Location, Move};
 
 use crate::motion::course::{Change, Course, Follower, How};
-use crate::motion::fault::{Fault, Halt, Planned, Stop};
+use crate::motion::fault::{Fault, ItemError, Planned, PlanningError};
 use crate::motion::geometry::Way;
 use crate::motion::rotary::{TurnTarget, Turns};
 use crate::motion::source::{Action, Begins, Item, LinePart, MotionIndex, Next, Stage};
+use crate::motion::step::BlockReason;
 use crate::motion::step::Sink;
-use crate::motion::step::Why;
 
 pub use abilities::{Abilities, Registers};
 pub use clamps::MovingAxes;
 pub(crate) use hole::hole_extent;
-pub use machining_time::{FastestTurn, OperationTime, Times};
+pub use machining_time::{FastestRotation, OperationTime, Times};
 pub use proof::{ProofProgram, Sweep};
-pub use statistics::{Chorded, Statistics};
+pub use statistics::{ChordedArcs, Statistics};
 
 use clearance::ClearanceGeometry;
 use coolant::CoolantState;
@@ -80,7 +80,7 @@ pub struct Planner<'a, S> {
 
 /// A motion, and the one after it where its approach may depend on that.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Ahead<'m> {
+pub(crate) struct MotionAndNext<'m> {
     motion: &'m Move,
     next: Next,
 }
@@ -184,14 +184,14 @@ impl<'a, S: Sink> Planner<'a, S> {
     /// Ends the program after its last record; the end code itself is left to the caller.
     ///
     /// # Errors
-    /// [`Stop`] if there is no way to retract, or the output fails.
-    pub fn finish(&mut self, at: Location) -> Result<(), Stop> {
+    /// [`PlanningError`] if there is no way to retract, or the output fails.
+    pub fn finish(&mut self, at: Location) -> Result<(), PlanningError> {
         self.end(at).map_err(|halt| halt.at(at))
     }
 
     /// A straight motion of the CL data.
     #[inline]
-    fn line(&mut self, ahead: Ahead<'_>, index: MotionIndex) -> Planned {
+    fn line(&mut self, ahead: MotionAndNext<'_>, index: MotionIndex) -> Planned {
         match index.begins {
             Begins::Nothing if self.cutter.is_idle() => self.run(ahead, index),
             Begins::Nothing => cutter::line(self, ahead, index),
@@ -200,8 +200,8 @@ impl<'a, S: Sink> Planner<'a, S> {
     }
 
     /// The first motion of an operation.
-    fn begin(&mut self, ahead: Ahead<'_>, index: MotionIndex) -> Planned {
-        self.mover.output_mut().because(Why::Record);
+    fn begin(&mut self, ahead: MotionAndNext<'_>, index: MotionIndex) -> Planned {
+        self.mover.output_mut().set_reason(BlockReason::Record);
         if self.mover.position().is_known() && self.policy.options.rapids.transition == Transition::Direct {
             self.prepare_directly(ahead.motion)?;
         }
@@ -214,7 +214,7 @@ impl<'a, S: Sink> Planner<'a, S> {
     /// What must be true before the tool moves to a point of the CL data.
     #[inline]
     fn check_state(&self, motion: &Move) -> Result<(), Fault> {
-        if let Some(floor) = self.policy.options.guards.floor
+        if let Some(floor) = self.policy.options.guards.floor_mm
             && motion.pose.tip.z < floor
         {
             let tip = motion.pose.tip.z;
@@ -265,7 +265,7 @@ impl<'a, S: Sink> Planner<'a, S> {
 
     /// A motion inside an operation.
     #[inline]
-    fn run(&mut self, ahead: Ahead<'_>, index: MotionIndex) -> Planned {
+    fn run(&mut self, ahead: MotionAndNext<'_>, index: MotionIndex) -> Planned {
         self.stop_spindle()?;
         self.check_state(ahead.motion)?;
         let planned = self.changes(ahead.motion, index)?;
@@ -274,7 +274,7 @@ impl<'a, S: Sink> Planner<'a, S> {
 
     /// A motion inside an operation of which the course has been asked.
     #[inline]
-    fn go(&mut self, ahead: Ahead<'_>, planned: Option<TurnTarget>) -> Planned {
+    fn go(&mut self, ahead: MotionAndNext<'_>, planned: Option<TurnTarget>) -> Planned {
         let motion = ahead.motion;
         if !motion.rapid && self.spindle.take_stopped_by_cycle() {
             self.turn_spindle(true)?;
@@ -300,7 +300,7 @@ impl<'a, S: Sink> Planner<'a, S> {
 
     /// Does what the course has before a motion begins, and gives the words in which it ends if the course has these, too.
     #[inline]
-    fn changes(&mut self, motion: &Move, index: MotionIndex) -> Result<Option<TurnTarget>, Halt> {
+    fn changes(&mut self, motion: &Move, index: MotionIndex) -> Result<Option<TurnTarget>, ItemError> {
         let (from, towards, mut planned) = (self.mover.position().pose(), self.course.take_towards(), None);
         while let Some(Change { how, words, .. }) = self.course.change(index.motion) {
             match how {
@@ -324,10 +324,10 @@ impl<'a, S: Sink> Planner<'a, S> {
         let place = self.mover.place(&pose, true, Some(TurnTarget { words, towards: None }))?;
         let turned = place.words != self.mover.here().words;
         self.mover.output_mut().statistics_mut().inserted += u64::from(turned);
-        self.mover.output_mut().because(Why::Course);
+        self.mover.output_mut().set_reason(BlockReason::Course);
         self.mover.feed_to(&place, self.rate(motion.feed)?)?;
         self.mover.pass(&pose, place);
-        self.mover.output_mut().because(Why::Record);
+        self.mover.output_mut().set_reason(BlockReason::Record);
         Ok(())
     }
 
@@ -360,32 +360,32 @@ fn no_way_round(air: bool) -> Fault {
 }
 
 impl<S: Sink> Stage for Planner<'_, S> {
-    type Stop = Stop;
+    type Stop = PlanningError;
 
     /// Plans one item; nothing may be planned after an error.
     #[inline]
-    fn take(&mut self, item: &Item<'_>) -> Result<(), Stop> {
+    fn take(&mut self, item: &Item<'_>) -> Result<(), PlanningError> {
         if self.selection.is_over() {
             return Ok(());
         }
         let at = item.at;
         let planned = match item.action {
             Action::Line { motion, index, next, part } => {
-                let why = if part == LinePart::Whole { Why::Record } else { Why::Curve };
+                let why = if part == LinePart::Whole { BlockReason::Record } else { BlockReason::Curve };
                 self.mover.output_mut().serve(at, why);
                 let suits = if part == LinePart::CurveStart { self.cutter.check_curve() } else { Ok(()) };
-                suits.map_err(Halt::from).and_then(|()| self.line(Ahead { motion, next }, index))
+                suits.map_err(ItemError::from).and_then(|()| self.line(MotionAndNext { motion, next }, index))
             }
             Action::Arc { arc, index } => {
-                self.mover.output_mut().serve(at, Why::Record);
+                self.mover.output_mut().serve(at, BlockReason::Record);
                 arcs::arc(self, arc, index)
             }
             Action::Hole { hole, index } => {
-                self.mover.output_mut().serve(at, Why::Hole);
+                self.mover.output_mut().serve(at, BlockReason::Hole);
                 hole::hole(self, hole, index)
             }
             Action::Record { event, between } => {
-                self.mover.output_mut().serve(at, Why::Record);
+                self.mover.output_mut().serve(at, BlockReason::Record);
                 records::record(self, event, between)
             }
         };

@@ -10,8 +10,8 @@ use crate::motion::place::Place;
 use crate::motion::plan::feed::Pace;
 use crate::motion::plan::machining_time::Times;
 use crate::motion::plan::statistics::Statistics;
+use crate::motion::step::{BlockReason, Provenance, ReachedPosition};
 use crate::motion::step::{FeedWord, Sink, Step};
-use crate::motion::step::{Provenance, Standing, Why};
 
 /// A deviation of the tool axis up to this is arithmetic, rad.
 const NO_DEVIATION: f64 = 1e-12;
@@ -23,7 +23,7 @@ pub(crate) struct Output<S> {
     /// The record that the following steps serve.
     at: Option<Location>,
     /// Why the following steps are in the program.
-    why: Why,
+    reason: BlockReason,
     /// Steps are written; else they are planned only.
     shown: bool,
     /// Inverse time is in force.
@@ -38,7 +38,7 @@ impl<S: Sink> Output<S> {
         Self {
             sink,
             at: None,
-            why: Why::Head,
+            reason: BlockReason::Head,
             shown: true,
             inverse_time: false,
             statistics: Statistics::default(),
@@ -54,14 +54,14 @@ impl<S: Sink> Output<S> {
 
     /// What follows serves this record.
     #[inline]
-    pub(crate) fn serve(&mut self, at: Location, why: Why) {
-        (self.at, self.why) = (Some(at), why);
+    pub(crate) fn serve(&mut self, at: Location, reason: BlockReason) {
+        (self.at, self.reason) = (Some(at), reason);
     }
 
     /// Why what follows is in the program.
     #[inline]
-    pub(crate) fn because(&mut self, why: Why) {
-        self.why = why;
+    pub(crate) fn set_reason(&mut self, reason: BlockReason) {
+        self.reason = reason;
     }
 
     /// Whether what follows is written.
@@ -71,7 +71,7 @@ impl<S: Sink> Output<S> {
 
     /// One step that moves nothing.
     pub(crate) fn step(&mut self, step: &Step<'_>) -> io::Result<()> {
-        self.emit(step, self.why, None)
+        self.emit(step, self.reason, None)
     }
 
     /// One step, and where the machine is after it. `inserted`: it is a point that the record does not name.
@@ -79,17 +79,17 @@ impl<S: Sink> Output<S> {
     pub(crate) fn move_step(
         &mut self,
         step: &Step<'_>,
-        standing: Standing<'_>,
-        inserted: Option<Why>,
+        reached: ReachedPosition<'_>,
+        inserted: Option<BlockReason>,
     ) -> io::Result<()> {
-        self.emit(step, inserted.unwrap_or(self.why), Some(standing))
+        self.emit(step, inserted.unwrap_or(self.reason), Some(reached))
     }
 
     #[inline]
-    fn emit(&mut self, step: &Step<'_>, why: Why, standing: Option<Standing<'_>>) -> io::Result<()> {
+    fn emit(&mut self, step: &Step<'_>, reason: BlockReason, reached: Option<ReachedPosition<'_>>) -> io::Result<()> {
         // The work offset is needed by the next restart point, whether what is around it is written or not.
         if self.shown || matches!(step, Step::WorkOffset { .. }) {
-            self.sink.step(step, &Provenance { at: self.at, why, standing })
+            self.sink.step(step, &Provenance { at: self.at, reason, reached })
         } else {
             Ok(())
         }
@@ -110,13 +110,13 @@ impl<S: Sink> Output<S> {
     /// A feed motion at this pace, in which an axis may turn fastest: its letter, and its angle in rad.
     #[inline]
     pub(crate) fn feed(&mut self, pace: &Pace, turn: Option<(char, f64)>) {
-        let (at, Pace { feed, minutes, slowed }) = (self.location(), *pace);
-        self.times.cut(minutes);
+        let (at, Pace { feed, time_min, slowed_min }) = (self.location(), *pace);
+        self.times.cut(time_min);
         if let Some((letter, angle)) = turn {
-            self.times.turn(letter, angle / (minutes - slowed), at);
+            self.times.rotate(letter, angle / (time_min - slowed_min), at);
         }
-        if slowed > 0.0 {
-            self.times.slow(at, slowed);
+        if slowed_min > 0.0 {
+            self.times.slow(at, slowed_min);
         }
         self.inverse_time = matches!(feed, FeedWord::InverseTime(_));
         self.statistics.inverse_time += u64::from(self.inverse_time);

@@ -9,13 +9,13 @@ use nalgebra::Point3;
 use crate::kinematics::{Pose, Side};
 use crate::program::{Event, Feed, Location, Move, Rotation, Spindle, ToolCall};
 
-use crate::motion::fault::{Fault, Halt, Planned, Stop};
+use crate::motion::fault::{Fault, ItemError, Planned, PlanningError};
 use crate::motion::place::Tolerance;
-use crate::motion::plan::{Ahead, Planner, records};
+use crate::motion::plan::{MotionAndNext, Planner, records};
 use crate::motion::rotary::Rotary;
 use crate::motion::rotary::{TurnTarget, Turns};
 use crate::motion::source::Next;
-use crate::motion::step::Why;
+use crate::motion::step::BlockReason;
 use crate::motion::step::{Sink, Step};
 
 /// mm/min on the way to the point.
@@ -47,8 +47,8 @@ impl<'p, 'a, S: Sink> ProofProgram<'p, 'a, S> {
     /// first once more with the second at the end of its travel.
     ///
     /// # Errors
-    /// [`Stop`] if an axis cannot be swept: its travel is not known, or it stands on steps.
-    pub fn sweeps(&self) -> Result<Vec<Sweep>, Stop> {
+    /// [`PlanningError`] if an axis cannot be swept: its travel is not known, or it stands on steps.
+    pub fn sweeps(&self) -> Result<Vec<Sweep>, PlanningError> {
         let rotaries = self.planner.mover.placer().rotaries();
         let mut rest = [0; 2];
         for (word, rotary) in rest.iter_mut().zip(rotaries) {
@@ -70,7 +70,7 @@ impl<'p, 'a, S: Sink> ProofProgram<'p, 'a, S> {
         Ok(sweeps)
     }
 
-    fn sweep(&self, axis: usize, rest: Turns) -> Result<Sweep, Stop> {
+    fn sweep(&self, axis: usize, rest: Turns) -> Result<Sweep, PlanningError> {
         let rotaries = self.planner.mover.placer().rotaries();
         let letter = |axis: usize| self.planner.mover.placer().chain()[rotaries[axis].index].letter;
         let ends = self.ends(rotaries[axis], rest[axis])?;
@@ -92,10 +92,10 @@ impl<'p, 'a, S: Sink> ProofProgram<'p, 'a, S> {
     }
 
     /// The ends of an axis, one after the other; of an endless one a turn on.
-    fn ends(&self, rotary: Rotary, rest: i64) -> Result<Vec<i64>, Stop> {
+    fn ends(&self, rotary: Rotary, rest: i64) -> Result<Vec<i64>, PlanningError> {
         let axis = &self.planner.mover.placer().chain()[rotary.index];
         let letter = axis.letter;
-        let refused = |fault: Fault| Err(Halt::from(fault).at(Location::default()));
+        let refused = |fault: Fault| Err(ItemError::from(fault).at(Location::default()));
         if self.planner.policy.options.rotaries.grid.contains_key(&letter) {
             let fault =
                 Fault::new(format_args!("{letter} stands on steps and does not turn in a cut: it cannot be swept"));
@@ -114,10 +114,10 @@ impl<'p, 'a, S: Sink> ProofProgram<'p, 'a, S> {
     /// Plans the proof with a tool at a point of the part, mm; the end code is left to the caller.
     ///
     /// # Errors
-    /// [`Stop`] if a point of it cannot be reached, or the output fails.
-    pub fn plan(&mut self, tool: u32, tip: Point3<f64>, sweeps: &[Sweep]) -> Result<(), Stop> {
+    /// [`PlanningError`] if a point of it cannot be reached, or the output fails.
+    pub fn plan(&mut self, tool: u32, tip: Point3<f64>, sweeps: &[Sweep]) -> Result<(), PlanningError> {
         let at = Location::default();
-        self.planner.mover.output_mut().serve(at, Why::Record);
+        self.planner.mover.output_mut().serve(at, BlockReason::Record);
         self.plan_all(tool, tip, sweeps).map_err(|halt| halt.at(at))?;
         self.planner.finish(at)
     }
@@ -133,7 +133,7 @@ impl<'p, 'a, S: Sink> ProofProgram<'p, 'a, S> {
         let axis = planner.mover.placer().axis_at(&words);
         let motion = Move { pose: Pose { tip, axis }, rapid: false, feed: Some(Feed::PerMinute(FEED)) };
         let target = TurnTarget { words, towards: None };
-        planner.start(Ahead { motion: &motion, next: Next::None }, 1, Some(target))?;
+        planner.start(MotionAndNext { motion: &motion, next: Next::None }, 1, Some(target))?;
         for sweep in sweeps {
             let name = format!("SWEEP {}", sweep.name);
             self.planner.mover.output_mut().step(&Step::Operation { name: name.as_bytes() })?;
@@ -157,7 +157,7 @@ impl<'p, 'a, S: Sink> ProofProgram<'p, 'a, S> {
 
     /// Out along the tool axis, as far as the approach came in.
     fn lead_out(&mut self) -> Planned {
-        let distance = self.planner.policy.options.approach.distance;
+        let distance = self.planner.policy.options.approach.distance_mm;
         let mover = &mut self.planner.mover;
         let here = *mover.here();
         let Pose { tip, axis } = here.pose;

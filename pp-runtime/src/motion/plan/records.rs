@@ -8,7 +8,7 @@ use crate::program::{Dwell, Event, ToolCall, Turning};
 use crate::motion::fault::{Fault, Planned};
 use crate::motion::plan::Planner;
 use crate::motion::plan::tool::LoadedTool;
-use crate::motion::step::Why;
+use crate::motion::step::BlockReason;
 use crate::motion::step::{Sink, Step};
 
 /// A wait that three decimals hold, and that somebody may want, seconds.
@@ -83,7 +83,7 @@ impl<S: Sink> Records<'_, '_, S> {
             Event::Insert(text) => self.raw(text),
             Event::Code { letter, number } => self.raw(format!("{}{number}", char::from(letter)).as_bytes()),
             Event::Tolerance(tolerance) => {
-                self.planner.mover.set_tip_tolerance(tolerance.unwrap_or(self.planner.policy.options.tolerance));
+                self.planner.mover.set_tip_tolerance(tolerance.unwrap_or(self.planner.policy.options.tolerance_mm));
                 Ok(())
             }
             // Motions are items of their own.
@@ -104,7 +104,7 @@ impl<S: Sink> Records<'_, '_, S> {
     /// The tool leaves the part before what the record asks for.
     fn leave(&mut self) -> Planned {
         self.planner.leave()?;
-        self.planner.mover.output_mut().because(Why::Record);
+        self.planner.mover.output_mut().set_reason(BlockReason::Record);
         Ok(())
     }
 
@@ -157,7 +157,7 @@ impl<S: Sink> Records<'_, '_, S> {
         if retract || !planner.mover.placer().straight() {
             planner.leave()?;
         }
-        planner.mover.output_mut().because(Why::Record);
+        planner.mover.output_mut().set_reason(BlockReason::Record);
         if retract {
             planner.stop_coolant()?;
             planner.mover.machine_retract()?;
@@ -196,7 +196,7 @@ impl<S: Sink> Records<'_, '_, S> {
 
     /// A block as it is given: where the machine is after it, and in which state, is unknown.
     fn raw(&mut self, text: &[u8]) -> Planned {
-        if self.planner.policy.options.lift.is_some() {
+        if self.planner.policy.options.lift_mm.is_some() {
             let fault =
                 Fault::new("a dry run writes no NC text of the CL data: nobody knows what it moves or switches on");
             return Err(fault.help("`--insert comment`, or take it out").into());
@@ -222,7 +222,7 @@ impl<S: Sink> Records<'_, '_, S> {
 
     /// GOHOME without a point.
     fn go_home(&mut self) -> Planned {
-        if self.planner.policy.options.park.is_empty() && self.planner.policy.options.retract.position.is_none() {
+        if self.planner.policy.options.park.is_empty() && self.planner.policy.options.retract.position_mm.is_none() {
             let fault = Fault::new("GOHOME without a point, and neither `park` nor `retract.position` is configured");
             return Err(fault.help("give one of them, or GOHOME/x,y,z").into());
         }

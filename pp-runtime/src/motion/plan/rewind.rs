@@ -8,14 +8,14 @@ use crate::motion::fault::{Fault, Planned};
 use crate::motion::place::Tolerance;
 use crate::motion::plan::Planner;
 use crate::motion::rotary::{TurnTarget, Turns};
+use crate::motion::step::BlockReason;
 use crate::motion::step::Sink;
-use crate::motion::step::Why;
 
 /// Rewinds as the configuration says, before a motion.
 #[cold]
 pub(crate) fn rewind<S: Sink>(planner: &mut Planner<'_, S>, motion: &Move, words: Turns) -> Planned {
     let why = reason(planner);
-    planner.mover.output_mut().because(Why::Rewind);
+    planner.mover.output_mut().set_reason(BlockReason::Rewind);
     let how = match planner.policy.options.retract.rewind {
         Rewind::Follow => {
             rewind_in_place(planner, motion, words)?;
@@ -28,7 +28,7 @@ pub(crate) fn rewind<S: Sink>(planner: &mut Planner<'_, S>, motion: &Move, words
     };
     let output = planner.mover.output_mut();
     output.statistics_mut().rewinds += 1;
-    output.because(Why::Record);
+    output.set_reason(BlockReason::Record);
     output.remark(Fault::new(format_args!("the rotary axes are rewound here{how}: {why}")));
     Ok(())
 }
@@ -37,7 +37,7 @@ pub(crate) fn rewind<S: Sink>(planner: &mut Planner<'_, S>, motion: &Move, words
 fn rewind_out_of_part<S: Sink>(planner: &mut Planner<'_, S>, motion: &Move, words: Turns, why: &str) -> Planned {
     let here = *planner.mover.here();
     let out = planner.clearance.way_out(&here.pose);
-    let Some(distance) = planner.policy.options.retract.distance.or(out) else {
+    let Some(distance) = planner.policy.options.retract.distance_mm.or(out) else {
         let text = format!("here the rotary axes have to be rewound out of the part: {why}");
         let help = "give `retract.distance` or `retract.clearance` in the configuration, or CLEARP in the CL data";
         return Err(Fault::new(text).help(help).into());

@@ -19,10 +19,10 @@ use crate::program::{Location, Move};
 use crate::motion::fault::{Fault, Planned};
 use crate::motion::geometry::SAME_AXIS;
 use crate::motion::plan::tool::LoadedTool;
-use crate::motion::plan::{Ahead, Planner};
+use crate::motion::plan::{MotionAndNext, Planner};
 use crate::motion::rotary::TurnTarget;
 use crate::motion::source::Next;
-use crate::motion::step::Why;
+use crate::motion::step::BlockReason;
 use crate::motion::step::{Sink, Step};
 
 /// A point this near to a line lies on it, mm.
@@ -37,12 +37,12 @@ impl<S: Sink> Planner<'_, S> {
         if !self.mover.position().is_known() {
             return Ok(());
         }
-        self.mover.output_mut().because(Why::LeadOut);
+        self.mover.output_mut().set_reason(BlockReason::LeadOut);
         self.stop_coolant()?;
         self.mover.output_mut().cancel_inverse_time()?;
         let led_out = self.mover.position().led_out();
         let here = *self.mover.here();
-        let configured = self.policy.options.retract.distance;
+        let configured = self.policy.options.retract.distance_mm;
         let out = self.clearance.way_out(&here.pose);
         match configured.or_else(|| out.map(|distance| distance + led_out)) {
             Some(distance) if led_out + ENOUGH < distance => {
@@ -75,7 +75,7 @@ impl<S: Sink> Planner<'_, S> {
 
     /// Remarks that the CL data leads the tool out by less than the approach comes in.
     fn compare_lead_out(&mut self, led_out: f64) {
-        let wanted = self.policy.options.approach.distance;
+        let wanted = self.policy.options.approach.distance_mm;
         if led_out + ENOUGH < wanted {
             let text = format!(
                 "before this line the CL data leads the tool out by {led_out:.3} mm only, less than \
@@ -88,11 +88,11 @@ impl<S: Sink> Planner<'_, S> {
 
     /// The operation of this number begins. True if it is the first that is written although it is not the first of the
     /// program: whoever begins there knows nothing of what came before.
-    fn begin_operation(&mut self, number: u64) -> Result<bool, crate::motion::plan::Halt> {
+    fn begin_operation(&mut self, number: u64) -> Result<bool, crate::motion::plan::ItemError> {
         let opening = self.selection.begin(number);
         if opening.ends {
             self.leave()?;
-            self.mover.output_mut().because(Why::End);
+            self.mover.output_mut().set_reason(BlockReason::End);
             self.stop_coolant()?;
             self.mover.output_mut().cancel_inverse_time()?;
             self.mover.machine_retract()?;
@@ -108,7 +108,7 @@ impl<S: Sink> Planner<'_, S> {
     }
 
     /// The first motion of an operation, with everything before it.
-    pub(crate) fn start(&mut self, ahead: Ahead<'_>, operation: u64, planned: Option<TurnTarget>) -> Planned {
+    pub(crate) fn start(&mut self, ahead: MotionAndNext<'_>, operation: u64, planned: Option<TurnTarget>) -> Planned {
         let opens = self.begin_operation(operation)?;
         if self.selection.is_over() {
             return Ok(());
@@ -119,7 +119,7 @@ impl<S: Sink> Planner<'_, S> {
             return self.start_directly(ahead, planned);
         }
         self.leave()?;
-        self.mover.output_mut().because(Why::Start);
+        self.mover.output_mut().set_reason(BlockReason::Start);
         if (self.abilities.length_moves || self.mover.position().is_in_frame()) && self.mover.restarts() > 0 && !opens {
             // What the safety line cancels must not move the tool down, or turn it in the part.
             self.mover.machine_retract()?;
@@ -167,7 +167,7 @@ impl<S: Sink> Planner<'_, S> {
         let guarded = self.policy.options.guards.length_guard.unwrap_or(self.mover.placer().needs_length().is_some());
         let label = self.mover.restarts();
         if let Some(length) = tool.length.filter(|_| guarded) {
-            let (tolerance, offset, tool) = (self.policy.options.guards.length_tolerance, tool.offset, tool.number);
+            let (tolerance, offset, tool) = (self.policy.options.guards.length_tolerance_mm, tool.offset, tool.number);
             self.mover.output_mut().step(&Step::LengthGuard { label, tool, offset, length, tolerance })?;
         }
         Ok(())
@@ -183,11 +183,11 @@ impl<S: Sink> Planner<'_, S> {
     }
 
     /// An operation that goes on where the last one ended, because the configuration wants it so.
-    fn start_directly(&mut self, ahead: Ahead<'_>, planned: Option<TurnTarget>) -> Planned {
+    fn start_directly(&mut self, ahead: MotionAndNext<'_>, planned: Option<TurnTarget>) -> Planned {
         let first = ahead.motion;
         let place = self.mover.place(&first.pose, !first.rapid, planned)?;
         if self.mover.leaves_plane(&place) {
-            return self.index(Ahead { next: Next::None, ..ahead }, planned);
+            return self.index(MotionAndNext { next: Next::None, ..ahead }, planned);
         }
         let before = self.mover.position().pose();
         if first.rapid {
@@ -204,21 +204,21 @@ impl<S: Sink> Planner<'_, S> {
     }
 
     /// A rapid that turns the table or the head.
-    pub(crate) fn index(&mut self, ahead: Ahead<'_>, planned: Option<TurnTarget>) -> Planned {
+    pub(crate) fn index(&mut self, ahead: MotionAndNext<'_>, planned: Option<TurnTarget>) -> Planned {
         self.leave()?;
-        self.mover.output_mut().because(Why::Approach);
+        self.mover.output_mut().set_reason(BlockReason::Approach);
         self.mover.machine_retract()?;
         self.stop_spindle()?;
         self.approach(ahead, planned)
     }
 
     /// Steps 4 to 8.
-    fn approach(&mut self, ahead: Ahead<'_>, planned: Option<TurnTarget>) -> Planned {
+    fn approach(&mut self, ahead: MotionAndNext<'_>, planned: Option<TurnTarget>) -> Planned {
         let first = ahead.motion;
         self.mover.begin_approach();
         let place = self.mover.place(&first.pose, false, planned)?;
         let (place, frame) = self.mover.framed_at(place)?;
-        let distance = self.policy.options.approach.distance;
+        let distance = self.policy.options.approach.distance_mm;
         let above = if first.rapid && is_straight_down(&first.pose, ahead.next)? {
             place
         } else {
@@ -227,12 +227,12 @@ impl<S: Sink> Planner<'_, S> {
                 .shifted(tip + axis.into_inner() * distance, &place)
                 .map_err(|fault| fault.context(format_args!("the approach from {distance} mm")))?
         };
-        self.mover.output_mut().because(Why::Approach);
+        self.mover.output_mut().set_reason(BlockReason::Approach);
         self.mover.come_in(&above, frame)?;
         self.mover.output_mut().statistics_mut().sequences += 1;
         self.turn_coolant()?;
         self.mover.position_mut().go_to(above);
-        self.mover.output_mut().because(Why::Record);
+        self.mover.output_mut().set_reason(BlockReason::Record);
         if place.words != above.words {
             if first.rapid {
                 self.mover.rapid_linear(&place)?;
@@ -252,13 +252,13 @@ impl<S: Sink> Planner<'_, S> {
     pub(crate) fn end(&mut self, at: Location) -> Planned {
         if self.selection.is_over() {
             self.mover.output_mut().show(true);
-            self.mover.output_mut().serve(at, Why::End);
+            self.mover.output_mut().serve(at, BlockReason::End);
             return self.mover.park();
         }
         self.cutter.check_end()?;
-        self.mover.output_mut().serve(at, Why::LeadOut);
+        self.mover.output_mut().serve(at, BlockReason::LeadOut);
         self.leave()?;
-        self.mover.output_mut().because(Why::End);
+        self.mover.output_mut().set_reason(BlockReason::End);
         self.stop_coolant()?;
         self.mover.output_mut().cancel_inverse_time()?;
         self.mover.machine_retract()?;

@@ -103,7 +103,7 @@ impl SpindleState {
         };
         self.stop_pending = false;
         let wanted = Some((speed.value(), rotation));
-        if policy.options.lift.is_some() {
+        if policy.options.lift_mm.is_some() {
             // In a dry run the spindle is on on paper only; whoever enters here makes sure that it is off.
             self.turning = wanted;
             return if again { Ok(output.step(&Step::SpindleOff)?) } else { Ok(()) };
@@ -112,9 +112,9 @@ impl SpindleState {
             let starts = again || self.turning.is_none_or(|(_, before)| before != rotation);
             self.turning = wanted;
             output.step(&Step::Spindle { speed, rotation })?;
-            if starts && policy.options.spindle_dwell > 0.0 {
+            if starts && policy.options.spindle_dwell_s > 0.0 {
                 output.cancel_inverse_time()?;
-                output.step(&Step::Dwell { seconds: policy.options.spindle_dwell })?;
+                output.step(&Step::Dwell { seconds: policy.options.spindle_dwell_s })?;
             }
         }
         Ok(())

@@ -106,14 +106,14 @@ impl SpindleRequest {
         given: Option<&Given>,
         policy: Policy<'_>,
     ) -> Result<Option<(Decimal, Rotation)>, Fault> {
-        let Defaults { speed, rotation, .. } = policy.options.defaults;
+        let Defaults { speed_rev_per_min: speed, rotation, .. } = policy.options.defaults;
         if self.off {
             return Ok(None);
         }
         let speed = self.speed.or(given.and_then(|tool| tool.speed)).or(speed);
         let rotation = self.rotation.or(given.and_then(|tool| tool.rotation)).or(rotation);
         let (Some(speed), Some(rotation)) = (speed, rotation) else { return Ok(None) };
-        if let Some(largest) = policy.options.guards.spindle_max
+        if let Some(largest) = policy.options.guards.spindle_max_rev_per_min
             && speed > largest
         {
             return Err(Fault::new(format_args!("a spindle speed of {speed} is above `spindle_max` = {largest}")));

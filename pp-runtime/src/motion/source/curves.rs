@@ -26,7 +26,7 @@ pub(crate) struct Curves {
 
 impl Curves {
     pub(crate) fn new(policy: Policy<'_>) -> Self {
-        Self { configured: policy.options.tolerance, stated: None, may_widen: policy.options.allow_lintol }
+        Self { configured: policy.options.tolerance_mm, stated: None, may_widen: policy.options.allow_lintol }
     }
 
     /// The tolerance in force, mm.

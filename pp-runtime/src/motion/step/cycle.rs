@@ -2,7 +2,7 @@
 
 use crate::nc::Decimal;
 
-use crate::motion::step::Words;
+use crate::motion::step::AxisWords;
 
 /// Cycles of a control.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -99,7 +99,7 @@ pub struct CannedCycle {
     /// What it does.
     pub kind: CannedKind,
     /// Where: X and Y.
-    pub words: Words,
+    pub words: AxisWords,
     /// Position of Z in the chain.
     pub z: usize,
     /// The top of the hole.

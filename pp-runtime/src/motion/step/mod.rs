@@ -12,14 +12,14 @@ use crate::motion::geometry::Circle;
 
 pub use crate::kinematics::MAX_AXES;
 pub use cycle::{CannedCycle, CannedKind, CycleAbilities};
-pub use provenance::{Provenance, Standing, Why};
+pub use provenance::{BlockReason, Provenance, ReachedPosition};
 
 /// Decimals of the components of a tool axis: as many as CL data has.
 pub const VECTOR_DECIMALS: u32 = 7;
 
 /// Words of axes: whole units of their last decimal, by position in the chain.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Words {
+pub struct AxisWords {
     /// Whole units, meaningful where [`has`](Self::has) says so.
     pub units: [i64; MAX_AXES],
     /// Bit `i` is set for the axis at position `i`.
@@ -28,7 +28,7 @@ pub struct Words {
     pub vector: Option<[i64; 3]>,
 }
 
-impl Words {
+impl AxisWords {
     /// Whether the block may hold a word of this axis.
     #[must_use]
     #[inline]
@@ -52,14 +52,14 @@ pub enum Step<'a> {
     /// Straight line of all axes together at a feed; words that do not change are left out.
     Feed {
         /// Where to.
-        words: Words,
+        words: AxisWords,
         /// How fast.
         feed: FeedWord,
     },
     /// Arc of a circle about an axis of the program, or a helix; the words of its plane are always written.
     Arc {
         /// Where to; linear axes only.
-        words: Words,
+        words: AxisWords,
         /// The circle.
         circle: &'a Circle,
         /// Units of the control's path per minute.
@@ -71,7 +71,7 @@ pub enum Step<'a> {
         cycle: &'a CannedCycle,
     },
     /// From the next feed block on the cutter runs beside its path.
-    Beside {
+    CutterCompensation {
         /// Left of the words as they are written, else right; `None`: on it again.
         left: Option<bool>,
         /// Register of the radius.
@@ -80,13 +80,13 @@ pub enum Step<'a> {
     /// Rapid; words that do not change are left out.
     Rapid {
         /// Where to.
-        words: Words,
+        words: AxisWords,
     },
     /// Rapid in machine coordinates; all its words are written, and where these axes stand in the program's
     /// coordinates is not known behind it.
     Machine {
         /// Where to.
-        words: Words,
+        words: AxisWords,
     },
     /// A program can be entered here: units, plane, everything cancelled, feed per minute, work offset. Every word is
     /// written again behind it.
@@ -203,7 +203,7 @@ impl Step<'_> {
             Self::Feed { .. } => "feed",
             Self::Arc { .. } => "arc",
             Self::Cycle { .. } => "cycle",
-            Self::Beside { .. } => "compensation",
+            Self::CutterCompensation { .. } => "compensation",
             Self::Rapid { .. } => "rapid",
             Self::Machine { .. } => "machine-coordinates",
             Self::Restart { .. } => "restart",
@@ -244,9 +244,9 @@ impl<S: Sink> Sink for &mut S {
 
 /// Takes the steps of a rehearsal.
 #[derive(Debug, Clone, Copy)]
-pub struct Nowhere;
+pub struct DiscardSteps;
 
-impl Sink for Nowhere {
+impl Sink for DiscardSteps {
     fn step(&mut self, _: &Step<'_>, _: &Provenance<'_>) -> io::Result<()> {
         Ok(())
     }

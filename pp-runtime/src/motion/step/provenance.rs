@@ -6,7 +6,7 @@ use crate::program::Location;
 
 /// Why a step is in the program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Why {
+pub enum BlockReason {
     /// In front of everything that a record asks for.
     #[default]
     Head,
@@ -38,7 +38,7 @@ pub enum Why {
     End,
 }
 
-impl Why {
+impl BlockReason {
     /// The word that programs read.
     #[must_use]
     pub const fn name(self) -> &'static str {
@@ -86,7 +86,7 @@ impl Why {
 
 /// Where the machine is after a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Standing<'a> {
+pub struct ReachedPosition<'a> {
     /// Tip in mm and tool axis in the workpiece; `None` while only some axes have arrived.
     pub pose: Option<&'a Pose>,
     /// Branch of the inverse kinematics.
@@ -103,7 +103,7 @@ pub struct Provenance<'a> {
     /// The record that it serves; `None` before the first.
     pub at: Option<Location>,
     /// Why it is in the program.
-    pub why: Why,
+    pub reason: BlockReason,
     /// Where the machine is after it, if it moves.
-    pub standing: Option<Standing<'a>>,
+    pub reached: Option<ReachedPosition<'a>>,
 }

@@ -12,7 +12,7 @@ fn a_spiral_of_twenty_turns_counts_past_360_without_a_jump() {
         events.push(feed([30.0 * cos, 30.0 * sin, -f64::from(step) / 300.0], cb(angle, 60.0)));
     }
     let mut config = config();
-    config.motion.tolerance = 1.0;
+    config.motion.tolerance_mm = 1.0;
     let lines = lines::<Cb>(&config, &events);
     let turns: Vec<f64> = lines
         .iter()
@@ -70,14 +70,14 @@ fn a_motion_that_turns_an_axis_far_becomes_blocks_within_tolerance() {
     let turned = |to: f64, tolerance: f64| {
         let events = [tool(1), spindle(), feed([40.0, 0.0, 0.0], cb(0.0, 30.0)), feed([10.0, 40.0, 0.0], cb(to, 30.0))];
         let mut config = config();
-        config.motion.tolerance = tolerance;
+        config.motion.tolerance_mm = tolerance;
         run::<Cb>(&config, &events)
     };
     let far = turned(60.0, 0.01);
     assert_eq!(far.diagnostics, []);
     assert!((20..80).contains(&far.statistics.inserted), "{:?}", far.statistics);
-    let used = far.statistics.largest_tip_bound;
-    assert!(used > 0.009 && used <= 0.01 && far.statistics.largest_axis_bound <= 0.1_f64.to_radians());
+    let used = far.statistics.largest_tip_bound_mm;
+    assert!(used > 0.009 && used <= 0.01 && far.statistics.largest_axis_bound_rad <= 0.1_f64.to_radians());
     assert!((minutes(&far.lines) - 50.0 / 500.0).abs() < 1e-6, "the tip keeps its speed: {}", far.text());
     let finer = turned(60.0, 0.0025).statistics.inserted as f64 / far.statistics.inserted as f64;
     assert!((1.8..2.6).contains(&finer), "a quarter of the tolerance takes twice the blocks: {finer}");
@@ -112,7 +112,7 @@ fn what_cannot_be_certified_is_an_error_with_its_reason() {
     let (_, limit) = error(&config(), cb(0.0, 105.0), cb(120.0, 105.0));
     assert!(limit.contains("on the way from the point before") && limit.contains("limits -5"), "{limit}");
     let mut fine = config();
-    fine.motion.tolerance = 0.0005;
+    fine.motion.tolerance_mm = 0.0005;
     let (_, coarse) = error(&fine, cb(0.0, 30.0), cb(90.0, 30.0));
     assert!(coarse.contains("too coarse for a tolerance of 0.0005 mm"), "{coarse}");
 }
@@ -128,7 +128,7 @@ crate::machine! {
 fn an_axis_out_of_reach_between_two_points_is_an_error() {
     let events = [tool(1), spindle(), feed([9.0, 0.0, 0.0], cb(0.0, 50.0)), feed([9.0, 5.0, 0.0], cb(180.0, 50.0))];
     let mut config = config();
-    config.motion.retract.distance = Some(20.0);
+    config.motion.retract.distance_mm = Some(20.0);
     let run = run::<Leaning>(&config, &events);
     assert_eq!(run.error().location.line, 4);
     assert!(run.error().text.starts_with("on the way from the point before: "), "{}", run.error().text);
@@ -170,7 +170,7 @@ fn an_axis_is_turned_back_a_whole_turn_out_of_the_part() {
     let cut = run::<Cb>(&config, &events(at(186.0, true)));
     assert!(cut.error().text.contains("have to be rewound"), "{:?}", cut.error());
     assert_eq!(run::<Cb>(&config, &events(at(186.0, false))).diagnostics, []);
-    config.motion.retract.distance = Some(20.0);
+    config.motion.retract.distance_mm = Some(20.0);
     let cut = run::<Cb>(&config, &events(at(186.0, true)));
     assert_eq!(cut.statistics.rewinds, 1);
     assert!(cut.diagnostics[0].text.contains("unavoidable within C -183.3465° to 183.3465°"), "{:?}", cut.diagnostics);
@@ -198,7 +198,7 @@ fn only_the_rapid_that_turns_an_axis_is_cut_into_short_ways() {
     let mut config = config();
     config.motion.rotaries.wrap.insert('C', Wrap::Positive);
     config.set_up.limits.insert('B', Some(crate::kinematics::Limits { lower: 0.0, upper: 2.0 }));
-    config.motion.retract.distance = Some(20.0);
+    config.motion.retract.distance_mm = Some(20.0);
     let events = [
         tool(1),
         spindle(),
@@ -218,7 +218,7 @@ fn only_the_rapid_that_turns_an_axis_is_cut_into_short_ways() {
 #[test]
 fn the_table_turns_for_a_cut_from_the_pole_where_the_operation_begins() {
     let mut config = config();
-    config.motion.retract.distance = Some(20.0);
+    config.motion.retract.distance_mm = Some(20.0);
     let events = [
         tool(1),
         spindle(),
@@ -345,7 +345,7 @@ fn the_table_turns_where_the_tool_passes_the_vertical_between_two_points() {
         feed([20.0, 0.0, 0.0], cb(0.0, -20.0)),
     ];
     let mut config = config();
-    config.motion.rapids.index_angle = 360_f64.to_radians();
+    config.motion.rapids.index_angle_rad = 360_f64.to_radians();
     let run = run::<Cb>(&config, &events);
     assert_eq!(run.diagnostics, [], "{}", run.text());
     let end = turns_alone('C', 'B', "C180", &run.lines);
@@ -388,7 +388,7 @@ fn an_indexed_axis_stands_on_its_steps_and_never_turns_in_a_cut() {
     assert!(between.error().text.contains("36°, between the steps of 5°"), "{:?}", between.error());
     let turning = with(&config, &[cb(35.0, 30.0), cb(40.0, 30.0)]);
     assert!(turning.error().text.contains("from 35° to 40° in the cut"), "{:?}", turning.error());
-    config.motion.course.axis_tolerance = 1_f64.to_radians();
+    config.motion.course.axis_tolerance_rad = 1_f64.to_radians();
     assert_eq!(with(&config, &[cb(36.0, 30.0)]).diagnostics, []);
 }
 
@@ -412,7 +412,7 @@ fn an_indexed_axis_stays_where_it_is_while_another_turns() {
 #[test]
 fn an_axis_tolerance_at_the_pole_is_none_of_the_path() {
     let mut config = config();
-    config.motion.course.axis_tolerance = 0.5_f64.to_radians();
+    config.motion.course.axis_tolerance_rad = 0.5_f64.to_radians();
     let beside = 0.4_f64.to_radians();
     let across = |tilt: f64| [tilt.to_radians().sin(), beside, tilt.to_radians().cos()];
     let mut events = vec![tool(1), spindle()];
@@ -420,7 +420,7 @@ fn an_axis_tolerance_at_the_pole_is_none_of_the_path() {
     let run = run::<Cb>(&config, &events);
     assert_eq!(run.diagnostics, [], "{}", run.text());
     assert_eq!(run.statistics.near_pole, 1);
-    assert!((run.statistics.largest_at_pole - beside).abs() < 1e-4, "{:?}", run.statistics);
+    assert!((run.statistics.largest_at_pole_rad - beside).abs() < 1e-4, "{:?}", run.statistics);
 }
 
 #[test]

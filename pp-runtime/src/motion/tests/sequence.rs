@@ -18,9 +18,9 @@ fn two_tools_go_through_every_step_of_the_safe_sequence_one_block_each() {
         feed([20.0, 0.0, 0.0], cb(90.0, 30.0)),
     ];
     let mut config = config();
-    config.motion.spindle_dwell = 2.0;
+    config.motion.spindle_dwell_s = 2.0;
     config.motion.park.insert('C', 0.0);
-    config.motion.retract.distance = Some(20.0);
+    config.motion.retract.distance_mm = Some(20.0);
     assert_eq!(
         lines::<Cb>(&config, &events),
         [
@@ -261,7 +261,7 @@ fn a_head_needs_a_way_out_along_the_tool() {
 #[test]
 fn a_retreat_of_the_cl_data_as_long_as_the_distance_is_not_repeated() {
     let mut config = config();
-    config.motion.retract.distance = Some(20.0);
+    config.motion.retract.distance_mm = Some(20.0);
     let events = |height| [tool(1), spindle(), feed([0.0; 3], UP), feed([0.0, 0.0, height], UP)];
     let long = lines::<Xyz>(&config, &events(20.0));
     assert_eq!(long[long.len() - 3..], ["Z20", "G53 G0 Z0", "M5"]);
@@ -326,11 +326,11 @@ fn points_of_the_sequence_keep_the_limits_too() {
         "{:?}",
         up.error()
     );
-    config.motion.retract.distance = None;
-    config.motion.retract.position = Some(1.0);
+    config.motion.retract.distance_mm = None;
+    config.motion.retract.position_mm = Some(1.0);
     let above = run::<Cb>(&config, &[tool(1), spindle(), feed([0.0; 3], UP)]);
     assert!(above.error().text.contains("machine coordinate 1.000 mm"), "{:?}", above.error());
-    config.motion.retract.position = Some(0.0);
+    config.motion.retract.position_mm = Some(0.0);
     config.motion.park.insert('B', 2.0);
     let parked = run::<Cb>(&config, &[tool(1), spindle(), feed([0.0; 3], UP)]);
     assert!(parked.error().text.contains("B would have to turn to 114.5916°"), "{:?}", parked.error());
@@ -356,7 +356,7 @@ fn without_stop_retract_a_head_leaves_the_part_along_the_tool_all_the_same() {
     let stop = lines.iter().position(|line| line == "M0").expect("a stop");
     assert!(lines[stop - 2].starts_with("G1 ") && lines[stop - 1].starts_with("G0 X"), "{lines:#?}");
 
-    config.motion.retract.distance = None;
+    config.motion.retract.distance_mm = None;
     let run = run::<Head>(&config, &events);
     assert_eq!(run.error().location.line, 4, "{}", run.text());
     assert!(!run.text().contains("M0"), "{}", run.text());
@@ -372,14 +372,14 @@ fn a_retract_position_at_the_part_end_of_the_travel_is_refused() {
         run.error().text,
         "the retract position Z = 0 mm (machine coordinate) is the end of the travel at the part"
     );
-    config.motion.retract.position = Some(500.0);
+    config.motion.retract.position_mm = Some(500.0);
     lines::<Xyz>(&config, &events);
 }
 
 #[test]
 fn the_spindle_stops_behind_the_way_out_and_only_once() {
     let mut config = config();
-    config.motion.retract.distance = Some(20.0);
+    config.motion.retract.distance_mm = Some(20.0);
     let cut = [tool(1), spindle(), feed([0.0, 0.0, 0.0], UP), feed([5.0, 0.0, 0.0], UP), Event::Spindle(Spindle::Off)];
     let end = |events: &[Event<'_>]| {
         let lines = lines::<Xyz>(&config, events);
@@ -438,7 +438,7 @@ fn from_behind_gohome_does_not_move_what_has_been_parked() {
 fn a_rapid_that_indexes_is_not_written_as_a_feed_motion() {
     let mut config = config();
     config.motion.rapids.rapid = Rapid::Feed;
-    config.motion.rapids.rapid_feed = Some(9000.0);
+    config.motion.rapids.rapid_feed_mm_per_min = Some(9000.0);
     config.motion.rapids.transition = Transition::Direct;
     let tilted = cb(200.0, 100.0);
     let events = [
@@ -461,7 +461,7 @@ fn a_rapid_is_written_as_the_configuration_wants_it() {
     let blocks = |rapid_mode: Rapid, to: [f64; 3]| {
         let mut config = config();
         config.motion.rapids.rapid = rapid_mode;
-        config.motion.rapids.rapid_feed = Some(9000.0);
+        config.motion.rapids.rapid_feed_mm_per_min = Some(9000.0);
         let events = [tool(1), spindle(), feed([0.0; 3], UP), rapid(to, UP), feed([20.0, 0.0, -3.0], UP)];
         let lines = lines::<Cb>(&config, &events);
         let from = lines.iter().position(|line| line.starts_with("G1 Z0")).expect("the first point");

@@ -56,7 +56,7 @@ fn the_speed_of_one_tool_is_not_that_of_the_next() {
 #[test]
 fn speed_and_direction_come_from_the_configuration_where_the_cl_data_gives_none() {
     let mut config = config();
-    config.motion.defaults.speed = Some(1000.0);
+    config.motion.defaults.speed_rev_per_min = Some(1000.0);
     config.motion.defaults.rotation = Some(Rotation::Clockwise);
     config.set_up.tools.insert(1, GivenTool { speed: Some(2000.0), ..GivenTool::default() });
     let text = run::<Xyz>(&config, &[tool(1), feed([0.0; 3], UP), tool(2), feed([0.0; 3], UP)]).text();
@@ -66,7 +66,7 @@ fn speed_and_direction_come_from_the_configuration_where_the_cl_data_gives_none(
 #[test]
 fn spindle_speeds_that_make_no_sense_are_refused() {
     let mut config = config();
-    config.motion.guards.spindle_max = Some(8000.0);
+    config.motion.guards.spindle_max_rev_per_min = Some(8000.0);
     let text = |config: &Config, speed, rotation| {
         let on = Event::Spindle(Spindle::On { speed: Some(speed), rotation: Some(rotation) });
         run::<Xyz>(config, &[tool(1), on, feed([0.0; 3], UP)]).diagnostics.first().map(|found| found.text.clone())
@@ -82,7 +82,7 @@ fn spindle_speeds_that_make_no_sense_are_refused() {
 #[test]
 fn the_floor_is_the_lowest_tip() {
     let mut config = config();
-    config.motion.guards.floor = Some(-5.0);
+    config.motion.guards.floor_mm = Some(-5.0);
     let events = |z| [tool(1), spindle(), feed([0.0, 0.0, z], UP)];
     assert_eq!(run::<Xyz>(&config, &events(-5.0)).diagnostics, []);
     assert!(run::<Xyz>(&config, &events(-5.01)).error().text.contains("floor"));
@@ -104,7 +104,7 @@ fn inverse_time_stands_where_a_rotary_word_changes_and_f_is_repeated_behind_it()
         feed([91.0, 0.0, 0.0], cb(0.0, 15.0)),
     ];
     let mut config = config();
-    config.motion.tolerance = 1.0;
+    config.motion.tolerance_mm = 1.0;
     let lines = lines::<Cb>(&config, &events);
     let first = lines.iter().position(|line| line.starts_with("G93")).expect("inverse time");
     let codes: Vec<String> = lines[first..first + 8]
@@ -148,7 +148,7 @@ fn a_tool_that_is_called_again_keeps_the_length_that_was_given_once() {
 fn a_direct_operation_has_its_speed_before_the_course_cuts_for_it() {
     let mut config = config();
     config.motion.rapids.transition = Transition::Direct;
-    config.motion.retract.distance = Some(20.0);
+    config.motion.retract.distance_mm = Some(20.0);
     let limit = 180_f64.to_radians();
     config.set_up.limits.insert('C', Some(crate::kinematics::Limits { lower: -limit, upper: limit }));
     let events = [
@@ -335,8 +335,8 @@ fn in_a_dry_run_spindle_and_coolant_stay_off() {
         feed([9.0, 0.0, -5.0], UP),
     ];
     let mut config = config();
-    config.motion.lift = Some(50.0);
-    config.motion.spindle_dwell = 1.0;
+    config.motion.lift_mm = Some(50.0);
+    config.motion.spindle_dwell_s = 1.0;
     let lines = lines::<Cb>(&config, &events);
     assert!(lines.iter().any(|line| line == "M5"), "{lines:?}");
     for code in ["M3", "M4", "M8", "M7", "G4 P"] {

@@ -12,7 +12,7 @@ fn an_axis_out_of_reach_is_told_in_the_words_of_the_machine() {
 fn linear_limits_are_machine_coordinates_that_count_the_gauge_length() {
     let mut config = config();
     config.set_up.machine_zero.insert('Z', -200.0);
-    config.motion.approach.distance = 10.0;
+    config.motion.approach.distance_mm = 10.0;
     config.set_up.tools.insert(1, GivenTool { length: Some(100.0), ..GivenTool::default() });
     let events = |z| [tool(1), spindle(), feed([0.0, 0.0, z], UP)];
     // -200 + z + 100 >= -300, and the approach point stays below Z0.
@@ -22,7 +22,7 @@ fn linear_limits_are_machine_coordinates_that_count_the_gauge_length() {
     assert_eq!(run::<Xyz>(&config, &events(90.0)).diagnostics, []);
     assert!(run::<Xyz>(&config, &events(90.001)).error().text.contains("approach"));
     // Lower retract position: the approach point must not lie above it.
-    config.motion.retract.position = Some(-50.0);
+    config.motion.retract.position_mm = Some(-50.0);
     assert!(run::<Xyz>(&config, &events(45.0)).error().text.contains("above the retract position"));
     assert_eq!(run::<Xyz>(&config, &events(40.0)).diagnostics, []);
 }
@@ -107,5 +107,5 @@ fn tool_axes_just_out_of_reach_are_counted_with_the_largest() {
     ];
     let run = run::<Ay>(&config(), &events);
     assert_eq!((run.diagnostics.len(), run.statistics.deviations), (0, 2));
-    assert!((run.statistics.largest_deviation - 5e-7).abs() < 1e-12);
+    assert!((run.statistics.largest_deviation_rad - 5e-7).abs() < 1e-12);
 }

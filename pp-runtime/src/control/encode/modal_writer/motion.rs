@@ -4,14 +4,14 @@
 use std::io::{self, Write};
 
 use crate::control::dialects::LengthCall;
-use crate::motion::{FeedWord, Words};
+use crate::motion::{AxisWords, FeedWord};
 
 use super::ModalWriter;
 use crate::control::encode::modal_state::{After, LengthState};
 
 impl<W: Write> ModalWriter<W> {
     /// A straight motion at feed; none if nothing changes.
-    pub(crate) fn feed(&mut self, words: &Words, feed: FeedWord) -> io::Result<()> {
+    pub(crate) fn feed(&mut self, words: &AxisWords, feed: FeedWord) -> io::Result<()> {
         if !self.any_changes(words) {
             return Ok(());
         }
@@ -38,7 +38,7 @@ impl<W: Write> ModalWriter<W> {
     }
 
     /// A rapid; none if nothing changes.
-    pub(crate) fn rapid(&mut self, words: &Words) -> io::Result<()> {
+    pub(crate) fn rapid(&mut self, words: &AxisWords) -> io::Result<()> {
         if !self.any_changes(words) {
             return Ok(());
         }
@@ -52,7 +52,7 @@ impl<W: Write> ModalWriter<W> {
     }
 
     /// A rapid in machine coordinates. Not every control keeps its motion code in force, and some end the length offset.
-    pub(crate) fn machine_rapid(&mut self, words: &Words) -> io::Result<()> {
+    pub(crate) fn machine_rapid(&mut self, words: &AxisWords) -> io::Result<()> {
         self.smooth(false)?;
         self.usual_plane()?;
         let length = &self.codes.length;
@@ -74,13 +74,13 @@ impl<W: Write> ModalWriter<W> {
     }
 
     /// The code of a motion that writes a tool axis, and the end of a rapid of it, where these differ.
-    fn along_vector(&self, words: &Words) -> Option<(&'static str, &'static str)> {
+    fn along_vector(&self, words: &AxisWords) -> Option<(&'static str, &'static str)> {
         let vectors = self.vectors.filter(|_| self.writes(self.modal.vector_changes(words.vector)))?;
         vectors.motion.map(|code| (code, vectors.rapid_end))
     }
 
     /// Calls a pending length offset in a block of its own, where the control has it so.
-    pub(crate) fn call_length_alone(&mut self, words: &Words) -> io::Result<()> {
+    pub(crate) fn call_length_alone(&mut self, words: &AxisWords) -> io::Result<()> {
         match self.codes.length.call {
             LengthCall::Alone => self.call_length(words),
             LengthCall::WithZ | LengthCall::WithTool => Ok(()),
@@ -88,7 +88,7 @@ impl<W: Write> ModalWriter<W> {
     }
 
     /// Calls a pending length offset, before a motion or in it.
-    fn call_length(&mut self, words: &Words) -> io::Result<()> {
+    fn call_length(&mut self, words: &AxisWords) -> io::Result<()> {
         let LengthState::Pending(register) = self.modal.length() else { return Ok(()) };
         match self.codes.length.call {
             LengthCall::Alone => {

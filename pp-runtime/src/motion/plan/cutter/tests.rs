@@ -14,7 +14,7 @@ const UP: [f64; 3] = [0.0, 0.0, 1.0];
 fn set_up(path: Option<CutterPath>) -> Config {
     let mut config = config();
     config.set_up.tools.insert(1, GivenTool { length: Some(100.0), diameter: Some(10.0), ..GivenTool::default() });
-    config.motion.retract.distance = Some(20.0);
+    config.motion.retract.distance_mm = Some(20.0);
     config.motion.compensation = path;
     config
 }
@@ -106,7 +106,7 @@ fn each_control_has_its_words_and_its_register() {
     );
     config.set_up.tools.get_mut(&1).expect("the tool").radius_offset = Some(31);
     assert!(posted(&Haas, &config, &contour(CutterSide::Left)).iter().any(|line| line == "G41 D31 Y0."));
-    let (found, _) = plan::<Xyz>(&Heidenhain, &config, &contour(CutterSide::Left), &mut crate::motion::Nowhere);
+    let (found, _) = plan::<Xyz>(&Heidenhain, &config, &contour(CutterSide::Left), &mut crate::motion::DiscardSteps);
     assert!(found[0].text.contains("register 31"), "{found:?}");
 }
 

@@ -17,7 +17,7 @@ const UP: [f64; 3] = [0.0, 0.0, 1.0];
 fn set_up(output: CycleOutput) -> Config {
     let mut config = config();
     config.set_up.tools.insert(1, GivenTool { length: Some(100.0), ..GivenTool::default() });
-    config.motion.retract.distance = Some(20.0);
+    config.motion.retract.distance_mm = Some(20.0);
     config.motion.cycles.output = output;
     config
 }
@@ -266,7 +266,7 @@ impl Way {
         }
     }
 
-    fn words(&mut self, words: &Words, fast: bool) {
+    fn words(&mut self, words: &AxisWords, fast: bool) {
         let mut to = self.at;
         for (axis, value) in to.iter_mut().enumerate().filter(|(axis, _)| words.has(*axis)) {
             *value = words.units[axis];
@@ -374,16 +374,16 @@ fn the_pitch_of_a_thread_has_the_digits_of_the_control() {
     assert!((pitch(&Heidenhain, eighteen) - 1.4111).abs() < 1e-9);
     let events = behind([0.0, 0.0, 2.0], &[hole([0.0; 3], Drilling::Tap { pitch: Some(0.0103) }, 2.0, None)]);
     let refused = |control: &dyn Control| {
-        let (found, _) = plan::<Xyz>(control, &set_up(CycleOutput::Native), &events, &mut crate::motion::Nowhere);
+        let (found, _) = plan::<Xyz>(control, &set_up(CycleOutput::Native), &events, &mut crate::motion::DiscardSteps);
         found.into_iter().find(|found| found.severity == Severity::Error).map(|found| found.text)
     };
     assert_eq!(refused(&Heidenhain), None);
     let events = behind([0.0, 0.0, 2.0], &[hole([0.0; 3], Drilling::Tap { pitch: Some(0.010_33) }, 2.0, None)]);
-    let (found, _) = plan::<Xyz>(&Heidenhain, &set_up(CycleOutput::Native), &events, &mut crate::motion::Nowhere);
+    let (found, _) = plan::<Xyz>(&Heidenhain, &set_up(CycleOutput::Native), &events, &mut crate::motion::DiscardSteps);
     assert!(found[0].text.contains("has too many digits"), "{found:?}");
     // 1.25 mm in inches: with four decimals 1.249 68 mm would be cut.
     let events = behind([0.0, 0.0, 2.0], &[hole([0.0; 3], Drilling::Tap { pitch: Some(1.25 / 25.4) }, 2.0, None)]);
-    let (found, _) = plan::<Xyz>(&Heidenhain, &set_up(CycleOutput::Native), &events, &mut crate::motion::Nowhere);
+    let (found, _) = plan::<Xyz>(&Heidenhain, &set_up(CycleOutput::Native), &events, &mut crate::motion::DiscardSteps);
     assert!(found[0].text.contains("has too many digits"), "{found:?}");
 }
 

@@ -18,12 +18,12 @@ use crate::motion::place::{Linearised, Tolerance};
 use crate::motion::place::{Place, Placer};
 use crate::motion::plan::abilities::Abilities;
 use crate::motion::plan::clamps::{Clamps, MovingAxes};
-use crate::motion::plan::feed::{Feeds, Pace, Stroke};
+use crate::motion::plan::feed::{FeedMotion, Feeds, Pace};
 use crate::motion::plan::output::Output;
 use crate::motion::plan::position::Position;
 use crate::motion::rotary::{Speller, TurnTarget};
+use crate::motion::step::{BlockReason, ReachedPosition};
 use crate::motion::step::{MAX_AXES, Sink, Step};
-use crate::motion::step::{Standing, Why};
 
 /// Moves the machine.
 pub(crate) struct Mover<'a, S> {
@@ -54,7 +54,7 @@ impl<'a, S: Sink> Mover<'a, S> {
             feeds: Feeds::new(policy, units, placer.unit_mm(), abilities),
             speller: Speller::new(placer.chain(), policy, placer.rotaries(), placer.scale().turn),
             clamps: Clamps::new(placer.chain(), policy, placer.rotaries()),
-            tolerance: Tolerance { tip: policy.options.tolerance, axis: policy.options.axis_tolerance_path },
+            tolerance: Tolerance { tip: policy.options.tolerance_mm, axis: policy.options.axis_tolerance_path_rad },
             position: Position::new(placer.zero()),
             policy,
             abilities,
@@ -164,7 +164,7 @@ impl<'a, S: Sink> Mover<'a, S> {
 
     /// Whether a motion turns a rotary axis by more than the index angle.
     pub(crate) fn indexes(&self, to: &Place) -> bool {
-        self.placer.rotary_travel(&self.here().words, &to.words) > self.policy.options.rapids.index_angle + 1e-9
+        self.placer.rotary_travel(&self.here().words, &to.words) > self.policy.options.rapids.index_angle_rad + 1e-9
     }
 
     /// Whether rotary axes would turn while the plane is tilted.
@@ -183,16 +183,17 @@ impl<'a, S: Sink> Mover<'a, S> {
     #[inline]
     fn pace(&self, rate: f64, to: &Place) -> Result<Pace, Fault> {
         let from = self.here();
-        let (linear, degrees) = if self.feeds.counts_path() { self.placer.travelled(from, to) } else { (0.0, 0.0) };
-        let stroke = Stroke {
-            length: (to.pose.tip - from.pose.tip).norm(),
-            turn: self.placer.rotary_travel(&from.words, &to.words),
-            square: self.placer.square(),
-            linear,
-            degrees,
-            least: self.placer.least_minutes(from, to).unwrap_or(0.0),
+        let (linear_mm, rotary_degrees) =
+            if self.feeds.counts_path() { self.placer.travelled(from, to) } else { (0.0, 0.0) };
+        let motion = FeedMotion {
+            length_mm: (to.pose.tip - from.pose.tip).norm(),
+            rotation_rad: self.placer.rotary_travel(&from.words, &to.words),
+            orthogonal: self.placer.square(),
+            linear_mm,
+            rotary_degrees,
+            axis_time_min: self.placer.least_minutes(from, to).unwrap_or(0.0),
         };
-        self.feeds.pace(rate, stroke)
+        self.feeds.pace(rate, motion)
     }
 
     /// A feed motion from here at `rate` mm/min; where it ends is left to the caller.
@@ -223,7 +224,7 @@ impl<'a, S: Sink> Mover<'a, S> {
             self.placer.check_between(self.position.place(), &piece.place)?;
             let pace = self.pace(rate, &piece.place)?;
             blocks += u64::from(piece.place.words != self.here().words);
-            let inserted = (piece.place.words != place.words).then_some(Why::Tolerance);
+            let inserted = (piece.place.words != place.words).then_some(BlockReason::Tolerance);
             self.write_feed(&piece.place, &pace, inserted)?;
             self.position.go_to(piece.place);
             self.output.statistics_mut().certified(&piece.bound, tolerance.axis.is_finite());
@@ -233,7 +234,7 @@ impl<'a, S: Sink> Mover<'a, S> {
     }
 
     #[inline]
-    fn write_feed(&mut self, place: &Place, pace: &Pace, inserted: Option<Why>) -> Planned {
+    fn write_feed(&mut self, place: &Place, pace: &Pace, inserted: Option<BlockReason>) -> Planned {
         if place.words == self.here().words {
             return Ok(());
         }
@@ -242,21 +243,21 @@ impl<'a, S: Sink> Mover<'a, S> {
         self.output.feed(pace, self.placer.largest_turn(&self.here().words, &place.words));
         let words = self.placer.words(place, self.all());
         let words = self.speller.spell(&self.placer.written(self.position.place()), words);
-        let standing = self.placer.standing_at(place);
-        Ok(self.output.move_step(&Step::Feed { words, feed: pace.feed }, standing, inserted)?)
+        let reached = self.placer.standing_at(place);
+        Ok(self.output.move_step(&Step::Feed { words, feed: pace.feed }, reached, inserted)?)
     }
 
     /// Writes a step that the control turns into a motion at a pace, and that ends at a place.
     pub(crate) fn write_motion(&mut self, step: &Step<'_>, place: &Place) -> io::Result<()> {
-        let standing = self.placer.standing_at(place);
-        self.output.move_step(step, standing, None)
+        let reached = self.placer.standing_at(place);
+        self.output.move_step(step, reached, None)
     }
 
     /// A rapid inside an operation, as the configuration wants it written; one that turns a rotary axis by more than the
     /// index angle is no such rapid, and no path leads to where the course turns it.
     pub(crate) fn rapid_as_configured(&mut self, motion: &Move, place: &Place) -> Planned {
         self.note_turns(place);
-        match (self.policy.options.rapids.rapid, self.policy.options.rapids.rapid_feed) {
+        match (self.policy.options.rapids.rapid, self.policy.options.rapids.rapid_feed_mm_per_min) {
             _ if self.indexes(place) => {}
             (Rapid::Direct, _) => {}
             (Rapid::Split, _) => self.split_rapid(motion, place)?,
@@ -281,8 +282,8 @@ impl<'a, S: Sink> Mover<'a, S> {
         let (corner, rotaries) = if out { (here.pose.tip + along, here) } else { (motion.pose.tip - along, *place) };
         let corner = self.placer.shifted(corner, &rotaries)?;
         self.output.cancel_inverse_time()?;
-        let standing = self.placer.standing_at(&corner);
-        self.rapid_words(&corner, self.all(), standing, Some(Why::Corner))?;
+        let reached = self.placer.standing_at(&corner);
+        self.rapid_words(&corner, self.all(), reached, Some(BlockReason::Corner))?;
         self.position.go_to(corner);
         Ok(())
     }
@@ -294,7 +295,7 @@ impl<'a, S: Sink> Mover<'a, S> {
 
     /// A rapid of some axes alone.
     pub(crate) fn rapid_alone(&mut self, to: &Place, mask: u16) -> Planned {
-        self.rapid_words(to, mask, Standing { pose: None, mask, ..self.placer.standing_at(to) }, None)
+        self.rapid_words(to, mask, ReachedPosition { pose: None, mask, ..self.placer.standing_at(to) }, None)
     }
 
     /// A rapid of the linear axes to a place, which is left to the caller.
@@ -303,7 +304,13 @@ impl<'a, S: Sink> Mover<'a, S> {
     }
 
     /// A rapid to the words of a place in some axes, in as many blocks as words within a turn take.
-    fn rapid_words(&mut self, to: &Place, mask: u16, standing: Standing<'_>, inserted: Option<Why>) -> Planned {
+    fn rapid_words(
+        &mut self,
+        to: &Place,
+        mask: u16,
+        reached: ReachedPosition<'_>,
+        inserted: Option<BlockReason>,
+    ) -> Planned {
         let from = self.position.place();
         self.output.times_mut().rapid(self.placer.least_minutes_of(from, to, mask));
         let (start, end) = (self.placer.written(from), self.placer.written(to));
@@ -314,21 +321,21 @@ impl<'a, S: Sink> Mover<'a, S> {
             for index in (0..MAX_AXES).filter(|&index| mask & (1 << index) != 0) {
                 words.units[index] = start[index] + (end[index] - start[index]) * piece / pieces;
             }
-            let reached = words.units;
+            let piece_end = words.units;
             let step = Step::Rapid { words: self.speller.spell(&from, words) };
             if piece == pieces {
-                self.output.move_step(&step, standing, inserted)?;
+                self.output.move_step(&step, reached, inserted)?;
             } else {
                 self.output.step(&step)?;
             }
-            from = reached;
+            from = piece_end;
         }
         Ok(())
     }
 
     /// What a block does has to be in it: the control would go on with rotary axes that are elsewhere.
     fn check_hidden_turn(&self, to: &Place) -> Result<(), Fault> {
-        if !self.placer.hides_turn(self.here(), to, self.policy.options.axis_tolerance_path) {
+        if !self.placer.hides_turn(self.here(), to, self.policy.options.axis_tolerance_path_rad) {
             return Ok(());
         }
         let (letter, turn) = self.placer.largest_turn(&self.here().words, &to.words).unwrap_or_default();

@@ -6,7 +6,7 @@ use crate::motion::options::Mode;
 use crate::motion::fault::{Fault, Planned};
 use crate::motion::place::Place;
 use crate::motion::plan::mover::Mover;
-use crate::motion::step::{Sink, Step, Words};
+use crate::motion::step::{AxisWords, Sink, Step};
 
 impl<S: Sink> Mover<'_, S> {
     /// A safety line: the program can be entered here.
@@ -26,7 +26,7 @@ impl<S: Sink> Mover<'_, S> {
         if self.restarts == 0 {
             self.restart()?;
         }
-        let words = self.placer.retract_words(self.policy.options.retract.position())?;
+        let words = self.placer.retract_words(self.policy.options.retract.position_mm())?;
         let off = match (self.policy.options.mode, self.abilities.plane) {
             _ if !self.position.is_in_frame() => None,
             (Mode::Plane, Some(plane)) => Some((Step::PlaneOff, plane.ends_behind_retract)),
@@ -85,7 +85,7 @@ impl<S: Sink> Mover<'_, S> {
     }
 
     fn check_below_retract(&self, above: &Place) -> Result<(), Fault> {
-        let retract = self.policy.options.retract.position();
+        let retract = self.policy.options.retract.position_mm();
         match self.placer.below_retract(above, retract) {
             Some(below) if below < -self.placer.unit_mm() => {
                 let axis = self.placer.chain()[self.placer.retract_axis()].letter;
@@ -108,7 +108,7 @@ impl<S: Sink> Mover<'_, S> {
             self.clamps.switch(mask, true, &mut self.output)?;
             self.position.park(turned);
         }
-        let mut others = Words::default();
+        let mut others = AxisWords::default();
         let mut last = None;
         let linear =
             self.placer.chain().iter().enumerate().filter(|(_, axis)| axis.kind == AxisKind::Linear && !axis.held);
