@@ -42,7 +42,12 @@ static SPELLINGS: Spellings = Spellings {
     feed: "G01",
     arcs: Arcs { senses: ["G02", "G03"], ..Arcs::ISO },
     cycles: Some(Cycles {
-        can: CycleAbilities { ream_higher: true, tap_stops: true, tap_feed: true, ..CycleAbilities::CODES },
+        can: CycleAbilities {
+            ream_higher: true,
+            tap_stops_spindle: true,
+            tap_uses_feed: true,
+            ..CycleAbilities::CODES
+        },
         form: CycleForm::Codes(CycleCodes::ISO),
     }),
     machine: ["G53 G00", ""],

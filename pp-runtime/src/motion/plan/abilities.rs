@@ -18,7 +18,7 @@ pub struct Abilities {
     /// Air.
     pub air: bool,
     /// To call or cancel a length offset may move by the length.
-    pub length_moves: bool,
+    pub length_call_may_move: bool,
     /// What the register of a length offset means.
     pub registers: Registers,
     /// What F counts along in a block in which a rotary axis moves.
@@ -28,11 +28,11 @@ pub struct Abilities {
     /// Cycles that it has.
     pub cycles: CycleAbilities,
     /// Registers of radii are one list for all tools.
-    pub radius_registers: bool,
+    pub shared_radius_registers: bool,
     /// Arcs are possible in the plane square to X, to Y and to Z.
     pub arc_planes: [bool; 3],
     /// By how much the distances of the ends of an arc from its centre may differ, mm.
-    pub arc_radius_tolerance: f64,
+    pub arc_radius_tolerance_mm: f64,
     /// How it controls the tip, if it does.
     pub tip: Option<TipAbility>,
     /// How it tilts a plane, if it does.

@@ -96,12 +96,12 @@ impl Cuts {
 
 /// An arc in the coordinates of the program.
 #[derive(Debug, Clone, Copy)]
-struct Framed {
+struct ArcInProgram {
     plane: ArcPlane,
     chain: [usize; 3],
     nominal: Nominal,
     /// How far the plane of the arc is off that of the program, over the arc, mm.
-    lean: f64,
+    lean_mm: f64,
 }
 
 /// An arc from where the tool is.
@@ -131,9 +131,9 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
             let pose = Pose { tip: self.round.tip(part), ..arc.end };
             self.planner.check_state(&Move { pose, ..motion })?;
         }
-        let planned = self.planner.changes(&motion, index)?;
+        let planned = self.planner.apply_course_changes(&motion, index)?;
         if self.planner.spindle.take_stopped_by_cycle() {
-            self.planner.turn_spindle(true)?;
+            self.planner.apply_spindle(true)?;
         }
         let end = self.planner.mover.place(&arc.end, true, planned)?;
         match self.trace(&end)? {
@@ -145,7 +145,7 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         }
         let position = self.planner.mover.position_mut();
         for part in self.round.extremes(arc.end.axis.into_inner()).chain([1.0]) {
-            position.cut(&Pose { tip: self.round.tip(part), ..arc.end });
+            position.note_cut(&Pose { tip: self.round.tip(part), ..arc.end });
         }
         position.forget_lead_out();
         self.planner.mover.arrive(end);
@@ -158,21 +158,21 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
 
     /// Writes the arc as arcs of the control; nothing is written where one of them cannot be said.
     fn trace(&mut self, end: &Place) -> Result<Result<(), NoArc>, ItemError> {
-        let framed = match self.framed(end) {
-            Ok(framed) => framed,
+        let in_program = match self.in_program(end) {
+            Ok(in_program) => in_program,
             Err(why) => return Ok(Err(why)),
         };
         for cuts in Cuts::of(self.arc.angle).into_iter().flatten() {
-            if self.can_be_said(&framed, cuts)? {
+            if self.can_be_written(&in_program, cuts)? {
                 self.check_travel()?;
-                return self.write_pieces(&framed, cuts).map(Ok);
+                return self.write_pieces(&in_program, cuts).map(Ok);
             }
         }
         Ok(Err(NoArc::Rounding))
     }
 
     /// The arc in the program's coordinates.
-    fn framed(&self, end: &Place) -> Result<Framed, NoArc> {
+    fn in_program(&self, end: &Place) -> Result<ArcInProgram, NoArc> {
         let (arc, round) = (self.arc, &self.round);
         let (setup, placer) = (&self.planner.policy.options.arcs, self.planner.mover.placer());
         if setup.output == ArcOutput::Lines {
@@ -181,7 +181,7 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         if round.radius() * (1.0 - (0.5 * arc.angle).cos()) < 0.5 * placer.unit_mm() && arc.angle < 1.0 {
             return Err(NoArc::Straight);
         }
-        if self.planner.mover.turns(end) {
+        if self.planner.mover.rotates(end) {
             return Err(NoArc::Frame);
         }
         let (chain, map) = placer.square_map(end).ok_or(NoArc::Frame)?;
@@ -189,9 +189,9 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         let normal = map * arc.normal.into_inner() * map.determinant().signum();
         let square = normal.iamax();
         let beside = ArcPlane::SQUARE_TO[square].axes();
-        let lean = 2.0 * round.radius() * normal[beside[0]].hypot(normal[beside[1]]);
+        let lean_mm = 2.0 * round.radius() * normal[beside[0]].hypot(normal[beside[1]]);
         let plane = ArcPlane::SQUARE_TO[square];
-        if lean > self.planner.mover.tolerance().tip || !self.planner.abilities.arc_planes[square] {
+        if lean_mm > self.planner.mover.tolerance().tip || !self.planner.abilities.arc_planes[square] {
             return Err(NoArc::Plane);
         }
         if !(setup.smallest_radius_mm..=setup.largest_radius_mm).contains(&round.radius()) {
@@ -205,15 +205,15 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
             clockwise: normal[square] < 0.0,
             sweep: arc.angle,
         };
-        Ok(Framed { plane, chain, nominal, lean })
+        Ok(ArcInProgram { plane, chain, nominal, lean_mm })
     }
 
     /// Whether all pieces can be said.
-    fn can_be_said(&mut self, framed: &Framed, cuts: Cuts) -> Result<bool, Fault> {
+    fn can_be_written(&mut self, in_program: &ArcInProgram, cuts: Cuts) -> Result<bool, Fault> {
         let mut from = *self.planner.mover.here();
         for piece in 1..=cuts.pieces {
             let to = self.piece_end(cuts.end(piece))?;
-            if self.circle(framed, cuts.share(piece), &from, &to).is_none() {
+            if self.circle(in_program, cuts.share(piece), &from, &to).is_none() {
                 return Ok(false);
             }
             from = to;
@@ -228,19 +228,19 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
     }
 
     /// The words of one piece, `share` of the arc, if they say it within tolerance.
-    fn circle(&self, framed: &Framed, share: f64, from: &Place, to: &Place) -> Option<Circle> {
+    fn circle(&self, in_program: &ArcInProgram, share: f64, from: &Place, to: &Place) -> Option<Circle> {
         let (placer, tolerance) = (self.planner.mover.placer(), self.planner.mover.tolerance().tip);
         let (from, to) = (placer.written(from), placer.written(to));
-        let Framed { plane, chain, nominal, lean } = *framed;
+        let ArcInProgram { plane, chain, nominal, lean_mm } = *in_program;
         let [first, second, square] = plane.axes().map(|axis| chain[axis]);
         let (start, end) = ([from[first], from[second]], [to[first], to[second]]);
         let unit = placer.unit_mm();
-        let grid = Grid { per_mm: 1.0 / unit, radius_tolerance: self.planner.abilities.arc_radius_tolerance };
+        let grid = Grid { per_mm: 1.0 / unit, radius_tolerance: self.planner.abilities.arc_radius_tolerance_mm };
         let nominal = Nominal { sweep: nominal.sweep * share, ..nominal };
         let fit = nominal.fit(start, end, grid)?;
         // Height goes with the angle. Seen from the nominal centre a point leads by what the centre is off, and by as much
         // more because the ends do not, and by the rounding of these; heights are rounded themselves.
-        let height = |off: Off| lean + 0.5 * unit + self.round.slope().abs() * (2.0 * off.centre + ROUNDED * unit);
+        let height = |off: Off| lean_mm + 0.5 * unit + self.round.slope().abs() * (2.0 * off.centre + ROUNDED * unit);
         let within = |off: Off| off.plane.hypot(height(off)) <= tolerance;
         if !within(fit.off) || placer.too_large([fit.centre[0] - start[0], fit.centre[1] - start[1]], [first, second]) {
             return None;
@@ -273,14 +273,14 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         Ok(())
     }
 
-    fn write_pieces(&mut self, framed: &Framed, cuts: Cuts) -> Planned {
+    fn write_pieces(&mut self, in_program: &ArcInProgram, cuts: Cuts) -> Planned {
         let rate = self.planner.rate(self.arc.feed)?;
         self.planner.mover.output_mut().set_reason(if cuts.pieces > 1 {
             BlockReason::SplitArc
         } else {
             BlockReason::Record
         });
-        let mask = framed.chain.iter().fold(0, |mask, axis| mask | 1 << axis);
+        let mask = in_program.chain.iter().fold(0, |mask, axis| mask | 1 << axis);
         for piece in 1..=cuts.pieces {
             let share = cuts.share(piece);
             let length = self.round.length() * share;
@@ -289,7 +289,7 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
             let motion = FeedMotion::linear(length, axis_time_min);
             let pace = mover.feeds().pace(rate, motion)?;
             let to = self.piece_end(cuts.end(piece))?;
-            let circle = self.circle(framed, share, self.planner.mover.here(), &to);
+            let circle = self.circle(in_program, share, self.planner.mover.here(), &to);
             let (Some(circle), FeedWord::PerMinute(feed)) = (circle, pace.feed) else {
                 return Err(Fault::new("an arc that could be said cannot be written").into());
             };

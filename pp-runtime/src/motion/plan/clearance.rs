@@ -28,7 +28,7 @@ impl ClearanceGeometry {
     }
 
     /// mm along the tool axis until the tool is outside; `None` without geometry, or where the axis never leaves it.
-    pub(crate) fn way_out(&self, from: &Pose) -> Option<f64> {
+    pub(crate) fn retract_distance_mm(&self, from: &Pose) -> Option<f64> {
         self.in_force.and_then(|clearance| way_out(&clearance, &from.tip, &from.axis))
     }
 }

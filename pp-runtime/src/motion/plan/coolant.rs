@@ -32,12 +32,12 @@ impl CoolantState {
     }
 
     /// Its state is unknown.
-    pub(crate) fn lost(&mut self) {
+    pub(crate) fn forget(&mut self) {
         self.written = None;
     }
 
     /// Brings the coolant to what is wanted.
-    pub(crate) fn turn<S: Sink>(
+    pub(crate) fn apply<S: Sink>(
         &mut self,
         tool: Option<LoadedTool>,
         policy: Policy<'_>,

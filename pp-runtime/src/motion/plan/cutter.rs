@@ -65,7 +65,7 @@ impl CutterCompensation {
             asked
         };
         if self.in_force() && self.side != Some(side) {
-            return Err(beside("CUTCOM asks for the other side"));
+            return Err(in_force_fault("CUTCOM asks for the other side"));
         }
         let register = register.or(self.register.filter(|_| asked == CutterSide::On));
         let state = if self.in_force() { Compensating::On } else { Compensating::Begins };
@@ -120,7 +120,7 @@ impl CutterCompensation {
     }
 
     fn check_idle(&self, what: &str) -> Result<(), Fault> {
-        if self.in_force() { Err(beside(what)) } else { Ok(()) }
+        if self.in_force() { Err(in_force_fault(what)) } else { Ok(()) }
     }
 
     /// The program ends.
@@ -131,13 +131,13 @@ impl CutterCompensation {
                 Err(Fault::new("CUTCOM asked for compensation, and no straight feed motion in the plane follows")
                     .help("leave CUTCOM out, or give it in front of the lead-in"))
             }
-            Compensating::On | Compensating::Ends => Err(beside("the program ends")),
+            Compensating::On | Compensating::Ends => Err(in_force_fault("the program ends")),
         }
     }
 }
 
 /// What cannot stand between the line that brings compensation on and the one that ends it.
-fn beside(what: &str) -> Fault {
+fn in_force_fault(what: &str) -> Fault {
     Fault::new(format_args!("cutter compensation is in force, and {what}"))
         .help("put CUTCOM/OFF and a straight feed motion in the plane in front of it")
 }
@@ -198,10 +198,10 @@ pub(crate) fn line<S: Sink>(planner: &mut Planner<'_, S>, ahead: MotionAndNext<'
                 step?;
             }
         }
-        Compensating::On if motion.rapid => return Err(beside("a rapid follows").into()),
+        Compensating::On if motion.rapid => return Err(in_force_fault("a rapid follows").into()),
         Compensating::On => {
             if !flat(&step?) {
-                return Err(beside("a motion leaves its plane").into());
+                return Err(in_force_fault("a motion leaves its plane").into());
             }
         }
         Compensating::Ends => {
@@ -218,7 +218,7 @@ pub(crate) fn line<S: Sink>(planner: &mut Planner<'_, S>, ahead: MotionAndNext<'
     let stays = planner.cutter.in_force() || planner.cutter.is_idle();
     planner.run(ahead, index)?;
     if stays && planner.mover.placer().rotary_travel(&from.words, &planner.mover.here().words) > 0.0 {
-        return Err(beside("a rotary axis turns").into());
+        return Err(in_force_fault("a rotary axis turns").into());
     }
     Ok(())
 }
@@ -239,17 +239,17 @@ pub(crate) fn arc<'a, S: Sink>(
     let square = axis.cross(&arc.normal).norm() <= SAME_AXIS;
     let rise = (arc.end.tip - arc.start.tip).dot(&axis).abs();
     if !square || rise > 0.5 * planner.mover.placer().unit_mm() {
-        return Err(beside("an arc leaves its plane").into());
+        return Err(in_force_fault("an arc leaves its plane").into());
     }
     let (before, words) = (planner.mover.output().statistics().chorded, planner.mover.here().words);
     run(planner)?;
     // What is so flat that its chord is it, is not counted.
     let chorded = planner.mover.output().statistics().chorded != before;
     if chorded || planner.policy.options.arcs.output == ArcOutput::Lines {
-        return Err(beside("an arc follows that would be chords").into());
+        return Err(in_force_fault("an arc follows that would be chords").into());
     }
     if planner.mover.placer().rotary_travel(&words, &planner.mover.here().words) > 0.0 {
-        return Err(beside("a rotary axis turns").into());
+        return Err(in_force_fault("a rotary axis turns").into());
     }
     Ok(())
 }
@@ -300,7 +300,7 @@ fn radius_register<S: Sink>(planner: &Planner<'_, S>) -> Result<u32, Fault> {
         planner.tooling.current().map(|tool| tool.number).ok_or_else(|| Fault::new("CUTCOM without a tool"))?;
     let given =
         planner.policy.set_up.tools.get(&number).and_then(|tool| tool.radius_offset).or(planner.cutter.register);
-    if let Some(given) = given.filter(|given| *given != number && !planner.abilities.radius_registers) {
+    if let Some(given) = given.filter(|given| *given != number && !planner.abilities.shared_radius_registers) {
         return Err(Fault::new(format_args!(
             "T{number} is to have the radius of register {given}, and this control takes that of the tool itself"
         ))

@@ -111,9 +111,9 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         let over = ahead.motion;
         self.planner.stop_spindle()?;
         self.planner.check_state(over)?;
-        let planned = self.planner.changes(over, index)?;
+        let planned = self.planner.apply_course_changes(over, index)?;
         let place = self.planner.mover.place(&over.pose, false, planned)?;
-        if self.planner.mover.turns(&place) {
+        if self.planner.mover.rotates(&place) {
             return self.planner.go(ahead, planned);
         }
         let lift = self.hole.clearance - self.height();
@@ -218,25 +218,25 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         let dwell = hole.dwell.map(|dwell| self.planner.spindle.seconds(dwell)).transpose()?;
         let feed = self.feed(kind, &places[0])?;
         let cycle = CannedCycle { kind, words, z, surface, clearance, bottom, back, dwell, feed };
-        let unsaid = self.unsaid(&cycle)?;
-        Ok(unsaid.map_or(Ok((cycle, places[2])), Err))
+        let mismatch = self.mismatch(&cycle)?;
+        Ok(mismatch.map_or(Ok((cycle, places[2])), Err))
     }
 
     /// What the words of a cycle would say otherwise than the hole is.
-    fn unsaid(&self, cycle: &CannedCycle) -> Result<Option<NoCycle>, Fault> {
+    fn mismatch(&self, cycle: &CannedCycle) -> Result<Option<NoCycle>, Fault> {
         let can = self.planner.abilities.cycles;
         if !(cycle.bottom < cycle.surface && cycle.surface <= cycle.clearance && cycle.clearance <= cycle.back) {
             return Ok(Some("its levels are not in their order"));
         }
-        if cycle.dwell.is_some_and(|seconds| seconds * 1e3 > f64::from(can.longest_dwell)) {
+        if cycle.dwell.is_some_and(|seconds| seconds * 1e3 > f64::from(can.longest_dwell_ms)) {
             return Ok(Some("the wait is too long for it"));
         }
         if let CannedKind::Peck { step, gap } | CannedKind::ChipBreak { step, gap } = cycle.kind
-            && can.states_gap
+            && can.programs_gap
         {
             let depth = cycle.surface - cycle.bottom;
             let as_many = steps(self.hole)?.count() as i64 == (depth + step - 1) / step;
-            let whole = !can.whole_steps || depth % step == 0;
+            let whole = !can.whole_steps_only || depth % step == 0;
             let in_hole = gap > 0 && gap <= step + cycle.clearance - cycle.surface;
             return Ok((!(as_many && whole && in_hole)).then_some("its steps are not those of this control"));
         }
@@ -249,7 +249,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         let higher = hole.back_to - hole.clearance > SAME_LEVEL;
         let units = |mm: f64| (mm / self.planner.mover.placer().unit_mm()).round() as i64;
         let no_dwell = hole.dwell.is_none();
-        let steps_wait = no_dwell || can.steps_dwell;
+        let steps_wait = no_dwell || can.peck_dwell;
         let usual_gap = self.planner.policy.options.defaults.peck_gap_mm;
         Ok(match hole.drilling {
             Drilling::Drill if can.drill => Ok(CannedKind::Drill),
@@ -260,7 +260,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
                 Ok(CannedKind::Peck { step: units(later), gap: units(usual_gap) })
             }
             Drilling::ChipBreak { step, back }
-                if can.chip_break && steps_wait && units(step) > 0 && (can.states_gap || back.is_none()) =>
+                if can.chip_break && steps_wait && units(step) > 0 && (can.programs_gap || back.is_none()) =>
             {
                 Ok(CannedKind::ChipBreak { step: units(step), gap: units(back.unwrap_or(usual_gap)) })
             }
@@ -277,7 +277,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
 
     /// A thread at the speed as it is written.
     fn thread(&self, pitch: Option<f64>) -> Result<CannedKind, Fault> {
-        let Some((turns, rotation)) = self.planner.spindle.turning() else {
+        let Some((turns, rotation)) = self.planner.spindle.running() else {
             return Err(Fault::new("a thread with the spindle off").help("give SPINDL/ON before it"));
         };
         let stated = match self.hole.feed {
@@ -322,7 +322,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         };
         if let CannedKind::Tap { .. } = kind
             && (pace.slowed_min > 0.0
-                || self.planner.abilities.cycles.tap_feed
+                || self.planner.abilities.cycles.tap_uses_feed
                     && (feeds.mm_per_minute(word) / per_minute - 1.0).abs() > THREAD_FEED)
         {
             return Err(Fault::new(format_args!(
@@ -340,7 +340,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         let here = self.planner.mover.placer().written(self.planner.mover.here());
         let height = self.height().max(hole.clearance);
         self.planner.mover.watch_plunge(&hole.level(height), &hole.level(hole.clearance));
-        if cycle.back != cycle.clearance && here[cycle.z] != cycle.back && !can.own_return {
+        if cycle.back != cycle.clearance && here[cycle.z] != cycle.back && !can.returns_to_any_level {
             // Such a cycle goes back to where it began.
             self.rapid_to(height)?;
             self.rapid_to(hole.back_to)?;
@@ -356,11 +356,11 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         mover.write_motion(&Step::Cycle { cycle }, &back)?;
         mover.output_mut().statistics_mut().cycles += 1;
         if let CannedKind::Tap { .. } = cycle.kind {
-            self.planner.spindle.after_thread(can.tap_stops);
+            self.planner.spindle.note_thread(can.tap_stops_spindle);
         }
         let bottom = hole.level(-hole.depth);
         let position = mover.position_mut();
-        position.cut(&bottom);
+        position.note_cut(&bottom);
         position.forget_lead_out();
         position.follow(&bottom, &back.pose);
         mover.arrive(back);

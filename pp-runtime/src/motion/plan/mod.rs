@@ -122,7 +122,7 @@ impl<'a, S: Sink> Planner<'a, S> {
     #[must_use]
     pub fn with_operations(mut self, wanted: Option<RangeInclusive<u64>>) -> Self {
         self.selection = Selection::of(wanted);
-        self.mover.output_mut().show(self.selection.shows());
+        self.mover.output_mut().show(self.selection.is_written());
         self
     }
 
@@ -205,7 +205,7 @@ impl<'a, S: Sink> Planner<'a, S> {
         if self.mover.position().is_known() && self.policy.options.rapids.transition == Transition::Direct {
             self.prepare_directly(ahead.motion)?;
         }
-        let planned = self.changes(ahead.motion, index)?;
+        let planned = self.apply_course_changes(ahead.motion, index)?;
         self.spindle.begin_operation();
         self.mover.position_mut().begin_operation();
         self.start(ahead, index.operation, planned)
@@ -230,7 +230,7 @@ impl<'a, S: Sink> Planner<'a, S> {
         if motion.rapid {
             return Ok(());
         }
-        if self.spindle.turning().is_none() {
+        if self.spindle.running().is_none() {
             return Err(if self.spindle.is_off_requested() {
                 Fault::new("a feed motion with the spindle off").help("give SPINDL/ON before it")
             } else {
@@ -268,7 +268,7 @@ impl<'a, S: Sink> Planner<'a, S> {
     fn run(&mut self, ahead: MotionAndNext<'_>, index: MotionIndex) -> Planned {
         self.stop_spindle()?;
         self.check_state(ahead.motion)?;
-        let planned = self.changes(ahead.motion, index)?;
+        let planned = self.apply_course_changes(ahead.motion, index)?;
         self.go(ahead, planned)
     }
 
@@ -277,7 +277,7 @@ impl<'a, S: Sink> Planner<'a, S> {
     fn go(&mut self, ahead: MotionAndNext<'_>, planned: Option<TurnTarget>) -> Planned {
         let motion = ahead.motion;
         if !motion.rapid && self.spindle.take_stopped_by_cycle() {
-            self.turn_spindle(true)?;
+            self.apply_spindle(true)?;
         }
         let place = self.mover.place(&motion.pose, !motion.rapid, planned)?;
         let before = self.mover.position().pose();
@@ -291,7 +291,7 @@ impl<'a, S: Sink> Planner<'a, S> {
             self.mover.rapid_as_configured(motion, &place)?;
         } else {
             self.mover.feed_to(&place, self.rate(motion.feed)?)?;
-            self.mover.position_mut().cut(&motion.pose);
+            self.mover.position_mut().note_cut(&motion.pose);
         }
         self.mover.position_mut().follow(&before, &motion.pose);
         self.mover.arrive(place);
@@ -300,7 +300,7 @@ impl<'a, S: Sink> Planner<'a, S> {
 
     /// Does what the course has before a motion begins, and gives the words in which it ends if the course has these, too.
     #[inline]
-    fn changes(&mut self, motion: &Move, index: MotionIndex) -> Result<Option<TurnTarget>, ItemError> {
+    fn apply_course_changes(&mut self, motion: &Move, index: MotionIndex) -> Result<Option<TurnTarget>, ItemError> {
         let (from, towards, mut planned) = (self.mover.position().pose(), self.course.take_towards(), None);
         while let Some(Change { how, words, .. }) = self.course.change(index.motion) {
             match how {
@@ -314,7 +314,7 @@ impl<'a, S: Sink> Planner<'a, S> {
             }
         }
         if towards.is_some() && planned.is_none() {
-            return Err(no_way_round(motion.rapid || index.begins != Begins::Nothing).into());
+            return Err(sense_refused(motion.rapid || index.begins != Begins::Nothing).into());
         }
         Ok(planned)
     }
@@ -331,8 +331,8 @@ impl<'a, S: Sink> Planner<'a, S> {
         Ok(())
     }
 
-    fn turn_spindle(&mut self, again: bool) -> Planned {
-        self.spindle.turn(again, self.tooling.current(), self.policy, self.mover.output_mut())
+    fn apply_spindle(&mut self, again: bool) -> Planned {
+        self.spindle.apply(again, self.tooling.current(), self.policy, self.mover.output_mut())
     }
 
     #[inline]
@@ -340,8 +340,8 @@ impl<'a, S: Sink> Planner<'a, S> {
         self.spindle.stop_if_pending(self.mover.output_mut())
     }
 
-    fn turn_coolant(&mut self) -> Planned {
-        self.coolant.turn(self.tooling.current(), self.policy, self.abilities, self.mover.output_mut())
+    fn apply_coolant(&mut self) -> Planned {
+        self.coolant.apply(self.tooling.current(), self.policy, self.abilities, self.mover.output_mut())
     }
 
     fn stop_coolant(&mut self) -> io::Result<()> {
@@ -351,7 +351,7 @@ impl<'a, S: Sink> Planner<'a, S> {
 
 /// ROTABL/NEXT before a motion that cannot follow it; `air`: the tool is out of the part.
 #[cold]
-fn no_way_round(air: bool) -> Fault {
+fn sense_refused(air: bool) -> Fault {
     Fault::new(match air {
         true => "the sense that ROTABL/NEXT asks for leads out of the limits",
         false => "ROTABL/NEXT stands in front of a cut, which cannot take the long way round",

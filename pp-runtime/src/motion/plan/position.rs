@@ -75,8 +75,8 @@ impl Position {
     }
 
     /// mm that the CL data has led the tool out along its axis.
-    pub(crate) fn led_out(&self) -> f64 {
-        self.lead_out.length()
+    pub(crate) fn led_out_mm(&self) -> f64 {
+        self.lead_out.length_mm()
     }
 
     /// FROM: as long as nothing has moved, the rotary axes count from here.
@@ -110,13 +110,13 @@ impl Position {
     }
 
     /// Forgets where the machine is: anything may have moved it.
-    pub(crate) fn lost(&mut self) {
+    pub(crate) fn forget(&mut self) {
         self.known = false;
         self.retracted = false;
     }
 
     /// The retract axis may be anywhere.
-    pub(crate) fn lose_retract(&mut self) {
+    pub(crate) fn forget_retract(&mut self) {
         self.retracted = false;
     }
 
@@ -167,7 +167,7 @@ impl Position {
 
     /// Remembers the lowest level that was cut with this tool axis in this operation.
     #[inline]
-    pub(crate) fn cut(&mut self, pose: &Pose) {
+    pub(crate) fn note_cut(&mut self, pose: &Pose) {
         match &mut self.lowest {
             Some(lowest)
                 if (lowest.axis.into_inner() - pose.axis.into_inner()).norm_squared() < SAME_AXIS * SAME_AXIS =>

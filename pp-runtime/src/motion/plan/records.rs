@@ -49,11 +49,11 @@ impl<S: Sink> Records<'_, '_, S> {
         match *event {
             Event::Spindle(command) => {
                 self.planner.spindle.request(command, self.between);
-                if self.between { Ok(()) } else { self.planner.turn_spindle(false) }
+                if self.between { Ok(()) } else { self.planner.apply_spindle(false) }
             }
             Event::Coolant(kind) => {
                 self.planner.coolant.request(kind);
-                if self.between { Ok(()) } else { self.planner.turn_coolant() }
+                if self.between { Ok(()) } else { self.planner.apply_coolant() }
             }
             Event::From(pose) => {
                 self.planner.mover.count_from(&pose);
@@ -79,7 +79,7 @@ impl<S: Sink> Records<'_, '_, S> {
                 Ok(())
             }
             Event::Compensation(asked) => crate::motion::plan::cutter::request(self.planner, &asked),
-            Event::Turning(turning) => self.turn_towards(turning),
+            Event::Turning(turning) => self.set_rotation_sense(turning),
             Event::Insert(text) => self.raw(text),
             Event::Code { letter, number } => self.raw(format!("{}{number}", char::from(letter)).as_bytes()),
             Event::Tolerance(tolerance) => {
@@ -93,7 +93,7 @@ impl<S: Sink> Records<'_, '_, S> {
 
     /// A record between two operations that speaks of the second.
     fn announce(&mut self, step: &Step<'_>) -> Planned {
-        let (next, now) = (self.planner.selection.shows_next(), self.planner.selection.shows());
+        let (next, now) = (self.planner.selection.next_is_written(), self.planner.selection.is_written());
         let output = self.planner.mover.output_mut();
         output.show(next);
         output.step(step)?;
@@ -166,9 +166,9 @@ impl<S: Sink> Records<'_, '_, S> {
         planner.stop_spindle()?;
         planner.mover.output_mut().step(&Step::Stop { optional })?;
         // The operator may have done anything.
-        planner.spindle.lost();
-        planner.coolant.lost();
-        planner.mover.position_mut().lost();
+        planner.spindle.forget();
+        planner.coolant.forget();
+        planner.mover.position_mut().forget();
         Ok(())
     }
 
@@ -184,7 +184,7 @@ impl<S: Sink> Records<'_, '_, S> {
     }
 
     /// ROTABL.
-    fn turn_towards(&mut self, turning: Turning) -> Planned {
+    fn set_rotation_sense(&mut self, turning: Turning) -> Planned {
         let towards = self.planner.mover.placer().towards(turning);
         self.planner.course.set_towards(towards);
         if towards.is_none() && turning != Turning::Shortest {
@@ -215,8 +215,8 @@ impl<S: Sink> Records<'_, '_, S> {
         }
         planner.mover.output_mut().step(&Step::Raw { text })?;
         planner.spindle.reset();
-        planner.coolant.lost();
-        planner.mover.position_mut().lost();
+        planner.coolant.forget();
+        planner.mover.position_mut().forget();
         Ok(())
     }
 
@@ -229,7 +229,7 @@ impl<S: Sink> Records<'_, '_, S> {
         self.leave()?;
         self.planner.mover.machine_retract()?;
         self.planner.mover.park()?;
-        self.planner.mover.position_mut().lost();
+        self.planner.mover.position_mut().forget();
         Ok(())
     }
 
@@ -249,7 +249,7 @@ impl<S: Sink> Records<'_, '_, S> {
             }
         };
         self.leave()?;
-        self.planner.mover.position_mut().lost();
+        self.planner.mover.position_mut().forget();
         // It was given in the other frame.
         self.planner.clearance.change_frame();
         Ok(self.planner.mover.output_mut().step(&Step::WorkOffset { word })?)

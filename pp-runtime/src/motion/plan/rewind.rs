@@ -36,7 +36,7 @@ pub(crate) fn rewind<S: Sink>(planner: &mut Planner<'_, S>, motion: &Move, words
 /// Out along the tool axis, machine retract, rotaries, back along the tool axis, and at feed to where the tool was.
 fn rewind_out_of_part<S: Sink>(planner: &mut Planner<'_, S>, motion: &Move, words: Turns, why: &str) -> Planned {
     let here = *planner.mover.here();
-    let out = planner.clearance.way_out(&here.pose);
+    let out = planner.clearance.retract_distance_mm(&here.pose);
     let Some(distance) = planner.policy.options.retract.distance_mm.or(out) else {
         let text = format!("here the rotary axes have to be rewound out of the part: {why}");
         let help = "give `retract.distance` or `retract.clearance` in the configuration, or CLEARP in the CL data";
@@ -51,14 +51,14 @@ fn rewind_out_of_part<S: Sink>(planner: &mut Planner<'_, S>, motion: &Move, word
         planner.stop_coolant()?;
     }
     planner.mover.rapid_linear(&out)?;
-    planner.mover.position_mut().lose_retract();
+    planner.mover.position_mut().forget_retract();
     planner.mover.machine_retract()?;
     let (turned, frame) = planner.mover.framed_at(turned)?;
     let above = planner.mover.shifted(tip, &turned).map_err(context)?;
-    planner.mover.note_turns(&above);
-    planner.mover.come_in(&above, frame)?;
-    planner.turn_coolant()?;
-    planner.mover.position_mut().lose_retract();
+    planner.mover.note_rotation(&above);
+    planner.mover.approach_from_retract(&above, frame)?;
+    planner.apply_coolant()?;
+    planner.mover.position_mut().forget_retract();
     planner.mover.position_mut().go_to(above);
     planner.mover.feed_block(&turned, planner.rate(motion.feed)?)?;
     planner.mover.position_mut().go_to(turned);
@@ -70,7 +70,7 @@ fn rewind_out_of_part<S: Sink>(planner: &mut Planner<'_, S>, motion: &Move, word
 fn rewind_in_place<S: Sink>(planner: &mut Planner<'_, S>, motion: &Move, words: Turns) -> Planned {
     let pose = planner.mover.position().pose();
     let turned = planner.mover.place(&pose, false, Some(TurnTarget { words, towards: None }))?;
-    planner.mover.note_turns(&turned);
+    planner.mover.note_rotation(&turned);
     let swinging = Tolerance { axis: f64::INFINITY, ..planner.mover.tolerance() };
     planner.mover.feed_in_pieces(&turned, planner.rate(motion.feed)?, swinging)?;
     planner.mover.position_mut().go_to(turned);

@@ -25,7 +25,7 @@ pub(crate) struct Opening {
     pub(crate) wanted: bool,
     /// It is the first that is written although it is not the first of the program: whoever begins there knows nothing of
     /// what came before.
-    pub(crate) opens: bool,
+    pub(crate) enters: bool,
 }
 
 impl Selection {
@@ -38,12 +38,12 @@ impl Selection {
     }
 
     /// Whether what is planned now is written; what comes before the first operation belongs to it.
-    pub(crate) fn shows(&self) -> bool {
+    pub(crate) fn is_written(&self) -> bool {
         self.holds(self.number.max(1)) && !self.over
     }
 
     /// Whether the operation after this one is written.
-    pub(crate) fn shows_next(&self) -> bool {
+    pub(crate) fn next_is_written(&self) -> bool {
         self.holds(self.number + 1) && !self.over
     }
 
@@ -55,10 +55,10 @@ impl Selection {
 
     /// The operation of this number begins.
     pub(crate) fn begin(&mut self, number: u64) -> Opening {
-        let (before, wanted) = (self.shows(), self.holds(number));
+        let (before, wanted) = (self.is_written(), self.holds(number));
         let ends = before && !wanted && number > 1;
         self.number = number;
         self.over |= ends;
-        Opening { ends, wanted, opens: wanted && !before }
+        Opening { ends, wanted, enters: wanted && !before }
     }
 }

@@ -40,10 +40,10 @@ impl<S: Sink> Planner<'_, S> {
         self.mover.output_mut().set_reason(BlockReason::LeadOut);
         self.stop_coolant()?;
         self.mover.output_mut().cancel_inverse_time()?;
-        let led_out = self.mover.position().led_out();
+        let led_out = self.mover.position().led_out_mm();
         let here = *self.mover.here();
         let configured = self.policy.options.retract.distance_mm;
-        let out = self.clearance.way_out(&here.pose);
+        let out = self.clearance.retract_distance_mm(&here.pose);
         match configured.or_else(|| out.map(|distance| distance + led_out)) {
             Some(distance) if led_out + ENOUGH < distance => {
                 let (distance, what) = match configured {
@@ -59,7 +59,7 @@ impl<S: Sink> Planner<'_, S> {
             }
             Some(_) => {}
             None if self.mover.placer().straight() => {}
-            None if led_out > ENOUGH => self.compare_lead_out(led_out),
+            None if led_out > ENOUGH => self.check_lead_out(led_out),
             None => {
                 return Err(Fault::new(
                     "the tool has to leave the part here, and the CL data before this line does not lead it out along \
@@ -74,7 +74,7 @@ impl<S: Sink> Planner<'_, S> {
     }
 
     /// Remarks that the CL data leads the tool out by less than the approach comes in.
-    fn compare_lead_out(&mut self, led_out: f64) {
+    fn check_lead_out(&mut self, led_out: f64) {
         let wanted = self.policy.options.approach.distance_mm;
         if led_out + ENOUGH < wanted {
             let text = format!(
@@ -100,43 +100,46 @@ impl<S: Sink> Planner<'_, S> {
             self.mover.output_mut().times_mut().forget_empty();
         }
         self.mover.output_mut().show(opening.wanted);
-        if opening.opens {
+        if opening.enters {
             self.mover.position_mut().enter();
             self.mover.output_mut().forget_hidden();
         }
-        Ok(opening.opens)
+        Ok(opening.enters)
     }
 
     /// The first motion of an operation, with everything before it.
     pub(crate) fn start(&mut self, ahead: MotionAndNext<'_>, operation: u64, planned: Option<TurnTarget>) -> Planned {
-        let opens = self.begin_operation(operation)?;
+        let enters = self.begin_operation(operation)?;
         if self.selection.is_over() {
             return Ok(());
         }
         let (wanted, other) = self.tooling.take_next();
-        let change = opens || other;
+        let change = enters || other;
         if self.mover.position().is_known() && self.policy.options.rapids.transition == Transition::Direct && !change {
             return self.start_directly(ahead, planned);
         }
         self.leave()?;
         self.mover.output_mut().set_reason(BlockReason::Start);
-        if (self.abilities.length_moves || self.mover.position().is_in_frame()) && self.mover.restarts() > 0 && !opens {
+        if (self.abilities.length_call_may_move || self.mover.position().is_in_frame())
+            && self.mover.restarts() > 0
+            && !enters
+        {
             // What the safety line cancels must not move the tool down, or turn it in the part.
             self.mover.machine_retract()?;
         }
         // A complete state, the retract included: the program can be entered here.
         self.mover.restart()?;
-        self.mover.position_mut().lose_retract();
+        self.mover.position_mut().forget_retract();
         // Whoever enters here has seen nothing of what came before.
-        self.coolant.lost();
+        self.coolant.forget();
         self.stop_coolant()?;
         self.mover.machine_retract()?;
         self.stop_spindle()?;
         if let Some(tool) = wanted.or(self.tooling.current()) {
             self.load_tool(tool, change)?;
         }
-        self.turn_spindle(true)?;
-        self.spindle.after_thread(false);
+        self.apply_spindle(true)?;
+        self.spindle.note_thread(false);
         self.check_state(ahead.motion)?;
         self.approach(ahead, planned)
     }
@@ -156,7 +159,7 @@ impl<S: Sink> Planner<'_, S> {
         })?;
         if change {
             // The change may leave every axis anywhere, and the spindle off.
-            self.mover.position_mut().lose_retract();
+            self.mover.position_mut().forget_retract();
             self.spindle.reset();
             self.mover.machine_retract()?;
         }
@@ -176,10 +179,10 @@ impl<S: Sink> Planner<'_, S> {
     /// What an operation that goes on where the last one ended wants before the tool moves: the course may have something
     /// to cut before its first motion.
     pub(crate) fn prepare_directly(&mut self, first: &Move) -> Planned {
-        self.turn_spindle(false)?;
+        self.apply_spindle(false)?;
         self.stop_spindle()?;
         self.check_state(first)?;
-        self.turn_coolant()
+        self.apply_coolant()
     }
 
     /// An operation that goes on where the last one ended, because the configuration wants it so.
@@ -192,11 +195,11 @@ impl<S: Sink> Planner<'_, S> {
         let before = self.mover.position().pose();
         if first.rapid {
             self.mover.output_mut().cancel_inverse_time()?;
-            self.mover.note_turns(&place);
-            self.mover.rapid(&place, self.mover.all())?;
+            self.mover.note_rotation(&place);
+            self.mover.rapid(&place, self.mover.block_axes())?;
         } else {
             self.mover.feed_to(&place, self.rate(first.feed)?)?;
-            self.mover.position_mut().cut(&first.pose);
+            self.mover.position_mut().note_cut(&first.pose);
         }
         self.mover.position_mut().follow(&before, &first.pose);
         self.mover.arrive(place);
@@ -228,9 +231,9 @@ impl<S: Sink> Planner<'_, S> {
                 .map_err(|fault| fault.context(format_args!("the approach from {distance} mm")))?
         };
         self.mover.output_mut().set_reason(BlockReason::Approach);
-        self.mover.come_in(&above, frame)?;
+        self.mover.approach_from_retract(&above, frame)?;
         self.mover.output_mut().statistics_mut().sequences += 1;
-        self.turn_coolant()?;
+        self.apply_coolant()?;
         self.mover.position_mut().go_to(above);
         self.mover.output_mut().set_reason(BlockReason::Record);
         if place.words != above.words {
@@ -241,7 +244,7 @@ impl<S: Sink> Planner<'_, S> {
             }
         }
         if !first.rapid {
-            self.mover.position_mut().cut(&first.pose);
+            self.mover.position_mut().note_cut(&first.pose);
         }
         self.mover.position_mut().forget_lead_out();
         self.mover.arrive(place);

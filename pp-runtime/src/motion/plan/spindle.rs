@@ -17,11 +17,11 @@ pub(crate) struct SpindleState {
     /// What SPINDL has programmed since the last operation.
     between: SpindleRequest,
     /// Speed in rev/min and sense of rotation as written; `None` if it is off or unknown.
-    turning: Option<(f64, Rotation)>,
+    running: Option<(f64, Rotation)>,
     /// SPINDL/OFF came after the last motion: written before the next, or when the tool is out of the part.
     stop_pending: bool,
     /// A cycle has stopped the spindle.
-    tapped: bool,
+    stopped_by_cycle: bool,
 }
 
 impl SpindleState {
@@ -56,39 +56,39 @@ impl SpindleState {
 
     /// Speed in rev/min and sense of rotation, where the spindle is known to be on.
     #[inline]
-    pub(crate) fn turning(&self) -> Option<(f64, Rotation)> {
-        self.turning
+    pub(crate) fn running(&self) -> Option<(f64, Rotation)> {
+        self.running
     }
 
     /// rev/min, where the spindle is known to be on.
     #[inline]
     pub(crate) fn speed(&self) -> Option<f64> {
-        self.turning.map(|(speed, _)| speed)
+        self.running.map(|(speed, _)| speed)
     }
 
     /// Its state is unknown.
-    pub(crate) fn lost(&mut self) {
-        self.turning = None;
+    pub(crate) fn forget(&mut self) {
+        self.running = None;
     }
 
     /// Its state is unknown, and nothing waits to stop it.
     pub(crate) fn reset(&mut self) {
-        self.turning = None;
+        self.running = None;
         self.stop_pending = false;
     }
 
     /// A cycle has been run that stops it, or not.
-    pub(crate) fn after_thread(&mut self, stops: bool) {
-        self.tapped = stops;
+    pub(crate) fn note_thread(&mut self, stops: bool) {
+        self.stopped_by_cycle = stops;
     }
 
     /// Whether a cycle has stopped it since it was turned on.
     pub(crate) fn take_stopped_by_cycle(&mut self) -> bool {
-        std::mem::take(&mut self.tapped)
+        std::mem::take(&mut self.stopped_by_cycle)
     }
 
     /// Brings the spindle to what is wanted; `again`: even if it is so already.
-    pub(crate) fn turn<S: Sink>(
+    pub(crate) fn apply<S: Sink>(
         &mut self,
         again: bool,
         tool: Option<LoadedTool>,
@@ -98,19 +98,19 @@ impl SpindleState {
         let given = tool.and_then(|tool| policy.set_up.tools.get(&tool.number));
         let Some((speed, rotation)) = self.request.resolve(given, policy)? else {
             // In the part the tool does not stop: see `stop_if_pending`.
-            self.stop_pending |= self.turning.is_some();
+            self.stop_pending |= self.running.is_some();
             return Ok(());
         };
         self.stop_pending = false;
         let wanted = Some((speed.value(), rotation));
         if policy.options.lift_mm.is_some() {
             // In a dry run the spindle is on on paper only; whoever enters here makes sure that it is off.
-            self.turning = wanted;
+            self.running = wanted;
             return if again { Ok(output.step(&Step::SpindleOff)?) } else { Ok(()) };
         }
-        if again || self.turning != wanted {
-            let starts = again || self.turning.is_none_or(|(_, before)| before != rotation);
-            self.turning = wanted;
+        if again || self.running != wanted {
+            let starts = again || self.running.is_none_or(|(_, before)| before != rotation);
+            self.running = wanted;
             output.step(&Step::Spindle { speed, rotation })?;
             if starts && policy.options.spindle_dwell_s > 0.0 {
                 output.cancel_inverse_time()?;

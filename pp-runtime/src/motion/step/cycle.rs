@@ -22,19 +22,19 @@ pub struct CycleAbilities {
     /// With a wait at the bottom of a thread.
     pub tap_dwell: bool,
     /// With a wait at the bottom of a hole in steps.
-    pub steps_dwell: bool,
+    pub peck_dwell: bool,
     /// Longest wait, milliseconds.
-    pub longest_dwell: u32,
+    pub longest_dwell_ms: u32,
     /// It comes back to any level, wherever it began.
-    pub own_return: bool,
+    pub returns_to_any_level: bool,
     /// It is told how far to go back between two steps, and how near to come again.
-    pub states_gap: bool,
+    pub programs_gap: bool,
     /// It shares out what is left for the last two steps: only whole steps are what they are.
-    pub whole_steps: bool,
+    pub whole_steps_only: bool,
     /// The spindle stands behind a thread.
-    pub tap_stops: bool,
+    pub tap_stops_spindle: bool,
     /// A thread is cut with F.
-    pub tap_feed: bool,
+    pub tap_uses_feed: bool,
     /// Decimals of a pitch.
     pub pitch_decimals: u32,
 }
@@ -50,13 +50,13 @@ impl CycleAbilities {
         ream_higher: false,
         tap: true,
         tap_dwell: false,
-        steps_dwell: false,
-        longest_dwell: u32::MAX,
-        own_return: false,
-        states_gap: false,
-        whole_steps: false,
-        tap_stops: false,
-        tap_feed: false,
+        peck_dwell: false,
+        longest_dwell_ms: u32::MAX,
+        returns_to_any_level: false,
+        programs_gap: false,
+        whole_steps_only: false,
+        tap_stops_spindle: false,
+        tap_uses_feed: false,
         pitch_decimals: 6,
     };
 }

@@ -318,7 +318,7 @@ fn way(control: &dyn Control, output: CycleOutput, events: &[Event<'_>]) -> (Vec
         }
     }
     let config = set_up(output);
-    let returns = crate::control::abilities(control, config.demands()).cycles.own_return;
+    let returns = crate::control::abilities(control, config.demands()).cycles.returns_to_any_level;
     let mut steps = Steps(Way::default(), returns);
     let (diagnostics, _) = plan::<Xyz>(control, &config, events, &mut steps);
     assert!(diagnostics.iter().all(|found| found.severity == Severity::Warning), "{diagnostics:?}");
@@ -425,7 +425,7 @@ proptest! {
         start in prop::array::uniform3(-4_i32..8),
     ) {
         for control in CONTROLS {
-            let told = crate::control::abilities(*control, set_up(CycleOutput::Native).demands()).cycles.states_gap;
+            let told = crate::control::abilities(*control, set_up(CycleOutput::Native).demands()).cycles.programs_gap;
             let holes: Vec<Event<'static>> = holes.iter().map(|(event, drilling)| match *event {
                 Event::Hole(hole) if told => Event::Hole(Hole { drilling: *drilling, ..hole }),
                 event => event,

@@ -151,14 +151,14 @@ impl<'a, S: Sink> Mover<'a, S> {
 
     /// The axes whose words a block inside an operation may hold: in a tilted plane the control has turned the others.
     #[inline]
-    pub(crate) fn all(&self) -> u16 {
+    pub(crate) fn block_axes(&self) -> u16 {
         let rotary = if self.policy.options.mode == Mode::Plane { 0 } else { self.placer.rotary_mask() };
         self.placer.linear_mask() | rotary
     }
 
     /// Whether any rotary axis turns on the way to a place.
     #[inline]
-    pub(crate) fn turns(&self, to: &Place) -> bool {
+    pub(crate) fn rotates(&self, to: &Place) -> bool {
         self.placer.rotary_travel(&self.here().words, &to.words) > 0.0
     }
 
@@ -170,12 +170,12 @@ impl<'a, S: Sink> Mover<'a, S> {
     /// Whether rotary axes would turn while the plane is tilted.
     #[inline]
     pub(crate) fn leaves_plane(&self, to: &Place) -> bool {
-        self.policy.options.mode == Mode::Plane && self.turns(to)
+        self.policy.options.mode == Mode::Plane && self.rotates(to)
     }
 
     /// A block of an operation goes from here to a place: clamps of axes that turn have to be off.
     #[inline]
-    pub(crate) fn note_turns(&mut self, to: &Place) {
+    pub(crate) fn note_rotation(&mut self, to: &Place) {
         self.clamps.note(&self.position.place().words, &to.words);
     }
 
@@ -199,11 +199,11 @@ impl<'a, S: Sink> Mover<'a, S> {
     /// A feed motion from here at `rate` mm/min; where it ends is left to the caller.
     #[inline]
     pub(crate) fn feed_to(&mut self, place: &Place, rate: f64) -> Planned {
-        if !self.turns(place) {
+        if !self.rotates(place) {
             return self.feed_block(place, rate);
         }
         if self.leaves_plane(place) {
-            return Err(turns_in_plane().into());
+            return Err(rotation_in_plane_mode().into());
         }
         self.feed_in_pieces(place, rate, self.tolerance)
     }
@@ -238,10 +238,10 @@ impl<'a, S: Sink> Mover<'a, S> {
         if place.words == self.here().words {
             return Ok(());
         }
-        self.check_hidden_turn(place)?;
-        self.note_turns(place);
+        self.check_hidden_rotation(place)?;
+        self.note_rotation(place);
         self.output.feed(pace, self.placer.largest_turn(&self.here().words, &place.words));
-        let words = self.placer.words(place, self.all());
+        let words = self.placer.words(place, self.block_axes());
         let words = self.speller.spell(&self.placer.written(self.position.place()), words);
         let reached = self.placer.standing_at(place);
         Ok(self.output.move_step(&Step::Feed { words, feed: pace.feed }, reached, inserted)?)
@@ -256,7 +256,7 @@ impl<'a, S: Sink> Mover<'a, S> {
     /// A rapid inside an operation, as the configuration wants it written; one that turns a rotary axis by more than the
     /// index angle is no such rapid, and no path leads to where the course turns it.
     pub(crate) fn rapid_as_configured(&mut self, motion: &Move, place: &Place) -> Planned {
-        self.note_turns(place);
+        self.note_rotation(place);
         match (self.policy.options.rapids.rapid, self.policy.options.rapids.rapid_feed_mm_per_min) {
             _ if self.indexes(place) => {}
             (Rapid::Direct, _) => {}
@@ -264,9 +264,9 @@ impl<'a, S: Sink> Mover<'a, S> {
             (Rapid::Feed, Some(rate)) => return self.feed_to(place, rate),
             (Rapid::Feed, None) => return Err(Fault::new("a feed motion without feed").into()),
         }
-        self.check_hidden_turn(place)?;
+        self.check_hidden_rotation(place)?;
         self.output.cancel_inverse_time()?;
-        self.rapid(place, self.all())
+        self.rapid(place, self.block_axes())
     }
 
     /// The first leg of a rapid in two: along the tool axis out, or across before it goes in.
@@ -283,7 +283,7 @@ impl<'a, S: Sink> Mover<'a, S> {
         let corner = self.placer.shifted(corner, &rotaries)?;
         self.output.cancel_inverse_time()?;
         let reached = self.placer.standing_at(&corner);
-        self.rapid_words(&corner, self.all(), reached, Some(BlockReason::Corner))?;
+        self.rapid_words(&corner, self.block_axes(), reached, Some(BlockReason::Corner))?;
         self.position.go_to(corner);
         Ok(())
     }
@@ -334,7 +334,7 @@ impl<'a, S: Sink> Mover<'a, S> {
     }
 
     /// What a block does has to be in it: the control would go on with rotary axes that are elsewhere.
-    fn check_hidden_turn(&self, to: &Place) -> Result<(), Fault> {
+    fn check_hidden_rotation(&self, to: &Place) -> Result<(), Fault> {
         if !self.placer.hides_turn(self.here(), to, self.policy.options.axis_tolerance_path_rad) {
             return Ok(());
         }
@@ -357,7 +357,7 @@ impl<'a, S: Sink> Mover<'a, S> {
 
     /// A cut has come to a place that the CL data does not name.
     pub(crate) fn pass(&mut self, pose: &Pose, place: Place) {
-        self.position.cut(pose);
+        self.position.note_cut(pose);
         self.output.count_deviation(&place);
         self.position.go_to(place);
     }
@@ -373,7 +373,7 @@ impl<'a, S: Sink> Mover<'a, S> {
 
 /// A cut that turns the tool axis, in mode `plane`.
 #[cold]
-fn turns_in_plane() -> Fault {
+fn rotation_in_plane_mode() -> Fault {
     Fault::new("the tool axis turns in this cut, and mode plane holds it still")
         .help("post this program with mode tcp or axes")
 }

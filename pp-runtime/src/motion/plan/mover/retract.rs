@@ -63,7 +63,7 @@ impl<S: Sink> Mover<'_, S> {
 
     /// From the machine retract to the approach point: the rotary axes alone, between their clamps; tip control or the
     /// plane; the other linear axes; the retract axis. The caller says that the machine is there.
-    pub(crate) fn come_in(&mut self, above: &Place, frame: Option<Step<'static>>) -> Planned {
+    pub(crate) fn approach_from_retract(&mut self, above: &Place, frame: Option<Step<'static>>) -> Planned {
         self.check_below_retract(above)?;
         let (linear, rotary) = (self.placer.linear_mask(), self.placer.rotary_mask());
         self.clamps.open(&self.position.place().words, &above.words, &mut self.output)?;
