@@ -1,8 +1,8 @@
-//! Planning: events of the CL data into the steps of one machine's program.
+//! Planning: events of the CL data become the steps of one machine's program.
 //!
-//! Input are [`Event`](crate::program::Event)s in mm and rad, output are [`Step`]s with words in whole units. Branch and
-//! turns, limits, feeds and the safe sequence between operations are decided here; how a control spells a step is not,
-//! and what the CL data looked like neither. Memory is constant, and nothing is allocated for a motion.
+//! Input are [`Event`](crate::program::Event)s in mm and rad; output are [`Step`]s with words in whole units. Decides branch
+//! and turns of the rotary axes, limits, feeds and the safe sequence between operations. Does not spell the blocks of a
+//! control and does not read CL text. Memory is constant, and nothing is allocated for a motion.
 
 mod course;
 mod fault;

@@ -1,7 +1,8 @@
-//! What a job may set about planning: which words, how exact, how fast, how to get to and away from the part.
+//! Options of planning: words, tolerances, speeds, approach and retract.
 //!
-//! Plain data in mm, rad and mm/min, and the tables of their keys; nothing here plans. [`Policy`] is everything of a
-//! job that planning may read.
+//! Plain data in mm, rad and mm/min, with the tables of their configuration keys. The doc line of a field with a key is
+//! the description of the key in the configuration sample and in the schema. [`Policy`] is all that planning reads of a
+//! job.
 
 mod cutting;
 mod keys;
@@ -24,14 +25,14 @@ pub use cutting::{
 pub use links::{Approach, Rapid, RapidOptions, Retract, Rewind, Transition};
 pub use words::{ClampCodes, Mode, RotaryOptions, TcpFrame, TcpWords, TipOptions, ToolPosture, Wrap};
 
-/// Everything of a job that planning may read.
+/// All that planning reads of a job.
 #[derive(Debug, Clone, Copy)]
 pub struct Policy<'a> {
-    /// Machine, part and shop.
+    /// Machine, part, tools and work offsets.
     pub set_up: &'a SetUp,
-    /// How motion is planned.
+    /// Options of planning.
     pub options: &'a MotionOptions,
-    /// Digits of the words.
+    /// Decimals and digits of the words.
     pub formats: &'a Formats,
 }
 
@@ -125,24 +126,24 @@ options! {
     }
 }
 
-/// Branches by their names.
+/// Names of the branches.
 pub(crate) const START_BRANCHES: [(&str, Branch); 2] = [("first", Branch::First), ("second", Branch::Second)];
 
 impl MotionOptions {
-    /// Tolerances of chords, mm: finer is beyond the words, wider is no path any more.
+    /// Chord tolerances, mm: below the range words are too coarse, above it the path is no longer followed.
     pub(crate) const TOLERANCE: RangeInclusive<f64> = 0.0001..=1.0;
 
-    /// Tolerances of the tool axis, degrees: finer is beyond the words, wider is no direction any more.
+    /// Tolerances of the tool axis, degrees: below the range words are too coarse, above it the axis is no longer followed.
     pub(crate) const AXIS_TOLERANCE: RangeInclusive<f64> = 0.001..=10.0;
 }
 
-/// Finer than the words of the guard, or wider than any tool is measured, mm.
+/// Tolerances of the length guard, mm: from the resolution of its words to beyond the accuracy of any tool measurement.
 const LENGTH_TOLERANCE: RangeInclusive<f64> = 0.0001..=1.0;
 
-/// A dwell at the spindle, seconds: what three decimals hold, and what nobody waits for.
+/// Dwells after spindle start, s: three decimals are written, and ten minutes are a mistake.
 const DWELL: RangeInclusive<f64> = 0.001..=600.0;
 
-/// Largest axis tolerance, rad: wider is another path.
+/// Largest axis tolerance at the pole, rad: a wider one would change the path.
 const LARGEST_AXIS_TOLERANCE: f64 = 5_f64.to_radians();
 
 fn beyond_words(tolerance: f64) -> Option<String> {
@@ -158,7 +159,7 @@ fn outside(range: &RangeInclusive<f64>, tolerance: f64) -> Option<String> {
     (!range.contains(&tolerance)).then(|| format!("a tolerance of {low} to {high} mm is needed here"))
 }
 
-/// The ends of the range are degrees that have been radians in between.
+/// Compares with a little slack: the ends of the range are degrees, and the value has been converted from radians.
 fn beyond_axis_words(tolerance: f64) -> Option<String> {
     let range = MotionOptions::AXIS_TOLERANCE;
     let (low, high) = (range.start(), range.end());
@@ -178,12 +179,12 @@ fn another_path(tolerance: f64) -> Option<String> {
     (tolerance > LARGEST_AXIS_TOLERANCE).then(|| format!("an angle of at most {largest} degrees is needed here"))
 }
 
-/// Some operations of a program, counted from 1: they begin at TOOL PATH, tool records, stops and frames, and starts
-/// with no motion between them are one.
+/// Selection of operations, counted from 1. An operation begins at TOOL PATH, a tool record, a stop or a frame; starts
+/// with no motion between them count as one.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Operations {
-    /// From this one to that, both included; to the last without it.
+    /// First and last operation, both included; `None`: up to the last of the program.
     Range(u64, Option<u64>),
-    /// From the first of this name on.
+    /// All from the first operation of this name.
     From(String),
 }

@@ -1,13 +1,13 @@
-//! Motion in cuts: arcs, cycles, cutter compensation, feeds, and what the CL data may leave out.
+//! Options of cuts: arcs, cycles, cutter compensation, feeds, and defaults for what the CL data leaves out.
 
 use crate::keys::{Bound, Measure, OneOf, Truth, Whole, options};
 use crate::program::{Coolant, Rotation};
 use crate::set_up::{COOLANTS, LARGEST_TOOL, ROTATIONS};
 
-/// What becomes of arcs.
+/// Output of arcs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ArcOutput {
-    /// Arcs of the control where it can say them within tolerance, else lines.
+    /// Arcs of the control where they stay within tolerance, else lines.
     Native,
     /// Lines.
     Lines,
@@ -17,12 +17,12 @@ impl ArcOutput {
     const NAMES: [(&'static str, Self); 2] = [("native", Self::Native), ("lines", Self::Lines)];
 }
 
-/// What says where the centre is.
+/// Words that define the centre of an arc.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ArcForm {
-    /// The centre.
+    /// Centre words.
     Centre,
-    /// The radius, except where it says nothing: whole turns, and close to half ones.
+    /// Radius word, except where it does not define the centre: full circles and arcs close to a half circle.
     Radius,
 }
 
@@ -46,10 +46,10 @@ options! {
     }
 }
 
-/// What becomes of holes.
+/// Output of holes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum CycleOutput {
-    /// Cycles of the control where they mean the same, else single motions.
+    /// Cycles of the control where they move the tool in the same way, else single motions.
     Native,
     /// Single motions.
     Expanded,
@@ -69,12 +69,12 @@ options! {
     }
 }
 
-/// What the CL data under CUTCOM is.
+/// Path in the CL data while CUTCOM is on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum CutterPath {
-    /// The path of the tool's centre: the register holds wear.
+    /// Path of the tool centre: the register holds the wear.
     Centre,
-    /// The contour: the register holds the radius.
+    /// Contour of the part: the register holds the radius.
     Contour,
 }
 
@@ -82,16 +82,16 @@ impl CutterPath {
     pub(crate) const NAMES: [(&'static str, Self); 2] = [("centre", Self::Centre), ("contour", Self::Contour)];
 }
 
-/// What F counts along in a block in which a rotary axis moves.
+/// Path length that F refers to in a block in which a rotary axis moves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PathNorm {
-    /// The linear axes; degrees where none of them moves.
+    /// Path of the linear axes; degrees where none of them moves.
     Xyz,
-    /// Linear and rotary axes alike: √(Σ mm² + Σ degrees²).
+    /// Path of linear and rotary axes: √(Σ mm² + Σ degrees²).
     XyzDegrees,
-    /// Nothing: F is 1/min.
+    /// None, inverse time: F is 1/min.
     G93Minutes,
-    /// Nothing: F is 1/s.
+    /// None, inverse time: F is 1/s.
     G93Seconds,
 }
 

@@ -1,4 +1,4 @@
-//! Keys of planning that are tables by axis or have a form of their own.
+//! Keys of planning that are tables by axis or have their own syntax.
 
 use nalgebra::{Point3, Vector3};
 use serde_json::{Value as Json, json};
@@ -57,7 +57,7 @@ impl KeyKind for Geometry {
     }
 }
 
-/// `B+`: a rotary axis, and the side of zero on which operations are to begin.
+/// `B+`: a rotary axis, and the preferred side of zero at the beginning of operations.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Preference;
 
@@ -93,7 +93,7 @@ impl KeyKind for Preference {
 }
 
 impl CourseOptions {
-    /// `B+`: a rotary axis of the machine, and the side of zero on which operations are to begin.
+    /// Reads `B+`: a rotary axis of the machine, and the preferred side of zero at the beginning of operations.
     pub(crate) fn preference(axes: &[Axis], text: &str) -> Option<(char, bool)> {
         let positive = [('+', true), ('-', false)];
         positive.into_iter().find_map(|(sign, positive)| {
@@ -103,7 +103,7 @@ impl CourseOptions {
         })
     }
 
-    /// What may be preferred on a machine, as a help.
+    /// Help line with the preferences that a machine allows.
     pub(crate) fn preferences(machine: &str, axes: &[Axis]) -> String {
         let rotaries = axes.iter().filter(|axis| solved(axis));
         let all: Vec<String> =
@@ -115,13 +115,13 @@ impl CourseOptions {
     }
 }
 
-/// Where axes stay at the end.
+/// Park positions of the axes.
 pub(crate) const PARK: PerAxis<f64> = PerAxis {
     axes: AxisSet::All,
     section: false,
     read: |r, &AxisEntry { axis, value, .. }| {
         let position = along(r, axis, value, Bound::Any)?;
-        // Angles come from degrees: a limit itself must pass.
+        // Angles are converted from degrees: a position at the limit must pass.
         let slack = 1e-9;
         if let Some(limits) = r.travel_of(axis)
             && !(limits.lower - slack..=limits.upper + slack).contains(&position)
@@ -135,7 +135,7 @@ pub(crate) const PARK: PerAxis<f64> = PerAxis {
     schema: || json!({ "type": "number" }),
 };
 
-/// How endless axes roll over.
+/// Rollover of the words of endless axes.
 pub(crate) const WRAP: PerAxis<Wrap> = PerAxis {
     axes: AxisSet::All,
     section: true,
@@ -152,7 +152,7 @@ pub(crate) const WRAP: PerAxis<Wrap> = PerAxis {
     schema: || json!({ "enum": Wrap::NAMES.map(|(word, _)| word) }),
 };
 
-/// Steps that divide a turn.
+/// Steps of indexed axes; they divide a full turn.
 pub(crate) const GRID: PerAxis<f64> = PerAxis {
     axes: AxisSet::Solved,
     section: true,
@@ -170,7 +170,7 @@ pub(crate) const GRID: PerAxis<f64> = PerAxis {
     schema: || json!({ "type": "number", "exclusiveMinimum": 0 }),
 };
 
-/// Codes that switch clamps.
+/// Clamp codes.
 pub(crate) const CLAMP: PerAxis<ClampCodes> = PerAxis {
     axes: AxisSet::Solved,
     section: true,
@@ -200,7 +200,7 @@ fn clamp_codes(r: &mut KeyReader<'_>, entry: &AxisEntry<'_>) -> Option<ClampCode
     }
 }
 
-/// An M code, perhaps with parameters that move nothing.
+/// Reads an M code, with or without parameters P, Q, L and E.
 fn clamp_code(r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<String> {
     let code = r.line(value)?;
     let number = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
@@ -222,7 +222,7 @@ fn show_limits(axis: &Axis, limits: Limits, units: Units) -> String {
     }
 }
 
-/// Reads one geometry; what is wrong with it is told.
+/// Reads one geometry and reports its faults.
 fn geometry(r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<Clearance> {
     let entries = r.entries(value);
     let [(kind, span, value)] = &entries[..] else {

@@ -1,4 +1,4 @@
-//! Motion between cuts: rapids, transitions, the ways to the part and away from it.
+//! Options of motion between cuts: rapids, transitions, approach and retract.
 
 use crate::keys::{Assumed, Bound, Measure, OneOf, Truth, options};
 use crate::program::Clearance;
@@ -50,14 +50,14 @@ options! {
     }
 }
 
-/// How a rapid inside an operation is written that turns no rotary axis by more than the index angle.
+/// Output of a rapid inside an operation that rotates no rotary axis by more than the index angle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Rapid {
-    /// In one block; its path is the control's affair.
+    /// One block; the control decides the path.
     Direct,
-    /// Along the tool axis and across it in blocks of their own: out first, in last.
+    /// Two blocks, along the tool axis and across it: out first, in last.
     Split,
-    /// As a feed motion, on a path that is certified.
+    /// Feed motion on a certified path.
     Feed,
 }
 
@@ -65,12 +65,12 @@ impl Rapid {
     const NAMES: [(&'static str, Self); 3] = [("direct", Self::Direct), ("split", Self::Split), ("feed", Self::Feed)];
 }
 
-/// How to get from one operation to the next.
+/// Motion from one operation to the next.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Transition {
-    /// Retract, turn, approach.
+    /// Retract, rotate, approach.
     Safe,
-    /// As the CL data has it.
+    /// As in the CL data.
     Direct,
 }
 
@@ -78,12 +78,12 @@ impl Transition {
     const NAMES: [(&'static str, Self); 2] = [("safe", Self::Safe), ("direct", Self::Direct)];
 }
 
-/// How rotary axes are rewound where no course runs through.
+/// Rewind of the rotary axes where no course avoids it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Rewind {
-    /// The tool leaves the part along its axis, the rotaries turn, and it comes back.
+    /// The tool leaves the part along its axis, the rotary axes rotate, and the tool returns.
     Leave,
-    /// The linear axes follow: the tip stays in place, and the tool swings about it.
+    /// The rotary axes rotate in the cut: the tip stays in place, and the tool swings about it.
     Follow,
 }
 
@@ -92,7 +92,7 @@ impl Rewind {
 }
 
 impl Retract {
-    /// Machine coordinate of the retract axis where none is given, mm.
+    /// Default machine coordinate of the retract axis, mm.
     pub const POSITION_MM: f64 = 0.0;
 
     /// Machine coordinate of the retract axis, mm.

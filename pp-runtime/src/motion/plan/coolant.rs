@@ -1,4 +1,4 @@
-//! Coolant: what the CL data wants, what the configuration adds, and what has been written.
+//! Coolant: request of the CL data, defaults of the configuration, and the state as written.
 
 use std::io;
 
@@ -31,12 +31,12 @@ impl CoolantState {
         self.request = kind;
     }
 
-    /// Its state is unknown.
+    /// Forgets the state.
     pub(crate) fn forget(&mut self) {
         self.written = None;
     }
 
-    /// Brings the coolant to what is wanted.
+    /// Writes the requested state, unless it is in force.
     pub(crate) fn apply<S: Sink>(
         &mut self,
         tool: Option<LoadedTool>,
@@ -74,7 +74,7 @@ impl CoolantState {
         Ok(())
     }
 
-    /// Off, unless it is.
+    /// Writes coolant off, unless it is off.
     pub(crate) fn stop<S: Sink>(&mut self, output: &mut Output<S>) -> io::Result<()> {
         if self.written != Some(Kind::Off) {
             self.written = Some(Kind::Off);

@@ -1,26 +1,26 @@
-//! How far the CL data has led the tool out along its axis.
+//! Lead-out of the CL data: length by which its last motions led the tool out along its axis.
 
 use crate::kinematics::Pose;
 
-/// A motion within this angle of the tool axis leads along it, rad.
+/// Largest angle between the tool axis and a motion along it, rad.
 const ALONG: f64 = 1e-3;
 
-/// Motions shorter than this say nothing about a direction, mm.
+/// Motions shorter than this have no direction, mm.
 const SHORTEST: f64 = 1e-9;
 
-/// Running length of the last motions along +axis; one number, whatever came before.
+/// Running length of the last motions along the positive tool axis.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct LeadOut {
     length_mm: f64,
 }
 
 impl LeadOut {
-    /// mm along the tool axis since the last motion in any other direction.
+    /// Length along the tool axis since the last motion in any other direction, mm.
     pub(crate) fn length_mm(self) -> f64 {
         self.length_mm
     }
 
-    /// Follows one motion.
+    /// Takes one motion.
     #[inline]
     pub(crate) fn follow(&mut self, from: &Pose, to: &Pose) {
         if (to.axis.into_inner() - from.axis.into_inner()).norm_squared() > ALONG * ALONG {

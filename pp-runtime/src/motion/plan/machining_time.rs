@@ -1,55 +1,55 @@
-//! How long a program takes: at the programmed feeds and the largest axis speeds, without acceleration.
+//! Machining times: at the programmed feeds and the largest axis speeds, without acceleration.
 
 use crate::program::Location;
 
-/// Operations whose times are kept one by one.
+/// Largest number of operations with a time of their own.
 const MOST_OPERATIONS: usize = 200;
 
-/// Bytes of an operation's name that are kept.
+/// Largest length of an operation's name, bytes.
 const NAME_LENGTH: usize = 60;
 
-/// The time of one operation, minutes.
+/// Time of one operation.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct OperationTime {
-    /// As the CL data names it; empty if it does not.
+    /// Name in the CL data; empty without one.
     pub name: Vec<u8>,
-    /// Where it begins.
+    /// Location of its beginning.
     pub at: Location,
     /// Feed motions.
     pub cutting_min: f64,
-    /// Everything.
+    /// Feed motions, rapids and dwells.
     pub total_min: f64,
 }
 
-/// A turn of a rotary axis in the cut.
+/// Rotation of a rotary axis in a cut.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FastestRotation {
-    /// The axis.
+    /// Letter of the axis.
     pub letter: char,
-    /// rad/min.
+    /// Speed of the axis.
     pub rad_per_min: f64,
-    /// Where.
+    /// Location of the motion.
     pub at: Location,
 }
 
-/// Times of a program, minutes.
+/// Times of a program.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Times {
     /// Feed motions.
     pub cutting_min: f64,
     /// Rapids whose axes have known speeds.
     pub rapid_min: f64,
-    /// Waits.
+    /// Dwells.
     pub dwell_min: f64,
-    /// Rapids with an axis whose speed is not known: they count nothing.
+    /// Rapids with an axis of unknown speed; their time is not included.
     pub rapids_of_unknown_speed: u64,
     /// Blocks that are slower than programmed.
     pub slowed_blocks: u64,
-    /// By how much all of them together.
+    /// Time that these blocks lose together.
     pub slowed_min: f64,
-    /// Where the first of them is.
+    /// Location of the first of them.
     pub first_slowed: Location,
-    /// The fastest turn that the CL data asks for, before axis speeds slow it down.
+    /// Fastest rotation at the programmed feeds, before axis speeds limit it.
     pub fastest: Option<FastestRotation>,
     /// The first operations, in their order.
     pub operations: Vec<OperationTime>,
@@ -58,7 +58,7 @@ pub struct Times {
 }
 
 impl Times {
-    /// Everything together.
+    /// Time of the whole program, min.
     #[must_use]
     pub fn total_min(&self) -> f64 {
         self.cutting_min + self.rapid_min + self.dwell_min
@@ -79,7 +79,7 @@ impl Times {
         *self = Self { operations: last.into_iter().collect(), ..Self::default() };
     }
 
-    /// Drops operations in which nothing has happened.
+    /// Drops operations without motion.
     pub(crate) fn forget_empty(&mut self) {
         self.operations.retain(|operation| operation.total_min > 0.0);
     }

@@ -1,9 +1,8 @@
-//! The planner: items of the program into the steps of one machine.
+//! The planner: items of the program become the steps of one machine.
 //!
-//! What is to be done is decided here, motion by motion and record by record; [`Mover`] does it. Each part of the state has
-//! an owner: position (in the mover), tooling, spindle, coolant, clearance geometry, the course that is followed, cutter
-//! compensation, and the selection of operations. A fault gets the location of its item where the item is taken,
-//! [`Planner::take`], and nowhere below.
+//! Decides, motion by motion and record by record, what the machine does; [`Mover`] writes the motions. Each part of the
+//! state has one owner: position (in the mover), tooling, spindle, coolant, clearance geometry, course, cutter compensation,
+//! and the selection of operations. A fault gets the location of its item in [`Planner::take`] and nowhere else.
 
 mod abilities;
 mod arcs;
@@ -66,7 +65,7 @@ use tooling::Tooling;
 pub struct Planner<'a, S> {
     policy: Policy<'a>,
     abilities: &'a Abilities,
-    /// Every tool axis of the CL data points into the table, and that is to be refused.
+    /// Every tool axis of the CL data points into the table, and `table_check` refuses that.
     upside_down: bool,
     mover: Mover<'a, S>,
     tooling: Tooling,
@@ -78,7 +77,7 @@ pub struct Planner<'a, S> {
     selection: Selection,
 }
 
-/// A motion, and the one after it where its approach may depend on that.
+/// A motion, and the next one where the approach depends on it.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct MotionAndNext<'m> {
     motion: &'m Move,
@@ -86,8 +85,8 @@ pub(crate) struct MotionAndNext<'m> {
 }
 
 impl<'a, S: Sink> Planner<'a, S> {
-    /// A planner at the beginning of a program that is written to `sink` in `units`. `upside_down`: every tool axis of the
-    /// CL data points into the table.
+    /// Begins a program in `units` that is written to `sink`. `upside_down`: every tool axis of the CL data points into the
+    /// table.
     pub fn new(
         machine: Box<dyn AnyMachine>,
         policy: Policy<'a>,
@@ -126,39 +125,39 @@ impl<'a, S: Sink> Planner<'a, S> {
         self
     }
 
-    /// Knows which tool follows which.
+    /// Sets the order of the tools, for the preselection of the next one.
     #[must_use]
     pub fn with_tools(mut self, order: Vec<u32>) -> Self {
         self.tooling.know_order(order);
         self
     }
 
-    /// Switches clamps as a rehearsal of the same program has found.
+    /// Sets the result of a rehearsal of the same program, which decides where clamps are on.
     #[must_use]
     pub fn with_clamps(mut self, rehearsed: MovingAxes) -> Self {
         self.mover.set_rehearsed(rehearsed);
         self
     }
 
-    /// What a rehearsal has found.
+    /// Result of a rehearsal: the axes that move after each approach.
     #[must_use]
     pub fn rehearsed(self) -> MovingAxes {
         self.mover.into_rehearsed()
     }
 
-    /// What was met so far.
+    /// Statistics so far.
     #[must_use]
     pub fn statistics(&self) -> Statistics {
         *self.mover.output().statistics()
     }
 
-    /// How long what was planned so far takes.
+    /// Machining times so far.
     #[must_use]
     pub fn times(&self) -> &Times {
         self.mover.output().times()
     }
 
-    /// Takes the remarks that have come up since the last call.
+    /// Takes the remarks since the last call.
     pub fn take_warnings(&mut self) -> Vec<Diagnostic> {
         self.mover.output_mut().take_remarks()
     }
@@ -170,21 +169,21 @@ impl<'a, S: Sink> Planner<'a, S> {
         self.mover.output().has_remarks()
     }
 
-    /// Linear axes whose limits could not be compared: letter and why.
+    /// Linear axes whose limits could not be checked: letter and reason.
     #[must_use]
     pub fn unchecked_axes(&self) -> Vec<(char, &'static str)> {
         self.mover.placer().unchecked_axes()
     }
 
-    /// What the steps are written to.
+    /// The sink of the steps.
     pub fn sink(&mut self) -> &mut S {
         self.mover.output_mut().sink()
     }
 
-    /// Ends the program after its last record; the end code itself is left to the caller.
+    /// Ends the program after its last record; the caller writes the end code.
     ///
     /// # Errors
-    /// [`PlanningError`] if there is no way to retract, or the output fails.
+    /// [`PlanningError`] if the tool cannot retract, or the output fails.
     pub fn finish(&mut self, at: Location) -> Result<(), PlanningError> {
         self.end(at).map_err(|halt| halt.at(at))
     }
@@ -211,7 +210,7 @@ impl<'a, S: Sink> Planner<'a, S> {
         self.start(ahead, index.operation, planned)
     }
 
-    /// What must be true before the tool moves to a point of the CL data.
+    /// Checks tool, spindle, feed and floor before the tool moves to a point of the CL data.
     #[inline]
     fn check_state(&self, motion: &Move) -> Result<(), Fault> {
         if let Some(floor) = self.policy.options.guards.floor_mm
@@ -256,7 +255,7 @@ impl<'a, S: Sink> Planner<'a, S> {
         Ok(())
     }
 
-    /// The feed of a motion, mm/min.
+    /// Feed of a motion, mm/min.
     #[inline]
     fn rate(&self, feed: Option<program::Feed>) -> Result<f64, Fault> {
         let feed = feed.ok_or_else(|| Fault::new("a feed motion without feed"))?;
@@ -272,7 +271,7 @@ impl<'a, S: Sink> Planner<'a, S> {
         self.go(ahead, planned)
     }
 
-    /// A motion inside an operation of which the course has been asked.
+    /// A motion inside an operation, after the changes of its course.
     #[inline]
     fn go(&mut self, ahead: MotionAndNext<'_>, planned: Option<TurnTarget>) -> Planned {
         let motion = ahead.motion;
@@ -298,7 +297,7 @@ impl<'a, S: Sink> Planner<'a, S> {
         Ok(())
     }
 
-    /// Does what the course has before a motion begins, and gives the words in which it ends if the course has these, too.
+    /// Makes the course changes before a motion and returns the rotary words at its end, if the course has set them.
     #[inline]
     fn apply_course_changes(&mut self, motion: &Move, index: MotionIndex) -> Result<Option<TurnTarget>, ItemError> {
         let (from, towards, mut planned) = (self.mover.position().pose(), self.course.take_towards(), None);
@@ -319,7 +318,7 @@ impl<'a, S: Sink> Planner<'a, S> {
         Ok(planned)
     }
 
-    /// A cut on the path of a motion, to a pose that the CL data does not name.
+    /// Cuts along the path of a motion to a pose that is not in the CL data.
     fn cut_to(&mut self, motion: &Move, pose: Pose, words: Turns) -> Planned {
         let place = self.mover.place(&pose, true, Some(TurnTarget { words, towards: None }))?;
         let turned = place.words != self.mover.here().words;
@@ -349,7 +348,7 @@ impl<'a, S: Sink> Planner<'a, S> {
     }
 }
 
-/// ROTABL/NEXT before a motion that cannot follow it; `air`: the tool is out of the part.
+/// Fault: ROTABL/NEXT before a motion that cannot rotate in that sense. `air`: the tool is out of the part.
 #[cold]
 fn sense_refused(air: bool) -> Fault {
     Fault::new(match air {

@@ -1,8 +1,8 @@
-//! The proof of the kinematics at the machine: the tip stays on one point of the part while the rotary axes sweep their
-//! travel, one after the other.
+//! Proof program: shows the kinematics at the machine. The tip stays on one point of the part while the rotary axes sweep
+//! their travel, one after the other.
 //!
-//! Nothing of CL data is in it: rotary words run from end to end, and the linear axes follow as they do in every feed
-//! motion, certified within `tolerance`. What a chain, a sign, a pivot or a length is off moves the tip.
+//! Uses no CL data: rotary words run from end to end, and the linear axes follow as in every feed motion, certified within
+//! `tolerance`. An error in chain, signs, pivots or lengths moves the tip.
 
 use nalgebra::Point3;
 
@@ -18,16 +18,16 @@ use crate::motion::source::Next;
 use crate::motion::step::BlockReason;
 use crate::motion::step::{Sink, Step};
 
-/// mm/min on the way to the point.
+/// Feed to the point, mm/min.
 const FEED: f64 = 300.0;
 
-/// The spindle of a dry run turns on paper only, rev/min.
+/// Spindle speed of the dry run, never written, rev/min.
 const SPEED: f64 = 1.0;
 
-/// One sweep: from one stop to the next only the named axis turns.
+/// One sweep: from one stop to the next only one axis rotates.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sweep {
-    /// What turns, and where the other axis stands.
+    /// Name with the axis that rotates and the angle of the other one.
     pub name: String,
     stops: Vec<Turns>,
 }
@@ -38,16 +38,16 @@ pub struct ProofProgram<'p, 'a, S> {
 }
 
 impl<'p, 'a, S: Sink> ProofProgram<'p, 'a, S> {
-    /// The proof program that a planner is to write; nothing else is planned with it.
+    /// Begins a proof program; the planner must not plan anything else.
     pub fn new(planner: &'p mut Planner<'a, S>) -> Self {
         Self { planner }
     }
 
-    /// The sweeps of a machine: each rotary axis with the other at zero or as near to it as its travel allows, and the
+    /// The sweeps of a machine: each rotary axis with the other at zero or as near to zero as its travel allows, and the
     /// first once more with the second at the end of its travel.
     ///
     /// # Errors
-    /// [`PlanningError`] if an axis cannot be swept: its travel is not known, or it stands on steps.
+    /// [`PlanningError`] if an axis cannot be swept: its travel is unknown, or it is indexed.
     pub fn sweeps(&self) -> Result<Vec<Sweep>, PlanningError> {
         let rotaries = self.planner.mover.placer().rotaries();
         let mut rest = [0; 2];
@@ -60,7 +60,7 @@ impl<'p, 'a, S: Sink> ProofProgram<'p, 'a, S> {
         }
         if let [_, second] = rotaries[..] {
             let ends = self.ends(second, rest[1])?;
-            // A turn ends where it began: half of it is as far as it goes.
+            // A full turn ends where it began: half a turn is the farthest position.
             let far = match second.endless() {
                 true => rest[1] + self.planner.mover.placer().scale().turn / 2,
                 false => ends.into_iter().max_by_key(|end| (end - rest[1]).abs()).unwrap_or(rest[1]),
@@ -91,7 +91,7 @@ impl<'p, 'a, S: Sink> ProofProgram<'p, 'a, S> {
         Ok(Sweep { name, stops })
     }
 
-    /// The ends of an axis, one after the other; of an endless one a turn on.
+    /// Ends of the sweep of an axis; for an endless axis one full turn from rest.
     fn ends(&self, rotary: Rotary, rest: i64) -> Result<Vec<i64>, PlanningError> {
         let axis = &self.planner.mover.placer().chain()[rotary.index];
         let letter = axis.letter;
@@ -111,7 +111,7 @@ impl<'p, 'a, S: Sink> ProofProgram<'p, 'a, S> {
         }
     }
 
-    /// Plans the proof with a tool at a point of the part, mm; the end code is left to the caller.
+    /// Plans the proof with a tool at a point of the part, mm; the caller writes the end code.
     ///
     /// # Errors
     /// [`PlanningError`] if a point of it cannot be reached, or the output fails.
@@ -145,7 +145,7 @@ impl<'p, 'a, S: Sink> ProofProgram<'p, 'a, S> {
         self.lead_out()
     }
 
-    /// Turns to some words with the tip in place. As in a rewind the tool swings about it: its axis is not held to a path.
+    /// Rotates to some words with the tip in place. As in a rewind, the tool axis is not held to a path.
     fn sweep_to(&mut self, words: &Turns) -> Planned {
         let mover = &mut self.planner.mover;
         let place = mover.placer().with_turns(&mover.position().pose(), mover.here(), words)?;

@@ -1,4 +1,4 @@
-//! Records that are no motions: what each changes, and what it asks of the machine.
+//! Records without motion: the state that each changes, and the steps that it needs.
 
 use std::ops::RangeInclusive;
 
@@ -11,17 +11,17 @@ use crate::motion::plan::tool::LoadedTool;
 use crate::motion::step::BlockReason;
 use crate::motion::step::{Sink, Step};
 
-/// A wait that three decimals hold, and that somebody may want, seconds.
+/// Dwells that can be written with three decimals, s.
 const DWELL: RangeInclusive<f64> = 0.001..=99_999.0;
 
-/// Plans a record that is no motion; `between`: it comes between two operations and speaks of the second.
+/// Plans a record without motion; `between`: it comes between two operations and belongs to the second.
 #[cold]
 pub(crate) fn record<S: Sink>(planner: &mut Planner<'_, S>, event: &Event<'_>, between: bool) -> Planned {
     planner.cutter.check_record(event)?;
     Records { planner, between }.take(event)
 }
 
-/// DELAY, and the wait at the bottom of a hole.
+/// Writes a dwell: DELAY, or that at the bottom of a hole.
 pub(crate) fn delay<S: Sink>(planner: &mut Planner<'_, S>, dwell: Dwell) -> Planned {
     let seconds = planner.spindle.seconds(dwell)?;
     if seconds <= 0.0 {
@@ -91,7 +91,7 @@ impl<S: Sink> Records<'_, '_, S> {
         }
     }
 
-    /// A record between two operations that speaks of the second.
+    /// Writes the step of a record between two operations that belongs to the second.
     fn announce(&mut self, step: &Step<'_>) -> Planned {
         let (next, now) = (self.planner.selection.next_is_written(), self.planner.selection.is_written());
         let output = self.planner.mover.output_mut();
@@ -101,7 +101,7 @@ impl<S: Sink> Records<'_, '_, S> {
         Ok(())
     }
 
-    /// The tool leaves the part before what the record asks for.
+    /// The tool leaves the part before the step of the record.
     fn leave(&mut self) -> Planned {
         self.planner.leave()?;
         self.planner.mover.output_mut().set_reason(BlockReason::Record);
@@ -131,7 +131,7 @@ impl<S: Sink> Records<'_, '_, S> {
         Ok(())
     }
 
-    /// The tool of a record; what is odd about a tool is reported once.
+    /// The tool of a record; remarks on a tool are made at its first call only.
     fn resolve(&mut self, call: &ToolCall) -> Result<LoadedTool, Fault> {
         let planner = &mut *self.planner;
         let before = planner.tooling.called_before(call.number);
@@ -153,7 +153,7 @@ impl<S: Sink> Records<'_, '_, S> {
     fn stop(&mut self, optional: bool) -> Planned {
         let planner = &mut *self.planner;
         let retract = planner.policy.options.stop_retract;
-        // After the stop the retract axis goes up from wherever the tool is: a tilted tool is led out before.
+        // After the stop the retract axis moves from the position of the tool, so a tilted tool is led out before.
         if retract || !planner.mover.placer().straight() {
             planner.leave()?;
         }
@@ -194,7 +194,7 @@ impl<S: Sink> Records<'_, '_, S> {
         Ok(())
     }
 
-    /// A block as it is given: where the machine is after it, and in which state, is unknown.
+    /// Writes a block of the CL data unchanged; after it position and state of the machine are unknown.
     fn raw(&mut self, text: &[u8]) -> Planned {
         if self.planner.policy.options.lift_mm.is_some() {
             let fault =
@@ -250,7 +250,7 @@ impl<S: Sink> Records<'_, '_, S> {
         };
         self.leave()?;
         self.planner.mover.position_mut().forget();
-        // It was given in the other frame.
+        // CLEARP was given in the other frame.
         self.planner.clearance.change_frame();
         Ok(self.planner.mover.output_mut().step(&Step::WorkOffset { word })?)
     }

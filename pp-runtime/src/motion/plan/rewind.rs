@@ -1,5 +1,5 @@
-//! Rewinding: where no course of the rotary axes runs through, the tool leaves the part, the axes turn, and it comes back to
-//! the same pose; or the tip stays in place while they turn.
+//! Rewinding, where no course of the rotary axes stays within their limits: the tool leaves the part, the axes rotate, and it
+//! returns to the same pose; or the tip stays in place while they rotate.
 
 use crate::motion::options::Rewind;
 use crate::program::Move;
@@ -11,7 +11,7 @@ use crate::motion::rotary::{TurnTarget, Turns};
 use crate::motion::step::BlockReason;
 use crate::motion::step::Sink;
 
-/// Rewinds as the configuration says, before a motion.
+/// Rewinds as configured by `retract.rewind`, before a motion.
 #[cold]
 pub(crate) fn rewind<S: Sink>(planner: &mut Planner<'_, S>, motion: &Move, words: Turns) -> Planned {
     let why = reason(planner);
@@ -33,7 +33,7 @@ pub(crate) fn rewind<S: Sink>(planner: &mut Planner<'_, S>, motion: &Move, words
     Ok(())
 }
 
-/// Out along the tool axis, machine retract, rotaries, back along the tool axis, and at feed to where the tool was.
+/// Out along the tool axis, machine retract, rotary axes, approach, and back along the tool axis at feed.
 fn rewind_out_of_part<S: Sink>(planner: &mut Planner<'_, S>, motion: &Move, words: Turns, why: &str) -> Planned {
     let here = *planner.mover.here();
     let out = planner.clearance.retract_distance_mm(&here.pose);
@@ -66,7 +66,7 @@ fn rewind_out_of_part<S: Sink>(planner: &mut Planner<'_, S>, motion: &Move, word
     Ok(())
 }
 
-/// The rotary axes turn while the linear axes follow: the tip stays where it is, and the tool swings about it.
+/// The rotary axes rotate while the linear axes follow: the tip stays in place, and the tool swings about it.
 fn rewind_in_place<S: Sink>(planner: &mut Planner<'_, S>, motion: &Move, words: Turns) -> Planned {
     let pose = planner.mover.position().pose();
     let turned = planner.mover.place(&pose, false, Some(TurnTarget { words, towards: None }))?;
@@ -77,7 +77,7 @@ fn rewind_in_place<S: Sink>(planner: &mut Planner<'_, S>, motion: &Move, words: 
     Ok(())
 }
 
-/// Limits of the rotary axes, in words.
+/// Reason for the rewind, with the limits of the rotary axes.
 fn reason<S: Sink>(planner: &Planner<'_, S>) -> String {
     let placer = planner.mover.placer();
     let limited = placer.rotaries().iter().filter(|rotary| !rotary.endless());

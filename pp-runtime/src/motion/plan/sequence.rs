@@ -1,4 +1,4 @@
-//! The safe sequence: how the tool gets from one cut to the next, one step per block.
+//! The safe sequence from one cut to the next, one step per block.
 //!
 //! 1. coolant off, inverse time cancelled;
 //! 2. out along the tool axis, then the retract axis to its machine position;
@@ -9,8 +9,8 @@
 //! 7. coolant on;
 //! 8. along the tool axis to the first point.
 //!
-//! "Out" and "in" are along the tool axis. Where the machine is, is never assumed at program start, after a tool change or
-//! after a stop.
+//! "Out" and "in" are along the tool axis. At program start, after a tool change and after a stop the position of the machine
+//! is unknown.
 
 use crate::kinematics::Pose;
 use crate::motion::options::Transition;
@@ -25,10 +25,10 @@ use crate::motion::source::Next;
 use crate::motion::step::BlockReason;
 use crate::motion::step::{Sink, Step};
 
-/// A point this near to a line lies on it, mm.
+/// Largest distance of a point that lies on a line, mm.
 const ON_LINE: f64 = 0.001;
 
-/// A retreat that falls short by less than this is long enough, mm.
+/// A retract that is shorter by less than this is long enough, mm.
 const ENOUGH: f64 = 1e-6;
 
 impl<S: Sink> Planner<'_, S> {
@@ -73,7 +73,7 @@ impl<S: Sink> Planner<'_, S> {
         Ok(())
     }
 
-    /// Remarks that the CL data leads the tool out by less than the approach comes in.
+    /// Adds a remark where the CL data leads the tool out by less than the approach distance.
     fn check_lead_out(&mut self, led_out: f64) {
         let wanted = self.policy.options.approach.distance_mm;
         if led_out + ENOUGH < wanted {
@@ -86,8 +86,8 @@ impl<S: Sink> Planner<'_, S> {
         }
     }
 
-    /// The operation of this number begins. True if it is the first that is written although it is not the first of the
-    /// program: whoever begins there knows nothing of what came before.
+    /// Begins the operation of this number. Returns true if it is the first that is written and not the first of the program:
+    /// the state of the machine is unknown there.
     fn begin_operation(&mut self, number: u64) -> Result<bool, crate::motion::plan::ItemError> {
         let opening = self.selection.begin(number);
         if opening.ends {
@@ -107,7 +107,7 @@ impl<S: Sink> Planner<'_, S> {
         Ok(opening.enters)
     }
 
-    /// The first motion of an operation, with everything before it.
+    /// The first motion of an operation, with the safe sequence before it.
     pub(crate) fn start(&mut self, ahead: MotionAndNext<'_>, operation: u64, planned: Option<TurnTarget>) -> Planned {
         let enters = self.begin_operation(operation)?;
         if self.selection.is_over() {
@@ -124,13 +124,13 @@ impl<S: Sink> Planner<'_, S> {
             && self.mover.restarts() > 0
             && !enters
         {
-            // What the safety line cancels must not move the tool down, or turn it in the part.
+            // Codes of the safety line must not move the tool down, or rotate it in the part.
             self.mover.machine_retract()?;
         }
-        // A complete state, the retract included: the program can be entered here.
+        // The program can be entered here, so the state is complete, with the retract.
         self.mover.restart()?;
         self.mover.position_mut().forget_retract();
-        // Whoever enters here has seen nothing of what came before.
+        // Where the program is entered here, the state of the coolant is unknown.
         self.coolant.forget();
         self.stop_coolant()?;
         self.mover.machine_retract()?;
@@ -144,10 +144,10 @@ impl<S: Sink> Planner<'_, S> {
         self.approach(ahead, planned)
     }
 
-    /// Step 3 but for the spindle.
+    /// Step 3 without the spindle.
     fn load_tool(&mut self, tool: LoadedTool, change: bool) -> Planned {
         self.tooling.load(tool, change);
-        self.mover.set_gauge_length(tool.length);
+        self.mover.set_gauge_length(tool.length_mm);
         let given = self.policy.set_up.tools.get(&tool.number);
         let spindle = self.spindle.requested().resolve(given, self.policy)?;
         self.mover.output_mut().step(&Step::Tool {
@@ -169,15 +169,15 @@ impl<S: Sink> Planner<'_, S> {
         self.mover.output_mut().step(&Step::Length { offset: tool.offset })?;
         let guarded = self.policy.options.guards.length_guard.unwrap_or(self.mover.placer().needs_length().is_some());
         let label = self.mover.restarts();
-        if let Some(length) = tool.length.filter(|_| guarded) {
+        if let Some(length) = tool.length_mm.filter(|_| guarded) {
             let (tolerance, offset, tool) = (self.policy.options.guards.length_tolerance_mm, tool.offset, tool.number);
             self.mover.output_mut().step(&Step::LengthGuard { label, tool, offset, length, tolerance })?;
         }
         Ok(())
     }
 
-    /// What an operation that goes on where the last one ended wants before the tool moves: the course may have something
-    /// to cut before its first motion.
+    /// Spindle and coolant of an operation that continues from the end of the last one: course changes may cut before its
+    /// first motion.
     pub(crate) fn prepare_directly(&mut self, first: &Move) -> Planned {
         self.apply_spindle(false)?;
         self.stop_spindle()?;
@@ -185,7 +185,7 @@ impl<S: Sink> Planner<'_, S> {
         self.apply_coolant()
     }
 
-    /// An operation that goes on where the last one ended, because the configuration wants it so.
+    /// The first motion of an operation that continues from the end of the last one (`transition = "direct"`).
     fn start_directly(&mut self, ahead: MotionAndNext<'_>, planned: Option<TurnTarget>) -> Planned {
         let first = ahead.motion;
         let place = self.mover.place(&first.pose, !first.rapid, planned)?;
@@ -206,7 +206,7 @@ impl<S: Sink> Planner<'_, S> {
         Ok(())
     }
 
-    /// A rapid that turns the table or the head.
+    /// A rapid that rotates the table or the head.
     pub(crate) fn index(&mut self, ahead: MotionAndNext<'_>, planned: Option<TurnTarget>) -> Planned {
         self.leave()?;
         self.mover.output_mut().set_reason(BlockReason::Approach);

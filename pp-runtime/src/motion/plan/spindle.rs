@@ -1,4 +1,4 @@
-//! The spindle: what the CL data wants, what the configuration adds, and what has been written.
+//! The spindle: request of the CL data, defaults of the configuration, and the state as written.
 
 use std::io;
 
@@ -14,9 +14,9 @@ use crate::motion::step::{Sink, Step};
 #[derive(Debug, Clone, Default)]
 pub(crate) struct SpindleState {
     request: SpindleRequest,
-    /// What SPINDL has programmed since the last operation.
+    /// Request of SPINDL since the last operation.
     between: SpindleRequest,
-    /// Speed in rev/min and sense of rotation as written; `None` if it is off or unknown.
+    /// Speed in rev/min and sense of rotation as written; `None` if off or unknown.
     running: Option<(f64, Rotation)>,
     /// SPINDL/OFF came after the last motion: written before the next, or when the tool is out of the part.
     stop_pending: bool,
@@ -25,7 +25,7 @@ pub(crate) struct SpindleState {
 }
 
 impl SpindleState {
-    /// SPINDL; `between`: two operations.
+    /// SPINDL; `between`: it comes between two operations.
     pub(crate) fn request(&mut self, command: Command, between: bool) {
         self.request.take(command);
         if between {
@@ -33,10 +33,10 @@ impl SpindleState {
         }
     }
 
-    /// Another tool is called: the speed of one is not the speed of the other. What was programmed since the last operation
-    /// is `meant` for the first tool that is called there.
-    pub(crate) fn change_tool(&mut self, meant: bool) {
-        self.request = if meant { self.between } else { SpindleRequest::default() };
+    /// Another tool is called; it does not take over the speed of the last one. A request since the last operation belongs to
+    /// the `first` tool called after it.
+    pub(crate) fn change_tool(&mut self, first: bool) {
+        self.request = if first { self.between } else { SpindleRequest::default() };
     }
 
     /// An operation begins.
@@ -44,12 +44,12 @@ impl SpindleState {
         self.between = SpindleRequest::default();
     }
 
-    /// What the CL data has asked for.
+    /// Request of the CL data.
     pub(crate) fn requested(&self) -> &SpindleRequest {
         &self.request
     }
 
-    /// SPINDL/OFF was the last word.
+    /// Whether the last SPINDL was SPINDL/OFF.
     pub(crate) fn is_off_requested(&self) -> bool {
         self.request.off
     }
@@ -60,34 +60,34 @@ impl SpindleState {
         self.running
     }
 
-    /// rev/min, where the spindle is known to be on.
+    /// Speed in rev/min, where the spindle is known to be on.
     #[inline]
     pub(crate) fn speed(&self) -> Option<f64> {
         self.running.map(|(speed, _)| speed)
     }
 
-    /// Its state is unknown.
+    /// Forgets the state.
     pub(crate) fn forget(&mut self) {
         self.running = None;
     }
 
-    /// Its state is unknown, and nothing waits to stop it.
+    /// Forgets the state and a pending stop.
     pub(crate) fn reset(&mut self) {
         self.running = None;
         self.stop_pending = false;
     }
 
-    /// A cycle has been run that stops it, or not.
+    /// A tapping cycle has been written; `stops`: the spindle is off after it.
     pub(crate) fn note_thread(&mut self, stops: bool) {
         self.stopped_by_cycle = stops;
     }
 
-    /// Whether a cycle has stopped it since it was turned on.
+    /// Whether a cycle has stopped the spindle since it was switched on.
     pub(crate) fn take_stopped_by_cycle(&mut self) -> bool {
         std::mem::take(&mut self.stopped_by_cycle)
     }
 
-    /// Brings the spindle to what is wanted; `again`: even if it is so already.
+    /// Writes the requested state; `again`: even if it is in force.
     pub(crate) fn apply<S: Sink>(
         &mut self,
         again: bool,
@@ -97,14 +97,14 @@ impl SpindleState {
     ) -> Planned {
         let given = tool.and_then(|tool| policy.set_up.tools.get(&tool.number));
         let Some((speed, rotation)) = self.request.resolve(given, policy)? else {
-            // In the part the tool does not stop: see `stop_if_pending`.
+            // The spindle does not stop in the part: see `stop_if_pending`.
             self.stop_pending |= self.running.is_some();
             return Ok(());
         };
         self.stop_pending = false;
         let wanted = Some((speed.value(), rotation));
         if policy.options.lift_mm.is_some() {
-            // In a dry run the spindle is on on paper only; whoever enters here makes sure that it is off.
+            // In a dry run the spindle is on only for the planner; a restart writes that it is off.
             self.running = wanted;
             return if again { Ok(output.step(&Step::SpindleOff)?) } else { Ok(()) };
         }
@@ -120,19 +120,19 @@ impl SpindleState {
         Ok(())
     }
 
-    /// Stops the spindle, if that is what the CL data wanted after its last motion.
+    /// Stops the spindle, if SPINDL/OFF came after the last motion.
     #[inline]
     pub(crate) fn stop_if_pending<S: Sink>(&mut self, output: &mut Output<S>) -> io::Result<()> {
         if self.stop_pending { self.stop(output) } else { Ok(()) }
     }
 
-    /// Off.
+    /// Stops the spindle.
     pub(crate) fn stop<S: Sink>(&mut self, output: &mut Output<S>) -> io::Result<()> {
         self.reset();
         output.step(&Step::SpindleOff)
     }
 
-    /// A dwell in seconds.
+    /// Duration of a dwell, s.
     pub(crate) fn seconds(&self, dwell: Dwell) -> Result<f64, Fault> {
         match (dwell, self.speed()) {
             (Dwell::Seconds(seconds), _) => Ok(seconds),

@@ -1,8 +1,8 @@
-//! The mover: the only one that moves the machine. It knows where the axes are, puts poses into words, and writes each
-//! motion as the blocks it takes.
+//! The mover: holds the position of the axes, computes the words of poses, and writes each motion in one or more blocks.
+//! Nothing else moves the machine.
 //!
-//! What is to be done next is decided by the [`Planner`](crate::motion::plan::Planner); how an axis gets there is decided here: rounding,
-//! linearisation, feed, words within a turn, limits, clamps, and the frame of the control.
+//! The [`Planner`](crate::motion::plan::Planner) decides the next motion. Decided here are rounding, linearisation, feed,
+//! rollover, limits, clamps, and the frame of the control.
 
 mod retract;
 
@@ -33,7 +33,7 @@ pub(crate) struct Mover<'a, S> {
     feeds: Feeds,
     speller: Speller,
     clamps: Clamps,
-    /// How far feed motions may be left.
+    /// Tolerances of feed motions.
     tolerance: Tolerance,
     position: Position,
     output: Output<S>,
@@ -64,28 +64,28 @@ impl<'a, S: Sink> Mover<'a, S> {
         }
     }
 
-    /// Poses into words.
+    /// The placer: computes words for poses.
     #[inline]
     pub(crate) fn placer(&self) -> &Placer {
         &self.placer
     }
 
-    /// How fast blocks run.
+    /// The computation of F words.
     pub(crate) fn feeds(&self) -> &Feeds {
         &self.feeds
     }
 
-    /// How far feed motions may be left.
+    /// Tolerances of feed motions.
     pub(crate) fn tolerance(&self) -> Tolerance {
         self.tolerance
     }
 
-    /// LINTOL: how far the tip may leave its path, mm.
+    /// LINTOL: largest deviation of the tip from its path, mm.
     pub(crate) fn set_tip_tolerance(&mut self, tip: f64) {
         self.tolerance.tip = tip;
     }
 
-    /// Where the axes are.
+    /// Position of the machine.
     #[inline]
     pub(crate) fn position(&self) -> &Position {
         &self.position
@@ -96,7 +96,7 @@ impl<'a, S: Sink> Mover<'a, S> {
         &mut self.position
     }
 
-    /// The place of the axes.
+    /// Present place of the axes.
     #[inline]
     pub(crate) fn here(&self) -> &Place {
         self.position.place()
@@ -117,28 +117,28 @@ impl<'a, S: Sink> Mover<'a, S> {
         self.restarts
     }
 
-    /// A tool of this gauge length, mm, if it is known, is in the spindle.
+    /// Sets the gauge length of the tool in the spindle, mm, if known.
     pub(crate) fn set_gauge_length(&mut self, length: Option<f64>) {
         self.placer.set_gauge_length(length);
     }
 
-    /// Clamps are switched as a rehearsal of the same program has found.
+    /// Sets the result of a rehearsal of the same program, which decides where clamps are on.
     pub(crate) fn set_rehearsed(&mut self, rehearsed: MovingAxes) {
         self.clamps.set_rehearsed(rehearsed);
     }
 
-    /// What a rehearsal has found.
+    /// Result of a rehearsal: the axes that move after each approach.
     pub(crate) fn into_rehearsed(self) -> MovingAxes {
         self.clamps.into_seen()
     }
 
-    /// FROM: before the first motion it says where the rotaries count from.
+    /// FROM: before the first motion, the position from which the rotary axes count.
     pub(crate) fn count_from(&mut self, pose: &Pose) {
         let placer = &self.placer;
         self.position.count_from(|from| placer.reference(pose, from));
     }
 
-    /// The place of a pose from where the axes are: see [`Placer::place`].
+    /// The place of a pose, reached from the present place: see [`Placer::place`].
     #[inline]
     pub(crate) fn place(&mut self, pose: &Pose, feed: bool, planned: Option<TurnTarget>) -> Result<Place, Fault> {
         self.placer.place(pose, self.position.place(), feed, planned)
@@ -149,37 +149,37 @@ impl<'a, S: Sink> Mover<'a, S> {
         self.placer.shifted(tip, at)
     }
 
-    /// The axes whose words a block inside an operation may hold: in a tilted plane the control has turned the others.
+    /// Axes whose words a block inside an operation may have: in a tilted plane the control positions the rotary axes.
     #[inline]
     pub(crate) fn block_axes(&self) -> u16 {
         let rotary = if self.policy.options.mode == Mode::Plane { 0 } else { self.placer.rotary_mask() };
         self.placer.linear_mask() | rotary
     }
 
-    /// Whether any rotary axis turns on the way to a place.
+    /// Whether any rotary axis rotates in a motion to a place.
     #[inline]
     pub(crate) fn rotates(&self, to: &Place) -> bool {
         self.placer.rotary_travel(&self.here().words, &to.words) > 0.0
     }
 
-    /// Whether a motion turns a rotary axis by more than the index angle.
+    /// Whether a motion rotates a rotary axis by more than the index angle.
     pub(crate) fn indexes(&self, to: &Place) -> bool {
         self.placer.rotary_travel(&self.here().words, &to.words) > self.policy.options.rapids.index_angle_rad + 1e-9
     }
 
-    /// Whether rotary axes would turn while the plane is tilted.
+    /// Whether rotary axes would rotate while the plane is tilted.
     #[inline]
     pub(crate) fn leaves_plane(&self, to: &Place) -> bool {
         self.policy.options.mode == Mode::Plane && self.rotates(to)
     }
 
-    /// A block of an operation goes from here to a place: clamps of axes that turn have to be off.
+    /// Notes which axes rotate in a block to a place: their clamps must be off.
     #[inline]
     pub(crate) fn note_rotation(&mut self, to: &Place) {
         self.clamps.note(&self.position.place().words, &to.words);
     }
 
-    /// How fast a motion at `rate` mm/min runs from here to a place.
+    /// F word and time of a motion at `rate` mm/min to a place.
     #[inline]
     fn pace(&self, rate: f64, to: &Place) -> Result<Pace, Fault> {
         let from = self.here();
@@ -196,7 +196,7 @@ impl<'a, S: Sink> Mover<'a, S> {
         self.feeds.pace(rate, motion)
     }
 
-    /// A feed motion from here at `rate` mm/min; where it ends is left to the caller.
+    /// Writes a feed motion to a place at `rate` mm/min; the caller sets the position.
     #[inline]
     pub(crate) fn feed_to(&mut self, place: &Place, rate: f64) -> Planned {
         if !self.rotates(place) {
@@ -208,14 +208,14 @@ impl<'a, S: Sink> Mover<'a, S> {
         self.feed_in_pieces(place, rate, self.tolerance)
     }
 
-    /// A feed motion in one block.
+    /// Writes a feed motion in one block.
     #[inline]
     pub(crate) fn feed_block(&mut self, place: &Place, rate: f64) -> Planned {
         let pace = self.pace(rate, place)?;
         self.write_feed(place, &pace, None)
     }
 
-    /// A feed motion that turns a rotary axis: as many blocks as it takes for tip and tool axis to stay within tolerance.
+    /// Writes a feed motion with rotation of an axis in as many blocks as keep tip and tool axis within tolerance.
     pub(crate) fn feed_in_pieces(&mut self, place: &Place, rate: f64, tolerance: Tolerance) -> Planned {
         let mut pieces = Linearised::new(self.here(), place, tolerance);
         let mut blocks = 0;
@@ -247,14 +247,14 @@ impl<'a, S: Sink> Mover<'a, S> {
         Ok(self.output.move_step(&Step::Feed { words, feed: pace.feed }, reached, inserted)?)
     }
 
-    /// Writes a step that the control turns into a motion at a pace, and that ends at a place.
+    /// Writes an arc or a cycle that ends at a place.
     pub(crate) fn write_motion(&mut self, step: &Step<'_>, place: &Place) -> io::Result<()> {
         let reached = self.placer.standing_at(place);
         self.output.move_step(step, reached, None)
     }
 
-    /// A rapid inside an operation, as the configuration wants it written; one that turns a rotary axis by more than the
-    /// index angle is no such rapid, and no path leads to where the course turns it.
+    /// Writes a rapid inside an operation as configured by `rapid`. Always one block where a rotary axis rotates by more than
+    /// the index angle: the course of such a rapid is no path that could be followed at feed.
     pub(crate) fn rapid_as_configured(&mut self, motion: &Move, place: &Place) -> Planned {
         self.note_rotation(place);
         match (self.policy.options.rapids.rapid, self.policy.options.rapids.rapid_feed_mm_per_min) {
@@ -269,7 +269,7 @@ impl<'a, S: Sink> Mover<'a, S> {
         self.rapid(place, self.block_axes())
     }
 
-    /// The first leg of a rapid in two: along the tool axis out, or across before it goes in.
+    /// Writes the first block of a rapid in two: out along the tool axis, or across before the motion in.
     fn split_rapid(&mut self, motion: &Move, place: &Place) -> Planned {
         let here = *self.here();
         let step = motion.pose.tip - here.pose.tip;
@@ -288,22 +288,22 @@ impl<'a, S: Sink> Mover<'a, S> {
         Ok(())
     }
 
-    /// A rapid to a place; the axes that are not in the mask are there.
+    /// Writes a rapid to a place; axes that are not in the mask are there already.
     pub(crate) fn rapid(&mut self, to: &Place, mask: u16) -> Planned {
         self.rapid_words(to, mask, self.placer.standing_at(to), None)
     }
 
-    /// A rapid of some axes alone.
+    /// Writes a rapid of the axes in the mask; the others have not arrived.
     pub(crate) fn rapid_alone(&mut self, to: &Place, mask: u16) -> Planned {
         self.rapid_words(to, mask, ReachedPosition { pose: None, mask, ..self.placer.standing_at(to) }, None)
     }
 
-    /// A rapid of the linear axes to a place, which is left to the caller.
+    /// Writes a rapid of the linear axes to a place; the caller sets the position.
     pub(crate) fn rapid_linear(&mut self, to: &Place) -> Planned {
         self.rapid(to, self.placer.linear_mask())
     }
 
-    /// A rapid to the words of a place in some axes, in as many blocks as words within a turn take.
+    /// Writes a rapid of the axes in the mask, in as many blocks as the rollover of its rotary words needs.
     fn rapid_words(
         &mut self,
         to: &Place,
@@ -333,7 +333,8 @@ impl<'a, S: Sink> Mover<'a, S> {
         Ok(())
     }
 
-    /// What a block does has to be in it: the control would go on with rotary axes that are elsewhere.
+    /// Refuses a rotation that a block with tool vectors cannot express: the control would continue with the rotary axes at
+    /// other angles.
     fn check_hidden_rotation(&self, to: &Place) -> Result<(), Fault> {
         if !self.placer.hides_turn(self.here(), to, self.policy.options.axis_tolerance_path_rad) {
             return Ok(());
@@ -346,7 +347,7 @@ impl<'a, S: Sink> Mover<'a, S> {
         .help("give `tcp_words = \"angles\"`"))
     }
 
-    /// Remarks once in an operation that a rapid goes deeper than anything was cut.
+    /// Adds a remark, once in an operation, where a rapid goes deeper than the lowest cut.
     pub(crate) fn watch_plunge(&mut self, from: &Pose, to: &Pose) {
         if let Some(depth) = self.position.plunges(from, to) {
             let text =
@@ -355,14 +356,14 @@ impl<'a, S: Sink> Mover<'a, S> {
         }
     }
 
-    /// A cut has come to a place that the CL data does not name.
+    /// Sets the position after a cut to a place that is not in the CL data.
     pub(crate) fn pass(&mut self, pose: &Pose, place: Place) {
         self.position.note_cut(pose);
         self.output.count_deviation(&place);
         self.position.go_to(place);
     }
 
-    /// A motion of the CL data has ended at a place.
+    /// Sets the position after a motion of the CL data.
     #[inline]
     pub(crate) fn arrive(&mut self, place: Place) {
         self.output.statistics_mut().motions += 1;
@@ -371,7 +372,7 @@ impl<'a, S: Sink> Mover<'a, S> {
     }
 }
 
-/// A cut that turns the tool axis, in mode `plane`.
+/// Fault: a cut that rotates the tool axis in mode `plane`.
 #[cold]
 fn rotation_in_plane_mode() -> Fault {
     Fault::new("the tool axis turns in this cut, and mode plane holds it still")
