@@ -20,7 +20,7 @@ use crate::program::{
 };
 use crate::set_up::GivenTool;
 
-/// What came out of a run.
+/// Result of a run.
 pub(super) struct Run {
     pub(super) lines: Vec<String>,
     pub(super) diagnostics: Vec<Diagnostic>,
@@ -37,7 +37,7 @@ impl Run {
     }
 }
 
-/// Posts events for LinuxCNC; the event at position `n` stands in line `n + 1`.
+/// Posts events for LinuxCNC; the event at position `n` is in line `n + 1`.
 pub(super) fn run<M: Machine>(config: &Config, events: &[Event<'_>]) -> Run {
     let units = config.output_units.unwrap_or(Units::Millimetres);
     let layout = Layout::new(&M::default(), config.demands(), units, b"");
@@ -85,7 +85,7 @@ pub(super) fn plan<M: Machine>(
     (diagnostics, planner.statistics())
 }
 
-/// Hands on the items of events; the event at position `n` is in line `n + 1`.
+/// Passes the items of events to a stage; the event at position `n` is in line `n + 1`.
 pub(super) fn hand_on<M: Machine, S: Stage>(
     config: &Config,
     events: &[Event<'_>],
@@ -111,7 +111,7 @@ pub(super) fn pose(tip: [f64; 3], axis: [f64; 3]) -> Pose {
 
 const UP: [f64; 3] = [0.0, 0.0, 1.0];
 
-/// The axis of `C` and `B` degrees on the C-B table.
+/// Tool axis at `C` and `B` degrees on the C-B table.
 fn cb(c: f64, b: f64) -> [f64; 3] {
     let ((sin_c, cos_c), (sin_b, cos_b)) = (c.to_radians().sin_cos(), b.to_radians().sin_cos());
     [sin_b * cos_c, sin_b * sin_c, cos_b]

@@ -1,12 +1,12 @@
-//! Cutter compensation in the plane by the control: CUTCOM.
+//! Cutter compensation by the control (CUTCOM: G41, G42, G40).
 //!
-//! The control shifts the path to its left or right by what the register D holds, in the plane square to Z of the program
-//! (G17), with the rotary axes still and the tool along that Z. It comes on with the first straight feed motion in this plane
-//! behind CUTCOM/LEFT or RIGHT, and goes off with the one behind CUTCOM/OFF; between the two there are only such lines, and
-//! arcs that the control traces itself. A control looks ahead over these blocks, so whatever else stands there is refused.
+//! The control offsets the path to the left or right by the value of register D, in the plane perpendicular to Z of the
+//! program (G17). The rotary axes rest, and the tool axis is that Z. Compensation begins with the first straight feed motion
+//! in this plane after CUTCOM/LEFT or RIGHT, and ends with the first one after CUTCOM/OFF. Between the two only such lines
+//! are allowed, and arcs that are written as arcs: a control looks ahead over these blocks, so everything else is refused.
 //!
-//! In mirrored words left is right. What D holds is said in the configuration: wear where the CL data is the path of the
-//! tool's centre, the radius where it is the contour.
+//! In mirrored coordinates left and right are exchanged. The configuration states the value of D: the wear where the CL data
+//! is the path of the tool centre, the radius where it is the contour.
 
 use nalgebra::Vector3;
 
@@ -20,17 +20,17 @@ use crate::motion::plan::{MotionAndNext, Planner};
 use crate::motion::source::MotionIndex;
 use crate::motion::step::{Sink, Step};
 
-/// Points of CL data are rounded: a motion is in the plane if it leaves it by no more than this, mm, however fine the words.
+/// Largest height of a motion that lies in the plane, mm: the rounding of CL data, also where words are finer.
 const FLAT: f64 = 5e-4;
 
-/// What CUTCOM asked for last, and what is in force.
+/// Last request of CUTCOM, and the state in force.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct CutterCompensation {
-    /// Wanted from the next line in the plane on, or in force.
+    /// In force, or from the next line in the plane on.
     side: Option<CutterSide>,
     /// Side of the last CUTCOM/LEFT or RIGHT.
     last: Option<CutterSide>,
-    /// Register that the CL data named.
+    /// Register programmed in the CL data.
     register: Option<u32>,
     state: Compensating,
 }
@@ -39,15 +39,15 @@ pub(crate) struct CutterCompensation {
 enum Compensating {
     #[default]
     Off,
-    /// Asked for, to begin with the next line in the plane.
+    /// Requested; begins with the next line in the plane.
     Begins,
     On,
-    /// To end with the next motion.
+    /// Ends with the next motion.
     Ends,
 }
 
 impl CutterCompensation {
-    /// Nothing is asked for and nothing in force.
+    /// Whether compensation is neither requested nor in force.
     #[inline]
     pub(crate) fn is_idle(&self) -> bool {
         self.state == Compensating::Off
@@ -73,14 +73,14 @@ impl CutterCompensation {
         Ok(())
     }
 
-    /// CUTCOM/OFF; false if nothing was compensated since it was asked for.
+    /// CUTCOM/OFF; false if compensation was requested and has never begun.
     fn end(&mut self) -> bool {
         let began = self.state != Compensating::Begins;
         self.state = if self.in_force() { Compensating::Ends } else { Compensating::Off };
         began
     }
 
-    /// Refuses a record that a control does not look ahead over.
+    /// Refuses a record that interrupts the look-ahead of the control.
     pub(crate) fn check_record(&self, event: &Event<'_>) -> Result<(), Fault> {
         let what = match event {
             Event::Tool(_) => "a tool is called",
@@ -123,7 +123,7 @@ impl CutterCompensation {
         if self.in_force() { Err(in_force_fault(what)) } else { Ok(()) }
     }
 
-    /// The program ends.
+    /// Refuses the end of the program where compensation is requested or in force.
     pub(crate) fn check_end(&self) -> Result<(), Fault> {
         match self.state {
             Compensating::Off => Ok(()),
@@ -136,7 +136,7 @@ impl CutterCompensation {
     }
 }
 
-/// What cannot stand between the line that brings compensation on and the one that ends it.
+/// Fault: `what` comes while compensation is in force.
 fn in_force_fault(what: &str) -> Fault {
     Fault::new(format_args!("cutter compensation is in force, and {what}"))
         .help("put CUTCOM/OFF and a straight feed motion in the plane in front of it")
@@ -157,7 +157,7 @@ pub(crate) fn request<S: Sink>(planner: &mut Planner<'_, S>, asked: &Compensatio
     Ok(planner.cutter.begin(side, register)?)
 }
 
-/// Whether the configuration lets the control compensate.
+/// Refuses CUTCOM where configuration, mode or plane do not allow it.
 fn check_set_up(policy: Policy<'_>, xy: bool) -> Result<(), Fault> {
     if policy.options.compensation.is_none() {
         return Err(Fault::new("CUTCOM asks for cutter compensation by the control").help(
@@ -176,7 +176,7 @@ fn check_set_up(policy: Policy<'_>, xy: bool) -> Result<(), Fault> {
     Ok(())
 }
 
-/// A motion while compensation is asked for, in force, or about to end.
+/// Plans a motion while compensation is requested, in force, or about to end.
 #[cold]
 pub(crate) fn line<S: Sink>(planner: &mut Planner<'_, S>, ahead: MotionAndNext<'_>, index: MotionIndex) -> Planned {
     let motion = ahead.motion;
@@ -188,7 +188,7 @@ pub(crate) fn line<S: Sink>(planner: &mut Planner<'_, S>, ahead: MotionAndNext<'
     match planner.cutter.state {
         Compensating::Off => {}
         Compensating::Begins => {
-            // Elsewhere the tool may still be led to where the line begins.
+            // Other motions may still lead the tool to the start of the line.
             if let Ok(step) = step.as_ref()
                 && line(step)
             {
@@ -223,7 +223,7 @@ pub(crate) fn line<S: Sink>(planner: &mut Planner<'_, S>, ahead: MotionAndNext<'
     Ok(())
 }
 
-/// An arc while compensation is asked for or in force; `run` plans it.
+/// Plans an arc by `run` while compensation is requested or in force.
 #[cold]
 pub(crate) fn arc<'a, S: Sink>(
     planner: &mut Planner<'a, S>,
@@ -236,14 +236,14 @@ pub(crate) fn arc<'a, S: Sink>(
         return Err(Fault::new(text).help("let lead-in and lead-out be lines").into());
     }
     let axis = arc.end.axis.into_inner();
-    let square = axis.cross(&arc.normal).norm() <= SAME_AXIS;
+    let perpendicular = axis.cross(&arc.normal).norm() <= SAME_AXIS;
     let rise = (arc.end.tip - arc.start.tip).dot(&axis).abs();
-    if !square || rise > 0.5 * planner.mover.placer().unit_mm() {
+    if !perpendicular || rise > 0.5 * planner.mover.placer().unit_mm() {
         return Err(in_force_fault("an arc leaves its plane").into());
     }
     let (before, words) = (planner.mover.output().statistics().chorded, planner.mover.here().words);
     run(planner)?;
-    // What is so flat that its chord is it, is not counted.
+    // An arc as flat as its chord is not counted.
     let chorded = planner.mover.output().statistics().chorded != before;
     if chorded || planner.policy.options.arcs.output == ArcOutput::Lines {
         return Err(in_force_fault("an arc follows that would be chords").into());
@@ -254,7 +254,7 @@ pub(crate) fn arc<'a, S: Sink>(
     Ok(())
 }
 
-/// A motion in the coordinates of the program, mm; the tool has to be along its Z.
+/// A motion in program coordinates, mm; refused where the tool axis is not Z of the program.
 fn in_program<S: Sink>(planner: &Planner<'_, S>, from: &Place, motion: &Move) -> Result<Vector3<f64>, Fault> {
     let tilted = || {
         Fault::new("cutter compensation works in the plane of X and Y, and the tool axis is not Z of the program here")
@@ -268,22 +268,22 @@ fn in_program<S: Sink>(planner: &Planner<'_, S>, from: &Place, motion: &Move) ->
     Ok(map * (motion.pose.tip - from.pose.tip))
 }
 
-/// Where D holds the radius, a line that is shorter leaves no path to the contour.
-fn check_length<S: Sink>(planner: &Planner<'_, S>, length: f64) -> Result<(), Fault> {
+/// Where D holds the radius, refuses a lead-in that is shorter: it leaves no path to the contour.
+fn check_length<S: Sink>(planner: &Planner<'_, S>, length_mm: f64) -> Result<(), Fault> {
     let policy = planner.policy;
     let given = planner.tooling.current().and_then(|tool| policy.set_up.tools.get(&tool.number));
     let diameter = given.and_then(|tool| tool.diameter);
     let radius = diameter.filter(|_| policy.options.compensation == Some(CutterPath::Contour)).map(|d| 0.5 * d);
-    match radius.filter(|radius| length < *radius) {
+    match radius.filter(|radius| length_mm < *radius) {
         Some(radius) => Err(Fault::new(format_args!(
-            "compensation begins in a line {length:.3} mm long, and the tool has a radius of {radius:.3} mm"
+            "compensation begins in a line {length_mm:.3} mm long, and the tool has a radius of {radius:.3} mm"
         ))
         .help("make the lead-in longer than the radius")),
         None => Ok(()),
     }
 }
 
-/// On or off with the next block.
+/// Switches compensation on or off with the next block.
 fn switch<S: Sink>(planner: &mut Planner<'_, S>, on: bool) -> Planned {
     let register = radius_register(planner)?;
     let mover = &mut planner.mover;
@@ -294,7 +294,7 @@ fn switch<S: Sink>(planner: &mut Planner<'_, S>, on: bool) -> Planned {
     Ok(())
 }
 
-/// The register of the tool's radius.
+/// Register of the radius of the tool.
 fn radius_register<S: Sink>(planner: &Planner<'_, S>) -> Result<u32, Fault> {
     let number =
         planner.tooling.current().map(|tool| tool.number).ok_or_else(|| Fault::new("CUTCOM without a tool"))?;

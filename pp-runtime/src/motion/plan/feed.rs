@@ -259,7 +259,7 @@ mod tests {
     }
 
     #[test]
-    fn a_block_that_goes_nowhere_has_an_f_where_blocks_are_stretched() {
+    fn a_block_without_motion_has_an_f_where_blocks_have_a_shortest_time() {
         let mut config = Config::default();
         config.motion.feed.shortest_block_s = 0.12;
         let feeds = Feeds::new(config.policy(), Units::Millimetres, 1e-3, &abilities());
@@ -310,7 +310,7 @@ mod tests {
     }
 
     #[test]
-    fn without_inverse_time_f_counts_what_the_control_counts() {
+    fn without_inverse_time_f_counts_along_the_path_of_the_control() {
         let write = |word, prefix: &str| {
             let mut text = prefix.as_bytes().to_vec();
             crate::nc::write_decimal(&mut text, word);

@@ -1,9 +1,9 @@
-//! Holes: by a cycle of the control where it means the same, else level by level.
+//! Holes, written as a cycle of the control where it moves the tool in the same way, else as single motions.
 //!
-//! However it is made, the tool goes over to a hole at its own level or at the clearance level, whichever is higher, comes
-//! down along its axis, and ends at the level where the CL data wants it. A cycle is used where the tool axis is Z of the
-//! program and the control has a cycle for just these steps; what it cannot say (a first step unlike the others, a stated
-//! way back) is written as motions. A thread is never: spindle and feed are in step only in a cycle.
+//! In both forms the tool moves over the hole at its present level or at the clearance level, whichever is higher, comes
+//! down along its axis, and ends at the return level of the CL data. A cycle is used where the tool axis is Z of the program
+//! and the control has a cycle with just these steps. A hole that differs from all cycles (a first step unlike the others, a
+//! programmed retract between steps) is written as motions. A thread never is: only a cycle synchronises spindle and feed.
 
 use crate::kinematics::Pose;
 use crate::motion::options::{CycleOutput, Mode};
@@ -19,25 +19,25 @@ use crate::motion::step::BlockReason;
 use crate::motion::step::{AxisWords, FeedWord, Sink, Step};
 use crate::motion::step::{CannedCycle, CannedKind};
 
-/// More steps than this are no drilling.
+/// Largest number of steps of a hole.
 const MOST_STEPS: u32 = 10_000;
 
-/// Levels closer than this are the same, mm.
+/// Largest distance between equal levels, mm.
 const SAME_LEVEL: f64 = 1e-9;
 
-/// What a pitch may be off by its rounding, of the whole: 4 µm in a thread 20 mm long.
+/// Largest relative rounding of a pitch: 4 µm in a thread 20 mm long.
 const PITCH: f64 = 2e-4;
 
-/// What F of a thread may be off pitch times speed by its rounding, of the whole.
+/// Largest relative deviation of the F of a thread from pitch times speed, by its rounding.
 const THREAD_FEED: f64 = 1e-4;
 
-/// A cycle, and where the tool stands behind it.
-type Found = (CannedCycle, Place);
+/// A cycle, and the place at its end.
+type CycleAndEnd = (CannedCycle, Place);
 
-/// Why there is no cycle.
+/// Reason why a hole is not written as a cycle.
 type NoCycle = &'static str;
 
-/// The boxes that the tip fills over a hole and in it, each its lowest and its highest corner, mm.
+/// Boxes that the tip fills above a hole and in it, each as its lowest and its highest corner, mm.
 pub(crate) fn hole_extent(hole: &Hole) -> [[[f64; 3]; 2]; 2] {
     let between = |low: f64, high: f64| {
         let (a, b) = (hole.level(low).tip, hole.level(high).tip);
@@ -46,7 +46,7 @@ pub(crate) fn hole_extent(hole: &Hole) -> [[[f64; 3]; 2]; 2] {
     [between(hole.clearance, hole.back_to), between(-hole.depth, 0.0)]
 }
 
-/// The depths at which the steps of a hole end, in their order.
+/// Depths at which the steps of a hole end, in order, mm.
 fn steps(hole: &Hole) -> Result<impl Iterator<Item = f64>, Fault> {
     let (first, later) = match hole.drilling {
         Drilling::Peck { first, later } => (first, later),
@@ -58,12 +58,12 @@ fn steps(hole: &Hole) -> Result<impl Iterator<Item = f64>, Fault> {
         return Err(Fault::new(text).help("check the step of the cycle and its unit"));
     }
     let depth = hole.depth;
-    // A last step of nothing but rounding is part of the one before.
+    // A last step of nothing but rounding is part of the step before it.
     let reached = move |done: f64| if done > depth - SAME_LEVEL { depth } else { done };
     Ok(std::iter::successors(Some(reached(first)), move |done| (*done < depth).then(|| reached(done + later))))
 }
 
-/// A hole from wherever the tool is.
+/// Plans a hole from the present position of the tool.
 #[cold]
 pub(crate) fn hole<S: Sink>(planner: &mut Planner<'_, S>, hole: &Hole, index: MotionIndex) -> Planned {
     planner.cutter.check_hole()?;
@@ -106,7 +106,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         }
     }
 
-    /// Turns the rotary axes for the hole; a tool that is lower than its clearance level is lifted to it.
+    /// Rotates the rotary axes for the hole; a tool below the clearance level is lifted to it.
     fn reach(&mut self, ahead: MotionAndNext<'_>, index: MotionIndex) -> Planned {
         let over = ahead.motion;
         self.planner.stop_spindle()?;
@@ -124,12 +124,12 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         Ok(())
     }
 
-    /// Height of the tool over the top of the hole, mm.
+    /// Height of the tool above the top of the hole, mm.
     fn height(&self) -> f64 {
         (self.planner.mover.position().pose().tip - self.hole.top.tip).dot(&self.hole.top.axis)
     }
 
-    /// A motion along the hole, which turns nothing.
+    /// A motion along the hole, without rotation.
     fn go(&mut self, motion: &Move) -> Planned {
         self.planner.go(MotionAndNext { motion, next: Next::None }, None)
     }
@@ -144,7 +144,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         self.go(&Move { pose: self.hole.level(height), rapid: false, feed: self.hole.feed })
     }
 
-    /// The hole, level by level.
+    /// Writes the hole as single motions.
     fn run_by_motions(&mut self) -> Planned {
         let hole = self.hole;
         self.rapid_to(self.height().max(hole.clearance))?;
@@ -177,8 +177,8 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         self.rapid_to(hole.back_to)
     }
 
-    /// The cycle of the hole and where it ends, or why there is none.
-    fn cycle(&mut self) -> Result<Result<Found, NoCycle>, Fault> {
+    /// The cycle of the hole and the place at its end, or the reason why there is none.
+    fn cycle(&mut self) -> Result<Result<CycleAndEnd, NoCycle>, Fault> {
         let (hole, policy) = (self.hole, self.planner.policy);
         if policy.options.cycles.output == CycleOutput::Expanded {
             return Ok(Err("`[cycles]` asks for motions"));
@@ -222,7 +222,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         Ok(mismatch.map_or(Ok((cycle, places[2])), Err))
     }
 
-    /// What the words of a cycle would say otherwise than the hole is.
+    /// Difference between a cycle as the control executes it and the hole.
     fn mismatch(&self, cycle: &CannedCycle) -> Result<Option<NoCycle>, Fault> {
         let can = self.planner.abilities.cycles;
         if !(cycle.bottom < cycle.surface && cycle.surface <= cycle.clearance && cycle.clearance <= cycle.back) {
@@ -243,7 +243,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         Ok(None)
     }
 
-    /// What the control's cycle would be, or why it has none that means the same.
+    /// Kind of the cycle for the hole, or the reason why the control has none that moves the tool in the same way.
     fn kind(&self) -> Result<Result<CannedKind, NoCycle>, Fault> {
         let (hole, can) = (self.hole, self.planner.abilities.cycles);
         let higher = hole.back_to - hole.clearance > SAME_LEVEL;
@@ -275,14 +275,14 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         })
     }
 
-    /// A thread at the speed as it is written.
+    /// The tapping cycle at the spindle speed as written.
     fn thread(&self, pitch: Option<f64>) -> Result<CannedKind, Fault> {
-        let Some((turns, rotation)) = self.planner.spindle.running() else {
+        let Some((rev_per_min, rotation)) = self.planner.spindle.running() else {
             return Err(Fault::new("a thread with the spindle off").help("give SPINDL/ON before it"));
         };
         let stated = match self.hole.feed {
             Some(Programmed::PerRevolution(pitch)) => Some(pitch),
-            Some(Programmed::PerMinute(feed)) => Some(feed / turns),
+            Some(Programmed::PerMinute(feed)) => Some(feed / rev_per_min),
             None => None,
         };
         let pitch = pitch.or(stated).filter(|pitch| *pitch > 0.0);
@@ -299,7 +299,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         Ok(CannedKind::Tap {
             pitch,
             left: rotation == Rotation::CounterClockwise,
-            speed: Decimal::fixed(turns, self.planner.policy.formats.speed).map_err(too_large)?,
+            speed: Decimal::fixed(rev_per_min, self.planner.policy.formats.speed).map_err(too_large)?,
         })
     }
 
@@ -341,7 +341,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         let height = self.height().max(hole.clearance);
         self.planner.mover.watch_plunge(&hole.level(height), &hole.level(hole.clearance));
         if cycle.back != cycle.clearance && here[cycle.z] != cycle.back && !can.returns_to_any_level {
-            // Such a cycle goes back to where it began.
+            // Such a cycle returns to the level at which it began.
             self.rapid_to(height)?;
             self.rapid_to(hole.back_to)?;
         }

@@ -136,7 +136,7 @@ impl SpindleState {
     pub(crate) fn seconds(&self, dwell: Dwell) -> Result<f64, Fault> {
         match (dwell, self.speed()) {
             (Dwell::Seconds(seconds), _) => Ok(seconds),
-            (Dwell::Revolutions(turns), Some(speed)) => Ok(turns / speed * 60.0),
+            (Dwell::Revolutions(revolutions), Some(speed)) => Ok(revolutions / speed * 60.0),
             (Dwell::Revolutions(_), None) => {
                 Err(Fault::new("a wait of some turns of the spindle, and the spindle does not turn")
                     .help("give SPINDL before it, or the wait in seconds"))

@@ -1,4 +1,4 @@
-//! What has to be true before a motion: tool, spindle, feed, coolant; and the records that change it.
+//! State before a motion (tool, spindle, feed, coolant), and the records that change it.
 
 use super::*;
 
@@ -89,7 +89,7 @@ fn the_floor_is_the_lowest_tip() {
 }
 
 #[test]
-fn inverse_time_stands_where_a_rotary_word_changes_and_f_is_repeated_behind_it() {
+fn inverse_time_is_written_where_a_rotary_word_changes_and_f_is_repeated_after_it() {
     let events = [
         tool(1),
         spindle(),
@@ -159,14 +159,14 @@ fn a_direct_operation_has_its_speed_before_the_course_cuts_for_it() {
         Event::Operation(b"NEXT"),
         Event::Spindle(Spindle::On { speed: Some(3000.0), rotation: Some(Rotation::Clockwise) }),
         Event::Coolant(Coolant::Flood),
-        // The table reaches its limit on the way.
+        // The table reaches its limit in this motion.
         feed([10.0, 0.0, 0.0], cb(190.0, 30.0)),
     ];
     let on = run::<Cb>(&config, &events);
     assert_eq!(on.statistics.rewinds, 1, "{:?} {}", on.diagnostics, on.text());
     let next = on.lines.iter().position(|line| line == "(OPERATION NEXT)").expect("the operation");
     assert_eq!(on.lines[next + 1..next + 3], ["S3000 M3", "M8"], "{}", on.text());
-    // With the spindle off nothing is cut on the way either.
+    // With the spindle off the course changes do not cut either.
     let mut off = events;
     off[5] = Event::Spindle(Spindle::Off);
     let off = run::<Cb>(&config, &off);
@@ -203,14 +203,14 @@ fn a_tool_that_is_called_again_without_its_offset_register_keeps_it() {
 fn the_speed_of_one_tool_is_never_that_of_another() {
     let on = Event::Spindle(Spindle::On { speed: None, rotation: None });
     let cut = feed([0.0, 0.0, 0.0], UP);
-    // Turned off and on again in the start in which the tool changes, and given to a tool that never moves.
+    // Off and on again in the start in which the tool changes, and given to a tool that never moves.
     let again = [tool(1), spindle(), cut, Event::Stop, Event::Spindle(Spindle::Off), tool(2), on, cut];
     let skipped = [tool(1), spindle(), tool(2), cut];
     for events in [&again[..], &skipped] {
         let run = run::<Xyz>(&config(), events);
         assert!(run.error().text.contains("without spindle speed"), "{}", run.text());
     }
-    // In front of the tool record it is meant for that tool, and the same tool keeps its own.
+    // Before the tool record it belongs to that tool, and the same tool keeps its own.
     lines::<Xyz>(&config(), &[tool(1), spindle(), cut, Event::Stop, spindle(), tool(2), cut]);
     lines::<Xyz>(&config(), &[tool(1), spindle(), tool(1), cut]);
 }
@@ -255,7 +255,7 @@ fn nc_text_that_is_not_ascii_is_refused() {
 }
 
 #[test]
-fn cutter_compensation_is_refused_until_it_is_said_what_d_holds() {
+fn cutter_compensation_is_refused_without_compensation_path() {
     let before = [tool(1), spindle(), feed([0.0; 3], UP)];
     let with = |event: Event<'static>| run::<Cb>(&config(), &[&before[..], &[event]].concat());
     let asked = |side| with(Event::Compensation(Compensation { side, register: None, xy: true }));
@@ -280,7 +280,7 @@ fn a_wait_is_written_in_seconds() {
 }
 
 #[test]
-fn a_frame_of_its_own_has_a_work_offset_of_its_own_where_no_table_turns() {
+fn each_frame_has_its_own_work_offset_where_no_table_rotates() {
     let events = [tool(1), spindle(), feed([0.0; 3], UP), Event::Frame(2), feed([1.0, 0.0, 0.0], UP)];
     assert!(run::<Cb>(&config(), &events).error().text.contains("on a table that turns"));
     assert!(run::<Xyz>(&config(), &events).error().text.contains("frame 2 of the CL data has no work offset"));
@@ -289,7 +289,7 @@ fn a_frame_of_its_own_has_a_work_offset_of_its_own_where_no_table_turns() {
     let lines = lines::<Xyz>(&config, &events);
     let safety: Vec<&String> = lines.iter().filter(|line| line.contains("G17")).collect();
     assert!(safety[0].contains("G54") && safety[1].contains("G55"), "{safety:?}");
-    // The clearance plane stays behind: in the other frame it would be another plane.
+    // The clearance plane ends with its frame: in the other frame it would be another plane.
     let plane = Plane { normal: Vector3::z_axis(), distance: 80.0 };
     let mut above = vec![Event::ClearancePlane(plane)];
     above.extend(events);
@@ -313,7 +313,7 @@ fn the_posted_length_is_guarded_where_it_matters() {
     let head = run::<Head>(&config, &events);
     let at = head.lines.iter().position(|line| line == "G43 H1").expect("a length offset");
     assert!(head.lines[at + 1].starts_with("o1 if [[ABS[#5403 - 100] GT 0.01]"), "{}", head.text());
-    assert!(head.lines.contains(&"o2 endif".to_owned()), "behind the stop again: {}", head.text());
+    assert!(head.lines.contains(&"o2 endif".to_owned()), "after the stop again: {}", head.text());
     assert_eq!((guards(&head), guards(&run::<Cb>(&config, &events))), (2, 0));
     config.motion.guards.length_guard = Some(true);
     assert_eq!(guards(&run::<Cb>(&config, &events)), 2);
@@ -321,7 +321,7 @@ fn the_posted_length_is_guarded_where_it_matters() {
     assert_eq!(guards(&run::<Head>(&config, &events)), 0);
     config.motion.guards.length_guard = None;
     config.set_up.tools.insert(1, GivenTool { length: Some(100.0), offset: Some(21), ..GivenTool::default() });
-    assert_eq!(guards(&run::<Head>(&config, &events)), 0, "the table of the tool says nothing about H21");
+    assert_eq!(guards(&run::<Head>(&config, &events)), 0, "the tool table has no length for H21");
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use super::*;
 
 #[test]
-fn an_axis_out_of_reach_is_told_in_the_words_of_the_machine() {
+fn an_axis_out_of_reach_is_reported_with_the_rotary_axes_of_the_machine() {
     let run = run::<Xyz>(&config(), &[tool(1), spindle(), feed([0.0; 3], [0.1, 0.0, 1.0])]);
     assert!(run.error().text.contains("Xyz has no rotary axis to tilt the tool"), "{:?}", run.error());
 }
@@ -21,7 +21,7 @@ fn linear_limits_are_machine_coordinates_that_count_the_gauge_length() {
     assert!(low.error().text.contains("-300.001 mm (machine coordinate)"), "{:?}", low.error());
     assert_eq!(run::<Xyz>(&config, &events(90.0)).diagnostics, []);
     assert!(run::<Xyz>(&config, &events(90.001)).error().text.contains("approach"));
-    // Lower retract position: the approach point must not lie above it.
+    // Lower retract position: the approach point must not be above it.
     config.motion.retract.position_mm = Some(-50.0);
     assert!(run::<Xyz>(&config, &events(45.0)).error().text.contains("above the retract position"));
     assert_eq!(run::<Xyz>(&config, &events(40.0)).diagnostics, []);

@@ -14,14 +14,14 @@ use crate::nalgebra::{Point3, Rotation3, UnitVector3, Vector3};
 use crate::program::{Arc, Event, Feed};
 use crate::set_up::GivenTool;
 
-/// Axis words by letter, as far as they are known.
+/// Axis words by letter, as far as known.
 type WordValues = BTreeMap<char, f64>;
 
 fn number(line: &str, letter: char) -> Option<f64> {
     line.split(' ').find_map(|word| word.strip_prefix(letter)?.parse().ok())
 }
 
-/// Places between two points on an arc of the control, `[first, second, square]` of the plane, ends included.
+/// Points of an arc of the control between two points, ends included; `[first, second, perpendicular]` of the plane.
 fn traced(from: [f64; 3], to: [f64; 3], centre: [f64; 2], clockwise: bool) -> Vec<[f64; 3]> {
     const PLACES: usize = 100;
     let polar = |point: [f64; 3]| {
@@ -41,12 +41,12 @@ fn traced(from: [f64; 3], to: [f64; 3], centre: [f64; 2], clockwise: bool) -> Ve
     (0..=PLACES).map(place).collect()
 }
 
-/// The centre that a radius means.
+/// Centre of an arc given by its radius.
 fn centre_of(from: [f64; 3], to: [f64; 3], radius: f64, clockwise: bool) -> [f64; 2] {
     let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
     let chord = dx.hypot(dy);
     let height = (radius * radius - 0.25 * chord * chord).max(0.0).sqrt();
-    // Less than half a turn counter-clockwise has its centre on the left.
+    // An arc of less than half a circle counter-clockwise has its centre on the left.
     let left = if (radius > 0.0) == clockwise { -height } else { height };
     [0.5 * (from[0] + to[0]) - left * dy / chord, 0.5 * (from[1] + to[1]) + left * dx / chord]
 }
@@ -61,7 +61,7 @@ fn axes<M: Machine>(words: &WordValues) -> Option<M::Axes> {
     Some(axes)
 }
 
-/// Tips of the feed path behind the block that reaches `start`, and how many of its blocks are arcs.
+/// Tips of the feed path after the block that reaches `start`, and the number of its blocks that are arcs.
 fn path<M: Machine>(run: &Run, machine: &M, start: &Point3<f64>) -> (Vec<Point3<f64>>, usize) {
     let (mut words, mut code, mut plane) = (WordValues::new(), 0, 17);
     let (mut tips, mut arcs, mut begun) = (Vec::new(), 0, false);
@@ -80,8 +80,8 @@ fn path<M: Machine>(run: &Run, machine: &M, start: &Point3<f64>) -> (Vec<Point3<
         let before = words.clone();
         words.extend("XYZABC".chars().filter_map(|letter| Some((letter, number(line, letter)?))));
         if code >= 2 && "IJKR".chars().any(|letter| number(line, letter).is_some()) {
-            let [first, second, square] = [['Y', 'Z', 'X'], ['Z', 'X', 'Y'], ['X', 'Y', 'Z']][19 - plane];
-            let at = |words: &WordValues| [first, second, square].map(|letter| words[&letter]);
+            let [first, second, perpendicular] = [['Y', 'Z', 'X'], ['Z', 'X', 'Y'], ['X', 'Y', 'Z']][19 - plane];
+            let at = |words: &WordValues| [first, second, perpendicular].map(|letter| words[&letter]);
             let (from, to, clockwise) = (at(&before), at(&words), code == 2);
             let offset = |letter| {
                 number(
@@ -101,7 +101,7 @@ fn path<M: Machine>(run: &Run, machine: &M, start: &Point3<f64>) -> (Vec<Point3<
             };
             for place in traced(from, to, centre, clockwise) {
                 let mut words = words.clone();
-                words.extend([first, second, square].into_iter().zip(place));
+                words.extend([first, second, perpendicular].into_iter().zip(place));
                 tips.extend(tip(&words).filter(|_| begun));
             }
             arcs += 1;
@@ -139,7 +139,7 @@ impl CircleCase {
         self.centre + turned + self.normal.into_inner() * (self.rise * part)
     }
 
-    /// The angle at which a point near the circle stands, rad from the start, next to the one before.
+    /// Angle of a point near the circle, rad from the start, in the turn nearest to the angle before.
     fn angle_at(&self, point: &Point3<f64>, before: f64) -> f64 {
         let u = (self.tip(0.0) - self.centre) / self.radius;
         let aside = point - self.centre;
@@ -148,7 +148,7 @@ impl CircleCase {
         before + if step > 0.5 * TAU { step - TAU } else { step }
     }
 
-    /// Distance of a point from the circle near a part of it.
+    /// Distance of a point from the circle, near a part of it.
     fn distance(&self, point: &Point3<f64>, part: f64) -> f64 {
         let far = |part: f64| (point - self.tip(part)).norm();
         let (mut low, mut high) = ((part - 0.02).clamp(0.0, 1.0), (part + 0.02).clamp(0.0, 1.0));
@@ -181,7 +181,7 @@ fn set_up(change: impl Fn(&mut Config)) -> Config {
     config
 }
 
-/// Posts one arc; the largest distance of its path from the circle, the number of arcs, and of all its tips.
+/// Posts one arc; returns the largest distance of its path from the circle, the number of arcs, and all its tips.
 fn posted<M: Machine>(config: &Config, wanted: &CircleCase) -> Option<(f64, usize, Vec<Point3<f64>>)> {
     let run = run::<M>(config, &wanted.events());
     if !run.diagnostics.is_empty() {
@@ -193,7 +193,7 @@ fn posted<M: Machine>(config: &Config, wanted: &CircleCase) -> Option<(f64, usiz
     let (mut off, mut reached) = (0.0_f64, 0.0_f64);
     let sides = tips.windows(2).flat_map(|pair| {
         let step = pair[1] - pair[0];
-        // Places of an arc are near to each other, and what lies between them is no place of it.
+        // Points of an arc are near to each other, and a point between two of them is not on the arc.
         let between = if step.norm() > 0.1 * wanted.radius { 20 } else { 1 };
         (0..=between).map(move |part| pair[0] + step * (f64::from(part) / f64::from(between)))
     });
@@ -231,7 +231,7 @@ fn arcs_are_written_as_arcs_of_their_plane() {
 }
 
 #[test]
-fn whole_turns_and_the_rest_are_arcs_of_their_own() {
+fn full_circles_and_the_rest_are_separate_arcs() {
     let helix = CircleCase { angle: 2.25 * TAU, rise: -9.0, ..up() };
     let lines = arc_lines::<Xyz>(&set_up(|_| {}), &helix);
     let z: Vec<_> = lines.iter().map(|line| number(line, 'Z')).collect();
@@ -243,7 +243,7 @@ fn whole_turns_and_the_rest_are_arcs_of_their_own() {
 }
 
 #[test]
-fn words_that_run_backwards_turn_arcs_round() {
+fn mirrored_coordinates_reverse_arcs() {
     let straight = arc_lines::<Cb>(&set_up(|_| {}), &up());
     let mirrored = arc_lines::<Mirrored>(&set_up(|_| {}), &up());
     assert!(straight[0].starts_with("G3 ") && mirrored[0].starts_with("G2 "), "{straight:?} {mirrored:?}");
@@ -251,18 +251,18 @@ fn words_that_run_backwards_turn_arcs_round() {
 }
 
 #[test]
-fn a_radius_says_the_same_where_it_says_anything() {
+fn a_radius_is_written_where_it_defines_the_centre() {
     let radius = set_up(|config| config.motion.arcs.form = ArcForm::Radius);
-    let said = |angle: f64| arc_lines::<Xyz>(&radius, &CircleCase { angle, ..up() });
-    assert_eq!(number(&said(1.9)[0], 'R'), Some(12.0));
-    assert_eq!(number(&said(4.0)[0], 'R'), Some(-12.0));
+    let lines = |angle: f64| arc_lines::<Xyz>(&radius, &CircleCase { angle, ..up() });
+    assert_eq!(number(&lines(1.9)[0], 'R'), Some(12.0));
+    assert_eq!(number(&lines(4.0)[0], 'R'), Some(-12.0));
     for angle in [TAU, 0.5 * TAU, 0.499 * TAU] {
-        assert!(number(&said(angle)[0], 'R').is_none(), "{angle}");
+        assert!(number(&lines(angle)[0], 'R').is_none(), "{angle}");
     }
 }
 
 #[test]
-fn lines_where_lines_are_wanted_and_where_the_radius_is_not() {
+fn lines_are_written_where_configured_and_where_the_radius_is_out_of_range() {
     for config in [
         set_up(|config| config.motion.arcs.output = ArcOutput::Lines),
         set_up(|config| config.motion.arcs.largest_radius_mm = 11.0),
@@ -275,7 +275,7 @@ fn lines_where_lines_are_wanted_and_where_the_radius_is_not() {
 }
 
 #[test]
-fn why_arcs_are_lines_is_counted() {
+fn arcs_written_as_chords_are_counted_by_reason() {
     let counted = |wanted: &CircleCase, change: fn(&mut Config)| {
         let run = run::<Head>(&set_up(change), &wanted.events());
         assert_eq!(run.diagnostics, []);
@@ -326,7 +326,7 @@ fn unit() -> impl Strategy<Value = UnitVector3<f64>> {
         .prop_map(|v| UnitVector3::new_normalize(Vector3::from(v)))
 }
 
-/// Circles about the tool axis, about an axis of the workpiece, and about any.
+/// Circles about the tool axis, about an axis of the workpiece, and about any direction.
 fn any_circle(axis: UnitVector3<f64>) -> impl Strategy<Value = CircleCase> {
     let normal = prop_oneof![
         4 => Just(axis),
@@ -351,7 +351,7 @@ fn any_circle(axis: UnitVector3<f64>) -> impl Strategy<Value = CircleCase> {
     )
 }
 
-/// The tool axis that a machine has at two angles, degrees.
+/// Tool axis of a machine at two rotary angles, degrees.
 fn axis_at<M: Machine>(angles: [f64; 2]) -> UnitVector3<f64> {
     let mut axes = M::HELD;
     let rotary = M::AXES.iter().enumerate().filter(|(_, axis)| axis.kind == AxisKind::Rotary);
@@ -365,9 +365,9 @@ fn any_wanted<M: Machine>() -> impl Strategy<Value = CircleCase> {
     (-90.0_f64..90.0, 0.0_f64..80.0).prop_flat_map(|(first, second)| any_circle(axis_at::<M>([first, second])))
 }
 
-/// Arcs and lines alike stay within tolerance of the circle; both move the tool the same way.
+/// Arcs and lines alike stay within tolerance of the circle, and both end at the same point.
 fn within_tolerance<M: Machine>(wanted: &CircleCase) -> Result<usize, TestCaseError> {
-    // Limits are none of these tests' business, nor is the stroke of the safe sequence.
+    // Without limits: these tests are not about limits, nor about the travel of the safe sequence.
     let free = |config: &mut Config| {
         for axis in M::AXES {
             config.set_up.limits.insert(axis.letter, None);
@@ -392,10 +392,10 @@ fn within_tolerance<M: Machine>(wanted: &CircleCase) -> Result<usize, TestCaseEr
     Ok(arcs)
 }
 
-/// Where little is missing to a whole turn, the rounding of the ends moves the centre that a radius means by much more, and on
-/// a steep helix that is a matter of height.
+/// Close to a full circle, the rounding of the ends moves the centre of an arc with radius by much more, and on a steep helix
+/// that changes the height.
 #[test]
-fn a_radius_is_given_up_where_it_moves_a_steep_helix() {
+fn a_radius_is_not_written_where_it_displaces_a_steep_helix() {
     let axis = UnitVector3::new_normalize(Vector3::new(0.797_319_3, -0.210_594_66, 0.565_625_16));
     let wanted = CircleCase {
         axis,
@@ -426,7 +426,7 @@ proptest! {
     }
 
     #[test]
-    fn on_a_machine_whose_words_run_backwards_arcs_stay_within_tolerance(wanted in any_wanted::<Mirrored>()) {
+    fn on_a_machine_with_mirrored_coordinates_arcs_stay_within_tolerance(wanted in any_wanted::<Mirrored>()) {
         within_tolerance::<Mirrored>(&wanted)?;
     }
 
@@ -436,7 +436,7 @@ proptest! {
     }
 
     #[test]
-    fn clear_arcs_about_the_tool_of_a_table_are_left_to_the_control(
+    fn clear_arcs_about_the_tool_axis_of_a_table_are_written_as_arcs(
         first in -90.0_f64..90.0,
         second in 0.0_f64..80.0,
         radius in 2.0_f64..40.0,

@@ -1,4 +1,4 @@
-//! Compensation of the cutter's radius: where it begins and ends, on which side, and what it does not bear.
+//! Cutter compensation: its beginning, its end, its side, and the records that it refuses.
 
 use super::*;
 use crate::config::Config;
@@ -23,7 +23,7 @@ fn asked(side: CutterSide) -> Event<'static> {
     Event::Compensation(Compensation { side, register: None, xy: true })
 }
 
-/// A quarter about a centre, counter-clockwise.
+/// A quarter circle about a centre, counter-clockwise.
 fn quarter(start: [f64; 3], end: [f64; 3], centre: [f64; 3]) -> Event<'static> {
     Event::Arc(Arc {
         start: pose(start, UP),
@@ -35,12 +35,12 @@ fn quarter(start: [f64; 3], end: [f64; 3], centre: [f64; 3]) -> Event<'static> {
     })
 }
 
-/// A program that comes down to X0 Y-20, and then does this.
+/// A program that comes down to X0 Y-20, followed by these events.
 fn from_below(events: &[Event<'static>]) -> Vec<Event<'static>> {
     [&[tool(1), spindle(), rapid([0.0, -20.0, 9.0], UP), feed([0.0, -20.0, 0.0], UP)], events].concat()
 }
 
-/// Lead-in, a line and a quarter, and lead-out.
+/// Lead-in, a line and a quarter circle, and lead-out.
 fn contour(side: CutterSide) -> Vec<Event<'static>> {
     from_below(&[
         asked(side),
@@ -76,7 +76,7 @@ fn refused(events: &[Event<'static>]) -> String {
 }
 
 #[test]
-fn compensation_comes_on_with_the_line_behind_it_and_goes_off_with_the_line_behind_off() {
+fn compensation_begins_with_the_line_after_it_and_ends_with_the_line_after_off() {
     for (side, code) in [(CutterSide::Left, "G41"), (CutterSide::Right, "G42")] {
         let run = run::<Xyz>(&set_up(Some(CutterPath::Centre)), &contour(side));
         assert_eq!(run.diagnostics, []);
@@ -86,7 +86,7 @@ fn compensation_comes_on_with_the_line_behind_it_and_goes_off_with_the_line_behi
 }
 
 #[test]
-fn in_mirrored_words_left_is_right() {
+fn in_mirrored_coordinates_left_is_right() {
     for (side, code) in [(CutterSide::Left, "G42 D1"), (CutterSide::Right, "G41 D1")] {
         let run = run::<Mirrored>(&set_up(Some(CutterPath::Centre)), &contour(side));
         assert!(run.lines.iter().any(|line| line.contains(code)), "{:?} {:?}", run.lines, run.diagnostics);
@@ -94,7 +94,7 @@ fn in_mirrored_words_left_is_right() {
 }
 
 #[test]
-fn each_control_has_its_words_and_its_register() {
+fn each_control_has_its_own_words_and_register() {
     let mut config = set_up(Some(CutterPath::Contour));
     let lines = posted(&Siemens, &config, &contour(CutterSide::Left));
     assert_eq!(lines[lines.len() - 4..], ["G41 Y0", "X30", "G3 X40 Y10 I0 J10", "G1 G40 Y30"]);
@@ -129,7 +129,7 @@ fn on_takes_the_side_and_the_register_that_were_given_last() {
 }
 
 #[test]
-fn what_is_rounded_out_of_the_plane_is_in_it_with_fine_words_as_well() {
+fn a_point_rounded_out_of_the_plane_counts_as_in_it_with_fine_words_as_well() {
     let mut config = set_up(Some(CutterPath::Centre));
     config.formats.linear_mm = 5;
     let events = from_below(&[
@@ -144,7 +144,7 @@ fn what_is_rounded_out_of_the_plane_is_in_it_with_fine_words_as_well() {
 }
 
 #[test]
-fn the_tool_may_be_led_to_where_the_line_begins() {
+fn the_tool_may_be_led_to_the_start_of_the_line() {
     let events = from_below(&[
         asked(CutterSide::Left),
         rapid([5.0, -20.0, 0.0], UP),
@@ -158,7 +158,7 @@ fn the_tool_may_be_led_to_where_the_line_begins() {
 }
 
 #[test]
-fn what_a_control_cannot_look_ahead_over_is_refused() {
+fn records_that_interrupt_the_look_ahead_are_refused() {
     let on = |event: Event<'static>| refused(&from_below(&[asked(CutterSide::Left), feed([0.0, 0.0, 0.0], UP), event]));
     for (event, why) in [
         (rapid([0.0, 9.0, 0.0], UP), "a rapid follows"),
@@ -203,7 +203,7 @@ fn a_lead_in_is_longer_than_the_radius_that_d_holds() {
 }
 
 #[test]
-fn compensation_wants_the_plane_of_x_and_y_and_no_tip_control() {
+fn compensation_needs_the_plane_of_x_and_y_and_no_tip_control() {
     let other = Event::Compensation(Compensation { side: CutterSide::Left, register: None, xy: false });
     assert!(refused(&from_below(&[other])).contains("plane of X and Y only"));
     let mut config = set_up(Some(CutterPath::Centre));
@@ -212,7 +212,7 @@ fn compensation_wants_the_plane_of_x_and_y_and_no_tip_control() {
 }
 
 #[test]
-fn a_rotary_axis_that_turns_is_refused() {
+fn a_rotary_axis_that_rotates_is_refused() {
     let config = set_up(Some(CutterPath::Centre));
     let tilted = [0.1, 0.0, 1.0];
     let text = |events: &[Event<'static>]| run::<Cb>(&config, events).error().text.clone();
