@@ -37,91 +37,92 @@ pub struct Policy<'a> {
 }
 
 options! {
-    /// How motion is planned. Lengths in mm, angles in rad, speeds in mm/min and rad/min.
+    /// Options of planning. Lengths in mm, angles in rad, speeds in mm/min and rad/min.
     pub struct MotionOptions {
-        /// How far arcs and chords may leave the arcs and curves of the CL data, and the tip its line while a rotary
-        /// axis moves.
+        /// Largest deviation of arcs and chords from the arcs and curves of the CL data, and of the tip from its line
+        /// while a rotary axis moves.
         tolerance_mm: f64 = 0.01, key("tolerance", Measure::length(Bound::Positive).unless(beyond_words));
-        /// How far the tool axis may leave its even turn from one point to the next.
+        /// Largest angle of the tool axis from its even rotation between two points.
         axis_tolerance_path_rad: f64 = 0.1_f64.to_radians(),
             key("axis_tolerance_path", Measure::angle(Bound::Positive).unless(beyond_axis_words));
-        /// Wait for the spindle, seconds.
+        /// Dwell after the start of the spindle, seconds.
         spindle_dwell_s: f64 = 0.0, key("spindle_dwell", Measure::plain(Bound::NotNegative).unless(no_dwell));
         /// Retract before STOP and OPSTOP.
         stop_retract: bool = true, key("stop_retract", Truth);
-        /// Where axes go at the end of the program: degrees, and machine coordinates for linear axes. Without it they
-        /// stay.
+        /// Park positions of axes at the end of the program: degrees, and machine coordinates of linear axes. Axes
+        /// without one do not move.
         park: BTreeMap<char, f64> = BTreeMap::new(), key("park", PARK);
-        /// What the words of a motion say: where every one of the "axes" goes (works on any control), where the tip
-        /// goes while the control keeps it there ("tcp"), or where it goes in a tilted "plane" (3+2).
+        /// Meaning of the words of a motion: positions of the "axes" (on any control), coordinates of the tip under tip
+        /// control ("tcp"), or coordinates of the tip in a tilted "plane" (3+2).
         mode: Mode = Mode::Axes, key("mode", OneOf(&Mode::NAMES));
         /// Tip control, in mode `tcp`.
         tip: TipOptions = TipOptions::default(), keys();
         /// Motion between cuts.
         rapids: RapidOptions = RapidOptions::default(), keys();
-        /// What is refused or compared.
+        /// Checks.
         guards: GuardOptions = GuardOptions::default(), keys();
         /// LINTOL may be wider than `tolerance`.
         allow_lintol: bool = false, key("cl.allow_lintol", Truth);
-        /// What the CL data may leave out.
+        /// Defaults for what the CL data leaves out.
         defaults: Defaults = Defaults::default(), keys();
-        /// How branch and turns of the rotary axes are chosen.
+        /// Choice of branch and turns of the rotary axes.
         course: CourseOptions = CourseOptions::default(), keys();
-        /// How to get away from the part.
+        /// Retract from the part.
         retract: Retract = Retract::default(), keys();
         /// Arcs of the control.
         arcs: ArcOptions = ArcOptions::default(), keys();
         /// Cycles of the control.
         cycles: CycleOptions = CycleOptions::default(), keys();
-        /// Cutter compensation by the control (CUTCOM: G41, G42, RL, RR): what the CL data under it is, "centre" (D
-        /// holds wear only) or "contour" (D holds the radius). Without it CUTCOM is refused.
+        /// Cutter compensation by the control (CUTCOM: G41, G42, RL, RR): path in the CL data, of the tool "centre" (D
+        /// holds wear only) or the "contour" (D holds the radius). Without it CUTCOM is refused.
         compensation: Option<CutterPath> = None, key("compensation.path", OneOf(&CutterPath::NAMES), "\"centre\"");
-        /// How fast blocks may run.
+        /// Limits of feeds and block times.
         feed: FeedLimits = FeedLimits::default(), keys();
-        /// How to get to the part.
+        /// Approach to the part.
         approach: Approach = Approach::default(), keys();
         /// Words and clamps of rotary axes.
         rotaries: RotaryOptions = RotaryOptions::default(), keys();
-        /// The operations that are posted; all of them without it.
+        /// Operations that are posted; all without it.
         operations: Option<Operations> = None;
-        /// Dry run: every point is this much further out along the tool axis, and the spindle stays off, mm.
+        /// Dry run: distance by which every point is moved out along the tool axis, mm; the spindle stays off.
         lift_mm: Option<f64> = None;
     }
 }
 
 options! {
-    /// Branch and whole turns of the rotary axes are chosen for the whole program: the fewest rewinds, then these
-    /// wishes, then the least time at the largest axis speeds, then the least travel.
+    /// Choice of branch and turns of the rotary axes, for the whole program: fewest rewinds, then these preferences,
+    /// then least time at the largest axis speeds, then least travel.
     pub struct CourseOptions in "course" {
-        /// Operations begin on this branch of `explain` where they can: "first" or "second".
+        /// Preferred branch of `explain` at the beginning of operations: "first" or "second".
         start_branch: Option<Branch> = None, key("course.start_branch", OneOf(&START_BRANCHES), "\"first\"");
-        /// Operations begin with this axis on this side of zero where they can.
+        /// Preferred side of zero of a rotary axis at the beginning of operations.
         ///
         /// `true`: at or above zero.
         prefer: Option<(char, bool)> = None, key("course.prefer", Preference);
-        /// Choose motion by motion, without a view ahead.
+        /// Choose motion by motion, without look-ahead.
         greedy: bool = false, key("course.greedy", Truth);
-        /// Within this angle of the direction that leaves the first rotary free, the tool axis is put there.
+        /// Within this angle of the direction that leaves the first rotary axis free, the tool axis is moved to that
+        /// direction.
         ///
-        /// Zero: within what CL data rounds.
+        /// Zero: within the rounding of CL data.
         axis_tolerance_rad: f64 = 0.0,
             key("course.axis_tolerance", Measure::angle(Bound::NotNegative).unless(another_path));
     }
 }
 
 options! {
-    /// What is refused or compared.
+    /// Checks.
     pub struct GuardOptions {
-        /// Compare the posted length of a tool with the control's tool table at the tool call, where the control can.
-        /// Without it where a rotary axis in the head makes the length matter.
+        /// Compare the posted length of a tool with the tool table of the control at the tool call, where the control
+        /// can. Without it: only where the length matters because of a rotary axis in the head.
         length_guard: Option<bool> = None, key("length_guard", Truth, "true");
-        /// By how much the lengths may differ.
+        /// Largest difference between the lengths.
         length_tolerance_mm: f64 = 0.01, also("length_tolerance", Measure::length(Bound::Positive).unless(unmeasurable));
-        /// Largest spindle speed. Without it speeds are not checked.
+        /// Largest spindle speed, rev/min. Without it speeds are not checked.
         spindle_max_rev_per_min: Option<f64> = None, key("spindle_max", Measure::plain(Bound::Positive), "12000");
-        /// Lowest Z of the tool tip, in the part as it lies on the table. Without it depths are not checked.
+        /// Lowest Z of the tool tip, in the part as mounted on the table. Without it depths are not checked.
         floor_mm: Option<f64> = None, key("floor", Measure::length(Bound::Any), "0.0");
-        /// Refuse CL data in which the tool points into the table throughout.
+        /// Refuse CL data in which every tool axis points into the table.
         table_check: bool = true, key("table_check", Truth);
     }
 }

@@ -280,7 +280,7 @@ fn remarks_of_a_kind_are_counted_and_records_do_not_wait_without_end() {
         let part = |count| PART.replace("RAPID\nGOTO/0,0,2\n", &format!("{}RAPID\nGOTO/0,0,2\n", record.repeat(count)));
         assert!(!posted::<Cb>(&Config::default(), &part(100)).1.failed, "{record}");
         let report = posted::<Cb>(&Config::default(), &part(20_000)).1;
-        assert!(report.diagnostics[0].text.contains("too many records stand between"), "{record}: {report:?}");
+        assert!(report.diagnostics[0].text.contains("too many records between"), "{record}: {report:?}");
     }
 }
 

@@ -71,7 +71,7 @@ impl KeyKind for Preference {
         if preference.is_none() {
             r.fault(
                 value.span(),
-                format!("\"{text}\" is not known here"),
+                format!("\"{text}\" is not a rotary axis with `+` or `-`"),
                 Some(CourseOptions::preferences(machine, axes)),
             );
         }
@@ -109,7 +109,7 @@ impl CourseOptions {
         let all: Vec<String> =
             rotaries.flat_map(|axis| ['+', '-'].map(|sign| format!("\"{}{sign}\"", axis.letter))).collect();
         match all.is_empty() {
-            true => format!("{machine} has no rotary axis to choose for"),
+            true => format!("{machine} has no rotary axis"),
             false => format!("write one of {}", all.join(", ")),
         }
     }
@@ -127,7 +127,7 @@ pub(crate) const PARK: PerAxis<f64> = PerAxis {
             && !(limits.lower - slack..=limits.upper + slack).contains(&position)
         {
             let travel = show_limits(axis, limits, r.units());
-            r.fault(value.span(), format!("{} cannot stand there: its travel is {travel}", axis.letter), None);
+            r.fault(value.span(), format!("{} cannot be parked there: its travel is {travel}", axis.letter), None);
         }
         Some(position)
     },
@@ -142,8 +142,8 @@ pub(crate) const WRAP: PerAxis<Wrap> = PerAxis {
     read: |r, AxisEntry { axis, span, value }| {
         let wrap = r.choice(value, &Wrap::NAMES)?;
         if !solved(axis) || r.travel_of(axis).is_some() {
-            let text = format!("{} is no endless rotary axis: it cannot roll over", axis.letter);
-            r.fault(span.clone(), text, Some(format!("`[limits] {} = \"free\"` if it is endless", axis.letter)));
+            let text = format!("{} is not an endless rotary axis: its words cannot roll over", axis.letter);
+            r.fault(span.clone(), text, Some(format!("set `[limits] {} = \"free\"` if it is endless", axis.letter)));
             return None;
         }
         wrap
@@ -160,8 +160,8 @@ pub(crate) const GRID: PerAxis<f64> = PerAxis {
         let step = r.number(entry.value, Quantity::Angle, Bound::Positive)?;
         let steps = std::f64::consts::TAU / step;
         if (steps - steps.round()).abs() > 1e-9 * steps || steps < 2.0 {
-            let help = "e.g. 1, 2.5 or 5 degrees".to_owned();
-            r.fault(entry.value.span(), "the steps of an indexed axis divide a turn", Some(help));
+            let help = "give for example 1, 2.5 or 5 degrees".to_owned();
+            r.fault(entry.value.span(), "the step of an indexed axis must divide 360 degrees", Some(help));
             return None;
         }
         Some(step)
@@ -227,7 +227,7 @@ fn geometry(r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<Clearance> {
     let entries = r.entries(value);
     let [(kind, span, value)] = &entries[..] else {
         if value.get_ref().as_table().is_some() {
-            r.fault(value.span(), "one geometry is needed here", Some(FORMS.to_owned()));
+            r.fault(value.span(), "one of `plane`, `box` and `cylinder` is needed here", Some(FORMS.to_owned()));
         }
         return None;
     };
@@ -239,7 +239,7 @@ fn geometry(r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<Clearance> {
         "box" => read_box(r, value),
         "cylinder" => read_cylinder(r, value),
         other => {
-            r.fault(span.clone(), format!("`{other}` is not known here"), Some(FORMS.to_owned()));
+            r.fault(span.clone(), format!("`{other}` is not a clearance geometry"), Some(FORMS.to_owned()));
             None
         }
     }
@@ -253,7 +253,7 @@ fn read_box(r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<Clearance> {
     };
     let [lower, upper] = [LengthPoint.read(r, lower)?, LengthPoint.read(r, upper)?];
     if (0..3).any(|i| lower[i] >= upper[i]) {
-        r.fault(value.span(), "the box is empty: the lower corner comes first", None);
+        r.fault(value.span(), "the box is empty: give the lower corner first", None);
         return None;
     }
     Some(Clearance::Box { lower: Point3::from(lower), upper: Point3::from(upper) })
@@ -274,7 +274,7 @@ fn read_cylinder(r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<Clearanc
                 };
                 centre = [r.length(x, Bound::Any)?, r.length(y, Bound::Any)?];
             }
-            other => r.fault(span, format!("`{other}` is not known here"), Some(FORMS.to_owned())),
+            other => r.fault(span, format!("`{other}` is not a key of a cylinder"), Some(FORMS.to_owned())),
         }
     }
     match (radius, lower, upper) {
@@ -282,7 +282,7 @@ fn read_cylinder(r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<Clearanc
             Some(Clearance::Cylinder { centre, radius, lower, upper })
         }
         _ => {
-            r.fault(value.span(), "radius, lower and a higher upper end are needed here", Some(FORMS.to_owned()));
+            r.fault(value.span(), "`radius`, `lower` and a higher `upper` are needed here", Some(FORMS.to_owned()));
             None
         }
     }

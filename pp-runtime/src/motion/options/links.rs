@@ -8,12 +8,12 @@ use super::keys::Geometry;
 options! {
     /// Motion between cuts.
     pub struct RapidOptions {
-        /// Transition between operations: "safe" (retract, turn, approach) or "direct" (as the CL data has it).
+        /// Transition between operations: "safe" (retract, rotate, approach) or "direct" (as in the CL data).
         transition: Transition = Transition::Safe, key("transition", OneOf(&Transition::NAMES));
-        /// Rapids in which a rotary axis turns more than this go through the safe sequence.
+        /// Rapids in which a rotary axis rotates by more than this are replaced by the safe sequence.
         index_angle_rad: f64 = 1_f64.to_radians(), key("index_angle", Measure::angle(Bound::NotNegative));
-        /// Rapids inside an operation: "direct" (one block), "split" (out along the tool, across, in along the tool) or
-        /// "feed" (a feed motion at `rapid_feed`, on a certified path).
+        /// Rapids inside an operation: "direct" (one block), "split" (two blocks, along the tool axis and across it: out
+        /// first, in last) or "feed" (a feed motion at `rapid_feed`, on a certified path).
         rapid: Rapid = Rapid::Direct, key("rapid", OneOf(&Rapid::NAMES));
         /// Feed of a rapid that is written as a feed motion.
         rapid_feed_mm_per_min: Option<f64> = None, also("rapid_feed", Measure::length(Bound::Positive), "10000.0");
@@ -23,19 +23,19 @@ options! {
 }
 
 options! {
-    /// How to get away from the part.
+    /// Retract from the part.
     pub struct Retract in "retract" {
         /// Machine coordinate of the retract axis.
         position_mm: Option<f64> = None,
             key("retract.position", Assumed(Measure::length(Bound::Any), Self::POSITION_MM));
-        /// Distance along the tool axis. Without it to the clearance geometry of the CL data.
+        /// Distance along the tool axis. Without it, up to the clearance geometry of the CL data.
         distance_mm: Option<f64> = None, key("retract.distance", Measure::length(Bound::Positive), "100.0");
-        /// Or, in the part as it lies on the table, a plane above, a box or a cylinder around the part that the tool
-        /// has to leave.
+        /// Clearance geometry that the tool has to leave, in the part as mounted on the table: a plane above, or a box
+        /// or a cylinder around the part.
         clearance: Option<Clearance> = None,
             key("retract.clearance", Geometry, "{ cylinder = { radius = 120.0, lower = -50.0, upper = 80.0 } }");
-        /// Where rotary axes have to be rewound in a cut: "leave" (out along the tool axis and back), or "follow" (the
-        /// tip stays in place, and the tool swings about it in the part).
+        /// Rewind of rotary axes in a cut: "leave" (out along the tool axis and back), or "follow" (the tip stays in
+        /// place, and the tool swings about it in the part).
         rewind: Rewind = Rewind::Leave, key("retract.rewind", OneOf(&Rewind::NAMES));
         /// Coolant off while the rotary axes are rewound out of the part.
         rewind_dry: bool = false, key("retract.rewind_dry", Truth);
@@ -43,9 +43,9 @@ options! {
 }
 
 options! {
-    /// How to get to the part.
+    /// Approach to the part.
     pub struct Approach in "approach" {
-        /// The approach point lies this far from the first point along the tool axis.
+        /// Distance of the approach point from the first point, along the tool axis.
         distance_mm: f64 = 50.0, key("approach.distance", Measure::length(Bound::Positive));
     }
 }

@@ -82,19 +82,19 @@ impl TcpWords {
 options! {
     /// Tip control, in mode `tcp`.
     pub struct TipOptions {
-        /// The frame of tip coordinates where a table turns under them: fixed to the table as it stands at zero
-        /// ("table_at_zero"), or where tip control begins ("table_at_start"), or standing still ("not_turning"). Fanuc:
-        /// parameter 19696#5.
+        /// Frame of tip coordinates while a table rotates: fixed to the table at zero ("table_at_zero") or at the start
+        /// of tip control ("table_at_start"), or fixed in the machine ("not_turning"). Fanuc: parameter 19696#5.
         ///
-        /// Without it where a control has only one, that one.
+        /// Without it: the frame of the control, where it has only one.
         tcp_frame: Option<TcpFrame> = None, key("tcp_frame", OneOf(&TcpFrame::NAMES), "\"table_at_zero\"");
-        /// Blocks of mode "tcp" hold the "angles" of the rotary axes, or the tool axis as "vectors" and the control
+        /// Words of mode "tcp" for the tool axis: "angles" of the rotary axes, or "vectors", for which the control
         /// chooses the angles.
         tcp_words: TcpWords = TcpWords::Angles, key("tcp_words", OneOf(&TcpWords::NAMES));
-        /// How the control moves the tool axis in mode "tcp": rotary "axes" evenly, or in the "plane" of its ends.
+        /// Motion of the tool axis in a block of mode "tcp": rotary "axes" evenly, or in the "plane" of its start and end
+        /// directions.
         tool_posture: ToolPosture = ToolPosture::Axes, key("tool_posture", OneOf(&ToolPosture::NAMES));
-        /// In mode "tcp" the control knows held axes and linear axes between rotary ones; in modes "tcp" and "plane"
-        /// its frame stays where `rotary_offset` has entries in the work offset.
+        /// Confirms that in mode "tcp" the control accounts for held axes and for linear axes between rotary ones, and
+        /// that in modes "tcp" and "plane" entries of `rotary_offset` in the work offset do not move its frame.
         tcp_confirmed: bool = false, key("tcp_confirmed", Truth);
     }
 }
@@ -102,12 +102,13 @@ options! {
 options! {
     /// Words and clamps of rotary axes.
     pub struct RotaryOptions {
-        /// Words of endless rotary axes: "none" (370 is ten degrees past a turn), "0..360" or "+-180" (the control goes
-        /// the short way), "sign" (0..360, the sense of the motion as sign).
+        /// Rollover of the words of endless rotary axes: "none" (words count beyond 360), "0..360" or "+-180" (the
+        /// control takes the shortest path), "sign" (0..360, with the sense of rotation as sign).
         wrap: BTreeMap<char, Wrap> = BTreeMap::new(), key("wrap", WRAP);
-        /// Steps of indexed rotary axes (Hirth): they turn between cuts only, and to these angles only.
+        /// Steps of indexed rotary axes (Hirth): they rotate between cuts only, and to multiples of the step only.
         grid: BTreeMap<char, f64> = BTreeMap::new(), key("grid", GRID);
-        /// Codes that hold a rotary axis where it stays still between two approaches, and that let it turn.
+        /// Codes for the clamp of a rotary axis: on where the axis does not move between two approaches, off before it
+        /// rotates.
         clamp: BTreeMap<char, ClampCodes> = BTreeMap::new(), key("clamp", CLAMP);
     }
 }

@@ -291,7 +291,7 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
             let to = self.piece_end(cuts.end(piece))?;
             let circle = self.circle(in_program, share, self.planner.mover.here(), &to);
             let (Some(circle), FeedWord::PerMinute(feed)) = (circle, pace.feed) else {
-                return Err(Fault::new("an arc that could be said cannot be written").into());
+                return Err(Fault::new("an arc within tolerance cannot be written").into());
             };
             let mover = &mut self.planner.mover;
             mover.output_mut().feed(&pace, None);

@@ -58,7 +58,7 @@ impl CoolantState {
         };
         if let Some(missing) = missing {
             return Err(Fault::new(format_args!("this control has no code for {missing}"))
-                .help("give it its codes, on and off: `[control] coolant = { air = [\"M83\", \"M84\"] }`")
+                .help("configure its codes for on and off: `[control] coolant = { air = [\"M83\", \"M84\"] }`")
                 .into());
         }
         if kind == Kind::Off || policy.options.lift_mm.is_some() {

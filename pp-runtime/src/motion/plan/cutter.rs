@@ -65,7 +65,7 @@ impl CutterCompensation {
             asked
         };
         if self.in_force() && self.side != Some(side) {
-            return Err(in_force_fault("CUTCOM asks for the other side"));
+            return Err(in_force_fault("CUTCOM requests the other side"));
         }
         let register = register.or(self.register.filter(|_| asked == CutterSide::On));
         let state = if self.in_force() { Compensating::On } else { Compensating::Begins };
@@ -87,9 +87,9 @@ impl CutterCompensation {
             Event::Operation(_) | Event::SafeSequence => "another operation begins",
             Event::Stop | Event::OptionalStop => "the program stops",
             Event::Frame(_) => "another frame follows",
-            Event::Home => "the machine goes home",
-            Event::From(_) => "FROM places the tool elsewhere",
-            Event::Insert(_) | Event::Code { .. } => "a block follows that the CL data gives as it stands",
+            Event::Home => "GOHOME follows",
+            Event::From(_) => "FROM follows",
+            Event::Insert(_) | Event::Code { .. } => "NC text of the CL data follows",
             Event::Name(_)
             | Event::MachineName(_)
             | Event::Preselect(_)
@@ -116,7 +116,7 @@ impl CutterCompensation {
 
     /// Refuses a curve.
     pub(crate) fn check_curve(&self) -> Result<(), Fault> {
-        self.check_idle("a curve follows, which would be chords")
+        self.check_idle("a curve follows, which is written as chords")
     }
 
     fn check_idle(&self, what: &str) -> Result<(), Fault> {
@@ -128,8 +128,8 @@ impl CutterCompensation {
         match self.state {
             Compensating::Off => Ok(()),
             Compensating::Begins => {
-                Err(Fault::new("CUTCOM asked for compensation, and no straight feed motion in the plane follows")
-                    .help("leave CUTCOM out, or give it in front of the lead-in"))
+                Err(Fault::new("CUTCOM requests compensation, but no straight feed motion in the plane follows")
+                    .help("remove CUTCOM, or give it before the lead-in"))
             }
             Compensating::On | Compensating::Ends => Err(in_force_fault("the program ends")),
         }
@@ -139,7 +139,7 @@ impl CutterCompensation {
 /// Fault: `what` comes while compensation is in force.
 fn in_force_fault(what: &str) -> Fault {
     Fault::new(format_args!("cutter compensation is in force, and {what}"))
-        .help("put CUTCOM/OFF and a straight feed motion in the plane in front of it")
+        .help("give CUTCOM/OFF and a straight feed motion in the plane before it")
 }
 
 /// CUTCOM.
@@ -147,7 +147,7 @@ pub(crate) fn request<S: Sink>(planner: &mut Planner<'_, S>, asked: &Compensatio
     let Compensation { side, register, xy } = *asked;
     if side == CutterSide::Off {
         if !planner.cutter.end() {
-            let fault = Fault::new("CUTCOM/OFF, and no straight feed motion in the plane came before it")
+            let fault = Fault::new("CUTCOM/OFF without a straight feed motion in the plane before it")
                 .help("nothing was compensated: check the side and the lead-in");
             planner.mover.output_mut().remark(fault);
         }
@@ -160,18 +160,21 @@ pub(crate) fn request<S: Sink>(planner: &mut Planner<'_, S>, asked: &Compensatio
 /// Refuses CUTCOM where configuration, mode or plane do not allow it.
 fn check_set_up(policy: Policy<'_>, xy: bool) -> Result<(), Fault> {
     if policy.options.compensation.is_none() {
-        return Err(Fault::new("CUTCOM asks for cutter compensation by the control").help(
-            "say what D holds: `[compensation] path = \"centre\"` (wear) or `\"contour\"` (the radius); or have the \
-             CAM system leave CUTCOM out",
+        return Err(Fault::new(
+            "CUTCOM requests cutter compensation by the control, but `compensation.path` is not set",
+        )
+        .help(
+            "configure the value of D: `[compensation] path = \"centre\"` (D holds the wear) or `\"contour\"` (D \
+                 holds the radius); or output CL data without CUTCOM",
         ));
     }
     if policy.options.mode == Mode::Tcp {
-        return Err(Fault::new("there is no cutter compensation in the plane under tip control")
-            .help("post this program with mode axes or plane, or leave CUTCOM out"));
+        return Err(Fault::new("cutter compensation in the plane is not possible under tip control")
+            .help("post this program with mode axes or plane, or remove CUTCOM"));
     }
     if !xy {
-        return Err(Fault::new("cutter compensation is written for the plane of X and Y only")
-            .help("leave CUTCOM out, and have the CAM system compute the path of the tool's centre"));
+        return Err(Fault::new("cutter compensation is possible in the plane of X and Y only")
+            .help("remove CUTCOM, and output the path of the tool centre in CAM"));
     }
     Ok(())
 }
@@ -207,9 +210,9 @@ pub(crate) fn line<S: Sink>(planner: &mut Planner<'_, S>, ahead: MotionAndNext<'
         Compensating::Ends => {
             if !line(&step?) {
                 return Err(Fault::new(
-                    "compensation ends in a straight feed motion in its plane, and another one follows",
+                    "compensation ends with a straight feed motion in its plane, but another motion follows",
                 )
-                .help("let the lead-out be a line in the plane behind CUTCOM/OFF")
+                .help("give a line in the plane as lead-out after CUTCOM/OFF")
                 .into());
             }
             switch(planner, false)?;
@@ -218,7 +221,7 @@ pub(crate) fn line<S: Sink>(planner: &mut Planner<'_, S>, ahead: MotionAndNext<'
     let stays = planner.cutter.in_force() || planner.cutter.is_idle();
     planner.run(ahead, index)?;
     if stays && planner.mover.placer().rotary_travel(&from.words, &planner.mover.here().words) > 0.0 {
-        return Err(in_force_fault("a rotary axis turns").into());
+        return Err(in_force_fault("a rotary axis rotates").into());
     }
     Ok(())
 }
@@ -232,8 +235,8 @@ pub(crate) fn arc<'a, S: Sink>(
 ) -> Planned {
     if planner.cutter.state != Compensating::On {
         let when = if planner.cutter.state == Compensating::Begins { "begins" } else { "ends" };
-        let text = format!("compensation {when} in a straight feed motion in its plane, and an arc follows");
-        return Err(Fault::new(text).help("let lead-in and lead-out be lines").into());
+        let text = format!("compensation {when} with a straight feed motion in its plane, but an arc follows");
+        return Err(Fault::new(text).help("give lines as lead-in and lead-out").into());
     }
     let axis = arc.end.axis.into_inner();
     let perpendicular = axis.cross(&arc.normal).norm() <= SAME_AXIS;
@@ -246,10 +249,10 @@ pub(crate) fn arc<'a, S: Sink>(
     // An arc as flat as its chord is not counted.
     let chorded = planner.mover.output().statistics().chorded != before;
     if chorded || planner.policy.options.arcs.output == ArcOutput::Lines {
-        return Err(in_force_fault("an arc follows that would be chords").into());
+        return Err(in_force_fault("an arc follows that is written as chords").into());
     }
     if planner.mover.placer().rotary_travel(&words, &planner.mover.here().words) > 0.0 {
-        return Err(in_force_fault("a rotary axis turns").into());
+        return Err(in_force_fault("a rotary axis rotates").into());
     }
     Ok(())
 }
@@ -257,8 +260,8 @@ pub(crate) fn arc<'a, S: Sink>(
 /// A motion in program coordinates, mm; refused where the tool axis is not Z of the program.
 fn in_program<S: Sink>(planner: &Planner<'_, S>, from: &Place, motion: &Move) -> Result<Vector3<f64>, Fault> {
     let tilted = || {
-        Fault::new("cutter compensation works in the plane of X and Y, and the tool axis is not Z of the program here")
-            .help("post this program with mode plane, or leave CUTCOM out")
+        Fault::new("cutter compensation works in the plane of X and Y, but the tool axis is not Z of the program here")
+            .help("post this program with mode plane, or remove CUTCOM")
     };
     let (_, map) = planner.mover.placer().square_map(from).ok_or_else(tilted)?;
     let along = map * motion.pose.axis.into_inner();
@@ -276,7 +279,7 @@ fn check_length<S: Sink>(planner: &Planner<'_, S>, length_mm: f64) -> Result<(),
     let radius = diameter.filter(|_| policy.options.compensation == Some(CutterPath::Contour)).map(|d| 0.5 * d);
     match radius.filter(|radius| length_mm < *radius) {
         Some(radius) => Err(Fault::new(format_args!(
-            "compensation begins in a line {length_mm:.3} mm long, and the tool has a radius of {radius:.3} mm"
+            "compensation begins with a line {length_mm:.3} mm long, shorter than the tool radius of {radius:.3} mm"
         ))
         .help("make the lead-in longer than the radius")),
         None => Ok(()),
@@ -296,15 +299,18 @@ fn switch<S: Sink>(planner: &mut Planner<'_, S>, on: bool) -> Planned {
 
 /// Register of the radius of the tool.
 fn radius_register<S: Sink>(planner: &Planner<'_, S>) -> Result<u32, Fault> {
-    let number =
-        planner.tooling.current().map(|tool| tool.number).ok_or_else(|| Fault::new("CUTCOM without a tool"))?;
+    let number = planner
+        .tooling
+        .current()
+        .map(|tool| tool.number)
+        .ok_or_else(|| Fault::new("CUTCOM before the first tool call"))?;
     let given =
         planner.policy.set_up.tools.get(&number).and_then(|tool| tool.radius_offset).or(planner.cutter.register);
     if let Some(given) = given.filter(|given| *given != number && !planner.abilities.shared_radius_registers) {
         return Err(Fault::new(format_args!(
-            "T{number} is to have the radius of register {given}, and this control takes that of the tool itself"
+            "T{number} is given radius register {given}, but this control takes the radius of the tool itself"
         ))
-        .help(format_args!("leave the register out of CUTCOM and `[tools.{number}] radius_offset`")));
+        .help(format_args!("remove the register from CUTCOM and `[tools.{number}] radius_offset`")));
     }
     Ok(given.unwrap_or(number))
 }

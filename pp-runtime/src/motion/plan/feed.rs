@@ -128,7 +128,7 @@ impl Feeds {
     pub(crate) fn pace(&self, feed: f64, motion: FeedMotion) -> Result<Pace, Fault> {
         let zero = |feed: f64| {
             Fault::new(format_args!("a feed of {feed} mm/min is written as F0"))
-                .help("check the unit of FEDRAT, or give F more decimals")
+                .help("check the unit of FEDRAT, or give F more decimals (`[formats] feed`)")
         };
         if feed.is_nan() || feed <= 0.0 {
             return Err(zero(feed));
@@ -136,7 +136,7 @@ impl Feeds {
         let programmed_min = self.programmed_min(feed, motion);
         let least_min = motion.axis_time_min.max(self.shortest_block_min);
         let time_min = programmed_min.max(least_min).max(self.path_length(motion) / self.largest_mm_per_min);
-        let overflow = |_| Fault::new(format_args!("a feed of {feed} mm/min does not fit into a word"));
+        let overflow = |_| Fault::new(format_args!("a feed of {feed} mm/min is too large for an F word"));
         let (feed, word) = if motion.rotation_rad == 0.0 && motion.orthogonal {
             // A motion of nothing but rounding counts as one unit of the words.
             let length_mm = motion.length_mm.max(self.smallest_length_mm);
@@ -164,10 +164,11 @@ impl Feeds {
             }
         };
         if word.value() >= self.feed_bound {
-            return Err(Fault::new(format_args!("an F of {} has more digits than the control holds", word.value()))
-                .help(
-                    "`[feed] largest` or `shortest_block` slow such blocks down; `[formats] feed_whole` are the digits",
-                ));
+            let text = format!("F{} has more digits than an F word of this control", word.value());
+            return Err(Fault::new(text).help(
+                "`[feed] largest` or `shortest_block` slows such blocks down; `[formats] feed_whole` is the number of \
+                 digits before the decimal point",
+            ));
         }
         if word.units <= 0 {
             return Err(zero(motion.length_mm / time_min));

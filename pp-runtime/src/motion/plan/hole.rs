@@ -99,8 +99,8 @@ impl<S: Sink> HoleRun<'_, '_, S> {
             Ok((cycle, back)) => self.run_cycle(&cycle, back),
             Err(why) if matches!(self.hole.drilling, Drilling::Tap { .. }) => {
                 let text =
-                    format!("a thread needs spindle and feed in step, which only a cycle of the control does: {why}");
-                Err(Fault::new(text).help("take the tapping out of the CL data and program it at the control").into())
+                    format!("tapping synchronises spindle and feed, which only a cycle of the control does: {why}");
+                Err(Fault::new(text).help("remove the tapping from the CL data and program it at the control").into())
             }
             Err(_) => self.run_by_motions(),
         }
@@ -181,10 +181,10 @@ impl<S: Sink> HoleRun<'_, '_, S> {
     fn cycle(&mut self) -> Result<Result<CycleAndEnd, NoCycle>, Fault> {
         let (hole, policy) = (self.hole, self.planner.policy);
         if policy.options.cycles.output == CycleOutput::Expanded {
-            return Ok(Err("`[cycles]` asks for motions"));
+            return Ok(Err("`[cycles] output` is \"expanded\""));
         }
         if policy.options.lift_mm.is_some() {
-            return Ok(Err("a dry run has no cycles"));
+            return Ok(Err("a dry run writes no cycles"));
         }
         if policy.options.mode == Mode::Tcp {
             return Ok(Err("there are no cycles under tip control"));
@@ -192,7 +192,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         let here = *self.planner.mover.here();
         let placer = self.planner.mover.placer();
         let Some((chain, map)) = placer.square_map(&here) else {
-            return Ok(Err("the program has no square coordinates here"));
+            return Ok(Err("the coordinates of the program are not orthogonal here"));
         };
         let along = map * hole.top.axis.into_inner();
         let reach = hole.depth + hole.back_to.max(hole.clearance);
@@ -211,7 +211,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         let [clearance, bottom, back] = places.map(|place| placer.written(&place));
         let [x, y, z] = chain;
         if [x, y].iter().any(|&axis| clearance[axis] != bottom[axis]) {
-            return Ok(Err("the hole is not along Z in the words of the program"));
+            return Ok(Err("the rounded words of the hole are not parallel to Z"));
         }
         let words = AxisWords { units: clearance, mask: 1 << x | 1 << y, vector: None };
         let [surface, clearance, bottom, back] = [surface, clearance, bottom, back].map(|written| written[z]);
@@ -226,10 +226,10 @@ impl<S: Sink> HoleRun<'_, '_, S> {
     fn mismatch(&self, cycle: &CannedCycle) -> Result<Option<NoCycle>, Fault> {
         let can = self.planner.abilities.cycles;
         if !(cycle.bottom < cycle.surface && cycle.surface <= cycle.clearance && cycle.clearance <= cycle.back) {
-            return Ok(Some("its levels are not in their order"));
+            return Ok(Some("the levels of the hole are not in order"));
         }
         if cycle.dwell.is_some_and(|seconds| seconds * 1e3 > f64::from(can.longest_dwell_ms)) {
-            return Ok(Some("the wait is too long for it"));
+            return Ok(Some("the dwell is too long for the cycle"));
         }
         if let CannedKind::Peck { step, gap } | CannedKind::ChipBreak { step, gap } = cycle.kind
             && can.programs_gap
@@ -238,7 +238,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
             let as_many = steps(self.hole)?.count() as i64 == (depth + step - 1) / step;
             let whole = !can.whole_steps_only || depth % step == 0;
             let in_hole = gap > 0 && gap <= step + cycle.clearance - cycle.surface;
-            return Ok((!(as_many && whole && in_hole)).then_some("its steps are not those of this control"));
+            return Ok((!(as_many && whole && in_hole)).then_some("the cycle of this control drills in other steps"));
         }
         Ok(None)
     }
@@ -264,13 +264,13 @@ impl<S: Sink> HoleRun<'_, '_, S> {
             {
                 Ok(CannedKind::ChipBreak { step: units(step), gap: units(back.unwrap_or(usual_gap)) })
             }
-            Drilling::Tap { .. } if !can.tap => Err("this control has none here"),
+            Drilling::Tap { .. } if !can.tap => Err("this control has no tapping cycle here"),
             Drilling::Tap { .. } if !no_dwell && !can.tap_dwell => {
-                Err("that of this control does not wait at the bottom")
+                Err("the tapping cycle of this control has no dwell at the bottom")
             }
             Drilling::Tap { pitch } => Ok(self.thread(pitch)?),
             Drilling::Drill | Drilling::Ream | Drilling::Peck { .. } | Drilling::ChipBreak { .. } => {
-                Err("no cycle of this control does the same")
+                Err("no cycle of this control moves the tool in the same way")
             }
         })
     }
@@ -278,7 +278,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
     /// The tapping cycle at the spindle speed as written.
     fn thread(&self, pitch: Option<f64>) -> Result<CannedKind, Fault> {
         let Some((rev_per_min, rotation)) = self.planner.spindle.running() else {
-            return Err(Fault::new("a thread with the spindle off").help("give SPINDL/ON before it"));
+            return Err(Fault::new("tapping with the spindle off").help("give SPINDL/ON before it"));
         };
         let stated = match self.hole.feed {
             Some(Programmed::PerRevolution(pitch)) => Some(pitch),
@@ -287,14 +287,15 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         };
         let pitch = pitch.or(stated).filter(|pitch| *pitch > 0.0);
         let pitch = pitch.ok_or_else(|| {
-            Fault::new("the pitch of this thread is not known").help("give the feed of the cycle per turn (MMPR, IPR)")
+            Fault::new("the pitch of this thread is unknown")
+                .help("give the feed of the cycle per revolution (MMPR, IPR)")
         })?;
-        let too_large = |_| Fault::new("the pitch or the speed of this thread does not fit into a word");
+        let too_large = |_| Fault::new("the pitch or the spindle speed of this thread is too large for a word");
         let exact = pitch / self.planner.mover.feeds().unit_mm();
         let pitch = Decimal::fixed(exact, self.planner.abilities.cycles.pitch_decimals).map_err(too_large)?;
         if (pitch.value() / exact - 1.0).abs() > PITCH {
             let fault = Fault::new(format_args!("the pitch of this thread, {exact}, has too many digits for a word"));
-            return Err(fault.help("`output_units` of the drawing give a pitch that fits"));
+            return Err(fault.help("set `output_units` to the units of the drawing, in which the pitch is exact"));
         }
         Ok(CannedKind::Tap {
             pitch,
@@ -318,7 +319,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         let motion = FeedMotion::linear(length, axis_time_min);
         let pace = feeds.pace(per_minute, motion)?;
         let FeedWord::PerMinute(word) = pace.feed else {
-            return Err(Fault::new("a cycle has no feed in inverse time"));
+            return Err(Fault::new("a cycle cannot have a feed in inverse time"));
         };
         if let CannedKind::Tap { .. } = kind
             && (pace.slowed_min > 0.0
@@ -326,7 +327,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
                     && (feeds.mm_per_minute(word) / per_minute - 1.0).abs() > THREAD_FEED)
         {
             return Err(Fault::new(format_args!(
-                "a thread needs a feed of {per_minute} mm/min, which cannot be written or is beyond an axis"
+                "this thread needs a feed of {per_minute} mm/min, which F cannot express or an axis cannot reach"
             ))
             .help("give another spindle speed"));
         }

@@ -217,14 +217,17 @@ impl<'a, S: Sink> Planner<'a, S> {
             && motion.pose.tip.z < floor
         {
             let tip = motion.pose.tip.z;
-            return Err(Fault::new(format_args!("the tip goes to Z {tip:.4} mm, below `floor` = {floor:.4} mm")));
+            let text = format!("the tool tip moves to Z {tip:.4} mm, below `floor` = {floor:.4} mm");
+            return Err(Fault::new(text).help("correct the depth in CAM, or lower `floor`"));
         }
         if self.tooling.current().is_none() {
             self.check_without_tool(motion)?;
         }
         if self.upside_down {
-            return Err(Fault::new("every tool axis of this program points into the table")
-                .help("is the frame upside down? Turn it in CAM or with `part_rotation`; `table_check = false` posts it as it is"));
+            return Err(Fault::new("every tool axis of this program points into the table").help(
+                "check whether the frame is upside down: rotate it in CAM or by `part_rotation`; `table_check = \
+                     false` posts it unchanged",
+            ));
         }
         if motion.rapid {
             return Ok(());
@@ -233,8 +236,8 @@ impl<'a, S: Sink> Planner<'a, S> {
             return Err(if self.spindle.is_off_requested() {
                 Fault::new("a feed motion with the spindle off").help("give SPINDL/ON before it")
             } else {
-                Fault::new("a feed motion without spindle speed or direction since the tool was called").help(
-                    "give SPINDL/RPM,..,CLW behind the tool call, or speed and direction of the tool in the configuration",
+                Fault::new("a feed motion without spindle speed or direction since the tool call").help(
+                    "give SPINDL/RPM,..,CLW after the tool call, or `speed` and `direction` of the tool in the configuration",
                 )
             });
         }
@@ -246,11 +249,14 @@ impl<'a, S: Sink> Planner<'a, S> {
 
     fn check_without_tool(&self, motion: &Move) -> Result<(), Fault> {
         if self.mover.placer().head() {
-            return Err(Fault::new("a motion before the first tool, and this machine turns the tool about its head")
-                .help("call the tool first: LOADTL/1,LENGTH,120"));
+            return Err(Fault::new(
+                "a motion before the first tool call: this machine has a rotary axis in the head, so axis positions depend \
+                 on the tool length",
+            )
+            .help("call the tool first: LOADTL/1,LENGTH,120"));
         }
         if !motion.rapid {
-            return Err(Fault::new("a feed motion before the first tool").help("call a tool: LOADTL/1"));
+            return Err(Fault::new("a feed motion before the first tool call").help("call a tool: LOADTL/1"));
         }
         Ok(())
     }
@@ -352,10 +358,10 @@ impl<'a, S: Sink> Planner<'a, S> {
 #[cold]
 fn sense_refused(air: bool) -> Fault {
     Fault::new(match air {
-        true => "the sense that ROTABL/NEXT asks for leads out of the limits",
-        false => "ROTABL/NEXT stands in front of a cut, which cannot take the long way round",
+        true => "the sense of rotation of ROTABL/NEXT leads out of the limits of the axis",
+        false => "ROTABL/NEXT comes before a cut, which cannot rotate the table the long way round",
     })
-    .help("leave it out, or give it in front of a rapid or of an operation")
+    .help("remove it, or give it before a rapid or before an operation")
 }
 
 impl<S: Sink> Stage for Planner<'_, S> {

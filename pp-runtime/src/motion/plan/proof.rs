@@ -98,13 +98,13 @@ impl<'p, 'a, S: Sink> ProofProgram<'p, 'a, S> {
         let refused = |fault: Fault| Err(ItemError::from(fault).at(Location::default()));
         if self.planner.policy.options.rotaries.grid.contains_key(&letter) {
             let fault =
-                Fault::new(format_args!("{letter} stands on steps and does not turn in a cut: it cannot be swept"));
+                Fault::new(format_args!("{letter} is indexed and does not rotate in a cut: it cannot be swept"));
             return refused(fault.help("check such an axis by hand, step by step"));
         }
         match (rotary.lower, rotary.upper) {
             (Some(lower), Some(upper)) => Ok(vec![lower, upper]),
             _ if axis.side == Side::Tool => {
-                let fault = Fault::new(format_args!("the travel of {letter}, which turns the head, is not known"));
+                let fault = Fault::new(format_args!("the travel of {letter}, a rotary axis of the head, is unknown"));
                 refused(fault.help(format_args!("give it in the configuration: `[limits] {letter} = [-90, 90]`")))
             }
             _ => Ok(vec![rest + self.planner.mover.placer().scale().turn]),

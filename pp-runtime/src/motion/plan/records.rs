@@ -29,8 +29,8 @@ pub(crate) fn delay<S: Sink>(planner: &mut Planner<'_, S>, dwell: Dwell) -> Plan
     }
     if !DWELL.contains(&seconds) {
         let (low, high) = (DWELL.start(), DWELL.end());
-        let fault = Fault::new(format_args!("a wait of {seconds} seconds cannot be written"));
-        return Err(fault.help(format_args!("between {low} and {high} seconds can be")).into());
+        let fault = Fault::new(format_args!("a dwell of {seconds} s cannot be written"));
+        return Err(fault.help(format_args!("give a dwell of {low} to {high} s")).into());
     }
     let output = planner.mover.output_mut();
     output.cancel_inverse_time()?;
@@ -177,8 +177,8 @@ impl<S: Sink> Records<'_, '_, S> {
         let machine = self.planner.mover.placer().machine().name();
         if !name.eq_ignore_ascii_case(machine.as_bytes()) {
             let name = String::from_utf8_lossy(name);
-            let text = format!("the CL data was made for the machine `{name}`, this is {machine}");
-            let fault = Fault::new(text).help("nothing in the program depends on that name");
+            let text = format!("the CL data was made for the machine `{name}` and is posted for {machine}");
+            let fault = Fault::new(text).help("MACHIN has no effect on the program");
             self.planner.mover.output_mut().remark(fault);
         }
     }
@@ -188,8 +188,8 @@ impl<S: Sink> Records<'_, '_, S> {
         let towards = self.planner.mover.placer().towards(turning);
         self.planner.course.set_towards(towards);
         if towards.is_none() && turning != Turning::Shortest {
-            let fault = Fault::new("ROTABL/NEXT turns the table, and no rotary axis stands in the table here");
-            return Err(fault.help("leave it out").into());
+            let fault = Fault::new("ROTABL/NEXT rotates the table, and this machine has no rotary axis in the table");
+            return Err(fault.help("remove it").into());
         }
         Ok(())
     }
@@ -198,13 +198,14 @@ impl<S: Sink> Records<'_, '_, S> {
     fn raw(&mut self, text: &[u8]) -> Planned {
         if self.planner.policy.options.lift_mm.is_some() {
             let fault =
-                Fault::new("a dry run writes no NC text of the CL data: nobody knows what it moves or switches on");
-            return Err(fault.help("`--insert comment`, or take it out").into());
+                Fault::new("a dry run writes no NC text of the CL data: it could move an axis or start the spindle");
+            return Err(fault.help("use `--insert comment`, or remove the record").into());
         }
         if text.is_empty() || !text.iter().all(|byte| (b' '..=b'~').contains(byte)) {
-            let fault =
-                Fault::new("INSERT is empty or holds bytes that are not ASCII, which controls read differently");
-            let help = "write it in plain letters, digits and signs, or `--insert comment`";
+            let fault = Fault::new(
+                "INSERT is empty or contains characters that are not ASCII, which controls read differently",
+            );
+            let help = "use ASCII letters, digits and signs only, or `--insert comment`";
             return Err(fault.help(help).into());
         }
         self.leave()?;
@@ -224,7 +225,7 @@ impl<S: Sink> Records<'_, '_, S> {
     fn go_home(&mut self) -> Planned {
         if self.planner.policy.options.park.is_empty() && self.planner.policy.options.retract.position_mm.is_none() {
             let fault = Fault::new("GOHOME without a point, and neither `park` nor `retract.position` is configured");
-            return Err(fault.help("give one of them, or GOHOME/x,y,z").into());
+            return Err(fault.help("configure one of them, or give GOHOME/x,y,z").into());
         }
         self.leave()?;
         self.planner.mover.machine_retract()?;
@@ -237,15 +238,15 @@ impl<S: Sink> Records<'_, '_, S> {
     fn change_frame(&mut self, number: u32) -> Planned {
         let policy = self.planner.policy;
         if self.planner.mover.placer().turning_table() {
-            let fault = Fault::new("the part origin of another frame on a table that turns is not known");
-            return Err(fault.help("`--frames main` maps every frame into the first").into());
+            let fault = Fault::new("the part origin of a second frame on a rotary table is unknown");
+            return Err(fault.help("use `--frames main`, which maps every frame to the first").into());
         }
         let word = match policy.set_up.frames.get(&number) {
             Some(word) => word,
             None if number == 1 => &policy.set_up.work_offset,
             None => {
                 let fault = Fault::new(format_args!("frame {number} of the CL data has no work offset"));
-                return Err(fault.help(format_args!("give it one: `[frames] \"{number}\" = \"G55\"`")).into());
+                return Err(fault.help(format_args!("configure one: `[frames] \"{number}\" = \"G55\"`")).into());
             }
         };
         self.leave()?;

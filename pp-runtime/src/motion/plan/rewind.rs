@@ -19,11 +19,11 @@ pub(crate) fn rewind<S: Sink>(planner: &mut Planner<'_, S>, motion: &Move, words
     let how = match planner.policy.options.retract.rewind {
         Rewind::Follow => {
             rewind_in_place(planner, motion, words)?;
-            " with the tip in place, and the tool swings about it"
+            " with the tip in place (the tool swings about it)"
         }
         Rewind::Leave => {
             rewind_out_of_part(planner, motion, words, &why)?;
-            ", out of the part"
+            " out of the part"
         }
     };
     let output = planner.mover.output_mut();
@@ -38,13 +38,13 @@ fn rewind_out_of_part<S: Sink>(planner: &mut Planner<'_, S>, motion: &Move, word
     let here = *planner.mover.here();
     let out = planner.clearance.retract_distance_mm(&here.pose);
     let Some(distance) = planner.policy.options.retract.distance_mm.or(out) else {
-        let text = format!("here the rotary axes have to be rewound out of the part: {why}");
+        let text = format!("the rotary axes have to be rewound out of the part here: {why}");
         let help = "give `retract.distance` or `retract.clearance` in the configuration, or CLEARP in the CL data";
         return Err(Fault::new(text).help(help).into());
     };
     let turned = planner.mover.place(&here.pose, false, Some(TurnTarget { words, towards: None }))?;
     let tip = here.pose.tip + here.pose.axis.into_inner() * distance;
-    let context = |fault: Fault| fault.context(format_args!("the retract of {distance} mm to rewind"));
+    let context = |fault: Fault| fault.context(format_args!("the retract by {distance} mm for a rewind"));
     let out = planner.mover.shifted(tip, &here).map_err(context)?;
     planner.mover.output_mut().cancel_inverse_time()?;
     if planner.policy.options.retract.rewind_dry {
@@ -91,8 +91,8 @@ fn reason<S: Sink>(planner: &Planner<'_, S>) -> String {
         })
         .collect();
     let how = match (planner.policy.options.course.greedy, placer.wide()) {
-        (true, _) => "not planned ahead",
-        (false, true) => "not avoided by the turns that were looked at",
+        (true, _) => "not planned ahead (`course.greedy`)",
+        (false, true) => "not avoided by any turn that was examined",
         (false, false) => "unavoidable",
     };
     format!("{how} within {}", limits.join(", "))

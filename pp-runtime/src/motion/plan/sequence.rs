@@ -62,8 +62,8 @@ impl<S: Sink> Planner<'_, S> {
             None if led_out > ENOUGH => self.check_lead_out(led_out),
             None => {
                 return Err(Fault::new(
-                    "the tool has to leave the part here, and the CL data before this line does not lead it out along \
-                     its axis",
+                    "the tool has to leave the part here, but the CL data before this line does not retract it along its \
+                     axis",
                 )
                 .help("give `retract.distance` in the configuration, or retract along the tool axis in CAM")
                 .into());
@@ -78,8 +78,8 @@ impl<S: Sink> Planner<'_, S> {
         let wanted = self.policy.options.approach.distance_mm;
         if led_out + ENOUGH < wanted {
             let text = format!(
-                "before this line the CL data leads the tool out by {led_out:.3} mm only, less than \
-                 `approach.distance` = {wanted} mm"
+                "before this line the CL data retracts the tool by only {led_out:.3} mm, less than `approach.distance` = \
+                 {wanted} mm"
             );
             let fault = Fault::new(text).help("give `retract.distance`, or retract further in CAM");
             self.mover.output_mut().remark(fault);
@@ -228,7 +228,7 @@ impl<S: Sink> Planner<'_, S> {
             let Pose { tip, axis } = first.pose;
             self.mover
                 .shifted(tip + axis.into_inner() * distance, &place)
-                .map_err(|fault| fault.context(format_args!("the approach from {distance} mm")))?
+                .map_err(|fault| fault.context(format_args!("the approach from `approach.distance` = {distance} mm")))?
         };
         self.mover.output_mut().set_reason(BlockReason::Approach);
         self.mover.approach_from_retract(&above, frame)?;
@@ -279,8 +279,8 @@ fn is_straight_down(first: &Pose, next: Next) -> Result<bool, Fault> {
         Next::Motion(next) => next,
         Next::None => return Ok(false),
         Next::TooFar => {
-            return Err(Fault::new("too many records stand between the first motion of an operation and the next")
-                .help("the approach to a first point depends on the second: move these records behind both"));
+            return Err(Fault::new("too many records between the first motion of an operation and the next")
+                .help("the approach to the first point depends on the second: move these records after both"));
         }
     };
     let step = next.tip - first.tip;

@@ -137,10 +137,8 @@ impl SpindleState {
         match (dwell, self.speed()) {
             (Dwell::Seconds(seconds), _) => Ok(seconds),
             (Dwell::Revolutions(revolutions), Some(speed)) => Ok(revolutions / speed * 60.0),
-            (Dwell::Revolutions(_), None) => {
-                Err(Fault::new("a wait of some turns of the spindle, and the spindle does not turn")
-                    .help("give SPINDL before it, or the wait in seconds"))
-            }
+            (Dwell::Revolutions(_), None) => Err(Fault::new("a dwell in spindle revolutions while the spindle is off")
+                .help("give SPINDL before it, or the dwell in seconds")),
         }
     }
 }

@@ -82,9 +82,9 @@ impl LoadedTool {
         let offset = given.and_then(|tool| tool.offset).or(call.offset).or(before.offset);
         let offset = registers.of_tool(number, offset).ok_or_else(|| {
             Fault::new(format_args!(
-                "T{number} is to have the length of a register of its own, and this control takes that of the tool's row"
+                "T{number} is called with another length register, but this control takes the length from the row of the tool"
             ))
-            .help(format_args!("leave the register out of the CL data, or give `[tools.{number}] offset = {number}`"))
+            .help(format_args!("remove the register from the CL data, or give `[tools.{number}] offset = {number}`"))
         })?;
         Ok(Self { number, length_mm: length, offset })
     }
@@ -116,22 +116,25 @@ impl SpindleRequest {
         if let Some(largest) = policy.options.guards.spindle_max_rev_per_min
             && speed > largest
         {
-            return Err(Fault::new(format_args!("a spindle speed of {speed} is above `spindle_max` = {largest}")));
+            let text = format!("a spindle speed of {speed} rev/min is above `spindle_max` = {largest} rev/min");
+            return Err(Fault::new(text));
         }
         let word = Decimal::fixed(speed, policy.formats.speed)
-            .map_err(|_| Fault::new(format_args!("a spindle speed of {speed} does not fit into a word")))?;
+            .map_err(|_| Fault::new(format_args!("a spindle speed of {speed} rev/min is too large for an S word")))?;
         if word.value() >= 10_f64.powi(policy.formats.speed_whole as i32) {
             return Err(Fault::new(format_args!(
-                "a spindle speed of {speed} has more digits than S of this control holds"
+                "a spindle speed of {speed} rev/min has more digits than an S word of this control"
             ))
-            .help("`[formats] speed_whole` are its digits before the point"));
+            .help("`[formats] speed_whole` is the number of digits before the decimal point"));
         }
         if word.units <= 0 {
             return Err(Fault::new(format_args!("a spindle speed of {speed} rev/min is written as S0 or below")));
         }
         if given.is_some_and(|tool| tool.left_handed) && rotation == Rotation::Clockwise {
-            return Err(Fault::new("the tool cuts turning counter-clockwise, and the spindle would turn clockwise")
-                .help("correct SPINDL/..,CCLW, or the tool in the configuration"));
+            return Err(Fault::new(
+                "the tool cuts counter-clockwise (`left_handed`), but the spindle rotates clockwise",
+            )
+            .help("give SPINDL/..,CCLW, or correct the tool in the configuration"));
         }
         Ok(Some((word, rotation)))
     }

@@ -14,7 +14,7 @@ pub enum BlockReason {
     Record,
     /// Inserted point of a feed motion: without it the tip or the tool axis would leave the tolerance.
     Tolerance,
-    /// Inserted point of a feed motion, at which the rotary axes change branch or turn.
+    /// Inserted point of a feed motion, at which the rotary axes change to other angles.
     Course,
     /// Rewind of the rotary axes, to stay within their limits.
     Rewind,
@@ -64,20 +64,20 @@ impl BlockReason {
     #[must_use]
     pub const fn text(self) -> &'static str {
         match self {
-            Self::Head => "the head of the program, which serves no record",
-            Self::Record => "this record asks for it",
+            Self::Head => "the head of the program, before the first record",
+            Self::Record => "programmed by this record",
             Self::Tolerance => {
-                "inserted in the motion of this record: in one block tip or tool axis would leave the tolerance"
+                "inserted in the motion of this record: in one block the tip or the tool axis would leave the tolerance"
             }
-            Self::Course => "inserted in the motion of this record: here the rotary axes go on along another course",
+            Self::Course => "inserted in the motion of this record: here the rotary axes change to other angles",
             Self::Rewind => "the rotary axes are rewound before this record, to stay within their limits",
             Self::Curve => "a chord of the curve of this record",
-            Self::Chord => "a chord of the arc of this record, which the control cannot be told as an arc",
-            Self::SplitArc => "a part of the arc of this record, which one block cannot say",
-            Self::Hole => "a motion of the hole of this record, which no cycle of the control makes",
-            Self::Corner => "the corner of the rapid of this record, which is written in two legs",
-            Self::LeadOut => "the tool is led out of the part before what this record asks for",
-            Self::Start => "the complete state that the operation of this record begins with",
+            Self::Chord => "a chord of the arc of this record, which cannot be written as an arc",
+            Self::SplitArc => "a part of the arc of this record, which does not fit into one block",
+            Self::Hole => "a motion of the hole of this record, which is not written as a cycle",
+            Self::Corner => "the corner of the rapid of this record, which is written in two blocks",
+            Self::LeadOut => "the retract out of the part before this record",
+            Self::Start => "the complete state at the beginning of the operation of this record",
             Self::Approach => "the approach to the point of this record",
             Self::End => "the end of the program",
         }

@@ -269,7 +269,11 @@ fn on_request_a_rewind_leaves_the_tip_in_place() {
     let at = |angle: f64| feed([10.0, 0.0, 0.0], cb(angle, 30.0));
     let run = run::<Cb>(&config, &[tool(1), spindle(), at(170.0), at(183.0), at(186.0)]);
     assert_eq!(run.statistics.rewinds, 1);
-    assert!(run.diagnostics.len() == 1 && run.diagnostics[0].text.contains("swings about it"), "{:?}", run.diagnostics);
+    assert!(
+        run.diagnostics.len() == 1 && run.diagnostics[0].text.contains("swings about it)"),
+        "{:?}",
+        run.diagnostics
+    );
     let machine = config.set_up.machine::<Cb>().expect("valid");
     let mut axes = [0.0; 5];
     let mut turned = 0.0_f64;
@@ -474,11 +478,9 @@ fn the_table_rotates_in_the_sense_of_rotabl() {
     assert_eq!(rotaries(&limited, Turning::Next(Rotation::CounterClockwise)), "G0 C-320");
     limited.set_up.limits.insert('C', Some(crate::kinematics::Limits { lower: -1.0, upper: 1.0 }));
     let events = after(Turning::Next(Rotation::CounterClockwise), rapid([0.0; 3], cb(40.0, 30.0)));
-    assert!(run::<Cb>(&limited, &events).error().text.contains("leads out of the limits"));
+    assert!(run::<Cb>(&limited, &events).error().text.contains("leads out of the limits of the axis"));
     let events = after(Turning::Next(Rotation::CounterClockwise), feed([0.0; 3], cb(40.0, 30.0)));
-    assert!(run::<Cb>(&config(), &events).error().text.contains("in front of a cut"));
+    assert!(run::<Cb>(&config(), &events).error().text.contains("before a cut"));
     let events = after(Turning::Next(Rotation::CounterClockwise), rapid([0.0; 3], UP));
-    assert!(
-        run::<Head>(&with_lengths(Some(50.0)), &events).error().text.contains("no rotary axis stands in the table")
-    );
+    assert!(run::<Head>(&with_lengths(Some(50.0)), &events).error().text.contains("no rotary axis in the table"));
 }

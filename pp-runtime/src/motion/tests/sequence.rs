@@ -251,7 +251,7 @@ fn a_head_needs_a_retract_along_the_tool() {
     assert_eq!(run::<Head>(&with_lengths(None), &far).diagnostics, []);
     let near = run::<Head>(&with_lengths(None), &[tool(1), spindle(), out(0.0), out(20.0)]);
     assert_eq!(near.diagnostics.len(), 1);
-    assert!(near.diagnostics[0].text.contains("20.000 mm only"), "{:?}", near.diagnostics);
+    assert!(near.diagnostics[0].text.contains("by only 20.000 mm"), "{:?}", near.diagnostics);
     // And back again does not count.
     assert!(
         run::<Head>(&with_lengths(None), &[tool(1), spindle(), out(0.0), out(60.0), out(50.0)]).diagnostics.len() == 1

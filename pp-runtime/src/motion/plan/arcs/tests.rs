@@ -313,7 +313,7 @@ fn an_arc_that_bulges_over_a_limit_is_refused_although_its_ends_are_inside() {
 fn an_arc_that_bulges_below_the_floor_is_refused() {
     let bowl = CircleCase { normal: Vector3::y_axis(), from: 0.0, angle: TAU, ..up() };
     let refused = run::<Xyz>(&set_up(|config| config.motion.guards.floor_mm = Some(-10.9)), &bowl.events());
-    assert!(refused.error().text.contains("the tip goes to Z -11.0000"), "{:?}", refused.error());
+    assert!(refused.error().text.contains("the tool tip moves to Z -11.0000"), "{:?}", refused.error());
     assert_eq!(
         run::<Xyz>(&set_up(|config| config.motion.guards.floor_mm = Some(-11.1)), &bowl.events()).diagnostics,
         []

@@ -167,8 +167,8 @@ fn records_that_interrupt_the_look_ahead_are_refused() {
         (quarter([0.0; 3], [10.0, 10.0, 2.0], [0.0, 10.0, 0.0]), "an arc leaves its plane"),
         (asked(CutterSide::Right), "the other side"),
         (Event::Stop, "the program stops"),
-        (Event::Home, "goes home"),
-        (Event::Insert(b"M64"), "as it stands"),
+        (Event::Home, "GOHOME follows"),
+        (Event::Insert(b"M64"), "NC text"),
         (tool(1), "a tool is called"),
         (Event::Operation(b"NEXT"), "another operation"),
         (Event::Message(b"the end"), "the program ends"),
@@ -177,28 +177,30 @@ fn records_that_interrupt_the_look_ahead_are_refused() {
         assert!(text.contains("in force") && text.contains(why), "{event:?}: {text}");
     }
     let first = |event| refused(&from_below(&[asked(CutterSide::Left), event]));
-    assert!(first(quarter([0.0, -20.0, 0.0], [10.0, -10.0, 0.0], [0.0, -10.0, 0.0])).contains("begins in a straight"));
+    assert!(
+        first(quarter([0.0, -20.0, 0.0], [10.0, -10.0, 0.0], [0.0, -10.0, 0.0])).contains("begins with a straight")
+    );
     assert!(first(Event::Message(b"the end")).contains("no straight feed motion in the plane follows"));
     let last = |event| {
         let up = [asked(CutterSide::Left), feed([0.0; 3], UP), asked(CutterSide::Off), event];
         refused(&from_below(&up))
     };
-    assert!(last(rapid([0.0, 0.0, 9.0], UP)).contains("ends in a straight"));
-    assert!(last(feed([0.0, 0.0, 9.0], UP)).contains("ends in a straight"));
+    assert!(last(rapid([0.0, 0.0, 9.0], UP)).contains("ends with a straight"));
+    assert!(last(feed([0.0, 0.0, 9.0], UP)).contains("ends with a straight"));
 }
 
 #[test]
 fn an_arc_that_would_be_chords_is_refused() {
     let mut config = set_up(Some(CutterPath::Centre));
     config.motion.arcs.output = crate::motion::ArcOutput::Lines;
-    assert!(run::<Xyz>(&config, &contour(CutterSide::Left)).error().text.contains("would be chords"));
+    assert!(run::<Xyz>(&config, &contour(CutterSide::Left)).error().text.contains("is written as chords"));
 }
 
 #[test]
 fn a_lead_in_is_longer_than_the_radius_that_d_holds() {
     let short = from_below(&[asked(CutterSide::Left), feed([0.0, -15.5, 0.0], UP), feed([9.0, -15.5, 0.0], UP)]);
     let text = |path| run::<Xyz>(&set_up(Some(path)), &short).error().text.clone();
-    assert!(text(CutterPath::Contour).contains("4.500 mm long, and the tool has a radius of 5.000 mm"));
+    assert!(text(CutterPath::Contour).contains("4.500 mm long, shorter than the tool radius of 5.000 mm"));
     assert!(text(CutterPath::Centre).contains("the program ends"));
 }
 

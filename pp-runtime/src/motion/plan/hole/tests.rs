@@ -129,9 +129,12 @@ fn a_thread_follows_the_spindle_and_is_never_expanded() {
     let found = lines(&set_up(CycleOutput::Native), &events);
     assert_eq!(found[..4], ["G0 X1 Y2", "Z2", "G33.1 Z-5 K1.25", "G0 Z9"]);
     let refused = |config: &Config, events: &[Event<'_>]| run::<Xyz>(config, events).error().text.clone();
-    assert!(refused(&set_up(CycleOutput::Expanded), &events).contains("a thread needs"));
+    assert!(refused(&set_up(CycleOutput::Expanded), &events).contains("tapping synchronises"));
     let waiting = hole([1.0, 2.0, 0.0], Drilling::Tap { pitch: Some(1.0) }, 9.0, Some(Dwell::Seconds(1.0)));
-    assert!(refused(&set_up(CycleOutput::Native), &after_cut([0.0, 0.0, 9.0], &[waiting])).contains("does not wait"));
+    assert!(
+        refused(&set_up(CycleOutput::Native), &after_cut([0.0, 0.0, 9.0], &[waiting]))
+            .contains("no dwell at the bottom")
+    );
     // Without a pitch the feed defines it: 100 mm/min at 8000 rev/min.
     let found = lines(&set_up(CycleOutput::Native), &after_cut([0.0, 0.0, 9.0], &[tap(None)]));
     assert_eq!(found[2], "G33.1 Z-5 K0.0125");

@@ -262,7 +262,7 @@ impl<'a, S: Sink> Mover<'a, S> {
             (Rapid::Direct, _) => {}
             (Rapid::Split, _) => self.split_rapid(motion, place)?,
             (Rapid::Feed, Some(rate)) => return self.feed_to(place, rate),
-            (Rapid::Feed, None) => return Err(Fault::new("a feed motion without feed").into()),
+            (Rapid::Feed, None) => return Err(Fault::new("`rapid = \"feed\"` without `rapid_feed`").into()),
         }
         self.check_hidden_rotation(place)?;
         self.output.cancel_inverse_time()?;
@@ -341,18 +341,19 @@ impl<'a, S: Sink> Mover<'a, S> {
         }
         let (letter, turn) = self.placer.largest_turn(&self.here().words, &to.words).unwrap_or_default();
         Err(Fault::new(format_args!(
-            "here {letter} has to turn by {:.3}° while the tool axis stays, and a tool axis as a vector cannot say that",
+            "{letter} has to rotate by {:.3}° here while the tool axis stays, which tool vectors cannot express",
             turn.to_degrees()
         ))
-        .help("give `tcp_words = \"angles\"`"))
+        .help("set `tcp_words = \"angles\"`"))
     }
 
     /// Adds a remark, once in an operation, where a rapid goes deeper than the lowest cut.
     pub(crate) fn watch_plunge(&mut self, from: &Pose, to: &Pose) {
         if let Some(depth) = self.position.plunges(from, to) {
-            let text =
-                format!("a rapid goes down along the tool to {depth:.3} mm below anything cut in this operation");
-            self.output.remark(Fault::new(text).help("check whether the material is gone there"));
+            let text = format!(
+                "a rapid moves down along the tool axis to {depth:.3} mm below the lowest cut of this operation"
+            );
+            self.output.remark(Fault::new(text).help("check that the material there has been removed"));
         }
     }
 
@@ -375,6 +376,6 @@ impl<'a, S: Sink> Mover<'a, S> {
 /// Fault: a cut that rotates the tool axis in mode `plane`.
 #[cold]
 fn rotation_in_plane_mode() -> Fault {
-    Fault::new("the tool axis turns in this cut, and mode plane holds it still")
+    Fault::new("the tool axis rotates in this cut, which mode plane cannot do")
         .help("post this program with mode tcp or axes")
 }

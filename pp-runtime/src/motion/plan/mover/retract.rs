@@ -91,10 +91,10 @@ impl<S: Sink> Mover<'_, S> {
             Some(below) if below < -self.placer.unit_mm() => {
                 let axis = self.placer.chain()[self.placer.retract_axis()].letter;
                 Err(Fault::new(format_args!(
-                    "the approach point lies {:.3} mm above the retract position: {axis} = {retract} mm (machine coordinate)",
+                    "the approach point is {:.3} mm above the retract position {axis} = {retract} mm (machine coordinate)",
                     -below
                 ))
-                .help("set the part lower, or give a smaller `approach.distance` or a higher `retract.position`"))
+                .help("mount the part lower, reduce `approach.distance`, or raise `retract.position`"))
             }
             Some(_) | None => Ok(()),
         }
