@@ -328,7 +328,7 @@ fn runs<M: Machine>(config: &Config, blocks: [&Block; 2], from: Option<[&Block; 
             };
             let off = (middle(before, blocks[0], &was) - middle(now, blocks[1], &is)).norm();
             // Each may leave the path by the tolerance.
-            (off > 2.0 * config.motion.tolerance + 2.0 * unit)
+            (off > 2.0 * config.motion.tolerance_mm + 2.0 * unit)
                 .then(|| format!("the middle of an arc is {off:.4} mm off"))
         }
         _ => None,

@@ -128,7 +128,7 @@ fn the_furthest_place_of_an_arc_is_told_and_none_is_passed_over() {
             starting_point(posted.control).read_over(&SpinnerU5620::default(), &within(limit)).expect("it reads");
         let narrow = Posted { config: Config { output_units: Some(Units::Millimetres), ..narrow }, ..posted };
         let found = narrow.findings(&narrow.program);
-        let over = radius > limit + narrow.config.motion.tolerance + 0.002;
+        let over = radius > limit + narrow.config.motion.tolerance_mm + 0.002;
         let on_way: Vec<_> = found.iter().filter(|found| found.text.starts_with("within this block Y")).collect();
         assert_eq!(on_way.len(), usize::from(over), "{turn}: {found:?}");
         // The words of the ends and of the centre are rounded to a thousandth.

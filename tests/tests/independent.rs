@@ -153,7 +153,7 @@ fn set_up<M: Machine>(description: &Value, tools: &[(u32, Option<f64>)]) -> (Con
     config.set_up.program_zero = ProgramZero::Table;
     config.set_up.length_mode = if single { LengthMode::Gauge } else { LengthMode::Tip };
     config.output_units = Some(Units::Millimetres);
-    config.motion.retract.distance = Some(60.0);
+    config.motion.retract.distance_mm = Some(60.0);
     for (number, length) in tools {
         let length = Some(length.unwrap_or(own_length));
         config.set_up.tools.insert(*number, GivenTool { length_mm: length, ..GivenTool::default() });
@@ -212,7 +212,7 @@ fn check<M: Machine>(checker: &Checker, name: &str, parts: &[Part]) {
     for (cl, tools) in parts {
         let (config, length) = set_up::<M>(&description, tools);
         let program = posted::<M>(cl, &config);
-        let chord = config.motion.tolerance + TIP;
+        let chord = config.motion.tolerance_mm + TIP;
         let (status, figures) = checker.check(name, cl, &program, length, chord);
         println!(
             "{name} {cl}: {} points, tip {} mm, axis {} deg, path {} mm",

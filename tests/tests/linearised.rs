@@ -97,7 +97,7 @@ struct Found {
 fn config<M: Machine>(part_origin: [f64; 3]) -> Config {
     let mut config = Config::default();
     config.set_up.part_origin = part_origin;
-    config.motion.retract.distance = Some(60.0);
+    config.motion.retract.distance_mm = Some(60.0);
     for axis in M::AXES.iter().filter(|axis| axis.kind == AxisKind::Linear) {
         config.set_up.limits.insert(axis.letter, Some(Limits { lower: -9e4, upper: 9e4 }));
     }
@@ -137,7 +137,7 @@ struct Checker<M: Machine> {
 
 impl<M: Machine> Checker<M> {
     fn tolerances(&self) -> (f64, f64) {
-        (self.config.motion.tolerance, self.config.motion.axis_tolerance_path)
+        (self.config.motion.tolerance_mm, self.config.motion.axis_tolerance_path_rad)
     }
 
     /// Whether a block keeps to the motion between two poses.
@@ -356,7 +356,7 @@ linearised! {
 /// Minutes that the feed blocks of a program should take: from the approach point on, 900 mm/min along the tip's path.
 fn programmed(config: &Config, poses: &[Pose]) -> f64 {
     let path: f64 = poses.windows(2).map(|pair| (pair[1].tip - pair[0].tip).norm()).sum();
-    (config.motion.approach.distance + path) / 900.0
+    (config.motion.approach.distance_mm + path) / 900.0
 }
 
 /// Axis values at both ends of each feed block, and its minutes as printed.
@@ -391,8 +391,8 @@ fn times_add_up<M: Machine>(poses: &[Pose]) {
     let (poses, config) = (as_written(poses), config::<M>(PART));
     let (report, text) = posted::<M>(&config, &poses);
     let wanted = programmed(&config, &poses);
-    assert!((report.times.cutting / wanted - 1.0).abs() < 1e-9, "{}: {:?}, {wanted} min", M::NAME, report.times);
-    assert_eq!(report.times.slowed, 0);
+    assert!((report.times.cutting_min / wanted - 1.0).abs() < 1e-9, "{}: {:?}, {wanted} min", M::NAME, report.times);
+    assert_eq!(report.times.slowed_blocks, 0);
     // Six digits of an F, and three decimals of linear words in the blocks without a turn.
     let printed: f64 = timed::<M>(&text).iter().map(|(_, _, minutes)| minutes).sum();
     assert!((printed / wanted - 1.0).abs() < 1e-5, "{}: {printed} min are printed, {wanted} programmed", M::NAME);
@@ -417,9 +417,9 @@ fn no_axis_is_too_fast<M: Machine>(poses: &[Pose]) {
     }
     let (report, text) = posted::<M>(&config, &poses);
     let (times, wanted) = (&report.times, programmed(&config, &poses));
-    assert!(times.slowed > 0 && times.slowed_by > 0.0, "{}: {times:?}", M::NAME);
-    let excess = times.cutting - wanted;
-    assert!((excess - times.slowed_by).abs() < 1e-9 * times.cutting, "{}: {excess} min more, {times:?}", M::NAME);
+    assert!(times.slowed_blocks > 0 && times.slowed_min > 0.0, "{}: {times:?}", M::NAME);
+    let excess = times.cutting_min - wanted;
+    assert!((excess - times.slowed_min).abs() < 1e-9 * times.cutting_min, "{}: {excess} min more, {times:?}", M::NAME);
     for (from, to, minutes) in timed::<M>(&text) {
         for (index, axis) in M::AXES.iter().enumerate() {
             let speed = (to[index] - from[index]).abs() / minutes;
@@ -428,7 +428,7 @@ fn no_axis_is_too_fast<M: Machine>(poses: &[Pose]) {
         }
     }
     config.motion.feed.keep_speeds = false;
-    assert_eq!(posted::<M>(&config, &poses).0.times.slowed, 0);
+    assert_eq!(posted::<M>(&config, &poses).0.times.slowed_blocks, 0);
 }
 
 #[test]

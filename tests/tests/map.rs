@@ -199,7 +199,7 @@ fn a_block_is_explained_by_number_and_by_line_as_the_map_has_it() {
     let told = "\
 line 37 of the program (feed):
     N120 G1 Z25.096 F1000
-this record asks for it
+programmed by this record
 examples/cl/two_tools.cls, line 17:
     GOTO/-0.3923,-28.0000,6.0000
 tip X -0.3923, Y -28.0000, Z 6.0000 mm in the workpiece
@@ -212,7 +212,7 @@ branch 1 of the inverse kinematics
     let line: Value = serde_json::from_str(&json).expect("an object");
     assert_eq!((&line["line"], &line["cl_line"], &line["number"]), (&37.into(), &17.into(), &Value::Null));
     let (_, head, _) = explained(&["explain-block", part[0], "1"]);
-    assert!(head.contains("the head of the program, which serves no record"), "{head}");
+    assert!(head.contains("the head of the program, before the first record"), "{head}");
 }
 
 #[test]

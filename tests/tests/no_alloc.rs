@@ -92,7 +92,7 @@ fn a_motion_is_read_planned_and_written_without_allocating() {
         let mut config = starting_point(control);
         config.motion.mode = mode;
         config.motion.tip.tcp_frame = Some(TcpFrame::TableAtZero);
-        config.motion.retract.distance = Some(50.0);
+        config.motion.retract.distance_mm = Some(50.0);
         let count = |points: u32| {
             let part = cone(points);
             let job = Job { cl_name: "cone.cls", config: &config, control, units: Some(Units::Millimetres) };

@@ -193,13 +193,13 @@ fn what_cannot_be_swept_is_refused_with_a_reason() {
     };
     let head = said(Case { config: "units = 'mm'\n[tools]\n5 = { length = 117.25 }\n", ..LOLA });
     assert!(
-        head.contains("the travel of B, which turns the head, is not known") && head.contains("[limits]"),
+        head.contains("the travel of B, a rotary axis of the head, is unknown") && head.contains("[limits]"),
         "{head}"
     );
     let length = said(Case { config: "units = 'mm'\n[limits]\nB = [-90, 90]\nA = [-60, 45]\n", ..LOLA });
     assert!(length.contains("length"), "{length}");
     let steps = said(Case { config: "units = 'mm'\n[grid]\nB = 1\n", ..SPINNER });
-    assert!(steps.contains("B stands on steps"), "{steps}");
+    assert!(steps.contains("B is indexed"), "{steps}");
     let limits =
         "units = 'mm'\nmachine_zero = { X = 0, Y = 0, Z = 0 }\n[limits]\nZ = [-10, 10]\n[tools]\n1 = { length = 80 }\n";
     assert!(said(Case { config: limits, ..SPINNER }).contains("Z"), "a linear axis runs out of travel");

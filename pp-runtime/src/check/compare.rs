@@ -150,12 +150,12 @@ impl<'a, R: Read> Checker<'a, R> {
         let in_plane = 1.5 * decimals(config.formats.rotary.min(3)).to_radians();
         let in_plane = if config.motion.mode == Mode::Plane { in_plane } else { 0.0 };
         let rotary = 0.5 * angle * f64::from(rotaries) * 1.01 + AXIS_NOISE;
-        let pole = rotary.max(rotary - AXIS_NOISE + config.motion.course.axis_tolerance);
+        let pole = rotary.max(rotary - AXIS_NOISE + config.motion.course.axis_tolerance_rad);
         let tip = 0.5 * unit * corner(&*machine) + 1e-6;
         let slack = Slack { unit, tip, axis: rotary + in_plane, rotary, pole: pole + in_plane, angle };
         let masks = (words.linear_mask, words.rotary_mask);
         let mut tally = Tally::default();
-        tally.outcome.tolerance_mm = config.motion.tolerance;
+        tally.outcome.tolerance_mm = config.motion.tolerance_mm;
         let travel = Travel::new(&*machine, config, &words);
         tally.outcome.limits_declared = travel.limited();
         Self {

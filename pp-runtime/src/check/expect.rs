@@ -224,7 +224,7 @@ impl<'a> Follow<'a> {
             frame: 1,
             side: Side::None,
             radius: 0,
-            tolerance: config.motion.tolerance,
+            tolerance: config.motion.tolerance_mm,
             clearance: config.motion.retract.clearance,
         };
         Self {
@@ -292,7 +292,7 @@ impl<'a> Follow<'a> {
                 self.holes += 1;
                 self.hole = Some(hole::Wanted { number: self.holes, hole });
                 let here = self.here.filter(|_| !self.start);
-                for step in unfolded(&hole, here.as_ref(), self.config.motion.defaults.peck_gap) {
+                for step in unfolded(&hole, here.as_ref(), self.config.motion.defaults.peck_gap_mm) {
                     match step {
                         Step::Go(motion) => self.line(at, &motion),
                         Step::Wait(dwell) => self.delay(at, dwell),
@@ -301,9 +301,9 @@ impl<'a> Follow<'a> {
                 self.hole = None;
             }
             Event::Tolerance(stated) => {
-                let stated =
-                    stated.filter(|stated| self.config.motion.allow_lintol || *stated <= self.config.motion.tolerance);
-                self.wanted.tolerance = stated.unwrap_or(self.config.motion.tolerance);
+                let stated = stated
+                    .filter(|stated| self.config.motion.allow_lintol || *stated <= self.config.motion.tolerance_mm);
+                self.wanted.tolerance = stated.unwrap_or(self.config.motion.tolerance_mm);
             }
             Event::Move(_)
             | Event::Operation(_)
@@ -495,14 +495,14 @@ impl<'a> Follow<'a> {
         }
         let given = self.wanted.tool.and_then(|tool| self.config.set_up.tools.get(&tool));
         let defaults = &self.config.motion.defaults;
-        let speed = self.request.0.or(given.and_then(|tool| tool.speed_rev_per_min)).or(defaults.speed)?;
+        let speed = self.request.0.or(given.and_then(|tool| tool.speed_rev_per_min)).or(defaults.speed_rev_per_min)?;
         let sense = self.request.1.or(given.and_then(|tool| tool.rotation)).or(defaults.rotation)?;
         let scale = 10_f64.powi(self.config.formats.speed as i32);
         Some(((speed * scale).round() / scale, sense))
     }
 
     fn coolant_bits(&self) -> u8 {
-        if self.config.motion.lift.is_some() {
+        if self.config.motion.lift_mm.is_some() {
             return 0;
         }
         let given = self.wanted.tool.and_then(|tool| self.config.set_up.tools.get(&tool));

@@ -155,14 +155,16 @@ impl<R: Read> Checker<'_, R> {
 
     /// How far the tool may be off a tool axis: one that is nearly at the pole is put there.
     pub(super) fn axis_slack(&self, axis: &nalgebra::Vector3<f64>) -> f64 {
-        let near = self.pole.is_some_and(|pole| pole.cross(axis).norm() <= self.config.motion.course.axis_tolerance);
+        let near =
+            self.pole.is_some_and(|pole| pole.cross(axis).norm() <= self.config.motion.course.axis_tolerance_rad);
         if near { self.slack.pole } else { self.slack.axis }
     }
 
     /// The share of a motion that is done when a block ends there; `None` if it ends elsewhere.
     fn fits(&self, segment: &Segment, motion: &Motion, block: &Block, end: &Placed) -> Option<f64> {
         let past_pole = self.pole.is_some_and(|pole| {
-            segment.axis_distance(&pole).min(segment.axis_distance(&-pole)) <= self.config.motion.course.axis_tolerance
+            segment.axis_distance(&pole).min(segment.axis_distance(&-pole))
+                <= self.config.motion.course.axis_tolerance_rad
         });
         let ends = if past_pole { self.slack.pole } else { self.slack.axis };
         let by_angle = match (&block.action, &segment.shape) {
@@ -276,7 +278,7 @@ impl<R: Read> Checker<'_, R> {
     fn turns(&self, block: &Block) -> bool {
         let (before, known) = self.before;
         let rotary = self.words.rotary_mask & known;
-        let largest = self.config.motion.rapids.index_angle + 1.5 * self.slack.angle;
+        let largest = self.config.motion.rapids.index_angle_rad + 1.5 * self.slack.angle;
         (0..MAX_AXES).any(|index| rotary & (1 << index) != 0 && (block.values[index] - before[index]).abs() > largest)
     }
 
@@ -352,7 +354,7 @@ impl<R: Read> Checker<'_, R> {
                 format!("within this block the tip deviates from its path by {tip:.4} mm, allowed {largest:.4} mm");
             self.found(shown, &text);
         }
-        let largest = self.config.motion.axis_tolerance_path + self.slack.pole;
+        let largest = self.config.motion.axis_tolerance_path_rad + self.slack.pole;
         if axis > largest && !swings {
             let (axis, largest) = (axis.to_degrees(), largest.to_degrees());
             let text = format!(
@@ -376,7 +378,11 @@ impl<R: Read> Checker<'_, R> {
         if self.lost || self.before.1 & solved != solved {
             return;
         }
-        let feed = if motion.rapid { self.config.motion.rapids.rapid_feed.map(Feed::PerMinute) } else { motion.feed };
+        let feed = if motion.rapid {
+            self.config.motion.rapids.rapid_feed_mm_per_min.map(Feed::PerMinute)
+        } else {
+            motion.feed
+        };
         let part = match segment.shape {
             Shape::Line => (share - self.along) * segment.length(),
             _ if matches!(block.action, Action::Arc(_)) => (share - self.along) * segment.length(),

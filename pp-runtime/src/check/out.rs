@@ -47,7 +47,7 @@ impl<R: Read> Checker<'_, R> {
         let clearance = self.last.map_or(self.config.motion.retract.clearance, |(_, wanted)| wanted.clearance);
         let axis = nalgebra::UnitVector3::new_normalize(here.axis);
         let out = clearance.and_then(|clearance| distance_to_clear(&clearance, &here.tip.into(), &axis));
-        self.config.motion.retract.distance.or(out.map(|out| out + self.led_out))
+        self.config.motion.retract.distance_mm.or(out.map(|out| out + self.led_out))
     }
 
     /// Out along the tool axis, before the machine retract; `false` if the block is no such way.
@@ -73,7 +73,8 @@ impl<R: Read> Checker<'_, R> {
         [from.axis, here.axis].into_iter().find_map(|axis| {
             let from = Placed { tip: from.tip, axis };
             let distance = self.distance_out(&from)?;
-            let rest = if self.config.motion.retract.distance.is_some() { distance } else { distance - self.led_out };
+            let rest =
+                if self.config.motion.retract.distance_mm.is_some() { distance } else { distance - self.led_out };
             let out = Placed { tip: from.tip + axis * rest, axis };
             self.is_far_out(end, &out, rest).then_some((rest, out))
         })

@@ -73,7 +73,7 @@ impl<R: Read> Checker<'_, R> {
     pub(super) fn machine_block(&mut self, block: &Block, shown: Shown<'_>) -> io::Result<()> {
         self.pass_needless()?;
         let retract = 1 << self.words.retract;
-        let position = self.config.motion.retract.position();
+        let position = self.config.motion.retract.position_mm();
         let there = (block.values[self.words.retract] - position).abs() <= 0.6 * self.slack.unit;
         if block.written != retract || !there {
             let parked = matches!(self.phase, Phase::Clear(_)) && self.parks_linear(block);
@@ -300,7 +300,7 @@ impl<R: Read> Checker<'_, R> {
         if first.rapid && below {
             return first.to;
         }
-        Placed { tip: first.to.tip + first.to.axis * self.config.motion.approach.distance, axis: first.to.axis }
+        Placed { tip: first.to.tip + first.to.axis * self.config.motion.approach.distance_mm, axis: first.to.axis }
     }
 
     /// An operation can be entered where it begins: everything has been said, and the retract stands there, too.
@@ -406,7 +406,7 @@ impl<R: Read> Checker<'_, R> {
             self.expect.pop();
             return Ok(());
         }
-        let spindle = self.config.motion.spindle_dwell;
+        let spindle = self.config.motion.spindle_dwell_s;
         if spindle <= 0.0 || (spindle - seconds).abs() > WAIT {
             self.found(shown, &format!("dwell of {seconds} s, which neither CL data nor configuration asks for"));
         }
@@ -460,8 +460,8 @@ impl<R: Read> Checker<'_, R> {
             let Some(place) = self.config.motion.park.get(&axis.letter) else { continue };
             let rotary = self.words.rotary_mask & (1 << index) != 0;
             let turned = rotary && apart(values[index], *place) <= 0.6 * self.slack.angle;
-            let retracted =
-                index == self.words.retract && (place - self.config.motion.retract.position()).abs() < self.slack.unit;
+            let retracted = index == self.words.retract
+                && (place - self.config.motion.retract.position_mm()).abs() < self.slack.unit;
             if !turned && !retracted && self.parked & (1 << index) == 0 {
                 self.found(shown, &format!("{} is not at its parking position", axis.letter));
             }

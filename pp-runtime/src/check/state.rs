@@ -31,7 +31,7 @@ impl<R: Read> Checker<'_, R> {
             .or_else(|| self.frame(state, true))
             .or_else(|| self.offsets(state, wanted, true))
             .or_else(|| if beside { self.radius(state, wanted) } else { None })
-            .or_else(|| spindle(state, wanted.spindle.filter(|_| self.config.motion.lift.is_none())))
+            .or_else(|| spindle(state, wanted.spindle.filter(|_| self.config.motion.lift_mm.is_none())))
             .or_else(|| coolant(state, wanted.coolant))
     }
 
@@ -58,7 +58,7 @@ impl<R: Read> Checker<'_, R> {
             .or_else(|| inverse(state))
             .or_else(|| self.frame(state, step > 1))
             .or_else(|| self.offsets(state, &wanted, last || !moves_z))
-            .or_else(|| spindle(state, wanted.spindle.filter(|_| self.config.motion.lift.is_none())))
+            .or_else(|| spindle(state, wanted.spindle.filter(|_| self.config.motion.lift_mm.is_none())))
             .or_else(|| if self.rewound.is_some() { None } else { coolant(state, 0) });
         self.say_with_tool(found, state, &wanted, shown);
     }

@@ -54,7 +54,11 @@ impl<R: Read> Checker<'_, R> {
                 && angle_between(&on.axis, &motion.to.axis) <= self.axis_slack(&motion.to.axis)
         };
         let count = places(way + sweep(block));
-        let feed = if motion.rapid { self.config.motion.rapids.rapid_feed.map(Feed::PerMinute) } else { motion.feed };
+        let feed = if motion.rapid {
+            self.config.motion.rapids.rapid_feed_mm_per_min.map(Feed::PerMinute)
+        } else {
+            motion.feed
+        };
         let is_rest = as_before
             && turned <= PI + self.slack.angle
             && self.is_at(end, &motion.to)

@@ -251,7 +251,7 @@ impl<R: Read> Checker<'_, R> {
     /// Tells each axis that leaves its travel on the way of a block, farther than at the ends of it.
     fn judge(&mut self, reach: &Reach, ends: [&[f64; MAX_AXES]; 2], place: &str, shown: Shown<'_>) {
         // Between its ends a block may leave its path by the tolerance.
-        let slack = self.config.motion.tolerance;
+        let slack = self.config.motion.tolerance_mm;
         for axis in &mut self.travel.axes {
             for side in [1.0, -1.0] {
                 let farthest = reach.bound(axis.index, side);

@@ -9,7 +9,7 @@ use serde::ser::{SerializeMap as _, Serializer};
 
 use crate::control::Control;
 use crate::kinematics::{AnyMachine, Axis, AxisKind, Branch};
-use crate::motion::Standing;
+use crate::motion::ReachedPosition;
 use crate::post::{LineMap, LineOrigin};
 
 use super::outcome::Failure;
@@ -44,7 +44,7 @@ pub(crate) struct MapEntry<'a> {
 /// Axis values by letter, mm and degrees, as one JSON object.
 struct ValuesByLetter<'a> {
     axes: &'a [Axis],
-    position: Standing<'a>,
+    position: ReachedPosition<'a>,
 }
 
 impl Serialize for ValuesByLetter<'_> {
@@ -58,7 +58,10 @@ impl Serialize for ValuesByLetter<'_> {
 }
 
 /// Letters and values of the axes whose position is known, mm and degrees.
-pub(crate) fn axis_values<'a>(axes: &'a [Axis], position: &'a Standing<'_>) -> impl Iterator<Item = (char, f64)> + 'a {
+pub(crate) fn axis_values<'a>(
+    axes: &'a [Axis],
+    position: &'a ReachedPosition<'_>,
+) -> impl Iterator<Item = (char, f64)> + 'a {
     let known = axes.iter().zip(position.axes).enumerate().filter(|(index, _)| position.mask & (1 << index) != 0);
     known.map(|(_, (axis, value))| {
         let value = if axis.kind == AxisKind::Rotary { value.to_degrees() } else { *value };

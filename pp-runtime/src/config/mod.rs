@@ -46,7 +46,7 @@ options! {
         /// Set-up: machine, part and tools.
         set_up: SetUp = SetUp::default(), keys();
         /// How motion is planned.
-        motion: motion::Options = motion::Options::default(), keys();
+        motion: motion::MotionOptions = motion::MotionOptions::default(), keys();
         /// Digits of the words.
         formats: nc::Formats = nc::Formats::DEFAULT, keys();
         /// How the control differs from its table.

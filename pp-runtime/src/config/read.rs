@@ -57,7 +57,7 @@ impl Config {
     /// Checks that concern several keys.
     fn check(&self, machine: &dyn AnyMachine, r: &mut KeyReader<'_>, file: &mut KeyTable<'_>) {
         let rapids = &self.motion.rapids;
-        if rapids.rapid == Rapid::Feed && rapids.rapid_feed.is_none() && !r.is_given("rapid_feed") {
+        if rapids.rapid == Rapid::Feed && rapids.rapid_feed_mm_per_min.is_none() && !r.is_given("rapid_feed") {
             let help = "give it per minute: `rapid_feed = 10000`".to_owned();
             r.fault(0..0, "rapid = \"feed\" needs `rapid_feed`", Some(help));
         }

@@ -64,7 +64,7 @@ fn every_default_of_the_printed_file_is_the_default_when_enabled() {
     plain.set_up.speeds = BTreeMap::new();
     plain.given = BTreeSet::new();
     // The assumed zero, given explicitly.
-    assert_eq!(plain.motion.retract.position.take(), Some(Retract::POSITION));
+    assert_eq!(plain.motion.retract.position_mm.take(), Some(Retract::POSITION_MM));
     assert_eq!(plain, Config::default());
     let (travel, declared) = (config.set_up.travel(Sample::AXES), Config::default().set_up.travel(Sample::AXES));
     for (one, other) in travel.limits.iter().zip(&declared.limits) {
@@ -90,7 +90,7 @@ fn every_example_of_the_printed_file_is_accepted() {
     assert_eq!(config.set_up.tools[&12].rotation, Some(Rotation::Clockwise));
     assert_eq!(config.set_up.machine_zero.len(), 3);
     assert_eq!(config.motion.park.len(), 2);
-    assert_eq!(config.motion.retract.distance, Some(100.0));
+    assert_eq!(config.motion.retract.distance_mm, Some(100.0));
     assert_eq!(config.control.program.line_numbers, Some(Config::LINE_NUMBER_STEP));
     assert!(!config.file_units_assumed);
 }
@@ -104,11 +104,11 @@ fn inches_and_degrees_become_millimetres_and_radians() {
          [dimensions]\nd = 6\nalpha = 30\n",
     );
     assert!(config.set_up.part_origin.iter().zip([25.4, 12.7, -50.8]).all(|(one, other)| close(*one, other)));
-    assert!(close(config.motion.rapids.index_angle, 5_f64.to_radians()));
-    assert_eq!(config.motion.guards.floor, Some(-6.35));
+    assert!(close(config.motion.rapids.index_angle_rad, 5_f64.to_radians()));
+    assert_eq!(config.motion.guards.floor_mm, Some(-6.35));
     assert!(close(config.set_up.machine_zero[&'X'], -254.0));
     assert!(close(config.motion.park[&'B'], 90_f64.to_radians()));
-    assert_eq!(config.motion.guards.spindle_max, Some(12000.0));
+    assert_eq!(config.motion.guards.spindle_max_rev_per_min, Some(12000.0));
     assert_eq!(config.set_up.tools[&3].length_mm, Some(101.6));
     assert!(close(config.set_up.speeds[&'X'], 2540.0));
     assert!(close(config.set_up.speeds[&'C'], std::f64::consts::TAU));
@@ -121,7 +121,7 @@ fn inches_and_degrees_become_millimetres_and_radians() {
 
 #[test]
 fn the_unit_of_the_file_holds_for_keys_before_it_too() {
-    assert_eq!(read("floor = 1\nunits = 'in'\n").motion.guards.floor, Some(25.4));
+    assert_eq!(read("floor = 1\nunits = 'in'\n").motion.guards.floor_mm, Some(25.4));
 }
 
 #[test]
@@ -170,8 +170,11 @@ fn a_key_below_the_wrong_header_is_reported_with_its_right_place() {
 fn keys_of_rapids_feeds_course_and_grid_are_read() {
     let config =
         read("rapid = 'feed'\nrapid_feed = 9000\n[feed]\nkeep_speeds = false\nlargest = 5000\nshortest_block = 0.01\n");
-    assert_eq!((config.motion.rapids.rapid, config.motion.rapids.rapid_feed), (super::Rapid::Feed, Some(9000.0)));
-    assert_eq!((config.motion.feed.keep_speeds, config.motion.feed.largest), (false, Some(5000.0)));
+    assert_eq!(
+        (config.motion.rapids.rapid, config.motion.rapids.rapid_feed_mm_per_min),
+        (super::Rapid::Feed, Some(9000.0))
+    );
+    assert_eq!((config.motion.feed.keep_speeds, config.motion.feed.largest_mm_per_min), (false, Some(5000.0)));
     let help = "give it per minute: `rapid_feed = 10000`";
     assert_eq!(faults("rapid = 'feed'\n"), [format!("1:1: rapid = \"feed\" needs `rapid_feed` | {help}")]);
     let config = read(
@@ -183,7 +186,7 @@ fn keys_of_rapids_feeds_course_and_grid_are_read() {
     );
     assert!(
         config.motion.course.greedy
-            && close(config.motion.course.axis_tolerance.to_degrees(), 0.5)
+            && close(config.motion.course.axis_tolerance_rad.to_degrees(), 0.5)
             && close(config.motion.rotaries.grid[&'C'].to_degrees(), 2.5)
     );
     assert_eq!(
@@ -289,7 +292,10 @@ fn dimensions_and_part_origin_reach_the_machine() {
 
 #[test]
 fn an_axis_cannot_be_parked_outside_its_travel() {
-    assert_eq!(faults("[park]\nB = 111\n"), ["2:5: B cannot stand there: its travel is -5.0000 to 110.0000 degrees"]);
+    assert_eq!(
+        faults("[park]\nB = 111\n"),
+        ["2:5: B cannot be parked there: its travel is -5.0000 to 110.0000 degrees"]
+    );
     read("park = { B = 110 }\n");
     read("park = { B = 111 }\nlimits = { B = [-5, 120] }\n");
 }
@@ -392,8 +398,8 @@ fn numbers_that_a_word_would_round_to_nothing_or_could_not_hold_are_refused() {
             "1:18: a tolerance below 0.0001 mm could be written as 0, which removes the limit on the deviation from the path"
         ]
     );
-    assert!(close(read("spindle_dwell = 0").motion.spindle_dwell, 0.0));
-    assert!(close(read("spindle_dwell = 600").motion.spindle_dwell, 600.0));
+    assert!(close(read("spindle_dwell = 0").motion.spindle_dwell_s, 0.0));
+    assert!(close(read("spindle_dwell = 600").motion.spindle_dwell_s, 600.0));
     for seconds in ["0.0009", "601", "1e20"] {
         let text = "1:17: a dwell of 0, or of 0.001 to 600 seconds, is needed here";
         assert_eq!(faults(&format!("spindle_dwell = {seconds}")), [text]);
@@ -411,7 +417,7 @@ fn options_of_reading_cl_data_are_read() {
          frames = \"offset\"\ncircle_sense = \"cw\"\ninsert = \"write\"\ninsert_stop = true\nauxfun = [10, 11]\nprefun = [64]\n\
          feed_label = \"file-units\"\nfrom = \"move\"\nallow_lintol = true\ncycle.TAP.args = [\"depth\", \"pitch\"]\n",
     );
-    assert!(close(config.motion.tolerance, 0.0254) && close(config.motion.defaults.peck_gap, 0.508));
+    assert!(close(config.motion.tolerance_mm, 0.0254) && close(config.motion.defaults.peck_gap_mm, 0.508));
     assert_eq!((config.motion.defaults.tool, config.motion.allow_lintol), (Some(3), true));
     assert_eq!(config.set_up.frames, BTreeMap::from([(2, "G55".to_owned())]));
     let cl = &config.cl;
@@ -440,7 +446,7 @@ fn words_that_move_something_cannot_be_set_inert() {
             && faults("tolerance = -1")[0].contains("above zero")
     );
     for (text, degrees) in [("0.001", 0.001_f64), ("10", 10.0)] {
-        let tolerance = read(&format!("axis_tolerance_path = {text}")).motion.axis_tolerance_path;
+        let tolerance = read(&format!("axis_tolerance_path = {text}")).motion.axis_tolerance_path_rad;
         assert!(close(tolerance, degrees.to_radians()));
     }
     assert_eq!(

@@ -20,7 +20,7 @@ pub struct Demands<'a> {
     /// Set-up of machine, part and tools.
     pub set_up: &'a SetUp,
     /// Settings of motion planning.
-    pub motion: &'a motion::Options,
+    pub motion: &'a motion::MotionOptions,
     /// Settings that replace codes and values of the control.
     pub options: &'a ControlOptions,
     /// Digits of the numbers in words.

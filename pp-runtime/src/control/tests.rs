@@ -15,7 +15,7 @@ use std::collections::BTreeMap;
 use std::io;
 
 use super::*;
-use crate::motion::{FeedWord, MAX_AXES, Mode, Step, Words};
+use crate::motion::{AxisWords, FeedWord, MAX_AXES, Mode, Step};
 use crate::nc::Decimal;
 use crate::program::{Coolant, Rotation, Units};
 
@@ -49,12 +49,12 @@ fn steps(control: &dyn Control, layout: &Layout, steps: &[Step<'_>]) -> Vec<Stri
 }
 
 /// Words of C A Z X.
-fn words(units: [i64; 4]) -> Words {
+fn words(units: [i64; 4]) -> AxisWords {
     only(0b1111, units)
 }
 
-fn only(mask: u16, units: [i64; 4]) -> Words {
-    let mut words = Words { units: [0; MAX_AXES], mask, vector: None };
+fn only(mask: u16, units: [i64; 4]) -> AxisWords {
+    let mut words = AxisWords { units: [0; MAX_AXES], mask, vector: None };
     words.units[..4].copy_from_slice(&units);
     words
 }
@@ -113,8 +113,8 @@ fn milling() -> Layout {
 /// Position of X Y Z, whole units.
 type Place = [i64; 3];
 
-fn linear(to: Place) -> Words {
-    let mut words = Words { mask: 0b111, ..Words::default() };
+fn linear(to: Place) -> AxisWords {
+    let mut words = AxisWords { mask: 0b111, ..AxisWords::default() };
     words.units[..3].copy_from_slice(&to);
     words
 }

@@ -1,4 +1,4 @@
-//! Why something cannot be posted, first without and then with its location in the CL data.
+//! Faults of planning: first without, then with their location in the CL data.
 
 use std::fmt::Display;
 use std::io;
@@ -6,7 +6,7 @@ use std::io;
 use crate::diag::{Diagnostic, Severity};
 use crate::program::Location;
 
-/// One reason, in a machinist's words, with a remedy.
+/// The cause of a fault in plain words, and its remedy.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Fault {
     text: String,
@@ -23,68 +23,69 @@ impl Fault {
         self
     }
 
-    /// Says what the motion was for that cannot be posted.
-    pub(crate) fn context(mut self, what: impl Display) -> Self {
-        self.text = format!("{what}: {}", self.text);
+    /// Puts the purpose of the refused motion before the text.
+    pub(crate) fn context(mut self, purpose: impl Display) -> Self {
+        self.text = format!("{purpose}: {}", self.text);
         self
     }
 
+    /// The diagnostic at a location.
     pub(crate) fn at(self, location: Location, severity: Severity) -> Diagnostic {
         Diagnostic { severity, location, length: 1, text: self.text, help: self.help, count: 1 }
     }
 }
 
-/// Why planning stopped.
+/// The error that ends planning, with its location.
 #[derive(Debug)]
-pub enum Stop {
-    /// The CL data cannot be posted from here on.
+pub enum PlanningError {
+    /// The CL data cannot be posted beyond this record.
     Fault(Diagnostic),
     /// The output failed.
     Output(io::Error),
 }
 
-impl From<Diagnostic> for Stop {
+impl From<Diagnostic> for PlanningError {
     fn from(fault: Diagnostic) -> Self {
         Self::Fault(fault)
     }
 }
 
-impl From<io::Error> for Stop {
+impl From<io::Error> for PlanningError {
     fn from(error: io::Error) -> Self {
         Self::Output(error)
     }
 }
 
-/// Why an item cannot be planned, before its location is attached.
+/// The error of one item, before its location is attached.
 #[derive(Debug)]
-pub(crate) enum Halt {
-    /// The CL data cannot be posted from here on.
+pub(crate) enum ItemError {
+    /// The CL data cannot be posted beyond this record.
     Fault(Fault),
     /// The output failed.
     Output(io::Error),
 }
 
-impl Halt {
-    /// With the location of the record.
-    pub(crate) fn at(self, location: Location) -> Stop {
+impl ItemError {
+    /// The error at the location of its record.
+    pub(crate) fn at(self, location: Location) -> PlanningError {
         match self {
-            Self::Fault(fault) => Stop::Fault(fault.at(location, Severity::Error)),
-            Self::Output(error) => Stop::Output(error),
+            Self::Fault(fault) => PlanningError::Fault(fault.at(location, Severity::Error)),
+            Self::Output(error) => PlanningError::Output(error),
         }
     }
 }
 
-impl From<Fault> for Halt {
+impl From<Fault> for ItemError {
     fn from(fault: Fault) -> Self {
         Self::Fault(fault)
     }
 }
 
-impl From<io::Error> for Halt {
+impl From<io::Error> for ItemError {
     fn from(error: io::Error) -> Self {
         Self::Output(error)
     }
 }
 
-/// What becomes of planning something.
-pub(crate) type Planned = Result<(), Halt>;
+/// Result of planning something.
+pub(crate) type Planned = Result<(), ItemError>;

@@ -1,8 +1,8 @@
-//! Planning: events of the CL data into the steps of one machine's program.
+//! Planning: events of the CL data become the steps of one machine's program.
 //!
-//! Input are [`Event`](crate::program::Event)s in mm and rad, output are [`Step`]s with words in whole units. Branch and
-//! turns, limits, feeds and the safe sequence between operations are decided here; how a control spells a step is not,
-//! and what the CL data looked like neither. Memory is constant, and nothing is allocated for a motion.
+//! Input are [`Event`](crate::program::Event)s in mm and rad; output are [`Step`]s with words in whole units. Decides branch
+//! and turns of the rotary axes, limits, feeds and the safe sequence between operations. Does not spell the blocks of a
+//! control and does not read CL text. Memory is constant, and nothing is allocated for a motion.
 
 mod course;
 mod fault;
@@ -20,24 +20,24 @@ pub(crate) mod machines;
 mod tests;
 
 pub use course::{Course, Navigator};
-pub use fault::Stop;
+pub use fault::PlanningError;
 pub use geometry::{ArcPlane, Circle};
 pub(crate) use geometry::{distance_to_clear, extent};
 pub use options::{
     Approach, ArcForm, ArcOptions, ArcOutput, ClampCodes, CourseOptions, CutterPath, CycleOptions, CycleOutput,
-    Defaults, FeedLimits, GuardOptions, Mode, Operations, Options, PathNorm, Policy, Rapid, RapidOptions, Retract,
-    Rewind, RotaryOptions, TcpFrame, TcpWords, TipOptions, ToolPosture, Transition, Wrap,
+    Defaults, FeedLimits, GuardOptions, Mode, MotionOptions, Operations, PathNorm, Policy, Rapid, RapidOptions,
+    Retract, Rewind, RotaryOptions, TcpFrame, TcpWords, TipOptions, ToolPosture, Transition, Wrap,
 };
 pub use place::{PlaneAbility, PlaneAngles, PoseRule, TipAbility, unsuited};
 pub(crate) use plan::hole_extent;
 pub use plan::{
-    Abilities, Chorded, FastestTurn, MovingAxes, OperationTime, Planner, ProofProgram, Registers, Statistics, Sweep,
-    Times,
+    Abilities, ChordedArcs, FastestRotation, MovingAxes, OperationTime, Planner, ProofProgram, Registers, Statistics,
+    Sweep, Times,
 };
 pub use rotary::Cost;
 pub(crate) use source::Setting;
 pub use source::{Begins, ItemAction, LinePart, MotionIndex, Next, ProgramItem, Source, Stage};
 pub use step::{
-    CannedCycle, CannedKind, CycleAbilities, FeedWord, MAX_AXES, Nowhere, Provenance, Sink, Standing, Step,
-    VECTOR_DECIMALS, Why, Words,
+    AxisWords, BlockReason, CannedCycle, CannedKind, CycleAbilities, DiscardSteps, FeedWord, MAX_AXES, Provenance,
+    ReachedPosition, Sink, Step, VECTOR_DECIMALS,
 };

@@ -1,7 +1,8 @@
-//! What a job may set about planning: which words, how exact, how fast, how to get to and away from the part.
+//! Options of planning: words, tolerances, speeds, approach and retract.
 //!
-//! Plain data in mm, rad and mm/min, and the tables of their keys; nothing here plans. [`Policy`] is everything of a
-//! job that planning may read.
+//! Plain data in mm, rad and mm/min, with the tables of their configuration keys. The doc line of a field with a key is
+//! the description of the key in the configuration sample and in the schema. [`Policy`] is all that planning reads of a
+//! job.
 
 mod cutting;
 mod keys;
@@ -24,129 +25,130 @@ pub use cutting::{
 pub use links::{Approach, Rapid, RapidOptions, Retract, Rewind, Transition};
 pub use words::{ClampCodes, Mode, RotaryOptions, TcpFrame, TcpWords, TipOptions, ToolPosture, Wrap};
 
-/// Everything of a job that planning may read.
+/// All that planning reads of a job.
 #[derive(Debug, Clone, Copy)]
 pub struct Policy<'a> {
-    /// Machine, part and shop.
+    /// Machine, part, tools and work offsets.
     pub set_up: &'a SetUp,
-    /// How motion is planned.
-    pub options: &'a Options,
-    /// Digits of the words.
+    /// Options of planning.
+    pub options: &'a MotionOptions,
+    /// Decimals and digits of the words.
     pub formats: &'a Formats,
 }
 
 options! {
-    /// How motion is planned. Lengths in mm, angles in rad, speeds in mm/min and rad/min.
-    pub struct Options {
-        /// How far arcs and chords may leave the arcs and curves of the CL data, and the tip its line while a rotary
-        /// axis moves.
-        tolerance: f64 = 0.01, key("tolerance", Measure::length(Bound::Positive).unless(beyond_words));
-        /// How far the tool axis may leave its even turn from one point to the next.
-        axis_tolerance_path: f64 = 0.1_f64.to_radians(),
+    /// Options of planning. Lengths in mm, angles in rad, speeds in mm/min and rad/min.
+    pub struct MotionOptions {
+        /// Largest deviation of arcs and chords from the arcs and curves of the CL data, and of the tip from its line
+        /// while a rotary axis moves.
+        tolerance_mm: f64 = 0.01, key("tolerance", Measure::length(Bound::Positive).unless(beyond_words));
+        /// Largest angle of the tool axis from its even rotation between two points.
+        axis_tolerance_path_rad: f64 = 0.1_f64.to_radians(),
             key("axis_tolerance_path", Measure::angle(Bound::Positive).unless(beyond_axis_words));
-        /// Wait for the spindle, seconds.
-        spindle_dwell: f64 = 0.0, key("spindle_dwell", Measure::plain(Bound::NotNegative).unless(no_dwell));
+        /// Dwell after the start of the spindle, seconds.
+        spindle_dwell_s: f64 = 0.0, key("spindle_dwell", Measure::plain(Bound::NotNegative).unless(no_dwell));
         /// Retract before STOP and OPSTOP.
         stop_retract: bool = true, key("stop_retract", YesNo);
-        /// Where axes go at the end of the program: degrees, and machine coordinates for linear axes. Without it they
-        /// stay.
+        /// Park positions of axes at the end of the program: degrees, and machine coordinates of linear axes. Axes
+        /// without one do not move.
         park: BTreeMap<char, f64> = BTreeMap::new(), key("park", PARK);
-        /// What the words of a motion say: where every one of the "axes" goes (works on any control), where the tip
-        /// goes while the control keeps it there ("tcp"), or where it goes in a tilted "plane" (3+2).
+        /// Meaning of the words of a motion: positions of the "axes" (on any control), coordinates of the tip under tip
+        /// control ("tcp"), or coordinates of the tip in a tilted "plane" (3+2).
         mode: Mode = Mode::Axes, key("mode", OneOf(&Mode::NAMES));
         /// Tip control, in mode `tcp`.
         tip: TipOptions = TipOptions::default(), keys();
         /// Motion between cuts.
         rapids: RapidOptions = RapidOptions::default(), keys();
-        /// What is refused or compared.
+        /// Checks.
         guards: GuardOptions = GuardOptions::default(), keys();
         /// LINTOL may be wider than `tolerance`.
         allow_lintol: bool = false, key("cl.allow_lintol", YesNo);
-        /// What the CL data may leave out.
+        /// Defaults for what the CL data leaves out.
         defaults: Defaults = Defaults::default(), keys();
-        /// How branch and turns of the rotary axes are chosen.
+        /// Choice of branch and turns of the rotary axes.
         course: CourseOptions = CourseOptions::default(), keys();
-        /// How to get away from the part.
+        /// Retract from the part.
         retract: Retract = Retract::default(), keys();
         /// Arcs of the control.
         arcs: ArcOptions = ArcOptions::default(), keys();
         /// Cycles of the control.
         cycles: CycleOptions = CycleOptions::default(), keys();
-        /// Cutter compensation by the control (CUTCOM: G41, G42, RL, RR): what the CL data under it is, "centre" (D
-        /// holds wear only) or "contour" (D holds the radius). Without it CUTCOM is refused.
+        /// Cutter compensation by the control (CUTCOM: G41, G42, RL, RR): path in the CL data, of the tool "centre" (D
+        /// holds wear only) or the "contour" (D holds the radius). Without it CUTCOM is refused.
         compensation: Option<CutterPath> = None, key("compensation.path", OneOf(&CutterPath::NAMES), "\"centre\"");
-        /// How fast blocks may run.
+        /// Limits of feeds and block times.
         feed: FeedLimits = FeedLimits::default(), keys();
-        /// How to get to the part.
+        /// Approach to the part.
         approach: Approach = Approach::default(), keys();
         /// Words and clamps of rotary axes.
         rotaries: RotaryOptions = RotaryOptions::default(), keys();
-        /// The operations that are posted; all of them without it.
+        /// Operations that are posted; all without it.
         operations: Option<Operations> = None;
-        /// Dry run: every point is this much further out along the tool axis, and the spindle stays off, mm.
-        lift: Option<f64> = None;
+        /// Dry run: distance by which every point is moved out along the tool axis, mm; the spindle stays off.
+        lift_mm: Option<f64> = None;
     }
 }
 
 options! {
-    /// Branch and whole turns of the rotary axes are chosen for the whole program: the fewest rewinds, then these
-    /// wishes, then the least time at the largest axis speeds, then the least travel.
+    /// Choice of branch and turns of the rotary axes, for the whole program: fewest rewinds, then these preferences,
+    /// then least time at the largest axis speeds, then least travel.
     pub struct CourseOptions in "course" {
-        /// Operations begin on this branch of `explain` where they can: "first" or "second".
+        /// Preferred branch of `explain` at the beginning of operations: "first" or "second".
         start_branch: Option<Branch> = None, key("course.start_branch", OneOf(&START_BRANCHES), "\"first\"");
-        /// Operations begin with this axis on this side of zero where they can.
+        /// Preferred side of zero of a rotary axis at the beginning of operations.
         ///
         /// `true`: at or above zero.
         prefer: Option<(char, bool)> = None, key("course.prefer", Preference);
-        /// Choose motion by motion, without a view ahead.
+        /// Choose motion by motion, without look-ahead.
         greedy: bool = false, key("course.greedy", YesNo);
-        /// Within this angle of the direction that leaves the first rotary free, the tool axis is put there.
+        /// Within this angle of the direction that leaves the first rotary axis free, the tool axis is moved to that
+        /// direction.
         ///
-        /// Zero: within what CL data rounds.
-        axis_tolerance: f64 = 0.0,
+        /// Zero: within the rounding of CL data.
+        axis_tolerance_rad: f64 = 0.0,
             key("course.axis_tolerance", Measure::angle(Bound::NotNegative).unless(another_path));
     }
 }
 
 options! {
-    /// What is refused or compared.
+    /// Checks.
     pub struct GuardOptions {
-        /// Compare the posted length of a tool with the control's tool table at the tool call, where the control can.
-        /// Without it where a rotary axis in the head makes the length matter.
+        /// Compare the posted length of a tool with the tool table of the control at the tool call, where the control
+        /// can. Without it: only where the length matters because of a rotary axis in the head.
         length_guard: Option<bool> = None, key("length_guard", YesNo, "true");
-        /// By how much the lengths may differ.
-        length_tolerance: f64 = 0.01, also("length_tolerance", Measure::length(Bound::Positive).unless(unmeasurable));
-        /// Largest spindle speed. Without it speeds are not checked.
-        spindle_max: Option<f64> = None, key("spindle_max", Measure::plain(Bound::Positive), "12000");
-        /// Lowest Z of the tool tip, in the part as it lies on the table. Without it depths are not checked.
-        floor: Option<f64> = None, key("floor", Measure::length(Bound::Any), "0.0");
-        /// Refuse CL data in which the tool points into the table throughout.
+        /// Largest difference between the lengths.
+        length_tolerance_mm: f64 = 0.01, also("length_tolerance", Measure::length(Bound::Positive).unless(unmeasurable));
+        /// Largest spindle speed, rev/min. Without it speeds are not checked.
+        spindle_max_rev_per_min: Option<f64> = None, key("spindle_max", Measure::plain(Bound::Positive), "12000");
+        /// Lowest Z of the tool tip, in the part as mounted on the table. Without it depths are not checked.
+        floor_mm: Option<f64> = None, key("floor", Measure::length(Bound::Any), "0.0");
+        /// Refuse CL data in which every tool axis points into the table.
         table_check: bool = true, key("table_check", YesNo);
     }
 }
 
-/// Branches by their names.
+/// Names of the branches.
 pub(crate) const START_BRANCHES: [(&str, Branch); 2] = [("first", Branch::First), ("second", Branch::Second)];
 
-impl Options {
-    /// Tolerances of chords, mm: finer is beyond the words, wider is no path any more.
+impl MotionOptions {
+    /// Chord tolerances, mm: below the range words are too coarse, above it the path is no longer followed.
     pub(crate) const TOLERANCE: RangeInclusive<f64> = 0.0001..=1.0;
 
-    /// Tolerances of the tool axis, degrees: finer is beyond the words, wider is no direction any more.
+    /// Tolerances of the tool axis, degrees: below the range words are too coarse, above it the axis is no longer followed.
     pub(crate) const AXIS_TOLERANCE: RangeInclusive<f64> = 0.001..=10.0;
 }
 
-/// Finer than the words of the guard, or wider than any tool is measured, mm.
+/// Tolerances of the length guard, mm: from the resolution of its words to beyond the accuracy of any tool measurement.
 const LENGTH_TOLERANCE: RangeInclusive<f64> = 0.0001..=1.0;
 
-/// A dwell at the spindle, seconds: what three decimals hold, and what nobody waits for.
+/// Dwells after spindle start, s: three decimals are written, and ten minutes are a mistake.
 const DWELL: RangeInclusive<f64> = 0.001..=600.0;
 
-/// Largest axis tolerance, rad: wider is another path.
+/// Largest axis tolerance at the pole, rad: a wider one would change the path.
 const LARGEST_AXIS_TOLERANCE: f64 = 5_f64.to_radians();
 
 fn beyond_words(tolerance: f64) -> Option<String> {
-    outside(&Options::TOLERANCE, tolerance)
+    outside(&MotionOptions::TOLERANCE, tolerance)
 }
 
 fn unmeasurable(tolerance: f64) -> Option<String> {
@@ -158,9 +160,9 @@ fn outside(range: &RangeInclusive<f64>, tolerance: f64) -> Option<String> {
     (!range.contains(&tolerance)).then(|| format!("a tolerance of {low} to {high} mm is needed here"))
 }
 
-/// The ends of the range are degrees that have been radians in between.
+/// Compares with a little slack: the ends of the range are degrees, and the value has been converted from radians.
 fn beyond_axis_words(tolerance: f64) -> Option<String> {
-    let range = Options::AXIS_TOLERANCE;
+    let range = MotionOptions::AXIS_TOLERANCE;
     let (low, high) = (range.start(), range.end());
     let within = low * (1.0 - 1e-12)..=high * (1.0 + 1e-12);
     let outside = !within.contains(&tolerance.to_degrees());
@@ -178,12 +180,12 @@ fn another_path(tolerance: f64) -> Option<String> {
     (tolerance > LARGEST_AXIS_TOLERANCE).then(|| format!("an angle of at most {largest} degrees is needed here"))
 }
 
-/// Some operations of a program, counted from 1: they begin at TOOL PATH, tool records, stops and frames, and starts
-/// with no motion between them are one.
+/// Selection of operations, counted from 1. An operation begins at TOOL PATH, a tool record, a stop or a frame; starts
+/// with no motion between them count as one.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Operations {
-    /// From this one to that, both included; to the last without it.
+    /// First and last operation, both included; `None`: up to the last of the program.
     Range(u64, Option<u64>),
-    /// From the first of this name on.
+    /// All from the first operation of this name.
     From(String),
 }

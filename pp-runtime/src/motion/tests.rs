@@ -12,7 +12,7 @@ use crate::control::{Control, Encoder, Layout, LinuxCnc};
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::{AxisKind, Limits, Machine, Pose};
 use crate::motion::machines::{Ay, Cb, Head, Xyw, Xyz};
-use crate::motion::{MovingAxes, Navigator, Nowhere, Planner, Sink, Source, Stage, Statistics, Stop};
+use crate::motion::{DiscardSteps, MovingAxes, Navigator, Planner, PlanningError, Sink, Source, Stage, Statistics};
 use crate::motion::{Rapid, Transition, Wrap};
 use crate::program::Units;
 use crate::program::{
@@ -21,7 +21,7 @@ use crate::program::{
 };
 use crate::set_up::GivenTool;
 
-/// What came out of a run.
+/// Result of a run.
 pub(super) struct Run {
     pub(super) lines: Vec<String>,
     pub(super) diagnostics: Vec<Diagnostic>,
@@ -38,7 +38,7 @@ impl Run {
     }
 }
 
-/// Posts events for LinuxCNC; the event at position `n` stands in line `n + 1`.
+/// Posts events for LinuxCNC; the event at position `n` is in line `n + 1`.
 pub(super) fn run<M: Machine>(config: &Config, events: &[Event<'_>]) -> Run {
     let units = config.output_units.unwrap_or(Units::Millimetres);
     let layout = Layout::new(&M::default(), config.demands(), units, b"");
@@ -67,7 +67,7 @@ pub(super) fn plan<M: Machine>(
     let policy = config.policy();
     let mut moving = MovingAxes::default();
     if !config.motion.rotaries.clamp.is_empty() {
-        let mut planner = Planner::new(Box::new(machine.clone()), policy, units, &abilities, false, Nowhere);
+        let mut planner = Planner::new(Box::new(machine.clone()), policy, units, &abilities, false, DiscardSteps);
         planner = planner.with_course(course.clone());
         hand_on::<M, _>(config, events, &mut planner).expect("a rehearsal");
         planner.finish(Location::default()).expect("a rehearsal");
@@ -80,13 +80,13 @@ pub(super) fn plan<M: Machine>(
     let mut diagnostics = planner.take_warnings();
     match planned {
         Ok(()) => {}
-        Err(Stop::Fault(fault)) => diagnostics.push(fault),
-        Err(Stop::Output(error)) => panic!("{error}"),
+        Err(PlanningError::Fault(fault)) => diagnostics.push(fault),
+        Err(PlanningError::Output(error)) => panic!("{error}"),
     }
     (diagnostics, planner.statistics())
 }
 
-/// Hands on the items of events; the event at position `n` is in line `n + 1`.
+/// Passes the items of events to a stage; the event at position `n` is in line `n + 1`.
 pub(super) fn hand_on<M: Machine, S: Stage>(
     config: &Config,
     events: &[Event<'_>],
@@ -112,7 +112,7 @@ pub(super) fn pose(tip: [f64; 3], axis: [f64; 3]) -> Pose {
 
 const UP: [f64; 3] = [0.0, 0.0, 1.0];
 
-/// The axis of `C` and `B` degrees on the C-B table.
+/// Tool axis at `C` and `B` degrees on the C-B table.
 fn cb(c: f64, b: f64) -> [f64; 3] {
     let ((sin_c, cos_c), (sin_b, cos_b)) = (c.to_radians().sin_cos(), b.to_radians().sin_cos());
     [sin_b * cos_c, sin_b * sin_c, cos_b]
@@ -143,7 +143,7 @@ fn with_lengths(distance: Option<f64>) -> Config {
     for number in 1..=2 {
         config.set_up.tools.insert(number, GivenTool { length_mm: Some(100.0), ..GivenTool::default() });
     }
-    config.motion.retract.distance = distance;
+    config.motion.retract.distance_mm = distance;
     config
 }
 

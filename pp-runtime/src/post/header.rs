@@ -67,15 +67,15 @@ pub(crate) fn assumptions(
         list.push(format!("work offset {}", work_offset(control, config)));
     }
     if !config.is_given("retract.position") {
-        list.push(format!("retract to machine coordinate {} mm", config.motion.retract.position()));
+        list.push(format!("retract to machine coordinate {} mm", config.motion.retract.position_mm()));
     }
     if !config.is_given("approach.distance") {
-        list.push(format!("approach distance {} mm along the tool axis", config.motion.approach.distance));
+        list.push(format!("approach distance {} mm along the tool axis", config.motion.approach.distance_mm));
     }
     for tool in survey.tools.iter().filter(|tool| tool.spindle_assumed) {
         let number = tool.call.number;
         let given = config.set_up.tools.get(&number);
-        let speed = given.and_then(|tool| tool.speed_rev_per_min).or(config.motion.defaults.speed);
+        let speed = given.and_then(|tool| tool.speed_rev_per_min).or(config.motion.defaults.speed_rev_per_min);
         let rotation = given.and_then(|tool| tool.rotation).or(config.motion.defaults.rotation);
         if let (Some(speed), Some(rotation)) = (speed, rotation) {
             let sense = match rotation {
@@ -119,7 +119,7 @@ pub(crate) fn set_up(config: &Config, survey: &Survey) -> Vec<String> {
             "part rotation {x}, {y}, {z}: the CL data is rotated by these degrees about X, then Y, then Z of the table"
         ));
     }
-    if let Some(lift) = config.motion.lift {
+    if let Some(lift) = config.motion.lift_mm {
         list.push(format!(
             "DRY RUN: every point is {lift} mm further out along the tool axis, spindle and coolant off"
         ));
@@ -244,7 +244,7 @@ impl Header<'_> {
             format!("UNITS {}, WORK OFFSET {}", self.units.name(), work_offset(self.job.control, config)),
             format!("PART ORIGIN {} from the reference point of the table", self.point(config.set_up.part_origin)),
             format!("PROGRAMMED POINT {}", programmed_point(config)),
-            format!("TOLERANCE {} for arcs and curves", self.length(config.motion.tolerance)),
+            format!("TOLERANCE {} for arcs and curves", self.length(config.motion.tolerance_mm)),
         ];
         lines.extend(set_up(config, self.survey));
         lines.extend(config.motion.compensation.map(|path| match path {
@@ -257,8 +257,8 @@ impl Header<'_> {
         let tolerances = (has_rotaries && config.motion.mode != Mode::Plane).then(|| {
             format!(
                 "WHILE A ROTARY AXIS MOVES the tip stays within {} of its line at feed, the tool axis within {} deg",
-                self.length(config.motion.tolerance),
-                (config.motion.axis_tolerance_path.to_degrees() * 1e6).round() / 1e6
+                self.length(config.motion.tolerance_mm),
+                (config.motion.axis_tolerance_path_rad.to_degrees() * 1e6).round() / 1e6
             )
         });
         lines.extend(self.machine_lines(tolerances));
@@ -384,7 +384,7 @@ impl Header<'_> {
     /// Whether the program can compare the tool length in the control's offset with the posted one (`length_guard`).
     fn can_guard_length(&self, tool: u32, offset: Option<u32>, length_mm: f64) -> bool {
         let Some(offset) = self.job.control.spellings().length.registers.of_tool(tool, offset) else { return false };
-        let (tolerance, units) = (self.job.config.motion.guards.length_tolerance, self.units);
+        let (tolerance, units) = (self.job.config.motion.guards.length_tolerance_mm, self.units);
         !self
             .job
             .control

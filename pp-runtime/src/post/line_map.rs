@@ -5,7 +5,7 @@ use std::io;
 
 use crate::control::Encoder;
 use crate::kinematics::{Branch, Pose};
-use crate::motion::{MAX_AXES, Provenance, Sink, Standing, Step, Why};
+use crate::motion::{BlockReason, MAX_AXES, Provenance, ReachedPosition, Sink, Step};
 use crate::program::Location;
 
 /// A line of a program and its origin.
@@ -19,10 +19,10 @@ pub struct LineOrigin<'a> {
     pub step: &'static str,
     /// CL record that the line comes from; none for the head.
     pub at: Option<Location>,
-    /// Why the line was written.
-    pub why: Why,
+    /// BlockReason the line was written.
+    pub why: BlockReason,
     /// Position of the machine after the line, if the line moves an axis.
-    pub position_after: Option<Standing<'a>>,
+    pub position_after: Option<ReachedPosition<'a>>,
 }
 
 /// Receives the origin of every line of a program, in order.
@@ -46,16 +46,16 @@ pub(crate) struct OwnedPosition {
 }
 
 impl OwnedPosition {
-    pub(crate) fn of(position: &Standing<'_>) -> Self {
+    pub(crate) fn of(position: &ReachedPosition<'_>) -> Self {
         let count = position.axes.len().min(MAX_AXES);
         let mut axes = [0.0; MAX_AXES];
         axes[..count].copy_from_slice(&position.axes[..count]);
         Self { pose: position.pose.copied(), branch: position.branch, axes, count, mask: position.mask }
     }
 
-    pub(crate) fn borrowed(&self) -> Standing<'_> {
+    pub(crate) fn borrowed(&self) -> ReachedPosition<'_> {
         let Self { ref pose, branch, ref axes, count, mask } = *self;
-        Standing { pose: pose.as_ref(), branch, axes: &axes[..count], mask }
+        ReachedPosition { pose: pose.as_ref(), branch, axes: &axes[..count], mask }
     }
 }
 
@@ -65,7 +65,7 @@ pub(crate) struct MappedEncoder<'e, 'r> {
     line_map: Option<&'r mut dyn LineMap>,
     /// CL record of the last step.
     at: Option<Location>,
-    why: Why,
+    why: BlockReason,
 }
 
 impl<'e, 'r> MappedEncoder<'e, 'r> {
@@ -73,7 +73,7 @@ impl<'e, 'r> MappedEncoder<'e, 'r> {
         if line_map.is_some() {
             encoder.keep_lines();
         }
-        Self { encoder, line_map, at: None, why: Why::Head }
+        Self { encoder, line_map, at: None, why: BlockReason::Head }
     }
 
     pub(crate) fn encoder(&mut self) -> &mut Encoder<'e> {
@@ -91,7 +91,7 @@ impl<'e, 'r> MappedEncoder<'e, 'r> {
     }
 
     /// Maps the lines written since the last call.
-    fn map_lines(&mut self, step: &'static str, position_after: Option<Standing<'_>>) -> io::Result<()> {
+    fn map_lines(&mut self, step: &'static str, position_after: Option<ReachedPosition<'_>>) -> io::Result<()> {
         let Some(line_map) = &mut self.line_map else { return Ok(()) };
         let (at, why) = (self.at, self.why);
         let mut lines = self.encoder.take_lines().peekable();
@@ -111,7 +111,7 @@ impl Sink for MappedEncoder<'_, '_> {
         if self.line_map.is_none() {
             return Ok(());
         }
-        (self.at, self.why) = (from.at, from.why);
-        self.map_lines(step.name(), from.standing)
+        (self.at, self.why) = (from.at, from.reason);
+        self.map_lines(step.name(), from.reached)
     }
 }

@@ -27,7 +27,8 @@ use crate::control::{self, Control, Encoder, Layout};
 use crate::diag::{Diagnostic, Remarks, Severity, grouped};
 use crate::kinematics::{AnyMachine, AxisKind, Invalid, Machine};
 use crate::motion::{
-    Abilities, Chorded, Cost, Course, MovingAxes, Navigator, Nowhere, Planner, Sink, Source, Statistics, Stop, Times,
+    Abilities, ChordedArcs, Cost, Course, DiscardSteps, MovingAxes, Navigator, Planner, PlanningError, Sink, Source,
+    Statistics, Times,
 };
 use crate::program::Location;
 use crate::program::Units;
@@ -162,24 +163,24 @@ impl Report {
             lines.push(format!(
                 "tool axes out of reach of the machine: {}, by at most {:.1e}°; the nearest one within reach was used",
                 self.statistics.deviations,
-                self.statistics.largest_deviation.to_degrees()
+                self.statistics.largest_deviation_rad.to_degrees()
             ));
         }
         if self.statistics.near_pole > 0 {
             lines.push(format!(
                 "tool axes set to the pole: {}, by at most {:.1e}°; the first rotary axis kept its value",
                 self.statistics.near_pole,
-                self.statistics.largest_at_pole.to_degrees()
+                self.statistics.largest_at_pole_rad.to_degrees()
             ));
         }
         let statistics = &self.statistics;
-        if statistics.largest_tip_bound > 0.0 {
+        if statistics.largest_tip_bound_mm > 0.0 {
             lines.push(format!(
                 "linearised: {} inserted; while a rotary axis moves at feed, the tip deviates from its line by at most \
                  {:.4} mm, the tool axis from its even rotation by at most {:.4}°",
                 counted(statistics.inserted, "block"),
-                statistics.largest_tip_bound,
-                statistics.largest_axis_bound.to_degrees(),
+                statistics.largest_tip_bound_mm,
+                statistics.largest_axis_bound_rad.to_degrees(),
             ));
         }
         lines.extend(arcs_text(statistics));
@@ -198,7 +199,7 @@ impl Report {
 
 /// Number of arcs written as arcs, and of those written as lines with the reasons.
 fn arcs_text(statistics: &Statistics) -> Option<String> {
-    let Chorded { frame, plane, radius, rounding } = statistics.chorded;
+    let ChordedArcs { frame, plane, radius, rounding } = statistics.chorded;
     let reasons = [
         (frame, "in which a rotary axis moves, or the linear axes are not perpendicular"),
         (plane, "outside the planes in which the control has arcs"),
@@ -353,7 +354,7 @@ impl PlanningPass<'_> {
 
     /// Plans the whole program without writing it. Returns which axes move between each approach and the next.
     fn rehearse(&self, reader: ClReader<impl Read>, course: Course) -> Result<MovingAxes, PostError> {
-        let mut planner = self.planner(course, Nowhere);
+        let mut planner = self.planner(course, DiscardSteps);
         // An error here occurs again when the program is written, and is reported then.
         let _ = self.plan(reader, &mut planner, &mut Remarks::default())?;
         Ok(planner.rehearsed())
@@ -385,8 +386,8 @@ impl PlanningPass<'_> {
         report.unchecked = header::unchecked_limits(&planner.unchecked_axes());
         match planned {
             Ok(()) => {}
-            Err(Stop::Output(error)) => return Err(PostError::Output(error)),
-            Err(Stop::Fault(diagnostic)) => report.fault(diagnostic),
+            Err(PlanningError::Output(error)) => return Err(PostError::Output(error)),
+            Err(PlanningError::Fault(diagnostic)) => report.fault(diagnostic),
         }
         let mapped = planner.sink();
         close(job, report, mapped.encoder()).map_err(PostError::Output)?;
@@ -401,7 +402,7 @@ impl PlanningPass<'_> {
         mut reader: ClReader<impl Read>,
         planner: &mut Planner<'_, S>,
         remarks: &mut Remarks,
-    ) -> Result<Result<(), Stop>, PostError> {
+    ) -> Result<Result<(), PlanningError>, PostError> {
         let mut source = Source::new(self.machine, self.job.config.policy());
         let first_error = self.survey.first_error;
         let mut last = Location::default();
@@ -435,10 +436,10 @@ impl PlanningPass<'_> {
 
 /// Drops the fault of a first motion that was still held back when the reader stopped: its approach depends on the next
 /// motion, which could not be read, so the error of the reader is the one to report.
-fn without_fault(released: Result<(), Stop>) -> Result<(), Stop> {
+fn without_fault(released: Result<(), PlanningError>) -> Result<(), PlanningError> {
     match released {
-        Err(Stop::Output(error)) => Err(Stop::Output(error)),
-        Ok(()) | Err(Stop::Fault(_)) => Ok(()),
+        Err(PlanningError::Output(error)) => Err(PlanningError::Output(error)),
+        Ok(()) | Err(PlanningError::Fault(_)) => Ok(()),
     }
 }
 

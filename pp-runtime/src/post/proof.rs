@@ -13,7 +13,7 @@ use crate::control::{self, Control, Encoder, Layout};
 use crate::diag::Diagnostic;
 use crate::kinematics::{AnyMachine, AxisKind, Side};
 use crate::motion::Mode;
-use crate::motion::{Planner, ProofProgram, Stop, Sweep};
+use crate::motion::{Planner, PlanningError, ProofProgram, Sweep};
 use crate::program::ToolCall;
 use crate::program::Units;
 
@@ -55,11 +55,11 @@ pub fn prove(machine: &dyn AnyMachine, proof: &Proof<'_>) -> Result<Vec<u8>, Str
     }
     // A dry run with a distance of 0: no spindle, no coolant. Mode `axes`, because the declaration of the machine is to
     // be shown, not the control's own tip control or tilted plane.
-    let slow = given.motion.rapids.reorient_speed.min(MAX_ROTARY_SPEED_RAD_PER_MIN);
+    let slow = given.motion.rapids.reorient_rad_per_min.min(MAX_ROTARY_SPEED_RAD_PER_MIN);
     let mut config = given.clone();
-    config.motion.lift = Some(0.0);
+    config.motion.lift_mm = Some(0.0);
     config.motion.mode = Mode::Axes;
-    config.motion.rapids.reorient_speed = slow;
+    config.motion.rapids.reorient_rad_per_min = slow;
     let units = config.output_units.unwrap_or(Units::Millimetres);
     let machine = config
         .set_up
@@ -77,20 +77,20 @@ pub fn prove(machine: &dyn AnyMachine, proof: &Proof<'_>) -> Result<Vec<u8>, Str
     let job = Job { cl_name: "", config: &config, control: proof.control, units: None };
     let survey = survey(number, &point);
     let header = Header { job: &job, survey: &survey, units, machine: &*machine, unchecked: planner.unchecked_axes() };
-    head(&header, &point, &sweeps, planner.sink().encoder()).map_err(|error| sentence(Stop::Output(error)))?;
+    head(&header, &point, &sweeps, planner.sink().encoder()).map_err(|error| sentence(PlanningError::Output(error)))?;
     ProofProgram::new(&mut planner).plan(number, point, &sweeps).map_err(sentence)?;
     let encoder = planner.sink().encoder();
-    encoder.end(&[]).and_then(|()| encoder.finish()).map_err(|error| sentence(Stop::Output(error)))?;
+    encoder.end(&[]).and_then(|()| encoder.finish()).map_err(|error| sentence(PlanningError::Output(error)))?;
     drop(planner);
     Ok(out)
 }
 
 /// The reason why the program cannot be planned or written, as one sentence.
-fn sentence(stop: Stop) -> String {
+fn sentence(stop: PlanningError) -> String {
     match stop {
-        Stop::Output(error) => error.to_string(),
-        Stop::Fault(Diagnostic { text, help: Some(help), .. }) => format!("{text}: {help}"),
-        Stop::Fault(Diagnostic { text, .. }) => text,
+        PlanningError::Output(error) => error.to_string(),
+        PlanningError::Fault(Diagnostic { text, help: Some(help), .. }) => format!("{text}: {help}"),
+        PlanningError::Fault(Diagnostic { text, .. }) => text,
     }
 }
 
@@ -126,7 +126,7 @@ fn head(header: &Header<'_>, point: &Point3<f64>, sweeps: &[Sweep], encoder: &mu
     ];
     let number = |index: usize, sweep: &Sweep| format!("SWEEP {}: {}", index + 1, sweep.name);
     lines.extend(sweeps.iter().enumerate().map(|(index, sweep)| number(index, sweep)));
-    let within = header.length(config.motion.tolerance);
+    let within = header.length(config.motion.tolerance_mm);
     lines.extend(
         header.machine_lines(Some(format!("WHILE A ROTARY AXIS MOVES the tip stays within {within} of its point"))),
     );

@@ -204,7 +204,7 @@ fn the_header_states_the_set_up_that_the_program_is_valid_for() {
 fn a_program_for_a_head_states_the_length_it_was_posted_with() {
     let text = PART.replace("LOADTL/1\nSPINDL", "LOADTL/1,LENGTH,95.5\nSPINDL");
     let mut config = Config::default();
-    config.motion.retract = crate::motion::Retract { distance: Some(30.0), ..Config::default().motion.retract };
+    config.motion.retract = crate::motion::Retract { distance_mm: Some(30.0), ..Config::default().motion.retract };
     let (text, report) = posted::<Head>(&config, &text);
     assert_eq!(report.diagnostics, []);
     assert!(text.contains("(T1 posted with L = 95.5: H1 must hold exactly this)"), "{text}");
@@ -266,7 +266,7 @@ fn more_tools_than_any_magazine_holds_are_refused() {
     let calls = |count: u32| {
         let calls: String = (1..=count).map(|n| format!("LOADTL/{n}\nGOTO/0,0,{n},0,0,1\n")).collect();
         let mut config = Config::default();
-        config.motion.retract.distance = Some(9.0);
+        config.motion.retract.distance_mm = Some(9.0);
         posted::<Cb>(&config, &format!("UNITS/MM\nSPINDL/RPM,100,CLW\nFEDRAT/9\n{calls}")).1
     };
     let refused = |report: &Report| {
@@ -288,14 +288,14 @@ fn remarks_of_a_kind_are_counted_and_only_so_many_records_are_held_back() {
         let part = |count| PART.replace("RAPID\nGOTO/0,0,2\n", &format!("{}RAPID\nGOTO/0,0,2\n", record.repeat(count)));
         assert!(!posted::<Cb>(&Config::default(), &part(100)).1.failed, "{record}");
         let report = posted::<Cb>(&Config::default(), &part(20_000)).1;
-        assert!(report.diagnostics[0].text.contains("too many records stand between"), "{record}: {report:?}");
+        assert!(report.diagnostics[0].text.contains("too many records between"), "{record}: {report:?}");
     }
 }
 
 #[test]
 fn assumptions_are_listed_in_the_summary() {
     let mut config = Config::default();
-    config.motion.defaults.speed = Some(3000.0);
+    config.motion.defaults.speed_rev_per_min = Some(3000.0);
     config.motion.defaults.rotation = Some(Rotation::Clockwise);
     let (_, report) = posted::<Cb>(&config, &PART.replace("SPINDL/RPM,6000,CLW\n", ""));
     let summary = report.summary().join("\n");
@@ -385,7 +385,7 @@ fn overturned(text: &str) -> String {
 fn part_rotation_turns_a_part_that_was_programmed_upside_down_before_any_other_stage() {
     let upright = PART.replace("TOOL PATH/SIDE", "GOTO/25,0,9\nTOOL PATH/SIDE");
     let mut config = Config::default();
-    config.motion.guards.floor = Some(-3.0);
+    config.motion.guards.floor_mm = Some(-3.0);
     config.motion.retract.clearance =
         Some(Clearance::Plane(ClearancePlane { normal: Vector3::z_axis(), distance_mm: 30.0 }));
     let (expected, report) = posted::<Cb>(&config, &upright);
@@ -399,7 +399,7 @@ fn part_rotation_turns_a_part_that_was_programmed_upside_down_before_any_other_s
     assert_eq!(report.set_up, [said]);
     assert!(text.lines().any(|line| line == format!("({said})")), "{text}");
     assert!(text.contains("tip Z -3 to 20"), "{text}");
-    config.motion.guards.floor = Some(-2.0);
+    config.motion.guards.floor_mm = Some(-2.0);
     assert!(posted::<Cb>(&config, &overturned(&upright)).1.failed);
 }
 
@@ -417,7 +417,7 @@ fn the_header_states_the_required_rotary_entries_of_the_work_offset() {
 fn a_dry_run_is_named_in_the_header_and_runs_the_same_path_further_out() {
     let (_, report) = posted::<Cb>(&Config::default(), PART);
     let mut config = Config::default();
-    config.motion.lift = Some(50.0);
+    config.motion.lift_mm = Some(50.0);
     let (text, dry) = posted::<Cb>(&config, PART);
     assert!(!dry.failed && dry.statistics.motions == report.statistics.motions, "{dry:?}");
     let said = "DRY RUN: every point is 50 mm further out along the tool axis, spindle and coolant off";
@@ -565,7 +565,7 @@ fn the_last_operation_that_is_posted_is_left_along_the_tool() {
     let mut config = Config::default();
     config.motion.operations = Some(Operations::Range(1, Some(1)));
     config.motion.rapids.transition = crate::motion::Transition::Direct;
-    config.motion.retract.distance = Some(12.0);
+    config.motion.retract.distance_mm = Some(12.0);
     let (text, report) = posted::<Cb>(&config, FOUR);
     assert!(!report.failed, "{report:?}");
     assert!(text.ends_with("\nM9\nG0 Z14\nG53 G0 Z0\nM5\nM2\n"), "{text}");
@@ -611,7 +611,7 @@ fn clamps_of_some_operations_are_open_where_these_turn_an_axis() {
     let codes = crate::motion::ClampCodes { on: "M12".to_owned(), off: "M13".to_owned() };
     config.motion.rotaries.clamp.insert('B', codes);
     config.motion.rapids.transition = crate::motion::Transition::Direct;
-    config.motion.retract.distance = Some(50.0);
+    config.motion.retract.distance_mm = Some(50.0);
     for operations in [None, Some(Operations::Range(2, Some(3)))] {
         config.motion.operations = operations;
         let (text, report) = posted::<Cb>(&config, TURNS_THEN_HOLDS);
@@ -636,7 +636,7 @@ fn clamps_of_some_operations_are_open_where_these_turn_an_axis() {
 #[test]
 fn a_rapid_that_cannot_be_posted_is_reported_together_with_a_later_error_of_the_reader() {
     let mut config = Config::default();
-    config.motion.guards.floor = Some(-10.0);
+    config.motion.guards.floor_mm = Some(-10.0);
     let broken = PART.replace("GOTO/25,0,-3\n", "GOTO/25,0,-3\nRAPID\nGOTO/25,0,-30\nNOSUCHWORD/1\n");
     let (text, report) = posted::<Cb>(&config, &broken);
     let errors: Vec<_> = report.diagnostics.iter().filter(|found| found.severity == Severity::Error).collect();

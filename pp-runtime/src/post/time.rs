@@ -20,40 +20,40 @@ fn duration(minutes: f64) -> String {
 
 /// The lines about machining times: total, operations, fastest rotary axis in a cut, blocks slowed down.
 pub(crate) fn lines(times: &Times) -> Vec<String> {
-    if times.total() <= 0.0 {
+    if times.total_min() <= 0.0 {
         return Vec::new();
     }
-    let mut total = format!("machining time {}: cutting {}", duration(times.total()), duration(times.cutting));
-    if times.rapid > 0.0 {
-        total += &format!(", rapids {}", duration(times.rapid));
+    let mut total = format!("machining time {}: cutting {}", duration(times.total_min()), duration(times.cutting_min));
+    if times.rapid_min > 0.0 {
+        total += &format!(", rapids {}", duration(times.rapid_min));
     }
-    if times.waiting > 0.0 {
-        total += &format!(", dwells {}", duration(times.waiting));
+    if times.dwell_min > 0.0 {
+        total += &format!(", dwells {}", duration(times.dwell_min));
     }
-    if times.unknown > 0 {
+    if times.rapids_of_unknown_speed > 0 {
         total += "; rapids of axes without a speed in `speeds` are not counted";
     }
     let mut lines = vec![total];
     if times.operations.len() > 1 {
         lines.extend(times.operations.iter().take(MOST_LISTED).map(of_operation));
-        let more = times.operations.len().saturating_sub(MOST_LISTED) as u64 + times.others;
+        let more = times.operations.len().saturating_sub(MOST_LISTED) as u64 + times.unlisted_operations;
         lines.extend((more > 0).then(|| format!("  and {more} more operations")));
     }
     if let Some(fastest) = times.fastest {
         lines.push(format!(
             "fastest rotary axis programmed in a cut: {} at {:.0} degrees/min (CL line {})",
             fastest.letter,
-            fastest.speed.to_degrees(),
+            fastest.rad_per_min.to_degrees(),
             fastest.at.line
         ));
     }
-    if times.slowed > 0 {
+    if times.slowed_blocks > 0 {
         lines.push(format!(
             "slower than programmed because of axis speeds or limits of the control: {} blocks from CL line {} on, \
              by {} in all",
-            times.slowed,
-            times.slowed_first.line,
-            duration(times.slowed_by)
+            times.slowed_blocks,
+            times.first_slowed.line,
+            duration(times.slowed_min)
         ));
     }
     lines
@@ -61,7 +61,7 @@ pub(crate) fn lines(times: &Times) -> Vec<String> {
 
 fn of_operation(operation: &OperationTime) -> String {
     let name = String::from_utf8_lossy(&operation.name);
-    format!("  {}: {} (CL line {})", name.trim(), duration(operation.total), operation.at.line)
+    format!("  {}: {} (CL line {})", name.trim(), duration(operation.total_min), operation.at.line)
 }
 
 #[cfg(test)]

@@ -28,10 +28,10 @@ static SET_UPS: LazyLock<Vec<Option<SetUp>>> = LazyLock::new(|| {
 
 fn set_up(control: &'static dyn Control, mode: &str) -> Option<SetUp> {
     let mut config = starting_point(control).read_over(&SpinnerU5620::default(), mode).ok()?;
-    config.motion.defaults.speed = Some(3000.0);
+    config.motion.defaults.speed_rev_per_min = Some(3000.0);
     config.motion.defaults.rotation = Some(Rotation::Clockwise);
     config.motion.defaults.tool = Some(1);
-    config.motion.retract.distance = Some(50.0);
+    config.motion.retract.distance_mm = Some(50.0);
     config.cl.insert = Insert::Comment;
     config.cl.frames = Frames::Main;
     config.output_units = UNITS;

@@ -6,7 +6,7 @@ use std::io;
 use pp_runtime::config::{Config, Units};
 use pp_runtime::control::{self, Control};
 use pp_runtime::kinematics::{AxisKind, Machine};
-use pp_runtime::motion::{FeedWord, Navigator, Planner, Provenance, Sink, Source, Stage, Step, Stop};
+use pp_runtime::motion::{FeedWord, Navigator, Planner, PlanningError, Provenance, Sink, Source, Stage, Step};
 use pp_runtime::program::{Event, Location};
 
 /// What the program says so far: the words of the axes, and what the control counts them in.
@@ -65,7 +65,7 @@ impl<M: Machine> Listener<M> {
         }
     }
 
-    fn take(&mut self, words: &pp_runtime::motion::Words) -> bool {
+    fn take(&mut self, words: &pp_runtime::motion::AxisWords) -> bool {
         let mut turned = words.vector.is_some();
         self.says.vector = words.vector.map(|vector| vector.map(|units| units as f64 * 1e-7)).or(self.says.vector);
         for (index, axis) in M::AXES.iter().enumerate().filter(|(index, _)| words.has(*index)) {
@@ -132,9 +132,9 @@ pub(crate) fn posted<M: Machine>(
     let listener = Listener::<M>::new(config);
     let mut planner = Planner::new(Box::new(machine), config.policy(), Units::Millimetres, &abilities, false, listener)
         .with_course(navigator.finish());
-    let fault = |stop: Stop| match stop {
-        Stop::Fault(fault) => fault.text,
-        Stop::Output(error) => panic!("{error}"),
+    let fault = |stop: PlanningError| match stop {
+        PlanningError::Fault(fault) => fault.text,
+        PlanningError::Output(error) => panic!("{error}"),
     };
     hand_on::<M, _>(config, events, &mut planner).map_err(fault)?;
     let last = Location { line: events.len() as u64 + 1, column: 1 };

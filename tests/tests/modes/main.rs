@@ -151,9 +151,13 @@ fn between_points<M: Machine>(seed: u64, frame: TcpFrame) -> usize {
                 let now = Says { words, ..says[index + 1].clone() };
                 let (tip, axis) = meant(&machine, &config, "fanuc", &now);
                 let off = distance_to_line(&tip, &start.tip, &end.tip);
-                assert!(off <= config.motion.tolerance, "{} {frame:?} motion {index}: tip {off}", M::NAME);
+                assert!(off <= config.motion.tolerance_mm, "{} {frame:?} motion {index}: tip {off}", M::NAME);
                 let off = angle_to_arc(&axis, &start.axis, &end.axis);
-                assert!(off <= config.motion.axis_tolerance_path, "{} {frame:?} motion {index}: axis {off}", M::NAME);
+                assert!(
+                    off <= config.motion.axis_tolerance_path_rad,
+                    "{} {frame:?} motion {index}: axis {off}",
+                    M::NAME
+                );
             }
             from = *to;
             blocks += 1;

@@ -49,9 +49,9 @@ pub(crate) fn set_up(mode: Mode, tcp_frame: Option<TcpFrame>, control: &dyn Cont
     config.motion.mode = mode;
     config.motion.tip.tcp_frame = tcp_frame;
     config.set_up.part_origin = [random.between(-40.0, 40.0), random.between(-40.0, 40.0), random.between(-20.0, 90.0)];
-    config.motion.retract.distance = Some(40.0);
+    config.motion.retract.distance_mm = Some(40.0);
     config.motion.guards.length_guard = Some(false);
-    config.motion.feed.largest = Some(30_000.0);
+    config.motion.feed.largest_mm_per_min = Some(30_000.0);
     config.motion.tip.tcp_confirmed = true;
     config.set_up.tools.insert(1, GivenTool { length_mm: Some(LENGTH), ..GivenTool::default() });
     config

@@ -92,7 +92,7 @@ fn set_up(mode: Mode) -> Config {
     config.set_up.part_origin = [40.0, -25.0, 18.0];
     config.set_up.machine_zero = "XYZ".chars().zip(WORK_OFFSET).collect();
     config.set_up.tools.insert(1, GivenTool { length_mm: Some(LENGTH), ..GivenTool::default() });
-    config.motion.retract.distance = Some(50.0);
+    config.motion.retract.distance_mm = Some(50.0);
     if mode == Mode::Tcp {
         config.control.tip_control = Some(["M428".to_owned(), "M429".to_owned()]);
     }

@@ -262,11 +262,11 @@ impl SetUpArgs {
             config.given.insert("output_units");
         }
         if let Some(tolerance_mm) = self.tolerance_mm {
-            config.motion.tolerance = tolerance_mm;
+            config.motion.tolerance_mm = tolerance_mm;
             config.given.insert("tolerance");
         }
         if let Some(tolerance_rad) = self.axis_tolerance_path_rad {
-            config.motion.axis_tolerance_path = tolerance_rad;
+            config.motion.axis_tolerance_path_rad = tolerance_rad;
             config.given.insert("axis_tolerance_path");
         }
         config.motion.allow_lintol |= self.allow_lintol;
@@ -286,9 +286,10 @@ impl SetUpArgs {
             config.motion.mode = mode;
             config.given.insert("mode");
         }
-        config.motion.lift = self.lift_mm.or(config.motion.lift);
+        config.motion.lift_mm = self.lift_mm.or(config.motion.lift_mm);
         config.motion.course.greedy |= self.greedy;
-        config.motion.course.axis_tolerance = self.pole_tolerance_rad.unwrap_or(config.motion.course.axis_tolerance);
+        config.motion.course.axis_tolerance_rad =
+            self.pole_tolerance_rad.unwrap_or(config.motion.course.axis_tolerance_rad);
         let cl = &mut config.cl;
         cl.dialect = self.dialect.map(Into::into).or(cl.dialect);
         cl.columns = self.columns.or(cl.columns);

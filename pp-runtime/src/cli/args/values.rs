@@ -9,7 +9,7 @@ use clap::builder::PossibleValuesParser;
 use crate::cl::{Dialect, Frames, Sense, not_inert};
 use crate::control::{self, CONTROLS, Control};
 use crate::kinematics::Branch;
-use crate::motion::{Operations, Options};
+use crate::motion::{MotionOptions, Operations};
 use crate::program::Units;
 
 /// The control of a name that the parser has accepted.
@@ -78,12 +78,12 @@ pub(crate) fn point(text: &str) -> Result<[f64; 3], String> {
 
 /// Parses a tolerance, mm.
 pub(crate) fn tolerance(text: &str) -> Result<f64, String> {
-    within(text, &Options::TOLERANCE, "mm")
+    within(text, &MotionOptions::TOLERANCE, "mm")
 }
 
 /// Parses a tolerance in degrees; returns it in rad.
 pub(crate) fn axis_tolerance(text: &str) -> Result<f64, String> {
-    within(text, &Options::AXIS_TOLERANCE, "degrees").map(f64::to_radians)
+    within(text, &MotionOptions::AXIS_TOLERANCE, "degrees").map(f64::to_radians)
 }
 
 fn within(text: &str, range: &RangeInclusive<f64>, unit: &str) -> Result<f64, String> {

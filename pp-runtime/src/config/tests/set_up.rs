@@ -65,7 +65,7 @@ fn program_zero_and_length_mode_are_words() {
 fn the_length_guard_can_be_forced_and_widened() {
     let read = |text: &str| Config::read::<Sample>(text);
     let config = read("length_guard = true\nlength_tolerance = 0.05\n").expect("right");
-    assert_eq!((config.motion.guards.length_guard, config.motion.guards.length_tolerance), (Some(true), 0.05));
+    assert_eq!((config.motion.guards.length_guard, config.motion.guards.length_tolerance_mm), (Some(true), 0.05));
     assert!(read("length_tolerance = 0.00001\n").is_err() && read("length_tolerance = 5\n").is_err());
 }
 

@@ -54,8 +54,8 @@ static SPELLINGS: Spellings = Spellings {
         abilities: CycleAbilities {
             ream_higher: true,
             tap_dwell: true,
-            tap_stops: true,
-            tap_feed: true,
+            tap_stops_spindle: true,
+            tap_uses_feed: true,
             ..CycleAbilities::CODES
         },
         form: CycleForm::Codes(CycleCodes {

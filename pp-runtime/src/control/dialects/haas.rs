@@ -46,7 +46,12 @@ static SPELLINGS: Spellings = Spellings {
     feed: "G01",
     arcs: ArcCodes { senses: ["G02", "G03"], ..ArcCodes::ISO },
     cycles: Some(HoleCycles {
-        abilities: CycleAbilities { ream_higher: true, tap_stops: true, tap_feed: true, ..CycleAbilities::CODES },
+        abilities: CycleAbilities {
+            ream_higher: true,
+            tap_stops_spindle: true,
+            tap_uses_feed: true,
+            ..CycleAbilities::CODES
+        },
         form: CycleForm::Codes(CycleCodes::ISO),
     }),
     machine: ["G53 G00", ""],

@@ -134,10 +134,10 @@ static SPELLINGS: Spellings = Spellings {
     cycles: Some(HoleCycles {
         abilities: CycleAbilities {
             ream_higher: true,
-            longest_dwell: 3_600_000,
-            own_return: true,
-            states_gap: true,
-            tap_stops: true,
+            longest_dwell_ms: 3_600_000,
+            returns_to_any_level: true,
+            programs_gap: true,
+            tap_stops_spindle: true,
             pitch_decimals: 4,
             ..CycleAbilities::CODES
         },

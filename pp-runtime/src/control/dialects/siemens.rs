@@ -58,10 +58,10 @@ static SPELLINGS: Spellings = Spellings {
         abilities: CycleAbilities {
             ream_higher: true,
             tap_dwell: true,
-            steps_dwell: true,
-            own_return: true,
-            states_gap: true,
-            whole_steps: true,
+            peck_dwell: true,
+            returns_to_any_level: true,
+            programs_gap: true,
+            whole_steps_only: true,
             ..CycleAbilities::CODES
         },
         form: CycleForm::Definitions(CycleDefinitions {

@@ -4,7 +4,7 @@ use std::io;
 
 use crate::control::dialects::{CycleCodes, CycleDefinitions, CycleForm, ThreadCodes};
 use crate::control::layout::Layout;
-use crate::motion::{CannedCycle, CannedKind, Words};
+use crate::motion::{AxisWords, CannedCycle, CannedKind};
 use crate::nc::Decimal;
 use crate::program::Units;
 
@@ -165,7 +165,7 @@ impl HoleWriter {
         // The rapid to the position would be another hole of the cycle before.
         self.before_cycle(out)?;
         let level = |units: i64| {
-            let mut words = Words { mask: 1 << cycle.z, ..Words::default() };
+            let mut words = AxisWords { mask: 1 << cycle.z, ..AxisWords::default() };
             words.units[cycle.z] = units;
             words
         };
@@ -184,7 +184,7 @@ impl HoleWriter {
 /// Writes the words `Z R Q P F` of a cycle, and ends the block.
 fn cycle_words(cycle: &CannedCycle, dwell: &str, out: &mut ModalWriter<'_>) -> io::Result<()> {
     let decimals = out.decimals(cycle.z);
-    let mut bottom = Words { mask: 1 << cycle.z, ..Words::default() };
+    let mut bottom = AxisWords { mask: 1 << cycle.z, ..AxisWords::default() };
     bottom.units[cycle.z] = cycle.bottom;
     out.axis_words(&bottom, true);
     out.word("R", Decimal { units: cycle.clearance, decimals });

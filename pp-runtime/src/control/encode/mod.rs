@@ -175,7 +175,7 @@ impl<'a> Encoder<'a> {
             }
             Step::Tool { number, offset, next, speed, change } => self.tool(number, offset, next, speed, change),
             Step::Length { offset } => out.length(offset),
-            Step::Beside { left, register } => {
+            Step::CutterCompensation { left, register } => {
                 out.set_compensation_side(left, register);
                 Ok(())
             }

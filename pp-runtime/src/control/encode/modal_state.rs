@@ -4,7 +4,7 @@
 //! program becomes unknown: [`After`] lists every such event, and [`ModalState::forget`] alone defines what remains
 //! known after each of them.
 
-use crate::motion::{CannedCycle, MAX_AXES, Words};
+use crate::motion::{AxisWords, CannedCycle, MAX_AXES};
 use crate::nc::Decimal;
 use crate::program::Coolant;
 
@@ -33,7 +33,7 @@ pub(crate) enum After<'w> {
     /// Tip control or a tilted plane, on or off: words and F apply in another frame.
     FrameChange,
     /// A rapid in machine coordinates of these axes.
-    MachineRapid(&'w Words),
+    MachineRapid(&'w AxisWords),
     /// A smoothing cycle, which may change modal codes.
     Smoothing,
     /// The end of a modal hole cycle; `z`: index of its tool axis in the chain.
@@ -114,7 +114,7 @@ impl ModalState {
     }
 
     /// Makes the next block with these axes write their words.
-    pub(crate) fn forget_axes(&mut self, words: &Words) {
+    pub(crate) fn forget_axes(&mut self, words: &AxisWords) {
         for (axis, known) in self.axes.iter_mut().enumerate() {
             if words.has(axis) {
                 *known = None;

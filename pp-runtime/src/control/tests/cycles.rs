@@ -12,7 +12,7 @@ use crate::motion::{CannedCycle, CannedKind};
 fn cycle(kind: CannedKind) -> CannedCycle {
     CannedCycle {
         kind,
-        words: Words { mask: 0b011, ..linear([10_000, 20_000, 0]) },
+        words: AxisWords { mask: 0b011, ..linear([10_000, 20_000, 0]) },
         z: 2,
         surface: 1_000,
         clearance: 3_000,
@@ -57,7 +57,7 @@ fn siemens_cycles_hold_levels_steps_and_pitch_in_their_order() {
 #[test]
 fn siemens_calls_the_cycle_at_each_position_until_it_is_cancelled() {
     let first = cycle(CannedKind::Drill);
-    let second = CannedCycle { words: Words { mask: 0b011, ..linear([15_000, 20_000, 0]) }, ..first };
+    let second = CannedCycle { words: AxisWords { mask: 0b011, ..linear([15_000, 20_000, 0]) }, ..first };
     let higher = CannedCycle { surface: 2_000, clearance: 4_000, bottom: -8_000, ..second };
     let text = cycles(&Siemens, &[first, second, second, higher]);
     let expected = [
@@ -269,7 +269,7 @@ fn any_cycle() -> impl Strategy<Value = CannedCycle> {
         |([x, y], (top, above, deep, up, fast), kind, dwell)| {
             let surface = top * 1_500;
             let (clearance, bottom) = (surface + above * 1_000, surface - deep * 5_000);
-            let words = Words { mask: 0b011, ..linear([x * 1_000, y * 1_000, 0]) };
+            let words = AxisWords { mask: 0b011, ..linear([x * 1_000, y * 1_000, 0]) };
             let feed = Decimal { units: 100 + fast, decimals: 0 };
             // Cycle 207 does not wait.
             let dwell = dwell.filter(|_| !matches!(kind, CannedKind::Tap { .. }));

@@ -1,13 +1,13 @@
-//! Motion in cuts: arcs, cycles, cutter compensation, feeds, and what the CL data may leave out.
+//! Options of cuts: arcs, cycles, cutter compensation, feeds, and defaults for what the CL data leaves out.
 
 use crate::keys::{Bound, Measure, OneOf, Whole, YesNo, options};
 use crate::program::{Coolant, Rotation};
 use crate::set_up::{COOLANTS, LARGEST_TOOL, ROTATIONS};
 
-/// What becomes of arcs.
+/// Output of arcs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ArcOutput {
-    /// Arcs of the control where it can say them within tolerance, else lines.
+    /// Arcs of the control where they stay within tolerance, else lines.
     Native,
     /// Lines.
     Lines,
@@ -17,12 +17,12 @@ impl ArcOutput {
     const NAMES: [(&'static str, Self); 2] = [("native", Self::Native), ("lines", Self::Lines)];
 }
 
-/// What says where the centre is.
+/// Words that define the centre of an arc.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ArcForm {
-    /// The centre.
+    /// Centre words.
     Centre,
-    /// The radius, except where it says nothing: whole turns, and close to half ones.
+    /// Radius word, except where it does not define the centre: full circles and arcs close to a half circle.
     Radius,
 }
 
@@ -31,25 +31,25 @@ impl ArcForm {
 }
 
 options! {
-    /// Arcs of the control: where the rotary axes stand still, in a plane of the program, within `tolerance` of the CL
+    /// Arcs of the control: where the rotary axes do not move, in a plane of the program, within `tolerance` of the CL
     /// data.
     pub struct ArcOptions in "arcs" {
         /// "native", or "lines" throughout.
         output: ArcOutput = ArcOutput::Native, key("arcs.output", OneOf(&ArcOutput::NAMES));
-        /// What says where the centre is: "centre", or "radius" (whole turns and arcs close to half a turn have their
-        /// centre still).
+        /// Words that define the centre: "centre", or "radius" (full circles and arcs close to a half circle keep
+        /// their centre words).
         form: ArcForm = ArcForm::Centre, key("arcs.form", OneOf(&ArcForm::NAMES));
-        /// Arcs that are smaller or larger become lines.
-        smallest_radius: f64 = 0.01, key("arcs.smallest_radius", Measure::length(Bound::Positive));
-        /// Larger arcs become lines.
-        largest_radius: f64 = 10_000.0, also("arcs.largest_radius", Measure::length(Bound::Positive));
+        /// Arcs with a smaller or a larger radius become lines.
+        smallest_radius_mm: f64 = 0.01, key("arcs.smallest_radius", Measure::length(Bound::Positive));
+        /// Arcs with a larger radius become lines.
+        largest_radius_mm: f64 = 10_000.0, also("arcs.largest_radius", Measure::length(Bound::Positive));
     }
 }
 
-/// What becomes of holes.
+/// Output of holes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum CycleOutput {
-    /// Cycles of the control where they mean the same, else single motions.
+    /// Cycles of the control where they move the tool in the same way, else single motions.
     Native,
     /// Single motions.
     Expanded,
@@ -60,21 +60,21 @@ impl CycleOutput {
 }
 
 options! {
-    /// Cycles of the control: where the tool axis is Z of the program and a cycle means just what the CL data says.
+    /// Cycles of the control: where the tool axis is Z of the program and a cycle moves the tool as the CL data does.
     pub struct CycleOptions in "cycles" {
         /// "native", or "expanded" into single motions throughout; a thread is never expanded.
         output: CycleOutput = CycleOutput::Native, key("cycles.output", OneOf(&CycleOutput::NAMES));
-        /// Threads with the spindle under control of its angle, where that has a code of its own (M29 of Fanuc).
+        /// Rigid tapping, where the control has a code for it (M29 of Fanuc).
         rigid: bool = true, key("cycles.rigid", YesNo);
     }
 }
 
-/// What the CL data under CUTCOM is.
+/// Path in the CL data while CUTCOM is on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum CutterPath {
-    /// The path of the tool's centre: the register holds wear.
+    /// Path of the tool centre: the register holds the wear.
     Centre,
-    /// The contour: the register holds the radius.
+    /// Contour of the part: the register holds the radius.
     Contour,
 }
 
@@ -82,45 +82,45 @@ impl CutterPath {
     pub(crate) const NAMES: [(&'static str, Self); 2] = [("centre", Self::Centre), ("contour", Self::Contour)];
 }
 
-/// What F counts along in a block in which a rotary axis moves.
+/// Path length that F refers to in a block in which a rotary axis moves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PathNorm {
-    /// The linear axes; degrees where none of them moves.
+    /// Path of the linear axes; degrees where none of them moves.
     Xyz,
-    /// Linear and rotary axes alike: √(Σ mm² + Σ degrees²).
+    /// Path of linear and rotary axes: √(Σ mm² + Σ degrees²).
     XyzDegrees,
-    /// Nothing: F is 1/min.
+    /// None, inverse time: F is 1/min.
     G93Minutes,
-    /// Nothing: F is 1/s.
+    /// None, inverse time: F is 1/s.
     G93Seconds,
 }
 
 options! {
-    /// What the CL data may leave out.
+    /// Defaults for what the CL data leaves out.
     pub struct Defaults in "defaults" {
-        /// Spindle speed.
-        speed: Option<f64> = None, also("defaults.speed", Measure::plain(Bound::Positive), "8000");
-        /// CLW (M3) or CCLW (M4).
+        /// Spindle speed, rev/min.
+        speed_rev_per_min: Option<f64> = None, also("defaults.speed", Measure::plain(Bound::Positive), "8000");
+        /// Sense of rotation of the spindle: CLW (M3) or CCLW (M4).
         rotation: Option<Rotation> = None, key("defaults.direction", OneOf(&ROTATIONS), "\"CLW\"");
-        /// What COOLNT/ON means: "flood", "mist", "through" or "air".
+        /// Coolant for COOLNT/ON: "flood", "mist", "through" or "air".
         ///
         /// Never [`Coolant::On`] or [`Coolant::Off`].
         coolant: Coolant = Coolant::Flood, key("defaults.coolant", OneOf(&COOLANTS));
-        /// The tool of CL data that calls none before it moves. Without it such data is refused.
+        /// Tool for CL data without a tool call before its first motion. Without it such data is refused.
         tool: Option<u32> = None, key("defaults.tool", Whole(1..=LARGEST_TOOL), "1");
-        /// How far above the bottom a rapid ends in a hole that is drilled in steps.
-        peck_gap: f64 = 0.5, key("defaults.peck_gap", Measure::length(Bound::Positive));
+        /// Distance above the last step at which the rapid back into a hole ends.
+        peck_gap_mm: f64 = 0.5, key("defaults.peck_gap", Measure::length(Bound::Positive));
     }
 }
 
 options! {
-    /// How fast blocks may run.
+    /// Limits of feeds and block times.
     pub struct FeedLimits in "feed" {
-        /// Blocks in which an axis would be faster than its speed run longer.
+        /// Slow down blocks in which an axis would exceed its speed.
         keep_speeds: bool = true, key("feed.keep_speeds", YesNo);
-        /// Largest F of the control. Without it none.
-        largest: Option<f64> = None, key("feed.largest", Measure::length(Bound::Positive), "20000.0");
+        /// Largest F of the control. Without it F is not limited.
+        largest_mm_per_min: Option<f64> = None, key("feed.largest", Measure::length(Bound::Positive), "20000.0");
         /// Shortest time of a block, seconds.
-        shortest_block: f64 = 0.0, key("feed.shortest_block", Measure::plain(Bound::NotNegative));
+        shortest_block_s: f64 = 0.0, key("feed.shortest_block", Measure::plain(Bound::NotNegative));
     }
 }

@@ -1,4 +1,4 @@
-//! Keys of planning that are tables by axis or have a form of their own.
+//! Keys of planning that are tables by axis or have their own syntax.
 
 use nalgebra::{Point3, Vector3};
 use serde_json::{Value as Json, json};
@@ -57,7 +57,7 @@ impl KeyKind for Geometry {
     }
 }
 
-/// `B+`: a rotary axis, and the side of zero on which operations are to begin.
+/// `B+`: a rotary axis, and the preferred side of zero at the beginning of operations.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Preference;
 
@@ -71,7 +71,7 @@ impl KeyKind for Preference {
         if preference.is_none() {
             r.fault(
                 value.span(),
-                format!("\"{text}\" is not known here"),
+                format!("\"{text}\" is not a rotary axis with `+` or `-`"),
                 Some(CourseOptions::preferences(machine, axes)),
             );
         }
@@ -93,7 +93,7 @@ impl KeyKind for Preference {
 }
 
 impl CourseOptions {
-    /// `B+`: a rotary axis of the machine, and the side of zero on which operations are to begin.
+    /// Reads `B+`: a rotary axis of the machine, and the preferred side of zero at the beginning of operations.
     pub(crate) fn preference(axes: &[Axis], text: &str) -> Option<(char, bool)> {
         let positive = [('+', true), ('-', false)];
         positive.into_iter().find_map(|(sign, positive)| {
@@ -103,31 +103,31 @@ impl CourseOptions {
         })
     }
 
-    /// What may be preferred on a machine, as a help.
+    /// Help line with the preferences that a machine allows.
     pub(crate) fn preferences(machine: &str, axes: &[Axis]) -> String {
         let rotaries = axes.iter().filter(|axis| solved(axis));
         let all: Vec<String> =
             rotaries.flat_map(|axis| ['+', '-'].map(|sign| format!("\"{}{sign}\"", axis.letter))).collect();
         match all.is_empty() {
-            true => format!("{machine} has no rotary axis to choose for"),
+            true => format!("{machine} has no rotary axis"),
             false => format!("write one of {}", all.join(", ")),
         }
     }
 }
 
-/// Where axes stay at the end.
+/// Park positions of the axes.
 pub(crate) const PARK: PerAxis<f64> = PerAxis {
     axes: AxisSet::All,
     section: false,
     read: |r, &AxisEntry { axis, value, .. }| {
         let position = along(r, axis, value, Bound::Any)?;
-        // Angles come from degrees: a limit itself must pass.
+        // Angles are converted from degrees: a position at the limit must pass.
         let slack = 1e-9;
         if let Some(limits) = r.travel_of(axis)
             && !(limits.lower - slack..=limits.upper + slack).contains(&position)
         {
             let travel = show_limits(axis, limits, r.units());
-            r.fault(value.span(), format!("{} cannot stand there: its travel is {travel}", axis.letter), None);
+            r.fault(value.span(), format!("{} cannot be parked there: its travel is {travel}", axis.letter), None);
         }
         Some(position)
     },
@@ -135,15 +135,15 @@ pub(crate) const PARK: PerAxis<f64> = PerAxis {
     schema: || json!({ "type": "number" }),
 };
 
-/// How endless axes roll over.
+/// Rollover of the words of endless axes.
 pub(crate) const WRAP: PerAxis<Wrap> = PerAxis {
     axes: AxisSet::All,
     section: true,
     read: |r, AxisEntry { axis, span, value }| {
         let wrap = r.choice(value, &Wrap::NAMES)?;
         if !solved(axis) || r.travel_of(axis).is_some() {
-            let text = format!("{} is no endless rotary axis: it cannot roll over", axis.letter);
-            r.fault(span.clone(), text, Some(format!("`[limits] {} = \"free\"` if it is endless", axis.letter)));
+            let text = format!("{} is not an endless rotary axis: its words cannot roll over", axis.letter);
+            r.fault(span.clone(), text, Some(format!("set `[limits] {} = \"free\"` if it is endless", axis.letter)));
             return None;
         }
         wrap
@@ -152,7 +152,7 @@ pub(crate) const WRAP: PerAxis<Wrap> = PerAxis {
     schema: || json!({ "enum": Wrap::NAMES.map(|(word, _)| word) }),
 };
 
-/// Steps that divide a turn.
+/// Steps of indexed axes; they divide a full turn.
 pub(crate) const GRID: PerAxis<f64> = PerAxis {
     axes: AxisSet::Solved,
     section: true,
@@ -160,8 +160,8 @@ pub(crate) const GRID: PerAxis<f64> = PerAxis {
         let step = r.number(entry.value, Quantity::Angle, Bound::Positive)?;
         let steps = std::f64::consts::TAU / step;
         if (steps - steps.round()).abs() > 1e-9 * steps || steps < 2.0 {
-            let help = "e.g. 1, 2.5 or 5 degrees".to_owned();
-            r.fault(entry.value.span(), "the steps of an indexed axis divide a turn", Some(help));
+            let help = "give for example 1, 2.5 or 5 degrees".to_owned();
+            r.fault(entry.value.span(), "the step of an indexed axis must divide 360 degrees", Some(help));
             return None;
         }
         Some(step)
@@ -170,7 +170,7 @@ pub(crate) const GRID: PerAxis<f64> = PerAxis {
     schema: || json!({ "type": "number", "exclusiveMinimum": 0 }),
 };
 
-/// Codes that switch clamps.
+/// Clamp codes.
 pub(crate) const CLAMP: PerAxis<ClampCodes> = PerAxis {
     axes: AxisSet::Solved,
     section: true,
@@ -200,7 +200,7 @@ fn clamp_codes(r: &mut KeyReader<'_>, entry: &AxisEntry<'_>) -> Option<ClampCode
     }
 }
 
-/// An M code, perhaps with parameters that move nothing.
+/// Reads an M code, with or without parameters P, Q, L and E.
 fn clamp_code(r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<String> {
     let code = r.line(value)?;
     let number = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
@@ -222,12 +222,12 @@ fn show_limits(axis: &Axis, limits: Limits, units: Units) -> String {
     }
 }
 
-/// Reads one geometry; what is wrong with it is told.
+/// Reads one geometry and reports its faults.
 fn geometry(r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<Clearance> {
     let entries = r.entries(value);
     let [(kind, span, value)] = &entries[..] else {
         if value.get_ref().as_table().is_some() {
-            r.fault(value.span(), "one geometry is needed here", Some(FORMS.to_owned()));
+            r.fault(value.span(), "one of `plane`, `box` and `cylinder` is needed here", Some(FORMS.to_owned()));
         }
         return None;
     };
@@ -239,7 +239,7 @@ fn geometry(r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<Clearance> {
         "box" => read_box(r, value),
         "cylinder" => read_cylinder(r, value),
         other => {
-            r.fault(span.clone(), format!("`{other}` is not known here"), Some(FORMS.to_owned()));
+            r.fault(span.clone(), format!("`{other}` is not a clearance geometry"), Some(FORMS.to_owned()));
             None
         }
     }
@@ -253,7 +253,7 @@ fn read_box(r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<Clearance> {
     };
     let [lower, upper] = [LengthPoint.read(r, lower)?, LengthPoint.read(r, upper)?];
     if (0..3).any(|i| lower[i] >= upper[i]) {
-        r.fault(value.span(), "the box is empty: the lower corner comes first", None);
+        r.fault(value.span(), "the box is empty: give the lower corner first", None);
         return None;
     }
     Some(Clearance::Box { lower: Point3::from(lower), upper: Point3::from(upper) })
@@ -274,7 +274,7 @@ fn read_cylinder(r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<Clearanc
                 };
                 centre = [r.length(x, Bound::Any)?, r.length(y, Bound::Any)?];
             }
-            other => r.fault(span, format!("`{other}` is not known here"), Some(FORMS.to_owned())),
+            other => r.fault(span, format!("`{other}` is not a key of a cylinder"), Some(FORMS.to_owned())),
         }
     }
     match (radius, lower, upper) {
@@ -282,7 +282,7 @@ fn read_cylinder(r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<Clearanc
             Some(Clearance::Cylinder { centre, radius_mm: radius, lower_z_mm: lower, upper_z_mm: upper })
         }
         _ => {
-            r.fault(value.span(), "radius, lower and a higher upper end are needed here", Some(FORMS.to_owned()));
+            r.fault(value.span(), "`radius`, `lower` and a higher `upper` are needed here", Some(FORMS.to_owned()));
             None
         }
     }

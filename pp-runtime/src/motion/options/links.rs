@@ -1,4 +1,4 @@
-//! Motion between cuts: rapids, transitions, the ways to the part and away from it.
+//! Options of motion between cuts: rapids, transitions, approach and retract.
 
 use crate::keys::{Assumed, Bound, Measure, OneOf, YesNo, options};
 use crate::program::Clearance;
@@ -8,34 +8,34 @@ use super::keys::Geometry;
 options! {
     /// Motion between cuts.
     pub struct RapidOptions {
-        /// Transition between operations: "safe" (retract, turn, approach) or "direct" (as the CL data has it).
+        /// Transition between operations: "safe" (retract, rotate, approach) or "direct" (as in the CL data).
         transition: Transition = Transition::Safe, key("transition", OneOf(&Transition::NAMES));
-        /// Rapids in which a rotary axis turns more than this go through the safe sequence.
-        index_angle: f64 = 1_f64.to_radians(), key("index_angle", Measure::angle(Bound::NotNegative));
-        /// Rapids inside an operation: "direct" (one block), "split" (out along the tool, across, in along the tool) or
-        /// "feed" (a feed motion at `rapid_feed`, on a certified path).
+        /// Rapids in which a rotary axis rotates by more than this are replaced by the safe sequence.
+        index_angle_rad: f64 = 1_f64.to_radians(), key("index_angle", Measure::angle(Bound::NotNegative));
+        /// Rapids inside an operation: "direct" (one block), "split" (two blocks, along the tool axis and across it: out
+        /// first, in last) or "feed" (a feed motion at `rapid_feed`, on a certified path).
         rapid: Rapid = Rapid::Direct, key("rapid", OneOf(&Rapid::NAMES));
         /// Feed of a rapid that is written as a feed motion.
-        rapid_feed: Option<f64> = None, also("rapid_feed", Measure::length(Bound::Positive), "10000.0");
+        rapid_feed_mm_per_min: Option<f64> = None, also("rapid_feed", Measure::length(Bound::Positive), "10000.0");
         /// Speed of rotary axes where only the direction of the tool changes.
-        reorient_speed: f64 = 1800_f64.to_radians(), key("reorient_speed", Measure::angle(Bound::Positive));
+        reorient_rad_per_min: f64 = 1800_f64.to_radians(), key("reorient_speed", Measure::angle(Bound::Positive));
     }
 }
 
 options! {
-    /// How to get away from the part.
+    /// Retract from the part.
     pub struct Retract in "retract" {
         /// Machine coordinate of the retract axis.
-        position: Option<f64> = None,
-            key("retract.position", Assumed(Measure::length(Bound::Any), Self::POSITION));
-        /// Distance along the tool axis. Without it to the clearance geometry of the CL data.
-        distance: Option<f64> = None, key("retract.distance", Measure::length(Bound::Positive), "100.0");
-        /// Or, in the part as it lies on the table, a plane above, a box or a cylinder around the part that the tool
-        /// has to leave.
+        position_mm: Option<f64> = None,
+            key("retract.position", Assumed(Measure::length(Bound::Any), Self::POSITION_MM));
+        /// Distance along the tool axis. Without it, up to the clearance geometry of the CL data.
+        distance_mm: Option<f64> = None, key("retract.distance", Measure::length(Bound::Positive), "100.0");
+        /// Clearance geometry that the tool has to leave, in the part as mounted on the table: a plane above, or a box
+        /// or a cylinder around the part.
         clearance: Option<Clearance> = None,
             key("retract.clearance", Geometry, "{ cylinder = { radius = 120.0, lower = -50.0, upper = 80.0 } }");
-        /// Where rotary axes have to be rewound in a cut: "leave" (out along the tool axis and back), or "follow" (the
-        /// tip stays in place, and the tool swings about it in the part).
+        /// Rewind of rotary axes in a cut: "leave" (out along the tool axis and back), or "follow" (the tip stays in
+        /// place, and the tool swings about it in the part).
         rewind: Rewind = Rewind::Leave, key("retract.rewind", OneOf(&Rewind::NAMES));
         /// Coolant off while the rotary axes are rewound out of the part.
         rewind_dry: bool = false, key("retract.rewind_dry", YesNo);
@@ -43,21 +43,21 @@ options! {
 }
 
 options! {
-    /// How to get to the part.
+    /// Approach to the part.
     pub struct Approach in "approach" {
-        /// The approach point lies this far from the first point along the tool axis.
-        distance: f64 = 50.0, key("approach.distance", Measure::length(Bound::Positive));
+        /// Distance of the approach point from the first point, along the tool axis.
+        distance_mm: f64 = 50.0, key("approach.distance", Measure::length(Bound::Positive));
     }
 }
 
-/// How a rapid inside an operation is written that turns no rotary axis by more than the index angle.
+/// Output of a rapid inside an operation that rotates no rotary axis by more than the index angle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Rapid {
-    /// In one block; its path is the control's affair.
+    /// One block; the control decides the path.
     Direct,
-    /// Along the tool axis and across it in blocks of their own: out first, in last.
+    /// Two blocks, along the tool axis and across it: out first, in last.
     Split,
-    /// As a feed motion, on a path that is certified.
+    /// Feed motion on a certified path.
     Feed,
 }
 
@@ -65,12 +65,12 @@ impl Rapid {
     const NAMES: [(&'static str, Self); 3] = [("direct", Self::Direct), ("split", Self::Split), ("feed", Self::Feed)];
 }
 
-/// How to get from one operation to the next.
+/// Motion from one operation to the next.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Transition {
-    /// Retract, turn, approach.
+    /// Retract, rotate, approach.
     Safe,
-    /// As the CL data has it.
+    /// As in the CL data.
     Direct,
 }
 
@@ -78,12 +78,12 @@ impl Transition {
     const NAMES: [(&'static str, Self); 2] = [("safe", Self::Safe), ("direct", Self::Direct)];
 }
 
-/// How rotary axes are rewound where no course runs through.
+/// Rewind of the rotary axes where no course avoids it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Rewind {
-    /// The tool leaves the part along its axis, the rotaries turn, and it comes back.
+    /// The tool leaves the part along its axis, the rotary axes rotate, and the tool returns.
     Leave,
-    /// The linear axes follow: the tip stays in place, and the tool swings about it.
+    /// The rotary axes rotate in the cut: the tip stays in place, and the tool swings about it.
     Follow,
 }
 
@@ -92,12 +92,12 @@ impl Rewind {
 }
 
 impl Retract {
-    /// Machine coordinate of the retract axis where none is given, mm.
-    pub const POSITION: f64 = 0.0;
+    /// Default machine coordinate of the retract axis, mm.
+    pub const POSITION_MM: f64 = 0.0;
 
     /// Machine coordinate of the retract axis, mm.
     #[must_use]
-    pub fn position(&self) -> f64 {
-        self.position.unwrap_or(Self::POSITION)
+    pub fn position_mm(&self) -> f64 {
+        self.position_mm.unwrap_or(Self::POSITION_MM)
     }
 }

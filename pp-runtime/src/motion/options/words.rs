@@ -1,5 +1,4 @@
-//! What words of a motion say: axis values, tip coordinates or coordinates in a tilted plane, and the words of rotary
-//! axes.
+//! Options of axis words: axis values, tip coordinates or coordinates in a tilted plane, and the words of rotary axes.
 
 use std::collections::BTreeMap;
 
@@ -7,20 +6,20 @@ use crate::keys::{OneOf, YesNo, options};
 
 use super::keys::{CLAMP, GRID, WRAP};
 
-/// What the words of a motion say.
+/// Meaning of the words of a motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Mode {
-    /// Where every axis goes: the inverse kinematics is in the program.
+    /// Axis positions: the inverse kinematics is in the program.
     #[default]
     Axes,
-    /// Where the tip goes, and the angles of the rotary axes: the control keeps the tip on its path.
+    /// Tip coordinates and rotary angles: the control keeps the tip on its path.
     Tcp,
-    /// Where the tip goes in a plane that the control tilts; the rotary axes stand still in the cut.
+    /// Tip coordinates in a plane that the control tilts; rotary axes do not move in the cut.
     Plane,
 }
 
 impl Mode {
-    /// Every mode, and its name on the command line and in a file.
+    /// Modes and their names on the command line and in a file.
     pub const NAMES: [(&'static str, Self); 3] = [("axes", Self::Axes), ("tcp", Self::Tcp), ("plane", Self::Plane)];
 
     /// `axes`, `tcp` or `plane`.
@@ -34,14 +33,14 @@ impl Mode {
     }
 }
 
-/// The frame in which a control counts tip coordinates while a rotary table turns under them.
+/// Frame of tip coordinates while a rotary table rotates.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum TcpFrame {
-    /// Fixed to the table as it stands with its rotary axes at zero: the frame of the CL data.
+    /// Fixed to the table in its zero position: the frame of the CL data.
     TableAtZero,
-    /// Fixed to the table as it stands where tip control begins.
+    /// Fixed to the table in its position at the start of tip control.
     TableAtStart,
-    /// Standing still while the table turns.
+    /// Fixed in the machine; it does not rotate with the table.
     NotTurning,
 }
 
@@ -53,13 +52,13 @@ impl TcpFrame {
     ];
 }
 
-/// How a control moves the tool axis from one block to the next while it keeps the tip on its path.
+/// Motion of the tool axis within a block under tip control.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum ToolPosture {
-    /// Rotary axes move evenly.
+    /// Rotary angles are interpolated linearly.
     #[default]
     Axes,
-    /// The tool axis turns in the plane of its ends.
+    /// The tool axis rotates in the plane of its start and end directions.
     Plane,
 }
 
@@ -67,12 +66,12 @@ impl ToolPosture {
     const NAMES: [(&'static str, Self); 2] = [("axes", Self::Axes), ("plane", Self::Plane)];
 }
 
-/// How a block of mode `tcp` says where the tool axis goes.
+/// Words for the tool axis in a block of mode `tcp`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum TcpWords {
-    /// By the angles of the rotary axes.
+    /// Angles of the rotary axes.
     Angles,
-    /// By the tool axis itself: the control chooses the angles.
+    /// Components of the tool axis: the control chooses the angles.
     Vectors,
 }
 
@@ -83,19 +82,19 @@ impl TcpWords {
 options! {
     /// Tip control, in mode `tcp`.
     pub struct TipOptions {
-        /// The frame of tip coordinates where a table turns under them: fixed to the table as it stands at zero
-        /// ("table_at_zero"), or where tip control begins ("table_at_start"), or standing still ("not_turning"). Fanuc:
-        /// parameter 19696#5.
+        /// Frame of tip coordinates while a table rotates: fixed to the table at zero ("table_at_zero") or at the start
+        /// of tip control ("table_at_start"), or fixed in the machine ("not_turning"). Fanuc: parameter 19696#5.
         ///
-        /// Without it where a control has only one, that one.
+        /// Without it: the frame of the control, where it has only one.
         tcp_frame: Option<TcpFrame> = None, key("tcp_frame", OneOf(&TcpFrame::NAMES), "\"table_at_zero\"");
-        /// Blocks of mode "tcp" hold the "angles" of the rotary axes, or the tool axis as "vectors" and the control
+        /// Words of mode "tcp" for the tool axis: "angles" of the rotary axes, or "vectors", for which the control
         /// chooses the angles.
         tcp_words: TcpWords = TcpWords::Angles, key("tcp_words", OneOf(&TcpWords::NAMES));
-        /// How the control moves the tool axis in mode "tcp": rotary "axes" evenly, or in the "plane" of its ends.
+        /// Motion of the tool axis in a block of mode "tcp": rotary "axes" evenly, or in the "plane" of its start and end
+        /// directions.
         tool_posture: ToolPosture = ToolPosture::Axes, key("tool_posture", OneOf(&ToolPosture::NAMES));
-        /// In mode "tcp" the control knows held axes and linear axes between rotary ones; in modes "tcp" and "plane"
-        /// its frame stays where `rotary_offset` has entries in the work offset.
+        /// Confirms that in mode "tcp" the control accounts for held axes and for linear axes between rotary ones, and
+        /// that in modes "tcp" and "plane" entries of `rotary_offset` in the work offset do not move its frame.
         tcp_confirmed: bool = false, key("tcp_confirmed", YesNo);
     }
 }
@@ -103,29 +102,30 @@ options! {
 options! {
     /// Words and clamps of rotary axes.
     pub struct RotaryOptions {
-        /// Words of endless rotary axes: "none" (370 is ten degrees past a turn), "0..360" or "+-180" (the control goes
-        /// the short way), "sign" (0..360, the sense of the motion as sign).
+        /// Rollover of the words of endless rotary axes: "none" (words count beyond 360), "0..360" or "+-180" (the
+        /// control takes the shortest path), "sign" (0..360, with the sense of rotation as sign).
         wrap: BTreeMap<char, Wrap> = BTreeMap::new(), key("wrap", WRAP);
-        /// Steps of indexed rotary axes (Hirth): they turn between cuts only, and to these angles only.
+        /// Steps of indexed rotary axes (Hirth): they rotate between cuts only, and to multiples of the step only.
         grid: BTreeMap<char, f64> = BTreeMap::new(), key("grid", GRID);
-        /// Codes that hold a rotary axis where it stays still between two approaches, and that let it turn.
+        /// Codes for the clamp of a rotary axis: on where the axis does not move between two approaches, off before it
+        /// rotates.
         clamp: BTreeMap<char, ClampCodes> = BTreeMap::new(), key("clamp", CLAMP);
     }
 }
 
-/// How the words of a rotary axis stay within a turn; without it they show as many turns as there are.
+/// Rollover of the words of an endless rotary axis; without it the words count beyond 360 degrees.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Wrap {
-    /// From 0 up to 360; the control goes the short way.
+    /// From 0 up to 360; the control takes the shortest path.
     Positive,
-    /// Above -180 up to 180; the control goes the short way.
+    /// Above -180 up to 180; the control takes the shortest path.
     Symmetric,
-    /// From 0 up to 360 with the sense of the motion as sign; a whole turn stands for a zero that is reached backwards.
+    /// From 0 up to 360, with the sense of rotation as sign; zero that is reached backwards is written as -360.
     Sign,
 }
 
 impl Wrap {
-    /// Every word of a file; the first is none of them.
+    /// Names in a file; the first means no rollover.
     pub(crate) const NAMES: [(&'static str, Option<Self>); 4] = [
         ("none", None),
         ("0..360", Some(Self::Positive)),
@@ -134,11 +134,11 @@ impl Wrap {
     ];
 }
 
-/// What switches the clamp of a rotary axis.
+/// Codes for the clamp of a rotary axis.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ClampCodes {
-    /// The axis is held.
+    /// Clamp.
     pub on: String,
-    /// It may turn.
+    /// Unclamp.
     pub off: String,
 }

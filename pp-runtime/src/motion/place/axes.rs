@@ -153,7 +153,7 @@ impl LinearAxes {
 
 impl Poles {
     pub(crate) fn new(machine: &dyn AnyMachine, policy: Policy<'_>, rotaries: &[Rotary]) -> Self {
-        let tolerance_rad = policy.options.course.axis_tolerance.max(REACH_TOLERANCE);
+        let tolerance_rad = policy.options.course.axis_tolerance_rad.max(REACH_TOLERANCE);
         Self { axes: poles(machine, rotaries), tolerance_rad }
     }
 }

@@ -184,7 +184,7 @@ mod tests {
     fn words_of_the_gauge_line_need_no_length_offset() {
         fn both<M: Machine>(axis: [f64; 3], length: f64) -> (Run, Run) {
             let mut config = config();
-            config.motion.retract.distance = Some(10.0);
+            config.motion.retract.distance_mm = Some(10.0);
             config.motion.guards.length_guard = Some(false);
             config.set_up.tools.insert(1, GivenTool { length_mm: Some(length), ..GivenTool::default() });
             let events = [tool(1), spindle(), rapid([1.0, 2.0, -60.0], axis), feed([1.0, 2.0, -80.0], axis)];

@@ -22,7 +22,7 @@ use crate::kinematics::{AnyMachine, Axis, AxisKind, AxisValues, Branch, Limits, 
 use crate::motion::fault::Fault;
 use crate::motion::options::{Mode, Policy, TcpWords};
 use crate::motion::rotary::{AngleScale, OutOfLimits, Rotary, RotaryMetric, RotaryTarget, RotaryWords, choose};
-use crate::motion::step::{MAX_AXES, Standing, VECTOR_DECIMALS, Words};
+use crate::motion::step::{AxisWords, MAX_AXES, ReachedPosition, VECTOR_DECIMALS};
 use crate::nc::whole_units;
 use crate::program::Units;
 use crate::set_up::LengthMode;
@@ -186,9 +186,9 @@ impl Placer {
 
     /// State of the machine at a position, for the sink of a step.
     #[inline]
-    pub(crate) fn state_at<'p>(&self, place: &'p AxisPosition) -> Standing<'p> {
+    pub(crate) fn state_at<'p>(&self, place: &'p AxisPosition) -> ReachedPosition<'p> {
         let mask = self.linear.mask | self.rotary.mask;
-        Standing { pose: Some(&place.pose), branch: place.branch, axes: &place.axes[..self.chain.len()], mask }
+        ReachedPosition { pose: Some(&place.pose), branch: place.branch, axes: &place.axes[..self.chain.len()], mask }
     }
 
     /// Compares a position with the travel of the linear axes.
@@ -333,16 +333,16 @@ impl Placer {
 
     /// Written words of the axes in `mask`.
     #[inline]
-    pub(crate) fn words(&self, place: &AxisPosition, mask: u16) -> Words {
+    pub(crate) fn words(&self, place: &AxisPosition, mask: u16) -> AxisWords {
         let units = self.written(place);
         let both = mask & self.linear.mask != 0 && mask & self.rotary.mask != 0;
         if !(self.vectors && both) {
-            return Words { units, mask, vector: None };
+            return AxisWords { units, mask, vector: None };
         }
         let axis = self.frame.map(&*self.machine, &place.axes).map(|map| map.rotation * place.pose.axis.into_inner());
         let unit = 10_f64.powi(VECTOR_DECIMALS.cast_signed());
         let vector = axis.map(|axis| axis.map(|component| (component * unit).round() as i64).into());
-        Words { units, mask: mask & !self.rotary.mask, vector }
+        AxisWords { units, mask: mask & !self.rotary.mask, vector }
     }
 
     /// Whether a block rotates rotary axes by more than `angle_rad` although its tool vector does not change, so that
@@ -471,19 +471,19 @@ impl Placer {
     }
 
     /// Words of a linear axis at a machine coordinate.
-    pub(crate) fn machine_words(&self, index: usize, coordinate_mm: f64) -> Result<Words, Fault> {
+    pub(crate) fn machine_words(&self, index: usize, coordinate_mm: f64) -> Result<AxisWords, Fault> {
         self.travel.check_machine(index, coordinate_mm)?;
         let units = whole_units(coordinate_mm, self.linear.units_per_mm)
             .ok()
             .filter(|units| units.abs() < self.bounds[index])
             .ok_or_else(|| too_large(self.chain[index].letter))?;
-        let mut words = Words { units: [0; MAX_AXES], mask: 1 << index, vector: None };
+        let mut words = AxisWords { units: [0; MAX_AXES], mask: 1 << index, vector: None };
         words.units[index] = units;
         Ok(words)
     }
 
-    /// Words of the machine retract. Refuses a retract position at the end of the travel that is at the part.
-    pub(crate) fn retract_words(&self, coordinate_mm: f64) -> Result<Words, Fault> {
+    /// AxisWords of the machine retract. Refuses a retract position at the end of the travel that is at the part.
+    pub(crate) fn retract_words(&self, coordinate_mm: f64) -> Result<AxisWords, Fault> {
         let index = self.linear.retract_axis;
         let part_end = |limits: Limits| if self.linear.retract_share > 0.0 { limits.lower } else { limits.upper };
         if self.limits[index].is_some_and(|limits| (coordinate_mm - part_end(limits)).abs() < self.unit_mm()) {

@@ -1,4 +1,4 @@
-//! What a control can do, as far as planning has to know.
+//! Abilities of a control, as far as planning depends on them.
 
 use crate::motion::options::PathNorm;
 
@@ -6,7 +6,7 @@ use crate::motion::place::PlaneAbility;
 use crate::motion::place::TipAbility;
 use crate::motion::step::CycleAbilities;
 
-/// What a control has no code for must not be planned.
+/// Abilities of a control; the planner uses no function for which the control has no code.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Abilities {
     /// Flood coolant.
@@ -17,46 +17,46 @@ pub struct Abilities {
     pub through: bool,
     /// Air.
     pub air: bool,
-    /// To call or cancel a length offset may move by the length.
-    pub length_moves: bool,
-    /// What the register of a length offset means.
+    /// Calling or cancelling a length offset may move the axis by the length.
+    pub length_call_may_move: bool,
+    /// Numbering of the length offset registers.
     pub registers: Registers,
-    /// What F counts along in a block in which a rotary axis moves.
+    /// Path length that F refers to in a block in which a rotary axis moves.
     pub path_norm: PathNorm,
     /// Units of F in one unit of length of an inch program.
     pub feed_per_inch: f64,
-    /// Cycles that it has.
+    /// Drilling and tapping cycles.
     pub cycles: CycleAbilities,
-    /// Registers of radii are one list for all tools.
-    pub radius_registers: bool,
-    /// Arcs are possible in the plane square to X, to Y and to Z.
+    /// Radius registers are one list for all tools.
+    pub shared_radius_registers: bool,
+    /// Arcs are possible in the plane perpendicular to X, to Y and to Z.
     pub arc_planes: [bool; 3],
-    /// By how much the distances of the ends of an arc from its centre may differ, mm.
-    pub arc_radius_tolerance: f64,
-    /// How it controls the tip, if it does.
+    /// Largest difference between the distances of both ends of an arc from its centre.
+    pub arc_radius_tolerance_mm: f64,
+    /// Tip control, if the control has it.
     pub tip: Option<TipAbility>,
-    /// How it tilts a plane, if it does.
+    /// Tilted planes, if the control has them.
     pub plane: Option<PlaneAbility>,
 }
 
-/// What the register of a length offset means.
+/// Numbering of the length offset registers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Registers {
-    /// One list for all tools; a tool's own has its number.
+    /// One list for all tools; by default the register has the number of the tool.
     Shared,
     /// Cutting edges of each tool, from 1.
     Edges,
-    /// The row of the tool; there is no choice.
+    /// The row of the tool in the tool table; no other can be chosen.
     Rows,
 }
 
 impl Registers {
-    /// The register of a tool, `given` or its own; `None` if it cannot be the one that is given.
+    /// Register of a tool: `given`, or its default; `None` if the given one is not possible.
     #[must_use]
     pub fn of_tool(self, number: u32, given: Option<u32>) -> Option<u32> {
         match self {
             Self::Shared => Some(given.unwrap_or(number)),
-            // CL data that counts its registers like the tools knows of no edges.
+            // A register equal to the tool number comes from CL data without cutting edges.
             Self::Edges => Some(given.filter(|given| *given != number).unwrap_or(1)),
             Self::Rows => Some(number).filter(|number| given.is_none_or(|given| given == *number)),
         }

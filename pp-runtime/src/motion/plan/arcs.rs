@@ -1,10 +1,10 @@
-//! Arcs by the control where it can say them, else by chords.
+//! Arcs, written as arcs of the control where possible, else as chords.
 //!
-//! With the rotary axes still, the map from the workpiece to the program's coordinates is affine. An arc is left to the
-//! control if the linear part of that map is orthogonal, if the axis of the circle becomes an axis of the program, and if
-//! what the control makes of the rounded words stays within tolerance of the arc of the CL data: see `motion/geometry/circle`.
-//! More turns than one are cut into whole turns and the rest; where these cannot be said, into equal arcs of no more than
-//! half a turn.
+//! While the rotary axes rest, the map from workpiece to program coordinates is affine. An arc is written as an arc if the
+//! linear part of that map is orthogonal, if the axis of the circle is an axis of the program, and if the arc that the
+//! control traces from the rounded words stays within tolerance of the arc of the CL data: see `motion/geometry/circle`.
+//! More than a full circle is split into full circles and the rest; where these do not stay within tolerance, into equal
+//! arcs of at most half a circle.
 
 use std::f64::consts::TAU;
 
@@ -13,46 +13,46 @@ use crate::motion::options::{ArcForm, ArcOutput};
 use crate::nalgebra::Vector3;
 use crate::program::{Arc, Move};
 
-use crate::motion::fault::{Fault, Halt, Planned};
+use crate::motion::fault::{Fault, ItemError, Planned};
 use crate::motion::geometry::ArcGeometry;
 use crate::motion::geometry::{ArcPlane, Circle, CircleDeviation, NominalCircle, WordGrid};
 use crate::motion::place::AxisPosition;
 use crate::motion::plan::Planner;
-use crate::motion::plan::feed::Stroke;
+use crate::motion::plan::feed::FeedMotion;
 use crate::motion::plan::statistics::Statistics;
 use crate::motion::rotary::RotaryTarget;
 use crate::motion::source::MotionIndex;
-use crate::motion::step::Why;
-use crate::motion::step::{FeedWord, Sink, Step, Words};
+use crate::motion::step::BlockReason;
+use crate::motion::step::{AxisWords, FeedWord, Sink, Step};
 
-/// More turns than this of one record are a fault of the file.
-const MOST_TURNS: f64 = 1e6;
+/// Largest number of revolutions of one record; more are a fault of the file.
+const MOST_REVOLUTIONS: f64 = 1e6;
 
-/// How far rounding moves an end in its plane, units: half the diagonal of a square.
+/// Largest displacement of an end in its plane by rounding, units: half the diagonal of a square.
 const ROUNDED: f64 = 0.7072;
 
-/// Turns that are whole but for arithmetic.
+/// Excess over whole revolutions that is rounding of arithmetic, revolutions.
 const WHOLE: f64 = 1e-9;
 
-/// Why an arc is not left to the control.
+/// Reason why an arc is not written as an arc.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum NoArc {
-    /// The configuration wants lines.
+    /// `arcs.output` is `lines`.
     Configured,
-    /// It is no more than a line in the words of the program.
+    /// It deviates from a line by less than the resolution of the words.
     Straight,
-    /// A rotary axis turns, or the program's coordinates are not square.
+    /// A rotary axis rotates, or the coordinates of the program are not orthogonal.
     Frame,
-    /// Its plane is none of the program's, or none in which the control has arcs.
+    /// It is not parallel to a plane of the program, or the control has no arcs in that plane.
     Plane,
-    /// Its radius is outside what is configured.
+    /// Its radius is outside the configured range.
     Radius,
-    /// Rounded words cannot say it within tolerance.
+    /// Rounded words would leave the tolerance.
     Rounding,
 }
 
 impl Statistics {
-    /// An arc that became chords.
+    /// Counts an arc written as chords.
     fn count_chorded(&mut self, why: NoArc) {
         let count = match why {
             NoArc::Configured | NoArc::Straight => return,
@@ -65,46 +65,46 @@ impl Statistics {
     }
 }
 
-/// Where an arc is cut: into whole turns and the rest, or into equal arcs.
+/// Division of an arc: into full circles and the rest, or into equal arcs.
 #[derive(Debug, Clone, Copy)]
 struct Cuts {
     pieces: u32,
-    /// Part of the arc that a piece is; the last one may be less.
+    /// Part of the arc in one piece; the last piece may be smaller.
     part: f64,
 }
 
 impl Cuts {
-    /// Both ways to cut an arc, the one to be tried first in front; none where that is too many.
-    fn of(angle: f64) -> Option<[Self; 2]> {
-        let turns = (angle / TAU - WHOLE).ceil().max(1.0);
-        (turns <= MOST_TURNS).then(|| {
-            let (whole, halves) = (turns as u32, 2 * turns as u32);
-            [Self { pieces: whole, part: TAU / angle }, Self { pieces: halves, part: 1.0 / f64::from(halves) }]
+    /// Both divisions of an arc, the preferred one first; none for too many revolutions.
+    fn of(angle_rad: f64) -> Option<[Self; 2]> {
+        let revolutions = (angle_rad / TAU - WHOLE).ceil().max(1.0);
+        (revolutions <= MOST_REVOLUTIONS).then(|| {
+            let (whole, halves) = (revolutions as u32, 2 * revolutions as u32);
+            [Self { pieces: whole, part: TAU / angle_rad }, Self { pieces: halves, part: 1.0 / f64::from(halves) }]
         })
     }
 
-    /// The part of the arc at which a piece ends, counted from 1.
+    /// Part of the arc up to the end of a piece, counted from 1.
     fn end(&self, piece: u32) -> f64 {
         if piece >= self.pieces { 1.0 } else { self.part * f64::from(piece) }
     }
 
-    /// The part of the arc that a piece is.
+    /// Part of the arc in a piece.
     fn share(&self, piece: u32) -> f64 {
         self.end(piece) - self.part * f64::from(piece - 1)
     }
 }
 
-/// An arc in the coordinates of the program.
+/// An arc in program coordinates.
 #[derive(Debug, Clone, Copy)]
-struct Framed {
+struct ArcInProgram {
     plane: ArcPlane,
     chain: [usize; 3],
     nominal: NominalCircle,
-    /// How far the plane of the arc is off that of the program, over the arc, mm.
-    lean: f64,
+    /// Largest distance between the planes of the arc and of the program along the arc.
+    lean_mm: f64,
 }
 
-/// An arc from where the tool is.
+/// Plans an arc from the present position of the tool.
 #[cold]
 pub(crate) fn arc<S: Sink>(planner: &mut Planner<'_, S>, arc: &Arc, index: MotionIndex) -> Planned {
     let round = ArcGeometry::new(arc);
@@ -131,9 +131,9 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
             let pose = Pose { tip: self.round.tip(part), ..arc.end };
             self.planner.check_state(&Move { pose, ..motion })?;
         }
-        let planned = self.planner.changes(&motion, index)?;
+        let planned = self.planner.apply_course_changes(&motion, index)?;
         if self.planner.spindle.take_stopped_by_cycle() {
-            self.planner.turn_spindle(true)?;
+            self.planner.apply_spindle(true)?;
         }
         let end = self.planner.mover.place(&arc.end, true, planned)?;
         match self.trace(&end)? {
@@ -145,7 +145,7 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         }
         let position = self.planner.mover.position_mut();
         for part in self.round.extremes(arc.end.axis.into_inner()).chain([1.0]) {
-            position.cut(&Pose { tip: self.round.tip(part), ..arc.end });
+            position.note_cut(&Pose { tip: self.round.tip(part), ..arc.end });
         }
         position.forget_lead_out();
         self.planner.mover.arrive(end);
@@ -156,23 +156,23 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         self.planner.mover.output_mut().statistics_mut()
     }
 
-    /// Writes the arc as arcs of the control; nothing is written where one of them cannot be said.
-    fn trace(&mut self, end: &AxisPosition) -> Result<Result<(), NoArc>, Halt> {
-        let framed = match self.framed(end) {
-            Ok(framed) => framed,
+    /// Writes the arc as arcs of the control; writes nothing if one of them would leave the tolerance.
+    fn trace(&mut self, end: &AxisPosition) -> Result<Result<(), NoArc>, ItemError> {
+        let in_program = match self.in_program(end) {
+            Ok(in_program) => in_program,
             Err(why) => return Ok(Err(why)),
         };
         for cuts in Cuts::of(self.arc.angle_rad).into_iter().flatten() {
-            if self.can_be_said(&framed, cuts)? {
+            if self.can_be_written(&in_program, cuts)? {
                 self.check_travel()?;
-                return self.write_pieces(&framed, cuts).map(Ok);
+                return self.write_pieces(&in_program, cuts).map(Ok);
             }
         }
         Ok(Err(NoArc::Rounding))
     }
 
-    /// The arc in the program's coordinates.
-    fn framed(&self, end: &AxisPosition) -> Result<Framed, NoArc> {
+    /// The arc in program coordinates.
+    fn in_program(&self, end: &AxisPosition) -> Result<ArcInProgram, NoArc> {
         let (arc, round) = (self.arc, &self.round);
         let (setup, placer) = (&self.planner.policy.options.arcs, self.planner.mover.placer());
         if setup.output == ArcOutput::Lines {
@@ -181,20 +181,20 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         if round.radius() * (1.0 - (0.5 * arc.angle_rad).cos()) < 0.5 * placer.unit_mm() && arc.angle_rad < 1.0 {
             return Err(NoArc::Straight);
         }
-        if self.planner.mover.turns(end) {
+        if self.planner.mover.rotates(end) {
             return Err(NoArc::Frame);
         }
         let (chain, map) = placer.orthogonal_map(end).ok_or(NoArc::Frame)?;
-        // Mirrored coordinates turn the other way round.
+        // Mirrored coordinates reverse the sense of rotation.
         let normal = map * arc.normal.into_inner() * map.determinant().signum();
-        let square = normal.iamax();
-        let beside = ArcPlane::PERPENDICULAR_TO[square].axes();
-        let lean = 2.0 * round.radius() * normal[beside[0]].hypot(normal[beside[1]]);
-        let plane = ArcPlane::PERPENDICULAR_TO[square];
-        if lean > self.planner.mover.tolerance().tip_mm || !self.planner.abilities.arc_planes[square] {
+        let perpendicular = normal.iamax();
+        let plane = ArcPlane::PERPENDICULAR_TO[perpendicular];
+        let in_plane = plane.axes();
+        let lean_mm = 2.0 * round.radius() * normal[in_plane[0]].hypot(normal[in_plane[1]]);
+        if lean_mm > self.planner.mover.tolerance().tip_mm || !self.planner.abilities.arc_planes[perpendicular] {
             return Err(NoArc::Plane);
         }
-        if !(setup.smallest_radius..=setup.largest_radius).contains(&round.radius()) {
+        if !(setup.smallest_radius_mm..=setup.largest_radius_mm).contains(&round.radius()) {
             return Err(NoArc::Radius);
         }
         let centre = placer.program_point(&arc.centre, end).ok_or(NoArc::Frame)?;
@@ -202,18 +202,18 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         let nominal = NominalCircle {
             centre_mm: [centre[first], centre[second]],
             radii_mm: round.radii_mm,
-            clockwise: normal[square] < 0.0,
+            clockwise: normal[perpendicular] < 0.0,
             sweep_rad: arc.angle_rad,
         };
-        Ok(Framed { plane, chain, nominal, lean })
+        Ok(ArcInProgram { plane, chain, nominal, lean_mm })
     }
 
-    /// Whether all pieces can be said.
-    fn can_be_said(&mut self, framed: &Framed, cuts: Cuts) -> Result<bool, Fault> {
+    /// Whether all pieces stay within tolerance.
+    fn can_be_written(&mut self, in_program: &ArcInProgram, cuts: Cuts) -> Result<bool, Fault> {
         let mut from = *self.planner.mover.here();
         for piece in 1..=cuts.pieces {
             let to = self.piece_end(cuts.end(piece))?;
-            if self.circle(framed, cuts.share(piece), &from, &to).is_none() {
+            if self.circle(in_program, cuts.share(piece), &from, &to).is_none() {
                 return Ok(false);
             }
             from = to;
@@ -221,30 +221,30 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         Ok(true)
     }
 
-    /// Where a part of the arc ends; the rotary axes are where they are.
+    /// The place at a part of the arc, with the rotary axes at their present angles.
     fn piece_end(&mut self, part: f64) -> Result<AxisPosition, Fault> {
         let here = *self.planner.mover.here();
         self.planner.mover.shifted(self.round.tip(part), &here)
     }
 
-    /// The words of one piece, `share` of the arc, if they say it within tolerance.
-    fn circle(&self, framed: &Framed, share: f64, from: &AxisPosition, to: &AxisPosition) -> Option<Circle> {
+    /// The words of one piece, `share` of the arc, if they stay within tolerance.
+    fn circle(&self, in_program: &ArcInProgram, share: f64, from: &AxisPosition, to: &AxisPosition) -> Option<Circle> {
         let (placer, tolerance) = (self.planner.mover.placer(), self.planner.mover.tolerance().tip_mm);
         let (from, to) = (placer.written(from), placer.written(to));
-        let Framed { plane, chain, nominal, lean } = *framed;
-        let [first, second, square] = plane.axes().map(|axis| chain[axis]);
+        let ArcInProgram { plane, chain, nominal, lean_mm } = *in_program;
+        let [first, second, perpendicular] = plane.axes().map(|axis| chain[axis]);
         let (start, end) = ([from[first], from[second]], [to[first], to[second]]);
         let unit = placer.unit_mm();
         let grid =
-            WordGrid { units_per_mm: 1.0 / unit, radius_tolerance_mm: self.planner.abilities.arc_radius_tolerance };
+            WordGrid { units_per_mm: 1.0 / unit, radius_tolerance_mm: self.planner.abilities.arc_radius_tolerance_mm };
         let nominal = NominalCircle { sweep_rad: nominal.sweep_rad * share, ..nominal };
         let fit = nominal.fit(start, end, grid)?;
-        // Height goes with the angle. Seen from the nominal centre a point leads by what the centre is off, and by as much
-        // more because the ends do not, and by the rounding of these; heights are rounded themselves.
-        let height = |off: CircleDeviation| {
-            lean + 0.5 * unit + self.round.slope().abs() * (2.0 * off.centre_mm + ROUNDED * unit)
+        // The height is proportional to the angle. Seen from the nominal centre, a point leads by the displacement of the
+        // centre, by as much again because the ends do not lead, and by their rounding; heights are rounded, too.
+        let height = |deviation: CircleDeviation| {
+            lean_mm + 0.5 * unit + self.round.slope().abs() * (2.0 * deviation.centre_mm + ROUNDED * unit)
         };
-        let within = |off: CircleDeviation| off.plane_mm.hypot(height(off)) <= tolerance;
+        let within = |deviation: CircleDeviation| deviation.plane_mm.hypot(height(deviation)) <= tolerance;
         if !within(fit.deviation)
             || placer.too_large([fit.centre[0] - start[0], fit.centre[1] - start[1]], [first, second])
         {
@@ -252,7 +252,7 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         }
         let radius = match self.planner.policy.options.arcs.form {
             ArcForm::Centre => None,
-            ArcForm::Radius => nominal.radius(start, end, &fit, grid).filter(|(_, off)| within(*off)),
+            ArcForm::Radius => nominal.radius(start, end, &fit, grid).filter(|(_, deviation)| within(*deviation)),
         };
         Some(Circle {
             plane,
@@ -262,11 +262,11 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
             centre: fit.centre,
             radius: radius.map(|(units, _)| units),
             sweep_rad: fit.sweep_rad,
-            rise: to[square] - from[square],
+            rise: to[perpendicular] - from[perpendicular],
         })
     }
 
-    /// Limits of the linear axes where the arc is furthest along each of them.
+    /// Checks the limits of each linear axis at the extremes of the arc along it.
     fn check_travel(&mut self) -> Result<(), Fault> {
         let Some((_, map)) = self.planner.mover.placer().axis_map(self.planner.mover.here()) else { return Ok(()) };
         let round = self.round;
@@ -278,34 +278,38 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         Ok(())
     }
 
-    fn write_pieces(&mut self, framed: &Framed, cuts: Cuts) -> Planned {
+    fn write_pieces(&mut self, in_program: &ArcInProgram, cuts: Cuts) -> Planned {
         let rate = self.planner.rate(self.arc.feed)?;
-        self.planner.mover.output_mut().because(if cuts.pieces > 1 { Why::SplitArc } else { Why::Record });
-        let mask = framed.chain.iter().fold(0, |mask, axis| mask | 1 << axis);
+        self.planner.mover.output_mut().set_reason(if cuts.pieces > 1 {
+            BlockReason::SplitArc
+        } else {
+            BlockReason::Record
+        });
+        let mask = in_program.chain.iter().fold(0, |mask, axis| mask | 1 << axis);
         for piece in 1..=cuts.pieces {
             let share = cuts.share(piece);
             let length = self.round.length() * share;
             let mover = &self.planner.mover;
-            let least = mover.placer().least_minutes_of_tip(length, mover.here());
-            let stroke = Stroke { length, turn: 0.0, square: true, linear: length, degrees: 0.0, least };
-            let pace = mover.feeds().pace(rate, stroke)?;
+            let axis_time_min = mover.placer().least_minutes_of_tip(length, mover.here());
+            let motion = FeedMotion::linear(length, axis_time_min);
+            let pace = mover.feeds().pace(rate, motion)?;
             let to = self.piece_end(cuts.end(piece))?;
-            let circle = self.circle(framed, share, self.planner.mover.here(), &to);
+            let circle = self.circle(in_program, share, self.planner.mover.here(), &to);
             let (Some(circle), FeedWord::PerMinute(feed)) = (circle, pace.feed) else {
-                return Err(Fault::new("an arc that could be said cannot be written").into());
+                return Err(Fault::new("an arc within tolerance cannot be written").into());
             };
             let mover = &mut self.planner.mover;
             mover.output_mut().feed(&pace, None);
-            let words = Words { vector: None, ..mover.placer().words(&to, mask) };
+            let words = AxisWords { vector: None, ..mover.placer().words(&to, mask) };
             mover.write_motion(&Step::Arc { words, circle: &circle, feed }, &to)?;
             mover.position_mut().go_to(to);
         }
         Ok(())
     }
 
-    /// Writes the arc as chords that leave it by no more than the tolerance.
+    /// Writes the arc as chords within the tolerance.
     fn write_chords(&mut self, planned: Option<RotaryTarget>) -> Planned {
-        self.planner.mover.output_mut().because(Why::Chord);
+        self.planner.mover.output_mut().set_reason(BlockReason::Chord);
         let chords = self.round.chords(self.planner.mover.tolerance().tip_mm)?;
         for index in 1..=chords {
             let tip = self.round.tip(f64::from(index) / f64::from(chords));

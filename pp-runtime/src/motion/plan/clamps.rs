@@ -1,8 +1,8 @@
-//! Clamps of rotary axes: off before an axis moves, on where it stays still until the tool leaves the part again, and
-//! nothing between simultaneous blocks.
+//! Clamps of rotary axes: off before an axis moves, on where it does not move until the tool leaves the part again, and not
+//! switched between simultaneous blocks.
 //!
-//! Whether an axis stays still is known at the end of an approach only from what follows. A rehearsal plans the whole
-//! program once without writing and says it, one mask for each approach: what moves is what the planner itself moves.
+//! At the end of an approach, only the following blocks show whether an axis will move. A rehearsal therefore plans the whole
+//! program once without writing, and notes the axes that the planner moves, one mask for each approach.
 
 use std::io;
 
@@ -19,11 +19,11 @@ struct Clamp {
     /// Position of its axis in the chain.
     index: usize,
     codes: ClampCodes,
-    /// It is on; `None` if nobody knows.
+    /// It is on; `None` if unknown.
     on: Option<bool>,
 }
 
-/// The axes that move between an approach and the next, for each approach: a bit by position in the chain.
+/// Axes that move between an approach and the next, one mask for each approach: bit `i` for the axis at position `i`.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct MovingAxes(Vec<u16>);
 
@@ -31,7 +31,7 @@ pub struct MovingAxes(Vec<u16>);
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Clamps {
     clamps: Vec<Clamp>,
-    /// As rehearsed; `None` in the rehearsal itself.
+    /// Result of the rehearsal; `None` in the rehearsal itself.
     rehearsed: Option<MovingAxes>,
     seen: MovingAxes,
     /// Approaches so far.
@@ -47,12 +47,12 @@ impl Clamps {
         Self { clamps: rotaries.iter().filter_map(clamp).collect(), ..Self::default() }
     }
 
-    /// Whoever enters the program here knows nothing.
+    /// Forgets the states: the program can be entered here.
     pub(crate) fn forget(&mut self) {
         self.clamps.iter_mut().for_each(|clamp| clamp.on = None);
     }
 
-    /// An approach begins.
+    /// Counts an approach.
     pub(crate) fn approach(&mut self) {
         self.approaches += 1;
         if !self.clamps.is_empty() && self.rehearsed.is_none() {
@@ -60,7 +60,7 @@ impl Clamps {
         }
     }
 
-    /// A block of an operation moves from some words to others.
+    /// Notes the axes that a block of an operation moves.
     #[inline]
     pub(crate) fn note(&mut self, from: &[i64; MAX_AXES], to: &[i64; MAX_AXES]) {
         if let Some(seen) = self.seen.0.last_mut() {
@@ -70,13 +70,13 @@ impl Clamps {
         }
     }
 
-    /// Axes that move until the next approach; without a rehearsal all of them.
+    /// Axes that move until the next approach; without a rehearsal all.
     fn moving(&self) -> u16 {
         let Some(MovingAxes(masks)) = &self.rehearsed else { return u16::MAX };
         self.approaches.checked_sub(1).and_then(|index| masks.get(index)).copied().unwrap_or(u16::MAX)
     }
 
-    /// Before the rotary axes go to some words alone: off where they turn, or will until the next approach.
+    /// Before the rotary axes move alone: off where they rotate now or before the next approach.
     pub(crate) fn open<S: Sink>(
         &mut self,
         from: &[i64; MAX_AXES],
@@ -88,7 +88,7 @@ impl Clamps {
         self.switch(turning | self.moving(), false, output)
     }
 
-    /// After that: on where they stay still until the next approach.
+    /// After that motion: on where they do not rotate before the next approach.
     pub(crate) fn close<S: Sink>(&mut self, output: &mut Output<S>) -> io::Result<()> {
         self.switch(!self.moving(), true, output)
     }
@@ -102,12 +102,12 @@ impl Clamps {
         Ok(())
     }
 
-    /// Switches as a rehearsal of the same program has found.
+    /// Sets the result of a rehearsal of the same program.
     pub(crate) fn set_rehearsed(&mut self, rehearsed: MovingAxes) {
         self.rehearsed = Some(rehearsed);
     }
 
-    /// What the rehearsal has found.
+    /// Result of the rehearsal.
     pub(crate) fn into_seen(self) -> MovingAxes {
         self.seen
     }
@@ -131,11 +131,11 @@ mod tests {
         let run = run::<Cb>(config, events);
         assert_eq!(run.diagnostics, []);
         let clamp = |word: &&str| ["M10", "M11", "M12", "M13"].contains(word);
-        let told = |line: &String| {
+        let relevant = |line: &String| {
             let words: Vec<&str> = line.split(' ').filter(|word| clamp(word) || word.starts_with(['B', 'C'])).collect();
             (!words.is_empty() && !line.starts_with(['(', 'N'])).then(|| words.join(" "))
         };
-        run.lines.iter().filter_map(told).collect()
+        run.lines.iter().filter_map(relevant).collect()
     }
 
     fn clamped() -> Config {

@@ -1,4 +1,4 @@
-//! The geometry around the part that the tool has to leave: that of the configuration, or of CLEARP.
+//! Clearance geometry: the space around the part that the tool leaves in a retract, from the configuration or CLEARP.
 
 use crate::kinematics::Pose;
 use crate::program::{Clearance, ClearancePlane};
@@ -22,13 +22,13 @@ impl ClearanceGeometry {
         self.in_force = Some(Clearance::Plane(plane));
     }
 
-    /// Another frame: CLEARP was given in the one before.
+    /// Another frame: CLEARP was given in the last one and ends.
     pub(crate) fn change_frame(&mut self) {
         self.in_force = self.configured;
     }
 
-    /// mm along the tool axis until the tool is outside; `None` without geometry, or where the axis never leaves it.
-    pub(crate) fn way_out(&self, from: &Pose) -> Option<f64> {
+    /// Distance along the tool axis until the tool is outside, mm; `None` without geometry, or where the axis never leaves it.
+    pub(crate) fn retract_distance_mm(&self, from: &Pose) -> Option<f64> {
         self.in_force.and_then(|clearance| distance_to_clear(&clearance, &from.tip, &from.axis))
     }
 }

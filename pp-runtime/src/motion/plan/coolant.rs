@@ -1,4 +1,4 @@
-//! Coolant: what the CL data wants, what the configuration adds, and what has been written.
+//! Coolant: request of the CL data, defaults of the configuration, and the state as written.
 
 use std::io;
 
@@ -31,13 +31,13 @@ impl CoolantState {
         self.request = kind;
     }
 
-    /// Its state is unknown.
-    pub(crate) fn lost(&mut self) {
+    /// Forgets the state.
+    pub(crate) fn forget(&mut self) {
         self.written = None;
     }
 
-    /// Brings the coolant to what is wanted.
-    pub(crate) fn turn<S: Sink>(
+    /// Writes the requested state, unless it is in force.
+    pub(crate) fn apply<S: Sink>(
         &mut self,
         tool: Option<LoadedTool>,
         policy: Policy<'_>,
@@ -58,10 +58,10 @@ impl CoolantState {
         };
         if let Some(missing) = missing {
             return Err(Fault::new(format_args!("this control has no code for {missing}"))
-                .help("give it its codes, on and off: `[control] coolant = { air = [\"M83\", \"M84\"] }`")
+                .help("configure its codes for on and off: `[control] coolant = { air = [\"M83\", \"M84\"] }`")
                 .into());
         }
-        if kind == Kind::Off || policy.options.lift.is_some() {
+        if kind == Kind::Off || policy.options.lift_mm.is_some() {
             return Ok(self.stop(output)?);
         }
         if self.written != Some(kind) {
@@ -74,7 +74,7 @@ impl CoolantState {
         Ok(())
     }
 
-    /// Off, unless it is.
+    /// Writes coolant off, unless it is off.
     pub(crate) fn stop<S: Sink>(&mut self, output: &mut Output<S>) -> io::Result<()> {
         if self.written != Some(Kind::Off) {
             self.written = Some(Kind::Off);

@@ -1,12 +1,12 @@
-//! Cutter compensation in the plane by the control: CUTCOM.
+//! Cutter compensation by the control (CUTCOM: G41, G42, G40).
 //!
-//! The control shifts the path to its left or right by what the register D holds, in the plane square to Z of the program
-//! (G17), with the rotary axes still and the tool along that Z. It comes on with the first straight feed motion in this plane
-//! behind CUTCOM/LEFT or RIGHT, and goes off with the one behind CUTCOM/OFF; between the two there are only such lines, and
-//! arcs that the control traces itself. A control looks ahead over these blocks, so whatever else stands there is refused.
+//! The control offsets the path to the left or right by the value of register D, in the plane perpendicular to Z of the
+//! program (G17). The rotary axes rest, and the tool axis is that Z. Compensation begins with the first straight feed motion
+//! in this plane after CUTCOM/LEFT or RIGHT, and ends with the first one after CUTCOM/OFF. Between the two only such lines
+//! are allowed, and arcs that are written as arcs: a control looks ahead over these blocks, so everything else is refused.
 //!
-//! In mirrored words left is right. What D holds is said in the configuration: wear where the CL data is the path of the
-//! tool's centre, the radius where it is the contour.
+//! In mirrored coordinates left and right are exchanged. The configuration states the value of D: the wear where the CL data
+//! is the path of the tool centre, the radius where it is the contour.
 
 use nalgebra::Vector3;
 
@@ -16,21 +16,21 @@ use crate::program::{Arc, Compensation, CutterSide, Event, Move};
 use crate::motion::fault::{Fault, Planned};
 use crate::motion::geometry::SAME_AXIS;
 use crate::motion::place::AxisPosition;
-use crate::motion::plan::{Ahead, Planner};
+use crate::motion::plan::{MotionAndNext, Planner};
 use crate::motion::source::MotionIndex;
 use crate::motion::step::{Sink, Step};
 
-/// Points of CL data are rounded: a motion is in the plane if it leaves it by no more than this, mm, however fine the words.
+/// Largest height of a motion that lies in the plane, mm: the rounding of CL data, also where words are finer.
 const FLAT: f64 = 5e-4;
 
-/// What CUTCOM asked for last, and what is in force.
+/// Last request of CUTCOM, and the state in force.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct CutterCompensation {
-    /// Wanted from the next line in the plane on, or in force.
+    /// In force, or from the next line in the plane on.
     side: Option<CutterSide>,
     /// Side of the last CUTCOM/LEFT or RIGHT.
     last: Option<CutterSide>,
-    /// Register that the CL data named.
+    /// Register programmed in the CL data.
     register: Option<u32>,
     state: Compensating,
 }
@@ -39,15 +39,15 @@ pub(crate) struct CutterCompensation {
 enum Compensating {
     #[default]
     Off,
-    /// Asked for, to begin with the next line in the plane.
+    /// Requested; begins with the next line in the plane.
     Begins,
     On,
-    /// To end with the next motion.
+    /// Ends with the next motion.
     Ends,
 }
 
 impl CutterCompensation {
-    /// Nothing is asked for and nothing in force.
+    /// Whether compensation is neither requested nor in force.
     #[inline]
     pub(crate) fn is_idle(&self) -> bool {
         self.state == Compensating::Off
@@ -65,7 +65,7 @@ impl CutterCompensation {
             asked
         };
         if self.in_force() && self.side != Some(side) {
-            return Err(beside("CUTCOM asks for the other side"));
+            return Err(in_force_fault("CUTCOM requests the other side"));
         }
         let register = register.or(self.register.filter(|_| asked == CutterSide::On));
         let state = if self.in_force() { Compensating::On } else { Compensating::Begins };
@@ -73,23 +73,23 @@ impl CutterCompensation {
         Ok(())
     }
 
-    /// CUTCOM/OFF; false if nothing was compensated since it was asked for.
+    /// CUTCOM/OFF; false if compensation was requested and has never begun.
     fn end(&mut self) -> bool {
         let began = self.state != Compensating::Begins;
         self.state = if self.in_force() { Compensating::Ends } else { Compensating::Off };
         began
     }
 
-    /// Refuses a record that a control does not look ahead over.
+    /// Refuses a record that interrupts the look-ahead of the control.
     pub(crate) fn check_record(&self, event: &Event<'_>) -> Result<(), Fault> {
         let what = match event {
             Event::Tool(_) => "a tool is called",
             Event::Operation(_) | Event::SafeSequence => "another operation begins",
             Event::Stop | Event::OptionalStop => "the program stops",
             Event::Frame(_) => "another frame follows",
-            Event::Home => "the machine goes home",
-            Event::From(_) => "FROM places the tool elsewhere",
-            Event::Insert(_) | Event::Code { .. } => "a block follows that the CL data gives as it stands",
+            Event::Home => "GOHOME follows",
+            Event::From(_) => "FROM follows",
+            Event::Insert(_) | Event::Code { .. } => "NC text of the CL data follows",
             Event::Name(_)
             | Event::MachineName(_)
             | Event::Preselect(_)
@@ -116,30 +116,30 @@ impl CutterCompensation {
 
     /// Refuses a curve.
     pub(crate) fn check_curve(&self) -> Result<(), Fault> {
-        self.check_idle("a curve follows, which would be chords")
+        self.check_idle("a curve follows, which is written as chords")
     }
 
     fn check_idle(&self, what: &str) -> Result<(), Fault> {
-        if self.in_force() { Err(beside(what)) } else { Ok(()) }
+        if self.in_force() { Err(in_force_fault(what)) } else { Ok(()) }
     }
 
-    /// The program ends.
+    /// Refuses the end of the program where compensation is requested or in force.
     pub(crate) fn check_end(&self) -> Result<(), Fault> {
         match self.state {
             Compensating::Off => Ok(()),
             Compensating::Begins => {
-                Err(Fault::new("CUTCOM asked for compensation, and no straight feed motion in the plane follows")
-                    .help("leave CUTCOM out, or give it in front of the lead-in"))
+                Err(Fault::new("CUTCOM requests compensation, but no straight feed motion in the plane follows")
+                    .help("remove CUTCOM, or give it before the lead-in"))
             }
-            Compensating::On | Compensating::Ends => Err(beside("the program ends")),
+            Compensating::On | Compensating::Ends => Err(in_force_fault("the program ends")),
         }
     }
 }
 
-/// What cannot stand between the line that brings compensation on and the one that ends it.
-fn beside(what: &str) -> Fault {
+/// Fault: `what` comes while compensation is in force.
+fn in_force_fault(what: &str) -> Fault {
     Fault::new(format_args!("cutter compensation is in force, and {what}"))
-        .help("put CUTCOM/OFF and a straight feed motion in the plane in front of it")
+        .help("give CUTCOM/OFF and a straight feed motion in the plane before it")
 }
 
 /// CUTCOM.
@@ -147,7 +147,7 @@ pub(crate) fn request<S: Sink>(planner: &mut Planner<'_, S>, asked: &Compensatio
     let Compensation { side, register, in_xy_plane: xy } = *asked;
     if side == CutterSide::Off {
         if !planner.cutter.end() {
-            let fault = Fault::new("CUTCOM/OFF, and no straight feed motion in the plane came before it")
+            let fault = Fault::new("CUTCOM/OFF without a straight feed motion in the plane before it")
                 .help("nothing was compensated: check the side and the lead-in");
             planner.mover.output_mut().remark(fault);
         }
@@ -157,28 +157,31 @@ pub(crate) fn request<S: Sink>(planner: &mut Planner<'_, S>, asked: &Compensatio
     Ok(planner.cutter.begin(side, register)?)
 }
 
-/// Whether the configuration lets the control compensate.
+/// Refuses CUTCOM where configuration, mode or plane do not allow it.
 fn check_set_up(policy: Policy<'_>, xy: bool) -> Result<(), Fault> {
     if policy.options.compensation.is_none() {
-        return Err(Fault::new("CUTCOM asks for cutter compensation by the control").help(
-            "say what D holds: `[compensation] path = \"centre\"` (wear) or `\"contour\"` (the radius); or have the \
-             CAM system leave CUTCOM out",
+        return Err(Fault::new(
+            "CUTCOM requests cutter compensation by the control, but `compensation.path` is not set",
+        )
+        .help(
+            "configure the value of D: `[compensation] path = \"centre\"` (D holds the wear) or `\"contour\"` (D \
+                 holds the radius); or output CL data without CUTCOM",
         ));
     }
     if policy.options.mode == Mode::Tcp {
-        return Err(Fault::new("there is no cutter compensation in the plane under tip control")
-            .help("post this program with mode axes or plane, or leave CUTCOM out"));
+        return Err(Fault::new("cutter compensation in the plane is not possible under tip control")
+            .help("post this program with mode axes or plane, or remove CUTCOM"));
     }
     if !xy {
-        return Err(Fault::new("cutter compensation is written for the plane of X and Y only")
-            .help("leave CUTCOM out, and have the CAM system compute the path of the tool's centre"));
+        return Err(Fault::new("cutter compensation is possible in the plane of X and Y only")
+            .help("remove CUTCOM, and output the path of the tool centre in CAM"));
     }
     Ok(())
 }
 
-/// A motion while compensation is asked for, in force, or about to end.
+/// Plans a motion while compensation is requested, in force, or about to end.
 #[cold]
-pub(crate) fn line<S: Sink>(planner: &mut Planner<'_, S>, ahead: Ahead<'_>, index: MotionIndex) -> Planned {
+pub(crate) fn line<S: Sink>(planner: &mut Planner<'_, S>, ahead: MotionAndNext<'_>, index: MotionIndex) -> Planned {
     let motion = ahead.motion;
     let from = *planner.mover.here();
     let step = in_program(planner, &from, motion);
@@ -188,7 +191,7 @@ pub(crate) fn line<S: Sink>(planner: &mut Planner<'_, S>, ahead: Ahead<'_>, inde
     match planner.cutter.state {
         Compensating::Off => {}
         Compensating::Begins => {
-            // Elsewhere the tool may still be led to where the line begins.
+            // Other motions may still lead the tool to the start of the line.
             if let Ok(step) = step.as_ref()
                 && line(step)
             {
@@ -198,18 +201,18 @@ pub(crate) fn line<S: Sink>(planner: &mut Planner<'_, S>, ahead: Ahead<'_>, inde
                 step?;
             }
         }
-        Compensating::On if motion.rapid => return Err(beside("a rapid follows").into()),
+        Compensating::On if motion.rapid => return Err(in_force_fault("a rapid follows").into()),
         Compensating::On => {
             if !flat(&step?) {
-                return Err(beside("a motion leaves its plane").into());
+                return Err(in_force_fault("a motion leaves its plane").into());
             }
         }
         Compensating::Ends => {
             if !line(&step?) {
                 return Err(Fault::new(
-                    "compensation ends in a straight feed motion in its plane, and another one follows",
+                    "compensation ends with a straight feed motion in its plane, but another motion follows",
                 )
-                .help("let the lead-out be a line in the plane behind CUTCOM/OFF")
+                .help("give a line in the plane as lead-out after CUTCOM/OFF")
                 .into());
             }
             switch(planner, false)?;
@@ -218,12 +221,12 @@ pub(crate) fn line<S: Sink>(planner: &mut Planner<'_, S>, ahead: Ahead<'_>, inde
     let stays = planner.cutter.in_force() || planner.cutter.is_idle();
     planner.run(ahead, index)?;
     if stays && planner.mover.placer().rotary_travel(&from.words, &planner.mover.here().words) > 0.0 {
-        return Err(beside("a rotary axis turns").into());
+        return Err(in_force_fault("a rotary axis rotates").into());
     }
     Ok(())
 }
 
-/// An arc while compensation is asked for or in force; `run` plans it.
+/// Plans an arc by `run` while compensation is requested or in force.
 #[cold]
 pub(crate) fn arc<'a, S: Sink>(
     planner: &mut Planner<'a, S>,
@@ -232,33 +235,33 @@ pub(crate) fn arc<'a, S: Sink>(
 ) -> Planned {
     if planner.cutter.state != Compensating::On {
         let when = if planner.cutter.state == Compensating::Begins { "begins" } else { "ends" };
-        let text = format!("compensation {when} in a straight feed motion in its plane, and an arc follows");
-        return Err(Fault::new(text).help("let lead-in and lead-out be lines").into());
+        let text = format!("compensation {when} with a straight feed motion in its plane, but an arc follows");
+        return Err(Fault::new(text).help("give lines as lead-in and lead-out").into());
     }
     let axis = arc.end.axis.into_inner();
-    let square = axis.cross(&arc.normal).norm() <= SAME_AXIS;
+    let perpendicular = axis.cross(&arc.normal).norm() <= SAME_AXIS;
     let rise = (arc.end.tip - arc.start.tip).dot(&axis).abs();
-    if !square || rise > 0.5 * planner.mover.placer().unit_mm() {
-        return Err(beside("an arc leaves its plane").into());
+    if !perpendicular || rise > 0.5 * planner.mover.placer().unit_mm() {
+        return Err(in_force_fault("an arc leaves its plane").into());
     }
     let (before, words) = (planner.mover.output().statistics().chorded, planner.mover.here().words);
     run(planner)?;
-    // What is so flat that its chord is it, is not counted.
+    // An arc as flat as its chord is not counted.
     let chorded = planner.mover.output().statistics().chorded != before;
     if chorded || planner.policy.options.arcs.output == ArcOutput::Lines {
-        return Err(beside("an arc follows that would be chords").into());
+        return Err(in_force_fault("an arc follows that is written as chords").into());
     }
     if planner.mover.placer().rotary_travel(&words, &planner.mover.here().words) > 0.0 {
-        return Err(beside("a rotary axis turns").into());
+        return Err(in_force_fault("a rotary axis rotates").into());
     }
     Ok(())
 }
 
-/// A motion in the coordinates of the program, mm; the tool has to be along its Z.
+/// A motion in program coordinates, mm; refused where the tool axis is not Z of the program.
 fn in_program<S: Sink>(planner: &Planner<'_, S>, from: &AxisPosition, motion: &Move) -> Result<Vector3<f64>, Fault> {
     let tilted = || {
-        Fault::new("cutter compensation works in the plane of X and Y, and the tool axis is not Z of the program here")
-            .help("post this program with mode plane, or leave CUTCOM out")
+        Fault::new("cutter compensation works in the plane of X and Y, but the tool axis is not Z of the program here")
+            .help("post this program with mode plane, or remove CUTCOM")
     };
     let (_, map) = planner.mover.placer().orthogonal_map(from).ok_or_else(tilted)?;
     let along = map * motion.pose.axis.into_inner();
@@ -268,43 +271,46 @@ fn in_program<S: Sink>(planner: &Planner<'_, S>, from: &AxisPosition, motion: &M
     Ok(map * (motion.pose.tip - from.pose.tip))
 }
 
-/// Where D holds the radius, a line that is shorter leaves no path to the contour.
-fn check_length<S: Sink>(planner: &Planner<'_, S>, length: f64) -> Result<(), Fault> {
+/// Where D holds the radius, refuses a lead-in that is shorter: it leaves no path to the contour.
+fn check_length<S: Sink>(planner: &Planner<'_, S>, length_mm: f64) -> Result<(), Fault> {
     let policy = planner.policy;
     let given = planner.tooling.current().and_then(|tool| policy.set_up.tools.get(&tool.number));
     let diameter = given.and_then(|tool| tool.diameter_mm);
     let radius = diameter.filter(|_| policy.options.compensation == Some(CutterPath::Contour)).map(|d| 0.5 * d);
-    match radius.filter(|radius| length < *radius) {
+    match radius.filter(|radius| length_mm < *radius) {
         Some(radius) => Err(Fault::new(format_args!(
-            "compensation begins in a line {length:.3} mm long, and the tool has a radius of {radius:.3} mm"
+            "compensation begins with a line {length_mm:.3} mm long, shorter than the tool radius of {radius:.3} mm"
         ))
         .help("make the lead-in longer than the radius")),
         None => Ok(()),
     }
 }
 
-/// On or off with the next block.
+/// Switches compensation on or off with the next block.
 fn switch<S: Sink>(planner: &mut Planner<'_, S>, on: bool) -> Planned {
     let register = radius_register(planner)?;
     let mover = &mut planner.mover;
     let mirrored = mover.placer().orthogonal_map(mover.here()).is_some_and(|(_, map)| map.determinant() < 0.0);
     let left = (planner.cutter.side == Some(CutterSide::Left)) != mirrored;
-    mover.output_mut().step(&Step::Beside { left: on.then_some(left), register })?;
+    mover.output_mut().step(&Step::CutterCompensation { left: on.then_some(left), register })?;
     planner.cutter.state = if on { Compensating::On } else { Compensating::Off };
     Ok(())
 }
 
-/// The register of the tool's radius.
+/// Register of the radius of the tool.
 fn radius_register<S: Sink>(planner: &Planner<'_, S>) -> Result<u32, Fault> {
-    let number =
-        planner.tooling.current().map(|tool| tool.number).ok_or_else(|| Fault::new("CUTCOM without a tool"))?;
+    let number = planner
+        .tooling
+        .current()
+        .map(|tool| tool.number)
+        .ok_or_else(|| Fault::new("CUTCOM before the first tool call"))?;
     let given =
         planner.policy.set_up.tools.get(&number).and_then(|tool| tool.radius_offset).or(planner.cutter.register);
-    if let Some(given) = given.filter(|given| *given != number && !planner.abilities.radius_registers) {
+    if let Some(given) = given.filter(|given| *given != number && !planner.abilities.shared_radius_registers) {
         return Err(Fault::new(format_args!(
-            "T{number} is to have the radius of register {given}, and this control takes that of the tool itself"
+            "T{number} is given radius register {given}, but this control takes the radius of the tool itself"
         ))
-        .help(format_args!("leave the register out of CUTCOM and `[tools.{number}] radius_offset`")));
+        .help(format_args!("remove the register from CUTCOM and `[tools.{number}] radius_offset`")));
     }
     Ok(given.unwrap_or(number))
 }

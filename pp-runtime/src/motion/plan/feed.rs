@@ -1,8 +1,11 @@
-//! F words: mm/min while no rotary moves; where one does inverse time, or what the control counts along; and how long a
-//! block takes.
+//! F words, and the time of each block.
 //!
-//! The tip keeps the programmed feed: a block takes its tip path over the feed. Longer only where an axis would turn or
-//! travel faster than it can, where the control asks for a longest F or a shortest block, and then by as much as it needs.
+//! While no rotary axis moves, F is in mm/min (or inch/min). Where one moves, F is inverse time, or counts along the path
+//! that the control measures: see [`PathNorm`].
+//!
+//! The tip keeps the programmed feed: the time of a block is the length of its tip path over the feed. A block takes longer
+//! only where an axis would exceed its largest speed, where F would exceed `feed.largest`, or where the block would be
+//! shorter than `feed.shortest_block`; and then by no more than necessary.
 
 use crate::motion::options::Policy;
 use crate::motion::options::{Mode, PathNorm};
@@ -17,164 +20,186 @@ use crate::motion::step::FeedWord;
 /// Computes F words.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Feeds {
-    length_unit: f64,
-    decimals: u32,
-    digits: u32,
-    /// rad/min.
-    reorient_speed: f64,
-    /// A tip path shorter than this stands still, mm: one unit of the linear words.
-    still: f64,
-    norm: PathNorm,
-    /// The control keeps the tip on its path: F counts along that.
+    /// Unit of length of the program, mm.
+    unit_mm: f64,
+    feed_decimals: u32,
+    /// Significant digits of an inverse-time F.
+    inverse_time_digits: u32,
+    reorient_rad_per_min: f64,
+    /// Tip paths shorter than this count as no motion, mm: one unit of the linear words.
+    smallest_length_mm: f64,
+    path_norm: PathNorm,
+    /// The control keeps the tip on its path, and F counts along that.
     along_tip: bool,
-    /// Units of F in a unit of length.
-    per_length: f64,
-    /// F has this bound.
-    bound: f64,
-    /// Shortest block, minutes.
-    shortest: f64,
-    /// Largest feed of the control, mm/min.
-    largest: f64,
+    /// Units of F in one unit of length.
+    feed_per_unit: f64,
+    /// F words are smaller than this.
+    feed_bound: f64,
+    shortest_block_min: f64,
+    /// Largest feed of the control.
+    largest_mm_per_min: f64,
 }
 
-/// One feed motion.
+/// One feed motion: lengths of its paths, and the least time that it takes.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Stroke {
-    /// Length of the tip path, mm.
-    pub(crate) length: f64,
-    /// Largest turn of a rotary axis, rad; zero where no rotary word changes.
-    pub(crate) turn: f64,
-    /// Length of the way of the linear axes, mm.
-    pub(crate) linear: f64,
-    /// Length of the way of the rotary axes, degrees.
-    pub(crate) degrees: f64,
-    /// The control's own path length is that of the tip while no rotary turns.
-    pub(crate) square: bool,
-    /// Minutes that the axes take at their largest speeds; 0 where these are not known.
-    pub(crate) least: f64,
+pub(crate) struct FeedMotion {
+    /// Length of the tip path.
+    pub(crate) length_mm: f64,
+    /// Largest rotation of a rotary axis; zero where no rotary word changes.
+    pub(crate) rotation_rad: f64,
+    /// Length of the path of the linear axes.
+    pub(crate) linear_mm: f64,
+    /// Length of the path of the rotary axes.
+    pub(crate) rotary_degrees: f64,
+    /// The linear axes are orthogonal: while no rotary axis moves, the path of the control is as long as that of the tip.
+    pub(crate) orthogonal: bool,
+    /// Time that the axes take at their largest speeds; 0 where these are unknown.
+    pub(crate) axis_time_min: f64,
 }
 
-/// How fast a block runs.
+impl FeedMotion {
+    /// A motion of orthogonal linear axes alone.
+    pub(crate) fn linear(length_mm: f64, axis_time_min: f64) -> Self {
+        Self {
+            length_mm,
+            rotation_rad: 0.0,
+            linear_mm: length_mm,
+            rotary_degrees: 0.0,
+            orthogonal: true,
+            axis_time_min,
+        }
+    }
+}
+
+/// F word and time of a block.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Pace {
-    /// Its F word.
+    /// F word.
     pub(crate) feed: FeedWord,
-    /// How long it takes, minutes.
-    pub(crate) minutes: f64,
-    /// How much longer than programmed that is, minutes.
-    pub(crate) slowed: f64,
+    /// Time of the block.
+    pub(crate) time_min: f64,
+    /// Time beyond that of the programmed feed.
+    pub(crate) slowed_min: f64,
 }
 
 impl Feeds {
-    pub(crate) fn new(policy: Policy<'_>, units: Units, still: f64, abilities: &Abilities) -> Self {
+    pub(crate) fn new(policy: Policy<'_>, units: Units, smallest_length_mm: f64, abilities: &Abilities) -> Self {
         Self {
-            length_unit: units.in_mm(),
-            decimals: policy.formats.feed,
-            digits: policy.formats.inverse_time,
-            norm: abilities.path_norm,
+            unit_mm: units.in_mm(),
+            feed_decimals: policy.formats.feed,
+            inverse_time_digits: policy.formats.inverse_time,
+            path_norm: abilities.path_norm,
             along_tip: policy.options.mode != Mode::Axes,
-            per_length: if units == Units::Inches { abilities.feed_per_inch } else { 1.0 },
-            bound: 10_f64.powi(policy.formats.feed_whole as i32),
-            reorient_speed: policy.options.rapids.reorient_speed,
-            still,
-            shortest: policy.options.feed.shortest_block / 60.0,
-            largest: policy.options.feed.largest.unwrap_or(f64::INFINITY),
+            feed_per_unit: if units == Units::Inches { abilities.feed_per_inch } else { 1.0 },
+            feed_bound: 10_f64.powi(policy.formats.feed_whole as i32),
+            reorient_rad_per_min: policy.options.rapids.reorient_rad_per_min,
+            smallest_length_mm,
+            shortest_block_min: policy.options.feed.shortest_block_s / 60.0,
+            largest_mm_per_min: policy.options.feed.largest_mm_per_min.unwrap_or(f64::INFINITY),
         }
     }
 
-    /// F counts along the path of the control where a rotary axis moves.
+    /// Whether F counts along the path of the control where a rotary axis moves.
     pub(crate) fn counts_path(&self) -> bool {
-        self.along_tip || matches!(self.norm, PathNorm::Xyz | PathNorm::XyzDegrees)
+        self.along_tip || matches!(self.path_norm, PathNorm::Xyz | PathNorm::XyzDegrees)
     }
 
-    /// mm in one unit of length of the program.
-    pub(crate) fn length_unit(&self) -> f64 {
-        self.length_unit
+    /// Unit of length of the program, mm.
+    pub(crate) fn unit_mm(&self) -> f64 {
+        self.unit_mm
     }
 
-    /// mm/min of an F per minute.
+    /// Feed of an F per minute, mm/min.
     pub(crate) fn mm_per_minute(&self, word: Decimal) -> f64 {
-        word.value() * self.length_unit / self.per_length
+        word.value() * self.unit_mm / self.feed_per_unit
     }
 
-    /// mm/min of a programmed feed; `speed`: rev/min of the spindle as written.
-    pub(crate) fn per_minute(feed: program::Feed, speed: Option<f64>) -> Result<f64, Fault> {
+    /// Programmed feed, mm/min. `speed_rev_per_min`: spindle speed as written.
+    pub(crate) fn per_minute(feed: program::Feed, speed_rev_per_min: Option<f64>) -> Result<f64, Fault> {
         match feed {
             program::Feed::PerMinute(value) => Ok(value),
-            program::Feed::PerRevolution(value) => speed.map(|speed| value * speed).ok_or_else(|| {
+            program::Feed::PerRevolution(value) => speed_rev_per_min.map(|speed| value * speed).ok_or_else(|| {
                 Fault::new("a feed per revolution needs the spindle speed").help("give SPINDL/RPM before it")
             }),
         }
     }
 
-    /// The F word of a stroke at `feed` mm/min.
-    pub(crate) fn pace(&self, feed: f64, stroke: Stroke) -> Result<Pace, Fault> {
+    /// F word and time of a motion at `feed`, mm/min.
+    pub(crate) fn pace(&self, feed: f64, motion: FeedMotion) -> Result<Pace, Fault> {
         let zero = |feed: f64| {
             Fault::new(format_args!("a feed of {feed} mm/min is written as F0"))
-                .help("check the unit of FEDRAT, or give F more decimals")
+                .help("check the unit of FEDRAT, or give F more decimals (`[formats] feed`)")
         };
         if feed.is_nan() || feed <= 0.0 {
             return Err(zero(feed));
         }
-        let programmed = self.programmed(feed, stroke);
-        let minutes = programmed.max(stroke.least).max(self.shortest).max(self.path(stroke) / self.largest);
-        let overflow = |_| Fault::new(format_args!("a feed of {feed} mm/min does not fit into a word"));
-        let (feed, word) = if stroke.turn == 0.0 && stroke.square {
-            // A way that is nothing but rounding is one unit of the words.
-            let slowed = if minutes > programmed { stroke.length.max(self.still) / minutes } else { feed };
-            let feed = feed.min(slowed).min(self.largest);
-            let word = Decimal::fixed(feed / self.length_unit * self.per_length, self.decimals).map_err(overflow)?;
+        let programmed_min = self.programmed_min(feed, motion);
+        let least_min = motion.axis_time_min.max(self.shortest_block_min);
+        let time_min = programmed_min.max(least_min).max(self.path_length(motion) / self.largest_mm_per_min);
+        let overflow = |_| Fault::new(format_args!("a feed of {feed} mm/min is too large for an F word"));
+        let (feed, word) = if motion.rotation_rad == 0.0 && motion.orthogonal {
+            // A motion of nothing but rounding counts as one unit of the words.
+            let length_mm = motion.length_mm.max(self.smallest_length_mm);
+            let slowed = if time_min > programmed_min { length_mm / time_min } else { feed };
+            let feed = feed.min(slowed).min(self.largest_mm_per_min);
+            let word =
+                Decimal::fixed(feed / self.unit_mm * self.feed_per_unit, self.feed_decimals).map_err(overflow)?;
             (FeedWord::PerMinute(word), word)
         } else {
-            let inverse = |time: f64| Decimal::significant(1.0 / time, self.digits).map_err(overflow);
-            let along = |path: f64| Decimal::fixed(path / minutes, self.decimals).map_err(overflow);
+            let inverse = |time: f64| Decimal::significant(1.0 / time, self.inverse_time_digits).map_err(overflow);
+            let along = |path: f64| Decimal::fixed(path / time_min, self.feed_decimals).map_err(overflow);
             // Degrees have no unit of length.
-            let lengths = stroke.linear > 0.0 && (!self.along_tip || stroke.length >= self.still);
-            let in_units = if lengths { self.per_length / self.length_unit } else { 1.0 };
-            match self.norm {
+            let lengths = motion.linear_mm > 0.0 && (!self.along_tip || motion.length_mm >= self.smallest_length_mm);
+            let in_units = if lengths { self.feed_per_unit / self.unit_mm } else { 1.0 };
+            match self.path_norm {
                 PathNorm::G93Minutes if !self.along_tip => {
-                    inverse(minutes).map(|word| (FeedWord::InverseTime(word), word))?
+                    inverse(time_min).map(|word| (FeedWord::InverseTime(word), word))?
                 }
                 PathNorm::G93Seconds if !self.along_tip => {
-                    inverse(minutes * 60.0).map(|word| (FeedWord::InverseTime(word), word))?
+                    inverse(time_min * 60.0).map(|word| (FeedWord::InverseTime(word), word))?
                 }
                 PathNorm::G93Minutes | PathNorm::G93Seconds | PathNorm::Xyz | PathNorm::XyzDegrees => {
-                    along(self.path(stroke) * in_units).map(|word| (FeedWord::PerMinute(word), word))?
+                    along(self.path_length(motion) * in_units).map(|word| (FeedWord::PerMinute(word), word))?
                 }
             }
         };
-        if word.value() >= self.bound {
-            return Err(Fault::new(format_args!("an F of {} has more digits than the control holds", word.value()))
-                .help(
-                    "`[feed] largest` or `shortest_block` slow such blocks down; `[formats] feed_whole` are the digits",
-                ));
+        if word.value() >= self.feed_bound {
+            let text = format!("F{} has more digits than an F word of this control", word.value());
+            return Err(Fault::new(text).help(
+                "`[feed] largest` or `shortest_block` slows such blocks down; `[formats] feed_whole` is the number of \
+                 digits before the decimal point",
+            ));
         }
         if word.units <= 0 {
-            return Err(zero(stroke.length / minutes));
+            return Err(zero(motion.length_mm / time_min));
         }
-        Ok(Pace { feed, minutes, slowed: minutes - programmed })
+        Ok(Pace { feed, time_min, slowed_min: time_min - programmed_min })
     }
 
-    /// What F counts along, mm; degrees where a rotary axis moves and no linear one does.
-    fn path(&self, stroke: Stroke) -> f64 {
-        let Stroke { length, linear, degrees, .. } = stroke;
-        match self.norm {
-            _ if stroke.turn == 0.0 && stroke.square => length,
-            _ if self.along_tip && length < self.still => degrees,
-            _ if self.along_tip => length,
-            PathNorm::G93Minutes | PathNorm::G93Seconds => length,
-            PathNorm::Xyz if linear > 0.0 => linear,
-            PathNorm::XyzDegrees if linear > 0.0 => linear.hypot(degrees),
-            PathNorm::Xyz | PathNorm::XyzDegrees => degrees,
+    /// Length of the path that F counts along, mm; in degrees where a rotary axis moves and no linear axis does.
+    fn path_length(&self, motion: FeedMotion) -> f64 {
+        let FeedMotion { length_mm, linear_mm, rotary_degrees, .. } = motion;
+        match self.path_norm {
+            _ if motion.rotation_rad == 0.0 && motion.orthogonal => length_mm,
+            _ if self.along_tip && length_mm < self.smallest_length_mm => rotary_degrees,
+            _ if self.along_tip => length_mm,
+            PathNorm::G93Minutes | PathNorm::G93Seconds => length_mm,
+            PathNorm::Xyz if linear_mm > 0.0 => linear_mm,
+            PathNorm::XyzDegrees if linear_mm > 0.0 => linear_mm.hypot(rotary_degrees),
+            PathNorm::Xyz | PathNorm::XyzDegrees => rotary_degrees,
         }
     }
 
-    /// Minutes of a stroke as the CL data asks for it.
-    fn programmed(&self, feed: f64, stroke: Stroke) -> f64 {
-        let minutes = stroke.length / feed;
-        let minutes = if stroke.length < self.still { minutes.max(stroke.turn / self.reorient_speed) } else { minutes };
-        // Where neither tip nor tool axis moves by a unit any time will do: a minute in a thousand is a short one.
-        if minutes > 0.0 { minutes } else { 1e-3 }
+    /// Time of a motion at the feed of the CL data, mm/min; where the tip rests, at the speed for reorientation.
+    fn programmed_min(&self, feed: f64, motion: FeedMotion) -> f64 {
+        let along_path = motion.length_mm / feed;
+        let time_min = if motion.length_mm < self.smallest_length_mm {
+            along_path.max(motion.rotation_rad / self.reorient_rad_per_min)
+        } else {
+            along_path
+        };
+        // Where neither tip nor tool axis moves by a unit, any time will do: a thousandth of a minute is short.
+        if time_min > 0.0 { time_min } else { 1e-3 }
     }
 }
 
@@ -191,48 +216,55 @@ mod tests {
         Feeds::new(Config::default().policy(), units, 1e-3, &abilities())
     }
 
-    fn stroke(length: f64, degrees: f64) -> Stroke {
-        Stroke { length, turn: degrees.to_radians(), square: true, least: 0.0, linear: length, degrees }
+    fn moved(length: f64, degrees: f64) -> FeedMotion {
+        FeedMotion {
+            length_mm: length,
+            rotation_rad: degrees.to_radians(),
+            linear_mm: length,
+            rotary_degrees: degrees,
+            orthogonal: true,
+            axis_time_min: 0.0,
+        }
     }
 
     #[test]
-    fn without_a_turn_f_is_length_per_minute() {
-        let word = |units| feeds(units).pace(254.0, stroke(10.0, 0.0)).map(|pace| pace.feed);
+    fn without_a_rotation_f_is_length_per_minute() {
+        let word = |units| feeds(units).pace(254.0, moved(10.0, 0.0)).map(|pace| pace.feed);
         assert_eq!(word(Units::Millimetres), Ok(FeedWord::PerMinute(Decimal { units: 254_000, decimals: 3 })));
         assert_eq!(word(Units::Inches), Ok(FeedWord::PerMinute(Decimal { units: 10_000, decimals: 3 })));
     }
 
     #[test]
-    fn with_a_turn_f_is_the_inverse_of_the_time_along_the_tip_path_in_any_unit() {
+    fn with_a_rotation_f_is_the_inverse_of_the_time_along_the_tip_path_in_any_unit() {
         for units in [Units::Millimetres, Units::Inches] {
-            let pace = feeds(units).pace(300.0, stroke(7.0, 2.0)).expect("a pace");
+            let pace = feeds(units).pace(300.0, moved(7.0, 2.0)).expect("a pace");
             let FeedWord::InverseTime(word) = pace.feed else { panic!("inverse time") };
-            assert_eq!((pace.minutes, pace.slowed), (7.0 / 300.0, 0.0));
+            assert_eq!((pace.time_min, pace.slowed_min), (7.0 / 300.0, 0.0));
             assert_eq!((word.units, word.decimals), (428_571, 4));
         }
     }
 
     #[test]
-    fn a_tip_that_stands_still_takes_its_time_from_the_rotary() {
-        let pace = feeds(Units::Millimetres).pace(300.0, stroke(0.0, 90.0)).expect("a pace");
+    fn a_tip_that_rests_takes_its_time_from_the_rotary() {
+        let pace = feeds(Units::Millimetres).pace(300.0, moved(0.0, 90.0)).expect("a pace");
         let FeedWord::InverseTime(word) = pace.feed else { panic!("inverse time") };
         assert!((word.value() - 20.0).abs() < 1e-9, "90° at 1800 °/min take a twentieth of a minute: {word:?}");
     }
 
     #[test]
     fn a_feed_that_rounds_to_zero_is_refused() {
-        assert!(feeds(Units::Millimetres).pace(0.000_4, stroke(1.0, 0.0)).is_err());
-        assert!(feeds(Units::Millimetres).pace(0.0, stroke(1.0, 1.0)).is_err());
-        assert!(feeds(Units::Millimetres).pace(-5.0, stroke(1.0, 0.0)).is_err());
-        assert!(feeds(Units::Millimetres).pace(f64::NAN, stroke(1.0, 0.0)).is_err());
+        assert!(feeds(Units::Millimetres).pace(0.000_4, moved(1.0, 0.0)).is_err());
+        assert!(feeds(Units::Millimetres).pace(0.0, moved(1.0, 1.0)).is_err());
+        assert!(feeds(Units::Millimetres).pace(-5.0, moved(1.0, 0.0)).is_err());
+        assert!(feeds(Units::Millimetres).pace(f64::NAN, moved(1.0, 0.0)).is_err());
     }
 
     #[test]
-    fn a_block_that_goes_nowhere_has_an_f_where_blocks_are_stretched() {
+    fn a_block_without_motion_has_an_f_where_blocks_have_a_shortest_time() {
         let mut config = Config::default();
-        config.motion.feed.shortest_block = 0.12;
+        config.motion.feed.shortest_block_s = 0.12;
         let feeds = Feeds::new(config.policy(), Units::Millimetres, 1e-3, &abilities());
-        let word = |length| feeds.pace(500.0, stroke(length, 0.0)).map(|pace| pace.feed);
+        let word = |length| feeds.pace(500.0, moved(length, 0.0)).map(|pace| pace.feed);
         // One unit of the words in two thousandths of a minute.
         assert_eq!(word(0.0), Ok(FeedWord::PerMinute(Decimal { units: 500, decimals: 3 })));
         assert_eq!(word(0.0004), word(0.0));
@@ -242,32 +274,32 @@ mod tests {
 
     #[test]
     fn a_block_is_slowed_by_exactly_what_an_axis_needs() {
-        let slow = |degrees| Stroke { least: 0.25, ..stroke(10.0, degrees) };
+        let slow = |degrees| FeedMotion { axis_time_min: 0.25, ..moved(10.0, degrees) };
         let pace = feeds(Units::Millimetres).pace(100.0, slow(30.0)).expect("a pace");
-        assert_eq!((pace.minutes, pace.slowed), (0.25, 0.25 - 0.1));
+        assert_eq!((pace.time_min, pace.slowed_min), (0.25, 0.25 - 0.1));
         assert_eq!(pace.feed, FeedWord::InverseTime(Decimal { units: 400_000, decimals: 5 }));
-        // Without a turn F per minute goes down.
+        // Without a rotation F per minute goes down.
         let pace = feeds(Units::Millimetres).pace(100.0, slow(0.0)).expect("a pace");
         assert_eq!(pace.feed, FeedWord::PerMinute(Decimal { units: 40_000, decimals: 3 }));
         let fast = feeds(Units::Millimetres).pace(20.0, slow(30.0)).expect("a pace");
-        assert_eq!((fast.minutes, fast.slowed), (0.5, 0.0));
+        assert_eq!((fast.time_min, fast.slowed_min), (0.5, 0.0));
     }
 
     #[test]
     fn the_largest_feed_and_the_shortest_block_of_a_control_are_kept() {
         let mut config = Config::default();
-        config.motion.feed.largest = Some(5000.0);
-        config.motion.feed.shortest_block = 0.006;
+        config.motion.feed.largest_mm_per_min = Some(5000.0);
+        config.motion.feed.shortest_block_s = 0.006;
         let feeds = Feeds::new(config.policy(), Units::Millimetres, 1e-3, &abilities());
-        let pace = feeds.pace(20_000.0, stroke(10.0, 0.0)).expect("a pace");
+        let pace = feeds.pace(20_000.0, moved(10.0, 0.0)).expect("a pace");
         assert_eq!(pace.feed, FeedWord::PerMinute(Decimal { units: 5_000_000, decimals: 3 }));
-        let pace = feeds.pace(4000.0, stroke(0.1, 1.0)).expect("a pace");
-        assert!((pace.minutes - 1e-4).abs() < 1e-12 && pace.slowed > 0.0, "{pace:?}");
-        // A way that is nothing but rounding, too.
-        config.motion.feed.shortest_block = 0.0;
+        let pace = feeds.pace(4000.0, moved(0.1, 1.0)).expect("a pace");
+        assert!((pace.time_min - 1e-4).abs() < 1e-12 && pace.slowed_min > 0.0, "{pace:?}");
+        // A motion of nothing but rounding, too.
+        config.motion.feed.shortest_block_s = 0.0;
         let feeds = Feeds::new(config.policy(), Units::Millimetres, 1e-3, &abilities());
         for length in [0.0, 1e-5, 3e-4] {
-            let pace = feeds.pace(20_000.0, stroke(length, 0.0)).expect("a pace");
+            let pace = feeds.pace(20_000.0, moved(length, 0.0)).expect("a pace");
             assert!(matches!(pace.feed, FeedWord::PerMinute(word) if word.value() <= 5000.0), "{length}: {pace:?}");
         }
     }
@@ -279,7 +311,7 @@ mod tests {
     }
 
     #[test]
-    fn without_inverse_time_f_counts_what_the_control_counts() {
+    fn without_inverse_time_f_counts_along_the_path_of_the_control() {
         let write = |word, prefix: &str| {
             let mut text = prefix.as_bytes().to_vec();
             crate::nc::write_decimal(&mut text, word);
@@ -289,7 +321,9 @@ mod tests {
             let abilities = Abilities { path_norm: norm, feed_per_inch: per_length, ..abilities() };
             let feeds = Feeds::new(Config::default().policy(), units, 1e-3, &abilities);
             // A tenth of a minute along the tip path.
-            let pace = feeds.pace(100.0, Stroke { linear, degrees, ..stroke(10.0, 4.0) }).expect("a pace");
+            let pace = feeds
+                .pace(100.0, FeedMotion { linear_mm: linear, rotary_degrees: degrees, ..moved(10.0, 4.0) })
+                .expect("a pace");
             match pace.feed {
                 FeedWord::PerMinute(word) => write(word, "F"),
                 FeedWord::InverseTime(word) => write(word, "inverse F"),
@@ -313,7 +347,7 @@ mod tests {
         };
         let pace = |feed_whole| {
             Feeds::new(config(feed_whole).policy(), Units::Millimetres, 1e-3, &abilities())
-                .pace(10_000.0, stroke(5.0, 0.0))
+                .pace(10_000.0, moved(5.0, 0.0))
         };
         assert!(pace(5).is_ok());
         assert!(pace(4).is_err());

@@ -1,9 +1,9 @@
-//! Holes: by a cycle of the control where it means the same, else level by level.
+//! Holes, written as a cycle of the control where it moves the tool in the same way, else as single motions.
 //!
-//! However it is made, the tool goes over to a hole at its own level or at the clearance level, whichever is higher, comes
-//! down along its axis, and ends at the level where the CL data wants it. A cycle is used where the tool axis is Z of the
-//! program and the control has a cycle for just these steps; what it cannot say (a first step unlike the others, a stated
-//! way back) is written as motions. A thread is never: spindle and feed are in step only in a cycle.
+//! In both forms the tool moves over the hole at its present level or at the clearance level, whichever is higher, comes
+//! down along its axis, and ends at the return level of the CL data. A cycle is used where the tool axis is Z of the program
+//! and the control has a cycle with just these steps. A hole that differs from all cycles (a first step unlike the others, a
+//! programmed retract between steps) is written as motions. A thread never is: only a cycle synchronises spindle and feed.
 
 use crate::kinematics::Pose;
 use crate::motion::options::{CycleOutput, Mode};
@@ -12,32 +12,32 @@ use crate::program::{Drilling, Feed as Programmed, Hole, Move, Rotation};
 
 use crate::motion::fault::{Fault, Planned};
 use crate::motion::place::AxisPosition;
-use crate::motion::plan::feed::{Feeds, Stroke};
-use crate::motion::plan::{Ahead, Planner, records};
+use crate::motion::plan::feed::{FeedMotion, Feeds};
+use crate::motion::plan::{MotionAndNext, Planner, records};
 use crate::motion::source::{Begins, MotionIndex, Next};
-use crate::motion::step::Why;
+use crate::motion::step::BlockReason;
+use crate::motion::step::{AxisWords, FeedWord, Sink, Step};
 use crate::motion::step::{CannedCycle, CannedKind};
-use crate::motion::step::{FeedWord, Sink, Step, Words};
 
-/// More steps than this are no drilling.
+/// Largest number of steps of a hole.
 const MOST_STEPS: u32 = 10_000;
 
-/// Levels closer than this are the same, mm.
+/// Largest distance between equal levels, mm.
 const SAME_LEVEL: f64 = 1e-9;
 
-/// What a pitch may be off by its rounding, of the whole: 4 µm in a thread 20 mm long.
+/// Largest relative rounding of a pitch: 4 µm in a thread 20 mm long.
 const PITCH: f64 = 2e-4;
 
-/// What F of a thread may be off pitch times speed by its rounding, of the whole.
+/// Largest relative deviation of the F of a thread from pitch times speed, by its rounding.
 const THREAD_FEED: f64 = 1e-4;
 
-/// A cycle, and where the tool stands behind it.
-type Found = (CannedCycle, AxisPosition);
+/// A cycle, and the place at its end.
+type CycleAndEnd = (CannedCycle, AxisPosition);
 
-/// Why there is no cycle.
+/// Reason why a hole is not written as a cycle.
 type NoCycle = &'static str;
 
-/// The boxes that the tip fills over a hole and in it, each its lowest and its highest corner, mm.
+/// Boxes that the tip fills above a hole and in it, each as its lowest and its highest corner, mm.
 pub(crate) fn hole_extent(hole: &Hole) -> [[[f64; 3]; 2]; 2] {
     let between = |low: f64, high: f64| {
         let (a, b) = (hole.level(low).tip, hole.level(high).tip);
@@ -46,7 +46,7 @@ pub(crate) fn hole_extent(hole: &Hole) -> [[[f64; 3]; 2]; 2] {
     [between(hole.clearance_mm, hole.return_mm), between(-hole.depth_mm, 0.0)]
 }
 
-/// The depths at which the steps of a hole end, in their order.
+/// Depths at which the steps of a hole end, in order, mm.
 fn steps(hole: &Hole) -> Result<impl Iterator<Item = f64>, Fault> {
     let (first, later) = match hole.drilling {
         Drilling::Peck { first_mm: first, later_mm: later } => (first, later),
@@ -59,12 +59,12 @@ fn steps(hole: &Hole) -> Result<impl Iterator<Item = f64>, Fault> {
         return Err(Fault::new(text).help("check the step of the cycle and its unit"));
     }
     let depth = hole.depth_mm;
-    // A last step of nothing but rounding is part of the one before.
+    // A last step of nothing but rounding is part of the step before it.
     let reached = move |done: f64| if done > depth - SAME_LEVEL { depth } else { done };
     Ok(std::iter::successors(Some(reached(first)), move |done| (*done < depth).then(|| reached(done + later))))
 }
 
-/// A hole from wherever the tool is.
+/// Plans a hole from the present position of the tool.
 #[cold]
 pub(crate) fn hole<S: Sink>(planner: &mut Planner<'_, S>, hole: &Hole, index: MotionIndex) -> Planned {
     planner.cutter.check_hole()?;
@@ -81,7 +81,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
     fn run(&mut self, index: MotionIndex) -> Planned {
         let over = self.hole.rapid_to_clearance();
         let bottom = Move { pose: self.hole.level(-self.hole.depth_mm), rapid: false, feed: self.hole.feed };
-        let ahead = Ahead { motion: &over, next: Next::Motion(bottom.pose) };
+        let ahead = MotionAndNext { motion: &over, next: Next::Motion(bottom.pose) };
         if index.begins == Begins::Nothing {
             self.reach(ahead, index)?;
         } else {
@@ -94,27 +94,27 @@ impl<S: Sink> HoleRun<'_, '_, S> {
                 return Ok(());
             }
         }
-        self.planner.mover.output_mut().because(Why::Hole);
+        self.planner.mover.output_mut().set_reason(BlockReason::Hole);
         self.planner.check_state(&bottom)?;
         match self.cycle()? {
             Ok((cycle, back)) => self.run_cycle(&cycle, back),
             Err(why) if matches!(self.hole.drilling, Drilling::Tap { .. }) => {
                 let text =
-                    format!("a thread needs spindle and feed in step, which only a cycle of the control does: {why}");
-                Err(Fault::new(text).help("take the tapping out of the CL data and program it at the control").into())
+                    format!("tapping synchronises spindle and feed, which only a cycle of the control does: {why}");
+                Err(Fault::new(text).help("remove the tapping from the CL data and program it at the control").into())
             }
             Err(_) => self.run_by_motions(),
         }
     }
 
-    /// Turns the rotary axes for the hole; a tool that is lower than its clearance level is lifted to it.
-    fn reach(&mut self, ahead: Ahead<'_>, index: MotionIndex) -> Planned {
+    /// Rotates the rotary axes for the hole; a tool below the clearance level is lifted to it.
+    fn reach(&mut self, ahead: MotionAndNext<'_>, index: MotionIndex) -> Planned {
         let over = ahead.motion;
         self.planner.stop_spindle()?;
         self.planner.check_state(over)?;
-        let planned = self.planner.changes(over, index)?;
+        let planned = self.planner.apply_course_changes(over, index)?;
         let place = self.planner.mover.place(&over.pose, false, planned)?;
-        if self.planner.mover.turns(&place) {
+        if self.planner.mover.rotates(&place) {
             return self.planner.go(ahead, planned);
         }
         let lift = self.hole.clearance_mm - self.height();
@@ -125,14 +125,14 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         Ok(())
     }
 
-    /// Height of the tool over the top of the hole, mm.
+    /// Height of the tool above the top of the hole, mm.
     fn height(&self) -> f64 {
         (self.planner.mover.position().pose().tip - self.hole.top.tip).dot(&self.hole.top.axis)
     }
 
-    /// A motion along the hole, which turns nothing.
+    /// A motion along the hole, without rotation.
     fn go(&mut self, motion: &Move) -> Planned {
-        self.planner.go(Ahead { motion, next: Next::None }, None)
+        self.planner.go(MotionAndNext { motion, next: Next::None }, None)
     }
 
     /// A rapid to a level of the hole.
@@ -145,7 +145,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         self.go(&Move { pose: self.hole.level(height), rapid: false, feed: self.hole.feed })
     }
 
-    /// The hole, level by level.
+    /// Writes the hole as single motions.
     fn run_by_motions(&mut self) -> Planned {
         let hole = self.hole;
         self.rapid_to(self.height().max(hole.clearance_mm))?;
@@ -162,7 +162,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
                     | Drilling::Peck { .. }
                     | Drilling::Drill
                     | Drilling::Ream
-                    | Drilling::Tap { .. } => self.planner.policy.options.defaults.peck_gap,
+                    | Drilling::Tap { .. } => self.planner.policy.options.defaults.peck_gap_mm,
                 };
                 self.rapid_to((back - before).min(hole.clearance_mm))?;
             }
@@ -178,14 +178,14 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         self.rapid_to(hole.return_mm)
     }
 
-    /// The cycle of the hole and where it ends, or why there is none.
-    fn cycle(&mut self) -> Result<Result<Found, NoCycle>, Fault> {
+    /// The cycle of the hole and the place at its end, or the reason why there is none.
+    fn cycle(&mut self) -> Result<Result<CycleAndEnd, NoCycle>, Fault> {
         let (hole, policy) = (self.hole, self.planner.policy);
         if policy.options.cycles.output == CycleOutput::Expanded {
-            return Ok(Err("`[cycles]` asks for motions"));
+            return Ok(Err("`[cycles] output` is \"expanded\""));
         }
-        if policy.options.lift.is_some() {
-            return Ok(Err("a dry run has no cycles"));
+        if policy.options.lift_mm.is_some() {
+            return Ok(Err("a dry run writes no cycles"));
         }
         if policy.options.mode == Mode::Tcp {
             return Ok(Err("there are no cycles under tip control"));
@@ -193,7 +193,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         let here = *self.planner.mover.here();
         let placer = self.planner.mover.placer();
         let Some((chain, map)) = placer.orthogonal_map(&here) else {
-            return Ok(Err("the program has no square coordinates here"));
+            return Ok(Err("the coordinates of the program are not orthogonal here"));
         };
         let along = map * hole.top.axis.into_inner();
         let reach = hole.depth_mm + hole.return_mm.max(hole.clearance_mm);
@@ -212,46 +212,46 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         let [clearance, bottom, back] = places.map(|place| placer.written(&place));
         let [x, y, z] = chain;
         if [x, y].iter().any(|&axis| clearance[axis] != bottom[axis]) {
-            return Ok(Err("the hole is not along Z in the words of the program"));
+            return Ok(Err("the rounded words of the hole are not parallel to Z"));
         }
-        let words = Words { units: clearance, mask: 1 << x | 1 << y, vector: None };
+        let words = AxisWords { units: clearance, mask: 1 << x | 1 << y, vector: None };
         let [surface, clearance, bottom, back] = [surface, clearance, bottom, back].map(|written| written[z]);
         let dwell = hole.dwell.map(|dwell| self.planner.spindle.seconds(dwell)).transpose()?;
         let feed = self.feed(kind, &places[0])?;
         let cycle = CannedCycle { kind, words, z, surface, clearance, bottom, back, dwell, feed };
-        let unsaid = self.unsaid(&cycle)?;
-        Ok(unsaid.map_or(Ok((cycle, places[2])), Err))
+        let mismatch = self.mismatch(&cycle)?;
+        Ok(mismatch.map_or(Ok((cycle, places[2])), Err))
     }
 
-    /// What the words of a cycle would say otherwise than the hole is.
-    fn unsaid(&self, cycle: &CannedCycle) -> Result<Option<NoCycle>, Fault> {
+    /// Difference between a cycle as the control executes it and the hole.
+    fn mismatch(&self, cycle: &CannedCycle) -> Result<Option<NoCycle>, Fault> {
         let can = self.planner.abilities.cycles;
         if !(cycle.bottom < cycle.surface && cycle.surface <= cycle.clearance && cycle.clearance <= cycle.back) {
-            return Ok(Some("its levels are not in their order"));
+            return Ok(Some("the levels of the hole are not in order"));
         }
-        if cycle.dwell.is_some_and(|seconds| seconds * 1e3 > f64::from(can.longest_dwell)) {
-            return Ok(Some("the wait is too long for it"));
+        if cycle.dwell.is_some_and(|seconds| seconds * 1e3 > f64::from(can.longest_dwell_ms)) {
+            return Ok(Some("the dwell is too long for the cycle"));
         }
         if let CannedKind::Peck { step, gap } | CannedKind::ChipBreak { step, gap } = cycle.kind
-            && can.states_gap
+            && can.programs_gap
         {
             let depth = cycle.surface - cycle.bottom;
             let as_many = steps(self.hole)?.count() as i64 == (depth + step - 1) / step;
-            let whole = !can.whole_steps || depth % step == 0;
+            let whole = !can.whole_steps_only || depth % step == 0;
             let in_hole = gap > 0 && gap <= step + cycle.clearance - cycle.surface;
-            return Ok((!(as_many && whole && in_hole)).then_some("its steps are not those of this control"));
+            return Ok((!(as_many && whole && in_hole)).then_some("the cycle of this control drills in other steps"));
         }
         Ok(None)
     }
 
-    /// What the control's cycle would be, or why it has none that means the same.
+    /// Kind of the cycle for the hole, or the reason why the control has none that moves the tool in the same way.
     fn kind(&self) -> Result<Result<CannedKind, NoCycle>, Fault> {
         let (hole, can) = (self.hole, self.planner.abilities.cycles);
         let higher = hole.return_mm - hole.clearance_mm > SAME_LEVEL;
         let units = |mm: f64| (mm / self.planner.mover.placer().unit_mm()).round() as i64;
         let no_dwell = hole.dwell.is_none();
-        let steps_wait = no_dwell || can.steps_dwell;
-        let usual_gap = self.planner.policy.options.defaults.peck_gap;
+        let steps_wait = no_dwell || can.peck_dwell;
+        let usual_gap = self.planner.policy.options.defaults.peck_gap_mm;
         Ok(match hole.drilling {
             Drilling::Drill if can.drill => Ok(CannedKind::Drill),
             Drilling::Ream if can.ream && (can.ream_higher || !higher) => Ok(CannedKind::Ream),
@@ -261,46 +261,47 @@ impl<S: Sink> HoleRun<'_, '_, S> {
                 Ok(CannedKind::Peck { step: units(later), gap: units(usual_gap) })
             }
             Drilling::ChipBreak { step_mm: step, retract_mm: back }
-                if can.chip_break && steps_wait && units(step) > 0 && (can.states_gap || back.is_none()) =>
+                if can.chip_break && steps_wait && units(step) > 0 && (can.programs_gap || back.is_none()) =>
             {
                 Ok(CannedKind::ChipBreak { step: units(step), gap: units(back.unwrap_or(usual_gap)) })
             }
-            Drilling::Tap { .. } if !can.tap => Err("this control has none here"),
+            Drilling::Tap { .. } if !can.tap => Err("this control has no tapping cycle here"),
             Drilling::Tap { .. } if !no_dwell && !can.tap_dwell => {
-                Err("that of this control does not wait at the bottom")
+                Err("the tapping cycle of this control has no dwell at the bottom")
             }
             Drilling::Tap { pitch_mm: pitch } => Ok(self.thread(pitch)?),
             Drilling::Drill | Drilling::Ream | Drilling::Peck { .. } | Drilling::ChipBreak { .. } => {
-                Err("no cycle of this control does the same")
+                Err("no cycle of this control moves the tool in the same way")
             }
         })
     }
 
-    /// A thread at the speed as it is written.
+    /// The tapping cycle at the spindle speed as written.
     fn thread(&self, pitch: Option<f64>) -> Result<CannedKind, Fault> {
-        let Some((turns, rotation)) = self.planner.spindle.turning() else {
-            return Err(Fault::new("a thread with the spindle off").help("give SPINDL/ON before it"));
+        let Some((rev_per_min, rotation)) = self.planner.spindle.running() else {
+            return Err(Fault::new("tapping with the spindle off").help("give SPINDL/ON before it"));
         };
         let stated = match self.hole.feed {
             Some(Programmed::PerRevolution(pitch)) => Some(pitch),
-            Some(Programmed::PerMinute(feed)) => Some(feed / turns),
+            Some(Programmed::PerMinute(feed)) => Some(feed / rev_per_min),
             None => None,
         };
         let pitch = pitch.or(stated).filter(|pitch| *pitch > 0.0);
         let pitch = pitch.ok_or_else(|| {
-            Fault::new("the pitch of this thread is not known").help("give the feed of the cycle per turn (MMPR, IPR)")
+            Fault::new("the pitch of this thread is unknown")
+                .help("give the feed of the cycle per revolution (MMPR, IPR)")
         })?;
-        let too_large = |_| Fault::new("the pitch or the speed of this thread does not fit into a word");
-        let exact = pitch / self.planner.mover.feeds().length_unit();
+        let too_large = |_| Fault::new("the pitch or the spindle speed of this thread is too large for a word");
+        let exact = pitch / self.planner.mover.feeds().unit_mm();
         let pitch = Decimal::fixed(exact, self.planner.abilities.cycles.pitch_decimals).map_err(too_large)?;
         if (pitch.value() / exact - 1.0).abs() > PITCH {
             let fault = Fault::new(format_args!("the pitch of this thread, {exact}, has too many digits for a word"));
-            return Err(fault.help("`output_units` of the drawing give a pitch that fits"));
+            return Err(fault.help("set `output_units` to the units of the drawing, in which the pitch is exact"));
         }
         Ok(CannedKind::Tap {
             pitch,
             left: rotation == Rotation::CounterClockwise,
-            speed: Decimal::fixed(turns, self.planner.policy.formats.speed).map_err(too_large)?,
+            speed: Decimal::fixed(rev_per_min, self.planner.policy.formats.speed).map_err(too_large)?,
         })
     }
 
@@ -308,26 +309,26 @@ impl<S: Sink> HoleRun<'_, '_, S> {
     fn feed(&self, kind: CannedKind, over: &AxisPosition) -> Result<Decimal, Fault> {
         let (hole, feeds) = (self.hole, self.planner.mover.feeds());
         let per_minute = match kind {
-            CannedKind::Tap { pitch, speed, .. } => pitch.value() * feeds.length_unit() * speed.value(),
+            CannedKind::Tap { pitch, speed, .. } => pitch.value() * feeds.unit_mm() * speed.value(),
             CannedKind::Drill | CannedKind::Peck { .. } | CannedKind::ChipBreak { .. } | CannedKind::Ream => {
                 let feed = hole.feed.ok_or_else(|| Fault::new("a hole without feed"))?;
                 Feeds::per_minute(feed, self.planner.spindle.speed())?
             }
         };
         let length = hole.clearance_mm + hole.depth_mm;
-        let least = self.planner.mover.placer().least_minutes_of_tip(length, over);
-        let stroke = Stroke { length, turn: 0.0, square: true, linear: length, degrees: 0.0, least };
-        let pace = feeds.pace(per_minute, stroke)?;
+        let axis_time_min = self.planner.mover.placer().least_minutes_of_tip(length, over);
+        let motion = FeedMotion::linear(length, axis_time_min);
+        let pace = feeds.pace(per_minute, motion)?;
         let FeedWord::PerMinute(word) = pace.feed else {
-            return Err(Fault::new("a cycle has no feed in inverse time"));
+            return Err(Fault::new("a cycle cannot have a feed in inverse time"));
         };
         if let CannedKind::Tap { .. } = kind
-            && (pace.slowed > 0.0
-                || self.planner.abilities.cycles.tap_feed
+            && (pace.slowed_min > 0.0
+                || self.planner.abilities.cycles.tap_uses_feed
                     && (feeds.mm_per_minute(word) / per_minute - 1.0).abs() > THREAD_FEED)
         {
             return Err(Fault::new(format_args!(
-                "a thread needs a feed of {per_minute} mm/min, which cannot be written or is beyond an axis"
+                "this thread needs a feed of {per_minute} mm/min, which F cannot express or an axis cannot reach"
             ))
             .help("give another spindle speed"));
         }
@@ -341,8 +342,8 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         let here = self.planner.mover.placer().written(self.planner.mover.here());
         let height = self.height().max(hole.clearance_mm);
         self.planner.mover.watch_plunge(&hole.level(height), &hole.level(hole.clearance_mm));
-        if cycle.back != cycle.clearance && here[cycle.z] != cycle.back && !can.own_return {
-            // Such a cycle goes back to where it began.
+        if cycle.back != cycle.clearance && here[cycle.z] != cycle.back && !can.returns_to_any_level {
+            // Such a cycle returns to the level at which it began.
             self.rapid_to(height)?;
             self.rapid_to(hole.return_mm)?;
         }
@@ -353,15 +354,15 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         output.cancel_inverse_time()?;
         output.times_mut().cut(if both_ways { 2.0 * minutes } else { minutes });
         output.times_mut().wait(cycle.dwell.unwrap_or(0.0) / 60.0);
-        output.because(Why::Record);
+        output.set_reason(BlockReason::Record);
         mover.write_motion(&Step::Cycle { cycle }, &back)?;
         mover.output_mut().statistics_mut().cycles += 1;
         if let CannedKind::Tap { .. } = cycle.kind {
-            self.planner.spindle.after_thread(can.tap_stops);
+            self.planner.spindle.note_thread(can.tap_stops_spindle);
         }
         let bottom = hole.level(-hole.depth_mm);
         let position = mover.position_mut();
-        position.cut(&bottom);
+        position.note_cut(&bottom);
         position.forget_lead_out();
         position.follow(&bottom, &back.pose);
         mover.arrive(back);

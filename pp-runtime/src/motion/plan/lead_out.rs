@@ -1,39 +1,39 @@
-//! How far the CL data has led the tool out along its axis.
+//! Lead-out of the CL data: length by which its last motions led the tool out along its axis.
 
 use crate::kinematics::Pose;
 
-/// A motion within this angle of the tool axis leads along it, rad.
+/// Largest angle between the tool axis and a motion along it, rad.
 const ALONG: f64 = 1e-3;
 
-/// Motions shorter than this say nothing about a direction, mm.
+/// Motions shorter than this have no direction, mm.
 const SHORTEST: f64 = 1e-9;
 
-/// Running length of the last motions along +axis; one number, whatever came before.
+/// Running length of the last motions along the positive tool axis.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct LeadOut {
-    length: f64,
+    length_mm: f64,
 }
 
 impl LeadOut {
-    /// mm along the tool axis since the last motion in any other direction.
-    pub(crate) fn length(self) -> f64 {
-        self.length
+    /// Length along the tool axis since the last motion in any other direction, mm.
+    pub(crate) fn length_mm(self) -> f64 {
+        self.length_mm
     }
 
-    /// Follows one motion.
+    /// Takes one motion.
     #[inline]
     pub(crate) fn follow(&mut self, from: &Pose, to: &Pose) {
         if (to.axis.into_inner() - from.axis.into_inner()).norm_squared() > ALONG * ALONG {
-            self.length = 0.0;
+            self.length_mm = 0.0;
             return;
         }
         let step = to.tip - from.tip;
         let along = step.dot(&to.axis);
         let across = (step - to.axis.into_inner() * along).norm();
         if along > SHORTEST && across <= ALONG * along {
-            self.length += along;
+            self.length_mm += along;
         } else if along.abs() > SHORTEST || across > SHORTEST {
-            self.length = 0.0;
+            self.length_mm = 0.0;
         }
     }
 }
@@ -51,7 +51,7 @@ mod tests {
         for pair in poses.windows(2) {
             lead_out.follow(&pair[0], &pair[1]);
         }
-        lead_out.length()
+        lead_out.length_mm()
     }
 
     #[test]

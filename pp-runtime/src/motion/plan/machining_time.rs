@@ -1,72 +1,72 @@
-//! How long a program takes: at the programmed feeds and the largest axis speeds, without acceleration.
+//! Machining times: at the programmed feeds and the largest axis speeds, without acceleration.
 
 use crate::program::Location;
 
-/// Operations whose times are kept one by one.
+/// Largest number of operations with a time of their own.
 const MOST_OPERATIONS: usize = 200;
 
-/// Bytes of an operation's name that are kept.
+/// Largest length of an operation's name, bytes.
 const NAME_LENGTH: usize = 60;
 
-/// The time of one operation, minutes.
+/// Time of one operation.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct OperationTime {
-    /// As the CL data names it; empty if it does not.
+    /// Name in the CL data; empty without one.
     pub name: Vec<u8>,
-    /// Where it begins.
+    /// Location of its beginning.
     pub at: Location,
     /// Feed motions.
-    pub cutting: f64,
-    /// Everything.
-    pub total: f64,
+    pub cutting_min: f64,
+    /// Feed motions, rapids and dwells.
+    pub total_min: f64,
 }
 
-/// A turn of a rotary axis in the cut.
+/// Rotation of a rotary axis in a cut.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct FastestTurn {
-    /// The axis.
+pub struct FastestRotation {
+    /// Letter of the axis.
     pub letter: char,
-    /// rad/min.
-    pub speed: f64,
-    /// Where.
+    /// Speed of the axis.
+    pub rad_per_min: f64,
+    /// Location of the motion.
     pub at: Location,
 }
 
-/// Times of a program, minutes.
+/// Times of a program.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Times {
     /// Feed motions.
-    pub cutting: f64,
+    pub cutting_min: f64,
     /// Rapids whose axes have known speeds.
-    pub rapid: f64,
-    /// Waits.
-    pub waiting: f64,
-    /// Rapids with an axis whose speed is not known: they count nothing.
-    pub unknown: u64,
+    pub rapid_min: f64,
+    /// Dwells.
+    pub dwell_min: f64,
+    /// Rapids with an axis of unknown speed; their time is not included.
+    pub rapids_of_unknown_speed: u64,
     /// Blocks that are slower than programmed.
-    pub slowed: u64,
-    /// By how much all of them together.
-    pub slowed_by: f64,
-    /// Where the first of them is.
-    pub slowed_first: Location,
-    /// The fastest turn that the CL data asks for, before axis speeds slow it down.
-    pub fastest: Option<FastestTurn>,
+    pub slowed_blocks: u64,
+    /// Time that these blocks lose together.
+    pub slowed_min: f64,
+    /// Location of the first of them.
+    pub first_slowed: Location,
+    /// Fastest rotation at the programmed feeds, before axis speeds limit it.
+    pub fastest: Option<FastestRotation>,
     /// The first operations, in their order.
     pub operations: Vec<OperationTime>,
     /// Operations that are not in the list.
-    pub others: u64,
+    pub unlisted_operations: u64,
 }
 
 impl Times {
-    /// Everything together.
+    /// Time of the whole program, min.
     #[must_use]
-    pub fn total(&self) -> f64 {
-        self.cutting + self.rapid + self.waiting
+    pub fn total_min(&self) -> f64 {
+        self.cutting_min + self.rapid_min + self.dwell_min
     }
 
     pub(crate) fn operation(&mut self, at: Location, name: &[u8]) {
         if self.operations.len() >= MOST_OPERATIONS {
-            self.others += 1;
+            self.unlisted_operations += 1;
             return;
         }
         let name = name[..name.len().min(NAME_LENGTH)].to_vec();
@@ -79,25 +79,25 @@ impl Times {
         *self = Self { operations: last.into_iter().collect(), ..Self::default() };
     }
 
-    /// Drops operations in which nothing has happened.
+    /// Drops operations without motion.
     pub(crate) fn forget_empty(&mut self) {
-        self.operations.retain(|operation| operation.total > 0.0);
+        self.operations.retain(|operation| operation.total_min > 0.0);
     }
 
     #[inline]
     fn add(&mut self, minutes: f64, cutting: bool) {
-        if self.others > 0 {
+        if self.unlisted_operations > 0 {
             return;
         }
         if let Some(operation) = self.operations.last_mut() {
-            operation.total += minutes;
-            operation.cutting += if cutting { minutes } else { 0.0 };
+            operation.total_min += minutes;
+            operation.cutting_min += if cutting { minutes } else { 0.0 };
         }
     }
 
     #[inline]
     pub(crate) fn cut(&mut self, minutes: f64) {
-        self.cutting += minutes;
+        self.cutting_min += minutes;
         self.add(minutes, true);
     }
 
@@ -105,30 +105,30 @@ impl Times {
     pub(crate) fn rapid(&mut self, minutes: Option<f64>) {
         match minutes {
             Some(minutes) => {
-                self.rapid += minutes;
+                self.rapid_min += minutes;
                 self.add(minutes, false);
             }
-            None => self.unknown += 1,
+            None => self.rapids_of_unknown_speed += 1,
         }
     }
 
     pub(crate) fn wait(&mut self, minutes: f64) {
-        self.waiting += minutes;
+        self.dwell_min += minutes;
         self.add(minutes, false);
     }
 
     #[inline]
-    pub(crate) fn turn(&mut self, letter: char, speed: f64, at: Location) {
-        if self.fastest.is_none_or(|fastest| speed > fastest.speed) {
-            self.fastest = Some(FastestTurn { letter, speed, at });
+    pub(crate) fn rotate(&mut self, letter: char, rad_per_min: f64, at: Location) {
+        if self.fastest.is_none_or(|fastest| rad_per_min > fastest.rad_per_min) {
+            self.fastest = Some(FastestRotation { letter, rad_per_min, at });
         }
     }
 
     pub(crate) fn slow(&mut self, at: Location, minutes: f64) {
-        if self.slowed == 0 {
-            self.slowed_first = at;
+        if self.slowed_blocks == 0 {
+            self.first_slowed = at;
         }
-        self.slowed += 1;
-        self.slowed_by += minutes;
+        self.slowed_blocks += 1;
+        self.slowed_min += minutes;
     }
 }

@@ -1,9 +1,8 @@
-//! The planner: items of the program into the steps of one machine.
+//! The planner: items of the program become the steps of one machine.
 //!
-//! What is to be done is decided here, motion by motion and record by record; [`Mover`] does it. Each part of the state has
-//! an owner: position (in the mover), tooling, spindle, coolant, clearance geometry, the course that is followed, cutter
-//! compensation, and the selection of operations. A fault gets the location of its item where the item is taken,
-//! [`Planner::take`], and nowhere below.
+//! Decides, motion by motion and record by record, what the machine does; [`Mover`] writes the motions. Each part of the
+//! state has one owner: position (in the mover), tooling, spindle, coolant, clearance geometry, course, cutter compensation,
+//! and the selection of operations. A fault gets the location of its item in [`Planner::take`] and nowhere else.
 
 mod abilities;
 mod arcs;
@@ -38,19 +37,19 @@ use crate::program::Units;
 use crate::program::{self, Location, Move};
 
 use crate::motion::course::{Course, CourseAction, CourseChange, CourseFollower};
-use crate::motion::fault::{Fault, Halt, Planned, Stop};
+use crate::motion::fault::{Fault, ItemError, Planned, PlanningError};
 use crate::motion::geometry::PathSegment;
 use crate::motion::rotary::{RotaryTarget, RotaryWords};
 use crate::motion::source::{Begins, ItemAction, LinePart, MotionIndex, Next, ProgramItem, Stage};
+use crate::motion::step::BlockReason;
 use crate::motion::step::Sink;
-use crate::motion::step::Why;
 
 pub use abilities::{Abilities, Registers};
 pub use clamps::MovingAxes;
 pub(crate) use hole::hole_extent;
-pub use machining_time::{FastestTurn, OperationTime, Times};
+pub use machining_time::{FastestRotation, OperationTime, Times};
 pub use proof::{ProofProgram, Sweep};
-pub use statistics::{Chorded, Statistics};
+pub use statistics::{ChordedArcs, Statistics};
 
 use clearance::ClearanceGeometry;
 use coolant::CoolantState;
@@ -66,7 +65,7 @@ use tooling::Tooling;
 pub struct Planner<'a, S> {
     policy: Policy<'a>,
     abilities: &'a Abilities,
-    /// Every tool axis of the CL data points into the table, and that is to be refused.
+    /// Every tool axis of the CL data points into the table, and `table_check` refuses that.
     upside_down: bool,
     mover: Mover<'a, S>,
     tooling: Tooling,
@@ -78,16 +77,16 @@ pub struct Planner<'a, S> {
     selection: Selection,
 }
 
-/// A motion, and the one after it where its approach may depend on that.
+/// A motion, and the next one where the approach depends on it.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Ahead<'m> {
+pub(crate) struct MotionAndNext<'m> {
     motion: &'m Move,
     next: Next,
 }
 
 impl<'a, S: Sink> Planner<'a, S> {
-    /// A planner at the beginning of a program that is written to `sink` in `units`. `upside_down`: every tool axis of the
-    /// CL data points into the table.
+    /// Begins a program in `units` that is written to `sink`. `upside_down`: every tool axis of the CL data points into the
+    /// table.
     pub fn new(
         machine: Box<dyn AnyMachine>,
         policy: Policy<'a>,
@@ -122,43 +121,43 @@ impl<'a, S: Sink> Planner<'a, S> {
     #[must_use]
     pub fn with_operations(mut self, wanted: Option<RangeInclusive<u64>>) -> Self {
         self.selection = Selection::of(wanted);
-        self.mover.output_mut().show(self.selection.shows());
+        self.mover.output_mut().show(self.selection.is_written());
         self
     }
 
-    /// Knows which tool follows which.
+    /// Sets the order of the tools, for the preselection of the next one.
     #[must_use]
     pub fn with_tools(mut self, order: Vec<u32>) -> Self {
         self.tooling.know_order(order);
         self
     }
 
-    /// Switches clamps as a rehearsal of the same program has found.
+    /// Sets the result of a rehearsal of the same program, which decides where clamps are on.
     #[must_use]
     pub fn with_clamps(mut self, rehearsed: MovingAxes) -> Self {
         self.mover.set_rehearsed(rehearsed);
         self
     }
 
-    /// What a rehearsal has found.
+    /// Result of a rehearsal: the axes that move after each approach.
     #[must_use]
     pub fn rehearsed(self) -> MovingAxes {
         self.mover.into_rehearsed()
     }
 
-    /// What was met so far.
+    /// Statistics so far.
     #[must_use]
     pub fn statistics(&self) -> Statistics {
         *self.mover.output().statistics()
     }
 
-    /// How long what was planned so far takes.
+    /// Machining times so far.
     #[must_use]
     pub fn times(&self) -> &Times {
         self.mover.output().times()
     }
 
-    /// Takes the remarks that have come up since the last call.
+    /// Takes the remarks since the last call.
     pub fn take_warnings(&mut self) -> Vec<Diagnostic> {
         self.mover.output_mut().take_remarks()
     }
@@ -170,28 +169,28 @@ impl<'a, S: Sink> Planner<'a, S> {
         self.mover.output().has_remarks()
     }
 
-    /// Linear axes whose limits could not be compared: letter and why.
+    /// Linear axes whose limits could not be checked: letter and reason.
     #[must_use]
     pub fn unchecked_axes(&self) -> Vec<(char, &'static str)> {
         self.mover.placer().unchecked_axes()
     }
 
-    /// What the steps are written to.
+    /// The sink of the steps.
     pub fn sink(&mut self) -> &mut S {
         self.mover.output_mut().sink()
     }
 
-    /// Ends the program after its last record; the end code itself is left to the caller.
+    /// Ends the program after its last record; the caller writes the end code.
     ///
     /// # Errors
-    /// [`Stop`] if there is no way to retract, or the output fails.
-    pub fn finish(&mut self, at: Location) -> Result<(), Stop> {
+    /// [`PlanningError`] if the tool cannot retract, or the output fails.
+    pub fn finish(&mut self, at: Location) -> Result<(), PlanningError> {
         self.end(at).map_err(|halt| halt.at(at))
     }
 
     /// A straight motion of the CL data.
     #[inline]
-    fn line(&mut self, ahead: Ahead<'_>, index: MotionIndex) -> Planned {
+    fn line(&mut self, ahead: MotionAndNext<'_>, index: MotionIndex) -> Planned {
         match index.begins {
             Begins::Nothing if self.cutter.is_idle() => self.run(ahead, index),
             Begins::Nothing => cutter::line(self, ahead, index),
@@ -200,42 +199,45 @@ impl<'a, S: Sink> Planner<'a, S> {
     }
 
     /// The first motion of an operation.
-    fn begin(&mut self, ahead: Ahead<'_>, index: MotionIndex) -> Planned {
-        self.mover.output_mut().because(Why::Record);
+    fn begin(&mut self, ahead: MotionAndNext<'_>, index: MotionIndex) -> Planned {
+        self.mover.output_mut().set_reason(BlockReason::Record);
         if self.mover.position().is_known() && self.policy.options.rapids.transition == Transition::Direct {
             self.prepare_directly(ahead.motion)?;
         }
-        let planned = self.changes(ahead.motion, index)?;
+        let planned = self.apply_course_changes(ahead.motion, index)?;
         self.spindle.begin_operation();
         self.mover.position_mut().begin_operation();
         self.start(ahead, index.operation, planned)
     }
 
-    /// What must be true before the tool moves to a point of the CL data.
+    /// Checks tool, spindle, feed and floor before the tool moves to a point of the CL data.
     #[inline]
     fn check_state(&self, motion: &Move) -> Result<(), Fault> {
-        if let Some(floor) = self.policy.options.guards.floor
+        if let Some(floor) = self.policy.options.guards.floor_mm
             && motion.pose.tip.z < floor
         {
             let tip = motion.pose.tip.z;
-            return Err(Fault::new(format_args!("the tip goes to Z {tip:.4} mm, below `floor` = {floor:.4} mm")));
+            let text = format!("the tool tip moves to Z {tip:.4} mm, below `floor` = {floor:.4} mm");
+            return Err(Fault::new(text).help("correct the depth in CAM, or lower `floor`"));
         }
         if self.tooling.current().is_none() {
             self.check_without_tool(motion)?;
         }
         if self.upside_down {
-            return Err(Fault::new("every tool axis of this program points into the table")
-                .help("is the frame upside down? Turn it in CAM or with `part_rotation`; `table_check = false` posts it as it is"));
+            return Err(Fault::new("every tool axis of this program points into the table").help(
+                "check whether the frame is upside down: rotate it in CAM or by `part_rotation`; `table_check = \
+                     false` posts it unchanged",
+            ));
         }
         if motion.rapid {
             return Ok(());
         }
-        if self.spindle.turning().is_none() {
+        if self.spindle.running().is_none() {
             return Err(if self.spindle.is_off_requested() {
                 Fault::new("a feed motion with the spindle off").help("give SPINDL/ON before it")
             } else {
-                Fault::new("a feed motion without spindle speed or direction since the tool was called").help(
-                    "give SPINDL/RPM,..,CLW behind the tool call, or speed and direction of the tool in the configuration",
+                Fault::new("a feed motion without spindle speed or direction since the tool call").help(
+                    "give SPINDL/RPM,..,CLW after the tool call, or `speed` and `direction` of the tool in the configuration",
                 )
             });
         }
@@ -247,16 +249,19 @@ impl<'a, S: Sink> Planner<'a, S> {
 
     fn check_without_tool(&self, motion: &Move) -> Result<(), Fault> {
         if self.mover.placer().has_rotary_head() {
-            return Err(Fault::new("a motion before the first tool, and this machine turns the tool about its head")
-                .help("call the tool first: LOADTL/1,LENGTH,120"));
+            return Err(Fault::new(
+                "a motion before the first tool call: this machine has a rotary axis in the head, so axis positions depend \
+                 on the tool length",
+            )
+            .help("call the tool first: LOADTL/1,LENGTH,120"));
         }
         if !motion.rapid {
-            return Err(Fault::new("a feed motion before the first tool").help("call a tool: LOADTL/1"));
+            return Err(Fault::new("a feed motion before the first tool call").help("call a tool: LOADTL/1"));
         }
         Ok(())
     }
 
-    /// The feed of a motion, mm/min.
+    /// Feed of a motion, mm/min.
     #[inline]
     fn rate(&self, feed: Option<program::Feed>) -> Result<f64, Fault> {
         let feed = feed.ok_or_else(|| Fault::new("a feed motion without feed"))?;
@@ -265,19 +270,19 @@ impl<'a, S: Sink> Planner<'a, S> {
 
     /// A motion inside an operation.
     #[inline]
-    fn run(&mut self, ahead: Ahead<'_>, index: MotionIndex) -> Planned {
+    fn run(&mut self, ahead: MotionAndNext<'_>, index: MotionIndex) -> Planned {
         self.stop_spindle()?;
         self.check_state(ahead.motion)?;
-        let planned = self.changes(ahead.motion, index)?;
+        let planned = self.apply_course_changes(ahead.motion, index)?;
         self.go(ahead, planned)
     }
 
-    /// A motion inside an operation of which the course has been asked.
+    /// A motion inside an operation, after the changes of its course.
     #[inline]
-    fn go(&mut self, ahead: Ahead<'_>, planned: Option<RotaryTarget>) -> Planned {
+    fn go(&mut self, ahead: MotionAndNext<'_>, planned: Option<RotaryTarget>) -> Planned {
         let motion = ahead.motion;
         if !motion.rapid && self.spindle.take_stopped_by_cycle() {
-            self.turn_spindle(true)?;
+            self.apply_spindle(true)?;
         }
         let place = self.mover.place(&motion.pose, !motion.rapid, planned)?;
         let before = self.mover.position().pose();
@@ -291,16 +296,16 @@ impl<'a, S: Sink> Planner<'a, S> {
             self.mover.rapid_as_configured(motion, &place)?;
         } else {
             self.mover.feed_to(&place, self.rate(motion.feed)?)?;
-            self.mover.position_mut().cut(&motion.pose);
+            self.mover.position_mut().note_cut(&motion.pose);
         }
         self.mover.position_mut().follow(&before, &motion.pose);
         self.mover.arrive(place);
         Ok(())
     }
 
-    /// Does what the course has before a motion begins, and gives the words in which it ends if the course has these, too.
+    /// Makes the course changes before a motion and returns the rotary words at its end, if the course has set them.
     #[inline]
-    fn changes(&mut self, motion: &Move, index: MotionIndex) -> Result<Option<RotaryTarget>, Halt> {
+    fn apply_course_changes(&mut self, motion: &Move, index: MotionIndex) -> Result<Option<RotaryTarget>, ItemError> {
         let (from, sense, mut planned) = (self.mover.position().pose(), self.course.take_sense(), None);
         while let Some(CourseChange { action, words, .. }) = self.course.change(index.motion) {
             match action {
@@ -308,31 +313,31 @@ impl<'a, S: Sink> Planner<'a, S> {
                 CourseAction::Rewind => rewind::rewind(self, motion, words)?,
                 CourseAction::RotateAtPole => self.cut_to(motion, self.mover.position().pose(), words)?,
                 CourseAction::SplitAt(part) => {
-                    let Some(way) = PathSegment::new(&from, &motion.pose) else { continue };
-                    self.cut_to(motion, way.at(part), words)?;
+                    let Some(path) = PathSegment::new(&from, &motion.pose) else { continue };
+                    self.cut_to(motion, path.at(part), words)?;
                 }
             }
         }
         if sense.is_some() && planned.is_none() {
-            return Err(no_way_round(motion.rapid || index.begins != Begins::Nothing).into());
+            return Err(sense_refused(motion.rapid || index.begins != Begins::Nothing).into());
         }
         Ok(planned)
     }
 
-    /// A cut on the path of a motion, to a pose that the CL data does not name.
+    /// Cuts along the path of a motion to a pose that is not in the CL data.
     fn cut_to(&mut self, motion: &Move, pose: Pose, words: RotaryWords) -> Planned {
         let place = self.mover.place(&pose, true, Some(RotaryTarget { words, sense: None }))?;
         let turned = place.words != self.mover.here().words;
         self.mover.output_mut().statistics_mut().inserted += u64::from(turned);
-        self.mover.output_mut().because(Why::Course);
+        self.mover.output_mut().set_reason(BlockReason::Course);
         self.mover.feed_to(&place, self.rate(motion.feed)?)?;
         self.mover.pass(&pose, place);
-        self.mover.output_mut().because(Why::Record);
+        self.mover.output_mut().set_reason(BlockReason::Record);
         Ok(())
     }
 
-    fn turn_spindle(&mut self, again: bool) -> Planned {
-        self.spindle.turn(again, self.tooling.current(), self.policy, self.mover.output_mut())
+    fn apply_spindle(&mut self, again: bool) -> Planned {
+        self.spindle.apply(again, self.tooling.current(), self.policy, self.mover.output_mut())
     }
 
     #[inline]
@@ -340,8 +345,8 @@ impl<'a, S: Sink> Planner<'a, S> {
         self.spindle.stop_if_pending(self.mover.output_mut())
     }
 
-    fn turn_coolant(&mut self) -> Planned {
-        self.coolant.turn(self.tooling.current(), self.policy, self.abilities, self.mover.output_mut())
+    fn apply_coolant(&mut self) -> Planned {
+        self.coolant.apply(self.tooling.current(), self.policy, self.abilities, self.mover.output_mut())
     }
 
     fn stop_coolant(&mut self) -> io::Result<()> {
@@ -349,43 +354,43 @@ impl<'a, S: Sink> Planner<'a, S> {
     }
 }
 
-/// ROTABL/NEXT before a motion that cannot follow it; `air`: the tool is out of the part.
+/// Fault: ROTABL/NEXT before a motion that cannot rotate in that sense. `air`: the tool is out of the part.
 #[cold]
-fn no_way_round(air: bool) -> Fault {
+fn sense_refused(air: bool) -> Fault {
     Fault::new(match air {
-        true => "the sense that ROTABL/NEXT asks for leads out of the limits",
-        false => "ROTABL/NEXT stands in front of a cut, which cannot take the long way round",
+        true => "the sense of rotation of ROTABL/NEXT leads out of the limits of the axis",
+        false => "ROTABL/NEXT comes before a cut, which cannot rotate the table the long way round",
     })
-    .help("leave it out, or give it in front of a rapid or of an operation")
+    .help("remove it, or give it before a rapid or before an operation")
 }
 
 impl<S: Sink> Stage for Planner<'_, S> {
-    type Stop = Stop;
+    type Stop = PlanningError;
 
     /// Plans one item; nothing may be planned after an error.
     #[inline]
-    fn take(&mut self, item: &ProgramItem<'_>) -> Result<(), Stop> {
+    fn take(&mut self, item: &ProgramItem<'_>) -> Result<(), PlanningError> {
         if self.selection.is_over() {
             return Ok(());
         }
         let at = item.at;
         let planned = match item.action {
             ItemAction::Line { motion, index, next, part } => {
-                let why = if part == LinePart::Whole { Why::Record } else { Why::Curve };
+                let why = if part == LinePart::Whole { BlockReason::Record } else { BlockReason::Curve };
                 self.mover.output_mut().serve(at, why);
                 let suits = if part == LinePart::CurveStart { self.cutter.check_curve() } else { Ok(()) };
-                suits.map_err(Halt::from).and_then(|()| self.line(Ahead { motion, next }, index))
+                suits.map_err(ItemError::from).and_then(|()| self.line(MotionAndNext { motion, next }, index))
             }
             ItemAction::Arc { arc, index } => {
-                self.mover.output_mut().serve(at, Why::Record);
+                self.mover.output_mut().serve(at, BlockReason::Record);
                 arcs::arc(self, arc, index)
             }
             ItemAction::Hole { hole, index } => {
-                self.mover.output_mut().serve(at, Why::Hole);
+                self.mover.output_mut().serve(at, BlockReason::Hole);
                 hole::hole(self, hole, index)
             }
             ItemAction::Record { event, between } => {
-                self.mover.output_mut().serve(at, Why::Record);
+                self.mover.output_mut().serve(at, BlockReason::Record);
                 records::record(self, event, between)
             }
         };

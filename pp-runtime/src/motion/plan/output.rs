@@ -1,4 +1,6 @@
-//! The only way out of the planner: each step leaves with its provenance, and what it adds to times and statistics.
+//! Output of the planner: passes each step to the sink with its provenance, and keeps times, statistics and remarks.
+//!
+//! No step leaves the planner by another path.
 
 use std::io;
 
@@ -10,21 +12,21 @@ use crate::motion::place::AxisPosition;
 use crate::motion::plan::feed::Pace;
 use crate::motion::plan::machining_time::Times;
 use crate::motion::plan::statistics::Statistics;
+use crate::motion::step::{BlockReason, Provenance, ReachedPosition};
 use crate::motion::step::{FeedWord, Sink, Step};
-use crate::motion::step::{Provenance, Standing, Why};
 
-/// A deviation of the tool axis up to this is arithmetic, rad.
+/// Largest deviation of the tool axis that is rounding of arithmetic, rad.
 const NO_DEVIATION: f64 = 1e-12;
 
-/// Writes steps, and keeps what is told about them at the end.
+/// Writes steps, and keeps times, statistics and remarks on them.
 #[derive(Debug)]
 pub(crate) struct Output<S> {
     sink: S,
-    /// The record that the following steps serve.
+    /// Record that the following steps belong to.
     at: Option<Location>,
-    /// Why the following steps are in the program.
-    why: Why,
-    /// Steps are written; else they are planned only.
+    /// Reason for the following steps.
+    reason: BlockReason,
+    /// Steps are written; otherwise they are only planned.
     shown: bool,
     /// Inverse time is in force.
     inverse_time: bool,
@@ -38,7 +40,7 @@ impl<S: Sink> Output<S> {
         Self {
             sink,
             at: None,
-            why: Why::Head,
+            reason: BlockReason::Head,
             shown: true,
             inverse_time: false,
             statistics: Statistics::default(),
@@ -47,82 +49,82 @@ impl<S: Sink> Output<S> {
         }
     }
 
-    /// What the steps are written to.
+    /// The sink of the steps.
     pub(crate) fn sink(&mut self) -> &mut S {
         &mut self.sink
     }
 
-    /// What follows serves this record.
+    /// Sets the record and the reason of the following steps.
     #[inline]
-    pub(crate) fn serve(&mut self, at: Location, why: Why) {
-        (self.at, self.why) = (Some(at), why);
+    pub(crate) fn serve(&mut self, at: Location, reason: BlockReason) {
+        (self.at, self.reason) = (Some(at), reason);
     }
 
-    /// Why what follows is in the program.
+    /// Sets the reason of the following steps.
     #[inline]
-    pub(crate) fn because(&mut self, why: Why) {
-        self.why = why;
+    pub(crate) fn set_reason(&mut self, reason: BlockReason) {
+        self.reason = reason;
     }
 
-    /// Whether what follows is written.
+    /// Sets whether the following steps are written.
     pub(crate) fn show(&mut self, shown: bool) {
         self.shown = shown;
     }
 
-    /// One step that moves nothing.
+    /// Writes one step that moves nothing.
     pub(crate) fn step(&mut self, step: &Step<'_>) -> io::Result<()> {
-        self.emit(step, self.why, None)
+        self.emit(step, self.reason, None)
     }
 
-    /// One step, and where the machine is after it. `inserted`: it is a point that the record does not name.
+    /// Writes one step and the position after it. `inserted`: reason for a point that the record does not name.
     #[inline]
     pub(crate) fn move_step(
         &mut self,
         step: &Step<'_>,
-        standing: Standing<'_>,
-        inserted: Option<Why>,
+        reached: ReachedPosition<'_>,
+        inserted: Option<BlockReason>,
     ) -> io::Result<()> {
-        self.emit(step, inserted.unwrap_or(self.why), Some(standing))
+        self.emit(step, inserted.unwrap_or(self.reason), Some(reached))
     }
 
     #[inline]
-    fn emit(&mut self, step: &Step<'_>, why: Why, standing: Option<Standing<'_>>) -> io::Result<()> {
-        // The work offset is needed by the next restart point, whether what is around it is written or not.
+    fn emit(&mut self, step: &Step<'_>, reason: BlockReason, reached: Option<ReachedPosition<'_>>) -> io::Result<()> {
+        // The next restart point needs the work offset, even where the steps around it are not written.
         if self.shown || matches!(step, Step::WorkOffset { .. }) {
-            self.sink.step(step, &Provenance { at: self.at, why, standing })
+            self.sink.step(step, &Provenance { at: self.at, reason, reached })
         } else {
             Ok(())
         }
     }
 
-    /// Inverse time never stays in force over a rapid.
+    /// Writes feed per minute if inverse time is in force: it must not stay in force over a rapid.
     #[inline]
     pub(crate) fn cancel_inverse_time(&mut self) -> io::Result<()> {
         if std::mem::take(&mut self.inverse_time) { self.step(&Step::PerMinute) } else { Ok(()) }
     }
 
-    /// A safety line: feed per minute is in force.
+    /// Writes a safety line, after which feed per minute is in force.
     pub(crate) fn restart(&mut self, number: u32) -> io::Result<()> {
         self.inverse_time = false;
         self.step(&Step::Restart { number })
     }
 
-    /// A feed motion at this pace, in which an axis may turn fastest: its letter, and its angle in rad.
+    /// Counts a feed motion. `rotation`: letter and angle, rad, of the rotary axis that rotates most.
     #[inline]
-    pub(crate) fn feed(&mut self, pace: &Pace, turn: Option<(char, f64)>) {
-        let (at, Pace { feed, minutes, slowed }) = (self.location(), *pace);
-        self.times.cut(minutes);
-        if let Some((letter, angle)) = turn {
-            self.times.turn(letter, angle / (minutes - slowed), at);
+    pub(crate) fn feed(&mut self, pace: &Pace, rotation: Option<(char, f64)>) {
+        let (at, Pace { feed, time_min, slowed_min }) = (self.location(), *pace);
+        self.times.cut(time_min);
+        if let Some((letter, angle_rad)) = rotation {
+            self.times.rotate(letter, angle_rad / (time_min - slowed_min), at);
         }
-        if slowed > 0.0 {
-            self.times.slow(at, slowed);
+        if slowed_min > 0.0 {
+            self.times.slow(at, slowed_min);
         }
         self.inverse_time = matches!(feed, FeedWord::InverseTime(_));
         self.statistics.inverse_time += u64::from(self.inverse_time);
     }
 
-    /// How far a place is from the tool axis of the CL data.
+    /// Counts the deviation of a place from the tool axis of the CL data.
     #[inline]
     pub(crate) fn count_deviation(&mut self, place: &AxisPosition) {
         if place.deviation_rad > NO_DEVIATION {
@@ -130,7 +132,7 @@ impl<S: Sink> Output<S> {
         }
     }
 
-    /// What was met so far.
+    /// Statistics so far.
     pub(crate) fn statistics(&self) -> &Statistics {
         &self.statistics
     }
@@ -139,7 +141,7 @@ impl<S: Sink> Output<S> {
         &mut self.statistics
     }
 
-    /// How long what was planned so far takes.
+    /// Machining times so far.
     pub(crate) fn times(&self) -> &Times {
         &self.times
     }
@@ -148,18 +150,18 @@ impl<S: Sink> Output<S> {
         &mut self.times
     }
 
-    /// The record that is served.
+    /// Location of the current record.
     pub(crate) fn location(&self) -> Location {
         self.at.unwrap_or_default()
     }
 
-    /// A remark on the record that is served.
+    /// Adds a remark on the current record.
     pub(crate) fn remark(&mut self, fault: Fault) {
         let at = self.location();
         self.add_remark(fault.at(at, Severity::Warning));
     }
 
-    /// A remark with its location, on what is written; on anything else it is dropped.
+    /// Adds a remark with its location; dropped where steps are not written.
     pub(crate) fn add_remark(&mut self, remark: Diagnostic) {
         if self.shown {
             self.warnings.push(remark);
@@ -170,12 +172,12 @@ impl<S: Sink> Output<S> {
         !self.warnings.is_empty()
     }
 
-    /// Remarks since the last call.
+    /// Takes the remarks since the last call.
     pub(crate) fn take_remarks(&mut self) -> Vec<Diagnostic> {
         std::mem::take(&mut self.warnings)
     }
 
-    /// What was planned so far is not written: it counts for nothing but the operation that begins.
+    /// Drops remarks, statistics and times of the steps that were not written, except those of the operation that begins.
     pub(crate) fn forget_hidden(&mut self) {
         self.warnings.clear();
         self.statistics = Statistics::default();

@@ -1,7 +1,7 @@
-//! Where the machine is, as far as the program knows.
+//! Position of the machine, as far as it is known.
 //!
-//! At the start of a program, and after a stop, GOHOME, another frame or NC text of the CL data nothing is known;
-//! [`Position::lost`] says so in one call.
+//! It is unknown at the start of a program, and after a stop, GOHOME, another frame or NC text of the CL data: see
+//! [`Position::forget`].
 
 use crate::kinematics::Pose;
 
@@ -9,13 +9,13 @@ use crate::motion::geometry::SAME_AXIS;
 use crate::motion::place::AxisPosition;
 use crate::motion::plan::lead_out::LeadOut;
 
-/// A rapid this much below the lowest cut is remarked on, mm.
+/// Smallest depth of a rapid below the lowest cut that gets a remark, mm.
 const PLUNGE: f64 = 0.001;
 
-/// Where the machine is.
+/// Position of the machine.
 #[derive(Debug, Clone)]
 pub(crate) struct Position {
-    /// Where the rotary axes are or are taken to be; held axes at their values.
+    /// Last known place of the axes; before the first motion, the one from which rotary axes count.
     place: AxisPosition,
     /// Something has moved: `place` is more than a reference.
     moved: bool,
@@ -23,9 +23,9 @@ pub(crate) struct Position {
     known: bool,
     /// The retract axis is at its retract position.
     retracted: bool,
-    /// Linear words count the tip: tip control is on, or a plane is tilted.
+    /// Linear words are tip coordinates: tip control is on, or a plane is tilted.
     in_frame: bool,
-    /// How far the CL data has led the tool out along its axis.
+    /// Length by which the CL data has led the tool out along its axis.
     lead_out: LeadOut,
     /// Lowest pose of this tool axis that was cut in this operation.
     lowest: Option<Pose>,
@@ -47,13 +47,13 @@ impl Position {
         }
     }
 
-    /// Where the axes are, or were when that was known last.
+    /// Place of the axes, or the last one that was known.
     #[inline]
     pub(crate) fn place(&self) -> &AxisPosition {
         &self.place
     }
 
-    /// Tip and tool axis there.
+    /// Tip and tool axis at this place.
     #[inline]
     pub(crate) fn pose(&self) -> Pose {
         self.place.pose
@@ -69,14 +69,14 @@ impl Position {
         self.retracted
     }
 
-    /// Whether linear words count the tip.
+    /// Whether linear words are tip coordinates.
     pub(crate) fn is_in_frame(&self) -> bool {
         self.in_frame
     }
 
-    /// mm that the CL data has led the tool out along its axis.
-    pub(crate) fn led_out(&self) -> f64 {
-        self.lead_out.length()
+    /// Length by which the CL data has led the tool out along its axis, mm.
+    pub(crate) fn led_out_mm(&self) -> f64 {
+        self.lead_out.length_mm()
     }
 
     /// FROM: as long as nothing has moved, the rotary axes count from here.
@@ -97,26 +97,26 @@ impl Position {
         self.retracted = false;
     }
 
-    /// A block has ended here, within a motion or between two.
+    /// A block within a motion, or between two motions, has ended here.
     #[inline]
     pub(crate) fn go_to(&mut self, place: AxisPosition) {
         self.place = place;
     }
 
-    /// The rotary axes are parked here; the next turn counts from there.
+    /// The rotary axes are parked here; the next rotation begins here.
     pub(crate) fn park(&mut self, place: AxisPosition) {
         self.place = place;
         self.moved = true;
     }
 
-    /// Forgets where the machine is: anything may have moved it.
-    pub(crate) fn lost(&mut self) {
+    /// Forgets the position: anything may have moved the machine.
+    pub(crate) fn forget(&mut self) {
         self.known = false;
         self.retracted = false;
     }
 
-    /// The retract axis may be anywhere.
-    pub(crate) fn lose_retract(&mut self) {
+    /// Forgets that the retract axis is at its retract position.
+    pub(crate) fn forget_retract(&mut self) {
         self.retracted = false;
     }
 
@@ -131,13 +131,13 @@ impl Position {
         self.known = false;
     }
 
-    /// The retract axis is at its retract position; linear words count axes again.
+    /// The retract axis is at its retract position; linear words are axis positions again.
     pub(crate) fn retract(&mut self) {
         self.retracted = true;
         self.in_frame = false;
     }
 
-    /// A safety line: linear words count axes.
+    /// A safety line: linear words are axis positions.
     pub(crate) fn leave_frame(&mut self) {
         self.in_frame = false;
     }
@@ -154,12 +154,12 @@ impl Position {
         self.lead_out.follow(from, to);
     }
 
-    /// What came before leads nowhere.
+    /// Sets the length of the lead-out to zero.
     pub(crate) fn forget_lead_out(&mut self) {
         self.lead_out = LeadOut::default();
     }
 
-    /// An operation begins: nothing has been cut in it.
+    /// An operation begins: nothing has been cut in it yet.
     pub(crate) fn begin_operation(&mut self) {
         self.lowest = None;
         self.plunge_reported = false;
@@ -167,7 +167,7 @@ impl Position {
 
     /// Remembers the lowest level that was cut with this tool axis in this operation.
     #[inline]
-    pub(crate) fn cut(&mut self, pose: &Pose) {
+    pub(crate) fn note_cut(&mut self, pose: &Pose) {
         match &mut self.lowest {
             Some(lowest)
                 if (lowest.axis.into_inner() - pose.axis.into_inner()).norm_squared() < SAME_AXIS * SAME_AXIS =>
@@ -180,7 +180,7 @@ impl Position {
         }
     }
 
-    /// mm that a rapid along the tool goes below anything cut in this operation; reported once in it.
+    /// Depth of a rapid along the tool axis below the lowest cut of this operation, mm; returned once in an operation.
     pub(crate) fn plunges(&mut self, from: &Pose, to: &Pose) -> Option<f64> {
         let lowest = self.lowest?;
         let step = to.tip - from.tip;

@@ -1,33 +1,33 @@
-//! The proof of the kinematics at the machine: the tip stays on one point of the part while the rotary axes sweep their
-//! travel, one after the other.
+//! Proof program: shows the kinematics at the machine. The tip stays on one point of the part while the rotary axes sweep
+//! their travel, one after the other.
 //!
-//! Nothing of CL data is in it: rotary words run from end to end, and the linear axes follow as they do in every feed
-//! motion, certified within `tolerance`. What a chain, a sign, a pivot or a length is off moves the tip.
+//! Uses no CL data: rotary words run from end to end, and the linear axes follow as in every feed motion, certified within
+//! `tolerance`. An error in chain, signs, pivots or lengths moves the tip.
 
 use nalgebra::Point3;
 
 use crate::kinematics::{Pose, Side};
 use crate::program::{Event, Feed, Location, Move, Rotation, Spindle, ToolCall};
 
-use crate::motion::fault::{Fault, Halt, Planned, Stop};
+use crate::motion::fault::{Fault, ItemError, Planned, PlanningError};
 use crate::motion::place::PathTolerance;
-use crate::motion::plan::{Ahead, Planner, records};
+use crate::motion::plan::{MotionAndNext, Planner, records};
 use crate::motion::rotary::Rotary;
 use crate::motion::rotary::{RotaryTarget, RotaryWords};
 use crate::motion::source::Next;
-use crate::motion::step::Why;
+use crate::motion::step::BlockReason;
 use crate::motion::step::{Sink, Step};
 
-/// mm/min on the way to the point.
+/// Feed to the point, mm/min.
 const FEED: f64 = 300.0;
 
-/// The spindle of a dry run turns on paper only, rev/min.
+/// Spindle speed of the dry run, never written, rev/min.
 const SPEED: f64 = 1.0;
 
-/// One sweep: from one stop to the next only the named axis turns.
+/// One sweep: from one stop to the next only one axis rotates.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sweep {
-    /// What turns, and where the other axis stands.
+    /// Name with the axis that rotates and the angle of the other one.
     pub name: String,
     stops: Vec<RotaryWords>,
 }
@@ -38,17 +38,17 @@ pub struct ProofProgram<'p, 'a, S> {
 }
 
 impl<'p, 'a, S: Sink> ProofProgram<'p, 'a, S> {
-    /// The proof program that a planner is to write; nothing else is planned with it.
+    /// Begins a proof program; the planner must not plan anything else.
     pub fn new(planner: &'p mut Planner<'a, S>) -> Self {
         Self { planner }
     }
 
-    /// The sweeps of a machine: each rotary axis with the other at zero or as near to it as its travel allows, and the
+    /// The sweeps of a machine: each rotary axis with the other at zero or as near to zero as its travel allows, and the
     /// first once more with the second at the end of its travel.
     ///
     /// # Errors
-    /// [`Stop`] if an axis cannot be swept: its travel is not known, or it stands on steps.
-    pub fn sweeps(&self) -> Result<Vec<Sweep>, Stop> {
+    /// [`PlanningError`] if an axis cannot be swept: its travel is unknown, or it is indexed.
+    pub fn sweeps(&self) -> Result<Vec<Sweep>, PlanningError> {
         let rotaries = self.planner.mover.placer().rotaries();
         let mut rest = [0; 2];
         for (word, rotary) in rest.iter_mut().zip(rotaries) {
@@ -60,7 +60,7 @@ impl<'p, 'a, S: Sink> ProofProgram<'p, 'a, S> {
         }
         if let [_, second] = rotaries[..] {
             let ends = self.ends(second, rest[1])?;
-            // A turn ends where it began: half of it is as far as it goes.
+            // A full turn ends where it began: half a turn is the farthest position.
             let far = match second.endless() {
                 true => rest[1] + self.planner.mover.placer().scale().units_per_turn / 2,
                 false => ends.into_iter().max_by_key(|end| (end - rest[1]).abs()).unwrap_or(rest[1]),
@@ -70,7 +70,7 @@ impl<'p, 'a, S: Sink> ProofProgram<'p, 'a, S> {
         Ok(sweeps)
     }
 
-    fn sweep(&self, axis: usize, rest: RotaryWords) -> Result<Sweep, Stop> {
+    fn sweep(&self, axis: usize, rest: RotaryWords) -> Result<Sweep, PlanningError> {
         let rotaries = self.planner.mover.placer().rotaries();
         let letter = |axis: usize| self.planner.mover.placer().chain()[rotaries[axis].index].letter;
         let ends = self.ends(rotaries[axis], rest[axis])?;
@@ -92,33 +92,33 @@ impl<'p, 'a, S: Sink> ProofProgram<'p, 'a, S> {
         Ok(Sweep { name, stops })
     }
 
-    /// The ends of an axis, one after the other; of an endless one a turn on.
-    fn ends(&self, rotary: Rotary, rest: i64) -> Result<Vec<i64>, Stop> {
+    /// Ends of the sweep of an axis; for an endless axis one full turn from rest.
+    fn ends(&self, rotary: Rotary, rest: i64) -> Result<Vec<i64>, PlanningError> {
         let axis = &self.planner.mover.placer().chain()[rotary.index];
         let letter = axis.letter;
-        let refused = |fault: Fault| Err(Halt::from(fault).at(Location::default()));
+        let refused = |fault: Fault| Err(ItemError::from(fault).at(Location::default()));
         if self.planner.policy.options.rotaries.grid.contains_key(&letter) {
             let fault =
-                Fault::new(format_args!("{letter} stands on steps and does not turn in a cut: it cannot be swept"));
+                Fault::new(format_args!("{letter} is indexed and does not rotate in a cut: it cannot be swept"));
             return refused(fault.help("check such an axis by hand, step by step"));
         }
         match (rotary.lower, rotary.upper) {
             (Some(lower), Some(upper)) => Ok(vec![lower, upper]),
             _ if axis.side == Side::Tool => {
-                let fault = Fault::new(format_args!("the travel of {letter}, which turns the head, is not known"));
+                let fault = Fault::new(format_args!("the travel of {letter}, a rotary axis of the head, is unknown"));
                 refused(fault.help(format_args!("give it in the configuration: `[limits] {letter} = [-90, 90]`")))
             }
             _ => Ok(vec![rest + self.planner.mover.placer().scale().units_per_turn]),
         }
     }
 
-    /// Plans the proof with a tool at a point of the part, mm; the end code is left to the caller.
+    /// Plans the proof with a tool at a point of the part, mm; the caller writes the end code.
     ///
     /// # Errors
-    /// [`Stop`] if a point of it cannot be reached, or the output fails.
-    pub fn plan(&mut self, tool: u32, tip: Point3<f64>, sweeps: &[Sweep]) -> Result<(), Stop> {
+    /// [`PlanningError`] if a point of it cannot be reached, or the output fails.
+    pub fn plan(&mut self, tool: u32, tip: Point3<f64>, sweeps: &[Sweep]) -> Result<(), PlanningError> {
         let at = Location::default();
-        self.planner.mover.output_mut().serve(at, Why::Record);
+        self.planner.mover.output_mut().serve(at, BlockReason::Record);
         self.plan_all(tool, tip, sweeps).map_err(|halt| halt.at(at))?;
         self.planner.finish(at)
     }
@@ -134,7 +134,7 @@ impl<'p, 'a, S: Sink> ProofProgram<'p, 'a, S> {
         let axis = planner.mover.placer().axis_at(&words);
         let motion = Move { pose: Pose { tip, axis }, rapid: false, feed: Some(Feed::PerMinute(FEED)) };
         let target = RotaryTarget { words, sense: None };
-        planner.start(Ahead { motion: &motion, next: Next::None }, 1, Some(target))?;
+        planner.start(MotionAndNext { motion: &motion, next: Next::None }, 1, Some(target))?;
         for sweep in sweeps {
             let name = format!("SWEEP {}", sweep.name);
             self.planner.mover.output_mut().step(&Step::Operation { name: name.as_bytes() })?;
@@ -146,7 +146,7 @@ impl<'p, 'a, S: Sink> ProofProgram<'p, 'a, S> {
         self.lead_out()
     }
 
-    /// Turns to some words with the tip in place. As in a rewind the tool swings about it: its axis is not held to a path.
+    /// Rotates to some words with the tip in place. As in a rewind, the tool axis is not held to a path.
     fn sweep_to(&mut self, words: &RotaryWords) -> Planned {
         let mover = &mut self.planner.mover;
         let place = mover.placer().with_rotary_words(&mover.position().pose(), mover.here(), words)?;
@@ -158,7 +158,7 @@ impl<'p, 'a, S: Sink> ProofProgram<'p, 'a, S> {
 
     /// Out along the tool axis, as far as the approach came in.
     fn lead_out(&mut self) -> Planned {
-        let distance = self.planner.policy.options.approach.distance;
+        let distance = self.planner.policy.options.approach.distance_mm;
         let mover = &mut self.planner.mover;
         let here = *mover.here();
         let Pose { tip, axis } = here.pose;

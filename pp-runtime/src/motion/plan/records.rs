@@ -1,4 +1,4 @@
-//! Records that are no motions: what each changes, and what it asks of the machine.
+//! Records without motion: the state that each changes, and the steps that it needs.
 
 use std::ops::RangeInclusive;
 
@@ -8,20 +8,20 @@ use crate::program::{Dwell, Event, RotaryDirection, ToolCall};
 use crate::motion::fault::{Fault, Planned};
 use crate::motion::plan::Planner;
 use crate::motion::plan::tool::LoadedTool;
-use crate::motion::step::Why;
+use crate::motion::step::BlockReason;
 use crate::motion::step::{Sink, Step};
 
-/// A wait that three decimals hold, and that somebody may want, seconds.
+/// Dwells that can be written with three decimals, s.
 const DWELL: RangeInclusive<f64> = 0.001..=99_999.0;
 
-/// Plans a record that is no motion; `between`: it comes between two operations and speaks of the second.
+/// Plans a record without motion; `between`: it comes between two operations and belongs to the second.
 #[cold]
 pub(crate) fn record<S: Sink>(planner: &mut Planner<'_, S>, event: &Event<'_>, between: bool) -> Planned {
     planner.cutter.check_record(event)?;
     Records { planner, between }.take(event)
 }
 
-/// DELAY, and the wait at the bottom of a hole.
+/// Writes a dwell: DELAY, or that at the bottom of a hole.
 pub(crate) fn delay<S: Sink>(planner: &mut Planner<'_, S>, dwell: Dwell) -> Planned {
     let seconds = planner.spindle.seconds(dwell)?;
     if seconds <= 0.0 {
@@ -29,8 +29,8 @@ pub(crate) fn delay<S: Sink>(planner: &mut Planner<'_, S>, dwell: Dwell) -> Plan
     }
     if !DWELL.contains(&seconds) {
         let (low, high) = (DWELL.start(), DWELL.end());
-        let fault = Fault::new(format_args!("a wait of {seconds} seconds cannot be written"));
-        return Err(fault.help(format_args!("between {low} and {high} seconds can be")).into());
+        let fault = Fault::new(format_args!("a dwell of {seconds} s cannot be written"));
+        return Err(fault.help(format_args!("give a dwell of {low} to {high} s")).into());
     }
     let output = planner.mover.output_mut();
     output.cancel_inverse_time()?;
@@ -49,11 +49,11 @@ impl<S: Sink> Records<'_, '_, S> {
         match *event {
             Event::Spindle(command) => {
                 self.planner.spindle.request(command, self.between);
-                if self.between { Ok(()) } else { self.planner.turn_spindle(false) }
+                if self.between { Ok(()) } else { self.planner.apply_spindle(false) }
             }
             Event::Coolant(kind) => {
                 self.planner.coolant.request(kind);
-                if self.between { Ok(()) } else { self.planner.turn_coolant() }
+                if self.between { Ok(()) } else { self.planner.apply_coolant() }
             }
             Event::From(pose) => {
                 self.planner.mover.count_from(&pose);
@@ -79,11 +79,11 @@ impl<S: Sink> Records<'_, '_, S> {
                 Ok(())
             }
             Event::Compensation(asked) => crate::motion::plan::cutter::request(self.planner, &asked),
-            Event::RotaryDirection(turning) => self.turn_towards(turning),
+            Event::RotaryDirection(turning) => self.set_rotation_sense(turning),
             Event::Insert(text) => self.raw(text),
             Event::Code { letter, number } => self.raw(format!("{}{number}", char::from(letter)).as_bytes()),
             Event::Tolerance(tolerance) => {
-                self.planner.mover.set_tip_tolerance(tolerance.unwrap_or(self.planner.policy.options.tolerance));
+                self.planner.mover.set_tip_tolerance(tolerance.unwrap_or(self.planner.policy.options.tolerance_mm));
                 Ok(())
             }
             // Motions are items of their own.
@@ -91,9 +91,9 @@ impl<S: Sink> Records<'_, '_, S> {
         }
     }
 
-    /// A record between two operations that speaks of the second.
+    /// Writes the step of a record between two operations that belongs to the second.
     fn announce(&mut self, step: &Step<'_>) -> Planned {
-        let (next, now) = (self.planner.selection.shows_next(), self.planner.selection.shows());
+        let (next, now) = (self.planner.selection.next_is_written(), self.planner.selection.is_written());
         let output = self.planner.mover.output_mut();
         output.show(next);
         output.step(step)?;
@@ -101,10 +101,10 @@ impl<S: Sink> Records<'_, '_, S> {
         Ok(())
     }
 
-    /// The tool leaves the part before what the record asks for.
+    /// The tool leaves the part before the step of the record.
     fn leave(&mut self) -> Planned {
         self.planner.leave()?;
-        self.planner.mover.output_mut().because(Why::Record);
+        self.planner.mover.output_mut().set_reason(BlockReason::Record);
         Ok(())
     }
 
@@ -131,7 +131,7 @@ impl<S: Sink> Records<'_, '_, S> {
         Ok(())
     }
 
-    /// The tool of a record; what is odd about a tool is reported once.
+    /// The tool of a record; remarks on a tool are made at its first call only.
     fn resolve(&mut self, call: &ToolCall) -> Result<LoadedTool, Fault> {
         let planner = &mut *self.planner;
         let before = planner.tooling.called_before(call.number);
@@ -153,11 +153,11 @@ impl<S: Sink> Records<'_, '_, S> {
     fn stop(&mut self, optional: bool) -> Planned {
         let planner = &mut *self.planner;
         let retract = planner.policy.options.stop_retract;
-        // After the stop the retract axis goes up from wherever the tool is: a tilted tool is led out before.
+        // After the stop the retract axis moves from the position of the tool, so a tilted tool is led out before.
         if retract || !planner.mover.placer().retracts_along_tool() {
             planner.leave()?;
         }
-        planner.mover.output_mut().because(Why::Record);
+        planner.mover.output_mut().set_reason(BlockReason::Record);
         if retract {
             planner.stop_coolant()?;
             planner.mover.machine_retract()?;
@@ -166,9 +166,9 @@ impl<S: Sink> Records<'_, '_, S> {
         planner.stop_spindle()?;
         planner.mover.output_mut().step(&Step::Stop { optional })?;
         // The operator may have done anything.
-        planner.spindle.lost();
-        planner.coolant.lost();
-        planner.mover.position_mut().lost();
+        planner.spindle.forget();
+        planner.coolant.forget();
+        planner.mover.position_mut().forget();
         Ok(())
     }
 
@@ -177,34 +177,35 @@ impl<S: Sink> Records<'_, '_, S> {
         let machine = self.planner.mover.placer().machine().name();
         if !name.eq_ignore_ascii_case(machine.as_bytes()) {
             let name = String::from_utf8_lossy(name);
-            let text = format!("the CL data was made for the machine `{name}`, this is {machine}");
-            let fault = Fault::new(text).help("nothing in the program depends on that name");
+            let text = format!("the CL data was made for the machine `{name}` and is posted for {machine}");
+            let fault = Fault::new(text).help("MACHIN has no effect on the program");
             self.planner.mover.output_mut().remark(fault);
         }
     }
 
     /// ROTABL.
-    fn turn_towards(&mut self, turning: RotaryDirection) -> Planned {
-        let sense = self.planner.mover.placer().rotation_sense(turning);
-        self.planner.course.set_sense(sense);
-        if sense.is_none() && turning != RotaryDirection::Shortest {
-            let fault = Fault::new("ROTABL/NEXT turns the table, and no rotary axis stands in the table here");
-            return Err(fault.help("leave it out").into());
+    fn set_rotation_sense(&mut self, turning: RotaryDirection) -> Planned {
+        let towards = self.planner.mover.placer().rotation_sense(turning);
+        self.planner.course.set_sense(towards);
+        if towards.is_none() && turning != RotaryDirection::Shortest {
+            let fault = Fault::new("ROTABL/NEXT rotates the table, and this machine has no rotary axis in the table");
+            return Err(fault.help("remove it").into());
         }
         Ok(())
     }
 
-    /// A block as it is given: where the machine is after it, and in which state, is unknown.
+    /// Writes a block of the CL data unchanged; after it position and state of the machine are unknown.
     fn raw(&mut self, text: &[u8]) -> Planned {
-        if self.planner.policy.options.lift.is_some() {
+        if self.planner.policy.options.lift_mm.is_some() {
             let fault =
-                Fault::new("a dry run writes no NC text of the CL data: nobody knows what it moves or switches on");
-            return Err(fault.help("`--insert comment`, or take it out").into());
+                Fault::new("a dry run writes no NC text of the CL data: it could move an axis or start the spindle");
+            return Err(fault.help("use `--insert comment`, or remove the record").into());
         }
         if text.is_empty() || !text.iter().all(|byte| (b' '..=b'~').contains(byte)) {
-            let fault =
-                Fault::new("INSERT is empty or holds bytes that are not ASCII, which controls read differently");
-            let help = "write it in plain letters, digits and signs, or `--insert comment`";
+            let fault = Fault::new(
+                "INSERT is empty or contains characters that are not ASCII, which controls read differently",
+            );
+            let help = "use ASCII letters, digits and signs only, or `--insert comment`";
             return Err(fault.help(help).into());
         }
         self.leave()?;
@@ -215,21 +216,21 @@ impl<S: Sink> Records<'_, '_, S> {
         }
         planner.mover.output_mut().step(&Step::Raw { text })?;
         planner.spindle.reset();
-        planner.coolant.lost();
-        planner.mover.position_mut().lost();
+        planner.coolant.forget();
+        planner.mover.position_mut().forget();
         Ok(())
     }
 
     /// GOHOME without a point.
     fn go_home(&mut self) -> Planned {
-        if self.planner.policy.options.park.is_empty() && self.planner.policy.options.retract.position.is_none() {
+        if self.planner.policy.options.park.is_empty() && self.planner.policy.options.retract.position_mm.is_none() {
             let fault = Fault::new("GOHOME without a point, and neither `park` nor `retract.position` is configured");
-            return Err(fault.help("give one of them, or GOHOME/x,y,z").into());
+            return Err(fault.help("configure one of them, or give GOHOME/x,y,z").into());
         }
         self.leave()?;
         self.planner.mover.machine_retract()?;
         self.planner.mover.park()?;
-        self.planner.mover.position_mut().lost();
+        self.planner.mover.position_mut().forget();
         Ok(())
     }
 
@@ -237,20 +238,20 @@ impl<S: Sink> Records<'_, '_, S> {
     fn change_frame(&mut self, number: u32) -> Planned {
         let policy = self.planner.policy;
         if self.planner.mover.placer().has_rotary_table() {
-            let fault = Fault::new("the part origin of another frame on a table that turns is not known");
-            return Err(fault.help("`--frames main` maps every frame into the first").into());
+            let fault = Fault::new("the part origin of a second frame on a rotary table is unknown");
+            return Err(fault.help("use `--frames main`, which maps every frame to the first").into());
         }
         let word = match policy.set_up.frames.get(&number) {
             Some(word) => word,
             None if number == 1 => &policy.set_up.work_offset,
             None => {
                 let fault = Fault::new(format_args!("frame {number} of the CL data has no work offset"));
-                return Err(fault.help(format_args!("give it one: `[frames] \"{number}\" = \"G55\"`")).into());
+                return Err(fault.help(format_args!("configure one: `[frames] \"{number}\" = \"G55\"`")).into());
             }
         };
         self.leave()?;
-        self.planner.mover.position_mut().lost();
-        // It was given in the other frame.
+        self.planner.mover.position_mut().forget();
+        // CLEARP was given in the other frame.
         self.planner.clearance.change_frame();
         Ok(self.planner.mover.output_mut().step(&Step::WorkOffset { word })?)
     }

@@ -1,5 +1,5 @@
-//! Rewinding: where no course of the rotary axes runs through, the tool leaves the part, the axes turn, and it comes back to
-//! the same pose; or the tip stays in place while they turn.
+//! Rewinding, where no course of the rotary axes stays within their limits: the tool leaves the part, the axes rotate, and it
+//! returns to the same pose; or the tip stays in place while they rotate.
 
 use crate::motion::options::Rewind;
 use crate::program::Move;
@@ -8,57 +8,57 @@ use crate::motion::fault::{Fault, Planned};
 use crate::motion::place::PathTolerance;
 use crate::motion::plan::Planner;
 use crate::motion::rotary::{RotaryTarget, RotaryWords};
+use crate::motion::step::BlockReason;
 use crate::motion::step::Sink;
-use crate::motion::step::Why;
 
-/// Rewinds as the configuration says, before a motion.
+/// Rewinds as configured by `retract.rewind`, before a motion.
 #[cold]
 pub(crate) fn rewind<S: Sink>(planner: &mut Planner<'_, S>, motion: &Move, words: RotaryWords) -> Planned {
     let why = reason(planner);
-    planner.mover.output_mut().because(Why::Rewind);
+    planner.mover.output_mut().set_reason(BlockReason::Rewind);
     let how = match planner.policy.options.retract.rewind {
         Rewind::Follow => {
             rewind_in_place(planner, motion, words)?;
-            " with the tip in place, and the tool swings about it"
+            " with the tip in place (the tool swings about it)"
         }
         Rewind::Leave => {
             rewind_out_of_part(planner, motion, words, &why)?;
-            ", out of the part"
+            " out of the part"
         }
     };
     let output = planner.mover.output_mut();
     output.statistics_mut().rewinds += 1;
-    output.because(Why::Record);
+    output.set_reason(BlockReason::Record);
     output.remark(Fault::new(format_args!("the rotary axes are rewound here{how}: {why}")));
     Ok(())
 }
 
-/// Out along the tool axis, machine retract, rotaries, back along the tool axis, and at feed to where the tool was.
+/// Out along the tool axis, machine retract, rotary axes, approach, and back along the tool axis at feed.
 fn rewind_out_of_part<S: Sink>(planner: &mut Planner<'_, S>, motion: &Move, words: RotaryWords, why: &str) -> Planned {
     let here = *planner.mover.here();
-    let out = planner.clearance.way_out(&here.pose);
-    let Some(distance) = planner.policy.options.retract.distance.or(out) else {
-        let text = format!("here the rotary axes have to be rewound out of the part: {why}");
+    let out = planner.clearance.retract_distance_mm(&here.pose);
+    let Some(distance) = planner.policy.options.retract.distance_mm.or(out) else {
+        let text = format!("the rotary axes have to be rewound out of the part here: {why}");
         let help = "give `retract.distance` or `retract.clearance` in the configuration, or CLEARP in the CL data";
         return Err(Fault::new(text).help(help).into());
     };
     let turned = planner.mover.place(&here.pose, false, Some(RotaryTarget { words, sense: None }))?;
     let tip = here.pose.tip + here.pose.axis.into_inner() * distance;
-    let context = |fault: Fault| fault.context(format_args!("the retract of {distance} mm to rewind"));
+    let context = |fault: Fault| fault.context(format_args!("the retract by {distance} mm for a rewind"));
     let out = planner.mover.shifted(tip, &here).map_err(context)?;
     planner.mover.output_mut().cancel_inverse_time()?;
     if planner.policy.options.retract.rewind_dry {
         planner.stop_coolant()?;
     }
     planner.mover.rapid_linear(&out)?;
-    planner.mover.position_mut().lose_retract();
+    planner.mover.position_mut().forget_retract();
     planner.mover.machine_retract()?;
     let (turned, frame) = planner.mover.framed_at(turned)?;
     let above = planner.mover.shifted(tip, &turned).map_err(context)?;
-    planner.mover.note_turns(&above);
-    planner.mover.come_in(&above, frame)?;
-    planner.turn_coolant()?;
-    planner.mover.position_mut().lose_retract();
+    planner.mover.note_rotation(&above);
+    planner.mover.approach_from_retract(&above, frame)?;
+    planner.apply_coolant()?;
+    planner.mover.position_mut().forget_retract();
     planner.mover.position_mut().go_to(above);
     planner.mover.feed_block(&turned, planner.rate(motion.feed)?)?;
     planner.mover.position_mut().go_to(turned);
@@ -66,18 +66,18 @@ fn rewind_out_of_part<S: Sink>(planner: &mut Planner<'_, S>, motion: &Move, word
     Ok(())
 }
 
-/// The rotary axes turn while the linear axes follow: the tip stays where it is, and the tool swings about it.
+/// The rotary axes rotate while the linear axes follow: the tip stays in place, and the tool swings about it.
 fn rewind_in_place<S: Sink>(planner: &mut Planner<'_, S>, motion: &Move, words: RotaryWords) -> Planned {
     let pose = planner.mover.position().pose();
     let turned = planner.mover.place(&pose, false, Some(RotaryTarget { words, sense: None }))?;
-    planner.mover.note_turns(&turned);
+    planner.mover.note_rotation(&turned);
     let swinging = PathTolerance { axis_rad: f64::INFINITY, ..planner.mover.tolerance() };
     planner.mover.feed_in_pieces(&turned, planner.rate(motion.feed)?, swinging)?;
     planner.mover.position_mut().go_to(turned);
     Ok(())
 }
 
-/// Limits of the rotary axes, in words.
+/// Reason for the rewind, with the limits of the rotary axes.
 fn reason<S: Sink>(planner: &Planner<'_, S>) -> String {
     let placer = planner.mover.placer();
     let limited = placer.rotaries().iter().filter(|rotary| !rotary.endless());
@@ -91,8 +91,8 @@ fn reason<S: Sink>(planner: &Planner<'_, S>) -> String {
         })
         .collect();
     let how = match (planner.policy.options.course.greedy, placer.has_many_turns()) {
-        (true, _) => "not planned ahead",
-        (false, true) => "not avoided by the turns that were looked at",
+        (true, _) => "not planned ahead (`course.greedy`)",
+        (false, true) => "not avoided by any turn that was examined",
         (false, false) => "unavoidable",
     };
     format!("{how} within {}", limits.join(", "))

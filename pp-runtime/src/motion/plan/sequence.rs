@@ -1,4 +1,4 @@
-//! The safe sequence: how the tool gets from one cut to the next, one step per block.
+//! The safe sequence from one cut to the next, one step per block.
 //!
 //! 1. coolant off, inverse time cancelled;
 //! 2. out along the tool axis, then the retract axis to its machine position;
@@ -9,8 +9,8 @@
 //! 7. coolant on;
 //! 8. along the tool axis to the first point.
 //!
-//! "Out" and "in" are along the tool axis. Where the machine is, is never assumed at program start, after a tool change or
-//! after a stop.
+//! "Out" and "in" are along the tool axis. At program start, after a tool change and after a stop the position of the machine
+//! is unknown.
 
 use crate::kinematics::Pose;
 use crate::motion::options::Transition;
@@ -19,16 +19,16 @@ use crate::program::{Location, Move};
 use crate::motion::fault::{Fault, Planned};
 use crate::motion::geometry::SAME_AXIS;
 use crate::motion::plan::tool::LoadedTool;
-use crate::motion::plan::{Ahead, Planner};
+use crate::motion::plan::{MotionAndNext, Planner};
 use crate::motion::rotary::RotaryTarget;
 use crate::motion::source::Next;
-use crate::motion::step::Why;
+use crate::motion::step::BlockReason;
 use crate::motion::step::{Sink, Step};
 
-/// A point this near to a line lies on it, mm.
+/// Largest distance of a point that lies on a line, mm.
 const ON_LINE: f64 = 0.001;
 
-/// A retreat that falls short by less than this is long enough, mm.
+/// A retract that is shorter by less than this is long enough, mm.
 const ENOUGH: f64 = 1e-6;
 
 impl<S: Sink> Planner<'_, S> {
@@ -37,13 +37,13 @@ impl<S: Sink> Planner<'_, S> {
         if !self.mover.position().is_known() {
             return Ok(());
         }
-        self.mover.output_mut().because(Why::LeadOut);
+        self.mover.output_mut().set_reason(BlockReason::LeadOut);
         self.stop_coolant()?;
         self.mover.output_mut().cancel_inverse_time()?;
-        let led_out = self.mover.position().led_out();
+        let led_out = self.mover.position().led_out_mm();
         let here = *self.mover.here();
-        let configured = self.policy.options.retract.distance;
-        let out = self.clearance.way_out(&here.pose);
+        let configured = self.policy.options.retract.distance_mm;
+        let out = self.clearance.retract_distance_mm(&here.pose);
         match configured.or_else(|| out.map(|distance| distance + led_out)) {
             Some(distance) if led_out + ENOUGH < distance => {
                 let (distance, what) = match configured {
@@ -59,11 +59,11 @@ impl<S: Sink> Planner<'_, S> {
             }
             Some(_) => {}
             None if self.mover.placer().retracts_along_tool() => {}
-            None if led_out > ENOUGH => self.compare_lead_out(led_out),
+            None if led_out > ENOUGH => self.check_lead_out(led_out),
             None => {
                 return Err(Fault::new(
-                    "the tool has to leave the part here, and the CL data before this line does not lead it out along \
-                     its axis",
+                    "the tool has to leave the part here, but the CL data before this line does not retract it along its \
+                     axis",
                 )
                 .help("give `retract.distance` in the configuration, or retract along the tool axis in CAM")
                 .into());
@@ -73,26 +73,26 @@ impl<S: Sink> Planner<'_, S> {
         Ok(())
     }
 
-    /// Remarks that the CL data leads the tool out by less than the approach comes in.
-    fn compare_lead_out(&mut self, led_out: f64) {
-        let wanted = self.policy.options.approach.distance;
+    /// Adds a remark where the CL data leads the tool out by less than the approach distance.
+    fn check_lead_out(&mut self, led_out: f64) {
+        let wanted = self.policy.options.approach.distance_mm;
         if led_out + ENOUGH < wanted {
             let text = format!(
-                "before this line the CL data leads the tool out by {led_out:.3} mm only, less than \
-                 `approach.distance` = {wanted} mm"
+                "before this line the CL data retracts the tool by only {led_out:.3} mm, less than `approach.distance` = \
+                 {wanted} mm"
             );
             let fault = Fault::new(text).help("give `retract.distance`, or retract further in CAM");
             self.mover.output_mut().remark(fault);
         }
     }
 
-    /// The operation of this number begins. True if it is the first that is written although it is not the first of the
-    /// program: whoever begins there knows nothing of what came before.
-    fn begin_operation(&mut self, number: u64) -> Result<bool, crate::motion::plan::Halt> {
+    /// Begins the operation of this number. Returns true if it is the first that is written and not the first of the program:
+    /// the state of the machine is unknown there.
+    fn begin_operation(&mut self, number: u64) -> Result<bool, crate::motion::plan::ItemError> {
         let opening = self.selection.begin(number);
         if opening.ends {
             self.leave()?;
-            self.mover.output_mut().because(Why::End);
+            self.mover.output_mut().set_reason(BlockReason::End);
             self.stop_coolant()?;
             self.mover.output_mut().cancel_inverse_time()?;
             self.mover.machine_retract()?;
@@ -100,51 +100,54 @@ impl<S: Sink> Planner<'_, S> {
             self.mover.output_mut().times_mut().forget_empty();
         }
         self.mover.output_mut().show(opening.wanted);
-        if opening.opens {
+        if opening.enters {
             self.mover.position_mut().enter();
             self.mover.output_mut().forget_hidden();
         }
-        Ok(opening.opens)
+        Ok(opening.enters)
     }
 
-    /// The first motion of an operation, with everything before it.
-    pub(crate) fn start(&mut self, ahead: Ahead<'_>, operation: u64, planned: Option<RotaryTarget>) -> Planned {
-        let opens = self.begin_operation(operation)?;
+    /// The first motion of an operation, with the safe sequence before it.
+    pub(crate) fn start(&mut self, ahead: MotionAndNext<'_>, operation: u64, planned: Option<RotaryTarget>) -> Planned {
+        let enters = self.begin_operation(operation)?;
         if self.selection.is_over() {
             return Ok(());
         }
         let (wanted, other) = self.tooling.take_next();
-        let change = opens || other;
+        let change = enters || other;
         if self.mover.position().is_known() && self.policy.options.rapids.transition == Transition::Direct && !change {
             return self.start_directly(ahead, planned);
         }
         self.leave()?;
-        self.mover.output_mut().because(Why::Start);
-        if (self.abilities.length_moves || self.mover.position().is_in_frame()) && self.mover.restarts() > 0 && !opens {
-            // What the safety line cancels must not move the tool down, or turn it in the part.
+        self.mover.output_mut().set_reason(BlockReason::Start);
+        if (self.abilities.length_call_may_move || self.mover.position().is_in_frame())
+            && self.mover.restarts() > 0
+            && !enters
+        {
+            // Codes of the safety line must not move the tool down, or rotate it in the part.
             self.mover.machine_retract()?;
         }
-        // A complete state, the retract included: the program can be entered here.
+        // The program can be entered here, so the state is complete, with the retract.
         self.mover.restart()?;
-        self.mover.position_mut().lose_retract();
-        // Whoever enters here has seen nothing of what came before.
-        self.coolant.lost();
+        self.mover.position_mut().forget_retract();
+        // Where the program is entered here, the state of the coolant is unknown.
+        self.coolant.forget();
         self.stop_coolant()?;
         self.mover.machine_retract()?;
         self.stop_spindle()?;
         if let Some(tool) = wanted.or(self.tooling.current()) {
             self.load_tool(tool, change)?;
         }
-        self.turn_spindle(true)?;
-        self.spindle.after_thread(false);
+        self.apply_spindle(true)?;
+        self.spindle.note_thread(false);
         self.check_state(ahead.motion)?;
         self.approach(ahead, planned)
     }
 
-    /// Step 3 but for the spindle.
+    /// Step 3 without the spindle.
     fn load_tool(&mut self, tool: LoadedTool, change: bool) -> Planned {
         self.tooling.load(tool, change);
-        self.mover.set_gauge_length(tool.length);
+        self.mover.set_gauge_length(tool.length_mm);
         let given = self.policy.set_up.tools.get(&tool.number);
         let spindle = self.spindle.requested().resolve(given, self.policy)?;
         self.mover.output_mut().step(&Step::Tool {
@@ -156,7 +159,7 @@ impl<S: Sink> Planner<'_, S> {
         })?;
         if change {
             // The change may leave every axis anywhere, and the spindle off.
-            self.mover.position_mut().lose_retract();
+            self.mover.position_mut().forget_retract();
             self.spindle.reset();
             self.mover.machine_retract()?;
         }
@@ -167,73 +170,73 @@ impl<S: Sink> Planner<'_, S> {
         let guarded =
             self.policy.options.guards.length_guard.unwrap_or(self.mover.placer().needs_gauge_length().is_some());
         let label = self.mover.restarts();
-        if let Some(length) = tool.length.filter(|_| guarded) {
-            let (tolerance, offset, tool) = (self.policy.options.guards.length_tolerance, tool.offset, tool.number);
+        if let Some(length) = tool.length_mm.filter(|_| guarded) {
+            let (tolerance, offset, tool) = (self.policy.options.guards.length_tolerance_mm, tool.offset, tool.number);
             self.mover.output_mut().step(&Step::LengthGuard { label, tool, offset, length, tolerance })?;
         }
         Ok(())
     }
 
-    /// What an operation that goes on where the last one ended wants before the tool moves: the course may have something
-    /// to cut before its first motion.
+    /// Spindle and coolant of an operation that continues from the end of the last one: course changes may cut before its
+    /// first motion.
     pub(crate) fn prepare_directly(&mut self, first: &Move) -> Planned {
-        self.turn_spindle(false)?;
+        self.apply_spindle(false)?;
         self.stop_spindle()?;
         self.check_state(first)?;
-        self.turn_coolant()
+        self.apply_coolant()
     }
 
-    /// An operation that goes on where the last one ended, because the configuration wants it so.
-    fn start_directly(&mut self, ahead: Ahead<'_>, planned: Option<RotaryTarget>) -> Planned {
+    /// The first motion of an operation that continues from the end of the last one (`transition = "direct"`).
+    fn start_directly(&mut self, ahead: MotionAndNext<'_>, planned: Option<RotaryTarget>) -> Planned {
         let first = ahead.motion;
         let place = self.mover.place(&first.pose, !first.rapid, planned)?;
         if self.mover.leaves_plane(&place) {
-            return self.index(Ahead { next: Next::None, ..ahead }, planned);
+            return self.index(MotionAndNext { next: Next::None, ..ahead }, planned);
         }
         let before = self.mover.position().pose();
         if first.rapid {
             self.mover.output_mut().cancel_inverse_time()?;
-            self.mover.note_turns(&place);
-            self.mover.rapid(&place, self.mover.all())?;
+            self.mover.note_rotation(&place);
+            self.mover.rapid(&place, self.mover.block_axes())?;
         } else {
             self.mover.feed_to(&place, self.rate(first.feed)?)?;
-            self.mover.position_mut().cut(&first.pose);
+            self.mover.position_mut().note_cut(&first.pose);
         }
         self.mover.position_mut().follow(&before, &first.pose);
         self.mover.arrive(place);
         Ok(())
     }
 
-    /// A rapid that turns the table or the head.
-    pub(crate) fn index(&mut self, ahead: Ahead<'_>, planned: Option<RotaryTarget>) -> Planned {
+    /// A rapid that rotates the table or the head.
+    pub(crate) fn index(&mut self, ahead: MotionAndNext<'_>, planned: Option<RotaryTarget>) -> Planned {
         self.leave()?;
-        self.mover.output_mut().because(Why::Approach);
+        self.mover.output_mut().set_reason(BlockReason::Approach);
         self.mover.machine_retract()?;
         self.stop_spindle()?;
         self.approach(ahead, planned)
     }
 
     /// Steps 4 to 8.
-    fn approach(&mut self, ahead: Ahead<'_>, planned: Option<RotaryTarget>) -> Planned {
+    fn approach(&mut self, ahead: MotionAndNext<'_>, planned: Option<RotaryTarget>) -> Planned {
         let first = ahead.motion;
         self.mover.begin_approach();
         let place = self.mover.place(&first.pose, false, planned)?;
         let (place, frame) = self.mover.framed_at(place)?;
-        let distance = self.policy.options.approach.distance;
+        let distance = self.policy.options.approach.distance_mm;
         let above = if first.rapid && is_straight_down(&first.pose, ahead.next)? {
             place
         } else {
             let Pose { tip, axis } = first.pose;
             self.mover
                 .shifted(tip + axis.into_inner() * distance, &place)
-                .map_err(|fault| fault.context(format_args!("the approach from {distance} mm")))?
+                .map_err(|fault| fault.context(format_args!("the approach from `approach.distance` = {distance} mm")))?
         };
-        self.mover.output_mut().because(Why::Approach);
-        self.mover.come_in(&above, frame)?;
+        self.mover.output_mut().set_reason(BlockReason::Approach);
+        self.mover.approach_from_retract(&above, frame)?;
         self.mover.output_mut().statistics_mut().sequences += 1;
-        self.turn_coolant()?;
+        self.apply_coolant()?;
         self.mover.position_mut().go_to(above);
-        self.mover.output_mut().because(Why::Record);
+        self.mover.output_mut().set_reason(BlockReason::Record);
         if place.words != above.words {
             if first.rapid {
                 self.mover.rapid_linear(&place)?;
@@ -242,7 +245,7 @@ impl<S: Sink> Planner<'_, S> {
             }
         }
         if !first.rapid {
-            self.mover.position_mut().cut(&first.pose);
+            self.mover.position_mut().note_cut(&first.pose);
         }
         self.mover.position_mut().forget_lead_out();
         self.mover.arrive(place);
@@ -253,13 +256,13 @@ impl<S: Sink> Planner<'_, S> {
     pub(crate) fn end(&mut self, at: Location) -> Planned {
         if self.selection.is_over() {
             self.mover.output_mut().show(true);
-            self.mover.output_mut().serve(at, Why::End);
+            self.mover.output_mut().serve(at, BlockReason::End);
             return self.mover.park();
         }
         self.cutter.check_end()?;
-        self.mover.output_mut().serve(at, Why::LeadOut);
+        self.mover.output_mut().serve(at, BlockReason::LeadOut);
         self.leave()?;
-        self.mover.output_mut().because(Why::End);
+        self.mover.output_mut().set_reason(BlockReason::End);
         self.stop_coolant()?;
         self.mover.output_mut().cancel_inverse_time()?;
         self.mover.machine_retract()?;
@@ -277,8 +280,8 @@ fn is_straight_down(first: &Pose, next: Next) -> Result<bool, Fault> {
         Next::Motion(next) => next,
         Next::None => return Ok(false),
         Next::Unknown => {
-            return Err(Fault::new("too many records stand between the first motion of an operation and the next")
-                .help("the approach to a first point depends on the second: move these records behind both"));
+            return Err(Fault::new("too many records between the first motion of an operation and the next")
+                .help("the approach to the first point depends on the second: move these records after both"));
         }
     };
     let step = next.tip - first.tip;

@@ -1,4 +1,4 @@
-//! The spindle: what the CL data wants, what the configuration adds, and what has been written.
+//! The spindle: request of the CL data, defaults of the configuration, and the state as written.
 
 use std::io;
 
@@ -14,18 +14,18 @@ use crate::motion::step::{Sink, Step};
 #[derive(Debug, Clone, Default)]
 pub(crate) struct SpindleState {
     request: SpindleRequest,
-    /// What SPINDL has programmed since the last operation.
+    /// Request of SPINDL since the last operation.
     between: SpindleRequest,
-    /// Speed in rev/min and sense of rotation as written; `None` if it is off or unknown.
-    turning: Option<(f64, Rotation)>,
+    /// Speed in rev/min and sense of rotation as written; `None` if off or unknown.
+    running: Option<(f64, Rotation)>,
     /// SPINDL/OFF came after the last motion: written before the next, or when the tool is out of the part.
     stop_pending: bool,
     /// A cycle has stopped the spindle.
-    tapped: bool,
+    stopped_by_cycle: bool,
 }
 
 impl SpindleState {
-    /// SPINDL; `between`: two operations.
+    /// SPINDL; `between`: it comes between two operations.
     pub(crate) fn request(&mut self, command: Command, between: bool) {
         self.request.take(command);
         if between {
@@ -33,10 +33,10 @@ impl SpindleState {
         }
     }
 
-    /// Another tool is called: the speed of one is not the speed of the other. What was programmed since the last operation
-    /// is `meant` for the first tool that is called there.
-    pub(crate) fn change_tool(&mut self, meant: bool) {
-        self.request = if meant { self.between } else { SpindleRequest::default() };
+    /// Another tool is called; it does not take over the speed of the last one. A request since the last operation belongs to
+    /// the `first` tool called after it.
+    pub(crate) fn change_tool(&mut self, first: bool) {
+        self.request = if first { self.between } else { SpindleRequest::default() };
     }
 
     /// An operation begins.
@@ -44,51 +44,51 @@ impl SpindleState {
         self.between = SpindleRequest::default();
     }
 
-    /// What the CL data has asked for.
+    /// Request of the CL data.
     pub(crate) fn requested(&self) -> &SpindleRequest {
         &self.request
     }
 
-    /// SPINDL/OFF was the last word.
+    /// Whether the last SPINDL was SPINDL/OFF.
     pub(crate) fn is_off_requested(&self) -> bool {
         self.request.off
     }
 
     /// Speed in rev/min and sense of rotation, where the spindle is known to be on.
     #[inline]
-    pub(crate) fn turning(&self) -> Option<(f64, Rotation)> {
-        self.turning
+    pub(crate) fn running(&self) -> Option<(f64, Rotation)> {
+        self.running
     }
 
-    /// rev/min, where the spindle is known to be on.
+    /// Speed in rev/min, where the spindle is known to be on.
     #[inline]
     pub(crate) fn speed(&self) -> Option<f64> {
-        self.turning.map(|(speed, _)| speed)
+        self.running.map(|(speed, _)| speed)
     }
 
-    /// Its state is unknown.
-    pub(crate) fn lost(&mut self) {
-        self.turning = None;
+    /// Forgets the state.
+    pub(crate) fn forget(&mut self) {
+        self.running = None;
     }
 
-    /// Its state is unknown, and nothing waits to stop it.
+    /// Forgets the state and a pending stop.
     pub(crate) fn reset(&mut self) {
-        self.turning = None;
+        self.running = None;
         self.stop_pending = false;
     }
 
-    /// A cycle has been run that stops it, or not.
-    pub(crate) fn after_thread(&mut self, stops: bool) {
-        self.tapped = stops;
+    /// A tapping cycle has been written; `stops`: the spindle is off after it.
+    pub(crate) fn note_thread(&mut self, stops: bool) {
+        self.stopped_by_cycle = stops;
     }
 
-    /// Whether a cycle has stopped it since it was turned on.
+    /// Whether a cycle has stopped the spindle since it was switched on.
     pub(crate) fn take_stopped_by_cycle(&mut self) -> bool {
-        std::mem::take(&mut self.tapped)
+        std::mem::take(&mut self.stopped_by_cycle)
     }
 
-    /// Brings the spindle to what is wanted; `again`: even if it is so already.
-    pub(crate) fn turn<S: Sink>(
+    /// Writes the requested state; `again`: even if it is in force.
+    pub(crate) fn apply<S: Sink>(
         &mut self,
         again: bool,
         tool: Option<LoadedTool>,
@@ -97,50 +97,48 @@ impl SpindleState {
     ) -> Planned {
         let given = tool.and_then(|tool| policy.set_up.tools.get(&tool.number));
         let Some((speed, rotation)) = self.request.resolve(given, policy)? else {
-            // In the part the tool does not stop: see `stop_if_pending`.
-            self.stop_pending |= self.turning.is_some();
+            // The spindle does not stop in the part: see `stop_if_pending`.
+            self.stop_pending |= self.running.is_some();
             return Ok(());
         };
         self.stop_pending = false;
         let wanted = Some((speed.value(), rotation));
-        if policy.options.lift.is_some() {
-            // In a dry run the spindle is on on paper only; whoever enters here makes sure that it is off.
-            self.turning = wanted;
+        if policy.options.lift_mm.is_some() {
+            // In a dry run the spindle is on only for the planner; a restart writes that it is off.
+            self.running = wanted;
             return if again { Ok(output.step(&Step::SpindleOff)?) } else { Ok(()) };
         }
-        if again || self.turning != wanted {
-            let starts = again || self.turning.is_none_or(|(_, before)| before != rotation);
-            self.turning = wanted;
+        if again || self.running != wanted {
+            let starts = again || self.running.is_none_or(|(_, before)| before != rotation);
+            self.running = wanted;
             output.step(&Step::Spindle { speed, rotation })?;
-            if starts && policy.options.spindle_dwell > 0.0 {
+            if starts && policy.options.spindle_dwell_s > 0.0 {
                 output.cancel_inverse_time()?;
-                output.step(&Step::Dwell { seconds: policy.options.spindle_dwell })?;
+                output.step(&Step::Dwell { seconds: policy.options.spindle_dwell_s })?;
             }
         }
         Ok(())
     }
 
-    /// Stops the spindle, if that is what the CL data wanted after its last motion.
+    /// Stops the spindle, if SPINDL/OFF came after the last motion.
     #[inline]
     pub(crate) fn stop_if_pending<S: Sink>(&mut self, output: &mut Output<S>) -> io::Result<()> {
         if self.stop_pending { self.stop(output) } else { Ok(()) }
     }
 
-    /// Off.
+    /// Stops the spindle.
     pub(crate) fn stop<S: Sink>(&mut self, output: &mut Output<S>) -> io::Result<()> {
         self.reset();
         output.step(&Step::SpindleOff)
     }
 
-    /// A dwell in seconds.
+    /// Duration of a dwell, s.
     pub(crate) fn seconds(&self, dwell: Dwell) -> Result<f64, Fault> {
         match (dwell, self.speed()) {
             (Dwell::Seconds(seconds), _) => Ok(seconds),
-            (Dwell::Revolutions(turns), Some(speed)) => Ok(turns / speed * 60.0),
-            (Dwell::Revolutions(_), None) => {
-                Err(Fault::new("a wait of some turns of the spindle, and the spindle does not turn")
-                    .help("give SPINDL before it, or the wait in seconds"))
-            }
+            (Dwell::Revolutions(revolutions), Some(speed)) => Ok(revolutions / speed * 60.0),
+            (Dwell::Revolutions(_), None) => Err(Fault::new("a dwell in spindle revolutions while the spindle is off")
+                .help("give SPINDL before it, or the dwell in seconds")),
         }
     }
 }

@@ -1,4 +1,4 @@
-//! What is known of a tool: from the configuration, from the CL data, and where the two disagree.
+//! Data of a tool from the configuration and the CL data, with the refusals and remarks where the two differ.
 
 use crate::motion::options::Defaults;
 use crate::motion::options::Policy;
@@ -9,33 +9,33 @@ use crate::set_up::GivenTool as Given;
 use crate::motion::fault::Fault;
 use crate::motion::plan::abilities::Registers;
 
-/// Two lengths or diameters of the same tool may differ by this much, mm.
+/// Largest difference between two lengths or diameters of the same tool, mm.
 const SAME: f64 = 0.01;
 
 /// The tool in the spindle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct LoadedTool {
-    /// T word.
+    /// Tool number.
     pub(crate) number: u32,
-    /// From gauge line to tip, mm, if known.
-    pub(crate) length: Option<f64>,
-    /// H word.
+    /// Gauge length: from gauge line to tip, if known.
+    pub(crate) length_mm: Option<f64>,
+    /// Register of the length offset.
     pub(crate) offset: u32,
 }
 
-/// The spindle as the CL data wants it; what is missing comes from the configuration.
+/// Spindle state requested by the CL data; the configuration has the defaults.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct SpindleRequest {
-    /// SPINDL/OFF was the last word.
+    /// The last SPINDL was SPINDL/OFF.
     pub(crate) off: bool,
-    pub(crate) speed: Option<f64>,
+    pub(crate) speed_rev_per_min: Option<f64>,
     pub(crate) rotation: Option<Rotation>,
 }
 
 impl LoadedTool {
     /// The tool of a record; remarks go to `warn`.
     ///
-    /// `before`: length and offset register that earlier records of the same tool gave. `needed`: why the words depend on
+    /// `before`: length and offset register of earlier records of the same tool. `needed`: reason why the words depend on
     /// the length, if they do.
     pub(crate) fn resolve(
         call: &ToolCall,
@@ -82,56 +82,59 @@ impl LoadedTool {
         let offset = given.and_then(|tool| tool.offset).or(call.length_offset).or(before.length_offset);
         let offset = registers.of_tool(number, offset).ok_or_else(|| {
             Fault::new(format_args!(
-                "T{number} is to have the length of a register of its own, and this control takes that of the tool's row"
+                "T{number} is called with another length register, but this control takes the length from the row of the tool"
             ))
-            .help(format_args!("leave the register out of the CL data, or give `[tools.{number}] offset = {number}`"))
+            .help(format_args!("remove the register from the CL data, or give `[tools.{number}] offset = {number}`"))
         })?;
-        Ok(Self { number, length, offset })
+        Ok(Self { number, length_mm: length, offset })
     }
 }
 
 impl SpindleRequest {
-    /// Takes one SPINDL; what it leaves out stays as it was.
+    /// Takes one SPINDL; speed or rotation that it leaves out stay as requested before.
     pub(crate) fn take(&mut self, spindle: Spindle) {
         self.off = spindle == Spindle::Off;
         if let Spindle::On { speed_rev_per_min: speed, rotation } = spindle {
-            self.speed = speed.or(self.speed);
+            self.speed_rev_per_min = speed.or(self.speed_rev_per_min);
             self.rotation = rotation.or(self.rotation);
         }
     }
 
-    /// Speed and sense for a tool; `None` if the spindle is not to turn or nothing is known.
+    /// Speed and sense of rotation for a tool; `None` if off is requested, or if speed or sense are unknown.
     pub(crate) fn resolve(
         &self,
         given: Option<&Given>,
         policy: Policy<'_>,
     ) -> Result<Option<(Decimal, Rotation)>, Fault> {
-        let Defaults { speed, rotation, .. } = policy.options.defaults;
+        let Defaults { speed_rev_per_min: speed, rotation, .. } = policy.options.defaults;
         if self.off {
             return Ok(None);
         }
-        let speed = self.speed.or(given.and_then(|tool| tool.speed_rev_per_min)).or(speed);
+        let speed = self.speed_rev_per_min.or(given.and_then(|tool| tool.speed_rev_per_min)).or(speed);
         let rotation = self.rotation.or(given.and_then(|tool| tool.rotation)).or(rotation);
         let (Some(speed), Some(rotation)) = (speed, rotation) else { return Ok(None) };
-        if let Some(largest) = policy.options.guards.spindle_max
+        if let Some(largest) = policy.options.guards.spindle_max_rev_per_min
             && speed > largest
         {
-            return Err(Fault::new(format_args!("a spindle speed of {speed} is above `spindle_max` = {largest}")));
+            let text = format!("a spindle speed of {speed} rev/min is above `spindle_max` = {largest} rev/min");
+            return Err(Fault::new(text));
         }
         let word = Decimal::fixed(speed, policy.formats.speed)
-            .map_err(|_| Fault::new(format_args!("a spindle speed of {speed} does not fit into a word")))?;
+            .map_err(|_| Fault::new(format_args!("a spindle speed of {speed} rev/min is too large for an S word")))?;
         if word.value() >= 10_f64.powi(policy.formats.speed_whole as i32) {
             return Err(Fault::new(format_args!(
-                "a spindle speed of {speed} has more digits than S of this control holds"
+                "a spindle speed of {speed} rev/min has more digits than an S word of this control"
             ))
-            .help("`[formats] speed_whole` are its digits before the point"));
+            .help("`[formats] speed_whole` is the number of digits before the decimal point"));
         }
         if word.units <= 0 {
             return Err(Fault::new(format_args!("a spindle speed of {speed} rev/min is written as S0 or below")));
         }
         if given.is_some_and(|tool| tool.left_handed) && rotation == Rotation::Clockwise {
-            return Err(Fault::new("the tool cuts turning counter-clockwise, and the spindle would turn clockwise")
-                .help("correct SPINDL/..,CCLW, or the tool in the configuration"));
+            return Err(Fault::new(
+                "the tool cuts counter-clockwise (`left_handed`), but the spindle rotates clockwise",
+            )
+            .help("give SPINDL/..,CCLW, or correct the tool in the configuration"));
         }
         Ok(Some((word, rotation)))
     }

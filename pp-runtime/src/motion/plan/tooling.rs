@@ -1,4 +1,4 @@
-//! Which tool is in the spindle, which one comes next, and what the CL data has called them with.
+//! Tools of a program: the one in the spindle, the next one, and the data of earlier calls.
 
 use std::collections::BTreeMap;
 
@@ -10,18 +10,18 @@ use crate::motion::plan::tool::LoadedTool;
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Tooling {
     current: Option<LoadedTool>,
-    /// The tool that the next operation begins with.
+    /// Tool of the next operation.
     next: Option<LoadedTool>,
-    /// Tools called so far, with the length and the offset register that the CL data gave last.
+    /// Tools called so far, with the last length and offset register of the CL data.
     calls: BTreeMap<u32, ToolCall>,
-    /// Tools in the order in which they come into the spindle, as far as it is known.
+    /// Tools in the order of their changes, as far as known.
     order: Vec<u32>,
     /// Tool changes so far.
     changes: usize,
 }
 
 impl Tooling {
-    /// Knows which tool follows which.
+    /// Sets the order of the tools.
     pub(crate) fn know_order(&mut self, order: Vec<u32>) {
         self.order = order;
     }
@@ -31,42 +31,42 @@ impl Tooling {
         self.current
     }
 
-    /// The tool that the next operation begins with, where a tool record has named it.
+    /// Tool of the next operation, where a tool record has called one.
     pub(crate) fn next(&self) -> Option<LoadedTool> {
         self.next
     }
 
-    /// Earlier calls of a tool, taken together.
+    /// Data of earlier calls of a tool, merged.
     pub(crate) fn called_before(&self, number: u32) -> Option<ToolCall> {
         self.calls.get(&number).copied()
     }
 
-    /// A tool record.
+    /// Takes the data of a tool record.
     pub(crate) fn call(&mut self, call: &ToolCall) {
         let before = self.calls.get(&call.number).copied().unwrap_or_default();
         let (length, offset) = (call.length_mm.or(before.length_mm), call.length_offset.or(before.length_offset));
         self.calls.insert(call.number, ToolCall { length_mm: length, length_offset: offset, ..*call });
     }
 
-    /// The next operation begins with this tool.
+    /// Sets the tool of the next operation.
     pub(crate) fn prepare(&mut self, tool: LoadedTool) {
         self.next = Some(tool);
     }
 
-    /// The tool that an operation asks for, and whether it has to be changed.
+    /// Tool called for an operation, and whether it has to be changed.
     pub(crate) fn take_next(&mut self) -> (Option<LoadedTool>, bool) {
         let wanted = self.next.take();
         let change = wanted.is_some_and(|wanted| self.current.is_none_or(|tool| tool.number != wanted.number));
         (wanted, change)
     }
 
-    /// A tool is in the spindle.
+    /// Sets the tool in the spindle.
     pub(crate) fn load(&mut self, tool: LoadedTool, change: bool) {
         self.current = Some(tool);
         self.changes += usize::from(change);
     }
 
-    /// The tool that follows the one of the last change.
+    /// The tool after this one, where it is the tool of the last change.
     pub(crate) fn following(&self, number: u32) -> Option<u32> {
         let known = self.order.get(self.changes.checked_sub(1)?..)?;
         known.first().filter(|first| **first == number).and(known.get(1)).copied()

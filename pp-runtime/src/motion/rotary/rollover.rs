@@ -7,7 +7,7 @@ use crate::kinematics::Axis;
 use crate::motion::options::{Policy, Wrap};
 
 use crate::motion::rotary::Rotary;
-use crate::motion::step::{MAX_AXES, Words};
+use crate::motion::step::{AxisWords, MAX_AXES};
 
 /// An axis whose words stay within one revolution.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -51,12 +51,12 @@ impl Rollover {
 
     /// Words to write for a block that starts at the words `from`.
     #[inline]
-    pub(crate) fn spell(&mut self, from: &[i64; MAX_AXES], words: Words) -> Words {
+    pub(crate) fn spell(&mut self, from: &[i64; MAX_AXES], words: AxisWords) -> AxisWords {
         if self.axes.is_empty() { words } else { self.wrapped(from, words) }
     }
 
     #[cold]
-    fn wrapped(&mut self, from: &[i64; MAX_AXES], words: Words) -> Words {
+    fn wrapped(&mut self, from: &[i64; MAX_AXES], words: AxisWords) -> AxisWords {
         let (turn, mut written) = (self.units_per_turn, words);
         for axis in self.axes.iter_mut().filter(|axis| words.has(axis.index)) {
             let (before, to) = (from[axis.index], words.units[axis.index]);
@@ -97,7 +97,7 @@ mod tests {
         degrees
             .iter()
             .map(|&to| {
-                let mut words = Words { units: [0; MAX_AXES], mask: 1, vector: None };
+                let mut words = AxisWords { units: [0; MAX_AXES], mask: 1, vector: None };
                 words.units[0] = to;
                 let spelled = speller.spell(&from, words).units[0];
                 from[0] = to;

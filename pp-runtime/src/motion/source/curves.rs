@@ -26,7 +26,7 @@ pub(crate) struct Curves {
 
 impl Curves {
     pub(crate) fn new(policy: Policy<'_>) -> Self {
-        Self { configured_mm: policy.options.tolerance, stated_mm: None, may_widen: policy.options.allow_lintol }
+        Self { configured_mm: policy.options.tolerance_mm, stated_mm: None, may_widen: policy.options.allow_lintol }
     }
 
     /// The tolerance in force, mm.

@@ -27,11 +27,11 @@ pub(crate) struct Setting {
 impl Setting {
     pub(crate) fn new(policy: Policy<'_>) -> Self {
         let rotation = policy.set_up.part_rotation;
-        let lift_mm = policy.options.lift.unwrap_or(0.0);
+        let lift_mm = policy.options.lift_mm.unwrap_or(0.0);
         Self {
             rotation,
             lift_mm,
-            plain: rotation == Rotation3::identity() && policy.options.lift.is_none(),
+            plain: rotation == Rotation3::identity() && policy.options.lift_mm.is_none(),
             points: Vec::new(),
         }
     }
@@ -163,13 +163,13 @@ mod tests {
     fn a_dry_run_moves_every_point_along_the_tool_axis() {
         let lifted = |event| {
             let mut config = Config::default();
-            config.motion.lift = Some(50.0);
+            config.motion.lift_mm = Some(50.0);
             Setting::new(config.policy()).event(&event) == Some(event)
         };
         let axis = [0.6, 0.0, 0.8];
         let (here, there) = (pose([1., 2., 3.], axis), pose([31., 2., 43.], axis));
         let mut config = Config::default();
-        config.motion.lift = Some(50.0);
+        config.motion.lift_mm = Some(50.0);
         let mut setting = Setting::new(config.policy());
         let motion = |pose| Event::Move(Move { pose, rapid: true, feed: None });
         assert_eq!(setting.event(&motion(here)), Some(motion(there)));

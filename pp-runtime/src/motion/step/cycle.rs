@@ -1,47 +1,48 @@
-//! Cycles of a control: what it has, and one hole by one of them.
+//! Drilling and tapping cycles: the abilities of a control, and one hole as a cycle.
 
 use crate::nc::Decimal;
 
-use crate::motion::step::Words;
+use crate::motion::step::AxisWords;
 
-/// Cycles of a control.
+/// Cycles that a control has.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct CycleAbilities {
-    /// In and out, with a wait at the bottom or without.
+    /// Drilling: in at feed, out at rapid, with or without a dwell at the bottom.
     pub drill: bool,
-    /// With a retreat to the clearance level after each step.
+    /// Deep-hole drilling with a return to the clearance level after each step.
     pub peck: bool,
-    /// With a short retreat after each step, as far as the control is set to.
+    /// Drilling with a short retract after each step to break the chip, by a distance set in the control.
     pub chip_break: bool,
-    /// Out at feed.
+    /// Reaming: in and out at feed.
     pub ream: bool,
-    /// Out at feed to the clearance level, and at rapid from there to a higher one.
+    /// Reaming out at feed to the clearance level, and at rapid from there to a higher level.
     pub ream_higher: bool,
-    /// With spindle and feed in step.
+    /// Tapping with spindle and feed synchronised.
     pub tap: bool,
-    /// With a wait at the bottom of a thread.
+    /// Tapping with a dwell at the bottom.
     pub tap_dwell: bool,
-    /// With a wait at the bottom of a hole in steps.
-    pub steps_dwell: bool,
-    /// Longest wait, milliseconds.
-    pub longest_dwell: u32,
-    /// It comes back to any level, wherever it began.
-    pub own_return: bool,
-    /// It is told how far to go back between two steps, and how near to come again.
-    pub states_gap: bool,
-    /// It shares out what is left for the last two steps: only whole steps are what they are.
-    pub whole_steps: bool,
-    /// The spindle stands behind a thread.
-    pub tap_stops: bool,
-    /// A thread is cut with F.
-    pub tap_feed: bool,
-    /// Decimals of a pitch.
+    /// Drilling in steps with a dwell at the bottom.
+    pub peck_dwell: bool,
+    /// Longest dwell, ms.
+    pub longest_dwell_ms: u32,
+    /// Return to any level, independent of the level at which the cycle began.
+    pub returns_to_any_level: bool,
+    /// The retract between two steps, and the gap left by the rapid that follows it, are parameters of the cycle.
+    pub programs_gap: bool,
+    /// The control divides the rest of the depth equally between the last two steps, so only a depth of whole steps is
+    /// drilled as programmed.
+    pub whole_steps_only: bool,
+    /// The spindle is off after tapping.
+    pub tap_stops_spindle: bool,
+    /// Tapping takes an F word.
+    pub tap_uses_feed: bool,
+    /// Decimals of the pitch.
     pub pitch_decimals: u32,
 }
 
 impl CycleAbilities {
-    /// Of a control whose cycles are codes with X Y Z R: they begin at the level to which they go back, and their short
-    /// retreats are settings of the machine.
+    /// Cycles that are codes with X Y Z R: they begin at the level to which they return, and their short retracts are
+    /// settings of the machine.
     pub const CODES: Self = Self {
         drill: true,
         peck: true,
@@ -50,18 +51,18 @@ impl CycleAbilities {
         ream_higher: false,
         tap: true,
         tap_dwell: false,
-        steps_dwell: false,
-        longest_dwell: u32::MAX,
-        own_return: false,
-        states_gap: false,
-        whole_steps: false,
-        tap_stops: false,
-        tap_feed: false,
+        peck_dwell: false,
+        longest_dwell_ms: u32::MAX,
+        returns_to_any_level: false,
+        programs_gap: false,
+        whole_steps_only: false,
+        tap_stops_spindle: false,
+        tap_uses_feed: false,
         pitch_decimals: 6,
     };
 }
 
-/// What a cycle does in a hole; lengths in whole units of linear words.
+/// Kind of a cycle; lengths in whole units of linear words.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum CannedKind {
     /// In at feed, out at rapid.
@@ -70,54 +71,54 @@ pub enum CannedKind {
     Peck {
         /// Depth of a step.
         step: i64,
-        /// How near at rapid to where the last step ended.
+        /// Distance left above the end of the last step by the rapid back in.
         gap: i64,
     },
-    /// In steps, a little back after each.
+    /// In steps, with a short retract after each.
     ChipBreak {
         /// Depth of a step.
         step: i64,
-        /// How far back.
+        /// Retract after a step.
         gap: i64,
     },
     /// In and out at feed.
     Ream,
-    /// A thread.
+    /// Tapping.
     Tap {
-        /// Units of length per turn.
+        /// Units of length per revolution.
         pitch: Decimal,
-        /// Left-hand.
+        /// Left-hand thread.
         left: bool,
-        /// rev/min.
+        /// Spindle speed, rev/min.
         speed: Decimal,
     },
 }
 
-/// A hole by a cycle along Z; levels are words of Z.
+/// A hole by a cycle along Z; levels are Z words.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CannedCycle {
-    /// What it does.
+    /// Kind of the cycle.
     pub kind: CannedKind,
-    /// Where: X and Y.
-    pub words: Words,
+    /// X and Y of the hole.
+    pub words: AxisWords,
     /// Position of Z in the chain.
     pub z: usize,
-    /// The top of the hole.
+    /// Top of the hole.
     pub surface: i64,
-    /// Where feed begins.
+    /// Clearance level (R), at which the feed begins.
     pub clearance: i64,
-    /// The bottom.
+    /// Bottom of the hole.
     pub bottom: i64,
-    /// Where the tool stands afterwards: at the clearance level, or higher where it stood before.
+    /// Return level: the clearance level, or a higher one.
     pub back: i64,
-    /// Wait at the bottom, seconds.
+    /// Dwell at the bottom, s.
     pub dwell: Option<f64>,
-    /// Units of the control's path per minute.
+    /// Feed, units of the control's path per minute.
     pub feed: Decimal,
 }
 
 impl CannedCycle {
-    /// Another hole of the same.
+    /// Whether this is another hole of the same cycle.
     pub(crate) fn repeats(&self, before: &Self) -> bool {
         Self { words: before.words, ..*self } == *before
     }

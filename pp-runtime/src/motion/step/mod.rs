@@ -1,4 +1,4 @@
-//! What the planner hands to a control: one step is one block.
+//! The interface from the planner to the controls: one step is one block.
 
 mod cycle;
 mod provenance;
@@ -12,24 +12,24 @@ use crate::motion::geometry::Circle;
 
 pub use crate::kinematics::MAX_AXES;
 pub use cycle::{CannedCycle, CannedKind, CycleAbilities};
-pub use provenance::{Provenance, Standing, Why};
+pub use provenance::{BlockReason, Provenance, ReachedPosition};
 
-/// Decimals of the components of a tool axis: as many as CL data has.
+/// Decimals of the components of a tool axis, as in CL data.
 pub const VECTOR_DECIMALS: u32 = 7;
 
-/// Words of axes: whole units of their last decimal, by position in the chain.
+/// Axis words of a block: whole units of their last decimal, by position in the chain.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Words {
-    /// Whole units, meaningful where [`has`](Self::has) says so.
+pub struct AxisWords {
+    /// Whole units; valid where [`has`](Self::has) returns true.
     pub units: [i64; MAX_AXES],
     /// Bit `i` is set for the axis at position `i`.
     pub mask: u16,
-    /// The tool axis as the control counts it, in the place of rotary words: units of [`VECTOR_DECIMALS`] decimals.
+    /// Tool axis in the frame of the control, instead of rotary words: units of [`VECTOR_DECIMALS`] decimals.
     pub vector: Option<[i64; 3]>,
 }
 
-impl Words {
-    /// Whether the block may hold a word of this axis.
+impl AxisWords {
+    /// Whether the block may have a word of this axis.
     #[must_use]
     #[inline]
     pub fn has(&self, axis: usize) -> bool {
@@ -42,104 +42,104 @@ impl Words {
 pub enum FeedWord {
     /// Units of the control's path per minute; stays in force.
     PerMinute(Decimal),
-    /// Inverse time, for this block alone.
+    /// Inverse time, for this block only.
     InverseTime(Decimal),
 }
 
 /// One block.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Step<'a> {
-    /// Straight line of all axes together at a feed; words that do not change are left out.
+    /// Feed motion, straight in axis values; words that do not change are left out.
     Feed {
-        /// Where to.
-        words: Words,
-        /// How fast.
+        /// End point.
+        words: AxisWords,
+        /// Feed.
         feed: FeedWord,
     },
     /// Arc of a circle about an axis of the program, or a helix; the words of its plane are always written.
     Arc {
-        /// Where to; linear axes only.
-        words: Words,
+        /// End point; linear axes only.
+        words: AxisWords,
         /// The circle.
         circle: &'a Circle,
         /// Units of the control's path per minute.
         feed: Decimal,
     },
-    /// A hole by a cycle of the control.
+    /// Hole by a cycle of the control.
     Cycle {
         /// The cycle.
         cycle: &'a CannedCycle,
     },
-    /// From the next feed block on the cutter runs beside its path.
-    Beside {
-        /// Left of the words as they are written, else right; `None`: on it again.
+    /// Cutter compensation (G41, G42, G40), effective with the next feed block.
+    CutterCompensation {
+        /// Left of the written path, or right; `None`: off.
         left: Option<bool>,
         /// Register of the radius.
         register: u32,
     },
     /// Rapid; words that do not change are left out.
     Rapid {
-        /// Where to.
-        words: Words,
+        /// End point.
+        words: AxisWords,
     },
-    /// Rapid in machine coordinates; all its words are written, and where these axes stand in the program's
-    /// coordinates is not known behind it.
+    /// Rapid in machine coordinates; all its words are written. After it the positions of these axes in program
+    /// coordinates are unknown.
     Machine {
-        /// Where to.
-        words: Words,
+        /// End point, machine coordinates.
+        words: AxisWords,
     },
-    /// A program can be entered here: units, plane, everything cancelled, feed per minute, work offset. Every word is
-    /// written again behind it.
+    /// Safety line, at which a program can be entered: units, plane, modes cancelled, feed per minute, work offset. After
+    /// it every word is written again.
     Restart {
-        /// Counts from 1.
+        /// Number of the safety line, from 1.
         number: u32,
     },
     /// Feed per minute from here on.
     PerMinute,
-    /// The tool that is needed.
+    /// Tool call.
     Tool {
-        /// Its number.
+        /// Tool number.
         number: u32,
         /// Register of its length.
         offset: u32,
-        /// The tool after it, if one follows.
+        /// Next tool of the program, if there is one.
         next: Option<u32>,
-        /// Speed it begins with, rev/min, if that is known.
+        /// First spindle speed of the tool, rev/min, if known.
         speed: Option<Decimal>,
-        /// False if it stands in the spindle already.
+        /// False if the tool is in the spindle already.
         change: bool,
     },
-    /// The length offset of the motions that follow.
+    /// Length offset of the following motions.
     Length {
         /// Register.
         offset: u32,
     },
-    /// The control keeps the tip where the linear words say, or no longer.
+    /// Tip control (TCP) on or off: while it is on, linear words are coordinates of the tip.
     TipControl {
-        /// From here on.
+        /// On from here.
         on: bool,
     },
-    /// The plane of the linear words is tilted, and the rotary axes are turned to it.
+    /// Tilted plane for the linear words; the rotary axes are positioned for it.
     Plane {
-        /// Its angles as the control counts them, degrees.
+        /// Angles of the plane in the convention of the control, degrees.
         angles: [Decimal; 3],
-        /// Which of the two poses, where it has to be said: plus or the higher one.
+        /// Choice between the two poses, where it has to be programmed: true for plus or the higher one.
         pose: Option<bool>,
     },
-    /// The plane is no longer tilted.
+    /// Tilted plane off.
     PlaneOff,
-    /// The length of the tool as the control knows it is compared with the one that was posted, and the program stops where
-    /// they differ; nothing where a control cannot compare.
+    /// Comparison of the tool length in the control with the posted one; the program stops where they differ. Writes
+    /// nothing where a control cannot compare.
     LengthGuard {
-        /// A number of its own in the program.
+        /// Label that is unique in the program.
         label: u32,
-        /// The tool in the spindle.
+        /// Tool in the spindle.
         tool: u32,
-        /// Its register.
+        /// Register of its length.
         offset: u32,
         /// Posted gauge length, mm.
         length: f64,
-        /// By how much it may differ, mm.
+        /// Largest difference allowed, mm.
         tolerance: f64,
     },
     /// Spindle on.
@@ -149,61 +149,61 @@ pub enum Step<'a> {
         /// Sense of rotation.
         rotation: Rotation,
     },
-    /// A code of the configuration that moves nothing and leaves in force what is.
+    /// Code of the configuration that moves nothing and changes no mode.
     Code {
-        /// As it is written.
+        /// Text of the block.
         text: &'a str,
     },
     /// Spindle off.
     SpindleOff,
-    /// Wait.
+    /// Dwell.
     Dwell {
-        /// How long.
+        /// Duration, s.
         seconds: f64,
     },
     /// Coolant on.
     Coolant {
-        /// A kind that the control has; never `On` or `Off`.
+        /// Kind that the control has; never `On` or `Off`.
         kind: Coolant,
     },
     /// All coolant off.
     CoolantOff,
-    /// Program stop; the operator may do anything.
+    /// Program stop; after it the state of the machine is unknown.
     Stop {
-        /// Only where the operator has asked for it.
+        /// Stops only where the operator has enabled optional stops.
         optional: bool,
     },
-    /// An operation begins.
+    /// Beginning of an operation.
     Operation {
-        /// Its name as the CL data has it.
+        /// Name in the CL data.
         name: &'a [u8],
     },
     /// Text for the operator.
     Message {
-        /// As the CL data has it.
+        /// Text in the CL data.
         text: &'a [u8],
     },
-    /// The work offset of what follows; written with the next restart.
+    /// Work offset of the following motions; written with the next restart.
     WorkOffset {
-        /// Its word.
+        /// Word of the offset.
         word: &'a str,
     },
-    /// A block as it stands; nothing is known behind it.
+    /// Block written unchanged; after it the state of the machine is unknown.
     Raw {
-        /// The block.
+        /// Text of the block.
         text: &'a [u8],
     },
 }
 
 impl Step<'_> {
-    /// What it is, in one word.
+    /// Kind of the step in one word, as in the JSON of `--map`.
     #[must_use]
     pub const fn name(&self) -> &'static str {
         match self {
             Self::Feed { .. } => "feed",
             Self::Arc { .. } => "arc",
             Self::Cycle { .. } => "cycle",
-            Self::Beside { .. } => "compensation",
+            Self::CutterCompensation { .. } => "compensation",
             Self::Rapid { .. } => "rapid",
             Self::Machine { .. } => "machine-coordinates",
             Self::Restart { .. } => "restart",
@@ -226,12 +226,12 @@ impl Step<'_> {
     }
 }
 
-/// Takes the steps of a program.
+/// Receiver of the steps of a program.
 pub trait Sink {
-    /// Writes one step; `from` says where it comes from and where it leads.
+    /// Writes one step; `from` has its record in the CL data and the position after it.
     ///
     /// # Errors
-    /// Those of the output.
+    /// The error of the output.
     fn step(&mut self, step: &Step<'_>, from: &Provenance<'_>) -> io::Result<()>;
 }
 
@@ -242,11 +242,11 @@ impl<S: Sink> Sink for &mut S {
     }
 }
 
-/// Takes the steps of a rehearsal.
+/// Sink that drops the steps, for a rehearsal.
 #[derive(Debug, Clone, Copy)]
-pub struct Nowhere;
+pub struct DiscardSteps;
 
-impl Sink for Nowhere {
+impl Sink for DiscardSteps {
     fn step(&mut self, _: &Step<'_>, _: &Provenance<'_>) -> io::Result<()> {
         Ok(())
     }

@@ -1,45 +1,45 @@
-//! Where the blocks of a program come from: the record of the CL data that a step serves, why it is there, and where the
-//! machine is after it. The planner hands it over with each step; a sink may keep an account of it or not.
+//! Provenance of the blocks of a program: the record of the CL data that a step belongs to, the reason for the step, and the
+//! position after it. The planner passes it to the sink with each step; a sink may record it or not.
 
 use crate::kinematics::{Branch, Pose};
 use crate::program::Location;
 
-/// Why a step is in the program.
+/// Reason for a step in the program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Why {
-    /// In front of everything that a record asks for.
+pub enum BlockReason {
+    /// Head of the program, before the first record.
     #[default]
     Head,
-    /// The record asks for just this.
+    /// The record itself.
     Record,
-    /// A point of a feed motion between its ends: there tip or tool axis would leave the tolerance.
+    /// Inserted point of a feed motion: without it the tip or the tool axis would leave the tolerance.
     Tolerance,
-    /// A point of a feed motion at which the course of the rotary axes goes on with other words.
+    /// Inserted point of a feed motion, at which the rotary axes change to other angles.
     Course,
-    /// The rotary axes are rewound to stay within their limits.
+    /// Rewind of the rotary axes, to stay within their limits.
     Rewind,
-    /// A chord of a curve.
+    /// Chord of a curve.
     Curve,
-    /// A chord of an arc that the control cannot be told.
+    /// Chord of an arc that cannot be written as an arc.
     Chord,
-    /// A part of an arc that one block cannot say.
+    /// Part of an arc that does not fit into one block.
     SplitArc,
-    /// A motion of a hole that no cycle of the control makes.
+    /// Motion of a hole that is not written as a cycle.
     Hole,
-    /// The corner of a rapid in two legs.
+    /// Corner of a rapid in two blocks.
     Corner,
-    /// Out of the part along the tool axis.
+    /// Retract out of the part along the tool axis.
     LeadOut,
-    /// A complete state with the tool of the operation, before anything comes near the part.
+    /// Complete state with the tool of the operation, away from the part.
     Start,
-    /// From the retract position to the part.
+    /// Approach from the retract position to the part.
     Approach,
-    /// What ends a program.
+    /// End of the program.
     End,
 }
 
-impl Why {
-    /// The word that programs read.
+impl BlockReason {
+    /// Name in JSON.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -60,34 +60,34 @@ impl Why {
         }
     }
 
-    /// The sentence that people read.
+    /// Sentence for a reader.
     #[must_use]
     pub const fn text(self) -> &'static str {
         match self {
-            Self::Head => "the head of the program, which serves no record",
-            Self::Record => "this record asks for it",
+            Self::Head => "the head of the program, before the first record",
+            Self::Record => "programmed by this record",
             Self::Tolerance => {
-                "inserted in the motion of this record: in one block tip or tool axis would leave the tolerance"
+                "inserted in the motion of this record: in one block the tip or the tool axis would leave the tolerance"
             }
-            Self::Course => "inserted in the motion of this record: here the rotary axes go on along another course",
+            Self::Course => "inserted in the motion of this record: here the rotary axes change to other angles",
             Self::Rewind => "the rotary axes are rewound before this record, to stay within their limits",
             Self::Curve => "a chord of the curve of this record",
-            Self::Chord => "a chord of the arc of this record, which the control cannot be told as an arc",
-            Self::SplitArc => "a part of the arc of this record, which one block cannot say",
-            Self::Hole => "a motion of the hole of this record, which no cycle of the control makes",
-            Self::Corner => "the corner of the rapid of this record, which is written in two legs",
-            Self::LeadOut => "the tool is led out of the part before what this record asks for",
-            Self::Start => "the complete state that the operation of this record begins with",
+            Self::Chord => "a chord of the arc of this record, which cannot be written as an arc",
+            Self::SplitArc => "a part of the arc of this record, which does not fit into one block",
+            Self::Hole => "a motion of the hole of this record, which is not written as a cycle",
+            Self::Corner => "the corner of the rapid of this record, which is written in two blocks",
+            Self::LeadOut => "the retract out of the part before this record",
+            Self::Start => "the complete state at the beginning of the operation of this record",
             Self::Approach => "the approach to the point of this record",
             Self::End => "the end of the program",
         }
     }
 }
 
-/// Where the machine is after a step.
+/// Position after a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Standing<'a> {
-    /// Tip in mm and tool axis in the workpiece; `None` while only some axes have arrived.
+pub struct ReachedPosition<'a> {
+    /// Tip in mm and tool axis, workpiece frame; `None` while only some axes have arrived.
     pub pose: Option<&'a Pose>,
     /// Branch of the inverse kinematics.
     pub branch: Branch,
@@ -97,13 +97,13 @@ pub struct Standing<'a> {
     pub mask: u16,
 }
 
-/// Where a step comes from and where it leads.
+/// Record of a step, reason for it, and position after it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Provenance<'a> {
-    /// The record that it serves; `None` before the first.
+    /// Record that the step belongs to; `None` before the first.
     pub at: Option<Location>,
-    /// Why it is in the program.
-    pub why: Why,
-    /// Where the machine is after it, if it moves.
-    pub standing: Option<Standing<'a>>,
+    /// Reason for the step.
+    pub reason: BlockReason,
+    /// Position after the step, if it moves.
+    pub reached: Option<ReachedPosition<'a>>,
 }

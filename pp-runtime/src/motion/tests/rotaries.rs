@@ -12,7 +12,7 @@ fn a_spiral_of_twenty_turns_counts_past_360_without_a_jump() {
         events.push(feed([30.0 * cos, 30.0 * sin, -f64::from(step) / 300.0], cb(angle, 60.0)));
     }
     let mut config = config();
-    config.motion.tolerance = 1.0;
+    config.motion.tolerance_mm = 1.0;
     let lines = lines::<Cb>(&config, &events);
     let turns: Vec<f64> = lines
         .iter()
@@ -21,18 +21,18 @@ fn a_spiral_of_twenty_turns_counts_past_360_without_a_jump() {
         .collect();
     assert_eq!(turns.len() as i32, steps + 1);
     for (step, turn) in turns.iter().enumerate() {
-        assert!((turn - step as f64 * 5.0).abs() < 1e-9, "step {step} stands at {turn}");
+        assert!((turn - step as f64 * 5.0).abs() < 1e-9, "step {step} is at {turn}");
     }
 }
 
-/// The line that ends a turn in which one rotary turns and the other stands at zero.
-fn turns_alone(turning: char, standing: char, end: &str, lines: &[String]) -> usize {
-    let zero = format!("{standing}0");
+/// Index of the line that ends a rotation of one rotary axis while the other rests at zero.
+fn rotates_alone(rotating: char, resting: char, end: &str, lines: &[String]) -> usize {
+    let zero = format!("{resting}0");
     let start = lines.iter().position(|line| line.starts_with("X") && line.split(' ').any(|word| word == zero));
     let start = start.expect("the pole") + 1;
-    let end = lines.iter().position(|line| line.split(' ').any(|word| word == end)).expect("the end of the turn");
+    let end = lines.iter().position(|line| line.split(' ').any(|word| word == end)).expect("the end of the rotation");
     assert!(start <= end, "{lines:#?}");
-    assert!(lines[start..=end].iter().all(|line| line.contains(turning) && !line.contains(standing)), "{lines:#?}");
+    assert!(lines[start..=end].iter().all(|line| line.contains(rotating) && !line.contains(resting)), "{lines:#?}");
     end
 }
 
@@ -48,8 +48,8 @@ fn a_free_rotary_turns_at_the_vertical_for_what_follows() {
     let lines = run::<Cb>(&config(), &events).lines;
     let vertical = lines.iter().find(|line| line.contains("B0")).expect("the vertical");
     assert!(!vertical.contains('C'), "{vertical}");
-    // In place, and the tilt begins with the table where it has to stand.
-    let end = turns_alone('C', 'B', "C45", &lines);
+    // In place, and the tilt begins with the table at its angle.
+    let end = rotates_alone('C', 'B', "C45", &lines);
     assert!(lines[end + 1].contains('B') && !lines[end + 1].contains('C'), "{lines:#?}");
 }
 
@@ -66,18 +66,18 @@ fn rounding_near_the_vertical_does_not_turn_the_table() {
 }
 
 #[test]
-fn a_motion_that_turns_an_axis_far_becomes_blocks_within_tolerance() {
+fn a_motion_with_a_large_rotation_becomes_blocks_within_tolerance() {
     let turned = |to: f64, tolerance: f64| {
         let events = [tool(1), spindle(), feed([40.0, 0.0, 0.0], cb(0.0, 30.0)), feed([10.0, 40.0, 0.0], cb(to, 30.0))];
         let mut config = config();
-        config.motion.tolerance = tolerance;
+        config.motion.tolerance_mm = tolerance;
         run::<Cb>(&config, &events)
     };
     let far = turned(60.0, 0.01);
     assert_eq!(far.diagnostics, []);
     assert!((20..80).contains(&far.statistics.inserted), "{:?}", far.statistics);
-    let used = far.statistics.largest_tip_bound;
-    assert!(used > 0.009 && used <= 0.01 && far.statistics.largest_axis_bound <= 0.1_f64.to_radians());
+    let used = far.statistics.largest_tip_bound_mm;
+    assert!(used > 0.009 && used <= 0.01 && far.statistics.largest_axis_bound_rad <= 0.1_f64.to_radians());
     assert!((minutes(&far.lines) - 50.0 / 500.0).abs() < 1e-6, "the tip keeps its speed: {}", far.text());
     let finer = turned(60.0, 0.0025).statistics.inserted as f64 / far.statistics.inserted as f64;
     assert!((1.8..2.6).contains(&finer), "a quarter of the tolerance takes twice the blocks: {finer}");
@@ -85,17 +85,17 @@ fn a_motion_that_turns_an_axis_far_becomes_blocks_within_tolerance() {
 }
 
 #[test]
-fn beside_the_pole_the_tool_follows_its_path_and_through_it_the_branch_may_change() {
+fn near_the_pole_the_tool_follows_its_path_and_through_it_the_branch_may_change() {
     let across = |from: f64, to: f64| {
         let events = [tool(1), spindle(), feed([9.0, 0.0, 0.0], cb(from, 4.0)), feed([9.0, 5.0, 0.0], cb(to, 4.0))];
         let run = run::<Cb>(&config(), &events);
         assert_eq!(run.diagnostics, []);
         run
     };
-    // 0.7 degrees beside the pole there is no way from one branch to the other.
-    let beside = across(10.0, 170.0);
-    assert!(beside.statistics.inserted > 20 && !beside.text().contains("B-4"), "{}", beside.text());
-    assert!(beside.text().contains("C170"));
+    // 0.7 degrees from the pole no path leads from one branch to the other.
+    let near = across(10.0, 170.0);
+    assert!(near.statistics.inserted > 20 && !near.text().contains("B-4"), "{}", near.text());
+    assert!(near.text().contains("C170"));
     let through = across(10.0, 190.0);
     assert!(through.statistics.inserted < 10 && through.text().contains("B-4"), "{}", through.text());
 }
@@ -112,13 +112,13 @@ fn what_cannot_be_certified_is_an_error_with_its_reason() {
     let (_, limit) = error(&config(), cb(0.0, 105.0), cb(120.0, 105.0));
     assert!(limit.contains("between the last point and this one") && limit.contains("limits -5"), "{limit}");
     let mut fine = config();
-    fine.motion.tolerance = 0.0005;
+    fine.motion.tolerance_mm = 0.0005;
     let (_, coarse) = error(&fine, cb(0.0, 30.0), cb(90.0, 30.0));
     assert!(coarse.contains("too coarse for a tolerance of 0.0005 mm"), "{coarse}");
 }
 
 crate::machine! {
-    /// Cannot stand the tool upright: between 30° and 150° from the vertical.
+    /// Tool axis between 30° and 150° from the vertical, never upright.
     struct Leaning;
     chain: C B | X Y Z;
     tool_axis = (0, 1/2, sqrt(3)/2);
@@ -128,12 +128,12 @@ crate::machine! {
 fn an_axis_out_of_reach_between_two_points_is_an_error() {
     let events = [tool(1), spindle(), feed([9.0, 0.0, 0.0], cb(0.0, 50.0)), feed([9.0, 5.0, 0.0], cb(180.0, 50.0))];
     let mut config = config();
-    config.motion.retract.distance = Some(20.0);
+    config.motion.retract.distance_mm = Some(20.0);
     let run = run::<Leaning>(&config, &events);
     assert_eq!(run.error().location.line, 4);
-    assert!(run.error().text.starts_with("between the last point and this one: "), "{}", run.error().text);
-    let beside = [tool(1), spindle(), feed([9.0, 0.0, 0.0], cb(0.0, 50.0)), feed([9.0, 5.0, 0.0], cb(50.0, 50.0))];
-    assert_eq!(self::run::<Leaning>(&config, &beside).diagnostics, []);
+    assert!(run.error().text.starts_with("on the way from the point before: "), "{}", run.error().text);
+    let around = [tool(1), spindle(), feed([9.0, 0.0, 0.0], cb(0.0, 50.0)), feed([9.0, 5.0, 0.0], cb(50.0, 50.0))];
+    assert_eq!(self::run::<Leaning>(&config, &around).diagnostics, []);
 }
 
 #[test]
@@ -142,7 +142,7 @@ fn the_first_pose_counts_from_the_pose_of_from() {
     let chosen = |events: &[Event<'_>]| {
         lines::<Cb>(&config(), events).into_iter().find(|line| line.starts_with("G0 B")).expect("rotaries")
     };
-    // From zero the second branch turns less; from C 160 the first one does.
+    // From zero the second branch rotates less; from C 160 the first one does.
     assert_eq!(chosen(&[tool(1), spindle(), first]), "G0 B-4 C-10");
     assert_eq!(chosen(&[Event::From(pose([0.0; 3], cb(160.0, 50.0))), tool(1), spindle(), first]), "G0 B4 C170");
 }
@@ -159,7 +159,7 @@ fn a_rotary_limit_is_named_with_value_and_line() {
 }
 
 #[test]
-fn an_axis_is_turned_back_a_whole_turn_out_of_the_part() {
+fn an_axis_is_rewound_a_full_turn_out_of_the_part() {
     let mut config = config();
     config.set_up.limits.insert('C', Some(crate::kinematics::Limits { lower: -3.2, upper: 3.2 }));
     let at = |angle: f64, feed: bool| {
@@ -170,11 +170,11 @@ fn an_axis_is_turned_back_a_whole_turn_out_of_the_part() {
     let cut = run::<Cb>(&config, &events(at(186.0, true)));
     assert!(cut.error().text.contains("have to be rewound"), "{:?}", cut.error());
     assert_eq!(run::<Cb>(&config, &events(at(186.0, false))).diagnostics, []);
-    config.motion.retract.distance = Some(20.0);
+    config.motion.retract.distance_mm = Some(20.0);
     let cut = run::<Cb>(&config, &events(at(186.0, true)));
     assert_eq!(cut.statistics.rewinds, 1);
     assert!(cut.diagnostics[0].text.contains("unavoidable within C -183.3465° to 183.3465°"), "{:?}", cut.diagnostics);
-    // Begun a whole turn lower there would be no need.
+    // A start one full turn lower needs no rewind.
     config.set_up.limits.insert('C', Some(crate::kinematics::Limits { lower: -3.5, upper: 3.2 }));
     assert_eq!(run::<Cb>(&config, &events(at(186.0, true))).diagnostics, []);
 }
@@ -194,11 +194,11 @@ fn a_rewind_never_begins_by_going_down_to_the_clearance() {
 }
 
 #[test]
-fn only_the_rapid_that_turns_an_axis_is_cut_into_short_ways() {
+fn only_the_rapid_that_rotates_an_axis_is_split_for_the_shortest_path() {
     let mut config = config();
     config.motion.rotaries.wrap.insert('C', Wrap::Positive);
     config.set_up.limits.insert('B', Some(crate::kinematics::Limits { lower: 0.0, upper: 2.0 }));
-    config.motion.retract.distance = Some(20.0);
+    config.motion.retract.distance_mm = Some(20.0);
     let events = [
         tool(1),
         spindle(),
@@ -210,15 +210,15 @@ fn only_the_rapid_that_turns_an_axis_is_cut_into_short_ways() {
     let lines = lines::<Cb>(&config, &events);
     let turned = lines.iter().position(|line| line == "C180").expect("the second half of the turn");
     assert_eq!(lines[turned - 1], "G0 C90");
-    // No block on the way down that counts from where the tool was in the cut.
+    // No block of the approach counts from the last position in the cut.
     let down: Vec<&str> = lines[turned + 1..turned + 4].iter().map(|line| &line[..1]).collect();
     assert_eq!(down, ["X", "Z", "Z"], "{lines:?}");
 }
 
 #[test]
-fn the_table_turns_for_a_cut_from_the_pole_where_the_operation_begins() {
+fn the_table_rotates_for_a_cut_from_the_pole_at_the_beginning_of_the_operation() {
     let mut config = config();
-    config.motion.retract.distance = Some(20.0);
+    config.motion.retract.distance_mm = Some(20.0);
     let events = [
         tool(1),
         spindle(),
@@ -234,7 +234,7 @@ fn the_table_turns_for_a_cut_from_the_pole_where_the_operation_begins() {
 }
 
 #[test]
-fn a_free_axis_stands_inside_limits_that_exclude_zero() {
+fn a_free_axis_is_inside_limits_that_exclude_zero() {
     let mut config = config();
     config.set_up.limits.insert('C', Some(crate::kinematics::Limits { lower: 0.5, upper: 6.0 }));
     let lines = lines::<Cb>(&config, &[tool(1), spindle(), feed([0.0; 3], UP), feed([10.0, 0.0, 0.0], UP)]);
@@ -269,7 +269,11 @@ fn on_request_a_rewind_leaves_the_tip_in_place() {
     let at = |angle: f64| feed([10.0, 0.0, 0.0], cb(angle, 30.0));
     let run = run::<Cb>(&config, &[tool(1), spindle(), at(170.0), at(183.0), at(186.0)]);
     assert_eq!(run.statistics.rewinds, 1);
-    assert!(run.diagnostics.len() == 1 && run.diagnostics[0].text.contains("swings about it"), "{:?}", run.diagnostics);
+    assert!(
+        run.diagnostics.len() == 1 && run.diagnostics[0].text.contains("swings about it)"),
+        "{:?}",
+        run.diagnostics
+    );
     let machine = config.set_up.machine::<Cb>().expect("valid");
     let mut axes = [0.0; 5];
     let mut turned = 0.0_f64;
@@ -287,7 +291,7 @@ fn on_request_a_rewind_leaves_the_tip_in_place() {
 }
 
 #[test]
-fn an_operation_begins_in_the_branch_and_turn_that_last() {
+fn an_operation_begins_in_the_branch_and_turn_that_last_to_its_end() {
     let rotaries = |config: &Config, poses: &[[f64; 3]]| {
         let mut events = vec![tool(1), spindle()];
         events.extend(poses.iter().map(|&axis| feed([0.0; 3], axis)));
@@ -299,7 +303,7 @@ fn an_operation_begins_in_the_branch_and_turn_that_last() {
     let tilting = [cb(170.0, 4.0), cb(170.0, 30.0), cb(170.0, 60.0)];
     assert_eq!(rotaries(&config(), &tilting[..1]), "G0 B-4 C-10");
     assert_eq!(rotaries(&config(), &tilting), "G0 B4 C170");
-    // From the vertical the table has to stand right before the tilt begins, yet only if it matters.
+    // At the vertical the table rotates before the tilt begins, yet only where necessary.
     assert_eq!(rotaries(&config(), &[UP, cb(180.0, 3.0), cb(180.0, 30.0)]), "G0 B0 C180");
     assert_eq!(rotaries(&config(), &[UP, cb(0.0, 3.0), cb(0.0, 30.0)]), "G0 B0 C0");
     // 160 to 320 degrees do not fit below 200: begin at -200.
@@ -326,7 +330,7 @@ fn a_branch_is_changed_at_the_vertical_only() {
     assert_eq!(through.diagnostics, []);
     let turn = through.lines.iter().position(|line| line.contains("C180")).expect("a turn");
     assert!(through.lines[turn - 1].contains("B0") && !through.lines[turn].contains('B'), "{}", through.text());
-    // Beside the vertical nothing helps.
+    // Away from the vertical a limit cannot be avoided.
     let mut limited = config();
     let limit = |angle: f64| angle.to_radians();
     limited.set_up.limits.insert('C', Some(crate::kinematics::Limits { lower: limit(-60.0), upper: limit(60.0) }));
@@ -336,7 +340,7 @@ fn a_branch_is_changed_at_the_vertical_only() {
 }
 
 #[test]
-fn the_table_turns_where_the_tool_passes_the_vertical_between_two_points() {
+fn the_table_rotates_where_the_tool_passes_the_vertical_between_two_points() {
     let events = [
         tool(1),
         spindle(),
@@ -345,16 +349,16 @@ fn the_table_turns_where_the_tool_passes_the_vertical_between_two_points() {
         feed([20.0, 0.0, 0.0], cb(0.0, -20.0)),
     ];
     let mut config = config();
-    config.motion.rapids.index_angle = 360_f64.to_radians();
+    config.motion.rapids.index_angle_rad = 360_f64.to_radians();
     let run = run::<Cb>(&config, &events);
     assert_eq!(run.diagnostics, [], "{}", run.text());
-    let end = turns_alone('C', 'B', "C180", &run.lines);
+    let end = rotates_alone('C', 'B', "C180", &run.lines);
     assert!(run.lines[end..].iter().any(|line| line.contains("B20")), "{}", run.text());
     assert!(run.lines[end + 1..].iter().all(|line| !line.contains('C')), "{}", run.text());
 }
 
 #[test]
-fn a_rotary_that_is_free_at_the_start_turns_before_the_cut_and_not_in_it() {
+fn a_rotary_that_is_free_at_the_start_rotates_before_the_cut_and_not_in_it() {
     let mut config = config();
     config.set_up.limits.insert('B', Some(Limits { lower: -0.1, upper: 1.9 }));
     let events = [
@@ -371,7 +375,7 @@ fn a_rotary_that_is_free_at_the_start_turns_before_the_cut_and_not_in_it() {
 }
 
 #[test]
-fn an_indexed_axis_stands_on_its_steps_and_never_turns_in_a_cut() {
+fn an_indexed_axis_is_on_its_steps_and_never_rotates_in_a_cut() {
     let mut config = config();
     config.motion.rotaries.grid.insert('C', 5_f64.to_radians());
     let with = |config: &Config, axes: &[[f64; 3]]| {
@@ -381,7 +385,7 @@ fn an_indexed_axis_stands_on_its_steps_and_never_turns_in_a_cut() {
     };
     let errors = |run: Run| run.diagnostics.iter().filter(|found| found.severity == Severity::Error).count();
     assert_eq!(errors(with(&config, &[cb(35.0, 30.0), cb(35.0, 40.0)])), 0);
-    // What CL data rounds is no other direction.
+    // Rounding of CL data is no other direction.
     let rounded = with(&config, &[cb(35.000_03, 30.0)]);
     assert!(rounded.diagnostics.is_empty() && rounded.lines.contains(&"G0 B30 C35".to_owned()), "{}", rounded.text());
     let between = with(&config, &[cb(36.0, 30.0)]);
@@ -392,12 +396,12 @@ fn an_indexed_axis_stands_on_its_steps_and_never_turns_in_a_cut() {
     );
     let turning = with(&config, &[cb(35.0, 30.0), cb(40.0, 30.0)]);
     assert!(turning.error().text.contains("from 35° to 40° in the cut"), "{:?}", turning.error());
-    config.motion.course.axis_tolerance = 1_f64.to_radians();
+    config.motion.course.axis_tolerance_rad = 1_f64.to_radians();
     assert_eq!(with(&config, &[cb(36.0, 30.0)]).diagnostics, []);
 }
 
 #[test]
-fn an_indexed_axis_stays_where_it_is_while_another_turns() {
+fn an_indexed_axis_keeps_its_angle_while_another_rotates() {
     let mut config = config();
     config.motion.rotaries.grid.insert('B', 5_f64.to_radians());
     let around = |by: f64| {
@@ -405,7 +409,7 @@ fn an_indexed_axis_stays_where_it_is_while_another_turns() {
         events.extend((0..=6).map(|step| feed([100.0, 0.0, 0.0], cb(by * f64::from(step), 30.0))));
         run::<Cb>(&config, &events)
     };
-    // An even turn from one direction to the next would take B along, by 0.003 degrees.
+    // An even rotation from one direction to the next would move B by 0.003 degrees.
     let near = around(2.0);
     assert_eq!(near.diagnostics, []);
     assert!(near.statistics.inserted > 0, "{}", near.text());
@@ -414,9 +418,9 @@ fn an_indexed_axis_stays_where_it_is_while_another_turns() {
 }
 
 #[test]
-fn an_axis_tolerance_at_the_pole_is_none_of_the_path() {
+fn the_axis_tolerance_at_the_pole_is_not_that_of_the_path() {
     let mut config = config();
-    config.motion.course.axis_tolerance = 0.5_f64.to_radians();
+    config.motion.course.axis_tolerance_rad = 0.5_f64.to_radians();
     let beside = 0.4_f64.to_radians();
     let across = |tilt: f64| [tilt.to_radians().sin(), beside, tilt.to_radians().cos()];
     let mut events = vec![tool(1), spindle()];
@@ -424,7 +428,7 @@ fn an_axis_tolerance_at_the_pole_is_none_of_the_path() {
     let run = run::<Cb>(&config, &events);
     assert_eq!(run.diagnostics, [], "{}", run.text());
     assert_eq!(run.statistics.near_pole, 1);
-    assert!((run.statistics.largest_at_pole - beside).abs() < 1e-4, "{:?}", run.statistics);
+    assert!((run.statistics.largest_at_pole_rad - beside).abs() < 1e-4, "{:?}", run.statistics);
 }
 
 #[test]
@@ -446,12 +450,12 @@ fn a_spiral_of_forty_turns_is_written_within_a_turn() {
     assert!(angles.iter().all(|angle| (0.0..360.0).contains(angle)));
     let (mut here, mut turned) = (0.0, 0.0);
     for angle in angles {
-        // The control goes the short way.
+        // The control takes the shortest path.
         let step = (angle - here + 540.0).rem_euclid(360.0) - 180.0;
         assert!(step.abs() < 180.0 - 1e-9, "{here} to {angle}");
         (here, turned) = (angle, turned + step);
     }
-    // Forty turns, and from there to the nearest zero; there is no way back.
+    // Forty turns, and from there to the nearest zero; the axis does not rotate back.
     assert!(
         (turned - (200.0_f64 - 360.0 + 40.0 * 360.0 + 160.0)).abs() < 1e-6 || (turned - 40.0 * 360.0).abs() < 1e-6,
         "{turned}"
@@ -459,7 +463,7 @@ fn a_spiral_of_forty_turns_is_written_within_a_turn() {
 }
 
 #[test]
-fn the_table_turns_the_way_that_rotabl_asks_for() {
+fn the_table_rotates_in_the_sense_of_rotabl() {
     let after = |turning: RotaryDirection, last: Event<'static>| {
         let before = [tool(1), spindle(), feed([0.0; 3], cb(10.0, 30.0))];
         [&before[..], &[Event::RotaryDirection(turning), last, Event::RotaryDirection(RotaryDirection::Shortest)]]
@@ -473,17 +477,15 @@ fn the_table_turns_the_way_that_rotabl_asks_for() {
     assert_eq!(rotaries(&config(), RotaryDirection::Shortest), "G0 C40");
     assert_eq!(rotaries(&config(), RotaryDirection::Towards(Rotation::Clockwise)), "G0 C40");
     assert_eq!(rotaries(&config(), RotaryDirection::Towards(Rotation::CounterClockwise)), "G0 C-320");
-    // Where the axis is limited, the sense leads to a state inside, or nowhere.
+    // Where the axis is limited, the sense leads to an angle inside the limits, or is refused.
     let mut limited = config();
     limited.set_up.limits.insert('C', Some(crate::kinematics::Limits { lower: -6.0, upper: 1.0 }));
     assert_eq!(rotaries(&limited, RotaryDirection::Towards(Rotation::CounterClockwise)), "G0 C-320");
     limited.set_up.limits.insert('C', Some(crate::kinematics::Limits { lower: -1.0, upper: 1.0 }));
     let events = after(RotaryDirection::Towards(Rotation::CounterClockwise), rapid([0.0; 3], cb(40.0, 30.0)));
-    assert!(run::<Cb>(&limited, &events).error().text.contains("leads out of the limits"));
+    assert!(run::<Cb>(&limited, &events).error().text.contains("leads out of the limits of the axis"));
     let events = after(RotaryDirection::Towards(Rotation::CounterClockwise), feed([0.0; 3], cb(40.0, 30.0)));
-    assert!(run::<Cb>(&config(), &events).error().text.contains("in front of a cut"));
+    assert!(run::<Cb>(&config(), &events).error().text.contains("before a cut"));
     let events = after(RotaryDirection::Towards(Rotation::CounterClockwise), rapid([0.0; 3], UP));
-    assert!(
-        run::<Head>(&with_lengths(Some(50.0)), &events).error().text.contains("no rotary axis stands in the table")
-    );
+    assert!(run::<Head>(&with_lengths(Some(50.0)), &events).error().text.contains("no rotary axis in the table"));
 }

@@ -18,9 +18,9 @@ fn two_tools_go_through_every_step_of_the_safe_sequence_one_block_each() {
         feed([20.0, 0.0, 0.0], cb(90.0, 30.0)),
     ];
     let mut config = config();
-    config.motion.spindle_dwell = 2.0;
+    config.motion.spindle_dwell_s = 2.0;
     config.motion.park.insert('C', 0.0);
-    config.motion.retract.distance = Some(20.0);
+    config.motion.retract.distance_mm = Some(20.0);
     assert_eq!(
         lines::<Cb>(&config, &events),
         [
@@ -87,7 +87,7 @@ fn a_first_rapid_with_the_next_point_below_it_is_the_approach_point() {
 }
 
 #[test]
-fn a_first_rapid_is_reached_from_above_by_a_rapid_where_the_next_point_lies_elsewhere() {
+fn a_first_rapid_is_reached_from_above_by_a_rapid_where_the_next_point_is_elsewhere() {
     let events = [tool(1), spindle(), rapid([1.0, 2.0, 3.0], UP), feed([9.0, 2.0, 3.0], UP)];
     let lines = lines::<Xyz>(&config(), &events);
     assert_eq!(&lines[7..11], ["G0 X1 Y2", "Z53", "Z3", "G1 X9 F500"]);
@@ -151,7 +151,7 @@ fn a_stop_retracts_first_and_starts_with_every_word_again() {
 }
 
 #[test]
-fn without_stop_retract_the_stop_stands_alone() {
+fn without_stop_retract_the_stop_is_alone() {
     let mut config = config();
     config.motion.stop_retract = false;
     let events = [tool(1), spindle(), feed([0.0, 0.0, 0.0], UP), Event::Stop, feed([0.0, 0.0, 0.0], UP)];
@@ -162,7 +162,7 @@ fn without_stop_retract_the_stop_stands_alone() {
 }
 
 #[test]
-fn a_rapid_that_turns_the_table_goes_through_the_sequence() {
+fn a_rapid_that_rotates_the_table_goes_through_the_sequence() {
     let events = [
         tool(1),
         spindle(),
@@ -194,7 +194,7 @@ fn a_rapid_that_turns_the_table_goes_through_the_sequence() {
 }
 
 #[test]
-fn a_rapid_that_turns_less_than_the_index_angle_is_one_block() {
+fn a_rapid_that_rotates_less_than_the_index_angle_is_one_block() {
     let events = |angle: f64| {
         let tilted = cb(0.0, angle);
         [tool(1), spindle(), rapid([0.0; 3], UP), rapid([9.0, 0.0, 0.0], UP), rapid([5.0, 0.0, 0.0], tilted)]
@@ -207,7 +207,7 @@ fn a_rapid_that_turns_less_than_the_index_angle_is_one_block() {
 }
 
 #[test]
-fn a_direct_transition_goes_on_where_the_operation_ended_but_never_over_a_tool_change() {
+fn a_direct_transition_continues_from_the_end_of_the_operation_but_never_over_a_tool_change() {
     let mut direct = config();
     direct.motion.rapids.transition = Transition::Direct;
     let events = [
@@ -229,7 +229,7 @@ fn a_direct_transition_goes_on_where_the_operation_ended_but_never_over_a_tool_c
 }
 
 #[test]
-fn a_head_needs_a_way_out_along_the_tool() {
+fn a_head_needs_a_retract_along_the_tool() {
     let tilted = [1.0, 0.0, 1.0];
     let out = |mm: f64| feed([mm / 2_f64.sqrt(), 0.0, mm / 2_f64.sqrt()], tilted);
     let cut = [tool(1), spindle(), out(0.0), feed([0.0, 5.0, 0.0], tilted)];
@@ -251,7 +251,7 @@ fn a_head_needs_a_way_out_along_the_tool() {
     assert_eq!(run::<Head>(&with_lengths(None), &far).diagnostics, []);
     let near = run::<Head>(&with_lengths(None), &[tool(1), spindle(), out(0.0), out(20.0)]);
     assert_eq!(near.diagnostics.len(), 1);
-    assert!(near.diagnostics[0].text.contains("20.000 mm only"), "{:?}", near.diagnostics);
+    assert!(near.diagnostics[0].text.contains("by only 20.000 mm"), "{:?}", near.diagnostics);
     // And back again does not count.
     assert!(
         run::<Head>(&with_lengths(None), &[tool(1), spindle(), out(0.0), out(60.0), out(50.0)]).diagnostics.len() == 1
@@ -261,7 +261,7 @@ fn a_head_needs_a_way_out_along_the_tool() {
 #[test]
 fn a_retreat_of_the_cl_data_as_long_as_the_distance_is_not_repeated() {
     let mut config = config();
-    config.motion.retract.distance = Some(20.0);
+    config.motion.retract.distance_mm = Some(20.0);
     let events = |height| [tool(1), spindle(), feed([0.0; 3], UP), feed([0.0, 0.0, height], UP)];
     let long = lines::<Xyz>(&config, &events(20.0));
     assert_eq!(long[long.len() - 3..], ["Z20", "G53 G0 Z0", "M5"]);
@@ -270,7 +270,7 @@ fn a_retreat_of_the_cl_data_as_long_as_the_distance_is_not_repeated() {
 }
 
 #[test]
-fn what_stands_between_the_first_motion_and_the_second_keeps_its_order() {
+fn records_between_the_first_motion_and_the_second_keep_their_order() {
     let events = [
         tool(1),
         rapid([0.0, 0.0, 9.0], UP),
@@ -309,7 +309,7 @@ fn blocks_of_the_sequence_lie_on_the_tool_axis_within_one_unit() {
         // Half a unit in each of three axes, and the rounding of the angles over the length.
         assert!(off.norm() < 0.000_9 + along * 2e-6, "{line} is {} mm off", off.norm());
     };
-    // Approach point, first point, second point, out; M5 moves nothing.
+    // Approach point, first point, second point, retract; M5 moves nothing.
     near(5, [7.0, 8.0, -9.0], 50.0);
     near(4, [7.0, 8.0, -9.0], 0.0);
     near(3, [8.0, 8.0, -9.0], 0.0);
@@ -326,11 +326,11 @@ fn points_of_the_sequence_keep_the_limits_too() {
         "{:?}",
         up.error()
     );
-    config.motion.retract.distance = None;
-    config.motion.retract.position = Some(1.0);
+    config.motion.retract.distance_mm = None;
+    config.motion.retract.position_mm = Some(1.0);
     let above = run::<Cb>(&config, &[tool(1), spindle(), feed([0.0; 3], UP)]);
     assert!(above.error().text.contains("machine coordinate 1.000 mm"), "{:?}", above.error());
-    config.motion.retract.position = Some(0.0);
+    config.motion.retract.position_mm = Some(0.0);
     config.motion.park.insert('B', 2.0);
     let parked = run::<Cb>(&config, &[tool(1), spindle(), feed([0.0; 3], UP)]);
     assert!(parked.error().text.contains("B would have to rotate to 114.5916°"), "{:?}", parked.error());
@@ -356,7 +356,7 @@ fn without_stop_retract_a_head_leaves_the_part_along_the_tool_all_the_same() {
     let stop = lines.iter().position(|line| line == "M0").expect("a stop");
     assert!(lines[stop - 2].starts_with("G1 ") && lines[stop - 1].starts_with("G0 X"), "{lines:#?}");
 
-    config.motion.retract.distance = None;
+    config.motion.retract.distance_mm = None;
     let run = run::<Head>(&config, &events);
     assert_eq!(run.error().location.line, 4, "{}", run.text());
     assert!(!run.text().contains("M0"), "{}", run.text());
@@ -372,18 +372,18 @@ fn a_retract_position_at_the_part_end_of_the_travel_is_refused() {
         run.error().text,
         "the retract position Z = 0 mm (machine coordinate) is the end of the travel at the part"
     );
-    config.motion.retract.position = Some(500.0);
+    config.motion.retract.position_mm = Some(500.0);
     lines::<Xyz>(&config, &events);
 }
 
 #[test]
-fn the_spindle_stops_behind_the_way_out_and_only_once() {
+fn the_spindle_stops_after_the_retract_and_only_once() {
     let mut config = config();
-    config.motion.retract.distance = Some(20.0);
+    config.motion.retract.distance_mm = Some(20.0);
     let cut = [tool(1), spindle(), feed([0.0, 0.0, 0.0], UP), feed([5.0, 0.0, 0.0], UP), Event::Spindle(Spindle::Off)];
     let end = |events: &[Event<'_>]| {
         let lines = lines::<Xyz>(&config, events);
-        let out = lines.iter().position(|line| line == "G0 Z20").expect("the way out");
+        let out = lines.iter().position(|line| line == "G0 Z20").expect("the retract");
         lines[out + 1..].to_vec()
     };
     assert_eq!(end(&cut), ["G53 G0 Z0", "M5"]);
@@ -406,26 +406,26 @@ fn gohome_retracts_and_parks_or_is_refused() {
 }
 
 #[test]
-fn the_first_turn_behind_gohome_counts_from_where_the_axes_were_parked() {
-    let turned = |wrap: Option<Wrap>, before: f64, behind: f64| -> Vec<String> {
+fn the_first_rotation_after_gohome_begins_at_the_park_position() {
+    let turned = |wrap: Option<Wrap>, before: f64, after: f64| -> Vec<String> {
         let mut config = config();
         config.motion.park.insert('C', 0.0);
         config.motion.rotaries.wrap.extend(wrap.map(|wrap| ('C', wrap)));
         let point = |c: f64| feed([10.0, 0.0, 60.0], cb(c, 30.0));
-        let lines = lines::<Cb>(&config, &[tool(1), spindle(), point(before), Event::Home, point(behind)]);
+        let lines = lines::<Cb>(&config, &[tool(1), spindle(), point(before), Event::Home, point(after)]);
         let words = lines.iter().flat_map(|line| line.split(' ')).filter(|word| word.starts_with('C'));
         words.map(str::to_owned).collect()
     };
     assert_eq!(turned(None, 170.0, -170.0), ["C170", "C0", "C-170", "C0"]);
     assert_eq!(turned(Some(Wrap::Symmetric), 170.0, -170.0), ["C170", "C0", "C-170", "C0"]);
-    // Not in two pieces, as from 170 it would have to be.
+    // In one block; from 170 it would take two.
     assert_eq!(turned(Some(Wrap::Positive), 170.0, -10.0), ["C170", "C0", "C350", "C0"]);
-    // The sign says the way.
+    // The sign is the sense of rotation.
     assert_eq!(turned(Some(Wrap::Sign), 170.0, -170.0), ["C170", "C-360", "C-190", "C0"]);
 }
 
 #[test]
-fn from_behind_gohome_does_not_move_what_has_been_parked() {
+fn from_after_gohome_leaves_parked_axes_at_their_positions() {
     let mut config = config();
     config.motion.park.insert('C', 0.0);
     let from = Event::From(pose([0.0; 3], cb(170.0, 30.0)));
@@ -438,7 +438,7 @@ fn from_behind_gohome_does_not_move_what_has_been_parked() {
 fn a_rapid_that_indexes_is_not_written_as_a_feed_motion() {
     let mut config = config();
     config.motion.rapids.rapid = Rapid::Feed;
-    config.motion.rapids.rapid_feed = Some(9000.0);
+    config.motion.rapids.rapid_feed_mm_per_min = Some(9000.0);
     config.motion.rapids.transition = Transition::Direct;
     let tilted = cb(200.0, 100.0);
     let events = [
@@ -457,11 +457,11 @@ fn a_rapid_that_indexes_is_not_written_as_a_feed_motion() {
 }
 
 #[test]
-fn a_rapid_is_written_as_the_configuration_wants_it() {
+fn a_rapid_is_written_as_configured() {
     let blocks = |rapid_mode: Rapid, to: [f64; 3]| {
         let mut config = config();
         config.motion.rapids.rapid = rapid_mode;
-        config.motion.rapids.rapid_feed = Some(9000.0);
+        config.motion.rapids.rapid_feed_mm_per_min = Some(9000.0);
         let events = [tool(1), spindle(), feed([0.0; 3], UP), rapid(to, UP), feed([20.0, 0.0, -3.0], UP)];
         let lines = lines::<Cb>(&config, &events);
         let from = lines.iter().position(|line| line.starts_with("G1 Z0")).expect("the first point");
@@ -475,7 +475,7 @@ fn a_rapid_is_written_as_the_configuration_wants_it() {
 }
 
 #[test]
-fn a_tool_leaves_to_the_clearance_plane() {
+fn a_tool_retracts_to_the_clearance_plane() {
     let plane = ClearancePlane { normal: Vector3::z_axis(), distance_mm: 80.0 };
     let events =
         [Event::ClearancePlane(plane), tool(1), spindle(), feed([0.0; 3], UP), tool(2), feed([1.0, 0.0, 0.0], UP)];

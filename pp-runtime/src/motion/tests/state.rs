@@ -1,4 +1,4 @@
-//! What has to be true before a motion: tool, spindle, feed, coolant; and the records that change it.
+//! State before a motion (tool, spindle, feed, coolant), and the records that change it.
 
 use super::*;
 
@@ -47,7 +47,7 @@ fn a_rapid_before_the_first_tool_moves_nothing_because_no_length_offset_is_activ
 #[test]
 fn the_speed_of_one_tool_is_not_that_of_the_next() {
     let events = [tool(1), spindle(), feed([0.0; 3], UP), tool(2), feed([0.0; 3], UP)];
-    assert!(run::<Xyz>(&config(), &events).error().text.contains("since the tool was called"));
+    assert!(run::<Xyz>(&config(), &events).error().text.contains("since the tool call"));
     let before =
         [tool(1), spindle(), feed([0.0; 3], UP), Event::Operation(b"B"), spindle(), tool(2), feed([0.0; 3], UP)];
     assert_eq!(run::<Xyz>(&config(), &before).diagnostics, []);
@@ -56,7 +56,7 @@ fn the_speed_of_one_tool_is_not_that_of_the_next() {
 #[test]
 fn speed_and_direction_come_from_the_configuration_where_the_cl_data_gives_none() {
     let mut config = config();
-    config.motion.defaults.speed = Some(1000.0);
+    config.motion.defaults.speed_rev_per_min = Some(1000.0);
     config.motion.defaults.rotation = Some(Rotation::Clockwise);
     config.set_up.tools.insert(1, GivenTool { speed_rev_per_min: Some(2000.0), ..GivenTool::default() });
     let text = run::<Xyz>(&config, &[tool(1), feed([0.0; 3], UP), tool(2), feed([0.0; 3], UP)]).text();
@@ -66,7 +66,7 @@ fn speed_and_direction_come_from_the_configuration_where_the_cl_data_gives_none(
 #[test]
 fn spindle_speeds_that_make_no_sense_are_refused() {
     let mut config = config();
-    config.motion.guards.spindle_max = Some(8000.0);
+    config.motion.guards.spindle_max_rev_per_min = Some(8000.0);
     let text = |config: &Config, speed, rotation| {
         let on = Event::Spindle(Spindle::On { speed_rev_per_min: Some(speed), rotation: Some(rotation) });
         run::<Xyz>(config, &[tool(1), on, feed([0.0; 3], UP)]).diagnostics.first().map(|found| found.text.clone())
@@ -82,14 +82,14 @@ fn spindle_speeds_that_make_no_sense_are_refused() {
 #[test]
 fn the_floor_is_the_lowest_tip() {
     let mut config = config();
-    config.motion.guards.floor = Some(-5.0);
+    config.motion.guards.floor_mm = Some(-5.0);
     let events = |z| [tool(1), spindle(), feed([0.0, 0.0, z], UP)];
     assert_eq!(run::<Xyz>(&config, &events(-5.0)).diagnostics, []);
     assert!(run::<Xyz>(&config, &events(-5.01)).error().text.contains("floor"));
 }
 
 #[test]
-fn inverse_time_stands_where_a_rotary_word_changes_and_f_is_repeated_behind_it() {
+fn inverse_time_is_written_where_a_rotary_word_changes_and_f_is_repeated_after_it() {
     let events = [
         tool(1),
         spindle(),
@@ -104,7 +104,7 @@ fn inverse_time_stands_where_a_rotary_word_changes_and_f_is_repeated_behind_it()
         feed([91.0, 0.0, 0.0], cb(0.0, 15.0)),
     ];
     let mut config = config();
-    config.motion.tolerance = 1.0;
+    config.motion.tolerance_mm = 1.0;
     let lines = lines::<Cb>(&config, &events);
     let first = lines.iter().position(|line| line.starts_with("G93")).expect("inverse time");
     let codes: Vec<String> = lines[first..first + 8]
@@ -148,7 +148,7 @@ fn a_tool_that_is_called_again_keeps_the_length_that_was_given_once() {
 fn a_direct_operation_has_its_speed_before_the_course_cuts_for_it() {
     let mut config = config();
     config.motion.rapids.transition = Transition::Direct;
-    config.motion.retract.distance = Some(20.0);
+    config.motion.retract.distance_mm = Some(20.0);
     let limit = 180_f64.to_radians();
     config.set_up.limits.insert('C', Some(crate::kinematics::Limits { lower: -limit, upper: limit }));
     let events = [
@@ -159,14 +159,14 @@ fn a_direct_operation_has_its_speed_before_the_course_cuts_for_it() {
         Event::Operation(b"NEXT"),
         Event::Spindle(Spindle::On { speed_rev_per_min: Some(3000.0), rotation: Some(Rotation::Clockwise) }),
         Event::Coolant(Coolant::Flood),
-        // The table reaches its limit on the way.
+        // The table reaches its limit in this motion.
         feed([10.0, 0.0, 0.0], cb(190.0, 30.0)),
     ];
     let on = run::<Cb>(&config, &events);
     assert_eq!(on.statistics.rewinds, 1, "{:?} {}", on.diagnostics, on.text());
     let next = on.lines.iter().position(|line| line == "(OPERATION NEXT)").expect("the operation");
     assert_eq!(on.lines[next + 1..next + 3], ["S3000 M3", "M8"], "{}", on.text());
-    // With the spindle off nothing is cut on the way either.
+    // With the spindle off the course changes do not cut either.
     let mut off = events;
     off[5] = Event::Spindle(Spindle::Off);
     let off = run::<Cb>(&config, &off);
@@ -203,14 +203,14 @@ fn a_tool_that_is_called_again_without_its_offset_register_keeps_it() {
 fn the_speed_of_one_tool_is_never_that_of_another() {
     let on = Event::Spindle(Spindle::On { speed_rev_per_min: None, rotation: None });
     let cut = feed([0.0, 0.0, 0.0], UP);
-    // Turned off and on again in the start in which the tool changes, and given to a tool that never moves.
+    // Off and on again in the start in which the tool changes, and given to a tool that never moves.
     let again = [tool(1), spindle(), cut, Event::Stop, Event::Spindle(Spindle::Off), tool(2), on, cut];
     let skipped = [tool(1), spindle(), tool(2), cut];
     for events in [&again[..], &skipped] {
         let run = run::<Xyz>(&config(), events);
         assert!(run.error().text.contains("without spindle speed"), "{}", run.text());
     }
-    // In front of the tool record it is meant for that tool, and the same tool keeps its own.
+    // Before the tool record it belongs to that tool, and the same tool keeps its own.
     lines::<Xyz>(&config(), &[tool(1), spindle(), cut, Event::Stop, spindle(), tool(2), cut]);
     lines::<Xyz>(&config(), &[tool(1), spindle(), tool(1), cut]);
 }
@@ -255,7 +255,7 @@ fn nc_text_that_is_not_ascii_is_refused() {
 }
 
 #[test]
-fn cutter_compensation_is_refused_until_it_is_said_what_d_holds() {
+fn cutter_compensation_is_refused_without_compensation_path() {
     let before = [tool(1), spindle(), feed([0.0; 3], UP)];
     let with = |event: Event<'static>| run::<Cb>(&config(), &[&before[..], &[event]].concat());
     let asked = |side| with(Event::Compensation(Compensation { side, register: None, in_xy_plane: true }));
@@ -276,20 +276,20 @@ fn a_wait_is_written_in_seconds() {
     assert!(wait(Dwell::Seconds(2.5)).contains(&"G4 P2.5".to_owned()));
     assert!(wait(Dwell::Revolutions(400.0)).contains(&"G4 P3".to_owned()), "400 turns at 8000/min");
     let still = [tool(1), Event::Delay(Dwell::Revolutions(2.0))];
-    assert!(run::<Cb>(&config(), &still).error().text.contains("the spindle does not turn"));
+    assert!(run::<Cb>(&config(), &still).error().text.contains("while the spindle is off"));
 }
 
 #[test]
-fn a_frame_of_its_own_has_a_work_offset_of_its_own_where_no_table_turns() {
+fn each_frame_has_its_own_work_offset_where_no_table_rotates() {
     let events = [tool(1), spindle(), feed([0.0; 3], UP), Event::Frame(2), feed([1.0, 0.0, 0.0], UP)];
-    assert!(run::<Cb>(&config(), &events).error().text.contains("on a table that turns"));
+    assert!(run::<Cb>(&config(), &events).error().text.contains("second frame on a rotary table"));
     assert!(run::<Xyz>(&config(), &events).error().text.contains("frame 2 of the CL data has no work offset"));
     let mut config = config();
     config.set_up.frames.insert(2, "G55".to_owned());
     let lines = lines::<Xyz>(&config, &events);
     let safety: Vec<&String> = lines.iter().filter(|line| line.contains("G17")).collect();
     assert!(safety[0].contains("G54") && safety[1].contains("G55"), "{safety:?}");
-    // The clearance plane stays behind: in the other frame it would be another plane.
+    // The clearance plane ends with its frame: in the other frame it would be another plane.
     let plane = ClearancePlane { normal: Vector3::z_axis(), distance_mm: 80.0 };
     let mut above = vec![Event::ClearancePlane(plane)];
     above.extend(events);
@@ -313,7 +313,7 @@ fn the_posted_length_is_guarded_where_it_matters() {
     let head = run::<Head>(&config, &events);
     let at = head.lines.iter().position(|line| line == "G43 H1").expect("a length offset");
     assert!(head.lines[at + 1].starts_with("o1 if [[ABS[#5403 - 100] GT 0.01]"), "{}", head.text());
-    assert!(head.lines.contains(&"o2 endif".to_owned()), "behind the stop again: {}", head.text());
+    assert!(head.lines.contains(&"o2 endif".to_owned()), "after the stop again: {}", head.text());
     assert_eq!((guards(&head), guards(&run::<Cb>(&config, &events))), (2, 0));
     config.motion.guards.length_guard = Some(true);
     assert_eq!(guards(&run::<Cb>(&config, &events)), 2);
@@ -321,7 +321,7 @@ fn the_posted_length_is_guarded_where_it_matters() {
     assert_eq!(guards(&run::<Head>(&config, &events)), 0);
     config.motion.guards.length_guard = None;
     config.set_up.tools.insert(1, GivenTool { length_mm: Some(100.0), offset: Some(21), ..GivenTool::default() });
-    assert_eq!(guards(&run::<Head>(&config, &events)), 0, "the table of the tool says nothing about H21");
+    assert_eq!(guards(&run::<Head>(&config, &events)), 0, "the tool table has no length for H21");
 }
 
 #[test]
@@ -335,8 +335,8 @@ fn in_a_dry_run_spindle_and_coolant_stay_off() {
         feed([9.0, 0.0, -5.0], UP),
     ];
     let mut config = config();
-    config.motion.lift = Some(50.0);
-    config.motion.spindle_dwell = 1.0;
+    config.motion.lift_mm = Some(50.0);
+    config.motion.spindle_dwell_s = 1.0;
     let lines = lines::<Cb>(&config, &events);
     assert!(lines.iter().any(|line| line == "M5"), "{lines:?}");
     for code in ["M3", "M4", "M8", "M7", "G4 P"] {

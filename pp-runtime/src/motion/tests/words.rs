@@ -3,7 +3,7 @@
 use super::*;
 
 #[test]
-fn an_axis_out_of_reach_is_told_in_the_words_of_the_machine() {
+fn an_axis_out_of_reach_is_reported_with_the_rotary_axes_of_the_machine() {
     let run = run::<Xyz>(&config(), &[tool(1), spindle(), feed([0.0; 3], [0.1, 0.0, 1.0])]);
     assert!(run.error().text.contains("Xyz has no rotary axis to tilt the tool"), "{:?}", run.error());
 }
@@ -12,7 +12,7 @@ fn an_axis_out_of_reach_is_told_in_the_words_of_the_machine() {
 fn linear_limits_are_machine_coordinates_that_count_the_gauge_length() {
     let mut config = config();
     config.set_up.machine_zero.insert('Z', -200.0);
-    config.motion.approach.distance = 10.0;
+    config.motion.approach.distance_mm = 10.0;
     config.set_up.tools.insert(1, GivenTool { length_mm: Some(100.0), ..GivenTool::default() });
     let events = |z| [tool(1), spindle(), feed([0.0, 0.0, z], UP)];
     // -200 + z + 100 >= -300, and the approach point stays below Z0.
@@ -21,8 +21,8 @@ fn linear_limits_are_machine_coordinates_that_count_the_gauge_length() {
     assert!(low.error().text.contains("-300.001 mm (machine coordinate)"), "{:?}", low.error());
     assert_eq!(run::<Xyz>(&config, &events(90.0)).diagnostics, []);
     assert!(run::<Xyz>(&config, &events(90.001)).error().text.contains("approach"));
-    // Lower retract position: the approach point must not lie above it.
-    config.motion.retract.position = Some(-50.0);
+    // Lower retract position: the approach point must not be above it.
+    config.motion.retract.position_mm = Some(-50.0);
     assert!(run::<Xyz>(&config, &events(45.0)).error().text.contains("above the retract position"));
     assert_eq!(run::<Xyz>(&config, &events(40.0)).diagnostics, []);
 }
@@ -107,5 +107,5 @@ fn tool_axes_just_out_of_reach_are_counted_with_the_largest() {
     ];
     let run = run::<Ay>(&config(), &events);
     assert_eq!((run.diagnostics.len(), run.statistics.deviations), (0, 2));
-    assert!((run.statistics.largest_deviation - 5e-7).abs() < 1e-12);
+    assert!((run.statistics.largest_deviation_rad - 5e-7).abs() < 1e-12);
 }

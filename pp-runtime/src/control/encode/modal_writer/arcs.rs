@@ -4,7 +4,7 @@ use std::io;
 
 use crate::control::dialects::ArcCentre;
 use crate::control::encode::modal_state::After;
-use crate::motion::{Circle, Words};
+use crate::motion::{AxisWords, Circle};
 use crate::nc::Decimal;
 
 use super::{Address, ModalWriter};
@@ -36,7 +36,7 @@ impl ModalWriter<'_> {
     }
 
     /// Writes an arc or a helix at feed.
-    pub(crate) fn arc(&mut self, words: &Words, circle: &Circle, feed: Decimal) -> io::Result<()> {
+    pub(crate) fn arc(&mut self, words: &AxisWords, circle: &Circle, feed: Decimal) -> io::Result<()> {
         self.smooth(true)?;
         self.call_length_alone(words)?;
         self.feed_mode(self.codes.per_minute);
@@ -57,7 +57,7 @@ impl ModalWriter<'_> {
     }
 
     /// Writes `G17 G2 X Y Z I J`.
-    fn arc_with_offsets(&mut self, words: &Words, circle: &Circle) {
+    fn arc_with_offsets(&mut self, words: &AxisWords, circle: &Circle) {
         let arcs = &self.codes.arcs;
         let [first, second, normal] = circle.plane.axes();
         self.plane(arcs.planes[normal].unwrap_or_default());
@@ -79,7 +79,7 @@ impl ModalWriter<'_> {
     /// `CC X Y`, and `C X Y DR+`, `CR X Y R DR+` or `CP IPA IZ DR+`. `known`: the words in force are those of the start
     /// of the arc. After a helix, whose end is an angle, they are so only up to rounding, and a full circle by `C`
     /// might then be none at all.
-    fn arc_about_pole(&mut self, words: &Words, circle: &Circle, known: bool) -> io::Result<()> {
+    fn arc_about_pole(&mut self, words: &AxisWords, circle: &Circle, known: bool) -> io::Result<()> {
         let arcs = &self.codes.arcs;
         let [first, second, normal] = circle.plane.axes().map(|axis| circle.chain[axis]);
         let decimals = self.decimals(first);

@@ -11,7 +11,7 @@ use std::io::{self, Write};
 use crate::control::dialects::{Control, Spellings, ToolAxisWords};
 use crate::control::layout::Layout;
 use crate::control::options::Smoothing;
-use crate::motion::{Mode, ToolPosture, VECTOR_DECIMALS, Words};
+use crate::motion::{AxisWords, Mode, ToolPosture, VECTOR_DECIMALS};
 use crate::nc::{Decimal, Numbering, Numerals, Writer};
 use crate::program::Units;
 
@@ -213,7 +213,7 @@ impl<'a> ModalWriter<'a> {
     }
 
     #[inline]
-    fn any_changes(&self, words: &Words) -> bool {
+    fn any_changes(&self, words: &AxisWords) -> bool {
         let z = self.z.filter(|_| matches!(self.modal.length(), LengthState::Pending(_)));
         self.modal.vector_changes(words.vector)
             || self.axes.iter().any(|axis| {
@@ -224,7 +224,7 @@ impl<'a> ModalWriter<'a> {
 
     /// Writes the words of the axes that change, or of all axes.
     #[inline]
-    pub(crate) fn axis_words(&mut self, words: &Words, all: bool) {
+    pub(crate) fn axis_words(&mut self, words: &AxisWords, all: bool) {
         for axis in &self.axes {
             if words.has(axis.index) {
                 let units = words.units[axis.index];
@@ -251,7 +251,7 @@ impl<'a> ModalWriter<'a> {
     }
 
     /// Writes the words of a position that change; if none changes, all of them.
-    pub(crate) fn place_words(&mut self, words: &Words) {
+    pub(crate) fn place_words(&mut self, words: &AxisWords) {
         if !self.any_changes(words) {
             self.modal.forget_axes(words);
         }

@@ -4,14 +4,14 @@
 use std::io;
 
 use crate::control::dialects::LengthCall;
-use crate::motion::{FeedWord, Words};
+use crate::motion::{AxisWords, FeedWord};
 
 use super::ModalWriter;
 use crate::control::encode::modal_state::{After, LengthState};
 
 impl ModalWriter<'_> {
     /// Writes a straight motion at feed, unless no axis word changes.
-    pub(crate) fn feed(&mut self, words: &Words, feed: FeedWord) -> io::Result<()> {
+    pub(crate) fn feed(&mut self, words: &AxisWords, feed: FeedWord) -> io::Result<()> {
         if !self.any_changes(words) {
             return Ok(());
         }
@@ -38,7 +38,7 @@ impl ModalWriter<'_> {
     }
 
     /// Writes a rapid, unless no axis word changes.
-    pub(crate) fn rapid(&mut self, words: &Words) -> io::Result<()> {
+    pub(crate) fn rapid(&mut self, words: &AxisWords) -> io::Result<()> {
         if !self.any_changes(words) {
             return Ok(());
         }
@@ -53,7 +53,7 @@ impl ModalWriter<'_> {
 
     /// Writes a rapid in machine coordinates. The motion code is unknown after it, and some controls cancel the length
     /// offset in it.
-    pub(crate) fn machine_rapid(&mut self, words: &Words) -> io::Result<()> {
+    pub(crate) fn machine_rapid(&mut self, words: &AxisWords) -> io::Result<()> {
         self.smooth(false)?;
         self.select_xy_plane()?;
         let length = &self.codes.length;
@@ -76,13 +76,13 @@ impl ModalWriter<'_> {
 
     /// Codes of a motion that writes a tool axis vector: motion code, and end of a rapid; `None` if the usual ones
     /// apply.
-    fn along_vector(&self, words: &Words) -> Option<(&'static str, &'static str)> {
+    fn along_vector(&self, words: &AxisWords) -> Option<(&'static str, &'static str)> {
         let vectors = self.vectors.filter(|_| self.writes(self.modal.vector_changes(words.vector)))?;
         vectors.motion.map(|code| (code, vectors.rapid_end))
     }
 
     /// Calls a pending length offset in its own block, for controls that call it so.
-    pub(crate) fn call_length_alone(&mut self, words: &Words) -> io::Result<()> {
+    pub(crate) fn call_length_alone(&mut self, words: &AxisWords) -> io::Result<()> {
         match self.codes.length.call {
             LengthCall::Alone => self.call_length(words),
             LengthCall::WithZ | LengthCall::WithTool => Ok(()),
@@ -90,7 +90,7 @@ impl ModalWriter<'_> {
     }
 
     /// Calls a pending length offset, in a block before a motion or in the motion.
-    fn call_length(&mut self, words: &Words) -> io::Result<()> {
+    fn call_length(&mut self, words: &AxisWords) -> io::Result<()> {
         let LengthState::Pending(register) = self.modal.length() else { return Ok(()) };
         match self.codes.length.call {
             LengthCall::Alone => {

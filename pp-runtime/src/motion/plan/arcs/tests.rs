@@ -14,14 +14,14 @@ use crate::nalgebra::{Point3, Rotation3, UnitVector3, Vector3};
 use crate::program::{Arc, Event, Feed};
 use crate::set_up::GivenTool;
 
-/// Axis words by letter, as far as they are known.
-type Words = BTreeMap<char, f64>;
+/// Axis words by letter, as far as known.
+type WordValues = BTreeMap<char, f64>;
 
 fn number(line: &str, letter: char) -> Option<f64> {
     line.split(' ').find_map(|word| word.strip_prefix(letter)?.parse().ok())
 }
 
-/// Places between two points on an arc of the control, `[first, second, square]` of the plane, ends included.
+/// Points of an arc of the control between two points, ends included; `[first, second, perpendicular]` of the plane.
 fn traced(from: [f64; 3], to: [f64; 3], centre: [f64; 2], clockwise: bool) -> Vec<[f64; 3]> {
     const PLACES: usize = 100;
     let polar = |point: [f64; 3]| {
@@ -41,18 +41,18 @@ fn traced(from: [f64; 3], to: [f64; 3], centre: [f64; 2], clockwise: bool) -> Ve
     (0..=PLACES).map(place).collect()
 }
 
-/// The centre that a radius means.
+/// Centre of an arc given by its radius.
 fn centre_of(from: [f64; 3], to: [f64; 3], radius: f64, clockwise: bool) -> [f64; 2] {
     let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
     let chord = dx.hypot(dy);
     let height = (radius * radius - 0.25 * chord * chord).max(0.0).sqrt();
-    // Less than half a turn counter-clockwise has its centre on the left.
+    // An arc of less than half a circle counter-clockwise has its centre on the left.
     let left = if (radius > 0.0) == clockwise { -height } else { height };
     [0.5 * (from[0] + to[0]) - left * dy / chord, 0.5 * (from[1] + to[1]) + left * dx / chord]
 }
 
 /// Axis values in chain order.
-fn axes<M: Machine>(words: &Words) -> Option<M::Axes> {
+fn axes<M: Machine>(words: &WordValues) -> Option<M::Axes> {
     let mut axes = M::HELD;
     for (value, axis) in axes.as_mut().iter_mut().zip(M::AXES) {
         let word = *words.get(&axis.letter)?;
@@ -61,11 +61,11 @@ fn axes<M: Machine>(words: &Words) -> Option<M::Axes> {
     Some(axes)
 }
 
-/// Tips of the feed path behind the block that reaches `start`, and how many of its blocks are arcs.
+/// Tips of the feed path after the block that reaches `start`, and the number of its blocks that are arcs.
 fn path<M: Machine>(run: &Run, machine: &M, start: &Point3<f64>) -> (Vec<Point3<f64>>, usize) {
-    let (mut words, mut code, mut plane) = (Words::new(), 0, 17);
+    let (mut words, mut code, mut plane) = (WordValues::new(), 0, 17);
     let (mut tips, mut arcs, mut begun) = (Vec::new(), 0, false);
-    let tip = |words: &Words| axes::<M>(words).map(|axes| machine.forward_kinematics(&axes).tip);
+    let tip = |words: &WordValues| axes::<M>(words).map(|axes| machine.forward_kinematics(&axes).tip);
     for line in run.lines.iter().filter(|line| !line.starts_with('(') && !line.contains("G53")) {
         for word in line.split(' ').filter_map(|word| word.strip_prefix('G')?.parse().ok()) {
             match word {
@@ -80,8 +80,8 @@ fn path<M: Machine>(run: &Run, machine: &M, start: &Point3<f64>) -> (Vec<Point3<
         let before = words.clone();
         words.extend("XYZABC".chars().filter_map(|letter| Some((letter, number(line, letter)?))));
         if code >= 2 && "IJKR".chars().any(|letter| number(line, letter).is_some()) {
-            let [first, second, square] = [['Y', 'Z', 'X'], ['Z', 'X', 'Y'], ['X', 'Y', 'Z']][19 - plane];
-            let at = |words: &Words| [first, second, square].map(|letter| words[&letter]);
+            let [first, second, perpendicular] = [['Y', 'Z', 'X'], ['Z', 'X', 'Y'], ['X', 'Y', 'Z']][19 - plane];
+            let at = |words: &WordValues| [first, second, perpendicular].map(|letter| words[&letter]);
             let (from, to, clockwise) = (at(&before), at(&words), code == 2);
             let offset = |letter| {
                 number(
@@ -101,7 +101,7 @@ fn path<M: Machine>(run: &Run, machine: &M, start: &Point3<f64>) -> (Vec<Point3<
             };
             for place in traced(from, to, centre, clockwise) {
                 let mut words = words.clone();
-                words.extend([first, second, square].into_iter().zip(place));
+                words.extend([first, second, perpendicular].into_iter().zip(place));
                 tips.extend(tip(&words).filter(|_| begun));
             }
             arcs += 1;
@@ -121,7 +121,7 @@ fn path<M: Machine>(run: &Run, machine: &M, start: &Point3<f64>) -> (Vec<Point3<
 
 /// A circle of the CL data.
 #[derive(Debug, Clone, Copy)]
-struct Wanted {
+struct CircleCase {
     axis: UnitVector3<f64>,
     normal: UnitVector3<f64>,
     centre: Point3<f64>,
@@ -131,7 +131,7 @@ struct Wanted {
     rise: f64,
 }
 
-impl Wanted {
+impl CircleCase {
     fn tip(&self, part: f64) -> Point3<f64> {
         let aside = if self.normal.x.abs() < 0.9 { Vector3::x() } else { Vector3::y() };
         let u = self.normal.cross(&aside).normalize() * self.radius;
@@ -139,7 +139,7 @@ impl Wanted {
         self.centre + turned + self.normal.into_inner() * (self.rise * part)
     }
 
-    /// The angle at which a point near the circle stands, rad from the start, next to the one before.
+    /// Angle of a point near the circle, rad from the start, in the turn nearest to the angle before.
     fn angle_at(&self, point: &Point3<f64>, before: f64) -> f64 {
         let u = (self.tip(0.0) - self.centre) / self.radius;
         let aside = point - self.centre;
@@ -148,7 +148,7 @@ impl Wanted {
         before + if step > 0.5 * TAU { step - TAU } else { step }
     }
 
-    /// Distance of a point from the circle near a part of it.
+    /// Distance of a point from the circle, near a part of it.
     fn distance(&self, point: &Point3<f64>, part: f64) -> f64 {
         let far = |part: f64| (point - self.tip(part)).norm();
         let (mut low, mut high) = ((part - 0.02).clamp(0.0, 1.0), (part + 0.02).clamp(0.0, 1.0));
@@ -183,13 +183,13 @@ impl Wanted {
 fn set_up(change: impl Fn(&mut Config)) -> Config {
     let mut config = config();
     config.set_up.tools.insert(1, GivenTool { length_mm: Some(100.0), ..GivenTool::default() });
-    config.motion.retract.distance = Some(20.0);
+    config.motion.retract.distance_mm = Some(20.0);
     change(&mut config);
     config
 }
 
-/// Posts one arc; the largest distance of its path from the circle, the number of arcs, and of all its tips.
-fn posted<M: Machine>(config: &Config, wanted: &Wanted) -> Option<(f64, usize, Vec<Point3<f64>>)> {
+/// Posts one arc; returns the largest distance of its path from the circle, the number of arcs, and all its tips.
+fn posted<M: Machine>(config: &Config, wanted: &CircleCase) -> Option<(f64, usize, Vec<Point3<f64>>)> {
     let run = run::<M>(config, &wanted.events());
     if !run.diagnostics.is_empty() {
         return None;
@@ -200,7 +200,7 @@ fn posted<M: Machine>(config: &Config, wanted: &Wanted) -> Option<(f64, usize, V
     let (mut off, mut reached) = (0.0_f64, 0.0_f64);
     let sides = tips.windows(2).flat_map(|pair| {
         let step = pair[1] - pair[0];
-        // Places of an arc are near to each other, and what lies between them is no place of it.
+        // Points of an arc are near to each other, and a point between two of them is not on the arc.
         let between = if step.norm() > 0.1 * wanted.radius { 20 } else { 1 };
         (0..=between).map(move |part| pair[0] + step * (f64::from(part) / f64::from(between)))
     });
@@ -213,8 +213,8 @@ fn posted<M: Machine>(config: &Config, wanted: &Wanted) -> Option<(f64, usize, V
     Some((off, arcs, tips))
 }
 
-fn up() -> Wanted {
-    Wanted {
+fn up() -> CircleCase {
+    CircleCase {
         axis: Vector3::z_axis(),
         normal: Vector3::z_axis(),
         centre: Point3::new(3.0, -4.0, 1.0),
@@ -225,7 +225,7 @@ fn up() -> Wanted {
     }
 }
 
-fn arc_lines<M: Machine>(config: &Config, wanted: &Wanted) -> Vec<String> {
+fn arc_lines<M: Machine>(config: &Config, wanted: &CircleCase) -> Vec<String> {
     let run = run::<M>(config, &wanted.events());
     assert_eq!(run.diagnostics, []);
     let centre = |line: &&String| ["I", "J", "K", "R"].iter().any(|letter| line.contains(&format!(" {letter}")));
@@ -238,19 +238,19 @@ fn arcs_are_written_as_arcs_of_their_plane() {
 }
 
 #[test]
-fn whole_turns_and_the_rest_are_arcs_of_their_own() {
-    let helix = Wanted { angle: 2.25 * TAU, rise: -9.0, ..up() };
+fn full_circles_and_the_rest_are_separate_arcs() {
+    let helix = CircleCase { angle: 2.25 * TAU, rise: -9.0, ..up() };
     let lines = arc_lines::<Xyz>(&set_up(|_| {}), &helix);
     let z: Vec<_> = lines.iter().map(|line| number(line, 'Z')).collect();
     assert_eq!(z, [Some(-3.0), Some(-7.0), Some(-8.0)], "{lines:#?}");
     assert_eq!(number(&lines[0], 'X'), number(&lines[1], 'X'), "{lines:#?}");
-    let flat = Wanted { angle: TAU, ..up() };
+    let flat = CircleCase { angle: TAU, ..up() };
     let lines = arc_lines::<Xyz>(&set_up(|_| {}), &flat);
     assert!(lines.len() == 1 && number(&lines[0], 'X').is_some() && number(&lines[0], 'Z').is_none(), "{lines:#?}");
 }
 
 #[test]
-fn words_that_run_backwards_turn_arcs_round() {
+fn mirrored_coordinates_reverse_arcs() {
     let straight = arc_lines::<Cb>(&set_up(|_| {}), &up());
     let mirrored = arc_lines::<Mirrored>(&set_up(|_| {}), &up());
     assert!(straight[0].starts_with("G3 ") && mirrored[0].starts_with("G2 "), "{straight:?} {mirrored:?}");
@@ -258,22 +258,22 @@ fn words_that_run_backwards_turn_arcs_round() {
 }
 
 #[test]
-fn a_radius_says_the_same_where_it_says_anything() {
+fn a_radius_is_written_where_it_defines_the_centre() {
     let radius = set_up(|config| config.motion.arcs.form = ArcForm::Radius);
-    let said = |angle: f64| arc_lines::<Xyz>(&radius, &Wanted { angle, ..up() });
-    assert_eq!(number(&said(1.9)[0], 'R'), Some(12.0));
-    assert_eq!(number(&said(4.0)[0], 'R'), Some(-12.0));
+    let lines = |angle: f64| arc_lines::<Xyz>(&radius, &CircleCase { angle, ..up() });
+    assert_eq!(number(&lines(1.9)[0], 'R'), Some(12.0));
+    assert_eq!(number(&lines(4.0)[0], 'R'), Some(-12.0));
     for angle in [TAU, 0.5 * TAU, 0.499 * TAU] {
-        assert!(number(&said(angle)[0], 'R').is_none(), "{angle}");
+        assert!(number(&lines(angle)[0], 'R').is_none(), "{angle}");
     }
 }
 
 #[test]
-fn lines_where_lines_are_wanted_and_where_the_radius_is_not() {
+fn lines_are_written_where_configured_and_where_the_radius_is_out_of_range() {
     for config in [
         set_up(|config| config.motion.arcs.output = ArcOutput::Lines),
-        set_up(|config| config.motion.arcs.largest_radius = 11.0),
-        set_up(|config| config.motion.arcs.smallest_radius = 13.0),
+        set_up(|config| config.motion.arcs.largest_radius_mm = 11.0),
+        set_up(|config| config.motion.arcs.smallest_radius_mm = 13.0),
     ] {
         assert_eq!(arc_lines::<Xyz>(&config, &up()), Vec::<String>::new());
         let (off, arcs, _) = posted::<Xyz>(&config, &up()).expect("posted");
@@ -282,30 +282,30 @@ fn lines_where_lines_are_wanted_and_where_the_radius_is_not() {
 }
 
 #[test]
-fn why_arcs_are_lines_is_counted() {
-    let counted = |wanted: &Wanted, change: fn(&mut Config)| {
+fn arcs_written_as_chords_are_counted_by_reason() {
+    let counted = |wanted: &CircleCase, change: fn(&mut Config)| {
         let run = run::<Head>(&set_up(change), &wanted.events());
         assert_eq!(run.diagnostics, []);
         (run.statistics.arcs, run.statistics.chorded)
     };
-    let none = crate::motion::Chorded::default();
+    let none = crate::motion::ChordedArcs::default();
     assert_eq!(counted(&up(), |_| {}), (1, none));
-    let leaning = Wanted { normal: UnitVector3::new_normalize(Vector3::new(0.0, 0.3, 1.0)), ..up() };
-    assert_eq!(counted(&leaning, |_| {}), (0, crate::motion::Chorded { plane: 1, ..none }));
+    let leaning = CircleCase { normal: UnitVector3::new_normalize(Vector3::new(0.0, 0.3, 1.0)), ..up() };
+    assert_eq!(counted(&leaning, |_| {}), (0, crate::motion::ChordedArcs { plane: 1, ..none }));
     assert_eq!(
-        counted(&up(), |config| config.motion.arcs.largest_radius = 1.0),
-        (0, crate::motion::Chorded { radius: 1, ..none })
+        counted(&up(), |config| config.motion.arcs.largest_radius_mm = 1.0),
+        (0, crate::motion::ChordedArcs { radius: 1, ..none })
     );
     assert_eq!(
         counted(&up(), |config| config.formats.linear_mm = 1),
-        (0, crate::motion::Chorded { rounding: 1, ..none })
+        (0, crate::motion::ChordedArcs { rounding: 1, ..none })
     );
 }
 
 #[test]
 fn an_arc_that_bulges_over_a_limit_is_refused_although_its_ends_are_inside() {
     // The arc bulges in X up to 190 + 12.
-    let wide = Wanted { centre: Point3::new(190.0, 0.0, -50.0), from: -0.9 - 0.25 * TAU, angle: 1.8, ..up() };
+    let wide = CircleCase { centre: Point3::new(190.0, 0.0, -50.0), from: -0.9 - 0.25 * TAU, angle: 1.8, ..up() };
     let zero = |config: &mut Config| config.set_up.machine_zero = BTreeMap::from([('X', 0.0)]);
     let run = run::<Xyz>(&set_up(zero), &wide.events());
     let fault = run.error();
@@ -318,10 +318,13 @@ fn an_arc_that_bulges_over_a_limit_is_refused_although_its_ends_are_inside() {
 
 #[test]
 fn an_arc_that_bulges_below_the_floor_is_refused() {
-    let bowl = Wanted { normal: Vector3::y_axis(), from: 0.0, angle: TAU, ..up() };
-    let refused = run::<Xyz>(&set_up(|config| config.motion.guards.floor = Some(-10.9)), &bowl.events());
-    assert!(refused.error().text.contains("the tip goes to Z -11.0000"), "{:?}", refused.error());
-    assert_eq!(run::<Xyz>(&set_up(|config| config.motion.guards.floor = Some(-11.1)), &bowl.events()).diagnostics, []);
+    let bowl = CircleCase { normal: Vector3::y_axis(), from: 0.0, angle: TAU, ..up() };
+    let refused = run::<Xyz>(&set_up(|config| config.motion.guards.floor_mm = Some(-10.9)), &bowl.events());
+    assert!(refused.error().text.contains("the tool tip moves to Z -11.0000"), "{:?}", refused.error());
+    assert_eq!(
+        run::<Xyz>(&set_up(|config| config.motion.guards.floor_mm = Some(-11.1)), &bowl.events()).diagnostics,
+        []
+    );
 }
 
 fn unit() -> impl Strategy<Value = UnitVector3<f64>> {
@@ -330,8 +333,8 @@ fn unit() -> impl Strategy<Value = UnitVector3<f64>> {
         .prop_map(|v| UnitVector3::new_normalize(Vector3::from(v)))
 }
 
-/// Circles about the tool axis, about an axis of the workpiece, and about any.
-fn any_circle(axis: UnitVector3<f64>) -> impl Strategy<Value = Wanted> {
+/// Circles about the tool axis, about an axis of the workpiece, and about any direction.
+fn any_circle(axis: UnitVector3<f64>) -> impl Strategy<Value = CircleCase> {
     let normal = prop_oneof![
         4 => Just(axis),
         4 => Just(-axis),
@@ -343,7 +346,7 @@ fn any_circle(axis: UnitVector3<f64>) -> impl Strategy<Value = Wanted> {
     let angle = prop_oneof![1e-7_f64..0.01, 0.01_f64..7.0, Just(TAU), Just(2.0 * TAU), 6.0_f64..TAU, 0.1_f64..15.0];
     let slope = prop_oneof![Just(0.0), -0.7_f64..0.7];
     (normal, prop::array::uniform3(-60.0_f64..60.0), 0.02_f64..40.0, 0.0_f64..TAU, angle, slope).prop_map(
-        move |(normal, centre, radius, from, angle, slope)| Wanted {
+        move |(normal, centre, radius, from, angle, slope)| CircleCase {
             axis,
             normal,
             centre: centre.into(),
@@ -355,7 +358,7 @@ fn any_circle(axis: UnitVector3<f64>) -> impl Strategy<Value = Wanted> {
     )
 }
 
-/// The tool axis that a machine has at two angles, degrees.
+/// Tool axis of a machine at two rotary angles, degrees.
 fn axis_at<M: Machine>(angles: [f64; 2]) -> UnitVector3<f64> {
     let mut axes = M::HELD;
     let rotary = M::AXES.iter().enumerate().filter(|(_, axis)| axis.kind == AxisKind::Rotary);
@@ -365,13 +368,13 @@ fn axis_at<M: Machine>(angles: [f64; 2]) -> UnitVector3<f64> {
     M::default().forward_kinematics(&axes).axis
 }
 
-fn any_wanted<M: Machine>() -> impl Strategy<Value = Wanted> {
+fn any_wanted<M: Machine>() -> impl Strategy<Value = CircleCase> {
     (-90.0_f64..90.0, 0.0_f64..80.0).prop_flat_map(|(first, second)| any_circle(axis_at::<M>([first, second])))
 }
 
-/// Arcs and lines alike stay within tolerance of the circle; both move the tool the same way.
-fn within_tolerance<M: Machine>(wanted: &Wanted) -> Result<usize, TestCaseError> {
-    // Limits are none of these tests' business, nor is the stroke of the safe sequence.
+/// Arcs and lines alike stay within tolerance of the circle, and both end at the same point.
+fn within_tolerance<M: Machine>(wanted: &CircleCase) -> Result<usize, TestCaseError> {
+    // Without limits: these tests are not about limits, nor about the travel of the safe sequence.
     let free = |config: &mut Config| {
         for axis in M::AXES {
             config.set_up.limits.insert(axis.letter, None);
@@ -396,12 +399,12 @@ fn within_tolerance<M: Machine>(wanted: &Wanted) -> Result<usize, TestCaseError>
     Ok(arcs)
 }
 
-/// Where little is missing to a whole turn, the rounding of the ends moves the centre that a radius means by much more, and on
-/// a steep helix that is a matter of height.
+/// Close to a full circle, the rounding of the ends moves the centre of an arc with radius by much more, and on a steep helix
+/// that changes the height.
 #[test]
-fn a_radius_is_given_up_where_it_moves_a_steep_helix() {
+fn a_radius_is_not_written_where_it_displaces_a_steep_helix() {
     let axis = UnitVector3::new_normalize(Vector3::new(0.797_319_3, -0.210_594_66, 0.565_625_16));
-    let wanted = Wanted {
+    let wanted = CircleCase {
         axis,
         normal: axis,
         centre: Point3::new(-25.628_104_398_322_82, -1.202_534_399_602_534_4, -50.025_363_532_522_17),
@@ -411,7 +414,7 @@ fn a_radius_is_given_up_where_it_moves_a_steep_helix() {
         rise: -160.368_586_786_825_32,
     };
     for around in 0..40 {
-        let wanted = Wanted { from: wanted.from + f64::from(around) * 1e-4, ..wanted };
+        let wanted = CircleCase { from: wanted.from + f64::from(around) * 1e-4, ..wanted };
         within_tolerance::<Mirrored>(&wanted).unwrap_or_else(|failure| panic!("{failure}"));
     }
 }
@@ -430,7 +433,7 @@ proptest! {
     }
 
     #[test]
-    fn on_a_machine_whose_words_run_backwards_arcs_stay_within_tolerance(wanted in any_wanted::<Mirrored>()) {
+    fn on_a_machine_with_mirrored_coordinates_arcs_stay_within_tolerance(wanted in any_wanted::<Mirrored>()) {
         within_tolerance::<Mirrored>(&wanted)?;
     }
 
@@ -440,7 +443,7 @@ proptest! {
     }
 
     #[test]
-    fn clear_arcs_about_the_tool_of_a_table_are_left_to_the_control(
+    fn clear_arcs_about_the_tool_axis_of_a_table_are_written_as_arcs(
         first in -90.0_f64..90.0,
         second in 0.0_f64..80.0,
         radius in 2.0_f64..40.0,
@@ -448,7 +451,7 @@ proptest! {
         clockwise in any::<bool>(),
     ) {
         let axis = axis_at::<Cb>([first, second]);
-        let wanted = Wanted { axis, normal: if clockwise { -axis } else { axis }, radius, angle, ..up() };
+        let wanted = CircleCase { axis, normal: if clockwise { -axis } else { axis }, radius, angle, ..up() };
         prop_assert!(within_tolerance::<Cb>(&wanted)? > 0);
     }
 }

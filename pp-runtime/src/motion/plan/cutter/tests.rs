@@ -1,4 +1,4 @@
-//! Compensation of the cutter's radius: where it begins and ends, on which side, and what it does not bear.
+//! Cutter compensation: its beginning, its end, its side, and the records that it refuses.
 
 use super::*;
 use crate::config::Config;
@@ -17,7 +17,7 @@ fn set_up(path: Option<CutterPath>) -> Config {
         .set_up
         .tools
         .insert(1, GivenTool { length_mm: Some(100.0), diameter_mm: Some(10.0), ..GivenTool::default() });
-    config.motion.retract.distance = Some(20.0);
+    config.motion.retract.distance_mm = Some(20.0);
     config.motion.compensation = path;
     config
 }
@@ -26,7 +26,7 @@ fn asked(side: CutterSide) -> Event<'static> {
     Event::Compensation(Compensation { side, register: None, in_xy_plane: true })
 }
 
-/// A quarter about a centre, counter-clockwise.
+/// A quarter circle about a centre, counter-clockwise.
 fn quarter(start: [f64; 3], end: [f64; 3], centre: [f64; 3]) -> Event<'static> {
     Event::Arc(Arc {
         start: pose(start, UP),
@@ -38,12 +38,12 @@ fn quarter(start: [f64; 3], end: [f64; 3], centre: [f64; 3]) -> Event<'static> {
     })
 }
 
-/// A program that comes down to X0 Y-20, and then does this.
+/// A program that comes down to X0 Y-20, followed by these events.
 fn from_below(events: &[Event<'static>]) -> Vec<Event<'static>> {
     [&[tool(1), spindle(), rapid([0.0, -20.0, 9.0], UP), feed([0.0, -20.0, 0.0], UP)], events].concat()
 }
 
-/// Lead-in, a line and a quarter, and lead-out.
+/// Lead-in, a line and a quarter circle, and lead-out.
 fn contour(side: CutterSide) -> Vec<Event<'static>> {
     from_below(&[
         asked(side),
@@ -79,7 +79,7 @@ fn refused(events: &[Event<'static>]) -> String {
 }
 
 #[test]
-fn compensation_comes_on_with_the_line_behind_it_and_goes_off_with_the_line_behind_off() {
+fn compensation_begins_with_the_line_after_it_and_ends_with_the_line_after_off() {
     for (side, code) in [(CutterSide::Left, "G41"), (CutterSide::Right, "G42")] {
         let run = run::<Xyz>(&set_up(Some(CutterPath::Centre)), &contour(side));
         assert_eq!(run.diagnostics, []);
@@ -89,7 +89,7 @@ fn compensation_comes_on_with_the_line_behind_it_and_goes_off_with_the_line_behi
 }
 
 #[test]
-fn in_mirrored_words_left_is_right() {
+fn in_mirrored_coordinates_left_is_right() {
     for (side, code) in [(CutterSide::Left, "G42 D1"), (CutterSide::Right, "G41 D1")] {
         let run = run::<Mirrored>(&set_up(Some(CutterPath::Centre)), &contour(side));
         assert!(run.lines.iter().any(|line| line.contains(code)), "{:?} {:?}", run.lines, run.diagnostics);
@@ -97,7 +97,7 @@ fn in_mirrored_words_left_is_right() {
 }
 
 #[test]
-fn each_control_has_its_words_and_its_register() {
+fn each_control_has_its_own_words_and_register() {
     let mut config = set_up(Some(CutterPath::Contour));
     let lines = posted(&Siemens, &config, &contour(CutterSide::Left));
     assert_eq!(lines[lines.len() - 4..], ["G41 Y0", "X30", "G3 X40 Y10 I0 J10", "G1 G40 Y30"]);
@@ -109,7 +109,7 @@ fn each_control_has_its_words_and_its_register() {
     );
     config.set_up.tools.get_mut(&1).expect("the tool").radius_offset = Some(31);
     assert!(posted(&Haas, &config, &contour(CutterSide::Left)).iter().any(|line| line == "G41 D31 Y0."));
-    let (found, _) = plan::<Xyz>(&Heidenhain, &config, &contour(CutterSide::Left), &mut crate::motion::Nowhere);
+    let (found, _) = plan::<Xyz>(&Heidenhain, &config, &contour(CutterSide::Left), &mut crate::motion::DiscardSteps);
     assert!(found[0].text.contains("register 31"), "{found:?}");
 }
 
@@ -132,7 +132,7 @@ fn on_takes_the_side_and_the_register_that_were_given_last() {
 }
 
 #[test]
-fn what_is_rounded_out_of_the_plane_is_in_it_with_fine_words_as_well() {
+fn a_point_rounded_out_of_the_plane_counts_as_in_it_with_fine_words_as_well() {
     let mut config = set_up(Some(CutterPath::Centre));
     config.formats.linear_mm = 5;
     let events = from_below(&[
@@ -147,7 +147,7 @@ fn what_is_rounded_out_of_the_plane_is_in_it_with_fine_words_as_well() {
 }
 
 #[test]
-fn the_tool_may_be_led_to_where_the_line_begins() {
+fn the_tool_may_be_led_to_the_start_of_the_line() {
     let events = from_below(&[
         asked(CutterSide::Left),
         rapid([5.0, -20.0, 0.0], UP),
@@ -161,7 +161,7 @@ fn the_tool_may_be_led_to_where_the_line_begins() {
 }
 
 #[test]
-fn what_a_control_cannot_look_ahead_over_is_refused() {
+fn records_that_interrupt_the_look_ahead_are_refused() {
     let on = |event: Event<'static>| refused(&from_below(&[asked(CutterSide::Left), feed([0.0, 0.0, 0.0], UP), event]));
     for (event, why) in [
         (rapid([0.0, 9.0, 0.0], UP), "a rapid follows"),
@@ -170,8 +170,8 @@ fn what_a_control_cannot_look_ahead_over_is_refused() {
         (quarter([0.0; 3], [10.0, 10.0, 2.0], [0.0, 10.0, 0.0]), "an arc leaves its plane"),
         (asked(CutterSide::Right), "the other side"),
         (Event::Stop, "the program stops"),
-        (Event::Home, "goes home"),
-        (Event::Insert(b"M64"), "as it stands"),
+        (Event::Home, "GOHOME follows"),
+        (Event::Insert(b"M64"), "NC text"),
         (tool(1), "a tool is called"),
         (Event::Operation(b"NEXT"), "another operation"),
         (Event::Message(b"the end"), "the program ends"),
@@ -180,33 +180,35 @@ fn what_a_control_cannot_look_ahead_over_is_refused() {
         assert!(text.contains("in force") && text.contains(why), "{event:?}: {text}");
     }
     let first = |event| refused(&from_below(&[asked(CutterSide::Left), event]));
-    assert!(first(quarter([0.0, -20.0, 0.0], [10.0, -10.0, 0.0], [0.0, -10.0, 0.0])).contains("begins in a straight"));
+    assert!(
+        first(quarter([0.0, -20.0, 0.0], [10.0, -10.0, 0.0], [0.0, -10.0, 0.0])).contains("begins with a straight")
+    );
     assert!(first(Event::Message(b"the end")).contains("no straight feed motion in the plane follows"));
     let last = |event| {
         let up = [asked(CutterSide::Left), feed([0.0; 3], UP), asked(CutterSide::Off), event];
         refused(&from_below(&up))
     };
-    assert!(last(rapid([0.0, 0.0, 9.0], UP)).contains("ends in a straight"));
-    assert!(last(feed([0.0, 0.0, 9.0], UP)).contains("ends in a straight"));
+    assert!(last(rapid([0.0, 0.0, 9.0], UP)).contains("ends with a straight"));
+    assert!(last(feed([0.0, 0.0, 9.0], UP)).contains("ends with a straight"));
 }
 
 #[test]
 fn an_arc_that_would_be_chords_is_refused() {
     let mut config = set_up(Some(CutterPath::Centre));
     config.motion.arcs.output = crate::motion::ArcOutput::Lines;
-    assert!(run::<Xyz>(&config, &contour(CutterSide::Left)).error().text.contains("would be chords"));
+    assert!(run::<Xyz>(&config, &contour(CutterSide::Left)).error().text.contains("is written as chords"));
 }
 
 #[test]
 fn a_lead_in_is_longer_than_the_radius_that_d_holds() {
     let short = from_below(&[asked(CutterSide::Left), feed([0.0, -15.5, 0.0], UP), feed([9.0, -15.5, 0.0], UP)]);
     let text = |path| run::<Xyz>(&set_up(Some(path)), &short).error().text.clone();
-    assert!(text(CutterPath::Contour).contains("4.500 mm long, and the tool has a radius of 5.000 mm"));
+    assert!(text(CutterPath::Contour).contains("4.500 mm long, shorter than the tool radius of 5.000 mm"));
     assert!(text(CutterPath::Centre).contains("the program ends"));
 }
 
 #[test]
-fn compensation_wants_the_plane_of_x_and_y_and_no_tip_control() {
+fn compensation_needs_the_plane_of_x_and_y_and_no_tip_control() {
     let other = Event::Compensation(Compensation { side: CutterSide::Left, register: None, in_xy_plane: false });
     assert!(refused(&from_below(&[other])).contains("plane of X and Y only"));
     let mut config = set_up(Some(CutterPath::Centre));
@@ -215,7 +217,7 @@ fn compensation_wants_the_plane_of_x_and_y_and_no_tip_control() {
 }
 
 #[test]
-fn a_rotary_axis_that_turns_is_refused() {
+fn a_rotary_axis_that_rotates_is_refused() {
     let config = set_up(Some(CutterPath::Centre));
     let tilted = [0.1, 0.0, 1.0];
     let text = |events: &[Event<'static>]| run::<Cb>(&config, events).error().text.clone();

@@ -1,4 +1,4 @@
-//! Holes: level by level, and by cycles that are read and run as a control does.
+//! Holes as single motions and as cycles, which are read and executed as a control does.
 
 use proptest::prelude::*;
 
@@ -17,7 +17,7 @@ const UP: [f64; 3] = [0.0, 0.0, 1.0];
 fn set_up(output: CycleOutput) -> Config {
     let mut config = config();
     config.set_up.tools.insert(1, GivenTool { length_mm: Some(100.0), ..GivenTool::default() });
-    config.motion.retract.distance = Some(20.0);
+    config.motion.retract.distance_mm = Some(20.0);
     config.motion.cycles.output = output;
     config
 }
@@ -35,8 +35,8 @@ fn hole(top: [f64; 3], drilling: Drilling, back_to: f64, dwell: Option<Dwell>) -
     })
 }
 
-/// A program that begins with a cut to a point.
-fn behind(point: [f64; 3], holes: &[Event<'static>]) -> Vec<Event<'static>> {
+/// A program that begins with a cut to a point, followed by holes.
+fn after_cut(point: [f64; 3], holes: &[Event<'static>]) -> Vec<Event<'static>> {
     let start = [tool(1), spindle(), feed(point, UP)];
     start.into_iter().chain(holes.iter().copied()).collect()
 }
@@ -50,15 +50,15 @@ fn lines(config: &Config, events: &[Event<'_>]) -> Vec<String> {
     run.lines[first + 1..last].to_vec()
 }
 
-/// Heights and whether at rapid, for the blocks that move Z.
+/// Heights of the blocks that move Z, and whether they are rapids.
 fn heights(point: [f64; 3], drilling: Drilling, back_to: f64, dwell: Option<Dwell>) -> Vec<(f64, bool)> {
-    let events = behind(point, &[hole([1.0, 0.0, 0.0], drilling, back_to, dwell)]);
+    let events = after_cut(point, &[hole([1.0, 0.0, 0.0], drilling, back_to, dwell)]);
     let (mut fast, mut found) = (false, Vec::new());
     for line in lines(&set_up(CycleOutput::Expanded), &events) {
         fast = if line.contains("G0") { true } else { fast && !line.contains("G1") };
         found.extend(line.split(' ').filter_map(|word| Some((word.strip_prefix('Z')?.parse().ok()?, fast))));
     }
-    // The last is the way out of the part.
+    // The last one is the retract out of the part.
     found.pop();
     found
 }
@@ -88,31 +88,31 @@ fn deep_holes_are_cleared_after_each_step_and_chips_broken_without() {
 fn the_tool_lifts_before_it_goes_over_to_a_higher_hole() {
     for output in [CycleOutput::Native, CycleOutput::Expanded] {
         let found =
-            lines(&set_up(output), &behind([0.0, 0.0, -1.0], &[hole([8.0, 0.0, 4.0], Drilling::Drill, 2.0, None)]));
+            lines(&set_up(output), &after_cut([0.0, 0.0, -1.0], &[hole([8.0, 0.0, 4.0], Drilling::Drill, 2.0, None)]));
         assert_eq!(found[0], "G0 Z6", "{found:#?}");
         assert!(found[1].contains("X8"), "{found:#?}");
     }
 }
 
 #[test]
-fn holes_of_one_kind_are_places_of_one_cycle() {
+fn equal_holes_are_positions_of_one_cycle() {
     let at = |x: f64, y: f64| hole([x, y, 0.0], Drilling::Drill, 2.0, None);
-    let events = behind([0.0, 0.0, 9.0], &[at(1.0, 2.0), at(5.0, 2.0), at(5.0, 2.0), rapid([5.0, 2.0, 9.0], UP)]);
+    let events = after_cut([0.0, 0.0, 9.0], &[at(1.0, 2.0), at(5.0, 2.0), at(5.0, 2.0), rapid([5.0, 2.0, 9.0], UP)]);
     let expected = ["G99 G81 X1 Y2 Z-5 R2 F100", "X5", "X5 Y2", "G80", "G0 Z9"];
     assert_eq!(lines(&set_up(CycleOutput::Native), &events)[..5], expected);
 }
 
 #[test]
-fn a_cycle_goes_back_to_where_it_began_and_is_brought_there_before() {
-    let events = behind([0.0, 0.0, 9.0], &[hole([1.0, 2.0, 0.0], Drilling::Drill, 7.0, None)]);
+fn the_tool_is_at_the_return_level_before_a_cycle_that_returns_to_its_start() {
+    let events = after_cut([0.0, 0.0, 9.0], &[hole([1.0, 2.0, 0.0], Drilling::Drill, 7.0, None)]);
     let found = lines(&set_up(CycleOutput::Native), &events);
     assert_eq!(found[..4], ["G0 X1 Y2", "Z7", "G98 G81 X1 Y2 Z-5 R2 F100", "G80"]);
 }
 
 #[test]
-fn what_a_cycle_cannot_say_is_expanded() {
+fn holes_that_differ_from_every_cycle_are_expanded() {
     let cycle = |drilling, dwell| {
-        let events = behind([0.0, 0.0, 2.0], &[hole([1.0, 2.0, 0.0], drilling, 2.0, dwell)]);
+        let events = after_cut([0.0, 0.0, 2.0], &[hole([1.0, 2.0, 0.0], drilling, 2.0, dwell)]);
         lines(&set_up(CycleOutput::Native), &events)[0].clone()
     };
     let waits = Some(Dwell::Seconds(0.5));
@@ -133,22 +133,25 @@ fn what_a_cycle_cannot_say_is_expanded() {
 #[test]
 fn a_thread_follows_the_spindle_and_is_never_expanded() {
     let tap = |pitch| hole([1.0, 2.0, 0.0], Drilling::Tap { pitch_mm: pitch }, 9.0, None);
-    let events = behind([0.0, 0.0, 9.0], &[tap(Some(1.25))]);
+    let events = after_cut([0.0, 0.0, 9.0], &[tap(Some(1.25))]);
     let found = lines(&set_up(CycleOutput::Native), &events);
     assert_eq!(found[..4], ["G0 X1 Y2", "Z2", "G33.1 Z-5 K1.25", "G0 Z9"]);
     let refused = |config: &Config, events: &[Event<'_>]| run::<Xyz>(config, events).error().text.clone();
-    assert!(refused(&set_up(CycleOutput::Expanded), &events).contains("a thread needs"));
+    assert!(refused(&set_up(CycleOutput::Expanded), &events).contains("tapping synchronises"));
     let waiting = hole([1.0, 2.0, 0.0], Drilling::Tap { pitch_mm: Some(1.0) }, 9.0, Some(Dwell::Seconds(1.0)));
-    assert!(refused(&set_up(CycleOutput::Native), &behind([0.0, 0.0, 9.0], &[waiting])).contains("does not wait"));
-    // Without a pitch the feed says it: 100 mm/min at 8000 turns.
-    let found = lines(&set_up(CycleOutput::Native), &behind([0.0, 0.0, 9.0], &[tap(None)]));
+    assert!(
+        refused(&set_up(CycleOutput::Native), &after_cut([0.0, 0.0, 9.0], &[waiting]))
+            .contains("no dwell at the bottom")
+    );
+    // Without a pitch the feed defines it: 100 mm/min at 8000 rev/min.
+    let found = lines(&set_up(CycleOutput::Native), &after_cut([0.0, 0.0, 9.0], &[tap(None)]));
     assert_eq!(found[2], "G33.1 Z-5 K0.0125");
 }
 
 #[test]
-fn the_way_to_a_thread_is_no_other_hole_of_the_cycle_before() {
+fn the_motion_to_a_thread_is_no_other_hole_of_the_cycle_before() {
     let tap = hole([9.0, 2.0, 0.0], Drilling::Tap { pitch_mm: Some(1.0) }, 2.0, None);
-    let events = behind([0.0, 0.0, 2.0], &[hole([1.0, 2.0, 0.0], Drilling::Drill, 2.0, None), tap]);
+    let events = after_cut([0.0, 0.0, 2.0], &[hole([1.0, 2.0, 0.0], Drilling::Drill, 2.0, None), tap]);
     let found = lines(&set_up(CycleOutput::Native), &events);
     assert_eq!(found[..4], ["G99 G81 X1 Y2 Z-5 R2 F100", "G80", "G0 X9", "Z2"]);
 }
@@ -156,7 +159,7 @@ fn the_way_to_a_thread_is_no_other_hole_of_the_cycle_before() {
 #[test]
 fn a_hole_with_too_many_steps_is_refused() {
     let dust = hole([0.0; 3], Drilling::Peck { first_mm: 1e-6, later_mm: 1e-6 }, 2.0, None);
-    let run = run::<Xyz>(&set_up(CycleOutput::Expanded), &behind([0.0, 0.0, 9.0], &[dust]));
+    let run = run::<Xyz>(&set_up(CycleOutput::Expanded), &after_cut([0.0, 0.0, 9.0], &[dust]));
     assert!(run.error().text.contains("more than 10000 steps"), "{:?}", run.error());
 }
 
@@ -174,7 +177,7 @@ fn on_a_head_only_holes_along_z_are_cycles() {
     assert_eq!([counted(UP), counted([0.3, 0.0, 0.9])], [1, 0]);
 }
 
-/// Stops on the way at rapid, and there and back, are no other way.
+/// Merges consecutive rapids along Z, and removes rapids that end where they began.
 fn simplify(path: &mut Vec<([i64; 3], bool)>) {
     path.dedup_by(|next, before| {
         let same = next.1 && before.1 && next.0[..2] == before.0[..2];
@@ -186,7 +189,7 @@ fn simplify(path: &mut Vec<([i64; 3], bool)>) {
     path.dedup_by(|next, before| next.1 && next.0 == before.0);
 }
 
-/// Where the tip goes, as a control runs the program: rapids, feeds and cycles of `G81`, `G82`, `G85`, `G89`.
+/// Path of the tip as a control executes the program: rapids, feeds and the cycles `G81`, `G82`, `G85`, `G89`.
 fn travelled(run: &Run) -> Vec<([i64; 3], bool)> {
     let (mut at, mut motion, mut cycle, mut initial) = ([0_i64; 3], String::new(), [0_i64; 2], 0_i64);
     let (mut high, mut path) = (false, Vec::new());
@@ -265,16 +268,16 @@ fn any_hole() -> impl Strategy<Value = Event<'static>> {
     )
 }
 
-/// Where steps send the tip of [`Xyz`], and whether at rapid; a cycle goes the way that its table says.
+/// Path of the tip of [`Xyz`] through steps, and whether at rapid; a cycle moves as its documentation defines.
 #[derive(Default)]
-struct Way {
+struct TracedPath {
     at: [i64; 3],
     path: Vec<([i64; 3], bool)>,
     cycles: Vec<CannedCycle>,
     rapid_below: bool,
 }
 
-impl Way {
+impl TracedPath {
     fn go(&mut self, to: [i64; 3], fast: bool) {
         if to != self.at {
             self.path.push((to, fast));
@@ -282,7 +285,7 @@ impl Way {
         }
     }
 
-    fn words(&mut self, words: &Words, fast: bool) {
+    fn words(&mut self, words: &AxisWords, fast: bool) {
         let mut to = self.at;
         for (axis, value) in to.iter_mut().enumerate().filter(|(axis, _)| words.has(*axis)) {
             *value = words.units[axis];
@@ -295,7 +298,7 @@ impl Way {
         self.rapid_below |= began < cycle.clearance;
         self.words(&cycle.words, true);
         let [x, y, _] = self.at;
-        let level = |way: &mut Self, z: i64, fast: bool| way.go([x, y, z], fast);
+        let level = |path: &mut Self, z: i64, fast: bool| path.go([x, y, z], fast);
         level(self, cycle.clearance, true);
         let (step, gap, out) = match cycle.kind {
             CannedKind::Peck { step, gap } => (step, gap, true),
@@ -319,9 +322,9 @@ impl Way {
     }
 }
 
-/// The way of a program on a control, stops of a rapid along Z left out.
-fn way(control: &dyn Control, output: CycleOutput, events: &[Event<'_>]) -> (Vec<([i64; 3], bool)>, Vec<CannedCycle>) {
-    struct Steps(Way, bool);
+/// Path of a program on a control, without intermediate stops of rapids along Z.
+fn path(control: &dyn Control, output: CycleOutput, events: &[Event<'_>]) -> (Vec<([i64; 3], bool)>, Vec<CannedCycle>) {
+    struct Steps(TracedPath, bool);
     impl Sink for Steps {
         fn step(&mut self, step: &Step<'_>, _: &Provenance<'_>) -> std::io::Result<()> {
             match step {
@@ -334,8 +337,8 @@ fn way(control: &dyn Control, output: CycleOutput, events: &[Event<'_>]) -> (Vec
         }
     }
     let config = set_up(output);
-    let returns = crate::control::abilities(control, config.demands()).cycles.own_return;
-    let mut steps = Steps(Way::default(), returns);
+    let returns = crate::control::abilities(control, config.demands()).cycles.returns_to_any_level;
+    let mut steps = Steps(TracedPath::default(), returns);
     let (diagnostics, _) = plan::<Xyz>(control, &config, events, &mut steps);
     assert!(diagnostics.iter().all(|found| found.severity == Severity::Warning), "{diagnostics:?}");
     assert!(!steps.0.rapid_below, "the tool goes over below the clearance level");
@@ -344,14 +347,14 @@ fn way(control: &dyn Control, output: CycleOutput, events: &[Event<'_>]) -> (Vec
     (path, steps.0.cycles)
 }
 
-/// The cycle of one hole 5 deep, 2 under its clearance level, from there.
+/// Cycle of one hole, 5 mm deep, from its clearance level 2 mm above.
 fn kind(control: &dyn Control, drilling: Drilling, dwell: Option<Dwell>) -> Option<CannedKind> {
-    let events = behind([0.0, 0.0, 2.0], &[hole([1.0, 2.0, 0.0], drilling, 2.0, dwell)]);
-    way(control, CycleOutput::Native, &events).1.first().map(|cycle| cycle.kind)
+    let events = after_cut([0.0, 0.0, 2.0], &[hole([1.0, 2.0, 0.0], drilling, 2.0, dwell)]);
+    path(control, CycleOutput::Native, &events).1.first().map(|cycle| cycle.kind)
 }
 
 #[test]
-fn steps_that_are_those_of_the_control_are_left_to_it() {
+fn holes_with_the_steps_of_a_control_are_written_as_its_cycles() {
     let waits = Some(Dwell::Seconds(0.5));
     let peck = |step: f64| Drilling::Peck { first_mm: step, later_mm: step };
     let chips = |step: f64| Drilling::ChipBreak { step_mm: step, retract_mm: Some(0.3) };
@@ -371,7 +374,7 @@ fn steps_that_are_those_of_the_control_are_left_to_it() {
 }
 
 #[test]
-fn a_wait_that_is_too_long_for_a_cycle_is_written_behind_motions() {
+fn a_dwell_that_is_too_long_for_a_cycle_is_written_after_single_motions() {
     let native = |control, seconds| kind(control, Drilling::Drill, Some(Dwell::Seconds(seconds))).is_some();
     assert_eq!(
         [native(&Heidenhain, 3600.0), native(&Heidenhain, 3600.5), native(&Siemens, 3600.5)],
@@ -388,18 +391,19 @@ fn the_pitch_of_a_thread_has_the_digits_of_the_control() {
     let eighteen = 25.4 / 18.0;
     assert!((pitch(&Siemens, eighteen) - 1.411_111).abs() < 1e-9);
     assert!((pitch(&Heidenhain, eighteen) - 1.4111).abs() < 1e-9);
-    let events = behind([0.0, 0.0, 2.0], &[hole([0.0; 3], Drilling::Tap { pitch_mm: Some(0.0103) }, 2.0, None)]);
+    let events = after_cut([0.0, 0.0, 2.0], &[hole([0.0; 3], Drilling::Tap { pitch_mm: Some(0.0103) }, 2.0, None)]);
     let refused = |control: &dyn Control| {
-        let (found, _) = plan::<Xyz>(control, &set_up(CycleOutput::Native), &events, &mut crate::motion::Nowhere);
+        let (found, _) = plan::<Xyz>(control, &set_up(CycleOutput::Native), &events, &mut crate::motion::DiscardSteps);
         found.into_iter().find(|found| found.severity == Severity::Error).map(|found| found.text)
     };
     assert_eq!(refused(&Heidenhain), None);
-    let events = behind([0.0, 0.0, 2.0], &[hole([0.0; 3], Drilling::Tap { pitch_mm: Some(0.010_33) }, 2.0, None)]);
-    let (found, _) = plan::<Xyz>(&Heidenhain, &set_up(CycleOutput::Native), &events, &mut crate::motion::Nowhere);
+    let events = after_cut([0.0, 0.0, 2.0], &[hole([0.0; 3], Drilling::Tap { pitch_mm: Some(0.010_33) }, 2.0, None)]);
+    let (found, _) = plan::<Xyz>(&Heidenhain, &set_up(CycleOutput::Native), &events, &mut crate::motion::DiscardSteps);
     assert!(found[0].text.contains("has too many digits"), "{found:?}");
     // 1.25 mm in inches: with four decimals 1.249 68 mm would be cut.
-    let events = behind([0.0, 0.0, 2.0], &[hole([0.0; 3], Drilling::Tap { pitch_mm: Some(1.25 / 25.4) }, 2.0, None)]);
-    let (found, _) = plan::<Xyz>(&Heidenhain, &set_up(CycleOutput::Native), &events, &mut crate::motion::Nowhere);
+    let events =
+        after_cut([0.0, 0.0, 2.0], &[hole([0.0; 3], Drilling::Tap { pitch_mm: Some(1.25 / 25.4) }, 2.0, None)]);
+    let (found, _) = plan::<Xyz>(&Heidenhain, &set_up(CycleOutput::Native), &events, &mut crate::motion::DiscardSteps);
     assert!(found[0].text.contains("has too many digits"), "{found:?}");
 }
 
@@ -418,38 +422,38 @@ fn any_steps() -> impl Strategy<Value = Drilling> {
 proptest! {
     /// A cycle moves the tool just as the single motions do.
     #[test]
-    fn cycles_and_motions_are_the_same_way(
+    fn cycles_and_motions_move_the_tool_in_the_same_way(
         holes in prop::collection::vec(any_hole(), 1..12),
         start in prop::array::uniform3(-4_i32..8),
     ) {
-        let events = behind(start.map(f64::from), &holes);
-        let way = |output| {
+        let events = after_cut(start.map(f64::from), &holes);
+        let posted = |output| {
             let run = run::<Cb>(&set_up(output), &events);
             // A clearance level below the first cut is remarked on, however the hole is made.
             let remarks: Vec<String> = run.diagnostics.iter().map(|remark| remark.text.clone()).collect();
             (travelled(&run), run.statistics.cycles, remarks)
         };
-        let (native, expanded) = (way(CycleOutput::Native), way(CycleOutput::Expanded));
+        let (native, expanded) = (posted(CycleOutput::Native), posted(CycleOutput::Expanded));
         prop_assert_eq!((&native.0, &native.2), (&expanded.0, &expanded.2));
         prop_assert!(native.1 > 0 || holes.iter().all(|hole| matches!(hole, Event::Hole(hole) if hole.drilling == Drilling::Ream)));
         prop_assert_eq!(expanded.1, 0);
     }
 
-    /// On every control a cycle is the way of the single motions, step by step where the control is told its steps.
+    /// On every control a cycle has the path of the single motions, step by step where the cycle programs its gap.
     #[test]
-    fn the_cycles_of_every_control_are_the_way_of_the_motions(
+    fn the_cycles_of_every_control_have_the_path_of_the_motions(
         holes in prop::collection::vec((any_hole(), any_steps()), 1..8),
         start in prop::array::uniform3(-4_i32..8),
     ) {
         for control in CONTROLS {
-            let told = crate::control::abilities(*control, set_up(CycleOutput::Native).demands()).cycles.states_gap;
+            let programs_gap = crate::control::abilities(*control, set_up(CycleOutput::Native).demands()).cycles.programs_gap;
             let holes: Vec<Event<'static>> = holes.iter().map(|(event, drilling)| match *event {
-                Event::Hole(hole) if told => Event::Hole(Hole { drilling: *drilling, ..hole }),
+                Event::Hole(hole) if programs_gap => Event::Hole(Hole { drilling: *drilling, ..hole }),
                 event => event,
             }).collect();
-            let events = behind(start.map(f64::from), &holes);
-            let (native, cycles) = way(*control, CycleOutput::Native, &events);
-            let (expanded, none) = way(*control, CycleOutput::Expanded, &events);
+            let events = after_cut(start.map(f64::from), &holes);
+            let (native, cycles) = path(*control, CycleOutput::Native, &events);
+            let (expanded, none) = path(*control, CycleOutput::Expanded, &events);
             prop_assert_eq!(native, expanded, "{}", control.spellings().name);
             prop_assert!(none.is_empty());
             let plain = |event: &Event<'_>| matches!(event, Event::Hole(hole) if hole.drilling == Drilling::Drill);

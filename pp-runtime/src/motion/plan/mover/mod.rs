@@ -1,8 +1,8 @@
-//! The mover: the only one that moves the machine. It knows where the axes are, puts poses into words, and writes each
-//! motion as the blocks it takes.
+//! The mover: holds the position of the axes, computes the words of poses, and writes each motion in one or more blocks.
+//! Nothing else moves the machine.
 //!
-//! What is to be done next is decided by the [`Planner`](crate::motion::plan::Planner); how an axis gets there is decided here: rounding,
-//! linearisation, feed, words within a turn, limits, clamps, and the frame of the control.
+//! The [`Planner`](crate::motion::plan::Planner) decides the next motion. Decided here are rounding, linearisation, feed,
+//! rollover, limits, clamps, and the frame of the control.
 
 mod retract;
 
@@ -18,12 +18,12 @@ use crate::motion::place::{AxisPosition, Placer};
 use crate::motion::place::{Linearised, PathTolerance};
 use crate::motion::plan::abilities::Abilities;
 use crate::motion::plan::clamps::{Clamps, MovingAxes};
-use crate::motion::plan::feed::{Feeds, Pace, Stroke};
+use crate::motion::plan::feed::{FeedMotion, Feeds, Pace};
 use crate::motion::plan::output::Output;
 use crate::motion::plan::position::Position;
 use crate::motion::rotary::{Rollover, RotaryTarget};
+use crate::motion::step::{BlockReason, ReachedPosition};
 use crate::motion::step::{MAX_AXES, Sink, Step};
-use crate::motion::step::{Standing, Why};
 
 /// Moves the machine.
 pub(crate) struct Mover<'a, S> {
@@ -33,7 +33,7 @@ pub(crate) struct Mover<'a, S> {
     feeds: Feeds,
     speller: Rollover,
     clamps: Clamps,
-    /// How far feed motions may be left.
+    /// Tolerances of feed motions.
     tolerance: PathTolerance,
     position: Position,
     output: Output<S>,
@@ -54,7 +54,10 @@ impl<'a, S: Sink> Mover<'a, S> {
             feeds: Feeds::new(policy, units, placer.unit_mm(), abilities),
             speller: Rollover::new(placer.chain(), policy, placer.rotaries(), placer.scale().units_per_turn),
             clamps: Clamps::new(placer.chain(), policy, placer.rotaries()),
-            tolerance: PathTolerance { tip_mm: policy.options.tolerance, axis_rad: policy.options.axis_tolerance_path },
+            tolerance: PathTolerance {
+                tip_mm: policy.options.tolerance_mm,
+                axis_rad: policy.options.axis_tolerance_path_rad,
+            },
             position: Position::new(placer.zero()),
             policy,
             abilities,
@@ -64,28 +67,28 @@ impl<'a, S: Sink> Mover<'a, S> {
         }
     }
 
-    /// Poses into words.
+    /// The placer: computes words for poses.
     #[inline]
     pub(crate) fn placer(&self) -> &Placer {
         &self.placer
     }
 
-    /// How fast blocks run.
+    /// The computation of F words.
     pub(crate) fn feeds(&self) -> &Feeds {
         &self.feeds
     }
 
-    /// How far feed motions may be left.
+    /// Tolerances of feed motions.
     pub(crate) fn tolerance(&self) -> PathTolerance {
         self.tolerance
     }
 
-    /// LINTOL: how far the tip may leave its path, mm.
+    /// LINTOL: largest deviation of the tip from its path, mm.
     pub(crate) fn set_tip_tolerance(&mut self, tip: f64) {
         self.tolerance.tip_mm = tip;
     }
 
-    /// Where the axes are.
+    /// Position of the machine.
     #[inline]
     pub(crate) fn position(&self) -> &Position {
         &self.position
@@ -96,7 +99,7 @@ impl<'a, S: Sink> Mover<'a, S> {
         &mut self.position
     }
 
-    /// The place of the axes.
+    /// Present place of the axes.
     #[inline]
     pub(crate) fn here(&self) -> &AxisPosition {
         self.position.place()
@@ -117,28 +120,28 @@ impl<'a, S: Sink> Mover<'a, S> {
         self.restarts
     }
 
-    /// A tool of this gauge length, mm, if it is known, is in the spindle.
+    /// Sets the gauge length of the tool in the spindle, mm, if known.
     pub(crate) fn set_gauge_length(&mut self, length: Option<f64>) {
         self.placer.set_gauge_length(length);
     }
 
-    /// Clamps are switched as a rehearsal of the same program has found.
+    /// Sets the result of a rehearsal of the same program, which decides where clamps are on.
     pub(crate) fn set_rehearsed(&mut self, rehearsed: MovingAxes) {
         self.clamps.set_rehearsed(rehearsed);
     }
 
-    /// What a rehearsal has found.
+    /// Result of a rehearsal: the axes that move after each approach.
     pub(crate) fn into_rehearsed(self) -> MovingAxes {
         self.clamps.into_seen()
     }
 
-    /// FROM: before the first motion it says where the rotaries count from.
+    /// FROM: before the first motion, the position from which the rotary axes count.
     pub(crate) fn count_from(&mut self, pose: &Pose) {
         let placer = &self.placer;
         self.position.count_from(|from| placer.reference(pose, from));
     }
 
-    /// The place of a pose from where the axes are: see [`Placer::place`].
+    /// The place of a pose, reached from the present place: see [`Placer::place`].
     #[inline]
     pub(crate) fn place(
         &mut self,
@@ -158,72 +161,73 @@ impl<'a, S: Sink> Mover<'a, S> {
         self.placer.shifted(tip, at)
     }
 
-    /// The axes whose words a block inside an operation may hold: in a tilted plane the control has turned the others.
+    /// Axes whose words a block inside an operation may have: in a tilted plane the control positions the rotary axes.
     #[inline]
-    pub(crate) fn all(&self) -> u16 {
+    pub(crate) fn block_axes(&self) -> u16 {
         let rotary = if self.policy.options.mode == Mode::Plane { 0 } else { self.placer.rotary_mask() };
         self.placer.linear_mask() | rotary
     }
 
-    /// Whether any rotary axis turns on the way to a place.
+    /// Whether any rotary axis rotates in a motion to a place.
     #[inline]
-    pub(crate) fn turns(&self, to: &AxisPosition) -> bool {
+    pub(crate) fn rotates(&self, to: &AxisPosition) -> bool {
         self.placer.rotary_travel(&self.here().words, &to.words) > 0.0
     }
 
-    /// Whether a motion turns a rotary axis by more than the index angle.
+    /// Whether a motion rotates a rotary axis by more than the index angle.
     pub(crate) fn indexes(&self, to: &AxisPosition) -> bool {
-        self.placer.rotary_travel(&self.here().words, &to.words) > self.policy.options.rapids.index_angle + 1e-9
+        self.placer.rotary_travel(&self.here().words, &to.words) > self.policy.options.rapids.index_angle_rad + 1e-9
     }
 
-    /// Whether rotary axes would turn while the plane is tilted.
+    /// Whether rotary axes would rotate while the plane is tilted.
     #[inline]
     pub(crate) fn leaves_plane(&self, to: &AxisPosition) -> bool {
-        self.policy.options.mode == Mode::Plane && self.turns(to)
+        self.policy.options.mode == Mode::Plane && self.rotates(to)
     }
 
-    /// A block of an operation goes from here to a place: clamps of axes that turn have to be off.
+    /// Notes which axes rotate in a block to a place: their clamps must be off.
     #[inline]
-    pub(crate) fn note_turns(&mut self, to: &AxisPosition) {
+    pub(crate) fn note_rotation(&mut self, to: &AxisPosition) {
         self.clamps.note(&self.position.place().words, &to.words);
     }
 
-    /// How fast a motion at `rate` mm/min runs from here to a place.
+    /// F word and time of a motion at `rate` mm/min to a place.
     #[inline]
     fn pace(&self, rate: f64, to: &AxisPosition) -> Result<Pace, Fault> {
         let from = self.here();
-        let (linear, degrees) = if self.feeds.counts_path() { self.placer.path_lengths(from, to) } else { (0.0, 0.0) };
-        let stroke = Stroke {
-            length: (to.pose.tip - from.pose.tip).norm(),
-            turn: self.placer.rotary_travel(&from.words, &to.words),
-            square: self.placer.keeps_path_length(),
-            linear,
-            degrees,
-            least: self.placer.least_minutes(from, to).unwrap_or(0.0),
+        let (linear_mm, rotary_degrees) =
+            if self.feeds.counts_path() { self.placer.path_lengths(from, to) } else { (0.0, 0.0) };
+        let motion = FeedMotion {
+            length_mm: (to.pose.tip - from.pose.tip).norm(),
+            rotation_rad: self.placer.rotary_travel(&from.words, &to.words),
+            orthogonal: self.placer.keeps_path_length(),
+            linear_mm,
+            rotary_degrees,
+            axis_time_min: self.placer.least_minutes(from, to).unwrap_or(0.0),
         };
-        self.feeds.pace(rate, stroke)
+        self.feeds.pace(rate, motion)
     }
 
-    /// A feed motion from here at `rate` mm/min; where it ends is left to the caller.
+    /// Writes a feed motion to a place at `rate` mm/min; the caller sets the position.
     #[inline]
     pub(crate) fn feed_to(&mut self, place: &AxisPosition, rate: f64) -> Planned {
-        if !self.turns(place) {
+        if !self.rotates(place) {
             return self.feed_block(place, rate);
         }
         if self.leaves_plane(place) {
-            return Err(turns_in_plane().into());
+            return Err(rotation_in_plane_mode().into());
         }
         self.feed_in_pieces(place, rate, self.tolerance)
     }
 
-    /// A feed motion in one block.
+    /// Writes a feed motion in one block.
     #[inline]
     pub(crate) fn feed_block(&mut self, place: &AxisPosition, rate: f64) -> Planned {
         let pace = self.pace(rate, place)?;
         self.write_feed(place, &pace, None)
     }
 
-    /// A feed motion that turns a rotary axis: as many blocks as it takes for tip and tool axis to stay within tolerance.
+    /// Writes a feed motion with rotation of an axis in as many blocks as keep tip and tool axis within tolerance.
     pub(crate) fn feed_in_pieces(&mut self, place: &AxisPosition, rate: f64, tolerance: PathTolerance) -> Planned {
         let mut pieces = Linearised::new(self.here(), place, tolerance);
         let mut blocks = 0;
@@ -232,7 +236,7 @@ impl<'a, S: Sink> Mover<'a, S> {
             self.placer.check_between(self.position.place(), &piece.place)?;
             let pace = self.pace(rate, &piece.place)?;
             blocks += u64::from(piece.place.words != self.here().words);
-            let inserted = (piece.place.words != place.words).then_some(Why::Tolerance);
+            let inserted = (piece.place.words != place.words).then_some(BlockReason::Tolerance);
             self.write_feed(&piece.place, &pace, inserted)?;
             self.position.go_to(piece.place);
             self.output.statistics_mut().certified(&piece.bound, tolerance.axis_rad.is_finite());
@@ -242,42 +246,42 @@ impl<'a, S: Sink> Mover<'a, S> {
     }
 
     #[inline]
-    fn write_feed(&mut self, place: &AxisPosition, pace: &Pace, inserted: Option<Why>) -> Planned {
+    fn write_feed(&mut self, place: &AxisPosition, pace: &Pace, inserted: Option<BlockReason>) -> Planned {
         if place.words == self.here().words {
             return Ok(());
         }
-        self.check_hidden_turn(place)?;
-        self.note_turns(place);
+        self.check_hidden_rotation(place)?;
+        self.note_rotation(place);
         self.output.feed(pace, self.placer.largest_rotation(&self.here().words, &place.words));
-        let words = self.placer.words(place, self.all());
+        let words = self.placer.words(place, self.block_axes());
         let words = self.speller.spell(&self.placer.written(self.position.place()), words);
-        let standing = self.placer.state_at(place);
-        Ok(self.output.move_step(&Step::Feed { words, feed: pace.feed }, standing, inserted)?)
+        let reached = self.placer.state_at(place);
+        Ok(self.output.move_step(&Step::Feed { words, feed: pace.feed }, reached, inserted)?)
     }
 
-    /// Writes a step that the control turns into a motion at a pace, and that ends at a place.
+    /// Writes an arc or a cycle that ends at a place.
     pub(crate) fn write_motion(&mut self, step: &Step<'_>, place: &AxisPosition) -> io::Result<()> {
-        let standing = self.placer.state_at(place);
-        self.output.move_step(step, standing, None)
+        let reached = self.placer.state_at(place);
+        self.output.move_step(step, reached, None)
     }
 
-    /// A rapid inside an operation, as the configuration wants it written; one that turns a rotary axis by more than the
-    /// index angle is no such rapid, and no path leads to where the course turns it.
+    /// Writes a rapid inside an operation as configured by `rapid`. Always one block where a rotary axis rotates by more than
+    /// the index angle: the course of such a rapid is no path that could be followed at feed.
     pub(crate) fn rapid_as_configured(&mut self, motion: &Move, place: &AxisPosition) -> Planned {
-        self.note_turns(place);
-        match (self.policy.options.rapids.rapid, self.policy.options.rapids.rapid_feed) {
+        self.note_rotation(place);
+        match (self.policy.options.rapids.rapid, self.policy.options.rapids.rapid_feed_mm_per_min) {
             _ if self.indexes(place) => {}
             (Rapid::Direct, _) => {}
             (Rapid::Split, _) => self.split_rapid(motion, place)?,
             (Rapid::Feed, Some(rate)) => return self.feed_to(place, rate),
-            (Rapid::Feed, None) => return Err(Fault::new("a feed motion without feed").into()),
+            (Rapid::Feed, None) => return Err(Fault::new("`rapid = \"feed\"` without `rapid_feed`").into()),
         }
-        self.check_hidden_turn(place)?;
+        self.check_hidden_rotation(place)?;
         self.output.cancel_inverse_time()?;
-        self.rapid(place, self.all())
+        self.rapid(place, self.block_axes())
     }
 
-    /// The first leg of a rapid in two: along the tool axis out, or across before it goes in.
+    /// Writes the first block of a rapid in two: out along the tool axis, or across before the motion in.
     fn split_rapid(&mut self, motion: &Move, place: &AxisPosition) -> Planned {
         let here = *self.here();
         let step = motion.pose.tip - here.pose.tip;
@@ -290,29 +294,35 @@ impl<'a, S: Sink> Mover<'a, S> {
         let (corner, rotaries) = if out { (here.pose.tip + along, here) } else { (motion.pose.tip - along, *place) };
         let corner = self.placer.shifted(corner, &rotaries)?;
         self.output.cancel_inverse_time()?;
-        let standing = self.placer.state_at(&corner);
-        self.rapid_words(&corner, self.all(), standing, Some(Why::Corner))?;
+        let reached = self.placer.state_at(&corner);
+        self.rapid_words(&corner, self.block_axes(), reached, Some(BlockReason::Corner))?;
         self.position.go_to(corner);
         Ok(())
     }
 
-    /// A rapid to a place; the axes that are not in the mask are there.
+    /// Writes a rapid to a place; axes that are not in the mask are there already.
     pub(crate) fn rapid(&mut self, to: &AxisPosition, mask: u16) -> Planned {
         self.rapid_words(to, mask, self.placer.state_at(to), None)
     }
 
-    /// A rapid of some axes alone.
+    /// Writes a rapid of the axes in the mask; the others have not arrived.
     pub(crate) fn rapid_alone(&mut self, to: &AxisPosition, mask: u16) -> Planned {
-        self.rapid_words(to, mask, Standing { pose: None, mask, ..self.placer.state_at(to) }, None)
+        self.rapid_words(to, mask, ReachedPosition { pose: None, mask, ..self.placer.state_at(to) }, None)
     }
 
-    /// A rapid of the linear axes to a place, which is left to the caller.
+    /// Writes a rapid of the linear axes to a place; the caller sets the position.
     pub(crate) fn rapid_linear(&mut self, to: &AxisPosition) -> Planned {
         self.rapid(to, self.placer.linear_mask())
     }
 
-    /// A rapid to the words of a place in some axes, in as many blocks as words within a turn take.
-    fn rapid_words(&mut self, to: &AxisPosition, mask: u16, standing: Standing<'_>, inserted: Option<Why>) -> Planned {
+    /// Writes a rapid of the axes in the mask, in as many blocks as the rollover of its rotary words needs.
+    fn rapid_words(
+        &mut self,
+        to: &AxisPosition,
+        mask: u16,
+        reached: ReachedPosition<'_>,
+        inserted: Option<BlockReason>,
+    ) -> Planned {
         let from = self.position.place();
         self.output.times_mut().rapid(self.placer.least_minutes_of(from, to, mask));
         let (start, end) = (self.placer.written(from), self.placer.written(to));
@@ -323,48 +333,50 @@ impl<'a, S: Sink> Mover<'a, S> {
             for index in (0..MAX_AXES).filter(|&index| mask & (1 << index) != 0) {
                 words.units[index] = start[index] + (end[index] - start[index]) * piece / pieces;
             }
-            let reached = words.units;
+            let piece_end = words.units;
             let step = Step::Rapid { words: self.speller.spell(&from, words) };
             if piece == pieces {
-                self.output.move_step(&step, standing, inserted)?;
+                self.output.move_step(&step, reached, inserted)?;
             } else {
                 self.output.step(&step)?;
             }
-            from = reached;
+            from = piece_end;
         }
         Ok(())
     }
 
-    /// What a block does has to be in it: the control would go on with rotary axes that are elsewhere.
-    fn check_hidden_turn(&self, to: &AxisPosition) -> Result<(), Fault> {
-        if !self.placer.rotation_is_unprogrammable(self.here(), to, self.policy.options.axis_tolerance_path) {
+    /// Refuses a rotation that a block with tool vectors cannot express: the control would continue with the rotary axes at
+    /// other angles.
+    fn check_hidden_rotation(&self, to: &AxisPosition) -> Result<(), Fault> {
+        if !self.placer.rotation_is_unprogrammable(self.here(), to, self.policy.options.axis_tolerance_path_rad) {
             return Ok(());
         }
         let (letter, turn) = self.placer.largest_rotation(&self.here().words, &to.words).unwrap_or_default();
         Err(Fault::new(format_args!(
-            "here {letter} has to turn by {:.3}° while the tool axis stays, and a tool axis as a vector cannot say that",
+            "{letter} has to rotate by {:.3}° here while the tool axis stays, which tool vectors cannot express",
             turn.to_degrees()
         ))
-        .help("give `tcp_words = \"angles\"`"))
+        .help("set `tcp_words = \"angles\"`"))
     }
 
-    /// Remarks once in an operation that a rapid goes deeper than anything was cut.
+    /// Adds a remark, once in an operation, where a rapid goes deeper than the lowest cut.
     pub(crate) fn watch_plunge(&mut self, from: &Pose, to: &Pose) {
         if let Some(depth) = self.position.plunges(from, to) {
-            let text =
-                format!("a rapid goes down along the tool to {depth:.3} mm below anything cut in this operation");
-            self.output.remark(Fault::new(text).help("check whether the material is gone there"));
+            let text = format!(
+                "a rapid moves down along the tool axis to {depth:.3} mm below the lowest cut of this operation"
+            );
+            self.output.remark(Fault::new(text).help("check that the material there has been removed"));
         }
     }
 
-    /// A cut has come to a place that the CL data does not name.
+    /// Sets the position after a cut to a place that is not in the CL data.
     pub(crate) fn pass(&mut self, pose: &Pose, place: AxisPosition) {
-        self.position.cut(pose);
+        self.position.note_cut(pose);
         self.output.count_deviation(&place);
         self.position.go_to(place);
     }
 
-    /// A motion of the CL data has ended at a place.
+    /// Sets the position after a motion of the CL data.
     #[inline]
     pub(crate) fn arrive(&mut self, place: AxisPosition) {
         self.output.statistics_mut().motions += 1;
@@ -373,9 +385,9 @@ impl<'a, S: Sink> Mover<'a, S> {
     }
 }
 
-/// A cut that turns the tool axis, in mode `plane`.
+/// Fault: a cut that rotates the tool axis in mode `plane`.
 #[cold]
-fn turns_in_plane() -> Fault {
-    Fault::new("the tool axis turns in this cut, and mode plane holds it still")
+fn rotation_in_plane_mode() -> Fault {
+    Fault::new("the tool axis rotates in this cut, which mode plane cannot do")
         .help("post this program with mode tcp or axes")
 }

@@ -1,4 +1,4 @@
-//! Between cuts: the machine retract, the way in to an approach point, tip control and planes on and off, and parking.
+//! Motion between cuts: machine retract, motion to the approach point, tip control and planes on and off, parking.
 
 use crate::kinematics::AxisKind;
 use crate::motion::options::Mode;
@@ -6,10 +6,10 @@ use crate::motion::options::Mode;
 use crate::motion::fault::{Fault, Planned};
 use crate::motion::place::AxisPosition;
 use crate::motion::plan::mover::Mover;
-use crate::motion::step::{Sink, Step, Words};
+use crate::motion::step::{AxisWords, Sink, Step};
 
 impl<S: Sink> Mover<'_, S> {
-    /// A safety line: the program can be entered here.
+    /// Writes a safety line, at which the program can be entered.
     pub(crate) fn restart(&mut self) -> Planned {
         self.restarts += 1;
         self.output.restart(self.restarts)?;
@@ -18,7 +18,7 @@ impl<S: Sink> Mover<'_, S> {
         Ok(())
     }
 
-    /// The retract axis to its machine position, unless it is there; tip control and planes end with it.
+    /// Moves the retract axis to its machine position, unless it is there; ends tip control and tilted planes.
     pub(crate) fn machine_retract(&mut self) -> Planned {
         if self.position.is_retracted() {
             return Ok(());
@@ -26,7 +26,7 @@ impl<S: Sink> Mover<'_, S> {
         if self.restarts == 0 {
             self.restart()?;
         }
-        let words = self.placer.retract_words(self.policy.options.retract.position())?;
+        let words = self.placer.retract_words(self.policy.options.retract.position_mm())?;
         let off = match (self.policy.options.mode, self.abilities.plane) {
             _ if !self.position.is_in_frame() => None,
             (Mode::Plane, Some(plane)) => Some((Step::PlaneOff, plane.ends_after_retract)),
@@ -43,7 +43,8 @@ impl<S: Sink> Mover<'_, S> {
         Ok(())
     }
 
-    /// A place in the frame of what follows, where that depends on how the rotary axes are there; nothing has moved yet.
+    /// A place in the frame of the following motions, and the step that sets this frame. The frame may depend on the rotary
+    /// angles of the place. Moves nothing.
     pub(crate) fn framed_at(&mut self, place: AxisPosition) -> Result<(AxisPosition, Option<Step<'static>>), Fault> {
         match (self.policy.options.mode, self.abilities.plane) {
             (Mode::Axes, _) | (Mode::Plane, None) => Ok((place, None)),
@@ -56,14 +57,14 @@ impl<S: Sink> Mover<'_, S> {
         }
     }
 
-    /// Clamps count the approaches of a program.
+    /// Counts an approach for the clamps.
     pub(crate) fn begin_approach(&mut self) {
         self.clamps.approach();
     }
 
-    /// From the machine retract to the approach point: the rotary axes alone, between their clamps; tip control or the
-    /// plane; the other linear axes; the retract axis. The caller says that the machine is there.
-    pub(crate) fn come_in(&mut self, above: &AxisPosition, frame: Option<Step<'static>>) -> Planned {
+    /// Moves from the machine retract to the approach point: unclamp, the rotary axes alone, tip control or tilted plane,
+    /// clamp, the other linear axes, the retract axis. The caller sets the position.
+    pub(crate) fn approach_from_retract(&mut self, above: &AxisPosition, frame: Option<Step<'static>>) -> Planned {
         self.check_below_retract(above)?;
         let (linear, rotary) = (self.placer.linear_mask(), self.placer.rotary_mask());
         self.clamps.open(&self.position.place().words, &above.words, &mut self.output)?;
@@ -77,7 +78,7 @@ impl<S: Sink> Mover<'_, S> {
             Mode::Axes => 1 << self.placer.retract_axis(),
             // Along the tool axis of the plane.
             Mode::Plane => 1 << self.placer.frame_letters()[2],
-            // The tip goes straight to the approach point, however the table is tilted.
+            // All linear axes together: the tip goes straight to the approach point for any tilt of the table.
             Mode::Tcp => linear,
         };
         self.rapid_alone(above, linear & !last)?;
@@ -85,21 +86,21 @@ impl<S: Sink> Mover<'_, S> {
     }
 
     fn check_below_retract(&self, above: &AxisPosition) -> Result<(), Fault> {
-        let retract = self.policy.options.retract.position();
+        let retract = self.policy.options.retract.position_mm();
         match self.placer.below_retract(above, retract) {
             Some(below) if below < -self.placer.unit_mm() => {
                 let axis = self.placer.chain()[self.placer.retract_axis()].letter;
                 Err(Fault::new(format_args!(
-                    "the approach point lies {:.3} mm above the retract position: {axis} = {retract} mm (machine coordinate)",
+                    "the approach point is {:.3} mm above the retract position {axis} = {retract} mm (machine coordinate)",
                     -below
                 ))
-                .help("set the part lower, or give a smaller `approach.distance` or a higher `retract.position`"))
+                .help("mount the part lower, reduce `approach.distance`, or raise `retract.position`"))
             }
             Some(_) | None => Ok(()),
         }
     }
 
-    /// The axes to where the configuration parks them, the retract axis last.
+    /// Moves the axes to their park positions, the retract axis last.
     pub(crate) fn park(&mut self) -> Planned {
         let (turned, mask) = self.placer.parked(&self.policy.options.park, self.position.place())?;
         if mask != 0 {
@@ -108,7 +109,7 @@ impl<S: Sink> Mover<'_, S> {
             self.clamps.switch(mask, true, &mut self.output)?;
             self.position.park(turned);
         }
-        let mut others = Words::default();
+        let mut others = AxisWords::default();
         let mut last = None;
         let linear =
             self.placer.chain().iter().enumerate().filter(|(_, axis)| axis.kind == AxisKind::Linear && !axis.held);
