@@ -200,7 +200,7 @@ fn compare(package: &str, table: &[(&str, &[&str])]) {
     assert_eq!(faults, Vec::<String>::new());
     for (index, (name, allowed)) in table.iter().enumerate() {
         let earlier = |other: &&str| table[..index].iter().any(|(name, _)| name == other);
-        assert!(allowed.iter().all(|other| earlier(&other)), "{name}: the table is in layers");
+        assert!(allowed.iter().all(|other| earlier(other)), "{name}: the table is in layers");
     }
 }
 

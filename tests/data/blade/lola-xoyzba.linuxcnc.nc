@@ -12,7 +12,7 @@
 (AXIS B+ rotates the tool right-handed about +Y, as in ISO 841)
 (AXIS A+ rotates the tool right-handed about +X, as in ISO 841)
 (WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg)
-(ROTARY WORDS are absolute and go beyond 360: the axes must not be wrapped)
+(ROTARY WORDS are absolute and go beyond 360: the axes must not be wrapped [WRAPPED_ROTARY = 0])
 (linear limits not checked: no travel declared [X Y Z])
 (T3 D10 R5 L101.5 H3, 2 operations, tip Z -6.2 to 74.3)
 (T3 posted with L = 101.5: H3 must hold exactly this)
@@ -27,7 +27,7 @@ T3 M6
 G53 G0 Z0
 G43 H3
 o1 if [[ABS[#5403 - 101.5] GT 0.01] AND [ABS[[#5403 * 25.4] - 101.5] GT 0.01]]
-(abort, T3 was posted with L = 101.5 mm: the tool table says something else)
+(abort, T3 was posted with L = 101.5 mm: the length in the tool table differs)
 o1 endif
 S8200 M3
 G0 A0 B0
@@ -85,7 +85,7 @@ G53 G0 Z0
 (T3 stays in the spindle)
 G43 H3
 o2 if [[ABS[#5403 - 101.5] GT 0.01] AND [ABS[[#5403 * 25.4] - 101.5] GT 0.01]]
-(abort, T3 was posted with L = 101.5 mm: the tool table says something else)
+(abort, T3 was posted with L = 101.5 mm: the length in the tool table differs)
 o2 endif
 S7600 M3
 G0 A17.2259 B-14.3825

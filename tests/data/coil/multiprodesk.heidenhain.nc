@@ -14,7 +14,7 @@
 13 ; AXIS X+ moves the tool along +X, as in ISO 841
 14 ; AXIS Z+ moves the tool along +Z, as in ISO 841
 15 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg
-16 ; ROTARY WORDS are absolute and go beyond 360: M127 is in force, the axes take no shorter way
+16 ; ROTARY WORDS are absolute and go beyond 360: M127 is in force, so the axes do not take the shortest path
 17 ; valid only for part origin X35 Y4.5 Z62 from the reference point of the table; do not touch off again
 18 ; the entries of A in datum row 2 must be zero
 19 ; T4 D4 R2 L92.3, 1 operation, tip Z -18.388 to 47.342

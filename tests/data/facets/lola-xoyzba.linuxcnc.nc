@@ -12,7 +12,7 @@
 (AXIS B+ rotates the tool right-handed about +Y, as in ISO 841)
 (AXIS A+ rotates the tool right-handed about +X, as in ISO 841)
 (WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg)
-(ROTARY WORDS are absolute and go beyond 360: the axes must not be wrapped)
+(ROTARY WORDS are absolute and go beyond 360: the axes must not be wrapped [WRAPPED_ROTARY = 0])
 (linear limits not checked: no travel declared [X Y Z])
 (T5 D16 R0 L132.5 H5, 3 operations, tip Z -13.517 to 58.514)
 (T5 posted with L = 132.5: H5 must hold exactly this)
@@ -28,7 +28,7 @@ T5 M6
 G53 G0 Z0
 G43 H5
 o1 if [[ABS[#5403 - 132.5] GT 0.01] AND [ABS[[#5403 * 25.4] - 132.5] GT 0.01]]
-(abort, T5 was posted with L = 132.5 mm: the tool table says something else)
+(abort, T5 was posted with L = 132.5 mm: the length in the tool table differs)
 o1 endif
 S4500 M3
 G0 A-9.2399 B26.5487
@@ -59,7 +59,7 @@ G53 G0 Z0
 (T5 stays in the spindle)
 G43 H5
 o2 if [[ABS[#5403 - 132.5] GT 0.01] AND [ABS[[#5403 * 25.4] - 132.5] GT 0.01]]
-(abort, T5 was posted with L = 132.5 mm: the tool table says something else)
+(abort, T5 was posted with L = 132.5 mm: the length in the tool table differs)
 o2 endif
 S4500 M3
 G0 A22.6175 B8.2477
@@ -78,7 +78,7 @@ T6 M6
 G53 G0 Z0
 G43 H6
 o3 if [[ABS[#5403 - 97.25] GT 0.01] AND [ABS[[#5403 * 25.4] - 97.25] GT 0.01]]
-(abort, T6 was posted with L = 97.25 mm: the tool table says something else)
+(abort, T6 was posted with L = 97.25 mm: the length in the tool table differs)
 o3 endif
 S9000 M3
 G0 A4.2453 B-11.7678
@@ -97,7 +97,7 @@ T5 M6
 G53 G0 Z0
 G43 H5
 o4 if [[ABS[#5403 - 132.5] GT 0.01] AND [ABS[[#5403 * 25.4] - 132.5] GT 0.01]]
-(abort, T5 was posted with L = 132.5 mm: the tool table says something else)
+(abort, T5 was posted with L = 132.5 mm: the length in the tool table differs)
 o4 endif
 S4200 M3
 G0 A-5.8906 B-40.6489

@@ -12,7 +12,7 @@
 (AXIS B+ rotates the tool right-handed about +Y, as in ISO 841)
 (AXIS A+ rotates the tool right-handed about +X, as in ISO 841)
 (WHILE A ROTARY AXIS MOVES the tip stays within 0.0004 of its line at feed, the tool axis within 0.1 deg)
-(ROTARY WORDS are absolute and go beyond 360: the axes must not be wrapped)
+(ROTARY WORDS are absolute and go beyond 360: the axes must not be wrapped [WRAPPED_ROTARY = 0])
 (linear limits not checked: no travel declared [X Y Z])
 (T12 D0.375 R0 L4.75 H12, 1 operation, tip Z -0.2227 to 2.8269)
 (T12 posted with L = 4.75: H12 must hold exactly this)
@@ -27,7 +27,7 @@ T12 M6
 G53 G0 Z0
 G43 H12
 o1 if [[ABS[#5403 - 120.65] GT 0.01] AND [ABS[[#5403 * 25.4] - 120.65] GT 0.01]]
-(abort, T12 was posted with L = 120.65 mm: the tool table says something else)
+(abort, T12 was posted with L = 120.65 mm: the length in the tool table differs)
 o1 endif
 S3800 M4
 G0 A-3.3 B0

@@ -14,7 +14,7 @@
 (AXIS B+ rotates the tool right-handed about +Y, as in ISO 841)
 (AXIS A+ rotates the tool right-handed about +X, as in ISO 841)
 (WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg)
-(ROTARY WORDS are absolute and go beyond 360: the axes must not be wrapped)
+(ROTARY WORDS are absolute and go beyond 360: the axes must not be wrapped [WRAPPED_ROTARY = 0])
 (linear limits not checked: no travel declared [X Y Z])
 (T4 D10 R0 L120 H4, 2 operations, tip Z -15 to 60)
 (T4 posted with L = 120: H4 must hold exactly this)
@@ -31,7 +31,7 @@ T4 M6
 G53 G0 Z0
 G43 H4
 o1 if [[ABS[#5403 - 120] GT 0.01] AND [ABS[[#5403 * 25.4] - 120] GT 0.01]]
-(abort, T4 was posted with L = 120 mm: the tool table says something else)
+(abort, T4 was posted with L = 120 mm: the length in the tool table differs)
 o1 endif
 S3000 M3
 G0 A0 B0
@@ -61,7 +61,7 @@ G53 G0 Z0
 (T4 stays in the spindle)
 G43 H4
 o2 if [[ABS[#5403 - 120] GT 0.01] AND [ABS[[#5403 * 25.4] - 120] GT 0.01]]
-(abort, T4 was posted with L = 120 mm: the tool table says something else)
+(abort, T4 was posted with L = 120 mm: the length in the tool table differs)
 o2 endif
 S3000 M3
 G0 A0 B90

@@ -12,7 +12,7 @@
 (AXIS B+ rotates the tool right-handed about +Y, as in ISO 841)
 (AXIS A+ rotates the tool right-handed about +X, as in ISO 841)
 (WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg)
-(ROTARY WORDS are absolute and go beyond 360: the axes must not be wrapped)
+(ROTARY WORDS are absolute and go beyond 360: the axes must not be wrapped [WRAPPED_ROTARY = 0])
 (T21 bull 12 D12 R1 L120.25 H21, 1 operation, tip Z -9.4 to 0.521)
 (T21 posted with L = 120.25: H21 must hold exactly this)
 (T22 D12 R1 L96.5 H52, 1 operation, tip Z -3.3 to -1.375)
@@ -26,7 +26,7 @@ T21 M6
 G53 G0 Z0
 G43 H21
 o1 if [[ABS[#5403 - 120.25] GT 0.01] AND [ABS[[#5403 * 25.4] - 120.25] GT 0.01]]
-(abort, T21 was posted with L = 120.25 mm: the tool table says something else)
+(abort, T21 was posted with L = 120.25 mm: the length in the tool table differs)
 o1 endif
 S5200 M3
 G0 A18.266 B2.2556

@@ -13,7 +13,7 @@
 (AXIS B+ rotates the tool right-handed about +Y, as in ISO 841)
 (AXIS A+ rotates the tool right-handed about +X, as in ISO 841)
 (WHILE A ROTARY AXIS MOVES the tip stays within 0.001 of its line at feed, the tool axis within 0.1 deg)
-(ROTARY WORDS are absolute and go beyond 360: the axes must not be wrapped)
+(ROTARY WORDS are absolute and go beyond 360: the axes must not be wrapped [WRAPPED_ROTARY = 0])
 (linear limits not checked: no travel declared [X Y Z])
 (T3 D0.25 L4 H3, 1 operation, tip Z -0.4 to 1)
 (T3 posted with L = 4: H3 must hold exactly this)
@@ -27,7 +27,7 @@ T3 M6
 G53 G0 Z0
 G43 H3
 o1 if [[ABS[#5403 - 101.6] GT 0.01] AND [ABS[[#5403 * 25.4] - 101.6] GT 0.01]]
-(abort, T3 was posted with L = 101.6 mm: the tool table says something else)
+(abort, T3 was posted with L = 101.6 mm: the length in the tool table differs)
 o1 endif
 S3000 M3
 G0 A0 B0

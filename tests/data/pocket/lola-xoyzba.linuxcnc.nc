@@ -13,7 +13,7 @@
 (AXIS B+ rotates the tool right-handed about +Y, as in ISO 841)
 (AXIS A+ rotates the tool right-handed about +X, as in ISO 841)
 (WHILE A ROTARY AXIS MOVES the tip stays within 0.05 of its line at feed, the tool axis within 0.1 deg)
-(ROTARY WORDS are absolute and go beyond 360: the axes must not be wrapped)
+(ROTARY WORDS are absolute and go beyond 360: the axes must not be wrapped [WRAPPED_ROTARY = 0])
 (linear limits not checked: no travel declared [X Y Z])
 (T1 D10 R0 L110 H1, 1 operation, tip Z -2 to 20)
 (T1 posted with L = 110: H1 must hold exactly this)
@@ -31,7 +31,7 @@ T1 M6
 G53 G0 Z0
 G43 H1
 o1 if [[ABS[#5403 - 110] GT 0.01] AND [ABS[[#5403 * 25.4] - 110] GT 0.01]]
-(abort, T1 was posted with L = 110 mm: the tool table says something else)
+(abort, T1 was posted with L = 110 mm: the length in the tool table differs)
 o1 endif
 S4000 M3
 G0 A0 B0
@@ -67,7 +67,7 @@ T2 M6
 G53 G0 Z0
 G43 H2
 o2 if [[ABS[#5403 - 130] GT 0.01] AND [ABS[[#5403 * 25.4] - 130] GT 0.01]]
-(abort, T2 was posted with L = 130 mm: the tool table says something else)
+(abort, T2 was posted with L = 130 mm: the length in the tool table differs)
 o2 endif
 S2500 M3
 G0 A0 B0
@@ -91,7 +91,7 @@ G53 G0 Z0
 (T2 stays in the spindle)
 G43 H2
 o3 if [[ABS[#5403 - 130] GT 0.01] AND [ABS[[#5403 * 25.4] - 130] GT 0.01]]
-(abort, T2 was posted with L = 130 mm: the tool table says something else)
+(abort, T2 was posted with L = 130 mm: the length in the tool table differs)
 o3 endif
 S2500 M3
 G0 A0 B0

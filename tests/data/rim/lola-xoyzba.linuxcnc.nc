@@ -12,7 +12,7 @@
 (AXIS B+ rotates the tool right-handed about +Y, as in ISO 841)
 (AXIS A+ rotates the tool right-handed about +X, as in ISO 841)
 (WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg)
-(ROTARY WORDS are absolute and go beyond 360: the axes must not be wrapped)
+(ROTARY WORDS are absolute and go beyond 360: the axes must not be wrapped [WRAPPED_ROTARY = 0])
 (linear limits not checked: no travel declared [X Y Z])
 (T7 D8 L84.3 H7, 1 operation, tip Z -4.2 to 54.606)
 (T7 posted with L = 84.3: H7 must hold exactly this)
@@ -26,7 +26,7 @@ T7 M6
 G53 G0 Z0
 G43 H7
 o1 if [[ABS[#5403 - 84.3] GT 0.01] AND [ABS[[#5403 * 25.4] - 84.3] GT 0.01]]
-(abort, T7 was posted with L = 84.3 mm: the tool table says something else)
+(abort, T7 was posted with L = 84.3 mm: the length in the tool table differs)
 o1 endif
 S6500 M3
 G0 A13.5222 B23.5932

@@ -12,7 +12,7 @@
 (AXIS B+ rotates the tool right-handed about +Y, as in ISO 841)
 (AXIS A+ rotates the tool right-handed about +X, as in ISO 841)
 (WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg)
-(ROTARY WORDS are absolute and go beyond 360: the axes must not be wrapped)
+(ROTARY WORDS are absolute and go beyond 360: the axes must not be wrapped [WRAPPED_ROTARY = 0])
 (linear limits not checked: no travel declared [X Y Z])
 (T1 D20 R0 L120 H1, 1 operation, tip Z -26 to 49.301)
 (T1 posted with L = 120: H1 must hold exactly this)
@@ -29,7 +29,7 @@ T1 M6
 G53 G0 Z0
 G43 H1
 o1 if [[ABS[#5403 - 120] GT 0.01] AND [ABS[[#5403 * 25.4] - 120] GT 0.01]]
-(abort, T1 was posted with L = 120 mm: the tool table says something else)
+(abort, T1 was posted with L = 120 mm: the length in the tool table differs)
 o1 endif
 S3000 M3
 G0 A0 B30
@@ -59,7 +59,7 @@ T2 M6
 G53 G0 Z0
 G43 H2
 o2 if [[ABS[#5403 - 95] GT 0.01] AND [ABS[[#5403 * 25.4] - 95] GT 0.01]]
-(abort, T2 was posted with L = 95 mm: the tool table says something else)
+(abort, T2 was posted with L = 95 mm: the length in the tool table differs)
 o2 endif
 S7000 M3
 G0 A20 B0

@@ -17,7 +17,7 @@
 16 ; AXIS B+ rotates the tool right-handed about +Y, as in ISO 841
 17 ; AXIS A+ rotates the tool right-handed about +X, as in ISO 841
 18 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg
-19 ; ROTARY WORDS are absolute and go beyond 360: M127 is in force, the axes take no shorter way
+19 ; ROTARY WORDS are absolute and go beyond 360: M127 is in force, so the axes do not take the shortest path
 20 ; linear limits not checked: no travel declared (X Y Z)
 21 ; T1 D10 R0 L110, 3 operations, tip Z -7.398 to 36.793
 22 ; T1 posted with L = 110: the tool table must hold exactly this
@@ -46,7 +46,7 @@
 44 FN 12: IF +QL1 LT +109.99 GOTO LBL "OFF1"
 45 FN 12: IF +QL1 LT +110.01 GOTO LBL "FITS1"
 46 LBL "OFF1"
-47 ; T1 was posted with L = 110 mm: the tool table says something else
+47 ; T1 was posted with L = 110 mm: the length in the tool table differs
 48 FN 14: ERROR = 100
 49 LBL "FITS1"
 50 M3
@@ -88,7 +88,7 @@
 85 FN 12: IF +QL1 LT +109.99 GOTO LBL "OFF2"
 86 FN 12: IF +QL1 LT +110.01 GOTO LBL "FITS2"
 87 LBL "OFF2"
-88 ; T1 was posted with L = 110 mm: the tool table says something else
+88 ; T1 was posted with L = 110 mm: the length in the tool table differs
 89 FN 14: ERROR = 100
 90 LBL "FITS2"
 91 TOOL CALL S4000
@@ -157,7 +157,7 @@
 153 FN 12: IF +QL1 LT +129.99 GOTO LBL "OFF3"
 154 FN 12: IF +QL1 LT +130.01 GOTO LBL "FITS3"
 155 LBL "OFF3"
-156 ; T2 was posted with L = 130 mm: the tool table says something else
+156 ; T2 was posted with L = 130 mm: the length in the tool table differs
 157 FN 14: ERROR = 100
 158 LBL "FITS3"
 159 M3
@@ -239,7 +239,7 @@
 234 FN 12: IF +QL1 LT +109.99 GOTO LBL "OFF4"
 235 FN 12: IF +QL1 LT +110.01 GOTO LBL "FITS4"
 236 LBL "OFF4"
-237 ; T1 was posted with L = 110 mm: the tool table says something else
+237 ; T1 was posted with L = 110 mm: the length in the tool table differs
 238 FN 14: ERROR = 100
 239 LBL "FITS4"
 240 M3
@@ -409,7 +409,7 @@
 403 FN 12: IF +QL1 LT +94.99 GOTO LBL "OFF5"
 404 FN 12: IF +QL1 LT +95.01 GOTO LBL "FITS5"
 405 LBL "OFF5"
-406 ; T3 was posted with L = 95 mm: the tool table says something else
+406 ; T3 was posted with L = 95 mm: the length in the tool table differs
 407 FN 14: ERROR = 100
 408 LBL "FITS5"
 409 M3

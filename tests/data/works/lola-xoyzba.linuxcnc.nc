@@ -14,7 +14,7 @@
 (AXIS B+ rotates the tool right-handed about +Y, as in ISO 841)
 (AXIS A+ rotates the tool right-handed about +X, as in ISO 841)
 (WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg)
-(ROTARY WORDS are absolute and go beyond 360: the axes must not be wrapped)
+(ROTARY WORDS are absolute and go beyond 360: the axes must not be wrapped [WRAPPED_ROTARY = 0])
 (linear limits not checked: no travel declared [X Y Z])
 (T1 D10 R0 L110 H1, 3 operations, tip Z -7.398 to 36.793)
 (T1 posted with L = 110: H1 must hold exactly this)
@@ -34,7 +34,7 @@ T1 M6
 G53 G0 Z0
 G43 H1
 o1 if [[ABS[#5403 - 110] GT 0.01] AND [ABS[[#5403 * 25.4] - 110] GT 0.01]]
-(abort, T1 was posted with L = 110 mm: the tool table says something else)
+(abort, T1 was posted with L = 110 mm: the length in the tool table differs)
 o1 endif
 S4000 M3
 G0 A0 B0
@@ -62,7 +62,7 @@ G53 G0 Z0
 (T1 stays in the spindle)
 G43 H1
 o2 if [[ABS[#5403 - 110] GT 0.01] AND [ABS[[#5403 * 25.4] - 110] GT 0.01]]
-(abort, T1 was posted with L = 110 mm: the tool table says something else)
+(abort, T1 was posted with L = 110 mm: the length in the tool table differs)
 o2 endif
 S4000 M3
 G0 A-15.7987 B19.6289
@@ -120,7 +120,7 @@ T2 M6
 G53 G0 Z0
 G43 H2
 o3 if [[ABS[#5403 - 130] GT 0.01] AND [ABS[[#5403 * 25.4] - 130] GT 0.01]]
-(abort, T2 was posted with L = 130 mm: the tool table says something else)
+(abort, T2 was posted with L = 130 mm: the length in the tool table differs)
 o3 endif
 S2500 M3
 G0 A-15.7987 B19.6289
@@ -191,7 +191,7 @@ T1 M6
 G53 G0 Z0
 G43 H1
 o4 if [[ABS[#5403 - 110] GT 0.01] AND [ABS[[#5403 * 25.4] - 110] GT 0.01]]
-(abort, T1 was posted with L = 110 mm: the tool table says something else)
+(abort, T1 was posted with L = 110 mm: the length in the tool table differs)
 o4 endif
 S4000 M3
 G0 A9.752 B23.9854
@@ -353,7 +353,7 @@ T3 M6
 G53 G0 Z0
 G43 H3
 o5 if [[ABS[#5403 - 95] GT 0.01] AND [ABS[[#5403 * 25.4] - 95] GT 0.01]]
-(abort, T3 was posted with L = 95 mm: the tool table says something else)
+(abort, T3 was posted with L = 95 mm: the length in the tool table differs)
 o5 endif
 S500 M3
 G0 A0 B0

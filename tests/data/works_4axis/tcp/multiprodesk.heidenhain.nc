@@ -16,7 +16,7 @@
 15 ; AXIS X+ moves the tool along +X, as in ISO 841
 16 ; AXIS Z+ moves the tool along +Z, as in ISO 841
 17 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg
-18 ; ROTARY WORDS are absolute and go beyond 360: M127 is in force, the axes take no shorter way
+18 ; ROTARY WORDS are absolute and go beyond 360: M127 is in force, so the axes do not take the shortest path
 19 ; LINEAR WORDS are tip coordinates in a frame fixed to the table, aligned with the machine axes when its rotary axes are at zero; rotary axes move evenly
 20 ; linear limits not checked: no travel declared (Y X Z)
 21 ; the entries of A in datum row 1 must be zero
