@@ -1,5 +1,5 @@
-//! Errors and warnings about CL data or a configuration file. They name line and column, and do not hold the text
-//! there.
+//! Errors and warnings about CL data or a configuration file. They have line and column, not a copy of the
+//! source text.
 
 use std::collections::BTreeMap;
 

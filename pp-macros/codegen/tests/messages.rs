@@ -87,7 +87,7 @@ chain: C B || X Y Z;
         "pub struct M;
 chain: C | B | X Y Z;
 //           ^ double `|` in the kinematic chain
-// help: there is one machine frame: write `|` once, between workpiece side and tool side
+// help: the machine frame (the bed) is in the chain once: write one `|`, between the axes of the workpiece side and those of the tool side
 ",
     );
 }
@@ -212,7 +212,7 @@ fn one_d_for_both_sides_is_refused() {
 chain: C | X Y Z B;
 d = (0, 0, 10);
 //  ^^^^^^^^^^ one `d` for rotary axes on both sides of `|`
-// help: points in the table are relative to the table's reference point, points in the head to the gauge line: write `d = { C: (0, 0, 0), B: (0, 0, 60) };`
+// help: give a point for each rotary axis, on the workpiece side from the reference point of the table, on the tool side from the gauge line of the spindle: for example `d = { C: (0, 0, 0), B: (0, 0, 60) };`
 ",
     );
 }
@@ -235,7 +235,7 @@ d = (0, alpha, d * d);
 chain: C B | X Y Z;
 axes = { B: Rx(45) * Y };
 //             ^^ an angle needs a unit
-// help: write `45 deg`
+// help: add the unit, for example `45 deg`
 limits = { X: 0deg..5 };
 //            ^^^^ `X` is a linear axis, but its value is an angle
 ",
@@ -506,7 +506,7 @@ chain: C B | X Y Z;
 dims = { alpha: 5 deg };
 axes = { C: Rx(5mm) * Z, B: Ry(alpha / 2) * Y, X: Rz(0.5 * alpha) * X, Y: Rz(lost) * Y };
 //             ^^^ expected an angle, found a length
-// help: write `45 deg`
+// help: add the unit, for example `45 deg`
 //                             ^^^^^^^^^ this is not an angle
 // help: write degrees or an angle of `dims`: `Rx(-45 deg)`, `Rx(alpha)`
 //                                                   ^^^ an angle can be multiplied only by a whole number up to 24
@@ -873,7 +873,7 @@ verify \"form\" {
 // help: end every equation with a semicolon; products are written with `*`
     where = 3;
 //        ^ expected a name
-// help: write `where alpha = -45 deg;`
+// help: give the name a value, for example `where alpha = -45 deg;`
     where alpha 3;
 //              ^ expected `=`
     k = cos(B)

@@ -278,7 +278,7 @@ impl FeedLaw {
         };
         Some(match state.feed {
             _ if state.feed_mode != Some(expected.mode) => {
-                format!("{name} is not active: expected F {:.6} {unit}", expected.value)
+                format!("feed mode {name} is not active: expected {name} with F {:.6} {unit}", expected.value)
             }
             None => format!("F is missing, expected {:.6} {unit}", expected.value),
             Some(written) => format!("F is {written} {unit}, expected {:.6}", expected.value),

@@ -83,7 +83,7 @@ impl<R: Read> Checker<'_, R> {
             if !parked {
                 self.found(
                     shown,
-                    &format!("machine coordinates: expected those of the retract, {position} mm of its axis alone"),
+                    &format!("motion in machine coordinates: expected the retract, which moves its axis alone to {position} mm"),
                 );
             }
             return Ok(());

@@ -1,9 +1,9 @@
 //! The check of the program that is being posted: it reads the program back while it is written, in a thread of its
 //! own.
 //!
-//! The bytes go to the output and, in pieces over a bounded channel, to the check, which reads the CL data itself. The
-//! last lines, with the end code, are held back until the check is done: a program with findings gets no end code, and
-//! one without may state the figures of the check before the end code.
+//! The bytes go to the output and, in pieces over a bounded channel, to the check, which opens and reads the CL data on
+//! its own. The last lines, with the end code, are held back until the check is done. A program with findings gets no end
+//! code. In a program without findings the figures of the check may be a comment before the end code.
 
 use std::io::{self, Read, Seek as _, Write};
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};

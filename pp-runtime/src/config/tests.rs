@@ -262,7 +262,9 @@ fn a_letter_that_is_not_an_axis_of_the_machine_is_refused() {
     assert_eq!(faults("[speeds]\nx = 1\n"), ["2:1: `x` is not an axis of Sample | its axes are C B X Y Z"]);
     assert_eq!(
         faults("machine_zero = { C = 0 }\n"),
-        ["1:18: C is a rotary axis; `machine_zero` is for linear axes | linear axes are X Y Z"]
+        [
+            "1:18: C is a rotary axis; `machine_zero` is for linear axes | linear axes are X Y Z; for a rotary axis use `rotary_offset`"
+        ]
     );
 }
 

@@ -1,4 +1,5 @@
-//! Derivation of the kinematics of a machine as text, written by the generator.
+//! Types for the derivation of a machine's kinematics. `machine!` writes it into the generated code as a constant, and the
+//! command `explain` prints it.
 
 /// One section of an [`Explanation`], as text and as LaTeX.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

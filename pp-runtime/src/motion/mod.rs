@@ -1,8 +1,9 @@
 //! Planning: events of the CL data become the steps of one machine's program.
 //!
-//! Input are [`Event`](crate::program::Event)s in mm and rad; output are [`Step`]s with words in whole units. Decides branch
-//! and turns of the rotary axes, limits, feeds and the safe sequence between operations. Does not spell the blocks of a
-//! control and does not read CL text. Memory is constant, and nothing is allocated for a motion.
+//! Input: [`Event`](crate::program::Event)s in mm and rad. Output: [`Step`]s, whose axis words are whole units of their
+//! last decimal. Decides branch and revolutions of the rotary axes, limits, feeds and the safe sequence between operations.
+//! Does not write the codes of a control and does not read CL text. Memory is constant, and nothing is allocated for a
+//! motion.
 
 mod course;
 mod fault;

@@ -111,7 +111,7 @@ pub(crate) fn set_up(config: &Config, survey: &Survey) -> Vec<String> {
     let mut list = Vec::new();
     if let Some(Ok(selected)) = &survey.selected {
         let (first, last, all) = (selected.start(), selected.end(), survey.operations);
-        list.push(format!("operations {first} to {last} of {all} only, each started as at its restart point"));
+        list.push(format!("only operations {first} to {last} of {all}; each begins with a complete restart: modal codes, tool, offset, spindle"));
     }
     let [x, y, z] = config.set_up.part_angles();
     if [x, y, z].iter().any(|angle| angle.abs() > 0.0) {
@@ -429,7 +429,7 @@ impl Header<'_> {
         {
             let mut held = format!("{register} must hold exactly this");
             if config.motion.guards.length_guard != Some(false) && !self.can_guard_length(number, offset, length) {
-                held += ", which the program does not check";
+                held += "; no block of this program compares it";
             }
             let length = self.length(length);
             let who = if gauge_line { "the tool must be exactly this long" } else { &held };

@@ -253,7 +253,11 @@ pub(crate) const MACHINE_ZERO: PerAxis<f64> = PerAxis {
         if axis.kind == AxisKind::Rotary {
             let linear = letters(r.scope().axes, |axis| axis.kind == AxisKind::Linear);
             let text = format!("{} is a rotary axis; `machine_zero` is for linear axes", axis.letter);
-            r.fault(span.clone(), text, Some(format!("linear axes are {linear}")));
+            r.fault(
+                span.clone(),
+                text,
+                Some(format!("linear axes are {linear}; for a rotary axis use `rotary_offset`")),
+            );
             return None;
         }
         r.length(value, Bound::Any)

@@ -24,7 +24,7 @@ fn check_bars(chain: &Chain, errors: &mut Errors) {
         [_, rest @ ..] => errors.push(
             rest[0].1,
             "double `|` in the kinematic chain",
-            "there is one machine frame: write `|` once, between workpiece side and tool side",
+            "the machine frame (the bed) is in the chain once: write one `|`, between the axes of the workpiece side and those of the tool side",
         ),
     }
 }

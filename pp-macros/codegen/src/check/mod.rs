@@ -161,7 +161,7 @@ fn check_offsets(declaration: &Declaration, axes: &[Axis], errors: &mut Errors) 
         errors.push(
             vector.phrase,
             "one `d` for rotary axes on both sides of `|`",
-            "points in the table are relative to the table's reference point, points in the head to the gauge line: write `d = { C: (0, 0, 0), B: (0, 0, 60) };`",
+            "give a point for each rotary axis, on the workpiece side from the reference point of the table, on the tool side from the gauge line of the spindle: for example `d = { C: (0, 0, 0), B: (0, 0, 60) };`",
         );
     }
 }

@@ -180,9 +180,11 @@ pub(crate) fn angle(expr: &Expr, names: &DimensionNames<'_>, ring: &mut Ring) ->
         ExprKind::Number(value, None) if *value == BigRational::from(BigInt::from(0)) => {
             Ok(sin_cos_of_degrees(value, ring))
         }
-        ExprKind::Number(_, None) => Err(Fault::new(expr.phrase, "an angle needs a unit", "write `45 deg`")),
+        ExprKind::Number(_, None) => {
+            Err(Fault::new(expr.phrase, "an angle needs a unit", "add the unit, for example `45 deg`"))
+        }
         ExprKind::Number(_, Some(Unit::Millimetre)) => {
-            Err(Fault::new(expr.phrase, "expected an angle, found a length", "write `45 deg`"))
+            Err(Fault::new(expr.phrase, "expected an angle, found a length", "add the unit, for example `45 deg`"))
         }
         ExprKind::Name(name) => match names.find(name, expr.phrase)? {
             Quantity::Angle(sine, cosine) => Ok((Poly::from(sine), Poly::from(cosine))),

@@ -96,7 +96,7 @@ fn prove_edge(general: &GeneralDirections, solved: &mut Solved, two: &TwoRotarie
     };
     let signed_sine = ring.mul(&room, &ring.dot(&n_b, &wanted));
     let signed_sine = if model.axes[first].reversed { -&signed_sine } else { signed_sine };
-    let claim = "at the limit of reach the nearest reachable tool axis is taken";
+    let claim = "a tool axis up to 1e-6 rad beyond the reachable ones is replaced by the nearest reachable one";
     let squares = [edge.first.0, edge.first.1].map(|node| reader.value(node)).map(|part| ring.mul(&part, &part));
     let pairs = [
         (edge.first_squared, &squares[0] + &squares[1]),

@@ -361,8 +361,9 @@ fn verify(input: ParseStream<'_>, source: &Source, errors: &mut Errors) -> syn::
 fn statement(content: ParseStream<'_>, source: &Source, block: &mut Verify) -> syn::Result<()> {
     if content.peek(Token![where]) {
         content.parse::<Token![where]>()?;
-        let key = source.name(content, "a name\n\nhelp: write `where alpha = -45 deg;`")?;
-        separator(content, '=', "write `where alpha = -45 deg;`")?;
+        let key =
+            source.name(content, "a name\n\nhelp: give the name a value, for example `where alpha = -45 deg;`")?;
+        separator(content, '=', "give the name a value, for example `where alpha = -45 deg;`")?;
         block.assumptions.push(Assign { key, value: expression(content, source)? });
     } else {
         let left = expression(content, source)?;

@@ -231,8 +231,8 @@ fn back(cycle: &CycleCall, context: &CycleContext<'_>, clearance: f64) -> Result
             let Some(initial) = context.initial else {
                 return Err(fault(
                     cycle.at,
-                    "neither CYCLE/INIT nor CYCLE/CLEAR comes before this cycle",
-                    "program one of them: it selects the return level",
+                    "the return level of this cycle is not selected: neither CYCLE/INIT nor CYCLE/CLEAR comes before it",
+                    "program CYCLE/INIT (initial level) or CYCLE/CLEAR (clearance level) before the cycle",
                 ));
             };
             match level {

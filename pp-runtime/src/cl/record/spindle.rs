@@ -1,4 +1,4 @@
-//! `SPINDL/..`: RPM, a speed, CLW or CCLW, ON and OFF in any order.
+//! `SPINDL/..`: the word RPM, a number (rev/min), CLW or CCLW, ON or OFF, in any order.
 
 use std::fmt::{self, Formatter};
 

@@ -229,11 +229,11 @@ pub fn unsuited(
     let offset = policy.set_up.rotary_offset.iter().find(|(_, offset)| offset.abs() > 0.0);
     if let Some((letter, _)) = offset.filter(|_| !policy.options.tip.tcp_confirmed) {
         let text = format!(
-            "the frame of the control may rotate with the value of {letter} in its work offset, but the words assume that \
-             it is fixed"
+            "on some controls the coordinate system of tip control and planes rotates with the value of {letter} in the work \
+             offset; the words are computed for one that does not"
         );
-        let instead =
-            "use `part_rotation` instead of `rotary_offset`, or set `tcp_confirmed = true` if the frame is fixed";
+        let instead = "use `part_rotation` instead of `rotary_offset`, or set `tcp_confirmed = true` if the coordinate system of this \
+             control does not rotate with the work offset";
         other(text, instead);
     }
     match mode {
@@ -293,7 +293,7 @@ fn tcp_faults(
     if !policy.options.tip.tcp_confirmed && !plain_chain(machine) {
         let text = "the kinematics of the control may not include a held axis, or a linear axis that is not between \
                     table and head";
-        other(text.to_owned(), "set `tcp_confirmed = true` if it does, or use mode axes");
+        other(text.to_owned(), "set `tcp_confirmed = true` if the control knows this axis, or use mode axes");
     }
 }
 

@@ -138,8 +138,8 @@ impl CutterCompensation {
 
 /// Fault: `what` comes while compensation is in force.
 fn in_force_fault(what: &str) -> Fault {
-    Fault::new(format_args!("cutter compensation is in force, and {what}"))
-        .help("give CUTCOM/OFF and a straight feed motion in the plane before it")
+    Fault::new(format_args!("cutter compensation (CUTCOM) is still active: {what}"))
+        .help("program CUTCOM/OFF and a straight feed motion in the plane before this")
 }
 
 /// CUTCOM.

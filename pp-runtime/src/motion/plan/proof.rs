@@ -100,7 +100,9 @@ impl<'p, 'a, S: Sink> ProofProgram<'p, 'a, S> {
         if self.planner.policy.options.rotaries.grid.contains_key(&letter) {
             let fault =
                 Fault::new(format_args!("{letter} is indexed and does not rotate in a cut: it cannot be swept"));
-            return refused(fault.help("check such an axis by hand, step by step"));
+            return refused(fault.help(
+                "move this axis to its positions by hand at the machine, and compare its direction with the jog sheet",
+            ));
         }
         match (rotary.lower, rotary.upper) {
             (Some(lower), Some(upper)) => Ok(vec![lower, upper]),

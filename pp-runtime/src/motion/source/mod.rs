@@ -235,7 +235,7 @@ impl Expansion<'_> {
     fn line<S: Stage>(&mut self, motion: &Move, part: LinePart, to: &mut S) -> Result<(), S::Stop> {
         if self.operations.passes_over(motion) {
             if self.operations.first_passed_over() {
-                let remark = Fault::new("a rapid before the first tool is not written: no length offset is active yet")
+                let remark = Fault::new("this rapid is left out of the program: it comes before the first tool, and no length offset is active yet")
                     .help("call the tool before the first motion: LOADTL/1");
                 to.remark(remark.at(self.at, Severity::Warning));
             }
