@@ -274,7 +274,7 @@ fn a_turn_about_the_tool_axis_is_not_left_out_where_the_axis_is_a_vector() {
     // The control turns the table as it needs to.
     assert_eq!(said(TcpWords::Vectors, ToolPosture::Plane), Ok(4));
     let fault = said(TcpWords::Vectors, ToolPosture::Axes).expect_err("the words do not say it");
-    assert!(fault.contains("here C has to turn by 90.000°"), "{fault}");
+    assert!(fault.contains("C has to rotate by 90.000° here"), "{fault}");
 }
 
 #[test]
