@@ -20,7 +20,7 @@ use pp_runtime::nalgebra;
 use pp_runtime::post::{Job, post};
 use tests::block::distance_to_line;
 use tests::linuxcnc::can_be_simulated;
-use tests::linuxcnc::simulation::{Control, Look, Reached, Simulation};
+use tests::linuxcnc::simulation::{Control, MarkKinematics, Reached, Simulation};
 use tests::oracle::angle_between;
 
 use super::sweep::{cl_data, passes};
@@ -153,7 +153,7 @@ fn run<M: Machine>(simulation: &mut Simulation, config: &Config, every: bool) ->
     let partners = partners::<M>(&blocks, config);
     let (blocks, partners) = if every { (blocks, partners) } else { only(&blocks, &partners) };
     let lines: Vec<usize> = blocks.iter().map(|block| block.line as usize).collect();
-    let look = if config.motion.mode == Mode::Tcp { Look::AsProgrammed } else { Look::ThroughKinematics };
+    let look = if config.motion.mode == Mode::Tcp { MarkKinematics::AsProgrammed } else { MarkKinematics::OfMachine };
     let reached = simulation.run(&text, &lines, look).unwrap_or_else(|error| panic!("{}: {error}", M::NAME));
     Run { blocks, reached, partners }
 }
@@ -324,7 +324,9 @@ fn assert_agrees<M: Machine, Turned: Machine>(kinematics: &'static str, letters:
     assert!((0.05..0.25).contains(&beside.tip) && (0.05..0.25).contains(&beside.joints), "{beside:?}");
 
     // The declared travel is that of the control, and what it says is heard.
-    let said = simulation.run("G21 G90 G54\nG0 X436\nM2\n", &[2], Look::AsProgrammed).expect_err("beyond the travel");
+    let said = simulation
+        .run("G21 G90 G54\nG0 X436\nM2\n", &[2], MarkKinematics::AsProgrammed)
+        .expect_err("beyond the travel");
     assert!(said.contains("exceed joint 0's positive limit"), "{said}");
 }
 
