@@ -1,8 +1,8 @@
 //! True pose of the tool: the chain as a plain product of 4×4 matrices.
 //!
-//! [`Oracle`] multiplies the joints that a machine *declares* (its axes, joints and tool axis); it shares no code with
-//! the engine, and its rotation matrix is written out here. To find a wrongly transcribed joint too, [`papers`] holds
-//! the machines of the source papers as literal chains that use nothing of the machine.
+//! [`Oracle`] multiplies what a machine *declares* (its axes, joints and tool axis); it shares no code with the
+//! engine, and its rotation matrix is written out here. To find a wrongly transcribed joint too, [`papers`] holds the
+//! machines of the source papers as literal chains that use nothing of the machine.
 
 use core::f64::consts::PI;
 
@@ -92,7 +92,8 @@ impl Rotaries {
         self.first.dot(&self.second.cross(&self.tool))
     }
 
-    /// `√D`: largest change of `first · axis` by the second rotary; zero where it cannot tilt the tool against the first.
+    /// `√D`: half the range of `first · axis` over the second rotary; zero where it cannot tilt the tool against the
+    /// first.
     #[must_use]
     pub fn authority(&self) -> f64 {
         self.cosine_part().hypot(self.sine_part())
@@ -107,14 +108,15 @@ impl Rotaries {
         ((first_to_second - second_to_tool).abs(), sum.min(2.0 * PI - sum))
     }
 
-    /// Whether the tool axis can be parallel to the first rotary: same direction for `side` `1.0`, opposite for `-1.0`.
+    /// Whether the tool axis can be parallel to the first rotary: in the same direction for `side` `1.0`, in the
+    /// opposite one for `-1.0`.
     #[must_use]
     pub fn ends_at_pole(&self, side: f64) -> bool {
         (self.second.dot(&self.first) - side * self.second.dot(&self.tool)).abs() < 1e-14
     }
 
-    /// The second angle (right-handed, sign not applied) at which the tool is closest to the first rotary, rad; the other
-    /// edge of the cone is at half a revolution more.
+    /// The second angle (right-handed, sign not applied) at which the tool is closest to the first rotary, rad; the
+    /// other edge of the cone is at half a revolution more.
     #[must_use]
     pub fn edge(&self) -> f64 {
         self.sine_part().atan2(self.cosine_part())
@@ -464,7 +466,7 @@ mod tests {
             assert_near(pose.axis.x, 0.0);
             assert_near(pose.axis.y, sa);
             assert_near(pose.axis.z, ca);
-            // The table turns right-handed for positive A: undo that draw_angle about the centre line.
+            // The table rotates right-handed for positive A: undo that rotation about the centre line.
             let (y, z) = (pose.tip.y - centre.y, pose.tip.z - centre.z);
             assert_near(x_axis, pose.tip.x);
             assert_near(-y_axis, y * ca - z * sa + centre.y);

@@ -71,7 +71,7 @@ fn rotated(n: &Vector3<f64>, sin: f64, cos: f64, v: &Vector3<f64>) -> Vector3<f6
 }
 
 impl<T: Table> Reference<T> {
-    /// Tip, directions of the solved linear axes, and tool axis; `linear`: whether the values of those axes are applied.
+    /// Tip, directions of the solved linear axes, and tool axis; `linear`: whether the values of those axes count.
     fn place(&self, values: &[f64], linear: bool) -> (Vector3<f64>, Vec<Vector3<f64>>, Vector3<f64>) {
         let mut tip = Vector3::zeros();
         let mut columns = Vec::new();
