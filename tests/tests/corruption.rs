@@ -1,8 +1,8 @@
 //! Programs with one fault: every harmful change is reported, and nothing where the program is correct.
 //!
 //! Posted programs of every control and machine are damaged in one place, thousands of times: a digit, a sign, a
-//! letter, a line that is lost or doubled. The effect of a damage is computed here from the blocks that the control then
-//! reads and the generated kinematics, which the check does not use. Must be reported: a moving block that ends
+//! letter, a line that is lost or doubled. The effect of a damage is computed here from the blocks that the control
+//! then reads and the generated kinematics, which the check does not use. Must be reported: a moving block that ends
 //! elsewhere, or runs at another feed or in another state, and a hole with other levels or steps. Programs without
 //! damage must pass.
 //! The meaning of words under tip control and in a tilted plane is defined here a second time.
@@ -155,7 +155,7 @@ fn posted<M: Machine>(data: &[u8], operations: usize, config: &str, control: &st
     Part { name, data: data.to_vec(), set_up, control, program }
 }
 
-/// Damages a program many times, each time in one chain_index, and counts the harmful and the reported damages.
+/// Damages a program many times, each time in one place, and counts the harmful and the reported damages.
 fn damaged<M: Machine>(part: &Part, damages: usize, random: &mut Random) -> Tally {
     let job = Job { config: &part.set_up, control: part.control, units: None };
     let found = |program: &[u8]| {

@@ -64,8 +64,8 @@ const WORKS: &[(&str, &str, &str)] = &[
     ("tests/data/works/works.cls", "tests/data/works/table.toml", "spinner-u5-620"),
 ];
 
-/// Modes, the controls that have them, and the operations that are posted: the fifth is a thread, which no control cuts
-/// under tip control; in the fourth the tool axis rotates.
+/// Modes, the controls that have them, and the operations that are posted: the fifth is a thread, which no control
+/// cuts under tip control; in the fourth the tool axis rotates.
 const MODES: &[(&str, &[&str], &str)] = &[
     ("axes", &["linuxcnc", "fanuc", "siemens", "heidenhain", "haas"], "1..5"),
     ("tcp", &["fanuc", "siemens", "heidenhain", "haas"], "1..4"),
