@@ -41,8 +41,8 @@ const PARTS: &[Part] = &[
     ("tests/data/pads/pads.cls", Some("tests/data/pads/pads.toml"), FIVE_AXES),
 ];
 
-/// Golden programs for the other controls: a table, a head, four axes, inches; the parts are those above. Heidenhain and
-/// Haas have no code for the mist of `key_inch`. Heidenhain has no length registers and refuses the one of `pads`.
+/// Golden programs for the other controls: a table, a head, four axes, inches; the parts are those above. Heidenhain
+/// and Haas have no code for the mist of `key_inch`. Heidenhain has no length registers and refuses the one of `pads`.
 const OTHER_CONTROLS: &[(&str, &str, &[&str])] = &[
     ("examples/cl/two_tools.cls", "spinner-u5-620", &["fanuc", "siemens", "heidenhain", "haas"]),
     ("tests/data/blade/blade.cls", "spinner-u5-620", &["fanuc", "siemens", "heidenhain", "haas"]),

@@ -1,4 +1,5 @@
-//! Posted programs keep to the path of their CL data: printed words, 1000 samples of every block, the oracle's matrices.
+//! Posted programs keep to the path of their CL data: printed words, 1000 samples of every block, the matrices of the
+//! oracle.
 //!
 //! The number of blocks is checked too: for each motion the least number of points is found by the same search (the
 //! longest piece from the start, and so on), with the *true* deviation in place of the certified bound.
@@ -181,8 +182,8 @@ impl<M: Machine> Checker<M> {
         words
     }
 
-    /// Least number of points between the first and the last of the printed ones; `None` where an axis rotates while the
-    /// tip stands still.
+    /// Least number of points between the first and the last of the printed ones; `None` where an axis rotates while
+    /// the tip stands still.
     fn least(&self, ends: (&Pose, &Pose), printed: &[Vec<f64>]) -> Option<usize> {
         let shares = self.shares(ends, printed)?;
         let at = |share: f64| {
@@ -355,7 +356,8 @@ linearised! {
     nutating_head_on_the_swirl: NutatingHead, swirl(), [];
 }
 
-/// Expected time of the feed blocks of a program, min: from the approach point on, 900 mm/min along the path of the tip.
+/// Expected time of the feed blocks of a program, min: from the approach point on, 900 mm/min along the path of the
+/// tip.
 fn expected_minutes(config: &Config, poses: &[Pose]) -> f64 {
     let path: f64 = poses.windows(2).map(|pair| (pair[1].tip - pair[0].tip).norm()).sum();
     (config.motion.approach.distance + path) / 900.0
