@@ -187,7 +187,7 @@ impl Machine<'_> {
         let [u, v] = self.order.rotaries;
         let [ru, rv] = [u, v].map(|letter| rotation(letter, &letter.to_string()));
         if self.order.inclined {
-            // (10): R_alpha rotations the axis of B into place.
+            // (10): R_alpha rotates the axis of B into its direction.
             let tilt = rotation('A', "alpha");
             (ru, times(&times(&tilt, &rv), &transpose(&tilt))).into()
         } else {

@@ -16,8 +16,9 @@ pub(crate) fn about(axis: usize, degrees: f64) -> Matrix3<f64> {
 
 /// Orientation of a tilted plane from its angles, as in the manual of each control.
 ///
-/// Fanuc, B-63784EN "tilted working plane command": Euler angles I about Z, J about the new X, K about the new Z. Siemens,
-/// CYCLE800 mode 57: about X, the new Y, the new Z. Heidenhain, PLANE SPATIAL: about the fixed X, then Y, then Z.
+/// Fanuc, B-63784EN "tilted working plane command": Euler angles I about Z, J about the new X, K about the new Z.
+/// Siemens, CYCLE800 mode 57: about X, the new Y, the new Z. Heidenhain, PLANE SPATIAL: about the fixed X, then Y, then
+/// Z.
 pub(crate) fn orientation(control: &str, [a, b, c]: [f64; 3]) -> Matrix3<f64> {
     match control {
         "fanuc" => about(2, a) * about(0, b) * about(2, c),

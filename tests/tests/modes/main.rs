@@ -134,7 +134,8 @@ fn compare<M: Machine>(seed: u64) -> usize {
     compared
 }
 
-/// Checks the path of the tool between points, with 200 samples of every block of the cuts; returns the number of blocks.
+/// Checks the path of the tool between points, with 200 samples of every block of the cuts; returns the number of
+/// blocks.
 fn between_points<M: Machine>(seed: u64, frame: TcpFrame) -> usize {
     let mut random = Random::new(seed);
     let config = set_up(Mode::Tcp, Some(frame), &control::Fanuc, &mut random);
