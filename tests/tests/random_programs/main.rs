@@ -1,9 +1,9 @@
 //! Random programs on random set-ups: every posted program passes its check, is the same when it is posted again, and
 //! has the same motions for the foreign interpreter as for the check.
 //!
-//! CL data may be refused with a reason, but at least half of the programs must be posted. A failing program is shortened
-//! as long as it fails with the same fault, and printed. `PP_RANDOM_PROGRAMS=N` sets the number of programs and prints a
-//! summary of the outcomes; `PP_RANDOM_SEED=S` sets the first seed; with `N` = 1 the input is printed as it is.
+//! CL data may be refused with a reason, but at least half of the programs must be posted. A failing program is
+//! shortened as long as it fails with the same fault, and printed. `PP_RANDOM_PROGRAMS=N` sets the number of programs
+//! and prints a summary of the outcomes; `PP_RANDOM_SEED=S` sets the first seed; with `N` = 1 the input is printed too.
 
 mod cl;
 mod set_up;
@@ -213,7 +213,7 @@ fn same_motions<M: Machine>(case: &Case, config: &Config, program: &[u8]) -> Res
 }
 
 /// A number from the environment.
-fn number_of_environment(name: &str) -> Option<usize> {
+fn environment_number(name: &str) -> Option<usize> {
     std::env::var(name)
         .ok()
         .map(|text| text.parse().unwrap_or_else(|_| panic!("{name} must be a number, found {text}")))
@@ -236,8 +236,8 @@ fn fault_kind(text: &str) -> String {
 
 #[test]
 fn every_posted_program_passes_its_check() {
-    let count = number_of_environment("PP_RANDOM_PROGRAMS").unwrap_or(PROGRAMS);
-    let first = number_of_environment("PP_RANDOM_SEED").unwrap_or(0) as u64;
+    let count = environment_number("PP_RANDOM_PROGRAMS").unwrap_or(PROGRAMS);
+    let first = environment_number("PP_RANDOM_SEED").unwrap_or(0) as u64;
     let mut tally: BTreeMap<String, [usize; 4]> = BTreeMap::new();
     let mut reasons: BTreeMap<String, (usize, String)> = BTreeMap::new();
     let mut wrong: BTreeMap<String, (usize, u64)> = BTreeMap::new();
@@ -265,7 +265,7 @@ fn every_posted_program_passes_its_check() {
         };
         tally.entry(case.name()).or_default()[outcome] += 1;
     }
-    if number_of_environment("PP_RANDOM_PROGRAMS").is_some() {
+    if environment_number("PP_RANDOM_PROGRAMS").is_some() {
         print_summary(&tally, &reasons);
     }
     wrong.iter().for_each(|(text, (count, seed))| println!("wrong: {count} programs, for example seed {seed}: {text}"));
@@ -290,8 +290,8 @@ const DAMAGES: usize = 5;
 
 #[test]
 fn a_damaged_program_is_checked_to_its_end() {
-    let count = number_of_environment("PP_RANDOM_PROGRAMS").unwrap_or(PROGRAMS / 4);
-    let first = number_of_environment("PP_RANDOM_SEED").unwrap_or(1_000_000) as u64;
+    let count = environment_number("PP_RANDOM_PROGRAMS").unwrap_or(PROGRAMS / 4);
+    let first = environment_number("PP_RANDOM_SEED").unwrap_or(1_000_000) as u64;
     let mut damaged = 0;
     for seed in first..first + count as u64 {
         let case = Case::of(seed);

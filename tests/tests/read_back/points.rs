@@ -1,4 +1,4 @@
-//! The points of CL data, read by a few lines that share nothing with the product's reader.
+//! Points of CL data, read by a short reader that shares no code with the product's.
 
 use std::collections::BTreeMap;
 
@@ -15,12 +15,12 @@ pub(crate) struct Goto {
     pub(crate) rapid: bool,
     /// mm/min; 0 before the first FEDRAT.
     pub(crate) feed: f64,
-    /// Counts TOOL PATH, tool records and stops.
+    /// Number of TOOL PATH records, tool records and stops before it.
     pub(crate) operation: usize,
     pub(crate) tool: u32,
 }
 
-/// What the CL data says.
+/// Points and tool lengths of the CL data.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct ClData {
     pub(crate) points: Vec<Goto>,
@@ -28,7 +28,7 @@ pub(crate) struct ClData {
     pub(crate) lengths: BTreeMap<u32, f64>,
 }
 
-/// Records with the line each begins in: comments are gone, continued lines are joined.
+/// Records with the line in which each begins; comments are removed, continued lines are joined.
 fn records(text: &str) -> Vec<(usize, String)> {
     let mut records = Vec::new();
     let mut open: Option<(usize, String)> = None;

@@ -49,7 +49,8 @@ impl Program<'_> {
         }
     }
 
-    /// Cuts an arc about the tool axis with `turns` revolutions begun; a full circle with the probability `full_circle`.
+    /// Cuts an arc about the tool axis with `turns` revolutions begun; a full circle with the probability
+    /// `full_circle`.
     pub(super) fn round(&mut self, turns: usize, full_circle: f64) {
         let radius = if self.random.chance(0.1) { 0.3 } else { self.random.between(1.0, 40.0) };
         let start = self.random.between(0.0, TAU);
