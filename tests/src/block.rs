@@ -11,9 +11,9 @@ use crate::oracle::{Oracle, angle_between};
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Deviation {
     /// Distance of the tip from the straight line, mm.
-    pub tip: f64,
+    pub tip_mm: f64,
     /// Angle of the tool axis from the arc, rad.
-    pub axis: f64,
+    pub axis_rad: f64,
 }
 
 /// Distance of a point from the straight line between two others.
@@ -69,8 +69,8 @@ pub fn deviation_from(
             *value = a + (b - a) * share;
         }
         let pose = oracle.forward(&values);
-        largest.tip = largest.tip.max(distance_to_line(&pose.tip, start.0, end.0));
-        largest.axis = largest.axis.max(angle_to_arc(&pose.axis, start.1, end.1));
+        largest.tip_mm = largest.tip_mm.max(distance_to_line(&pose.tip, start.0, end.0));
+        largest.axis_rad = largest.axis_rad.max(angle_to_arc(&pose.axis, start.1, end.1));
     }
     largest
 }

@@ -435,9 +435,9 @@ fn every_harmful_damage_is_reported_and_nothing_else() {
 fn every_harmful_damage_to_cycles_threads_tip_control_and_tilted_planes_is_reported() {
     let mut random = Random::new(8);
     let mut tallies = Vec::new();
-    for (operations, besides, machine, controls) in WORKS {
+    for (operations, more_config, machine, controls) in WORKS {
         let table = if *machine == "lola-xoyzba" { "works/works.toml" } else { "works/table.toml" };
-        let (data, config) = (read("works/works.cls"), besides.to_string() + &text(table));
+        let (data, config) = (read("works/works.cls"), more_config.to_string() + &text(table));
         for control in *controls {
             let part = with_machine!(*machine, posted(&data, *operations, &config, control));
             tallies.push(with_machine!(*machine, damaged(&part, DAMAGES / 4, &mut random)));

@@ -58,10 +58,10 @@ fn swirl() -> Vec<Pose> {
         let share = step as f64 / 24.0;
         let (sine, cosine) = (2.6 * share).sin_cos();
         let radius = 15.0 + 45.0 * share;
-        let lean = 0.35 + 0.5 * share;
-        let side = Vector3::new(-sine, cosine, 0.0) * lean.sin() + Vector3::new(cosine, sine, 0.0) * 0.2;
+        let tilt = 0.35 + 0.5 * share;
+        let side = Vector3::new(-sine, cosine, 0.0) * tilt.sin() + Vector3::new(cosine, sine, 0.0) * 0.2;
         let tip = Point3::new(radius * cosine, radius * sine, 30.0 - 25.0 * share * share);
-        Pose { tip, axis: unit(side + Vector3::z() * lean.cos()) }
+        Pose { tip, axis: unit(side + Vector3::z() * tilt.cos()) }
     };
     (0..=24).map(pose).collect()
 }
@@ -147,7 +147,7 @@ impl<M: Machine> Checker<M> {
     fn keeps(&self, from: &[f64], to: &[f64], (start, end): (&Pose, &Pose), points: usize) -> bool {
         let off = deviation_from(&self.oracle, from, to, points, (&start.tip, &start.axis), (&end.tip, &end.axis));
         let (tip, axis) = self.tolerances();
-        off.tip <= tip && off.axis <= axis
+        off.tip_mm <= tip && off.axis_rad <= axis
     }
 
     /// Pose on the path between two poses, at a share of it.
@@ -250,7 +250,7 @@ impl<M: Machine> Checker<M> {
                         (&ends.1.tip, &ends.1.axis),
                     );
                     let (tip, axis) = self.tolerances();
-                    assert!(off.tip <= tip && off.axis <= axis, "{}, to point {index}: {off:?}", M::NAME);
+                    assert!(off.tip_mm <= tip && off.axis_rad <= axis, "{}, to point {index}: {off:?}", M::NAME);
                 }
                 self.count(ends, run, index, &mut found);
             }

@@ -182,8 +182,8 @@ fn words_in_inches_and_wrapped_words_keep_the_tip_on_its_point() {
     }
     let wrapped = Case { config: "units = 'mm'\npart_origin = [10, -5, 60]\nwrap = { C = '0..360' }\n", ..SPINNER };
     let program = proof(&wrapped, "heidenhain", &[]).expect("a program");
-    let turns = feeds::<SpinnerU5620>(&traced(&program, "heidenhain"));
-    assert!(turns.iter().all(|words| (0.0..360.0).contains(&words[0].to_degrees())));
+    let wrapped_words = feeds::<SpinnerU5620>(&traced(&program, "heidenhain"));
+    assert!(wrapped_words.iter().all(|words| (0.0..360.0).contains(&words[0].to_degrees())));
 }
 
 #[test]

@@ -15,13 +15,13 @@ impl Setting {
         let change = self.draw_change(random);
         let (tip, axis) = self.machine.rates(&case.values, &change);
         let (true_tip, true_axis) = self.oracle.rates(&case.values, &change);
-        let turns: f64 = self.sum(AxisKind::Rotary, &change);
+        let rotation: f64 = self.sum(AxisKind::Rotary, &change);
         let travel = self.sum(AxisKind::Linear, &change);
         let more = format!("change {change:?}: {tip:?} and {axis:?} instead of {true_tip:?} and {true_axis:?}");
-        if exceeds((tip - true_tip).norm(), RATE_SHARE * (travel + turns * self.oracle.scale(&case.values))) {
+        if exceeds((tip - true_tip).norm(), RATE_SHARE * (travel + rotation * self.oracle.scale(&case.values))) {
             return Err(self.fault("`rates` are the derivatives of the tip", &case, &more));
         }
-        if exceeds((axis - true_axis).norm(), RATE_SHARE * 10.0 * turns) {
+        if exceeds((axis - true_axis).norm(), RATE_SHARE * 10.0 * rotation) {
             return Err(self.fault("`rates` are the derivatives of the tool axis", &case, &more));
         }
         Ok(())
@@ -59,10 +59,10 @@ impl Setting {
         let bound = self.machine.motion(&case.values, &to);
         let deviation = deviation(&self.oracle, &case.values, &to, BLOCK_POINTS);
         let more = format!("to {to:?}: {bound:?}, true {deviation:?}");
-        if exceeds(deviation.tip, bound.tip) {
+        if exceeds(deviation.tip_mm, bound.tip) {
             return Err(self.fault("no tip deviates from its line more than the bound of `motion`", &case, &more));
         }
-        if exceeds(deviation.axis, bound.axis) {
+        if exceeds(deviation.axis_rad, bound.axis) {
             return Err(self.fault("no tool axis deviates from its arc more than the bound of `motion`", &case, &more));
         }
         let as_in_a_cut = |(axis, change): (&pp_runtime::kinematics::Axis, &f64)| {
@@ -84,11 +84,11 @@ pub(super) struct Margins {
 
 impl Margins {
     pub(super) fn add(&mut self, bound: MotionBound, actual: Deviation) {
-        if actual.tip > 1e-6 {
-            self.tip.push(bound.tip / actual.tip);
+        if actual.tip_mm > 1e-6 {
+            self.tip.push(bound.tip / actual.tip_mm);
         }
-        if actual.axis > 1e-9 {
-            self.axis.push(bound.axis / actual.axis);
+        if actual.axis_rad > 1e-9 {
+            self.axis.push(bound.axis / actual.axis_rad);
         }
     }
 

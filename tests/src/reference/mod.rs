@@ -155,9 +155,9 @@ impl<T: Table> Reference<T> {
                 let sign = T::AXES[solved[1]].sign.factor();
                 // The order of the branches is decided at the declared held values.
                 let (at_default, tool) = self.folded(&T::HELD);
-                let leaning = at_default[1].cross(&at_default[0]).dot(&at_default[1].cross(&tool));
+                let along_first = at_default[1].cross(&at_default[0]).dot(&at_default[1].cross(&tool));
                 let across = at_default[0].dot(&at_default[1].cross(&tool));
-                let sigma = if leaning.abs() > 1e-12 { leaning.signum() * sign } else { -across.signum() };
+                let sigma = if along_first.abs() > 1e-12 { along_first.signum() * sign } else { -across.signum() };
                 let pole = |side: f64| (m.dot(&n) - side * m.dot(&t)).abs() < 1e-15;
                 let rho = if pole(1.0) || pole(-1.0) { 1.0 - n.dot(&m).powi(2) } else { d.sqrt() };
                 let offset = n.dot(&m) * m.dot(&t);

@@ -292,8 +292,8 @@ impl Program<'_> {
             AxisRange::UpTo(most) => f64::from(most),
             _ => 80.0,
         };
-        let turning = self.random.between(-12.0, 12.0);
-        let tilting = if pole { -tilt / 5.0 - 0.3 } else { self.random.between(-3.0, 3.0) };
+        let azimuth_step = self.random.between(-12.0, 12.0);
+        let tilt_step = if pole { -tilt / 5.0 - 0.3 } else { self.random.between(-3.0, 3.0) };
         // The tip does not move while the axis rotates about it: the frames have one origin.
         let mut tip = self.here();
         for step in 0..4 + self.random.below(16) {
@@ -302,13 +302,13 @@ impl Program<'_> {
                 1 => self.repeat(tip),
                 _ => {}
             }
-            tilt += tilting;
+            tilt += tilt_step;
             if tilt < 0.0 {
                 (tilt, azimuth) = (-tilt, azimuth + 180.0);
             }
             tilt = tilt.min(most);
             if self.needs.axis_range != AxisRange::AboutX {
-                azimuth += turning;
+                azimuth += azimuth_step;
             }
             let axis = if pole && step == 5 { Vector3::z() } else { direction(tilt, azimuth) };
             if self.random.chance(0.9) {

@@ -1,4 +1,4 @@
-//! Set-ups of the parts, written retract_distance_mm a second time, in millimetres.
+//! Set-ups of the parts, written out a second time, in millimetres.
 
 use std::path::PathBuf;
 
@@ -8,7 +8,7 @@ use tests::binaries::workspace;
 /// Travel of a linear axis: letter, machine coordinate at the zero position, lowest, highest; mm.
 pub(crate) type Travel = (char, f64, f64, f64);
 
-/// Configuration of a program, written retract_distance_mm a second time, in millimetres.
+/// Configuration of a program, written out a second time, in millimetres.
 #[derive(Debug, Clone)]
 pub(crate) struct SetUp {
     pub(crate) config: Option<&'static str>,

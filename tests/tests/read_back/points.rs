@@ -13,8 +13,8 @@ pub(crate) struct Goto {
     /// Unit length.
     pub(crate) axis: Vector3<f64>,
     pub(crate) rapid: bool,
-    /// mm/min; 0 before the first FEDRAT.
-    pub(crate) feed: f64,
+    /// 0 before the first FEDRAT.
+    pub(crate) feed_mm_per_min: f64,
     /// Number of TOOL PATH records, tool records and stops before it.
     pub(crate) operation: usize,
     pub(crate) tool: u32,
@@ -82,7 +82,7 @@ pub(crate) fn read(text: &str) -> ClData {
                 }
                 assert!(numbers.len() == 3 || numbers.len() == 6, "line {line}: {record}");
                 let tip = Point3::new(numbers[0] * unit, numbers[1] * unit, numbers[2] * unit);
-                cl.points.push(Goto { line, tip, axis, rapid, feed, operation, tool });
+                cl.points.push(Goto { line, tip, axis, rapid, feed_mm_per_min: feed, operation, tool });
                 rapid = false;
             }
             _ => {}
@@ -98,7 +98,7 @@ fn every_goto_of_the_three_dialects_is_found() {
     assert!((nx.points[1].tip - Point3::new(25.4, 50.8, 50.8)).norm() < 1e-12);
     assert!((nx.points[1].axis - Vector3::new(0.0, 0.6, 0.8)).norm() < 1e-12);
     assert_eq!((nx.points[0].rapid, nx.points[1].rapid), (true, false));
-    assert!((nx.points[1].feed - 254.0).abs() < 1e-12);
+    assert!((nx.points[1].feed_mm_per_min - 254.0).abs() < 1e-12);
     let catia = read("GOTO  /  1.0, 2.0, 3.0, 0.0, 0.0, 0$\n.5\n$$ GOTO/9,9,9 $\nGOTO/4,5,6\n");
     assert_eq!(catia.points.len(), 2);
     let creo = read("$$-> CSYS / 1.0,  $\nGOTO / 0.0\nGOTO / 1.0, 2.0, 3.0,  $\n0.0, 0.0, 1.0\n");

@@ -145,7 +145,7 @@ mod tests {
         assert_eq!(write("1 0.0 1 5.0 6.0\n2 0.0 0 5.0 6.0\n3 1.0 1 7.0 8.", &mut samples), 1);
         assert_eq!(write("0\noverrun\n4 1.0 1 7.0 9.0\n5 3.0 0 1.0 1.0\n", &mut samples), 4);
         assert_eq!(samples.reached(1, 12), Ok(Reached { line: 12, joints: vec![7.0], axes: vec![8.0] }));
-        assert!(samples.reached(2, 13).is_err_and(|said| said.contains("missed")));
-        assert!(samples.reached(3, 14).is_err_and(|said| said.contains("settled")));
+        assert!(samples.reached(2, 13).is_err_and(|message| message.contains("missed")));
+        assert!(samples.reached(3, 14).is_err_and(|message| message.contains("settled")));
     }
 }

@@ -56,7 +56,7 @@ impl<M: Machine> Reader<'_, M> {
         let linear_only = motion.written.letters().all(|letter| !"ABC".contains(letter));
         assert!(self.stage == Stage::Cutting || linear_only, "line {line}: the approach moves a rotary axis");
         let goto = self.cl.points.get(self.next).unwrap_or_else(|| panic!("line {line}: there is no GOTO left"));
-        let (rapid, feed, tip, cl_line) = (goto.rapid, goto.feed, goto.tip, goto.line);
+        let (rapid, feed, tip, cl_line) = (goto.rapid, goto.feed_mm_per_min, goto.tip, goto.line);
         assert_eq!(motion.rapid, rapid, "line {line}: G0 or G1 differs from CL line {cl_line}");
         let rotation = before
             .iter()
@@ -105,20 +105,20 @@ impl<M: Machine> Reader<'_, M> {
         let ends = ((&begun.tip, &begun.axis), (&goto.tip, &goto.axis));
         let off = deviation_from(&self.oracle, before, values, BLOCK_POINTS, ends.0, ends.1);
         let (tip_tolerance, axis_tolerance) = if self.set_up.coarse { (1.0, 10.0) } else { TOLERANCE };
-        assert!(off.tip <= tip_tolerance, "line {line}: the tip leaves its line by {} mm", off.tip);
-        assert!(off.axis.to_degrees() <= axis_tolerance, "line {line}: the tool axis is {} rad off", off.axis);
+        assert!(off.tip_mm <= tip_tolerance, "line {line}: the tip leaves its line by {} mm", off.tip_mm);
+        assert!(off.axis_rad.to_degrees() <= axis_tolerance, "line {line}: the tool axis is {} rad off", off.axis_rad);
         let pose = self.oracle.forward(values);
         let allowance = 0.5 * self.unit * 3_f64.sqrt() + NOISE;
         let length = (pose.tip - self.oracle.forward(before).tip).norm();
         let (minutes, exact) = match written {
-            Feed::InverseTime(word) => (1.0 / word, length / goto.feed),
-            Feed::PerMinute(word) => (length / (word * self.scale), length / goto.feed),
+            Feed::InverseTime(word) => (1.0 / word, length / goto.feed_mm_per_min),
+            Feed::PerMinute(word) => (length / (word * self.scale), length / goto.feed_mm_per_min),
             Feed::PerRevolution(_) => panic!("line {line}: G95"),
         };
         let still = length < self.unit + 2.0 * allowance;
         let time_off = (minutes - exact).abs();
         assert!(
-            still || time_off <= (2.0 * allowance + 1e-5 * length) / goto.feed,
+            still || time_off <= (2.0 * allowance + 1e-5 * length) / goto.feed_mm_per_min,
             "line {line}: a piece takes {minutes} min"
         );
         let split = SplitMotion { minutes: begun.minutes + minutes, still: begun.still || still, ..begun };
@@ -126,7 +126,7 @@ impl<M: Machine> Reader<'_, M> {
         if (pose.tip - goto.tip).norm() <= 2.0 * allowance && axis_off <= 2.0 * ROTARY_UNIT {
             if self.split.is_some() {
                 self.split = Some(split);
-                let whole = (goto.tip - begun.tip).norm() / goto.feed;
+                let whole = (goto.tip - begun.tip).norm() / goto.feed_mm_per_min;
                 let time_off = (split.minutes - whole).abs();
                 assert!(split.still || time_off <= 2.0 * SIX_DIGITS * whole, "line {line}: {split:?} for {whole} min");
             }
