@@ -202,7 +202,7 @@ fn standard_output_ends_with_an_error_comment_and_no_end_code() {
 }
 
 #[test]
-fn what_cannot_be_read_or_written_is_status_2_and_leaves_nothing() {
+fn files_that_cannot_be_read_or_written_are_status_2_and_leave_nothing() {
     let shop = Shop::with(format!("{HEAD}GOTO/1,2,3\n"));
     fs::create_dir(shop.path().join("folder")).expect("a folder");
     assert_not_run(&shop, &["post", "missing.cls", "-o", "part.nc"], "error: cannot read missing.cls: ");
@@ -285,7 +285,7 @@ fn a_closed_pipe_is_status_2_without_a_message() {
 }
 
 #[test]
-fn bad_cl_data_is_rejected_with_its_place() {
+fn bad_cl_data_is_rejected_with_its_line_and_column() {
     assert_rejected("", "part.cls:1:1: error: the file is empty");
     assert_rejected("\n\n", "part.cls:1:1: error: the file contains no motion: no GOTO was found");
     assert_rejected(
@@ -348,7 +348,7 @@ fn a_tolerance_that_is_not_positive_is_refused() {
 }
 
 #[test]
-fn every_line_of_json_is_an_object_with_place_and_severity() {
+fn every_line_of_json_is_an_object_with_location_and_severity() {
     let shop = Shop::with(format!("{HEAD}GOTO/1,2,3\nCOPY/1\n"));
     let run = shop.run(&["post", "part.cls", "--message-format", "json", "-o", "part.nc"]);
     assert_eq!(run.status, 1);

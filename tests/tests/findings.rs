@@ -304,7 +304,7 @@ fn lines_that_are_lost_together_are_reported_together() {
 }
 
 #[test]
-fn a_lost_subprogram_is_reported_with_the_line_of_its_call() {
+fn lost_motions_of_a_subprogram_are_reported_with_the_line_before_its_call() {
     let part = "DEFSUB/1\nGOTO/10,0,5\nGOTO/20,0,5\nGOTO/20,10,5\nENDSUB\nRAPID\nGOTO/0,0,100,0,0,1\n\
         FEDRAT/MMPM,500\nGOTO/0,-10,5\nGOTO/10,-10,5\nCALSUB/1\nGOTO/20,20,5\n";
     let posted = Posted::new("linuxcnc", "", &format!("{HEAD}{part}"));

@@ -66,7 +66,7 @@ fn every_slip_is_found<M: Machine>(name: &str, path: &PathBuf, set_up: &SetUp) {
 }
 
 #[test]
-fn no_wrong_digit_and_no_missing_block_passes() {
+fn every_wrong_digit_and_every_missing_block_is_found() {
     let coarse = |set_up: SetUp| SetUp { coarse: true, ..set_up };
     every_slip_is_found::<SpinnerU5620>("spinner-u5-620", &data("blade/blade.cls"), &coarse(PLAIN));
     every_slip_is_found::<LolaXoyzba>("lola-xoyzba", &data("pads/pads.cls"), &coarse(PADS));
