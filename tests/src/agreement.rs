@@ -1,7 +1,7 @@
-//! Two readers of one program: the product's own and the foreign interpreter, motion by motion.
+//! Comparison of two readers of one program: the product's own and the foreign interpreter, motion by motion.
 //!
-//! Compared are kind, axis words, positions where both know them, F and feed mode, circle, hole, and the state in which a
-//! motion is made. The readers share no code.
+//! Compared are kind, axis words, positions where both readers know them, F and feed mode, circle, hole, and the modal
+//! state during the motion. The readers share no code.
 
 use pp_runtime::check::read::{self, Action, Block, coolant};
 use pp_runtime::check::{Job, blocks};
@@ -13,24 +13,25 @@ use pp_runtime::program::{Rotation, Units};
 use crate::foreign::state::{self, Compensation, CycleKind, Length, Spindle, WorkOffset};
 use crate::foreign::{Effect, Executed, Options, run};
 
-/// What is compared.
+/// Optional parts of the comparison.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Compared {
-    /// Bits of the coolant supplies.
+    /// Coolant supplies that are compared, as bits.
     pub coolant: u8,
-    /// Positions of rotary axes, whole revolutions and all. The foreign interpreter knows no axis that rolls over.
+    /// Whether rotary positions are compared with their whole revolutions. The foreign interpreter has no rollover
+    /// axes.
     pub revolutions: bool,
 }
 
 impl Compared {
-    /// Everything.
+    /// Compares everything.
     pub const ALL: Self = Self { coolant: u8::MAX, revolutions: true };
 }
 
-/// Compares the motions of a program; their number.
+/// Compares the motions of a program and returns their number.
 ///
 /// # Errors
-/// The first line in which the readers disagree, or that one of them refuses, and why.
+/// First line in which the readers disagree, or that one of them refuses, with the reason.
 pub fn compare<M: Machine>(
     text: &str,
     (config, control): (&Config, &dyn Control),
@@ -50,13 +51,14 @@ pub fn compare<M: Machine>(
     let read: Vec<&Block> = read.iter().filter(|block| block.action.moves()).collect();
     let executed: Vec<&Executed> = trace.motions().collect();
     for (block, executed) in read.iter().zip(&executed) {
-        let other = (block.line != executed.line as u64).then(|| format!("line {} moves as well", executed.line));
+        let other = (block.line != executed.line as u64)
+            .then(|| format!("the foreign interpreter has this motion in line {}", executed.line));
         if let Some(why) = other.or_else(|| difference::<M>(block, executed, compared)) {
             return Err(format!("line {}: {why}\n{block:?}\n{executed:?}", block.line));
         }
     }
     if read.len() != executed.len() {
-        return Err(format!("{} motions, and {} for the foreign interpreter", read.len(), executed.len()));
+        return Err(format!("{} motions for the check, {} for the foreign interpreter", read.len(), executed.len()));
     }
     Ok(read.len())
 }
@@ -65,7 +67,7 @@ fn near(one: f64, other: f64) -> bool {
     (one - other).abs() <= 1e-9 * one.abs().max(1.0)
 }
 
-/// Whether two angles, rad, are one direction; where the sign of a word is the sense of its rotation, the sign aside.
+/// Whether two angles, rad, are the same direction. The sign of `one` may be the sense of rotation and is then ignored.
 fn one_direction(one: f64, other: f64) -> bool {
     let apart = |one: f64| (one - other).sin().hypot((one - other).cos() - 1.0);
     apart(one) < 1e-9 || apart(one.abs()) < 1e-9
@@ -78,7 +80,7 @@ fn near_or_absent(one: Option<f64>, other: Option<f64>) -> bool {
     }
 }
 
-/// Why a motion is not the one that the product's reader finds.
+/// Difference between a motion of the product's reader and one of the foreign interpreter; `None` if they agree.
 fn difference<M: Machine>(block: &Block, executed: &Executed, compared: Compared) -> Option<String> {
     let unit = executed.state.units.map_or(1.0, state::Units::in_mm);
     let machine = executed.effect == Effect::Machine;
@@ -86,7 +88,7 @@ fn difference<M: Machine>(block: &Block, executed: &Executed, compared: Compared
         let scale = if axis.kind == AxisKind::Linear { unit } else { 1.0_f64.to_radians() };
         let written = executed.words.contains(axis.letter);
         if written != (block.written & (1 << index) != 0) && !matches!(block.action, Action::Arc(_)) {
-            return Some(format!("{} is written in one of them", axis.letter));
+            return Some(format!("{} is programmed for one reader only", axis.letter));
         }
         let found = if machine { executed.words.get(axis.letter) } else { executed.state.position.get(axis.letter) };
         let known = if machine { block.written } else { block.known } & (1 << index) != 0;
@@ -105,10 +107,10 @@ fn difference<M: Machine>(block: &Block, executed: &Executed, compared: Compared
             return Some(format!("{}: {} and {}", axis.letter, found * scale, block.values[index]));
         }
     }
-    kinds(block, executed, unit).or_else(|| states(block, executed, unit, compared.coolant))
+    motion_difference(block, executed, unit).or_else(|| state_difference(block, executed, unit, compared.coolant))
 }
 
-fn kinds(block: &Block, executed: &Executed, unit: f64) -> Option<String> {
+fn motion_difference(block: &Block, executed: &Executed, unit: f64) -> Option<String> {
     let same = match (block.action, executed.effect) {
         (Action::Rapid, Effect::Rapid)
         | (Action::Feed, Effect::Feed)
@@ -138,10 +140,10 @@ fn kinds(block: &Block, executed: &Executed, unit: f64) -> Option<String> {
         }
         _ => false,
     };
-    (!same).then(|| "another motion".to_owned())
+    (!same).then(|| "different motions".to_owned())
 }
 
-fn states(block: &Block, executed: &Executed, unit: f64, supplies: u8) -> Option<String> {
+fn state_difference(block: &Block, executed: &Executed, unit: f64, supplies: u8) -> Option<String> {
     let (one, other) = (&block.state, &executed.state);
     let spindle = match other.spindle {
         None => true,
@@ -181,7 +183,7 @@ fn states(block: &Block, executed: &Executed, unit: f64, supplies: u8) -> Option
         }
         _ => false,
     };
-    // A feed of the cycle, or a pitch, takes the place of the F in force.
+    // A feed of the cycle, or a pitch, replaces the F in force.
     let own = matches!(executed.effect, Effect::Hole(hole) if hole.cycle.feed.is_some()
         || hole.cycle.back_to.is_some() && matches!(hole.cycle.kind, CycleKind::Tap { .. }));
     let feed = !executed.effect.cuts()
@@ -202,10 +204,10 @@ fn states(block: &Block, executed: &Executed, unit: f64, supplies: u8) -> Option
         (feed, "F"),
         (tip, "tip control"),
     ];
-    checks.into_iter().find(|(same, _)| !same).map(|(_, what)| format!("another {what}"))
+    checks.into_iter().find(|(same, _)| !same).map(|(_, what)| format!("different {what}"))
 }
 
-/// First axis, second axis and normal of a plane, as positions in X Y Z.
+/// First axis, second axis and normal of a plane, as indices into X Y Z.
 fn axes_of(plane: state::Plane) -> [usize; 3] {
     plane.letters().map(|letter| "XYZ".find(letter).expect("a linear axis"))
 }

@@ -11,7 +11,7 @@ pub fn workspace() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap_or(Path::new(".")).to_owned()
 }
 
-/// A command that runs the binary of a machine; all of them are built anew, where need be, at the first call.
+/// A command that runs the binary of a machine. The first call builds all binaries that are out of date.
 ///
 /// # Panics
 /// If they cannot be built.
@@ -24,12 +24,12 @@ pub fn binary(name: &str) -> Command {
     Command::new(path)
 }
 
-/// Builds the binaries with the profile of the running test, into the folder above it.
+/// Builds the binaries with the profile of the running test, into the parent folder of the test.
 fn build() -> PathBuf {
-    let test = std::env::current_exe().expect("a test knows its own file");
+    let test = std::env::current_exe().expect("the path of the running test");
     // TARGET/PROFILE/deps/TEST
-    let directory = test.parent().and_then(Path::parent).expect("a test stands in the folder `deps`").to_owned();
-    let target = directory.parent().expect("a profile has a folder above it");
+    let directory = test.parent().and_then(Path::parent).expect("a test is in the folder `deps`").to_owned();
+    let target = directory.parent().expect("the folder of a profile has a parent");
     let profile = match directory.file_name().and_then(OsStr::to_str) {
         Some("debug") | None => "dev",
         Some(profile) => profile,

@@ -1,4 +1,5 @@
-//! One block, looked at everywhere: how far the tool really leaves the straight, evenly turning motion.
+//! Deviation of one block, sampled along its length: largest distance of the tool from the motion whose tip path is
+//! straight and whose tool axis rotates evenly.
 //!
 //! Every axis moves linearly, as a control moves it; poses come from the [oracle](crate::oracle).
 
@@ -9,10 +10,10 @@ use crate::oracle::{Oracle, angle_between};
 /// Largest deviation of a block.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Deviation {
-    /// Of the tip from the straight line, mm.
-    pub tip: f64,
-    /// Of the tool axis from the arc, rad.
-    pub axis: f64,
+    /// Distance of the tip from the straight line, mm.
+    pub tip_mm: f64,
+    /// Angle of the tool axis from the arc, rad.
+    pub axis_rad: f64,
 }
 
 /// Distance of a point from the straight line between two others.
@@ -29,27 +30,28 @@ pub fn distance_to_line(point: &Point3<f64>, from: &Point3<f64>, to: &Point3<f64
 pub fn angle_to_arc(axis: &Vector3<f64>, from: &Vector3<f64>, to: &Vector3<f64>) -> f64 {
     let normal = from.cross(to);
     if normal.norm() < 1e-7 && from.dot(to) > 0.0 {
-        // So short an arc is its chord.
+        // An arc this short equals its chord.
         return distance_to_line(&Point3::from(*axis), &Point3::from(*from), &Point3::from(*to));
     }
     let ends = angle_between(axis, from).min(angle_between(axis, to));
-    let beside = normal.cross(from).dot(axis) < 0.0 || to.cross(&normal).dot(axis) < 0.0;
-    if beside {
+    let past_an_end = normal.cross(from).dot(axis) < 0.0 || to.cross(&normal).dot(axis) < 0.0;
+    if past_an_end {
         return ends;
     }
-    // The plane goes through `from`: the difference is small, and so is what the rounding of the normal makes of it.
+    // The plane contains `from`: `axis - from` is small, and so is the error that the rounding of the normal causes.
     let height = normal.normalize().dot(&(axis - from));
     height.abs().min(1.0).asin().min(ends)
 }
 
-/// The deviation of the block between two sets of axis values from the motion between its own ends, at `points` places.
+/// Deviation of the block between two sets of axis values from the motion between its own end poses, with `points`
+/// samples after the start.
 #[must_use]
 pub fn deviation(oracle: &Oracle, from: &[f64], to: &[f64], points: usize) -> Deviation {
     let (start, end) = (oracle.forward(from), oracle.forward(to));
     deviation_from(oracle, from, to, points, (&start.tip, &start.axis), (&end.tip, &end.axis))
 }
 
-/// The deviation of the block from the motion between two given poses.
+/// Deviation of the block from the motion between two given poses.
 #[must_use]
 pub fn deviation_from(
     oracle: &Oracle,
@@ -67,8 +69,8 @@ pub fn deviation_from(
             *value = a + (b - a) * share;
         }
         let pose = oracle.forward(&values);
-        largest.tip = largest.tip.max(distance_to_line(&pose.tip, start.0, end.0));
-        largest.axis = largest.axis.max(angle_to_arc(&pose.axis, start.1, end.1));
+        largest.tip_mm = largest.tip_mm.max(distance_to_line(&pose.tip, start.0, end.0));
+        largest.axis_rad = largest.axis_rad.max(angle_to_arc(&pose.axis, start.1, end.1));
     }
     largest
 }

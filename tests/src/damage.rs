@@ -1,11 +1,11 @@
-//! Posted programs with one character wrong, as an edit by hand or a bad line leaves them.
+//! Posted programs with one fault, as after a manual edit or a transmission error.
 
 use crate::random::Random;
 
-/// A program with one thing wrong, and what: a digit, a sign, a letter, a line that is lost or stands twice.
+/// The program with one fault, and a description of it: a wrong digit, sign or letter, a lost or a doubled line.
 ///
 /// # Panics
-/// If there is nothing in the program but comments.
+/// If the program holds only comments.
 #[must_use]
 pub fn damage(program: &[u8], random: &mut Random) -> (Vec<u8>, String) {
     let lines: Vec<&[u8]> = program.split_inclusive(|byte| *byte == b'\n').collect();
@@ -13,7 +13,7 @@ pub fn damage(program: &[u8], random: &mut Random) -> (Vec<u8>, String) {
         let text = line.trim_ascii_start();
         text.starts_with(b"(") || text.starts_with(b";") || text.windows(2).any(|two| two == b"; ") || text.is_empty()
     };
-    assert!(!lines.iter().all(|line| comment(line)), "nothing to damage");
+    assert!(!lines.iter().all(|line| comment(line)), "the program holds only comments");
     loop {
         let at = random.below(lines.len());
         if comment(lines[at]) {

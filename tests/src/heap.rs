@@ -1,7 +1,8 @@
-//! A global allocator that counts, for suites that say what is allocated and how much at once.
+//! A counting global allocator, for suites that check how often and how much is allocated.
 //!
-//! A suite makes it its own with `#[global_allocator] static ALLOCATOR: Counting = Counting;`. Counts belong to a thread:
-//! other tests run beside it. What one thread takes and another gives back counts for each as it sees it.
+//! A suite installs it with `#[global_allocator] static ALLOCATOR: Counting = Counting;`. Counts are kept per thread,
+//! because tests run in parallel. Memory that one thread takes and another gives back is counted as taken in the first
+//! and as given back in the second.
 #![allow(unsafe_code)] // a global allocator cannot be written without
 
 use std::alloc::{GlobalAlloc, Layout, System};
@@ -9,8 +10,9 @@ use std::cell::Cell;
 
 thread_local! {
     static ALLOCATIONS: Cell<usize> = const { Cell::new(0) };
-    /// Bytes in use, and the most there have been.
+    /// Bytes in use.
     static LIVE: Cell<isize> = const { Cell::new(0) };
+    /// Largest number of bytes in use.
     static PEAK: Cell<isize> = const { Cell::new(0) };
 }
 
@@ -42,7 +44,7 @@ unsafe impl GlobalAlloc for Counting {
         unsafe { System.dealloc(pointer, layout) }
     }
     unsafe fn realloc(&self, pointer: *mut u8, layout: Layout, size: usize) -> *mut u8 {
-        // While the bytes are moved both are in use.
+        // Both areas are in use while the bytes are moved.
         take(size);
         give_back(layout.size());
         // SAFETY: as our caller promised.
@@ -50,14 +52,14 @@ unsafe impl GlobalAlloc for Counting {
     }
 }
 
-/// How often the work allocates.
+/// Number of allocations of the work.
 pub fn allocations(work: impl FnOnce()) -> usize {
     let before = ALLOCATIONS.get();
     work();
     ALLOCATIONS.get() - before
 }
 
-/// What the work gives, and the most bytes that it has in use at once besides those from before.
+/// Result of the work, and the most bytes that it has in use at once, without those in use before.
 pub fn peak<T>(work: impl FnOnce() -> T) -> (T, usize) {
     let before = LIVE.get();
     PEAK.set(before);

@@ -1,19 +1,20 @@
-//! The conformance suite: what every machine must do, checked against matrices that share no code with the engine.
+//! The library of the suites: conformance checks of every machine against matrices that share no code with the engine,
+//! and an independent reader of programs.
 //!
 //! - [`oracle`]: the chain as a product of 4×4 matrices, and the machines of the source papers written out by hand.
 //! - [`mod@conformance`]: the checks, for any type that implements
 //!   [`Machine`](pp_runtime::kinematics::Machine); [`conformance!`] makes a test module of them.
-//! - [`random`]: the same random numbers on every platform, forever.
+//! - [`random`]: random numbers that are the same on every platform and in every version.
 //! - [`further`]: machines of kinds that the papers do not have.
-//! - [`heap`]: an allocator that counts.
-//! - [`block`]: how far a block of the machine leaves its line, looked at everywhere.
-//! - [`damage`]: programs with one character wrong.
+//! - [`heap`]: a counting allocator.
+//! - [`block`]: largest deviation of a block of the machine from its line, sampled along the block.
+//! - [`damage`]: programs with one fault.
 //! - [`foreign`]: an interpreter for programs of all five controls that shares no code with the postprocessor.
-//! - [`agreement`]: the same programs through the product's own reader and the foreign interpreter.
-//! - [`linuxcnc`]: a real control, its interpreter alone and the whole of it, simulated.
+//! - [`agreement`]: compares the product's own reader with the foreign interpreter, on the same program.
+//! - [`linuxcnc`]: a real control: its interpreter alone, and the whole control, simulated.
 //! - [`binaries`]: the machines' binaries, built and run.
 //!
-//! Nothing here knows how a machine solves its equations. NaN fails a check, it never passes one.
+//! Nothing here depends on how a machine solves its equations. NaN fails a check; it never passes one.
 
 pub mod agreement;
 pub mod binaries;

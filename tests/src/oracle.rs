@@ -1,8 +1,8 @@
-//! Where the tool really is: the chain as a plain product of 4×4 matrices.
+//! True pose of the tool: the chain as a plain product of 4×4 matrices.
 //!
 //! [`Oracle`] multiplies what a machine *declares* (its axes, joints and tool axis); it shares no code with the
-//! engine, and its rotation matrix is written out here. So that a wrongly transcribed joint is found too, [`papers`]
-//! holds the machines of the source papers as literal chains that ask the machine nothing.
+//! engine, and its rotation matrix is written out here. To find a wrongly transcribed joint too, [`papers`] holds the
+//! machines of the source papers as literal chains that use nothing of the machine.
 
 use core::f64::consts::PI;
 
@@ -21,7 +21,7 @@ pub fn translation(v: &Vector3<f64>) -> Matrix4<f64> {
     )
 }
 
-/// `Rot(n, angle)`: right-handed turn about the unit vector `n` through the origin (Rodrigues).
+/// `Rot(n, angle)`: right-handed rotation about the unit vector `n` through the origin (Rodrigues).
 #[must_use]
 #[rustfmt::skip]
 pub fn rotation(n: &Vector3<f64>, angle: f64) -> Matrix4<f64> {
@@ -47,7 +47,7 @@ pub fn angle_between(a: &Vector3<f64>, b: &Vector3<f64>) -> f64 {
     a.cross(b).norm().atan2(a.dot(b))
 }
 
-/// `angle` less whole turns, in (-π, π].
+/// `angle` minus whole revolutions, rad, in (-π, π].
 #[must_use]
 pub fn wrapped(angle: f64) -> f64 {
     let rest = angle.sin().atan2(angle.cos());
@@ -68,14 +68,14 @@ pub struct Oracle {
     tool_axis: Vector3<f64>,
 }
 
-/// Directions of the two solved rotaries and of the tool, turns of held axes folded in.
+/// Directions of the two solved rotaries and of the tool; rotations of held axes are applied.
 #[derive(Debug, Clone, Copy)]
 pub struct Rotaries {
     /// Direction of the rotary nearest the workpiece.
     pub first: Vector3<f64>,
-    /// Direction of the other one, the first at zero.
+    /// Direction of the other one, with the first at zero.
     pub second: Vector3<f64>,
-    /// The tool axis, both at zero.
+    /// The tool axis, with both at zero.
     pub tool: Vector3<f64>,
 }
 
@@ -92,7 +92,8 @@ impl Rotaries {
         self.first.dot(&self.second.cross(&self.tool))
     }
 
-    /// `√D`: how much the second rotary can tilt the tool against the first.
+    /// `√D`: half the range of `first · axis` over the second rotary; zero where it cannot tilt the tool against the
+    /// first.
     #[must_use]
     pub fn authority(&self) -> f64 {
         self.cosine_part().hypot(self.sine_part())
@@ -107,14 +108,15 @@ impl Rotaries {
         ((first_to_second - second_to_tool).abs(), sum.min(2.0 * PI - sum))
     }
 
-    /// Whether the tool can be laid along the first rotary, `side` being `1.0`, or against it, `-1.0`.
+    /// Whether the tool axis can be parallel to the first rotary: in the same direction for `side` `1.0`, in the
+    /// opposite one for `-1.0`.
     #[must_use]
     pub fn ends_at_pole(&self, side: f64) -> bool {
         (self.second.dot(&self.first) - side * self.second.dot(&self.tool)).abs() < 1e-14
     }
 
-    /// The second angle (right-handed, sign not applied) at which the tool leans most towards the first rotary; the
-    /// other edge of the cone is half a turn on.
+    /// The second angle (right-handed, sign not applied) at which the tool is closest to the first rotary, rad; the
+    /// other edge of the cone is at half a revolution more.
     #[must_use]
     pub fn edge(&self) -> f64 {
         self.sine_part().atan2(self.cosine_part())
@@ -122,7 +124,7 @@ impl Rotaries {
 }
 
 impl Oracle {
-    /// The chain of a machine as it stands.
+    /// The chain of a machine with its present dimensions and set-up.
     #[must_use]
     pub fn of<M: Machine>(machine: &M) -> Self {
         Self::new(M::AXES, (0..M::AXES.len()).map(|index| machine.joint(index)).collect(), machine.tool_axis())
@@ -179,7 +181,7 @@ impl Oracle {
         match self.axes[index].kind {
             AxisKind::Linear => translation(&(joint.direction.into_inner() * joint.sign)) - Matrix4::identity(),
             AxisKind::Rotary => {
-                // Sine and cosine a quarter turn on, and the part that does not turn taken away.
+                // Sine and cosine at a quarter revolution more, minus the part along `n`, which does not rotate.
                 let n = joint.direction.into_inner();
                 let mut slope = rotation(&n, joint.sign * value + core::f64::consts::FRAC_PI_2);
                 for row in 0..3 {
@@ -209,20 +211,20 @@ impl Oracle {
         (0..self.axes.len()).filter(|&index| self.axes[index].kind == kind && !self.axes[index].held).collect()
     }
 
-    /// How the tip moves in the workpiece frame per millimetre of each solved linear axis; unit columns.
+    /// Motion of the tip in the workpiece frame per millimetre of each solved linear axis; unit columns.
     ///
     /// # Panics
     /// If the machine does not have three solved linear axes.
     #[must_use]
     pub fn linear_directions(&self, values: &[f64]) -> Matrix3<f64> {
-        let mut turned = Matrix4::identity();
+        let mut rotated = Matrix4::identity();
         let mut columns = Vec::with_capacity(3);
         for (index, axis) in self.axes.iter().enumerate() {
             let joint = &self.joints[index];
             match axis.kind {
-                AxisKind::Rotary => turned *= rotation(&joint.direction, joint.sign * values[index]),
+                AxisKind::Rotary => rotated *= rotation(&joint.direction, joint.sign * values[index]),
                 AxisKind::Linear if axis.held => {}
-                AxisKind::Linear => columns.push((turned * joint.direction.push(0.0)).xyz() * joint.sign),
+                AxisKind::Linear => columns.push((rotated * joint.direction.push(0.0)).xyz() * joint.sign),
             }
         }
         assert_eq!(columns.len(), 3, "three solved linear axes");
@@ -236,7 +238,7 @@ impl Oracle {
         directions.column(0).cross(&directions.column(1)).dot(&directions.column(2))
     }
 
-    /// Sets the solved linear axes so that the tip stands on `tip`, rotary and held values as they are.
+    /// Sets the solved linear axes so that the tip is at `tip`; rotary and held values do not change.
     ///
     /// # Panics
     /// If the determinant is zero.
@@ -245,31 +247,31 @@ impl Oracle {
         for &index in &linear {
             values[index] = 0.0;
         }
-        let inverse = self.linear_directions(values).try_inverse().expect("the linear axes can move everywhere");
+        let inverse = self.linear_directions(values).try_inverse().expect("the linear axes are independent");
         let moved = inverse * (tip - self.forward(values).tip);
         for (&index, value) in linear.iter().zip(moved.iter()) {
             values[index] = *value;
         }
     }
 
-    /// The two solved rotaries with the turns of the held axes folded in; `None` if there are not two.
+    /// The two solved rotaries, with the rotations of held axes applied; `None` if there are not two.
     #[must_use]
     pub fn rotaries(&self, values: &[f64]) -> Option<Rotaries> {
         let [first_index, second_index] = self.rotary()[..] else { return None };
-        let mut turned = Matrix4::identity();
+        let mut rotated = Matrix4::identity();
         let mut directions = Vec::with_capacity(2);
         for (index, joint) in self.joints.iter().enumerate() {
             if index == first_index || index == second_index {
-                directions.push((turned * joint.direction.push(0.0)).xyz());
+                directions.push((rotated * joint.direction.push(0.0)).xyz());
             } else if self.axes[index].kind == AxisKind::Rotary {
-                turned *= rotation(&joint.direction, joint.sign * values[index]);
+                rotated *= rotation(&joint.direction, joint.sign * values[index]);
             }
         }
-        let tool = (turned * self.tool_axis.push(0.0)).xyz();
+        let tool = (rotated * self.tool_axis.push(0.0)).xyz();
         Some(Rotaries { first: directions[0], second: directions[1], tool })
     }
 
-    /// The tool axis with only the second rotary (and the held axes) turned.
+    /// The tool axis with the first rotary at zero: only the second rotary and the held axes rotate it.
     ///
     /// # Panics
     /// If the machine does not have two solved rotaries.
@@ -286,7 +288,7 @@ impl Oracle {
         self.joints[index].sign
     }
 
-    /// A length to which rounding errors of the tip are in proportion, mm.
+    /// Length that rounding errors of the tip are proportional to, mm.
     #[must_use]
     pub fn scale(&self, values: &[f64]) -> f64 {
         let travel: f64 =
@@ -296,10 +298,10 @@ impl Oracle {
     }
 }
 
-/// The machines of the source papers as literal products: they ask no `joint` and no direction of the machine.
+/// The machines of the source papers as literal products, without any `joint` or direction of the machine.
 ///
-/// Lengths in mm, angles in rad. `part_origin` is the part zero from the table's reference point, `gauge` the distance
-/// from gauge line to tip.
+/// Lengths in mm, angles in rad. `part_origin` is the part zero relative to the table's reference point, `gauge` the
+/// distance from gauge line to tip.
 pub mod papers {
     use core::f64::consts::FRAC_1_SQRT_2;
 
@@ -346,8 +348,8 @@ pub mod papers {
         )
     }
 
-    /// MultiProDesk, `A Y | X Z` with A and Y running backwards; the A centre line passes through `centre` of the
-    /// table.
+    /// MultiProDesk, `A Y | X Z` with negative signs for A and Y; the A centre line passes through `centre`, a point of
+    /// the table.
     #[must_use]
     pub fn multiprodesk(centre: &Vector3<f64>, part_origin: &Vector3<f64>, [a, y, x, z]: [f64; 4]) -> Pose {
         pose(
@@ -372,18 +374,18 @@ mod tests {
         assert!((left - right).abs() <= 1e-11, "{left} is not {right}");
     }
 
-    fn turn(random: &mut Random) -> f64 {
+    fn draw_angle(random: &mut Random) -> f64 {
         random.between(-3.2, 3.2)
     }
 
-    fn place(random: &mut Random) -> [f64; 3] {
+    fn draw_point(random: &mut Random) -> [f64; 3] {
         core::array::from_fn(|_| random.between(-300.0, 300.0))
     }
 
     #[test]
-    fn a_quarter_turn_about_z_brings_x_to_y() {
-        let turned = rotation(&Vector3::z(), FRAC_PI_2) * Vector3::x().push(0.0);
-        assert!((turned.xyz() - Vector3::y()).norm() < 1e-15);
+    fn a_rotation_of_90_degrees_about_z_brings_x_to_y() {
+        let rotated = rotation(&Vector3::z(), FRAC_PI_2) * Vector3::x().push(0.0);
+        assert!((rotated.xyz() - Vector3::y()).norm() < 1e-15);
     }
 
     #[test]
@@ -397,8 +399,8 @@ mod tests {
     fn spinner_obeys_its_paper() {
         let mut random = Random::new(1);
         for _ in 0..1000 {
-            let (c, b, d) = (turn(&mut random), turn(&mut random), random.between(-200.0, 200.0));
-            let [x_axis, y_axis, z_axis] = place(&mut random);
+            let (c, b, d) = (draw_angle(&mut random), draw_angle(&mut random), random.between(-200.0, 200.0));
+            let [x_axis, y_axis, z_axis] = draw_point(&mut random);
             let pose = papers::spinner_u5_620(d, &Vector3::zeros(), [c, b, x_axis, y_axis, z_axis]);
             let ((sb, cb), (sc, cc)) = (b.sin_cos(), c.sin_cos());
             assert_near(pose.axis.x, sb * cc);
@@ -416,8 +418,8 @@ mod tests {
     fn dmu_obeys_its_paper() {
         let mut random = Random::new(2);
         for _ in 0..1000 {
-            let (c, b, d) = (turn(&mut random), turn(&mut random), random.between(-200.0, 200.0));
-            let [x_axis, y_axis, z_axis] = place(&mut random);
+            let (c, b, d) = (draw_angle(&mut random), draw_angle(&mut random), random.between(-200.0, 200.0));
+            let [x_axis, y_axis, z_axis] = draw_point(&mut random);
             let pose = papers::dmu_70e(d, &Vector3::zeros(), [c, b, x_axis, y_axis, z_axis]);
             let ((sb, cb), (sc, cc)) = (b.sin_cos(), c.sin_cos());
             assert_near(pose.axis.x, sb * cc / SQRT_2 + sc * (1.0 - cb) / 2.0);
@@ -429,9 +431,9 @@ mod tests {
                 FRAC_1_SQRT_2 * (d * sb + x * sb * sc - y * sb * cc - z * sb) + x * cb * cc + y * cb * sc,
             );
             let leaning = FRAC_1_SQRT_2 * (y * sb * sc + x * sb * cc);
-            let turned = -x * cb * sc + y * cb * cc + z * cb - d * cb;
-            assert_near(y_axis, leaning + (turned - x * sc + y * cc - z + d) / 2.0);
-            assert_near(z_axis, leaning + (turned + x * sc - y * cc + z + d) / 2.0);
+            let rotated = -x * cb * sc + y * cb * cc + z * cb - d * cb;
+            assert_near(y_axis, leaning + (rotated - x * sc + y * cc - z + d) / 2.0);
+            assert_near(z_axis, leaning + (rotated + x * sc - y * cc + z + d) / 2.0);
         }
     }
 
@@ -439,8 +441,8 @@ mod tests {
     fn lola_obeys_its_paper() {
         let mut random = Random::new(3);
         for _ in 0..1000 {
-            let (a, b, length) = (turn(&mut random), turn(&mut random), random.between(0.0, 300.0));
-            let [x_axis, y_axis, z_axis] = place(&mut random);
+            let (a, b, length) = (draw_angle(&mut random), draw_angle(&mut random), random.between(0.0, 300.0));
+            let [x_axis, y_axis, z_axis] = draw_point(&mut random);
             let pose = papers::lola_xoyzba(length, [x_axis, y_axis, z_axis, b, a]);
             let ((sb, cb), (sa, ca)) = (b.sin_cos(), a.sin_cos());
             assert_near(pose.axis.x, sb * ca);
@@ -456,15 +458,15 @@ mod tests {
     fn multiprodesk_obeys_its_paper() {
         let mut random = Random::new(4);
         for _ in 0..1000 {
-            let a = turn(&mut random);
-            let [y_axis, x_axis, z_axis] = place(&mut random);
-            let centre = Vector3::from(place(&mut random));
+            let a = draw_angle(&mut random);
+            let [y_axis, x_axis, z_axis] = draw_point(&mut random);
+            let centre = Vector3::from(draw_point(&mut random));
             let pose = papers::multiprodesk(&centre, &Vector3::zeros(), [a, y_axis, x_axis, z_axis]);
             let (sa, ca) = a.sin_cos();
             assert_near(pose.axis.x, 0.0);
             assert_near(pose.axis.y, sa);
             assert_near(pose.axis.z, ca);
-            // The table turns right-handed for positive A: undo that turn about the centre line.
+            // The table rotates right-handed for positive A: undo that rotation about the centre line.
             let (y, z) = (pose.tip.y - centre.y, pose.tip.z - centre.z);
             assert_near(x_axis, pose.tip.x);
             assert_near(-y_axis, y * ca - z * sa + centre.y);

@@ -1,4 +1,4 @@
-//! Random numbers that are the same on every platform, forever (SplitMix64).
+//! Random numbers that are the same on every platform and in every version (SplitMix64).
 
 /// A stream of random numbers.
 #[derive(Debug, Clone)]
@@ -20,24 +20,24 @@ impl Random {
         z ^ (z >> 31)
     }
 
-    /// In [0, 1), all 53 bits.
+    /// A number in [0, 1), with 53 random bits.
     pub fn unit(&mut self) -> f64 {
         #[allow(clippy::cast_precision_loss)] // 53 bits fit exactly
         let whole = (self.bits() >> 11) as f64;
         whole * (1.0 / 9_007_199_254_740_992.0)
     }
 
-    /// In [lower, upper).
+    /// A number in [lower, upper).
     pub fn between(&mut self, lower: f64, upper: f64) -> f64 {
         lower + (upper - lower) * self.unit()
     }
 
-    /// One of `0..count`.
+    /// An integer in `0..count`.
     ///
     /// # Panics
     /// If `count` is zero.
     pub fn below(&mut self, count: usize) -> usize {
-        assert!(count > 0, "nothing to choose from");
+        assert!(count > 0, "`count` is positive");
         usize::try_from(self.bits() % count as u64).unwrap_or(0)
     }
 

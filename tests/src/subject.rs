@@ -1,4 +1,4 @@
-//! A machine behind a trait object, so that the checks are compiled once and not once per machine.
+//! A machine as a trait object, so that the checks are compiled once and not once per machine.
 
 use nalgebra::{Point3, UnitVector3, Vector3};
 use pp_runtime::kinematics::{Axis, Dimension, Invalid, Joint, Machine, MotionBound, Pose, Solution, Unreachable};

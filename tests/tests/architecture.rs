@@ -1,7 +1,7 @@
-//! The arrows of ARCHITECTURE.md: which module may use which, read from the sources.
+//! Dependencies between modules as in ARCHITECTURE.md, read from the sources.
 //!
-//! A module of the first level uses another one by a path that begins with `crate`, or with enough `super` to arrive there.
-//! Tests inside the packages may use everything.
+//! A module of the first level uses another one by a path that begins with `crate`, or with enough `super` to reach the
+//! root of the crate. Tests inside the packages may use everything.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use tests::binaries::workspace;
 
-/// What each module of pp-runtime may use; the lower layers come first.
+/// Modules that each module of pp-runtime may use; the lower layers come first.
 const RUNTIME: &[(&str, &[&str])] = &[
     ("kinematics", &[]),
     ("program", &["kinematics"]),
@@ -45,7 +45,7 @@ const ENGINE: &[(&str, &[&str])] = &[
 /// Modules used by each module of the first level, with a file that uses it.
 type Uses = BTreeMap<String, BTreeMap<String, PathBuf>>;
 
-/// Adds the modules of the first level that the paths in `tokens` lead to. `depth`: number of `super` from here to the
+/// Adds the modules of the first level that occur in the paths of `tokens`. `depth`: number of `super` from here to the
 /// root of the crate.
 fn paths(tokens: TokenStream, depth: usize, modules: &BTreeSet<String>, found: &mut BTreeSet<String>) {
     let tokens: Vec<TokenTree> = without_tests(tokens);
@@ -82,7 +82,7 @@ fn is_path_separator(tokens: &[TokenTree], at: usize) -> bool {
     colon(at) && colon(at + 1)
 }
 
-/// The names that a path goes on with: one, or those of a `{..}`.
+/// Adds the modules at the start of the rest of a path: one, or those of a `{..}`.
 fn first_names(tokens: &[TokenTree], modules: &BTreeSet<String>, found: &mut BTreeSet<String>) {
     match tokens.first() {
         Some(TokenTree::Ident(word)) if modules.contains(&word.to_string()) => drop(found.insert(word.to_string())),
@@ -96,7 +96,7 @@ fn first_names(tokens: &[TokenTree], modules: &BTreeSet<String>, found: &mut BTr
     }
 }
 
-/// The tokens without items that are compiled for tests alone.
+/// The tokens without items that are compiled for tests only.
 fn without_tests(tokens: TokenStream) -> Vec<TokenTree> {
     let mut kept: Vec<TokenTree> = Vec::new();
     let mut tokens = tokens.into_iter().peekable();
@@ -124,7 +124,7 @@ fn without_tests(tokens: TokenStream) -> Vec<TokenTree> {
 
 /// The files of a folder that are not tests.
 fn sources(folder: &Path, into: &mut Vec<PathBuf>) {
-    for entry in fs::read_dir(folder).expect("the folder is there") {
+    for entry in fs::read_dir(folder).expect("the folder exists") {
         let path = entry.expect("it can be listed").path();
         let name = path.file_stem().and_then(|name| name.to_str()).expect("a name in ASCII").to_owned();
         let test = name == "tests" || name.ends_with("_tests");
@@ -136,7 +136,7 @@ fn sources(folder: &Path, into: &mut Vec<PathBuf>) {
     }
 }
 
-/// Files that only tests include: `#[cfg(test)] mod name;`.
+/// Names of modules that only tests include: `#[cfg(test)] mod name;`.
 fn test_modules(files: &[PathBuf]) -> BTreeSet<String> {
     let mut names = BTreeSet::new();
     for file in files {
@@ -180,7 +180,7 @@ fn uses(source: &Path, modules: &BTreeSet<String>) -> Uses {
     uses
 }
 
-/// Compares the imports with the table, in both directions: an arrow that nobody needs any more goes.
+/// Compares the imports with the table, in both directions: a permission that is not used is a fault too.
 fn compare(package: &str, table: &[(&str, &[&str])]) {
     let source = workspace().join(package).join("src");
     let modules: BTreeSet<String> = table.iter().map(|(name, _)| (*name).to_owned()).collect();
@@ -200,7 +200,7 @@ fn compare(package: &str, table: &[(&str, &[&str])]) {
     assert_eq!(faults, Vec::<String>::new());
     for (index, (name, allowed)) in table.iter().enumerate() {
         let earlier = |other: &&str| table[..index].iter().any(|(name, _)| name == other);
-        assert!(allowed.iter().all(|other| earlier(other)), "{name}: the table is in layers");
+        assert!(allowed.iter().all(|other| earlier(other)), "{name}: uses only modules above it in the table");
     }
 }
 
@@ -215,7 +215,7 @@ fn modules_of_the_engine_use_what_architecture_allows() {
 }
 
 #[test]
-fn an_arrow_is_seen_however_it_is_written() {
+fn every_spelling_of_a_path_is_found() {
     let modules: BTreeSet<String> = ["cl", "motion", "nc"].map(str::to_owned).into();
     let seen = |text: &str, depth: usize| {
         let mut found = BTreeSet::new();
@@ -227,7 +227,7 @@ fn an_arrow_is_seen_however_it_is_written() {
     assert_eq!(seen("fn f() { crate::nc::write(super::super::motion::MAX) }", 2), "motion nc");
     assert_eq!(seen("fn f() { pp_runtime::cl::Reader::new() }", 2), "cl");
     assert_eq!(seen("use super::motion::Step;", 1), "motion");
-    assert_eq!(seen("use super::motion::Step;", 2), "", "a module of its own with that name");
+    assert_eq!(seen("use super::motion::Step;", 2), "", "a submodule with the same name");
     assert_eq!(seen("mod inner { use super::super::cl::Reader; }", 1), "cl");
     assert_eq!(
         seen("#[cfg(test)] mod tests { use crate::cl; } #[cfg(test)] use crate::nc; use crate::motion;", 1),

@@ -1,8 +1,9 @@
-//! A program is checked in constant memory, however long it is and whatever is wrong with it.
+//! A program is checked in constant memory, for any length and any faults.
 //!
-//! CL data and program are made while they are read. A part is posted a few times over; what stands between two of its
-//! beginnings is then repeated as often as it takes. One part has everything in it (arcs, a tilted plane, every cycle,
-//! simultaneous motion with a rewind, a thread), the other is lines alone, of which a million are soon checked.
+//! CL data and program are generated while they are read. A part is posted a few times in succession; the text between
+//! two of its beginnings is then repeated as often as needed. One part has every feature (arcs, a tilted plane, every
+//! cycle, simultaneous motion with a rewind, a thread); the other has only lines, a million of which are checked
+//! quickly.
 
 use std::fs;
 use std::io::{self, Cursor, Read, Seek, SeekFrom, Write as _};
@@ -20,30 +21,33 @@ use tests::random::Random;
 #[global_allocator]
 static ALLOCATOR: Counting = Counting;
 
-/// What a longer program may take besides, bytes: a name, a number with more digits.
+/// Additional memory that a longer program may take, bytes: a name, a number with more digits.
 const ALLOWANCE: usize = 16 << 10;
 
-/// Text that is made while it is read: a head, a piece as often as it takes, a tail.
+/// Text that is generated while it is read: a head, a piece that is repeated, a tail.
 #[derive(Debug, Clone, Default)]
 struct Repeated {
     sections: [Vec<u8>; 3],
     times: u64,
-    /// Lines begin with their number, one more than that of the line before.
+    /// Whether lines begin with their number, one more than that of the line before.
     numbered: bool,
-    /// Sections that have been read, how much of this one, and lines.
-    read: u64,
+    /// Number of sections read.
+    sections_read: u64,
+    /// Bytes read of the present section.
     at: usize,
+    /// Number of the next line.
     number: u64,
-    /// The line that is handed out, and how much of it has been.
+    /// The present line.
     line: Vec<u8>,
-    handed: usize,
+    /// Bytes of the present line that have been handed out.
+    handed_out: usize,
 }
 
 impl Repeated {
-    /// The rest of the section that is read; `None` behind the last.
+    /// The rest of the present section; `None` after the last one.
     fn rest(&mut self) -> Option<&[u8]> {
         loop {
-            let section = match self.read {
+            let section = match self.sections_read {
                 0 => 0,
                 read if read <= self.times => 1,
                 read if read == self.times + 1 => 2,
@@ -52,37 +56,37 @@ impl Repeated {
             if self.at < self.sections[section].len() {
                 return Some(&self.sections[section][self.at..]);
             }
-            self.read += 1;
+            self.sections_read += 1;
             self.at = 0;
         }
     }
 
-    /// Makes the next line; `false` behind the last.
+    /// Generates the next line; `false` after the last one.
     fn next_line(&mut self) -> bool {
         let (number, numbered, mut line) = (self.number, self.numbered, std::mem::take(&mut self.line));
-        self.handed = 0;
+        self.handed_out = 0;
         let Some(rest) = self.rest() else { return false };
         let text = rest.split_inclusive(|byte| *byte == b'\n').next().unwrap_or_default();
         let digits = text.iter().take_while(|byte| byte.is_ascii_digit()).count();
-        let counts = numbered && digits > 0;
+        let has_number = numbered && digits > 0;
         line.clear();
-        if counts {
-            write!(line, "{number}").expect("memory takes it");
+        if has_number {
+            write!(line, "{number}").expect("memory can be written");
         }
-        line.extend_from_slice(&text[if counts { digits } else { 0 }..]);
+        line.extend_from_slice(&text[if has_number { digits } else { 0 }..]);
         self.at += text.len();
-        self.number += u64::from(counts);
+        self.number += u64::from(has_number);
         self.line = line;
         true
     }
 
-    /// How many lines there are.
+    /// Number of lines of the text.
     fn lines(&self) -> u64 {
         let [head, piece, tail] = [0, 1, 2].map(|index: usize| lines(&self.sections[index]));
         head + piece * self.times + tail
     }
 
-    /// With about so many lines.
+    /// The text with at most `wanted` lines in its repeated pieces.
     fn of_lines(&self, wanted: u64) -> Self {
         Self { times: wanted / lines(&self.sections[1]), ..self.clone() }
     }
@@ -92,12 +96,12 @@ impl Read for Repeated {
     fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
         let mut count = 0;
         while count < buffer.len() {
-            if self.handed == self.line.len() && !self.next_line() {
+            if self.handed_out == self.line.len() && !self.next_line() {
                 break;
             }
-            let more = (buffer.len() - count).min(self.line.len() - self.handed);
-            buffer[count..count + more].copy_from_slice(&self.line[self.handed..self.handed + more]);
-            self.handed += more;
+            let more = (buffer.len() - count).min(self.line.len() - self.handed_out);
+            buffer[count..count + more].copy_from_slice(&self.line[self.handed_out..self.handed_out + more]);
+            self.handed_out += more;
             count += more;
         }
         Ok(count)
@@ -105,12 +109,12 @@ impl Read for Repeated {
 }
 
 impl Seek for Repeated {
-    /// To the beginning, and nowhere else.
+    /// Seeks to the beginning; any other position is an error.
     fn seek(&mut self, position: SeekFrom) -> io::Result<u64> {
         match position {
-            SeekFrom::Start(0) => (self.read, self.at, self.number, self.handed) = (0, 0, 0, 0),
-            SeekFrom::Current(0) if (self.read, self.at) == (0, 0) => {}
-            _ => return Err(io::Error::other("this text can be read from its beginning alone")),
+            SeekFrom::Start(0) => (self.sections_read, self.at, self.number, self.handed_out) = (0, 0, 0, 0),
+            SeekFrom::Current(0) if (self.sections_read, self.at) == (0, 0) => {}
+            _ => return Err(io::Error::other("this text can be read from its beginning only")),
         }
         self.line.clear();
         Ok(0)
@@ -121,7 +125,7 @@ fn lines(text: &[u8]) -> u64 {
     text.iter().filter(|byte| **byte == b'\n').count() as u64
 }
 
-/// A part as often as wanted, and its program.
+/// CL data of a repeated part, and its program.
 struct Long {
     config: Config,
     control: &'static dyn Control,
@@ -129,14 +133,14 @@ struct Long {
     program: Repeated,
 }
 
-/// Times that the part is posted: the second and the third time have to give the same blocks.
+/// Number of times that the part is posted: the second and the third must give the same blocks.
 const POSTED: usize = 4;
 
 fn text(name: &str) -> String {
     fs::read_to_string(workspace().join("tests/data/works").join(name)).expect("a file")
 }
 
-/// The part with everything in it, but for the way home.
+/// The part with every feature, without its return to the home position.
 fn works() -> String {
     let text = text("works.cls");
     text.split_inclusive('\n').filter(|line| !line.starts_with("GOHOME")).collect()
@@ -161,13 +165,14 @@ impl Long {
         let config = Config { output_units: Some(Units::Millimetres), ..config.expect("a configuration") };
         let mut program = Vec::new();
         let job = post::Job { cl_name: "works.cls", config: &config, control, units: None };
-        let report = post::<SpinnerU5620>(&job, &mut Cursor::new(part.repeat(POSTED)), &mut program).expect("it can");
+        let report = post::<SpinnerU5620>(&job, &mut Cursor::new(part.repeat(POSTED)), &mut program)
+            .expect("memory can be written");
         assert!(!report.failed, "{:?}", report.diagnostics);
         let begins = beginnings(&program);
         let piece = |index: usize| program[begins[index]..begins[index + 1]].to_vec();
         let name = control.spellings().name;
         let [second, third] = [1, 2].map(|index| without_numbers(name, &piece(index)));
-        assert_eq!(second, third, "the part does not come again as it was");
+        assert_eq!(second, third, "the repeated part must give the same blocks");
         let sections = [program[..begins[1]].to_vec(), piece(1), program[begins[3]..].to_vec()];
         let data = [(); 3].map(|()| part.as_bytes().to_vec());
         let numbered = name == "heidenhain";
@@ -179,14 +184,15 @@ impl Long {
         }
     }
 
-    /// What the check of a program of about so many lines finds, how many there are, and the most memory that it takes.
+    /// Checks a program of about `wanted` lines. Returns the result, the number of lines, and the largest memory in
+    /// use, bytes.
     fn checked(&self, wanted: u64) -> (Checked, u64, usize) {
         let program = self.program.of_lines(wanted);
-        self.beside(program.times, program)
+        self.checked_against(program.times, program)
     }
 
-    /// The same for any program beside the part as often as that.
-    fn beside(&self, times: u64, program: Repeated) -> (Checked, u64, usize) {
+    /// Checks any program against the CL data with the part repeated `times` times.
+    fn checked_against(&self, times: u64, program: Repeated) -> (Checked, u64, usize) {
         let lines = program.lines();
         let data = Repeated { times, ..self.data.clone() };
         let job = Job { config: &self.config, control: self.control, units: None };
@@ -195,7 +201,7 @@ impl Long {
     }
 }
 
-/// Where the part begins in a program: at the name of its first operation.
+/// Offsets at which the part begins in a program, bytes: at the name of its first operation.
 fn beginnings(program: &[u8]) -> Vec<usize> {
     let mut at = 0;
     let mut begins = Vec::new();
@@ -219,8 +225,8 @@ fn without_numbers(control: &str, program: &[u8]) -> Vec<lexer::Content> {
     lines.into_iter().map(content).collect()
 }
 
-/// The same figures and no more memory, a hundred times as long.
-fn stays(control: &str, part: &str, long: u64) {
+/// Checks that a program a hundred times as long passes and takes no more memory.
+fn memory_stays_constant(control: &str, part: &str, long: u64) {
     let part = Long::posted(control, part);
     let (few, short, least) = part.checked(long / 100);
     let (many, lines, most) = part.checked(long);
@@ -231,7 +237,7 @@ fn stays(control: &str, part: &str, long: u64) {
 
 #[test]
 fn a_million_lines_take_no_more_memory_than_ten_thousand() {
-    stays("linuxcnc", &floor(), 1_000_000);
+    memory_stays_constant("linuxcnc", &floor(), 1_000_000);
 }
 
 #[test]
@@ -248,27 +254,27 @@ fn nothing_is_allocated_for_a_motion() {
 }
 
 #[test]
-fn nothing_that_a_program_may_hold_takes_more_as_it_comes_again() {
+fn no_feature_takes_more_memory_when_it_is_repeated() {
     for control in ["linuxcnc", "siemens", "heidenhain", "haas"] {
-        stays(control, &works(), 40_000);
+        memory_stays_constant(control, &works(), 40_000);
     }
 }
 
-/// Memory for what is wrong with a program: twenty findings of each of its kinds, and a line that is too long, bytes.
+/// Memory for the faults of a program, bytes: twenty findings of each kind, and a line that is too long.
 const FINDINGS: usize = 256 << 10;
 
 #[test]
-fn a_program_of_something_else_takes_no_more_however_long_it_is() {
+fn a_program_of_another_part_takes_constant_memory() {
     let part = Long::posted("linuxcnc", &works());
     let other = Long::posted("linuxcnc", &floor());
-    let (few, short, least) = part.beside(5, other.program.of_lines(5_000));
-    let (many, lines, most) = part.beside(5, other.program.of_lines(150_000));
+    let (few, short, least) = part.checked_against(5, other.program.of_lines(5_000));
+    let (many, lines, most) = part.checked_against(5, other.program.of_lines(150_000));
     assert!(few.outcome.count > short / 2 && many.outcome.count > lines / 2, "{}", many.outcome.count);
     assert!(most <= least + ALLOWANCE, "{least} bytes for {short} lines, {most} for {lines}");
 }
 
 #[test]
-fn lines_that_are_no_blocks_take_no_more_however_many_there_are() {
+fn lines_that_are_no_blocks_take_constant_memory() {
     let mut random = Random::new(8);
     let letters = b"GMXYZABCIJKFSTHDPQRNLO0123456789.-+ ()#=`~;%\"";
     let piece: Vec<u8> = (0..2000)
@@ -280,8 +286,8 @@ fn lines_that_are_no_blocks_take_no_more_however_many_there_are() {
     for control in ["linuxcnc", "siemens", "heidenhain"] {
         let part = Long::posted(control, &works());
         let garbage = Repeated { sections: [Vec::new(), piece.clone(), Vec::new()], ..Repeated::default() };
-        let (_, short, least) = part.beside(5, garbage.of_lines(2_000));
-        let (checked, lines, most) = part.beside(5, garbage.of_lines(20_000));
+        let (_, short, least) = part.checked_against(5, garbage.of_lines(2_000));
+        let (checked, lines, most) = part.checked_against(5, garbage.of_lines(20_000));
         assert!(checked.outcome.count > lines / 2, "{control}: {}", checked.outcome.count);
         assert!(most <= least + FINDINGS, "{control}: {least} bytes for {short} lines, {most} for {lines}");
     }
@@ -295,11 +301,11 @@ fn a_line_without_end_is_an_error_and_fills_no_memory() {
         let [head, _, tail] = part.program.sections.clone();
         let program =
             Repeated { sections: [head, endless(words), [&b"\n"[..], &tail].concat()], ..part.program.clone() };
-        let (checked, _, most) = part.beside(1, Repeated { times: HUNDRED, ..program });
+        let (checked, _, most) = part.checked_against(1, Repeated { times: ENDLESS_REPETITIONS, ..program });
         let findings = &checked.outcome.findings;
         assert!(findings.iter().any(|found| found.text.contains("longer than")), "{control}: {findings:?}");
         assert!(checked.outcome.count < 100, "{control}: {findings:?}");
-        assert!(most < least + FINDINGS, "{control}: {least} bytes for what is right, {most}");
+        assert!(most < least + FINDINGS, "{control}: {least} bytes for the correct program, {most} for this one");
     }
 }
 
@@ -308,13 +314,13 @@ fn a_record_without_end_is_an_error_and_fills_no_memory() {
     let part = Long::posted("linuxcnc", &works());
     let sections = [part.data.sections[0].clone(), endless("GOTO/1.0,2.0,3.0,"), b"\n".to_vec()];
     let part = Long { data: Repeated { sections, ..Repeated::default() }, ..part };
-    let (checked, _, most) = part.beside(HUNDRED, part.program.of_lines(1000));
-    let fault = checked.fault.expect("it is no record");
+    let (checked, _, most) = part.checked_against(ENDLESS_REPETITIONS, part.program.of_lines(1000));
+    let fault = checked.fault.expect("the record is refused");
     assert!(fault.text.contains("longer than") && most < 4 << 20, "{most} bytes, {fault:?}");
 }
 
-/// Pieces that make a hundred million bytes.
-const HUNDRED: u64 = 2000;
+/// Repetitions of an endless piece that give a hundred million bytes.
+const ENDLESS_REPETITIONS: u64 = 2000;
 
 /// A piece of a line that does not end.
 fn endless(words: &str) -> Vec<u8> {

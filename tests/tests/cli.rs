@@ -1,4 +1,4 @@
-//! The binaries as a user runs them: exit status, files left behind, and what is said.
+//! The binaries as a user runs them: exit status, files that are left, and messages.
 
 use std::fs;
 use std::io::{Read as _, Write as _};
@@ -10,7 +10,7 @@ use tests::binaries::{binary, workspace};
 
 const HEAD: &str = "PARTNO T\nUNITS/MM\nLOADTL/1\nSPINDL/RPM,1000,CLW\nFEDRAT/100\n";
 
-/// What a run leaves behind.
+/// Result of a run.
 #[derive(Debug)]
 struct Run {
     status: i32,
@@ -18,7 +18,7 @@ struct Run {
     errors: String,
 }
 
-/// A folder to post in.
+/// A temporary folder for CL data and programs.
 struct Shop(TempDir);
 
 impl Shop {
@@ -38,7 +38,7 @@ impl Shop {
     }
 
     fn write(&self, name: &str, text: impl AsRef<[u8]>) {
-        fs::write(self.path().join(name), text).expect("the folder takes files");
+        fs::write(self.path().join(name), text).expect("a file can be written");
     }
 
     fn read(&self, name: &str) -> Vec<u8> {
@@ -108,7 +108,7 @@ fn assert_not_run(shop: &Shop, arguments: &[&str], message: &str) {
     let before = shop.names();
     let run = shop.run(arguments);
     assert_eq!(run.status, 2, "{}", run.errors);
-    assert!(run.errors.contains(message), "`{message}` is not said:\n{}", run.errors);
+    assert!(run.errors.contains(message), "the message `{message}` is missing:\n{}", run.errors);
     assert_eq!(shop.names(), before);
     assert!(run.output.is_empty());
 }
@@ -131,20 +131,20 @@ fn each_machine_posts_a_sample_without_options() {
 #[test]
 fn the_commands_of_the_readmes_work() {
     for readme in ["README.md", "examples/cl/README.md"] {
-        let text = fs::read_to_string(workspace().join(readme)).expect("the README is there");
+        let text = fs::read_to_string(workspace().join(readme)).expect("the README exists");
         let command = |line: &&str| line.starts_with("cargo run ") && line.contains(" -- post ");
-        let line = text.lines().find(command).unwrap_or_else(|| panic!("{readme} does not say how to post"));
+        let line = text.lines().find(command).unwrap_or_else(|| panic!("{readme} has no command that posts"));
         let words: Vec<&str> = line.split_whitespace().collect();
-        let behind = |word: &str| words.iter().position(|other| *other == word).map(|index| &words[index + 1..]);
-        let machine = behind("--bin").expect("a machine")[0];
-        let arguments = behind("--").expect("arguments");
+        let after = |word: &str| words.iter().position(|other| *other == word).map(|index| &words[index + 1..]);
+        let machine = after("--bin").expect("a machine")[0];
+        let arguments = after("--").expect("arguments");
         let input = Path::new(arguments.iter().find(|word| word.starts_with("examples/")).expect("a sample"));
         let shop = Shop::new();
         fs::create_dir_all(shop.path().join(input.parent().expect("a folder"))).expect("a folder");
         fs::copy(workspace().join(input), shop.path().join(input)).expect("the sample of the README exists");
         let run = shop.run_on(machine, arguments);
         assert_eq!(run.status, 0, "{readme}: {}", run.errors);
-        let program = match behind("-o") {
+        let program = match after("-o") {
             Some(output) => shop.read(output[0]),
             None => run.output,
         };
@@ -202,7 +202,7 @@ fn standard_output_ends_with_an_error_comment_and_no_end_code() {
 }
 
 #[test]
-fn what_cannot_be_read_or_written_is_status_2_and_leaves_nothing() {
+fn files_that_cannot_be_read_or_written_are_status_2_and_leave_nothing() {
     let shop = Shop::with(format!("{HEAD}GOTO/1,2,3\n"));
     fs::create_dir(shop.path().join("folder")).expect("a folder");
     assert_not_run(&shop, &["post", "missing.cls", "-o", "part.nc"], "error: cannot read missing.cls: ");
@@ -223,7 +223,7 @@ fn a_folder_that_is_write_protected_is_status_2() {
     let folder = shop.path().join("folder");
     fs::create_dir(&folder).expect("a folder");
     fs::set_permissions(&folder, fs::Permissions::from_mode(0o555)).expect("it is ours");
-    // Nothing is protected from the administrator.
+    // Write protection does not hold for the administrator.
     if fs::write(folder.join("probe"), "").is_err() {
         assert_not_run(&shop, &["post", "part.cls", "-o", "folder/part.nc"], "error: cannot write folder/part.nc: ");
     }
@@ -240,7 +240,7 @@ fn bad_arguments_are_status_2() {
 }
 
 #[test]
-fn help_and_version_are_no_mistakes() {
+fn help_and_version_are_status_0() {
     for arguments in
         [&["--help"] as &[&str], &["post", "--help"], &["--version"], &["config"], &["explain"], &["explain", "--cl"]]
     {
@@ -251,7 +251,7 @@ fn help_and_version_are_no_mistakes() {
 }
 
 #[test]
-fn the_printed_configuration_changes_nothing_but_says_so() {
+fn the_printed_configuration_changes_no_program() {
     let shop = Shop::with(format!("{HEAD}GOTO/1,2,3\n"));
     shop.write("set_up.toml", shop.run(&["config"]).output);
     let (plain, configured) =
@@ -273,7 +273,7 @@ fn an_unknown_key_of_the_configuration_names_the_nearest() {
 }
 
 #[test]
-fn a_closed_pipe_is_status_2_without_a_word() {
+fn a_closed_pipe_is_status_2_without_a_message() {
     let shop = Shop::new();
     let mut command = shop.command("spinner-u5-620", &["post", &example("concave.ncl")]);
     let mut child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the binary runs");
@@ -285,7 +285,7 @@ fn a_closed_pipe_is_status_2_without_a_word() {
 }
 
 #[test]
-fn bad_cl_data_is_rejected_with_its_place() {
+fn bad_cl_data_is_rejected_with_its_line_and_column() {
     assert_rejected("", "part.cls:1:1: error: the file is empty");
     assert_rejected("\n\n", "part.cls:1:1: error: the file contains no motion: no GOTO was found");
     assert_rejected(
@@ -326,8 +326,8 @@ fn an_unreachable_axis_is_named_with_its_component() {
 }
 
 #[test]
-fn a_table_that_tilts_one_way_cuts_through_the_vertical_by_turning_there() {
-    // B goes down to -5° and no further: motion by motion the table would have to be rewound again and again.
+fn a_table_that_tilts_to_one_side_passes_the_vertical_by_rotating_there() {
+    // B is limited to -5°: motion by motion the table would have to be rewound repeatedly.
     let run = Shop::new().run_on("spinner-u5-620", &["post", &example("concave_4axis.cls")]);
     assert_eq!(run.status, 0, "{}", run.errors);
     assert!(run.errors.contains("rotary axes: 0 rewinds"), "{}", run.errors);
@@ -338,7 +338,7 @@ fn a_table_that_tilts_one_way_cuts_through_the_vertical_by_turning_there() {
 }
 
 #[test]
-fn a_tolerance_that_is_none_is_refused() {
+fn a_tolerance_that_is_not_positive_is_refused() {
     let shop = Shop::with(HEAD);
     for (flag, value) in [("--axis-tolerance-path", "0"), ("--axis-tolerance-path", "-1"), ("--tolerance", "0")] {
         let run = shop.run(&["post", "part.cls", &format!("{flag}={value}")]);
@@ -348,7 +348,7 @@ fn a_tolerance_that_is_none_is_refused() {
 }
 
 #[test]
-fn every_line_of_json_is_an_object_with_place_and_severity() {
+fn every_line_of_json_is_an_object_with_location_and_severity() {
     let shop = Shop::with(format!("{HEAD}GOTO/1,2,3\nCOPY/1\n"));
     let run = shop.run(&["post", "part.cls", "--message-format", "json", "-o", "part.nc"]);
     assert_eq!(run.status, 1);
@@ -417,8 +417,8 @@ fn a_named_pipe_is_read_like_a_file() {
     assert!(made.success());
     let path = shop.path().join("pipe.cls");
     let writer = std::thread::spawn(move || {
-        let mut pipe = fs::OpenOptions::new().write(true).open(path).expect("a reader comes");
-        pipe.write_all(format!("{HEAD}GOTO/1,2,3\n").as_bytes()).expect("the pipe takes it");
+        let mut pipe = fs::OpenOptions::new().write(true).open(path).expect("a reader opens the pipe");
+        pipe.write_all(format!("{HEAD}GOTO/1,2,3\n").as_bytes()).expect("the pipe can be written");
     });
     let run = shop.run(&["post", "pipe.cls", "-o", "part.nc"]);
     writer.join().expect("the writer ends");
@@ -429,7 +429,7 @@ fn a_named_pipe_is_read_like_a_file() {
 }
 
 #[test]
-fn options_say_how_the_cl_data_is_read() {
+fn options_set_how_the_cl_data_is_read() {
     let shop = Shop::with(format!("{HEAD}AICC/ON\nINSERT/STOCK X1\nGOTO/1,2,3\nCIRCLE/0,2,3,0,0,1\nGOTO/0,3,3\n"));
     let all =
         ["--inert", "AICC", "--insert", "comment", "--tolerance", "0.1", "--circle-sense", "ccw", "--dialect", "iso"];
@@ -458,8 +458,8 @@ fn every_word_is_listed() {
     }
 }
 
-/// The text of comments, without numbers and marks, and with the signs that every control has.
-fn said(lines: &[&str]) -> String {
+/// Text of comments without block numbers and comment marks, in the characters that every control has.
+fn comment_text(lines: &[&str]) -> String {
     let text = |line: &&str| {
         let line = line.trim_start_matches(|letter: char| letter.is_ascii_digit()).trim_start();
         line.trim_start_matches(['(', ';']).trim_end_matches(')').trim().to_owned()
@@ -468,7 +468,7 @@ fn said(lines: &[&str]) -> String {
 }
 
 #[test]
-fn a_program_says_at_its_end_what_its_check_has_found() {
+fn a_program_ends_with_the_result_of_its_check() {
     for (control, end) in [("linuxcnc", 1), ("fanuc", 2), ("siemens", 1), ("heidenhain", 2), ("haas", 2)] {
         let shop = Shop::with(format!("{HEAD}GOTO/1,2,3\nGOTO/40,2,3,0.6,0,0.8\n"));
         shop.write("shop.toml", "[program]\nchecked = true\ntimes = true\n");
@@ -478,14 +478,14 @@ fn a_program_says_at_its_end_what_its_check_has_found() {
         for (option, words) in [(&[][..], "checked"), (&["--no-check"][..], "not checked")] {
             let run = shop.run(&[&["post", "-o", "part.nc"], &with[..], option].concat());
             assert_eq!(run.status, 0, "{control}: {}", run.errors);
-            let verdict = run.errors.lines().find(|line| line.starts_with(words)).expect("it is said");
+            let verdict = run.errors.lines().find(|line| line.starts_with(words)).expect("a result of the check");
             let program = String::from_utf8(shop.read("part.nc")).expect("ASCII");
             let lines: Vec<&str> = program.lines().collect();
             let comments = lines.len() - end;
-            let first = (0..comments).rposition(|line| said(&lines[line..=line]).starts_with(words));
+            let first = (0..comments).rposition(|line| comment_text(&lines[line..=line]).starts_with(words));
             let first = first.unwrap_or_else(|| panic!("{control}: {words} is not at the end of\n{program}"));
             let verdict = verdict.replace('µ', "u").replace('°', " deg");
-            assert_eq!(said(&lines[first..comments]), said(&[&verdict]), "{control}");
+            assert_eq!(comment_text(&lines[first..comments]), comment_text(&[&verdict]), "{control}");
             assert!(program.is_ascii() && lines.iter().all(|line| line.len() < 160), "{control}");
             let run = shop.run(&[&["check", "part.cls", "part.nc"], &with[1..]].concat());
             assert_eq!(run.status, 0, "{control}: {}", run.errors);

@@ -1,5 +1,5 @@
-//! Configuration files: those of `examples/config` and those that are printed, against the schema that is printed, and in
-//! use.
+//! Configuration files, those of `examples/config` and those that are printed: checked against the printed schema, and
+//! used to post.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -11,7 +11,7 @@ use tests::binaries::{binary, workspace};
 const MACHINES: [&str; 4] = ["dmu-70e", "lola-xoyzba", "multiprodesk", "spinner-u5-620"];
 const CONTROLS: [&str; 5] = ["linuxcnc", "fanuc", "siemens", "heidenhain", "haas"];
 
-/// Why a value does not suit a schema, for each place of it; the keywords are those that the schema is written with.
+/// Faults of a value against a schema, each with its path; supports only the keywords that the printed schema uses.
 fn faults(schema: &Value, value: &Value, path: &str) -> Vec<String> {
     let mut found = Vec::new();
     for (keyword, wanted) in schema.as_object().expect("a schema is an object") {
@@ -25,7 +25,7 @@ fn faults(schema: &Value, value: &Value, path: &str) -> Vec<String> {
                 Some("boolean") => value.is_boolean(),
                 Some("number") => value.is_number(),
                 Some("integer") => value.is_i64() || value.is_u64(),
-                other => panic!("{path}: a type {other:?}"),
+                other => panic!("{path}: unsupported type {other:?}"),
             },
             "enum" => wanted.as_array().expect("a list").contains(value),
             "const" => wanted == value,
@@ -51,16 +51,16 @@ fn faults(schema: &Value, value: &Value, path: &str) -> Vec<String> {
                 found.extend(entries(schema, value, path));
                 continue;
             }
-            other => panic!("{path}: the keyword {other}"),
+            other => panic!("{path}: unsupported keyword {other}"),
         };
         if !fits {
-            found.push(format!("{path}: {value} does not suit {keyword} {wanted}"));
+            found.push(format!("{path}: {value} violates {keyword} {wanted}"));
         }
     }
     found
 }
 
-/// The faults in the entries of a table.
+/// Faults in the entries of a table.
 fn entries(schema: &Value, value: &Value, path: &str) -> Vec<String> {
     let mut found = Vec::new();
     for (key, value) in value.as_object().into_iter().flatten() {
@@ -69,7 +69,7 @@ fn entries(schema: &Value, value: &Value, path: &str) -> Vec<String> {
         let numbered = schema.pointer("/patternProperties/^[1-9][0-9]*$").filter(|_| number);
         match schema.get("properties").and_then(|keys| keys.get(key)).or(numbered) {
             Some(schema) => found.extend(faults(schema, value, &path)),
-            None => found.push(format!("{path}: unknown")),
+            None => found.push(format!("{path}: unknown key")),
         }
     }
     found
@@ -91,7 +91,7 @@ fn toml(text: &str) -> Value {
     serde_json::to_value(table).expect("TOML is JSON")
 }
 
-/// The files of `examples/config`, with machine and control by their names.
+/// Files of `examples/config`, with the machine and the control of their names.
 fn examples() -> Vec<(PathBuf, &'static str, &'static str)> {
     let folder = fs::read_dir(workspace().join("examples/config")).expect("the folder");
     let mut files: Vec<PathBuf> = folder.map(|entry| entry.expect("an entry").path()).collect();
@@ -106,17 +106,17 @@ fn examples() -> Vec<(PathBuf, &'static str, &'static str)> {
 }
 
 #[test]
-fn every_printed_file_suits_its_schema_with_every_line_switched_on() {
+fn every_printed_file_fits_its_schema_with_all_lines_enabled() {
     for machine in MACHINES {
         for control in CONTROLS {
             let text = printed(binary(machine).args(["config", "--control", control]));
-            let on = |line: &str| {
+            let enabled = |line: &str| {
                 let default = line.strip_prefix('#').filter(|rest| !rest.is_empty() && !rest.starts_with(' '));
                 line.strip_prefix("# e.g. ").or(default).unwrap_or(line).to_owned()
             };
-            let on: Vec<String> = text.lines().map(on).collect();
+            let enabled: Vec<String> = text.lines().map(enabled).collect();
             let schema = schema(machine, control);
-            for text in [text, on.join("\n")] {
+            for text in [text, enabled.join("\n")] {
                 assert_eq!(faults(&schema, &toml(&text), ""), Vec::<String>::new(), "{machine} {control}");
             }
         }
@@ -124,7 +124,7 @@ fn every_printed_file_suits_its_schema_with_every_line_switched_on() {
 }
 
 #[test]
-fn what_the_reader_refuses_does_not_suit_the_schema() {
+fn values_that_the_reader_refuses_violate_the_schema() {
     let schema = schema("spinner-u5-620", "linuxcnc");
     for wrong in [
         "unit = 'mm'",
@@ -151,7 +151,7 @@ fn what_the_reader_refuses_does_not_suit_the_schema() {
 }
 
 #[test]
-fn each_machine_has_an_example_that_suits_its_schema() {
+fn each_machine_has_an_example_that_fits_its_schema() {
     let examples = examples();
     for machine in MACHINES {
         assert!(examples.iter().any(|(_, known, _)| *known == machine), "{machine}");
@@ -162,25 +162,25 @@ fn each_machine_has_an_example_that_suits_its_schema() {
     }
 }
 
-/// Posts a part for a machine with four or five axes, and gives what is said.
+/// Posts a part for a machine with four or five axes; returns the program and the messages.
 fn posted(path: &Path, machine: &str, control: &str) -> (String, String) {
     let part = if machine == "multiprodesk" { "concave_4axis.cls" } else { "two_tools.cls" };
     let mut command = binary(machine);
     command.current_dir(workspace()).args(["post", &format!("examples/cl/{part}"), "--control", control, "--config"]);
     let output = command.arg(path).output().expect("the binary runs");
-    let said = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert!(output.status.success(), "{}: {said}", path.display());
-    (String::from_utf8(output.stdout).expect("ASCII"), said)
+    let messages = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(output.status.success(), "{}: {messages}", path.display());
+    (String::from_utf8(output.stdout).expect("ASCII"), messages)
 }
 
 #[test]
-fn each_example_posts_a_part_without_a_remark_and_checks_every_limit() {
+fn each_example_posts_a_part_without_warnings_and_checks_every_limit() {
     for (path, machine, control) in examples() {
-        let (program, said) = posted(&path, machine, control);
-        assert!(!said.contains("warning") && !said.contains("not checked"), "{}: {said}", path.display());
-        // Nothing of the set-up is left to assumptions; how a control turns an axis that rolls over is its own affair.
+        let (program, messages) = posted(&path, machine, control);
+        assert!(!messages.contains("warning") && !messages.contains("not checked"), "{}: {messages}", path.display());
+        // Nothing of the set-up is assumed; the rollover of an axis belongs to the control, not to the set-up.
         let assumed: Vec<&str> =
-            said.lines().filter(|line| line.starts_with("assumed:") && !line.contains(" rolls over, ")).collect();
+            messages.lines().filter(|line| line.starts_with("assumed:") && !line.contains(" rolls over, ")).collect();
         assert_eq!(assumed, Vec::<&str>::new(), "{}", path.display());
         assert!(program.lines().count() > 60, "{}", path.display());
     }

@@ -1,10 +1,11 @@
-//! Programs with one character wrong: every harm is reported, and nothing is where there is none.
+//! Programs with one fault: every harmful change is reported, and nothing where the program is correct.
 //!
-//! Posted programs of every control and machine are damaged in one place, thousands of times: a digit, a sign, a letter, a
-//! line that is lost or stands twice. What a damage does is worked out here from the blocks that the control then reads and
-//! the generated kinematics, which the check does not use: a moving block that ends elsewhere, runs at another feed or in
-//! another state has to be reported, and so has a hole of other levels or steps. Programs without damage have to pass.
-//! Words under tip control and in a tilted plane are placed by what these mean, stated here once more.
+//! Posted programs of every control and machine are damaged in one place, thousands of times: a digit, a sign, a
+//! letter, a line that is lost or doubled. The effect of a damage is computed here from the blocks that the control
+//! then reads and the generated kinematics, which the check does not use. Must be reported: a moving block that ends
+//! elsewhere, or runs at another feed or in another state, and a hole with other levels or steps. Programs without
+//! damage must pass.
+//! The meaning of words under tip control and in a tilted plane is defined here a second time.
 
 use std::fs;
 use std::io::Cursor;
@@ -22,7 +23,7 @@ use tests::block::{angle_to_arc, distance_to_line};
 use tests::damage::damage;
 use tests::random::Random;
 
-/// A program, the CL data it was posted from, its configuration, its machine and control.
+/// CL data of a golden program, its configuration, its machine and its control.
 type Sample = (&'static str, Option<&'static str>, &'static str, &'static str);
 
 const SAMPLES: &[Sample] = &[
@@ -44,11 +45,11 @@ const SAMPLES: &[Sample] = &[
     ("plate/plate.ncl", Some("plate/plate.toml"), "dmu-70e", "heidenhain"),
 ];
 
-/// Damages of each program.
+/// Number of damages to each program.
 const DAMAGES: usize = 200;
 
-/// The part with everything in it: operations, what the configuration says besides, machine and controls. The fifth
-/// operation is a thread, in the fourth the tool axis turns.
+/// Programs of the part with every feature: number of operations, additional configuration, machine and controls. The
+/// fifth operation is a thread; in the fourth the tool axis rotates.
 const WORKS: &[(usize, &str, &str, &[&str])] = &[
     (5, "", "dmu-70e", &["siemens", "heidenhain"]),
     (5, "", "spinner-u5-620", &["linuxcnc", "fanuc", "haas"]),
@@ -60,8 +61,8 @@ const WORKS: &[(usize, &str, &str, &[&str])] = &[
     (3, "mode = 'plane'\n", "lola-xoyzba", &["siemens", "haas"]),
 ];
 
-/// Contours with the tool on their left and on their right.
-const BESIDE: &str = "UNITS/MM
+/// Contours with cutter compensation, left and right.
+const COMPENSATED: &str = "UNITS/MM
 LOADTL/1,LENGTH,110.0
 SPINDL/RPM,4000,CLW
 COOLNT/ON
@@ -90,10 +91,10 @@ RAPID
 GOTO/-12.0,12.0,40.0
 ";
 
-/// Poses farther apart than this differ, units of the words: rounding may have taken half of it the other way.
+/// Distance beyond which poses differ, in units of the last digit: rounding accounts for half of it on each side.
 const UNITS: f64 = 2.0;
 
-/// A program that is to be damaged.
+/// A program to be damaged.
 struct Part {
     name: String,
     data: Vec<u8>,
@@ -102,7 +103,7 @@ struct Part {
     program: Vec<u8>,
 }
 
-/// What the damages of one program have to say.
+/// Counts of the damages to one program.
 #[derive(Default)]
 struct Tally {
     damages: usize,
@@ -136,7 +137,7 @@ fn golden<M: Machine>((cl, config, machine, control): &Sample) -> Part {
     Part { name: format!("{cl} {machine} {}", control.spellings().name), data, set_up, control, program }
 }
 
-/// A program posted here, of the first operations of some CL data.
+/// A program posted here, of the first `operations` of the CL data.
 fn posted<M: Machine>(data: &[u8], operations: usize, config: &str, control: &str) -> Part {
     let control = control::by_name(control).expect("a control");
     let set_up = starting_point(control).read_over(&M::default(), config);
@@ -148,13 +149,13 @@ fn posted<M: Machine>(data: &[u8], operations: usize, config: &str, control: &st
     set_up.motion.operations = operations;
     let mut program = Vec::new();
     let job = post::Job { cl_name: "part.cls", config: &set_up, control, units: None };
-    let report = post::<M>(&job, &mut Cursor::new(data), &mut program).expect("memory takes it");
+    let report = post::<M>(&job, &mut Cursor::new(data), &mut program).expect("memory can be written");
     let name = format!("{} {} {}", M::NAME, control.spellings().name, config.lines().next().unwrap_or_default());
     assert!(!report.failed, "{name}: {:?}", report.diagnostics);
     Part { name, data: data.to_vec(), set_up, control, program }
 }
 
-/// Damages a program, over and over.
+/// Damages a program many times, each time in one place, and counts the harmful and the reported damages.
 fn damaged<M: Machine>(part: &Part, damages: usize, random: &mut Random) -> Tally {
     let job = Job { config: &part.set_up, control: part.control, units: None };
     let found = |program: &[u8]| {
@@ -179,16 +180,16 @@ fn damaged<M: Machine>(part: &Part, damages: usize, random: &mut Random) -> Tall
     tally
 }
 
-/// What a damage does to the motion, if anything.
+/// Effect of a damage on the motion; `None` if there is none.
 fn harm<M: Machine>(config: &Config, whole: &[Block], damaged: &[Block]) -> Option<String> {
     let moving = |blocks: &[Block]| {
         let mut moving: Vec<Block> = blocks.iter().filter(|block| moves(block)).cloned().collect();
-        // What stands twice goes nowhere.
+        // The second of two equal blocks does not move.
         moving.dedup_by(|again, first| {
             again.action == first.action
                 && again.values.iter().zip(&first.values).all(|(a, b)| (a - b).abs() < 1e-12)
                 && again.known == first.known
-                && state(&first.state, &again.state).is_none()
+                && state_difference(&first.state, &again.state).is_none()
         });
         moving
     };
@@ -196,7 +197,7 @@ fn harm<M: Machine>(config: &Config, whole: &[Block], damaged: &[Block]) -> Opti
     if whole.len() == damaged.len() + 1 {
         let same = |(was, is): (&Block, &Block)| was.values.iter().zip(&is.values).all(|(a, b)| (a - b).abs() < 1e-12);
         let lost = whole.iter().zip(&damaged).position(|pair| !same(pair));
-        if let Some(lost) = lost.filter(|lost| midway::<M>(config, &whole, *lost)) {
+        if let Some(lost) = lost.filter(|lost| is_redundant::<M>(config, &whole, *lost)) {
             whole.remove(lost);
         }
     }
@@ -204,47 +205,55 @@ fn harm<M: Machine>(config: &Config, whole: &[Block], damaged: &[Block]) -> Opti
         let before = index.checked_sub(1);
         let around = [before.map(|before| &whole[before]), whole.get(index + 1)];
         let from = before.map(|before| [&whole[before], &damaged[before]]);
-        if let Some(what) = differs::<M>(config, was, is, around).or_else(|| runs::<M>(config, [was, is], from)) {
+        if let Some(what) =
+            pose_difference::<M>(config, was, is, around).or_else(|| path_difference::<M>(config, [was, is], from))
+        {
             return Some(format!("block {index}: {what}"));
         }
     }
-    (whole.len() != damaged.len()).then(|| "another number of moving blocks".to_owned())
+    (whole.len() != damaged.len()).then(|| "different number of moving blocks".to_owned())
 }
 
-/// Whether a block makes no difference: it goes no farther than rounding, or, where the control turns the tool axis evenly,
-/// lies on the way between the blocks beside it.
-fn midway<M: Machine>(config: &Config, blocks: &[Block], index: usize) -> bool {
-    let [Some(before), Some(block), Some(behind)] = [index.wrapping_sub(1), index, index + 1].map(|at| blocks.get(at))
+/// Whether a block makes no difference: it moves by no more than rounding, or, where the control rotates the tool axis
+/// evenly, it is on the path between the blocks before and after it.
+fn is_redundant<M: Machine>(config: &Config, blocks: &[Block], index: usize) -> bool {
+    let [Some(before), Some(block), Some(after)] = [index.wrapping_sub(1), index, index + 1].map(|at| blocks.get(at))
     else {
         return false;
     };
-    let alike = [block, behind].iter().all(|block| block.action == Action::Feed && block.state.vector.is_some());
-    let same = state(&block.state, &behind.state).is_none() && block.state.feed == behind.state.feed;
-    let [(from, first), (tip, axis), (to, last)] = [before, block, behind].map(|block| pose::<M>(config, block));
-    // With M8 between two blocks it is the next one that has the same state; a state that is lost differs there.
-    let states = [(&before.state, &block.state), (&block.state, &behind.state)];
-    let stays = block.action == before.action && states.iter().any(|(one, other)| state(one, other).is_none());
+    let alike = [block, after].iter().all(|block| block.action == Action::Feed && block.state.vector.is_some());
+    let same = state_difference(&block.state, &after.state).is_none() && block.state.feed == after.state.feed;
+    let [(from, first), (tip, axis), (to, last)] = [before, block, after].map(|block| pose::<M>(config, block));
+    // With M8 between two blocks only the next one has the same state; a state that is lost differs there.
+    let states = [(&before.state, &block.state), (&block.state, &after.state)];
+    let stays =
+        block.action == before.action && states.iter().any(|(one, other)| state_difference(one, other).is_none());
     let stays = stays && (tip - from).norm() <= UNITS * 1e-3 && (axis - first).norm() <= 1e-5;
     let between = distance_to_line(&tip.into(), &from.into(), &to.into()) <= UNITS * 1e-3;
     stays || (alike && same && between && angle_to_arc(&axis, &first, &last) <= 1e-5)
 }
 
-/// A block that names the place where the axes are moves nothing.
+/// Whether a block moves an axis: a block without axis words does not.
 fn moves(block: &Block) -> bool {
     block.action.moves() && block.written != 0
 }
 
-fn differs<M: Machine>(config: &Config, was: &Block, is: &Block, around: [Option<&Block>; 2]) -> Option<String> {
+fn pose_difference<M: Machine>(
+    config: &Config,
+    was: &Block,
+    is: &Block,
+    around: [Option<&Block>; 2],
+) -> Option<String> {
     if std::mem::discriminant(&was.action) != std::mem::discriminant(&is.action) {
         return Some(format!("{:?} became {:?}", was.action, is.action));
     }
-    if let Some(what) = state(&was.state, &is.state) {
+    if let Some(what) = state_difference(&was.state, &is.state) {
         return Some(what);
     }
     let all = (1_u16 << M::AXES.len()) - 1;
     let unit = 1e-3 * config.output_units.map_or(1.0, |units| if units.in_mm() > 1.0 { 2.54 } else { 1.0 });
     if was.action == Action::Machine || was.known != all || is.known != all {
-        // Where tool axes are said by vectors, rotary axes may stand as they like along the same tool axis.
+        // With programmed tool vectors, rotary axes may have any position that gives the same tool axis.
         let free = config.motion.tip.tcp_words == TcpWords::Vectors
             && (pose::<M>(config, was).1 - pose::<M>(config, is).1).norm() < 1e-5;
         let counts = |index: &usize| !free || M::AXES.get(*index).is_none_or(|axis| axis.kind == AxisKind::Linear);
@@ -253,23 +262,23 @@ fn differs<M: Machine>(config: &Config, was: &Block, is: &Block, around: [Option
         let moved = off > UNITS * unit || was.written != is.written;
         return moved.then(|| format!("a coordinate is {off:.4} off"));
     }
-    let ((tip, axis), (there, leaning)) = (pose::<M>(config, was), pose::<M>(config, is));
+    let ((tip, axis), (damaged_tip, damaged_axis)) = (pose::<M>(config, was), pose::<M>(config, is));
     // A point of an arc that has moved along it is still on the path.
     let known = |block: &&Block| block.known == all && block.action != Action::Machine;
     let near = around.map(|block| block.filter(known).map(|block| pose::<M>(config, block).0));
-    let off = near.iter().flatten().map(|end| distance_to_line(&there.into(), &tip.into(), &(*end).into()));
-    if off.fold((tip - there).norm(), f64::min) > UNITS * unit {
-        return Some(format!("the tip is {:.4} mm off", (tip - there).norm()));
+    let off = near.iter().flatten().map(|end| distance_to_line(&damaged_tip.into(), &tip.into(), &(*end).into()));
+    if off.fold((tip - damaged_tip).norm(), f64::min) > UNITS * unit {
+        return Some(format!("the tip is {:.4} mm off", (tip - damaged_tip).norm()));
     }
     let largest = 4.0 * 10_f64.powi(-(config.formats.rotary as i32)).to_radians() + 1e-5;
-    // What has moved along the path by the rounding of the tip has turned with it.
+    // A tip that rounding has moved along the path has a tool axis that is rotated accordingly.
     let with_tip = around.iter().filter_map(|block| block.filter(known)).map(|block| {
-        let (end, axis_there) = pose::<M>(config, block);
-        (axis_there - axis).norm() * (UNITS * unit / (end - tip).norm().max(UNITS * unit))
+        let (end, end_axis) = pose::<M>(config, block);
+        (end_axis - axis).norm() * (UNITS * unit / (end - tip).norm().max(UNITS * unit))
     });
     let largest = largest + with_tip.fold(0.0, f64::max);
-    if (axis - leaning).norm() > largest {
-        return Some(format!("the tool axis is {:.5} deg off", (axis - leaning).norm().to_degrees()));
+    if (axis - damaged_axis).norm() > largest {
+        return Some(format!("the tool axis is {:.5} deg off", (axis - damaged_axis).norm().to_degrees()));
     }
     let length = near[0].map_or(0.0, |before| (before - tip).norm());
     let slack = 0.01_f64.max(8.0 * unit / length.max(1e-9));
@@ -280,8 +289,8 @@ fn differs<M: Machine>(config: &Config, was: &Block, is: &Block, around: [Option
     }
 }
 
-/// States that count.
-fn state(was: &State, is: &State) -> Option<String> {
+/// First difference between the modal states of two blocks that changes the motion.
+fn state_difference(was: &State, is: &State) -> Option<String> {
     let feeds = |state: &State| state.feed_mode == Some(FeedMode::InverseTime);
     let differences = [
         (was.tool != is.tool, "tool"),
@@ -302,14 +311,14 @@ fn state(was: &State, is: &State) -> Option<String> {
     differences.iter().find(|(differs, _)| *differs).map(|(_, what)| (*what).to_owned())
 }
 
-/// What differs between the ends of a block: the way round of an arc, the hole of a cycle.
-fn runs<M: Machine>(config: &Config, blocks: [&Block; 2], from: Option<[&Block; 2]>) -> Option<String> {
+/// Difference between the ends of a block: the sense of an arc, the hole of a cycle.
+fn path_difference<M: Machine>(config: &Config, blocks: [&Block; 2], from: Option<[&Block; 2]>) -> Option<String> {
     let unit = UNITS * 1e-3 * if config.output_units == Some(Units::Inches) { 2.54 } else { 1.0 };
     match (blocks[0].action, blocks[1].action) {
         (Action::Cycle(was), Action::Cycle(is)) => {
             let feed = |cycle: &CycleMove, block: &Block| cycle.feed.or(block.state.feed).unwrap_or(0.0);
             let feeds = [feed(&was, blocks[0]), feed(&is, blocks[1])];
-            hole(&was, &is, unit).or_else(|| {
+            hole_difference(&was, &is, unit).or_else(|| {
                 let taps = matches!(was.kind, CycleKind::Tap(_));
                 let off = (feeds[0] - feeds[1]).abs() > 0.01 * feeds[0] && !taps;
                 off.then(|| format!("the F of a cycle, {}, became {}", feeds[0], feeds[1]))
@@ -323,11 +332,11 @@ fn runs<M: Machine>(config: &Config, blocks: [&Block; 2], from: Option<[&Block; 
                 return None;
             }
             let middle = |from: &Block, to: &Block, arc: &ArcMove| {
-                let half = half_way::<M>(from, to, arc);
+                let half = middle_of_arc::<M>(from, to, arc);
                 pose::<M>(config, &Block { values: half, ..to.clone() }).0
             };
             let off = (middle(before, blocks[0], &was) - middle(now, blocks[1], &is)).norm();
-            // Each may leave the path by the tolerance.
+            // Each may deviate from the path by the tolerance.
             (off > 2.0 * config.motion.tolerance_mm + 2.0 * unit)
                 .then(|| format!("the middle of an arc is {off:.4} mm off"))
         }
@@ -335,8 +344,8 @@ fn runs<M: Machine>(config: &Config, blocks: [&Block; 2], from: Option<[&Block; 
     }
 }
 
-/// What is another hole.
-fn hole(was: &CycleMove, is: &CycleMove, unit: f64) -> Option<String> {
+/// Difference between two holes: kind, steps, levels or dwell.
+fn hole_difference(was: &CycleMove, is: &CycleMove, unit: f64) -> Option<String> {
     let same = match (was.kind, is.kind) {
         (CycleKind::Peck(was), CycleKind::Peck(is)) | (CycleKind::ChipBreak(was), CycleKind::ChipBreak(is)) => {
             (was - is).abs() <= unit
@@ -349,11 +358,11 @@ fn hole(was: &CycleMove, is: &CycleMove, unit: f64) -> Option<String> {
     (!same || moved || (was.dwell - is.dwell).abs() > 2e-3).then(|| format!("{was:?} became {is:?}"))
 }
 
-/// Axis values half the way round an arc.
-fn half_way<M: Machine>(from: &Block, to: &Block, arc: &ArcMove) -> [f64; 9] {
+/// Axis values at the middle of an arc.
+fn middle_of_arc<M: Machine>(from: &Block, to: &Block, arc: &ArcMove) -> [f64; 9] {
     let mut half: [f64; 9] = std::array::from_fn(|index| f64::midpoint(from.values[index], to.values[index]));
     let [u, v, _] = to.state.plane.expect("an arc has a plane").axes();
-    let [first, second] = [u, v].map(|axis| place::<M>(axis).expect("an arc has its axes"));
+    let [first, second] = [u, v].map(|axis| chain_index::<M>(axis).expect("an arc has its axes"));
     let (x, y) = (from.values[first] - arc.centre[u], from.values[second] - arc.centre[v]);
     let (sine, cosine) = (arc.sweep / 2.0).sin_cos();
     half[first] = arc.centre[u] + x * cosine - y * sine;
@@ -361,14 +370,14 @@ fn half_way<M: Machine>(from: &Block, to: &Block, arc: &ArcMove) -> [f64; 9] {
     half
 }
 
-/// Position of X, Y or Z in the chain.
-fn place<M: Machine>(axis: usize) -> Option<usize> {
+/// Index of X, Y or Z in the chain.
+fn chain_index<M: Machine>(axis: usize) -> Option<usize> {
     M::AXES.iter().position(|found| found.letter == ['X', 'Y', 'Z'][axis])
 }
 
-/// Tip and tool axis of a block: by the generated kinematics where words are axis values; under tip control the words are
-/// the tip on the workpiece as it lies at zero, in a tilted plane they are it in that plane. The tool axis is that of the
-/// rotary axes, or what the program says.
+/// Tip and tool axis of a block. By the generated kinematics where words are axis values; under tip control the words
+/// are the tip position on the workpiece with rotary axes at zero; in a tilted plane they are the tip position in that
+/// plane. The tool axis is that of the rotary axes, or the programmed vector.
 fn pose<M: Machine>(config: &Config, block: &Block) -> (Vector3<f64>, Vector3<f64>) {
     let mut machine = config.set_up.machine::<M>().expect("a machine");
     let length = block.state.tool.and_then(|tool| config.set_up.tools.get(&tool)).and_then(|tool| tool.length_mm);
@@ -378,7 +387,7 @@ fn pose<M: Machine>(config: &Config, block: &Block) -> (Vector3<f64>, Vector3<f6
         *value = *word;
     }
     let pose = machine.forward_kinematics(&values);
-    let words = || Vector3::from([0, 1, 2].map(|axis| place::<M>(axis).map_or(0.0, |index| block.values[index])));
+    let words = || Vector3::from([0, 1, 2].map(|axis| chain_index::<M>(axis).map_or(0.0, |index| block.values[index])));
     let axis = block.state.vector.unwrap_or_else(|| pose.axis.into_inner());
     match (block.state.tip_control, block.state.tilt) {
         (TipControl::On { .. }, _) => (words(), axis),
@@ -387,7 +396,7 @@ fn pose<M: Machine>(config: &Config, block: &Block) -> (Vector3<f64>, Vector3<f6
     }
 }
 
-/// Calls a function for the machine of a name.
+/// Calls a function for the machine with a given name.
 macro_rules! with_machine {
     ($name:expr, $function:ident($($argument:expr),*)) => {
         match $name {
@@ -399,18 +408,18 @@ macro_rules! with_machine {
     };
 }
 
-/// Every harm of these programs has to have been reported, and there has to be harm enough.
+/// Checks that every harmful damage is reported, and that enough damages are harmful.
 fn all_reported(tallies: &[Tally]) {
     let sum = |count: fn(&Tally) -> usize| tallies.iter().map(count).sum::<usize>();
     let (damages, harmful, reported) = (sum(|t| t.damages), sum(|t| t.harmful), sum(|t| t.reported));
     let missed: Vec<&str> = tallies.iter().flat_map(|tally| &tally.missed).map(String::as_str).collect();
-    assert!(damages >= 1000 && harmful > damages / 3, "{harmful} of {damages} do harm: too few to say anything");
+    assert!(damages >= 1000 && harmful > damages / 3, "{harmful} of {damages} are harmful: too few for a verdict");
     let missing = missed.len();
     assert!(missed.is_empty(), "{missing} of {harmful} are missed ({reported} reported):\n{}", missed.join("\n"));
 }
 
 #[test]
-fn every_harm_is_reported_and_nothing_else() {
+fn every_harmful_damage_is_reported_and_nothing_else() {
     let mut random = Random::new(20_261_121);
     let tallies: Vec<Tally> = SAMPLES
         .iter()
@@ -423,12 +432,12 @@ fn every_harm_is_reported_and_nothing_else() {
 }
 
 #[test]
-fn every_harm_to_cycles_threads_tip_control_and_tilted_planes_is_reported() {
+fn every_harmful_damage_to_cycles_threads_tip_control_and_tilted_planes_is_reported() {
     let mut random = Random::new(8);
     let mut tallies = Vec::new();
-    for (operations, besides, machine, controls) in WORKS {
+    for (operations, more_config, machine, controls) in WORKS {
         let table = if *machine == "lola-xoyzba" { "works/works.toml" } else { "works/table.toml" };
-        let (data, config) = (read("works/works.cls"), besides.to_string() + &text(table));
+        let (data, config) = (read("works/works.cls"), more_config.to_string() + &text(table));
         for control in *controls {
             let part = with_machine!(*machine, posted(&data, *operations, &config, control));
             tallies.push(with_machine!(*machine, damaged(&part, DAMAGES / 4, &mut random)));
@@ -438,7 +447,7 @@ fn every_harm_to_cycles_threads_tip_control_and_tilted_planes_is_reported() {
 }
 
 #[test]
-fn every_harm_to_cutter_compensation_is_reported() {
+fn every_harmful_damage_to_cutter_compensation_is_reported() {
     let mut random = Random::new(41);
     let config = "[compensation]\npath = 'contour'\n[retract]\ndistance = 60\n";
     let registers = "[tools]\n1 = { length = 110, radius_offset = 31 }\n";
@@ -452,7 +461,7 @@ fn every_harm_to_cutter_compensation_is_reported() {
     ] {
         let named = matches!(control, "linuxcnc" | "fanuc" | "haas");
         let config = config.to_owned() + if named { registers } else { "" };
-        let part = with_machine!(machine, posted(BESIDE.as_bytes(), 1, &config, control));
+        let part = with_machine!(machine, posted(COMPENSATED.as_bytes(), 1, &config, control));
         tallies.push(with_machine!(machine, damaged(&part, 2 * DAMAGES, &mut random)));
     }
     all_reported(&tallies);

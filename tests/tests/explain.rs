@@ -1,7 +1,7 @@
-//! What the machines say about themselves, compared word for word, and compiled where LaTeX is installed.
+//! The explanations that the machines print: compared word for word, and compiled where LaTeX is installed.
 //!
-//! `PP_BLESS=1 cargo test -p tests --test explain` writes the texts anew; every changed line is to be read before it is
-//! committed, against the papers.
+//! `PP_BLESS=1 cargo test -p tests --test explain` rewrites the texts; read every changed line against the papers
+//! before it is committed.
 
 use std::env;
 use std::fs;
@@ -22,7 +22,7 @@ fn golden(machine: &str, extension: &str) -> PathBuf {
     workspace().join("tests/data/explain").join(machine).with_extension(extension)
 }
 
-/// The first line in which two texts differ.
+/// First line in which the golden text and the printed one differ.
 fn difference(path: &Path, now: &str) -> Option<String> {
     let golden = fs::read_to_string(path).unwrap_or_default();
     if golden == now {
@@ -30,7 +30,7 @@ fn difference(path: &Path, now: &str) -> Option<String> {
     }
     let line = golden.lines().zip(now.lines()).take_while(|(golden, now)| golden == now).count();
     let show = |text: &str| text.lines().nth(line).unwrap_or("nothing").to_owned();
-    Some(format!("{}:{}: `{}` stands there, `{}` is said", path.display(), line + 1, show(&golden), show(now)))
+    Some(format!("{}:{}: expected `{}`, found `{}`", path.display(), line + 1, show(&golden), show(now)))
 }
 
 #[test]
@@ -59,10 +59,9 @@ fn lines_fit_a_narrow_page() {
     }
 }
 
-/// The formulas of the papers, in the words of `shared/papers`: My et al. (3) to (9), Maletić and Živanović (8) to (14)
-/// and (12) to (18).
+/// The equations of the papers: My et al. (3) to (9), Maletić and Živanović (8) to (14) and (12) to (18).
 #[test]
-fn the_papers_are_recognised() {
+fn the_equations_of_the_papers_are_printed() {
     for (machine, formulas) in [
         (
             "spinner-u5-620",

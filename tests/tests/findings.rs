@@ -1,4 +1,4 @@
-//! What the check of a program says, and of which line: programs that are posted and then edited as a person might.
+//! Texts and lines of the findings of the check: programs are posted and then edited as a user might.
 
 use std::f64::consts::PI;
 use std::io::Cursor;
@@ -12,7 +12,7 @@ use pp_runtime::diag::Diagnostic;
 use pp_runtime::kinematics::{Machine, Pose};
 use pp_runtime::post::{self, post};
 
-/// A program beside its CL data.
+/// A program with its CL data.
 struct Posted {
     config: Config,
     control: &'static dyn Control,
@@ -32,7 +32,7 @@ impl Posted {
         Self { config, control, data: data.to_owned(), program: String::from_utf8(program).expect("ASCII") }
     }
 
-    /// What is found in a program.
+    /// Findings in a program.
     fn findings(&self, program: &str) -> Vec<Diagnostic> {
         let job = Job { config: &self.config, control: self.control, units: None };
         let checked = check::<SpinnerU5620>(&job, Cursor::new(&self.data), program.as_bytes()).expect("it can be read");
@@ -42,11 +42,11 @@ impl Posted {
 
 const HEAD: &str = "UNITS/MM\nLOADTL/1,LENGTH,100.0\nSPINDL/RPM,1000,CLW\nFEDRAT/MMPM,500.0\nRAPID\n";
 
-/// The table turns by half a turn while the tip comes from 40 mm to the middle of it.
+/// The table rotates by half a revolution while the tip moves from a radius of 40 mm to the centre of the table.
 const INWARDS: &str = "GOTO/40.0,0.0,0.0,0.5,0.0,0.8660254\nRAPID\nGOTO/0.0,0.0,0.0,-0.5,0.0,0.8660254\n";
 
 #[test]
-fn under_tip_control_the_way_of_a_rapid_stays_within_the_limits_too() {
+fn under_tip_control_the_path_of_a_rapid_is_checked_against_the_limits() {
     let found = |control: &str, linear: &str, limit: f64| {
         let config = format!(
             "mode = 'tcp'\ntcp_frame = 'table_at_zero'\ntransition = 'direct'\nindex_angle = 360\n\
@@ -60,7 +60,7 @@ fn under_tip_control_the_way_of_a_rapid_stays_within_the_limits_too() {
     };
     let (linear, apart) = ("linear_rapids = true", "linear_rapids = false");
     for (control, usual) in [("fanuc", apart), ("siemens", linear), ("heidenhain", linear), ("haas", apart)] {
-        // Together they lead Y out to 23 mm on the way, each on its own to 40 mm.
+        // Interpolated together Y reaches 23 mm on the path; with each axis on its own it reaches 40 mm.
         let steps = (0..=10_000).map(|step| 1e-4 * f64::from(step));
         let farthest = steps.map(|share| 40.0 * (1.0 - share) * (PI * share).sin()).fold(0.0, f64::max);
         assert_eq!(found(control, linear, 30.0), "", "{control}");
@@ -75,7 +75,7 @@ fn under_tip_control_the_way_of_a_rapid_stays_within_the_limits_too() {
 }
 
 #[test]
-fn an_arc_that_bulges_over_a_limit_is_found_although_its_ends_are_inside() {
+fn an_arc_over_a_limit_is_found_although_its_ends_are_inside() {
     let arc = "GOTO/20.0,0.0,0.0,0.0,0.0,1.0\nFEDRAT/MMPM,500.0\nGOTO/20.0,0.0,-1.0\n\
         CIRCLE/0.0,0.0,-1.0,0.0,0.0,1.0,20.0\nGOTO/-20.0,0.0,-1.0\nGOTO/-20.0,-1.0,-1.0\n";
     let within = |limit: f64| {
@@ -92,28 +92,28 @@ fn an_arc_that_bulges_over_a_limit_is_found_although_its_ends_are_inside() {
         let narrow = Posted { config: Config { output_units: Some(Units::Millimetres), ..narrow }, ..wide };
         let found = narrow.findings(&narrow.program);
         assert!(found.len() == 1 && found[0].text.contains("within this block Y moves to"), "{found:?}");
-        assert_eq!(found[0].location.line, 10, "the line that the arc serves: {found:?}");
+        assert_eq!(found[0].location.line, 10, "the CL line of the arc: {found:?}");
     }
 }
 
-/// Coordinates that a finding tells: where an axis goes.
-fn told(found: &Diagnostic) -> f64 {
-    let behind = found.text.split(" moves to ").nth(1).expect("a place");
-    behind.split(',').next().and_then(|number| number.parse().ok()).expect("a number")
+/// Coordinate that a finding reports, mm.
+fn reported_mm(found: &Diagnostic) -> f64 {
+    let after = found.text.split(" moves to ").nth(1).expect("a coordinate");
+    after.split(',').next().and_then(|number| number.parse().ok()).expect("a number")
 }
 
-/// An arc over the top of a circle, begun ever farther before it, so that the top lies anywhere between two samples.
+/// Arcs over the top of a circle, with the start at growing distances, so that the top is anywhere between two samples.
 #[test]
-fn the_furthest_place_of_an_arc_is_told_and_none_is_passed_over() {
+fn the_furthest_point_of_an_arc_is_reported_and_none_is_missed() {
     let within = |limit: f64| {
         format!(
             "machine_zero = {{ X = 0, Y = 0, Z = -600 }}\n[retract]\ndistance = 20\n[limits]\nY = [-{limit}, {limit}]\n"
         )
     };
-    for turn in 1..40 {
-        let angle = 0.07 * f64::from(turn);
+    for step in 1..40 {
+        let angle = 0.07 * f64::from(step);
         let (sine, cosine) = angle.sin_cos();
-        // From `angle` before the top to half as far behind it.
+        // From `angle` before the top to half of it after the top.
         let radius = 60.0;
         let (x, y) = (radius * sine, radius * cosine);
         let data = format!(
@@ -129,20 +129,20 @@ fn the_furthest_place_of_an_arc_is_told_and_none_is_passed_over() {
         let narrow = Posted { config: Config { output_units: Some(Units::Millimetres), ..narrow }, ..posted };
         let found = narrow.findings(&narrow.program);
         let over = radius > limit + narrow.config.motion.tolerance_mm + 0.002;
-        let on_way: Vec<_> = found.iter().filter(|found| found.text.starts_with("within this block Y")).collect();
-        assert_eq!(on_way.len(), usize::from(over), "{turn}: {found:?}");
+        let within_block: Vec<_> = found.iter().filter(|found| found.text.starts_with("within this block Y")).collect();
+        assert_eq!(within_block.len(), usize::from(over), "{step}: {found:?}");
         // The words of the ends and of the centre are rounded to a thousandth.
-        assert!(on_way.iter().all(|found| (told(found) - radius).abs() < 2.5e-3), "{turn}: {found:?}");
+        assert!(within_block.iter().all(|found| (reported_mm(found) - radius).abs() < 2.5e-3), "{step}: {found:?}");
     }
 }
 
-/// A cut in which the tool axis turns by 58 degrees and passes the pole at 9 degrees, where C turns fast.
+/// A cut in which the tool axis rotates by 58 degrees and passes the pole at 9 degrees, where C rotates fast.
 const PAST_THE_POLE: &str = "GOTO/60.0,0.0,0.0,0.5,0.0,0.8660254\nFEDRAT/MMPM,500.0\n\
     GOTO/10.0,30.0,0.0,-0.4330127,0.25,0.8660254\nGOTO/10.0,30.0,1.0,-0.4330127,0.25,0.8660254\n";
 
-/// How far Y goes there at the most to either side if the tool axis turns in the plane of its ends: the generated inverse
-/// at a hundred thousand places.
-fn past_the_pole() -> (f64, f64) {
+/// Lowest and highest Y of that cut, mm, if the tool axis rotates in the plane of its ends: the generated inverse at a
+/// hundred thousand points.
+fn y_range_past_the_pole() -> (f64, f64) {
     let machine = SpinnerU5620::default();
     let (from, to) = (Vector3::new(0.5, 0.0, 0.75_f64.sqrt()), Vector3::new(-0.433_012_7, 0.25, 0.75_f64.sqrt()));
     let (tips, angle) = ([Vector3::new(60.0, 0.0, 0.0), Vector3::new(10.0, 30.0, 0.0)], from.angle(&to));
@@ -152,15 +152,15 @@ fn past_the_pole() -> (f64, f64) {
         let tip = Point3::from(tips[0].lerp(&tips[1], share));
         let pose = Pose { tip, axis: UnitVector3::new_normalize(axis) };
         let solutions = machine.inverse_kinematics(&pose, &SpinnerU5620::HELD);
-        let upright = solutions.iter().find(|solution| solution.axes[1] >= 0.0).expect("a solution");
-        upright.axes[3]
+        let positive_tilt = solutions.iter().find(|solution| solution.axes[1] >= 0.0).expect("a solution");
+        positive_tilt.axes[3]
     });
     values.fold((f64::MAX, f64::MIN), |(low, high), y| (low.min(y), high.max(y)))
 }
 
 #[test]
-fn where_the_control_turns_the_tool_axis_in_a_plane_its_axes_are_followed() {
-    let (low, high) = past_the_pole();
+fn axes_are_checked_where_the_control_rotates_the_tool_axis_in_a_plane() {
+    let (low, high) = y_range_past_the_pole();
     assert!(low < -20.0, "{low} {high}");
     for (control, words) in [
         ("siemens", "angles"),
@@ -193,13 +193,14 @@ fn where_the_control_turns_the_tool_axis_in_a_plane_its_axes_are_followed() {
             found.len() == 1 && found[0].text.starts_with("within this block Y moves to"),
             "{control} {words}: {found:?}"
         );
-        assert!((told(&found[0]) - low).abs() < 2e-3, "{control} {words}: {low} {found:?}");
+        assert!((reported_mm(&found[0]) - low).abs() < 2e-3, "{control} {words}: {low} {found:?}");
     }
 }
 
-/// Through the pole the axes would go on to B -17.5, outside its -5: the control takes the position with C half a turn on.
+/// Through the pole the axes would continue to B -17.5, below the limit of -5: the control selects the solution with C
+/// rotated by half a revolution.
 #[test]
-fn where_an_axis_would_leave_its_travel_the_control_takes_the_other_position() {
+fn at_a_travel_limit_the_control_takes_the_other_solution() {
     let through = "GOTO/30.0,5.0,0.0,0.2,0.0,0.9797959\nFEDRAT/MMPM,500.0\n\
         GOTO/30.0,5.0,0.0,-0.3,0.0,0.9539392\nGOTO/30.0,5.0,1.0,-0.3,0.0,0.9539392\n";
     let config = |most: f64| {
@@ -215,14 +216,14 @@ fn where_an_axis_would_leave_its_travel_the_control_takes_the_other_position() {
         let config = Config { output_units: Some(Units::Millimetres), ..narrow.expect("a configuration") };
         let narrow = Posted { config, ..posted };
         let found = narrow.findings(&narrow.program);
-        // Now neither position is inside.
+        // Now neither solution is inside the limits.
         let outside = |found: &Diagnostic| found.text.starts_with("B moves to -17.45");
         assert!(!found.is_empty() && found.iter().all(outside), "{control}: {found:?}");
     }
 }
 
-/// A tool that mills, and one that drills; each line of it asks for one thing.
-const TWO: &str = "UNITS/MM
+/// A part with a milling and a drilling tool; each line has one effect.
+const TWO_TOOLS: &str = "UNITS/MM
 LOADTL/1,LENGTH,100.0
 SPINDL/RPM,1000,CLW
 FEDRAT/MMPM,500.0
@@ -254,7 +255,7 @@ RAPID
 GOTO/44.0,35.0,20.0
 ";
 
-/// A program without one of its lines; where lines have numbers they are counted anew, as an editor does.
+/// A program without one of its lines; line numbers are renumbered, as an editor does.
 fn without(program: &str, lost: usize) -> String {
     let lines = program.lines().enumerate().filter(|(index, _)| *index != lost).map(|(_, line)| line);
     let mut next = 0;
@@ -269,10 +270,10 @@ fn without(program: &str, lost: usize) -> String {
 }
 
 #[test]
-fn what_a_lost_line_should_have_done_is_named_with_its_line_of_the_cl_data() {
+fn a_lost_line_is_reported_with_its_line_of_the_cl_data() {
     const LOST: &str = "has no block before this one: missing or out of order";
     for control in ["linuxcnc", "fanuc", "siemens", "heidenhain", "haas"] {
-        let posted = Posted::new(control, "[retract]\ndistance = 20\n[cl]\ndialect = 'nx'\n", TWO);
+        let posted = Posted::new(control, "[retract]\ndistance = 20\n[cl]\ndialect = 'nx'\n", TWO_TOOLS);
         assert!(posted.findings(&posted.program).is_empty());
         let change = if control == "heidenhain" { "TOOL CALL 2" } else { "M6" };
         let (a_feed, a_rapid, a_hole) = (["X11", "8"], ["X41", "14"], ["X32", "26"]);
@@ -294,8 +295,8 @@ fn what_a_lost_line_should_have_done_is_named_with_its_line_of_the_cl_data() {
 }
 
 #[test]
-fn lines_that_are_lost_together_are_named_together() {
-    let posted = Posted::new("linuxcnc", "[retract]\ndistance = 20\n[cl]\ndialect = 'nx'\n", TWO);
+fn lines_that_are_lost_together_are_reported_together() {
+    let posted = Posted::new("linuxcnc", "[retract]\ndistance = 20\n[cl]\ndialect = 'nx'\n", TWO_TOOLS);
     let at = posted.program.lines().position(|line| line == "X11 Y4").expect("it is there");
     let found = posted.findings(&without(&without(&posted.program, at), at));
     assert_eq!(found.len(), 1, "{found:?}");
@@ -303,12 +304,12 @@ fn lines_that_are_lost_together_are_named_together() {
 }
 
 #[test]
-fn what_a_subprogram_should_have_done_is_named_with_the_line_that_is_next() {
+fn lost_motions_of_a_subprogram_are_reported_with_the_line_before_its_call() {
     let part = "DEFSUB/1\nGOTO/10,0,5\nGOTO/20,0,5\nGOTO/20,10,5\nENDSUB\nRAPID\nGOTO/0,0,100,0,0,1\n\
         FEDRAT/MMPM,500\nGOTO/0,-10,5\nGOTO/10,-10,5\nCALSUB/1\nGOTO/20,20,5\n";
     let posted = Posted::new("linuxcnc", "", &format!("{HEAD}{part}"));
     let lines: Vec<&str> = posted.program.lines().collect();
-    let first = lines.iter().position(|line| *line == "X10").expect("the line in front of the subprogram");
+    let first = lines.iter().position(|line| *line == "X10").expect("the line before the subprogram");
     // That line and the first of the subprogram.
     let lost: Vec<&str> =
         lines.iter().enumerate().filter(|(at, _)| *at != first && *at != first + 1).map(|(_, line)| *line).collect();
@@ -320,49 +321,52 @@ fn what_a_subprogram_should_have_done_is_named_with_the_line_that_is_next() {
 }
 
 #[test]
-fn findings_speak_as_people_at_the_machine_do() {
-    let posted = Posted::new("fanuc", "[retract]\ndistance = 20\n[cl]\ndialect = 'nx'\n", TWO);
+fn findings_use_the_terms_of_the_shop_floor() {
+    let posted = Posted::new("fanuc", "[retract]\ndistance = 20\n[cl]\ndialect = 'nx'\n", TWO_TOOLS);
     let edited = |from: &str, to: &str| {
-        // Behind the head, which says the same in a comment.
+        // After the head, which has the same text in a comment.
         let at = posted.program.rfind(from).unwrap_or_else(|| panic!("{from}: {}", posted.program));
         let found = posted.findings(&[&posted.program[..at], to, &posted.program[at + from.len()..]].concat());
         found.into_iter().map(|found| found.text).collect::<Vec<String>>().join("; ")
     };
-    for (from, to, told) in [
+    for (from, to, expected) in [
         ("G54", "G55", "work offset is G55, expected G54"),
         ("S1000", "S1500", "S is 1500, expected 1000"),
         ("G43 H1", "G43 H7", "length compensation is register 7, expected register 1"),
         ("X11.", "/X11.", "a switch of the control decides whether this block is executed (block delete)"),
     ] {
         let found = edited(from, to);
-        assert!(found.contains(told) && !found.contains("Some("), "{from} {to}: {found}");
+        assert!(found.contains(expected) && !found.contains("Some("), "{from} {to}: {found}");
     }
 }
 
 #[test]
-fn behind_a_lost_line_the_program_is_found_again_where_it_stops() {
-    let part = TWO.replace("OPSTOP", "STOP");
+fn after_a_lost_line_the_check_recovers_at_the_program_stop() {
+    let part = TWO_TOOLS.replace("OPSTOP", "STOP");
     for control in ["linuxcnc", "siemens", "heidenhain"] {
         let posted = Posted::new(control, "[retract]\ndistance = 20\n[cl]\ndialect = 'nx'\n", &part);
-        // The last cut, which leaves nothing that the way out could begin from.
+        // The last cut, without which the retract has no starting point.
         let lost = posted.program.lines().position(|line| line.contains("43") && line.contains("37"));
         let found = posted.findings(&without(&posted.program, lost.expect("the cut")));
-        let told: Vec<(u64, &str)> = found.iter().map(|found| (found.location.line, &*found.text)).collect();
-        assert!(!told.is_empty() && told.iter().all(|(line, _)| (14..=16).contains(line)), "{control}: {told:#?}");
+        let reported: Vec<(u64, &str)> = found.iter().map(|found| (found.location.line, &*found.text)).collect();
+        assert!(
+            !reported.is_empty() && reported.iter().all(|(line, _)| (14..=16).contains(line)),
+            "{control}: {reported:#?}"
+        );
     }
 }
 
 #[test]
-fn a_program_that_breaks_off_is_told_from_one_without_an_end_code() {
+fn a_truncated_program_is_distinguished_from_one_without_an_end_code() {
     let posted =
         Posted::new("linuxcnc", "[retract]\ndistance = 20\n", &format!("{HEAD}GOTO/1.0,0.0,0.0\nGOTO/2.0,0.0,0.0\n"));
-    let said = |program: &str| -> Vec<(u64, String)> {
+    let findings = |program: &str| -> Vec<(u64, String)> {
         posted.findings(program).into_iter().map(|found| (found.location.line, found.text)).collect()
     };
     let without_end = posted.program.replace("M2\n", "");
-    let [(_, text)] = &said(&without_end)[..] else { panic!("{:?}", said(&without_end)) };
+    let [(_, text)] = &findings(&without_end)[..] else { panic!("{:?}", findings(&without_end)) };
     assert!(text.contains("no end code"), "{text}");
     let last = without_end.find("G1 ").expect("the cut");
-    let [(7, text)] = &said(&without_end[..last])[..] else { panic!("{:?}", said(&without_end[..last])) };
+    let [(7, text)] = &findings(&without_end[..last])[..] else { panic!("{:?}", findings(&without_end[..last])) };
     assert!(text.contains("breaks off before the end of the CL data"), "{text}");
 }

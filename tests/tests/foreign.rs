@@ -1,7 +1,7 @@
-//! Every golden program through the foreign interpreter: it runs to its end, and its motions are those that the product's
-//! own reader finds.
+//! Every golden program is executed by the foreign interpreter: it runs to its end, and its motions are those that the
+//! product's own reader finds.
 //!
-//! The two share no code; [`tests::agreement`] has what is compared.
+//! The two readers share no code; the comparison is in [`tests::agreement`].
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -59,7 +59,7 @@ fn config_of(path: &Path, machine: &str) -> (String, Mode) {
     (fs::read_to_string(part.join(format!("{name}.toml"))).unwrap_or_default(), mode)
 }
 
-/// Compares every motion of a program; their number.
+/// Compares every motion of a program and returns their number.
 fn compare<M: Machine>(path: &Path) -> usize {
     let text = fs::read_to_string(path).expect("ASCII");
     let (machine, foreign) = names(path);
@@ -72,7 +72,7 @@ fn compare<M: Machine>(path: &Path) -> usize {
 }
 
 #[test]
-fn every_golden_program_moves_as_the_own_reader_of_the_product_finds() {
+fn both_readers_find_the_same_motions_in_every_golden_program() {
     let (mut programs, mut motions) = (0, 0);
     for path in goldens() {
         motions += match names(&path).0.as_str() {
@@ -88,7 +88,7 @@ fn every_golden_program_moves_as_the_own_reader_of_the_product_finds() {
 }
 
 #[test]
-fn a_golden_program_cut_short_is_refused() {
+fn a_truncated_golden_program_is_refused() {
     for path in goldens() {
         let (text, trace) = traced(&path);
         let end = trace.blocks.iter().rfind(|block| block.effect == Effect::End).expect("an end").line;

@@ -1,18 +1,18 @@
-//! The same program as yesterday: short parts, posted for each machine they suit and compared byte for byte.
+//! Golden programs: short parts, posted for each machine that suits them and compared byte for byte.
 //!
-//! `PP_BLESS=1 cargo test -p tests --test golden` writes the programs anew; every changed line is to be read before it
-//! is committed. The parts and what each is there for:
+//! `PP_BLESS=1 cargo test -p tests --test golden` rewrites the programs; read every changed line before it is
+//! committed. The parts and their features:
 //!
 //! | part | holds |
 //! |---|---|
 //! | `two_tools` | tool change, STOP, one tilted plane per tool (3+2) |
 //! | `blade` | NX; start at the pole, simultaneous motion, OPSTOP, the same tool called twice |
-//! | `facets` | CATIA; rapids that index, STOP without a tool behind it, a tool that comes back |
-//! | `rim` | Creo; the table goes round past 180° and 360° |
-//! | `key_inch` | inch, a left-hand spindle, mist, an axis that leans in the YZ plane only |
-//! | `coil` | four axes past a full turn, a repeated point, a set-up with limits and parking |
+//! | `facets` | CATIA; rapids that index, STOP without a tool call after it, a tool that is used again |
+//! | `rim` | Creo; the table rotates past 180° and 360° |
+//! | `key_inch` | inch, a left-hand spindle, mist, a tool axis that is inclined in the YZ plane only |
+//! | `coil` | four axes past a full revolution, a repeated point, a set-up with limits and parking |
 //! | `pocket` | NX: circles in both senses, a helix, a curve, deep holes, GOHOME |
-//! | `plate` | Creo in inches: circles, a list of points, GODLTA, chips broken |
+//! | `plate` | Creo in inches: circles, a list of points, GODLTA, chip breaking |
 //! | `nest` | SolidWorks CAM: full circles, two CSYS, INSERT as a comment |
 //! | `works`, `works_4axis` | arcs, a helix, 3+2, every cycle, simultaneous motion, a rewind, a thread, stops; in each mode |
 //! | `pads` | a set-up with tool lengths, part origin, retract along the axis, limits, parking |
@@ -23,7 +23,7 @@ use std::path::{Path, PathBuf};
 
 use tests::binaries::{binary, workspace};
 
-/// CL file, configuration, machines; paths count from the workspace.
+/// CL file, configuration, machines; paths are relative to the workspace.
 type Part = (&'static str, Option<&'static str>, &'static [&'static str]);
 
 const FIVE_AXES: &[&str] = &["dmu-70e", "lola-xoyzba", "spinner-u5-620"];
@@ -41,10 +41,9 @@ const PARTS: &[Part] = &[
     ("tests/data/pads/pads.cls", Some("tests/data/pads/pads.toml"), FIVE_AXES),
 ];
 
-/// What the other controls are posted for: a table, a head, four axes, inches; the parts are those above. Heidenhain and
-/// Haas have no code for the mist of `key_inch`. The register of `pads` is one that a Heidenhain control, which has none,
-/// refuses.
-const OTHERS: &[(&str, &str, &[&str])] = &[
+/// Golden programs for the other controls: a table, a head, four axes, inches; the parts are those above. Heidenhain
+/// and Haas have no code for the mist of `key_inch`. Heidenhain has no length registers and refuses the one of `pads`.
+const OTHER_CONTROLS: &[(&str, &str, &[&str])] = &[
     ("examples/cl/two_tools.cls", "spinner-u5-620", &["fanuc", "siemens", "heidenhain", "haas"]),
     ("tests/data/blade/blade.cls", "spinner-u5-620", &["fanuc", "siemens", "heidenhain", "haas"]),
     ("tests/data/facets/facets.aptsource", "dmu-70e", &["fanuc", "siemens", "heidenhain", "haas"]),
@@ -57,7 +56,7 @@ const OTHERS: &[(&str, &str, &[&str])] = &[
     ("tests/data/pads/pads.cls", "lola-xoyzba", &["fanuc", "siemens", "haas"]),
 ];
 
-/// The part with everything in it, for every control in every mode that it has: CL file, configuration, machine.
+/// The part with every feature, for every control in each of its modes: CL file, configuration, machine.
 const WORKS: &[(&str, &str, &str)] = &[
     ("tests/data/works/works.cls", "tests/data/works/table.toml", "dmu-70e"),
     ("tests/data/works/works.cls", "tests/data/works/works.toml", "lola-xoyzba"),
@@ -65,8 +64,8 @@ const WORKS: &[(&str, &str, &str)] = &[
     ("tests/data/works/works.cls", "tests/data/works/table.toml", "spinner-u5-620"),
 ];
 
-/// Modes, the controls that have them, and the operations that these take: the fifth is a thread, which no control cuts
-/// under tip control, in the fourth the tool axis turns.
+/// Modes, the controls that have them, and the operations that are posted: the fifth is a thread, which no control
+/// cuts under tip control; in the fourth the tool axis rotates.
 const MODES: &[(&str, &[&str], &str)] = &[
     ("axes", &["linuxcnc", "fanuc", "siemens", "heidenhain", "haas"], "1..5"),
     ("tcp", &["fanuc", "siemens", "heidenhain", "haas"], "1..4"),
@@ -106,7 +105,7 @@ fn goldens() -> Vec<Golden> {
     let linuxcnc = PARTS.iter().flat_map(|&(cl, config, machines)| {
         machines.iter().map(move |&machine| Golden { cl, config, machine, control: "linuxcnc", mode: None })
     });
-    let others = OTHERS.iter().flat_map(|&(cl, machine, controls)| {
+    let others = OTHER_CONTROLS.iter().flat_map(|&(cl, machine, controls)| {
         let config = PARTS.iter().find(|part| part.0 == cl).expect("a part").1;
         controls.iter().map(move |&control| Golden { cl, config, machine, control, mode: None })
     });
@@ -135,14 +134,14 @@ fn posted_with(arguments: &[&str], control: &str, cl: &str, config: Option<&str>
     String::from_utf8(output.stdout).expect("a program is ASCII")
 }
 
-/// Where two programs part, for people.
+/// First line in which two programs differ.
 fn difference(golden: &str, now: &str) -> Option<String> {
     if golden == now {
         return None;
     }
     let line = golden.lines().zip(now.lines()).take_while(|(golden, now)| golden == now).count();
     let show = |text: &str| text.lines().nth(line).unwrap_or("nothing").to_owned();
-    Some(format!("line {}: `{}` stands there, `{}` is posted", line + 1, show(golden), show(now)))
+    Some(format!("line {}: expected `{}`, found `{}`", line + 1, show(golden), show(now)))
 }
 
 #[test]
@@ -198,7 +197,7 @@ fn blocks(program: &str) -> Vec<&str> {
     program.lines().filter(|line| !line.starts_with('(')).collect()
 }
 
-/// Compares blocks one by one with what each is for.
+/// Compares blocks one by one; each expected block has its purpose.
 fn assert_blocks(program: &str, expected: &[(&str, &str)]) {
     let blocks = blocks(program);
     for (index, (block, purpose)) in expected.iter().enumerate() {
@@ -208,7 +207,7 @@ fn assert_blocks(program: &str, expected: &[(&str, &str)]) {
 }
 
 #[test]
-fn on_a_table_the_safe_sequence_goes_out_and_in_along_z() {
+fn on_a_table_the_safe_sequence_retracts_and_approaches_along_z() {
     assert_blocks(
         &posted("examples/cl/two_tools.cls", None, "spinner-u5-620"),
         &[
@@ -217,7 +216,7 @@ fn on_a_table_the_safe_sequence_goes_out_and_in_along_z() {
             ("G53 G0 Z0", "2: the retract axis to its machine position"),
             ("T1 M6", "3: tool call"),
             ("G53 G0 Z0", "2: the change may have moved Z"),
-            ("G43 H1", "3: length offset, in a block that moves nothing"),
+            ("G43 H1", "3: length offset, in a block without motion"),
             ("S3000 M3", "3: spindle speed and direction"),
             ("G0 B30 C0", "4: the rotary axes alone"),
             ("X71.66 Y-28", "5: the other linear axes"),
@@ -233,14 +232,14 @@ fn on_a_table_the_safe_sequence_goes_out_and_in_along_z() {
             ("X71.66", "the face"),
             ("Y28", "the face"),
             ("X135.66", "the face"),
-            ("G0 Z85.096", "the CL data leads the tool out along its axis"),
+            ("G0 Z85.096", "the CL data retracts the tool along its axis"),
             ("M9", "COOLNT/OFF; SPINDL/OFF waits until the tool is out"),
             ("G53 G0 Z0", "the retract before STOP"),
-            ("M5", "the spindle stands before STOP"),
+            ("M5", "the spindle is off before STOP"),
             ("M0", "STOP"),
             ("N2 G21 G17 G40 G49 G80 G90 G94 G54 G64 P0.01", "restart point: a complete state"),
             ("M9", "1: the operator may have switched the coolant on"),
-            ("G53 G0 Z0", "2: nobody knows where the operator has left Z"),
+            ("G53 G0 Z0", "2: the position of Z after the stop is unknown"),
             ("T2 M6", "3: tool call"),
             ("G53 G0 Z0", "2: the change may have moved Z"),
             ("G43 H2", "3: length offset"),
@@ -256,7 +255,7 @@ fn on_a_table_the_safe_sequence_goes_out_and_in_along_z() {
             ("Y-30 Z11.886", "the slot"),
             ("Y-10", "the slot"),
             ("Y-30", "the slot"),
-            ("G0 Z71.887", "the CL data leads the tool out along its axis"),
+            ("G0 Z71.887", "the CL data retracts the tool along its axis"),
             ("M9", "COOLNT/OFF; SPINDL/OFF waits until the tool is out"),
             ("G53 G0 Z0", "program end: retract"),
             ("M5", "program end: spindle off"),
@@ -266,7 +265,7 @@ fn on_a_table_the_safe_sequence_goes_out_and_in_along_z() {
 }
 
 #[test]
-fn with_a_rotary_in_the_head_the_safe_sequence_goes_out_and_in_along_the_tool() {
+fn with_a_rotary_in_the_head_the_safe_sequence_retracts_and_approaches_along_the_tool_axis() {
     let program = posted("examples/cl/two_tools.cls", None, "lola-xoyzba");
     let blocks = blocks(&program);
     let first: Vec<&str> = blocks[9..15].to_vec();
@@ -284,7 +283,7 @@ fn with_a_rotary_in_the_head_the_safe_sequence_goes_out_and_in_along_the_tool() 
 }
 
 #[test]
-fn a_retract_distance_leads_out_along_the_tool_before_the_machine_retracts() {
+fn with_a_retract_distance_the_tool_retracts_along_its_axis_before_the_machine_retract() {
     let program = posted("tests/data/pads/pads.cls", Some("tests/data/pads/pads.toml"), "lola-xoyzba");
     let blocks = blocks(&program);
     let index = blocks.iter().position(|block| *block == "X22.138 Y-61.224 Z-7.05").expect("the last cut");
@@ -296,7 +295,7 @@ fn a_retract_distance_leads_out_along_the_tool_before_the_machine_retracts() {
             "G53 G0 Z0",                   // 2: the retract axis
             "G0 A35.8066 B4.9348",         // 4: the rotary axes alone; the operation goes on
             "X10.74 Y-121.986",            // 5: the other linear axes
-            "Z-5.421",                     // 6: 30 mm above the first point, below which the next does not lie
+            "Z-5.421",                     // 6: 30 mm above the first point; the next is not below it
             "M8",                          // 7: coolant on
             "X8.647 Y-104.434 Z-29.661",   // 8: along the tool axis, at rapid as the CL data has it
             "G1 X14.559 Y-101.652 Z-32.489 F300",
@@ -312,13 +311,13 @@ fn an_operation_that_begins_at_feed_is_entered_at_feed() {
     assert_eq!(
         blocks[index + 1..index + 12],
         [
-            "M9",               // 1: whoever enters here has seen nothing
+            "M9",               // 1: a restart here has an unknown coolant state
             "G53 G0 Z0",        // 2
             "T22 M6",           // 3: tool call
             "G53 G0 Z0",        // 2: the change may have moved Z
             "G43 H52",          // 3: the length register of the configuration
             "S6100 M3",         // 3: spindle
-            "G0 B15.7 C-262.4", // 4: half a turn, the shorter way
+            "G0 B15.7 C-262.4", // 4: half a revolution, in the shorter sense
             "X34.499 Y-2.406",  // 5
             "Z35.52",           // 6: 30 mm above the first point
             "M8",               // 7
@@ -328,7 +327,7 @@ fn an_operation_that_begins_at_feed_is_entered_at_feed() {
 }
 
 #[test]
-fn the_same_tool_is_not_changed_and_its_number_stands_in_a_comment() {
+fn the_same_tool_is_not_changed_and_a_comment_has_its_number() {
     let program = posted("tests/data/blade/blade.cls", None, "spinner-u5-620");
     let lines: Vec<&str> = program.lines().collect();
     let index = lines.iter().position(|line| *line == "M1").expect("OPSTOP");

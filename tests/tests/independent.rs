@@ -1,11 +1,13 @@
-//! Our programs through a checker that is not ours: `../shared/real/fkcheck.py`, plain matrices in another language.
+//! Programs checked by an independent checker: `../shared/real/fkcheck.py`, plain matrices in another language.
 //!
-//! It takes a description of a machine as numbers, CL data and a program, and says how far the tool is from the points, and
-//! on its way from the lines between them. The descriptions stand beside it; their numbers become our set-up. Where the
-//! checker, Python or numpy is missing, these tests say so and pass.
+//! Its input is a description of a machine as numbers, CL data and a program; its output is the distance of the tool
+//! from the points, and between points from the lines that connect them. The descriptions are in the folder of the
+//! checker; their numbers become the set-up here. If the checker, Python or numpy is missing, these tests print that
+//! they are skipped, and pass.
 //!
-//! Words are positions of the gauge point in the machine: `program_zero = table` with the table's reference at the origin of
-//! the description, `length_mode = gauge`. Parts of several tools, for which a description has no room, say the tip instead.
+//! Words are positions of the gauge point in the machine: `program_zero = table` with the table's reference at the
+//! origin of the description, `length_mode = gauge`. A description has one tool length: parts with several tools use
+//! `length_mode = tip`.
 
 use std::fs;
 use std::io::Cursor;
@@ -63,15 +65,15 @@ machine! {
     d = { A: (a_x, a_y, a_z) };
 }
 
-/// Words of three decimals, one of three directions, mm.
+/// Tolerance of the tip, mm: three linear words rounded to three decimals.
 const TIP: f64 = 0.5e-3 * 1.7321 + 1e-6;
 
-/// Two angles of four decimals, degrees.
+/// Tolerance of the tool axis, degrees: two angles rounded to four decimals.
 const AXIS: f64 = 0.5e-4 * 1.4143 + 1e-7;
 
-/// CL data from the workspace, and its tools: number and length where the CL data has it, mm.
+/// CL data from the workspace, and its tools: number, and length if the CL data has it, mm.
 ///
-/// Circles, cycles and a second frame are beyond the checker.
+/// The checker does not support circles, cycles and a second frame.
 type Part = (&'static str, &'static [(u32, Option<f64>)]);
 
 const FIVE_AXES: &[Part] = &[
@@ -100,11 +102,11 @@ struct Checker {
 }
 
 impl Checker {
-    /// It stands beside the workspace, or it does not.
+    /// The checker in the folder next to the workspace; `None` if it or Python is missing.
     fn find() -> Option<Self> {
         let folder = workspace().parent()?.join("shared/real");
         if !folder.join("fkcheck.py").is_file() {
-            println!("skipped: there is no checker beside the workspace (shared/real/fkcheck.py)");
+            println!("skipped: no checker next to the workspace (shared/real/fkcheck.py)");
             return None;
         }
         let has_numpy = |python: &&str| {
@@ -117,7 +119,7 @@ impl Checker {
         python.map(|python| Self { python, folder })
     }
 
-    /// What it says of a program: its verdict, and its figures.
+    /// Checks a program; returns the exit status and the figures. Lengths and `chord` in mm.
     fn check(&self, machine: &str, cl: &str, program: &str, length: f64, chord: f64) -> (Option<i32>, Value) {
         let folder = tempfile::tempdir().expect("a folder");
         let path = folder.path().join("program.ngc");
@@ -128,12 +130,12 @@ impl Checker {
         let option = |name: &str, value: f64| [name.to_owned(), value.to_string()];
         command.args(option("--tool-length", length));
         command.args(option("--tol-pos", TIP)).args(option("--tol-ang", AXIS)).args(option("--tol-chord", chord));
-        // A block this near may be the partner of a point: not one that was put in for the path.
+        // A block this near to a point may belong to it; inserted blocks on the path are farther away.
         command.args(["--match", "seq", "--match-pos", "0.02", "--match-ang", "0.02", "--json"]);
         let output = command.output().expect("python runs");
-        let said = String::from_utf8_lossy(&output.stdout).into_owned();
+        let printed = String::from_utf8_lossy(&output.stdout).into_owned();
         let errors = String::from_utf8_lossy(&output.stderr);
-        let figures = serde_json::from_str(&said).unwrap_or_else(|_| panic!("{machine} {cl}: {said}{errors}"));
+        let figures = serde_json::from_str(&printed).unwrap_or_else(|_| panic!("{machine} {cl}: {printed}{errors}"));
         (output.status.code(), figures)
     }
 }
@@ -143,7 +145,7 @@ fn numbers(value: &Value) -> Vector3<f64> {
     Vector3::new(number(0), number(1), number(2))
 }
 
-/// The numbers of a description as a set-up, for a machine that has its chain.
+/// Set-up from the numbers of a description, for a machine with the same chain, and the tool length, mm.
 fn set_up<M: Machine>(description: &Value, tools: &[(u32, Option<f64>)]) -> (Config, f64) {
     let gauge_point = numbers(&description["gauge_point"]);
     let own_length = description["tool_length"].as_f64().unwrap_or(0.0);
@@ -170,7 +172,7 @@ fn set_up<M: Machine>(description: &Value, tools: &[(u32, Option<f64>)]) -> (Con
     (config, length)
 }
 
-/// The declaration in here is the chain of the description.
+/// Checks that the declaration in this file is the chain of the description.
 fn assert_same_chain<M: Machine>(machine: &M, description: &Value) {
     let chain = description["chain"].as_array().expect("a chain");
     assert_eq!(chain.len(), M::AXES.len(), "{}", description["name"]);
@@ -182,7 +184,7 @@ fn assert_same_chain<M: Machine>(machine: &M, description: &Value) {
         assert!((joint.sign - theirs["sign"].as_f64().unwrap_or(1.0)).abs() < 1e-12, "{theirs}");
     }
     let plain = description["frame"].get("x").is_none() && description.get("offsets").is_none();
-    assert!(plain, "a frame or offsets that are not turned into a set-up here: {description}");
+    assert!(plain, "a frame or offsets that are not supported here: {description}");
 }
 
 fn posted<M: Machine>(cl: &str, config: &Config) -> String {
@@ -194,7 +196,7 @@ fn posted<M: Machine>(cl: &str, config: &Config) -> String {
     String::from_utf8(program).expect("ASCII")
 }
 
-/// A program in which the first word of an axis in a line, from 1, is larger by `more`.
+/// The program with the first axis word of a line, counted from 1, increased by `more`, mm or degrees.
 fn damaged(program: &str, line: usize, more: f64) -> String {
     let mut lines: Vec<String> = program.lines().map(str::to_owned).collect();
     let mut words: Vec<String> = lines[line - 1].split(' ').map(str::to_owned).collect();
@@ -205,7 +207,7 @@ fn damaged(program: &str, line: usize, more: f64) -> String {
     lines.join("\n") + "\n"
 }
 
-/// Posts parts for a machine, and lets the checker look at them and at a damaged one.
+/// Posts parts for a machine; the checker must accept each of them and reject damaged ones.
 fn check<M: Machine>(checker: &Checker, name: &str, parts: &[Part]) {
     let text = fs::read_to_string(checker.folder.join("machines").join(format!("{name}.json"))).expect("a description");
     let description: Value = serde_json::from_str(&text).expect("JSON");
@@ -229,7 +231,7 @@ fn check<M: Machine>(checker: &Checker, name: &str, parts: &[Part]) {
 }
 
 #[test]
-fn an_independent_checker_finds_every_program_right_and_a_damaged_one_wrong() {
+fn an_independent_checker_accepts_every_program_and_rejects_a_damaged_one() {
     let Some(checker) = Checker::find() else { return };
     let mut machines = 0;
     let heads: Vec<Part> = FIVE_AXES.iter().copied().filter(|(_, tools)| tools.len() == 1).collect();
@@ -248,5 +250,5 @@ fn an_independent_checker_finds_every_program_right_and_a_damaged_one_wrong() {
             }
         }
     }
-    assert!(machines > 0, "no machine is described beside the checker");
+    assert!(machines > 0, "the checker has no description of a machine");
 }

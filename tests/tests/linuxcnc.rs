@@ -1,7 +1,8 @@
-//! Programs for LinuxCNC through its own interpreter, `rs274` of the package `linuxcnc-uspace`.
+//! Programs for LinuxCNC, run by its own interpreter, `rs274` of the package `linuxcnc-uspace`.
 //!
-//! Where it is not installed the tests say so and pass, unless `PP_REQUIRE_LINUXCNC=1` asks for it. The interpreter reads
-//! its tool table in inches; a tool is as long there as the program was posted for, so that the length guards let it pass.
+//! If it is not installed, the tests print that they are skipped and pass; with `PP_REQUIRE_LINUXCNC=1` they fail. The
+//! interpreter reads its tool table in inches; each tool has the length for which the program was posted, so that the
+//! length guards let it pass.
 
 use std::fs;
 
@@ -11,7 +12,7 @@ use tests::foreign::{Control, Effect, Options, run};
 use tests::linuxcnc::installed;
 use tests::linuxcnc::interpreter::interpret;
 
-/// Blocks of a program that move something, and whether a cycle is among them, which makes several motions of a block.
+/// Number of blocks with motion, and whether one of them is a canned cycle, which makes several motions in a block.
 fn moving_blocks(program: &str, dry: bool) -> (usize, bool) {
     let options = Options { dry, ..Options::of(Control::LinuxCnc) };
     let trace = run(program, &options).unwrap_or_else(|refused| panic!("{refused}"));
@@ -20,7 +21,7 @@ fn moving_blocks(program: &str, dry: bool) -> (usize, bool) {
     (trace.motions().count(), cycles)
 }
 
-/// Runs a program that has to pass, every motion of it; `dry`: its spindle is off.
+/// Runs a program and checks that it passes with all its motions; `dry`: its spindle is off.
 fn assert_runs(name: &str, program: &str, dry: bool) {
     let calls = interpret(program, 0.0).unwrap_or_else(|errors| panic!("{name}: {errors}"));
     let motion = |line: &&str| ["STRAIGHT_", "ARC_FEED", "RIGID_TAP"].iter().any(|call| line.contains(call));
@@ -65,7 +66,7 @@ fn every_sample_runs_on_every_machine_that_it_suits() {
     let works = ["--config", "tests/data/works/works.toml"];
     for machine in machines {
         let program = printed(machine, &["post", "tests/data/works/works.cls", works[0], works[1]]);
-        assert!(program.contains("\nG33.1 Z-10 K1\n") && program.contains(" J"), "a thread and arcs: {program}");
+        assert!(program.contains("\nG33.1 Z-10 K1\n") && program.contains(" J"), "no thread or no arcs: {program}");
         assert_runs(&format!("{machine} works"), &program, false);
     }
     for (machine, part) in suited.chain(four.map(|part| ("multiprodesk", part))) {

@@ -12,7 +12,7 @@ conformance!(Dmu70e, dmu_70e, 100_000);
 conformance!(LolaXoyzba, lola_xoyzba, 100_000);
 conformance!(MultiProDesk, multiprodesk, 100_000);
 
-/// Compares a machine with a chain that asks the machine nothing; `by_hand` takes axes, part origin and gauge length.
+/// Compares a machine with a chain written out by hand; input of `by_hand`: axes, part origin, gauge length.
 fn compare<M: Machine>(letters: &str, by_hand: impl Fn(&M::Axes, &Vector3<f64>, f64) -> Pose) {
     assert_eq!(M::AXES.iter().map(|axis| axis.letter).collect::<String>(), letters);
     let mut random = Random::new(2023);

@@ -1,5 +1,5 @@
-//! `post --map` and `explain-block`: every line of a program with the record it serves, and where the machine stands behind
-//! it, beside the program itself, the CL data and the oracle.
+//! `post --map` and `explain-block`: CL record of every line of a program, and machine position after it, compared with
+//! the program itself, the CL data and the oracle.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -16,7 +16,7 @@ use tests::oracle::{Oracle, angle_between};
 
 const CL: &str = "tests/data/works/works.cls";
 
-/// Modes, their controls, and the operations that these take.
+/// Modes, their controls, and the operations that are posted.
 const MODES: &[(&str, &[&str], &str)] = &[
     ("axes", &["linuxcnc", "fanuc", "siemens", "heidenhain", "haas"], "1..5"),
     ("tcp", &["fanuc", "heidenhain"], "1..4"),
@@ -68,19 +68,19 @@ fn numbers<const N: usize>(value: &Value) -> Option<[f64; N]> {
     list.collect::<Vec<f64>>().try_into().ok()
 }
 
-/// The numbers of a record GOTO.
+/// Numbers of a GOTO record.
 fn goto(record: &str) -> Option<Vec<f64>> {
     let numbers = record.strip_prefix("GOTO/")?.split(',').map(|number| number.trim().parse());
     Some(numbers.collect::<Result<_, _>>().expect("numbers"))
 }
 
-/// Every line is there once, in order, with the number that stands in it.
+/// Checks that the map has every line once, in order, with its block number.
 fn assert_complete(posted: &Posted) {
     let Posted { name, control, program, lines } = posted;
     assert_eq!(lines.len(), program.len(), "{name}");
     for (index, (line, text)) in lines.iter().zip(program).enumerate() {
         assert_eq!(line["line"], index as u64 + 1, "{name}");
-        // A line that goes on with the parameters of a cycle has no number.
+        // A continuation line with the parameters of a cycle has no number.
         let number = match text.starts_with(' ') {
             true => None,
             false => lexer::line(*control, text).unwrap_or_else(|why| panic!("{name}: {why}: {text}")).number,
@@ -90,8 +90,8 @@ fn assert_complete(posted: &Posted) {
     }
 }
 
-/// Tips are where the oracle finds them for the axis values, and on the points of their records.
-fn assert_standing<M: Machine>(posted: &Posted, config: &str) {
+/// Checks that tips agree with the axis values by the oracle, and with the points of their records.
+fn assert_tips<M: Machine>(posted: &Posted, config: &str) {
     let text = fs::read_to_string(workspace().join(config)).expect("a configuration");
     let config = Config::read::<M>(&text).expect("a valid configuration");
     let mut machine = config.set_up.machine::<M>().expect("a valid machine");
@@ -115,15 +115,15 @@ fn assert_standing<M: Machine>(posted: &Posted, config: &str) {
             if axis.kind == AxisKind::Rotary { value.to_radians() } else { value }
         };
         let values: Vec<f64> = M::AXES.iter().map(value).collect();
-        let Pose { tip: there, axis: points } = Oracle::of(&machine).forward(&values);
-        let off = (there.coords - Vector3::from(tip)).norm();
+        let Pose { tip: true_tip, axis: true_axis } = Oracle::of(&machine).forward(&values);
+        let off = (true_tip.coords - Vector3::from(tip)).norm();
         assert!(off < 1.5e-3, "{context}: {off} mm");
         let axis = Vector3::from(numbers::<3>(&line["axis"]).expect("a tool axis"));
-        let lean = angle_between(&points.into_inner(), &axis);
-        // Half a thousandth of a degree of two axes.
-        assert!(lean < 1.8e-5, "{context}: {lean} rad");
+        let axis_off = angle_between(&true_axis.into_inner(), &axis);
+        // Two axes, each off by half a thousandth of a degree.
+        assert!(axis_off < 1.8e-5, "{context}: {axis_off} rad");
         if line["why"] == "record" && ["feed", "rapid", "arc"].iter().any(|step| line["step"] == *step) {
-            let point = goto(record).unwrap_or_else(|| panic!("{context} serves {record}"));
+            let point = goto(record).unwrap_or_else(|| panic!("{context}: its record is {record}, expected GOTO"));
             let off = (Vector3::new(point[0], point[1], point[2]) - Vector3::from(tip)).norm();
             assert!(off < 1e-6, "{context}: {off} mm from {record}");
             named += 1;
@@ -132,8 +132,8 @@ fn assert_standing<M: Machine>(posted: &Posted, config: &str) {
     assert!(named > 10, "{}: {named} points of the CL data", posted.name);
 }
 
-/// In mode axes the words in force are the axis values, but for what each tool and work offset count from; an axis that is
-/// said to be reached has a word in force.
+/// Checks that in mode `axes` the words in force are the axis values plus a constant shift for each tool, and that an
+/// axis with a value in the map has a word in force.
 fn assert_words(posted: &Posted) {
     let trace = posted.trace();
     let mut shifts: BTreeMap<(char, Option<u32>), f64> = BTreeMap::new();
@@ -148,7 +148,7 @@ fn assert_words(posted: &Posted) {
             let word = block.state.position.get(letter).unwrap_or_else(|| panic!("{context}: {letter} has no word"));
             let shift = value.as_f64().expect("a number") - word;
             let known = *shifts.entry((letter, block.state.tool)).or_insert(shift);
-            // At the end of a cycle the words are those over the hole, rounded by themselves.
+            // At the end of a cycle the words are those above the hole, rounded separately.
             let room = if cycle { 1.1e-3 } else { 1e-5 };
             assert!((shift - known).abs() < room, "{context}: {letter} is {word} in the block");
             compared += 1;
@@ -158,7 +158,7 @@ fn assert_words(posted: &Posted) {
 }
 
 #[test]
-fn every_line_is_accounted_for_and_every_tip_is_where_its_axis_values_put_it() {
+fn every_line_is_mapped_and_every_tip_agrees_with_its_axis_values() {
     let mut reasons = BTreeSet::new();
     for &(mode, controls, operations) in MODES {
         for &control in controls {
@@ -168,20 +168,21 @@ fn every_line_is_accounted_for_and_every_tip_is_where_its_axis_values_put_it() {
             let lola = posted("lola-xoyzba", &works, control, mode, operations);
             for posted in [&spinner, &dmu, &lola] {
                 assert_complete(posted);
-                // The helices of Heidenhain count from where they begin.
+                // The helices of Heidenhain are incremental.
                 if mode == "axes" && control != "heidenhain" {
                     assert_words(posted);
                 }
                 reasons.extend(posted.lines.iter().filter_map(|line| line["why"].as_str()).map(str::to_owned));
             }
-            assert_standing::<SpinnerU5620>(&spinner, &table);
-            assert_standing::<Dmu70e>(&dmu, &table);
-            assert_standing::<LolaXoyzba>(&lola, &works);
+            assert_tips::<SpinnerU5620>(&spinner, &table);
+            assert_tips::<Dmu70e>(&dmu, &table);
+            assert_tips::<LolaXoyzba>(&lola, &works);
         }
     }
-    let told = ["head", "record", "tolerance", "rewind", "split-arc", "chord", "hole", "lead-out", "start", "approach"];
-    for why in told {
-        assert!(reasons.contains(why), "no line is there for {why}: {reasons:?}");
+    let expected =
+        ["head", "record", "tolerance", "rewind", "split-arc", "chord", "hole", "lead-out", "start", "approach"];
+    for why in expected {
+        assert!(reasons.contains(why), "no line has the reason {why}: {reasons:?}");
     }
 }
 
@@ -192,11 +193,11 @@ fn explained(arguments: &[&str]) -> (Option<i32>, String, String) {
 }
 
 #[test]
-fn a_block_is_explained_by_number_and_by_line_as_the_map_has_it() {
+fn a_block_is_explained_by_number_and_by_line_as_in_the_map() {
     let part = ["examples/cl/two_tools.cls"];
     let (status, text, _) = explained(&["explain-block", part[0], "N120", "--line-numbers"]);
     assert_eq!(status, Some(0));
-    let told = "\
+    let expected = "\
 line 37 of the program (feed):
     N120 G1 Z25.096 F1000
 programmed by this record
@@ -207,7 +208,7 @@ tool axis I 0.5000000, J 0.0000000, K 0.8660254
 axis values C 0.0000°, B 30.0000°, X 71.6600, Y -28.0000, Z 25.0960
 branch 1 of the inverse kinematics
 ";
-    assert_eq!(text, told);
+    assert_eq!(text, expected);
     let (_, json, _) = explained(&["explain-block", part[0], "37", "--message-format", "json"]);
     let line: Value = serde_json::from_str(&json).expect("an object");
     assert_eq!((&line["line"], &line["cl_line"], &line["number"]), (&37.into(), &17.into(), &Value::Null));
@@ -216,12 +217,12 @@ branch 1 of the inverse kinematics
 }
 
 #[test]
-fn a_block_that_is_not_there_is_said_to_be_missing() {
-    let missing = |block: &str, more: &[&str], told: &str| {
+fn a_missing_block_is_reported() {
+    let missing = |block: &str, more: &[&str], expected: &str| {
         let arguments = [&["explain-block", "examples/cl/two_tools.cls", block], more].concat();
         let (status, text, errors) = explained(&arguments);
         assert_eq!((status, text.as_str()), (Some(2), ""), "{block}");
-        assert!(errors.contains(told), "{block}: {errors}");
+        assert!(errors.contains(expected), "{block}: {errors}");
     };
     missing("N77", &["--line-numbers"], "there is no block N77: the program has 75 lines");
     missing("N120", &[], "was it posted with --line-numbers?");
@@ -231,14 +232,14 @@ fn a_block_that_is_not_there_is_said_to_be_missing() {
 }
 
 #[test]
-fn only_what_moves_has_a_place_wherever_a_program_is_entered() {
+fn only_motions_have_positions_for_any_selection_of_operations() {
     let check = |control: &str, mode: &str, operations: &str| {
         let posted = posted("lola-xoyzba", "tests/data/works/works.toml", control, mode, operations);
         assert_complete(&posted);
         let moves = ["feed", "rapid", "arc", "cycle"];
         let still = |line: &&Value| !moves.iter().any(|step| line["step"] == *step);
-        let placed = posted.lines.iter().filter(still).find(|line| !line["axes"].is_null());
-        assert_eq!(placed, None, "{control} {mode} {operations}");
+        let with_position = posted.lines.iter().filter(still).find(|line| !line["axes"].is_null());
+        assert_eq!(with_position, None, "{control} {mode} {operations}");
     };
     for control in ["linuxcnc", "fanuc", "siemens", "heidenhain", "haas"] {
         for operations in ["2", "2..3", "3..", "5"] {
@@ -252,7 +253,7 @@ fn only_what_moves_has_a_place_wherever_a_program_is_entered() {
 }
 
 #[test]
-fn what_a_program_says_of_its_check_is_in_its_map() {
+fn comments_about_the_check_are_in_the_map() {
     let folder = tempfile::tempdir().expect("a folder");
     let config = folder.path().join("table.toml");
     let table = fs::read_to_string(workspace().join("tests/data/works/table.toml")).expect("a configuration");
@@ -260,28 +261,28 @@ fn what_a_program_says_of_its_check_is_in_its_map() {
     for control in ["linuxcnc", "fanuc", "heidenhain"] {
         let posted = posted("dmu-70e", &config.display().to_string(), control, "axes", "1..2");
         assert_complete(&posted);
-        let told: Vec<&Value> = posted.lines.iter().filter(|line| line["step"] == "check").collect();
-        let line = told.first().and_then(|line| line["line"].as_u64()).expect("a line of the check");
-        assert!(posted.program[line as usize - 1].to_lowercase().contains("checked"), "{control}: {told:?}");
-        // The last line, which stands behind it, is explained as it is.
+        let check_lines: Vec<&Value> = posted.lines.iter().filter(|line| line["step"] == "check").collect();
+        let line = check_lines.first().and_then(|line| line["line"].as_u64()).expect("a line of the check");
+        assert!(posted.program[line as usize - 1].to_lowercase().contains("checked"), "{control}: {check_lines:?}");
+        // The last line comes after these comments and is explained unchanged.
         let (count, last) = (posted.program.len().to_string(), posted.program.last().expect("a line"));
         let arguments = ["explain-block", CL, &count, "--control", control, "--ops", "1..2", "--config"];
         let mut command = binary("dmu-70e");
         command.current_dir(workspace()).args(arguments).arg(&config);
         let numbers = (control != "heidenhain").then_some("--line-numbers");
-        let said = command.args(numbers).output().expect("the binary runs");
-        let said = String::from_utf8_lossy(&said.stdout).into_owned();
-        assert!(said.contains(&format!("\n    {last}\n")), "{control}: {last} is no line of\n{said}");
+        let printed = command.args(numbers).output().expect("the binary runs");
+        let printed = String::from_utf8_lossy(&printed.stdout).into_owned();
+        assert!(printed.contains(&format!("\n    {last}\n")), "{control}: {last} is missing in\n{printed}");
     }
 }
 
 #[test]
-fn a_map_stands_there_with_its_program_or_not_at_all() {
+fn a_map_is_written_only_with_its_program() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = |name: &str| folder.path().join(name);
     let good = fs::read_to_string(workspace().join("examples/cl/two_tools.cls")).expect("CL data");
     let post = |cl: &str, map: &str| {
-        fs::write(path("part.cls"), cl).expect("the folder takes files");
+        fs::write(path("part.cls"), cl).expect("a file can be written");
         let run = binary("spinner-u5-620")
             .current_dir(&folder)
             .args(["post", "part.cls", "-o", "part.nc", "--map", map])
@@ -290,16 +291,16 @@ fn a_map_stands_there_with_its_program_or_not_at_all() {
     };
     assert_eq!(post(&good, "part.json"), Some(0));
     assert!(path("part.json").is_file());
-    // The map of yesterday's program goes with it.
+    // The map of an earlier program is removed with that program.
     assert_eq!(post(&good.replacen("GOTO/", "GOTO/x", 1), "part.json"), Some(1));
     assert!(!path("part.json").exists() && !path("part.nc").exists());
-    // Standard output, wherever it has been led.
+    // Standard output, redirected to a file.
     let into = |file: fs::File, map: &str| {
         let mut command = binary("spinner-u5-620");
         command.current_dir(&folder).args(["post", "part.cls", "--map", map]).stdout(file);
         command.status().expect("the binary runs").code()
     };
-    fs::write(path("part.cls"), &good).expect("the folder takes files");
+    fs::write(path("part.cls"), &good).expect("a file can be written");
     if Path::new("/dev/stdout").exists() {
         for map in ["both.txt", "/dev/stdout"] {
             assert_eq!(into(fs::File::create(path("both.txt")).expect("a file"), map), Some(2), "{map}");

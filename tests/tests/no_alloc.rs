@@ -15,7 +15,7 @@ use tests::random::Random;
 #[global_allocator]
 static ALLOCATOR: Counting = Counting;
 
-/// Every map of the kinematics, also where there is no solution.
+/// Checks every function of the kinematics, also where there is no solution.
 fn check<M: Machine>() {
     let mut machine = M::default();
     machine.set_up(Vector3::new(12.5, -40.0, 80.0), 120.0);
@@ -44,7 +44,7 @@ fn check<M: Machine>() {
 }
 
 #[test]
-fn the_counter_counts() {
+fn the_allocator_counts() {
     assert_eq!(allocations(|| drop(black_box(Box::new(1)))), 1);
 }
 
@@ -68,7 +68,7 @@ fn kinematics_of_four_axes_allocates_nothing() {
     check::<machines::MultiProDesk>();
 }
 
-/// A cut of so many points about a cone, back and forth: the tool axis turns in every motion.
+/// CL data of a cut with `points` points around a cone, back and forth: the tool axis changes in every motion.
 fn cone(points: u32) -> String {
     let mut part = "LOAD/TOOL,1\nSPINDL/RPM,4000,CLW\nRAPID\nGOTO/0,0,80,0,0,1\nFEDRAT/MMPM,600\n".to_owned();
     for point in 0..points {
@@ -88,7 +88,7 @@ fn a_motion_is_read_planned_and_written_without_allocating() {
         ("heidenhain", Mode::Tcp),
         ("haas", Mode::Axes),
     ] {
-        let control = control::by_name(control).expect("it is there");
+        let control = control::by_name(control).expect("a control");
         let mut config = starting_point(control);
         config.motion.mode = mode;
         config.motion.tip.tcp_frame = Some(TcpFrame::TableAtZero);
@@ -106,7 +106,7 @@ fn a_motion_is_read_planned_and_written_without_allocating() {
             (count, blocks)
         };
         let ((few, short), (many, long)) = (count(1_000), count(4_000));
-        // Lists of the course double their room now and then.
+        // Lists of the course double their capacity occasionally.
         assert!(long - short >= 3_000 && many <= few + 30, "{few} for {short} blocks, {many} for {long}");
     }
 }

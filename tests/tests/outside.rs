@@ -1,7 +1,7 @@
 //! A package outside the workspace: one dependency, no std, with the serde derives.
 //!
-//! It is a static library with a panic handler of its own. Were `std` linked in anywhere, there would be two of them and
-//! the build would fail.
+//! It is a static library with its own panic handler. If `std` were linked, there would be two handlers and the build
+//! would fail.
 
 use std::path::Path;
 use std::process::Command;

@@ -1,13 +1,15 @@
-//! The general table of My et al.: five rotary orders in three groups, proven from declarations of general offsets.
+//! The general table of My et al.: five rotary orders in three groups, proven from declarations with general offsets.
 //!
-//! The equations are put together here from 3×3 matrices of texts: a statement of the table that shares nothing with
-//! the engine but the language. The paper counts `q` from the centre; in the zero position of this product the linear
-//! axes are the coordinates of the tip, so `q - f` stands for the paper's `q` (`q + f` where both rotaries carry the tool).
+//! The equations are composed here from 3×3 matrices of expressions as text: an independent form of the table that
+//! shares only the language with the engine. The paper measures `q` from the centre; in the zero position of this
+//! product the linear axes are the coordinates of the tip, so `q - f` replaces the paper's `q` (`q + f` where both
+//! rotaries carry the tool).
 
 use pp_codegen::compile;
 
-/// A vector and a matrix of expressions.
+/// A vector of expressions.
 type Vector = [String; 3];
+/// A matrix of expressions, by rows.
 type Matrix = [Vector; 3];
 
 fn vector(components: [&str; 3]) -> Vector {
@@ -54,8 +56,8 @@ fn times(a: &Matrix, b: &Matrix) -> Matrix {
     transpose(&columns)
 }
 
-/// `Rot` of the coordinate direction of a rotary letter, by the angle of this name.
-fn turn(letter: char, angle: &str) -> Matrix {
+/// `Rot` about the coordinate direction of a rotary letter, by the named angle.
+fn rotation(letter: char, angle: &str) -> Matrix {
     let (s, c) = (format!("sin({angle})"), format!("cos({angle})"));
     let m = neg(&s);
     match letter {
@@ -66,12 +68,12 @@ fn turn(letter: char, angle: &str) -> Matrix {
     .map(vector)
 }
 
-/// A row of the table: two rotary axes from the workpiece, their formulas and where these hold.
+/// A row of the table: two rotary axes from the workpiece on, their formulas and the conditions for these.
 struct Order {
     rotaries: [char; 2],
     inclined: bool,
     formulas: [(&'static str, &'static str); 2],
-    /// A formula with one wrong sign, and the help that it gets.
+    /// A formula with one wrong sign, and the help text of its refusal.
     slip: (&'static str, &'static str),
 }
 
@@ -134,7 +136,7 @@ enum Group {
     Table,
     /// TTTRR: both carry the tool.
     Head,
-    /// RTTTR: one each.
+    /// RTTTR: one carries the workpiece, one the tool.
     Each,
 }
 
@@ -144,7 +146,7 @@ const GROUPS: [Group; 3] = [Group::Table, Group::Head, Group::Each];
 struct Machine<'a> {
     order: &'a Order,
     group: Group,
-    /// Both centre lines go through one point.
+    /// Whether both centre lines pass through one point.
     one_centre: bool,
 }
 
@@ -181,19 +183,19 @@ impl Machine<'_> {
         )
     }
 
-    fn turns(&self) -> [Matrix; 2] {
+    fn rotations(&self) -> [Matrix; 2] {
         let [u, v] = self.order.rotaries;
-        let [ru, rv] = [u, v].map(|letter| turn(letter, &letter.to_string()));
+        let [ru, rv] = [u, v].map(|letter| rotation(letter, &letter.to_string()));
         if self.order.inclined {
-            // (10): R_alpha turns the axis of B into place.
-            let tilt = turn('A', "alpha");
+            // (10): R_alpha rotates the axis of B into its direction.
+            let tilt = rotation('A', "alpha");
             (ru, times(&times(&tilt, &rv), &transpose(&tilt))).into()
         } else {
             [ru, rv]
         }
     }
 
-    /// The centres of both rotaries in the coordinates of the tip: `d - part` in the table, `d + gauge` in the head.
+    /// Centres of both rotaries in the coordinates of the tip: `d - part` in the table, `d + gauge` in the head.
     fn centres(&self) -> [Vector; 2] {
         let first = vector(["f1", "f2", "f3"]);
         let second = if self.one_centre { first.clone() } else { vector(["g1", "g2", "g3"]) };
@@ -206,9 +208,9 @@ impl Machine<'_> {
         }
     }
 
-    /// `p` by the axes, and `q` by `p` and the rotary axes.
+    /// `p` from the axes, and `q` from `p` and the rotary axes.
     fn position(&self) -> [Vector; 2] {
-        let [ru, rv] = self.turns();
+        let [ru, rv] = self.rotations();
         let [ru_t, rv_t] = [&ru, &rv].map(transpose);
         let [f, g] = self.centres();
         let (p, q) = (vector(["x", "y", "z"]), vector(["X", "Y", "Z"]));
@@ -218,7 +220,7 @@ impl Machine<'_> {
             (Group::Table, true) => {
                 [sum(&apply(&times(&ru, &rv), &from(&q, &f)), &f), sum(&apply(&rv_t, &apply(&ru_t, &from(&p, &f))), &f)]
             }
-            // The second centre is carried by the first axis.
+            // The first axis carries the second centre.
             (Group::Table, false) => [
                 sum(&apply(&ru, &sum(&apply(&rv, &from(&q, &g)), &from(&g, &f))), &f),
                 sum(&apply(&rv_t, &from(&apply(&ru_t, &from(&p, &f)), &from(&g, &f))), &g),
@@ -244,9 +246,9 @@ impl Machine<'_> {
         }
     }
 
-    /// All equations with where they hold.
+    /// All equations with the conditions under which they hold.
     fn equations(&self) -> Vec<(String, String)> {
-        let [ru, rv] = self.turns();
+        let [ru, rv] = self.rotations();
         let axis = apply(&ru, &apply(&rv, &vector(["0", "0", "1"])));
         let [p, q] = self.position();
         let mut equations = Vec::new();

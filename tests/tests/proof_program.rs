@@ -1,7 +1,7 @@
 //! `explain --proof-program`: the tip stays on one point while each rotary axis sweeps its travel.
 //!
-//! Programs of every control are run by the foreign interpreter, and every block goes through the matrices of the oracle,
-//! at its ends and in between.
+//! The foreign interpreter runs the programs of every control; every block is checked by the matrices of the oracle, at
+//! its ends and in between.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -18,24 +18,24 @@ use tests::oracle::Oracle;
 
 const CONTROLS: [&str; 5] = ["linuxcnc", "fanuc", "siemens", "heidenhain", "haas"];
 
-/// How far the tip may leave its point between the ends of a block, mm: the default of `tolerance`.
+/// Largest distance of the tip from its point between the ends of a block, mm: the default of `tolerance`.
 const TOLERANCE: f64 = 0.01;
 
-/// Places of a block that are looked at.
-const PLACES: usize = 20;
+/// Samples per block.
+const SAMPLES: usize = 20;
 
 struct Case {
     binary: &'static str,
     config: &'static str,
-    /// Gauge length in it, mm.
+    /// Gauge length in `config`, mm.
     length: f64,
     point: [f64; 3],
 }
 
-/// What was printed, or what was said.
+/// The printed proof program, or the messages of its refusal.
 fn proof(case: &Case, control: &str, more: &[&str]) -> Result<String, String> {
     let folder = TempDir::new().expect("a temporary folder");
-    fs::write(folder.path().join("set-up.toml"), case.config).expect("the folder takes files");
+    fs::write(folder.path().join("set-up.toml"), case.config).expect("a file can be written");
     let [x, y, z] = case.point;
     let mut command = binary(case.binary);
     command.current_dir(folder.path()).args(["explain", "--proof-program", "--config", "set-up.toml"]);
@@ -51,7 +51,7 @@ fn proof(case: &Case, control: &str, more: &[&str]) -> Result<String, String> {
     }
 }
 
-/// A proof program, run with the spindle off.
+/// Runs a proof program with the spindle off.
 fn traced(program: &str, control: &str) -> Trace {
     let control = Control::by_name(control).expect("a control");
     let options = Options { dry: true, ..Options::of(control) };
@@ -63,11 +63,12 @@ fn feeds<M: Machine>(trace: &Trace) -> Vec<Vec<f64>> {
     let mut feeds = Vec::new();
     for step in trace.motions() {
         let straight = matches!(step.effect, Effect::Feed | Effect::Rapid | Effect::Machine);
-        assert!(straight, "line {}: no straight motion", step.line);
+        assert!(straight, "line {}: the motion is not straight", step.line);
         if step.effect == Effect::Feed {
             let value = |axis: &Axis| {
                 let word = step.state.position.get(axis.letter);
-                let word = word.unwrap_or_else(|| panic!("line {}: {} has no place", step.line, axis.letter));
+                let word =
+                    word.unwrap_or_else(|| panic!("line {}: the position of {} is unknown", step.line, axis.letter));
                 if axis.kind == AxisKind::Rotary { word.to_radians() } else { word }
             };
             feeds.push(M::AXES.iter().map(value).collect());
@@ -84,8 +85,8 @@ fn oracle<M: Machine>(case: &Case) -> Oracle {
     Oracle::of(&machine)
 }
 
-/// Looks at every feed block, and gives the smallest and largest angle of each axis, degrees.
-fn look<M: Machine>(case: &Case, control: &str) -> BTreeMap<char, (f64, f64)> {
+/// Checks every feed block; returns the smallest and the largest angle of each rotary axis, degrees.
+fn check_blocks<M: Machine>(case: &Case, control: &str) -> BTreeMap<char, (f64, f64)> {
     let program = proof(case, control, &[]).unwrap_or_else(|errors| panic!("{control}: {errors}"));
     let trace = traced(&program, control);
     let (oracle, blocks) = (oracle::<M>(case), feeds::<M>(&trace));
@@ -96,12 +97,12 @@ fn look<M: Machine>(case: &Case, control: &str) -> BTreeMap<char, (f64, f64)> {
     for (index, words) in blocks.iter().enumerate() {
         let off = (oracle.forward(words).tip - point).norm();
         assert!(off <= 2.0 * unit, "{control}, block {index}: the tip is {off} mm off");
-        for place in 0..=PLACES {
+        for sample in 0..=SAMPLES {
             let before = &blocks[index.saturating_sub(1)];
-            let share = place as f64 / PLACES as f64;
+            let share = sample as f64 / SAMPLES as f64;
             let between: Vec<f64> = before.iter().zip(words).map(|(a, b)| a + (b - a) * share).collect();
             let off = (oracle.forward(&between).tip - point).norm();
-            assert!(off <= TOLERANCE, "{control}, on the way to block {index}: the tip is {off} mm off");
+            assert!(off <= TOLERANCE, "{control}, on the path to block {index}: the tip is {off} mm off");
         }
         for (axis, value) in M::AXES.iter().zip(words).filter(|(axis, _)| axis.kind == AxisKind::Rotary) {
             let degrees = value.to_degrees();
@@ -135,17 +136,17 @@ const LOLA: Case = Case {
 };
 
 #[test]
-fn the_tip_stays_while_each_rotary_sweeps_its_travel_on_every_control() {
+fn the_tip_stays_on_its_point_while_each_rotary_sweeps_its_travel_on_every_control() {
     for control in CONTROLS {
-        assert_swept(&look::<SpinnerU5620>(&SPINNER, control), &[('B', -5.0, 110.0), ('C', 0.0, 360.0)]);
-        assert_swept(&look::<Dmu70e>(&DMU, control), &[('B', 0.0, 180.0), ('C', 0.0, 360.0)]);
-        assert_swept(&look::<MultiProDesk>(&DESK, control), &[('A', 0.0, 360.0)]);
-        assert_swept(&look::<LolaXoyzba>(&LOLA, control), &[('B', -90.0, 90.0), ('A', -60.0, 45.0)]);
+        assert_swept(&check_blocks::<SpinnerU5620>(&SPINNER, control), &[('B', -5.0, 110.0), ('C', 0.0, 360.0)]);
+        assert_swept(&check_blocks::<Dmu70e>(&DMU, control), &[('B', 0.0, 180.0), ('C', 0.0, 360.0)]);
+        assert_swept(&check_blocks::<MultiProDesk>(&DESK, control), &[('A', 0.0, 360.0)]);
+        assert_swept(&check_blocks::<LolaXoyzba>(&LOLA, control), &[('B', -90.0, 90.0), ('A', -60.0, 45.0)]);
     }
 }
 
 #[test]
-fn the_header_says_what_must_be_seen_and_the_spindle_stands() {
+fn the_header_states_what_must_be_observed_and_the_spindle_is_off() {
     let program = proof(&LOLA, "linuxcnc", &[]).expect("a program");
     for line in [
         "PROOF OF THE KINEMATICS: no cutting, spindle off",
@@ -163,11 +164,11 @@ fn the_header_says_what_must_be_seen_and_the_spindle_stands() {
     assert!(blocks.iter().all(|block| still(block.state.spindle) && dry(block.state.coolant)));
     assert!(blocks.iter().any(|block| block.effect == Effect::Spindle(Spindle::Off)));
     assert_eq!(blocks.last().map(|block| block.effect), Some(Effect::End));
-    assert!(program.contains("o1 if [[ABS[#5403 - 117.25]"), "the length is compared");
+    assert!(program.contains("o1 if [[ABS[#5403 - 117.25]"), "the length guard is missing");
 }
 
 #[test]
-fn words_in_inches_and_within_a_turn_keep_the_tip_too() {
+fn words_in_inches_and_wrapped_words_keep_the_tip_on_its_point() {
     let inches = Case { config: "units = 'mm'\noutput_units = 'in'\npart_origin = [10, -5, 60]\n", ..SPINNER };
     let program = proof(&inches, "linuxcnc", &[]).expect("a program");
     let oracle = oracle::<SpinnerU5620>(&inches);
@@ -181,28 +182,28 @@ fn words_in_inches_and_within_a_turn_keep_the_tip_too() {
     }
     let wrapped = Case { config: "units = 'mm'\npart_origin = [10, -5, 60]\nwrap = { C = '0..360' }\n", ..SPINNER };
     let program = proof(&wrapped, "heidenhain", &[]).expect("a program");
-    let turns = feeds::<SpinnerU5620>(&traced(&program, "heidenhain"));
-    assert!(turns.iter().all(|words| (0.0..360.0).contains(&words[0].to_degrees())));
+    let wrapped_words = feeds::<SpinnerU5620>(&traced(&program, "heidenhain"));
+    assert!(wrapped_words.iter().all(|words| (0.0..360.0).contains(&words[0].to_degrees())));
 }
 
 #[test]
-fn what_cannot_be_swept_is_refused_with_a_reason() {
-    let said = |case: Case| match proof(&case, "linuxcnc", &[]) {
+fn impossible_sweeps_are_refused_with_a_reason() {
+    let refusal = |case: Case| match proof(&case, "linuxcnc", &[]) {
         Ok(program) => panic!("{} lines were written", program.lines().count()),
         Err(errors) => errors,
     };
-    let head = said(Case { config: "units = 'mm'\n[tools]\n5 = { length = 117.25 }\n", ..LOLA });
+    let head = refusal(Case { config: "units = 'mm'\n[tools]\n5 = { length = 117.25 }\n", ..LOLA });
     assert!(
         head.contains("the travel of B, a rotary axis of the head, is unknown") && head.contains("[limits]"),
         "{head}"
     );
-    let length = said(Case { config: "units = 'mm'\n[limits]\nB = [-90, 90]\nA = [-60, 45]\n", ..LOLA });
+    let length = refusal(Case { config: "units = 'mm'\n[limits]\nB = [-90, 90]\nA = [-60, 45]\n", ..LOLA });
     assert!(length.contains("length"), "{length}");
-    let steps = said(Case { config: "units = 'mm'\n[grid]\nB = 1\n", ..SPINNER });
+    let steps = refusal(Case { config: "units = 'mm'\n[grid]\nB = 1\n", ..SPINNER });
     assert!(steps.contains("B is indexed"), "{steps}");
     let limits =
         "units = 'mm'\nmachine_zero = { X = 0, Y = 0, Z = 0 }\n[limits]\nZ = [-10, 10]\n[tools]\n1 = { length = 80 }\n";
-    assert!(said(Case { config: limits, ..SPINNER }).contains("Z"), "a linear axis runs out of travel");
+    assert!(refusal(Case { config: limits, ..SPINNER }).contains("Z"), "a linear axis is beyond its travel");
 
     let mut command = binary("spinner-u5-620");
     let output = command.args(["explain", "--proof-program"]).output().expect("the binary runs");

@@ -1,6 +1,7 @@
-//! Every golden program can be entered at each of its restart points: what follows moves as it does in the whole program.
+//! Every golden program can be entered at each of its restart points: the motions after it are those of the whole
+//! program.
 //!
-//! Whoever enters there has switched the control on, and the tool of the operation stands in the spindle.
+//! At the entry the control has just been switched on, and the tool of the operation is in the spindle.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -15,7 +16,7 @@ use tests::binaries::workspace;
 use tests::foreign::state::{Length, Spindle};
 use tests::foreign::{Control, Effect, Entry, Executed, Options, Trace, run};
 
-/// The golden programs of all modes, in their order.
+/// Golden programs of all modes, sorted.
 fn goldens() -> Vec<PathBuf> {
     let mut files = Vec::new();
     let mut folders = vec![workspace().join("tests/data")];
@@ -33,7 +34,7 @@ fn goldens() -> Vec<PathBuf> {
     files
 }
 
-/// The control that a golden program is for.
+/// Control of a golden program, by its file name.
 fn control_of(path: &Path) -> Control {
     let name = path.file_stem().expect("a name").to_string_lossy().into_owned();
     Control::by_name(name.rsplit('.').next().expect("a control")).expect("a control")
@@ -48,39 +49,39 @@ fn restarts(program: &str, control: Control) -> Vec<usize> {
     traced(program, &Options::of(control)).restarts().collect()
 }
 
-/// Why a block does not do what it does in the whole program.
+/// Difference between a block of the whole program and the same block of the entered one; `axes`: number of axes.
 fn difference(whole: &Executed, entered: &Executed, axes: usize) -> Option<&'static str> {
     let (one, other) = (&whole.state, &entered.state);
     let at = |letter: char| one.position.get(letter);
     let known = other.position.iter().all(|(letter, here)| at(letter).is_none_or(|there| (there - here).abs() < 1e-12));
     match () {
-        () if whole.line != entered.line || whole.words != entered.words => Some("other words"),
-        () if whole.effect != entered.effect => Some("another kind of motion"),
-        () if !known => Some("another place"),
+        () if whole.line != entered.line || whole.words != entered.words => Some("different words"),
+        () if whole.effect != entered.effect => Some("different kind of motion"),
+        () if !known => Some("different position"),
         () if entered.effect == Effect::Machine => None,
-        () if one.tool != other.tool || one.length != other.length => Some("another tool or length"),
-        () if one.work_offset != other.work_offset || one.work_offset.is_none() => Some("another work offset"),
-        () if one.tilted_plane() != other.tilted_plane() => Some("another plane"),
-        () if one.under_tip_control() != other.under_tip_control() => Some("another tip control"),
+        () if one.tool != other.tool || one.length != other.length => Some("different tool or length"),
+        () if one.work_offset != other.work_offset || one.work_offset.is_none() => Some("different work offset"),
+        () if one.tilted_plane() != other.tilted_plane() => Some("different plane"),
+        () if one.under_tip_control() != other.under_tip_control() => Some("different tip control"),
         () if !entered.effect.cuts() => None,
         () if !matches!(other.length, Some(Length::Register(_))) => Some("a cut without length"),
         () if !matches!(other.spindle, Some(Spindle::Clockwise | Spindle::CounterClockwise)) => {
             Some("a cut with the spindle off")
         }
         () if other.position.len() < axes => Some("an axis at an unknown position"),
-        () if whole.feed() != entered.feed() || one.feed_mode != other.feed_mode => Some("another F"),
-        () if (one.spindle, one.speed) != (other.spindle, other.speed) => Some("another spindle"),
-        () if one.coolant != other.coolant => Some("another coolant"),
+        () if whole.feed() != entered.feed() || one.feed_mode != other.feed_mode => Some("different F"),
+        () if (one.spindle, one.speed) != (other.spindle, other.speed) => Some("different spindle"),
+        () if one.coolant != other.coolant => Some("different coolant"),
         () if (one.units, one.distance, one.plane) != (other.units, other.distance, other.plane) => {
-            Some("another unit, distance mode or plane")
+            Some("different unit, distance mode or plane")
         }
-        () if one.compensation != other.compensation => Some("another cutter compensation"),
-        () if (one.interpolation, one.vector) != (other.interpolation, other.vector) => Some("another tool axis"),
+        () if one.compensation != other.compensation => Some("different cutter compensation"),
+        () if (one.interpolation, one.vector) != (other.interpolation, other.vector) => Some("different tool axis"),
         () => None,
     }
 }
 
-/// What goes wrong where a program is entered at a line, and how many blocks move after it.
+/// Enters a program at a line; returns the number of moving blocks after it, or the first difference.
 fn enter(program: &str, control: Control, line: usize) -> Result<usize, String> {
     let options = Options::of(control);
     let whole = run(program, &options).map_err(|refused| refused.to_string())?;
@@ -94,7 +95,7 @@ fn enter(program: &str, control: Control, line: usize) -> Result<usize, String> 
         return Err(format!("{} blocks move, in the whole program {}", rest.len(), tail.len()));
     }
     for (whole, entered) in tail.iter().zip(&rest) {
-        // In a tilted plane the control has turned the rotary axes to angles of its own.
+        // In a tilted plane the control has moved the rotary axes to angles of its own.
         let axes = if whole.state.tilted_plane().is_some() { 3 } else { axes };
         if let Some(why) = difference(whole, entered, axes) {
             return Err(format!("line {}: {why}\n{:?}\n{:?}", whole.line, whole.state, entered.state));
@@ -104,7 +105,7 @@ fn enter(program: &str, control: Control, line: usize) -> Result<usize, String> 
 }
 
 #[test]
-fn every_golden_program_moves_alike_from_each_restart_point_on() {
+fn every_golden_program_has_the_same_motions_from_each_restart_point() {
     let mut entries = 0;
     for path in goldens() {
         let program = fs::read_to_string(&path).expect("ASCII");
@@ -123,7 +124,7 @@ fn every_golden_program_moves_alike_from_each_restart_point_on() {
 }
 
 #[test]
-fn a_state_that_is_lost_behind_a_restart_point_is_seen() {
+fn a_state_that_is_lost_after_a_restart_point_is_found() {
     let folder = workspace().join("tests/data");
     let read = |name: &str| fs::read_to_string(folder.join(name)).expect("ASCII");
     for (name, lost, seen) in [
@@ -139,7 +140,7 @@ fn a_state_that_is_lost_behind_a_restart_point_is_seen() {
         let mut text: Vec<&str> = program.lines().collect();
         let found = text[line - 1..].iter().position(|text| text.contains(lost));
         let at = line - 1 + found.unwrap_or_else(|| panic!("{name}: {lost}"));
-        // A comment takes the place of a block that is lost as a whole.
+        // A comment replaces a block that is lost as a whole.
         let comment = if matches!(control, Control::Siemens | Control::Heidenhain) { "; LOST" } else { "(LOST)" };
         let alone = text[at] == lost || control == Control::Heidenhain;
         let without = text[at].replacen(lost, if alone { comment } else { "" }, 1);
@@ -149,7 +150,7 @@ fn a_state_that_is_lost_behind_a_restart_point_is_seen() {
     }
 }
 
-/// The blocks of a program of `works` in a mode, as the reader of the check has them: it knows tip control and planes.
+/// Blocks of a program of `works` in a mode, by the reader of the check, which supports tip control and planes.
 fn read<M: Machine>(program: &str, control: &str, mode: Mode) -> Vec<Block> {
     let text = fs::read_to_string(workspace().join("tests/data/works/works.toml")).expect("a configuration");
     let control = control::by_name(control).expect("it is there");
@@ -158,62 +159,65 @@ fn read<M: Machine>(program: &str, control: &str, mode: Mode) -> Vec<Block> {
     blocks::<M>(&Job { config: &config, control, units: None }, program.as_bytes()).expect("it can be read")
 }
 
-/// Whether both are on with the rotary axes at the same angles, or both off.
+/// Whether tip control is on in both with the rotary axes at the same angles, or off in both.
 fn same_tip_control<M: Machine>(one: &TipControl, other: &TipControl) -> bool {
     let (TipControl::On { start: one }, TipControl::On { start: other }) = (one, other) else { return one == other };
     let rotary = |(axis, _): &(&pp_runtime::kinematics::Axis, _)| axis.kind == AxisKind::Rotary;
     M::AXES.iter().zip(one.iter().zip(other)).filter(rotary).all(|(_, (one, other))| (one - other).abs() < 1e-12)
 }
 
-/// Why a block that is entered before does not do what it does in the whole program.
-fn parted<M: Machine>(whole: &Block, entered: &Block, solved: u16) -> Option<&'static str> {
+/// Difference between a block of the whole program and of the entered one, by the reader of the check; `solved`: bits
+/// of the solved axes.
+fn read_difference<M: Machine>(whole: &Block, entered: &Block, solved: u16) -> Option<&'static str> {
     let (one, other) = (&whole.state, &entered.state);
     let same = |index: usize| (whole.values[index] - entered.values[index]).abs() < 1e-12;
-    let mut places = (0..solved.count_ones() as usize).filter(|index| entered.known & (1 << index) != 0);
+    let mut positions = (0..solved.count_ones() as usize).filter(|index| entered.known & (1 << index) != 0);
     let cuts = matches!(entered.action, Action::Feed | Action::Arc(_) | Action::Cycle(_));
     let own_feed = matches!(entered.action, Action::Cycle(cycle) if cycle.feed.is_some());
     match () {
-        () if whole.action != entered.action || whole.written != entered.written => Some("another motion"),
-        () if !places.all(same) => Some("another place"),
-        () if !same_tip_control::<M>(&one.tip_control, &other.tip_control) => Some("another tip control"),
-        () if (one.tilt, one.vector) != (other.tilt, other.vector) => Some("another plane"),
+        () if whole.action != entered.action || whole.written != entered.written => Some("different motion"),
+        () if !positions.all(same) => Some("different position"),
+        () if !same_tip_control::<M>(&one.tip_control, &other.tip_control) => Some("different tip control"),
+        () if (one.tilt, one.vector) != (other.tilt, other.vector) => Some("different plane"),
         () if !cuts => None,
-        () if entered.known & solved != solved => Some("an axis whose place nobody knows"),
-        () if (one.work_offset, one.units) != (other.work_offset, other.units) => Some("another offset"),
-        () if (one.incremental, one.side) != (other.incremental, other.side) => Some("another way to count"),
-        () if (one.spindle, one.speed, one.coolant) != (other.spindle, other.speed, other.coolant) => {
-            Some("another spindle")
+        () if entered.known & solved != solved => Some("an axis at an unknown position"),
+        () if (one.work_offset, one.units) != (other.work_offset, other.units) => Some("different work offset or unit"),
+        () if (one.incremental, one.side) != (other.incremental, other.side) => {
+            Some("different distance mode or compensation")
         }
-        () if !own_feed && (one.feed_mode, one.feed) != (other.feed_mode, other.feed) => Some("another feed"),
-        () if (one.length, one.plane) != (other.length, other.plane) => Some("another length or plane"),
+        () if (one.spindle, one.speed, one.coolant) != (other.spindle, other.speed, other.coolant) => {
+            Some("different spindle")
+        }
+        () if !own_feed && (one.feed_mode, one.feed) != (other.feed_mode, other.feed) => Some("different feed"),
+        () if (one.length, one.plane) != (other.length, other.plane) => Some("different length or plane"),
         () => None,
     }
 }
 
-/// What goes wrong where a program of a mode is entered at some lines.
+/// Enters a program of a mode after each of some lines; the error is the first difference.
 fn enter_mode<M: Machine>(program: &str, control: &str, mode: Mode, lines: &[usize]) -> Result<(), String> {
     let whole = read::<M>(program, control, mode);
     let trace = traced(program, &Options::of(Control::by_name(control).expect("a control")));
     let solved = (1_u16 << M::AXES.iter().filter(|axis| !axis.held).count()) - 1;
     for &line in lines {
-        // A Heidenhain control is told the unit in the first line, and length and plane with the tool that stands in the
+        // A Heidenhain program sets the unit in its first line, and length and plane with the call of the tool in the
         // spindle.
         let called = |block: &&Executed| matches!(block.effect, Effect::ToolChange(_)) && block.line <= line;
         let call = trace.blocks.iter().rfind(called).filter(|_| control == "heidenhain");
         let all: Vec<&str> = program.lines().collect();
         let mut text: Vec<&str> =
             all[..line.min(1)].iter().copied().chain(call.map(|call| all[call.line - 1])).collect();
-        let told = text.len() as u64;
+        let prepended = text.len() as u64;
         text.extend(program.lines().skip(line));
         let entered = read::<M>(&text.join("\n"), control, mode);
         let moves = |block: &&Block| block.action != Action::Nothing;
         let tail: Vec<&Block> = whole.iter().filter(|block| block.line > line as u64).filter(moves).collect();
-        let rest: Vec<&Block> = entered.iter().filter(|block| block.line > told).filter(moves).collect();
+        let rest: Vec<&Block> = entered.iter().filter(|block| block.line > prepended).filter(moves).collect();
         if tail.len() != rest.len() || rest.len() < 5 {
             return Err(format!("line {}: {} blocks, in the whole program {}", line + 1, rest.len(), tail.len()));
         }
         for (one, other) in tail.iter().zip(&rest) {
-            if let Some(why) = parted::<M>(one, other, solved) {
+            if let Some(why) = read_difference::<M>(one, other, solved) {
                 return Err(format!("entered at line {}, line {}: {why}\n{one:?}\n{other:?}", line + 1, one.line));
             }
         }
@@ -221,7 +225,7 @@ fn enter_mode<M: Machine>(program: &str, control: &str, mode: Mode, lines: &[usi
     Ok(())
 }
 
-/// How many lines come before each restart point.
+/// Number of lines before each restart point.
 fn before_restarts(program: &str, control: &str) -> Vec<usize> {
     let control = Control::by_name(control).expect("a control");
     restarts(program, control).into_iter().map(|line| line - 1).collect()
@@ -257,7 +261,7 @@ fn programs_under_tip_control_and_in_planes_are_entered_with_their_frames() {
 }
 
 #[test]
-fn a_frame_that_is_lost_behind_a_restart_point_is_seen() {
+fn a_frame_that_is_lost_after_a_restart_point_is_found() {
     for (mode, name, control, lost) in [
         (Mode::Tcp, "tcp", "fanuc", "G43.4 "),
         (Mode::Tcp, "tcp", "siemens", "TRAORI"),
@@ -267,12 +271,12 @@ fn a_frame_that_is_lost_behind_a_restart_point_is_seen() {
         (Mode::Plane, "plane", "heidenhain", "PLANE SPATIAL"),
         (Mode::Plane, "plane", "haas", "G268"),
     ] {
-        // Whoever enters behind the block that brings the frame does not have it.
+        // A program that is entered after the block that sets the frame does not have it.
         let program = works(name, "spinner-u5-620", control);
         let entry = before_restarts(&program, control)[1];
         let found = program.lines().skip(entry).position(|text| text.contains(lost));
-        let behind = entry + 1 + found.unwrap_or_else(|| panic!("{name} {control}: no {lost}"));
-        let entered = enter_mode::<SpinnerU5620>(&program, control, mode, &[behind]);
+        let after = entry + 1 + found.unwrap_or_else(|| panic!("{name} {control}: no {lost}"));
+        let entered = enter_mode::<SpinnerU5620>(&program, control, mode, &[after]);
         assert!(entered.is_err(), "{name} {control} without {lost}");
     }
 }

@@ -482,7 +482,7 @@ fn an_operation_that_is_posted_alone_moves_as_it_does_in_the_whole_program() {
         config.motion.operations = operations;
         let (text, report) = posted::<Cb>(&config, FOUR);
         assert!(!report.failed && text.ends_with("M5\nM2\n"), "{report:?}\n{text}");
-        assert!(text.contains(&format!("operations {first} to {last} of 4 only")), "{text}");
+        assert!(text.contains(&format!("only operations {first} to {last} of 4")), "{text}");
         assert_eq!(report.tools.len(), if (first, last) == (2, 3) { 2 } else { 1 });
         let some = by_operation(&text);
         let restarts: Vec<u64> = some.keys().copied().filter(|number| *number > 0).collect();

@@ -1,4 +1,4 @@
-//! Any bytes as a program beside CL data that does not change; the first chooses control and mode.
+//! Any bytes are checked as a program against fixed CL data; the first byte selects control and mode.
 #![no_main]
 
 use std::io::Cursor;

@@ -1,4 +1,4 @@
-//! Any bytes through the whole way to a program; the first chooses control and mode. What is posted passes its check.
+//! Any bytes are posted as CL data; the first byte selects control and mode. A posted program must pass its check.
 #![no_main]
 
 use std::io::Cursor;

@@ -1,4 +1,4 @@
-//! Any bytes through the reader, with every option that changes what records mean.
+//! Any bytes are read as CL data, with every option that changes the meaning of records.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
@@ -6,7 +6,7 @@ use pp_runtime::set_up::ClPoint;
 use pp_runtime::cl::{ClReader, Dialect, FeedLabel, Frames, Insert, ReadingOptions};
 use pp_runtime::program::{Event, Units};
 
-/// The first two bytes choose the options.
+/// Options that the first two bytes select.
 fn options(choice: [u8; 2]) -> ReadingOptions {
     let bit = |index: usize| choice[index / 8] & (1 << (index % 8)) != 0;
     let dialects =

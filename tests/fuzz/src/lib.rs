@@ -1,4 +1,4 @@
-//! Set-ups for the targets that go the whole way: every control and mode, for the Spinner U5-620.
+//! Set-ups for the targets that post or check: every control and mode, for the Spinner U5-620.
 
 use std::sync::LazyLock;
 
@@ -8,16 +8,16 @@ use pp_runtime::config::{Config, starting_point};
 use pp_runtime::control::{self, CONTROLS, Control};
 use pp_runtime::program::{Rotation, Units};
 
-/// Units of CL data that does not say.
+/// Units of CL data without a UNITS record.
 pub const UNITS: Option<Units> = Some(Units::Millimetres);
 
-/// A control, and how it is programmed.
+/// A control, and its configuration.
 pub struct SetUp {
     pub control: &'static dyn Control,
     pub config: Config,
 }
 
-/// What stands in the set-up file for each mode.
+/// Lines of the configuration file for each mode.
 const MODES: [&str; 3] = ["", "mode = 'tcp'\ntcp_frame = 'table_at_zero'\n", "mode = 'plane'\n"];
 
 /// In the order of [`CONTROLS`], modes innermost; `None` where a control has no such mode.
@@ -39,7 +39,7 @@ fn set_up(control: &'static dyn Control, mode: &str) -> Option<SetUp> {
     control::unfit(&SpinnerU5620::default(), control, config.demands()).is_empty().then_some(SetUp { control, config })
 }
 
-/// The set-up that the first byte chooses, and the other bytes.
+/// Set-up that the first byte selects, and the other bytes.
 #[must_use]
 pub fn chosen(data: &[u8]) -> Option<(&'static SetUp, &[u8])> {
     let (choice, rest) = data.split_first()?;

@@ -1,4 +1,4 @@
-//! Declaration: what a machine reports about itself fits together.
+//! Check of the declaration: axes, held values, dimensions and joints of a machine are consistent.
 
 use nalgebra::Vector3;
 use pp_runtime::kinematics::{AxisKind, Side};
@@ -6,7 +6,7 @@ use pp_runtime::kinematics::{AxisKind, Side};
 use super::{Fault, UNIT};
 use crate::subject::Subject;
 
-/// Checks that what a machine says about itself fits together.
+/// Checks that axes, held values, dimensions and joints of a machine are consistent.
 pub(super) fn declaration(declared: &dyn Subject) -> Result<(), Fault> {
     let rule = |rule: &'static str, holds: bool| {
         let chain: String = declared.axes().iter().map(|axis| axis.letter).collect();
@@ -33,7 +33,7 @@ pub(super) fn declaration(declared: &dyn Subject) -> Result<(), Fault> {
             'U'..='Z' => AxisKind::Linear,
             _ => return rule("an axis is one of X Y Z U V W A B C", false),
         };
-        rule("A B C turn and X Y Z U V W slide", axis.kind == kind)?;
+        rule("A B C are rotary, X Y Z U V W are linear", axis.kind == kind)?;
         rule("HELD is zero for an axis that is solved for", axis.held || held[index].abs() <= 0.0)?;
         if let Some(limits) = axis.limits {
             rule("travel is not empty", limits.lower <= limits.upper)?;
@@ -42,7 +42,7 @@ pub(super) fn declaration(declared: &dyn Subject) -> Result<(), Fault> {
         rule("a joint's sign is that of its axis", (joint.sign - axis.sign.factor()).abs() <= 0.0)?;
         rule("a joint's direction is a unit vector", (joint.direction.norm() - 1.0).abs() <= UNIT)?;
         if axis.kind == AxisKind::Linear {
-            rule("a linear joint stands at the origin", joint.point.coords.norm() <= 0.0)?;
+            rule("a linear joint is at the origin", joint.point.coords.norm() <= 0.0)?;
         }
     }
     rule("the declared dimensions are valid", declared.validate().is_ok())?;
@@ -50,7 +50,7 @@ pub(super) fn declaration(declared: &dyn Subject) -> Result<(), Fault> {
     for (index, dimension) in declared.dimensions().iter().enumerate() {
         rule("a dimension starts at its default", (declared.dimension(index) - dimension.default).abs() <= 0.0)?;
         changed.set_dimension(index, 0.125);
-        rule("a dimension keeps what it is given", (changed.dimension(index) - 0.125).abs() <= 0.0)?;
+        rule("a dimension keeps the value that is set", (changed.dimension(index) - 0.125).abs() <= 0.0)?;
         changed.set_dimension(index, f64::NAN);
         rule("a dimension that is not a number is invalid", changed.validate().is_err())?;
         changed = declared.fresh();

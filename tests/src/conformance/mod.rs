@@ -1,10 +1,10 @@
-//! What every machine must do, whoever wrote or generated it.
+//! Conformance checks for every machine, written by hand or generated.
 //!
 //! Poses are made by the [oracle](crate::oracle) from random axis values: the tip inside a cube of 1 m, rotaries over
-//! the whole turn and, more often than chance would have it, at 0, ±90°, ±180°, at the pole, at the rim, and 1e-3 to
-//! 1e-12 rad beside them. Part origin, gauge length and dimensions are random too.
+//! the whole revolution and, with raised probability, at 0, ±90°, ±180°, at the pole, at the rim, and 1e-3 to 1e-12 rad
+//! from these angles. Part origin, gauge length and dimensions are random too.
 //!
-//! [`check`] runs everything and panics with the machine, the set-up and the pose; [`find_fault`] answers instead;
+//! [`check`] runs everything and panics with the machine, the set-up and the pose; [`find_fault`] returns the fault;
 //! [`conformance!`](crate::conformance!) makes a test module with one test per [`Check`].
 
 mod blocks;
@@ -24,16 +24,16 @@ use crate::oracle::Oracle;
 use crate::random::Random;
 use crate::subject::{Erased, Subject};
 
-/// Largest distance of the tip reached from the tip wanted, mm, where the linear axes are well conditioned.
+/// Largest distance between the tip reached and the given tip, mm, where the linear axes are well conditioned.
 pub const POSITION: f64 = 1e-9;
-/// The same, times the determinant, where they are not.
+/// Largest distance times the determinant, mm, where they are not.
 pub const POSITION_BY_DETERMINANT: f64 = 1e-12;
-/// Largest angle between the axis reached and the axis wanted beyond the deviation that the solution reports, rad.
+/// Largest angle between the axis reached and the given axis, rad, beyond the deviation that the solution reports.
 pub const AXIS: f64 = 1e-12;
 /// Largest difference of a rotary value from the one that made the pose, rad, times the sine of the angle to the pole
 /// or the rim, whichever is smaller.
 pub const ROTARY: f64 = 1e-9;
-/// Below this sine only poses are compared.
+/// Sine below which only poses are compared, not rotary values.
 pub const SMALLEST_SINE: f64 = 1e-6;
 /// Largest distance of forward kinematics from the matrix product, as a share of travel and arms (plus 1 mm).
 pub const FORWARD_SHARE: f64 = 1e-13;
@@ -41,16 +41,17 @@ pub const FORWARD_SHARE: f64 = 1e-13;
 pub const FORWARD_AXIS: f64 = 1e-13;
 /// Largest difference of the length of an axis from 1.
 pub const UNIT: f64 = 1e-14;
-/// Largest difference of `rates` from the derivatives of the matrix product, as a share of what takes part.
+/// Largest difference of `rates` from the derivatives of the matrix product, as a share of linear travel plus rotation
+/// times arm length.
 pub const RATE_SHARE: f64 = 1e-13;
-/// A bound is at most this many times the true deviation, in the median of blocks as they are cut.
+/// Largest median of bound divided by true deviation, over blocks as in a cut.
 pub const MOTION_MEDIAN: f64 = 1.05;
-/// Places of a block that are looked at.
+/// Samples per block.
 const BLOCK_POINTS: usize = 1000;
-/// One block instead of so many poses.
+/// Poses of the other checks for one block of the motion check, which needs 1000 samples.
 const POSES_PER_BLOCK: usize = 50;
-/// A block as it is cut turns no axis by more than this, rad.
-const USUAL_TURN: f64 = 0.1;
+/// Largest rotation of an axis in a block as in a cut, rad.
+const CUT_ROTATION: f64 = 0.1;
 /// Poses per set-up.
 const POSES_PER_SET_UP: usize = 16;
 
@@ -62,22 +63,22 @@ pub enum Check {
     /// Forward kinematics is the product of the declared joints.
     Forward,
     /// Every reachable pose is solved; every solution gives the pose back; the axis values that made the pose are among
-    /// the solutions; branches stand in their documented order; `linear_axes` and `reach` agree.
+    /// the solutions; branches come in their documented order; `linear_axes` and `reach` agree.
     Inverse,
     /// At the exact pole there is one solution, and the free rotary keeps its held value.
     Pole,
-    /// Axes outside the cone are refused, those inside are not, and a hair outside counts as rounding.
+    /// Axes outside the cone are refused, those inside are not; less than `REACH_TOLERANCE` outside counts as rounding.
     Reach,
     /// NaN and infinity have no solution.
     NotFinite,
     /// `rates` are the derivatives of the product of the declared joints.
     Rates,
-    /// `motion` is never below the deviation of a block, looked at everywhere, and not far above it.
+    /// The bound of `motion` is never below the sampled deviation of a block, and not far above it.
     Motion,
 }
 
 impl Check {
-    /// All of them.
+    /// All checks.
     pub const ALL: [Self; 8] = [
         Self::Declaration,
         Self::Forward,
@@ -90,7 +91,7 @@ impl Check {
     ];
 }
 
-/// A machine that does not do what it must.
+/// A rule that a machine breaks.
 #[derive(Debug, Clone)]
 pub struct Fault {
     /// The rule that is broken.
@@ -106,7 +107,7 @@ impl fmt::Display for Fault {
 }
 
 /// Makes a test module `$name` for a machine: one test per [`Check`](crate::conformance::Check), with `$poses` random
-/// poses each (2000 if not said).
+/// poses each (default 2000).
 #[macro_export]
 macro_rules! conformance {
     ($machine:ty, $name:ident) => {
@@ -119,7 +120,7 @@ macro_rules! conformance {
             use $crate::conformance::{Check, run};
 
             #[test]
-            fn declaration_agrees_with_itself() {
+            fn declaration_is_consistent() {
                 run::<$machine>(Check::Declaration, $poses);
             }
             #[test]
@@ -127,7 +128,7 @@ macro_rules! conformance {
                 run::<$machine>(Check::Forward, $poses);
             }
             #[test]
-            fn every_reachable_pose_is_solved_and_found_again() {
+            fn every_reachable_pose_is_solved_and_its_axis_values_found() {
                 run::<$machine>(Check::Inverse, $poses);
             }
             #[test]
@@ -147,7 +148,7 @@ macro_rules! conformance {
                 run::<$machine>(Check::Rates, $poses);
             }
             #[test]
-            fn no_block_leaves_its_line_by_more_than_motion_says() {
+            fn no_block_deviates_more_than_the_bound_of_motion() {
                 run::<$machine>(Check::Motion, $poses);
             }
         }
@@ -186,7 +187,7 @@ fn perform(declared: &dyn Subject, check: Check, poses: usize) -> Result<(), Fau
     }
     let poses = if check == Check::Motion { poses.div_ceil(POSES_PER_BLOCK) } else { poses };
     let mut margins = Margins::default();
-    // Every chain has a stream of its own.
+    // Every chain has its own random numbers.
     let letters =
         declared.axes().iter().fold(check as u64, |seed, axis| seed * 131 + u64::from(u32::from(axis.letter)));
     let mut random = Random::new(letters);
@@ -212,7 +213,7 @@ fn perform(declared: &dyn Subject, check: Check, poses: usize) -> Result<(), Fau
     margins.check(declared)
 }
 
-/// NaN exceeds everything.
+/// Whether an error exceeds its tolerance; NaN always does.
 fn exceeds(error: f64, allowed: f64) -> bool {
     error > allowed || error.is_nan()
 }
@@ -238,7 +239,7 @@ fn first_branch(declared: &dyn Subject, current: &Oracle) -> Option<f64> {
     } else if now.cosine_part().abs() < 1e-9 {
         Some(-alpha2.signum())
     } else {
-        // Zero at the defaults only: which rule applies is the machine's to say.
+        // Zero at the defaults only: the machine decides which rule applies.
         None
     }
 }

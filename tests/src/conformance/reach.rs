@@ -1,4 +1,4 @@
-//! The pole, the cone of tool axes that can be reached, and poses that are no numbers.
+//! Checks of the pole, of the cone of reachable tool axes, and of poses with NaN or infinity.
 
 use core::f64::consts::PI;
 
@@ -50,7 +50,7 @@ impl Setting {
             (Some(rotaries), _) => {
                 let angle = angle_between(&rotaries.first, axis);
                 let (smallest, largest) = rotaries.cone();
-                // A cone that ends at a pole ends nowhere.
+                // A cone that ends at a pole has no edge there.
                 let below = if smallest < 1e-9 { f64::NEG_INFINITY } else { smallest - angle };
                 let above = if largest > PI - 1e-9 { f64::NEG_INFINITY } else { angle - largest };
                 below.max(above)
@@ -63,15 +63,15 @@ impl Setting {
         }
     }
 
-    /// Direction of the only solved rotary as the workpiece sees it, and a tool axis that it reaches.
+    /// Direction of the only solved rotary in the workpiece frame, and a tool axis that it reaches.
     pub(super) fn single(&self, values: &[f64]) -> (Vector3<f64>, Vector3<f64>) {
         let index = self.oracle.rotary()[0];
-        let mut turned = values.to_vec();
+        let mut rotated = values.to_vec();
         let tools = [0.0, 1.5, 3.0].map(|angle| {
-            turned[index] = angle;
-            self.oracle.forward(&turned).axis.into_inner()
+            rotated[index] = angle;
+            self.oracle.forward(&rotated).axis.into_inner()
         });
-        // Three points of a circle have its axis as their normal.
+        // The plane through three points of a circle is perpendicular to its axis.
         ((tools[1] - tools[0]).cross(&(tools[2] - tools[0])).normalize(), tools[0])
     }
 
@@ -82,7 +82,7 @@ impl Setting {
         }
         let axis = Vector3::from(random.direction());
         self.expect_reach(&values, axis, random)?;
-        // A little outside the edges of what can be reached.
+        // Slightly outside the edges of the cone.
         let (direction, angles) = match (self.oracle.rotaries(&values), &self.oracle.rotary()[..]) {
             (Some(rotaries), _) => (rotaries.first, [rotaries.cone().0, rotaries.cone().1]),
             (None, []) => (self.oracle.forward(&values).axis.into_inner(), [0.0, 0.0]),
@@ -91,12 +91,12 @@ impl Setting {
                 (first, [angle_between(&first, &tool); 2])
             }
         };
-        let beside_pole = |rotaries: Rotaries| {
+        let near_pole = |rotaries: Rotaries| {
             let (smallest, largest) = rotaries.cone();
             smallest.min(PI - largest) < 1e-3 && !rotaries.ends_at_pole(1.0) && !rotaries.ends_at_pole(-1.0)
         };
-        if self.oracle.rotaries(&values).is_some_and(beside_pole) {
-            // A held head at a few hundredths of a degree: the edge is a cone of a hair's width.
+        if self.oracle.rotaries(&values).is_some_and(near_pole) {
+            // A held head tilted by a few hundredths of a degree: the edge is a very narrow cone.
             return Ok(());
         }
         let edge = random.below(2);
@@ -107,7 +107,7 @@ impl Setting {
         self.expect_reach(&values, axis, random)
     }
 
-    /// Compares inverse kinematics and `reach` with how far the axis lies outside.
+    /// Compares inverse kinematics and `reach` with the angle of the axis outside the cone.
     pub(super) fn expect_reach(&self, values: &[f64], axis: Vector3<f64>, random: &mut Random) -> Result<(), Fault> {
         let pose = Pose { tip: Point3::origin(), axis: UnitVector3::new_normalize(axis) };
         let held = self.held(values, random);
@@ -136,7 +136,7 @@ impl Setting {
                 return fault("a solution reports how far its axis deviates");
             }
             if exceeds((solution.deviation - outside.max(0.0)).abs(), 1e-9) {
-                return fault("a hair outside the cone the nearest axis is used");
+                return fault("just outside the cone the nearest axis is used");
             }
         }
         Ok(())

@@ -19,15 +19,15 @@ pub(super) struct Setting {
     pub(super) description: String,
 }
 
-/// A pose, and how it was made.
+/// A pose, and the axis values and conditioning from which it was made.
 pub(super) struct Case {
-    /// The axis values that made it.
+    /// Axis values of the pose.
     pub(super) values: Vec<f64>,
     pub(super) pose: Pose,
-    /// Input of the inverse kinematics: true values of held axes, anything elsewhere.
+    /// Input of the inverse kinematics: true values of held axes, random values elsewhere.
     pub(super) held: Vec<f64>,
     pub(super) determinant: f64,
-    /// Sines of the angle to the pole and to the rim; 1 where there is no such thing.
+    /// Sines of the angle to the pole and to the rim; 1 where there is none.
     pub(super) pole_sine: f64,
     pub(super) rim_sine: f64,
 }
@@ -76,7 +76,7 @@ impl Setting {
         }
     }
 
-    /// Input of the inverse kinematics for these axis values: only held axes keep theirs.
+    /// Input of the inverse kinematics for these axis values: held axes keep theirs, the others get random values.
     pub(super) fn held(&self, values: &[f64], random: &mut Random) -> Vec<f64> {
         let axes = self.machine.axes();
         (0..values.len())
@@ -119,7 +119,7 @@ impl Setting {
         values
     }
 
-    /// A reachable pose; `None` where held values leave the machine no way to tilt the tool.
+    /// A reachable pose; `None` where the machine cannot tilt the tool at the held values.
     pub(super) fn draw_case(&self, random: &mut Random) -> Option<Case> {
         let mut values = self.draw_angles(random);
         if self.oracle.rotaries(&values).is_some_and(|rotaries| rotaries.authority() < 0.01) {

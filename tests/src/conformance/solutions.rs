@@ -1,4 +1,4 @@
-//! Forward kinematics, and every solution of the inverse.
+//! Checks of forward kinematics, and of every solution of the inverse.
 
 use core::f64::consts::PI;
 
@@ -18,7 +18,7 @@ impl Setting {
         for index in self.oracle.linear() {
             values[index] = random.between(-500.0, 500.0);
         }
-        // Forward kinematics takes any number of turns.
+        // Forward kinematics accepts any number of revolutions.
         for index in self.oracle.rotary() {
             if random.chance(0.2) {
                 values[index] += random.sign() * 2.0 * PI;
@@ -30,12 +30,12 @@ impl Setting {
         let distance = (pose.tip - case.pose.tip).norm();
         let allowed = FORWARD_SHARE * self.oracle.scale(&case.values);
         if exceeds(distance, allowed) {
-            let more = format!("forward kinematics says {:?}: {distance:e} mm off, allowed {allowed:e}", pose.tip);
+            let more = format!("forward kinematics gives {:?}: {distance:e} mm off, allowed {allowed:e}", pose.tip);
             return Err(self.fault("forward kinematics puts the tip where the joints do", &case, &more));
         }
         let angle = angle_between(&pose.axis, &case.pose.axis);
         if exceeds(angle, FORWARD_AXIS) || exceeds((pose.axis.norm() - 1.0).abs(), UNIT) {
-            let more = format!("forward kinematics says {:?}: {angle:e} rad off", pose.axis);
+            let more = format!("forward kinematics gives {:?}: {angle:e} rad off", pose.axis);
             return Err(self.fault("forward kinematics tilts the tool as the joints do", &case, &more));
         }
         Ok(())
@@ -62,7 +62,7 @@ impl Setting {
         Ok(())
     }
 
-    /// A solution, put through the oracle, is the pose.
+    /// Checks that a solution gives the pose back, by the oracle.
     pub(super) fn solution(&self, case: &Case, solution: &Found) -> Result<(), Fault> {
         let fault = |rule, more: &str| Err(self.fault(rule, case, &format!("{solution:?}\n{more}")));
         if solution.axes.iter().any(|value| !value.is_finite()) {
@@ -98,7 +98,7 @@ impl Setting {
         Ok(())
     }
 
-    /// The axis values that made the pose are among the solutions.
+    /// Checks that the axis values that made the pose are among the solutions.
     pub(super) fn found_again(&self, case: &Case, solutions: &[Found]) -> Result<(), Fault> {
         let sine = case.pole_sine.min(case.rim_sine);
         if sine < SMALLEST_SINE || case.determinant < 2e-9 {
@@ -123,14 +123,14 @@ impl Setting {
         Err(self.fault("the axis values that made the pose are found again", case, &more))
     }
 
-    /// First comes first, and the second is another one.
+    /// Checks the order of the branches, and that two solutions differ.
     pub(super) fn branches(&self, case: &Case, solutions: &[Found]) -> Result<(), Fault> {
         if let [first, second] = solutions {
             if (first.branch, second.branch) != (Branch::First, Branch::Second) {
                 return Err(self.fault("the first branch comes first", case, &format!("{solutions:?}")));
             }
             if case.rim_sine > 1e-14 && first.axes == second.axes {
-                return Err(self.fault("two solutions are two", case, &format!("{solutions:?}")));
+                return Err(self.fault("two solutions differ", case, &format!("{solutions:?}")));
             }
         }
         let &[_, second_rotary] = &self.oracle.rotary()[..] else {
@@ -151,13 +151,13 @@ impl Setting {
             // `n · axis` falls with the second angle on the branch `σ = 1`.
             let falls = rotaries.cosine_part() * sin - rotaries.sine_part() * cos;
             if ((falls * sigma > 0.0) != (solution.branch == Branch::First)) && falls.abs() > 1e-9 {
-                return Err(self.fault("branches are what they are documented to be", case, &format!("{solutions:?}")));
+                return Err(self.fault("branches follow their documented definition", case, &format!("{solutions:?}")));
             }
         }
         Ok(())
     }
 
-    /// `singular` is told at the pole and nowhere else.
+    /// Checks that `singular` is reported at the pole only.
     pub(super) fn free_rotary(&self, case: &Case, solutions: &[Found]) -> Result<(), Fault> {
         if self.oracle.rotary().len() < 2 {
             return match solutions.iter().any(|solution| solution.singular) {
@@ -167,24 +167,24 @@ impl Setting {
         }
         let first = self.oracle.rotary()[0];
         for solution in solutions {
-            let says = |rule| Err(self.fault(rule, case, &format!("{solutions:?}")));
+            let fault = |rule| Err(self.fault(rule, case, &format!("{solutions:?}")));
             if solution.singular && case.pole_sine > 4e-15 {
-                return says("a rotary is free at the pole only");
+                return fault("a rotary is free at the pole only");
             }
             if !solution.singular && case.pole_sine < 3e-16 {
-                return says("at the pole the first rotary is free");
+                return fault("at the pole the first rotary is free");
             }
             if solution.singular && solution.axes[first].to_bits() != case.held[first].to_bits() {
-                return says("a free rotary keeps its held value");
+                return fault("a free rotary keeps its held value");
             }
             if solution.singular && solutions.len() != 1 {
-                return says("at the pole there is one solution");
+                return fault("at the pole there is one solution");
             }
         }
         Ok(())
     }
 
-    /// `linear_axes` says what the inverse says, and what the oracle says.
+    /// Checks that `linear_axes` agrees with the inverse kinematics and with the oracle.
     pub(super) fn linear_axes(&self, case: &Case, solutions: &[Found], random: &mut Random) -> Result<(), Fault> {
         let mut wanted = case.values.clone();
         for index in self.oracle.linear() {
@@ -211,7 +211,7 @@ impl Setting {
             }
             let allowed = position_tolerance(determinant);
             if exceeds((self.oracle.forward(axes).tip - case.pose.tip).norm(), allowed) {
-                return fault("`linear_axes` brings the tip to where it should be");
+                return fault("`linear_axes` brings the tip to the pose");
             }
             if let Some(solution) = solution
                 && linear

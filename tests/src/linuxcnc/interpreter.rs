@@ -1,7 +1,7 @@
-//! The interpreter of LinuxCNC by itself: `rs274` reads a program and prints the canonical motions it asks for.
+//! The interpreter of LinuxCNC alone: `rs274` reads a program and prints its canonical motions.
 //!
-//! It reads its tool table in inches and prints four decimals, in the unit of the program. Every tool that a program calls
-//! is in the table, as long as the program was posted for.
+//! It reads its tool table in inches and prints four decimals, in the unit of the program. The table holds every tool
+//! that a program calls, with the length for which the program was posted.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -13,13 +13,13 @@ use tempfile::TempDir;
 use crate::foreign::lexer::{self, Content, Token};
 use crate::foreign::{Control, guarded_length};
 
-/// How far a printed number may be from what the interpreter holds.
+/// Largest difference between a printed number and the value in the interpreter.
 pub const PRINTED: f64 = 6e-5;
 
-/// Length of a tool of which the program says nothing, mm.
-const ANY_LENGTH: f64 = 100.0;
+/// Length of a tool whose length the program does not check, mm.
+const DEFAULT_LENGTH: f64 = 100.0;
 
-/// A motion as the interpreter tells it; X Y Z A B C in units of the program and in degrees.
+/// A motion as the interpreter prints it; X Y Z in units of the program, A B C in degrees.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Motion {
     /// At rapid.
@@ -28,7 +28,7 @@ pub enum Motion {
     Feed([f64; 6]),
     /// A circle or a helix.
     Arc(Arc),
-    /// In and out again with the spindle: X Y Z of the bottom.
+    /// Rigid tapping, in and out: X Y Z of the bottom.
     Tap([f64; 3]),
 }
 
@@ -37,15 +37,15 @@ pub enum Motion {
 pub struct Arc {
     /// The plane in force.
     pub plane: WorkPlane,
-    /// Where it ends.
+    /// End point.
     pub end: [f64; 6],
     /// Centre along the first and the second axis of the plane.
     pub centre: [f64; 2],
-    /// Turns begun, + counter-clockwise.
+    /// Revolutions begun, positive counter-clockwise.
     pub turns: i32,
 }
 
-/// Length of each register that a program calls, mm. The program may hold lines that no control takes.
+/// Length of each register that a program calls, mm. The program may hold lines that a control refuses.
 fn lengths(program: &str) -> BTreeMap<u32, f64> {
     let mut lengths = BTreeMap::new();
     let mut tool = 0;
@@ -59,7 +59,7 @@ fn lengths(program: &str) -> BTreeMap<u32, f64> {
                     {
                         let number = number.value as u32;
                         tool = if name == "T" { number } else { tool };
-                        lengths.entry(number).or_insert(ANY_LENGTH);
+                        lengths.entry(number).or_insert(DEFAULT_LENGTH);
                     }
                 }
             }
@@ -71,23 +71,23 @@ fn lengths(program: &str) -> BTreeMap<u32, f64> {
     lengths
 }
 
-/// The canonical calls of a program run with tools that are longer than it says by `off` mm.
+/// Canonical calls of a program that runs with tools longer by `off_mm` than it expects.
 ///
 /// # Errors
-/// What the interpreter says of a program that it does not take.
+/// Message of the interpreter about a program that it refuses.
 ///
 /// # Panics
-/// If it cannot be run at all.
-pub fn interpret(program: &str, off: f64) -> Result<String, String> {
+/// If the interpreter cannot be run.
+pub fn interpret(program: &str, off_mm: f64) -> Result<String, String> {
     let folder = TempDir::new().expect("a temporary folder");
-    let write = |name: &str, text: &str| fs::write(folder.path().join(name), text).expect("the folder takes files");
-    let row = |(number, length): (u32, f64)| format!("T{number} P{number} Z{:+.7} D+0.25\n", (length + off) / 25.4);
+    let write = |name: &str, text: &str| fs::write(folder.path().join(name), text).expect("a file can be written");
+    let row = |(number, length): (u32, f64)| format!("T{number} P{number} Z{:+.7} D+0.25\n", (length + off_mm) / 25.4);
     write("tool.tbl", &lengths(program).into_iter().map(row).collect::<String>());
     write("params.var", "");
     write("program.ngc", program);
     let output = Command::new("rs274")
         .current_dir(folder.path())
-        // It keeps the tool table in a file of the home folder, which runs at the same time would share.
+        // It keeps the tool table in a file of the home folder, which parallel runs would share.
         .env("HOME", folder.path())
         .args(["-g", "-t", "tool.tbl", "-v", "params.var", "program.ngc"])
         .output()
@@ -99,7 +99,7 @@ pub fn interpret(program: &str, off: f64) -> Result<String, String> {
 /// The motions among the canonical calls.
 ///
 /// # Panics
-/// At a call that has other arguments than it should.
+/// At a call with a wrong number of arguments, or with an unknown plane.
 #[must_use]
 pub fn motions(calls: &str) -> Vec<Motion> {
     let mut plane = WorkPlane::Xy;
@@ -126,7 +126,7 @@ fn plane_of(name: &str) -> WorkPlane {
         "CANON_PLANE_XY" => WorkPlane::Xy,
         "CANON_PLANE_XZ" => WorkPlane::Zx,
         "CANON_PLANE_YZ" => WorkPlane::Yz,
-        other => panic!("a plane that no program here asks for: {other}"),
+        other => panic!("expected the plane XY, XZ or YZ, found {other}"),
     }
 }
 
@@ -141,7 +141,7 @@ fn arc(plane: WorkPlane, [first, second, u, v, turns, normal, a, b, c]: [f64; 9]
 
 fn numbers<const N: usize>(line: &str, arguments: &str) -> [f64; N] {
     let numbers: Vec<f64> = arguments.split(',').filter_map(|number| number.trim().parse().ok()).collect();
-    numbers.try_into().unwrap_or_else(|found: Vec<f64>| panic!("{N} numbers, found {}: {line}", found.len()))
+    numbers.try_into().unwrap_or_else(|found: Vec<f64>| panic!("expected {N} numbers, found {}: {line}", found.len()))
 }
 
 #[cfg(test)]
@@ -158,9 +158,9 @@ mod tests {
     }
 
     #[test]
-    fn a_tool_is_as_long_as_its_guard_says() {
+    fn a_tool_has_the_length_of_its_guard() {
         let guard = "o1 if [[ABS[#5403 - 87.5] GT 0.01] AND [ABS[[#5403 * 25.4] - 87.5] GT 0.01]]";
         let program = &format!("T4 M6\n{guard}\nG43 H9\nT5 M6\n");
-        assert_eq!(lengths(program), BTreeMap::from([(4, 87.5), (5, ANY_LENGTH), (9, ANY_LENGTH)]));
+        assert_eq!(lengths(program), BTreeMap::from([(4, 87.5), (5, DEFAULT_LENGTH), (9, DEFAULT_LENGTH)]));
     }
 }

@@ -1,26 +1,26 @@
-//! LinuxCNC, of the package `linuxcnc-uspace`: a control that nobody here wrote.
+//! LinuxCNC, from the package `linuxcnc-uspace`: a control that is not part of this project.
 //!
-//! - [`interpreter`]: its interpreter by itself, `rs274`, which says what a program asks for.
-//! - [`simulation`]: the whole control with its kinematics modules, which runs a program.
+//! - [`interpreter`]: its interpreter alone, `rs274`, which prints the motions of a program.
+//! - [`simulation`]: the whole control with its kinematics modules, which executes a program.
 
 pub mod interpreter;
 pub mod simulation;
 
 use std::path::PathBuf;
 
-/// Whether the interpreter is there; says so where it is not, unless `PP_REQUIRE_LINUXCNC=1` asks for it.
+/// Whether the interpreter is installed; if not, prints that the test is skipped.
 ///
 /// # Panics
-/// If it has to be there and is not.
+/// If it is not installed and `PP_REQUIRE_LINUXCNC=1` requires it.
 #[must_use]
 pub fn installed() -> bool {
     has(&["rs274"])
 }
 
-/// Whether the whole control is there; says so where it is not, unless `PP_REQUIRE_LINUXCNC=1` asks for it.
+/// Whether the whole control is installed; if not, prints that the test is skipped.
 ///
 /// # Panics
-/// If it has to be there and is not.
+/// If it is not installed and `PP_REQUIRE_LINUXCNC=1` requires it.
 #[must_use]
 pub fn can_be_simulated() -> bool {
     has(&["linuxcnc", "linuxcncrsh", "halsampler", "timeout"])
@@ -30,13 +30,13 @@ fn has(programs: &[&str]) -> bool {
     let required = std::env::var_os("PP_REQUIRE_LINUXCNC").is_some_and(|value| value == "1");
     let missing = programs.iter().find(|program| !on_path(program));
     if let Some(missing) = missing {
-        assert!(!required, "PP_REQUIRE_LINUXCNC=1, and there is no {missing}: install linuxcnc-uspace");
+        assert!(!required, "PP_REQUIRE_LINUXCNC=1, but {missing} is not installed: install linuxcnc-uspace");
         println!("skipped: {missing} is not installed (package linuxcnc-uspace)");
     }
     missing.is_none()
 }
 
-/// Whether a program is there to be run.
+/// Whether a program is in a folder of `PATH`.
 fn on_path(name: &str) -> bool {
     let folders: Vec<PathBuf> =
         std::env::var_os("PATH").map(|path| std::env::split_paths(&path).collect()).unwrap_or_default();

@@ -1,4 +1,4 @@
-//! Machines of the reference, right and flawed, and what the suite finds in each.
+//! Reference machines, correct and flawed, and the rule that the suite reports for each flaw.
 
 use pp_runtime::kinematics::{Axis, AxisKind, Side, Sign};
 
@@ -64,10 +64,10 @@ table_table!(Table0, None);
 table_table!(TableFlipped, FlippedSign);
 table_table!(TableSwapped, SwappedBranches);
 table_table!(TableForgets, ForgetsHeldValue);
-table_table!(TableOff, SlightlyOff);
+table_table!(TableSlightlyOff, SlightlyOff);
 table_table!(TableBackward, BackwardRates);
-table_table!(TableShort, ShortBound);
-table_table!(TableLong, LongBound);
+table_table!(TableSmallBound, SmallBound);
+table_table!(TableLargeBound, LargeBound);
 inclined!(Inclined, None);
 inclined!(InclinedLosesDigits, LosesDigitsAtThePole);
 
@@ -85,7 +85,7 @@ reference! { HeadForgetsGauge, 5, ForgetsGaugeLength, tool Z,
     'B' Tool Plus = Y, O;
     'A' Tool Plus = X, O;
 }
-// Rotaries between the linear axes: the determinant runs through zero.
+// Rotaries between the linear axes: the determinant passes through zero.
 reference! { Between, 5, None, tool Z,
     'X' Workpiece Plus = X, O;
     'A' Workpiece Plus = X, [0.0, 10.0, 30.0];
@@ -93,7 +93,7 @@ reference! { Between, 5, None, tool Z,
     'B' Tool Minus = Y, [5.0, 0.0, 51.2];
     'Z' Tool Plus = Z, O;
 }
-reference! { BetweenToo, 5, None, tool Z,
+reference! { BetweenOthers, 5, None, tool Z,
     'Y' Workpiece Plus = Y, O;
     'C' Workpiece Plus = Z, [0.0, 10.0, 30.0];
     'Z' Workpiece Plus = Z, O;
@@ -153,7 +153,7 @@ conforms! {
     an_inclined_table_with_a_slanted_linear_axis_conforms: Inclined;
     a_head_with_two_rotaries_conforms: Head;
     rotaries_between_linear_axes_conform: Between;
-    rotaries_between_other_linear_axes_conform: BetweenToo;
+    rotaries_between_other_linear_axes_conform: BetweenOthers;
     an_oblique_pair_conforms: Oblique;
     one_rotary_conforms: FourAxes;
     no_rotary_conforms: ThreeAxes;
@@ -162,7 +162,7 @@ conforms! {
 }
 
 fn assert_found<T: Table>(rule: &str) {
-    let fault = find_fault::<Reference<T>>(4_000).expect("a flawed machine is found out");
+    let fault = find_fault::<Reference<T>>(4_000).expect("a flawed machine has a fault");
     assert_eq!(fault.rule, rule, "{fault}");
 }
 
@@ -173,7 +173,7 @@ fn a_flipped_sign_is_found() {
 
 #[test]
 fn swapped_branches_are_found() {
-    assert_found::<TableSwapped>("branches are what they are documented to be");
+    assert_found::<TableSwapped>("branches follow their documented definition");
 }
 
 #[test]
@@ -187,8 +187,8 @@ fn a_forgotten_held_value_is_found() {
 }
 
 #[test]
-fn a_hundredth_of_a_micrometre_is_found() {
-    assert_found::<TableOff>("a solution brings the tip to the pose");
+fn a_hundredth_of_a_micrometre_off_is_found() {
+    assert_found::<TableSlightlyOff>("a solution brings the tip to the pose");
 }
 
 #[test]
@@ -202,16 +202,16 @@ fn a_machine_that_claims_to_reach_everything_is_found() {
 }
 
 #[test]
-fn a_turn_of_the_wrong_sense_in_rates_is_found() {
+fn a_rotation_of_the_wrong_sense_in_rates_is_found() {
     assert_found::<TableBackward>("`rates` are the derivatives of the tip");
 }
 
 #[test]
-fn a_bound_that_is_a_hundredth_short_is_found() {
-    assert_found::<TableShort>("no tip is farther from its line than `motion` says");
+fn a_bound_one_percent_too_small_is_found() {
+    assert_found::<TableSmallBound>("no tip deviates from its line more than the bound of `motion`");
 }
 
 #[test]
-fn a_bound_that_is_a_tenth_too_long_is_found() {
-    assert_found::<TableLong>("a bound is near the truth");
+fn a_bound_ten_percent_too_large_is_found() {
+    assert_found::<TableLargeBound>("a bound is near the true deviation");
 }

@@ -1,4 +1,5 @@
-//! A machine that solves its equations with numbers, to try the suite on: once right, once with each of several flaws.
+//! A machine that solves its equations numerically, to test the suite itself: once correct, once with each of several
+//! flaws.
 
 mod machines;
 
@@ -12,33 +13,33 @@ use pp_runtime::kinematics::{
     SINGULAR_SINE, SMALLEST_DETERMINANT, Side, Solution, Solutions, Unreachable, motion_of_joints, rates_of_joints,
 };
 
-/// A mistake.
+/// A deliberate error.
 #[derive(Clone, Copy, PartialEq)]
 enum Flaw {
     None,
-    /// The first angle runs backwards.
+    /// The first angle has the wrong sign.
     FlippedSign,
-    /// Second branch first.
+    /// The second branch comes first.
     SwappedBranches,
     /// The tilt comes from the arc cosine alone.
     LosesDigitsAtThePole,
     /// The free rotary goes to zero.
     ForgetsHeldValue,
-    /// Forward kinematics forgets the gauge length.
+    /// Forward kinematics leaves out the gauge length.
     ForgetsGaugeLength,
     /// The linear axes are a hundredth of a micrometre off.
     SlightlyOff,
-    /// Every axis is reached.
+    /// Every tool axis counts as reachable.
     ReachesEverything,
-    /// A turn of the table turns the tip the wrong way round.
+    /// `rates` rotates the tip in the wrong sense.
     BackwardRates,
-    /// The bound is a hundredth short.
-    ShortBound,
-    /// The bound is a tenth too long.
-    LongBound,
+    /// The bound is one percent too small.
+    SmallBound,
+    /// The bound is ten percent too large.
+    LargeBound,
 }
 
-/// What one machine is.
+/// Description of one machine.
 trait Table: Copy + Send + Sync + 'static {
     type Axes: Copy + Default + PartialEq + Debug + Send + Sync + 'static + AsRef<[f64]> + AsMut<[f64]>;
     const AXES: &'static [Axis];
@@ -49,7 +50,7 @@ trait Table: Copy + Send + Sync + 'static {
     const FLAW: Flaw;
 }
 
-/// A machine made of a table.
+/// A machine that is described by a table.
 #[derive(Clone)]
 struct Reference<T> {
     part_origin: Vector3<f64>,
@@ -63,14 +64,14 @@ impl<T> Default for Reference<T> {
     }
 }
 
-/// Turns the vector `v` about the unit vector `n`.
-fn turned(n: &Vector3<f64>, sin: f64, cos: f64, v: &Vector3<f64>) -> Vector3<f64> {
+/// Rotates the vector `v` about the unit vector `n`.
+fn rotated(n: &Vector3<f64>, sin: f64, cos: f64, v: &Vector3<f64>) -> Vector3<f64> {
     let along = n * n.dot(v);
     along + (v - along) * cos + n.cross(v) * sin
 }
 
 impl<T: Table> Reference<T> {
-    /// Tip and directions of the solved linear axes; `linear` are the values of those axes.
+    /// Tip, directions of the solved linear axes, and tool axis; `linear`: whether the values of those axes count.
     fn place(&self, values: &[f64], linear: bool) -> (Vector3<f64>, Vec<Vector3<f64>>, Vector3<f64>) {
         let mut tip = Vector3::zeros();
         let mut columns = Vec::new();
@@ -89,10 +90,10 @@ impl<T: Table> Reference<T> {
                 }
                 AxisKind::Rotary => {
                     let (sin, cos) = value.sin_cos();
-                    tip = turned(&joint.direction, sin, cos, &(tip - joint.point.coords)) + joint.point.coords;
-                    axis = turned(&joint.direction, sin, cos, &axis);
+                    tip = rotated(&joint.direction, sin, cos, &(tip - joint.point.coords)) + joint.point.coords;
+                    axis = rotated(&joint.direction, sin, cos, &axis);
                     for column in &mut columns {
-                        *column = turned(&joint.direction, sin, cos, column);
+                        *column = rotated(&joint.direction, sin, cos, column);
                     }
                 }
             }
@@ -105,7 +106,7 @@ impl<T: Table> Reference<T> {
         (0..T::AXES.len()).filter(|&i| T::AXES[i].kind == AxisKind::Rotary && !T::AXES[i].held).collect()
     }
 
-    /// Directions of the solved rotaries and of the tool, held turns folded in.
+    /// Directions of the solved rotaries and of the tool; rotations of held axes are applied.
     fn folded(&self, held: &T::Axes) -> (Vec<Vector3<f64>>, Vector3<f64>) {
         let mut tool = Vector3::from(T::TOOL).normalize();
         let mut directions: Vec<Vector3<f64>> = Vec::new();
@@ -113,9 +114,9 @@ impl<T: Table> Reference<T> {
             let joint = self.joint(index);
             if description.kind == AxisKind::Rotary && description.held {
                 let (sin, cos) = (joint.sign * held.as_ref()[index]).sin_cos();
-                tool = turned(&joint.direction, sin, cos, &tool);
+                tool = rotated(&joint.direction, sin, cos, &tool);
                 for direction in &mut directions {
-                    *direction = turned(&joint.direction, sin, cos, direction);
+                    *direction = rotated(&joint.direction, sin, cos, direction);
                 }
             } else if description.kind == AxisKind::Rotary {
                 directions.push(joint.direction.into_inner());
@@ -144,7 +145,7 @@ impl<T: Table> Reference<T> {
             }
             [n] => {
                 let angle = between(&n, &t, a);
-                let deviation = near(&turned(&n, angle.sin(), angle.cos(), &t));
+                let deviation = near(&rotated(&n, angle.sin(), angle.cos(), &t));
                 if deviation > REACH_TOLERANCE { vec![] } else { vec![(vec![angle], Branch::First, false, deviation)] }
             }
             [n, m] => {
@@ -152,11 +153,11 @@ impl<T: Table> Reference<T> {
                 let alpha2 = n.dot(&m.cross(&t));
                 let d = alpha1 * alpha1 + alpha2 * alpha2;
                 let sign = T::AXES[solved[1]].sign.factor();
-                // Which branch is first is decided at the declared held values.
+                // The order of the branches is decided at the declared held values.
                 let (at_default, tool) = self.folded(&T::HELD);
-                let leaning = at_default[1].cross(&at_default[0]).dot(&at_default[1].cross(&tool));
+                let along_first = at_default[1].cross(&at_default[0]).dot(&at_default[1].cross(&tool));
                 let across = at_default[0].dot(&at_default[1].cross(&tool));
-                let sigma = if leaning.abs() > 1e-12 { leaning.signum() * sign } else { -across.signum() };
+                let sigma = if along_first.abs() > 1e-12 { along_first.signum() * sign } else { -across.signum() };
                 let pole = |side: f64| (m.dot(&n) - side * m.dot(&t)).abs() < 1e-15;
                 let rho = if pole(1.0) || pole(-1.0) { 1.0 - n.dot(&m).powi(2) } else { d.sqrt() };
                 let offset = n.dot(&m) * m.dot(&t);
@@ -181,7 +182,7 @@ impl<T: Table> Reference<T> {
                     let (mut c, mut s) = ((alpha1 * w - side * alpha2 * r) / d, (alpha2 * w + side * alpha1 * r) / d);
                     let length = c.hypot(s);
                     (c, s) = (c / length, s / length);
-                    let b = turned(&m, s, c, &t);
+                    let b = rotated(&m, s, c, &t);
                     let second = s.atan2(c);
                     let mut first = between(&n, &b, a);
                     if singular {
@@ -190,7 +191,7 @@ impl<T: Table> Reference<T> {
                             first = 0.0;
                         }
                     }
-                    let reached = turned(&n, first.sin(), first.cos(), &b);
+                    let reached = rotated(&n, first.sin(), first.cos(), &b);
                     let deviation = near(&reached);
                     if deviation > REACH_TOLERANCE {
                         continue;
@@ -300,8 +301,8 @@ impl<T: Table> Machine for Reference<T> {
     fn motion(&self, from: &T::Axes, to: &T::Axes) -> MotionBound {
         let bound = motion_of_joints(self, from, to);
         let factor = match T::FLAW {
-            Flaw::ShortBound => 0.99,
-            Flaw::LongBound => 1.1,
+            Flaw::SmallBound => 0.99,
+            Flaw::LargeBound => 1.1,
             _ => return bound,
         };
         MotionBound { tip: bound.tip * factor, axis: bound.axis * factor }

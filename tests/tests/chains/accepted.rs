@@ -1,5 +1,5 @@
 //! The 240 orders of X Y Z and two of A B C in which the rotary nearest the tool is not C: chain, points of the rotary
-//! centre lines, signs. The `|` wanders through the chain, so do the signs.
+//! centre lines, signs. The position of `|` and the signs vary from chain to chain.
 
 chains! {
     x_yzab: [X | Y Z A B] [A: (-30, -13.5, -136.5), B: (13.5, 9.75, -15.75)] [X: +];

@@ -1,7 +1,7 @@
-//! Every class of chain: all 360 orders of X Y Z and two rotaries with the tool along Z, and by name what is special.
+//! Every class of chain: all 360 orders of X Y Z and two rotaries with the tool along Z, and special chains by name.
 //!
 //! The 240 whose rotary nearest the tool is A or B are declared and must conform; the 120 whose last rotary is C cannot
-//! tilt the tool with it and must be refused in words that help.
+//! tilt the tool with it and must be refused with a helpful message.
 
 /// Declares a machine per line and checks it: `name: [chain] [points of d] [signs];`.
 macro_rules! chains {

@@ -1,4 +1,4 @@
-//! What the 240 orders leave out: inclined and oblique rotaries, slanted linear axes, fewer rotaries, held axes,
+//! Chains that the 240 orders leave out: inclined and oblique rotaries, slanted linear axes, fewer rotaries, held axes,
 //! dimensions that are angles.
 
 use pp_runtime::machine;
@@ -24,7 +24,7 @@ machine! {
 conformance!(NutatingHead, nutating_head);
 
 machine! {
-    /// One nutating rotary on either side.
+    /// One rotary in the table, one nutating rotary in the head.
     struct NutatingMixed;
     chain: A Y | X Z B;
     axes = { B: Ry(30 deg) * Rx(-45 deg) * Y };
@@ -44,7 +44,7 @@ machine! {
 conformance!(SymbolicAngle, symbolic_angle);
 
 machine! {
-    /// Slant-bed: Y climbs while it goes back.
+    /// Slant bed: Y is inclined.
     struct SlantedLinear;
     chain: C B | X Y Z;
     axes = { Y: (0, 1, -0.5) };
@@ -54,7 +54,7 @@ machine! {
 conformance!(SlantedLinear, slanted_linear);
 
 machine! {
-    /// Two rotaries in no particular direction, and a tool that is not along Z.
+    /// Two rotaries in general directions, and a tool that is not along Z.
     struct ObliquePair;
     chain: C X | Y Z A;
     axes = { C: (3, -5, 8), A: (9, 4, -2), X: (10, 1, 0) };
@@ -83,7 +83,7 @@ machine! {
 conformance!(HorizontalSpindle, horizontal_spindle);
 
 machine! {
-    /// One rotary in the table, two words that run backwards.
+    /// One rotary in the table, two axes with negative signs.
     struct OneRotary;
     chain: A Y | X Z;
     signs = { A: -, Y: - };
@@ -100,7 +100,7 @@ machine! {
 conformance!(OneRotaryInTheHead, one_rotary_in_the_head);
 
 machine! {
-    /// One rotary that is square to nothing.
+    /// One rotary that is perpendicular to no other axis.
     struct OneObliqueRotary;
     chain: X A Y | Z;
     axes = { A: (2, 1, 2) };
@@ -136,7 +136,7 @@ machine! {
 conformance!(HeldHead, held_head);
 
 machine! {
-    /// Held axes on either side, one of them between the rotaries.
+    /// Two held axes, one of them between the rotaries.
     struct HeldBetween;
     chain: V C A B | X Y Z;
     d = { C: (0, 0, 0), A: (0, 7, 30), B: (0, 0, 90) };
@@ -145,7 +145,7 @@ machine! {
 conformance!(HeldBetween, held_between);
 
 machine! {
-    /// Everything moves the workpiece.
+    /// All axes move the workpiece.
     struct AllInTheTable;
     chain: C B Z Y X |;
     d = (0, 0, 150);
@@ -153,7 +153,7 @@ machine! {
 conformance!(AllInTheTable, all_in_the_table);
 
 machine! {
-    /// Everything moves the tool.
+    /// All axes move the tool.
     struct AllInTheHead;
     chain: | X Y Z C B;
     d = (0, 0, 150);

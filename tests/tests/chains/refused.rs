@@ -1,14 +1,14 @@
-//! The 120 orders whose last rotary is C: it turns about the tool and cannot tilt it.
+//! The 120 orders whose last rotary is C: it rotates about the tool axis and cannot tilt the tool.
 
 use crate::all_orders;
 
-/// The messages of all `compile_error!`s in an expansion.
+/// Text of an expansion, with the messages of all `compile_error!`s.
 fn messages(expansion: &proc_macro2::TokenStream) -> String {
     expansion.to_string()
 }
 
 #[test]
-fn a_last_rotary_about_the_tool_is_refused_in_words_that_help() {
+fn a_last_rotary_about_the_tool_axis_is_refused_with_a_remedy() {
     let mut refused = 0;
     for (place, (order, last)) in all_orders().into_iter().enumerate() {
         if last != 'C' {
@@ -21,7 +21,7 @@ fn a_last_rotary_about_the_tool_is_refused_in_words_that_help() {
         let declaration = format!("pub struct Chain; chain: {chain};");
         let text = messages(&pp_codegen::expand(declaration.parse().expect("the declaration is made of tokens")));
         assert!(text.contains("compile_error"), "`{chain}` is accepted");
-        assert!(text.contains('C') && text.contains("hold"), "`{chain}`: no word of C and `hold` in {text}");
+        assert!(text.contains('C') && text.contains("hold"), "`{chain}`: the message must name C and `hold`: {text}");
         refused += 1;
     }
     assert_eq!(refused, 120);

@@ -1,23 +1,24 @@
-//! Conventions of the controls, written out: where the words of a mode put the tool.
+//! Conventions of the controls, written out: pose of the tool for the words of a mode.
 
 use nalgebra::{Matrix3, Point3, Vector3, Vector4};
 use pp_runtime::config::{Config, Mode, TcpFrame};
 use pp_runtime::kinematics::{AxisKind, Machine, Side};
 use tests::oracle::{Oracle, rotation, rotation_about};
 
-use crate::listener::Says;
+use crate::listener::ProgramState;
 
-/// Turns about coordinate directions, written out.
+/// Rotation about a coordinate direction.
 pub(crate) fn about(axis: usize, degrees: f64) -> Matrix3<f64> {
     rotation(&[Vector3::x(), Vector3::y(), Vector3::z()][axis], degrees.to_radians())
         .fixed_view::<3, 3>(0, 0)
         .into_owned()
 }
 
-/// The orientation of a plane's angles, as the manual of each control has it.
+/// Orientation of a tilted plane from its angles, as in the manual of each control.
 ///
-/// Fanuc, B-63784EN "tilted working plane command": Euler angles I about Z, J about the new X, K about the new Z. Siemens,
-/// CYCLE800 mode 57: about X, the new Y, the new Z. Heidenhain, PLANE SPATIAL: about the fixed X, then Y, then Z.
+/// Fanuc, B-63784EN "tilted working plane command": Euler angles I about Z, J about the new X, K about the new Z.
+/// Siemens, CYCLE800 mode 57: about X, the new Y, the new Z. Heidenhain, PLANE SPATIAL: about the fixed X, then Y, then
+/// Z.
 pub(crate) fn orientation(control: &str, [a, b, c]: [f64; 3]) -> Matrix3<f64> {
     match control {
         "fanuc" => about(2, a) * about(0, b) * about(2, c),
@@ -45,7 +46,7 @@ pub(crate) fn axis_values<M: Machine>(words: &[f64; 9]) -> Vec<f64> {
     M::AXES.iter().enumerate().map(value).collect()
 }
 
-/// The point of the workpiece that stands where the words say, the table turned as in `words`.
+/// Point of the workpiece that is at `at` in the machine with the table rotated as in `words`; workpiece frame, mm.
 pub(crate) fn on_table<M: Machine>(machine: &M, at: &Vector3<f64>, words: &[f64; 9]) -> Point3<f64> {
     let mut point = Vector4::new(at.x, at.y, at.z, 1.0);
     for (index, axis) in M::AXES.iter().enumerate().rev() {
@@ -58,38 +59,38 @@ pub(crate) fn on_table<M: Machine>(machine: &M, at: &Vector3<f64>, words: &[f64;
     Point3::new(point.x, point.y, point.z)
 }
 
-/// Where the tool is by the words of a mode: tip and axis.
-pub(crate) fn meant<M: Machine>(
+/// Tip and tool axis that the words of a mode command, in the workpiece frame.
+pub(crate) fn commanded_pose<M: Machine>(
     machine: &M,
     config: &Config,
     control: &str,
-    says: &Says,
+    state: &ProgramState,
 ) -> (Point3<f64>, Vector3<f64>) {
     let oracle = Oracle::of(machine);
-    let words = signs(machine).transpose() * linear_words::<M>(&says.words);
-    let axis = oracle.forward(&axis_values::<M>(&says.words)).axis.into_inner();
+    let words = signs(machine).transpose() * linear_words::<M>(&state.words);
+    let axis = oracle.forward(&axis_values::<M>(&state.words)).axis.into_inner();
     match config.motion.mode {
-        Mode::Axes => (oracle.forward(&axis_values::<M>(&says.words)).tip, axis),
+        Mode::Axes => (oracle.forward(&axis_values::<M>(&state.words)).tip, axis),
         Mode::Tcp => {
-            let began = says.began.expect("under tip control");
+            let start = state.start.expect("under tip control");
             let tip = match config.motion.tip.tcp_frame.unwrap_or(TcpFrame::TableAtZero) {
                 TcpFrame::TableAtZero => Point3::from(words),
-                TcpFrame::TableAtStart => on_table(machine, &words, &began),
-                TcpFrame::NotTurning => on_table(machine, &words, &says.words),
+                TcpFrame::TableAtStart => on_table(machine, &words, &start),
+                TcpFrame::NotTurning => on_table(machine, &words, &state.words),
             };
-            let Some(vector) = says.vector else { return (tip, axis) };
+            let Some(vector) = state.vector else { return (tip, axis) };
             let vector = signs(machine).transpose() * Vector3::from(vector);
             let axis = match config.motion.tip.tcp_frame {
                 Some(TcpFrame::TableAtStart) => {
-                    on_table(machine, &vector, &began) - on_table(machine, &Vector3::zeros(), &began)
+                    on_table(machine, &vector, &start) - on_table(machine, &Vector3::zeros(), &start)
                 }
                 _ => vector,
             };
             (tip, axis)
         }
         Mode::Plane => {
-            let (signs, plane) = (signs(machine), orientation(control, says.plane.expect("a plane")));
-            let tip = signs * plane * linear_words::<M>(&says.words);
+            let (signs, plane) = (signs(machine), orientation(control, state.plane.expect("a plane")));
+            let tip = signs * plane * linear_words::<M>(&state.words);
             (Point3::from(tip), signs * plane.column(2))
         }
     }

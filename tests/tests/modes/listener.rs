@@ -1,4 +1,4 @@
-//! What a program commands at each motion, listened to step by step.
+//! State that a program commands at each motion, recorded step by step.
 
 use std::collections::BTreeMap;
 use std::io;
@@ -9,29 +9,32 @@ use pp_runtime::kinematics::{AxisKind, Machine};
 use pp_runtime::motion::{FeedWord, Navigator, Planner, PlanningError, Provenance, Sink, Source, Stage, Step};
 use pp_runtime::program::{Event, Location};
 
-/// What the program says so far: the words of the axes, and what the control counts them in.
+/// Words of the axes in force, and the frame in which the control interprets them.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub(crate) struct Says {
-    /// By position in the chain, mm and degrees.
+pub(crate) struct ProgramState {
+    /// Words by index in the chain, mm and degrees.
     pub(crate) words: [f64; 9],
     /// Angles of the tilted plane, degrees.
     pub(crate) plane: Option<[f64; 3]>,
     /// The tool axis in the frame of the control.
     pub(crate) vector: Option<[f64; 3]>,
-    /// Rotary words where tip control began, degrees.
-    pub(crate) began: Option<[f64; 9]>,
-    /// Blocks of feed, and how many of them move a rotary axis with a feed that is no inverse time.
+    /// Words at the start of tip control, mm and degrees; `None` without tip control.
+    pub(crate) start: Option<[f64; 9]>,
+    /// Number of feed blocks.
     pub(crate) feeds: usize,
-    pub(crate) turned_per_minute: usize,
-    /// Words at the end of each feed block since the motion before.
+    /// Number of feed blocks that move a rotary axis with a feed per minute.
+    pub(crate) rotary_per_minute: usize,
+    /// Words at the end of each feed block since the last motion of the CL data.
     pub(crate) blocks: Vec<[f64; 9]>,
 }
 
 pub(crate) struct Listener<M: Machine> {
-    pub(crate) says: Says,
-    /// The record that is served, and what the program said before it and after each.
+    pub(crate) state: ProgramState,
+    /// Line of the present CL record.
     pub(crate) line: u64,
-    pub(crate) after: BTreeMap<u64, Says>,
+    /// State of the program after each record, by line.
+    pub(crate) after: BTreeMap<u64, ProgramState>,
+    /// Decimals of rotary words.
     pub(crate) rotary: u32,
     pub(crate) machine: std::marker::PhantomData<M>,
 }
@@ -39,7 +42,7 @@ pub(crate) struct Listener<M: Machine> {
 impl<M: Machine> Listener<M> {
     fn new(config: &Config) -> Self {
         Self {
-            says: Says::default(),
+            state: ProgramState::default(),
             line: 0,
             after: BTreeMap::new(),
             rotary: config.formats.rotary,
@@ -47,67 +50,67 @@ impl<M: Machine> Listener<M> {
         }
     }
 
-    /// Another record is served from here on.
-    fn serve(&mut self, line: u64) {
+    /// Begins the record of a line, if it is another one.
+    fn begin_record(&mut self, line: u64) {
         if line != self.line {
-            self.after.insert(self.line, self.says.clone());
-            self.says.blocks.clear();
+            self.after.insert(self.line, self.state.clone());
+            self.state.blocks.clear();
             self.line = line;
         }
     }
 
-    /// What the program said after the record of a line.
-    fn said(&self, line: u64) -> Says {
+    /// State of the program after the record of a line.
+    fn state_after(&self, line: u64) -> ProgramState {
         match self.after.range(..=line).next_back() {
-            Some((&at, says)) if at == line => says.clone(),
-            Some((_, says)) => Says { blocks: Vec::new(), ..says.clone() },
-            None => Says::default(),
+            Some((&at, state)) if at == line => state.clone(),
+            Some((_, state)) => ProgramState { blocks: Vec::new(), ..state.clone() },
+            None => ProgramState::default(),
         }
     }
 
     fn take(&mut self, words: &pp_runtime::motion::AxisWords) -> bool {
-        let mut turned = words.vector.is_some();
-        self.says.vector = words.vector.map(|vector| vector.map(|units| units as f64 * 1e-7)).or(self.says.vector);
+        let mut rotated = words.vector.is_some();
+        self.state.vector = words.vector.map(|vector| vector.map(|units| units as f64 * 1e-7)).or(self.state.vector);
         for (index, axis) in M::AXES.iter().enumerate().filter(|(index, _)| words.has(*index)) {
             let per_unit = if axis.kind == AxisKind::Linear { 3 } else { self.rotary };
             let value = words.units[index] as f64 / 10_f64.powi(per_unit.cast_signed());
-            turned |= axis.kind == AxisKind::Rotary && (value - self.says.words[index]).abs() > 0.0;
-            self.says.words[index] = value;
+            rotated |= axis.kind == AxisKind::Rotary && (value - self.state.words[index]).abs() > 0.0;
+            self.state.words[index] = value;
         }
-        turned
+        rotated
     }
 }
 
 impl<M: Machine> Sink for Listener<M> {
     fn step(&mut self, step: &Step<'_>, from: &Provenance<'_>) -> io::Result<()> {
-        self.serve(from.at.map_or(0, |at| at.line));
+        self.begin_record(from.at.map_or(0, |at| at.line));
         match step {
             Step::Feed { words, feed } => {
-                let turned = self.take(words);
-                self.says.blocks.push(self.says.words);
-                self.says.feeds += 1;
-                self.says.turned_per_minute += usize::from(turned && matches!(feed, FeedWord::PerMinute(_)));
-                assert!(self.says.plane.is_none() || !turned, "no rotary turns in a tilted plane");
+                let rotated = self.take(words);
+                self.state.blocks.push(self.state.words);
+                self.state.feeds += 1;
+                self.state.rotary_per_minute += usize::from(rotated && matches!(feed, FeedWord::PerMinute(_)));
+                assert!(self.state.plane.is_none() || !rotated, "no rotary axis moves in a tilted plane");
             }
             Step::Rapid { words } => {
                 self.take(words);
             }
             Step::Machine { .. } | Step::Restart { .. } | Step::Tool { .. } => {
-                let framed = self.says.plane.is_some() || self.says.began.is_some();
+                let framed = self.state.plane.is_some() || self.state.start.is_some();
                 let machine = matches!(step, Step::Machine { .. });
-                assert!(!framed || machine && self.says.plane.is_some(), "{step:?} under tip control");
+                assert!(!framed || machine && self.state.plane.is_some(), "{step:?} under tip control");
             }
             Step::TipControl { on } => {
-                assert_ne!(self.says.began.is_some(), *on);
-                self.says.began = on.then_some(self.says.words);
+                assert_ne!(self.state.start.is_some(), *on);
+                self.state.start = on.then_some(self.state.words);
             }
             Step::Plane { angles, .. } => {
-                assert_eq!(self.says.plane, None);
-                self.says.plane = Some(angles.map(|angle| angle.value()));
+                assert_eq!(self.state.plane, None);
+                self.state.plane = Some(angles.map(|angle| angle.value()));
             }
             Step::PlaneOff => {
-                assert!(self.says.plane.is_some());
-                self.says.plane = None;
+                assert!(self.state.plane.is_some());
+                self.state.plane = None;
             }
             _ => {}
         }
@@ -115,19 +118,22 @@ impl<M: Machine> Sink for Listener<M> {
     }
 }
 
-/// What the program says at each motion, and the first fault.
+/// State of the program at each motion of the CL data.
+///
+/// # Errors
+/// The first fault.
 pub(crate) fn posted<M: Machine>(
     config: &Config,
     control: &dyn Control,
     events: &[Event<'_>],
-) -> Result<Vec<Says>, String> {
+) -> Result<Vec<ProgramState>, String> {
     let machine = config.set_up.machine::<M>().expect("valid");
     let unfit = control::unfit(&M::default(), control, config.demands());
     if !unfit.is_empty() {
         return Err(unfit.join("\n"));
     }
     let mut navigator = Navigator::new(Box::new(machine.clone()), config.policy());
-    hand_on::<M, _>(config, events, &mut navigator).expect("a navigator refuses nothing");
+    send_events::<M, _>(config, events, &mut navigator).expect("a navigator refuses nothing");
     let abilities = control::abilities(control, config.demands());
     let listener = Listener::<M>::new(config);
     let mut planner = Planner::new(Box::new(machine), config.policy(), Units::Millimetres, &abilities, false, listener)
@@ -136,19 +142,19 @@ pub(crate) fn posted<M: Machine>(
         PlanningError::Fault(fault) => fault.text,
         PlanningError::Output(error) => panic!("{error}"),
     };
-    hand_on::<M, _>(config, events, &mut planner).map_err(fault)?;
+    send_events::<M, _>(config, events, &mut planner).map_err(fault)?;
     let last = Location { line: events.len() as u64 + 1, column: 1 };
     planner.finish(last).map_err(fault)?;
     let listener = planner.sink();
     let moves = events.iter().zip(1..).filter(|(event, _)| matches!(event, Event::Move(_)));
-    let all = moves.map(|(_, line)| listener.said(line)).collect();
-    let framed = listener.says.plane.is_some() || listener.says.began.is_some();
+    let all = moves.map(|(_, line)| listener.state_after(line)).collect();
+    let framed = listener.state.plane.is_some() || listener.state.start.is_some();
     assert!(!framed, "the program ends with the frame off");
     Ok(all)
 }
 
-/// Hands on the items of events; the event at position `n` is in line `n + 1`.
-pub(crate) fn hand_on<M: Machine, S: Stage>(
+/// Sends the items of events to a stage; the event at index `n` is in line `n + 1`.
+pub(crate) fn send_events<M: Machine, S: Stage>(
     config: &Config,
     events: &[Event<'_>],
     stage: &mut S,

@@ -1,8 +1,8 @@
-//! The three ways to write multi-axis motion say the same motion: at every point of the CL data the words of mode `tcp` and
-//! of mode `plane` put the tool where those of mode `axes` do.
+//! The modes `axes`, `tcp` and `plane` program the same motion: at every point of the CL data the words of `tcp` and
+//! `plane` put the tool where those of `axes` do.
 //!
-//! What words mean is stated here a second time, with the oracle's matrices and the conventions of the controls written
-//! out; steps are looked at, not text.
+//! The meaning of words is defined here a second time, with the oracle's matrices and the conventions of the controls
+//! written out; the tests compare steps, not text.
 
 mod frames;
 mod listener;
@@ -20,8 +20,8 @@ use tests::further::{HeadTable, Trunnion};
 use tests::oracle::{Oracle, angle_between};
 use tests::random::Random;
 
-use frames::meant;
-use listener::{Says, posted};
+use frames::commanded_pose;
+use listener::{ProgramState, posted};
 use parts::{events, set_up};
 
 machine! {
@@ -37,16 +37,16 @@ const LENGTH: f64 = 87.25;
 /// One unit of linear words, mm.
 const UNIT: f64 = 1e-3;
 
-/// A control in a mode, and how its program is asked for.
+/// A control in a mode, with the form of its tool axes and its frame.
 #[derive(Clone, Copy)]
-struct Way {
+struct Variant {
     control: &'static dyn Control,
     mode: Mode,
     words: TcpWords,
     frame: Option<TcpFrame>,
 }
 
-/// Why a control or a machine does not suit a way; any other refusal is a fault.
+/// Expected refusals of a control or a machine that does not support a variant; any other refusal is a fault.
 const REFUSED: [&str; 7] = [
     "has no tip control",
     "has no tilted work plane",
@@ -65,9 +65,9 @@ fn moves<'e>(events: &'e [Event<'_>]) -> Vec<&'e Move> {
     events.iter().filter_map(motion).collect()
 }
 
-/// One way against mode `axes`; points compared, none where it is refused.
-fn compare_way<M: Machine>(way: Way, seed: u64) -> usize {
-    let Way { control, mode, words, frame } = way;
+/// Compares a variant with mode `axes`; returns the number of points compared, zero if the variant is refused.
+fn compare_variant<M: Machine>(variant: Variant, seed: u64) -> usize {
+    let Variant { control, mode, words, frame } = variant;
     let name = control.spellings().name;
     let (mut random, mut same) = (Random::new(seed), Random::new(seed));
     let mut config = set_up(mode, frame, control, &mut random);
@@ -88,11 +88,11 @@ fn compare_way<M: Machine>(way: Way, seed: u64) -> usize {
     let cuts = moves(&events).into_iter().zip(framed.iter().zip(&plain)).filter(|(motion, _)| !motion.rapid);
     for (index, (motion, (framed, plain))) in cuts.enumerate() {
         let context = format!("{} {name} {mode:?} {frame:?} cut {index}", M::NAME);
-        for (config, says) in [(&config, framed), (&axes, plain)] {
-            let off = (meant(&machine, config, name, says).0 - motion.pose.tip).norm();
-            assert!(off <= 2.0 * UNIT, "{context}: tip {off} in mode {:?}\n{says:?}", config.motion.mode);
+        for (config, state) in [(&config, framed), (&axes, plain)] {
+            let off = (commanded_pose(&machine, config, name, state).0 - motion.pose.tip).norm();
+            assert!(off <= 2.0 * UNIT, "{context}: tip {off} in mode {:?}\n{state:?}", config.motion.mode);
         }
-        let off = angle_between(&meant(&machine, &config, name, framed).1, &motion.pose.axis);
+        let off = angle_between(&commanded_pose(&machine, &config, name, framed).1, &motion.pose.axis);
         match (mode, words) {
             (Mode::Plane, _) => {
                 let decimals = control::abilities(control, config.demands()).plane.expect("it tilts").decimals;
@@ -102,7 +102,10 @@ fn compare_way<M: Machine>(way: Way, seed: u64) -> usize {
             (_, TcpWords::Vectors) => assert!(framed.vector.is_some() && off <= 1e-7, "{context}: axis {off}"),
             (_, TcpWords::Angles) => {
                 assert_eq!(angles::<M>(framed), angles::<M>(plain), "{context}");
-                assert!(framed.turned_per_minute > 0 || index < 2, "F counts along the tip: {context}");
+                assert!(
+                    framed.rotary_per_minute > 0 || index < 2,
+                    "F is the feed of the tip, not inverse time: {context}"
+                );
             }
         }
         compared += 1;
@@ -111,12 +114,12 @@ fn compare_way<M: Machine>(way: Way, seed: u64) -> usize {
 }
 
 /// Words of the rotary axes.
-fn angles<M: Machine>(says: &Says) -> Vec<f64> {
+fn angles<M: Machine>(state: &ProgramState) -> Vec<f64> {
     let rotary = |index: &usize| M::AXES[*index].kind == AxisKind::Rotary;
-    (0..M::AXES.len()).filter(rotary).map(|index| says.words[index]).collect()
+    (0..M::AXES.len()).filter(rotary).map(|index| state.words[index]).collect()
 }
 
-/// Every control in every mode and frame; points compared.
+/// Compares every control in every mode and frame; returns the number of points compared.
 fn compare<M: Machine>(seed: u64) -> usize {
     let frames = [None, Some(TcpFrame::TableAtZero), Some(TcpFrame::TableAtStart), Some(TcpFrame::NotTurning)];
     let modes = [(Mode::Tcp, TcpWords::Angles), (Mode::Tcp, TcpWords::Vectors), (Mode::Plane, TcpWords::Angles)];
@@ -124,32 +127,33 @@ fn compare<M: Machine>(seed: u64) -> usize {
     for &control in control::CONTROLS {
         for (mode, words) in modes {
             for (round, frame) in frames.into_iter().enumerate() {
-                compared += compare_way::<M>(Way { control, mode, words, frame }, seed + round as u64);
+                compared += compare_variant::<M>(Variant { control, mode, words, frame }, seed + round as u64);
             }
         }
     }
     compared
 }
 
-/// Every block of the cuts, looked at in many places: where the control takes the tool between two points.
+/// Checks the path of the tool between points, with 200 samples of every block of the cuts; returns the number of
+/// blocks.
 fn between_points<M: Machine>(seed: u64, frame: TcpFrame) -> usize {
     let mut random = Random::new(seed);
     let config = set_up(Mode::Tcp, Some(frame), &control::Fanuc, &mut random);
     let mut machine = config.set_up.machine::<M>().expect("valid");
     let events = events(&machine, &mut random, false);
-    let says = posted::<M>(&config, &control::Fanuc, &events).expect("posted");
+    let states = posted::<M>(&config, &control::Fanuc, &events).expect("posted");
     machine.set_up(config.set_up.part_origin.into(), LENGTH);
     let motions = moves(&events);
     let mut blocks = 0;
     for (index, pair) in motions.windows(2).enumerate().filter(|(_, pair)| !pair[0].rapid && !pair[1].rapid) {
         let (start, end) = (pair[0].pose, pair[1].pose);
-        let mut from = says[index].words;
-        for to in &says[index + 1].blocks {
+        let mut from = states[index].words;
+        for to in &states[index + 1].blocks {
             for place in 0..=200 {
                 let share = f64::from(place) / 200.0;
                 let words = std::array::from_fn(|axis| from[axis] + (to[axis] - from[axis]) * share);
-                let now = Says { words, ..says[index + 1].clone() };
-                let (tip, axis) = meant(&machine, &config, "fanuc", &now);
+                let now = ProgramState { words, ..states[index + 1].clone() };
+                let (tip, axis) = commanded_pose(&machine, &config, "fanuc", &now);
                 let off = distance_to_line(&tip, &start.tip, &end.tip);
                 assert!(off <= config.motion.tolerance_mm, "{} {frame:?} motion {index}: tip {off}", M::NAME);
                 let off = angle_to_arc(&axis, &start.axis, &end.axis);
@@ -167,7 +171,7 @@ fn between_points<M: Machine>(seed: u64, frame: TcpFrame) -> usize {
 }
 
 #[test]
-fn between_points_tip_and_axis_keep_to_their_way() {
+fn between_points_tip_and_axis_keep_to_their_path() {
     for (seed, frame) in [TcpFrame::TableAtZero, TcpFrame::TableAtStart, TcpFrame::NotTurning].into_iter().enumerate() {
         let seed = seed as u64 + 20;
         assert!(between_points::<SpinnerU5620>(seed, frame) >= 18);
@@ -197,7 +201,7 @@ fn both_rotaries_in_the_head() {
 }
 
 #[test]
-fn one_rotary_in_the_table_and_a_word_that_runs_backwards() {
+fn one_rotary_in_the_table_and_an_axis_with_negative_sign() {
     assert!(compare::<MultiProDesk>(5) > 300);
 }
 
@@ -206,8 +210,9 @@ fn one_rotary_in_the_table_and_one_in_the_head() {
     assert!(compare::<HeadTable>(6) > 300);
 }
 
-/// One operation, a rapid and a cut, for each pair of rotary values in steps of 10°; axes with nine digits, as CAM writes them.
-fn round_angles<M: Machine>(machine: &M) -> Vec<Event<'static>> {
+/// Operations of a rapid and a cut, one for each pair of rotary values in steps of 10°; tool axes with nine digits, as
+/// CAM writes them.
+fn operations_at_round_angles<M: Machine>(machine: &M) -> Vec<Event<'static>> {
     let mut events = vec![
         Event::Tool(ToolCall { number: 1, length_mm: Some(LENGTH), ..ToolCall::default() }),
         Event::Spindle(Spindle::On { speed_rev_per_min: Some(9000.0), rotation: Some(Rotation::Clockwise) }),
@@ -229,24 +234,24 @@ fn round_angles<M: Machine>(machine: &M) -> Vec<Event<'static>> {
     events
 }
 
-fn tilts_round_angles<M: Machine>() {
+fn assert_planes_at_round_angles<M: Machine>() {
     for control in control::CONTROLS.iter().filter(|control| control.spellings().plane.is_some()) {
         let config = set_up(Mode::Plane, None, *control, &mut Random::new(11));
         let machine = config.set_up.machine::<M>().expect("valid");
-        let events = round_angles(&machine);
-        let said = posted::<M>(&config, *control, &events).map(|said| said.len());
-        assert_eq!(said, Ok(128), "{} {}", M::NAME, control.spellings().name);
+        let events = operations_at_round_angles(&machine);
+        let motions = posted::<M>(&config, *control, &events).map(|motions| motions.len());
+        assert_eq!(motions, Ok(128), "{} {}", M::NAME, control.spellings().name);
     }
 }
 
 #[test]
-fn a_plane_is_tilted_where_the_axes_stand_exactly_as_well() {
-    tilts_round_angles::<LolaXoyzba>();
-    tilts_round_angles::<SpinnerU5620>();
-    tilts_round_angles::<HeadTable>();
+fn a_plane_is_tilted_at_round_axis_values_too() {
+    assert_planes_at_round_angles::<LolaXoyzba>();
+    assert_planes_at_round_angles::<SpinnerU5620>();
+    assert_planes_at_round_angles::<HeadTable>();
 }
 
-/// Upright in a cut from a tilt about Y to one about X: the table turns by 90° about the tool axis.
+/// A cut from a tilt about Y through the vertical to a tilt about X: the table rotates by 90° about the tool axis.
 fn through_the_pole() -> Vec<Event<'static>> {
     let axes = [[0.5, 0.0], [0.25, 0.0], [0.0, 0.0], [0.0, 0.25]];
     let motion = |(index, [i, j]): (usize, [f64; 2])| {
@@ -263,22 +268,22 @@ fn through_the_pole() -> Vec<Event<'static>> {
 }
 
 #[test]
-fn a_turn_about_the_tool_axis_is_not_left_out_where_the_axis_is_a_vector() {
-    let said = |words: TcpWords, tool_posture: ToolPosture| {
+fn a_rotation_about_the_tool_axis_is_refused_with_tool_vectors() {
+    let motions = |words: TcpWords, tool_posture: ToolPosture| {
         let mut config = set_up(Mode::Tcp, None, &control::Siemens, &mut Random::new(12));
         config.motion.tip.tcp_words = words;
         config.motion.tip.tool_posture = tool_posture;
-        posted::<SpinnerU5620>(&config, &control::Siemens, &through_the_pole()).map(|said| said.len())
+        posted::<SpinnerU5620>(&config, &control::Siemens, &through_the_pole()).map(|motions| motions.len())
     };
-    assert_eq!(said(TcpWords::Angles, ToolPosture::Axes), Ok(4));
-    // The control turns the table as it needs to.
-    assert_eq!(said(TcpWords::Vectors, ToolPosture::Plane), Ok(4));
-    let fault = said(TcpWords::Vectors, ToolPosture::Axes).expect_err("the words do not say it");
+    assert_eq!(motions(TcpWords::Angles, ToolPosture::Axes), Ok(4));
+    // The control rotates the table as needed.
+    assert_eq!(motions(TcpWords::Vectors, ToolPosture::Plane), Ok(4));
+    let fault = motions(TcpWords::Vectors, ToolPosture::Axes).expect_err("tool vectors cannot express it");
     assert!(fault.contains("C has to rotate by 90.000° here"), "{fault}");
 }
 
 #[test]
-fn what_does_not_suit_a_mode_is_refused_with_the_alternative() {
+fn unsupported_modes_are_refused_with_the_alternative() {
     let mut random = Random::new(9);
     let mut refused = |control: &dyn Control, mode: Mode, change: &dyn Fn(&mut Config)| {
         let mut config = set_up(mode, None, control, &mut random);

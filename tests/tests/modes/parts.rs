@@ -10,7 +10,7 @@ use tests::random::Random;
 
 use crate::LENGTH;
 
-/// Operations with a tool axis of their own each, and cuts in which the axis turns unless it is to be held.
+/// Operations, each with its own tool axis, and cuts in which the axis changes unless `hold` is set.
 pub(crate) fn events<M: Machine>(machine: &M, random: &mut Random, hold: bool) -> Vec<Event<'static>> {
     let mut events = vec![
         Event::Tool(ToolCall { number: 1, length_mm: Some(LENGTH), ..ToolCall::default() }),
@@ -32,11 +32,11 @@ pub(crate) fn events<M: Machine>(machine: &M, random: &mut Random, hold: bool) -
         let start = axis(random);
         for point in 0..5 {
             let tip = Point3::new(random.between(-50.0, 50.0), random.between(-50.0, 50.0), random.between(0.0, 30.0));
-            // Near enough to stay on the branch.
-            let lean = random.between(0.0, 0.1);
-            let turned = axis(random).into_inner() * lean + start.into_inner() * (1.0 - lean);
-            let within = machine.reach(&UnitVector3::new_normalize(turned), &M::HELD).is_ok();
-            let axis = if hold || point == 0 || !within { start } else { UnitVector3::new_normalize(turned) };
+            // Near enough to the start to stay on the branch.
+            let share = random.between(0.0, 0.1);
+            let tilted = axis(random).into_inner() * share + start.into_inner() * (1.0 - share);
+            let within = machine.reach(&UnitVector3::new_normalize(tilted), &M::HELD).is_ok();
+            let axis = if hold || point == 0 || !within { start } else { UnitVector3::new_normalize(tilted) };
             let pose = Pose { tip, axis };
             events.push(Event::Move(Move { pose, rapid: point == 0, feed: Some(Feed::PerMinute(750.0)) }));
         }

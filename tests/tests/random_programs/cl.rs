@@ -1,8 +1,8 @@
-//! Random CL programs that a CAM system could have written: operations with tools, spindle and coolant, in which the tool
-//! comes from above, cuts lines, arcs, contours, surfaces and holes, and goes up again.
+//! Random CL data that a CAM system could have written: operations with tools, spindle and coolant, in which the tool
+//! approaches from above, cuts lines, arcs, contours, surfaces and holes, and retracts upwards.
 //!
-//! Points are made in the frame of an operation, its third direction along the tool, and written in that of the part.
-//! Everything is drawn from one stream of random numbers: the same seed gives the same bytes.
+//! Points are generated in the frame of an operation, whose third direction is along the tool, and written in the frame
+//! of the part. All choices come from one stream of random numbers: the same seed gives the same bytes.
 
 mod between;
 mod frames;
@@ -15,48 +15,48 @@ use tests::random::Random;
 use frames::Frame;
 pub(crate) use frames::{FRAMES, Frames};
 
-/// Tool axes that a machine reaches.
+/// Range of the tool axes that a machine reaches.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Leaning {
-    /// Upright.
-    Never,
-    /// About X only.
+pub(crate) enum AxisRange {
+    /// Vertical only.
+    Vertical,
+    /// Tilts about X only.
     AboutX,
-    /// Up to so many degrees in any direction.
+    /// Tilts up to this angle in any direction, degrees.
     UpTo(u32),
 }
 
-/// What of the set-up the program has to know.
+/// Properties of the set-up on which the CL data depends.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Needs {
-    pub(crate) leaning: Leaning,
-    /// A rotary axis turns the part.
+    pub(crate) axis_range: AxisRange,
+    /// Whether a rotary axis rotates the part.
     pub(crate) table: bool,
-    /// The rotary axes stand still in every cut.
+    /// Whether the rotary axes must not move in a cut.
     pub(crate) still: bool,
     pub(crate) inches: bool,
-    /// CUTCOM may be used.
+    /// Whether CUTCOM may be used.
     pub(crate) compensation: bool,
-    /// CYCLE as NX writes it, else as ISO 4343 has it.
+    /// Whether CYCLE is written as by NX; else as in ISO 4343.
     pub(crate) nx: bool,
-    /// INSERT may be used.
+    /// Whether INSERT may be used.
     pub(crate) insert: bool,
-    /// The control has registers of lengths.
+    /// Whether the control has length registers.
     pub(crate) registers: bool,
-    /// A bare GOHOME has a place to go.
+    /// Whether a GOHOME without a point has a parking position.
     pub(crate) park: bool,
-    /// What frames behind the first mean.
+    /// Meaning of the frames after the first.
     pub(crate) frames: Frames,
-    /// AUXFUN/77 may be used.
+    /// Whether AUXFUN/77 may be used.
     pub(crate) code: bool,
-    /// Points are those of the centre of a corner.
+    /// Whether points are the centre of the corner radius.
     pub(crate) centre: bool,
 }
 
-/// Tools that may be called.
+/// Number of tools that may be called.
 pub(crate) const TOOLS: usize = 4;
 
-/// A program in the making.
+/// CL data that is being generated.
 struct Program<'r> {
     random: &'r mut Random,
     needs: Needs,
@@ -66,28 +66,29 @@ struct Program<'r> {
     /// Directions across and along the tool, and the origin of the operation, mm.
     frame: Matrix3<f64>,
     origin: Vector3<f64>,
-    /// Where the tool is in that frame, mm.
+    /// Position of the tool in that frame, mm.
     here: Vector3<f64>,
-    /// The tool axis as it was written last.
+    /// Tool axis as last written.
     axis: Option<Vector3<f64>>,
-    /// Height over everything that is cut, mm.
+    /// Clearance height above all cuts, mm.
     clear: f64,
-    /// CLEARP stands in this operation.
+    /// Whether CLEARP is programmed in this operation.
     cleared: bool,
-    /// What the numbers of the file count in, and what it is made of.
+    /// Frame of the numbers of the file, composed of the four that follow.
     file: Frame,
     frame_of_file: Frame,
     tracut: Frame,
     translation: Vector3<f64>,
     origin_of_file: Vector3<f64>,
-    /// Frames of the file, as they lie in the model and in the part, and whether one has been stated.
+    /// Frames of the file, relative to the model and to the part.
     frames: Vec<(Frame, Frame)>,
+    /// Whether a frame has been written.
     stated: bool,
-    /// What subprograms add to the place of the tool, mm.
+    /// Displacement of the tool by each subprogram, mm.
     subprograms: Vec<Vector3<f64>>,
 }
 
-/// The CL data of a seed.
+/// Random CL data.
 pub(crate) fn program(random: &mut Random, needs: Needs) -> String {
     let decimals = [3 + random.below(4), 6 + random.below(4)];
     let mut program = Program {
@@ -167,7 +168,7 @@ impl Program<'_> {
         self.spindle();
         self.coolant();
         if self.random.chance(0.1) {
-            self.change();
+            self.change_frame();
         }
         if self.random.chance(0.1) {
             let senses: &[&str] = if self.needs.table { &["SHORT", "NEXT,CLW", "NEXT,CCLW"] } else { &["SHORT"] };
@@ -180,7 +181,7 @@ impl Program<'_> {
             self.line(&format!("CLEARP/XYPLAN,{height}"));
         }
         self.begin();
-        let still = self.needs.still || self.needs.leaning == Leaning::Never;
+        let still = self.needs.still || self.needs.axis_range == AxisRange::Vertical;
         match self.random.below(10) {
             0..=3 => self.flat(),
             4..=5 => self.holes(),
@@ -197,28 +198,29 @@ impl Program<'_> {
         }
     }
 
-    /// A frame, and the tool over it.
+    /// Chooses the frame of an operation and moves the tool above it.
     fn begin(&mut self) {
         let axis = self.some_axis();
-        self.turn(axis);
-        self.origin = Vector3::new(self.around(60.0), self.around(60.0), self.around(20.0));
+        self.orient(axis);
+        self.origin = Vector3::new(self.plus_minus(60.0), self.plus_minus(60.0), self.plus_minus(20.0));
         self.clear = self.random.between(15.0, 60.0);
         self.axis = None;
         if self.random.chance(0.1) {
             self.state_axis();
         }
-        self.above();
+        self.approach();
     }
 
-    /// Across and along a tool axis.
-    fn turn(&mut self, axis: Vector3<f64>) {
+    /// Sets the frame to directions across and along a tool axis.
+    fn orient(&mut self, axis: Vector3<f64>) {
         let across = if axis.x.abs() < 0.9 { Vector3::x() } else { Vector3::y() };
         let second = axis.cross(&across).normalize();
         self.frame = Matrix3::from_columns(&[second.cross(&axis), second, axis]);
     }
 
-    fn above(&mut self) {
-        self.here = Vector3::new(self.around(40.0), self.around(40.0), self.clear);
+    /// Rapid to a point at clearance height, then down near the part.
+    fn approach(&mut self) {
+        self.here = Vector3::new(self.plus_minus(40.0), self.plus_minus(40.0), self.clear);
         self.line("RAPID");
         self.go();
         if self.random.chance(0.6) {
@@ -233,30 +235,30 @@ impl Program<'_> {
         self.feed();
     }
 
-    /// A tool axis: upright, a round angle, or any.
+    /// A tool axis: vertical, at a round angle, or at any angle.
     fn some_axis(&mut self) -> Vector3<f64> {
-        let most = match self.needs.leaning {
-            Leaning::Never => return Vector3::z(),
-            Leaning::AboutX => 80.0,
-            Leaning::UpTo(most) => f64::from(most),
+        let most = match self.needs.axis_range {
+            AxisRange::Vertical => return Vector3::z(),
+            AxisRange::AboutX => 80.0,
+            AxisRange::UpTo(most) => f64::from(most),
         };
-        let lean = match self.random.below(4) {
+        let tilt = match self.random.below(4) {
             0 => return Vector3::z(),
             1 => 15.0 * self.random.below((most / 15.0) as usize + 1) as f64,
             2 => self.random.between(0.0, 2.0),
             _ => self.random.between(0.0, most),
         };
-        let azimuth = match (self.needs.leaning, self.random.below(2)) {
-            (Leaning::AboutX, _) => 90.0 * self.random.sign(),
+        let azimuth = match (self.needs.axis_range, self.random.below(2)) {
+            (AxisRange::AboutX, _) => 90.0 * self.random.sign(),
             (_, 0) => 45.0 * self.random.below(8) as f64,
             _ => self.random.between(-180.0, 180.0),
         };
-        direction(lean, azimuth)
+        direction(tilt, azimuth)
     }
 
     // ------------------------------------------------------------------ operations
 
-    /// Lines and arcs at one tool axis.
+    /// Cuts lines and arcs at one tool axis.
     fn flat(&mut self) {
         for _ in 0..2 + self.random.below(12) {
             match self.random.below(20) {
@@ -270,49 +272,49 @@ impl Program<'_> {
                 6 => self.plunge(),
                 7..=9 => self.arc(),
                 10 => self.helix(),
-                11 => self.arc_upright(),
+                11 => self.vertical_arc(),
                 12 => self.over(),
                 13 => self.delta(),
-                _ => self.between(),
+                _ => self.other_record(),
             }
         }
         self.leave();
     }
 
-    /// Tool axes that change from point to point, over the pole now and then.
+    /// Cuts with a tool axis that changes from point to point, sometimes through the pole.
     fn surface(&mut self) {
-        let (mut lean, mut azimuth) = leaning(&self.frame.column(2).into_owned());
-        if self.needs.leaning == Leaning::AboutX && lean < 1e-9 {
+        let (mut tilt, mut azimuth) = tilt_and_azimuth(&self.frame.column(2).into_owned());
+        if self.needs.axis_range == AxisRange::AboutX && tilt < 1e-9 {
             azimuth = 90.0;
         }
         let pole = self.random.chance(0.3);
-        let most = match self.needs.leaning {
-            Leaning::UpTo(most) => f64::from(most),
+        let most = match self.needs.axis_range {
+            AxisRange::UpTo(most) => f64::from(most),
             _ => 80.0,
         };
-        let turning = self.random.between(-12.0, 12.0);
-        let tilting = if pole { -lean / 5.0 - 0.3 } else { self.random.between(-3.0, 3.0) };
-        // The tip keeps its place while the axis turns about it: frames of one origin.
+        let azimuth_step = self.random.between(-12.0, 12.0);
+        let tilt_step = if pole { -tilt / 5.0 - 0.3 } else { self.random.between(-3.0, 3.0) };
+        // The tip does not move while the axis rotates about it: the frames have one origin.
         let mut tip = self.here();
         for step in 0..4 + self.random.below(16) {
             match self.random.below(14) {
-                0 => self.between(),
+                0 => self.other_record(),
                 1 => self.repeat(tip),
                 _ => {}
             }
-            lean += tilting;
-            if lean < 0.0 {
-                (lean, azimuth) = (-lean, azimuth + 180.0);
+            tilt += tilt_step;
+            if tilt < 0.0 {
+                (tilt, azimuth) = (-tilt, azimuth + 180.0);
             }
-            lean = lean.min(most);
-            if self.needs.leaning != Leaning::AboutX {
-                azimuth += turning;
+            tilt = tilt.min(most);
+            if self.needs.axis_range != AxisRange::AboutX {
+                azimuth += azimuth_step;
             }
-            let axis = if pole && step == 5 { Vector3::z() } else { direction(lean, azimuth) };
+            let axis = if pole && step == 5 { Vector3::z() } else { direction(tilt, azimuth) };
             if self.random.chance(0.9) {
-                tip += Vector3::new(self.around(8.0), self.around(8.0), self.around(2.0));
+                tip += Vector3::new(self.plus_minus(8.0), self.plus_minus(8.0), self.plus_minus(2.0));
             }
-            self.turn(axis);
+            self.orient(axis);
             self.point("GOTO", tip, Some(axis));
             self.axis = Some(axis);
         }
@@ -321,7 +323,7 @@ impl Program<'_> {
         self.leave();
     }
 
-    /// A contour with cutter compensation.
+    /// Cuts a contour with cutter compensation.
     fn contour(&mut self) {
         let side = if self.random.chance(0.5) { "LEFT" } else { "RIGHT" };
         self.here.z = -self.random.between(0.5, 4.0);
@@ -343,7 +345,7 @@ impl Program<'_> {
         self.leave();
     }
 
-    /// Holes at one tool axis, one cycle or more.
+    /// Makes holes at one tool axis, with one cycle or more.
     fn holes(&mut self) {
         self.here.z = self.clear;
         self.line("RAPID");
@@ -351,8 +353,8 @@ impl Program<'_> {
         for _ in 0..1 + self.random.below(3) {
             self.cycle();
             for _ in 0..1 + self.random.below(4) {
-                let level = if self.random.chance(0.8) { 0.0 } else { self.around(6.0) };
-                self.here = Vector3::new(self.around(40.0), self.around(40.0), level);
+                let level = if self.random.chance(0.8) { 0.0 } else { self.plus_minus(6.0) };
+                self.here = Vector3::new(self.plus_minus(40.0), self.plus_minus(40.0), level);
                 self.go();
             }
             self.line("CYCLE/OFF");
@@ -361,12 +363,12 @@ impl Program<'_> {
                 self.line("RAPID");
                 self.go();
                 self.line("CYCLE/ON");
-                self.here = Vector3::new(self.around(40.0), self.around(40.0), 0.0);
+                self.here = Vector3::new(self.plus_minus(40.0), self.plus_minus(40.0), 0.0);
                 self.go();
                 self.line("CYCLE/OFF");
             }
             if self.random.chance(0.2) {
-                self.between();
+                self.other_record();
             }
         }
         self.leave();
@@ -385,13 +387,13 @@ impl Program<'_> {
         let depth = self.length(depth);
         let clear = self.length(clear);
         let back = self.some_length(12.0, 30.0);
-        let (per_turn, per_minute) = if self.needs.inches { ("IPR", "IPM") } else { ("MMPR", "MMPM") };
+        let (per_revolution, per_minute) = if self.needs.inches { ("IPR", "IPM") } else { ("MMPR", "MMPM") };
         let feed = match kind {
             "TAP" => {
                 let pitch = [0.5, 0.8, 1.0, 1.25, 1.5][self.random.below(5)];
-                format!(",{per_turn},{}", self.length(pitch))
+                format!(",{per_revolution},{}", self.length(pitch))
             }
-            _ if self.random.chance(0.15) => format!(",{per_turn},{}", self.some_length(0.05, 0.4)),
+            _ if self.random.chance(0.15) => format!(",{per_revolution},{}", self.some_length(0.05, 0.4)),
             _ => format!(",{per_minute},{}", self.some_length(40.0, 400.0)),
         };
         if self.needs.nx {
@@ -417,14 +419,14 @@ impl Program<'_> {
     }
 }
 
-/// A tool axis, degrees.
-fn direction(lean: f64, azimuth: f64) -> Vector3<f64> {
-    let (sin, cos) = lean.to_radians().sin_cos();
+/// Tool axis from tilt and azimuth, degrees.
+fn direction(tilt: f64, azimuth: f64) -> Vector3<f64> {
+    let (sin, cos) = tilt.to_radians().sin_cos();
     let (across, along) = azimuth.to_radians().sin_cos();
     Vector3::new(sin * along, sin * across, cos)
 }
 
-/// Lean and azimuth of a tool axis, degrees.
-fn leaning(axis: &Vector3<f64>) -> (f64, f64) {
+/// Tilt and azimuth of a tool axis, degrees.
+fn tilt_and_azimuth(axis: &Vector3<f64>) -> (f64, f64) {
     (axis.x.hypot(axis.y).atan2(axis.z).to_degrees(), axis.y.atan2(axis.x).to_degrees())
 }

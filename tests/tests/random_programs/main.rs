@@ -1,9 +1,9 @@
-//! Random programs on random set-ups: whatever is posted passes its check, is the same when it is posted again, and moves
-//! for a foreign interpreter as it does for the check.
+//! Random programs on random set-ups: every posted program passes its check, is the same when it is posted again, and
+//! has the same motions for the foreign interpreter as for the check.
 //!
-//! CL data that is refused with a reason is fine, as long as most of it is not. A program that fails is made shorter, as
-//! long as it fails in the same way, and shown. `PP_RANDOM_PROGRAMS=N` asks for more programs than usual and tells what
-//! became of them, `PP_RANDOM_SEED=S` begins with that seed; one program alone is shown as it is.
+//! CL data may be refused with a reason, but at least half of the programs must be posted. A failing program is
+//! shortened as long as it fails with the same fault, and printed. `PP_RANDOM_PROGRAMS=N` sets the number of programs
+//! and prints a summary of the outcomes; `PP_RANDOM_SEED=S` sets the first seed; with `N` = 1 the input is printed too.
 
 mod cl;
 mod set_up;
@@ -26,8 +26,8 @@ use tests::foreign::{Control as Foreign, Options};
 use tests::further::HeadTable;
 use tests::random::Random;
 
-use cl::Leaning;
-use set_up::Kind;
+use cl::AxisRange;
+use set_up::MachineKind;
 
 machine! {
     /// Three axes.
@@ -35,81 +35,89 @@ machine! {
     chain: X Y | Z;
 }
 
-/// Programs of a test run.
+/// Number of programs in a test run.
 const PROGRAMS: usize = 300;
 
-/// Faulty programs that are shown.
+/// Largest number of faulty programs that are printed.
 const SHOWN: usize = 3;
 
-const KINDS: &[Kind] = &[
-    Kind {
+const KINDS: &[MachineKind] = &[
+    MachineKind {
         name: "spinner",
         rotaries: &['C', 'B'],
         travel: &[('C', -200, 200), ('B', -100, 100)],
         endless: &['C'],
-        leaning: Leaning::UpTo(90),
+        axis_range: AxisRange::UpTo(90),
         table: true,
         head: false,
     },
-    Kind {
+    MachineKind {
         name: "dmu",
         rotaries: &['C', 'B'],
         travel: &[('C', -190, 270), ('B', -180, 180)],
         endless: &['C'],
-        leaning: Leaning::UpTo(85),
+        axis_range: AxisRange::UpTo(85),
         table: true,
         head: false,
     },
-    Kind {
+    MachineKind {
         name: "lola",
         rotaries: &['A', 'B'],
         travel: &[('A', -100, 100), ('B', -110, 110)],
         endless: &['A', 'B'],
-        leaning: Leaning::UpTo(80),
+        axis_range: AxisRange::UpTo(80),
         table: false,
         head: true,
     },
-    Kind {
+    MachineKind {
         name: "multiprodesk",
         rotaries: &['A'],
         travel: &[('A', -100, 100)],
         endless: &['A'],
-        leaning: Leaning::AboutX,
+        axis_range: AxisRange::AboutX,
         table: true,
         head: false,
     },
-    Kind {
+    MachineKind {
         name: "head_table",
         rotaries: &['C', 'B'],
         travel: &[('C', -200, 200), ('B', -100, 100)],
         endless: &['C', 'B'],
-        leaning: Leaning::UpTo(85),
+        axis_range: AxisRange::UpTo(85),
         table: true,
         head: true,
     },
-    Kind { name: "mill", rotaries: &[], travel: &[], endless: &[], leaning: Leaning::Never, table: false, head: false },
+    MachineKind {
+        name: "mill",
+        rotaries: &[],
+        travel: &[],
+        endless: &[],
+        axis_range: AxisRange::Vertical,
+        table: false,
+        head: false,
+    },
 ];
 
-/// A program to be posted, all of it as text.
+/// Input of one test, with set-up and CL data as text.
 #[derive(Clone)]
 struct Case {
-    kind: &'static Kind,
+    kind: &'static MachineKind,
     control: &'static dyn Control,
     mode: Mode,
     set_up: String,
     cl: String,
 }
 
-/// What became of it.
+/// Outcome of a case.
 #[derive(Debug, Clone, PartialEq)]
 enum Outcome {
-    /// Machine, control and set-up do not suit each other.
+    /// Machine, control and set-up are not compatible.
     Unsuited(String),
     /// The CL data cannot be posted.
     Refused(String),
-    /// It passes its check.
+    /// The program passes its check.
     Passed(Vec<u8>),
-    /// It does not, for this reason.
+    /// The program does not pass, for this reason.
     Wrong(String, Vec<u8>),
 }
 
@@ -152,7 +160,7 @@ impl Case {
     }
 }
 
-/// Posts a case twice and checks it.
+/// Posts a case twice, checks it, and compares it with the foreign interpreter.
 fn run<M: Machine>(case: &Case) -> Outcome {
     let config = match starting_point(case.control).read_over(&M::default(), &case.set_up) {
         Ok(mut config) => {
@@ -167,7 +175,7 @@ fn run<M: Machine>(case: &Case) -> Outcome {
     let job = post::Job { cl_name: "random.cls", config: &config, control: case.control, units: None };
     let posted = || {
         let mut program = Vec::new();
-        let report = post::post::<M>(&job, &mut Cursor::new(&case.cl), &mut program).expect("memory takes it");
+        let report = post::post::<M>(&job, &mut Cursor::new(&case.cl), &mut program).expect("memory can be written");
         (report, program)
     };
     let (report, program) = posted();
@@ -176,41 +184,43 @@ fn run<M: Machine>(case: &Case) -> Outcome {
         return Outcome::Refused(error.text.clone());
     }
     if posted().1 != program {
-        return Outcome::Wrong("the second time another program".to_owned(), program);
+        return Outcome::Wrong("posted again, the program differs".to_owned(), program);
     }
     let job = check::Job { config: &config, control: case.control, units: None };
     let checked = check::check::<M>(&job, Cursor::new(&case.cl), &program[..]).expect("it can be read");
     let first = checked.outcome.findings.first().or(checked.fault.as_ref());
     match first {
         Some(first) => Outcome::Wrong(format!("CL line {}: {}", first.location.line, first.text), program),
-        None if checked.outcome.passed() => match read_alike::<M>(case, &config, &program) {
+        None if checked.outcome.passed() => match same_motions::<M>(case, &config, &program) {
             Ok(()) => Outcome::Passed(program),
-            Err(why) => Outcome::Wrong(format!("the foreign interpreter, {why}"), program),
+            Err(why) => Outcome::Wrong(format!("foreign interpreter: {why}"), program),
         },
-        None => Outcome::Wrong("a finding that is not told".to_owned(), program),
+        None => Outcome::Wrong("the check fails without a finding".to_owned(), program),
     }
 }
 
-/// Whether the foreign interpreter finds the motions that the check has found.
-fn read_alike<M: Machine>(case: &Case, config: &Config, program: &[u8]) -> Result<(), String> {
+/// Compares the motions that the foreign interpreter finds with those of the check.
+fn same_motions<M: Machine>(case: &Case, config: &Config, program: &[u8]) -> Result<(), String> {
     let control = Foreign::by_name(case.control.spellings().name).expect("a control");
     let [pointed, plain_numbers] = [true, false].map(|point| config.control.point == Some(point));
-    let idle = set_up::SHOP.iter().map(|code| (*code).to_owned()).collect();
+    let idle = set_up::BUILDER_CODES.iter().map(|code| (*code).to_owned()).collect();
     let gauge_line = case.set_up.contains("length_mode = \"gauge\"");
     let options = Options { pointed, plain_numbers, gauge_line, idle, ..Options::of(control) };
-    // Which codes switch mist, air and coolant through the spindle is in the set-up.
+    // The codes of mist, air and coolant through the spindle are in the set-up.
     let compared = Compared { coolant: coolant::FLOOD, revolutions: !case.set_up.contains("[wrap]") };
     let text = std::str::from_utf8(program).map_err(|_| "a program that is not ASCII".to_owned())?;
     agreement::compare::<M>(text, (config, case.control), &options, compared).map(|_| ())
 }
 
 /// A number from the environment.
-fn asked(name: &str) -> Option<usize> {
-    std::env::var(name).ok().map(|text| text.parse().unwrap_or_else(|_| panic!("{name} is a number, not {text}")))
+fn environment_number(name: &str) -> Option<usize> {
+    std::env::var(name)
+        .ok()
+        .map(|text| text.parse().unwrap_or_else(|_| panic!("{name} must be a number, found {text}")))
 }
 
-/// Without its numbers and names: what kind of text it is.
-fn kind_of(text: &str) -> String {
+/// Text of a fault without its numbers, the same for all faults of a kind.
+fn fault_kind(text: &str) -> String {
     let text = text.split("; line").next().unwrap_or_default();
     let mut kind = String::new();
     for letter in text.chars() {
@@ -225,9 +235,9 @@ fn kind_of(text: &str) -> String {
 }
 
 #[test]
-fn whatever_is_posted_passes_its_check() {
-    let count = asked("PP_RANDOM_PROGRAMS").unwrap_or(PROGRAMS);
-    let first = asked("PP_RANDOM_SEED").unwrap_or(0) as u64;
+fn every_posted_program_passes_its_check() {
+    let count = environment_number("PP_RANDOM_PROGRAMS").unwrap_or(PROGRAMS);
+    let first = environment_number("PP_RANDOM_SEED").unwrap_or(0) as u64;
     let mut tally: BTreeMap<String, [usize; 4]> = BTreeMap::new();
     let mut reasons: BTreeMap<String, (usize, String)> = BTreeMap::new();
     let mut wrong: BTreeMap<String, (usize, u64)> = BTreeMap::new();
@@ -236,52 +246,52 @@ fn whatever_is_posted_passes_its_check() {
         if count == 1 {
             println!("{}\n{}\n{}", case.name(), case.set_up, case.cl);
         }
-        let place = match case.run() {
+        let outcome = match case.run() {
             Outcome::Unsuited(reason) => {
                 let text = format!("{seed}: {reason}");
-                reasons.entry(format!("unsuited: {}", kind_of(&reason))).or_insert((0, text)).0 += 1;
+                reasons.entry(format!("unsuited: {}", fault_kind(&reason))).or_insert((0, text)).0 += 1;
                 0
             }
             Outcome::Refused(reason) => {
-                reasons.entry(kind_of(&reason)).or_insert_with(|| (0, format!("{seed}: {reason}"))).0 += 1;
+                reasons.entry(fault_kind(&reason)).or_insert_with(|| (0, format!("{seed}: {reason}"))).0 += 1;
                 1
             }
             Outcome::Passed(_) => 2,
             Outcome::Wrong(text, _) => {
                 println!("seed {seed}, {}: {text}", case.name());
-                wrong.entry(kind_of(&text)).or_insert((0, seed)).0 += 1;
+                wrong.entry(fault_kind(&text)).or_insert((0, seed)).0 += 1;
                 3
             }
         };
-        tally.entry(case.name()).or_default()[place] += 1;
+        tally.entry(case.name()).or_default()[outcome] += 1;
     }
-    if asked("PP_RANDOM_PROGRAMS").is_some() {
-        tell(&tally, &reasons);
+    if environment_number("PP_RANDOM_PROGRAMS").is_some() {
+        print_summary(&tally, &reasons);
     }
-    wrong.iter().for_each(|(text, (count, seed))| println!("wrong: {count} like seed {seed}: {text}"));
+    wrong.iter().for_each(|(text, (count, seed))| println!("wrong: {count} programs, for example seed {seed}: {text}"));
     let shown: Vec<String> = wrong.values().take(SHOWN).map(|(_, seed)| shorten::shown(&Case::of(*seed))).collect();
     assert!(wrong.is_empty(), "{} kinds of fault\n{}", wrong.len(), shown.join("\n=====\n"));
     let passed: usize = tally.values().map(|[_, _, passed, _]| passed).sum();
     assert!(passed * 2 >= count, "only {passed} of {count} programs are posted");
 }
 
-/// What became of all programs.
-fn tell(tally: &BTreeMap<String, [usize; 4]>, reasons: &BTreeMap<String, (usize, String)>) {
+/// Prints the outcomes of all programs.
+fn print_summary(tally: &BTreeMap<String, [usize; 4]>, reasons: &BTreeMap<String, (usize, String)>) {
     for (name, [unsuited, refused, passed, wrong]) in tally {
         println!("{name:32} unsuited {unsuited:5} refused {refused:5} passed {passed:5} wrong {wrong:5}");
     }
     let mut reasons: Vec<_> = reasons.iter().collect();
     reasons.sort_by_key(|(_, (count, _))| std::cmp::Reverse(*count));
-    reasons.iter().for_each(|(_, (count, first))| println!("{count:6} like seed {first}"));
+    reasons.iter().for_each(|(_, (count, first))| println!("{count:6} programs, for example seed {first}"));
 }
 
-/// Damages of each program.
+/// Number of damages to each program.
 const DAMAGES: usize = 5;
 
 #[test]
-fn a_damaged_program_is_read_to_its_end() {
-    let count = asked("PP_RANDOM_PROGRAMS").unwrap_or(PROGRAMS / 4);
-    let first = asked("PP_RANDOM_SEED").unwrap_or(1_000_000) as u64;
+fn a_damaged_program_is_checked_to_its_end() {
+    let count = environment_number("PP_RANDOM_PROGRAMS").unwrap_or(PROGRAMS / 4);
+    let first = environment_number("PP_RANDOM_SEED").unwrap_or(1_000_000) as u64;
     let mut damaged = 0;
     for seed in first..first + count as u64 {
         let case = Case::of(seed);
@@ -291,8 +301,14 @@ fn a_damaged_program_is_read_to_its_end() {
             let (program, what) = damage(&program, &mut random);
             let lines = program.split(|byte| *byte == b'\n').count() as u64;
             let findings = catch_unwind(AssertUnwindSafe(|| case.findings(&program)));
-            let Ok((count, listed)) = findings else { panic!("{} seed {seed}: a panic where {what}", case.name()) };
-            assert!(count <= 8 * lines && listed <= 2000, "{} seed {seed}: {count} findings where {what}", case.name());
+            let Ok((count, listed)) = findings else {
+                panic!("{} seed {seed}: panic after damage of {what}", case.name())
+            };
+            assert!(
+                count <= 8 * lines && listed <= 2000,
+                "{} seed {seed}: {count} findings after damage of {what}",
+                case.name()
+            );
             damaged += 1;
         }
     }
@@ -300,7 +316,7 @@ fn a_damaged_program_is_read_to_its_end() {
 }
 
 impl Case {
-    /// How many findings a program of this case has, and how many of them are listed.
+    /// Number of findings in a program of this case, and number of those that are listed.
     fn findings(&self, program: &[u8]) -> (u64, usize) {
         match self.kind.name {
             "spinner" => findings::<SpinnerU5620>(self, program),

@@ -1,42 +1,42 @@
-//! Random set-ups, as configuration files that a shop could have written.
+//! Random set-ups, as configuration files that a user could have written.
 
 use std::collections::BTreeMap;
 
 use pp_runtime::config::Mode;
 use tests::random::Random;
 
-use super::cl::{FRAMES, Frames, Leaning, Needs, TOOLS};
+use super::cl::{AxisRange, FRAMES, Frames, Needs, TOOLS};
 
-/// Codes that builders of machines add, for coolant and clamps, and those of AUXFUN.
-pub(crate) const SHOP: [&str; 10] = ["M7", "M83", "M84", "M88", "M89", "M10", "M11", "M68", "M69", "M77"];
+/// Codes that machine builders add, for coolant and clamps, and those of AUXFUN.
+pub(crate) const BUILDER_CODES: [&str; 10] = ["M7", "M83", "M84", "M88", "M89", "M10", "M11", "M68", "M69", "M77"];
 
-/// What a set-up has to know of a machine.
+/// Properties of a machine on which a set-up depends.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Kind {
+pub(crate) struct MachineKind {
     pub(crate) name: &'static str,
     pub(crate) rotaries: &'static [char],
-    /// Travel of these, degrees; wide enough for every tool axis that is asked for.
+    /// Travel of these axes, degrees; wide enough for every tool axis of `axis_range`.
     pub(crate) travel: &'static [(char, i32, i32)],
-    /// Rotary axes that turn on and on.
+    /// Rotary axes without limits.
     pub(crate) endless: &'static [char],
-    pub(crate) leaning: Leaning,
-    /// A rotary axis turns the part.
+    pub(crate) axis_range: AxisRange,
+    /// Whether a rotary axis rotates the part.
     pub(crate) table: bool,
-    /// A rotary axis turns the tool.
+    /// Whether a rotary axis rotates the tool.
     pub(crate) head: bool,
 }
 
-/// Keys of a file by section; the empty name for those in front.
+/// Keys of a file by section; the empty name has the keys before the first section.
 struct File<'r> {
     random: &'r mut Random,
     sections: BTreeMap<&'static str, Vec<String>>,
 }
 
-/// A file, and what the CL data has to keep to with it.
-pub(crate) fn set_up(random: &mut Random, kind: &Kind, control: &str, mode: Mode) -> (String, Needs) {
+/// A random configuration file, and the properties on which the CL data depends.
+pub(crate) fn set_up(random: &mut Random, kind: &MachineKind, control: &str, mode: Mode) -> (String, Needs) {
     let mut file = File { random, sections: BTreeMap::new() };
     file.put("", "units = \"mm\"");
-    file.reading();
+    file.tolerances_and_defaults();
     let insert = file.random.chance(0.3);
     if insert {
         file.put("cl", "insert = \"comment\"");
@@ -45,12 +45,12 @@ pub(crate) fn set_up(random: &mut Random, kind: &Kind, control: &str, mode: Mode
     if !nx {
         file.put("cl", "dialect = \"iso\"");
     }
-    file.place(kind, control, mode);
-    file.ways(kind);
+    file.part_and_tools(kind, control, mode);
+    file.rapids_and_retracts(kind);
     let park = file.park(kind);
     file.course(kind);
     file.words(kind, control);
-    file.tips(kind, control, mode);
+    file.tip_control(kind, control, mode);
     let compensation = mode != Mode::Tcp && (mode == Mode::Plane || !kind.head) && file.random.chance(0.4);
     if compensation {
         let path = ["centre", "contour"][file.random.below(2)];
@@ -62,13 +62,13 @@ pub(crate) fn set_up(random: &mut Random, kind: &Kind, control: &str, mode: Mode
     let frames = if nx { file.frames(kind) } else { Frames::None };
     let code = file.maybe(0.2, "cl", "auxfun = [77]");
     let centre = file.maybe(0.1, "", "cl_point = \"centre\"");
-    let (leaning, table) = (kind.leaning, kind.table);
+    let (axis_range, table) = (kind.axis_range, kind.table);
     let needs =
-        Needs { leaning, table, still, inches, compensation, nx, insert, park, registers, frames, code, centre };
+        Needs { axis_range, table, still, inches, compensation, nx, insert, park, registers, frames, code, centre };
     (file.text(), needs)
 }
 
-/// The control has registers of lengths and radii.
+/// Whether the control has registers for lengths and radii.
 fn registers(control: &str) -> bool {
     matches!(control, "linuxcnc" | "fanuc" | "haas")
 }
@@ -105,8 +105,8 @@ impl File<'_> {
         self.sections.into_iter().map(section).collect()
     }
 
-    /// Tolerances and the like.
-    fn reading(&mut self) {
+    /// Tolerances, arcs, cycles and defaults.
+    fn tolerances_and_defaults(&mut self) {
         self.one_of(0.4, "", "tolerance", &["0.02", "0.005", "0.05", "0.003"]);
         self.one_of(0.2, "", "axis_tolerance_path", &["0.05", "0.5", "0.02"]);
         self.one_of(0.15, "", "output_units", &["\"mm\"", "\"in\""]);
@@ -122,11 +122,11 @@ impl File<'_> {
         self.one_of(0.2, "defaults", "coolant", &["\"mist\"", "\"flood\""]);
     }
 
-    /// Frames behind the first.
-    fn frames(&mut self, kind: &Kind) -> Frames {
+    /// Frames after the first.
+    fn frames(&mut self, kind: &MachineKind) -> Frames {
         let frames = match self.random.below(5) {
             0 => Frames::Main,
-            // Where a table turns the part, nobody knows where another one lies on it.
+            // On a rotary table the position of a second work offset on the part is unknown.
             1 if !kind.table => Frames::Offset,
             _ => return Frames::None,
         };
@@ -141,13 +141,13 @@ impl File<'_> {
     }
 
     /// Part and tools.
-    fn place(&mut self, kind: &Kind, control: &str, mode: Mode) {
+    fn part_and_tools(&mut self, kind: &MachineKind, control: &str, mode: Mode) {
         if self.random.chance(0.7) {
             let [x, y, z] = [self.between(-60.0, 60.0), self.between(-60.0, 60.0), self.between(-40.0, 120.0)];
             self.put("", format!("part_origin = [{x:?}, {y:?}, {z:?}]"));
         }
-        let turned = kind.leaning != Leaning::Never && kind.leaning != Leaning::AboutX;
-        self.maybe(if turned { 0.1 } else { 0.0 }, "", "part_rotation = [0.0, 0.0, 30.0]");
+        let tilts_freely = kind.axis_range != AxisRange::Vertical && kind.axis_range != AxisRange::AboutX;
+        self.maybe(if tilts_freely { 0.1 } else { 0.0 }, "", "part_rotation = [0.0, 0.0, 30.0]");
         self.one_of(0.1, "", "program_zero", &["\"table\"", "\"part\""]);
         self.one_of(0.1, "", "length_mode", &["\"gauge\"", "\"tip\""]);
         let offsets = ["\"G54\"", "\"G55\"", "\"G57\""];
@@ -169,7 +169,7 @@ impl File<'_> {
     }
 
     /// Rapids, retracts and transitions.
-    fn ways(&mut self, kind: &Kind) {
+    fn rapids_and_retracts(&mut self, kind: &MachineKind) {
         let rapid = self.random.below(6);
         match rapid {
             0 => self.put("", "rapid = \"split\""),
@@ -205,8 +205,8 @@ impl File<'_> {
         self.one_of(0.2, "feed", "shortest_block", &["0.01", "0.1"]);
     }
 
-    /// Whether anything is parked.
-    fn park(&mut self, kind: &Kind) -> bool {
+    /// Parking positions; returns whether there is one.
+    fn park(&mut self, kind: &MachineKind) -> bool {
         let mut park = self.maybe(0.2, "park", "Y = 200.0");
         for letter in kind.rotaries {
             park |= self.maybe(0.2, "park", format!("{letter} = 0.0"));
@@ -215,7 +215,7 @@ impl File<'_> {
     }
 
     /// Branches, turns, clamps.
-    fn course(&mut self, kind: &Kind) {
+    fn course(&mut self, kind: &MachineKind) {
         if kind.rotaries.is_empty() {
             return;
         }
@@ -240,8 +240,8 @@ impl File<'_> {
         self.maybe(0.3, "speeds", "X = 10000.0\nY = 10000.0\nZ = 8000.0");
     }
 
-    /// How words are written.
-    fn words(&mut self, kind: &Kind, control: &str) {
+    /// Formats of words, and codes of the control.
+    fn words(&mut self, kind: &MachineKind, control: &str) {
         self.one_of(0.2, "formats", "linear_mm", &["2", "4", "5"]);
         self.one_of(0.1, "formats", "linear_inch", &["3", "5"]);
         self.one_of(0.2, "formats", "rotary", &["3", "5", "2"]);
@@ -255,7 +255,7 @@ impl File<'_> {
         self.one_of(0.1, "control", "preselect", &["true", "false"]);
         self.one_of(0.1, "control", "point", &["true", "false"]);
         self.one_of(0.2, "", "length_guard", &["true", "false"]);
-        // Codes that builders of machines add.
+        // Codes that machine builders add.
         let codes = "mist = [\"M7\", \"M9\"], through = [\"M88\", \"M89\"], air = [\"M83\", \"M84\"]";
         self.put("control", format!("coolant = {{ {codes} }}"));
         let norms: &[&str] = match control {
@@ -269,8 +269,8 @@ impl File<'_> {
         self.one_of(0.2, "control", "smoothing", smoothings);
     }
 
-    /// What tip control and planes need.
-    fn tips(&mut self, kind: &Kind, control: &str, mode: Mode) {
+    /// Keys for tip control and tilted planes.
+    fn tip_control(&mut self, kind: &MachineKind, control: &str, mode: Mode) {
         if mode == Mode::Axes {
             return;
         }

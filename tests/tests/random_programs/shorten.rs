@@ -1,8 +1,8 @@
-//! A failing case made as short as it can be: lines go as long as it fails in the same way.
+//! Shortening of a failing case: lines are removed as long as it fails with the same fault.
 
-use super::{Case, Outcome, kind_of};
+use super::{Case, Outcome, fault_kind};
 
-/// The shortest form of a case, and what is wrong with it.
+/// Text of the shortest form of a case, with its fault.
 pub(crate) fn shown(case: &Case) -> String {
     let (case, text, program) = shortest(case);
     let program = String::from_utf8_lossy(&program);
@@ -12,10 +12,10 @@ pub(crate) fn shown(case: &Case) -> String {
 
 fn shortest(case: &Case) -> (Case, String, Vec<u8>) {
     let Outcome::Wrong(text, _) = case.run() else {
-        return (case.clone(), "it does not fail alone".to_owned(), Vec::new());
+        return (case.clone(), "it does not fail when it is run again".to_owned(), Vec::new());
     };
-    let kind = kind_of(&text);
-    let fails = |case: &Case| matches!(case.run(), Outcome::Wrong(text, _) if kind_of(&text) == kind);
+    let kind = fault_kind(&text);
+    let fails = |case: &Case| matches!(case.run(), Outcome::Wrong(text, _) if fault_kind(&text) == kind);
     let mut case = case.clone();
     loop {
         let before = case.cl.len() + case.set_up.len();
@@ -35,7 +35,7 @@ fn shortest(case: &Case) -> (Case, String, Vec<u8>) {
     }
 }
 
-/// A text without the lines that do not matter, ever smaller groups of them.
+/// Removes lines that do not matter from a text, in groups of decreasing size.
 fn fewer(text: &str, fails: impl Fn(String) -> bool) -> String {
     let mut lines: Vec<&str> = text.lines().collect();
     let mut group = lines.len().div_ceil(2);

@@ -1,13 +1,14 @@
 //! Posted programs, read back block by block and compared with the CL data they were made from.
 //!
 //! The CL data is read by `points`, the program by [`tests::foreign`], and the machine is the product of matrices of
-//! [`tests::oracle`]: none of the three shares code with the postprocessor. Every block must be one of the following, and
-//! every GOTO must be met in its order:
+//! [`tests::oracle`]: none of the three shares code with the postprocessor. Every block must be one of the following,
+//! and every GOTO must be reached, in order:
 //!
-//! - a retract in machine coordinates, behind it rotary axes alone, the other linear axes, the retract axis;
+//! - a retract in machine coordinates; after it rotary axes alone, the other linear axes, the retract axis;
 //! - the retract of the set-up, along the tool axis;
-//! - the way in along the tool axis;
-//! - a motion to the next GOTO, or a piece of it, on its line and within tolerance; the pieces take the time of the whole.
+//! - the approach along the tool axis;
+//! - a motion to the next GOTO, or a piece of it, on its line and within tolerance; the pieces take the time of the
+//!   whole motion.
 
 mod given;
 mod points;
@@ -24,7 +25,7 @@ use tests::binaries::binary;
 use tests::foreign::state::Length;
 use tests::foreign::{Control, Effect, Entry, Executed, Options, Trace, run};
 
-use given::{COIL, Counting, PADS, PLAIN, SetUp, USUAL, data, sample};
+use given::{COIL, PADS, PLAIN, SetUp, USUAL, WordDatum, data, sample};
 use points::ClData;
 use reader::{Checked, Motion, Reader, Stage};
 
@@ -47,9 +48,9 @@ fn posted_with(machine: &str, cl: &PathBuf, config: Option<&Path>, coarse: bool)
     String::from_utf8(output.stdout).expect("a program is ASCII")
 }
 
-/// The text of a program and its CL data.
-fn made<M: Machine>(name: &str, path: &PathBuf, set_up: &SetUp) -> (String, ClData) {
-    let cl = points::read(&std::fs::read_to_string(path).expect("the CL data is there"));
+/// Posts and checks a program; returns its text and its CL data.
+fn posted_and_checked<M: Machine>(name: &str, path: &PathBuf, set_up: &SetUp) -> (String, ClData) {
+    let cl = points::read(&std::fs::read_to_string(path).expect("the CL data exists"));
     let text = posted(name, path, set_up);
     check::<M>(&text, path, &cl, set_up);
     (text, cl)
@@ -58,12 +59,12 @@ fn made<M: Machine>(name: &str, path: &PathBuf, set_up: &SetUp) -> (String, ClDa
 /// Posts, reads back, and checks every block and every GOTO.
 fn read_back<M: Machine>(name: &str, path: &PathBuf, set_up: &SetUp) -> Checked {
     let text = posted(name, path, set_up);
-    let cl = points::read(&std::fs::read_to_string(path).expect("the CL data is there"));
+    let cl = points::read(&std::fs::read_to_string(path).expect("the CL data exists"));
     check::<M>(&text, path, &cl, set_up)
 }
 
 fn check<M: Machine>(text: &str, path: &Path, cl: &ClData, set_up: &SetUp) -> Checked {
-    let options = Options { gauge_line: set_up.counting.gauge_line, ..Options::of(Control::LinuxCnc) };
+    let options = Options { gauge_line: set_up.datum.gauge_line, ..Options::of(Control::LinuxCnc) };
     let program = run(text, &options).unwrap_or_else(|refused| panic!("{refused}"));
     let mut reader = Reader::<M>::new(set_up, cl);
     let steps = &program.blocks;
@@ -82,21 +83,23 @@ fn check<M: Machine>(text: &str, path: &Path, cl: &ClData, set_up: &SetUp) -> Ch
                 let then_machine = later.is_some_and(|step| step.effect == Effect::Machine);
                 reader.motion(step.line, &Motion::of(step), then_machine);
             }
-            Effect::Arc(_) | Effect::Hole(_) | Effect::Orient => panic!("line {}: no straight motion", step.line),
+            Effect::Arc(_) | Effect::Hole(_) | Effect::Orient => {
+                panic!("line {}: the motion is not straight", step.line)
+            }
             _ => {}
         }
     }
-    assert_eq!(reader.next, cl.points.len(), "GOTOs met and GOTOs in the CL data");
-    let (edge, own) = (reader.edge, path.starts_with(data("")) && set_up.counting == USUAL);
-    assert!(!own || edge > 1e-4, "another platform may round a point the other way: {edge} units");
-    assert!(reader.stage == Stage::Away, "the program ends in the part");
+    assert_eq!(reader.next, cl.points.len(), "GOTOs that are reached, and GOTOs in the CL data");
+    let (edge, own) = (reader.edge, path.starts_with(data("")) && set_up.datum == USUAL);
+    assert!(!own || edge > 1e-4, "another platform may round a word differently: {edge} units");
+    assert!(reader.stage == Stage::Retracted, "the program ends in the part");
     assert_eq!(reader.parked, set_up.park.iter().map(|(letter, _)| *letter).collect());
-    enter_everywhere(text, &program, cl, &options);
+    check_restarts(text, &program, cl, &options);
     reader.checked
 }
 
-/// Entered at any of its numbers, a program does what it does there when it runs from the top.
-fn enter_everywhere(text: &str, whole: &Trace, cl: &ClData, options: &Options) {
+/// Checks that a program that is entered at any of its block numbers has the same motions as from its start.
+fn check_restarts(text: &str, whole: &Trace, cl: &ClData, options: &Options) {
     let mut tool = 0;
     let mut tools = BTreeMap::new();
     for step in &whole.blocks {
@@ -120,11 +123,11 @@ fn enter_everywhere(text: &str, whole: &Trace, cl: &ClData, options: &Options) {
     }
 }
 
-/// Checks that as many GOTOs were met as there are lines that begin with GOTO.
+/// Checks that as many GOTOs are reached as there are lines that begin with GOTO.
 fn assert_complete(path: &PathBuf, checked: &Checked) {
-    let text = std::fs::read_to_string(path).expect("the CL data is there");
+    let text = std::fs::read_to_string(path).expect("the CL data exists");
     let gotos = text.lines().filter(|line| line.starts_with("GOTO")).count();
-    assert!(gotos > 0 && checked.points == gotos, "{} of {gotos} GOTOs were met", checked.points);
+    assert!(gotos > 0 && checked.points == gotos, "{} of {gotos} GOTOs are reached", checked.points);
 }
 
 macro_rules! programs {

@@ -1,4 +1,4 @@
-//! The points of CL data, read by a few lines that share nothing with the product's reader.
+//! Points of CL data, read by a short reader that shares no code with the product's.
 
 use std::collections::BTreeMap;
 
@@ -13,14 +13,14 @@ pub(crate) struct Goto {
     /// Unit length.
     pub(crate) axis: Vector3<f64>,
     pub(crate) rapid: bool,
-    /// mm/min; 0 before the first FEDRAT.
-    pub(crate) feed: f64,
-    /// Counts TOOL PATH, tool records and stops.
+    /// 0 before the first FEDRAT.
+    pub(crate) feed_mm_per_min: f64,
+    /// Number of TOOL PATH records, tool records and stops before it.
     pub(crate) operation: usize,
     pub(crate) tool: u32,
 }
 
-/// What the CL data says.
+/// Points and tool lengths of the CL data.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct ClData {
     pub(crate) points: Vec<Goto>,
@@ -28,7 +28,7 @@ pub(crate) struct ClData {
     pub(crate) lengths: BTreeMap<u32, f64>,
 }
 
-/// Records with the line each begins in: comments are gone, continued lines are joined.
+/// Records with the line in which each begins; comments are removed, continued lines are joined.
 fn records(text: &str) -> Vec<(usize, String)> {
     let mut records = Vec::new();
     let mut open: Option<(usize, String)> = None;
@@ -82,7 +82,7 @@ pub(crate) fn read(text: &str) -> ClData {
                 }
                 assert!(numbers.len() == 3 || numbers.len() == 6, "line {line}: {record}");
                 let tip = Point3::new(numbers[0] * unit, numbers[1] * unit, numbers[2] * unit);
-                cl.points.push(Goto { line, tip, axis, rapid, feed, operation, tool });
+                cl.points.push(Goto { line, tip, axis, rapid, feed_mm_per_min: feed, operation, tool });
                 rapid = false;
             }
             _ => {}
@@ -98,7 +98,7 @@ fn every_goto_of_the_three_dialects_is_found() {
     assert!((nx.points[1].tip - Point3::new(25.4, 50.8, 50.8)).norm() < 1e-12);
     assert!((nx.points[1].axis - Vector3::new(0.0, 0.6, 0.8)).norm() < 1e-12);
     assert_eq!((nx.points[0].rapid, nx.points[1].rapid), (true, false));
-    assert!((nx.points[1].feed - 254.0).abs() < 1e-12);
+    assert!((nx.points[1].feed_mm_per_min - 254.0).abs() < 1e-12);
     let catia = read("GOTO  /  1.0, 2.0, 3.0, 0.0, 0.0, 0$\n.5\n$$ GOTO/9,9,9 $\nGOTO/4,5,6\n");
     assert_eq!(catia.points.len(), 2);
     let creo = read("$$-> CSYS / 1.0,  $\nGOTO / 0.0\nGOTO / 1.0, 2.0, 3.0,  $\n0.0, 0.0, 1.0\n");

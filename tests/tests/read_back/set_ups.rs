@@ -1,7 +1,7 @@
-//! Programs of set-ups that chance has made: how the part lies, what words count from, how long the tools are.
+//! Programs with random set-ups: orientation of the part, datum of the words, tool lengths.
 //!
-//! The product is told in its configuration file, the reader in numbers: it multiplies the CL data by a matrix of its own
-//! and solves the machine's matrices for what the words are more than the axis values.
+//! The product gets the set-up as a configuration file, the reader as numbers: it multiplies the CL data by its own
+//! matrix and solves the machine's matrices for the difference between words and axis values.
 
 use std::fmt::Write as _;
 
@@ -11,30 +11,30 @@ use pp_runtime::nalgebra::{Matrix3, Point3, Vector3};
 use tests::oracle::rotation;
 use tests::random::Random;
 
-use super::{Checked, ClData, Counting, PLAIN, SetUp, assert_complete, check, data, points, posted_with, sample};
+use super::{Checked, ClData, PLAIN, SetUp, WordDatum, assert_complete, check, data, points, posted_with, sample};
 
-/// Set-ups for each part and machine.
+/// Number of set-ups for each part and machine.
 const SET_UPS: u64 = 6;
 
-/// As the CL data says them, where it does.
+/// Tool lengths, mm; those of the CL data, where it has them.
 const LENGTHS: &[(u32, f64)] = &[(1, 120.0), (2, 95.0), (3, 101.5), (4, 88.25)];
 
-/// A set-up, and the configuration file that says it; `turns`: how far the part may be turned about X, Y and Z, degrees.
-fn set_up<M: Machine>(random: &mut Random, turns: [f64; 3]) -> (SetUp, String) {
-    // As many digits as the file holds.
+/// A random set-up, and its configuration file; `largest_deg`: largest rotation of the part about X, Y and Z, degrees.
+fn set_up<M: Machine>(random: &mut Random, largest_deg: [f64; 3]) -> (SetUp, String) {
+    // Rounded to the digits of the file.
     let mut number = |most: f64| (random.between(-most, most) * 1e5).round() / 1e5;
-    let angles = turns.map(&mut number);
+    let angles = largest_deg.map(&mut number);
     let part_origin = [number(50.0), number(50.0), number(50.0)];
     let offsets = [number(90.0), number(90.0), number(180.0)];
     let (from_table, gauge_line, as_matrix) = (random.chance(0.5), random.chance(0.5), random.chance(0.3));
     let about =
         |axis: Vector3<f64>, degrees: f64| rotation(&axis, degrees.to_radians()).fixed_view::<3, 3>(0, 0).into_owned();
-    let turned: Matrix3<f64> =
+    let rotated: Matrix3<f64> =
         about(Vector3::z(), angles[2]) * about(Vector3::y(), angles[1]) * about(Vector3::x(), angles[0]);
     let mut text = format!("units = \"mm\"\npart_origin = {part_origin:?}\n");
     if as_matrix {
         let rows: Vec<String> =
-            turned.row_iter().map(|row| format!("[{:?}, {:?}, {:?}]", row[0], row[1], row[2])).collect();
+            rotated.row_iter().map(|row| format!("[{:?}, {:?}, {:?}]", row[0], row[1], row[2])).collect();
         let _ = writeln!(text, "part_rotation = [{}]", rows.join(", "));
     } else {
         let _ = writeln!(text, "part_rotation = {angles:?}");
@@ -45,7 +45,7 @@ fn set_up<M: Machine>(random: &mut Random, turns: [f64; 3]) -> (SetUp, String) {
     let mut used = [0.0; 3];
     for axis in M::AXES.iter().filter(|axis| axis.kind == AxisKind::Rotary && !axis.held) {
         let index = "ABC".find(axis.letter).expect("a rotary letter");
-        // An axis that stands at its limit cannot stand there if its words miss the limit.
+        // An axis at its limit cannot be posted if its rounded words are beyond the limit.
         let digits = if axis.limits.is_some() { 1e4 } else { 1e5 };
         used[index] = (offsets[index] * digits).round() / digits;
         let _ = writeln!(text, "{} = {:?}", axis.letter, used[index]);
@@ -53,11 +53,11 @@ fn set_up<M: Machine>(random: &mut Random, turns: [f64; 3]) -> (SetUp, String) {
     for (tool, length) in LENGTHS {
         let _ = writeln!(text, "[tools.{tool}]\nlength = {length:?}");
     }
-    let counting = Counting { rotation: turned, offsets: used, from_table, gauge_line };
-    (SetUp { part_origin, lengths: LENGTHS, counting, ..PLAIN }, text)
+    let datum = WordDatum { rotation: rotated, offsets_deg: used, from_table, gauge_line };
+    (SetUp { part_origin, lengths: LENGTHS, datum, ..PLAIN }, text)
 }
 
-fn turned(cl: &ClData, rotation: &Matrix3<f64>) -> ClData {
+fn rotated(cl: &ClData, rotation: &Matrix3<f64>) -> ClData {
     let mut cl = cl.clone();
     for goto in &mut cl.points {
         goto.tip = Point3::from(rotation * goto.tip.coords);
@@ -66,35 +66,35 @@ fn turned(cl: &ClData, rotation: &Matrix3<f64>) -> ClData {
     cl
 }
 
-fn any_set_up<M: Machine>(binary: &str, path: &std::path::PathBuf, seed: u64, turns: [f64; 3]) {
+fn check_random_set_ups<M: Machine>(binary: &str, path: &std::path::PathBuf, seed: u64, largest_deg: [f64; 3]) {
     let mut random = Random::new(seed);
-    let cl = points::read(&std::fs::read_to_string(path).expect("the CL data is there"));
+    let cl = points::read(&std::fs::read_to_string(path).expect("the CL data exists"));
     let folder = tempfile::tempdir().expect("a folder");
     for _ in 0..SET_UPS {
-        let (set_up, text) = set_up::<M>(&mut random, turns);
+        let (set_up, text) = set_up::<M>(&mut random, largest_deg);
         let file = folder.path().join("set_up.toml");
-        std::fs::write(&file, &text).expect("the folder takes files");
+        std::fs::write(&file, &text).expect("a file can be written");
         let program = posted_with(binary, path, Some(&file), false);
-        let checked: Checked = check::<M>(&program, path, &turned(&cl, &set_up.counting.rotation), &set_up);
+        let checked: Checked = check::<M>(&program, path, &rotated(&cl, &set_up.datum.rotation), &set_up);
         assert_complete(path, &checked);
     }
 }
 
-/// The part may lie anyhow: its planes are cut with the rotary axes still.
+/// The part may have any orientation: its planes are cut without rotary motion.
 #[test]
 fn planes_are_cut_in_any_set_up() {
     let path = sample("two_tools.cls");
-    any_set_up::<SpinnerU5620>("spinner-u5-620", &path, 1, [20.0, 20.0, 180.0]);
-    any_set_up::<Dmu70e>("dmu-70e", &path, 2, [10.0, 10.0, 180.0]);
-    any_set_up::<LolaXoyzba>("lola-xoyzba", &path, 3, [10.0, 10.0, 10.0]);
+    check_random_set_ups::<SpinnerU5620>("spinner-u5-620", &path, 1, [20.0, 20.0, 180.0]);
+    check_random_set_ups::<Dmu70e>("dmu-70e", &path, 2, [10.0, 10.0, 180.0]);
+    check_random_set_ups::<LolaXoyzba>("lola-xoyzba", &path, 3, [10.0, 10.0, 10.0]);
 }
 
-/// The pole stays where it is in the part: a path that runs past it turns the table far.
+/// The pole keeps its position in the part: a path that passes near it rotates the table far.
 #[test]
 fn simultaneous_cuts_are_made_in_any_set_up() {
     let path = data("blade/blade.cls");
-    any_set_up::<SpinnerU5620>("spinner-u5-620", &path, 4, [0.0, 0.0, 180.0]);
-    any_set_up::<Dmu70e>("dmu-70e", &path, 5, [0.0, 0.0, 180.0]);
-    any_set_up::<LolaXoyzba>("lola-xoyzba", &path, 6, [5.0, 5.0, 5.0]);
-    any_set_up::<MultiProDesk>("multiprodesk", &sample("spiral_groove.cls"), 7, [180.0, 0.0, 0.0]);
+    check_random_set_ups::<SpinnerU5620>("spinner-u5-620", &path, 4, [0.0, 0.0, 180.0]);
+    check_random_set_ups::<Dmu70e>("dmu-70e", &path, 5, [0.0, 0.0, 180.0]);
+    check_random_set_ups::<LolaXoyzba>("lola-xoyzba", &path, 6, [5.0, 5.0, 5.0]);
+    check_random_set_ups::<MultiProDesk>("multiprodesk", &sample("spiral_groove.cls"), 7, [180.0, 0.0, 0.0]);
 }

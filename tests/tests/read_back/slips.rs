@@ -1,4 +1,4 @@
-//! Programs with one slip each, which have to be found.
+//! Programs with one error each, which must be found.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
@@ -7,16 +7,16 @@ use machines::{LolaXoyzba, SpinnerU5620};
 use pp_runtime::kinematics::Machine;
 
 use super::given::{PADS, PLAIN, SetUp, data};
-use super::{check, made};
+use super::{check, posted_and_checked};
 
-/// The number behind the letter at the beginning of a word, with `change` added.
+/// A word with `change` added to its number.
 fn shifted(word: &str, change: f64) -> String {
     let (letter, number) = word.split_at(1);
     let value: f64 = number.parse().expect("a number");
     format!("{letter}{}", ((value + change) * 1e4).round() / 1e4 + 0.0)
 }
 
-/// Everything that could be wrong with a program, one slip at a time.
+/// Copies of a program with one error each: a changed number or a missing line.
 fn slips(text: &str) -> Vec<String> {
     let lines: Vec<&str> = text.lines().collect();
     let mut slips = Vec::new();
@@ -43,7 +43,7 @@ fn slips(text: &str) -> Vec<String> {
                 with(Some(words.join(" ")));
             }
         }
-        // What only tidies up may be missing.
+        // Blocks that change no motion may be missing.
         if !["M9", "M5", "M8", "G94", "M0", "M1", "G4 P2.5"].contains(line) && *line != "G53 G0 Z0" {
             with(None);
         }
@@ -52,7 +52,7 @@ fn slips(text: &str) -> Vec<String> {
 }
 
 fn every_slip_is_found<M: Machine>(name: &str, path: &PathBuf, set_up: &SetUp) {
-    let (text, cl) = made::<M>(name, path, set_up);
+    let (text, cl) = posted_and_checked::<M>(name, path, set_up);
     let slips = slips(&text);
     assert!(slips.len() > 50, "{} slips", slips.len());
     for slip in slips {
@@ -60,13 +60,13 @@ fn every_slip_is_found<M: Machine>(name: &str, path: &PathBuf, set_up: &SetUp) {
         if missed {
             let (line, (was, is)) =
                 text.lines().zip(slip.lines()).enumerate().find(|(_, (was, is))| was != is).expect("a slip");
-            panic!("line {}: `{was}` became `{is}`, and nobody saw it", line + 1);
+            panic!("line {}: `{was}` became `{is}`, which was not found", line + 1);
         }
     }
 }
 
 #[test]
-fn no_wrong_digit_and_no_missing_block_passes() {
+fn every_wrong_digit_and_every_missing_block_is_found() {
     let coarse = |set_up: SetUp| SetUp { coarse: true, ..set_up };
     every_slip_is_found::<SpinnerU5620>("spinner-u5-620", &data("blade/blade.cls"), &coarse(PLAIN));
     every_slip_is_found::<LolaXoyzba>("lola-xoyzba", &data("pads/pads.cls"), &coarse(PADS));

@@ -1,5 +1,5 @@
-//! Every program for LinuxCNC through its own interpreter: straight motions, arcs, holes and threads are what our reader
-//! makes of their blocks.
+//! Golden programs for LinuxCNC, run by its own interpreter: straight motions, arcs, holes and threads are those that
+//! the product's reader finds.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -15,7 +15,7 @@ use tests::binaries::{binary, workspace};
 use tests::linuxcnc::installed;
 use tests::linuxcnc::interpreter::{Arc, Motion, PRINTED, interpret, motions};
 
-/// What has been compared.
+/// Numbers of motions that have been compared.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 struct Compared {
     straight: usize,
@@ -31,7 +31,7 @@ fn read<M: Machine>(program: &str, units: Units) -> Vec<Block> {
     blocks::<M>(&Job { config: &config, control, units: None }, program.as_bytes()).expect("it can be read")
 }
 
-/// The motions that the interpreter finds, one after the other, and what is known of the block that is compared with them.
+/// Comparison of the motions that the interpreter finds, in order, with the blocks of the product's reader.
 struct Comparison<'m, M: Machine> {
     theirs: Iter<'m, Motion>,
     /// mm per unit of the program.
@@ -43,7 +43,7 @@ struct Comparison<'m, M: Machine> {
 
 impl<M: Machine> Comparison<'_, M> {
     fn next(&mut self) -> Motion {
-        *self.theirs.next().unwrap_or_else(|| panic!("{}: there is no motion", self.context))
+        *self.theirs.next().unwrap_or_else(|| panic!("{}: the interpreter has no motion", self.context))
     }
 
     fn block(&mut self, block: &Block) {
@@ -84,11 +84,11 @@ impl<M: Machine> Comparison<'_, M> {
 
     fn same(&self, what: &str, ours: f64, theirs: f64) {
         let context = &self.context;
-        assert!((ours - theirs).abs() <= PRINTED, "{context}: {what} is {ours} here and {theirs} there");
+        assert!((ours - theirs).abs() <= PRINTED, "{context}: {what}: reader {ours}, interpreter {theirs}");
     }
 
-    /// Every axis of `letters` whose place is known behind the block.
-    fn end(&self, block: &Block, there: &[f64; 6], letters: &str) {
+    /// Compares the end of a block, for every axis of `letters` whose position is known.
+    fn end(&self, block: &Block, theirs: &[f64; 6], letters: &str) {
         let known = |index: &usize| block.known & (1 << index) != 0;
         let axes = M::AXES.iter().enumerate().filter(|(index, axis)| known(index) && letters.contains(axis.letter));
         for (index, axis) in axes {
@@ -97,11 +97,11 @@ impl<M: Machine> Comparison<'_, M> {
                 AxisKind::Linear => block.values[index] / self.unit,
                 AxisKind::Rotary => block.values[index].to_degrees(),
             };
-            self.same(&axis.letter.to_string(), ours, there[place]);
+            self.same(&axis.letter.to_string(), ours, theirs[place]);
         }
     }
 
-    /// Plane, centre, sense and turns.
+    /// Compares plane, centre, sense and revolutions of an arc.
     fn arc(&self, block: &Block, ours: &ArcMove, theirs: &Arc) {
         assert_eq!(block.state.plane, Some(theirs.plane), "{}", self.context);
         let [first, second, _] = theirs.plane.axes();
@@ -109,10 +109,10 @@ impl<M: Machine> Comparison<'_, M> {
             self.same("the centre", ours.centre[axis] / self.unit, there);
         }
         let turns = (ours.sweep.abs() / std::f64::consts::TAU - 1e-9).ceil().copysign(ours.sweep);
-        assert_eq!(turns as i32, theirs.turns, "{}: {ours:?} here, {theirs:?} there", self.context);
+        assert_eq!(turns as i32, theirs.turns, "{}: reader {ours:?}, interpreter {theirs:?}", self.context);
     }
 
-    /// The motions of one cycle: down to its bottom and no deeper, and back to where it ends.
+    /// Compares the motions of one cycle: down to its bottom and no deeper, and back to its return level.
     fn hole(&mut self, block: &Block, cycle: &CycleMove) {
         let [bottom, back_to] = [cycle.bottom, cycle.back_to].map(|level| level / self.unit);
         let mut deep = false;
@@ -131,7 +131,7 @@ impl<M: Machine> Comparison<'_, M> {
     }
 }
 
-/// Compares every motion of a program with what our reader makes of its block; the reader is given `read_text`.
+/// Compares every motion of a program with its block by the product's reader, which reads `read_text`.
 fn compare_texts<M: Machine>(name: &str, text: &str, read_text: &str) -> Compared {
     let units = if text.contains("UNITS in") { Units::Inches } else { Units::Millimetres };
     let calls = interpret(text, 0.0).unwrap_or_else(|errors| panic!("{name}: {errors}"));
@@ -147,7 +147,7 @@ fn compare_texts<M: Machine>(name: &str, text: &str, read_text: &str) -> Compare
         comparison.context = format!("{name} line {}", block.line);
         comparison.block(block);
     }
-    assert_eq!(comparison.theirs.next(), None, "{name}: a motion that no block asks for");
+    assert_eq!(comparison.theirs.next(), None, "{name}: a motion without a block");
     comparison.compared
 }
 
@@ -176,7 +176,7 @@ fn goldens() -> Vec<(PathBuf, String)> {
 }
 
 #[test]
-fn the_interpreter_reads_every_motion_of_every_golden_program_as_we_do() {
+fn interpreter_and_reader_agree_on_every_motion_of_every_golden_program() {
     if !installed() {
         return;
     }
@@ -195,15 +195,15 @@ fn the_interpreter_reads_every_motion_of_every_golden_program_as_we_do() {
     assert!(all.straight > 1500 && all.arcs >= 40 && all.holes >= 20 && all.threads >= 4, "{all:?}");
 }
 
-/// Points of a circle: its centre, where it begins, where it ends; and its axis.
+/// A circle: its centre, start and end, mm, and its axis.
 type Circle = [[f64; 3]; 4];
 
 const CIRCLES: [Circle; 5] = [
-    // In the plane of X and Y, both ways round, and more than half a turn.
+    // In the plane XY, in both senses, and one of more than half a revolution.
     [[10.0, 0.0, -2.0], [20.0, 0.0, -2.0], [10.0, 10.0, -2.0], [0.0, 0.0, 1.0]],
     [[10.0, 0.0, -2.0], [10.0, 10.0, -2.0], [0.0, 0.0, -2.0], [0.0, 0.0, -1.0]],
     [[0.0, 6.0, -2.0], [0.0, 0.0, -2.0], [-6.0, 6.0, -2.0], [0.0, 0.0, 1.0]],
-    // Upright: of Z and X, of Y and Z.
+    // In the planes ZX and YZ.
     [[-6.0, 6.0, 8.0], [-6.0, 6.0, -2.0], [-16.0, 6.0, 8.0], [0.0, 1.0, 0.0]],
     [[-16.0, 0.0, 8.0], [-16.0, 6.0, 16.0], [-16.0, 10.0, 8.0], [-1.0, 0.0, 0.0]],
 ];
@@ -226,14 +226,14 @@ fn posted(machine: &str, cl: &str) -> String {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("part.cls");
     fs::write(&path, cl).expect("a file");
-    // No CAM system wrote these circles: nothing but this says which way round they run.
+    // These circles do not come from a CAM system: only this option sets their sense.
     let output = binary(machine).args(["post", "--circle-sense", "ccw"]).arg(&path).output().expect("the binary runs");
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     String::from_utf8(output.stdout).expect("ASCII")
 }
 
 #[test]
-fn arcs_in_every_plane_are_read_as_we_do() {
+fn interpreter_and_reader_agree_on_arcs_in_every_plane() {
     if !installed() {
         return;
     }
@@ -245,32 +245,32 @@ fn arcs_in_every_plane_are_read_as_we_do() {
     }
 }
 
-/// What is said of a program when our reader is given another one.
+/// Message of the comparison when the reader gets a changed program.
 fn difference(path: &Path, from: &str, to: &str) -> Option<String> {
     let text = fs::read_to_string(path).expect("a program");
     assert!(text.contains(from), "{} has no {from}", path.display());
     let damaged = text.replacen(from, to, 1);
     let compared = std::panic::catch_unwind(|| compare_texts::<SpinnerU5620>("damaged", &text, &damaged));
-    compared.err().map(|said| said.downcast_ref::<String>().cloned().unwrap_or_default())
+    compared.err().map(|message| message.downcast_ref::<String>().cloned().unwrap_or_default())
 }
 
 #[test]
-fn whatever_differs_is_noticed() {
+fn every_difference_is_found() {
     if !installed() {
         return;
     }
     let blade = workspace().join("tests/data/blade/spinner-u5-620.linuxcnc.nc");
     assert_eq!(difference(&blade, "X-29.236", "X-29.236"), None);
-    let said = difference(&blade, "X-29.236", "X-29.336").expect("a tenth");
-    assert!(said.contains("X is -29.336 here and -29.236 there"), "{said}");
+    let message = difference(&blade, "X-29.236", "X-29.336").expect("a tenth");
+    assert!(message.contains("X: reader -29.336, interpreter -29.236"), "{message}");
     let works = workspace().join("tests/data/works/spinner-u5-620.linuxcnc.nc");
     for (from, to, what) in [
-        ("G3 X-20 Y-12 I0 J-12", "G2 X-20 Y-12 I0 J-12", "there"),
-        ("Z-0.4 I-12 J0", "Z-0.4 I-12.01 J0", "the centre is"),
-        ("G3 X12 Y0 Z-0.4", "G3 X12 Y0 Z-0.41", "Z is"),
+        ("G3 X-20 Y-12 I0 J-12", "G2 X-20 Y-12 I0 J-12", "interpreter"),
+        ("Z-0.4 I-12 J0", "Z-0.4 I-12.01 J0", "the centre: reader"),
+        ("G3 X12 Y0 Z-0.4", "G3 X12 Y0 Z-0.41", "Z: reader"),
         ("G33.1 Z-10 K1", "G33.1 Z-10.1 K1", "the bottom of the thread"),
     ] {
-        let said = difference(&works, from, to).unwrap_or_else(|| panic!("{to} passes"));
-        assert!(said.contains(what), "{to}: {said}");
+        let message = difference(&works, from, to).unwrap_or_else(|| panic!("{to} passes"));
+        assert!(message.contains(what), "{to}: {message}");
     }
 }

@@ -1,11 +1,12 @@
-//! The whole control with its own kinematics modules: where it puts joints and tip is where our programs say.
+//! The whole control with its own kinematics modules: its joints and tips agree with the posted programs.
 //!
-//! One part is posted twice for a table of two rotaries. The `tcp` program holds tips and angles, and the control works the
-//! joints out: they are the axis values of our `axes` program. The `axes` program moves joints, and the control works out
-//! where the tip is: on the points of the CL data. The numbers of the centre lines are stated once, in the declaration.
+//! One part is posted twice for a table of two rotaries. The `tcp` program holds tips and angles, and the control
+//! computes the joints: they must be the axis values of the `axes` program. The `axes` program moves joints, and the
+//! control computes the tip: it must be on the points of the CL data. The numbers of the centre lines are stated once,
+//! in the declaration.
 //!
-//! The tables of these modules turn right-handed about their letters: `signs` of `-` in a chain from workpiece to tool. Tip
-//! control is switched by M428 and M429, which the control remaps to a change of its kinematics.
+//! The tables of these modules rotate right-handed about their letters: `signs` of `-` in a chain from workpiece to
+//! tool. Tip control is switched by M428 and M429, which the control remaps to a change of its kinematics.
 
 use std::io::Cursor;
 
@@ -20,13 +21,13 @@ use pp_runtime::nalgebra;
 use pp_runtime::post::{Job, post};
 use tests::block::distance_to_line;
 use tests::linuxcnc::can_be_simulated;
-use tests::linuxcnc::simulation::{Control, Look, Reached, Simulation};
+use tests::linuxcnc::simulation::{Control, MarkKinematics, Reached, Simulation};
 use tests::oracle::angle_between;
 
 use super::sweep::{cl_data, passes};
 
 machine! {
-    /// What `xyzac-trt-kins` moves.
+    /// The machine of `xyzac-trt-kins`.
     pub struct TableAc;
     chain: C A | X Y Z;
     dims = { centre_x: 12.5, centre_y: -7.25, tilt_y: 14.75, tilt_z: 31.5 };
@@ -36,8 +37,8 @@ machine! {
 }
 
 machine! {
-    /// The same with A the wrong way round.
-    pub struct TableAcTurned;
+    /// The same with the wrong sign of A.
+    pub struct TableAcWrongSign;
     chain: C A | X Y Z;
     dims = { centre_x: 12.5, centre_y: -7.25, tilt_y: 14.75, tilt_z: 31.5 };
     d = { C: (centre_x, centre_y, 0), A: (0, tilt_y, tilt_z) };
@@ -46,7 +47,7 @@ machine! {
 }
 
 machine! {
-    /// What `xyzbc-trt-kins` moves.
+    /// The machine of `xyzbc-trt-kins`.
     pub struct TableBc;
     chain: C B | X Y Z;
     dims = { centre_x: -4.5, centre_y: 9.75, tilt_x: 11.0, tilt_z: -22.25 };
@@ -56,8 +57,8 @@ machine! {
 }
 
 machine! {
-    /// The same with C the wrong way round.
-    pub struct TableBcTurned;
+    /// The same with the wrong sign of C.
+    pub struct TableBcWrongSign;
     chain: C B | X Y Z;
     dims = { centre_x: -4.5, centre_y: 9.75, tilt_x: 11.0, tilt_z: -22.25 };
     d = { C: (centre_x, centre_y, 0), B: (tilt_x, 0, tilt_z) };
@@ -71,19 +72,19 @@ const LENGTH: f64 = 87.25;
 /// Machine coordinate of the zero position: X Y Z of G54, mm.
 const WORK_OFFSET: [f64; 3] = [-35.0, 20.5, -390.0];
 
-/// Words of three decimals, one direction of three, mm.
+/// Rounding of a word with three decimals, mm.
 const ROUNDED: f64 = 0.5e-3;
 
-/// A tip of rounded words, and what the sampler leaves of six decimals, mm.
+/// Tolerance of a tip, mm: three rounded words, and the six decimals of the sampler.
 const TIP: f64 = ROUNDED * 1.733 + 2e-6;
 
-/// A joint worked out from a rounded tip, beside a rounded word, mm.
+/// Tolerance of a joint that is computed from a rounded tip against a rounded word, mm.
 const JOINT: f64 = TIP + ROUNDED;
 
-/// An axis of two angles with four decimals, rad.
+/// Tolerance of a tool axis, rad: two angles with four decimals.
 const AXIS: f64 = 0.5e-4 * 1.4143 / 57.295 + 1e-8;
 
-/// How near a block has to come to a point to be the one that goes there: the rounding of its words.
+/// Largest distance, mm, and angle, rad, between a point and the block that goes there: the rounding of its words.
 const PARTNER: (f64, f64) = (TIP, 2e-6);
 
 fn set_up(mode: Mode) -> Config {
@@ -99,7 +100,7 @@ fn set_up(mode: Mode) -> Config {
     config
 }
 
-/// The control of a machine: centre lines as declared, in machine coordinates.
+/// The control of a machine, with the declared centre lines in machine coordinates.
 fn control<M: Machine>(kinematics: &'static str, letters: &'static str) -> Control {
     let machine = set_up(Mode::Axes).set_up.machine::<M>().expect("valid");
     let index = |letter: char| M::AXES.iter().position(|axis| axis.letter == letter).expect("an axis of the chain");
@@ -107,8 +108,8 @@ fn control<M: Machine>(kinematics: &'static str, letters: &'static str) -> Contr
     let tilt = letters.chars().nth(3).expect("a tilting axis");
     let (table, tilting) = (centre('C'), centre(tilt));
     let offset = tilting - table;
-    let beside = if tilt == 'A' { ("y-offset", offset.y) } else { ("x-offset", offset.x) };
-    let pins = vec![("x-rot-point", table.x), ("y-rot-point", table.y), beside, ("z-offset", tilting.z)];
+    let across = if tilt == 'A' { ("y-offset", offset.y) } else { ("x-offset", offset.x) };
+    let pins = vec![("x-rot-point", table.x), ("y-rot-point", table.y), across, ("z-offset", tilting.z)];
     let travel = |letter: char| {
         let axis = M::AXES[index(letter)];
         match (axis.kind, axis.limits) {
@@ -121,26 +122,26 @@ fn control<M: Machine>(kinematics: &'static str, letters: &'static str) -> Contr
     Control { kinematics, letters, pins, work_offset: WORK_OFFSET, travel, tool: (1, LENGTH) }
 }
 
-/// A program, its blocks that are looked at, and where the control stood behind them.
+/// Blocks of a program that are compared, and the positions of the control after them.
 struct Run {
     blocks: Vec<Block>,
     reached: Vec<Reached>,
-    /// For each point of the CL data the block that goes there.
+    /// For each point of the CL data, the index of the block that goes there.
     partners: Vec<usize>,
 }
 
-/// The points of the CL data, and whether a pass begins with them.
+/// Points of the CL data.
 fn points() -> Vec<Pose> {
     passes().concat()
 }
 
-/// The blocks that go to the points, and their places among themselves.
+/// Only the blocks that go to the points, with their new indices.
 fn only(blocks: &[Block], partners: &[usize]) -> (Vec<Block>, Vec<usize>) {
     (partners.iter().map(|&partner| blocks[partner].clone()).collect(), (0..partners.len()).collect())
 }
 
-/// Posts the part and lets the control run it; `every` block between the safe sequences is looked at, or those that go to
-/// the points.
+/// Posts the part and runs it on the control; `every`: all blocks between the safe sequences are compared, else only
+/// those that go to the points.
 fn run<M: Machine>(simulation: &mut Simulation, config: &Config, every: bool) -> Run {
     let job = Job { cl_name: "sweep.cls", config, control: &LinuxCnc, units: None };
     let mut program = Vec::new();
@@ -149,25 +150,26 @@ fn run<M: Machine>(simulation: &mut Simulation, config: &Config, every: bool) ->
     assert!(!report.failed, "{:?}\n{text}", report.diagnostics);
     let read = check::Job { config, control: &LinuxCnc, units: None };
     let blocks: Vec<Block> = blocks::<M>(&read, text.as_bytes()).expect("it can be read");
-    let blocks: Vec<Block> = blocks.into_iter().filter(|block| is_looked_at::<M>(block, config.motion.mode)).collect();
+    let blocks: Vec<Block> = blocks.into_iter().filter(|block| is_compared::<M>(block, config.motion.mode)).collect();
     let partners = partners::<M>(&blocks, config);
     let (blocks, partners) = if every { (blocks, partners) } else { only(&blocks, &partners) };
     let lines: Vec<usize> = blocks.iter().map(|block| block.line as usize).collect();
-    let look = if config.motion.mode == Mode::Tcp { Look::AsProgrammed } else { Look::ThroughKinematics };
-    let reached = simulation.run(&text, &lines, look).unwrap_or_else(|error| panic!("{}: {error}", M::NAME));
+    let mark_kinematics =
+        if config.motion.mode == Mode::Tcp { MarkKinematics::AsProgrammed } else { MarkKinematics::OfMachine };
+    let reached = simulation.run(&text, &lines, mark_kinematics).unwrap_or_else(|error| panic!("{}: {error}", M::NAME));
     Run { blocks, reached, partners }
 }
 
-/// A motion between the safe sequences, every axis at a place that is known.
-fn is_looked_at<M: Machine>(block: &Block, mode: Mode) -> bool {
+/// Whether a block is a motion between the safe sequences with every axis at a known position.
+fn is_compared<M: Machine>(block: &Block, mode: Mode) -> bool {
     let moves = matches!(block.action, Action::Rapid | Action::Feed) && block.written != 0;
     let known = block.known.count_ones() as usize == M::AXES.len();
     let tool = block.state.length == Some(Length::Register(1));
     moves && known && tool && (mode == Mode::Axes || block.state.tip_control != TipControl::Off)
 }
 
-/// The pose that our own reading of a block gives.
-fn meant<M: Machine>(machine: &M, block: &Block, mode: Mode) -> Pose {
+/// Pose of a block by the product's reader.
+fn pose_of_block<M: Machine>(machine: &M, block: &Block, mode: Mode) -> Pose {
     let mut axes = M::Axes::default();
     axes.as_mut().copy_from_slice(&block.values[..M::AXES.len()]);
     let pose = machine.forward_kinematics(&axes);
@@ -179,13 +181,13 @@ fn meant<M: Machine>(machine: &M, block: &Block, mode: Mode) -> Pose {
     Pose { tip, axis: pose.axis }
 }
 
-/// The blocks that go to the points, in their order.
+/// Indices of the blocks that go to the points, in order.
 fn partners<M: Machine>(blocks: &[Block], config: &Config) -> Vec<usize> {
     let machine = config.set_up.machine::<M>().expect("valid");
     let mut next = 0;
     let partner = |point: &Pose| {
         let goes_there = |block: &Block| {
-            let pose = meant(&machine, block, config.motion.mode);
+            let pose = pose_of_block(&machine, block, config.motion.mode);
             (pose.tip - point.tip).norm() <= PARTNER.0 && angle_between(&pose.axis, &point.axis) <= PARTNER.1
         };
         let found = blocks[next..].iter().position(goes_there).map(|index| next + index);
@@ -195,7 +197,7 @@ fn partners<M: Machine>(blocks: &[Block], config: &Config) -> Vec<usize> {
     points().iter().map(partner).collect()
 }
 
-/// How far the control is from us.
+/// Largest differences between the control and the programs.
 #[derive(Debug, Clone, Copy, Default)]
 struct Difference {
     /// Tip of the `axes` program from the points, mm.
@@ -206,26 +208,27 @@ struct Difference {
     path: f64,
     /// Linear joints of the `tcp` program from the words of the `axes` program, mm.
     joints: f64,
-    /// Rotary joints, degrees.
-    turns: f64,
+    /// Rotary joints of the `tcp` program from those of the `axes` program, degrees.
+    rotary_joints: f64,
     /// Joints of the `axes` program from its own words, mm and degrees.
     words: f64,
-    /// Joints X and Y, and Z from the length of the way, where the tool goes along its axis under tip control, mm.
+    /// Joints X and Y from standstill, and Z from the length of the motion, where the tool moves along its axis under
+    /// tip control, mm.
     along: f64,
 }
 
-/// Where the control says the tip is in the part, and its tool axis with a table that turns right-handed.
+/// Tip in the part by the control, mm, and tool axis with a table that rotates right-handed.
 fn pose(reached: &Reached, letters: &str) -> (Point3<f64>, Vector3<f64>) {
     let axes = &reached.axes;
     let [x, y, z] = WORK_OFFSET;
     let tilted = if letters.contains('A') { Vector3::x_axis() } else { Vector3::y_axis() };
-    let turn = |axis: &UnitVector3<f64>, degrees: f64| Rotation3::from_axis_angle(axis, -degrees.to_radians());
-    let axis = turn(&Vector3::z_axis(), axes[4]) * turn(&tilted, axes[3]) * Vector3::z();
+    let rotation = |axis: &UnitVector3<f64>, degrees: f64| Rotation3::from_axis_angle(axis, -degrees.to_radians());
+    let axis = rotation(&Vector3::z_axis(), axes[4]) * rotation(&tilted, axes[3]) * Vector3::z();
     (Point3::new(axes[0] - x, axes[1] - y, axes[2] - z - LENGTH), axis)
 }
 
-/// The joints that a block of an `axes` program asks for, mm and degrees.
-fn asked<M: Machine>(block: &Block, letters: &str) -> Vec<f64> {
+/// Joints that a block of an `axes` program commands, mm and degrees.
+fn commanded_joints<M: Machine>(block: &Block, letters: &str) -> Vec<f64> {
     let zero = [WORK_OFFSET[0], WORK_OFFSET[1], WORK_OFFSET[2] + LENGTH, 0.0, 0.0];
     let value = |(place, letter): (usize, char)| {
         let index = M::AXES.iter().position(|axis| axis.letter == letter).expect("an axis of the chain");
@@ -235,7 +238,7 @@ fn asked<M: Machine>(block: &Block, letters: &str) -> Vec<f64> {
     letters.chars().enumerate().map(value).collect()
 }
 
-/// The larger of two; what is not a number stays.
+/// The larger of two numbers; NaN if one of them is NaN.
 fn larger(one: f64, other: f64) -> f64 {
     if one.is_nan() || other.is_nan() { f64::NAN } else { one.max(other) }
 }
@@ -244,11 +247,11 @@ fn largest(differences: impl Iterator<Item = f64>) -> f64 {
     differences.fold(0.0, larger)
 }
 
-fn apart(one: &[f64], other: &[f64]) -> f64 {
+fn largest_difference(one: &[f64], other: &[f64]) -> f64 {
     largest(one.iter().zip(other).map(|(one, other)| (one - other).abs()))
 }
 
-/// Compares the two programs with each other and with the CL data, by what the control makes of them.
+/// Compares the two programs with each other and with the CL data, by the positions that the control has reached.
 fn difference<M: Machine>(tcp: &Run, axes: &Run, letters: &str) -> Difference {
     let points = points();
     let mut found = Difference::default();
@@ -257,31 +260,32 @@ fn difference<M: Machine>(tcp: &Run, axes: &Run, letters: &str) -> Difference {
         let (tip, axis) = pose(by_axes, letters);
         found.tip = larger(found.tip, (tip - point.tip).norm());
         found.axis = larger(found.axis, angle_between(&axis, &point.axis));
-        found.joints = larger(found.joints, apart(&by_tip.joints[..3], &by_axes.joints[..3]));
-        found.turns = larger(found.turns, apart(&by_tip.joints[3..], &by_axes.joints[3..]));
+        found.joints = larger(found.joints, largest_difference(&by_tip.joints[..3], &by_axes.joints[..3]));
+        found.rotary_joints =
+            larger(found.rotary_joints, largest_difference(&by_tip.joints[3..], &by_axes.joints[3..]));
         if index > 0 && (points[index - 1].axis.into_inner() - point.axis.into_inner()).norm() < 1e-12 {
             let before = &tcp.reached[tcp.partners[index - 1]];
             found.along = larger(found.along, off_axis(&before.joints, &by_tip.joints, &points[index - 1], point));
         }
     }
     for (block, reached) in axes.blocks.iter().zip(&axes.reached) {
-        found.words = larger(found.words, apart(&reached.joints, &asked::<M>(block, letters)));
+        found.words = larger(found.words, largest_difference(&reached.joints, &commanded_joints::<M>(block, letters)));
     }
     found.path = largest([tcp, axes].into_iter().map(|run| off_path(run, &points, letters)));
     found
 }
 
-/// What the joints do besides moving Z, where the tool goes along its axis; 0 where it does not.
+/// Motion of the joints other than Z while the tool moves along its axis, mm; 0 for any other motion.
 fn off_axis(before: &[f64], after: &[f64], from: &Pose, to: &Pose) -> f64 {
-    let way = to.tip - from.tip;
-    let along = way.dot(&from.axis);
-    if (way - from.axis.into_inner() * along).norm() > 1e-6 {
+    let motion = to.tip - from.tip;
+    let along = motion.dot(&from.axis);
+    if (motion - from.axis.into_inner() * along).norm() > 1e-6 {
         return 0.0;
     }
-    apart(&[after[0], after[1], after[2] - along], &before[..3])
+    largest_difference(&[after[0], after[1], after[2] - along], &before[..3])
 }
 
-/// Blocks of feed between two points are on the line between them.
+/// Largest distance of feed blocks between two points from the line between them, mm.
 fn off_path(run: &Run, points: &[Pose], letters: &str) -> f64 {
     let between = run.partners.windows(2).enumerate().flat_map(|(index, blocks)| {
         let feeds = (blocks[0] + 1..blocks[1]).filter(|&block| run.blocks[block].action == Action::Feed);
@@ -293,8 +297,8 @@ fn off_path(run: &Run, points: &[Pose], letters: &str) -> f64 {
     }))
 }
 
-/// A machine, and one with a sign turned, on the control that is the first one.
-fn assert_agrees<M: Machine, Turned: Machine>(kinematics: &'static str, letters: &'static str, centre: &str) {
+/// Checks that a machine agrees with its control, and that a wrong sign and a displaced centre line are found.
+fn assert_agrees<M: Machine, WrongSign: Machine>(kinematics: &'static str, letters: &'static str, centre: &str) {
     let mut simulation =
         Simulation::start(&control::<M>(kinematics, letters)).unwrap_or_else(|error| panic!("{error}"));
     let (tcp, axes) = (set_up(Mode::Tcp), set_up(Mode::Axes));
@@ -303,41 +307,46 @@ fn assert_agrees<M: Machine, Turned: Machine>(kinematics: &'static str, letters:
     let right = difference::<M>(&by_tip, &by_axes, letters);
     println!("{kinematics}: {} and {} blocks, {right:?}", by_tip.blocks.len(), by_axes.blocks.len());
     assert!(right.tip <= TIP && right.axis <= AXIS && right.path <= TIP, "{right:?}");
-    assert!(right.joints <= JOINT && right.turns <= 2e-6 && right.words <= 2e-6, "{right:?}");
+    assert!(right.joints <= JOINT && right.rotary_joints <= 2e-6 && right.words <= 2e-6, "{right:?}");
     assert!(right.along <= 2.0 * TIP, "{right:?}");
 
-    // The same numbers with one sign turned: the control puts the tip somewhere else.
-    let turned = difference::<Turned>(
-        &run::<Turned>(&mut simulation, &tcp, false),
-        &run::<Turned>(&mut simulation, &axes, false),
+    // The same numbers with one wrong sign: the tip of the control differs.
+    let wrong_sign = difference::<WrongSign>(
+        &run::<WrongSign>(&mut simulation, &tcp, false),
+        &run::<WrongSign>(&mut simulation, &axes, false),
         letters,
     );
-    println!("{kinematics} with a sign turned: {turned:?}");
-    assert!(turned.tip > 10.0 && turned.axis > 0.5 && turned.joints > 10.0 && turned.along > 10.0, "{turned:?}");
+    println!("{kinematics} with a wrong sign: {wrong_sign:?}");
+    assert!(
+        wrong_sign.tip > 10.0 && wrong_sign.axis > 0.5 && wrong_sign.joints > 10.0 && wrong_sign.along > 10.0,
+        "{wrong_sign:?}"
+    );
 
-    // A centre line a tenth of a millimetre beside its place.
+    // A centre line that is displaced by a tenth of a millimetre.
     let declared = M::DIMENSIONS.iter().find(|dimension| dimension.name == centre).expect("a dimension").default;
-    let mut beside = axes;
-    beside.set_up.dimensions = [(centre.to_owned(), declared + 0.1)].into();
-    let beside = difference::<M>(&by_tip, &run::<M>(&mut simulation, &beside, false), letters);
-    println!("{kinematics} with {centre} a tenth beside: {beside:?}");
-    assert!((0.05..0.25).contains(&beside.tip) && (0.05..0.25).contains(&beside.joints), "{beside:?}");
+    let mut displaced = axes;
+    displaced.set_up.dimensions = [(centre.to_owned(), declared + 0.1)].into();
+    let displaced = difference::<M>(&by_tip, &run::<M>(&mut simulation, &displaced, false), letters);
+    println!("{kinematics} with {centre} displaced by a tenth: {displaced:?}");
+    assert!((0.05..0.25).contains(&displaced.tip) && (0.05..0.25).contains(&displaced.joints), "{displaced:?}");
 
-    // The declared travel is that of the control, and what it says is heard.
-    let said = simulation.run("G21 G90 G54\nG0 X436\nM2\n", &[2], Look::AsProgrammed).expect_err("beyond the travel");
-    assert!(said.contains("exceed joint 0's positive limit"), "{said}");
+    // The control has the declared travel, and its messages are returned.
+    let message = simulation
+        .run("G21 G90 G54\nG0 X436\nM2\n", &[2], MarkKinematics::AsProgrammed)
+        .expect_err("beyond the travel");
+    assert!(message.contains("exceed joint 0's positive limit"), "{message}");
 }
 
 #[test]
-fn a_table_of_a_and_c_is_where_the_control_puts_it() {
+fn a_table_of_a_and_c_agrees_with_the_control() {
     if can_be_simulated() {
-        assert_agrees::<TableAc, TableAcTurned>("xyzac-trt-kins", "XYZAC", "tilt_z");
+        assert_agrees::<TableAc, TableAcWrongSign>("xyzac-trt-kins", "XYZAC", "tilt_z");
     }
 }
 
 #[test]
-fn a_table_of_b_and_c_is_where_the_control_puts_it() {
+fn a_table_of_b_and_c_agrees_with_the_control() {
     if can_be_simulated() {
-        assert_agrees::<TableBc, TableBcTurned>("xyzbc-trt-kins", "XYZBC", "centre_x");
+        assert_agrees::<TableBc, TableBcWrongSign>("xyzbc-trt-kins", "XYZBC", "centre_x");
     }
 }

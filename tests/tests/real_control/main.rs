@@ -1,6 +1,6 @@
-//! What a control that nobody here wrote makes of our programs: LinuxCNC.
+//! Posted programs on a control that is not part of this project: LinuxCNC.
 //!
-//! Without LinuxCNC these tests say so and pass; with `PP_REQUIRE_LINUXCNC=1` they have to run.
+//! Without LinuxCNC these tests print that they are skipped, and pass; with `PP_REQUIRE_LINUXCNC=1` they fail.
 
 mod interpreter;
 mod kinematics;

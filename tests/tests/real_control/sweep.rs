@@ -1,4 +1,5 @@
-//! A part for tables of two rotaries: every quadrant, more than a turn, through the pole, beside it, one tilted face.
+//! A part for tables of two rotaries: every quadrant, more than a revolution, through the pole, near it, one tilted
+//! face.
 
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
@@ -6,17 +7,17 @@ use std::fmt::Write as _;
 use nalgebra::{Point3, UnitVector3, Vector3};
 use pp_runtime::kinematics::Pose;
 
-/// Way in and out along the tool axis, mm.
+/// Length of approach and retract along the tool axis, mm.
 const CLEAR: f64 = 60.0;
 
-/// Height of the poles of the dome, and its radius, mm.
+/// Height of the pole of the dome, and its radius, mm.
 const DOME: (f64, f64) = (15.0, 45.0);
 
 fn unit(x: f64, y: f64, z: f64) -> UnitVector3<f64> {
     UnitVector3::new_normalize(Vector3::new(x, y, z))
 }
 
-/// The tool square on the dome, where its axis points.
+/// Pose with the tool perpendicular to the dome, at the point in the direction of the tool axis.
 fn on_dome(axis: UnitVector3<f64>) -> Pose {
     let (pole, radius) = DOME;
     Pose { tip: Point3::new(0.0, 0.0, pole - radius) + axis.into_inner() * radius, axis }
@@ -26,23 +27,23 @@ fn spherical(tilt: f64, around: f64) -> UnitVector3<f64> {
     unit(tilt.sin() * around.cos(), tilt.sin() * around.sin(), tilt.cos())
 }
 
-/// Once round and a quarter more, the tool leaning more and more.
+/// One and a quarter revolutions around the dome; the tilt of the tool increases.
 fn round() -> Vec<Pose> {
     (0..=40)
         .map(|step| on_dome(spherical(0.4 + 0.008 * f64::from(step), 0.3 + 1.25 * TAU * f64::from(step) / 40.0)))
         .collect()
 }
 
-/// Over the top in a plane `beside` rad from the pole.
-fn across(beside: f64) -> Vec<Pose> {
+/// Path over the top in a plane that passes the pole at `offset_rad`.
+fn across(offset_rad: f64) -> Vec<Pose> {
     let pose = |step: i32| {
-        let lean = 0.06 * f64::from(step);
-        on_dome(unit(lean.tan() * 0.8 - beside * 0.6, lean.tan() * 0.6 + beside * 0.8, 1.0))
+        let tilt = 0.06 * f64::from(step);
+        on_dome(unit(tilt.tan() * 0.8 - offset_rad * 0.6, tilt.tan() * 0.6 + offset_rad * 0.8, 1.0))
     };
     (-10..=10).map(pose).collect()
 }
 
-/// A square on a face that leans, the tool standing still on it.
+/// A square on a tilted face, with a constant tool axis.
 fn face() -> Vec<Pose> {
     let axis = spherical(0.7, 3.6);
     let [u, v] = [Vector3::y().cross(&axis).normalize(), axis.cross(&Vector3::y().cross(&axis)).normalize()];
@@ -50,21 +51,21 @@ fn face() -> Vec<Pose> {
     [(0.0, 0.0), (15.0, 0.0), (15.0, 12.5), (0.0, 12.5), (0.0, 0.0)].map(corner).to_vec()
 }
 
-/// The tip stays and the tool swings.
+/// The tip does not move, and the tool axis swings.
 fn swing() -> Vec<Pose> {
     let pose =
         |step: i32| Pose { tip: Point3::new(22.0, -9.0, 6.0), axis: spherical(0.2 + 0.07 * f64::from(step), 5.0) };
     (0..=6).map(pose).collect()
 }
 
-/// Every pass, with its ways in and out.
+/// Every pass, with its approach and retract.
 pub(crate) fn passes() -> Vec<Vec<Pose>> {
-    let with_ways = |cut: Vec<Pose>| {
+    let with_approach_and_retract = |cut: Vec<Pose>| {
         let out = |pose: &Pose| Pose { tip: pose.tip + pose.axis.into_inner() * CLEAR, axis: pose.axis };
         let (first, last) = (out(&cut[0]), out(&cut[cut.len() - 1]));
         std::iter::once(first).chain(cut).chain([last]).collect()
     };
-    [round(), across(0.0), across(0.02), face(), swing()].map(with_ways).to_vec()
+    [round(), across(0.0), across(0.02), face(), swing()].map(with_approach_and_retract).to_vec()
 }
 
 /// The CL data of all passes: fast, since the control runs in real time.

@@ -131,7 +131,7 @@ fn an_axis_out_of_reach_between_two_points_is_an_error() {
     config.motion.retract.distance_mm = Some(20.0);
     let run = run::<Leaning>(&config, &events);
     assert_eq!(run.error().location.line, 4);
-    assert!(run.error().text.starts_with("on the way from the point before: "), "{}", run.error().text);
+    assert!(run.error().text.starts_with("between the last point and this one: "), "{}", run.error().text);
     let around = [tool(1), spindle(), feed([9.0, 0.0, 0.0], cb(0.0, 50.0)), feed([9.0, 5.0, 0.0], cb(50.0, 50.0))];
     assert_eq!(self::run::<Leaning>(&config, &around).diagnostics, []);
 }

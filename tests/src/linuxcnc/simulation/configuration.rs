@@ -1,8 +1,8 @@
-//! What LinuxCNC is told of the machine: its INI and HAL files, remapped codes, tool table and offsets.
+//! Configuration of LinuxCNC for a machine: its INI and HAL files, remapped codes, tool table and offsets.
 //!
-//! The control starts with joints as axes; M428 switches to the kinematics of the machine, M429 back, as the documentation of
-//! switchable kinematics has it. Three analog outputs belong to the harness: 0 counts marks, 1 is the kinematics wanted, 2 is
-//! never read. Digital input 0 tells the program that the joints have settled.
+//! The control starts with joints as axes; M428 switches to the kinematics of the machine, M429 back, as in the
+//! documentation of switchable kinematics. Three analog outputs belong to the harness: 0 counts marks, 1 selects the
+//! kinematics, 2 is never read. Digital input 0 is on when the joints have settled.
 
 use std::fmt::Write as _;
 use std::fs;
@@ -12,24 +12,24 @@ use std::path::Path;
 /// Cycle of the servo thread, ns.
 const SERVO_PERIOD: u32 = 1_000_000;
 
-/// Speed of every axis, mm/s and deg/s: no test waits for a slow machine.
+/// Speed of every axis, mm/s and deg/s: high, so that a test need not wait.
 const SPEED: f64 = 1e5;
 
 /// Acceleration of every axis, mm/s² and deg/s².
 const ACCELERATION: f64 = 1e8;
 
-/// Travel of a coordinate that no joint has, mm and degrees.
-const ANYWHERE: f64 = 1e5;
+/// Travel limit of a coordinate without a joint, mm and degrees.
+const UNLIMITED: f64 = 1e5;
 
-/// How long the machine has to be in position until its joints are, seconds of the servo thread: the joint interpolator
-/// follows by four cycles.
+/// Time from "machine in position" to "joints in position", seconds of the servo thread: the joint interpolator lags by
+/// four cycles.
 const SETTLING: f64 = 0.008;
 
-/// An order of its own, for an output that nobody reads: behind it everything in front of it has been planned.
+/// A separate command for an output that nothing reads: after it, everything before it has been planned.
 ///
-/// The servo thread takes an order first and plans behind it, and a task that looks in between sees the machine as it was:
-/// standing, where the motion in front has not begun, or with the kinematics in force before. The next order is taken a
-/// cycle later.
+/// The servo thread accepts a command first and plans afterwards. A task that reads the state in between gets the old
+/// one: standstill, because the motion before it has not begun, or the previous kinematics. The next command is
+/// accepted one cycle later.
 const PLANNED: &str = "M68 E2 Q0\n";
 
 /// Blocks that wait until the joints have settled, for 50 seconds at most.
@@ -40,8 +40,8 @@ pub(super) fn settled() -> String {
 /// Name of the file in which the sampler writes.
 pub(super) const SAMPLES: &str = "samples.txt";
 
-/// Blocks that change the kinematics: 0 joints as axes, 1 those of the machine. An input is read so that the interpreter
-/// waits, and asks where the axes are now.
+/// Blocks that change the kinematics: 0 joints as axes, 1 those of the machine. Reading an input makes the interpreter
+/// wait and fetch the axis positions again.
 pub(super) fn switch(kinematics: u32) -> String {
     format!("M68 E1 Q{kinematics}\n{PLANNED}M66 E0 L0\n")
 }
@@ -49,22 +49,22 @@ pub(super) fn switch(kinematics: u32) -> String {
 /// A machine on the simulated control. mm and degrees.
 #[derive(Debug, Clone)]
 pub struct Control {
-    /// Kinematics module; it has to be switchable and to have a pin `tool-offset`.
+    /// Kinematics module; it must be switchable and have a pin `tool-offset`.
     pub kinematics: &'static str,
     /// Axis letters in the order of the joints.
     pub letters: &'static str,
     /// Pins of the module and their values.
     pub pins: Vec<(&'static str, f64)>,
-    /// X Y Z of G54.
+    /// X Y Z of G54, mm.
     pub work_offset: [f64; 3],
-    /// Travel of each joint, in the order of the letters.
+    /// Travel of each joint, lower and upper limit, in the order of the letters.
     pub travel: Vec<[f64; 2]>,
-    /// Number of the only tool, and its length.
+    /// Number of the only tool, and its length, mm.
     pub tool: (u32, f64),
 }
 
 impl Control {
-    /// Writes everything into a folder. `port` is where the shell of the control listens.
+    /// Writes all files into a folder. `port`: TCP port of the control's shell.
     pub(super) fn write(&self, folder: &Path, port: u16) -> io::Result<()> {
         let write = |name: &str, text: String| fs::write(folder.join(name), text);
         write("machine.ini", self.ini(port))?;
@@ -73,8 +73,8 @@ impl Control {
         let [x, y, z] = self.work_offset;
         write("params.var", format!("5220 1\n5221 {x}\n5222 {y}\n5223 {z}\n"))?;
         for (name, kinematics) in [("m428", 1), ("m429", 0)] {
-            // The joints follow the axes by some servo cycles, and the switch takes them as they stand. At accelerations
-            // of a real machine that is nothing; at this one it would be tenths of a degree.
+            // The joints lag the axes by some servo cycles, and the switch uses their momentary positions. At the
+            // accelerations of a real machine the error is negligible; at this one it would be tenths of a degree.
             let lines = format!("o<{name}>sub\n{}{}o<{name}>endsub\nM2\n", settled(), switch(kinematics));
             write(&format!("{name}.ngc"), lines)?;
         }
@@ -105,9 +105,9 @@ impl Control {
             let speeds = format!("MAX_VELOCITY={SPEED}\nMAX_ACCELERATION={ACCELERATION}\n");
             let _ = write!(
                 ini,
-                "[AXIS_{letter}]\nMIN_LIMIT=-{ANYWHERE}\nMAX_LIMIT={ANYWHERE}\n{speeds}\
+                "[AXIS_{letter}]\nMIN_LIMIT=-{UNLIMITED}\nMAX_LIMIT={UNLIMITED}\n{speeds}\
                  [JOINT_{joint}]\nTYPE={kind}\nHOME=0\nHOME_SEQUENCE=0\nHOME_SEARCH_VEL=0\n{speeds}\
-                 MIN_LIMIT={least}\nMAX_LIMIT={most}\nFERROR={ANYWHERE}\nMIN_FERROR={ANYWHERE}\n"
+                 MIN_LIMIT={least}\nMAX_LIMIT={most}\nFERROR={UNLIMITED}\nMIN_FERROR={UNLIMITED}\n"
             );
         }
         ini

@@ -1,8 +1,9 @@
-//! Where the joints stand at the end of each block, exactly.
+//! Exact joint positions at the end of each block.
 //!
-//! Behind a block the program waits until the joints have settled and counts an analog output up, which the sampler writes
-//! down beside joints and axes in every servo cycle: the first sample with a number is what was reached there. That the
-//! joints stand is counted in servo cycles, so that a busy computer makes the control late and nothing else, up to 50 s a block.
+//! After a block the program waits until the joints have settled and increments an analog output. The sampler records
+//! it with joints and axes in every servo cycle: the first sample with a given number holds the positions reached.
+//! Settling is counted in servo cycles: a busy computer delays the control, by up to 50 s a block, and changes nothing
+//! else.
 
 use std::fmt::Write as _;
 use std::fs::File;
@@ -11,28 +12,28 @@ use std::path::Path;
 
 use super::configuration::{settled, switch};
 
-/// What the control is told to look through at a mark.
+/// Kinematics in force while a mark is sampled.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Look {
+pub enum MarkKinematics {
     /// The kinematics in force in the program.
     AsProgrammed,
     /// The kinematics of the machine, in a program that moves joints.
-    ThroughKinematics,
+    OfMachine,
 }
 
-/// Where the machine stands at the end of a block.
+/// Position at the end of a block.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Reached {
-    /// Line of the program as it was given, from 1.
+    /// Line of the program without marks, from 1.
     pub line: usize,
     /// Joints, mm and degrees.
     pub joints: Vec<f64>,
-    /// Axes by the control's own kinematics, mm and degrees: of the tip, with the tool length added to Z.
+    /// Axes by the control's own kinematics, mm and degrees: tip position, with the tool length added to Z.
     pub axes: Vec<f64>,
 }
 
-/// The program with a mark behind each of `lines`, from mark `first` on.
-pub(super) fn marked(program: &str, lines: &[usize], first: usize, look: Look) -> String {
+/// The program with a mark after each of `lines`, numbered from `first`.
+pub(super) fn marked(program: &str, lines: &[usize], first: usize, kinematics: MarkKinematics) -> String {
     let mut text = String::new();
     let mut mark = first;
     for (index, block) in program.lines().enumerate() {
@@ -40,28 +41,28 @@ pub(super) fn marked(program: &str, lines: &[usize], first: usize, look: Look) -
         if !lines.contains(&(index + 1)) {
             continue;
         }
-        let (before, behind) = match look {
-            Look::AsProgrammed => (String::new(), String::new()),
-            // The joints stand: what M428 and M429 do, without their wait.
-            Look::ThroughKinematics => (switch(1), switch(0)),
+        let (before, after) = match kinematics {
+            MarkKinematics::AsProgrammed => (String::new(), String::new()),
+            // The joints have settled: as M428 and M429, without their wait.
+            MarkKinematics::OfMachine => (switch(1), switch(0)),
         };
-        let _ = write!(text, "{}{before}M68 E0 Q{mark}\n{behind}", settled());
+        let _ = write!(text, "{}{before}M68 E0 Q{mark}\n{after}", settled());
         mark += 1;
     }
     text
 }
 
-/// A servo cycle: what the sampler has written.
+/// One servo cycle, as recorded by the sampler.
 #[derive(Debug, Clone, PartialEq)]
 struct Sample {
     mark: usize,
-    /// The joints stand.
+    /// Whether the joints have settled.
     settled: bool,
     /// Joints and axes.
     values: Vec<f64>,
 }
 
-/// The file of the sampler, as far as it has been read.
+/// Samples read from the file of the sampler.
 pub(super) struct Samples {
     file: File,
     rest: String,
@@ -79,7 +80,7 @@ impl Samples {
         self.seen.len()
     }
 
-    /// Reads what has been written since.
+    /// Reads the samples written since the last call.
     pub(super) fn read(&mut self) -> io::Result<()> {
         self.file.read_to_string(&mut self.rest)?;
         let whole = self.rest.rfind('\n').map_or(0, |end| end + 1);
@@ -94,10 +95,10 @@ impl Samples {
         Ok(())
     }
 
-    /// What was reached at a mark.
+    /// Position reached at a mark.
     pub(super) fn reached(&self, mark: usize, line: usize) -> Result<Reached, String> {
         let Some(Some(sample)) = self.seen.get(mark) else {
-            return Err(format!("line {line}: the sampler has missed the mark"));
+            return Err(format!("line {line}: the sampler has missed mark {mark}"));
         };
         if !sample.settled {
             return Err(format!("line {line}: the joints have not settled: {sample:?}"));
@@ -107,7 +108,7 @@ impl Samples {
     }
 }
 
-/// `3533 1.000000 1 11.000000 ...`: number, mark, settled, joints, axes. A line that tells of lost samples is none.
+/// `3533 1.000000 1 11.000000 ...`: number, mark, settled, joints, axes. A line that reports lost samples is no sample.
 fn sample(line: &str) -> Option<Sample> {
     let mut numbers = line.split_whitespace().skip(1).map(|number| number.parse::<f64>().ok());
     let (mark, settled) = (numbers.next()??, numbers.next()??);
@@ -122,11 +123,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn marks_stand_behind_the_blocks_that_are_named() {
+    fn marks_come_after_the_given_lines() {
         let (settled, on, off) = (settled(), switch(1), switch(0));
-        let text = marked("G0 X1\nG0 X2\nM2\n", &[2], 7, Look::AsProgrammed);
+        let text = marked("G0 X1\nG0 X2\nM2\n", &[2], 7, MarkKinematics::AsProgrammed);
         assert_eq!(text, format!("G0 X1\nG0 X2\n{settled}M68 E0 Q7\nM2\n"));
-        let text = marked("G0 X1\n", &[1], 1, Look::ThroughKinematics);
+        let text = marked("G0 X1\n", &[1], 1, MarkKinematics::OfMachine);
         assert_eq!(text, format!("G0 X1\n{settled}{on}M68 E0 Q1\n{off}"));
     }
 
@@ -137,14 +138,14 @@ mod tests {
         let mut file = File::create(&path).expect("a file");
         let mut samples = Samples::open(&path).expect("the file");
         let mut write = |text: &str, samples: &mut Samples| {
-            file.write_all(text.as_bytes()).expect("it takes text");
+            file.write_all(text.as_bytes()).expect("text can be written");
             samples.read().expect("it can be read");
             samples.marks()
         };
         assert_eq!(write("1 0.0 1 5.0 6.0\n2 0.0 0 5.0 6.0\n3 1.0 1 7.0 8.", &mut samples), 1);
         assert_eq!(write("0\noverrun\n4 1.0 1 7.0 9.0\n5 3.0 0 1.0 1.0\n", &mut samples), 4);
         assert_eq!(samples.reached(1, 12), Ok(Reached { line: 12, joints: vec![7.0], axes: vec![8.0] }));
-        assert!(samples.reached(2, 13).is_err_and(|said| said.contains("missed")));
-        assert!(samples.reached(3, 14).is_err_and(|said| said.contains("settled")));
+        assert!(samples.reached(2, 13).is_err_and(|message| message.contains("missed")));
+        assert!(samples.reached(3, 14).is_err_and(|message| message.contains("settled")));
     }
 }

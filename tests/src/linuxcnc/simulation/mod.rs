@@ -1,7 +1,8 @@
 //! The whole control, simulated and without a screen: task, interpreter, trajectory planner and kinematics module.
 //!
-//! The test talks to `linuxcncrsh`, which stands in the place of the screen, and `halsampler` writes joints and axes down. A
-//! computer runs one LinuxCNC at a time: whoever comes second waits. It runs in real time, without real-time priority.
+//! The test sends commands to `linuxcncrsh`, which replaces the screen; `halsampler` records joints and axes. A
+//! computer runs one LinuxCNC at a time: a second test waits. The control runs in real time, without real-time
+//! priority.
 
 mod configuration;
 mod marks;
@@ -18,23 +19,23 @@ use std::time::{Duration, Instant};
 use tempfile::TempDir;
 
 pub use configuration::Control;
-pub use marks::{Look, Reached};
+pub use marks::{MarkKinematics, Reached};
 use marks::{Samples, marked};
 use shell::Shell;
 
-/// LinuxCNC's own lock: a second one would end the first.
+/// Lock file of LinuxCNC: a second LinuxCNC would end the first.
 const RUNNING: &str = "/tmp/linuxcnc.lock";
 
-/// How long another LinuxCNC is waited for.
+/// Longest wait for another LinuxCNC to end.
 const OTHERS: Duration = Duration::from_secs(360);
 
-/// How long the control may take to start, and to end.
+/// Longest time for the control to start, and to end.
 const START: Duration = Duration::from_secs(40);
 
-/// Seconds after which the control is ended, whoever has forgotten it.
+/// Seconds after which the control is ended in any case.
 const LIFETIME: &str = "600";
 
-/// How long nothing may be reached before a program counts as hanging.
+/// Longest time without a new mark; after it a program counts as hanging.
 const STANDSTILL: Duration = Duration::from_secs(60);
 
 /// A running control. It ends with this value.
@@ -54,7 +55,7 @@ impl Simulation {
     /// Starts the control, homed and ready to run programs.
     ///
     /// # Errors
-    /// Why it does not start, with what it said.
+    /// Reason why it does not start, with the output of LinuxCNC.
     pub fn start(control: &Control) -> Result<Self, String> {
         let alone = alone().map_err(|error| format!("cannot wait for the control: {error}"))?;
         let folder = TempDir::new().map_err(|error| error.to_string())?;
@@ -80,8 +81,8 @@ impl Simulation {
             }
         };
         shell.wait_until_done(true)?;
-        for order in ["set estop off", "set machine on", "set mode manual", "set home -1"] {
-            shell.order(order)?;
+        for command in ["set estop off", "set machine on", "set mode manual", "set home -1"] {
+            shell.command(command)?;
         }
         let homed = format!("JOINT_HOMED{}", " YES".repeat(self.joints));
         while !shell.ask("get joint_homed")?.starts_with(&homed) {
@@ -95,15 +96,15 @@ impl Simulation {
         Ok(())
     }
 
-    /// Runs a program, and says where the machine stood behind each of `lines`.
+    /// Runs a program and returns the position after each of `lines`.
     ///
     /// # Errors
-    /// What the control says against the program, or that it does not get on.
-    pub fn run(&mut self, program: &str, lines: &[usize], look: Look) -> Result<Vec<Reached>, String> {
+    /// Messages of the control about the program, or that the program makes no progress.
+    pub fn run(&mut self, program: &str, lines: &[usize], kinematics: MarkKinematics) -> Result<Vec<Reached>, String> {
         let first = self.mark;
         self.mark += lines.len();
         let path = self.folder.path().join(format!("program{first}.ngc"));
-        let written = fs::write(&path, marked(program, lines, first, look));
+        let written = fs::write(&path, marked(program, lines, first, kinematics));
         if let Err(error) = written.and_then(|()| self.execute(&path, self.mark)) {
             return Err(self.report(&error.to_string()));
         }
@@ -117,8 +118,8 @@ impl Simulation {
             return Err(io::Error::other("the control is not on"));
         };
         shell.wait_until_done(true)?;
-        shell.order("set mode auto")?;
-        shell.order(&format!("set open {}", path.display()))?;
+        shell.command("set mode auto")?;
+        shell.command(&format!("set open {}", path.display()))?;
         shell.wait_until_done(false)?;
         let started = shell.ask("set run")?;
         let mut marks = samples.marks();
@@ -127,7 +128,7 @@ impl Simulation {
             sleep(Duration::from_millis(20));
             let messages = shell.messages()?;
             if !messages.is_empty() || started.ends_with("NAK") {
-                return Err(io::Error::other(format!("the control says: {}", messages.join("; "))));
+                return Err(io::Error::other(format!("the control reports: {}", messages.join("; "))));
             }
             samples.read()?;
             if samples.marks() > marks {
@@ -138,15 +139,16 @@ impl Simulation {
                 return Ok(());
             }
             if Instant::now() > deadline {
-                return Err(io::Error::other(format!("{marks} of {end} marks, and nothing more")));
+                let seconds = STANDSTILL.as_secs();
+                return Err(io::Error::other(format!("{marks} of {end} marks, no new one for {seconds} s")));
             }
         }
     }
 
-    /// What went wrong, and what the control has said.
+    /// The error, with the output of the control.
     fn report(&self, what: &str) -> String {
         let read = |name: &str| fs::read_to_string(self.folder.path().join(name)).unwrap_or_default();
-        format!("{what}\n--- LinuxCNC said\n{}{}", read("log"), read("linuxcnc_print.txt"))
+        format!("{what}\n--- output of LinuxCNC\n{}{}", read("log"), read("linuxcnc_print.txt"))
     }
 
     /// Whether the control has ended, after waiting for it.
@@ -168,23 +170,23 @@ impl Drop for Simulation {
         if asked && self.has_ended() {
             return;
         }
-        // `timeout` passes it on to all that it has started.
+        // `timeout` passes the signal on to all processes that it has started.
         let _ = Command::new("kill").arg(self.process.id().to_string()).status();
         if self.has_ended() {
             return;
         }
         let _ = self.process.kill();
         let _ = self.process.wait();
-        // It could not tidy up after itself.
+        // A killed control does not clean up.
         let _ = Command::new("halrun").arg("-U").stdin(Stdio::null()).output();
         let _ = fs::remove_file(RUNNING);
     }
 }
 
-/// Waits until no other LinuxCNC runs, and keeps those that ask here from starting one.
+/// Waits until no other LinuxCNC runs, and takes the lock that keeps other tests from starting one.
 fn alone() -> io::Result<File> {
     let path = std::env::temp_dir().join("linuxcnc-simulation.lock");
-    // Another user may have made it.
+    // Another user may have created it.
     let file = File::open(&path).or_else(|_| File::create(&path))?;
     file.lock()?;
     let deadline = Instant::now() + OTHERS;
@@ -204,7 +206,7 @@ fn free_port() -> io::Result<u16> {
 /// Starts LinuxCNC in a folder that holds its configuration.
 fn launch(folder: &Path) -> io::Result<Child> {
     let log = File::create(folder.join("log"))?;
-    // As root the real-time part runs as nobody, and has to be able to make its socket.
+    // As root the real-time part runs as the user `nobody`, which must be able to create its socket.
     Command::new("chmod").arg("a+rwx").arg(folder).status()?;
     let mut command = Command::new("timeout");
     command.args(["--kill-after=20", LIFETIME, "linuxcnc", "-r"]).arg(folder.join("machine.ini"));

@@ -1,22 +1,22 @@
-//! The dialogue with `linuxcncrsh`: a line out, a line back.
+//! The connection to `linuxcncrsh`: one line sent, one line received.
 
 use std::io::{self, BufRead, BufReader, Write};
 use std::net::{Ipv4Addr, TcpStream};
 use std::time::Duration;
 
-/// How long an answer may take.
-const PATIENCE: Duration = Duration::from_secs(20);
+/// Longest time for an answer.
+const ANSWER_TIMEOUT: Duration = Duration::from_secs(20);
 
-/// An open dialogue.
+/// An open connection.
 pub(super) struct Shell {
     answers: BufReader<TcpStream>,
 }
 
 impl Shell {
-    /// Greets the control and takes command of it.
+    /// Connects to the control and takes command of it.
     pub(super) fn connect(port: u16) -> io::Result<Self> {
         let stream = TcpStream::connect((Ipv4Addr::LOCALHOST, port))?;
-        stream.set_read_timeout(Some(PATIENCE))?;
+        stream.set_read_timeout(Some(ANSWER_TIMEOUT))?;
         stream.set_nodelay(true)?;
         let mut shell = Self { answers: BufReader::new(stream) };
         for line in ["hello EMC tests 1.0", "set echo off", "set verbose on", "set enable EMCTOO"] {
@@ -25,7 +25,7 @@ impl Shell {
         Ok(shell)
     }
 
-    /// What the control answers.
+    /// Sends a line and returns the answer of the control.
     pub(super) fn ask(&mut self, line: &str) -> io::Result<String> {
         self.answers.get_mut().write_all(format!("{line}\r\n").as_bytes())?;
         let mut answer = String::new();
@@ -35,18 +35,18 @@ impl Shell {
         Ok(answer.trim().to_owned())
     }
 
-    /// Tells the control to do something; a refusal is an error.
-    pub(super) fn order(&mut self, line: &str) -> io::Result<()> {
+    /// Sends a command; a refusal is an error.
+    pub(super) fn command(&mut self, line: &str) -> io::Result<()> {
         let answer = self.ask(line)?;
         if answer.ends_with("NAK") { Err(io::Error::other(format!("`{line}` is refused"))) } else { Ok(()) }
     }
 
-    /// Whether `order` waits until the control has done what it is told, or only until it has heard it.
+    /// Sets whether `command` waits until a command has been executed, or only until it has been received.
     pub(super) fn wait_until_done(&mut self, done: bool) -> io::Result<()> {
-        self.order(if done { "set set_wait done" } else { "set set_wait received" })
+        self.command(if done { "set set_wait done" } else { "set set_wait received" })
     }
 
-    /// The messages of the control that nobody has read yet.
+    /// Messages of the control that have not been read yet.
     pub(super) fn messages(&mut self) -> io::Result<Vec<String>> {
         let mut messages = Vec::new();
         loop {
@@ -58,7 +58,7 @@ impl Shell {
         }
     }
 
-    /// The control shuts down; it does not answer.
+    /// Shuts the control down; it sends no answer.
     pub(super) fn shut_down(&mut self) -> io::Result<()> {
         self.answers.get_mut().write_all(b"shutdown\r\n")
     }

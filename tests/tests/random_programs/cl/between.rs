@@ -1,12 +1,12 @@
-//! What stands between motions.
+//! Records between motions.
 
 use nalgebra::Vector3;
 
 use super::Program;
 
 impl Program<'_> {
-    /// Something that is no motion.
-    pub(super) fn between(&mut self) {
+    /// Writes a record that is no motion.
+    pub(super) fn other_record(&mut self) {
         match self.random.below(14) {
             0 => self.spindle(),
             1 | 2 => self.coolant(),
@@ -25,7 +25,7 @@ impl Program<'_> {
         }
     }
 
-    /// The machine stops, or does something of its own, and the tool comes back from above.
+    /// Writes a stop or an auxiliary function; then the tool approaches again from above.
     pub(super) fn stop(&mut self) {
         let words: &[&str] = if self.needs.code { &["OPSTOP", "STOP", "AUXFUN/77"] } else { &["OPSTOP", "STOP"] };
         let word = words[self.random.below(words.len())];
@@ -34,9 +34,10 @@ impl Program<'_> {
             self.spindle();
         }
         self.axis = None;
-        self.above();
+        self.approach();
     }
 
+    /// Writes a GOTO to the same point once more.
     pub(super) fn repeat(&mut self, tip: Vector3<f64>) {
         let axis = self.axis;
         self.point("GOTO", tip, axis);
@@ -58,9 +59,9 @@ impl Program<'_> {
     }
 
     pub(super) fn feed(&mut self) {
-        let (per_turn, per_minute) = if self.needs.inches { ("IPR", "IPM") } else { ("MMPR", "MMPM") };
+        let (per_revolution, per_minute) = if self.needs.inches { ("IPR", "IPM") } else { ("MMPR", "MMPM") };
         let text = match self.random.below(8) {
-            0 => format!("FEDRAT/{per_turn},{}", self.some_length(0.02, 0.5)),
+            0 => format!("FEDRAT/{per_revolution},{}", self.some_length(0.02, 0.5)),
             _ => format!("FEDRAT/{per_minute},{}", self.some_length(50.0, 3000.0)),
         };
         self.line(&text);

@@ -1,27 +1,27 @@
-//! In which frame the numbers of the file are: MSYS, TRACUT, ORIGIN and TRANS.
+//! Frame of the numbers of the file: MSYS, TRACUT, ORIGIN and TRANS.
 //!
-//! A point goes through TRACUT, then ORIGIN is subtracted or TRANS added, then the frame of the operation is mapped into the
-//! first. Programs are made in the first frame, and written through the inverse of all that.
+//! A point is transformed by TRACUT, then ORIGIN is subtracted or TRANS added, then it is mapped from the frame of the
+//! operation into the first frame. Points are generated in the first frame, and written through the inverse.
 
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
 use super::Program;
 
-/// What is done with frames behind the first.
+/// Treatment of the frames after the first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Frames {
-    /// There are none.
+    /// There are no other frames.
     None,
     /// Their points are mapped into the first.
     Main,
-    /// Each has a work offset of its own, and its points stay as they are.
+    /// Each has its own work offset, and its points are not changed.
     Offset,
 }
 
-/// Frames that a file may state.
+/// Number of frames in a file.
 pub(crate) const FRAMES: usize = 3;
 
-/// A frame as it lies in another, mm.
+/// Position of a frame in another one, mm.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Frame {
     axes: Matrix3<f64>,
@@ -33,28 +33,29 @@ impl Frame {
         Self { axes: Matrix3::identity(), origin: Vector3::zeros() }
     }
 
-    /// Coordinates in this frame of a point and of a direction.
+    /// Coordinates of an outer point in this frame, mm.
     pub(super) fn point(&self, point: Vector3<f64>) -> Vector3<f64> {
         self.axes.transpose() * (point - self.origin)
     }
 
+    /// Components of an outer direction in this frame.
     pub(super) fn direction(&self, direction: Vector3<f64>) -> Vector3<f64> {
         self.axes.transpose() * direction
     }
 
-    /// What a direction in this frame is outside it.
+    /// Components of a direction of this frame in the outer frame.
     pub(super) fn outside(&self, direction: Vector3<f64>) -> Vector3<f64> {
         self.axes * direction
     }
 
-    /// A frame that lies in this one.
+    /// An inner frame, relative to the outer one.
     fn with(&self, inner: &Self) -> Self {
         Self { axes: self.axes * inner.axes, origin: self.origin + self.axes * inner.origin }
     }
 }
 
 impl Program<'_> {
-    /// The frames of the file: the first is that of the part, wherever it lies in the model.
+    /// Chooses the frames of the file: the first is that of the part, at any position in the model.
     pub(super) fn state_frames(&mut self) {
         let model = if self.random.chance(0.3) { self.some_frame(200.0) } else { Frame::none() };
         self.frames = vec![(model, Frame::none())];
@@ -67,9 +68,9 @@ impl Program<'_> {
         }
     }
 
-    /// MSYS of an operation.
+    /// Writes MSYS of an operation.
     pub(super) fn enter_frame(&mut self) {
-        // The first that is stated is that of the part.
+        // The first frame that is written is that of the part.
         let number = if self.stated { self.random.below(self.frames.len()) } else { 0 };
         self.stated = true;
         let (model, frame) = self.frames[number];
@@ -77,29 +78,29 @@ impl Program<'_> {
         let axes = [0, 1].map(|axis| self.digits(model.axes.column(axis).into_owned(), 9));
         self.line(&format!("MSYS/{origin},{},{}", axes[0], axes[1]));
         self.frame_of_file = frame;
-        self.join();
+        self.compose();
     }
 
-    /// TRACUT, ORIGIN, TRANS, or none of them any more.
-    pub(super) fn change(&mut self) {
+    /// Writes TRACUT, ORIGIN or TRANS, or cancels all three.
+    pub(super) fn change_frame(&mut self) {
         match self.random.below(4) {
             0 => {
                 let change = self.some_frame(40.0);
                 let rows = [0, 1, 2].map(|row| {
-                    let turn = self.digits(change.axes.row(row).transpose(), 9);
-                    format!("{turn},{}", self.number(change.origin[row], 5))
+                    let rotation = self.digits(change.axes.row(row).transpose(), 9);
+                    format!("{rotation},{}", self.number(change.origin[row], 5))
                 });
                 self.line(&format!("TRACUT/{}", rows.join(",")));
                 self.tracut = change;
             }
             1 => {
-                let shift = Vector3::new(self.around(40.0), self.around(40.0), self.around(15.0));
+                let shift = Vector3::new(self.plus_minus(40.0), self.plus_minus(40.0), self.plus_minus(15.0));
                 let numbers = self.numbers(shift, 5);
                 self.line(&format!("TRANS/{numbers}"));
                 self.translation = shift;
             }
             2 => {
-                let shift = Vector3::new(self.around(40.0), self.around(40.0), self.around(15.0));
+                let shift = Vector3::new(self.plus_minus(40.0), self.plus_minus(40.0), self.plus_minus(15.0));
                 let numbers = self.numbers(shift, 5);
                 self.line(&format!("ORIGIN/{numbers}"));
                 self.origin_of_file = shift;
@@ -112,18 +113,18 @@ impl Program<'_> {
                     (Frame::none(), Vector3::zeros(), Vector3::zeros());
             }
         }
-        self.join();
+        self.compose();
     }
 
-    /// Everything that is in force, as one frame.
-    fn join(&mut self) {
+    /// Composes the transformations in force into one frame.
+    fn compose(&mut self) {
         let shift = Frame { origin: self.translation - self.origin_of_file, ..Frame::none() };
         self.file = self.frame_of_file.with(&shift).with(&self.tracut);
     }
 
-    /// A frame somewhere: turned about Z, about an axis by right angles, or anyhow.
+    /// A random frame: parallel, rotated about Z, by a right angle about X, or about all axes.
     fn some_frame(&mut self, far: f64) -> Frame {
-        let origin = Vector3::new(self.around(far), self.around(far), self.around(far));
+        let origin = Vector3::new(self.plus_minus(far), self.plus_minus(far), self.plus_minus(far));
         let any = [0, 1, 2].map(|_| self.random.between(-180.0, 180.0));
         let [x, y, z] = match self.random.below(4) {
             0 => [0.0; 3],
@@ -131,7 +132,7 @@ impl Program<'_> {
             2 => [90.0 * self.random.sign(), 0.0, 0.0],
             _ => any,
         };
-        let turn = Rotation3::from_euler_angles(x.to_radians(), y.to_radians(), z.to_radians());
-        Frame { axes: turn.into_inner(), origin }
+        let rotation = Rotation3::from_euler_angles(x.to_radians(), y.to_radians(), z.to_radians());
+        Frame { axes: rotation.into_inner(), origin }
     }
 }

@@ -7,17 +7,18 @@ use nalgebra::Vector3;
 use super::Program;
 
 impl Program<'_> {
+    /// Cuts a line across, of at most `most` mm along each direction.
     pub(super) fn stroke(&mut self, most: f64) {
-        let [x, y] = [self.around(most), self.around(most)];
+        let [x, y] = [self.plus_minus(most), self.plus_minus(most)];
         self.here += Vector3::new(x, y, 0.0);
         self.bound();
         if self.random.chance(0.3) {
-            self.here.z = self.around(5.0);
+            self.here.z = self.plus_minus(5.0);
         }
         self.go();
     }
 
-    /// Long enough to bring compensation on.
+    /// Cuts a line that is long enough for cutter compensation to begin.
     pub(super) fn stroke_flat(&mut self, most: f64) {
         let length = self.random.between(5.0, most);
         let angle = self.random.between(0.0, TAU);
@@ -26,7 +27,7 @@ impl Program<'_> {
     }
 
     pub(super) fn plunge(&mut self) {
-        self.here.z = self.around(5.0);
+        self.here.z = self.plus_minus(5.0);
         self.go();
     }
 
@@ -48,11 +49,12 @@ impl Program<'_> {
         }
     }
 
-    /// About the tool axis, `turns` of them; whole ones with the probability `whole`.
-    pub(super) fn round(&mut self, turns: usize, whole: f64) {
+    /// Cuts an arc about the tool axis with `turns` revolutions begun; a full circle with the probability
+    /// `full_circle`.
+    pub(super) fn round(&mut self, turns: usize, full_circle: f64) {
         let radius = if self.random.chance(0.1) { 0.3 } else { self.random.between(1.0, 40.0) };
         let start = self.random.between(0.0, TAU);
-        let sweep = if self.random.chance(whole) { 0.0 } else { self.random.between(0.1, 6.2) };
+        let sweep = if self.random.chance(full_circle) { 0.0 } else { self.random.between(0.1, 6.2) };
         let centre = self.here - Vector3::new(start.cos(), start.sin(), 0.0) * radius;
         let end = centre + Vector3::new((start + sweep).cos(), (start + sweep).sin(), 0.0) * radius;
         if self.random.chance(0.1) {
@@ -64,7 +66,8 @@ impl Program<'_> {
         self.go();
     }
 
-    /// An arc that says its angle: about the tool axis by `sweep`, or by the rest of a turn against it; 0 is a whole turn.
+    /// Writes an arc with its angle: about the tool axis by `sweep`, rad, or in the other sense by the rest of a
+    /// revolution; 0 is a full circle.
     fn movarc(&mut self, centre: Vector3<f64>, radius: f64, turns: usize, sweep: f64) {
         let sense = self.random.sign();
         let angle = if sense > 0.0 { sweep } else { TAU - sweep };
@@ -75,7 +78,7 @@ impl Program<'_> {
         self.line(&format!("MOVARC/{centre},{normal},{radius},ANGLE,{degrees:.6}"));
     }
 
-    /// A cubic of a few pieces from where the tool is.
+    /// Cuts a cubic curve of a few pieces from the present position.
     pub(super) fn curve(&mut self) {
         let pieces = 1 + self.random.below(4);
         let mut knots: Vec<f64> = (1..=pieces).map(|piece| piece as f64 / pieces as f64).collect();
@@ -87,7 +90,7 @@ impl Program<'_> {
         knots.iter().for_each(|knot| self.line(&format!("KNOT/{knot:.8}")));
         let step = self.random.between(1.0, 15.0);
         for _ in 0..knots.len() + 2 {
-            let [x, y, z] = [self.random.between(0.1, step), self.around(step), self.around(step / 8.0)];
+            let [x, y, z] = [self.random.between(0.1, step), self.plus_minus(step), self.plus_minus(step / 8.0)];
             self.here += Vector3::new(x, y, z);
             self.point("CNTRL", self.here(), None);
         }
@@ -96,11 +99,11 @@ impl Program<'_> {
         }
     }
 
-    /// Several points in one record.
+    /// Writes several points in one record.
     pub(super) fn list(&mut self) {
         let points: Vec<String> = (0..2 + self.random.below(4))
             .map(|_| {
-                let [x, y] = [self.around(20.0), self.around(20.0)];
+                let [x, y] = [self.plus_minus(20.0), self.plus_minus(20.0)];
                 self.here += Vector3::new(x, y, 0.0);
                 self.bound();
                 self.coordinates(self.here())
@@ -109,9 +112,9 @@ impl Program<'_> {
         self.line(&format!("GOTO/{}", points.join(" / ")));
     }
 
-    /// A step in the directions of the file.
+    /// Writes an incremental move along the axes of the file.
     pub(super) fn delta_of_file(&mut self) {
-        let step = Vector3::new(self.around(8.0), self.around(8.0), self.around(2.0));
+        let step = Vector3::new(self.plus_minus(8.0), self.plus_minus(8.0), self.plus_minus(2.0));
         let numbers = self.numbers(step, 0);
         self.line(&format!("GODLTA/{numbers}"));
         self.step_in_file(step);
@@ -121,18 +124,18 @@ impl Program<'_> {
         self.here += self.frame.transpose() * self.file.outside(step);
     }
 
-    /// Subprograms: small steps, and something between them.
+    /// Writes subprograms: small incremental moves, with other records between them.
     pub(super) fn define_subprograms(&mut self) {
         for number in 1..=self.random.below(3) {
             self.line(&format!("DEFSUB/{number}"));
             let mut whole = Vector3::zeros();
             for _ in 0..1 + self.random.below(4) {
-                let step = Vector3::new(self.around(8.0), self.around(8.0), self.around(2.0));
+                let step = Vector3::new(self.plus_minus(8.0), self.plus_minus(8.0), self.plus_minus(2.0));
                 let numbers = self.numbers(step, 0);
                 self.line(&format!("GODLTA/{numbers}"));
                 whole += step;
                 if self.random.chance(0.3) {
-                    self.between();
+                    self.other_record();
                 }
             }
             self.line("ENDSUB");
@@ -162,8 +165,8 @@ impl Program<'_> {
         self.go();
     }
 
-    /// In a plane that holds the tool axis.
-    pub(super) fn arc_upright(&mut self) {
+    /// Cuts an arc in a plane that contains the tool axis.
+    pub(super) fn vertical_arc(&mut self) {
         let radius = self.random.between(1.0, 15.0);
         let start = self.random.between(0.0, TAU);
         let sweep = self.random.between(0.2, 3.0);
@@ -188,14 +191,14 @@ impl Program<'_> {
         self.line(&format!("CIRCLE/{centre},{normal},{radius}{tail}{times}"));
     }
 
-    /// Up, across and down again at rapid.
+    /// Moves up, across and down again at rapid.
     pub(super) fn over(&mut self) {
         self.here.z = self.clear;
         self.line("RAPID");
         self.go();
         if self.random.chance(0.8) {
-            self.here.x += self.around(30.0);
-            self.here.y += self.around(30.0);
+            self.here.x += self.plus_minus(30.0);
+            self.here.y += self.plus_minus(30.0);
             self.bound();
             self.line("RAPID");
             self.go();

@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 use super::Program;
 
 impl Program<'_> {
-    /// To where the tool is.
+    /// Writes a GOTO to the position of the tool.
     pub(super) fn go(&mut self) {
         let axis = self.frame.column(2).into_owned();
         let written = self.axis.is_none_or(|last| last != axis) || self.random.chance(0.1);
@@ -15,7 +15,7 @@ impl Program<'_> {
         self.point("GOTO", self.here(), written.then_some(axis));
     }
 
-    /// The tool axis apart from the points that have it.
+    /// Writes the tool axis as a record of its own.
     pub(super) fn state_axis(&mut self) {
         let axis = self.frame.column(2).into_owned();
         let text = self.directions(axis);
@@ -23,7 +23,7 @@ impl Program<'_> {
         self.axis = Some(axis);
     }
 
-    /// Where the tool is, in the frame of the part.
+    /// Position of the tool in the frame of the part, mm.
     pub(super) fn here(&self) -> Vector3<f64> {
         self.origin + self.frame * self.here
     }
@@ -34,17 +34,17 @@ impl Program<'_> {
         self.line(&format!("{word}/{tip}{axis}"));
     }
 
-    /// A point of the part.
+    /// Text of a point that is given in the frame of the part.
     pub(super) fn coordinates(&self, point: Vector3<f64>) -> String {
         self.numbers(self.file.point(point), 0)
     }
 
-    /// A direction of the part.
+    /// Text of a direction that is given in the frame of the part.
     pub(super) fn directions(&self, direction: Vector3<f64>) -> String {
         self.digits(self.file.direction(direction), self.decimals[1])
     }
 
-    /// In the unit of the file, with some decimals more than usual.
+    /// Text of three lengths, mm, in the unit of the file, with `more` additional decimals.
     pub(super) fn numbers(&self, point: Vector3<f64>, more: usize) -> String {
         format!("{},{},{}", self.number(point.x, more), self.number(point.y, more), self.number(point.z, more))
     }
@@ -73,12 +73,14 @@ impl Program<'_> {
         let _ = writeln!(self.text, "{text}");
     }
 
-    pub(super) fn around(&mut self, most: f64) -> f64 {
+    /// A random number of at most `most` to either side of zero.
+    pub(super) fn plus_minus(&mut self, most: f64) -> f64 {
         let value = self.random.between(-most, most);
-        // Round numbers are as common as any others.
+        // Round numbers are frequent in CL data.
         if self.random.chance(0.3) && most > 2.0 { value.round() } else { value }
     }
 
+    /// Keeps the tool within 80 mm of the origin of the operation, across the tool axis.
     pub(super) fn bound(&mut self) {
         self.here.x = self.here.x.clamp(-80.0, 80.0);
         self.here.y = self.here.y.clamp(-80.0, 80.0);

@@ -1,6 +1,6 @@
-//! Blocks of a program, one after the other, against the GOTOs that they are to meet.
+//! Reader that compares the blocks of a program, one after the other, with the GOTOs that they must reach.
 //!
-//! Here is the reader with its state, and what a block is for; `motions` has the checks of each kind of motion.
+//! This file has the state of the reader and decides the purpose of a block; `motions` checks each kind of motion.
 
 mod motions;
 
@@ -12,29 +12,29 @@ use tests::foreign::state::Units;
 use tests::foreign::{Axes, Effect, Executed, Feed};
 use tests::oracle::{Oracle, angle_between, wrapped};
 
-use crate::given::{Counting, SetUp};
+use crate::given::{SetUp, WordDatum};
 use crate::points::{ClData, Goto};
 
 /// The last digit of a rotary word, degrees.
 const ROTARY_UNIT: f64 = 1e-4;
-/// Room for the arithmetic of both sides, mm.
+/// Allowance for the arithmetic of both sides, mm.
 const NOISE: f64 = 1e-8;
-/// Inserted points lie on their line within this, mm.
+/// Largest distance of an inserted point from its line, mm.
 const ON_LINE: f64 = 1e-3;
-/// A rapid that turns a rotary by more goes through the safe sequence, degrees.
+/// Rotation in a rapid beyond which the safe sequence is required, degrees.
 const INDEX_ANGLE: f64 = 1.0;
 /// Half a unit of the sixth digit, relative to the smallest number of six digits.
 const SIX_DIGITS: f64 = 0.5e-5;
-/// No feed block of the samples turns an axis further, degrees: near the pole a table turns fast, but half a turn would
-/// be the other branch.
-const LARGEST_TURN: f64 = 90.0;
+/// Largest rotation of an axis in a feed block of the samples, degrees: near the pole a table rotates fast, but half a
+/// revolution would be the other branch.
+const LARGEST_ROTATION: f64 = 90.0;
 
-/// How far a block may leave the motion of the CL data by default: mm, and degrees of the tool axis.
+/// Default tolerances of a block against the motion of the CL data: mm, and degrees of the tool axis.
 const TOLERANCE: (f64, f64) = (0.01, 0.1);
-/// Places of a block that are looked at.
+/// Samples per block.
 const BLOCK_POINTS: usize = 100;
 
-/// What must be equal between the program and the CL data.
+/// Counts of the points, approaches and retracts that are checked.
 #[derive(Debug, Default, PartialEq)]
 pub(crate) struct Checked {
     pub(crate) points: usize,
@@ -42,24 +42,24 @@ pub(crate) struct Checked {
     pub(crate) retracts: usize,
 }
 
-/// Where in the safe sequence the tool stands.
+/// Stage of the safe sequence.
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
 pub(crate) enum Stage {
     /// In the cut, or between two GOTOs.
-    Running,
-    /// The retract axis stands at its machine position.
-    Away,
-    /// The rotary axes have turned.
-    Turned,
-    /// The other linear axes have followed.
-    Beside,
+    Cutting,
+    /// The retract axis is at its machine position.
+    Retracted,
+    /// The rotary axes are at their target.
+    RotaryPositioned,
+    /// The other linear axes are at their target too.
+    LinearPositioned,
     /// At the approach point.
-    Above,
+    AtApproach,
 }
 
 /// A straight motion of the program.
 pub(crate) struct Motion {
-    /// Its words are machine coordinates.
+    /// Whether its words are machine coordinates.
     pub(crate) machine: bool,
     pub(crate) rapid: bool,
     pub(crate) written: Axes,
@@ -82,13 +82,13 @@ impl Motion {
     }
 }
 
-/// A motion of several blocks: where it began, and how long its blocks have taken.
+/// A motion that is split over several blocks: pose at its start, and time of its blocks up to now.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct UnderWay {
+pub(crate) struct SplitMotion {
     pub(crate) tip: Point3<f64>,
     pub(crate) axis: Vector3<f64>,
     pub(crate) minutes: f64,
-    /// A block of it moved the tip by less than a unit of the words: it takes the time of its turn.
+    /// Whether a block of it moves the tip by less than a unit of the words: its time is that of the rotation.
     pub(crate) still: bool,
 }
 
@@ -98,22 +98,23 @@ pub(crate) struct Reader<'a, M: Machine> {
     pub(crate) machine: M,
     pub(crate) oracle: Oracle,
     pub(crate) tool: Option<u32>,
-    /// mm in the program's unit of length.
+    /// mm per unit of length of the program.
     pub(crate) scale: f64,
-    /// What linear words are more than the axis values, in the order of the axes, mm.
+    /// Linear words minus axis values, in the order of the axes, mm.
     pub(crate) shift: Vec<f64>,
     /// The last digit of a linear word, mm.
     pub(crate) unit: f64,
     pub(crate) stage: Stage,
     pub(crate) next: usize,
-    /// Where the tip stands in the CL data's own digits, and the words it stands at.
-    pub(crate) place: Option<(Point3<f64>, Axes)>,
-    /// The motion that is under way in several blocks.
-    pub(crate) under_way: Option<UnderWay>,
-    /// How far the last motions have led the tool out along its axis, mm.
-    pub(crate) led_out: f64,
+    /// Last position of the tip in the digits of the CL data, and the words of that position.
+    pub(crate) reached: Option<(Point3<f64>, Axes)>,
+    /// The present motion, if it is split over several blocks.
+    pub(crate) split: Option<SplitMotion>,
+    /// Distance by which the last motions have retracted the tool along its axis, mm.
+    pub(crate) retracted_mm: f64,
     pub(crate) parked: BTreeSet<char>,
-    /// How near a word of a GOTO comes to being rounded to its neighbour, in units of its last digit.
+    /// Smallest distance of an exact word of a GOTO from the boundary between two roundings, in units of its last
+    /// digit.
     pub(crate) edge: f64,
     pub(crate) checked: Checked,
 }
@@ -123,7 +124,7 @@ impl<'a, M: Machine> Reader<'a, M> {
         let machine = M::default();
         let oracle = Oracle::of(&machine);
         let checked = Checked::default();
-        let (scale, unit, stage, parked) = (1.0, 1e-3, Stage::Away, BTreeSet::new());
+        let (scale, unit, stage, parked) = (1.0, 1e-3, Stage::Retracted, BTreeSet::new());
         Self {
             set_up,
             cl,
@@ -135,16 +136,16 @@ impl<'a, M: Machine> Reader<'a, M> {
             unit,
             stage,
             next: 0,
-            place: None,
-            under_way: None,
-            led_out: 0.0,
+            reached: None,
+            split: None,
+            retracted_mm: 0.0,
             parked,
             edge: 0.5,
             checked,
         }
     }
 
-    /// Gauge length of the tool in the spindle; zero where nobody knows it.
+    /// Gauge length of the tool in the spindle, mm; zero if it is unknown.
     pub(crate) fn length(&self) -> f64 {
         let tool = self.tool.expect("a tool is called before anything moves");
         let given = self.set_up.lengths.iter().find(|(number, _)| *number == tool).map(|(_, length)| *length);
@@ -155,7 +156,7 @@ impl<'a, M: Machine> Reader<'a, M> {
         self.tool = Some(tool);
         self.machine.set_up(Vector3::from(self.set_up.part_origin), self.length());
         self.oracle = Oracle::of(&self.machine);
-        let Counting { from_table, gauge_line, .. } = self.set_up.counting;
+        let WordDatum { from_table, gauge_line, .. } = self.set_up.datum;
         let mut more = Vector3::zeros();
         if from_table {
             more += Vector3::from(self.set_up.part_origin);
@@ -163,14 +164,14 @@ impl<'a, M: Machine> Reader<'a, M> {
         if gauge_line {
             more += self.machine.tool_axis().into_inner() * self.length();
         }
-        // The linear axes that together move the tool by this at the zero position.
+        // Values of the linear axes that together move the tool by this at the zero position.
         self.shift = vec![0.0; M::AXES.len()];
         self.oracle.bring_tip_to(&Point3::from(more), &mut self.shift);
     }
 
-    /// Degrees of an axis value for a word.
+    /// Axis value of a rotary word, degrees.
     pub(crate) fn angle(&self, letter: char, word: f64) -> f64 {
-        word + "ABC".find(letter).map_or(0.0, |index| self.set_up.counting.offsets[index])
+        word + "ABC".find(letter).map_or(0.0, |index| self.set_up.datum.offsets_deg[index])
     }
 
     /// Axis values in chain order, mm and rad; `None` while a word is unknown.
@@ -189,19 +190,23 @@ impl<'a, M: Machine> Reader<'a, M> {
         letters
     }
 
-    /// How far the linear words are from those that bring the tip to `tip` at the rotary words as they stand.
+    /// Largest difference of the linear words from those that bring the tip to `tip` at the given rotary words, mm.
     pub(crate) fn words_off(&self, values: &[f64], tip: &Point3<f64>) -> f64 {
         let mut exact = values.to_vec();
         self.oracle.bring_tip_to(tip, &mut exact);
         values.iter().zip(&exact).map(|(word, exact)| (word - exact).abs()).fold(0.0, f64::max)
     }
 
-    /// Requires words to stand at a GOTO.
+    /// Checks that words reach the next GOTO.
     pub(crate) fn check_point(&mut self, line: usize, values: &[f64], position: &Axes) {
-        let Some(goto) = self.cl.points.get(self.next) else { panic!("line {line} moves on behind the last GOTO") };
+        let Some(goto) = self.cl.points.get(self.next) else { panic!("line {line} moves on after the last GOTO") };
         let pose = self.oracle.forward(values);
-        let leaning = angle_between(&pose.axis, &goto.axis).to_degrees();
-        assert!(leaning <= ROTARY_UNIT, "line {line}: the tool axis of CL line {} is missed by {leaning}°", goto.line);
+        let axis_off = angle_between(&pose.axis, &goto.axis).to_degrees();
+        assert!(
+            axis_off <= ROTARY_UNIT,
+            "line {line}: the tool axis of CL line {} is missed by {axis_off}°",
+            goto.line
+        );
         let off = self.words_off(values, &goto.tip);
         assert!(off <= 0.5 * self.unit + NOISE, "line {line}: a linear word of CL line {} is {off} mm off", goto.line);
         self.edge = self.edge.min(self.distance_to_edge(values, goto));
@@ -209,25 +214,30 @@ impl<'a, M: Machine> Reader<'a, M> {
         let missed = (pose.tip - goto.tip).norm();
         assert!(missed <= 0.5 * self.unit * linear_words.sqrt() + NOISE, "line {line}: the tip is {missed} mm off");
         assert_eq!(self.tool, Some(goto.tool), "line {line}: the tool of CL line {}", goto.line);
-        self.place = Some((goto.tip, *position));
+        self.reached = Some((goto.tip, *position));
         self.next += 1;
         self.checked.points += 1;
     }
 
-    /// How far the exact words of a GOTO are from the middle between two digits, in units of the last digit.
+    /// Smallest distance of the exact words of a GOTO from the boundary between two roundings, in units of the last
+    /// digit.
     pub(crate) fn distance_to_edge(&self, values: &[f64], goto: &Goto) -> f64 {
         let mut exact = values.to_vec();
         self.oracle.bring_tip_to(&goto.tip, &mut exact);
         let axis = UnitVector3::new_normalize(goto.axis);
         let mut held = M::HELD;
         held.as_mut().copy_from_slice(values);
-        // Of the branches the one that was posted; what a free rotary is set to is a number of the program's own.
+        // The branch that was posted; the value of a free rotary is the choice of the program.
         let solutions = self.machine.inverse_kinematics(&Pose { tip: goto.tip, axis }, &held);
-        let turn = |solution: &Solution<M::Axes>| {
-            let away = solution.axes.as_ref().iter().zip(values).zip(M::AXES);
-            away.filter(|(_, axis)| axis.kind == AxisKind::Rotary).map(|((a, b), _)| wrapped(a - b).abs()).sum::<f64>()
+        let difference = |solution: &Solution<M::Axes>| {
+            let values = solution.axes.as_ref().iter().zip(values).zip(M::AXES);
+            values
+                .filter(|(_, axis)| axis.kind == AxisKind::Rotary)
+                .map(|((a, b), _)| wrapped(a - b).abs())
+                .sum::<f64>()
         };
-        let nearest = solutions.iter().min_by(|one, other| turn(one).total_cmp(&turn(other))).expect("it was posted");
+        let nearest =
+            solutions.iter().min_by(|one, other| difference(one).total_cmp(&difference(other))).expect("it was posted");
         let units = M::AXES.iter().enumerate().map(|(index, axis)| match axis.kind {
             AxisKind::Linear => exact[index] / self.unit,
             AxisKind::Rotary => nearest.axes.as_ref()[index].to_degrees() / ROTARY_UNIT,
@@ -235,9 +245,9 @@ impl<'a, M: Machine> Reader<'a, M> {
         units.map(|units| (units - units.floor() - 0.5).abs()).fold(0.5, f64::min)
     }
 
-    /// GOTOs that repeat the one before need no block.
+    /// Counts GOTOs that repeat the one before as reached: they need no block.
     pub(crate) fn pass_repeated(&mut self) {
-        while let (Some((_, position)), Some(goto)) = (self.place, self.cl.points.get(self.next))
+        while let (Some((_, position)), Some(goto)) = (self.reached, self.cl.points.get(self.next))
             && self.next > 0
             && self.cl.points[self.next - 1].operation == goto.operation
             && (self.cl.points[self.next - 1].tip - goto.tip).norm() < 1e-9
@@ -256,39 +266,39 @@ impl<'a, M: Machine> Reader<'a, M> {
         }
         let written: Vec<char> = motion.written.letters().collect();
         let (linear, rotary) = (Self::letters(AxisKind::Linear), Self::letters(AxisKind::Rotary));
-        if self.stage == Stage::Away && self.next == self.cl.points.len() {
+        if self.stage == Stage::Retracted && self.next == self.cl.points.len() {
             let parked = |word: (char, f64)| self.set_up.park.contains(&word);
             assert!(motion.rapid && motion.written.iter().all(parked), "line {line}: neither a point nor parking");
             self.parked.extend(written);
             return;
         }
-        if matches!(self.stage, Stage::Away | Stage::Turned | Stage::Beside) {
-            assert!(motion.rapid, "line {line}: the way to the approach point is a rapid");
+        if matches!(self.stage, Stage::Retracted | Stage::RotaryPositioned | Stage::LinearPositioned) {
+            assert!(motion.rapid, "line {line}: the path to the approach point must be a rapid");
         }
         match self.stage {
-            Stage::Away if written.iter().all(|letter| rotary.contains(letter)) => {
-                self.stage = Stage::Turned;
+            Stage::Retracted if written.iter().all(|letter| rotary.contains(letter)) => {
+                self.stage = Stage::RotaryPositioned;
                 return;
             }
-            Stage::Turned if written.iter().all(|letter| linear.contains(letter) && *letter != 'Z') => {
-                self.stage = Stage::Beside;
+            Stage::RotaryPositioned if written.iter().all(|letter| linear.contains(letter) && *letter != 'Z') => {
+                self.stage = Stage::LinearPositioned;
                 return;
             }
-            Stage::Turned | Stage::Beside => {
-                assert_eq!(written, ['Z'], "line {line}: the retract axis comes down alone");
-                self.stage = Stage::Above;
+            Stage::RotaryPositioned | Stage::LinearPositioned => {
+                assert_eq!(written, ['Z'], "line {line}: the retract axis must move down alone");
+                self.stage = Stage::AtApproach;
             }
-            Stage::Away => panic!("line {line}: behind a retract the rotary axes turn first, alone"),
-            Stage::Running | Stage::Above => {}
+            Stage::Retracted => panic!("line {line}: after a retract the rotary axes must move first, alone"),
+            Stage::Cutting | Stage::AtApproach => {}
         }
         let values =
             self.values(&motion.position, self.scale).unwrap_or_else(|| panic!("line {line}: a word is unknown"));
-        let came_down = written == ['Z'] && motion.rapid && self.place.is_none();
-        if self.stage == Stage::Above && came_down {
+        let came_down = written == ['Z'] && motion.rapid && self.reached.is_none();
+        if self.stage == Stage::AtApproach && came_down {
             self.approach(line, &values, &motion.position);
-        } else if self.is_way_out(motion, &values, then_machine) {
+        } else if self.is_retract_along_axis(motion, &values, then_machine) {
             self.checked.retracts += 1;
-            self.led_out = self.set_up.out.unwrap_or(0.0);
+            self.retracted_mm = self.set_up.retract_distance_mm.unwrap_or(0.0);
         } else {
             self.go_to(line, motion, &values);
         }

@@ -7,13 +7,13 @@ use tests::foreign::{Axes, Feed};
 use tests::oracle::angle_between;
 
 use super::{
-    BLOCK_POINTS, INDEX_ANGLE, LARGEST_TURN, Motion, NOISE, ON_LINE, ROTARY_UNIT, Reader, SIX_DIGITS, Stage, TOLERANCE,
-    UnderWay,
+    BLOCK_POINTS, INDEX_ANGLE, LARGEST_ROTATION, Motion, NOISE, ON_LINE, ROTARY_UNIT, Reader, SIX_DIGITS, SplitMotion,
+    Stage, TOLERANCE,
 };
 use crate::points::Goto;
 
 impl<M: Machine> Reader<'_, M> {
-    /// The approach point: the first GOTO if the next lies straight below it, else a point above the first GOTO.
+    /// Checks the approach point: the first GOTO if the next is straight below it, else a point above the first GOTO.
     pub(super) fn approach(&mut self, line: usize, values: &[f64], position: &Axes) {
         let goto = &self.cl.points[self.next];
         let below = self.cl.points.get(self.next + 1).filter(|next| next.operation == goto.operation);
@@ -21,11 +21,11 @@ impl<M: Machine> Reader<'_, M> {
         self.checked.approaches += 1;
         if is_above {
             self.check_point(line, values, position);
-            self.stage = Stage::Running;
+            self.stage = Stage::Cutting;
         } else {
-            let above = goto.tip + goto.axis * self.set_up.approach;
+            let above = goto.tip + goto.axis * self.set_up.approach_mm;
             self.check_inserted(line, values, &above, &goto.axis);
-            self.place = Some((above, *position));
+            self.reached = Some((above, *position));
         }
     }
 
@@ -34,13 +34,14 @@ impl<M: Machine> Reader<'_, M> {
         let missed = (pose.tip - tip).norm();
         let allowed = ON_LINE.max(self.unit);
         assert!(missed <= allowed, "line {line}: the inserted point is {missed} mm off its line");
-        let leaning = angle_between(&pose.axis, axis).to_degrees();
-        assert!(leaning <= ROTARY_UNIT, "line {line}: the tool axis of the inserted point is {leaning}° off");
+        let axis_off = angle_between(&pose.axis, axis).to_degrees();
+        assert!(axis_off <= ROTARY_UNIT, "line {line}: the tool axis of the inserted point is {axis_off}° off");
     }
 
-    /// Out along the tool axis by the distance of the set-up, before a retract of the machine.
-    pub(super) fn is_way_out(&self, motion: &Motion, values: &[f64], then_machine: bool) -> bool {
-        let (Some(distance), Some((tip, _)), true) = (self.set_up.out, &self.place, motion.rapid && then_machine)
+    /// Whether a motion is the retract along the tool axis before a machine retract; checks its distance.
+    pub(super) fn is_retract_along_axis(&self, motion: &Motion, values: &[f64], then_machine: bool) -> bool {
+        let (Some(distance), Some((tip, _)), true) =
+            (self.set_up.retract_distance_mm, &self.reached, motion.rapid && then_machine)
         else {
             return false;
         };
@@ -49,113 +50,120 @@ impl<M: Machine> Reader<'_, M> {
         true
     }
 
-    /// A motion to the next GOTO.
+    /// Checks a motion to the next GOTO.
     pub(super) fn go_to(&mut self, line: usize, motion: &Motion, values: &[f64]) {
-        let Some((from, before)) = self.place else { panic!("line {line}: nobody knows where it begins") };
+        let Some((from, before)) = self.reached else { panic!("line {line}: its start is unknown") };
         let linear_only = motion.written.letters().all(|letter| !"ABC".contains(letter));
-        assert!(self.stage == Stage::Running || linear_only, "line {line}: the way in turns an axis");
+        assert!(self.stage == Stage::Cutting || linear_only, "line {line}: the approach moves a rotary axis");
         let goto = self.cl.points.get(self.next).unwrap_or_else(|| panic!("line {line}: there is no GOTO left"));
-        let (rapid, feed, tip, cl_line) = (goto.rapid, goto.feed, goto.tip, goto.line);
-        assert_eq!(motion.rapid, rapid, "line {line}: CL line {cl_line} wants the other of G0 and G1");
-        let turn = before
+        let (rapid, feed, tip, cl_line) = (goto.rapid, goto.feed_mm_per_min, goto.tip, goto.line);
+        assert_eq!(motion.rapid, rapid, "line {line}: G0 or G1 differs from CL line {cl_line}");
+        let rotation = before
             .iter()
             .filter(|(letter, _)| "ABC".contains(*letter))
             .map(|(letter, word)| (motion.position.get(letter).expect("a position") - word).abs())
             .fold(0.0, f64::max);
         if rapid {
-            assert!(turn <= INDEX_ANGLE + 1e-9, "line {line}: a rapid turns an axis by {turn}° without a retract");
+            assert!(
+                rotation <= INDEX_ANGLE + 1e-9,
+                "line {line}: a rapid rotates an axis by {rotation}° without a retract"
+            );
         } else {
-            assert!(turn <= LARGEST_TURN, "line {line}: a cut turns an axis by {turn}°");
+            assert!(rotation <= LARGEST_ROTATION, "line {line}: a cut rotates an axis by {rotation}°");
             let written = motion.feed.unwrap_or_else(|| panic!("line {line}: no F"));
             let before = self.values(&before, self.scale).expect("every word is known in the cut");
-            if self.piece(line, &before, values, written, turn > 0.0) {
+            if self.piece(line, &before, values, written, rotation > 0.0) {
                 let reached = self.oracle.forward(values).tip;
-                self.place = Some((reached, motion.position));
-                self.led_out = 0.0;
-                self.stage = Stage::Running;
+                self.reached = Some((reached, motion.position));
+                self.retracted_mm = 0.0;
+                self.stage = Stage::Cutting;
                 return;
             }
-            if self.under_way.take().is_none() {
-                check_feed(line, written, feed, (tip - from).norm(), turn, self.scale);
+            if self.split.take().is_none() {
+                check_feed(line, written, feed, (tip - from).norm(), rotation, self.scale);
             }
         }
         let step = tip - from;
-        let leads_out = turn == 0.0 && angle_between(&step, &self.oracle.forward(values).axis) <= 1e-3;
-        self.led_out = if leads_out { self.led_out + step.norm() } else { 0.0 };
+        let retracts = rotation == 0.0 && angle_between(&step, &self.oracle.forward(values).axis) <= 1e-3;
+        self.retracted_mm = if retracts { self.retracted_mm + step.norm() } else { 0.0 };
         self.check_point(line, values, &motion.position);
-        self.stage = Stage::Running;
+        self.stage = Stage::Cutting;
         self.pass_repeated();
     }
 
-    /// Follows a motion that turns an axis, block by block; true if this one ends before the GOTO.
-    pub(super) fn piece(&mut self, line: usize, before: &[f64], values: &[f64], written: Feed, turns: bool) -> bool {
+    /// Checks a block of a motion that rotates an axis; returns whether the block ends before the GOTO.
+    pub(super) fn piece(&mut self, line: usize, before: &[f64], values: &[f64], written: Feed, rotates: bool) -> bool {
         let goto = &self.cl.points[self.next];
-        let Some((tip, _)) = self.place else { return false };
-        let begun = self.under_way.unwrap_or_else(|| {
+        let Some((tip, _)) = self.reached else { return false };
+        let begun = self.split.unwrap_or_else(|| {
             let axis = self.oracle.forward(before).axis.into_inner();
-            UnderWay { tip, axis, minutes: 0.0, still: false }
+            SplitMotion { tip, axis, minutes: 0.0, still: false }
         });
-        if !turns && self.under_way.is_none() {
+        if !rotates && self.split.is_none() {
             return false;
         }
         let ends = ((&begun.tip, &begun.axis), (&goto.tip, &goto.axis));
         let off = deviation_from(&self.oracle, before, values, BLOCK_POINTS, ends.0, ends.1);
         let (tip_tolerance, axis_tolerance) = if self.set_up.coarse { (1.0, 10.0) } else { TOLERANCE };
-        assert!(off.tip <= tip_tolerance, "line {line}: the tip leaves its line by {} mm", off.tip);
-        assert!(off.axis.to_degrees() <= axis_tolerance, "line {line}: the tool axis is {} rad off", off.axis);
+        assert!(off.tip_mm <= tip_tolerance, "line {line}: the tip leaves its line by {} mm", off.tip_mm);
+        assert!(off.axis_rad.to_degrees() <= axis_tolerance, "line {line}: the tool axis is {} rad off", off.axis_rad);
         let pose = self.oracle.forward(values);
-        let room = 0.5 * self.unit * 3_f64.sqrt() + NOISE;
+        let allowance = 0.5 * self.unit * 3_f64.sqrt() + NOISE;
         let length = (pose.tip - self.oracle.forward(before).tip).norm();
         let (minutes, exact) = match written {
-            Feed::InverseTime(word) => (1.0 / word, length / goto.feed),
-            Feed::PerMinute(word) => (length / (word * self.scale), length / goto.feed),
+            Feed::InverseTime(word) => (1.0 / word, length / goto.feed_mm_per_min),
+            Feed::PerMinute(word) => (length / (word * self.scale), length / goto.feed_mm_per_min),
             Feed::PerRevolution(_) => panic!("line {line}: G95"),
         };
-        let still = length < self.unit + 2.0 * room;
-        let late = (minutes - exact).abs();
-        assert!(still || late <= (2.0 * room + 1e-5 * length) / goto.feed, "line {line}: a piece takes {minutes} min");
-        let under_way = UnderWay { minutes: begun.minutes + minutes, still: begun.still || still, ..begun };
-        let leaning = angle_between(&pose.axis, &goto.axis).to_degrees();
-        if (pose.tip - goto.tip).norm() <= 2.0 * room && leaning <= 2.0 * ROTARY_UNIT {
-            if self.under_way.is_some() {
-                self.under_way = Some(under_way);
-                let whole = (goto.tip - begun.tip).norm() / goto.feed;
-                let late = (under_way.minutes - whole).abs();
-                assert!(
-                    under_way.still || late <= 2.0 * SIX_DIGITS * whole,
-                    "line {line}: {under_way:?} for {whole} min"
-                );
+        let still = length < self.unit + 2.0 * allowance;
+        let time_off = (minutes - exact).abs();
+        assert!(
+            still || time_off <= (2.0 * allowance + 1e-5 * length) / goto.feed_mm_per_min,
+            "line {line}: a piece takes {minutes} min"
+        );
+        let split = SplitMotion { minutes: begun.minutes + minutes, still: begun.still || still, ..begun };
+        let axis_off = angle_between(&pose.axis, &goto.axis).to_degrees();
+        if (pose.tip - goto.tip).norm() <= 2.0 * allowance && axis_off <= 2.0 * ROTARY_UNIT {
+            if self.split.is_some() {
+                self.split = Some(split);
+                let whole = (goto.tip - begun.tip).norm() / goto.feed_mm_per_min;
+                let time_off = (split.minutes - whole).abs();
+                assert!(split.still || time_off <= 2.0 * SIX_DIGITS * whole, "line {line}: {split:?} for {whole} min");
             }
             return false;
         }
         let missed = distance_to_line(&pose.tip, &begun.tip, &goto.tip);
-        assert!(missed <= room, "line {line}: the inserted point is {missed} mm off its line");
-        let leaning = angle_to_arc(&pose.axis, &begun.axis, &goto.axis).to_degrees();
-        assert!(leaning <= 3.0 * ROTARY_UNIT, "line {line}: the tool axis of the inserted point is {leaning}° off");
-        self.under_way = Some(under_way);
+        assert!(missed <= allowance, "line {line}: the inserted point is {missed} mm off its line");
+        let axis_off = angle_to_arc(&pose.axis, &begun.axis, &goto.axis).to_degrees();
+        assert!(axis_off <= 3.0 * ROTARY_UNIT, "line {line}: the tool axis of the inserted point is {axis_off}° off");
+        self.split = Some(split);
         true
     }
 
     pub(super) fn machine_motion(&mut self, line: usize, motion: &Motion) {
-        if self.stage == Stage::Running && self.place.take().is_some() {
+        if self.stage == Stage::Cutting && self.reached.take().is_some() {
             let head = M::AXES.iter().any(|axis| axis.kind == AxisKind::Rotary && axis.side == Side::Tool);
-            let wanted = self.set_up.out.unwrap_or(if head { 1.0 } else { 0.0 });
-            assert!(self.led_out >= wanted, "line {line}: the tool leaves the part {} mm along its axis", self.led_out);
+            let expected = self.set_up.retract_distance_mm.unwrap_or(if head { 1.0 } else { 0.0 });
+            assert!(
+                self.retracted_mm >= expected,
+                "line {line}: the tool is retracted {} mm along its axis",
+                self.retracted_mm
+            );
         }
-        self.place = None;
-        self.led_out = 0.0;
-        let parking = self.next == self.cl.points.len() && self.stage == Stage::Away;
+        self.reached = None;
+        self.retracted_mm = 0.0;
+        let parking = self.next == self.cl.points.len() && self.stage == Stage::Retracted;
         for (letter, value) in motion.written.iter() {
             let value = value * self.scale;
             let parked = self.set_up.park.iter().any(|(axis, place)| *axis == letter && (place - value).abs() < 1e-9);
-            let retracted = letter == 'Z' && (value - self.set_up.retract).abs() < 1e-9;
+            let retracted = letter == 'Z' && (value - self.set_up.retract_z_mm).abs() < 1e-9;
             assert!(retracted || (parking && parked), "line {line}: {letter} goes to {value} in machine coordinates");
             self.parked.extend(parked.then_some(letter));
         }
-        self.stage = Stage::Away;
+        self.stage = Stage::Retracted;
     }
 
-    /// Rotary words against the declared limits, linear words against the travel of the set-up.
+    /// Checks rotary words against the declared limits, and linear words against the travel of the set-up.
     pub(super) fn check_limits(&self, line: usize, motion: &Motion) {
         for axis in M::AXES {
             let Some(word) = motion.written.get(axis.letter) else { continue };
@@ -172,7 +180,7 @@ impl<M: Machine> Reader<'_, M> {
                 let word = word * self.scale;
                 let place = if motion.machine { word } else { zero + word + length };
                 let inside = (low - 1e-9..=high + 1e-9).contains(&place);
-                assert!(inside, "line {line}: {}{word} is machine coordinate {place}", axis.letter);
+                assert!(inside, "line {line}: {}{word} is machine coordinate {place}, beyond the travel", axis.letter);
             }
         }
     }
@@ -185,19 +193,19 @@ fn straight_down(first: &Goto, next: &Goto) -> bool {
     along < 0.0 && across <= ON_LINE && (first.axis - next.axis).norm() <= 1e-6
 }
 
-/// `feed` and `length` in mm, `turn` in degrees; `scale`: mm in the program's unit.
-fn check_feed(line: usize, written: Feed, feed: f64, length: f64, turn: f64, scale: f64) {
+/// `feed` and `length` in mm, `rotation` in degrees; `scale`: mm in the program's unit.
+fn check_feed(line: usize, written: Feed, feed: f64, length: f64, rotation: f64, scale: f64) {
     match written {
         Feed::PerMinute(word) => {
-            assert!(turn == 0.0, "line {line}: G94 in a block that turns an axis");
+            assert!(rotation == 0.0, "line {line}: G94 in a block with rotary motion");
             assert!((word - feed / scale).abs() <= 0.5e-3 + 1e-9, "line {line}: F{word} for {feed} mm/min");
         }
         Feed::PerRevolution(_) => panic!("line {line}: G95"),
         Feed::InverseTime(word) => {
-            assert!(turn > 0.0, "line {line}: G93 in a block that turns nothing");
+            assert!(rotation > 0.0, "line {line}: G93 in a block without rotary motion");
             let exact = feed / length;
             let off = (word / exact - 1.0).abs();
-            assert!(off <= SIX_DIGITS, "line {line}: F{word}, and {feed} mm/min over {length} mm is {exact}");
+            assert!(off <= SIX_DIGITS, "line {line}: F{word}, expected {exact} for {feed} mm/min over {length} mm");
         }
     }
 }

@@ -177,7 +177,7 @@ fn records_that_interrupt_the_look_ahead_are_refused() {
         (Event::Message(b"the end"), "the program ends"),
     ] {
         let text = on(event);
-        assert!(text.contains("in force") && text.contains(why), "{event:?}: {text}");
+        assert!(text.contains("still active") && text.contains(why), "{event:?}: {text}");
     }
     let first = |event| refused(&from_below(&[asked(CutterSide::Left), event]));
     assert!(
