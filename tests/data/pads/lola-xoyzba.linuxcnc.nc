@@ -16,7 +16,7 @@
 (T21 bull 12 D12 R1 L120.25 H21, 1 operation, tip Z -9.4 to 0.521)
 (T21 posted with L = 120.25: H21 must hold exactly this)
 (T22 D12 R1 L96.5 H52, 1 operation, tip Z -3.3 to -1.375)
-(T22 posted with L = 96.5: H52 must hold exactly this, which the program does not check)
+(T22 posted with L = 96.5: H52 must hold exactly this; no block of this program compares it)
 (ASSUMED retract to machine coordinate 0 mm)
 (OPERATION SOUTH)
 N1 G21 G17 G40 G49 G80 G90 G94 G57 G64 P0.01
