@@ -200,7 +200,7 @@ fn compare(package: &str, table: &[(&str, &[&str])]) {
     assert_eq!(faults, Vec::<String>::new());
     for (index, (name, allowed)) in table.iter().enumerate() {
         let earlier = |other: &&str| table[..index].iter().any(|(name, _)| name == other);
-        assert!(allowed.iter().all(|other| earlier(other)), "{name}: uses only modules above it in the table");
+        assert!(allowed.iter().all(earlier), "{name}: uses only modules above it in the table");
     }
 }
 
