@@ -121,7 +121,8 @@ pub struct Joint {
 /// Zero position: with all axes at zero the tool tip is on the workpiece origin. Axis values are `[f64; N]` in
 /// chain order, mm and radians, held axes included.
 ///
-/// Not object safe on purpose: everything is monomorphised for the one machine.
+/// Axis values have the length of the chain, so that the generated functions stay straight-line code. Reader, planner,
+/// controls and check are compiled once for all machines: they use the object-safe form, `kinematics::any::AnyMachine`.
 pub trait Machine: Default + Clone + Send + Sync + 'static {
     /// `[f64; N]` in chain order.
     type Axes: Copy + Default + PartialEq + Debug + Send + Sync + 'static + AsRef<[f64]> + AsMut<[f64]>;
