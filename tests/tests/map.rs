@@ -225,7 +225,7 @@ fn a_missing_block_is_reported() {
         assert!(errors.contains(expected), "{block}: {errors}");
     };
     missing("N77", &["--line-numbers"], "there is no block N77: the program has 75 lines");
-    missing("N120", &[], "was it posted with --line-numbers?");
+    missing("N120", &[], "Give all options that the program was posted with, --line-numbers too");
     missing("9999", &[], "there is no line 9999");
     missing("0", &[], "expected a block number such as `N1230`, or a line of the program such as `57`");
     missing("X12", &[], "expected a block number");

@@ -1,4 +1,4 @@
-//! Error messages: the broken rule, its words underlined, one line of help.
+//! Error messages: the broken rule, the words that break it underlined, one line of help.
 
 use proc_macro2::{Span, TokenStream};
 use quote::{ToTokens, quote, quote_spanned};

@@ -492,9 +492,11 @@ impl<R: Read> Checker<'_, R> {
                     ),
                 }
             }
-            Some(Kind::Stop { .. }) => "the stop of the CL data (STOP, OPSTOP) is missing before this block".to_owned(),
-            Some(Kind::Raw(_)) => "the block of INSERT is missing before this block".to_owned(),
-            Some(Kind::Home) => "the retract of GOHOME is missing before this block".to_owned(),
+            Some(Kind::Stop { .. }) => {
+                "the stop (STOP or OPSTOP) of the CL data is not in the program before this block".to_owned()
+            }
+            Some(Kind::Raw(_)) => "the text of INSERT is not in the program before this block".to_owned(),
+            Some(Kind::Home) => "the retract of GOHOME is not in the program before this block".to_owned(),
             Some(Kind::Dwell(_)) | None => "this block matches no motion of the CL data".to_owned(),
         }
     }

@@ -82,8 +82,9 @@ impl BlockSearch {
             BlockName::Line(line) => format!("there is no line {line}: {has}"),
             BlockName::Number(number) if self.numbered => format!("there is no block N{number}: {has}"),
             BlockName::Number(number) => format!(
-                "there is no block N{number}: {has}, and only its restart points have block numbers; was it posted \
-                 with --line-numbers? A line of the program is given as a number alone: `57`"
+                "there is no block N{number}: {has}, and posted with these options only its restart points have block \
+                 numbers. Give all options that the program was posted with, --line-numbers too, or give a line of the \
+                 program, without N: `57`"
             ),
         }
     }

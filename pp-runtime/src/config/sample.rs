@@ -1,4 +1,4 @@
-//! A machine for tests of configuration and command line. Only its constants are realistic.
+//! A machine for tests of configuration and command line. Its axes, dimensions and limits are realistic, its kinematics are not.
 
 use nalgebra::{Point3, UnitVector3, Vector3};
 

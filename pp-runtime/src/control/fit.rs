@@ -49,7 +49,7 @@ fn unsupported(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
         faults.push(format!("{title} activates the tool length in every tool call: set `length_mode = \"tip\"`"));
     }
     if codes.numbers_every_line && demands.options.program.line_numbers.is_some() {
-        faults.push(format!("{title} numbers every line by itself: leave `program.line_numbers` out"));
+        faults.push(format!("every line of a program for {title} has a number anyway: remove `program.line_numbers`"));
     }
     if options.smoothing != Smoothing::None && codes.smoothing[0].is_empty() {
         faults.push(format!("{title} has no smoothing levels: leave `control.smoothing` out and set `path_tolerance`"));

@@ -69,7 +69,10 @@ impl Explanation {
             ("Branches, in their order", &self.branches),
             ("Where a rotary axis is free", &self.singular_set),
             ("Tool axes within reach", &self.reachable),
-            ("Where the linear axes cannot move the tip in every direction", &self.degenerate),
+            (
+                "Singular positions of the linear axes (the tool tip cannot be moved in every direction)",
+                &self.degenerate,
+            ),
             ("Proven when this machine was compiled", &self.proofs),
             ("Operations of one inverse", &self.operations),
             ("Jog sheet", &self.jog_sheet),

@@ -111,7 +111,10 @@ pub(crate) fn set_up(config: &Config, survey: &Survey) -> Vec<String> {
     let mut list = Vec::new();
     if let Some(Ok(selected)) = &survey.selected {
         let (first, last, all) = (selected.start(), selected.end(), survey.operations);
-        list.push(format!("only operations {first} to {last} of {all}; each begins with a complete restart: modal codes, tool, offset, spindle"));
+        list.push(format!(
+            "only operations {first} to {last} of {all}; each begins with a complete restart: modal codes, tool, offset, \
+             spindle"
+        ));
     }
     let [x, y, z] = config.set_up.part_angles();
     if [x, y, z].iter().any(|angle| angle.abs() > 0.0) {
@@ -125,7 +128,9 @@ pub(crate) fn set_up(config: &Config, survey: &Survey) -> Vec<String> {
         ));
     }
     if config.set_up.program_zero == ProgramZero::Table {
-        list.push("program zero: linear words are coordinates from the reference point of the table".to_owned());
+        list.push(
+            "program zero is the reference point of the table: set the work offset there, not at the part".to_owned(),
+        );
     }
     if config.set_up.length_mode == LengthMode::Gauge {
         list.push(

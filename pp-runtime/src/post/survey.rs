@@ -383,7 +383,7 @@ fn too_many_tools(location: Location) -> Diagnostic {
         length: 1,
         count: 1,
         text: format!("the CL data calls more than {MOST_TOOLS} different tools"),
-        help: Some("check the tool numbers in the CAM system, or post its programs one by one".to_owned()),
+        help: Some("check the tool numbers in the CAM system; if the file holds several programs, post each from a file of its own".to_owned()),
     }
 }
 

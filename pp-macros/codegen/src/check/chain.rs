@@ -1,4 +1,5 @@
-//! Rules of the chain: one machine frame, known letters, three linear and at most two rotary axes to solve for.
+//! Rules of the kinematic chain: one machine frame (`|`), letters of axes, three linear and at most two rotary axes that are
+//! solved for; further axes are in `hold`.
 
 use super::names::kind_of;
 use crate::model::AxisKind;

@@ -1,4 +1,5 @@
-//! Nodes to statements: one `let` for each node that is named or used more than once, the others written in place.
+//! Nodes of the expression graph to Rust statements: one `let` for each node that is named or used more than once; the
+//! others are written where they are used.
 
 use std::collections::{BTreeMap, BTreeSet};
 

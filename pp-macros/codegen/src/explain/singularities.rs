@@ -128,10 +128,12 @@ pub(crate) fn degenerate(model: &Model, solved: &Solved) -> Section {
     let value = Interpreter::new(&mut graph, BTreeMap::new()).value(node);
     let formula = Formula::of_poly(model, graph.ring(), &value);
     if graph.ring().value(&value).is_some() {
-        section.line(line(&format!("nowhere: the determinant of {letters} is ")).math(&formula));
+        section.line(
+            line(&format!("none: in every position the determinant of the directions of {letters} is ")).math(&formula),
+        );
     } else {
         section.line(
-            line(&format!("where the determinant of {letters} is near zero: "))
+            line(&format!("where the determinant of the directions of {letters} is near zero: "))
                 .both(&format!("|{}|", formula.text()), &format!("$|{}|$", formula.latex()))
                 .words(" < 1e-9"),
         );

@@ -33,7 +33,7 @@ impl RigidTransform {
             return Err(ClFault::new(
                 "TRACUT",
                 at,
-                "this matrix is not a rigid motion: it scales, shears or mirrors",
+                "this matrix may only rotate and shift; it scales, shears or mirrors",
                 "have the CAM system output the transformed path; a mirrored one would turn climb into conventional milling",
             ));
         }

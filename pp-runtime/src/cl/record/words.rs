@@ -217,7 +217,7 @@ pub fn list(out: &mut dyn Write) -> io::Result<()> {
         Read(_) | ReadText(_) | Refused(_) | Hazard(_) | Lathe => None,
     })?;
     writeln!(out, "    CSI_..")?;
-    list_section(out, "Refused, unless `--inert WORD` declares it inert", |row| match row.handling {
+    list_section(out, "Refused, unless `--inert WORD` permits to skip the word", |row| match row.handling {
         Refused(reason) => Some(format!("{:<11} {reason}", row.word.name)),
         Read(_) | ReadText(_) | Inert | Hazard(_) | Lathe => None,
     })?;

@@ -295,8 +295,11 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         let exact = pitch / self.planner.mover.feeds().unit_mm();
         let pitch = Decimal::fixed(exact, self.planner.abilities.cycles.pitch_decimals).map_err(too_large)?;
         if (pitch.value() / exact - 1.0).abs() > PITCH {
-            let fault = Fault::new(format_args!("the pitch of this thread, {exact}, has too many digits for a word"));
-            return Err(fault.help("set `output_units` to the units of the drawing, in which the pitch is exact"));
+            let fault =
+                Fault::new(format_args!("the pitch of this thread, {exact}, needs more decimals than its word has"));
+            return Err(
+                fault.help("set `output_units` to the unit in which the pitch is a short number, \"mm\" or \"in\"")
+            );
         }
         Ok(CannedKind::Tap {
             pitch,

@@ -1,4 +1,5 @@
-//! Lead-out of the CL data: length by which its last motions led the tool out along its axis.
+//! Lead-out of the CL data: the length by which the last motions before a retract already withdrew the tool along the tool
+//! axis. A retract of that length need not be added.
 
 use crate::kinematics::Pose;
 

@@ -57,7 +57,7 @@ impl LoadedTool {
                 let fault = Fault::new(format_args!(
                     "T{number} is {ours} mm long in the configuration and {theirs} mm in the CL data"
                 ))
-                .help(format_args!("measure it, and correct `[tools.{number}] length` or the CL data"));
+                .help(format_args!("measure the tool, and correct `[tools.{number}] length` or the CL data"));
                 if needed.is_some() {
                     return Err(fault);
                 }

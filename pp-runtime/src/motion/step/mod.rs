@@ -1,4 +1,4 @@
-//! The interface from the planner to the controls: one step is one block.
+//! Steps: what the planner passes to the encoder of a control. One step becomes one block.
 
 mod cycle;
 mod provenance;
