@@ -14,7 +14,7 @@
 //!
 //! # Rules
 //!
-//! All rewrite rules with their conditions. `tests/rules.rs` has for each a comparison on random values and a case in
+//! All rewrite rules with their conditions. `tests/rules` has for each a comparison on random values and a case in
 //! which it must not apply.
 //!
 //! | rule | rewrites | only if | where |

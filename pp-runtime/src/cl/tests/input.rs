@@ -326,3 +326,10 @@ proptest! {
         prop_assert_eq!(whole.diagnostics, pieces.diagnostics);
     }
 }
+
+#[test]
+fn a_dollar_pair_in_quotes_or_after_insert_begins_no_comment() {
+    assert_eq!(errors("SYN/'TLAXIS','$$*TLAXIS'\nGOTO/0,0,0\n").len(), 1);
+    assert_eq!(events_without_places("PARTNO/'A $$ B'\nGOTO/0,0,0\n", MM)[0], "name A $$ B");
+    assert_eq!(events_without_places("PPRINT don't $$ it\nGOTO/0,0,0\n", MM)[0], "message don't");
+}

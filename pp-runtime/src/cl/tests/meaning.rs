@@ -236,3 +236,34 @@ fn records_and_comments_identify_the_cam_system() {
         assert_eq!(reader.dialect(), dialect, "{text}");
     }
 }
+
+#[test]
+fn every_length_of_an_inch_file_is_in_inches() {
+    let inch = |text: &str| events_without_places(&format!("UNITS/INCH\n$$-> A\nGOTO/0,0,2\n{text}\n"), UNSTATED);
+    let levels = "DEPTH,1,CLEAR,.5,RETURN,2,IPM,10";
+    let peck = inch(&format!("CYCLE/DEEP,{levels},STEP,.5,1STPECK,.25\nGOTO/1,0,0"));
+    assert_eq!(
+        peck[1],
+        "hole 25.4 0 0 deep 25.4 from 12.7 to 50.8 Peck { first_mm: 6.35, later_mm: 12.7 } Some(PerMinute(254.0)) None"
+    );
+    let chip = inch(&format!("CYCLE/BRKCHP,{levels},STEP,.5,BACK,.25,DWELL,2\nGOTO/1,0,0"));
+    assert!(
+        chip[1]
+            .ends_with("ChipBreak { step_mm: 12.7, retract_mm: Some(6.35) } Some(PerMinute(254.0)) Some(Seconds(2.0))"),
+        "{chip:?}"
+    );
+    assert_eq!(inch("LINTOL/.001")[1], "Tolerance(Some(0.0254))");
+    assert_eq!(inch("GODLTA/1")[1], "feed 0 0 76.19999999999999 axis 0 0 1 None");
+    assert_eq!(inch("GODLTA/1,0,0")[1], "feed 25.4 0 50.8 axis 0 0 1 None");
+    assert_eq!(inch("ORIGIN/1,0,0\nGOTO/0,0,0")[1], "feed -25.4 0 0 axis 0 0 1 None");
+    assert_eq!(inch("TRACUT/1,0,0,1,0,1,0,0,0,0,1,0\nGOTO/0,0,0")[1], "feed 25.4 0 0 axis 0 0 1 None");
+    assert_eq!(inch("CLEARP/XYPLAN,3\nRETRCT")[2], "rapid 0 0 76.19999999999999 axis 0 0 1 None");
+    assert_eq!(inch("CIRCLE/1,0,2,0,0,1,1\nGOTO/2,0,2")[1], "arc to 50.8 0 50.8 about 0 0 1 through 180.000");
+    let tracut = "TRACUT/1,0,0,1,0,1,0,0,0,0,1,0\n";
+    let text = format!("UNITS/INCH\n{tracut}GOTO/0,0,0\nNURBS/\nKNOT/1\nCNTRL/1,0,0\nCNTRL/2,0,0\nCNTRL/3,0,0\n");
+    let mut reader = ClReader::new(text.as_bytes(), ReadingOptions::default());
+    reader.next_event().unwrap();
+    let Some((_, Event::Spline(spline))) = reader.next_event().unwrap() else { panic!("a curve") };
+    let x: Vec<f64> = spline.points.iter().map(|point| (point.x * 10.0).round() / 10.0).collect();
+    assert_eq!(x, [25.4, 50.8, 76.2, 101.6]);
+}

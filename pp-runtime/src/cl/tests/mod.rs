@@ -1,10 +1,16 @@
 //! Tests of the CL reader, from bytes to events. The name of a test is the statement that it checks.
 
+mod arcs;
 mod faults;
+mod frames;
+mod holes;
 mod input;
+mod machine_state;
 mod meaning;
-mod path;
+mod motions;
+mod options;
 mod round_trip;
+mod subprograms;
 
 use super::{ClReader, ReadingOptions};
 use crate::diag::{Diagnostic, Severity};
@@ -112,4 +118,14 @@ fn refused_with(text: &str, options: impl Into<ReadingOptions>, expected: &str) 
     assert_eq!(errors_with(text, options.clone()), [expected], "in {text:?}");
     let diagnostics = read_from(text.as_bytes(), options).diagnostics;
     assert!(diagnostics.iter().all(|diagnostic| diagnostic.help.as_ref().is_some_and(|help| !help.is_empty())));
+}
+
+fn mm() -> ReadingOptions {
+    ReadingOptions::from(MM)
+}
+
+/// Events without their places.
+#[track_caller]
+fn events_without_places(text: &str, options: impl Into<ReadingOptions>) -> Vec<String> {
+    events_with(text, options).iter().map(|event| event.split_once(' ').unwrap().1.to_owned()).collect()
 }

@@ -1,0 +1,195 @@
+//! Arcs and curves.
+
+use super::*;
+use crate::cl::Sense;
+
+#[test]
+fn each_point_of_a_list_is_a_motion_and_after_a_circle_the_last_is_the_end_of_the_arc() {
+    let found = events_without_places("GOTO / 1,2,3 / 4,5,6 /7,8,9\n", MM);
+    assert_eq!(found.len(), 3);
+    assert!(found[2].starts_with("feed 7 8 9"), "{found:?}");
+    let found = events_without_places("GOTO/1,0,0\nCIRCLE/0,0,0,0,0,1,1\nGOTO/.6,.8,0 / 0,1,0\n", MM);
+    assert_eq!(found[1], "arc to 0 1 0 about 0 0 1 through 90.000");
+    // A point off the circle, and one on the part of the circle that the arc does not cover.
+    for point in [".6,.7,0", "0,-1,0"] {
+        refused(
+            &format!("GOTO/1,0,0\nCIRCLE/0,0,0,0,0,1,1\nGOTO/{point} / 0,1,0\n"),
+            &format!("3:6+{} a point of this list is not on its arc (circle of line 2)", point.len() + 8),
+        );
+    }
+}
+
+#[test]
+fn the_sense_of_a_circle_follows_from_the_count_of_its_numbers() {
+    for (numbers, normal) in [("0,0,0,0,0,1", 1), ("0,0,0,0,0,1,1", 1), ("0,0,0,0,0,1,1,.06,.5,10,1", -1)] {
+        let found = events_without_places(&format!("GOTO/1,0,0\nCIRCLE/{numbers}\nGOTO/0,1,0\n"), MM);
+        let angle = if normal > 0 { "90" } else { "270" };
+        assert_eq!(found[1].replace("-0", "0"), format!("arc to 0 1 0 about 0 0 {normal} through {angle}.000"));
+    }
+    for count in ["0,0,0,0,0", "0,0,0,0,0,1,1,1", "0,0,0,0,0,1,1,.06,.5,10,1,1"] {
+        let found = errors(&format!("GOTO/1,0,0\nCIRCLE/{count}\nGOTO/0,1,0\n"));
+        assert!(found[0].contains("CIRCLE needs 6, 7 or 11 numbers"), "{found:?}");
+    }
+    let options = ReadingOptions { circle_sense: Some(Sense::Clockwise), ..mm() };
+    assert!(
+        events_without_places("GOTO/1,0,0\nCIRCLE/0,0,0,0,0,1\nGOTO/0,1,0\n", options)[1].ends_with("through 270.000")
+    );
+}
+
+#[test]
+fn a_full_circle_and_several_turns_and_a_helix_are_arcs() {
+    let full = events_without_places("GOTO/1,0,0\nCIRCLE/0,0,0,0,0,1\nGOTO/1,0,0\n", MM);
+    assert!(full[1].ends_with("through 360.000"), "{full:?}");
+    // The plane of a helix is that of its end.
+    let helix = events_without_places("GOTO/1,0,0\nCIRCLE/0,0,-5,0,0,-1,1,.06,.5,10,0,TIMES,3\nGOTO/0,1,-5\n", MM);
+    assert_eq!(helix[1].replace("-0 -0 1", "0 0 1"), "arc to 0 1 -5 about 0 0 1 through 810.000");
+}
+
+#[test]
+fn a_milled_thread_has_its_pitch_and_its_hand() {
+    // Two turns and a quarter of pitch 1.5, about an axis down: clockwise about it is counter-clockwise from above.
+    let thread = |axis: i32, end: f64| {
+        let text = format!("GOTO/5,0,0\nCIRCLE/0,0,{end},0,0,{axis},5,.06,.5,8,0,TIMES,3\nGOTO/0,5,{end}\n");
+        let mut reader = ClReader::new(text.as_bytes(), mm());
+        reader.next_event().unwrap();
+        let Some((_, Event::Arc(arc))) = reader.next_event().unwrap() else { panic!("an arc") };
+        let turns = arc.angle_rad / std::f64::consts::TAU;
+        let lead = (arc.end.tip.z - arc.start.tip.z) / turns * arc.normal.z;
+        ((turns * 4.0).round(), (lead * 1e9).round() / 1e9)
+    };
+    // Up and counter-clockwise, down and clockwise: right-handed.
+    assert_eq!(thread(-1, 1.5 * 2.25), (9.0, 1.5));
+    assert_eq!(thread(1, -1.5 * 2.75), (11.0, 1.5));
+    assert_eq!(thread(-1, -1.5 * 2.25), (9.0, -1.5), "left-handed");
+}
+
+#[test]
+fn an_arc_whose_end_is_not_on_its_circle_is_refused() {
+    let at = |circle: &str, end: &str| errors(&format!("GOTO/1,0,0\nCIRCLE/{circle}\nGOTO/{end}\nGOTO/0,0,9\n"));
+    assert_eq!(
+        at("0,0,0,0,0,1,1", "0,1.01,0"),
+        ["3:6+8 the end of an arc is 0.0100 mm off its radius of 1.0000 mm (circle of line 2)"]
+    );
+    assert_eq!(at("0,0,0,0,0,1,1", "0,1.004,0"), [""; 0]);
+    assert_eq!(
+        at("0,0,0,0,0,1,1.01", "0,1,0"),
+        ["3:6+5 the start of an arc is 0.0100 mm off its radius of 1.0100 mm (circle of line 2)"]
+    );
+    assert_eq!(
+        at("0,0,0,0,0,1,1", "0,1,1"),
+        ["3:6+5 the end of an arc is 1.0000 mm off the plane of its circle (circle of line 2)"]
+    );
+    assert_eq!(at("0,0,0,0,0,1,1", "0,1,0,0,.6,.8"), ["3:6+13 the tool axis changes on an arc (circle of line 2)"]);
+    assert_eq!(at("0,0,0,0,0,2,1", "0,1,0").len(), 1);
+}
+
+#[test]
+fn a_helix_that_ends_over_its_start_has_gone_round() {
+    for end in ["GOTO/10,.0002,-3", "GOTO/10,-.0002,-3", "GOTO/10,0,-3"] {
+        let found = events(&format!("GOTO/10,0,0\nCIRCLE/0,0,-3,0,0,1\n{end}\n"));
+        assert!(found.iter().any(|event| event.contains("through 360.")), "{end}: {found:?}");
+    }
+}
+
+#[test]
+fn a_chord_that_may_be_rounding_is_neither_nothing_nor_a_turn() {
+    let found = errors("GOTO/10,0,0\nCIRCLE/0,0,0,0,0,1\nGOTO/10,.0002,0\n");
+    assert!(found[0].contains("the arc may be empty or a full circle"), "{found:?}");
+    let found = errors("GOTO/10,0,0\nCIRCLE/0,0,0,0,0,1\nGOTO/10,-.0002,0\n");
+    assert!(found[0].contains("the arc may be empty or a full circle"), "{found:?}");
+    assert_eq!(errors("GOTO/10,0,0\nCIRCLE/0,0,0,0,0,1\nGOTO/10,.001,0\n"), [""; 0]);
+}
+
+#[test]
+fn a_circle_ends_in_one_goto_and_few_records_may_come_between() {
+    let found =
+        events_without_places("GOTO/1,0,0\nCIRCLE/0,0,0,0,0,1\nPAINT/PATH\nFEDRAT/9\nGOTO/0,1,0\nGOTO/0,5,0\n", MM);
+    assert!(found[1].starts_with("arc") && found[2].starts_with("feed 0 5 0"), "{found:?}");
+    let found = errors("GOTO/1,0,0\nCIRCLE/0,0,0,0,0,1\nLOADTL/1\nGOTO/0,1,0\n");
+    assert!(found[0].contains("the circle of line 2 has no end"), "{found:?}");
+    let found = errors("GOTO/1,0,0\nCIRCLE/0,0,0,0,0,1\n");
+    assert!(found[0].contains("the file ends before the GOTO that ends the arc of line 2"), "{found:?}");
+}
+
+#[test]
+fn tangent_lines_vote_on_the_sense_of_arcs() {
+    // A line along +Y to (1, 0), the arc left about the origin, a line along -X.
+    let path = |circle: &str| format!("GOTO/1,-5,0\nGOTO/1,0,0\nCIRCLE/0,0,0,0,0,{circle}\nGOTO/0,1,0\nGOTO/-5,1,0\n");
+    let vote = |text: &str| {
+        let mut reader = ClReader::new(text.as_bytes(), mm());
+        while reader.next_event().unwrap().is_some() {}
+        (reader.arcs(), reader.diagnostics().to_vec())
+    };
+    let (arcs, none) = vote(&path("1"));
+    assert_eq!((arcs.arcs, arcs.agree, arcs.against, none.len()), (1, 1, 0, 0));
+    let (arcs, majority) = vote(&path("-1"));
+    assert_eq!((arcs.agree, arcs.against), (0, 1));
+    assert_eq!(majority[0].severity, Severity::Error);
+    assert_eq!(majority[0].location.line, 4);
+    assert!(majority[0].text.starts_with("1 of 1 arcs"), "{majority:?}");
+    // One cusp among several arcs is a warning. Arcs vote in groups by the sign of their axis.
+    let cusp = "GOTO/1,-5,0\nGOTO/1,0,0\nCIRCLE/0,0,0,0,0,1\nGOTO/0,-1,0\nGOTO/-5,-1,0\n";
+    assert_eq!(vote(&cusp.replace("0,-1,0\nGOTO/-5,-1,0", "0,1,0\nGOTO/5,1,0")).0.agree, 0, "in and out contradict");
+    let against = "GOTO/1,5,0\nGOTO/1,0,0\nCIRCLE/0,0,0,0,0,1\nGOTO/0,1,0\n";
+    let (arcs, warning) = vote(&format!("{}{}RAPID\n{against}", path("1"), path("1")));
+    assert_eq!((arcs.agree, arcs.against), (2, 1));
+    assert_eq!(warning.iter().map(|found| found.severity).collect::<Vec<_>>(), [Severity::Warning]);
+    // A rapid does not vote.
+    let (arcs, _) = vote("GOTO/1,-5,0\nRAPID\nGOTO/1,0,0\nCIRCLE/0,0,0,0,0,1\nGOTO/0,1,0\nRAPID\nGOTO/-5,1,0\n");
+    assert_eq!((arcs.arcs, arcs.agree + arcs.against), (1, 0));
+}
+
+#[test]
+fn movarc_must_have_the_angle_of_its_record() {
+    let text = |angle: &str| format!("GOTO/1,0,0\nMOVARC/0,0,0,0,0,1,1,ANGLE,{angle}\nGOTO/0,1,0\n");
+    assert!(events_without_places(&text("90"), MM)[1].ends_with("through 90.000"));
+    assert!(events_without_places(&text("450"), MM)[1].ends_with("through 450.000"));
+    assert!(errors(&text("91"))[0].contains("is at 90.0000 degrees, its record states 91.0000"));
+}
+
+#[test]
+fn an_arc_of_catia_begins_along_indirv_and_ends_where_its_line_ends() {
+    let text = "GOTO/20.4,0,-30\nAUTOPS\nINDIRV/0,0,1\n\
+                TLON,GOFWD/      (CIRCLE/     25.0,      0.0,    -30.0,$\n       4.6),ON,(LINE/     25.0, 0, -30.0,$\n\
+                \x20     25.0,      0.0,    -25.4)\nGOTO/30,0,-25.4\n";
+    let found = events_without_places(text, MM);
+    assert_eq!(found[1].replace("-0 ", "0 "), "arc to 25 0 -25.4 about 0 1 0 through 90.000");
+    let second = text.replace("ON,(", "ON,2,INTOF,(");
+    assert_eq!(events_without_places(&second, MM)[1], found[1]);
+    assert!(errors(&text.replace("-25.4)", "-25.3)"))[0].contains("off the circle"));
+    assert!(errors(&text.replace("INDIRV/0,0,1", "INDIRV/1,0,0"))[0].contains("INDIRV is not tangent"));
+    assert!(errors(&text.replace("INDIRV/0,0,1\n", ""))[0].contains("no INDIRV"));
+    assert!(errors(&text.replace("GOFWD", "GOBACK"))[0].contains("expected `GOFWD`"));
+    for word in ["AUTOPS", "INDIRV/0,0,1"] {
+        let alone = errors(&format!("GOTO/0,0,0\n{word}\nGOTO/1,0,0\nGOTO/2,0,0\n"));
+        assert_eq!(alone, ["3:1+10 expected TLON after AUTOPS or INDIRV, found another motion"]);
+    }
+}
+
+#[test]
+fn a_curve_of_nx_begins_at_the_tool_position_and_the_next_goto_is_a_line() {
+    let text = "GOTO/0,0,0\nNURBS/\nKNOT/.5\nKNOT/1.0\nCNTRL/1,0,0\nCNTRL/2,0,0\nPAINT/PATH\nCNTRL/3,1,0\nCNTRL/4,4,0\nGOTO/5,5,5\n";
+    let found = events_without_places(text, MM);
+    assert_eq!(found[1], "spline [0.0, 0.0, 0.0, 0.0, 0.5, 1.0, 1.0, 1.0, 1.0] 5");
+    assert!(found[2].starts_with("feed 5 5 5"), "{found:?}");
+    let two = text.replace("GOTO/5,5,5", "NURBS/\nKNOT/1\nCNTRL/5,0,0\nCNTRL/6,0,0\nCNTRL/7,0,0\nGODLTA/1,0,0");
+    let found = events_without_places(&two, MM);
+    assert_eq!(found[2], "spline [0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0] 4");
+    assert!(found[3].starts_with("feed 8 0 0"), "{found:?}");
+    let missing = errors(&text.replace("CNTRL/4,4,0\n", ""));
+    assert!(missing[0].starts_with("9:1+10 the curve of line 2 is invalid: it lists 2 knots and 3"), "{missing:?}");
+    assert!(errors(&text.replace("KNOT/1.0", "KNOT/.25"))[0].contains("its knots decrease"));
+    for knots in ["0,1", "1,1", "0,0", "-1,-1"] {
+        let broken = errors(&text.replace("KNOT/.5\nKNOT/1.0", &format!("KNOT/{knots}")));
+        let why = if knots.starts_with('-') { "its knots decrease" } else { "too many of its knots are equal" };
+        assert!(broken[0].ends_with(why), "{knots}: {broken:?}");
+    }
+    let inside = |knots: &str| {
+        let points = "CNTRL/1,0,0\n".repeat(knots.split(',').count() + 2);
+        errors(&format!("GOTO/0,0,0\nNURBS/\nKNOT/{knots}\n{points}"))
+    };
+    assert_eq!(inside(".5,.5,.5,1"), [""; 0], "a corner is no break");
+    assert!(inside(".5,.5,.5,.5,1")[0].ends_with("too many of its knots are equal"));
+    refused("GOTO/0,0,0\nKNOT/1\n", "2:6+1 KNOT comes outside a NURBS");
+    refused("NURBS/\nGOTO/0,0,0\n", "1:1+6 NURBS is relative to the tool position, which is unknown here");
+}

@@ -1,0 +1,83 @@
+//! Frames and coordinate transforms.
+
+use super::*;
+use crate::cl::Frames;
+
+#[test]
+fn origin_is_subtracted_trans_added_and_tracut_turns_points_and_axes() {
+    let found =
+        events_without_places("ORIGIN/1,2,3\nTRANS/10,0,0\nGOTO/0,0,0\nORIGIN/NOMORE\nTRANS/0\nGOTO/1,0,0\n", MM);
+    assert!(found[0].starts_with("feed 9 -2 -3") && found[1].starts_with("feed 1 0 0"), "{found:?}");
+    // A quarter turn about X and a shift: (x, y, z) to (x + 5, -z, y).
+    let turn = "TRACUT/1,0,0,5,0,0,-1,0,0,1,0,0\n";
+    assert_eq!(events_without_places(&format!("{turn}GOTO/1,2,3,0,0,1\n"), MM)[0], "feed 6 -3 2 axis 0 -1 0 None");
+    let both = events_without_places(&format!("{turn}ORIGIN/0,0,1\nGOTO/1,2,3\nTRACUT/NOMORE\nGOTO/1,2,3\n"), MM);
+    assert!(both[0].starts_with("feed 6 -3 1") && both[1].starts_with("feed 1 2 2"), "{both:?}");
+    let arc = events_without_places(&format!("{turn}GOTO/1,0,0\nCIRCLE/0,0,0,0,0,1\nGOTO/0,1,0\n"), MM);
+    assert_eq!(arc[1], "arc to 5 0 1 about 0 -1 0 through 90.000");
+    let delta = events_without_places(&format!("{turn}GOTO/0,0,0\nGODLTA/0,1,0\n"), MM);
+    assert!(delta[1].starts_with("feed 5 0 1"), "{delta:?}");
+    for matrix in ["-1,0,0,0,0,1,0,0,0,0,1,0", "2,0,0,0,0,2,0,0,0,0,2,0", "1,.1,0,0,0,1,0,0,0,0,1,0"] {
+        assert!(errors(&format!("TRACUT/{matrix}\nGOTO/0,0,0\n"))[0].contains("scales, shears or mirrors"));
+    }
+    assert!(errors("TRACUT/LAST\nGOTO/0,0,0\n")[0].contains("`LAST` is not a number"));
+    assert!(errors("$$-> A\nTRANS/1,2,3\nGOTO/0,0,0\n")[0].contains("TRANS of Creo"));
+    assert!(errors("$$-> A\nROTATE/AAXIS,90\nGOTO/0,0,0\n")[0].contains("ROTATE is refused"));
+    assert!(errors("$$-> A\nROTABL/90,CLW\nGOTO/0,0,0\n")[0].contains("this form of ROTABL is refused"));
+}
+
+/// Two frames: the origin of the second is at (10, 0, 0) of the first, its X is the model's Y.
+const TWO_FRAMES: &str = "MSYS/1,0,0,1,0,0,0,1,0\nGOTO/1,2,3\nMSYS/11,0,0,0,1,0,-1,0,0\nGOTO/1,2,3,.6,0,.8\n";
+
+#[test]
+fn a_second_frame_is_mapped_into_the_first_or_has_an_offset_of_its_own() {
+    let found = events_without_places(TWO_FRAMES, ReadingOptions { frames: Frames::Main, ..mm() });
+    assert_eq!(found[1..], ["SafeSequence", "feed 8 1 3 axis 0 0.6 0.8 None"]);
+    let found = events_without_places(TWO_FRAMES, ReadingOptions { frames: Frames::Offset, ..mm() });
+    assert_eq!(found[1..], ["Frame(2)", "feed 1 2 3 axis 0.6 0 0.8 None"]);
+    // The first frame again, then the second under its own number.
+    let back = format!("{TWO_FRAMES}MSYS/1,0,0,1,0,0,0,1,0\nGOTO/1,2,3,0,0,1\nMSYS/11,0,0,0,1,0,-1,0,0\nGOTO/0,0,0\n");
+    let found = events_without_places(&back, ReadingOptions { frames: Frames::Main, ..mm() });
+    assert!(found[4].starts_with("feed 1 2 3 axis 0 0 1") && found[6].starts_with("feed 10 0 0"), "{found:?}");
+    let found = events_without_places(&back, ReadingOptions { frames: Frames::Offset, ..mm() });
+    assert_eq!((found[3].as_str(), found[5].as_str()), ("Frame(1)", "Frame(2)"));
+}
+
+#[test]
+fn a_frame_before_units_is_in_that_unit_too() {
+    let text = "MSYS/1,0,0,1,0,0,0,1,0\nUNITS/INCH\nGOTO/0,0,0\nMSYS/1,0,0,1,0,0,0,1,0\nGOTO/1,0,0\nMSYS/2,0,0,1,0,0,0,1,0\nGOTO/0,0,0\n";
+    let found = events_without_places(text, ReadingOptions { frames: Frames::Main, ..ReadingOptions::default() });
+    assert_eq!(found[1..], ["feed 25.4 0 0 axis 0 0 1 None", "SafeSequence", "feed 25.4 0 0 axis 0 0 1 None"]);
+}
+
+#[test]
+fn a_clearance_plane_belongs_to_its_frame() {
+    let text = format!("CLEARP/XYPLAN,50\n{TWO_FRAMES}RETRCT\n");
+    let found = errors_with(&text, ReadingOptions { frames: Frames::Offset, ..mm() });
+    assert_eq!(found, ["6:1+6 RETRCT needs a clearance plane, and no CLEARP comes before it"]);
+    let found = events_without_places(&text, ReadingOptions { frames: Frames::Main, ..mm() });
+    assert_eq!(found.last().map(String::as_str), Some("rapid 8 36.25 50 axis 0 0.6 0.8 None"));
+}
+
+#[test]
+fn csys_of_solidworks_moves_nothing_and_sets_the_tool_axis() {
+    let world = "UNIT/MM\nTRNTYP/WORLD,0,0,0\n";
+    let text = format!(
+        "{world}CSYS/1,0,0,5,0,1,0,5,0,0,1,5\nGOTO/1,2,3\n{world}CSYS/0,0,1,0,1,0,0,0,0,1,0,0\nGOTO/1,2,3,1,0,0\nGOTO/4,5,6\n"
+    );
+    let found = events_without_places(&text, UNSTATED);
+    assert_eq!(found[0], "feed 1 2 3 axis 0 0 1 None");
+    assert_eq!(found[1..], ["SafeSequence", "feed 1 2 3 axis 1 0 0 None", "feed 4 5 6 axis 1 0 0 None"]);
+    let same = events_without_places(
+        &text.replace("0,0,1,0,1,0,0,0,0,1,0,0\nGOTO/1,2,3,1,0,0", "1,0,0,5,0,1,0,5,0,0,1,5"),
+        UNSTATED,
+    );
+    assert_eq!(same[1..], ["feed 4 5 6 axis 0 0 1 None"], "an equal CSYS is no new set-up");
+    let mut reader = ClReader::new(text.as_bytes(), ReadingOptions::default());
+    while reader.next_event().unwrap().is_some() {}
+    assert_eq!(reader.setup_changes(), 1);
+    let against = errors_with(&text.replace("3,1,0,0", "3,0,0,1"), UNSTATED);
+    assert!(against[0].contains("contradicts the third column of CSYS"), "{against:?}");
+    let bare = errors("CSYS/1,0,0,5,0,1,0,5,0,0,1,5\nGOTO/0,0,0\n");
+    assert!(bare[0].contains("CSYS without TRNTYP/WORLD,0,0,0"), "{bare:?}");
+}

@@ -1,0 +1,41 @@
+//! Subprograms: DEFSUB, ENDSUB and CALSUB.
+
+use super::*;
+
+#[test]
+fn many_subprograms_take_no_more_time_than_their_text_and_their_number_is_bounded() {
+    let define = |count: u32| (0..count).map(|n| format!("DEFSUB/{n}\nENDSUB\n")).collect::<String>();
+    // A search through all known subprograms for each new one took a minute here.
+    let text = format!("{}GOTO/0,0,0\nCALSUB/99999\n", define(100_000));
+    assert_eq!(events(&text).len(), 1);
+    let found = errors(&format!("{}GOTO/0,0,0\n", define(100_002)));
+    assert_eq!(found[0], "200001:1+13 the file defines too many subprograms");
+    assert_eq!(found.len(), 2);
+}
+
+#[test]
+fn a_subprogram_is_executed_where_it_is_called() {
+    let text = "DEFSUB/1\nGODLTA/1,0,0\nPPRINT there\nENDSUB\nGOTO/0,0,0\nCALSUB/1\nGOTO/0,5,0\nCALSUB/1\n";
+    let found = events(text);
+    assert_eq!(
+        found,
+        [
+            "5:1 feed 0 0 0 axis 0 0 1 None",
+            "2:1 feed 1 0 0 axis 0 0 1 None",
+            "3:1 message there",
+            "7:1 feed 0 5 0 axis 0 0 1 None",
+            "2:1 feed 1 5 0 axis 0 0 1 None",
+            "3:1 message there",
+        ]
+    );
+    refused("GOTO/0,0,0\nCALSUB/2\n", "2:8+1 no DEFSUB with this number comes before the call");
+    refused("GOTO/0,0,0\nDEFSUB/2\nGOTO/1,0,0\n", "3:1+10 the file ends before the ENDSUB of a subprogram");
+    refused("GOTO/0,0,0\nENDSUB\n", "2:1+6 ENDSUB without DEFSUB");
+    refused("DEFSUB/1\nCALSUB/1\nENDSUB\nGOTO/0,0,0\nCALSUB/1\n", "2:8+1 CALSUB inside a subprogram is not supported");
+    refused("DEFSUB/1\nENDSUB\nDEFSUB/1\nENDSUB\nGOTO/0,0,0\n", "3:1+8 this subprogram is already defined");
+    refused("DEFSUB/1\n  GOTO/1,2\nENDSUB\nGOTO/0,0,0\n", "2:8+3 GOTO needs 3 or 6 numbers, found 2");
+    refused(
+        "DEFSUB/1\n  GODLTA/1\nENDSUB\nCALSUB/1\nGOTO/0,0,0\n",
+        "2:10+1 GODLTA is relative to the tool position, which is unknown here",
+    );
+}
