@@ -1,6 +1,7 @@
-//! The built binaries, run as a user runs them.
+//! The built binaries, run as a user runs them, and the golden programs that they write.
 
 use std::ffi::OsStr;
+use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::OnceLock;
@@ -9,6 +10,28 @@ use std::sync::OnceLock;
 #[must_use]
 pub fn workspace() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap_or(Path::new(".")).to_owned()
+}
+
+/// Golden programs: the `.nc` files in the folders of `tests/data`, sorted.
+///
+/// # Panics
+/// If a folder cannot be read.
+#[must_use]
+pub fn golden_programs() -> Vec<PathBuf> {
+    let mut files = Vec::new();
+    let mut folders = vec![workspace().join("tests/data")];
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(folder).expect("a folder of the parts") {
+            let path = entry.expect("an entry").path();
+            match path.extension() {
+                _ if path.is_dir() => folders.push(path),
+                Some(extension) if extension == "nc" => files.push(path),
+                _ => {}
+            }
+        }
+    }
+    files.sort();
+    files
 }
 
 /// A command that runs the binary of a machine. The first call builds all binaries that are out of date.

@@ -4,33 +4,15 @@
 //! The two readers share no code; the comparison is in [`tests::agreement`].
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use machines::{Dmu70e, LolaXoyzba, MultiProDesk, SpinnerU5620};
 use pp_runtime::config::{Mode, starting_point};
 use pp_runtime::control;
 use pp_runtime::kinematics::Machine;
 use tests::agreement::{self, Compared};
-use tests::binaries::workspace;
+use tests::binaries::golden_programs;
 use tests::foreign::{Control, Effect, Options, Trace, run};
-
-/// Golden programs in the folders of `tests/data`, sorted.
-fn goldens() -> Vec<PathBuf> {
-    let mut files = Vec::new();
-    let mut folders = vec![workspace().join("tests/data")];
-    while let Some(folder) = folders.pop() {
-        for entry in fs::read_dir(folder).expect("a folder of the parts") {
-            let path = entry.expect("an entry").path();
-            match path.extension() {
-                _ if path.is_dir() => folders.push(path),
-                Some(extension) if extension == "nc" => files.push(path),
-                _ => {}
-            }
-        }
-    }
-    files.sort();
-    files
-}
 
 /// Machine and control in the name of a golden program.
 fn names(path: &Path) -> (String, Control) {
@@ -74,7 +56,7 @@ fn compare<M: Machine>(path: &Path) -> usize {
 #[test]
 fn both_readers_find_the_same_motions_in_every_golden_program() {
     let (mut programs, mut motions) = (0, 0);
-    for path in goldens() {
+    for path in golden_programs() {
         motions += match names(&path).0.as_str() {
             "dmu-70e" => compare::<Dmu70e>(&path),
             "lola-xoyzba" => compare::<LolaXoyzba>(&path),
@@ -89,7 +71,7 @@ fn both_readers_find_the_same_motions_in_every_golden_program() {
 
 #[test]
 fn a_truncated_golden_program_is_refused() {
-    for path in goldens() {
+    for path in golden_programs() {
         let (text, trace) = traced(&path);
         let end = trace.blocks.iter().rfind(|block| block.effect == Effect::End).expect("an end").line;
         let options = Options::of(names(&path).1);

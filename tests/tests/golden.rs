@@ -21,7 +21,7 @@ use std::env;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use tests::binaries::{binary, workspace};
+use tests::binaries::{binary, golden_programs, workspace};
 
 /// CL file, configuration, machines; paths are relative to the workspace.
 type Part = (&'static str, Option<&'static str>, &'static [&'static str]);
@@ -164,20 +164,7 @@ fn every_part_is_posted_as_before() {
 fn every_golden_program_has_its_part() {
     let mut known: Vec<PathBuf> = goldens().iter().map(Golden::path).collect();
     known.sort();
-    let mut found = Vec::new();
-    let mut folders = vec![workspace().join("tests/data")];
-    while let Some(folder) = folders.pop() {
-        for entry in fs::read_dir(folder).expect("a folder of the parts") {
-            let path = entry.expect("an entry").path();
-            match path.extension() {
-                _ if path.is_dir() => folders.push(path),
-                Some(extension) if extension == "nc" => found.push(path),
-                _ => {}
-            }
-        }
-    }
-    found.sort();
-    assert_eq!(found, known);
+    assert_eq!(golden_programs(), known);
 }
 
 #[test]

@@ -4,7 +4,7 @@
 //! At the entry the control has just been switched on, and the tool of the operation is in the spindle.
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use machines::{Dmu70e, LolaXoyzba, SpinnerU5620};
 use pp_runtime::check::read::{Action, Block, TipControl};
@@ -12,27 +12,9 @@ use pp_runtime::check::{Job, blocks};
 use pp_runtime::config::{Mode, starting_point};
 use pp_runtime::control;
 use pp_runtime::kinematics::{AxisKind, Machine};
-use tests::binaries::workspace;
+use tests::binaries::{golden_programs, workspace};
 use tests::foreign::state::{Length, Spindle};
 use tests::foreign::{Control, Effect, Entry, Executed, Options, Trace, run};
-
-/// Golden programs of all modes, sorted.
-fn goldens() -> Vec<PathBuf> {
-    let mut files = Vec::new();
-    let mut folders = vec![workspace().join("tests/data")];
-    while let Some(folder) = folders.pop() {
-        for entry in fs::read_dir(folder).expect("a folder of the parts") {
-            let path = entry.expect("an entry").path();
-            match path.extension() {
-                _ if path.is_dir() => folders.push(path),
-                Some(extension) if extension == "nc" => files.push(path),
-                _ => {}
-            }
-        }
-    }
-    files.sort();
-    files
-}
 
 /// Control of a golden program, by its file name.
 fn control_of(path: &Path) -> Control {
@@ -107,7 +89,7 @@ fn enter(program: &str, control: Control, line: usize) -> Result<usize, String> 
 #[test]
 fn every_golden_program_has_the_same_motions_from_each_restart_point() {
     let mut entries = 0;
-    for path in goldens() {
+    for path in golden_programs() {
         let program = fs::read_to_string(&path).expect("ASCII");
         let control = control_of(&path);
         let lines = restarts(&program, control);
