@@ -70,8 +70,16 @@ fn paths(tokens: TokenStream, depth: usize, modules: &BTreeSet<String>, found: &
             }
             next = next.saturating_sub(2).max(at);
         }
-        if steps == depth && steps > 0 && is_path_separator(&tokens, next) {
-            first_names(&tokens[next + 2..], modules, found);
+        if steps > 0 && is_path_separator(&tokens, next) {
+            match tokens.get(next + 2) {
+                _ if steps == depth => first_names(&tokens[next + 2..], modules, found),
+                // `super::{super::a, b}`: the braces are counted from where the path leads.
+                Some(TokenTree::Group(group)) if steps < depth => {
+                    paths(group.stream(), depth - steps, modules, found);
+                    next += 3;
+                }
+                _ => {}
+            }
         }
         at = next.max(at + 1);
     }
@@ -136,19 +144,23 @@ fn sources(folder: &Path, into: &mut Vec<PathBuf>) {
     }
 }
 
-/// Names of modules that only tests include: `#[cfg(test)] mod name;`.
-fn test_modules(files: &[PathBuf]) -> BTreeSet<String> {
-    let mut names = BTreeSet::new();
+/// Modules that are compiled for tests only, `#[cfg(test)] mod name;`: their files without extension.
+fn test_modules(files: &[PathBuf]) -> BTreeSet<PathBuf> {
+    let mut modules = BTreeSet::new();
     for file in files {
+        let folder = match file.file_stem().and_then(|stem| stem.to_str()) {
+            Some("mod" | "lib") => file.with_file_name(""),
+            _ => file.with_extension(""),
+        };
         let text = fs::read_to_string(file).expect("it can be read");
         let lines: Vec<&str> = text.lines().map(str::trim).collect();
         for pair in lines.windows(2).filter(|pair| pair[0] == "#[cfg(test)]") {
             if let Some(name) = pair[1].rsplit("mod ").next().and_then(|name| name.strip_suffix(';')) {
-                names.insert(name.to_owned());
+                modules.insert(folder.join(name));
             }
         }
     }
-    names
+    modules
 }
 
 fn uses(source: &Path, modules: &BTreeSet<String>) -> Uses {
@@ -165,7 +177,7 @@ fn uses(source: &Path, modules: &BTreeSet<String>) -> Uses {
             .map(|part| part.to_string_lossy().into_owned())
             .filter(|part| part != "mod")
             .collect();
-        if place == ["lib"] || place.iter().any(|part| tests.contains(part)) {
+        if place == ["lib"] || file.with_extension("").ancestors().any(|module| tests.contains(module)) {
             continue;
         }
         let text = fs::read_to_string(&file).expect("it can be read");
@@ -229,6 +241,7 @@ fn every_spelling_of_a_path_is_found() {
     assert_eq!(seen("use super::motion::Step;", 1), "motion");
     assert_eq!(seen("use super::motion::Step;", 2), "", "a submodule with the same name");
     assert_eq!(seen("mod inner { use super::super::cl::Reader; }", 1), "cl");
+    assert_eq!(seen("use super::{super::cl::Reader, other::Thing};", 2), "cl");
     assert_eq!(
         seen("#[cfg(test)] mod tests { use crate::cl; } #[cfg(test)] use crate::nc; use crate::motion;", 1),
         "motion"

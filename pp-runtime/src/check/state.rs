@@ -161,7 +161,7 @@ impl<R: Read> Checker<'_, R> {
             && state.plane.is_some()
             && state.plane == self.arc_plane;
         if state.plane != Some(WorkPlane::Xy) && !unsaid && !of_arc {
-            return Some("the working plane is not XY (G17)".to_owned());
+            return Some("the working plane is not XY".to_owned());
         }
         if state.side.unwrap_or_default() != side {
             return Some(format!(
@@ -171,7 +171,9 @@ impl<R: Read> Checker<'_, R> {
             ));
         }
         if state.shortest && self.config.motion.rotaries.wrap.is_empty() {
-            return Some("shortest-path rotary mode is active, but angles are programmed beyond 360".to_owned());
+            return Some(
+                "shortest-path rotary mode is active, but rotary words are absolute: they may go beyond 360".to_owned(),
+            );
         }
         if state.feed_mode == Some(FeedMode::PerRevolution) || state.feed_mode.is_none() {
             return Some("feed mode is not per minute (G94)".to_owned());

@@ -30,7 +30,7 @@ struct JsonMessage<'a> {
     severity: &'a str,
     text: &'a str,
     help: Option<&'a str>,
-    /// number of findings that the message represents.
+    /// Number of diagnostics or findings that the message represents.
     count: u64,
 }
 

@@ -72,7 +72,7 @@ impl SelfCheck {
         self.thread.join().unwrap_or_else(|_| {
             Err(CheckError::Impossible(
                 "the check of the program stopped unexpectedly: this is a bug of the postprocessor, not an error in the \
-                 CL data. `--no-check` posts the program unchecked: simulate it before it is run"
+                 CL data. `post --no-check` writes the program unchecked: simulate it before it is run"
                     .to_owned(),
             ))
         })

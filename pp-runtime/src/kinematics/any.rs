@@ -34,6 +34,11 @@ pub trait AnyMachine: sealed::Sealed + Send + Sync {
     /// The same machine with the same set-up.
     fn to_boxed(&self) -> Box<dyn AnyMachine>;
 
+    /// [`Machine::dimension`].
+    ///
+    /// # Panics
+    /// If `index` is not below the number of dimensions.
+    fn dimension(&self, index: usize) -> f64;
     /// [`Machine::set_dimension`].
     ///
     /// # Panics
@@ -76,7 +81,8 @@ mod sealed {
     impl<M: super::Machine> Sealed for M {}
 }
 
-/// Axis values of a machine in the fixed length. That they fit is checked when the machine is compiled.
+/// Axis values of a machine in the fixed length. A machine with more axes does not compile where it becomes an
+/// [`AnyMachine`].
 #[inline]
 fn padded<M: Machine>(axes: &M::Axes) -> AxisValues {
     const { assert!(M::AXES.len() <= MAX_AXES, "a chain has at most nine axes: X Y Z U V W A B C") };
@@ -116,6 +122,10 @@ impl<M: Machine> AnyMachine for M {
 
     fn to_boxed(&self) -> Box<dyn AnyMachine> {
         Box::new(self.clone())
+    }
+
+    fn dimension(&self, index: usize) -> f64 {
+        Machine::dimension(self, index)
     }
 
     fn set_dimension(&mut self, index: usize, value: f64) {

@@ -1,7 +1,7 @@
 //! Kinematics of a machine tool: its axes, poses, and the maps between axis values and poses.
 //!
-//! Units are millimetres and radians. *Forward* is always axes to pose, *inverse* pose to axes. Everything here builds
-//! without `std` and allocates nothing; [`machine!`](crate::machine) implements [`Machine`] for one declared machine.
+//! Units are millimetres and radians. *Forward* is always axes to pose, *inverse* pose to axes. Everything but `any`,
+//! the object-safe form of a machine, builds without `std` and allocates nothing; [`machine!`](crate::machine) implements [`Machine`] for one declared machine.
 
 #[cfg(feature = "std")]
 pub mod any;

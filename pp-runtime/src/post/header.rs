@@ -112,8 +112,8 @@ pub(crate) fn set_up(config: &Config, survey: &Survey) -> Vec<String> {
     if let Some(Ok(selected)) = &survey.selected {
         let (first, last, all) = (selected.start(), selected.end(), survey.operations);
         list.push(format!(
-            "only operations {first} to {last} of {all}; each begins with a complete restart: modal codes, tool, offset, \
-             spindle"
+            "only operations {first} to {last} of {all}; the program begins with a complete restart: modal codes, tool, \
+             offset, spindle"
         ));
     }
     let [x, y, z] = config.set_up.part_angles();

@@ -19,7 +19,7 @@ pub struct LineOrigin<'a> {
     pub step: &'static str,
     /// CL record that the line comes from; none for the head.
     pub at: Option<Location>,
-    /// BlockReason the line was written.
+    /// Why the line was written.
     pub why: BlockReason,
     /// Position of the machine after the line, if the line moves an axis.
     pub position_after: Option<ReachedPosition<'a>>,

@@ -323,7 +323,8 @@ impl<'a> ClText<'a> {
         let policy = self.job.config.policy();
         let navigator = ready.map(|ready| Navigator::new(ready.to_boxed(), policy));
         let options = self.options();
-        Survey::take(machine, &mut *self.input, options, policy, navigator).map_err(PostError::Input)
+        // The tool axis may depend on dimensions: that of the set-up, where it is valid.
+        Survey::take(ready.unwrap_or(machine), &mut *self.input, options, policy, navigator).map_err(PostError::Input)
     }
 
     /// A reader of the text from its start.

@@ -25,7 +25,8 @@ impl SetUp {
         Ok(machine)
     }
 
-    /// [`machine`](Self::machine) for a machine whose type is not known.
+    /// [`machine`](Self::machine) for a machine whose type is not known. Dimensions that the set-up does not name stay as they
+    /// are in `machine`.
     ///
     /// # Errors
     /// Those of [`machine`](Self::machine).

@@ -28,7 +28,8 @@ options! {
         /// Machine coordinate of the retract axis.
         position_mm: Option<f64> = None,
             key("retract.position", Assumed(Measure::length(Bound::Any), Self::POSITION_MM));
-        /// Distance along the tool axis. Without it, up to the clearance geometry of the CL data.
+        /// Distance along the tool axis. Without it, up to the clearance geometry: `clearance`, or CLEARP of the
+        /// CL data.
         distance_mm: Option<f64> = None, key("retract.distance", Measure::length(Bound::Positive), "100.0");
         /// Clearance geometry that the tool has to leave, in the part as mounted on the table: a plane above, or a box
         /// or a cylinder around the part.

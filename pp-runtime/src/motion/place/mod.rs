@@ -482,7 +482,7 @@ impl Placer {
         Ok(words)
     }
 
-    /// AxisWords of the machine retract. Refuses a retract position at the end of the travel that is at the part.
+    /// Words of the machine retract. Refuses a retract position at the end of the travel that is at the part.
     pub(crate) fn retract_words(&self, coordinate_mm: f64) -> Result<AxisWords, Fault> {
         let index = self.linear.retract_axis;
         let part_end = |limits: Limits| if self.linear.retract_share > 0.0 { limits.lower } else { limits.upper };
