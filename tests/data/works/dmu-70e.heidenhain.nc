@@ -8,7 +8,7 @@
 7 ; PART ORIGIN X10 Y-20 Z35 from the reference point of the table
 8 ; PROGRAMMED POINT tool tip
 9 ; TOLERANCE 0.01 for arcs and curves
-10 ; only operations 1 to 5 of 6; each begins with a complete restart: modal codes, tool, offset, spindle
+10 ; only operations 1 to 5 of 6; the program begins with a complete restart: modal codes, tool, offset, spindle
 11 ; CL data of NX, recognised from the file
 12 ; 5 arcs, sense by form, confirmed by 4 of 4 neighbouring lines
 13 ; AXIS C+ rotates the table left-handed about +Z, as in ISO 841

@@ -5,7 +5,7 @@
 ; PART ORIGIN X10 Y-20 Z35 from the reference point of the table
 ; PROGRAMMED POINT tool tip
 ; TOLERANCE 0.01 for arcs and curves
-; only operations 1 to 5 of 6; each begins with a complete restart: modal codes, tool, offset, spindle
+; only operations 1 to 5 of 6; the program begins with a complete restart: modal codes, tool, offset, spindle
 ; CL data of NX, recognised from the file
 ; 5 arcs, sense by form, confirmed by 4 of 4 neighbouring lines
 ; AXIS C+ rotates the table left-handed about +Z, as in ISO 841
