@@ -7,6 +7,7 @@
 mod arc;
 mod block;
 mod draft;
+mod facts;
 mod frames;
 mod heidenhain;
 mod iso;
@@ -24,6 +25,8 @@ pub use block::{
     Action, ArcMove, Block, CycleKind, CycleMove, Fault, FeedMode, Length, MAX_AXES, Side, State, Tilt, TipControl,
     WorkOffset, WorkPlane, coolant, stated,
 };
+#[allow(unused_imports, reason = "used by the comparison")]
+pub(crate) use facts::{Facts, LengthRegisters};
 pub(crate) use machine::AxisName;
 
 use draft::{Draft, fault};
