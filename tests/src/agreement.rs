@@ -3,8 +3,8 @@
 //! Compared are kind, axis words, positions where both readers know them, F and feed mode, circle, hole, and the modal
 //! state during the motion. The readers share no code.
 
+use pp_runtime::check::blocks;
 use pp_runtime::check::read::{self, Action, Block, coolant};
-use pp_runtime::check::{Job, blocks};
 use pp_runtime::config::Config;
 use pp_runtime::control::Control;
 use pp_runtime::kinematics::{AxisKind, Machine};
@@ -41,8 +41,8 @@ pub fn compare<M: Machine>(
     let trace = run(text, options).map_err(|refused| refused.to_string())?;
     let inches = trace.blocks.iter().any(|block| block.state.units == Some(state::Units::Inches));
     let units = if inches { Units::Inches } else { Units::Millimetres };
-    let job = Job { config, control, units: Some(units) };
-    let read = blocks::<M>(&job, text.as_bytes()).map_err(|error| error.to_string())?;
+    let policy = config.check_policy::<M>(control, Some(units)).map_err(|error| error.to_string())?;
+    let read = blocks::<M>(&policy, text.as_bytes()).map_err(|error| error.to_string())?;
     let lines: Vec<&str> = text.lines().collect();
     let idle = |block: &Block| options.idle.iter().any(|code| lines[block.line as usize - 1].ends_with(code));
     if let Some(block) = read.iter().find(|block| !block.faults.is_empty() && !idle(block)) {

@@ -21,9 +21,9 @@ const RUNTIME: &[(&str, &[&str])] = &[
     ("cl", &["diag", "keys", "kinematics", "program", "set_up"]),
     ("motion", &["diag", "keys", "kinematics", "nc", "program", "set_up"]),
     ("control", &["keys", "kinematics", "motion", "nc", "program", "set_up"]),
-    ("config", &["cl", "control", "diag", "keys", "kinematics", "motion", "nc", "program", "set_up"]),
+    ("check", &["cl", "diag", "kinematics", "program", "set_up"]),
+    ("config", &["check", "cl", "control", "diag", "keys", "kinematics", "motion", "nc", "program", "set_up"]),
     ("post", &["cl", "config", "control", "diag", "kinematics", "motion", "nc", "program", "set_up"]),
-    ("check", &["cl", "config", "control", "diag", "kinematics", "motion", "program", "set_up"]),
     ("cli", &["check", "cl", "config", "control", "diag", "kinematics", "motion", "post", "program"]),
 ];
 

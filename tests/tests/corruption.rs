@@ -13,7 +13,7 @@ use std::io::Cursor;
 use machines::{Dmu70e, LolaXoyzba, MultiProDesk, SpinnerU5620};
 use nalgebra::Vector3;
 use pp_runtime::check::read::{Action, ArcMove, Block, CycleKind, CycleMove, FeedMode, Side, State, TipControl};
-use pp_runtime::check::{Job, blocks, check};
+use pp_runtime::check::{blocks, check};
 use pp_runtime::config::{Config, Operations, TcpWords, Units, starting_point};
 use pp_runtime::control::{self, Control};
 use pp_runtime::kinematics::{AxisKind, Machine};
@@ -157,18 +157,19 @@ fn posted<M: Machine>(data: &[u8], operations: usize, config: &str, control: &st
 
 /// Damages a program many times, each time in one place, and counts the harmful and the reported damages.
 fn damaged<M: Machine>(part: &Part, damages: usize, random: &mut Random) -> Tally {
-    let job = Job { config: &part.set_up, control: part.control, units: None };
+    let policy =
+        part.set_up.check_policy::<M>(part.control, None).expect("the configuration suits control and machine");
     let found = |program: &[u8]| {
-        let checked = check::<M>(&job, Cursor::new(&part.data), program).expect("it can be read");
+        let checked = check::<M>(&policy, Cursor::new(&part.data), program).expect("it can be read");
         checked.outcome.findings
     };
     let clean = found(&part.program);
     assert!(clean.is_empty(), "{}: {clean:?}", part.name);
-    let whole = blocks::<M>(&job, &part.program[..]).expect("it can be read");
+    let whole = blocks::<M>(&policy, &part.program[..]).expect("it can be read");
     let mut tally = Tally { damages, ..Tally::default() };
     for _ in 0..damages {
         let (damaged, what) = damage(&part.program, random);
-        let read = blocks::<M>(&job, &damaged[..]).expect("it can be read");
+        let read = blocks::<M>(&policy, &damaged[..]).expect("it can be read");
         let Some(harm) = harm::<M>(&part.set_up, &whole, &read) else { continue };
         tally.harmful += 1;
         if found(&damaged).is_empty() {

@@ -5,10 +5,9 @@ use std::io::Cursor;
 
 use machines::SpinnerU5620;
 use nalgebra::{Point3, UnitVector3, Vector3};
-use pp_runtime::check::{Job, check};
+use pp_runtime::check::{Finding, check};
 use pp_runtime::config::{Config, Units, starting_point};
 use pp_runtime::control::{self, Control};
-use pp_runtime::diag::Diagnostic;
 use pp_runtime::kinematics::{Machine, Pose};
 use pp_runtime::post::{self, post};
 
@@ -33,9 +32,13 @@ impl Posted {
     }
 
     /// Findings in a program.
-    fn findings(&self, program: &str) -> Vec<Diagnostic> {
-        let job = Job { config: &self.config, control: self.control, units: None };
-        let checked = check::<SpinnerU5620>(&job, Cursor::new(&self.data), program.as_bytes()).expect("it can be read");
+    fn findings(&self, program: &str) -> Vec<Finding> {
+        let policy = self
+            .config
+            .check_policy::<SpinnerU5620>(self.control, None)
+            .expect("the configuration suits control and machine");
+        let checked =
+            check::<SpinnerU5620>(&policy, Cursor::new(&self.data), program.as_bytes()).expect("it can be read");
         checked.outcome.findings
     }
 }
@@ -97,7 +100,7 @@ fn an_arc_over_a_limit_is_found_although_its_ends_are_inside() {
 }
 
 /// Coordinate that a finding reports, mm.
-fn reported_mm(found: &Diagnostic) -> f64 {
+fn reported_mm(found: &Finding) -> f64 {
     let after = found.text.split(" moves to ").nth(1).expect("a coordinate");
     after.split(',').next().and_then(|number| number.parse().ok()).expect("a number")
 }
@@ -217,7 +220,7 @@ fn at_a_travel_limit_the_control_takes_the_other_solution() {
         let narrow = Posted { config, ..posted };
         let found = narrow.findings(&narrow.program);
         // Now neither solution is inside the limits.
-        let outside = |found: &Diagnostic| found.text.starts_with("B moves to -17.45");
+        let outside = |found: &Finding| found.text.starts_with("B moves to -17.45");
         assert!(!found.is_empty() && found.iter().all(outside), "{control}: {found:?}");
     }
 }

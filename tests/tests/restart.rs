@@ -7,8 +7,8 @@ use std::fs;
 use std::path::Path;
 
 use machines::{Dmu70e, LolaXoyzba, SpinnerU5620};
+use pp_runtime::check::blocks;
 use pp_runtime::check::read::{Action, Block, TipControl};
-use pp_runtime::check::{Job, blocks};
 use pp_runtime::config::{Mode, starting_point};
 use pp_runtime::control;
 use pp_runtime::kinematics::{AxisKind, Machine};
@@ -138,7 +138,11 @@ fn read<M: Machine>(program: &str, control: &str, mode: Mode) -> Vec<Block> {
     let control = control::by_name(control).expect("it is there");
     let mut config = starting_point(control).read_over(&M::default(), &text).expect("a valid configuration");
     config.motion.mode = mode;
-    blocks::<M>(&Job { config: &config, control, units: None }, program.as_bytes()).expect("it can be read")
+    blocks::<M>(
+        &config.check_policy::<M>(control, None).expect("the configuration suits control and machine"),
+        program.as_bytes(),
+    )
+    .expect("it can be read")
 }
 
 /// Whether tip control is on in both with the rotary axes at the same angles, or off in both.

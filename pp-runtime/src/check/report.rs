@@ -1,10 +1,81 @@
 //! Result of a check: figures of the whole program, and findings that name the CL line and the block.
 
-use crate::diag::{Diagnostic, Remarks, Severity, grouped};
+use std::collections::HashMap;
+
+use crate::diag::{Diagnostic, LISTED_OF_A_KIND, Severity, grouped};
 use crate::program::Location;
 
 /// Largest number of bytes of a block that a finding shows.
 const SHOWN_BYTES: usize = 80;
+
+/// Largest number of causes that are listed separately; further causes share one count. It bounds the memory.
+const MOST_CAUSES: usize = 200;
+
+/// A fault of a program: a block, or several in a row.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Finding {
+    /// Record of the CL data that the block should carry out.
+    pub location: Location,
+    /// First line of the program.
+    pub line: u64,
+    /// Last line of the program.
+    pub last_line: u64,
+    /// Text of the first block, cut off if it is long.
+    pub block: String,
+    /// Cause, one sentence without a final stop.
+    pub cause: String,
+    /// Cause, and the lines of the program with their block.
+    pub text: String,
+    /// Remedy.
+    pub help: Option<String>,
+    /// Number of findings that this one represents: 1, or all of its cause that are not listed.
+    pub count: u64,
+}
+
+impl Finding {
+    fn new(at: Location, shown: Shown<'_>, cause: &str, help: Option<&str>) -> Self {
+        // Text between backquotes does not count in the comparison of causes, so the block must not hold one.
+        let block = String::from_utf8_lossy(&shown.text[..shown.text.len().min(SHOWN_BYTES)]).replace('`', "'");
+        // A finding before the first record is shown at the start of the CL data.
+        let location = if at == Location::default() { Location { line: 1, column: 1 } } else { at };
+        let found = Self {
+            location,
+            line: shown.line,
+            last_line: shown.line,
+            block,
+            cause: cause.to_owned(),
+            text: String::new(),
+            help: help.map(str::to_owned),
+            count: 1,
+        };
+        found.with_text()
+    }
+
+    fn with_text(mut self) -> Self {
+        let Self { line, last_line, block, cause, .. } = &self;
+        self.text = match (block.is_empty(), last_line > line) {
+            (true, _) => cause.clone(),
+            (false, false) => format!("{cause}; line {line} of the program is `{block}`"),
+            (false, true) => {
+                format!("{cause}; so do all blocks up to line {last_line}; line {line} of the program is `{block}`")
+            }
+        };
+        self
+    }
+
+    /// The finding as an error in the CL data.
+    #[must_use]
+    pub fn diagnostic(&self) -> Diagnostic {
+        Diagnostic {
+            severity: Severity::Error,
+            location: self.location,
+            length: 1,
+            text: self.text.clone(),
+            help: self.help.clone(),
+            count: self.count,
+        }
+    }
+}
 
 /// Largest deviations of a program from its CL data, and the findings.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -25,8 +96,8 @@ pub struct Outcome {
     pub limits_declared: bool,
     /// Number of points outside the limits of an axis.
     pub outside_limits: u64,
-    /// Findings, each with its CL line and its block; of many of one kind the rest is only counted.
-    pub findings: Vec<Diagnostic>,
+    /// Findings by cause, in the order of the first block of each cause; of many of one cause the rest is only counted.
+    pub findings: Vec<Finding>,
     /// Number of findings.
     pub count: u64,
 }
@@ -73,42 +144,120 @@ fn short(value: f64) -> String {
 /// A block as shown in a finding: its line in the program and its text.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Shown<'t> {
-    pub(super) line: u64,
-    pub(super) text: &'t [u8],
+    pub(crate) line: u64,
+    pub(crate) text: &'t [u8],
 }
 
-/// Collects findings.
+/// Figures and findings while a program is compared.
 #[derive(Debug, Default)]
 pub(super) struct Tally {
-    pub(super) outcome: Outcome,
-    remarks: Remarks,
+    outcome: Outcome,
+    causes: Vec<Cause>,
+    /// Position in `causes` by text without numbers.
+    by_text: HashMap<String, usize>,
+    /// Blocks in a row that match nothing, and the number of the last of them.
+    lost: Option<(Finding, u64)>,
+}
+
+/// Findings of one cause.
+#[derive(Debug, Default)]
+struct Cause {
+    listed: Vec<Finding>,
+    /// First finding that is not listed, and how many there are.
+    further: Option<Finding>,
 }
 
 impl Tally {
-    /// Adds a finding about a block. `at`: the CL record that the block should carry out.
-    #[cold]
-    pub(super) fn found(&mut self, at: Location, shown: Shown<'_>, text: &str, help: Option<&str>) {
-        // Text between backquotes does not count in the comparison of kinds, so the block must not hold one.
-        let block = String::from_utf8_lossy(&shown.text[..shown.text.len().min(SHOWN_BYTES)]).replace('`', "'");
-        let text = match block.is_empty() {
-            true => text.to_owned(),
-            false => format!("{text}; line {} of the program is `{block}`", shown.line),
-        };
-        self.outcome.count += 1;
-        // A finding before the first record is shown at the start of the CL data.
-        let at = if at == Location::default() { Location { line: 1, column: 1 } } else { at };
-        self.remarks.add(Diagnostic {
-            severity: Severity::Error,
-            location: at,
-            length: 1,
-            count: 1,
-            text,
-            help: help.map(str::to_owned),
-        });
+    pub(super) fn new(tolerance_mm: f64, limits_declared: bool) -> Self {
+        Self { outcome: Outcome { tolerance_mm, limits_declared, ..Outcome::default() }, ..Self::default() }
     }
 
-    pub(super) fn conclude(mut self) -> Outcome {
-        self.outcome.findings = self.remarks.conclude();
+    /// Counts a block that moves an axis.
+    pub(super) fn count_motion(&mut self) {
+        self.outcome.blocks += 1;
+    }
+
+    /// Number of findings so far.
+    pub(super) fn count(&self) -> u64 {
+        self.outcome.count
+    }
+
+    /// Deviation at the end of a block.
+    pub(super) fn deviation(&mut self, tip_mm: f64, axis_rad: f64) {
+        self.outcome.tip_mm = self.outcome.tip_mm.max(tip_mm);
+        self.outcome.axis_rad = self.outcome.axis_rad.max(axis_rad);
+    }
+
+    /// Deviation of the tip between the ends of a block.
+    pub(super) fn path_deviation(&mut self, tip_mm: f64) {
+        self.outcome.path_mm = self.outcome.path_mm.max(tip_mm);
+    }
+
+    /// Adds a finding about a point outside the limits of an axis.
+    pub(super) fn outside_limits(&mut self, at: Location, shown: Shown<'_>, text: &str) {
+        self.outcome.outside_limits += 1;
+        self.found(at, shown, text);
+    }
+
+    /// Adds a finding about a block. `at`: the CL record that the block should carry out.
+    #[cold]
+    pub(super) fn found(&mut self, at: Location, shown: Shown<'_>, cause: &str) {
+        self.outcome.count += 1;
+        self.add(Finding::new(at, shown, cause, None));
+    }
+
+    /// Adds a finding about a block that matches nothing; such blocks in a row are one finding.
+    #[cold]
+    pub(super) fn found_lost(&mut self, at: Location, shown: Shown<'_>, cause: &str) {
+        let number = self.outcome.blocks;
+        if let Some((found, last)) = &mut self.lost
+            && *last + 1 == number
+        {
+            (found.last_line, *last) = (shown.line, number);
+            return;
+        }
+        self.end_lost();
+        self.outcome.count += 1;
+        self.lost = Some((Finding::new(at, shown, cause, None), number));
+    }
+
+    fn end_lost(&mut self) {
+        if let Some((found, _)) = self.lost.take() {
+            self.add(found.with_text());
+        }
+    }
+
+    fn add(&mut self, found: Finding) {
+        let mut kind = found.diagnostic().kind();
+        if self.causes.len() >= MOST_CAUSES && !self.by_text.contains_key(&kind) {
+            kind = "other findings".to_owned();
+        }
+        let causes = &mut self.causes;
+        let index = *self.by_text.entry(kind).or_insert_with(|| {
+            causes.push(Cause::default());
+            causes.len() - 1
+        });
+        let Some(cause) = causes.get_mut(index) else { return };
+        match &mut cause.further {
+            Some(further) => further.count += 1,
+            None if (cause.listed.len() as u64) < LISTED_OF_A_KIND => cause.listed.push(found),
+            further => *further = Some(found),
+        }
+    }
+
+    /// Outcome; `lines`: number of lines of the program.
+    pub(super) fn conclude(mut self, lines: u64) -> Outcome {
+        self.end_lost();
+        let first = |cause: &Cause| cause.listed.first().map(|found| found.line);
+        self.causes.sort_by_key(first);
+        for cause in self.causes {
+            self.outcome.findings.extend(cause.listed);
+            self.outcome.findings.extend(cause.further.map(|first| {
+                let text = format!("{} more of this kind from here on: {}", first.count, first.diagnostic().kind());
+                Finding { text, help: None, ..first }
+            }));
+        }
+        self.outcome.lines = lines;
         self.outcome
     }
 }

@@ -3,6 +3,8 @@
 use std::io::Cursor;
 
 use super::*;
+use crate::config::Config;
+use crate::control::Control;
 use crate::motion::Mode;
 use crate::{control, post};
 
@@ -90,8 +92,8 @@ fn again<M: Machine>(control: &str, mode: Mode, set_up: &str, data: &str, progra
 }
 
 fn findings<M: Machine>(config: &Config, control: &dyn Control, data: &str, program: &[u8]) -> Vec<String> {
-    let job = Job { config, control, units: None };
-    let outcome = check::<M>(&job, Cursor::new(data), program).expect("it can be read").outcome;
+    let policy = config.check_policy::<M>(control, None).expect("the configuration suits control and machine");
+    let outcome = check::<M>(&policy, Cursor::new(data), program).expect("it can be read").outcome;
     outcome.findings.into_iter().map(|found| format!("{}: {}", found.location.line, found.text)).collect()
 }
 

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use serde::Serialize;
 
-use crate::check::{CheckError, Checked, Job, check_for};
+use crate::check::{CheckError, Checked, Finding, check_for};
 use crate::diag::Diagnostic;
 use crate::kinematics::AnyMachine;
 
@@ -40,9 +40,11 @@ pub(crate) fn run(machine: &dyn AnyMachine, args: &CheckArgs, streams: &mut Stre
         (true, false) => Box::new(&mut *streams.input),
         (false, _) => Box::new(File::open(&args.program).map_err(|error| Failure::unreadable(&args.program, error))?),
     };
-    let job = Job { config: &config, control: args.set_up.control(), units: config.cl_units };
+    let policy = config
+        .check_policy_for(machine, args.set_up.control(), None)
+        .map_err(|error| Failure::Argument(error.to_string()))?;
     let checked =
-        check_for(machine, &job, &mut source, &mut program).map_err(|error| failure(error, &name, &args.program))?;
+        check_for(machine, &policy, &mut source, &mut program).map_err(|error| failure(error, &name, &args.program))?;
     drop(program);
     if let Some(what) = source.changed_since_opened() {
         return Err(Failure::Changed(name, what));
@@ -75,7 +77,7 @@ pub(crate) fn failure(error: CheckError, name: &str, program: &Path) -> Failure 
 
 /// All errors of a check: the first error of the CL data, and the findings in the program.
 pub(crate) fn findings(checked: &Checked) -> Vec<Diagnostic> {
-    checked.fault.iter().chain(&checked.outcome.findings).cloned().collect()
+    checked.fault.iter().cloned().chain(checked.outcome.findings.iter().map(Finding::diagnostic)).collect()
 }
 
 fn figures(checked: &Checked, passed: bool) -> Figures {

@@ -110,8 +110,15 @@ impl PostRun<'_> {
         let unreadable = |error| Failure::Unreadable(name.clone(), error);
         let unwritable = |error| Failure::unwritable(output, error);
         let (closing, counted) = (1 + control.spellings().closing.len(), control.spellings().numbers_every_line);
-        let check = (!self.no_check).then(|| SelfCheck::start(machine, config, control, source)).transpose();
-        let mut output_with_check = CheckedOutput::new(out, check.map_err(unreadable)?, closing);
+        let check = match self.no_check {
+            true => None,
+            false => {
+                let policy = config.check_policy_for(machine, control, None);
+                let policy = policy.map_err(|error| Failure::Argument(error.to_string()))?;
+                Some(SelfCheck::start(machine, policy, source).map_err(unreadable)?)
+            }
+        };
+        let mut output_with_check = CheckedOutput::new(out, check, closing);
         let mut map = line_map.map(EndBuffer::new);
         let report = self.report(source, &mut output_with_check, map.as_mut().map(|map| map as &mut dyn LineMap))?;
         if !report.diagnostics.is_empty() {

@@ -9,9 +9,7 @@ use std::io::{self, Read, Seek as _, Write};
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 use std::thread::{self, JoinHandle};
 
-use crate::check::{CheckError, Checked, Job, check_for};
-use crate::config::Config;
-use crate::control::Control;
+use crate::check::{CheckError, Checked, Policy, check_for};
 use crate::kinematics::AnyMachine;
 
 use super::check::findings;
@@ -33,18 +31,12 @@ pub(crate) struct SelfCheck {
 
 impl SelfCheck {
     /// Starts the check of a program that is about to be written.
-    pub(crate) fn start(
-        machine: &dyn AnyMachine,
-        config: &Config,
-        control: &'static dyn Control,
-        source: &ClSource,
-    ) -> io::Result<Self> {
+    pub(crate) fn start(machine: &dyn AnyMachine, policy: Policy, source: &ClSource) -> io::Result<Self> {
         let (sender, receiver) = sync_channel(MOST_PIECES);
-        let (machine, config, mut input) = (machine.to_boxed(), config.clone(), source.reopen()?);
+        let (machine, mut input) = (machine.to_boxed(), source.reopen()?);
         let body = move || {
-            let job = Job { config: &config, control, units: config.cl_units };
             let mut program = PieceReader { receiver, piece: Vec::new(), at: 0 };
-            check_for(&*machine, &job, &mut input, &mut program)
+            check_for(&*machine, &policy, &mut input, &mut program)
         };
         let thread = thread::Builder::new().name("check".to_owned()).spawn(body)?;
         Ok(Self { sender: Some(sender), piece: Vec::with_capacity(PIECE_BYTES), thread })

@@ -4,6 +4,7 @@
 //! commented sample, and described as a JSON schema. Values are in mm, rad and mm/min; a file states its own unit of
 //! length and has angles in degrees. No motion is planned or written here.
 
+mod checking;
 mod print;
 mod read;
 #[cfg(test)]
@@ -31,6 +32,7 @@ pub use crate::motion::{
 pub use crate::nc::Formats;
 pub use crate::program::Units;
 pub use crate::set_up::{AxisBounds, GivenTool, LengthMode, ProgramZero, Stock};
+pub use checking::NotCheckable;
 pub use print::print;
 pub use schema::schema;
 

@@ -22,8 +22,8 @@ mod tests;
 
 pub use course::{Course, Navigator};
 pub use fault::PlanningError;
+pub(crate) use geometry::extent;
 pub use geometry::{ArcPlane, Circle};
-pub(crate) use geometry::{distance_to_clear, extent};
 pub use options::{
     Approach, ArcForm, ArcOptions, ArcOutput, ClampCodes, CourseOptions, CutterPath, CycleOptions, CycleOutput,
     Defaults, FeedLimits, GuardOptions, Mode, MotionOptions, Operations, PathNorm, Policy, Rapid, RapidOptions,
@@ -36,7 +36,6 @@ pub use plan::{
     Sweep, Times,
 };
 pub use rotary::Cost;
-pub(crate) use source::Setting;
 pub use source::{Begins, ItemAction, LinePart, MotionIndex, Next, ProgramItem, Source, Stage};
 pub use step::{
     AxisWords, BlockReason, CannedCycle, CannedKind, CycleAbilities, DiscardSteps, FeedWord, MAX_AXES, Provenance,

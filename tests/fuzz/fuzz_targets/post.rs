@@ -6,7 +6,7 @@ use std::io::Cursor;
 use fuzz::{SetUp, UNITS, chosen};
 use libfuzzer_sys::fuzz_target;
 use machines::SpinnerU5620;
-use pp_runtime::check::{self, check};
+use pp_runtime::check::check;
 use pp_runtime::post::{Job, post};
 
 fuzz_target!(|data: &[u8]| {
@@ -18,8 +18,8 @@ fuzz_target!(|data: &[u8]| {
     if report.failed {
         return;
     }
-    let job = check::Job { config, control: *control, units: UNITS };
-    let checked = check::<SpinnerU5620>(&job, Cursor::new(text), &program[..]).expect("there is something to compare");
+    let policy = config.check_policy::<SpinnerU5620>(*control, UNITS).expect("they suit");
+    let checked = check::<SpinnerU5620>(&policy, Cursor::new(text), &program[..]).expect("there is something to compare");
     let found = &checked.outcome.findings;
     assert!(found.is_empty() && checked.fault.is_none(), "{found:?}\n{}", String::from_utf8_lossy(&program));
 });

@@ -14,6 +14,7 @@ use std::io::Cursor;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use machines::{Dmu70e, LolaXoyzba, MultiProDesk, SpinnerU5620};
+use pp_runtime::check::Finding;
 use pp_runtime::check::read::coolant;
 use pp_runtime::config::{Config, Mode, starting_point};
 use pp_runtime::control::{self, Control};
@@ -186,9 +187,9 @@ fn run<M: Machine>(case: &Case) -> Outcome {
     if posted().1 != program {
         return Outcome::Wrong("posted again, the program differs".to_owned(), program);
     }
-    let job = check::Job { config: &config, control: case.control, units: None };
-    let checked = check::check::<M>(&job, Cursor::new(&case.cl), &program[..]).expect("it can be read");
-    let first = checked.outcome.findings.first().or(checked.fault.as_ref());
+    let policy = config.check_policy::<M>(case.control, None).expect("the configuration suits control and machine");
+    let checked = check::check::<M>(&policy, Cursor::new(&case.cl), &program[..]).expect("it can be read");
+    let first = checked.outcome.findings.first().map(Finding::diagnostic).or(checked.fault);
     match first {
         Some(first) => Outcome::Wrong(format!("CL line {}: {}", first.location.line, first.text), program),
         None if checked.outcome.passed() => match same_motions::<M>(case, &config, &program) {
@@ -333,7 +334,7 @@ fn findings<M: Machine>(case: &Case, program: &[u8]) -> (u64, usize) {
     let mut config =
         starting_point(case.control).read_over(&M::default(), &case.set_up).expect("it has been read before");
     config.motion.mode = case.mode;
-    let job = check::Job { config: &config, control: case.control, units: None };
-    let outcome = check::check::<M>(&job, Cursor::new(&case.cl), program).expect("it can be read").outcome;
+    let policy = config.check_policy::<M>(case.control, None).expect("the configuration suits control and machine");
+    let outcome = check::check::<M>(&policy, Cursor::new(&case.cl), program).expect("it can be read").outcome;
     (outcome.count, outcome.findings.len())
 }

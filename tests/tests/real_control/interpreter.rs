@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 use std::slice::Iter;
 
 use machines::{Dmu70e, LolaXoyzba, MultiProDesk, SpinnerU5620};
+use pp_runtime::check::blocks;
 use pp_runtime::check::read::{Action, ArcMove, Block, CycleKind, CycleMove};
-use pp_runtime::check::{Job, blocks};
 use pp_runtime::config::{Config, Units, starting_point};
 use pp_runtime::control;
 use pp_runtime::kinematics::{AxisKind, Machine};
@@ -28,7 +28,11 @@ struct Compared {
 fn read<M: Machine>(program: &str, units: Units) -> Vec<Block> {
     let control = control::by_name("linuxcnc").expect("it is there");
     let config = Config { output_units: Some(units), ..starting_point(control) };
-    blocks::<M>(&Job { config: &config, control, units: None }, program.as_bytes()).expect("it can be read")
+    blocks::<M>(
+        &config.check_policy::<M>(control, None).expect("the configuration suits control and machine"),
+        program.as_bytes(),
+    )
+    .expect("it can be read")
 }
 
 /// Comparison of the motions that the interpreter finds, in order, with the blocks of the product's reader.

@@ -11,8 +11,8 @@
 use std::io::Cursor;
 
 use nalgebra::{Point3, Rotation3, UnitVector3, Vector3};
+use pp_runtime::check::blocks;
 use pp_runtime::check::read::{Action, Block, Length, TipControl};
-use pp_runtime::check::{self, blocks};
 use pp_runtime::config::{Config, GivenTool, Mode};
 use pp_runtime::control::LinuxCnc;
 use pp_runtime::kinematics::{AxisKind, Machine, Pose};
@@ -148,7 +148,7 @@ fn run<M: Machine>(simulation: &mut Simulation, config: &Config, every: bool) ->
     let report = post::<M>(&job, &mut Cursor::new(cl_data()), &mut program).expect("memory");
     let text = String::from_utf8(program).expect("ASCII");
     assert!(!report.failed, "{:?}\n{text}", report.diagnostics);
-    let read = check::Job { config, control: &LinuxCnc, units: None };
+    let read = config.check_policy::<M>(&LinuxCnc, None).expect("the configuration suits control and machine");
     let blocks: Vec<Block> = blocks::<M>(&read, text.as_bytes()).expect("it can be read");
     let blocks: Vec<Block> = blocks.into_iter().filter(|block| is_compared::<M>(block, config.motion.mode)).collect();
     let partners = partners::<M>(&blocks, config);

@@ -304,6 +304,14 @@ pub struct CycleMove {
     pub feed: Option<f64>,
 }
 
+impl CycleMove {
+    /// Whether the tool moves out of the hole at feed.
+    #[must_use]
+    pub const fn retracts_at_feed(&self) -> bool {
+        matches!(self.kind, CycleKind::Ream | CycleKind::Tap(_))
+    }
+}
+
 /// What a block does.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Action {

@@ -6,12 +6,12 @@
 
 use std::f64::consts::TAU;
 
+use super::super::policy::Rollover;
 use super::arc;
 use super::block::{
     Action, Block, CycleMove, Fault, FeedMode, Length, MAX_AXES, State, Tilt, TipControl, coolant, stated,
 };
 use super::draft::{Code, Cycle, Draft, LengthCode, TiltCode, fault};
-use crate::motion::Wrap;
 use crate::program::Units;
 
 /// Angles nearer to half a turn than this have no shorter way, rad.
@@ -23,7 +23,7 @@ pub(crate) struct AxisName {
     /// As in the program, upper case.
     pub(crate) name: Vec<u8>,
     pub(crate) rotary: bool,
-    pub(crate) wrap: Option<Wrap>,
+    pub(crate) rollover: Option<Rollover>,
 }
 
 /// State and position of a control.
@@ -413,23 +413,23 @@ impl Interpreter {
     /// Where a rotary axis ends whose word says `value`.
     fn turned(&self, index: usize, value: f64, negative: bool, faults: &mut Vec<Fault>) -> f64 {
         // Where the set-up says which axes roll over, the short way is for these.
-        let said = self.axes.iter().any(|axis| axis.wrap.is_some());
-        let any = if self.state.shortest && !said { Some(Wrap::Positive) } else { None };
-        let wrap = self.axes[index].wrap.or(any);
+        let said = self.axes.iter().any(|axis| axis.rollover.is_some());
+        let any = if self.state.shortest && !said { Some(Rollover::Shortest) } else { None };
+        let wrap = self.axes[index].rollover.or(any);
         let Some(wrap) = wrap else { return value };
         if self.known & (1 << index) == 0 {
             // Its sign is the way there, not the place.
-            return if wrap == Wrap::Sign { value.abs() } else { value };
+            return if wrap == Rollover::Sign { value.abs() } else { value };
         }
         let from = self.values[index];
         match wrap {
-            Wrap::Sign => {
+            Rollover::Sign => {
                 let forward = (value.abs() - from).rem_euclid(TAU);
                 // What is already there does not turn, whatever its rounding.
                 let forward = if TAU - forward < HALF_TURN { 0.0 } else { forward };
                 if forward < HALF_TURN || !negative { from + forward } else { from + forward - TAU }
             }
-            Wrap::Positive | Wrap::Symmetric => {
+            Rollover::Shortest => {
                 let way = (value - from + TAU / 2.0).rem_euclid(TAU) - TAU / 2.0;
                 if TAU / 2.0 - way.abs() < HALF_TURN {
                     fault(faults, 0, "rotary motion of exactly 180°: the control may rotate in either direction");

@@ -7,7 +7,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::read::MAX_AXES;
+use super::super::read::MAX_AXES;
 use crate::kinematics::{AnyMachine, AxisKind, Side};
 
 /// One factor of the product.
@@ -23,20 +23,20 @@ struct Link {
 
 /// The chain of a machine for one part and one tool.
 #[derive(Debug, Clone)]
-pub(super) struct Chain {
+pub(crate) struct Chain {
     links: Vec<Link>,
     tool_axis: Vector3<f64>,
 }
 
 /// Tip and tool axis in the workpiece frame, mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Placed {
-    pub(super) tip: Vector3<f64>,
-    pub(super) axis: Vector3<f64>,
+pub(crate) struct ToolPose {
+    pub(crate) tip: Vector3<f64>,
+    pub(crate) axis: Vector3<f64>,
 }
 
 impl Chain {
-    pub(super) fn of(machine: &dyn AnyMachine) -> Self {
+    pub(crate) fn of(machine: &dyn AnyMachine) -> Self {
         let link = |index: usize| {
             let joint = machine.joint(index);
             Link {
@@ -50,66 +50,66 @@ impl Chain {
     }
 
     /// Tip and tool axis for axis values in mm and rad.
-    pub(super) fn place(&self, values: &[f64; MAX_AXES]) -> Placed {
+    pub(crate) fn place(&self, values: &[f64; MAX_AXES]) -> ToolPose {
         let (mut tip, mut axis) = (Vector3::zeros(), self.tool_axis);
         for (link, value) in self.links.iter().zip(values).rev() {
             if link.rotary {
                 let (sine, cosine) = value.sin_cos();
-                tip = link.point + link.turned(tip - link.point, sine, cosine);
-                axis = link.turned(axis, sine, cosine);
+                tip = link.point + link.rotated(tip - link.point, sine, cosine);
+                axis = link.rotated(axis, sine, cosine);
             } else {
                 tip += link.direction * *value;
             }
         }
-        Placed { tip, axis }
+        ToolPose { tip, axis }
     }
 
     /// Tool axis, and how it changes with each axis value, 1/rad.
-    pub(super) fn axis_rates(&self, values: &[f64; MAX_AXES]) -> (Vector3<f64>, [Vector3<f64>; MAX_AXES]) {
+    pub(crate) fn axis_rates(&self, values: &[f64; MAX_AXES]) -> (Vector3<f64>, [Vector3<f64>; MAX_AXES]) {
         let (mut axis, mut rates) = (self.tool_axis, [Vector3::zeros(); MAX_AXES]);
         for (index, (link, value)) in
             self.links.iter().zip(values).enumerate().rev().filter(|(_, (link, _))| link.rotary)
         {
             let (sine, cosine) = value.sin_cos();
-            axis = link.turned(axis, sine, cosine);
+            axis = link.rotated(axis, sine, cosine);
             for rate in &mut rates[index + 1..] {
-                *rate = link.turned(*rate, sine, cosine);
+                *rate = link.rotated(*rate, sine, cosine);
             }
             rates[index] = link.direction.cross(&axis);
         }
         (axis, rates)
     }
 
-    /// How the tool is turned on the workpiece against where it stands with all axes at zero.
-    pub(super) fn rotation(&self, values: &[f64; MAX_AXES]) -> Matrix3<f64> {
-        let turned = |unit: Vector3<f64>| {
+    /// Rotation of the tool on the workpiece from its orientation with all axes at zero.
+    pub(crate) fn rotation(&self, values: &[f64; MAX_AXES]) -> Matrix3<f64> {
+        let rotated = |unit: Vector3<f64>| {
             let rotary = self.links.iter().zip(values).rev().filter(|(link, _)| link.rotary);
             rotary.fold(unit, |vector, (link, value)| {
                 let (sine, cosine) = value.sin_cos();
-                link.turned(vector, sine, cosine)
+                link.rotated(vector, sine, cosine)
             })
         };
-        Matrix3::from_columns(&[turned(Vector3::x()), turned(Vector3::y()), turned(Vector3::z())])
+        Matrix3::from_columns(&[rotated(Vector3::x()), rotated(Vector3::y()), rotated(Vector3::z())])
     }
 
-    /// What the rotary axes of the table make of a point that stands in the room, mm: where it is on the workpiece.
-    pub(super) fn onto_workpiece(&self, point: Vector3<f64>, values: &[f64; MAX_AXES]) -> Vector3<f64> {
+    /// Point on the workpiece of a point in the frame of the machine, mm: rotated by the rotary axes of the table.
+    pub(crate) fn onto_workpiece(&self, point: Vector3<f64>, values: &[f64; MAX_AXES]) -> Vector3<f64> {
         let mut point = point;
         for (link, value) in self.links.iter().zip(values).rev().filter(|(link, _)| link.rotary && link.workpiece) {
             let (sine, cosine) = value.sin_cos();
-            point = link.point + link.turned(point - link.point, sine, cosine);
+            point = link.point + link.rotated(point - link.point, sine, cosine);
         }
         point
     }
 
-    /// Where the linear axes take the tip with all rotary axes at zero, mm.
-    pub(super) fn at_zero(&self, values: &[f64; MAX_AXES]) -> Vector3<f64> {
+    /// Position of the tip with all rotary axes at zero, mm.
+    pub(crate) fn at_zero(&self, values: &[f64; MAX_AXES]) -> Vector3<f64> {
         let linear = self.links.iter().zip(values).filter(|(link, _)| !link.rotary);
         linear.fold(Vector3::zeros(), |tip, (link, value)| tip + link.direction * *value)
     }
 
     /// Values of these three linear axes whose motion together, at the zero position, is a vector.
-    pub(super) fn along(&self, axes: [usize; 3], vector: &Vector3<f64>) -> [f64; 3] {
+    pub(crate) fn along(&self, axes: [usize; 3], vector: &Vector3<f64>) -> [f64; 3] {
         let columns = axes.map(|index| self.links[index].direction);
         let inverse = Matrix3::from_columns(&columns).try_inverse();
         inverse.map_or([0.0; 3], |inverse| (inverse * vector).into())
@@ -118,7 +118,7 @@ impl Chain {
 
 impl Link {
     /// Rodrigues: the part along the direction stays, the rest turns.
-    fn turned(&self, v: Vector3<f64>, sine: f64, cosine: f64) -> Vector3<f64> {
+    fn rotated(&self, v: Vector3<f64>, sine: f64, cosine: f64) -> Vector3<f64> {
         let along = self.direction * self.direction.dot(&v);
         along + (v - along) * cosine + self.direction.cross(&v) * sine
     }

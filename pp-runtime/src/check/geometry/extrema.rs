@@ -4,7 +4,7 @@
 //! eighth of their second difference. Where the whole of that difference would matter, the peak is sought, to the noise of
 //! the function. What stays inside costs nothing but its samples.
 
-use super::read::MAX_AXES;
+use super::super::read::MAX_AXES;
 
 /// Sections of a search: the last is 1e-6 of the first, and what that leaves of a parabola is 1e-12 of its rise.
 const SECTIONS: u32 = 29;
@@ -17,26 +17,26 @@ const SMALLEST: f64 = 1e-5;
 
 /// One place of a way.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Place {
-    pub(super) share: f64,
-    pub(super) words: [f64; MAX_AXES],
+pub(crate) struct PathPoint {
+    pub(crate) share: f64,
+    pub(crate) words: [f64; MAX_AXES],
     /// Axis values, mm and rad.
-    pub(super) values: [f64; MAX_AXES],
+    pub(crate) values: [f64; MAX_AXES],
 }
 
 /// Smallest and largest value of each axis.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Reach {
-    pub(super) low: [f64; MAX_AXES],
-    pub(super) high: [f64; MAX_AXES],
+pub(crate) struct Extent {
+    pub(crate) low: [f64; MAX_AXES],
+    pub(crate) high: [f64; MAX_AXES],
 }
 
-impl Reach {
-    pub(super) fn of(values: &[f64; MAX_AXES]) -> Self {
+impl Extent {
+    pub(crate) fn of(values: &[f64; MAX_AXES]) -> Self {
         Self { low: *values, high: *values }
     }
 
-    pub(super) fn take(&mut self, values: &[f64; MAX_AXES]) {
+    pub(crate) fn take(&mut self, values: &[f64; MAX_AXES]) {
         for (index, value) in values.iter().enumerate() {
             self.low[index] = self.low[index].min(*value);
             self.high[index] = self.high[index].max(*value);
@@ -44,27 +44,27 @@ impl Reach {
     }
 
     /// The bound on one side, + up; values there count with their side, so that more is always farther.
-    pub(super) fn bound(&self, index: usize, side: f64) -> f64 {
+    pub(crate) fn bound(&self, index: usize, side: f64) -> f64 {
         side * if side > 0.0 { self.high[index] } else { self.low[index] }
     }
 }
 
 /// Functions of a share and how far they reach.
-pub(super) struct Search<'s, F> {
+pub(crate) struct Search<'s, F> {
     /// The place at a share, near to another; `None` if that is too far away to follow.
-    pub(super) at: F,
+    pub(crate) at: F,
     /// Values between these are of no interest.
-    pub(super) quiet: &'s Reach,
+    pub(crate) quiet: &'s Extent,
     /// The axes that are: bits.
-    pub(super) axes: u16,
-    pub(super) reach: Reach,
+    pub(crate) axes: u16,
+    pub(crate) extent: Extent,
 }
 
-impl<F: Fn(f64, &Place) -> Option<Place>> Search<'_, F> {
+impl<F: Fn(f64, &PathPoint) -> Option<PathPoint>> Search<'_, F> {
     /// Goes in steps from a place to a share; where it ended.
-    pub(super) fn go(&mut self, from: Place, to: f64, step: f64) -> Place {
+    pub(crate) fn go(&mut self, from: PathPoint, to: f64, step: f64) -> PathPoint {
         let (mut seen, mut count, mut stride) = ([from; 3], 1, step);
-        self.reach.take(&from.values);
+        self.extent.take(&from.values);
         while seen[2].share < to && stride > SMALLEST * step.min(1.0) {
             let share = seen[2].share + stride;
             // The last step may be a little longer, so that none is a sliver.
@@ -75,7 +75,7 @@ impl<F: Fn(f64, &Place) -> Option<Place>> Search<'_, F> {
             };
             stride = (2.0 * stride).min(step);
             seen = [seen[1], seen[2], next];
-            self.reach.take(&next.values);
+            self.extent.take(&next.values);
             count += 1;
             if count >= 3 {
                 self.peaks(&seen, count == 3, share >= to);
@@ -85,7 +85,7 @@ impl<F: Fn(f64, &Place) -> Option<Place>> Search<'_, F> {
     }
 
     /// Peaks about the middle of three places, and between it and an end of the way.
-    fn peaks(&mut self, seen: &[Place; 3], first: bool, last: bool) {
+    fn peaks(&mut self, seen: &[PathPoint; 3], first: bool, last: bool) {
         let [a, b, c] = seen.map(|place| place.share);
         let (before, behind) = (b - a, c - b);
         let axes = self.axes;
@@ -103,24 +103,24 @@ impl<F: Fn(f64, &Place) -> Option<Place>> Search<'_, F> {
                 } else {
                     continue;
                 };
-                if top + room > self.quiet.bound(index, side).max(self.reach.bound(index, side)) {
+                if top + room > self.quiet.bound(index, side).max(self.extent.bound(index, side)) {
                     self.seek(index, side, [low, high], &seen[1]);
                 }
             }
         }
     }
 
-    fn seek(&mut self, index: usize, side: f64, [low, high]: [f64; 2], near: &Place) {
+    fn seek(&mut self, index: usize, side: f64, [low, high]: [f64; 2], near: &PathPoint) {
         let value = |share: f64| (self.at)(share, near).map_or(f64::NEG_INFINITY, |place| side * place.values[index]);
         let share = highest(low, high, value);
         if let Some(place) = (self.at)(share, near) {
-            self.reach.take(&place.values);
+            self.extent.take(&place.values);
         }
     }
 }
 
 /// Where a function with one peak is highest, by golden sections.
-pub(super) fn highest(low: f64, high: f64, value: impl Fn(f64) -> f64) -> f64 {
+pub(crate) fn highest(low: f64, high: f64, value: impl Fn(f64) -> f64) -> f64 {
     let (mut low, mut high) = (low, high);
     let (mut left, mut right) = (high - GOLDEN * (high - low), low + GOLDEN * (high - low));
     let (mut at_left, mut at_right) = (value(left), value(right));
@@ -147,17 +147,18 @@ mod tests {
     /// A wave about a slope, in steps; low, high, and the places that were looked at.
     fn wave(phase: f64, angle: f64, slope: f64, quiet: f64) -> (f64, f64, u32) {
         let count = std::cell::Cell::new(0);
-        let at = |share: f64, _: &Place| {
+        let at = |share: f64, _: &PathPoint| {
             count.set(count.get() + 1);
             let mut values = [0.0; MAX_AXES];
             values[2] = 100.0 * (phase + angle * share).sin() + slope * share;
-            Some(Place { share, words: values, values })
+            Some(PathPoint { share, words: values, values })
         };
-        let quiet = Reach { low: [-quiet; MAX_AXES], high: [quiet; MAX_AXES] };
-        let from = at(0.0, &Place { share: 0.0, words: [0.0; MAX_AXES], values: [0.0; MAX_AXES] }).expect("a place");
-        let mut search = Search { at, quiet: &quiet, axes: 4, reach: Reach::of(&from.values) };
+        let quiet = Extent { low: [-quiet; MAX_AXES], high: [quiet; MAX_AXES] };
+        let from =
+            at(0.0, &PathPoint { share: 0.0, words: [0.0; MAX_AXES], values: [0.0; MAX_AXES] }).expect("a place");
+        let mut search = Search { at, quiet: &quiet, axes: 4, extent: Extent::of(&from.values) };
         search.go(from, 1.0, (0.2 / angle).min(0.5));
-        (search.reach.low[2], search.reach.high[2], count.get())
+        (search.extent.low[2], search.extent.high[2], count.get())
     }
 
     #[test]
@@ -185,12 +186,13 @@ mod tests {
 
     #[test]
     fn a_way_that_breaks_off_is_followed_as_far_as_it_goes() {
-        let quiet = Reach::of(&[0.0; MAX_AXES]);
-        let at = |share: f64, _: &Place| {
-            (share < 0.3).then_some(Place { share, words: [share; MAX_AXES], values: [share; MAX_AXES] })
+        let quiet = Extent::of(&[0.0; MAX_AXES]);
+        let at = |share: f64, _: &PathPoint| {
+            (share < 0.3).then_some(PathPoint { share, words: [share; MAX_AXES], values: [share; MAX_AXES] })
         };
-        let from = at(0.0, &Place { share: 0.0, words: [0.0; MAX_AXES], values: [0.0; MAX_AXES] }).expect("a place");
-        let mut search = Search { at, quiet: &quiet, axes: 1, reach: Reach::of(&from.values) };
+        let from =
+            at(0.0, &PathPoint { share: 0.0, words: [0.0; MAX_AXES], values: [0.0; MAX_AXES] }).expect("a place");
+        let mut search = Search { at, quiet: &quiet, axes: 1, extent: Extent::of(&from.values) };
         let end = search.go(from, 1.0, 0.25);
         assert!(end.share < 0.3 && end.share > 0.299, "{}", end.share);
     }

@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 
 use nalgebra::{Point3, Vector3};
 
-use super::chain::Placed;
+use super::ToolPose;
 use crate::kinematics::Pose;
 use crate::program::Arc;
 
@@ -22,15 +22,15 @@ const ROUNDED: f64 = 1e-3;
 
 /// What the tip follows.
 #[derive(Debug, Clone, Copy)]
-pub(super) enum Shape {
+pub(crate) enum PathShape {
     Line,
-    Arc(Round),
+    Arc(ArcPath),
     Cubic([Vector3<f64>; 4]),
 }
 
 /// A circle or a helix, seen from its centre.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Round {
+pub(crate) struct ArcPath {
     centre: Vector3<f64>,
     normal: Vector3<f64>,
     /// Towards the start, and a quarter turn on.
@@ -43,23 +43,23 @@ pub(super) struct Round {
 
 /// One motion.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Segment {
-    pub(super) from: Placed,
-    pub(super) to: Placed,
-    pub(super) shape: Shape,
+pub(crate) struct Segment {
+    pub(crate) from: ToolPose,
+    pub(crate) to: ToolPose,
+    pub(crate) shape: PathShape,
 }
 
-pub(super) fn placed(pose: &Pose) -> Placed {
-    Placed { tip: pose.tip.coords, axis: pose.axis.into_inner() }
+pub(crate) fn tool_pose(pose: &Pose) -> ToolPose {
+    ToolPose { tip: pose.tip.coords, axis: pose.axis.into_inner() }
 }
 
 /// Angle between two unit vectors, exact for small ones.
-pub(super) fn angle_between(a: &Vector3<f64>, b: &Vector3<f64>) -> f64 {
+pub(crate) fn angle_between(a: &Vector3<f64>, b: &Vector3<f64>) -> f64 {
     2.0 * ((a - b).norm() / 2.0).min(1.0).asin()
 }
 
-impl Round {
-    pub(super) fn of(arc: &Arc) -> Self {
+impl ArcPath {
+    pub(crate) fn of(arc: &Arc) -> Self {
         let normal = arc.normal.into_inner();
         let centre = arc.centre.coords;
         let height = |tip: &Point3<f64>| (tip.coords - centre).dot(&normal);
@@ -78,13 +78,13 @@ impl Round {
     }
 
     /// The share of the motion that an angle is.
-    pub(super) fn share_of(&self, angle: f64) -> f64 {
+    pub(crate) fn share_of(&self, angle: f64) -> f64 {
         angle / self.angle
     }
 
     /// The share whose angle is that of a point, in the turn that a share says: rounding of ends and centre may have
     /// made an arc longer or shorter.
-    pub(super) fn share_near(&self, point: &Vector3<f64>, share: f64) -> f64 {
+    pub(crate) fn share_near(&self, point: &Vector3<f64>, share: f64) -> f64 {
         let angle = self.angle_of(point);
         let turns = ((share * self.angle - angle) / TAU).round();
         (angle + turns * TAU) / self.angle
@@ -122,14 +122,14 @@ impl Round {
 
 impl Segment {
     /// Tip and axis at a share.
-    pub(super) fn at(&self, share: f64) -> Placed {
+    pub(crate) fn at(&self, share: f64) -> ToolPose {
         let tip = match &self.shape {
-            Shape::Line => self.from.tip + (self.to.tip - self.from.tip) * share,
-            Shape::Arc(round) if share < 1.0 => round.at(share),
-            Shape::Arc(_) => self.to.tip,
-            Shape::Cubic(points) => cubic(points, share),
+            PathShape::Line => self.from.tip + (self.to.tip - self.from.tip) * share,
+            PathShape::Arc(round) if share < 1.0 => round.at(share),
+            PathShape::Arc(_) => self.to.tip,
+            PathShape::Cubic(points) => cubic(points, share),
         };
-        Placed { tip, axis: self.axis_at(share) }
+        ToolPose { tip, axis: self.axis_at(share) }
     }
 
     fn axis_at(&self, share: f64) -> Vector3<f64> {
@@ -146,35 +146,35 @@ impl Segment {
     }
 
     /// Length of the tip path, mm.
-    pub(super) fn length(&self) -> f64 {
+    pub(crate) fn length(&self) -> f64 {
         match &self.shape {
-            Shape::Line => (self.to.tip - self.from.tip).norm(),
-            Shape::Arc(round) => {
+            PathShape::Line => (self.to.tip - self.from.tip).norm(),
+            PathShape::Arc(round) => {
                 let radius = f64::midpoint(round.radii[0], round.radii[1]);
                 (radius * round.angle).hypot(round.heights[1] - round.heights[0])
             }
-            Shape::Cubic(points) => points.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum(),
+            PathShape::Cubic(points) => points.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum(),
         }
     }
 
     /// Angle by which the tip goes round, rad; a whole turn for what is no arc.
-    pub(super) fn angle(&self) -> f64 {
+    pub(crate) fn angle(&self) -> f64 {
         match &self.shape {
-            Shape::Arc(round) => round.angle,
-            Shape::Line | Shape::Cubic(_) => TAU,
+            PathShape::Arc(round) => round.angle,
+            PathShape::Line | PathShape::Cubic(_) => TAU,
         }
     }
 
     /// Angle by which the axis turns, rad.
-    pub(super) fn turn(&self) -> f64 {
+    pub(crate) fn turn(&self) -> f64 {
         angle_between(&self.from.axis, &self.to.axis)
     }
 
     /// The share at which the motion is nearest to a pose, not before `after`; on a curve the first whose distance is no more
     /// than `near`, mm. `per_rad`: so many mm of the tip count as much as one rad of the axis.
-    pub(super) fn share(&self, pose: &Placed, after: f64, near: f64, per_rad: f64) -> f64 {
+    pub(crate) fn share(&self, pose: &ToolPose, after: f64, near: f64, per_rad: f64) -> f64 {
         match &self.shape {
-            Shape::Line => {
+            PathShape::Line => {
                 let line = self.to.tip - self.from.tip;
                 let turn = self.turn();
                 let weight = per_rad * per_rad;
@@ -183,19 +183,19 @@ impl Segment {
                 let whole = line.norm_squared() + weight * turn * turn;
                 if whole > POINT { (along + weight * turned) / whole } else { 1.0 }
             }
-            Shape::Arc(round) => round.share(&pose.tip, after),
-            Shape::Cubic(points) => nearest(points, &pose.tip, after, near),
+            PathShape::Arc(round) => round.share(&pose.tip, after),
+            PathShape::Cubic(points) => nearest(points, &pose.tip, after, near),
         }
     }
 
     /// How far a tip is from the motion, mm.
-    pub(super) fn distance(&self, pose: &Placed, after: f64) -> f64 {
+    pub(crate) fn distance(&self, pose: &ToolPose, after: f64) -> f64 {
         let share = self.share(pose, after, 0.0, 0.0).clamp(0.0, 1.0);
         (pose.tip - self.at(share).tip).norm()
     }
 
     /// How far an axis is from the arc between the axes of both ends, rad.
-    pub(super) fn axis_distance(&self, axis: &Vector3<f64>) -> f64 {
+    pub(crate) fn axis_distance(&self, axis: &Vector3<f64>) -> f64 {
         let (a, b) = (&self.from.axis, &self.to.axis);
         let normal = a.cross(b);
         let sine = normal.norm();
@@ -275,7 +275,7 @@ fn roots(polynomial: &[f64; 6], low: f64, high: f64) -> ([f64; 5], usize) {
 }
 
 /// The polynomial pieces of a cubic B-spline, as Bézier points.
-pub(super) fn bezier(knots: &[f64], points: &[Point3<f64>], span: usize) -> [Vector3<f64>; 4] {
+pub(crate) fn bezier(knots: &[f64], points: &[Point3<f64>], span: usize) -> [Vector3<f64>; 4] {
     let (from, to) = (knots[span], knots[span + 1]);
     [[from; 3], [from, from, to], [from, to, to], [to; 3]].map(|at| polar(knots, points, span, at))
 }
@@ -309,11 +309,12 @@ mod tests {
         };
         let (start, end) = (at(0.0, 0.0), at(angle, 0.0));
         let arc = Arc { centre: Point3::origin(), normal: axis, start, end, angle_rad: angle, feed: None };
-        let segment = Segment { from: placed(&start), to: placed(&end), shape: Shape::Arc(Round::of(&arc)) };
-        let half = placed(&at(0.5 * angle, 0.0));
+        let segment =
+            Segment { from: tool_pose(&start), to: tool_pose(&end), shape: PathShape::Arc(ArcPath::of(&arc)) };
+        let half = tool_pose(&at(0.5 * angle, 0.0));
         // Half a unit of three decimals across the helix, where its angle says another height.
         let across = Vector3::new(-(0.5 * angle).sin(), (0.5 * angle).cos(), 0.0) * 5e-4;
-        let off = |step: Vector3<f64>| segment.distance(&Placed { tip: half.tip + step, ..half }, 0.0);
+        let off = |step: Vector3<f64>| segment.distance(&ToolPose { tip: half.tip + step, ..half }, 0.0);
         assert!(off(across) < 5e-4 && off(-across) < 5e-4, "{} {}", off(across), off(-across));
         assert!(off(across * 20.0) > 1e-3, "{}", off(across * 20.0));
     }

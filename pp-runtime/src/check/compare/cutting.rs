@@ -1,0 +1,598 @@
+//! Blocks at the part.
+//!
+//! A block is one of these, in this order: a retract along the tool axis where the coolant or the form of rapids shows it; a
+//! lift over a hole for the next cycle; the way back after a rewind; the rest of a finished motion; a part of the next
+//! motion; a step of a rapid; a retract along the tool axis.
+
+use std::f64::consts::PI;
+use std::io::{self, Read};
+
+use super::super::expect::{ClMotion, ExpectedAction, ExpectedItem, Required};
+use super::super::geometry::{PathShape, Segment, ToolPose, angle_between};
+use super::super::policy::RapidForm;
+use super::super::read::{Action, Block, CycleMove, MAX_AXES};
+use super::super::rules::{BOTH, ModalContext, Rules};
+use super::hole::{CycleComparison, is_over, pose_at, words_at};
+use super::phase::{Cutting, FinishedMotion, Leaving, Phase, RapidSteps, RetractedLength, RewindPoint};
+use super::{Comparison, Current, Findings, retract};
+use crate::kinematics::Axis;
+use crate::program::{Drilling, Location};
+
+impl<R: Read> Comparison<'_, R> {
+    /// A block at the part without an approach.
+    pub(super) fn astray(&mut self, phase: &mut Phase, current: &Current<'_>) -> io::Result<Option<Phase>> {
+        if !self.rules.is_known(current.block, current.block.known) {
+            self.found(current, "the position of an axis is unknown at this block");
+            return Ok(None);
+        }
+        let mut cutting = match phase {
+            Phase::Leaving(leaving) => {
+                self.found(current, "machine retract expected after the retract along the tool axis");
+                Cutting { here: Some(leaving.here), retract: leaving.retract, ..Cutting::default() }
+            }
+            _ => {
+                self.found(current, "motion at the part without an approach before it");
+                Cutting::default()
+            }
+        };
+        self.progress.set_lost(true);
+        let next = self.cut(&mut cutting, current)?;
+        Ok(Some(next.unwrap_or(Phase::Cutting(cutting))))
+    }
+
+    /// A block at the part.
+    pub(super) fn cut(&mut self, cutting: &mut Cutting, current: &Current<'_>) -> io::Result<Option<Phase>> {
+        let block = current.block;
+        if !self.rules.is_known(block, block.known) {
+            self.found(current, "the position of an axis is unknown at this block");
+            return Ok(None);
+        }
+        self.stays_in_plane(current);
+        let end = self.rules.pose(block);
+        let rapid = block.action == Action::Rapid;
+        let rapids_at_feed = self.rules.policy().links.rapid == RapidForm::Feed;
+        if cutting.back.is_none() {
+            cutting.perhaps_retract = if rapid { self.rapid_or_retract(cutting, &end) } else { None };
+        }
+        // Where rapids of the CL data are feed motions, or it asks for coolant, a dry rapid at the part is none of them.
+        let wet = self.progress.next().is_some_and(|item| item.required.coolant != 0);
+        let dry = wet && block.state.coolant == Some(0);
+        if rapid
+            && (dry || rapids_at_feed)
+            && !self.progress.is_approached()
+            && let Some(leaving) = self.retract(cutting, current, &end)?
+        {
+            return Ok(Some(Phase::Leaving(leaving)));
+        }
+        // Motions that need no block may come before the hole.
+        let may_lift = rapid || rapids_at_feed;
+        let carried_out = may_lift && self.lifts_for_cycle(cutting, current, &end)
+            || self.carry_out(cutting, current, &end)?
+            || may_lift && self.lifts_for_cycle(cutting, current, &end);
+        if !carried_out {
+            if rapid && let Some(leaving) = self.retract(cutting, current, &end)? {
+                return Ok(Some(Phase::Leaving(leaving)));
+            }
+            self.resume(cutting, current, &end)?;
+        }
+        cutting.here = Some(end);
+        Ok(None)
+    }
+
+    /// In a tilted plane the rotary axes stay where the plane has them.
+    fn stays_in_plane(&mut self, current: &Current<'_>) {
+        let block = current.block;
+        let known = self.previous.known & block.written & self.rules.words().rotary_bits();
+        let limit = 1.5 * self.rules.rounding().unit_rad;
+        let moved = |index: usize| (block.values[index] - self.previous.words[index]).abs() > limit;
+        if block.state.tilt.is_some() && (0..MAX_AXES).any(|index| known & (1 << index) != 0 && moved(index)) {
+            self.found(current, "rotary axes move out of the tilted plane at the part");
+        }
+    }
+
+    /// Lets the block carry out the next motion, or a part of it, and passes motions that need no block; `false` if it does
+    /// not fit.
+    fn carry_out(&mut self, cutting: &mut Cutting, current: &Current<'_>, end: &ToolPose) -> io::Result<bool> {
+        if let Some(back) = cutting.back.clone() {
+            return Ok(self.come_back_to_cut(cutting, &back, current, end));
+        }
+        if self.is_rest(cutting, current.block, end) {
+            return Ok(true);
+        }
+        let (block, chords) = (current.block, self.previous.chords);
+        loop {
+            self.progress.fill(2)?;
+            let Some(item) = self.progress.next() else { return Ok(false) };
+            let (at, required, in_hole) = (item.at, item.required, item.hole.is_some());
+            let motion = match item.action {
+                ExpectedAction::Motion(motion) => motion,
+                ExpectedAction::Dwell(seconds) => {
+                    self.found(current, &format!("the dwell of {seconds} s before this block is missing"));
+                    self.progress.take();
+                    continue;
+                }
+                _ => return Ok(false),
+            };
+            if motion.starts && !self.progress.is_approached() {
+                return Ok(false);
+            }
+            let segment = self.progress.segment(&motion, cutting.here, end);
+            // A full circle ends where it began, like a motion to the same point before it; so does a rapid after a cut
+            // of no length.
+            let other = matches!(block.action, Action::Arc(_)) || (block.action == Action::Rapid && !motion.rapid);
+            let needless = self.rules.needs_no_block(&segment, cutting.here, chords);
+            // A block that continues from the end of a motion belongs to a later one, and so does one with another feed.
+            let belongs = || self.rules.is_at(end, &motion.to) && self.has_feed_of(block, &segment, &motion, &required);
+            if needless && (other || !belongs()) {
+                self.pass_over(Some(&mut cutting.perhaps_retract));
+                continue;
+            }
+            let arrival = self.progress.arrival(cutting.here, chords);
+            let share = self.rules.share_done(&segment, &motion, block, end, &arrival);
+            let share = share.or_else(|| if in_hole { self.stops_over_hole(&segment, &motion, end) } else { None });
+            if let Some(share) = share {
+                self.travelled(cutting, current, end, &Part { segment, motion, share, at, required });
+                return Ok(true);
+            }
+            if motion.rapid && self.is_step_of_rapid(cutting, current, &required) {
+                return Ok(true);
+            }
+            if !needless {
+                return Ok(false);
+            }
+            self.progress.pass();
+        }
+    }
+
+    /// Whether a block has the feed of a motion.
+    fn has_feed_of(&self, block: &Block, segment: &Segment, motion: &ClMotion, required: &Required) -> bool {
+        let stroke = || self.rules.stroke(&self.previous.words, block, segment.length(), motion.feed, required);
+        block.action != Action::Feed || motion.rapid || self.rules.law().wrong(&stroke(), &block.state).is_none()
+    }
+
+    /// A rapid down to a hole may stop on its way: a cycle of the control returns to where it began.
+    fn stops_over_hole(&self, segment: &Segment, motion: &ClMotion, end: &ToolPose) -> Option<f64> {
+        let rounding = self.rules.rounding();
+        let near = motion.rapid && segment.distance(end, 0.0) <= BOTH * rounding.tip_mm;
+        (near && segment.axis_distance(&end.axis) <= BOTH * rounding.axis_rad).then_some(0.0)
+    }
+
+    /// A block that carries out a part of a motion: its state, its path, its feed.
+    fn travelled(&mut self, cutting: &mut Cutting, current: &Current<'_>, end: &ToolPose, part: &Part) {
+        let (block, motion) = (current.block, &part.motion);
+        let on = part.segment.at(part.share);
+        if !motion.rapid || part.share >= 1.0 {
+            self.tally.deviation((end.tip - on.tip).norm(), angle_between(&end.axis, &on.axis));
+        }
+        self.compare_state(current, &part.required);
+        let at_feed = block.action != Action::Rapid;
+        let known = self.rules.is_known(block, self.previous.known);
+        // The motion down from the approach point is a rapid if it is one in the CL data.
+        let approaches = motion.starts || self.progress.is_approached() || self.rotates(block);
+        let rapids_at_feed = self.rules.policy().links.rapid == RapidForm::Feed;
+        let expects_feed = !motion.rapid || (rapids_at_feed && !approaches && (at_feed || !self.is_in_thread()));
+        if at_feed != expects_feed {
+            let text = match at_feed {
+                true => "this motion is a rapid in the CL data and is programmed at feed",
+                false => "this motion is a feed motion in the CL data and is programmed as a rapid",
+            };
+            self.found(current, text);
+        } else if !at_feed {
+            self.rotates_at_part(current);
+        } else if known && !self.progress.is_lost() {
+            self.compare_path(current, part);
+            self.compare_feed(current, part);
+        }
+        self.end_rapid_steps(cutting, current);
+        // The machine retracts along the axis that it has: tool axes of the CL data that it cannot tell apart are one.
+        cutting.retract.follow(&ToolPose { axis: end.axis, ..on });
+        self.progress.advance((part.at, part.required), part.share);
+        self.start.restarted = false;
+        cutting.finished = (part.share >= 1.0).then_some(FinishedMotion {
+            motion: *motion,
+            required: part.required,
+            at_feed,
+            rotated_rad: 0.0,
+        });
+        if part.share >= 1.0 {
+            self.progress.pass();
+        } else if motion.rapid {
+            self.progress.begin_at(*end);
+        }
+    }
+
+    fn compare_state(&mut self, current: &Current<'_>, required: &Required) {
+        let fault = self.rules.fault_at_path(current.block, required, self.modal_context());
+        self.found_state(current, fault);
+    }
+
+    /// Whether the next item belongs to a thread, whose motions are a cycle of their own on some controls.
+    fn is_in_thread(&self) -> bool {
+        let hole = self.progress.next().and_then(|item| item.hole);
+        hole.is_some_and(|expected| matches!(expected.hole.drilling, Drilling::Tap { .. }))
+    }
+
+    /// Whether a rotary axis rotates by more than the index angle.
+    fn rotates(&self, block: &Block) -> bool {
+        self.rules.rotates(&self.previous.words, self.previous.known, block)
+    }
+
+    /// Reports a rapid that rotates the rotary axes at the part.
+    fn rotates_at_part(&mut self, current: &Current<'_>) {
+        if self.rules.retracts_between() && self.rotates(current.block) {
+            self.found(current, "this rapid rotates the rotary axes near the part: the retract before it is missing");
+        }
+    }
+
+    /// Deviation from the path between the ends of a block.
+    fn compare_path(&mut self, current: &Current<'_>, part: &Part) {
+        let path = self.rules.path(self.previous.words, current.block);
+        let Some(deviation) = self.rules.deviation(&path, &part.segment, self.progress.along()) else { return };
+        self.tally.path_deviation(deviation.tip_mm);
+        let rounding = *self.rules.rounding();
+        let (tip, largest) = (deviation.tip_mm, part.required.tolerance_mm + rounding.tip_mm);
+        if tip > largest {
+            let text =
+                format!("within this block the tip deviates from its path by {tip:.4} mm, allowed {largest:.4} mm");
+            self.found(current, &text);
+        }
+        let policy = self.rules.policy();
+        let largest = policy.tolerances.axis_path_rad + rounding.pole_rad;
+        if deviation.axis_rad > largest && !policy.links.rewinds_in_cut {
+            let (axis, largest) = (deviation.axis_rad.to_degrees(), largest.to_degrees());
+            let text = format!(
+                "within this block the tool axis deviates from its even rotation by {axis:.4}°, allowed {largest:.4}°"
+            );
+            self.found(current, &text);
+        }
+    }
+
+    fn compare_feed(&mut self, current: &Current<'_>, part: &Part) {
+        let (block, segment, along) = (current.block, &part.segment, self.progress.along());
+        let length = match segment.shape {
+            PathShape::Line => (part.share - along) * segment.length(),
+            _ if matches!(block.action, Action::Arc(_)) => (part.share - along) * segment.length(),
+            _ => (segment.at(part.share).tip - segment.at(along).tip).norm(),
+        };
+        let feed = self.rules.feed_of(&part.motion);
+        let stroke = self.rules.stroke(&self.previous.words, block, length, feed, &part.required);
+        let law = self.rules.law();
+        let wrong = match block.state.vector {
+            // The rotation of the rotary axes is the control's own.
+            Some(_) if law.is_still(&stroke) && segment.turn() > 0.0 => law.wrong_on_the_spot(&block.state),
+            Some(_) if law.needs_axes() => law.too_fast(&stroke, &block.state),
+            _ => law.wrong(&stroke, &block.state),
+        };
+        if let Some(text) = wrong {
+            self.found(current, &text);
+        }
+    }
+
+    /// The way back to the point at which the rotary axes were rewound.
+    fn come_back_to_cut(
+        &mut self,
+        cutting: &mut Cutting,
+        back: &Segment,
+        current: &Current<'_>,
+        end: &ToolPose,
+    ) -> bool {
+        let block = current.block;
+        let at_end = self.rules.is_at(end, &back.to);
+        if let (Action::Rapid, Some(item), true) = (block.action, cutting.perhaps_retract.take(), at_end) {
+            // It was no rewind but the retract before a rapid, and this is the rapid.
+            self.compare_state(current, &item.required);
+            cutting.back = None;
+            return true;
+        }
+        if block.action == Action::Rapid || !at_end {
+            return false;
+        }
+        let (before, known) = (self.previous.words, self.previous.known);
+        let rotary = self.rules.words().rotary_bits();
+        let rotated = self.rules.words().rotary_travel(&before, &block.values);
+        if known & rotary == rotary && rotated > 1.5 * self.rules.rounding().unit_rad {
+            self.found(
+                current,
+                "the rotary axes rotate on the way back to the part: a rewind rotates them at the retract position \
+                 only",
+            );
+        }
+        let item = self.progress.next().map(|item| item.required);
+        if let Some(required) = item {
+            self.compare_state(current, &required);
+            if let (Some(motion), true) = (self.progress.motion(), self.rules.is_known(block, known)) {
+                let stroke = self.rules.stroke(&before, block, back.length(), motion.feed, &required);
+                if let Some(text) = self.rules.law().wrong(&stroke, &block.state) {
+                    self.found(current, &text);
+                }
+            }
+        }
+        cutting.back = None;
+        true
+    }
+
+    /// Whether a block is the rest of a finished motion: a step of one unit, or near the pole a rotation of the rotary axes, by
+    /// half a revolution at most, where the tool axis is at its end already.
+    fn is_rest(&self, cutting: &mut Cutting, block: &Block, end: &ToolPose) -> bool {
+        let rules = &self.rules;
+        let Some(finished) = cutting.finished.filter(|_| rules.is_known(block, self.previous.known)) else {
+            return false;
+        };
+        let FinishedMotion { motion, required, at_feed, .. } = finished;
+        let same_kind = match block.action {
+            Action::Feed | Action::Arc(_) => at_feed,
+            Action::Rapid => !at_feed && !(rules.retracts_between() && self.rotates(block)),
+            _ => false,
+        };
+        let before = self.previous.words;
+        let rotated_rad = finished.rotated_rad + rules.words().rotary_travel(&before, &block.values);
+        let right_feed = || {
+            let stroke = rules.stroke(&before, block, 0.0, rules.feed_of(&motion), &required);
+            !at_feed || rules.law().wrong(&stroke, &block.state).is_none()
+        };
+        let is_rest = same_kind
+            && rotated_rad <= PI + rules.rounding().unit_rad
+            && rules.is_at(end, &motion.to)
+            && rules.stays_at(&rules.path(before, block), &motion.to, required.tolerance_mm)
+            && rules.fault_in_cut(block, &required, self.modal_context()).is_none()
+            && right_feed();
+        if is_rest {
+            cutting.finished = Some(FinishedMotion { rotated_rad, ..finished });
+        }
+        is_rest
+    }
+
+    /// Whether a block is a step of a rapid: an axis that takes the shorter way and has half a revolution to go, or more, goes
+    /// in steps, and all axes their share. Each step is on the line of those before it; `end_rapid_steps` compares that line
+    /// with the rapid.
+    fn is_step_of_rapid(&mut self, cutting: &mut Cutting, current: &Current<'_>, required: &Required) -> bool {
+        let (before, block) = (self.previous.words, current.block);
+        let direct = block.action == Action::Rapid && self.rules.policy().links.direct;
+        if !direct || self.rollover_travel(&before, &block.values) <= self.rules.rounding().unit_rad {
+            return false;
+        }
+        if cutting.steps.as_ref().is_some_and(|steps| !is_on_line(&self.rules, steps, &block.values)) {
+            return false;
+        }
+        let start = cutting.steps.as_ref().map_or(before, |steps| steps.start);
+        cutting.steps = Some(Box::new(RapidSteps { start, last: block.values }));
+        self.compare_state(current, required);
+        true
+    }
+
+    /// The end of a rapid that may have been in steps.
+    fn end_rapid_steps(&mut self, cutting: &mut Cutting, current: &Current<'_>) {
+        let Some(steps) = cutting.steps.take() else { return };
+        let end = &current.block.values;
+        if !is_on_line(&self.rules, &steps, end) {
+            self.found(current, "the intermediate points of this rapid are not on its path");
+        } else if self.rollover_travel(&steps.start, end) < PI - self.rules.rounding().unit_rad {
+            self.found(current, "this rapid is split into steps, but no rotary axis moves by 180° or more");
+        }
+    }
+
+    /// Largest rotation of an axis that takes the shorter way, rad.
+    fn rollover_travel(&self, from: &[f64; MAX_AXES], to: &[f64; MAX_AXES]) -> f64 {
+        let rollover = &self.rules.policy().words.rollover;
+        let rolls = |(_, axis): &(usize, &Axis)| rollover.contains_key(&axis.letter);
+        let travel = |(index, _): (usize, &Axis)| (to[index] - from[index]).abs();
+        self.rules.axes().iter().enumerate().filter(rolls).map(travel).fold(0.0, f64::max)
+    }
+
+    /// A block that carries out nothing: reports it and looks among the motions ahead for the place at which the program
+    /// continues. The items between are lost.
+    fn resume(&mut self, cutting: &mut Cutting, current: &Current<'_>, end: &ToolPose) -> io::Result<()> {
+        (cutting.back, cutting.steps) = (None, None);
+        cutting.retract = RetractedLength::starting(*end, 0.0);
+        let (tip, axis) = (self.rules.rounding().tip_mm, self.rules.rounding().axis_rad);
+        let continues = self.progress.find(|item| {
+            matches!(&item.action, ExpectedAction::Motion(motion) if (motion.to.tip - end.tip).norm() <= tip
+                && angle_between(&motion.to.axis, &end.axis) <= axis)
+        })?;
+        if let Some(count @ 1..) = continues {
+            self.skip(count, cutting.here, current);
+            // Its start is not judged.
+            self.progress.set_lost(true);
+            if self.carry_out(cutting, current, end)? {
+                return Ok(());
+            }
+        }
+        let text = self.progress.mismatch(&self.rules, cutting.here, end);
+        self.tally.found_lost(self.progress.location(), current.shown, &text);
+        if continues.is_some() {
+            self.progress.pass();
+        }
+        self.progress.set_lost(continues.is_none());
+        Ok(())
+    }
+
+    /// The next rapid, if a block that ends there may also be the retract before it.
+    fn rapid_or_retract(&self, cutting: &Cutting, end: &ToolPose) -> Option<Box<ExpectedItem>> {
+        let here = cutting.here?;
+        let next = (0..).find(|index| !self.is_needless(*index, cutting.here));
+        let item = next.and_then(|index| self.progress.get(index))?;
+        let ExpectedAction::Motion(ClMotion { rapid: true, starts: false, to, .. }) = item.action else { return None };
+        if !self.rules.is_at(end, &to) {
+            return None;
+        }
+        self.rest_of_retract(cutting, &here, end).map(|_| Box::new(item.clone()))
+    }
+
+    /// Rest of the retract along the tool axis and the pose after it, if the block ends there.
+    fn rest_of_retract(&self, cutting: &Cutting, here: &ToolPose, end: &ToolPose) -> Option<(f64, ToolPose)> {
+        let from = self.progress.on_path(here);
+        retract::rest(&self.rules, self.clearance(), (&from, here), end, cutting.retract.out_mm())
+    }
+
+    /// The retract along the tool axis before the machine retract; `None` if the block is something else.
+    fn retract(&mut self, cutting: &mut Cutting, current: &Current<'_>, end: &ToolPose) -> io::Result<Option<Leaving>> {
+        let Some(here) = cutting.here else { return Ok(None) };
+        while self.is_needless(0, cutting.here) {
+            self.pass_over(Some(&mut cutting.perhaps_retract));
+            self.progress.fill(2)?;
+        }
+        let Some((rest, out)) = self.rest_of_retract(cutting, &here, end) else { return Ok(None) };
+        let rewinds = self.progress.continues_cut();
+        let rewind = rewinds.then(|| RewindPoint { pose: self.progress.on_path(&here), out: Some(out) });
+        let dry = !rewinds || self.rules.policy().links.rewinds_dry;
+        let context = ModalContext { dry, ..self.modal_context() };
+        let fault = self.rules.fault_at_leave(&current.block.state, self.progress.last(), context);
+        self.found_state(current, fault);
+        Ok(Some(Leaving {
+            here: *end,
+            retract: cutting.retract.longer(rest),
+            rewind,
+            perhaps_retract: cutting.perhaps_retract.take(),
+        }))
+    }
+
+    /// A cycle returns to the level where it began: the tool first comes to that level over its hole, and down again to a
+    /// thread by a motion; `false` if the block does something else.
+    fn lifts_for_cycle(&mut self, cutting: &Cutting, current: &Current<'_>, end: &ToolPose) -> bool {
+        let Some(ExpectedItem { required, hole: Some(expected), action: ExpectedAction::Motion(next), .. }) =
+            self.progress.next()
+        else {
+            return false;
+        };
+        let (required, hole, next) = (*required, expected.hole, *next);
+        let (top, axis) = (hole.top.tip.coords, hole.top.axis.into_inner());
+        let tip_mm = self.rules.rounding().tip_mm;
+        let at = |height: f64| self.rules.is_at(end, &ToolPose { tip: top + axis * height, axis });
+        let over = cutting.here.is_some_and(|here| {
+            let height = (here.tip - top).dot(&axis);
+            height >= hole.clearance_mm - tip_mm && (here.tip - top - axis * height).norm() <= 2.0 * tip_mm
+        });
+        let asked = self.rules.is_at(end, &next.to);
+        let lifts = over && (at(hole.return_mm) && !asked || !next.rapid && at(hole.clearance_mm));
+        if lifts {
+            self.compare_state(current, &required);
+            if current.block.action == Action::Rapid {
+                self.rotates_at_part(current);
+            }
+        }
+        lifts
+    }
+
+    /// A hole by a cycle of the control.
+    pub(super) fn cycle(&mut self, phase: &mut Phase, current: &Current<'_>) -> io::Result<Option<Phase>> {
+        let (block, Action::Cycle(cycle)) = (current.block, &current.block.action) else { return Ok(None) };
+        self.progress.fill(2)?;
+        while self.is_needless(0, phase.here()) && self.is_last_of_hole() {
+            self.progress.pass();
+            self.progress.fill(2)?;
+        }
+        if let Some(count) = self.items_before_hole(block, cycle)? {
+            self.skip(count, phase.here(), current);
+        }
+        let item = self.progress.next().and_then(|item| Some((item.hole?, item.required)));
+        let end = pose_at(&self.rules, block, cycle.back_to);
+        let Some((expected, required)) = item else {
+            self.found(current, "cycle, but the CL data has no hole here");
+            if let Phase::Cutting(cutting) = phase {
+                cutting.here = end;
+            }
+            return Ok(None);
+        };
+        let starts = self.progress.motion().is_some_and(|motion| motion.starts);
+        if !matches!(phase, Phase::Cutting(_)) || (starts && !self.progress.is_approached()) {
+            self.found(current, "cycle without an approach before it");
+        }
+        self.compare_state(current, &required);
+        let (hole, spindle) = (expected.hole, required.spindle);
+        let comparison = CycleComparison { rules: &self.rules, block, cycle, hole: &hole, spindle };
+        let stays = comparison.stays_at_clearance();
+        let (levels, back) = comparison.levels();
+        let way_out_mm = comparison.way_out_mm(&back);
+        let levels = levels.map(|level| {
+            let found = comparison.compare(&level);
+            (level.level_mm, found)
+        });
+        let faults: Vec<String> = comparison.faults().collect();
+        for (level_mm, found) in levels {
+            self.level_found(current, level_mm, found);
+        }
+        faults.iter().for_each(|text| self.found(current, text));
+        self.finish_hole(expected.number, stays)?;
+        self.progress.begin_at(back);
+        self.progress.set_lost(false);
+        let mut cutting = match phase {
+            Phase::Cutting(cutting) => std::mem::take(cutting),
+            _ => Cutting::default(),
+        };
+        cutting.retract = RetractedLength::starting(back, way_out_mm);
+        cutting.here = end.or(Some(back));
+        Ok(Some(Phase::Cutting(cutting)))
+    }
+
+    /// Reports a wrong level of a cycle, and its travel limits.
+    fn level_found(&mut self, current: &Current<'_>, level_mm: f64, found: Option<(f64, Option<String>)>) {
+        let Some((off, text)) = found else {
+            return self.found(current, "cycle without a known working plane");
+        };
+        if let Some(text) = text {
+            self.found(current, &text);
+        }
+        self.tally.deviation(off, 0.0);
+        if let Some(values) = words_at(&self.rules, current.block, level_mm) {
+            let block = Block { values, ..current.block.clone() };
+            let mut findings = Findings { tally: &mut self.tally, at: current.at, shown: current.shown };
+            self.travel.at_end(&self.rules, &block, &mut findings);
+        }
+    }
+
+    /// Number of items before the hole that a cycle makes, if that is not the next one.
+    fn items_before_hole(&mut self, block: &Block, cycle: &CycleMove) -> io::Result<Option<usize>> {
+        let Some(at) = pose_at(&self.rules, block, cycle.reference) else { return Ok(None) };
+        let rules = &self.rules;
+        let makes = |item: &ExpectedItem| item.hole.is_some_and(|expected| is_over(rules, &at, &expected));
+        if self.progress.next().is_some_and(makes) {
+            return Ok(None);
+        }
+        self.progress.find(makes)
+    }
+
+    /// Whether the next item is not of a hole, or the last of its hole.
+    fn is_last_of_hole(&self) -> bool {
+        let number = |index: usize| self.progress.get(index).and_then(|item| item.hole).map(|hole| hole.number);
+        number(0).is_none() || number(0) != number(1)
+    }
+
+    /// Passes the items of a hole, but for the way up where that is left to a motion.
+    fn finish_hole(&mut self, number: u64, stays: bool) -> io::Result<()> {
+        loop {
+            self.progress.fill(2)?;
+            let belongs = |index: usize| {
+                self.progress.get(index).and_then(|item| item.hole).is_some_and(|hole| hole.number == number)
+            };
+            if !belongs(0) || (stays && !belongs(1)) {
+                return Ok(());
+            }
+            self.progress.pass();
+        }
+    }
+}
+
+/// A part of a motion that a block carries out.
+struct Part {
+    segment: Segment,
+    motion: ClMotion,
+    /// Share of the motion that is done after the block.
+    share: f64,
+    at: Location,
+    required: Required,
+}
+
+/// Whether the last step of a rapid is between its start and some words, on the line of both, apart from one unit.
+fn is_on_line(rules: &Rules<'_>, steps: &RapidSteps, to: &[f64; MAX_AXES]) -> bool {
+    let RapidSteps { start, last } = steps;
+    let travel = |index: usize| to[index] - start[index];
+    let farthest = rules.words().rotary().max_by(|a, b| travel(*a).abs().total_cmp(&travel(*b).abs()));
+    let Some(farthest) = farthest.filter(|index| travel(*index).abs() > 0.0) else { return false };
+    let share = (last[farthest] - start[farthest]) / travel(farthest);
+    let rotary = rules.words().rotary_bits();
+    (0.0..=1.0).contains(&share)
+        && (0..MAX_AXES).all(|index| {
+            let unit = if rotary & (1 << index) != 0 { rules.rounding().unit_rad } else { rules.rounding().unit_mm };
+            (start[index] + share * travel(index) - last[index]).abs() <= 1.01 * unit
+        })
+}

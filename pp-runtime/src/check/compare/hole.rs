@@ -1,0 +1,186 @@
+//! A cycle of the control, compared with the hole of the CL data as a whole: levels, kind, steps, feed and dwell.
+//!
+//! The retract out of the hole after each step is the control's own affair.
+
+use super::super::expect::{ExpectedHole, SAME_LEVEL, SpindleState};
+use super::super::geometry::{ToolPose, angle_between, tool_pose};
+use super::super::read::{Block, CycleKind, CycleMove, FeedMode, MAX_AXES};
+use super::super::rules::{Rules, Stroke};
+use crate::program::{Drilling, Dwell, Feed, Hole, Rotation};
+
+/// Dwells are written to a thousandth of a second, s.
+const DWELL_ROUNDING: f64 = 6e-4;
+
+/// Largest relative error of a pitch: 4 µm in a thread 20 mm long.
+const PITCH: f64 = 2e-4;
+
+/// A cycle and the hole that it is to make.
+pub(super) struct CycleComparison<'c> {
+    pub(crate) rules: &'c Rules<'c>,
+    pub(crate) block: &'c Block,
+    pub(crate) cycle: &'c CycleMove,
+    pub(crate) hole: &'c Hole,
+    pub(crate) spindle: Option<SpindleState>,
+}
+
+/// A level of a cycle.
+pub(super) struct Level {
+    pub(crate) name: &'static str,
+    /// Along the normal of the plane, as in the words of the program, mm.
+    pub(crate) level_mm: f64,
+    pub(crate) expected: ToolPose,
+    /// Height above the clearance level, mm. There the words give the position of the hole; the axis of rounded angles leads
+    /// elsewhere by as much as it is off.
+    pub(crate) above_mm: f64,
+}
+
+/// Words with the tool at a level of a cycle.
+pub(super) fn words_at(rules: &Rules<'_>, block: &Block, level_mm: f64) -> Option<[f64; MAX_AXES]> {
+    let normal = block.state.plane?.axes()[2];
+    let mut values = block.values;
+    values[rules.words().xyz()[normal]?] = level_mm;
+    Some(values)
+}
+
+/// Tip and tool axis at a level of a cycle.
+pub(super) fn pose_at(rules: &Rules<'_>, block: &Block, level_mm: f64) -> Option<ToolPose> {
+    Some(rules.words().place(&words_at(rules, block, level_mm)?, &block.state))
+}
+
+/// Whether a hole is where a pose is, seen along its axis.
+pub(super) fn is_over(rules: &Rules<'_>, pose: &ToolPose, expected: &ExpectedHole) -> bool {
+    let hole = &expected.hole;
+    let axis = hole.top.axis.into_inner();
+    let step = pose.tip - hole.top.tip.coords;
+    (step - axis * step.dot(&axis)).norm() <= rules.rounding().tip_mm
+        && angle_between(&pose.axis, &axis) <= rules.rounding().axis_rad
+}
+
+impl CycleComparison<'_> {
+    fn pose(&self, height: f64) -> ToolPose {
+        tool_pose(&self.hole.level(height))
+    }
+
+    /// Whether the cycle leaves the way up to a motion: a thread that only goes in and out.
+    pub(super) fn stays_at_clearance(&self) -> bool {
+        let end = pose_at(self.rules, self.block, self.cycle.back_to);
+        let tap = matches!(self.cycle.kind, CycleKind::Tap(_));
+        let short = tap && end.is_some_and(|end| self.rules.is_at(&end, &self.pose(self.hole.clearance_mm)));
+        short && self.hole.return_mm - self.hole.clearance_mm > SAME_LEVEL
+    }
+
+    /// Levels of the cycle, and the expected pose at its end.
+    pub(super) fn levels(&self) -> ([Level; 3], ToolPose) {
+        let (cycle, hole) = (self.cycle, self.hole);
+        let end = if self.stays_at_clearance() { hole.clearance_mm } else { hole.return_mm };
+        let level = |name, level_mm, height| Level {
+            name,
+            level_mm,
+            expected: self.pose(height),
+            above_mm: height - hole.clearance_mm,
+        };
+        let levels = [
+            level("clearance point", cycle.reference, hole.clearance_mm),
+            level("bottom", cycle.bottom, -hole.depth_mm),
+            level("return point", cycle.back_to, end),
+        ];
+        (levels, self.pose(end))
+    }
+
+    /// Length from the bottom to the end of the cycle, mm.
+    pub(super) fn way_out_mm(&self, end: &ToolPose) -> f64 {
+        (end.tip - self.pose(-self.hole.depth_mm).tip).dot(&end.axis)
+    }
+
+    /// Distance of a level from that of the CL data, mm, and the text of a finding if it is too large; `None` where the
+    /// working plane is unknown.
+    pub(super) fn compare(&self, level: &Level) -> Option<(f64, Option<String>)> {
+        let at = pose_at(self.rules, self.block, level.level_mm)?;
+        let angle = angle_between(&at.axis, &level.expected.axis);
+        let largest = self.rules.rounding().tip_mm + level.above_mm.abs() * angle;
+        let off = (at.tip - level.expected.tip).norm();
+        let wrong = off > largest || angle > self.rules.axis_allowance(&level.expected.axis);
+        let text = wrong.then(|| format!("{} of the cycle is {off:.4} mm from that of the CL data", level.name));
+        Some((off, text))
+    }
+
+    /// What is wrong with kind, feed and dwell.
+    pub(super) fn faults(&self) -> impl Iterator<Item = String> {
+        [self.kind_fault(), self.feed_fault(), self.dwell_fault()].into_iter().flatten()
+    }
+
+    fn kind_fault(&self) -> Option<String> {
+        let (unit, hole) = (self.rules.rounding().unit_mm, self.hole);
+        let same = match (self.cycle.kind, hole.drilling) {
+            (CycleKind::Drill, Drilling::Drill) | (CycleKind::Ream, Drilling::Ream) => true,
+            // A step that is no shorter than the hole.
+            (CycleKind::Drill, Drilling::Peck { first_mm: step, .. } | Drilling::ChipBreak { step_mm: step, .. }) => {
+                step + unit >= hole.depth_mm
+            }
+            (CycleKind::Peck(step), Drilling::Peck { first_mm, later_mm }) => {
+                (step - later_mm).abs() <= unit && (step - first_mm).abs() <= unit
+            }
+            (CycleKind::ChipBreak(step), Drilling::ChipBreak { step_mm, .. }) => (step - step_mm).abs() <= unit,
+            (CycleKind::Tap(pitch), Drilling::Tap { pitch_mm }) => self.is_pitch(pitch, pitch_mm),
+            _ => false,
+        };
+        (!same).then(|| format!("the cycle makes {}, expected {}", self.cycle.kind, expected_kind(hole)))
+    }
+
+    fn is_pitch(&self, pitch: f64, stated: Option<f64>) -> bool {
+        let speed = self.spindle.map(|(speed, _)| speed);
+        let left = matches!(self.spindle, Some((_, Rotation::CounterClockwise)));
+        let expected = stated.or_else(|| per_revolution(self.hole.feed, speed));
+        expected.is_some_and(|expected| (pitch.abs() - expected).abs() <= PITCH * expected) && (pitch < 0.0) == left
+    }
+
+    fn feed_fault(&self) -> Option<String> {
+        // The pitch of a thread has been compared.
+        if matches!(self.cycle.kind, CycleKind::Tap(_)) {
+            return None;
+        }
+        let (rules, block, hole) = (self.rules, self.block, self.hole);
+        let mut state = block.state;
+        if let Some(feed) = self.cycle.feed {
+            (state.feed, state.feed_mode) = (Some(feed), Some(FeedMode::PerMinute));
+        }
+        let from = rules.words().values(&words_at(rules, block, self.cycle.reference)?);
+        let to = rules.words().values(&words_at(rules, block, self.cycle.bottom)?);
+        let stroke = Stroke {
+            length_mm: hole.clearance_mm + hole.depth_mm,
+            change: std::array::from_fn(|index| to[index] - from[index]),
+            feed: hole.feed,
+            speed_rev_per_min: self.spindle.map(|(speed, _)| speed),
+        };
+        rules.law().wrong(&stroke, &state)
+    }
+
+    fn dwell_fault(&self) -> Option<String> {
+        let seconds = match (self.hole.dwell, self.spindle) {
+            (Some(Dwell::Seconds(seconds)), _) => seconds,
+            (Some(Dwell::Revolutions(count)), Some((speed, _))) => count / speed * 60.0,
+            (Some(Dwell::Revolutions(_)), None) | (None, _) => 0.0,
+        };
+        ((self.cycle.dwell - seconds).abs() > DWELL_ROUNDING)
+            .then(|| format!("the cycle dwells for {} s at the bottom, expected {seconds} s", self.cycle.dwell))
+    }
+}
+
+/// A hole of the CL data in the terms of a cycle.
+fn expected_kind(hole: &Hole) -> CycleKind {
+    match hole.drilling {
+        Drilling::Drill => CycleKind::Drill,
+        Drilling::Ream => CycleKind::Ream,
+        Drilling::Peck { later_mm, .. } => CycleKind::Peck(later_mm),
+        Drilling::ChipBreak { step_mm, .. } => CycleKind::ChipBreak(step_mm),
+        Drilling::Tap { pitch_mm } => CycleKind::Tap(pitch_mm.unwrap_or(0.0)),
+    }
+}
+
+/// Feed in mm per revolution.
+fn per_revolution(feed: Option<Feed>, speed_rev_per_min: Option<f64>) -> Option<f64> {
+    match feed? {
+        Feed::PerRevolution(pitch) => Some(pitch),
+        Feed::PerMinute(feed) => speed_rev_per_min.map(|speed| feed / speed),
+    }
+}

@@ -1,0 +1,546 @@
+//! Blocks between cuts: machine retract, tool change, approach, stop and end, as the specification requires them.
+
+use std::io::{self, Read};
+
+use super::super::expect::{ClMotion, ExpectedAction, ExpectedItem};
+use super::super::geometry::{PathShape, Segment, ToolPose, angle_between};
+use super::super::policy::LinearWords;
+use super::super::read::{Action, Block, Length, stated};
+use super::super::rules::{ModalContext, fault_at_end};
+use super::phase::{Cutting, Phase, Retracted, RetractedLength, RewindPoint};
+use super::{Comparison, Current, StartState, parking, retract};
+use crate::program::Clearance;
+
+/// Dwells are written to three decimals, s.
+const DWELL_ROUNDING: f64 = 6e-4;
+
+impl<R: Read> Comparison<'_, R> {
+    /// INSERT and codes of the CL data: a block that is copied, whatever it does.
+    pub(super) fn is_raw(&mut self, phase: &Phase, current: &Current<'_>) -> bool {
+        let here = phase.here();
+        let index = (0..).find(|index| !self.is_needless(*index, here)).unwrap_or_default();
+        let Some(ExpectedItem { action: ExpectedAction::Raw(expected), .. }) = self.progress.get(index) else {
+            return false;
+        };
+        let (text, expected) = (current.shown.text, expected.trim_ascii_end());
+        let numbered = text.iter().position(|byte| *byte == b' ').map_or(text, |at| &text[at + 1..]);
+        if text != expected && !(current.block.number.is_some() && numbered == expected) {
+            return false;
+        }
+        (0..=index).for_each(|_| self.progress.pass());
+        true
+    }
+
+    /// Changes of state that must not happen at the part.
+    pub(super) fn before_task(&mut self, phase: &Phase, current: &Current<'_>) {
+        let block = current.block;
+        if block.restart {
+            self.start = StartState { restarted: true, retracted: false };
+        }
+        if let Some(length) = block.guard {
+            self.compare_guard(length, current);
+        }
+        let length = std::mem::replace(&mut self.previous.length, block.state.length);
+        let tilted = std::mem::replace(&mut self.previous.tilted, block.state.tilt.is_some());
+        if !phase.is_at_part() {
+            return;
+        }
+        let facts = *self.rules.facts();
+        // Tip control is switched off with the length before the retract, as the manuals have it.
+        let length_moves = facts.length_moves && self.rules.policy().words.linear != LinearWords::TipCoordinates;
+        let changed = matches!(length, Some(Length::Register(_))) && length != block.state.length;
+        if length_moves && changed && block.action != Action::Machine {
+            self.found(
+                current,
+                "length compensation is switched off before the machine has retracted: the tool may move by its length",
+            );
+        }
+        if tilted && block.state.tilt.is_none() && !facts.plane_off_before_retract {
+            self.found(current, "the tilted plane is switched off before the machine has retracted");
+        }
+    }
+
+    /// A guard of a tool length.
+    fn compare_guard(&mut self, length: f64, current: &Current<'_>) {
+        let expected = self.progress.next().and_then(|item| item.required.gauge_length_mm);
+        let length = if self.rules.facts().guard_in_mm { length } else { length * self.rules.units().in_mm() };
+        if let Some(expected) = expected
+            && (expected - length).abs() > 1e-3
+        {
+            self.found(
+                current,
+                &format!("the length guard compares with {length} mm, but the tool length is {expected} mm"),
+            );
+        }
+    }
+
+    /// An approach that has begun must end at the approach point.
+    fn is_complete(&mut self, phase: &Phase, current: &Current<'_>) {
+        if matches!(phase, Phase::Retracted(Retracted { step: 1.., parks: false, .. })) {
+            self.found(current, "the approach before this block does not end at an approach point");
+        }
+    }
+
+    /// The control positions the rotary axes to a tilted plane.
+    pub(super) fn orient(&mut self, current: &Current<'_>) {
+        if self.rules.policy().words.linear != LinearWords::PlaneCoordinates || current.block.state.tilt.is_none() {
+            self.found(current, "the control positions the rotary axes to a tilted plane where none is expected");
+        }
+    }
+
+    /// A block in machine coordinates.
+    pub(super) fn machine_coordinates(
+        &mut self,
+        phase: &mut Phase,
+        current: &Current<'_>,
+    ) -> io::Result<Option<Phase>> {
+        self.pass_needless(phase)?;
+        let block = current.block;
+        let index = self.rules.words().retract();
+        let position = self.rules.policy().links.retract_mm;
+        let there = (block.values[index] - position).abs() <= 0.6 * self.rules.rounding().unit_mm;
+        if block.written != 1 << index || !there {
+            if phase.is_retracted() && parking::moves_linear(&self.rules, block) {
+                self.parked |= block.written;
+            } else {
+                self.found(
+                    current,
+                    &format!("motion in machine coordinates: expected the retract, which moves its axis alone to {position} mm"),
+                );
+            }
+            return Ok(None);
+        }
+        if let Some(text) = self.travel.machine_coordinate(index, block.values[index]) {
+            self.tally.outside_limits(self.progress.location(), current.shown, &text);
+        }
+        self.is_complete(phase, current);
+        let rewinds = self.progress.continues_cut();
+        let links = &self.rules.policy().links;
+        // After a stop, where the position is unknown, the operator has switched the coolant; and the stop may have been in
+        // the plane.
+        let dry = !phase.is_unknown() && (!rewinds || links.rewinds_dry);
+        let tilts = phase.is_at_part() || (phase.is_unknown() && !links.retracts_for_stop);
+        let context = ModalContext {
+            dry,
+            no_plane: phase.is_unknown(),
+            arc_plane: self.previous.arc_plane.filter(|_| matches!(phase, Phase::Cutting(_) | Phase::Unknown { .. })),
+        };
+        let mut retracted = self.retracted(phase, rewinds, current);
+        let spindle = self.spindle_may_be(current.block, retracted.stopped);
+        let fault = self.rules.fault_at_retract(&block.state, tilts, spindle, context);
+        self.found_state(current, fault);
+        self.start.retracted = true;
+        if matches!(self.progress.next(), Some(ExpectedItem { action: ExpectedAction::Home, .. })) {
+            self.progress.take();
+            retracted.parks = true;
+        }
+        Ok(Some(Phase::Retracted(retracted)))
+    }
+
+    /// Data of the retract position after this phase. At the part the tool must have left it along its axis.
+    fn retracted(&mut self, phase: &mut Phase, rewinds: bool, current: &Current<'_>) -> Retracted {
+        let stopped = phase.is_stopped();
+        match phase {
+            Phase::Cutting(cutting) => {
+                let here = cutting.here;
+                let on_path = here.map(|here| self.progress.on_path(&here));
+                self.has_left(here, on_path, cutting.retract.out_mm(), current);
+                Retracted {
+                    rewind: on_path.filter(|_| rewinds).map(|pose| RewindPoint { pose, out: None }),
+                    perhaps_retract: cutting.perhaps_retract.take(),
+                    ..Retracted::default()
+                }
+            }
+            Phase::Leaving(leaving) => Retracted {
+                rewind: leaving.rewind,
+                perhaps_retract: leaving.perhaps_retract.take(),
+                ..Retracted::default()
+            },
+            Phase::Retracted(retracted) => Retracted {
+                rewind: retracted.rewind,
+                perhaps_retract: retracted.perhaps_retract.take(),
+                parks: retracted.parks,
+                stopped,
+                ..Retracted::default()
+            },
+            Phase::Unknown { .. } | Phase::Ended => Retracted { stopped, ..Retracted::default() },
+        }
+    }
+
+    /// The tool must have left the part along its axis.
+    fn has_left(&mut self, here: Option<ToolPose>, on_path: Option<ToolPose>, out_mm: f64, current: &Current<'_>) {
+        let out = |pose: ToolPose| retract::is_out(&self.rules, self.clearance(), &pose, out_mm);
+        // Where the axis hardly leads to a plane, the rounding of a point is a long way: the CL data has reached it.
+        let on_path = on_path.filter(|pose| here.is_some_and(|here| self.rules.is_at(&here, pose)));
+        if !here.into_iter().chain(on_path).any(out) {
+            self.found(current, "the retract along the tool axis before this machine retract is missing or too short");
+        }
+    }
+
+    /// Clearance geometry of the last motion.
+    pub(super) fn clearance(&self) -> Option<&Clearance> {
+        match self.progress.last() {
+            Some(required) => required.clearance.as_ref(),
+            None => self.rules.policy().links.clearance.as_ref(),
+        }
+    }
+
+    /// State in which the spindle may be at the retract position: as in the last cut, or as a SPINDL after it requests; off
+    /// after a stop.
+    fn spindle_may_be(&self, block: &Block, stopped: bool) -> Option<super::super::expect::SpindleState> {
+        block.state.spindle.flatten().filter(|_| !stopped)?;
+        let requested = self.progress.requested_spindle();
+        let in_cut = self.progress.last().and_then(|required| required.spindle);
+        if self.rules.spindle_is(&block.state, requested) { requested } else { in_cut }
+    }
+
+    /// A rapid from the retract position: one of the steps to the approach point.
+    pub(super) fn approach(&mut self, retracted: &mut Retracted, current: &Current<'_>) -> io::Result<Option<Phase>> {
+        self.progress.fill(8)?;
+        self.take_back_in_approach(retracted, current.block);
+        let block = current.block;
+        let words = self.rules.words();
+        let (retract, rotary) = (1 << words.retract(), words.rotary_bits());
+        // Under tip control all linear axes move down together; in a plane its own Z comes last.
+        let last = match self.rules.policy().words.linear {
+            LinearWords::AxisPositions => retract,
+            LinearWords::TipCoordinates => words.linear_bits(),
+            LinearWords::PlaneCoordinates => words.xyz()[2].map_or(retract, |z| 1 << z),
+        };
+        let step = match block.written {
+            written if written & !rotary == 0 => 1,
+            written if written & !last == 0 => 3,
+            written if written & (rotary | last) == 0 => 2,
+            _ => 0,
+        };
+        let parks = retracted.parks && step == 1 && parking::moves_rotary(&self.rules, &self.previous, block);
+        if self.progress.next().is_none() || parks {
+            self.park(retracted, current);
+            return Ok(None);
+        }
+        while let Some(ExpectedItem {
+            action: ExpectedAction::Stop { .. } | ExpectedAction::Raw(_) | ExpectedAction::Home,
+            ..
+        }) = self.progress.next()
+        {
+            self.skip(1, None, current);
+        }
+        if step == 0 || step < retracted.step {
+            self.found(
+                current,
+                "order of the approach: expected rotary axes first, then the other linear axes, the retract axis last",
+            );
+        }
+        self.moves_once(retracted, current);
+        if let Some(required) = self.progress.next().map(|item| item.required) {
+            let context = ModalContext { dry: retracted.rewind.is_none(), ..ModalContext::default() };
+            let fault = self.rules.fault_at_approach(&block.state, &required, (step > 1, step == 3), context);
+            self.found_state(current, fault);
+        }
+        retracted.stopped = false;
+        retracted.step = step;
+        if step == 3 || step == 0 && block.written & retract != 0 {
+            if !self.rules.is_known(block, block.known) {
+                self.found(current, "the position of an axis is unknown at the approach point");
+                self.progress.set_lost(true);
+                return Ok(Some(Phase::Cutting(Cutting::default())));
+            }
+            let end = self.rules.pose(block);
+            self.compare_plane(current, &end);
+            return Ok(Some(Phase::Cutting(self.arrive(retracted, current, &end))));
+        }
+        Ok(None)
+    }
+
+    /// Each axis moves once in an approach; one that takes the shorter way may do so in steps.
+    fn moves_once(&mut self, retracted: &mut Retracted, current: &Current<'_>) {
+        let block = current.block;
+        let (before, moved) = retracted.approach;
+        let steps = !self.rules.policy().words.rollover.is_empty();
+        let rotary = self.rules.words().rotary_bits();
+        let (unit_mm, unit_rad) = (self.rules.rounding().unit_mm, self.rules.rounding().unit_rad);
+        let again = (0..before.len()).find(|&index| {
+            let is_rotary = rotary & (1 << index) != 0;
+            let unit = if is_rotary { unit_rad } else { unit_mm };
+            block.written & moved & (1 << index) != 0
+                && !(is_rotary && steps)
+                && (block.values[index] - before[index]).abs() > 0.5 * unit
+        });
+        if let Some(axis) = again.and_then(|index| self.rules.axes().get(index)) {
+            let text = format!("{} moves twice in this approach, to different positions", axis.letter);
+            self.found(current, &text);
+        }
+        retracted.approach = (block.values, moved | block.written);
+    }
+
+    /// In a tilted plane the rotary axes are where the plane requires them.
+    fn compare_plane(&mut self, current: &Current<'_>, end: &ToolPose) {
+        let block = current.block;
+        let Some(tilt) = &block.state.tilt else { return };
+        let (words, rounding) = (self.rules.words(), *self.rules.rounding());
+        // X of the plane is where the rotary axes have it, or the part would be rotated about the tool.
+        let twist = words.twist(&block.values, &tilt.rotation);
+        let axis = words.tool_axis_at(&block.values);
+        if twist > 2.0 * rounding.axis_rad {
+            let twist = twist.to_degrees();
+            self.found(current, &format!("the tilted plane is rotated by {twist:.4}° against that of the rotary axes"));
+        }
+        let off = angle_between(&axis, &end.axis);
+        if off > self.rules.axis_allowance(&end.axis) {
+            let off = off.to_degrees();
+            self.found(current, &format!("the rotary axes are {off:.4}° off the tilted plane"));
+        } else if let Some(motion) = self.progress.motion() {
+            let off = angle_between(&axis, &motion.to.axis);
+            let largest =
+                if self.rules.is_near_pole(&motion.to.axis) { rounding.pole_rad } else { rounding.rotary_rad };
+            if off > largest {
+                let off = off.to_degrees();
+                self.found(current, &format!("the rotary axes are {off:.4}° off the tool axis of the CL data"));
+            }
+        }
+    }
+
+    /// The approach has ended.
+    fn arrive(&mut self, retracted: &mut Retracted, current: &Current<'_>, end: &ToolPose) -> Cutting {
+        let mut cutting = Cutting { here: Some(*end), ..Cutting::default() };
+        if let Some(rewind) = retracted.rewind {
+            cutting.perhaps_retract = retracted.perhaps_retract.take();
+            cutting.back = Some(Box::new(self.come_back(&rewind, current, end)));
+            return cutting;
+        }
+        self.progress.restart_motion();
+        while let Some(ExpectedItem { action: ExpectedAction::Dwell(_), .. }) = self.progress.next() {
+            self.skip(1, None, current);
+        }
+        self.take_back_at_approach_point(retracted, end);
+        let Some(motion) = self.progress.motion() else {
+            self.found(current, "approach, but the CL data has no motion here");
+            return cutting;
+        };
+        if motion.starts {
+            self.compare_start(current);
+        }
+        self.pass_lift_to_hole(end);
+        let Some(motion) = self.progress.motion() else { return cutting };
+        let above = self.approach_point(0, &motion);
+        let (off, angle) = ((end.tip - above.tip).norm(), angle_between(&end.axis, &above.axis));
+        if self.rules.is_at(end, &above) {
+            self.tally.deviation(off, angle);
+        } else {
+            let angle = angle.to_degrees();
+            self.found(
+                current,
+                &format!("the approach ends {off:.4} mm from the approach point, the tool axis is {angle:.4}° off"),
+            );
+        }
+        self.progress.approach(above);
+        self.previous.arc_plane = None;
+        cutting.retract = RetractedLength::starting(motion.to, 0.0);
+        if above == motion.to {
+            self.progress.pass();
+        }
+        cutting
+    }
+
+    fn approach_point(&self, index: usize, motion: &ClMotion) -> ToolPose {
+        self.progress.approach_point(index, motion, self.rules.policy().links.approach_mm)
+    }
+
+    /// A rapid that was taken for done, and was the retract before it: the tool comes back to it.
+    fn take_back_in_approach(&mut self, retracted: &mut Retracted, block: &Block) {
+        let Some(item) = retracted.perhaps_retract.take() else { return };
+        if !matches!(item.action, ExpectedAction::Motion(_)) {
+            return;
+        }
+        // An operation begins with a complete state.
+        let elsewhere = match self.progress.next().map(|item| &item.action) {
+            Some(ExpectedAction::Motion(next)) => next.starts && !self.start.restarted,
+            _ => !parking::moves_rotary(&self.rules, &self.previous, block),
+        };
+        if elsewhere {
+            self.progress.put_back(*item);
+            self.take_tool();
+        } else {
+            retracted.perhaps_retract = Some(item);
+        }
+    }
+
+    /// The same at the end of the approach.
+    fn take_back_at_approach_point(&mut self, retracted: &mut Retracted, end: &ToolPose) {
+        let Some(item) = retracted.perhaps_retract.take() else { return };
+        let ExpectedAction::Motion(rapid) = item.action else { return };
+        let next = self.progress.motion();
+        if next.is_some_and(|next| self.rules.is_at(end, &self.approach_point(0, &next))) {
+            return;
+        }
+        self.progress.put_back(*item);
+        if !self.rules.is_at(end, &self.approach_point(0, &rapid)) {
+            self.progress.take();
+        }
+    }
+
+    /// An approach to a hole leads straight over it: the lift from the last position and the way over are not needed.
+    fn pass_lift_to_hole(&mut self, end: &ToolPose) {
+        let ahead = |index: usize| {
+            let item = self.progress.get(index)?;
+            let ExpectedAction::Motion(motion) = item.action else { return None };
+            Some((item.hole?.number, motion))
+        };
+        let Some((number, _)) = ahead(0) else { return };
+        let rapids = (0..).map_while(ahead).take_while(|(hole, motion)| *hole == number && motion.rapid);
+        let count = rapids
+            .enumerate()
+            .find(|(index, (_, motion))| self.rules.is_at(end, &self.approach_point(*index, motion)))
+            .map_or(0, |(count, _)| count);
+        (0..count).for_each(|_| self.progress.pass());
+    }
+
+    /// Way back from above the point at which the rotary axes were rewound.
+    fn come_back(&mut self, rewind: &RewindPoint, current: &Current<'_>, end: &ToolPose) -> Segment {
+        let pose = rewind.pose;
+        // Far above, the rounding of the rotary axes counts: along the tool axis as it is now.
+        let mut over = [pose.axis, end.axis].map(|axis| {
+            let along = (end.tip - pose.tip).dot(&axis);
+            (along, ToolPose { tip: pose.tip + axis * along, axis })
+        });
+        if let Some(out) = rewind.out {
+            over[0].1 = out;
+        }
+        let tip_mm = self.rules.rounding().tip_mm;
+        let back = over
+            .iter()
+            .find(|(along, above)| *along >= -tip_mm && retract::is_at_distance(&self.rules, end, above, *along));
+        let (_, above) = *back.unwrap_or(&over[0]);
+        if back.is_none() || angle_between(&pose.axis, &end.axis) > self.rules.axis_allowance(&pose.axis) {
+            self.found(current, "after the rewind the tool does not return above the point that it left");
+        }
+        Segment { from: above, to: pose, shape: PathShape::Line }
+    }
+
+    /// The program can be entered where an operation begins: its complete state, and a machine retract after it.
+    fn compare_start(&mut self, current: &Current<'_>) {
+        let own_safety = self.rules.policy().shop.own_safety;
+        let mut needed = stated::COOLANT;
+        if !own_safety {
+            needed |= stated::OFFSET;
+        }
+        if self.progress.next().is_some_and(|item| item.required.spindle.is_some()) {
+            needed |= stated::SPINDLE;
+        }
+        let missing = needed & !current.block.stated;
+        for (bit, name) in [(stated::COOLANT, "coolant"), (stated::OFFSET, "work offset"), (stated::SPINDLE, "spindle")]
+        {
+            if missing & bit != 0 {
+                self.found(
+                    current,
+                    &format!("operation starts without its {name}, which must be programmed after its restart point"),
+                );
+            }
+        }
+        if !own_safety && !self.start.restarted {
+            self.found(current, "operation starts without a restart point, the block that sets all modal codes");
+        }
+        if !self.start.retracted {
+            self.found(current, "operation starts without the machine retract after its restart point");
+        }
+    }
+
+    /// Rotary axes to their parking positions.
+    fn park(&mut self, retracted: &mut Retracted, current: &Current<'_>) {
+        let block = current.block;
+        let spindle = if retracted.parks { self.spindle_may_be(block, retracted.stopped) } else { None };
+        let fault = self.rules.fault_at_park(&block.state, spindle, ModalContext::default());
+        self.found_state(current, fault);
+        retracted.parks = true;
+        if !parking::moves_rotary(&self.rules, &self.previous, block) {
+            self.found(current, "the CL data has no motion here, and this is no parking position of the configuration");
+        }
+    }
+
+    pub(super) fn tool_change(&mut self, phase: &mut Phase, current: &Current<'_>) -> io::Result<Phase> {
+        let tool = current.block.state.tool;
+        if self.progress.next().is_none_or(|item| item.required.tool != tool) {
+            self.find_again(phase, |item| item.required.tool == tool, current)?;
+        }
+        if !phase.is_retracted() || !self.start.retracted {
+            self.found(current, "tool change before the machine has retracted");
+        }
+        self.is_complete(phase, current);
+        Ok(self.forget(phase))
+    }
+
+    /// Where the program has been lost, it continues at the next item that suits.
+    fn find_again(
+        &mut self,
+        phase: &mut Phase,
+        suits: impl Fn(&ExpectedItem) -> bool,
+        current: &Current<'_>,
+    ) -> io::Result<()> {
+        if self.progress.is_lost()
+            && let Some(count) = self.progress.find(suits)?
+        {
+            self.skip(count, phase.here(), current);
+            self.progress.set_lost(false);
+        }
+        Ok(())
+    }
+
+    pub(super) fn dwell(&mut self, phase: &mut Phase, seconds: f64, current: &Current<'_>) -> io::Result<()> {
+        self.pass_needless(phase)?;
+        if let Some(ExpectedItem { action: ExpectedAction::Dwell(expected), .. }) = self.progress.next()
+            && (expected - seconds).abs() <= DWELL_ROUNDING
+        {
+            self.progress.take();
+            return Ok(());
+        }
+        let spindle = self.rules.policy().links.spindle_dwell_s;
+        if spindle <= 0.0 || (spindle - seconds).abs() > DWELL_ROUNDING {
+            self.found(current, &format!("dwell of {seconds} s, which neither CL data nor configuration asks for"));
+        }
+        Ok(())
+    }
+
+    /// M0 and M1.
+    pub(super) fn stop(&mut self, phase: &mut Phase, optional: bool, current: &Current<'_>) -> io::Result<Phase> {
+        self.pass_needless(phase)?;
+        let suits = |item: &ExpectedItem| matches!(item.action, ExpectedAction::Stop { optional: expected } if expected == optional);
+        self.find_again(phase, suits, current)?;
+        match self.progress.next() {
+            Some(item) if suits(item) => self.progress.take(),
+            _ => self.found(current, "stop without STOP or OPSTOP in the CL data"),
+        }
+        let retracts = self.rules.policy().links.retracts_for_stop;
+        if retracts && !phase.is_retracted() {
+            self.found(current, "program stop before the machine has retracted");
+        }
+        if retracts && let Some(text) = fault_at_end(&current.block.state) {
+            self.found(current, &text);
+        }
+        self.is_complete(phase, current);
+        match self.forget(phase) {
+            Phase::Unknown { stopped } => Ok(Phase::Unknown { stopped: stopped || retracts }),
+            other => Ok(other),
+        }
+    }
+
+    /// The end code.
+    pub(super) fn end(&mut self, phase: &mut Phase, current: &Current<'_>) -> io::Result<Phase> {
+        self.progress.fill(1)?;
+        self.pass_needless(phase)?;
+        if self.progress.next().is_some() {
+            self.found(current, "end code before the end of the CL data");
+        }
+        if !phase.is_retracted() {
+            self.found(current, "end code before the machine has retracted");
+        }
+        if let Some(text) = fault_at_end(&current.block.state) {
+            self.found(current, &text);
+        }
+        self.is_complete(phase, current);
+        let missing: Vec<char> = parking::missing(&self.rules, self.parked, current.block).collect();
+        for letter in missing {
+            self.found(current, &format!("{letter} is not at its parking position"));
+        }
+        Ok(Phase::Ended)
+    }
+}

@@ -1,0 +1,302 @@
+//! A program compared with its CL data, block by block.
+//!
+//! A block that ends a feed or a rapid at the part must end on the path of the CL data, in order; several blocks may share
+//! a motion, and each is compared along its path, too. The motion from one operation to the next follows from the
+//! specification: out along the tool axis, the retract axis to its machine position, rotary axes alone, the other linear
+//! axes, down to the approach point. The modal state is compared at each block that moves.
+//!
+//! [`Phase::task`] is the table of what a block has to be in each phase; `cutting` has the tasks at the part, `links` those
+//! between cuts. A block that carries out nothing is reported, and the place at which the program continues is looked for
+//! among the motions ahead.
+
+mod cutting;
+mod hole;
+mod links;
+mod parking;
+mod phase;
+mod progress;
+mod retract;
+
+use std::io::{self, Read};
+
+use super::Checked;
+use super::expect::{Expect, ExpectedAction, ExpectedItem};
+use super::geometry::ToolPose;
+use super::policy::Policy;
+use super::read::{Action, ArcMove, Block, Length, MAX_AXES, State, WorkPlane};
+use super::report::{Shown, Tally};
+use super::rules::{ModalContext, Rules, StateFault, chord};
+use super::stream::{ExecutedBlock, Observer};
+use super::travel::{Findings, Travel};
+use crate::cl::ClReader;
+use crate::kinematics::AnyMachine;
+use crate::program::{Location, Units};
+use phase::{Phase, Task};
+use progress::Progress;
+
+/// A program while it is compared.
+pub(super) struct Checker<'a, R> {
+    comparison: Comparison<'a, R>,
+    phase: Phase,
+    /// State after the last block that was shown to an observer.
+    before: State,
+}
+
+/// Everything of a comparison that does not depend on the phase.
+struct Comparison<'a, R> {
+    rules: Rules<'a>,
+    progress: Progress<'a, R>,
+    travel: Travel,
+    tally: Tally,
+    previous: Previous,
+    start: StartState,
+    /// Axes at their parking positions: bits.
+    parked: u16,
+}
+
+/// Words and modes after the last block.
+#[derive(Debug, Clone, Copy, Default)]
+struct Previous {
+    words: [f64; MAX_AXES],
+    /// Axes whose words are known: bits.
+    known: u16,
+    /// Chords of the arcs by their angle since the words gave the position in their plane, in diameters.
+    chords: f64,
+    /// Plane of the last arc of the operation.
+    arc_plane: Option<WorkPlane>,
+    length: Option<Length>,
+    tilted: bool,
+}
+
+/// Blocks since the last complete state began.
+#[derive(Debug, Clone, Copy, Default)]
+struct StartState {
+    /// A complete state has begun since the last motion on the path.
+    restarted: bool,
+    /// The machine has retracted since a complete state began.
+    retracted: bool,
+}
+
+/// The block at hand.
+#[derive(Clone, Copy)]
+struct Current<'b> {
+    block: &'b Block,
+    shown: Shown<'b>,
+    /// The record that was next when the block began.
+    at: Location,
+}
+
+impl<'a, R: Read> Checker<'a, R> {
+    pub(super) fn new(machine: Box<dyn AnyMachine>, policy: &'a Policy, units: Units, reader: ClReader<R>) -> Self {
+        let rules = Rules::new(machine, policy, units);
+        let travel = Travel::new(&rules);
+        let expect = Expect::new(rules.machine(), reader, policy, rules.rounding().unit_mm);
+        let comparison = Comparison {
+            progress: Progress::new(expect),
+            tally: Tally::new(policy.tolerances.path_mm, travel.is_limited()),
+            travel,
+            rules,
+            previous: Previous::default(),
+            start: StartState::default(),
+            parked: 0,
+        };
+        Self { comparison, phase: Phase::Unknown { stopped: false }, before: State::default() }
+    }
+
+    /// Compares one block.
+    pub(super) fn block(&mut self, block: &Block, text: &[u8]) -> io::Result<()> {
+        let Self { comparison, phase, .. } = self;
+        comparison.progress.fill(2)?;
+        let current = Current { block, shown: Shown { line: block.line, text }, at: comparison.progress.location() };
+        if comparison.is_raw(phase, &current) {
+            *phase = comparison.forget(phase);
+            return Ok(());
+        }
+        for fault in &block.faults {
+            comparison.found(&current, &fault.text);
+        }
+        let task = phase.task(&block.action);
+        if task == Task::AfterEnd {
+            comparison.found(&current, "block after the end code of the program");
+            return Ok(());
+        }
+        comparison.before_task(phase, &current);
+        let next = if block.action.moves() {
+            comparison.moving(task, phase, &current)?
+        } else {
+            comparison.standing(task, phase, &current)?
+        };
+        if let Some(next) = next {
+            *phase = next;
+        }
+        Ok(())
+    }
+
+    /// Compares one block and shows it to an observer.
+    pub(super) fn observed(&mut self, block: &Block, text: &[u8], observer: &mut dyn Observer) -> io::Result<()> {
+        let Previous { words: from, known, .. } = self.comparison.previous;
+        let (record, count) = (self.comparison.progress.location(), self.comparison.tally.count());
+        self.block(block, text)?;
+        observer.executed(&ExecutedBlock {
+            block,
+            before: &self.before,
+            record,
+            findings: self.comparison.tally.count() - count,
+            from,
+            known,
+            rules: &self.comparison.rules,
+        });
+        self.before = block.state;
+        Ok(())
+    }
+
+    /// Figures and findings, after the last line of the program.
+    pub(super) fn conclude(mut self, lines: u64) -> Checked {
+        let comparison = &mut self.comparison;
+        if !matches!(self.phase, Phase::Ended) {
+            let cut = comparison.progress.next().is_some_and(|item| matches!(item.action, ExpectedAction::Motion(_)));
+            let text = match cut {
+                true => "the program breaks off before the end of the CL data",
+                false => "the program has no end code",
+            };
+            comparison.tally.found(comparison.progress.location(), Shown { line: lines, text: b"" }, text);
+        }
+        let fault = comparison.progress.fault();
+        Checked { outcome: self.comparison.tally.conclude(lines), fault }
+    }
+}
+
+impl<R: Read> Comparison<'_, R> {
+    /// A block that moves an axis; the phase after it, if that is another.
+    fn moving(&mut self, task: Task, phase: &mut Phase, current: &Current<'_>) -> io::Result<Option<Phase>> {
+        let block = current.block;
+        self.tally.count_motion();
+        if phase.is_retracted() || phase.is_unknown() {
+            self.take_tool();
+        }
+        if let Action::Arc(_) = block.action {
+            self.previous.arc_plane = block.state.plane;
+        }
+        let next = match (task, &mut *phase) {
+            (Task::MachineCoordinates, phase) => self.machine_coordinates(phase, current)?,
+            (Task::ReferencePoint, phase) => {
+                let text = "motion to the reference point: its path is unknown, and the position after it";
+                self.found(current, text);
+                Some(self.forget(phase))
+            }
+            (Task::Approach, Phase::Retracted(retracted)) => self.approach(retracted, current)?,
+            (Task::Cycle, phase) => self.cycle(phase, current)?,
+            (Task::Cut, Phase::Cutting(cutting)) => self.cut(cutting, current)?,
+            (Task::Astray, phase) => self.astray(phase, current)?,
+            (Task::OrientElsewhere, _) => {
+                self.found(current, "the control positions the rotary axes to a tilted plane where none is expected");
+                None
+            }
+            (Task::Orient, _) => {
+                self.orient(current);
+                None
+            }
+            _ => None,
+        };
+        self.follow_arcs(block);
+        if matches!(block.action, Action::Machine | Action::Reference) {
+            self.travel.machine_block(&self.rules, block);
+        } else {
+            let findings = Findings { tally: &mut self.tally, at: current.at, shown: current.shown };
+            let before = (&self.previous.words, self.previous.known);
+            self.travel.block(&self.rules, before, block, findings);
+        }
+        (self.previous.words, self.previous.known) = (block.values, block.known);
+        Ok(next)
+    }
+
+    /// A block that moves nothing.
+    fn standing(&mut self, task: Task, phase: &mut Phase, current: &Current<'_>) -> io::Result<Option<Phase>> {
+        match (task, &current.block.action) {
+            (Task::ToolChange, _) => self.tool_change(phase, current).map(Some),
+            (Task::Dwell, Action::Dwell(seconds)) => self.dwell(phase, *seconds, current).map(|()| None),
+            (Task::Stop, action) => self.stop(phase, *action == Action::OptionalStop, current).map(Some),
+            (Task::End, _) => self.end(phase, current).map(Some),
+            _ => Ok(None),
+        }
+    }
+
+    /// Adds a finding about the block at hand.
+    fn found(&mut self, current: &Current<'_>, text: &str) {
+        self.tally.found(self.progress.location(), current.shown, text);
+    }
+
+    /// Adds a finding about its modal state.
+    fn found_state(&mut self, current: &Current<'_>, fault: Option<StateFault>) {
+        if let Some(StateFault { text, called }) = fault {
+            let at = called.unwrap_or_else(|| self.progress.location());
+            self.tally.found(at, current.shown, &text);
+        }
+    }
+
+    /// Circumstances of its modal state at the part.
+    fn modal_context(&self) -> ModalContext {
+        ModalContext { arc_plane: self.previous.arc_plane, ..ModalContext::default() }
+    }
+
+    /// The tool of the next motion gives the chain its length.
+    fn take_tool(&mut self) {
+        if let Some(item) = self.progress.next() {
+            self.rules.set_tool(item.required.gauge_length_mm.unwrap_or(0.0));
+        }
+    }
+
+    /// Whether an item ahead needs no block; `here`: where the tool is.
+    fn is_needless(&self, index: usize, here: Option<ToolPose>) -> bool {
+        self.progress.is_needless(index, &self.rules, here, self.previous.chords)
+    }
+
+    /// Passes motions that need no block.
+    fn pass_needless(&mut self, phase: &mut Phase) -> io::Result<()> {
+        let here = phase.here();
+        while self.is_needless(0, here) {
+            self.pass_over(phase.perhaps_retract());
+            self.progress.fill(2)?;
+        }
+        Ok(())
+    }
+
+    /// Passes a motion that needs no block. The rotary axes may rotate for a rapid all the same.
+    fn pass_over(&mut self, perhaps_retract: Option<&mut Option<Box<ExpectedItem>>>) {
+        let is_rapid = |item: &&ExpectedItem| matches!(&item.action, ExpectedAction::Motion(motion) if motion.rapid);
+        if let Some(perhaps @ None) = perhaps_retract {
+            *perhaps = self.progress.next().filter(is_rapid).cloned().map(Box::new);
+        }
+        self.progress.pass();
+    }
+
+    /// Passes items for which the program has no block, and reports them.
+    fn skip(&mut self, count: usize, here: Option<ToolPose>, current: &Current<'_>) {
+        let (rules, chords) = (&self.rules, self.previous.chords);
+        let needless = |progress: &Progress<'_, R>, index: usize| progress.is_needless(index, rules, here, chords);
+        if let Some((at, text)) = self.progress.skip(count, needless) {
+            self.tally.found(at, current.shown, &text);
+        }
+    }
+
+    /// The phase where the position of the machine is unknown.
+    fn forget(&mut self, phase: &Phase) -> Phase {
+        self.start.retracted = false;
+        self.progress.forget_position();
+        Phase::Unknown { stopped: phase.is_stopped() }
+    }
+
+    /// Adds up the chords of arcs by their angle since the words last gave the position in their plane.
+    fn follow_arcs(&mut self, block: &Block) {
+        if let Action::Arc(ArcMove { by_angle: true, sweep, .. }) = block.action {
+            self.previous.chords += chord(sweep);
+            return;
+        }
+        let Some([first, second, _]) = block.state.plane.map(WorkPlane::axes) else { return };
+        let xyz = self.rules.words().xyz();
+        let written = |axis: usize| xyz[axis].is_none_or(|index| block.written & (1 << index) != 0);
+        if written(first) && written(second) {
+            self.previous.chords = 0.0;
+        }
+    }
+}

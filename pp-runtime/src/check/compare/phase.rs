@@ -1,0 +1,225 @@
+//! Phases of a program, each with the data that has a meaning in it.
+
+use super::super::expect::{ClMotion, ExpectedItem, Required};
+use super::super::geometry::{Segment, ToolPose, angle_between};
+use super::super::read::{Action, MAX_AXES};
+use super::super::rules::SHARE;
+
+/// A motion within this angle of the tool axis leads along it, rad.
+const ALONG_AXIS: f64 = 1e-3;
+
+/// Phase of a program.
+#[derive(Debug, Clone)]
+pub(super) enum Phase {
+    /// The position of the machine is unknown: at the start, after a tool change, a stop, a block of the CL data.
+    Unknown {
+        /// The program has stopped with the spindle off.
+        stopped: bool,
+    },
+    /// On the path of the CL data.
+    Cutting(Cutting),
+    /// Retracted along the tool axis; the machine retract is next.
+    Leaving(Leaving),
+    /// At the retract position, or in the approach from it.
+    Retracted(Retracted),
+    /// After the end code.
+    Ended,
+}
+
+/// On the path of the CL data.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Cutting {
+    /// Where the tool is.
+    pub(crate) here: Option<ToolPose>,
+    pub(crate) retract: RetractedLength,
+    /// Way back to the point at which the rotary axes were rewound.
+    pub(crate) back: Option<Box<Segment>>,
+    /// The rapid of which the last block was a step.
+    pub(crate) steps: Option<Box<RapidSteps>>,
+    /// The motion that the last block has ended.
+    pub(crate) finished: Option<FinishedMotion>,
+    /// A rapid taken for done that may have been the retract before it.
+    pub(crate) perhaps_retract: Option<Box<ExpectedItem>>,
+}
+
+/// Retracted along the tool axis.
+#[derive(Debug, Clone)]
+pub(super) struct Leaving {
+    pub(crate) here: ToolPose,
+    pub(crate) retract: RetractedLength,
+    pub(crate) rewind: Option<RewindPoint>,
+    pub(crate) perhaps_retract: Option<Box<ExpectedItem>>,
+}
+
+/// At the retract position.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Retracted {
+    /// Step of the approach that was done last: 1 rotary axes, 2 linear axes, 3 down to the approach point.
+    pub(crate) step: u8,
+    /// Words of the approach so far, and their bits.
+    pub(crate) approach: ([f64; MAX_AXES], u16),
+    pub(crate) rewind: Option<RewindPoint>,
+    pub(crate) perhaps_retract: Option<Box<ExpectedItem>>,
+    /// The program has stopped with the spindle off, and no approach has begun since.
+    pub(crate) stopped: bool,
+    /// Axes may move to their parking positions.
+    pub(crate) parks: bool,
+}
+
+/// The point at which the cut is interrupted to rewind rotary axes.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct RewindPoint {
+    pub(crate) pose: ToolPose,
+    /// End of the retract along the tool axis.
+    pub(crate) out: Option<ToolPose>,
+}
+
+/// Length of the last motions out along the tool axis.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct RetractedLength {
+    /// Start of the next motion.
+    from: Option<ToolPose>,
+    out_mm: f64,
+}
+
+/// A rapid in steps: words before the first and after the last step.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct RapidSteps {
+    pub(crate) start: [f64; MAX_AXES],
+    pub(crate) last: [f64; MAX_AXES],
+}
+
+/// A motion that is done.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct FinishedMotion {
+    pub(crate) motion: ClMotion,
+    pub(crate) required: Required,
+    /// It was run at feed.
+    pub(crate) at_feed: bool,
+    /// Rotation of rotary axes since, the tool axis being at its end, rad.
+    pub(crate) rotated_rad: f64,
+}
+
+/// Task of a block.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Task {
+    /// Modal state only.
+    Modal,
+    /// A block after the end code.
+    AfterEnd,
+    ToolChange,
+    Dwell,
+    Stop,
+    End,
+    /// Machine coordinates: the machine retract, or a parking position.
+    MachineCoordinates,
+    /// To the reference point, by a path that is unknown.
+    ReferencePoint,
+    /// The control positions the rotary axes to the tilted plane.
+    Orient,
+    OrientElsewhere,
+    /// A step of the approach.
+    Approach,
+    /// A cycle of the control.
+    Cycle,
+    /// On the path of the CL data, or the retract along the tool axis.
+    Cut,
+    /// At the part without an approach.
+    Astray,
+}
+
+impl Phase {
+    /// The task of a block: the table of phase and action. The phase after it is in the last column.
+    #[rustfmt::skip]
+    pub(super) fn task(&self, action: &Action) -> Task {
+        match (self, action) {
+            (_,                  Action::Nothing)                     => Task::Modal,              // the same
+            (Self::Ended,        _)                                   => Task::AfterEnd,           // the same
+            (_,                  Action::ToolChange)                  => Task::ToolChange,         // unknown
+            (_,                  Action::Stop | Action::OptionalStop) => Task::Stop,               // unknown
+            (_,                  Action::Dwell(_))                    => Task::Dwell,              // the same
+            (_,                  Action::End)                         => Task::End,                // ended
+            (_,                  Action::Machine)                     => Task::MachineCoordinates, // retracted
+            (_,                  Action::Reference)                   => Task::ReferencePoint,     // unknown
+            (Self::Retracted(_), Action::Orient)                      => Task::Orient,             // the same
+            (_,                  Action::Orient)                      => Task::OrientElsewhere,    // the same
+            (Self::Retracted(_), Action::Rapid)                       => Task::Approach,           // retracted, cutting
+            (_,                  Action::Cycle(_))                    => Task::Cycle,              // cutting
+            (Self::Cutting(_),   _)                                   => Task::Cut,                // cutting, leaving
+            (_,                  _)                                   => Task::Astray,             // cutting
+        }
+    }
+
+    /// Where the tool is, if that is known.
+    pub(super) fn here(&self) -> Option<ToolPose> {
+        match self {
+            Self::Cutting(cutting) => cutting.here,
+            Self::Leaving(leaving) => Some(leaving.here),
+            Self::Unknown { .. } | Self::Retracted(_) | Self::Ended => None,
+        }
+    }
+
+    /// A rapid taken for done that may have been the retract before it.
+    pub(super) fn perhaps_retract(&mut self) -> Option<&mut Option<Box<ExpectedItem>>> {
+        match self {
+            Self::Cutting(cutting) => Some(&mut cutting.perhaps_retract),
+            Self::Leaving(leaving) => Some(&mut leaving.perhaps_retract),
+            Self::Retracted(retracted) => Some(&mut retracted.perhaps_retract),
+            Self::Unknown { .. } | Self::Ended => None,
+        }
+    }
+
+    /// Whether the tool is at the part.
+    pub(super) fn is_at_part(&self) -> bool {
+        matches!(self, Self::Cutting(_) | Self::Leaving(_))
+    }
+
+    /// Whether the machine is at its retract position, or in an approach.
+    pub(super) fn is_retracted(&self) -> bool {
+        matches!(self, Self::Retracted(_))
+    }
+
+    /// Whether the program has stopped with the spindle off, and no approach has begun since.
+    pub(super) fn is_stopped(&self) -> bool {
+        match self {
+            Self::Unknown { stopped } => *stopped,
+            Self::Retracted(retracted) => retracted.stopped,
+            Self::Cutting(_) | Self::Leaving(_) | Self::Ended => false,
+        }
+    }
+
+    pub(super) fn is_unknown(&self) -> bool {
+        matches!(self, Self::Unknown { .. })
+    }
+}
+
+impl RetractedLength {
+    pub(super) fn out_mm(&self) -> f64 {
+        self.out_mm
+    }
+
+    /// From a pose on, with a length out along the tool axis.
+    pub(super) fn starting(from: ToolPose, out_mm: f64) -> Self {
+        Self { from: Some(from), out_mm }
+    }
+
+    /// The same retract, longer.
+    pub(super) fn longer(self, by_mm: f64) -> Self {
+        Self { out_mm: self.out_mm + by_mm, ..self }
+    }
+
+    /// Adds the motion to a pose.
+    pub(super) fn follow(&mut self, to: &ToolPose) {
+        let from = self.from.replace(*to).unwrap_or(*to);
+        let step = to.tip - from.tip;
+        let along = step.dot(&to.axis);
+        let across = (step - to.axis * along).norm();
+        if angle_between(&from.axis, &to.axis) > ALONG_AXIS {
+            self.out_mm = 0.0;
+        } else if along > SHARE && across <= ALONG_AXIS * along {
+            self.out_mm += along;
+        } else if along.abs() > SHARE || across > SHARE {
+            self.out_mm = 0.0;
+        }
+    }
+}

@@ -1,0 +1,250 @@
+//! The place of a program in its CL data.
+
+use std::cmp::Ordering;
+use std::io::{self, Read};
+
+use super::super::expect::{ClMotion, Expect, ExpectedAction, ExpectedItem, Required, SpindleState};
+use super::super::geometry::{PathShape, Segment, ToolPose, angle_between};
+use super::super::rules::{Arrival, Rules};
+use crate::diag::Diagnostic;
+use crate::program::Location;
+
+/// A point this near to a line lies on it, mm.
+const ON_LINE: f64 = 1e-3;
+
+/// The same tool axis, rad.
+const SAME_AXIS: f64 = 1e-6;
+
+/// The place of a program in its CL data: the next item, and how much of it is done.
+pub(super) struct Progress<'a, R> {
+    expect: Expect<'a, R>,
+    /// End of the last motion of the CL data, or the approach point.
+    reached: Option<ToolPose>,
+    /// Share of the next motion that is done.
+    along: f64,
+    /// Record and state of the last motion.
+    last: Option<(Location, Required)>,
+    /// The last block carried out nothing: the start of the next one is not judged.
+    lost: bool,
+    /// The approach to the next motion is done.
+    approached: bool,
+}
+
+impl<'a, R: Read> Progress<'a, R> {
+    pub(super) fn new(expect: Expect<'a, R>) -> Self {
+        Self { expect, reached: None, along: 0.0, last: None, lost: false, approached: false }
+    }
+
+    /// Reads until `count` items are known.
+    pub(super) fn fill(&mut self, count: usize) -> io::Result<()> {
+        self.expect.fill(count)
+    }
+
+    /// The next item.
+    pub(super) fn next(&self) -> Option<&ExpectedItem> {
+        self.expect.get(0)
+    }
+
+    /// An item ahead, 0 the next.
+    pub(super) fn get(&self, index: usize) -> Option<&ExpectedItem> {
+        self.expect.get(index)
+    }
+
+    /// Position of the first item ahead that suits.
+    pub(super) fn find(&mut self, suits: impl FnMut(&ExpectedItem) -> bool) -> io::Result<Option<usize>> {
+        Ok(self.expect.ahead()?.iter().position(suits))
+    }
+
+    /// The next item, if it is a motion.
+    pub(super) fn motion(&self) -> Option<ClMotion> {
+        match self.next()?.action {
+            ExpectedAction::Motion(motion) => Some(motion),
+            _ => None,
+        }
+    }
+
+    /// Record of the next item, or of the last motion.
+    pub(super) fn location(&self) -> Location {
+        let next = self.next().map(|item| item.at);
+        next.or(self.last.map(|(at, _)| at)).unwrap_or_default()
+    }
+
+    /// State of the last motion.
+    pub(super) fn last(&self) -> Option<&Required> {
+        self.last.as_ref().map(|(_, required)| required)
+    }
+
+    pub(super) fn along(&self) -> f64 {
+        self.along
+    }
+
+    pub(super) fn is_lost(&self) -> bool {
+        self.lost
+    }
+
+    pub(super) fn is_approached(&self) -> bool {
+        self.approached
+    }
+
+    /// First error of the CL data.
+    pub(super) fn fault(&self) -> Option<Diagnostic> {
+        self.expect.fault()
+    }
+
+    /// Spindle state that the last SPINDL before the next item requests.
+    pub(super) fn requested_spindle(&self) -> Option<SpindleState> {
+        self.expect.requested_spindle()
+    }
+
+    /// The next motion from the end of the last one; `here`: where the tool is.
+    pub(super) fn segment(&self, motion: &ClMotion, here: Option<ToolPose>, end: &ToolPose) -> Segment {
+        Segment { from: self.reached.or(here).unwrap_or(*end), to: motion.to, shape: motion.shape }
+    }
+
+    /// Where a block begins on the next motion.
+    pub(super) fn arrival(&self, here: Option<ToolPose>, chords: f64) -> Arrival {
+        Arrival { along: self.along, here, chords }
+    }
+
+    /// Position of the tool on the path of the CL data.
+    pub(super) fn on_path(&self, here: &ToolPose) -> ToolPose {
+        match self.motion() {
+            Some(motion) => self.segment(&motion, Some(*here), here).at(self.along),
+            None => self.reached.unwrap_or(*here),
+        }
+    }
+
+    /// Whether an item ahead needs no block.
+    pub(super) fn is_needless(&self, index: usize, rules: &Rules<'_>, here: Option<ToolPose>, chords: f64) -> bool {
+        let Some(ExpectedItem { action: ExpectedAction::Motion(motion), .. }) = self.get(index) else { return false };
+        here.is_some_and(|here| {
+            let segment = Segment { from: here, to: motion.to, shape: motion.shape };
+            !motion.starts && rules.needs_no_block(&segment, Some(here), chords)
+        })
+    }
+
+    /// Whether the next motion is a cut that continues where the tool is.
+    pub(super) fn continues_cut(&self) -> bool {
+        self.motion().is_some_and(|motion| !motion.rapid && !motion.starts)
+    }
+
+    /// The next item is done.
+    pub(super) fn pass(&mut self) {
+        if let Some(item) = self.expect.pop() {
+            self.last = Some((item.at, item.required));
+            if let ExpectedAction::Motion(motion) = item.action {
+                self.reached = Some(motion.to);
+            }
+        }
+        self.along = 0.0;
+        self.approached = false;
+    }
+
+    /// Takes the next item, which is no motion.
+    pub(super) fn take(&mut self) {
+        self.expect.pop();
+    }
+
+    /// Puts a motion back that was taken for done.
+    pub(super) fn put_back(&mut self, item: ExpectedItem) {
+        self.expect.push_front(item);
+    }
+
+    /// A block has carried out the next motion up to a share.
+    pub(super) fn advance(&mut self, item: (Location, Required), share: f64) {
+        self.along = share;
+        self.lost = false;
+        self.last = Some(item);
+    }
+
+    /// Part of a rapid is done: its rest begins where the tool is.
+    pub(super) fn begin_at(&mut self, pose: ToolPose) {
+        self.reached = Some(pose);
+    }
+
+    /// The approach to the next motion ends here.
+    pub(super) fn approach(&mut self, above: ToolPose) {
+        self.approached = true;
+        self.reached = Some(above);
+        self.lost = false;
+    }
+
+    /// Begins the next motion anew.
+    pub(super) fn restart_motion(&mut self) {
+        self.along = 0.0;
+    }
+
+    pub(super) fn set_lost(&mut self, lost: bool) {
+        self.lost = lost;
+    }
+
+    /// The position of the machine is unknown.
+    pub(super) fn forget_position(&mut self) {
+        self.reached = None;
+    }
+
+    /// Passes items for which the program has no block. Returns the text of a finding, and the record that it is about.
+    pub(super) fn skip(&mut self, count: usize, needless: impl Fn(&Self, usize) -> bool) -> Option<(Location, String)> {
+        let asked = (0..count).filter(|index| !needless(self, *index));
+        let mut records = asked.filter_map(|index| self.get(index)).map(|item| item.at);
+        let found = records.next().map(|first| {
+            let last = records.next_back().unwrap_or(first);
+            let which = match last.line.cmp(&first.line) {
+                Ordering::Equal => format!("CL line {} has", first.line),
+                Ordering::Greater => format!("CL lines {} to {} have", first.line, last.line),
+                // The records of a subprogram are where it is defined.
+                Ordering::Less => format!("CL line {} and the subprogram that it calls have", first.line),
+            };
+            (first, format!("{which} no block before this one: missing or out of order"))
+        });
+        (0..count).for_each(|_| self.pass());
+        found
+    }
+
+    /// Point of the approach to a motion ahead: above it by the approach distance, or the point itself where the next motion
+    /// leads straight down from it.
+    pub(super) fn approach_point(&self, index: usize, first: &ClMotion, approach_mm: f64) -> ToolPose {
+        let next = (index + 1..).map_while(|index| self.get(index)).find_map(|item| match &item.action {
+            ExpectedAction::Motion(motion) => Some((!motion.starts).then_some(motion)),
+            ExpectedAction::Dwell(_) => None,
+            _ => Some(None),
+        });
+        let below = next.flatten().is_some_and(|next| {
+            let step = next.to.tip - first.to.tip;
+            let along = step.dot(&first.to.axis);
+            let across = (step - first.to.axis * along).norm();
+            let line = matches!(next.shape, PathShape::Line);
+            line && along < 0.0 && across <= ON_LINE && (next.to.axis - first.to.axis).norm() <= SAME_AXIS
+        });
+        if first.rapid && below {
+            return first.to;
+        }
+        ToolPose { tip: first.to.tip + first.to.axis * approach_mm, axis: first.to.axis }
+    }
+
+    /// Why a block that ends at `end` is not the next item.
+    pub(super) fn mismatch(&self, rules: &Rules<'_>, here: Option<ToolPose>, end: &ToolPose) -> String {
+        match self.next().map(|item| &item.action) {
+            Some(ExpectedAction::Motion(motion)) => {
+                let off = self.segment(motion, here, end).distance(end, self.along);
+                let angle = angle_between(&end.axis, &motion.to.axis);
+                match off <= rules.rounding().tip_mm && angle <= rules.rounding().axis_rad {
+                    true => "this block ends on the next motion of the CL data but does not follow it: wrong path, or \
+                             rapid instead of feed"
+                        .to_owned(),
+                    false => format!(
+                        "this block matches no motion of the CL data: it ends {off:.4} mm from the path of the next \
+                         motion, its tool axis {:.4}° off",
+                        angle.to_degrees()
+                    ),
+                }
+            }
+            Some(ExpectedAction::Stop { .. }) => {
+                "the stop (STOP or OPSTOP) of the CL data is not in the program before this block".to_owned()
+            }
+            Some(ExpectedAction::Raw(_)) => "the text of INSERT is not in the program before this block".to_owned(),
+            Some(ExpectedAction::Home) => "the retract of GOHOME is not in the program before this block".to_owned(),
+            Some(ExpectedAction::Dwell(_)) | None => "this block matches no motion of the CL data".to_owned(),
+        }
+    }
+}

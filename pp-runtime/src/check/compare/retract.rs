@@ -1,0 +1,54 @@
+//! The retract along the tool axis before a machine retract.
+
+use super::super::geometry::{ToolPose, angle_between, distance_out};
+use super::super::rules::{BOTH, Rules};
+use crate::program::Clearance;
+
+/// The same tool axis, rad.
+const SAME_AXIS: f64 = 1e-6;
+
+/// A retract that is longer than this leads out, mm.
+const LEADS_OUT: f64 = 1e-3;
+
+/// Length of the retract from where it began, mm; `done_mm` of it is done. `None` where the axis does not lead out of the
+/// clearance geometry.
+fn length(rules: &Rules<'_>, clearance: Option<&Clearance>, here: &ToolPose, done_mm: f64) -> Option<f64> {
+    let out = clearance.and_then(|clearance| distance_out(clearance, &here.tip, &here.axis));
+    rules.policy().links.retract_distance_mm.or(out.map(|out| out + done_mm))
+}
+
+/// Whether the tool is far enough out.
+pub(super) fn is_out(rules: &Rules<'_>, clearance: Option<&Clearance>, here: &ToolPose, done_mm: f64) -> bool {
+    match length(rules, clearance, here, done_mm) {
+        Some(length) => done_mm + 2.0 * rules.rounding().tip_mm >= length,
+        None => rules.retracts_along_tool() || done_mm > LEADS_OUT,
+    }
+}
+
+/// Rest of the retract and the pose after it, if that is where a block ends. `from`: the tool on the path of the CL data.
+pub(super) fn rest(
+    rules: &Rules<'_>,
+    clearance: Option<&Clearance>,
+    (from, here): (&ToolPose, &ToolPose),
+    end: &ToolPose,
+    done_mm: f64,
+) -> Option<(f64, ToolPose)> {
+    if angle_between(&here.axis, &end.axis) > SAME_AXIS {
+        return None;
+    }
+    // Near the pole the tool is at the pole, and retracts along it.
+    [from.axis, here.axis].into_iter().find_map(|axis| {
+        let from = ToolPose { tip: from.tip, axis };
+        let length = length(rules, clearance, &from, done_mm)?;
+        let rest = if rules.policy().links.retract_distance_mm.is_some() { length } else { length - done_mm };
+        let out = ToolPose { tip: from.tip + axis * rest, axis };
+        is_at_distance(rules, end, &out, rest).then_some((rest, out))
+    })
+}
+
+/// Whether a pose is at a distance along a tool axis that is known to its rounding.
+pub(super) fn is_at_distance(rules: &Rules<'_>, end: &ToolPose, out: &ToolPose, distance_mm: f64) -> bool {
+    let rounding = rules.rounding();
+    let largest = BOTH * rounding.tip_mm + distance_mm.abs() * rounding.axis_rad;
+    (end.tip - out.tip).norm() <= largest && angle_between(&end.axis, &out.axis) <= rules.axis_allowance(&out.axis)
+}

@@ -1,0 +1,79 @@
+//! The motions of a hole, level by level.
+
+use super::super::geometry::angle_between;
+use crate::kinematics::Pose;
+use crate::program::{Drilling, Dwell, Hole, Move};
+
+/// Levels closer than this are the same, mm.
+pub(crate) const SAME_LEVEL: f64 = 1e-9;
+
+/// Tool axes of one hole and the next, rad.
+const SAME_AXIS: f64 = 1e-6;
+
+/// Largest number of steps of a hole: the planner refuses more.
+const MOST_STEPS: usize = 10_000;
+
+/// A hole that is expected.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct ExpectedHole {
+    /// Number of the hole: its motions have the same number.
+    pub(crate) number: u64,
+    pub(crate) hole: Hole,
+}
+
+/// One step of a hole by motions.
+pub(crate) enum HoleStep {
+    Move(Move),
+    Dwell(Dwell),
+}
+
+/// The motions of a hole from where the tool is.
+pub(crate) fn unfolded(hole: &Hole, here: Option<&Pose>, peck_gap_mm: f64) -> Vec<HoleStep> {
+    let (top, axis) = (hole.top.tip, hole.top.axis);
+    let level = |height: f64| Pose { tip: top + axis.into_inner() * height, axis };
+    let motion = |pose: Pose, rapid: bool| HoleStep::Move(Move { pose, rapid, feed: hole.feed });
+    let mut steps = Vec::new();
+    let same_axis = here.filter(|here| angle_between(&here.axis, &axis) <= SAME_AXIS);
+    if let Some(here) = same_axis {
+        let height = (here.tip - top).dot(&axis);
+        let lift = hole.clearance_mm - height;
+        if lift > SAME_LEVEL {
+            steps.push(motion(Pose { tip: here.tip + axis.into_inner() * lift, axis }, true));
+        }
+        let over = level(height.max(hole.clearance_mm));
+        if (over.tip - here.tip).norm() > SAME_LEVEL {
+            steps.push(motion(over, true));
+        }
+    }
+    steps.push(motion(level(hole.clearance_mm), true));
+    let (first, later) = match hole.drilling {
+        Drilling::Peck { first_mm, later_mm } => (first_mm, later_mm),
+        Drilling::ChipBreak { step_mm, .. } => (step_mm, step_mm),
+        Drilling::Drill | Drilling::Ream | Drilling::Tap { .. } => (hole.depth_mm, hole.depth_mm),
+    };
+    let mut depth = first.min(hole.depth_mm);
+    for _ in 0..MOST_STEPS {
+        if depth > hole.depth_mm - SAME_LEVEL {
+            depth = hole.depth_mm;
+        }
+        steps.push(motion(level(-depth), false));
+        if depth >= hole.depth_mm {
+            break;
+        }
+        if matches!(hole.drilling, Drilling::Peck { .. }) {
+            steps.push(motion(level(hole.clearance_mm), true));
+        }
+        let back = match hole.drilling {
+            Drilling::ChipBreak { retract_mm: Some(back), .. } => back,
+            _ => peck_gap_mm,
+        };
+        steps.push(motion(level((back - depth).min(hole.clearance_mm)), true));
+        depth += later;
+    }
+    steps.extend(hole.dwell.map(HoleStep::Dwell));
+    if matches!(hole.drilling, Drilling::Ream | Drilling::Tap { .. }) {
+        steps.push(motion(level(hole.clearance_mm), false));
+    }
+    steps.push(motion(level(hole.return_mm), true));
+    steps
+}

@@ -1,0 +1,182 @@
+//! The CL data as a program must carry it out: one item after the other, each with the state that it requires.
+//!
+//! Events come from a reader of the check's own. `placement` has the part as it is mounted, `modal` the modal state of the
+//! CL data: tool, register, speed, sense of rotation and coolant of each motion, where an operation begins, what is
+//! posted at all. Arcs and pieces of curves stay what they are; `hole` has the motions of a hole.
+
+mod hole;
+mod modal;
+mod placement;
+
+use std::collections::VecDeque;
+use std::io::{self, Read, SeekFrom};
+
+use crate::cl::{ClReader, ReadSeek, ReadingOptions};
+use crate::diag::{Diagnostic, Severity};
+use crate::kinematics::{AnyMachine, AxisKind, Side as ChainSide};
+use crate::program::{Clearance, Event, Feed, Location, Rotation, Units};
+
+use super::geometry::{PathShape, ToolPose};
+use super::policy::Policy;
+use super::read::Side;
+pub(super) use hole::{ExpectedHole, SAME_LEVEL};
+use modal::ClState;
+use placement::Placement;
+
+/// Number of items that are read ahead, so that a block can be found among them.
+const AHEAD: usize = 64;
+
+/// Speed in rev/min and sense of rotation.
+pub(super) type SpindleState = (f64, Rotation);
+
+/// The state that a motion requires.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Required {
+    pub(crate) tool: Option<u32>,
+    /// The record that calls the tool.
+    pub(crate) called: Option<Location>,
+    /// Register of the tool length.
+    pub(crate) register: u32,
+    pub(crate) gauge_length_mm: Option<f64>,
+    /// `None`: off, or never requested.
+    pub(crate) spindle: Option<SpindleState>,
+    /// Bits of [`coolant`](super::read::coolant).
+    pub(crate) coolant: u8,
+    /// Number of the frame.
+    pub(crate) frame: u32,
+    pub(crate) side: Side,
+    /// Register of the tool radius, on controls with registers of their own for it.
+    pub(crate) radius_register: u32,
+    /// Largest deviation of chords from the path, mm.
+    pub(crate) tolerance_mm: f64,
+    /// Geometry that the tool leaves before rotary axes rotate.
+    pub(crate) clearance: Option<Clearance>,
+}
+
+/// A motion of the CL data.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct ClMotion {
+    pub(crate) to: ToolPose,
+    pub(crate) shape: PathShape,
+    pub(crate) rapid: bool,
+    pub(crate) feed: Option<Feed>,
+    /// It begins an operation: the safe sequence leads to it.
+    pub(crate) starts: bool,
+}
+
+/// One item of the CL data that the program must carry out.
+#[derive(Debug, Clone)]
+pub(super) struct ExpectedItem {
+    pub(crate) at: Location,
+    pub(crate) required: Required,
+    /// The hole of the motion, which a cycle of the control may make.
+    pub(crate) hole: Option<ExpectedHole>,
+    /// Spindle state that the last SPINDL before it requests, if that is after a motion of its operation.
+    requested_spindle: Option<SpindleState>,
+    pub(crate) action: ExpectedAction,
+}
+
+/// Action of an item.
+#[derive(Debug, Clone)]
+pub(super) enum ExpectedAction {
+    Motion(ClMotion),
+    Stop {
+        optional: bool,
+    },
+    /// Seconds.
+    Dwell(f64),
+    /// A block that is copied from the CL data.
+    Raw(Vec<u8>),
+    Home,
+}
+
+/// The items of a program.
+pub(super) struct Expect<'a, R> {
+    reader: ClReader<R>,
+    placement: Placement,
+    state: ClState<'a>,
+    queue: VecDeque<ExpectedItem>,
+    ended: bool,
+}
+
+impl<'a, R: Read> Expect<'a, R> {
+    /// `unit_mm`: one unit of linear words.
+    pub(super) fn new(machine: &dyn AnyMachine, reader: ClReader<R>, policy: &'a Policy, unit_mm: f64) -> Self {
+        let rotary = |axis: &crate::kinematics::Axis| axis.kind == AxisKind::Rotary && !axis.held;
+        let head = machine.axes().iter().any(|axis| rotary(axis) && axis.side == ChainSide::Tool);
+        Self {
+            reader,
+            placement: Placement::new(policy.set_up.part_rotation.into_inner(), policy.links.dry_lift_mm),
+            state: ClState::new(policy, head, unit_mm),
+            queue: VecDeque::new(),
+            ended: false,
+        }
+    }
+
+    /// Reads ahead and returns the items that are known.
+    pub(super) fn ahead(&mut self) -> io::Result<&VecDeque<ExpectedItem>> {
+        self.fill(AHEAD)?;
+        Ok(&self.queue)
+    }
+
+    /// Reads until `count` items are known, or the CL data ends.
+    pub(super) fn fill(&mut self, count: usize) -> io::Result<()> {
+        while self.queue.len() < count && !self.ended {
+            self.read()?;
+        }
+        Ok(())
+    }
+
+    /// An item ahead, 0 the next.
+    pub(super) fn get(&self, index: usize) -> Option<&ExpectedItem> {
+        self.queue.get(index)
+    }
+
+    /// Puts an item back that has been taken.
+    pub(super) fn push_front(&mut self, item: ExpectedItem) {
+        self.queue.push_front(item);
+    }
+
+    pub(super) fn pop(&mut self) -> Option<ExpectedItem> {
+        self.queue.pop_front()
+    }
+
+    /// Spindle state that the last SPINDL before the next item requests.
+    pub(super) fn requested_spindle(&self) -> Option<SpindleState> {
+        self.queue.front().map_or(self.state.requested_spindle(), |item| item.requested_spindle)
+    }
+
+    /// First error of the CL data.
+    pub(super) fn fault(&self) -> Option<Diagnostic> {
+        let errors = self.reader.diagnostics().iter().filter(|found| found.severity == Severity::Error);
+        errors.min_by_key(|found| found.location).cloned()
+    }
+
+    fn read(&mut self) -> io::Result<()> {
+        let Some((at, event)) = self.reader.next_event()? else {
+            self.ended = true;
+            return Ok(());
+        };
+        let placed = self.placement.of(&event);
+        self.state.event(at, placed.as_ref().unwrap_or(&event));
+        self.queue.append(self.state.items());
+        Ok(())
+    }
+}
+
+/// Unit of the CL data, from the records before its first motion. The data is read from the same place again.
+pub(super) fn units_of(input: &mut dyn ReadSeek, options: &ReadingOptions) -> io::Result<Option<Units>> {
+    let start = input.stream_position()?;
+    let mut reader = ClReader::new(&mut *input, options.clone());
+    let mut moved = false;
+    while !moved && reader.units().is_none() {
+        match reader.next_event()? {
+            Some((_, event)) => moved = matches!(event, Event::Move(_) | Event::Arc(_) | Event::Hole(_)),
+            None => break,
+        }
+    }
+    let units = reader.units();
+    drop(reader);
+    input.seek(SeekFrom::Start(start))?;
+    Ok(units)
+}

@@ -1,0 +1,423 @@
+//! Modal state of the CL data, from the specification: which tool, register, speed, sense of rotation and coolant belong
+//! to a motion, where an operation begins, and what is posted.
+
+use std::collections::{BTreeMap, VecDeque};
+
+use super::super::geometry::{ArcPath, PathShape, bezier, tool_pose};
+use super::super::policy::{Policy, Selection};
+use super::super::read::{LengthRegisters, Side, coolant};
+use super::hole::{ExpectedHole, HoleStep, unfolded};
+use super::{ClMotion, ExpectedAction, ExpectedItem, Required, SpindleState};
+use crate::kinematics::Pose;
+use crate::program::{
+    Arc, Clearance, Compensation, Coolant, CutterSide, Dwell, Event, Hole, Location, Move, Rotation, Spindle, Spline,
+    ToolCall,
+};
+
+/// A line is perpendicular to the tool within this height, mm, or half a unit of coarser words: points of CL data are
+/// rounded.
+const PERPENDICULAR: f64 = 5e-4;
+
+/// Modal state of the CL data.
+pub(super) struct ClState<'a> {
+    policy: &'a Policy,
+    /// The machine has rotary axes in its head.
+    head: bool,
+    /// One unit of linear words.
+    unit_mm: f64,
+    required: Required,
+    calls: BTreeMap<u32, ToolCall>,
+    spindle: SpindleRequests,
+    coolant: Coolant,
+    compensation: CompensationRequest,
+    operation: Operation,
+    /// Pose after the last motion.
+    here: Option<Pose>,
+    /// An arc needs a line to its start.
+    fresh_arc: bool,
+    /// The hole whose motions are being added.
+    hole: Option<ExpectedHole>,
+    /// Number of holes so far.
+    holes: u64,
+    items: VecDeque<ExpectedItem>,
+}
+
+/// Requests of SPINDL.
+#[derive(Debug, Clone, Copy, Default)]
+struct SpindleRequests {
+    now: SpindleRequest,
+    /// Since the end of the last operation.
+    in_start: SpindleRequest,
+    /// State that the last SPINDL after a motion of its operation requests.
+    in_operation: Option<SpindleState>,
+}
+
+/// Speed and sense of rotation as far as they are requested, and OFF.
+#[derive(Debug, Clone, Copy, Default)]
+struct SpindleRequest {
+    speed_rev_per_min: Option<f64>,
+    rotation: Option<Rotation>,
+    off: bool,
+}
+
+impl SpindleRequest {
+    /// A value that SPINDL leaves out keeps its last one.
+    fn take(&mut self, spindle: Spindle) {
+        self.off = spindle == Spindle::Off;
+        if let Spindle::On { speed_rev_per_min, rotation } = spindle {
+            self.speed_rev_per_min = speed_rev_per_min.or(self.speed_rev_per_min);
+            self.rotation = rotation.or(self.rotation);
+        }
+    }
+}
+
+/// Requests of CUTCOM.
+#[derive(Debug, Clone, Copy, Default)]
+struct CompensationRequest {
+    /// Begins with a line perpendicular to the tool, and ends with the next motion.
+    side: Side,
+    /// Last side that was programmed, for ON.
+    last_side: Side,
+    register: Option<u32>,
+}
+
+/// Where in its operations the CL data is.
+#[derive(Debug, Clone, Copy)]
+struct Operation {
+    number: u64,
+    /// No motion yet.
+    starts: bool,
+    /// The position of the machine is known.
+    position_known: bool,
+    /// A tool record is in this start.
+    called: bool,
+    /// The tool has changed in this start.
+    changed: bool,
+    /// The name of the operation that begins is the one selected.
+    named: bool,
+    /// The operation selected by name has been reached.
+    reached: bool,
+}
+
+impl<'a> ClState<'a> {
+    pub(super) fn new(policy: &'a Policy, head: bool, unit_mm: f64) -> Self {
+        let required = Required {
+            tool: None,
+            called: None,
+            register: 0,
+            gauge_length_mm: None,
+            spindle: None,
+            coolant: 0,
+            frame: 1,
+            side: Side::None,
+            radius_register: 0,
+            tolerance_mm: policy.tolerances.path_mm,
+            clearance: policy.links.clearance,
+        };
+        let operation = Operation {
+            number: 0,
+            starts: true,
+            position_known: false,
+            called: false,
+            changed: false,
+            named: false,
+            reached: false,
+        };
+        Self {
+            policy,
+            head,
+            unit_mm,
+            required,
+            calls: BTreeMap::new(),
+            spindle: SpindleRequests::default(),
+            coolant: Coolant::Off,
+            compensation: CompensationRequest::default(),
+            operation,
+            here: None,
+            fresh_arc: true,
+            hole: None,
+            holes: 0,
+            items: VecDeque::new(),
+        }
+    }
+
+    /// Items of the events so far, to be taken out.
+    pub(super) fn items(&mut self) -> &mut VecDeque<ExpectedItem> {
+        &mut self.items
+    }
+
+    /// Spindle state that the last SPINDL after a motion of its operation requests.
+    pub(super) fn requested_spindle(&self) -> Option<SpindleState> {
+        self.spindle.in_operation
+    }
+
+    pub(super) fn event(&mut self, at: Location, event: &Event<'_>) {
+        match *event {
+            Event::Move(motion) => self.line(at, &motion),
+            Event::Arc(arc) => self.arc(at, &arc),
+            Event::Spline(spline) => self.spline(at, &spline),
+            Event::Hole(hole) => self.hole(at, &hole),
+            Event::Operation(name) => self.begin_operation(name),
+            Event::Tool(call) => self.tool(Some(at), &call),
+            Event::Spindle(spindle) => self.request_spindle(spindle),
+            Event::Coolant(coolant) => self.coolant = coolant,
+            Event::Compensation(compensation) => self.compensate(compensation),
+            Event::From(pose) if self.operation.starts => self.here = Some(pose),
+            Event::ClearancePlane(plane) => self.required.clearance = Some(Clearance::Plane(plane)),
+            Event::Delay(dwell) => self.delay(at, dwell),
+            Event::Stop => self.interrupt(at, ExpectedAction::Stop { optional: false }),
+            Event::OptionalStop => self.interrupt(at, ExpectedAction::Stop { optional: true }),
+            Event::Home => self.interrupt(at, ExpectedAction::Home),
+            Event::Insert(text) => self.interrupt(at, ExpectedAction::Raw(text.to_vec())),
+            Event::Code { letter, number } => {
+                self.interrupt(at, ExpectedAction::Raw(format!("{}{number}", char::from(letter)).into_bytes()));
+            }
+            Event::SafeSequence => self.begin_anew(),
+            Event::Frame(number) => {
+                self.begin_anew();
+                self.required.frame = number;
+                self.required.clearance = self.policy.links.clearance;
+            }
+            Event::Tolerance(stated) => {
+                let tolerances = &self.policy.tolerances;
+                let allowed = |stated: &f64| tolerances.stated_may_be_larger || *stated <= tolerances.path_mm;
+                self.required.tolerance_mm = stated.filter(allowed).unwrap_or(tolerances.path_mm);
+            }
+            // Nothing in a program follows from these.
+            Event::From(_)
+            | Event::Name(_)
+            | Event::MachineName(_)
+            | Event::Preselect(_)
+            | Event::RotaryDirection(_)
+            | Event::Message(_) => {}
+        }
+    }
+
+    fn arc(&mut self, at: Location, arc: &Arc) {
+        self.call_default_tool();
+        if self.fresh_arc {
+            self.line(at, &Move { pose: arc.start, rapid: false, feed: arc.feed });
+        }
+        let end = Move { pose: arc.end, rapid: false, feed: arc.feed };
+        self.motion(at, &end, PathShape::Arc(ArcPath::of(arc)));
+    }
+
+    fn spline(&mut self, at: Location, spline: &Spline<'_>) {
+        self.call_default_tool();
+        let to = |tip| Move { pose: Pose { tip, axis: spline.axis }, rapid: false, feed: spline.feed };
+        let (Some(first), Some(last)) = (spline.points.first(), spline.points.last()) else { return };
+        if self.fresh_arc {
+            self.line(at, &to(*first));
+        }
+        for span in 3..spline.points.len() {
+            if spline.knots[span] < spline.knots[span + 1] {
+                let piece = bezier(spline.knots, spline.points, span);
+                let end = if span + 1 < spline.points.len() { piece[3].into() } else { *last };
+                self.motion(at, &to(end), PathShape::Cubic(piece));
+            }
+        }
+    }
+
+    fn hole(&mut self, at: Location, hole: &Hole) {
+        self.call_default_tool();
+        self.holes += 1;
+        self.hole = Some(ExpectedHole { number: self.holes, hole: *hole });
+        let here = self.here.filter(|_| !self.operation.starts);
+        for step in unfolded(hole, here.as_ref(), self.policy.defaults.peck_gap_mm) {
+            match step {
+                HoleStep::Move(motion) => self.line(at, &motion),
+                HoleStep::Dwell(dwell) => self.delay(at, dwell),
+            }
+        }
+        self.hole = None;
+    }
+
+    fn begin_operation(&mut self, name: &[u8]) {
+        self.begin();
+        if let Some(Selection::From(selected)) = &self.policy.selection {
+            let name = String::from_utf8_lossy(name);
+            self.operation.named |= name.trim().eq_ignore_ascii_case(selected.trim());
+        }
+    }
+
+    fn request_spindle(&mut self, spindle: Spindle) {
+        self.spindle.now.take(spindle);
+        if self.operation.starts {
+            self.spindle.in_start.take(spindle);
+        } else {
+            self.spindle.in_operation = self.spindle_state();
+        }
+    }
+
+    /// CUTCOM: ON takes the side and the register that were programmed last.
+    fn compensate(&mut self, asked: Compensation) {
+        let request = &mut self.compensation;
+        request.side = match asked.side {
+            CutterSide::Off => return request.side = Side::None,
+            CutterSide::Left => Side::Left,
+            CutterSide::Right => Side::Right,
+            CutterSide::On => request.last_side,
+        };
+        request.last_side = request.side;
+        request.register = asked.register.or(request.register.filter(|_| asked.side == CutterSide::On));
+        let tool = self.required.tool.unwrap_or(0);
+        let given = self.policy.set_up.tools.get(&tool).and_then(|tool| tool.radius_offset);
+        self.required.radius_register = given.or(request.register).unwrap_or(tool);
+    }
+
+    /// The next motion begins an operation.
+    fn begin(&mut self) {
+        if !self.operation.starts {
+            self.spindle.in_start = SpindleRequest::default();
+        }
+        self.operation.starts = true;
+        self.fresh_arc = true;
+    }
+
+    /// The same from an unknown position of the machine.
+    fn begin_anew(&mut self) {
+        self.begin();
+        self.operation.position_known = false;
+    }
+
+    fn interrupt(&mut self, at: Location, action: ExpectedAction) {
+        self.begin_anew();
+        self.push(at, action);
+    }
+
+    fn tool(&mut self, at: Option<Location>, call: &ToolCall) {
+        self.begin_anew();
+        let before = self.calls.get(&call.number).copied().unwrap_or_default();
+        let given = self.policy.set_up.tools.get(&call.number);
+        let length_mm = call.length_mm.or(before.length_mm);
+        let length_offset = call.length_offset.or(before.length_offset);
+        self.calls.insert(call.number, ToolCall { length_mm, length_offset, ..*call });
+        if self.required.tool != Some(call.number) {
+            self.required.called = at;
+            self.spindle.now = if self.operation.called { SpindleRequest::default() } else { self.spindle.in_start };
+            self.operation.changed = true;
+        }
+        self.operation.called = true;
+        self.required.tool = Some(call.number);
+        self.required.gauge_length_mm = given.and_then(|tool| tool.length_mm).or(length_mm);
+        let offset = given.and_then(|tool| tool.offset).or(length_offset);
+        self.required.register = match self.policy.family.facts().registers {
+            LengthRegisters::Shared => offset.unwrap_or(call.number),
+            // Edges count from 1 in each tool. CL data whose numbers are those of the tools means none of them.
+            LengthRegisters::Edges => offset.filter(|offset| *offset != call.number).unwrap_or(1),
+            LengthRegisters::Rows => call.number,
+        };
+    }
+
+    /// Calls the tool of the configuration, where the CL data calls none.
+    fn call_default_tool(&mut self) {
+        if self.required.tool.is_none()
+            && let Some(number) = self.policy.defaults.tool
+        {
+            self.tool(None, &ToolCall { number, ..ToolCall::default() });
+        }
+    }
+
+    fn line(&mut self, at: Location, motion: &Move) {
+        self.call_default_tool();
+        if self.compensation.side == Side::None || self.is_perpendicular(motion) {
+            self.required.side = self.compensation.side;
+        }
+        self.motion(at, motion, PathShape::Line);
+    }
+
+    /// A feed motion perpendicular to the tool, from a known position.
+    fn is_perpendicular(&self, motion: &Move) -> bool {
+        let Some(here) = self.here.filter(|_| !self.operation.starts && !motion.rapid) else { return false };
+        let step = motion.pose.tip - here.tip;
+        let along = step.dot(&motion.pose.axis);
+        along.abs() <= PERPENDICULAR.max(0.5 * self.unit_mm)
+            && (step.norm_squared() - along * along).sqrt() >= self.unit_mm
+    }
+
+    fn motion(&mut self, at: Location, motion: &Move, shape: PathShape) {
+        self.fresh_arc = false;
+        self.here = Some(motion.pose);
+        let operation = &mut self.operation;
+        // Before the first tool no length is active, and nothing moves.
+        if operation.starts && self.required.tool.is_none() && motion.rapid && !self.head {
+            return;
+        }
+        let continues = self.policy.links.direct && operation.position_known && !operation.changed;
+        let starts = operation.starts && !continues;
+        if operation.starts {
+            operation.number += 1;
+            operation.reached |= operation.named;
+            operation.starts = false;
+            operation.called = false;
+            operation.changed = false;
+        }
+        operation.position_known = true;
+        self.required.spindle = self.spindle_state();
+        self.required.coolant = self.coolant_bits();
+        let to = tool_pose(&motion.pose);
+        self.push(at, ExpectedAction::Motion(ClMotion { to, shape, rapid: motion.rapid, feed: motion.feed, starts }));
+    }
+
+    fn spindle_state(&self) -> Option<SpindleState> {
+        let request = &self.spindle.now;
+        if request.off {
+            return None;
+        }
+        let given = self.required.tool.and_then(|tool| self.policy.set_up.tools.get(&tool));
+        let defaults = &self.policy.defaults;
+        let speed = request.speed_rev_per_min.or(given.and_then(|tool| tool.speed_rev_per_min));
+        let speed = speed.or(defaults.speed_rev_per_min)?;
+        let rotation = request.rotation.or(given.and_then(|tool| tool.rotation)).or(defaults.rotation)?;
+        let scale = 10_f64.powi(self.policy.digits.speed as i32);
+        Some(((speed * scale).round() / scale, rotation))
+    }
+
+    fn coolant_bits(&self) -> u8 {
+        if self.policy.links.dry_lift_mm.is_some() {
+            return 0;
+        }
+        let given = self.required.tool.and_then(|tool| self.policy.set_up.tools.get(&tool));
+        let kind = match self.coolant {
+            Coolant::On => given.and_then(|tool| tool.coolant).unwrap_or(self.policy.defaults.coolant),
+            kind => kind,
+        };
+        match kind {
+            Coolant::On | Coolant::Flood => coolant::FLOOD,
+            Coolant::Mist => coolant::MIST,
+            Coolant::Through => coolant::THROUGH,
+            Coolant::Air => coolant::AIR,
+            Coolant::Off => 0,
+        }
+    }
+
+    fn delay(&mut self, at: Location, dwell: Dwell) {
+        let seconds = match dwell {
+            Dwell::Seconds(seconds) => seconds,
+            Dwell::Revolutions(count) => self.spindle_state().map_or(f64::NAN, |(speed, _)| count / speed * 60.0),
+        };
+        if seconds > 0.0 {
+            self.push(at, ExpectedAction::Dwell(seconds));
+        }
+    }
+
+    fn push(&mut self, at: Location, action: ExpectedAction) {
+        let selected = match &self.policy.selection {
+            None => true,
+            Some(Selection::Range(first, last)) => {
+                let number = self.operation.number.max(1);
+                number >= *first && last.is_none_or(|last| number <= last)
+            }
+            Some(Selection::From(_)) => self.operation.reached,
+        };
+        if selected {
+            self.items.push_back(ExpectedItem {
+                at,
+                required: self.required,
+                hole: self.hole,
+                requested_spindle: self.spindle.in_operation,
+                action,
+            });
+        }
+    }
+}

@@ -1,0 +1,117 @@
+//! The part on the table: points and directions of the CL data in the frame of the part as it is mounted.
+//!
+//! `p' = R·(p + lift·t)`, `n' = R·n`: `R` the rotation of the part, `t` the tool axis, `lift` that of a dry run. The
+//! clearance geometry is rotated, not lifted.
+
+use nalgebra::{Matrix3, Point3, UnitVector3};
+
+use crate::kinematics::Pose;
+use crate::program::{Arc, ClearancePlane, Event, Hole, Move, Spline};
+
+/// Rotation and lift of the CL data.
+#[derive(Debug)]
+pub(super) struct Placement {
+    /// `None`: the CL data stays as it is.
+    rotation: Option<Matrix3<f64>>,
+    lift_mm: f64,
+    /// Control points of the curve at hand.
+    points: Vec<Point3<f64>>,
+}
+
+impl Placement {
+    pub(super) fn new(rotation: Matrix3<f64>, lift_mm: Option<f64>) -> Self {
+        let moves = rotation != Matrix3::identity() || lift_mm.is_some();
+        Self { rotation: moves.then_some(rotation), lift_mm: lift_mm.unwrap_or(0.0), points: Vec::new() }
+    }
+
+    /// The event in the frame of the part as it is mounted; `None` if nothing changes.
+    pub(super) fn of<'s>(&'s mut self, event: &Event<'s>) -> Option<Event<'s>> {
+        let place = Place { rotation: self.rotation?, lift_mm: self.lift_mm };
+        Some(match event {
+            Event::Move(motion) => Event::Move(Move { pose: place.pose(&motion.pose), ..*motion }),
+            Event::From(pose) => Event::From(place.pose(pose)),
+            Event::Arc(arc) => Event::Arc(Arc {
+                start: place.pose(&arc.start),
+                end: place.pose(&arc.end),
+                centre: place.point(&arc.centre, &arc.start.axis),
+                normal: place.direction(&arc.normal),
+                ..*arc
+            }),
+            Event::Spline(curve) => {
+                self.points.clear();
+                self.points.extend(curve.points.iter().map(|point| place.point(point, &curve.axis)));
+                Event::Spline(Spline { points: &self.points, axis: place.direction(&curve.axis), ..*curve })
+            }
+            Event::Hole(hole) => Event::Hole(Hole { top: place.pose(&hole.top), ..*hole }),
+            Event::ClearancePlane(plane) => {
+                Event::ClearancePlane(ClearancePlane { normal: place.direction(&plane.normal), ..*plane })
+            }
+            Event::Name(_)
+            | Event::MachineName(_)
+            | Event::Operation(_)
+            | Event::SafeSequence
+            | Event::Frame(_)
+            | Event::Tool(_)
+            | Event::Preselect(_)
+            | Event::Spindle(_)
+            | Event::Coolant(_)
+            | Event::Compensation(_)
+            | Event::Home
+            | Event::Tolerance(_)
+            | Event::RotaryDirection(_)
+            | Event::Delay(_)
+            | Event::OptionalStop
+            | Event::Stop
+            | Event::Message(_)
+            | Event::Insert(_)
+            | Event::Code { .. } => return None,
+        })
+    }
+}
+
+/// One rotation and lift.
+#[derive(Clone, Copy)]
+struct Place {
+    rotation: Matrix3<f64>,
+    lift_mm: f64,
+}
+
+impl Place {
+    fn direction(&self, direction: &UnitVector3<f64>) -> UnitVector3<f64> {
+        UnitVector3::new_unchecked(self.rotation * direction.into_inner())
+    }
+
+    fn point(&self, point: &Point3<f64>, axis: &UnitVector3<f64>) -> Point3<f64> {
+        Point3::from(self.rotation * (point.coords + axis.into_inner() * self.lift_mm))
+    }
+
+    fn pose(&self, pose: &Pose) -> Pose {
+        Pose { tip: self.point(&pose.tip, &pose.axis), axis: self.direction(&pose.axis) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::Vector3;
+
+    use super::*;
+
+    #[test]
+    fn a_point_is_lifted_along_its_axis_and_then_rotated_with_the_part() {
+        // X to Y, Y to -X.
+        let quarter = Matrix3::new(0., -1., 0., 1., 0., 0., 0., 0., 1.);
+        let mut placement = Placement::new(quarter, Some(10.0));
+        let pose = Pose { tip: Point3::new(1.0, 2.0, 3.0), axis: Vector3::x_axis() };
+        let placed = Pose { tip: Point3::new(-2.0, 11.0, 3.0), axis: Vector3::y_axis() };
+        assert_eq!(placement.of(&Event::From(pose)), Some(Event::From(placed)));
+        let plane = |normal| Event::ClearancePlane(ClearancePlane { normal, distance_mm: 7.0 });
+        assert_eq!(placement.of(&plane(Vector3::x_axis())), Some(plane(Vector3::y_axis())));
+        assert_eq!(placement.of(&Event::Home), None);
+    }
+
+    #[test]
+    fn without_rotation_and_lift_the_cl_data_stays_as_it_is() {
+        let pose = Pose { tip: Point3::new(1.0, 2.0, 3.0), axis: Vector3::x_axis() };
+        assert_eq!(Placement::new(Matrix3::identity(), None).of(&Event::From(pose)), None);
+    }
+}

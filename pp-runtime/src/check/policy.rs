@@ -1,0 +1,261 @@
+//! Policy of a check: everything that it reads of a job, besides CL data, program and machine.
+//!
+//! Whoever configures a job builds it. Lengths in mm, angles in rad, feeds in mm/min and rad/min.
+
+use std::collections::BTreeMap;
+
+use crate::cl::ReadingOptions;
+use crate::program::{Clearance, Coolant, Rotation, Units};
+use crate::set_up::SetUp;
+
+use super::read::Family;
+
+/// Meaning of the words of a program, the motion between cuts, and the tolerances of a check.
+#[derive(Debug, Clone)]
+pub struct Policy {
+    /// Family of the control that runs the program.
+    pub family: Family,
+    /// How the CL data is read, its unit included.
+    pub reading: ReadingOptions,
+    /// Unit of the program; without it that of the CL data.
+    pub output_units: Option<Units>,
+    /// Machine, part and tools.
+    pub set_up: SetUp,
+    /// Meaning of the words.
+    pub words: WordPolicy,
+    /// Number of decimals of the words.
+    pub digits: Digits,
+    /// Largest deviations.
+    pub tolerances: Tolerances,
+    /// Motion between cuts.
+    pub links: LinkPolicy,
+    /// F of feed blocks.
+    pub feed: FeedPolicy,
+    /// State that the CL data leaves open.
+    pub defaults: StateDefaults,
+    /// Operations that are in the program; all without it.
+    pub selection: Option<Selection>,
+    /// Blocks of the shop and functions of the control in the program.
+    pub shop: ShopBlocks,
+}
+
+/// Meaning of linear words.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LinearWords {
+    /// Axis positions.
+    AxisPositions,
+    /// Coordinates of the tip, under tip control.
+    TipCoordinates,
+    /// Coordinates of the tip in a tilted plane.
+    PlaneCoordinates,
+}
+
+/// Frame of the coordinates of the tip under tip control.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum TipFrame {
+    /// Fixed to the table, as it is with its rotary axes at zero.
+    TableAtZero,
+    /// Fixed to the table, as it is where tip control is switched on.
+    TableAtStart,
+    /// Fixed to the machine.
+    Machine,
+}
+
+/// Words of a rotary axis that the control reduces to one revolution.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Rollover {
+    /// The axis takes the shorter way.
+    Shortest,
+    /// The sign of the word is the direction.
+    Sign,
+}
+
+/// Meaning of words.
+#[derive(Debug, Clone, PartialEq)]
+pub struct WordPolicy {
+    /// Meaning of linear words.
+    pub linear: LinearWords,
+    /// Frame of the tip under tip control.
+    pub tip_frame: TipFrame,
+    /// Under tip control the control rotates the tool axis in the plane of its ends.
+    pub axis_in_plane: bool,
+    /// Under tip control the program gives components of the tool axis instead of angles.
+    pub tool_axis_vectors: bool,
+    /// Tip control is switched by codes of the shop, which also select how the tool axis moves.
+    pub own_tip_codes: bool,
+    /// Axis names that differ from the axis letters.
+    pub axis_names: BTreeMap<char, String>,
+    /// Rotary axes whose words are reduced to one revolution.
+    pub rollover: BTreeMap<char, Rollover>,
+    /// A number without a decimal point has the same value as with one.
+    pub plain_numbers: bool,
+}
+
+/// Number of decimals of the words.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Digits {
+    /// Linear words in mm.
+    pub linear_mm: u32,
+    /// Linear words in inches.
+    pub linear_inch: u32,
+    /// Rotary words, in degrees.
+    pub rotary: u32,
+    /// S.
+    pub speed: u32,
+    /// F per minute.
+    pub feed: u32,
+    /// Significant digits of an inverse-time F.
+    pub inverse_time: u32,
+}
+
+impl Digits {
+    /// Number of decimals of a linear word.
+    #[must_use]
+    pub const fn linear(&self, units: Units) -> u32 {
+        match units {
+            Units::Millimetres => self.linear_mm,
+            Units::Inches => self.linear_inch,
+        }
+    }
+}
+
+/// Largest deviations from the CL data.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Tolerances {
+    /// Of the tip from its path, mm.
+    pub path_mm: f64,
+    /// Of the tool axis from its even rotation, rad.
+    pub axis_path_rad: f64,
+    /// Angle to the pole within which a tool axis may be put at the pole, rad.
+    pub pole_rad: f64,
+    /// A tolerance in the CL data may be larger than `path_mm`.
+    pub stated_may_be_larger: bool,
+    /// Where the control blends blocks: largest deviation from the programmed path, mm.
+    pub blending_mm: f64,
+}
+
+/// Form of a rapid at the part.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RapidForm {
+    /// One block.
+    OneBlock,
+    /// Two blocks, along the tool axis and across it.
+    TwoBlocks,
+    /// A feed motion.
+    Feed,
+}
+
+/// Motion between cuts.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LinkPolicy {
+    /// Form of rapids at the part.
+    pub rapid: RapidForm,
+    /// Feed of rapids that are feed motions, mm/min.
+    pub rapid_feed_mm_per_min: Option<f64>,
+    /// Operations follow each other without a retract.
+    pub direct: bool,
+    /// Largest rotation of a rotary axis in a rapid at the part, rad.
+    pub index_angle_rad: f64,
+    /// Coordinate of the retract axis at the machine retract, mm.
+    pub retract_mm: f64,
+    /// Length of the retract along the tool axis, mm; without it out of the clearance geometry.
+    pub retract_distance_mm: Option<f64>,
+    /// Clearance geometry, until the CL data programs one.
+    pub clearance: Option<Clearance>,
+    /// Rotary axes are rewound in the cut.
+    pub rewinds_in_cut: bool,
+    /// Coolant is off while rotary axes are rewound at the retract position.
+    pub rewinds_dry: bool,
+    /// Distance of the approach point from the first point, along the tool axis, mm.
+    pub approach_mm: f64,
+    /// The machine retracts before a stop.
+    pub retracts_for_stop: bool,
+    /// Dwell after the spindle is switched on, s.
+    pub spindle_dwell_s: f64,
+    /// Parking position of axes at the end: mm in machine coordinates, rad.
+    pub park: BTreeMap<char, f64>,
+    /// Lift of a dry run along the tool axis, mm.
+    pub dry_lift_mm: Option<f64>,
+}
+
+/// Path to which F applies where a rotary axis moves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FeedPath {
+    /// That of the linear axes.
+    Linear,
+    /// That of all axes, a degree counted as a millimetre.
+    LinearAndDegrees,
+    /// F is the inverse of the time of the block, 1/min.
+    InverseMinutes,
+    /// F is the inverse of the time of the block, 1/s.
+    InverseSeconds,
+}
+
+/// F of feed blocks.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FeedPolicy {
+    /// Path to which F applies, if it is not that of the control as delivered.
+    pub path: Option<FeedPath>,
+    /// No axis is to be faster than it can be.
+    pub keeps_axis_speeds: bool,
+    /// Largest F, mm/min.
+    pub largest_mm_per_min: Option<f64>,
+    /// Shortest time of a block, s.
+    pub shortest_block_s: f64,
+    /// Speed of rotary axes where the tip stands still, rad/min.
+    pub reorient_rad_per_min: f64,
+    /// All axes of a rapid under tip control arrive together, if that is not as the control is delivered.
+    pub rapids_interpolated: Option<bool>,
+}
+
+/// State that the CL data leaves open.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StateDefaults {
+    /// Tool where the CL data calls none.
+    pub tool: Option<u32>,
+    /// S where the CL data programs none, rev/min.
+    pub speed_rev_per_min: Option<f64>,
+    /// Sense of rotation where the CL data programs none.
+    pub rotation: Option<Rotation>,
+    /// Kind of coolant that COOLNT/ON means.
+    pub coolant: Coolant,
+    /// Distance above the last depth to which a peck returns at rapid, mm.
+    pub peck_gap_mm: f64,
+}
+
+/// Operations that are in the program.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Selection {
+    /// By number, from 1: the first and the last.
+    Range(u64, Option<u64>),
+    /// From the operation of this name.
+    From(String),
+}
+
+/// Smoothing that the program switches on for cuts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SmoothingLevel {
+    /// Speed first.
+    Rough,
+    /// Between the two.
+    Medium,
+    /// Surface first.
+    Finish,
+}
+
+/// Blocks of the shop and functions of the control that belong in the program.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct ShopBlocks {
+    /// The shop has safety blocks of its own at restart points.
+    pub own_safety: bool,
+    /// Every tool of known length is guarded: largest difference of the length in the control, mm.
+    pub length_guard_mm: Option<f64>,
+    /// Smoothing in cuts.
+    pub smoothing: Option<SmoothingLevel>,
+    /// Threads are cut with the feed synchronised to the spindle.
+    pub rigid_tapping: bool,
+    /// Lines that the configuration brings into the program.
+    pub lines: Vec<String>,
+    /// On and off code of each kind of coolant: flood, mist, through the spindle, air.
+    pub coolant: [Option<[String; 2]>; 4],
+}

@@ -1,0 +1,220 @@
+//! Whether a block ends on a motion of the CL data, and its deviation from the path between its ends.
+
+use super::super::expect::ClMotion;
+use super::super::geometry::{PathShape, Segment, ToolPose, angle_between};
+use super::super::policy::RapidForm;
+use super::super::read::{Action, ArcMove, Block, MAX_AXES, TipControl};
+use super::Rules;
+
+/// Points of a block that are compared besides its ends, and one more for each of these angles that it rotates, rad.
+const POINTS: f64 = 3.0;
+const ANGLE_PER_POINT: f64 = 0.02;
+const MOST_POINTS: f64 = 400.0;
+
+/// A share that suits both tip and axis leaves each of them this much farther off than its own best share would.
+pub(crate) const BOTH: f64 = std::f64::consts::SQRT_2;
+
+/// Largest difference between the angle of an arc and that of its motion, rad: less than a revolution. Points between the
+/// ends show how well it follows the arc.
+const SAME_REVOLUTION: f64 = std::f64::consts::PI;
+
+/// Growth of the allowance over a half circle by its angle. The pole may be half a unit off along both axes of its plane;
+/// the distances of start and end from it differ by up to twice that, and three words are off by up to √3/2 units. Other
+/// angles count with their chords; a full circle ends where it began, wherever its pole is.
+const POLE: f64 = 1.64;
+
+/// Shares that differ by rounding.
+pub(crate) const SHARE: f64 = 1e-9;
+
+/// A position along a motion of the CL data.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Arrival {
+    /// Share of the motion that was done before the block.
+    pub(crate) along: f64,
+    /// Pose before the block.
+    pub(crate) here: Option<ToolPose>,
+    /// Chords of arcs by their angle since the words last gave the position in their plane, in diameters.
+    pub(crate) chords: f64,
+}
+
+/// A block from the words before it.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct BlockPath<'b> {
+    pub(crate) before: [f64; MAX_AXES],
+    pub(crate) block: &'b Block,
+    /// X, Y and Z in the chain.
+    pub(crate) xyz: [Option<usize>; 3],
+}
+
+/// Largest deviations of a block from its motion, between its ends.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Deviation {
+    pub(crate) tip_mm: f64,
+    pub(crate) axis_rad: f64,
+}
+
+impl BlockPath<'_> {
+    /// Words at a share of the block.
+    pub(crate) fn at(&self, share: f64) -> [f64; MAX_AXES] {
+        let (before, block) = (&self.before, self.block);
+        let mut words: [f64; MAX_AXES] =
+            std::array::from_fn(|index| before[index] + (block.values[index] - before[index]) * share);
+        if let (Action::Arc(ArcMove { centre, sweep, .. }), Some(plane)) = (&block.action, block.state.plane) {
+            let [u, v, _] = plane.axes();
+            if let (Some(first), Some(second)) = (self.xyz[u], self.xyz[v]) {
+                let (x, y) = (before[first] - centre[u], before[second] - centre[v]);
+                let (sine, cosine) = (sweep * share).sin_cos();
+                words[first] = centre[u] + x * cosine - y * sine;
+                words[second] = centre[v] + x * sine + y * cosine;
+            }
+        }
+        words
+    }
+}
+
+impl Rules<'_> {
+    pub(crate) fn path<'b>(&self, before: [f64; MAX_AXES], block: &'b Block) -> BlockPath<'b> {
+        BlockPath { before, block, xyz: self.words.xyz() }
+    }
+
+    /// Whether rounded words of the end of a motion are those already active.
+    pub(crate) fn needs_no_block(&self, segment: &Segment, here: Option<ToolPose>, chords: f64) -> bool {
+        let short = segment.length() <= 2.0 * self.rounding.tip_mm;
+        let here = here.filter(|_| short || matches!(segment.shape, PathShape::Line));
+        // A point that repeats needs no block, wherever the arcs before it have ended.
+        let times = if short { drift(chords) } else { 1.0 };
+        here.is_some_and(|here| self.is_near(&here, &segment.to, times))
+    }
+
+    /// Share of a motion that is done when a block ends at `end`; `None` if it ends elsewhere.
+    pub(crate) fn share_done(
+        &self,
+        segment: &Segment,
+        motion: &ClMotion,
+        block: &Block,
+        end: &ToolPose,
+        arrival: &Arrival,
+    ) -> Option<f64> {
+        let rounding = &self.rounding;
+        let along = arrival.along;
+        let past_pole = self.pole.is_some_and(|pole| {
+            segment.axis_distance(&pole).min(segment.axis_distance(&-pole)) <= self.policy.tolerances.pole_rad
+        });
+        let axis = if past_pole { rounding.pole_rad } else { rounding.axis_rad };
+        let share = match (&block.action, &segment.shape) {
+            (Action::Arc(arc), PathShape::Arc(path)) => {
+                path.share_near(&end.tip, along + path.share_of(arc.sweep.abs()))
+            }
+            _ => segment.share(end, along, rounding.tip_mm, rounding.tip_mm / axis),
+        };
+        let done = (share - 1.0).abs() * segment.angle() < SAME_REVOLUTION;
+        if (done || !matches!(segment.shape, PathShape::Arc(_))) && self.is_at(end, &segment.to) {
+            return Some(1.0);
+        }
+        // An arc by its angle ends where its rounded centre leads, not at a position of words.
+        let polar = match &block.action {
+            Action::Arc(ArcMove { by_angle: true, sweep, .. }) => drift(arrival.chords + chord(*sweep)),
+            _ => 1.0,
+        };
+        if polar > 1.0 && done && (end.tip - segment.to.tip).norm() <= polar * rounding.tip_mm {
+            return Some(1.0);
+        }
+        let links = &self.policy.links;
+        if motion.rapid && links.rapid != RapidForm::Feed {
+            return self.corner(segment, end, arrival);
+        }
+        let rewinds = links.rewinds_in_cut
+            && !self.needs_no_block(segment, arrival.here, arrival.chords)
+            && arrival.here.is_some_and(|here| (here.tip - end.tip).norm() <= 2.0 * rounding.tip_mm);
+        let unmoved = rewinds.then_some(along);
+        if !(along - SHARE..=1.0 + SHARE).contains(&share) && !self.is_just_before(segment, share, along, axis) {
+            return unmoved;
+        }
+        let on = segment.at(share.clamp(0.0, 1.0));
+        let near = (end.tip - on.tip).norm() <= BOTH * polar * rounding.tip_mm
+            && angle_between(&end.axis, &on.axis) <= BOTH * axis;
+        if near { Some(share.clamp(along, 1.0)) } else { unmoved }
+    }
+
+    /// Rounding may put an end a little before that of the last block, which rounding has put a little forward.
+    fn is_just_before(&self, segment: &Segment, share: f64, along: f64, axis: f64) -> bool {
+        let (length, angle) = (segment.length(), segment.turn());
+        let near = |part: f64, most: f64| part * length <= most * self.rounding.tip_mm && part * angle <= most * axis;
+        near(along - share, 2.0 * BOTH) && near(share - 1.0, 1.0)
+    }
+
+    /// The corner of a rapid in two blocks, along the tool axis and across it.
+    fn corner(&self, segment: &Segment, end: &ToolPose, arrival: &Arrival) -> Option<f64> {
+        let here = arrival.here.filter(|_| self.policy.links.rapid == RapidForm::TwoBlocks)?;
+        let step = segment.to.tip - here.tip;
+        let along = segment.to.axis * step.dot(&segment.to.axis);
+        let corner = if step.dot(&segment.to.axis) > 0.0 { here.tip + along } else { segment.to.tip - along };
+        let largest = (1.0 + drift(arrival.chords)) * self.rounding.tip_mm;
+        ((end.tip - corner).norm() <= largest).then_some(0.0)
+    }
+
+    /// Deviation of a block from its motion between its ends; `None` where words and motion are straight.
+    pub(crate) fn deviation(&self, path: &BlockPath<'_>, segment: &Segment, along: f64) -> Option<Deviation> {
+        let block = path.block;
+        // The control itself rotates the tool axis evenly.
+        let evenly = block.state.tip_control != TipControl::Off
+            && (block.state.vector.is_some() || self.policy.words.axis_in_plane)
+            && block.action == Action::Feed;
+        let rotated = if evenly { 0.0 } else { self.words.rotary_travel(&path.before, &block.values) };
+        if block.action == Action::Feed && rotated <= 0.0 && matches!(segment.shape, PathShape::Line) {
+            return None;
+        }
+        let sweep = sweep(block);
+        let count = points(rotated + sweep);
+        let mut found = Deviation::default();
+        let mut point = 1.0;
+        while point <= count {
+            let share = point / (count + 1.0);
+            let on = self.words.place(&path.at(share), &block.state);
+            found.tip_mm = found.tip_mm.max(match &segment.shape {
+                PathShape::Arc(arc) if sweep > 0.0 => {
+                    let done = along + arc.share_of(sweep * share);
+                    (on.tip - segment.at(arc.share_near(&on.tip, done).clamp(0.0, 1.0)).tip).norm()
+                }
+                _ => segment.distance(&on, along),
+            });
+            if rotated > 0.0 {
+                found.axis_rad = found.axis_rad.max(segment.axis_distance(&on.axis));
+            }
+            point += 1.0;
+        }
+        Some(found)
+    }
+
+    /// Whether every point of a block is within `tolerance_mm` of a pose, and its tool axis the one of the pose.
+    pub(crate) fn stays_at(&self, path: &BlockPath<'_>, pose: &ToolPose, tolerance_mm: f64) -> bool {
+        let block = path.block;
+        let count = points(self.words.rotary_travel(&path.before, &block.values) + sweep(block));
+        let shares = (1..).map(f64::from).take_while(|point| *point <= count).map(|point| point / (count + 1.0));
+        shares.into_iter().all(|share| {
+            let on = self.words.place(&path.at(share), &block.state);
+            (on.tip - pose.tip).norm() <= tolerance_mm
+                && angle_between(&on.axis, &pose.axis) <= self.axis_allowance(&pose.axis)
+        })
+    }
+}
+
+/// Factor on the allowance for the tip after arcs by their angle, whose chords add up to `chords` diameters.
+pub(crate) fn drift(chords: f64) -> f64 {
+    1.0 + POLE * chords
+}
+
+/// Chord of an arc in diameters.
+pub(crate) fn chord(sweep: f64) -> f64 {
+    (0.5 * sweep).sin().abs()
+}
+
+/// Angle of an arc, rad; 0 for any other block.
+pub(crate) fn sweep(block: &Block) -> f64 {
+    if let Action::Arc(arc) = &block.action { arc.sweep.abs() } else { 0.0 }
+}
+
+/// Number of points of a block that are compared besides its ends.
+fn points(rotated: f64) -> f64 {
+    (POINTS + (rotated / ANGLE_PER_POINT).floor()).min(MOST_POINTS)
+}

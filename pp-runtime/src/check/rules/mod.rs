@@ -1,0 +1,272 @@
+//! The rules that a program is compared with: meaning of its words, rounding, F, modal state.
+//!
+//! [`Rules`] is what is given for a whole program, apart from the tool in the spindle. `words` converts words into tip and
+//! tool axis, `feed` has the rules of F, `state` the modal state of a block, `fit` whether a block ends on a motion.
+
+mod feed;
+mod fit;
+mod state;
+mod words;
+
+use nalgebra::Vector3;
+
+use crate::kinematics::{AnyMachine, Axis, AxisKind, Side};
+use crate::program::{Feed, Units};
+
+use super::expect::{ClMotion, Required};
+use super::geometry::{ToolPose, angle_between};
+use super::policy::{LinearWords, Policy};
+use super::read::{Block, Facts, MAX_AXES, WorkOffset};
+pub(super) use feed::{FeedLaw, Stroke};
+pub(super) use fit::{Arrival, BOTH, BlockPath, SHARE, chord, sweep};
+pub(super) use state::{ModalContext, StateFault, fault_at_end};
+pub(super) use words::Words;
+
+/// Tool axes of CL data are rounded to seven digits: near the pole they are put there, rad.
+const AXIS_NOISE: f64 = 2e-6;
+
+/// Allowance for rounded words.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Rounding {
+    /// One unit of linear words.
+    pub(crate) unit_mm: f64,
+    /// One unit of rotary words.
+    pub(crate) unit_rad: f64,
+    /// Tip at the end of a block.
+    pub(crate) tip_mm: f64,
+    /// Tool axis at the end of a block.
+    pub(crate) axis_rad: f64,
+    /// Tool axis that is put at the pole.
+    pub(crate) pole_rad: f64,
+    /// Tool axis of rotary words alone: the angles of a tilted plane are coarser.
+    pub(crate) rotary_rad: f64,
+}
+
+/// The rules for one program.
+pub(super) struct Rules<'a> {
+    policy: &'a Policy,
+    facts: Facts,
+    machine: Box<dyn AnyMachine>,
+    words: Words,
+    law: FeedLaw,
+    rounding: Rounding,
+    units: Units,
+    /// Work offset of each frame.
+    offsets: Vec<(u32, WorkOffset)>,
+    /// Direction of the first rotary axis.
+    pole: Option<Vector3<f64>>,
+    /// The machine retract leads along the tool axis.
+    retracts_along_tool: bool,
+}
+
+impl<'a> Rules<'a> {
+    pub(super) fn new(machine: Box<dyn AnyMachine>, policy: &'a Policy, units: Units) -> Self {
+        let facts = policy.family.facts();
+        let words = Words::new(&*machine, policy);
+        let rounding = Rounding::new(&*machine, policy, units, words.rotary_bits().count_ones());
+        let bits = (words.linear_bits(), words.rotary_bits());
+        let law = FeedLaw::new(&*machine, policy, &facts, units, bits, (rounding.unit_mm, rounding.unit_rad));
+        let first_rotary = (0..machine.axes().len()).find(|&index| is_solved(&machine.axes()[index], AxisKind::Rotary));
+        Self {
+            policy,
+            facts,
+            words,
+            law,
+            rounding,
+            units,
+            offsets: state::offsets(&policy.set_up, &facts),
+            pole: first_rotary.map(|index| machine.joint(index).direction.into_inner()),
+            retracts_along_tool: retracts_along_tool(&*machine),
+            machine,
+        }
+    }
+
+    pub(super) fn policy(&self) -> &'a Policy {
+        self.policy
+    }
+
+    pub(super) fn facts(&self) -> &Facts {
+        &self.facts
+    }
+
+    pub(super) fn axes(&self) -> &[Axis] {
+        self.machine.axes()
+    }
+
+    pub(super) fn machine(&self) -> &dyn AnyMachine {
+        &*self.machine
+    }
+
+    pub(super) fn words(&self) -> &Words {
+        &self.words
+    }
+
+    pub(super) fn law(&self) -> &FeedLaw {
+        &self.law
+    }
+
+    pub(super) fn rounding(&self) -> &Rounding {
+        &self.rounding
+    }
+
+    /// Unit of the program.
+    pub(super) fn units(&self) -> Units {
+        self.units
+    }
+
+    /// Whether all axes of a rapid under tip control arrive together.
+    pub(super) fn rapids_are_interpolated(&self) -> bool {
+        self.policy.feed.rapids_interpolated.unwrap_or(self.facts.rapids_interpolated)
+    }
+
+    pub(super) fn retracts_along_tool(&self) -> bool {
+        self.retracts_along_tool
+    }
+
+    /// Puts another tool into the spindle.
+    pub(super) fn set_tool(&mut self, gauge_length_mm: f64) {
+        self.words.set_tool(&mut *self.machine, self.policy, gauge_length_mm);
+    }
+
+    /// Axes whose position must be known for tip and tool axis: bits.
+    pub(super) fn needed(&self, block: &Block) -> u16 {
+        let rotary = if block.state.vector.is_some() { 0 } else { self.words.rotary_bits() };
+        self.words.linear_bits() | rotary
+    }
+
+    /// Whether tip and tool axis after a block are known.
+    pub(super) fn is_known(&self, block: &Block, known: u16) -> bool {
+        let needed = self.needed(block);
+        known & needed == needed
+    }
+
+    /// Tip and tool axis after a block.
+    pub(super) fn pose(&self, block: &Block) -> ToolPose {
+        self.words.place(&block.values, &block.state)
+    }
+
+    /// Whether a pose is another, apart from rounding.
+    pub(super) fn is_at(&self, here: &ToolPose, there: &ToolPose) -> bool {
+        self.is_near(here, there, 1.0)
+    }
+
+    /// The same with a multiple of the allowance for the tip.
+    pub(super) fn is_near(&self, here: &ToolPose, there: &ToolPose, times: f64) -> bool {
+        (here.tip - there.tip).norm() <= times * self.rounding.tip_mm
+            && angle_between(&here.axis, &there.axis) <= self.axis_allowance(&there.axis)
+    }
+
+    /// Allowance for a tool axis, rad: one near the pole is put there.
+    pub(super) fn axis_allowance(&self, axis: &Vector3<f64>) -> f64 {
+        if self.is_near_pole(axis) { self.rounding.pole_rad } else { self.rounding.axis_rad }
+    }
+
+    /// Whether a tool axis may be put at the pole.
+    pub(super) fn is_near_pole(&self, axis: &Vector3<f64>) -> bool {
+        self.pole.is_some_and(|pole| pole.cross(axis).norm() <= self.policy.tolerances.pole_rad)
+    }
+
+    /// Whether a block rotates a rotary axis by more than the index angle.
+    pub(super) fn rotates(&self, before: &[f64; MAX_AXES], known: u16, block: &Block) -> bool {
+        let largest = self.policy.links.index_angle_rad + 1.5 * self.rounding.unit_rad;
+        let moved = |index: usize| known & (1 << index) != 0 && (block.values[index] - before[index]).abs() > largest;
+        self.words.rotary().any(moved)
+    }
+
+    /// Feed of a motion that is not a rapid of the program.
+    pub(super) fn feed_of(&self, motion: &ClMotion) -> Option<Feed> {
+        match motion.rapid {
+            true => self.policy.links.rapid_feed_mm_per_min.map(Feed::PerMinute),
+            false => motion.feed,
+        }
+    }
+
+    /// The motion of a feed block whose tip path has this length, from the words before it.
+    pub(super) fn stroke(
+        &self,
+        before: &[f64; MAX_AXES],
+        block: &Block,
+        length_mm: f64,
+        feed: Option<Feed>,
+        required: &Required,
+    ) -> Stroke {
+        let axes = |words: &[f64; MAX_AXES]| match self.law.needs_axes() {
+            true => self.words.axes(words, &block.state).unwrap_or_else(|| self.words.values(words)),
+            false => self.words.values(words),
+        };
+        let (from, to) = (axes(before), axes(&block.values));
+        let change = std::array::from_fn(|index| to[index] - from[index]);
+        Stroke { length_mm, change, feed, speed_rev_per_min: required.spindle.map(|(speed, _)| speed) }
+    }
+
+    /// Whether the words of the block mirror the plane of the path: left of the words is right of the path.
+    fn is_mirrored(&self, block: &Block) -> bool {
+        let tip = |values: &[f64; MAX_AXES]| self.words.place(values, &block.state).tip;
+        let here = tip(&block.values);
+        let steps = self.words.xyz().map(|index| {
+            let mut values = block.values;
+            values[index?] += 1.0;
+            Some(tip(&values) - here)
+        });
+        matches!(steps, [Some(x), Some(y), Some(z)] if x.cross(&y).dot(&z) < 0.0)
+    }
+
+    /// Whether a rapid must not rotate rotary axes at the part.
+    pub(super) fn retracts_between(&self) -> bool {
+        !self.policy.links.direct
+    }
+}
+
+impl Rounding {
+    fn new(machine: &dyn AnyMachine, policy: &Policy, units: Units, rotaries: u32) -> Self {
+        let decimals = |digits: u32| 10_f64.powi(-(digits as i32));
+        let unit_mm = decimals(policy.digits.linear(units)) * units.in_mm();
+        let unit_rad = decimals(policy.digits.rotary).to_radians();
+        // Three angles of a plane, half a unit each: thousandths of a degree, or coarser rotary words.
+        let in_plane = match policy.words.linear {
+            LinearWords::PlaneCoordinates => 1.5 * decimals(policy.digits.rotary.min(3)).to_radians(),
+            LinearWords::AxisPositions | LinearWords::TipCoordinates => 0.0,
+        };
+        let rotary_rad = 0.5 * unit_rad * f64::from(rotaries) * 1.01 + AXIS_NOISE;
+        let pole_rad = rotary_rad.max(rotary_rad - AXIS_NOISE + policy.tolerances.pole_rad);
+        Self {
+            unit_mm,
+            unit_rad,
+            tip_mm: 0.5 * unit_mm * corner(machine) + 1e-6,
+            axis_rad: rotary_rad + in_plane,
+            pole_rad: pole_rad + in_plane,
+            rotary_rad,
+        }
+    }
+}
+
+fn is_solved(axis: &Axis, kind: AxisKind) -> bool {
+    axis.kind == kind && !axis.held
+}
+
+/// Largest distance of the corner of a box from its middle, in halves of its edges: the sum of the rounding of every
+/// linear word.
+fn corner(machine: &dyn AnyMachine) -> f64 {
+    let linear = (0..machine.axes().len()).filter(|&index| is_solved(&machine.axes()[index], AxisKind::Linear));
+    let directions: Vec<_> = linear.map(|index| machine.joint(index).direction.into_inner()).collect();
+    let signs = (0..8_u8).map(|bits| {
+        let signed = directions.iter().enumerate().map(|(index, d)| if bits & (1 << index) == 0 { *d } else { -d });
+        signed.sum::<Vector3<f64>>().norm()
+    });
+    signs.fold(0.0, f64::max)
+}
+
+/// Whether no rotary axis is in the head and a linear axis is parallel to the tool.
+fn retracts_along_tool(machine: &dyn AnyMachine) -> bool {
+    let axes = || 0..machine.axes().len();
+    let head = axes().any(|index| {
+        let axis = &machine.axes()[index];
+        is_solved(axis, AxisKind::Rotary) && axis.side == Side::Tool
+    });
+    let tool = machine.tool_axis();
+    let along = |index: usize| {
+        is_solved(&machine.axes()[index], AxisKind::Linear)
+            && machine.joint(index).direction.dot(&tool).abs() > 1.0 - 1e-12
+    };
+    !head && axes().any(along)
+}

@@ -1,0 +1,330 @@
+//! Modal state of a block, compared with the one that the CL data and the safe sequence require.
+
+use std::fmt::Display;
+
+use super::super::expect::{Required, SpindleState};
+use super::super::policy::LinearWords;
+use super::super::read::{Action, Block, Facts, FeedMode, Length, Side, State, TipControl, WorkOffset, WorkPlane};
+use super::Rules;
+use crate::program::Location;
+use crate::set_up::{LengthMode, SetUp};
+
+/// A wrong state.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct StateFault {
+    pub(crate) text: String,
+    /// The record that calls the tool, if the tool is wrong.
+    pub(crate) called: Option<Location>,
+}
+
+/// Circumstances of a block on which its modal state depends, besides the CL data.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct ModalContext {
+    /// Plane of the last arc, where it may still be selected.
+    pub(crate) arc_plane: Option<WorkPlane>,
+    /// No plane need be selected yet.
+    pub(crate) no_plane: bool,
+    /// Coolant must be off.
+    pub(crate) dry: bool,
+}
+
+impl Rules<'_> {
+    /// At the part, on the path of the CL data.
+    pub(crate) fn fault_at_path(
+        &self,
+        block: &Block,
+        required: &Required,
+        context: ModalContext,
+    ) -> Option<StateFault> {
+        let state = &block.state;
+        let found = self.fault_in_cut(block, required, context);
+        self.tool_first(found, state, required)
+    }
+
+    /// The same without the tool.
+    pub(crate) fn fault_in_cut(&self, block: &Block, required: &Required, context: ModalContext) -> Option<String> {
+        let state = &block.state;
+        let offset_path = required.side != Side::None;
+        let side = if offset_path && self.is_mirrored(block) { required.side.across() } else { required.side };
+        self.everywhere(state, side, context)
+            .or_else(|| if block.action == Action::Rapid { inverse_time(state) } else { None })
+            .or_else(|| self.frame(state, true))
+            .or_else(|| self.offsets(state, required, true))
+            .or_else(|| if offset_path { self.radius_register(state, required) } else { None })
+            .or_else(|| spindle(state, self.spindle_in_cut(required)))
+            .or_else(|| coolant(state, required.coolant))
+    }
+
+    /// In a step of the approach; `last`: to the approach point.
+    pub(crate) fn fault_at_approach(
+        &self,
+        state: &State,
+        required: &Required,
+        (framed, last): (bool, bool),
+        context: ModalContext,
+    ) -> Option<StateFault> {
+        let found = self
+            .everywhere(state, Side::None, context)
+            .or_else(|| inverse_time(state))
+            .or_else(|| self.frame(state, framed))
+            .or_else(|| self.offsets(state, required, last || !self.facts.length_moves))
+            .or_else(|| spindle(state, self.spindle_in_cut(required)))
+            .or_else(|| if context.dry { coolant(state, 0) } else { None });
+        self.tool_first(found, state, required)
+    }
+
+    /// In the retract along the tool axis.
+    pub(crate) fn fault_at_leave(
+        &self,
+        state: &State,
+        required: Option<&Required>,
+        context: ModalContext,
+    ) -> Option<StateFault> {
+        let found = self
+            .everywhere(state, Side::None, context)
+            .or_else(|| inverse_time(state))
+            .or_else(|| self.frame(state, true))
+            .or_else(|| required.and_then(|required| self.offsets(state, required, true)))
+            .or_else(|| if context.dry { coolant(state, 0) } else { None });
+        match required {
+            Some(required) => self.tool_first(found, state, required),
+            None => found.map(StateFault::of),
+        }
+    }
+
+    /// In machine coordinates; `tilts`: a plane may still be tilted; `spindle_on`: the state in which the spindle may be.
+    pub(crate) fn fault_at_retract(
+        &self,
+        state: &State,
+        tilts: bool,
+        spindle_on: Option<SpindleState>,
+        context: ModalContext,
+    ) -> Option<StateFault> {
+        let tip_control = (state.tip_control != TipControl::Off)
+            .then(|| "machine coordinates are programmed while tip control is on".to_owned());
+        let length = (self.facts.length_off_at_machine_coordinates && state.length != Some(Length::Off))
+            .then(|| "machine coordinates are programmed before length compensation is switched off".to_owned());
+        let found = self
+            .everywhere(state, Side::None, context)
+            .or_else(|| inverse_time(state))
+            .or(tip_control)
+            .or_else(|| if tilts { None } else { tilted(state) })
+            .or(length)
+            .or_else(|| spindle(state, spindle_on))
+            .or_else(|| if context.dry { coolant(state, 0) } else { None });
+        found.map(StateFault::of)
+    }
+
+    /// Rotary axes to their parking positions.
+    pub(crate) fn fault_at_park(
+        &self,
+        state: &State,
+        spindle_on: Option<SpindleState>,
+        context: ModalContext,
+    ) -> Option<StateFault> {
+        let found = self
+            .everywhere(state, Side::None, context)
+            .or_else(|| self.frame(state, false))
+            .or_else(|| spindle(state, spindle_on))
+            .or_else(|| coolant(state, 0));
+        found.map(StateFault::of)
+    }
+
+    /// Whether the spindle is in a state.
+    pub(crate) fn spindle_is(&self, state: &State, required: Option<SpindleState>) -> bool {
+        spindle(state, required).is_none()
+    }
+
+    fn spindle_in_cut(&self, required: &Required) -> Option<SpindleState> {
+        required.spindle.filter(|_| self.policy.links.dry_lift_mm.is_none())
+    }
+
+    /// A wrong tool is reported first, where the CL data calls the right one: other faults may follow from it.
+    fn tool_first(&self, found: Option<String>, state: &State, required: &Required) -> Option<StateFault> {
+        if state.tool == required.tool {
+            return found.map(StateFault::of);
+        }
+        let name = |tool: Option<u32>| tool.map_or("no tool".to_owned(), |number| format!("T{number}"));
+        let text = format!("{} is in the spindle, expected {}", name(state.tool), name(required.tool));
+        Some(StateFault { text, called: required.called })
+    }
+
+    /// State of every block that moves.
+    fn everywhere(&self, state: &State, side: Side, context: ModalContext) -> Option<String> {
+        if state.units != Some(self.units) {
+            return Some(format!(
+                "the program is not in {}: the unit code before this block is missing or wrong",
+                self.units.name()
+            ));
+        }
+        if state.incremental != Some(false) {
+            return Some("incremental mode (G91) is active, or G90 has not been programmed".to_owned());
+        }
+        let unselected = context.no_plane && self.facts.plane_by_tool_call && state.plane.is_none();
+        let of_arc = state.plane.is_some() && state.plane == context.arc_plane;
+        if state.plane != Some(WorkPlane::Xy) && !unselected && !of_arc {
+            return Some("the working plane is not XY".to_owned());
+        }
+        if state.side.unwrap_or_default() != side {
+            return Some(format!(
+                "cutter compensation is {}, expected {}",
+                state.side.unwrap_or_default().name(),
+                side.name()
+            ));
+        }
+        if state.shortest && self.policy.words.rollover.is_empty() {
+            return Some(
+                "shortest-path rotary mode is active, but rotary words are absolute: they may go beyond 360".to_owned(),
+            );
+        }
+        if state.feed_mode == Some(FeedMode::PerRevolution) || state.feed_mode.is_none() {
+            return Some("feed mode is not per minute (G94)".to_owned());
+        }
+        None
+    }
+
+    /// Tip control and tilted plane; `framed`: as the linear words require.
+    fn frame(&self, state: &State, framed: bool) -> Option<String> {
+        use LinearWords::{PlaneCoordinates, TipCoordinates};
+        let tip_control = state.tip_control != TipControl::Off;
+        let tilted = state.tilt.is_some();
+        match (self.policy.words.linear, framed) {
+            (TipCoordinates, true) if !tip_control => {
+                Some("tip control is off, but linear words are tip coordinates".to_owned())
+            }
+            (PlaneCoordinates, true) if !tilted => {
+                Some("no tilted plane is active, but linear words are coordinates in one".to_owned())
+            }
+            (PlaneCoordinates, true) if state.tilt.is_some_and(|tilt| !tilt.oriented) => {
+                Some("a tilted plane is active, but the rotary axes have not been positioned to it".to_owned())
+            }
+            (words, framed) if tip_control && !(framed && words == TipCoordinates) => {
+                Some("tip control is on, but words are axis positions".to_owned())
+            }
+            (words, framed) if tilted && !(framed && words == PlaneCoordinates) => {
+                Some("a tilted plane is active, but words are axis positions".to_owned())
+            }
+            (TipCoordinates, true) => self.tool_axis_interpolation(state),
+            _ => None,
+        }
+    }
+
+    /// Motion of the tool axis between the ends of a block, where the program selects it.
+    fn tool_axis_interpolation(&self, state: &State) -> Option<String> {
+        let words = &self.policy.words;
+        if words.own_tip_codes {
+            return None;
+        }
+        if self.facts.tool_axis_interpolation && state.in_plane != Some(words.axis_in_plane) {
+            let expected = match words.axis_in_plane {
+                true => "the plane through the first and the last tool axis",
+                false => "even motion of the rotary axes",
+            };
+            return Some(format!("interpolation of the tool axis: expected {expected}, which is not programmed"));
+        }
+        let in_workpiece = words.axis_in_plane || words.tool_axis_vectors;
+        (self.facts.tool_axis_frame && state.in_workpiece != Some(in_workpiece)).then(|| {
+            let frame = if in_workpiece { "workpiece" } else { "machine" };
+            format!("tool axis: expected interpolation in the {frame} frame, which is not programmed")
+        })
+    }
+
+    /// Work offset; `length`: length compensation, too.
+    fn offsets(&self, state: &State, required: &Required, length: bool) -> Option<String> {
+        let offset = self.offsets.iter().find(|(frame, _)| *frame == required.frame).map(|(_, offset)| *offset);
+        if state.work_offset != offset {
+            return Some(format!("work offset is {}, expected {}", shown(state.work_offset), shown(offset)));
+        }
+        if !length {
+            return None;
+        }
+        let register = match (self.policy.set_up.length_mode, required.tool) {
+            (LengthMode::Gauge, _) => Length::Off,
+            (LengthMode::Tip, Some(_)) => Length::Register(required.register),
+            (LengthMode::Tip, None) => return None,
+        };
+        if state.length.unwrap_or(Length::Off) != register {
+            return Some(format!("length compensation is {}, expected {register}", shown(state.length)));
+        }
+        None
+    }
+
+    /// Register of the tool radius. A cutting edge, and a row of the tool table, have the radius with the length.
+    fn radius_register(&self, state: &State, required: &Required) -> Option<String> {
+        (self.facts.radius_registers && state.diameter != Some(required.radius_register)).then(|| {
+            let register = state.diameter.map(|register| format!("D{register}"));
+            format!("radius register is {}, expected D{}", shown(register), required.radius_register)
+        })
+    }
+}
+
+impl StateFault {
+    fn of(text: String) -> Self {
+        Self { text, called: None }
+    }
+}
+
+/// At a stop with a retract, and at the end code.
+pub(crate) fn fault_at_end(state: &State) -> Option<String> {
+    spindle(state, None).or_else(|| coolant(state, 0)).or_else(|| tilted(state))
+}
+
+fn shown<T: Display>(value: Option<T>) -> String {
+    value.map_or_else(|| "not programmed".to_owned(), |value| value.to_string())
+}
+
+fn tilted(state: &State) -> Option<String> {
+    state.tilt.map(|_| "a tilted plane is still active at the retract position".to_owned())
+}
+
+fn inverse_time(state: &State) -> Option<String> {
+    (state.feed_mode == Some(FeedMode::InverseTime)).then(|| "rapid while inverse-time feed (G93) is active".to_owned())
+}
+
+fn spindle(state: &State, required: Option<SpindleState>) -> Option<String> {
+    let rotation = state.spindle.flatten();
+    match required {
+        None => rotation.map(|_| "spindle is on, expected off".to_owned()),
+        Some((_, sense)) if rotation != Some(sense) => Some(match rotation {
+            None => "spindle is off, expected on".to_owned(),
+            Some(_) => "spindle rotates in the wrong direction".to_owned(),
+        }),
+        Some((speed, _)) => match state.speed {
+            Some(written) if (written - speed).abs() <= 1e-6 * speed => None,
+            written => Some(format!("S is {}, expected {speed}", shown(written))),
+        },
+    }
+}
+
+fn coolant(state: &State, required: u8) -> Option<String> {
+    match state.coolant {
+        Some(on) if on == required => None,
+        Some(_) if required == 0 => Some("coolant is on, expected off".to_owned()),
+        None => Some("coolant state is unknown: neither on nor off has been programmed before this block".to_owned()),
+        Some(_) => Some("coolant differs from that of the CL data (COOLNT)".to_owned()),
+    }
+}
+
+/// The work offset of each frame.
+pub(super) fn offsets(set_up: &SetUp, facts: &Facts) -> Vec<(u32, WorkOffset)> {
+    let first = std::iter::once((1, &set_up.work_offset)).filter(|_| !set_up.frames.contains_key(&1));
+    let frames = first.chain(set_up.frames.iter().map(|(number, word)| (*number, word)));
+    frames.filter_map(|(number, word)| Some((number, offset(word, facts)?))).collect()
+}
+
+/// `G54`, `G59.1`, `G505`, `G54.1 P3`, `G154 P2`; or a row of the datum table.
+fn offset(word: &str, facts: &Facts) -> Option<WorkOffset> {
+    let word = word.trim();
+    if facts.offset_rows {
+        let row = match word.strip_prefix('G') {
+            Some(code) => code.parse::<u32>().ok()?.checked_sub(53)?,
+            None => word.parse().ok()?,
+        };
+        return Some(WorkOffset::Row(row));
+    }
+    if let Some(further) = word.strip_prefix("G54.1 P").or(word.strip_prefix("G154 P")) {
+        return further.parse().ok().map(WorkOffset::Further);
+    }
+    let code: f64 = word.strip_prefix('G')?.parse().ok()?;
+    Some(WorkOffset::Code((code * 10.0).round() as u32))
+}

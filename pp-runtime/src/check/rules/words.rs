@@ -1,0 +1,323 @@
+//! Words of a program into tip and tool axis on the workpiece.
+//!
+//! A word that is an axis position is the axis value plus the offsets of set-up and tool, a rotary word the axis value
+//! minus its offset; tip and axis follow through the chain. Under tip control the linear words are the tip itself, in a
+//! frame that is fixed to the table or to the machine. In a tilted plane they are the tip in that plane.
+
+use nalgebra::{Matrix2, Matrix3, Matrix3x2, Vector3};
+
+use super::super::geometry::{Chain, ToolPose, angle_between};
+use super::super::policy::{Policy, TipFrame};
+use super::super::read::{MAX_AXES, State, TipControl};
+use crate::kinematics::{AnyMachine, AxisKind};
+use crate::set_up::{LengthMode, ProgramZero};
+
+/// Newton steps of rotary axes to a near tool axis, and the distance at which they end, rad.
+const NEWTON_STEPS: u32 = 30;
+const ROTATED_TO: f64 = 1e-9;
+
+/// Damping: a rotary axis that rotates the tool by less than a thousandth of its own angle is left alone.
+const DAMPED: f64 = 1e-8;
+
+/// Words and axis values of one machine, set-up and tool, by position in the chain.
+#[derive(Debug, Clone)]
+pub(crate) struct Words {
+    chain: Chain,
+    axes: SolvedAxes,
+    /// Linear words less axis values without tool, mm.
+    zero_mm: [f64; MAX_AXES],
+    /// Share of the gauge length in a linear axis.
+    gauge_share: [f64; MAX_AXES],
+    gauge_line: bool,
+    /// Rotary axis values less words, rad.
+    offset_rad: [f64; MAX_AXES],
+    /// Values of held axes, mm and rad.
+    held: [f64; MAX_AXES],
+    /// Tool axis with all axes at zero.
+    tool_axis: Vector3<f64>,
+    gauge_length_mm: f64,
+    tip_frame: TipFrame,
+}
+
+/// The axes that the program moves; positions in the chain, and bits of them.
+#[derive(Debug, Clone)]
+pub(crate) struct SolvedAxes {
+    linear: Vec<usize>,
+    linear_bits: u16,
+    rotary_bits: u16,
+    /// The linear axis that retracts.
+    retract: usize,
+    /// X, Y and Z.
+    xyz: [Option<usize>; 3],
+}
+
+impl SolvedAxes {
+    fn of(machine: &dyn AnyMachine) -> Self {
+        let solved = |kind: AxisKind| {
+            let axes = machine.axes().iter().enumerate().filter(move |(_, axis)| axis.kind == kind && !axis.held);
+            axes.map(|(index, _)| index).collect::<Vec<usize>>()
+        };
+        let linear = solved(AxisKind::Linear);
+        Self {
+            retract: retract_axis(machine, &linear, &machine.tool_axis().into_inner()),
+            linear_bits: bits(&linear),
+            rotary_bits: bits(&solved(AxisKind::Rotary)),
+            xyz: ['X', 'Y', 'Z'].map(|letter| machine.axes().iter().position(|axis| axis.letter == letter)),
+            linear,
+        }
+    }
+}
+
+impl Words {
+    pub(crate) fn new(machine: &dyn AnyMachine, policy: &Policy) -> Self {
+        let set_up = &policy.set_up;
+        let mut words = Self {
+            axes: SolvedAxes::of(machine),
+            zero_mm: [0.0; MAX_AXES],
+            gauge_share: [0.0; MAX_AXES],
+            gauge_line: set_up.length_mode == LengthMode::Gauge,
+            offset_rad: [0.0; MAX_AXES],
+            held: [0.0; MAX_AXES],
+            gauge_length_mm: 0.0,
+            tip_frame: policy.words.tip_frame,
+            chain: Chain::of(machine),
+            tool_axis: machine.tool_axis().into_inner(),
+        };
+        let origin = if set_up.program_zero == ProgramZero::Table { set_up.part_origin } else { [0.0; 3] };
+        words.zero_mm = words.along(&origin.into());
+        words.gauge_share = words.along(&words.tool_axis);
+        let held = machine.held();
+        for (index, axis) in machine.axes().iter().enumerate() {
+            words.offset_rad[index] = set_up.rotary_offset.get(&axis.letter).copied().unwrap_or(0.0);
+            words.held[index] = held[index];
+        }
+        words
+    }
+
+    /// Bits of the solved linear axes.
+    pub(crate) fn linear_bits(&self) -> u16 {
+        self.axes.linear_bits
+    }
+
+    /// Bits of the solved rotary axes.
+    pub(crate) fn rotary_bits(&self) -> u16 {
+        self.axes.rotary_bits
+    }
+
+    /// Position of the linear axis that retracts.
+    pub(crate) fn retract(&self) -> usize {
+        self.axes.retract
+    }
+
+    /// Positions of the solved rotary axes.
+    pub(crate) fn rotary(&self) -> impl Iterator<Item = usize> + use<> {
+        let bits = self.axes.rotary_bits;
+        (0..MAX_AXES).filter(move |index| bits & (1 << index) != 0)
+    }
+
+    /// Positions of X Y Z, in which arcs lie.
+    pub(crate) fn xyz(&self) -> [Option<usize>; 3] {
+        self.axes.xyz
+    }
+
+    /// Words of the linear axes whose motion together is a vector, at the zero position.
+    fn along(&self, vector: &Vector3<f64>) -> [f64; MAX_AXES] {
+        let mut words = [0.0; MAX_AXES];
+        if let [x, y, z] = self.axes.linear[..] {
+            for (index, value) in [x, y, z].into_iter().zip(self.chain.along([x, y, z], vector)) {
+                words[index] = value;
+            }
+        }
+        words
+    }
+
+    /// Puts another tool into the spindle. Returns whether its length differs.
+    pub(crate) fn set_tool(&mut self, machine: &mut dyn AnyMachine, policy: &Policy, gauge_length_mm: f64) -> bool {
+        let differs = (self.gauge_length_mm - gauge_length_mm).abs() > 0.0;
+        if differs {
+            machine.set_up(policy.set_up.part_origin.into(), gauge_length_mm);
+            self.chain = Chain::of(machine);
+            self.gauge_length_mm = gauge_length_mm;
+        }
+        differs
+    }
+
+    /// Axis values for words, mm and rad.
+    pub(crate) fn values(&self, words: &[f64; MAX_AXES]) -> [f64; MAX_AXES] {
+        let length = if self.gauge_line { self.gauge_length_mm } else { 0.0 };
+        std::array::from_fn(|index| {
+            let bit = 1 << index;
+            if self.axes.linear_bits & bit != 0 {
+                words[index] - self.zero_mm[index] - length * self.gauge_share[index]
+            } else if self.axes.rotary_bits & bit != 0 {
+                words[index] + self.offset_rad[index]
+            } else {
+                self.held[index]
+            }
+        })
+    }
+
+    /// Share of the gauge length in the machine coordinate of a linear axis, mm.
+    pub(crate) fn gauge_of(&self, index: usize) -> f64 {
+        self.gauge_length_mm * self.gauge_share[index]
+    }
+
+    /// Tip and tool axis on the workpiece.
+    pub(crate) fn place(&self, words: &[f64; MAX_AXES], state: &State) -> ToolPose {
+        match (&state.tip_control, &state.tilt) {
+            (TipControl::Off, None) => self.chain.place(&self.values(words)),
+            (TipControl::On { start }, _) => {
+                let values = self.values(words);
+                let tip = self.program_point(words);
+                let tip = match self.tip_frame {
+                    TipFrame::TableAtZero => tip,
+                    TipFrame::TableAtStart => self.chain.onto_workpiece(tip, &self.values(start)),
+                    TipFrame::Machine => self.chain.onto_workpiece(tip, &values),
+                };
+                let axis = match &state.vector {
+                    Some(vector) => self.direction(vector, &values, start),
+                    None => self.chain.place(&values).axis,
+                };
+                ToolPose { tip, axis }
+            }
+            (TipControl::Off, Some(tilt)) => {
+                let words = self.out_of_plane(words, &tilt.rotation, &tilt.origin);
+                let up = self.out_of_plane(&self.along(&self.tool_axis), &tilt.rotation, &Vector3::zeros());
+                ToolPose { tip: self.program_point(&words), axis: self.chain.at_zero(&up) }
+            }
+        }
+    }
+
+    /// Tool axis of programmed components, on the workpiece.
+    fn direction(&self, vector: &Vector3<f64>, values: &[f64; MAX_AXES], start: &[f64; MAX_AXES]) -> Vector3<f64> {
+        let mut words = [0.0; MAX_AXES];
+        if let [Some(x), Some(y), Some(z)] = self.axes.xyz {
+            (words[x], words[y], words[z]) = (vector.x, vector.y, vector.z);
+        }
+        let named = self.chain.at_zero(&words);
+        let on_workpiece = |values: &[f64; MAX_AXES]| {
+            self.chain.onto_workpiece(named, values) - self.chain.onto_workpiece(Vector3::zeros(), values)
+        };
+        match self.tip_frame {
+            TipFrame::TableAtZero => named,
+            TipFrame::TableAtStart => on_workpiece(&self.values(start)),
+            TipFrame::Machine => on_workpiece(values),
+        }
+    }
+
+    /// Axis values after a block, whatever the meaning of its words; `None` where the control chooses the rotary axes.
+    pub(crate) fn axes(&self, words: &[f64; MAX_AXES], state: &State) -> Option<[f64; MAX_AXES]> {
+        if state.vector.is_some() { None } else { self.axes_with_rotary(words, state) }
+    }
+
+    /// The same with the rotary words that the control has chosen.
+    pub(crate) fn axes_with_rotary(&self, words: &[f64; MAX_AXES], state: &State) -> Option<[f64; MAX_AXES]> {
+        let mut values = self.values(words);
+        if state.tip_control == TipControl::Off && state.tilt.is_none() {
+            return Some(values);
+        }
+        let [x, y, z] = self.linear_three()?;
+        let tip = self.place(words, state).tip;
+        for index in [x, y, z] {
+            values[index] = 0.0;
+        }
+        let from = self.chain.place(&values).tip;
+        let column = |index: usize| {
+            let mut moved = values;
+            moved[index] = 1.0;
+            self.chain.place(&moved).tip - from
+        };
+        let solved = Matrix3::from_columns(&[column(x), column(y), column(z)]).try_inverse()? * (tip - from);
+        (values[x], values[y], values[z]) = (solved.x, solved.y, solved.z);
+        Some(values)
+    }
+
+    fn linear_three(&self) -> Option<[usize; 3]> {
+        self.axes.linear[..].try_into().ok()
+    }
+
+    /// Words with the rotary ones of others.
+    pub(crate) fn with_rotary(&self, words: [f64; MAX_AXES], rotary: &[f64; MAX_AXES]) -> [f64; MAX_AXES] {
+        std::array::from_fn(
+            |index| if self.axes.rotary_bits & (1 << index) == 0 { words[index] } else { rotary[index] },
+        )
+    }
+
+    /// Largest rotation of a rotary axis between words, rad.
+    pub(crate) fn rotary_travel(&self, from: &[f64; MAX_AXES], to: &[f64; MAX_AXES]) -> f64 {
+        let is_rotary = |index: &usize| self.axes.rotary_bits & (1 << index) != 0;
+        (0..MAX_AXES).filter(is_rotary).map(|index| (to[index] - from[index]).abs()).fold(0.0, f64::max)
+    }
+
+    /// Tool axis on the workpiece of known rotary words.
+    pub(crate) fn tool_axis_at(&self, words: &[f64; MAX_AXES]) -> Vector3<f64> {
+        self.chain.place(&self.values(words)).axis
+    }
+
+    /// Words nearest to `words` whose rotary axes give the tool this axis on the workpiece.
+    ///
+    /// Newton's method with the smallest step (normal equations, damped by [`DAMPED`]): near the pole, where a rotary axis
+    /// hardly rotates the tool, that axis is left alone. `None` if it does not converge.
+    pub(crate) fn rotated_to(&self, words: &[f64; MAX_AXES], axis: &Vector3<f64>) -> Option<[f64; MAX_AXES]> {
+        let mut words = *words;
+        for _ in 0..NEWTON_STEPS {
+            let (current, rates) = self.chain.axis_rates(&self.values(&words));
+            let off = axis - current;
+            if off.norm() < ROTATED_TO {
+                return Some(words);
+            }
+            let mut rotary = (0..MAX_AXES).filter(|index| self.axes.rotary_bits & (1 << index) != 0);
+            let (first, second) = (rotary.next()?, rotary.next());
+            let columns = [rates[first], second.map_or(Vector3::zeros(), |second| rates[second])];
+            let jacobian = Matrix3x2::from_columns(&columns);
+            let normal = jacobian.tr_mul(&jacobian) + Matrix2::identity() * DAMPED;
+            let step = normal.try_inverse()? * jacobian.tr_mul(&off);
+            words[first] += step.x;
+            if let Some(second) = second {
+                words[second] += step.y;
+            }
+        }
+        None
+    }
+
+    /// Angle between the axes of a plane and those of the linear words, as the rotary axes have them, rad.
+    pub(crate) fn twist(&self, words: &[f64; MAX_AXES], rotation: &Matrix3<f64>) -> f64 {
+        let current = self.chain.rotation(&self.values(words));
+        let off = self.axes.xyz.iter().flatten().map(|index| {
+            let mut unit = [0.0; MAX_AXES];
+            unit[*index] = 1.0;
+            let tilted = self.chain.at_zero(&self.out_of_plane(&unit, rotation, &Vector3::zeros()));
+            angle_between(&(current * self.chain.at_zero(&unit)), &tilted)
+        });
+        off.fold(0.0, f64::max)
+    }
+
+    /// Words in a tilted plane as words outside it.
+    fn out_of_plane(&self, words: &[f64; MAX_AXES], rotation: &Matrix3<f64>, origin: &Vector3<f64>) -> [f64; MAX_AXES] {
+        let mut outside = *words;
+        if let [Some(x), Some(y), Some(z)] = self.axes.xyz {
+            let point = origin + rotation * Vector3::new(words[x], words[y], words[z]);
+            (outside[x], outside[y], outside[z]) = (point.x, point.y, point.z);
+        }
+        outside
+    }
+
+    /// Point of linear words, workpiece frame, mm.
+    fn program_point(&self, words: &[f64; MAX_AXES]) -> Vector3<f64> {
+        let mut values = [0.0; MAX_AXES];
+        for &index in &self.axes.linear {
+            values[index] = words[index] - self.zero_mm[index];
+        }
+        self.chain.at_zero(&values)
+    }
+}
+
+fn bits(axes: &[usize]) -> u16 {
+    axes.iter().fold(0, |bits, index| bits | 1 << index)
+}
+
+/// The linear axis most along the tool; of two alike the one nearer the tool.
+fn retract_axis(machine: &dyn AnyMachine, linear: &[usize], tool: &Vector3<f64>) -> usize {
+    let share = |index: &usize| (machine.joint(*index).direction.dot(tool).abs() * 1e9).round();
+    linear.iter().copied().max_by(|a, b| share(a).total_cmp(&share(b))).unwrap_or(0)
+}

@@ -1,0 +1,160 @@
+//! Extremes of the axes within a block.
+//!
+//! Where the control rotates the tool axis in the plane of its ends, or is given that axis instead of angles, its rotary
+//! axes are followed from their last position in small steps. At a limit of theirs another position with the same tool
+//! axis is looked for, as the control does; how it gets there is not judged.
+
+use std::f64::consts::TAU;
+
+use super::super::geometry::{PathPoint, PathShape, Search, Segment};
+use super::super::rules::BlockPath;
+use super::{Action, Block, Extent, Findings, MAX_AXES, Rules, TipControl, ToolPose, Travel, Vector3, sweep};
+
+/// Largest distance between points of a block, rad: of the rotary axes, of which two may add up, and of an arc; unless
+/// there were more points than this.
+const ROTATION_STEP: f64 = 0.05;
+const ARC_STEP: f64 = 0.2;
+const MOST_STEPS: f64 = 2000.0;
+
+/// Largest step of rotary axes that a control rotates by itself, rad, and the distance of two equal positions.
+const LARGEST_ROTATION: f64 = 4.0 * ROTATION_STEP;
+const SAME_POSITION: f64 = 1e-3;
+
+/// Number of values of each rotary axis from which another position is looked for.
+const SEEDS: u32 = 9;
+
+impl Travel {
+    /// Whether the axes stay within their limits between the ends of a block.
+    pub(super) fn within(
+        &mut self,
+        rules: &Rules<'_>,
+        (before, known): (&[f64; MAX_AXES], u16),
+        block: &Block,
+        findings: &mut Findings<'_>,
+    ) {
+        let words = rules.words();
+        let (rotary, by_control) = (words.rotary_bits(), block.state.vector.is_some());
+        let rotated = self.rotated.take();
+        if !by_control && block.known & rotary == rotary {
+            self.rotated = Some(block.values);
+        }
+        let known = known & block.known & words.linear_bits() == words.linear_bits();
+        let Some(rotated) = rotated else { return };
+        // The start of linear axes may be unknown; the rotation of the rotary ones is known.
+        let from = words.with_rotary(if known { *before } else { block.values }, &rotated);
+        let angle = match block.state.tip_control {
+            TipControl::On { .. } if !by_control => words.rotary_travel(&from, &block.values),
+            _ => 0.0,
+        };
+        let sweep = sweep(block);
+        let together = block.action != Action::Rapid || rules.rapids_are_interpolated();
+        if by_control || (angle > 0.0 && known && rules.policy().words.axis_in_plane && together) {
+            self.in_plane(rules, block, from, angle, findings);
+        } else if !known || (angle <= 0.0 && sweep <= 0.0) {
+        } else if together {
+            self.interpolated(rules, &rules.path(*before, block), angle, sweep, findings);
+        } else {
+            self.uncoordinated(rules, before, block, findings);
+        }
+    }
+
+    /// A block in which the control rotates the tool axis evenly in a plane, and finds the rotary axes itself.
+    fn in_plane(
+        &mut self,
+        rules: &Rules<'_>,
+        block: &Block,
+        from: [f64; MAX_AXES],
+        angle: f64,
+        findings: &mut Findings<'_>,
+    ) {
+        let (words, state) = (rules.words(), &block.state);
+        let pose = |axis: Vector3<f64>| ToolPose { tip: Vector3::zeros(), axis };
+        let end = words.place(&block.values, state).axis;
+        let rotation = Segment { from: pose(words.tool_axis_at(&from)), to: pose(end), shape: PathShape::Line };
+        let path: BlockPath<'_> = rules.path(from, block);
+        let at = |share: f64, near: &PathPoint| {
+            let here = words.with_rotary(path.at(share), &near.words);
+            let here = words.rotated_to(&here, &rotation.at(share).axis)?;
+            let step = words.rotary_travel(&here, &near.words);
+            let values = words.axes_with_rotary(&here, state).filter(|_| step <= LARGEST_ROTATION)?;
+            Some(PathPoint { share, words: here, values })
+        };
+        let Some(values) = words.axes_with_rotary(&from, state) else { return };
+        let (first, quiet) = (PathPoint { share: 0.0, words: from, values }, self.quiet(words));
+        let mut search = Search { at, quiet: &quiet, axes: self.bits(), extent: Extent::of(&values) };
+        let last = search.go(first, 1.0, step(angle.max(rotation.turn()), sweep(block)));
+        let extent = search.extent;
+        if last.share < 1.0 {
+            return;
+        }
+        if state.vector.is_none() {
+            // Past the pole the axes may be in the other position with the same tool axis.
+            if words.rotary_travel(&last.words, &block.values) <= SAME_POSITION {
+                self.judge(words, &extent, [&values, &last.values], "within this block ", findings);
+            }
+            return;
+        }
+        self.rotated = Some(last.words);
+        match self.rotary_outside(&last.values).then(|| self.other_position(rules, &last.words, &end)).flatten() {
+            Some(other) => self.rotated = Some(other),
+            None => self.judge(words, &extent, [&values, &last.values], "within this block ", findings),
+        }
+    }
+
+    /// The nearest other position of the rotary axes with the same tool axis, within their limits.
+    fn other_position(
+        &self,
+        rules: &Rules<'_>,
+        from: &[f64; MAX_AXES],
+        axis: &Vector3<f64>,
+    ) -> Option<[f64; MAX_AXES]> {
+        let words = rules.words();
+        let mut rotary = words.rotary();
+        let (first, second) = (rotary.next()?, rotary.next()?);
+        let found = (0..SEEDS * SEEDS).filter_map(|seed| {
+            let mut start = *from;
+            start[first] += TAU * (f64::from(seed % SEEDS) / f64::from(SEEDS) - 0.5);
+            start[second] += TAU * (f64::from(seed / SEEDS) / f64::from(SEEDS) - 0.5);
+            let there = words.rotated_to(&start, axis)?;
+            (!self.rotary_outside(&words.values(&there))).then_some(there)
+        });
+        let distance = |there: &[f64; MAX_AXES]| words.rotary_travel(from, there);
+        found.min_by(|a, b| distance(a).total_cmp(&distance(b)))
+    }
+
+    /// A block whose axes arrive together; `angle`: largest rotation of a rotary axis, `sweep`: angle of the arc, rad.
+    fn interpolated(
+        &mut self,
+        rules: &Rules<'_>,
+        path: &BlockPath<'_>,
+        angle: f64,
+        sweep: f64,
+        findings: &mut Findings<'_>,
+    ) {
+        let (words, state) = (rules.words(), &path.block.state);
+        let at = |share: f64, _: &PathPoint| {
+            let here = path.at(share);
+            words.axes(&here, state).map(|values| PathPoint { share, words: here, values })
+        };
+        let Some(values) = words.axes(&path.before, state) else { return };
+        let first = PathPoint { share: 0.0, words: path.before, values };
+        let (quiet, step) = (self.quiet(words), step(angle, sweep));
+        let mut search = Search { at, quiet: &quiet, axes: self.bits(), extent: Extent::of(&values) };
+        // Revolutions of a helix differ by its rise alone: the extreme is in the first or the last.
+        let revolution = TAU / sweep;
+        let late = if angle <= 0.0 && revolution < 0.5 {
+            search.go(first, revolution, step);
+            (search.at)(1.0 - revolution, &first).unwrap_or(first)
+        } else {
+            first
+        };
+        let last = search.go(late, 1.0, step);
+        let extent = search.extent;
+        self.judge(words, &extent, [&first.values, &last.values], "within this block ", findings);
+    }
+}
+
+/// Step of the share in a block that rotates by `angle` and goes round by `sweep`, rad.
+fn step(angle: f64, sweep: f64) -> f64 {
+    1.0 / (angle / ROTATION_STEP + sweep / ARC_STEP).ceil().clamp(2.0, MOST_STEPS)
+}

@@ -1,0 +1,196 @@
+//! The policy of a check, from a configuration and its control.
+
+use crate::check::policy::{
+    Digits, FeedPath, FeedPolicy, LinearWords, LinkPolicy, Policy, RapidForm, Rollover, Selection, ShopBlocks,
+    SmoothingLevel, StateDefaults, TipFrame, Tolerances, WordPolicy,
+};
+use crate::check::read::Family;
+use crate::cl::ReadingOptions;
+use crate::control::{self, Control, Smoothing};
+use crate::kinematics::{AnyMachine, AxisKind, Machine, Side};
+use crate::motion::{Mode, Operations, PathNorm, Rapid, Rewind, TcpFrame, TcpWords, ToolPosture, Transition, Wrap};
+use crate::program::Units;
+use crate::set_up::LengthMode;
+
+use super::Config;
+
+/// The reason why programs of a job cannot be checked. One sentence per line.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{0}")]
+pub struct NotCheckable(String);
+
+impl Config {
+    /// Policy of the check of programs that are posted with this configuration. `cl_units`: unit of CL data that states none;
+    /// takes precedence over that of the configuration.
+    ///
+    /// # Errors
+    /// [`NotCheckable`] if the configuration does not suit control or machine, or programs of the control cannot be read.
+    pub fn check_policy<M: Machine>(
+        &self,
+        control: &dyn Control,
+        cl_units: Option<Units>,
+    ) -> Result<Policy, NotCheckable> {
+        self.check_policy_for(&M::default(), control, cl_units)
+    }
+
+    /// [`check_policy`](Self::check_policy) for a machine whose type is known at run time only.
+    ///
+    /// # Errors
+    /// Those of [`check_policy`](Self::check_policy).
+    pub fn check_policy_for(
+        &self,
+        machine: &dyn AnyMachine,
+        control: &dyn Control,
+        cl_units: Option<Units>,
+    ) -> Result<Policy, NotCheckable> {
+        let family = Family::of_control(control.spellings().name)
+            .ok_or_else(|| NotCheckable("the check cannot read programs of this control".to_owned()))?;
+        let unfit = control::unfit(machine, control, self.demands());
+        if !unfit.is_empty() {
+            return Err(NotCheckable(unfit.join("\n")));
+        }
+        Ok(Policy {
+            family,
+            reading: ReadingOptions { units: cl_units.or(self.cl_units), ..self.cl.clone() },
+            output_units: self.output_units,
+            set_up: self.set_up.clone(),
+            words: self.word_policy(),
+            digits: self.digits(),
+            tolerances: self.tolerances(),
+            links: self.link_policy(),
+            feed: self.feed_policy(),
+            defaults: self.state_defaults(),
+            selection: self.motion.operations.as_ref().map(|operations| match operations {
+                Operations::Range(first, last) => Selection::Range(*first, *last),
+                Operations::From(name) => Selection::From(name.clone()),
+            }),
+            shop: self.shop_blocks(machine),
+        })
+    }
+
+    fn word_policy(&self) -> WordPolicy {
+        let (tip, control) = (&self.motion.tip, &self.control);
+        let rollover = |wrap: Wrap| match wrap {
+            Wrap::Positive | Wrap::Symmetric => Rollover::Shortest,
+            Wrap::Sign => Rollover::Sign,
+        };
+        WordPolicy {
+            linear: match self.motion.mode {
+                Mode::Axes => LinearWords::AxisPositions,
+                Mode::Tcp => LinearWords::TipCoordinates,
+                Mode::Plane => LinearWords::PlaneCoordinates,
+            },
+            tip_frame: match tip.tcp_frame {
+                None | Some(TcpFrame::TableAtZero) => TipFrame::TableAtZero,
+                Some(TcpFrame::TableAtStart) => TipFrame::TableAtStart,
+                Some(TcpFrame::NotTurning) => TipFrame::Machine,
+            },
+            axis_in_plane: tip.tool_posture == ToolPosture::Plane,
+            tool_axis_vectors: tip.tcp_words == TcpWords::Vectors,
+            own_tip_codes: control.tip_control.is_some(),
+            axis_names: control.axes.clone(),
+            rollover: self.motion.rotaries.wrap.iter().map(|(letter, wrap)| (*letter, rollover(*wrap))).collect(),
+            plain_numbers: control.point == Some(false),
+        }
+    }
+
+    fn digits(&self) -> Digits {
+        let formats = &self.formats;
+        Digits {
+            linear_mm: formats.linear(Units::Millimetres),
+            linear_inch: formats.linear(Units::Inches),
+            rotary: formats.rotary,
+            speed: formats.speed,
+            feed: formats.feed,
+            inverse_time: formats.inverse_time,
+        }
+    }
+
+    fn tolerances(&self) -> Tolerances {
+        Tolerances {
+            path_mm: self.motion.tolerance_mm,
+            axis_path_rad: self.motion.axis_tolerance_path_rad,
+            pole_rad: self.motion.course.axis_tolerance_rad,
+            stated_may_be_larger: self.motion.allow_lintol,
+            blending_mm: self.control.path_tolerance_mm,
+        }
+    }
+
+    fn link_policy(&self) -> LinkPolicy {
+        let motion = &self.motion;
+        LinkPolicy {
+            rapid: match motion.rapids.rapid {
+                Rapid::Direct => RapidForm::OneBlock,
+                Rapid::Split => RapidForm::TwoBlocks,
+                Rapid::Feed => RapidForm::Feed,
+            },
+            rapid_feed_mm_per_min: motion.rapids.rapid_feed_mm_per_min,
+            direct: motion.rapids.transition == Transition::Direct,
+            index_angle_rad: motion.rapids.index_angle_rad,
+            retract_mm: motion.retract.position_mm(),
+            retract_distance_mm: motion.retract.distance_mm,
+            clearance: motion.retract.clearance,
+            rewinds_in_cut: motion.retract.rewind == Rewind::Follow,
+            rewinds_dry: motion.retract.rewind_dry,
+            approach_mm: motion.approach.distance_mm,
+            retracts_for_stop: motion.stop_retract,
+            spindle_dwell_s: motion.spindle_dwell_s,
+            park: motion.park.clone(),
+            dry_lift_mm: motion.lift_mm,
+        }
+    }
+
+    fn feed_policy(&self) -> FeedPolicy {
+        FeedPolicy {
+            path: self.control.path_norm.map(|norm| match norm {
+                PathNorm::Xyz => FeedPath::Linear,
+                PathNorm::XyzDegrees => FeedPath::LinearAndDegrees,
+                PathNorm::G93Minutes => FeedPath::InverseMinutes,
+                PathNorm::G93Seconds => FeedPath::InverseSeconds,
+            }),
+            keeps_axis_speeds: self.motion.feed.keep_speeds,
+            largest_mm_per_min: self.motion.feed.largest_mm_per_min,
+            shortest_block_s: self.motion.feed.shortest_block_s,
+            reorient_rad_per_min: self.motion.rapids.reorient_rad_per_min,
+            rapids_interpolated: self.control.linear_rapids,
+        }
+    }
+
+    fn state_defaults(&self) -> StateDefaults {
+        let defaults = &self.motion.defaults;
+        StateDefaults {
+            tool: defaults.tool,
+            speed_rev_per_min: defaults.speed_rev_per_min,
+            rotation: defaults.rotation,
+            coolant: defaults.coolant,
+            peck_gap_mm: defaults.peck_gap_mm,
+        }
+    }
+
+    fn shop_blocks(&self, machine: &dyn AnyMachine) -> ShopBlocks {
+        let control = &self.control;
+        let rotary_head =
+            machine.axes().iter().any(|axis| axis.kind == AxisKind::Rotary && !axis.held && axis.side == Side::Tool);
+        // Without tip control or tilted plane a rotary axis in the head makes the words depend on the length.
+        let guarded = self.motion.guards.length_guard.unwrap_or(rotary_head && self.motion.mode == Mode::Axes);
+        let program = &control.program;
+        let lines = program.start.iter().chain(&program.end);
+        let lines = lines.chain(control.safety.iter().flatten()).chain(control.tool_change.iter().flatten());
+        let clamps = self.motion.rotaries.clamp.values().flat_map(|codes| [&codes.on, &codes.off]);
+        let coolants = control.coolant.iter().flatten().flatten();
+        ShopBlocks {
+            own_safety: control.safety.is_some(),
+            length_guard_mm: (guarded && self.set_up.length_mode == LengthMode::Tip)
+                .then_some(self.motion.guards.length_tolerance_mm),
+            smoothing: match control.smoothing {
+                Smoothing::None => None,
+                Smoothing::Rough => Some(SmoothingLevel::Rough),
+                Smoothing::Medium => Some(SmoothingLevel::Medium),
+                Smoothing::Finish => Some(SmoothingLevel::Finish),
+            },
+            rigid_tapping: self.motion.cycles.rigid,
+            lines: lines.chain(clamps).chain(coolants).cloned().collect(),
+            coolant: control.coolant.clone(),
+        }
+    }
+}
