@@ -223,8 +223,8 @@ impl<'a, R: Read> Checker<'a, R> {
             self.retracted = false;
             self.restarted = true;
         }
-        if let Some(length) = block.guard {
-            self.guard(length, shown);
+        if let Some(guard) = block.guard {
+            self.guard(guard, shown);
         }
         self.length_given_up(block, shown);
         self.plane_given_up(block, shown);
@@ -269,6 +269,9 @@ impl<'a, R: Read> Checker<'a, R> {
         match block.action {
             Action::Machine => self.machine_block(block, shown)?,
             Action::Reference => {
+                if block.written & !(1 << self.words.retract) != 0 {
+                    self.found(shown, "motion to the reference position of other axes than the retract axis");
+                }
                 self.phase = Phase::Clear(0);
                 self.here = None;
             }

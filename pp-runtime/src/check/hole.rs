@@ -134,7 +134,8 @@ impl<R: Read> Checker<'_, R> {
         // A thread that only goes in and out leaves the way up to a motion.
         let (back, clearance) = (placed_at(hole.return_mm), placed_at(hole.clearance_mm));
         let end = ends(self, cycle.back_to);
-        let short = matches!(cycle.kind, CycleKind::Tap(_)) && end.is_some_and(|end| self.is_at(&end, &clearance));
+        let short = matches!(cycle.kind, CycleKind::Tap(_) | CycleKind::FloatingTap(_))
+            && end.is_some_and(|end| self.is_at(&end, &clearance));
         let stays = short && hole.return_mm - hole.clearance_mm > SAME_LEVEL;
         let (back, above) = if stays { (clearance, 0.0) } else { (back, hole.return_mm - hole.clearance_mm) };
         self.level_is(block, cycle.back_to, (&back, above), "return point", shown);
@@ -243,7 +244,7 @@ impl<R: Read> Checker<'_, R> {
                 (step - later).abs() <= unit && (step - first).abs() <= unit
             }
             (CycleKind::ChipBreak(wanted), Drilling::ChipBreak { step_mm: step, .. }) => (step - wanted).abs() <= unit,
-            (CycleKind::Tap(pitch), Drilling::Tap { pitch_mm: stated }) => {
+            (CycleKind::Tap(pitch) | CycleKind::FloatingTap(pitch), Drilling::Tap { pitch_mm: stated }) => {
                 let left = matches!(spindle, Some((_, Rotation::CounterClockwise)));
                 let wanted = stated.or_else(|| per_turn(hole.feed, spindle.map(|(speed, _)| speed)));
                 wanted.is_some_and(|wanted| (pitch.abs() - wanted).abs() <= PITCH * wanted) && (pitch < 0.0) == left
@@ -258,7 +259,7 @@ impl<R: Read> Checker<'_, R> {
 
     fn cycle_feed_is(&mut self, block: &Block, cycle: &CycleMove, hole: &Hole, speed: Option<f64>, shown: Shown<'_>) {
         // The pitch of a thread has been compared.
-        if matches!(cycle.kind, CycleKind::Tap(_)) {
+        if matches!(cycle.kind, CycleKind::Tap(_) | CycleKind::FloatingTap(_)) {
             return;
         }
         let mut state = block.state;

@@ -143,6 +143,17 @@ pub fn blocks_for(
     Ok(blocks)
 }
 
+/// Writes the codes and words of a control that the check reads, as a table.
+///
+/// # Errors
+/// Errors of the output.
+pub(crate) fn codes(control: &dyn Control, out: &mut dyn io::Write) -> io::Result<()> {
+    match Family::of_control(control.spellings().name) {
+        Some(family) => read::table(family, out),
+        None => writeln!(out, "the check cannot read programs of this control"),
+    }
+}
+
 fn family(job: &Job<'_>) -> Result<Family, CheckError> {
     Family::of_control(job.control.spellings().name)
         .ok_or_else(|| CheckError::Impossible("the check cannot read programs of this control".to_owned()))

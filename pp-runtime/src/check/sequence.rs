@@ -7,7 +7,7 @@ use super::chain::Placed;
 use super::compare::{Checker, Phase};
 use super::expect::{Item, Kind, Motion};
 use super::path::{Segment, Shape, angle_between};
-use super::read::{Action, Block, Family, Length, stated};
+use super::read::{Action, Block, Family, Guard, Length, stated};
 use super::report::Shown;
 use crate::motion::Mode;
 
@@ -494,10 +494,9 @@ impl<R: Read> Checker<'_, R> {
     }
 
     /// A guard of a tool length; where it does not say which, it is known that there is one.
-    pub(super) fn guard(&mut self, length: f64, shown: Shown<'_>) {
+    pub(super) fn guard(&mut self, guard: Guard, shown: Shown<'_>) {
+        let length = guard.length_mm;
         let wanted = self.expect.get(0).and_then(|item| item.wanted.length);
-        let in_mm = matches!(self.family, Family::LinuxCnc | Family::Heidenhain);
-        let length = if in_mm { length } else { length * self.units.in_mm() };
         if let Some(wanted) = wanted
             && (wanted - length).abs() > 1e-3
         {

@@ -2,9 +2,10 @@
 
 use std::io::{self, SeekFrom};
 
-use super::read::{AxisName, Family, Vocabulary, WorkOffset, coolant};
+use super::read::{AxisName, Effect, Family, OwnPlace, OwnText, Vocabulary, WorkOffset, coolant};
 use crate::cl::{self, ReadSeek};
 use crate::config::Config;
+use crate::control::LineEffect;
 use crate::kinematics::{AnyMachine, AxisKind};
 use crate::program::Event;
 use crate::program::Units;
@@ -34,36 +35,61 @@ pub(super) fn vocabulary(machine: &dyn AnyMachine, family: Family, config: &Conf
         wrap: config.motion.rotaries.wrap.get(&axis.letter).copied(),
     };
     let setup = &config.control;
-    let lines = config.control.program.start.iter().chain(&config.control.program.end);
-    let lines = lines.chain(setup.safety.iter().flatten()).chain(setup.tool_change.iter().flatten());
-    let clamps = config.motion.rotaries.clamp.values().flat_map(|codes| [&codes.on, &codes.off]);
-    let coolants = setup.coolant.iter().flatten().flatten();
-    let mut known: Vec<Vec<u8>> = Vec::new();
-    for line in lines.chain(clamps).chain(coolants) {
-        known.push(line.trim().as_bytes().to_vec());
-        known.extend(line.split_whitespace().map(|word| word.as_bytes().to_vec()));
-    }
-    let kinds = [coolant::FLOOD, coolant::MIST, coolant::THROUGH, coolant::AIR];
-    let codes = setup.coolant.iter().zip(kinds).filter_map(|(codes, bit)| Some((codes.as_ref()?, bit)));
-    let mut switches: Vec<(Vec<u8>, u8, bool)> = Vec::new();
-    for ([on, off], bit) in codes {
-        switches.push((on.trim().as_bytes().to_vec(), bit, true));
-        // One code may switch off several kinds.
-        let off = off.trim().as_bytes().to_vec();
-        match switches.iter_mut().find(|(code, _, on)| *code == off && !on) {
-            Some((_, bits, _)) => *bits |= bit,
-            None => switches.push((off, bit, false)),
-        }
-    }
     let tools = config.set_up.tools.iter().filter_map(|(number, tool)| Some((tool.name.clone()?, *number)));
     Vocabulary {
         family,
         axes: machine.axes().iter().map(axis).collect(),
-        known,
-        coolant: switches,
+        own: own_lines(machine, config),
+        effects: setup.effects.iter().map(|(text, effect)| (text.clone().into_bytes(), declared(*effect))).collect(),
+        swivel_data: setup.swivel_data.clone().unwrap_or_default(),
         plain: setup.point == Some(false),
         tools: tools.collect(),
         rounding: 0.5 * 10_f64.powi(-(config.formats.linear(units) as i32)) * units.in_mm(),
+    }
+}
+
+/// The lines that the configuration brings into a program.
+fn own_lines(machine: &dyn AnyMachine, config: &Config) -> Vec<OwnText> {
+    let control = &config.control;
+    let mut own = Vec::new();
+    let mut put = |text: &str, place: OwnPlace, coolant: Option<(u8, bool)>| {
+        own.push(OwnText { text: text.trim().as_bytes().to_vec(), place, coolant });
+    };
+    control.program.start.iter().for_each(|line| put(line, OwnPlace::Start, None));
+    control.program.end.iter().for_each(|line| put(line, OwnPlace::End, None));
+    control.safety.iter().flatten().for_each(|line| put(line, OwnPlace::Safety, None));
+    control.tool_change.iter().flatten().for_each(|line| put(line, OwnPlace::ToolChange, None));
+    for (letter, codes) in &config.motion.rotaries.clamp {
+        if let Some(axis) = machine.axes().iter().position(|axis| axis.letter == *letter) {
+            put(&codes.on, OwnPlace::Clamp { axis, on: true }, None);
+            put(&codes.off, OwnPlace::Clamp { axis, on: false }, None);
+        }
+    }
+    let kinds = [coolant::FLOOD, coolant::MIST, coolant::THROUGH, coolant::AIR];
+    for (codes, bit) in control.coolant.iter().zip(kinds) {
+        if let Some([on, off]) = codes {
+            put(on, OwnPlace::Coolant, Some((bit, true)));
+            put(off, OwnPlace::Coolant, Some((bit, false)));
+        }
+    }
+    if let Some([on, off]) = &control.tip_control {
+        put(on, OwnPlace::TipControl { on: true }, None);
+        put(off, OwnPlace::TipControl { on: false }, None);
+    }
+    config.cl.auxfun.iter().for_each(|code| put(&format!("M{code}"), OwnPlace::Insert, None));
+    config.cl.prefun.iter().for_each(|code| put(&format!("G{code}"), OwnPlace::Insert, None));
+    own
+}
+
+fn declared(effect: LineEffect) -> Effect {
+    match effect {
+        LineEffect::None => Effect::None,
+        LineEffect::Coolant => Effect::Coolant,
+        LineEffect::Spindle => Effect::Spindle,
+        LineEffect::Stop => Effect::Stop,
+        LineEffect::PositionLost => Effect::PositionLost,
+        LineEffect::StateLost => Effect::StateLost,
+        LineEffect::Measures => Effect::Measures,
     }
 }
 

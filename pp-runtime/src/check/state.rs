@@ -57,7 +57,11 @@ impl<R: Read> Checker<'_, R> {
             .everywhere(state, Side::None)
             .or_else(|| inverse(state))
             .or_else(|| self.frame(state, step > 1))
-            .or_else(|| self.offsets(state, &wanted, last || !moves_z))
+            .or_else(|| {
+                // Rotary axes rotate before the work offset is selected again that a switch of tip control may cancel.
+                let rotates = state.work_offset.is_none() && block.written & self.words.linear_mask == 0;
+                if rotates { None } else { self.offsets(state, &wanted, last || !moves_z) }
+            })
             .or_else(|| spindle(state, wanted.spindle.filter(|_| self.config.motion.lift_mm.is_none())))
             .or_else(|| if self.rewound.is_some() { None } else { coolant(state, 0) });
         self.say_with_tool(found, state, &wanted, shown);

@@ -75,6 +75,10 @@ fn execute(machine: &dyn AnyMachine, args: &[OsString], mut streams: Streams<'_>
         }
         Command::Explain(args) if args.latex => print(&mut streams, |out| explain::latex(machine, out)),
         Command::Explain(args) if args.proof_program => print_proof_program(machine, &args.proof, &mut streams),
+        Command::Explain(args) if args.codes => {
+            let control = args.proof.control();
+            print(&mut streams, |out| crate::check::codes(control, out))
+        }
         Command::Explain(args) if args.cl => print(&mut streams, |out| cl::list_words(out)),
         Command::Explain(_) => print(&mut streams, |out| explain::text(machine, out)),
     };

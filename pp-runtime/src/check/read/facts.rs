@@ -42,6 +42,28 @@ pub(crate) struct Facts {
     pub(crate) tool_axis_frame: bool,
     /// Work offsets are rows of a table; G54 is row 1.
     pub(crate) offset_rows: bool,
+    /// The code that switches length compensation off ends tip control as well.
+    pub(crate) length_off_ends_tip_control: bool,
+    /// The form of tip control is P of its code: how the tool axis moves.
+    pub(crate) tip_control_has_form: bool,
+    /// Switching tip control on or off may cancel the work offset.
+    pub(crate) tip_control_may_cancel_offset: bool,
+    /// A number without a decimal point counts least increments, a time without one milliseconds.
+    pub(crate) least_increments: bool,
+    /// P of a dwell has no decimal point: it counts milliseconds.
+    pub(crate) whole_milliseconds: bool,
+    /// The unit of F without a decimal point depends on a setting.
+    pub(crate) feed_needs_point: bool,
+    /// A tool cannot be called in a block that moves.
+    pub(crate) tool_call_alone: bool,
+    /// Comments that begin with a word and a comma are orders.
+    pub(crate) comments_give_orders: bool,
+    /// A semicolon begins a comment; otherwise it ends the block.
+    pub(crate) semicolon_comments: bool,
+    /// Programs have a number, which begins them.
+    pub(crate) program_numbers: bool,
+    /// Motion codes stay in force.
+    pub(crate) motion_modal: bool,
 }
 
 const ISO: Facts = Facts {
@@ -59,6 +81,17 @@ const ISO: Facts = Facts {
     tool_axis_interpolation: false,
     tool_axis_frame: false,
     offset_rows: false,
+    length_off_ends_tip_control: true,
+    tip_control_has_form: false,
+    tip_control_may_cancel_offset: false,
+    least_increments: true,
+    whole_milliseconds: false,
+    feed_needs_point: false,
+    tool_call_alone: false,
+    comments_give_orders: false,
+    semicolon_comments: false,
+    program_numbers: true,
+    motion_modal: true,
 };
 
 impl Family {
@@ -70,10 +103,19 @@ impl Family {
                 length_off_at_machine_coordinates: false,
                 guard_in_mm: true,
                 rapids_interpolated: true,
+                length_off_ends_tip_control: false,
+                least_increments: false,
+                tool_call_alone: true,
+                comments_give_orders: true,
+                semicolon_comments: true,
+                program_numbers: false,
                 ..ISO
             },
-            Self::Fanuc => Facts { tool_axis_interpolation: true, ..ISO },
-            Self::Haas => ISO,
+            // B-64484EN, II-4: P of a dwell has no decimal point.
+            Self::Fanuc => {
+                Facts { tool_axis_interpolation: true, tip_control_has_form: true, whole_milliseconds: true, ..ISO }
+            }
+            Self::Haas => Facts { feed_needs_point: true, ..ISO },
             // Rapids: programming manual of the Sinumerik One, RTLIOF.
             Self::Siemens => Facts {
                 registers: LengthRegisters::Edges,
@@ -82,6 +124,11 @@ impl Family {
                 rapids_interpolated: true,
                 tool_axis_interpolation: true,
                 tool_axis_frame: true,
+                length_off_ends_tip_control: false,
+                tip_control_may_cancel_offset: true,
+                least_increments: false,
+                semicolon_comments: true,
+                program_numbers: false,
                 ..ISO
             },
             Self::Heidenhain => Facts {
@@ -97,6 +144,11 @@ impl Family {
                 plane_by_tool_call: true,
                 tool_axis_interpolation: true,
                 offset_rows: true,
+                length_off_ends_tip_control: false,
+                least_increments: false,
+                semicolon_comments: true,
+                program_numbers: false,
+                motion_modal: false,
                 ..ISO
             },
         }
