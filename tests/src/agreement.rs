@@ -127,6 +127,7 @@ fn motion_difference(block: &Block, executed: &Executed, unit: f64) -> Option<St
                 (read::CycleKind::Peck(one), CycleKind::Peck { step })
                 | (read::CycleKind::ChipBreak(one), CycleKind::ChipBreak { step }) => near(one, step * unit),
                 (read::CycleKind::Tap(one), CycleKind::Tap { pitch }) => near(one, pitch * unit),
+                (read::CycleKind::FloatingTap(one), CycleKind::Tap { pitch }) => near(one, pitch * unit),
                 _ => false,
             };
             let levels = [
@@ -161,6 +162,8 @@ fn state_difference(block: &Block, executed: &Executed, unit: f64, supplies: u8)
         Some(Length::Register(register)) => one.length == Some(read::Length::Register(register)),
     };
     let offset = match other.work_offset {
+        // A switch of tip control may have cancelled it, and it has not been selected again.
+        Some(_) if one.work_offset.is_none() && one.tip_control == read::TipControl::Off => true,
         None => one.work_offset.is_none(),
         Some(WorkOffset::Code(code)) => one.work_offset == Some(read::WorkOffset::Code(code)),
         Some(WorkOffset::Further(number)) => one.work_offset == Some(read::WorkOffset::Further(number)),

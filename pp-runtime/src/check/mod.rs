@@ -144,5 +144,13 @@ pub fn blocks_for(
     Ok(blocks)
 }
 
+/// Writes the codes and words of a family of controls that the check reads, as a table.
+///
+/// # Errors
+/// Errors of the output.
+pub fn codes(family: read::Family, out: &mut dyn io::Write) -> io::Result<()> {
+    read::table(family, out)
+}
+
 #[cfg(test)]
 mod tests;

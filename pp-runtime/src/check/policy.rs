@@ -8,7 +8,7 @@ use crate::cl::ReadingOptions;
 use crate::program::{Clearance, Coolant, Rotation, Units};
 use crate::set_up::SetUp;
 
-use super::read::Family;
+use super::read::{Effect, Family, OwnPlace};
 
 /// Meaning of the words of a program, the motion between cuts, and the tolerances of a check.
 #[derive(Debug, Clone)]
@@ -255,7 +255,20 @@ pub struct ShopBlocks {
     /// Threads are cut with the feed synchronised to the spindle.
     pub rigid_tapping: bool,
     /// Lines that the configuration brings into the program.
-    pub lines: Vec<String>,
-    /// On and off code of each kind of coolant: flood, mist, through the spindle, air.
-    pub coolant: [Option<[String; 2]>; 4],
+    pub lines: Vec<ShopLine>,
+    /// Declared effects of lines and words that are in no table, by their text.
+    pub effects: Vec<(String, Effect)>,
+    /// Name of the swivel data record.
+    pub swivel_data: String,
+}
+
+/// A line that the configuration brings into the program.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ShopLine {
+    /// The line, with fields in braces.
+    pub text: String,
+    /// Its place in the configuration.
+    pub place: OwnPlace,
+    /// Bits of the kinds of coolant that a coolant code switches, and whether it switches them on.
+    pub coolant: Option<(u8, bool)>,
 }

@@ -177,6 +177,11 @@ impl Tally {
         self.outcome.blocks += 1;
     }
 
+    /// Number of blocks that have moved an axis.
+    pub(super) fn motions(&self) -> u64 {
+        self.outcome.blocks
+    }
+
     /// Number of findings so far.
     pub(super) fn count(&self) -> u64 {
         self.outcome.count

@@ -75,6 +75,13 @@ fn execute(machine: &dyn AnyMachine, args: &[OsString], mut streams: Streams<'_>
         }
         Command::Explain(args) if args.latex => print(&mut streams, |out| explain::latex(machine, out)),
         Command::Explain(args) if args.proof_program => print_proof_program(machine, &args.proof, &mut streams),
+        Command::Explain(args) if args.codes => {
+            let name = args.proof.control().spellings().name;
+            print(&mut streams, |out| match crate::check::read::Family::of_control(name) {
+                Some(family) => crate::check::codes(family, out),
+                None => writeln!(out, "the check cannot read programs for {name}"),
+            })
+        }
         Command::Explain(args) if args.cl => print(&mut streams, |out| cl::list_words(out)),
         Command::Explain(_) => print(&mut streams, |out| explain::text(machine, out)),
     };

@@ -2,11 +2,11 @@
 
 use crate::check::policy::{
     Digits, FeedPath, FeedPolicy, LinearWords, LinkPolicy, Policy, RapidForm, Rollover, Selection, ShopBlocks,
-    SmoothingLevel, StateDefaults, TipFrame, Tolerances, WordPolicy,
+    ShopLine, SmoothingLevel, StateDefaults, TipFrame, Tolerances, WordPolicy,
 };
-use crate::check::read::Family;
+use crate::check::read::{Effect, Family, OwnPlace, coolant};
 use crate::cl::ReadingOptions;
-use crate::control::{self, Control, Smoothing};
+use crate::control::{self, Control, LineEffect, Smoothing};
 use crate::kinematics::{AnyMachine, AxisKind, Machine, Side};
 use crate::motion::{Mode, Operations, PathNorm, Rapid, Rewind, TcpFrame, TcpWords, ToolPosture, Transition, Wrap};
 use crate::program::Units;
@@ -173,11 +173,6 @@ impl Config {
             machine.axes().iter().any(|axis| axis.kind == AxisKind::Rotary && !axis.held && axis.side == Side::Tool);
         // Without tip control or tilted plane a rotary axis in the head makes the words depend on the length.
         let guarded = self.motion.guards.length_guard.unwrap_or(rotary_head && self.motion.mode == Mode::Axes);
-        let program = &control.program;
-        let lines = program.start.iter().chain(&program.end);
-        let lines = lines.chain(control.safety.iter().flatten()).chain(control.tool_change.iter().flatten());
-        let clamps = self.motion.rotaries.clamp.values().flat_map(|codes| [&codes.on, &codes.off]);
-        let coolants = control.coolant.iter().flatten().flatten();
         ShopBlocks {
             own_safety: control.safety.is_some(),
             length_guard_mm: (guarded && self.set_up.length_mode == LengthMode::Tip)
@@ -189,8 +184,54 @@ impl Config {
                 Smoothing::Finish => Some(SmoothingLevel::Finish),
             },
             rigid_tapping: self.motion.cycles.rigid,
-            lines: lines.chain(clamps).chain(coolants).cloned().collect(),
-            coolant: control.coolant.clone(),
+            lines: self.shop_lines(machine),
+            effects: control.effects.iter().map(|(text, effect)| (text.clone(), declared(*effect))).collect(),
+            swivel_data: control.swivel_data.clone().unwrap_or_default(),
         }
+    }
+
+    /// The lines that the configuration brings into a program.
+    fn shop_lines(&self, machine: &dyn AnyMachine) -> Vec<ShopLine> {
+        let control = &self.control;
+        let mut lines = Vec::new();
+        let mut add = |text: &str, place: OwnPlace, coolant: Option<(u8, bool)>| {
+            lines.push(ShopLine { text: text.trim().to_owned(), place, coolant });
+        };
+        control.program.start.iter().for_each(|line| add(line, OwnPlace::Start, None));
+        control.program.end.iter().for_each(|line| add(line, OwnPlace::End, None));
+        control.safety.iter().flatten().for_each(|line| add(line, OwnPlace::Safety, None));
+        control.tool_change.iter().flatten().for_each(|line| add(line, OwnPlace::ToolChange, None));
+        for (letter, codes) in &self.motion.rotaries.clamp {
+            if let Some(axis) = machine.axes().iter().position(|axis| axis.letter == *letter) {
+                add(&codes.on, OwnPlace::Clamp { axis, on: true }, None);
+                add(&codes.off, OwnPlace::Clamp { axis, on: false }, None);
+            }
+        }
+        let kinds = [coolant::FLOOD, coolant::MIST, coolant::THROUGH, coolant::AIR];
+        for (codes, bit) in control.coolant.iter().zip(kinds) {
+            if let Some([on, off]) = codes {
+                add(on, OwnPlace::Coolant, Some((bit, true)));
+                add(off, OwnPlace::Coolant, Some((bit, false)));
+            }
+        }
+        if let Some([on, off]) = &control.tip_control {
+            add(on, OwnPlace::TipControl { on: true }, None);
+            add(off, OwnPlace::TipControl { on: false }, None);
+        }
+        self.cl.auxfun.iter().for_each(|code| add(&format!("M{code}"), OwnPlace::Insert, None));
+        self.cl.prefun.iter().for_each(|code| add(&format!("G{code}"), OwnPlace::Insert, None));
+        lines
+    }
+}
+
+fn declared(effect: LineEffect) -> Effect {
+    match effect {
+        LineEffect::None => Effect::None,
+        LineEffect::Coolant => Effect::Coolant,
+        LineEffect::Spindle => Effect::Spindle,
+        LineEffect::Stop => Effect::Stop,
+        LineEffect::PositionLost => Effect::PositionLost,
+        LineEffect::StateLost => Effect::StateLost,
+        LineEffect::Measures => Effect::Measures,
     }
 }

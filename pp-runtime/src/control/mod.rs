@@ -26,4 +26,4 @@ pub use encode::Encoder;
 pub(crate) use encode::{legible, lines_of};
 pub use fit::{abilities, unfit};
 pub use layout::Layout;
-pub use options::{ControlOptions, Demands, ProgramBlocks, Smoothing};
+pub use options::{ControlOptions, Demands, LineEffect, ProgramBlocks, Smoothing};

@@ -79,6 +79,10 @@ options! {
         linear_rapids: Option<bool> = None, key("control.linear_rapids", YesNo, "true");
         /// Write every word in every block, modal words included.
         every_word: bool = false, key("control.every_word", YesNo);
+        /// Effect of lines and words that the check does not know, by their text: lines of `[program]`, `safety`,
+        /// `tool_change` and INSERT, and codes in them. "none", "coolant", "spindle", "stop", "position lost", "state lost"
+        /// or "measures". The check refuses them without it.
+        effects: BTreeMap<String, LineEffect> = BTreeMap::new(), key("control.effects", LineEffects);
         /// Axis names that differ from the axis letters.
         axes: BTreeMap<char, String> = BTreeMap::new(), key("control.axes", AXIS_NAMES);
         /// Blocks around the program.
@@ -119,6 +123,37 @@ pub enum Smoothing {
 impl Smoothing {
     const NAMES: [(&'static str, Self); 4] =
         [("none", Self::None), ("rough", Self::Rough), ("medium", Self::Medium), ("finish", Self::Finish)];
+}
+
+/// Effect of a line or a word that the user brought into the program, for the check.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LineEffect {
+    /// Nothing that the check reads.
+    None,
+    /// The coolant is unknown afterwards.
+    Coolant,
+    /// The spindle is unknown afterwards.
+    Spindle,
+    /// The program stops.
+    Stop,
+    /// The positions of the axes are unknown afterwards.
+    PositionLost,
+    /// Positions and modal state are unknown afterwards.
+    StateLost,
+    /// It measures; the positions of the axes are unknown afterwards.
+    Measures,
+}
+
+impl LineEffect {
+    const NAMES: [(&'static str, Self); 7] = [
+        ("none", Self::None),
+        ("coolant", Self::Coolant),
+        ("spindle", Self::Spindle),
+        ("stop", Self::Stop),
+        ("position lost", Self::PositionLost),
+        ("state lost", Self::StateLost),
+        ("measures", Self::Measures),
+    ];
 }
 
 const PATH_NORMS: [(&str, PathNorm); 4] = [
@@ -217,6 +252,41 @@ impl KeyKind for CoolantCodes {
 
     fn printed(&self, _scope: &KeyScope) -> Option<Printed> {
         Some(Printed::Example("{ through = [\"M88\", \"M89\"] }".to_owned()))
+    }
+}
+
+/// Value of a key: effects of lines and words, `{ "M77" = "none" }`.
+#[derive(Debug, Clone, Copy)]
+struct LineEffects;
+
+impl KeyKind for LineEffects {
+    type Value = BTreeMap<String, LineEffect>;
+
+    fn read(&self, r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<Self::Value> {
+        let mut effects = BTreeMap::new();
+        for (key, span, value) in r.entries(value) {
+            let text = key.trim();
+            if text.is_empty() || text.chars().any(char::is_control) {
+                r.fault(span, "expected the text of a line or a word", None);
+                continue;
+            }
+            if let Some(effect) = r.choice(value, &LineEffect::NAMES) {
+                effects.insert(text.to_owned(), effect);
+            }
+        }
+        Some(effects)
+    }
+
+    fn print(&self, _value: &Self::Value) -> String {
+        "{}".to_owned()
+    }
+
+    fn schema(&self, scope: &KeyScope) -> Json {
+        json!({ "type": "object", "additionalProperties": OneOf(&LineEffect::NAMES).schema(scope) })
+    }
+
+    fn printed(&self, _scope: &KeyScope) -> Option<Printed> {
+        Some(Printed::Example("{ \"M77\" = \"none\" }".to_owned()))
     }
 }
 

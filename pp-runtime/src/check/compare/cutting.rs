@@ -179,7 +179,11 @@ impl<R: Read> Comparison<'_, R> {
             self.found(current, text);
         } else if !at_feed {
             self.rotates_at_part(current);
-        } else if known && !self.progress.is_lost() {
+        } else {
+            let fault = self.functions.smoothing(&block.state, &self.rules, false);
+            self.found_any(current, fault);
+        }
+        if at_feed && expects_feed && known && !self.progress.is_lost() {
             self.compare_path(current, part);
             self.compare_feed(current, part);
         }
@@ -498,6 +502,8 @@ impl<R: Read> Comparison<'_, R> {
             self.found(current, "cycle without an approach before it");
         }
         self.compare_state(current, &required);
+        let fault = self.functions.smoothing(&block.state, &self.rules, true);
+        self.found_any(current, fault);
         let (hole, spindle) = (expected.hole, required.spindle);
         let comparison = CycleComparison { rules: &self.rules, block, cycle, hole: &hole, spindle };
         let stays = comparison.stays_at_clearance();

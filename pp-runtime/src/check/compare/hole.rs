@@ -64,7 +64,7 @@ impl CycleComparison<'_> {
     /// Whether the cycle leaves the way up to a motion: a thread that only goes in and out.
     pub(super) fn stays_at_clearance(&self) -> bool {
         let end = pose_at(self.rules, self.block, self.cycle.back_to);
-        let tap = matches!(self.cycle.kind, CycleKind::Tap(_));
+        let tap = matches!(self.cycle.kind, CycleKind::Tap(_) | CycleKind::FloatingTap(_));
         let short = tap && end.is_some_and(|end| self.rules.is_at(&end, &self.pose(self.hole.clearance_mm)));
         short && self.hole.return_mm - self.hole.clearance_mm > SAME_LEVEL
     }
@@ -122,6 +122,9 @@ impl CycleComparison<'_> {
             }
             (CycleKind::ChipBreak(step), Drilling::ChipBreak { step_mm, .. }) => (step - step_mm).abs() <= unit,
             (CycleKind::Tap(pitch), Drilling::Tap { pitch_mm }) => self.is_pitch(pitch, pitch_mm),
+            (CycleKind::FloatingTap(pitch), Drilling::Tap { pitch_mm }) => {
+                !self.rules.policy().shop.rigid_tapping && self.is_pitch(pitch, pitch_mm)
+            }
             _ => false,
         };
         (!same).then(|| format!("the cycle makes {}, expected {}", self.cycle.kind, expected_kind(hole)))
@@ -136,7 +139,7 @@ impl CycleComparison<'_> {
 
     fn feed_fault(&self) -> Option<String> {
         // The pitch of a thread has been compared.
-        if matches!(self.cycle.kind, CycleKind::Tap(_)) {
+        if matches!(self.cycle.kind, CycleKind::Tap(_) | CycleKind::FloatingTap(_)) {
             return None;
         }
         let (rules, block, hole) = (self.rules, self.block, self.hole);

@@ -7,6 +7,7 @@ use super::super::geometry::{PathShape, Segment, ToolPose, angle_between};
 use super::super::policy::LinearWords;
 use super::super::read::{Action, Block, Length, stated};
 use super::super::rules::{ModalContext, fault_at_end};
+use super::functions::place_of_line;
 use super::phase::{Cutting, Phase, Retracted, RetractedLength, RewindPoint};
 use super::{Comparison, Current, StartState, parking, retract};
 use crate::program::Clearance;
@@ -34,12 +35,23 @@ impl<R: Read> Comparison<'_, R> {
     /// Changes of state that must not happen at the part.
     pub(super) fn before_task(&mut self, phase: &Phase, current: &Current<'_>) {
         let block = current.block;
+        if let Some(own) = block.own {
+            let ended = self.progress.next().is_none();
+            if let Some(text) = place_of_line(own.place, phase, self.tally.motions(), ended) {
+                self.found(current, text);
+            }
+        }
         if block.restart {
             self.start = StartState { restarted: true, retracted: false };
+            self.functions.restart();
         }
-        if let Some(length) = block.guard {
-            self.compare_guard(length, current);
+        if let Some(guard) = block.guard {
+            let required = self.progress.next().map(|item| item.required);
+            let fault = self.functions.guard(guard, &self.rules, required.as_ref());
+            self.found_any(current, fault);
         }
+        let fault = self.functions.spindle(block, &self.rules);
+        self.found_any(current, fault);
         let length = std::mem::replace(&mut self.previous.length, block.state.length);
         let tilted = std::mem::replace(&mut self.previous.tilted, block.state.tilt.is_some());
         if !phase.is_at_part() {
@@ -60,20 +72,6 @@ impl<R: Read> Comparison<'_, R> {
         }
     }
 
-    /// A guard of a tool length.
-    fn compare_guard(&mut self, length: f64, current: &Current<'_>) {
-        let expected = self.progress.next().and_then(|item| item.required.gauge_length_mm);
-        let length = if self.rules.facts().guard_in_mm { length } else { length * self.rules.units().in_mm() };
-        if let Some(expected) = expected
-            && (expected - length).abs() > 1e-3
-        {
-            self.found(
-                current,
-                &format!("the length guard compares with {length} mm, but the tool length is {expected} mm"),
-            );
-        }
-    }
-
     /// An approach that has begun must end at the approach point.
     fn is_complete(&mut self, phase: &Phase, current: &Current<'_>) {
         if matches!(phase, Phase::Retracted(Retracted { step: 1.., parks: false, .. })) {
@@ -81,10 +79,22 @@ impl<R: Read> Comparison<'_, R> {
         }
     }
 
-    /// The control positions the rotary axes to a tilted plane.
+    /// The control positions the rotary axes to a tilted plane: to the pose in which they are.
     pub(super) fn orient(&mut self, current: &Current<'_>) {
-        if self.rules.policy().words.linear != LinearWords::PlaneCoordinates || current.block.state.tilt.is_none() {
+        let state = &current.block.state;
+        let (LinearWords::PlaneCoordinates, Some(tilt)) = (self.rules.policy().words.linear, &state.tilt) else {
             self.found(current, "the control positions the rotary axes to a tilted plane where none is expected");
+            return;
+        };
+        if tilt.coordinate_rotation {
+            self.found(current, "the control rotates the coordinates instead of the table (COORD ROT)");
+        }
+        let rotary = self.rules.words().rotary_bits();
+        let known = self.previous.known & rotary == rotary;
+        if let Some(higher) = tilt.pose.filter(|_| known)
+            && self.travel.selects_other_pose(&self.rules, &self.previous.words, higher)
+        {
+            self.found(current, "the plane call selects the other pose: the rotary axes would rotate to it");
         }
     }
 
@@ -125,6 +135,10 @@ impl<R: Read> Comparison<'_, R> {
             no_plane: phase.is_unknown(),
             arc_plane: self.previous.arc_plane.filter(|_| matches!(phase, Phase::Cutting(_) | Phase::Unknown { .. })),
         };
+        if phase.is_at_part() {
+            let fault = self.functions.end_of_cuts(&self.rules);
+            self.found_any(current, fault);
+        }
         let mut retracted = self.retracted(phase, rewinds, current);
         let spindle = self.spindle_may_be(current.block, retracted.stopped);
         let fault = self.rules.fault_at_retract(&block.state, tilts, spindle, context);
@@ -443,6 +457,10 @@ impl<R: Read> Comparison<'_, R> {
         if !self.start.retracted {
             self.found(current, "operation starts without the machine retract after its restart point");
         }
+        if let Some(required) = self.progress.next().map(|item| item.required) {
+            let fault = self.functions.start(&self.rules, &required);
+            self.found_any(current, fault);
+        }
     }
 
     /// Rotary axes to their parking positions.
@@ -508,6 +526,10 @@ impl<R: Read> Comparison<'_, R> {
         match self.progress.next() {
             Some(item) if suits(item) => self.progress.take(),
             _ => self.found(current, "stop without STOP or OPSTOP in the CL data"),
+        }
+        if phase.is_at_part() {
+            let fault = self.functions.end_of_cuts(&self.rules);
+            self.found_any(current, fault);
         }
         let retracts = self.rules.policy().links.retracts_for_stop;
         if retracts && !phase.is_retracted() {

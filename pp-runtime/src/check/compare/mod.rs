@@ -10,6 +10,7 @@
 //! among the motions ahead.
 
 mod cutting;
+mod functions;
 mod hole;
 mod links;
 mod parking;
@@ -31,6 +32,7 @@ use super::travel::{Findings, Travel};
 use crate::cl::ClReader;
 use crate::kinematics::AnyMachine;
 use crate::program::{Location, Units};
+use functions::FunctionState;
 use phase::{Phase, Task};
 use progress::Progress;
 
@@ -50,6 +52,7 @@ struct Comparison<'a, R> {
     tally: Tally,
     previous: Previous,
     start: StartState,
+    functions: FunctionState,
     /// Axes at their parking positions: bits.
     parked: u16,
 }
@@ -98,6 +101,7 @@ impl<'a, R: Read> Checker<'a, R> {
             rules,
             previous: Previous::default(),
             start: StartState::default(),
+            functions: FunctionState::default(),
             parked: 0,
         };
         Self { comparison, phase: Phase::Unknown { stopped: false }, before: State::default() }
@@ -177,6 +181,10 @@ impl<R: Read> Comparison<'_, R> {
         if let Action::Arc(_) = block.action {
             self.previous.arc_plane = block.state.plane;
         }
+        let at_part = matches!(phase, Phase::Cutting(_));
+        let moved = self.rules.moved(&self.previous.words, self.previous.known, block);
+        let fault = self.functions.clamps(block, moved, &self.rules, at_part);
+        self.found_any(current, fault);
         let next = match (task, &mut *phase) {
             (Task::MachineCoordinates, phase) => self.machine_coordinates(phase, current)?,
             (Task::ReferencePoint, phase) => {
@@ -224,6 +232,13 @@ impl<R: Read> Comparison<'_, R> {
     /// Adds a finding about the block at hand.
     fn found(&mut self, current: &Current<'_>, text: &str) {
         self.tally.found(self.progress.location(), current.shown, text);
+    }
+
+    /// Adds a finding, if there is one.
+    fn found_any(&mut self, current: &Current<'_>, text: Option<String>) {
+        if let Some(text) = text {
+            self.found(current, &text);
+        }
     }
 
     /// Adds a finding about its modal state.

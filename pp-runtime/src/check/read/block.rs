@@ -140,8 +140,130 @@ pub struct Tilt {
     pub rotation: Matrix3<f64>,
     /// Where it counts from, mm.
     pub origin: Vector3<f64>,
-    /// The rotary axes have been told to follow.
+    /// The rotary axes are in the plane: positioned to it, and no rotary word has moved them since.
     pub oriented: bool,
+    /// Pose of the rotary axes that the program selects: SEQ, SYM or _DIR, `true` for plus.
+    pub pose: Option<bool>,
+    /// COORD ROT: the control rotates the coordinates in the plane, not the table.
+    pub coordinate_rotation: bool,
+}
+
+/// Smoothing of the path by the control.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum Smoothing {
+    /// Not active.
+    #[default]
+    Off,
+    /// G5.1 Q1, G187, CYCLE832, cycle 32.
+    On {
+        /// Largest deviation from the path, mm; `None` where the program does not state it.
+        tolerance_mm: Option<f64>,
+        /// P of G187, units of the second argument of CYCLE832, HSC-MODE.
+        level: Option<u8>,
+    },
+}
+
+/// Motion from block to block.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum PathMode {
+    /// G61 of LinuxCNC: the path exactly, without stops.
+    ExactPath,
+    /// A stop at the end of each block.
+    ExactStop,
+    /// G64: corners are rounded.
+    Continuous {
+        /// P of LinuxCNC, mm; `None`: no limit is programmed.
+        tolerance_mm: Option<f64>,
+        /// Q of LinuxCNC, mm: deviation up to which blocks are joined.
+        joining_mm: Option<f64>,
+    },
+    /// G641 to G645: by the smoothing of this code.
+    Smoothed(u16),
+}
+
+/// Length that a guard reads from the control.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LengthSource {
+    /// The tool in the spindle, in the tool table.
+    Spindle,
+    /// A length register: the sum of geometry and wear.
+    Register(u32),
+    /// One system variable.
+    Variable(u32),
+    /// The row of a tool in the tool table.
+    Tool(u32),
+    /// The active cutting edge.
+    Edge,
+}
+
+/// A length guard: the program stops if the control has another length for the tool.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Guard {
+    /// Length with which it compares, mm.
+    pub length_mm: f64,
+    /// Largest permitted difference, mm.
+    pub tolerance_mm: f64,
+    /// Length that is compared.
+    pub source: LengthSource,
+    /// The program stops or raises an alarm if they differ.
+    pub stops: bool,
+}
+
+/// Declared effect of a line or a word of the user.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Effect {
+    /// Nothing that the check reads.
+    None,
+    /// The coolant is unknown afterwards.
+    Coolant,
+    /// The spindle is unknown afterwards.
+    Spindle,
+    /// It measures: positions are unknown afterwards.
+    Measures,
+    /// Positions are unknown afterwards.
+    PositionLost,
+    /// The program stops.
+    Stop,
+    /// Positions and modal state are unknown afterwards.
+    StateLost,
+}
+
+/// Place of a user's line in the configuration.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum OwnPlace {
+    /// `[program] start`.
+    Start,
+    /// `[program] end`.
+    End,
+    /// `control.safety`.
+    Safety,
+    /// `control.tool_change`.
+    ToolChange,
+    /// Code of a rotary clamp.
+    Clamp {
+        /// Position of the axis in the chain.
+        axis: usize,
+        /// It clamps.
+        on: bool,
+    },
+    /// Coolant code.
+    Coolant,
+    /// Code of `control.tip_control`.
+    TipControl {
+        /// It switches tip control on.
+        on: bool,
+    },
+    /// Text of INSERT, AUXFUN or PREFUN.
+    Insert,
+}
+
+/// A line that the user brought in, executed by its declared effect or by that of its key.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct OwnLine {
+    /// Where the configuration has it; the first place of several.
+    pub place: OwnPlace,
+    /// Strongest effect that `[control] effects` declares for it.
+    pub effect: Option<Effect>,
 }
 
 /// Coolant that is on: bits.
@@ -168,6 +290,8 @@ pub mod stated {
     pub const OFFSET: u8 = 8;
     /// Unit, plane, feed mode, distances and sides.
     pub const MODES: u8 = 16;
+    /// Smoothing on or off.
+    pub const SMOOTHING: u8 = 32;
 }
 
 /// What is in force; `None` where the program has not said it.
@@ -215,6 +339,18 @@ pub struct State {
     pub to_initial: bool,
     /// Rotary words name the nearest such angle.
     pub shortest: bool,
+    /// The program has selected the path of rotary axes (M126, M127).
+    pub shortest_stated: bool,
+    /// Smoothing of the path.
+    pub smoothing: Smoothing,
+    /// Largest deviation of the tool axis while smoothing is on, rad.
+    pub smoothing_angle_rad: Option<f64>,
+    /// Motion from block to block.
+    pub path_mode: Option<PathMode>,
+    /// Clamped rotary axes: bits by position.
+    pub clamped: u16,
+    /// Axes of which it is known whether they are clamped: bits by position.
+    pub clamps_known: u16,
 }
 
 impl Default for State {
@@ -241,6 +377,12 @@ impl Default for State {
             tilt: None,
             to_initial: true,
             shortest: false,
+            shortest_stated: false,
+            smoothing: Smoothing::Off,
+            smoothing_angle_rad: None,
+            path_mode: None,
+            clamped: 0,
+            clamps_known: 0,
         }
     }
 }
@@ -269,6 +411,8 @@ pub enum CycleKind {
     ChipBreak(f64),
     /// G84: a thread, mm per turn, + right-hand; synchronised.
     Tap(f64),
+    /// The same, not synchronised: the pitch is that of F and S.
+    FloatingTap(f64),
     /// G86, G76: in at feed, out with the spindle still or turned.
     Bore,
 }
@@ -283,6 +427,12 @@ impl fmt::Display for CycleKind {
             Self::ChipBreak(step) => write!(f, "a peck-drilled hole, chip break after each {step} mm"),
             Self::Tap(pitch) if *pitch < 0.0 => write!(f, "a left-hand thread with a pitch of {} mm", -pitch),
             Self::Tap(pitch) => write!(f, "a thread with a pitch of {pitch} mm"),
+            Self::FloatingTap(pitch) if *pitch < 0.0 => {
+                write!(f, "a left-hand thread with a pitch of {} mm, not in step with the spindle", -pitch)
+            }
+            Self::FloatingTap(pitch) => {
+                write!(f, "a thread with a pitch of {pitch} mm, not in step with the spindle")
+            }
         }
     }
 }
@@ -302,13 +452,16 @@ pub struct CycleMove {
     pub dwell: f64,
     /// A feed of its own, as the F of the state is counted.
     pub feed: Option<f64>,
+    /// Retract that breaks the chip, or distance above the last depth to which the tool returns at rapid, mm, where the
+    /// program states it.
+    pub gap: Option<f64>,
 }
 
 impl CycleMove {
     /// Whether the tool moves out of the hole at feed.
     #[must_use]
     pub const fn retracts_at_feed(&self) -> bool {
-        matches!(self.kind, CycleKind::Ream | CycleKind::Tap(_))
+        matches!(self.kind, CycleKind::Ream | CycleKind::Tap(_) | CycleKind::FloatingTap(_))
     }
 }
 
@@ -327,9 +480,9 @@ pub enum Action {
     Cycle(CycleMove),
     /// At rapid to machine coordinates; where the axes stand in the program is not known behind it.
     Machine,
-    /// To the reference point of the axes written; as above.
+    /// To the reference position of the axes of `written`, through the point of `values`; as above.
     Reference,
-    /// A code that turns the rotary axes into the tilted plane.
+    /// A code that turns the rotary axes into the tilted plane, or to 0 at its end.
     Orient,
     /// A wait, seconds.
     Dwell(f64),
@@ -384,8 +537,10 @@ pub struct Block {
     pub restart: bool,
     /// Bits of [`stated`].
     pub stated: u8,
-    /// A guard that compares a tool length with this, mm.
-    pub guard: Option<f64>,
+    /// A length guard that ends with this block.
+    pub guard: Option<Guard>,
+    /// The block is a line that the user brought in.
+    pub own: Option<OwnLine>,
     /// What is wrong with it.
     pub faults: Vec<Fault>,
 }
@@ -403,6 +558,7 @@ impl Default for Block {
             restart: false,
             stated: 0,
             guard: None,
+            own: None,
             faults: Vec::new(),
         }
     }

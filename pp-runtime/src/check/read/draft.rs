@@ -4,7 +4,8 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::block::{CycleKind, Fault, FeedMode, MAX_AXES, Side, WorkOffset, WorkPlane};
+use super::block::{CycleKind, Fault, FeedMode, Guard, MAX_AXES, PathMode, Side, Smoothing, WorkOffset, WorkPlane};
+use super::language::{PathCode, Pattern, Plane, Smoother};
 use crate::program::{Rotation, Units};
 
 /// Groups of codes of which a block may hold one, as bits of a draft.
@@ -25,14 +26,24 @@ pub(super) mod group {
     pub(in super::super) const SPINDLE: u32 = 13;
     pub(in super::super) const CENTRE: u32 = 14;
     pub(in super::super) const COOLANT: u32 = 16;
+    pub(in super::super) const CHANGE: u32 = 17;
+    pub(in super::super) const SMOOTHING: u32 = 18;
+    pub(in super::super) const RIGID: u32 = 19;
+    pub(in super::super) const TIP: u32 = 20;
+    pub(in super::super) const WAY: u32 = 21;
+    pub(in super::super) const CALL: u32 = 22;
+    pub(in super::super) const WINDOW: u32 = 23;
     /// Whatever may stand beside anything.
     pub(in super::super) const FREE: u32 = 31;
 }
 
-/// Puts a code in its place; its group.
-pub(super) fn set<T>(place: &mut Option<T>, code: T, group: u32) -> u32 {
-    *place = Some(code);
-    group
+/// Declared effects of lines of the user, as bits.
+pub(super) mod effect {
+    pub(in super::super) const COOLANT: u8 = 1;
+    pub(in super::super) const SPINDLE: u8 = 2;
+    pub(in super::super) const POSITION: u8 = 4;
+    pub(in super::super) const STOP: u8 = 8;
+    pub(in super::super) const STATE: u8 = 16;
 }
 
 /// A motion code.
@@ -70,9 +81,13 @@ pub(super) enum TiltCode {
         rotation: Matrix3<f64>,
         origin: Vector3<f64>,
         oriented: bool,
+        pose: Option<bool>,
+        coordinate_rotation: bool,
     },
     /// The rotary axes follow.
     Orient,
+    /// Off, and the rotary axes go to 0.
+    Zero,
 }
 
 /// A cycle as it is defined, mm, rad, seconds; levels that are missing stay as they were.
@@ -86,6 +101,7 @@ pub(super) struct Cycle {
     pub(super) dwell: f64,
     /// A feed of its own, as F is written.
     pub(super) feed: Option<f64>,
+    pub(super) gap: Option<f64>,
 }
 
 impl Cycle {
@@ -95,10 +111,12 @@ impl Cycle {
             CycleKind::Peck(step) => CycleKind::Peck(step * unit),
             CycleKind::ChipBreak(step) => CycleKind::ChipBreak(step * unit),
             CycleKind::Tap(pitch) => CycleKind::Tap(pitch * unit),
+            CycleKind::FloatingTap(pitch) => CycleKind::FloatingTap(pitch * unit),
             kind => kind,
         };
         let back_to = self.back_to.map(|level| level * unit);
-        Self { kind, reference: self.reference * unit, bottom: self.bottom * unit, back_to, ..self }
+        let gap = self.gap.map(|gap| gap * unit);
+        Self { kind, reference: self.reference * unit, bottom: self.bottom * unit, back_to, gap, ..self }
     }
 }
 
@@ -165,19 +183,35 @@ pub(super) struct Draft {
     pub(super) stop: Option<bool>,
     pub(super) end: bool,
     pub(super) restart: bool,
-    pub(super) guard: Option<f64>,
+    pub(super) guard: Option<Guard>,
+    /// Address letters of the block, those that its codes take, and those that they need.
+    pub(super) letters: u32,
+    pub(super) takes: u32,
+    pub(super) needs: u32,
+    /// Codes that wait for the words of their block.
+    pub(super) hole: Option<Pattern>,
+    pub(super) dwells: bool,
+    pub(super) offset_with_p: bool,
+    pub(super) plane_form: Option<Plane>,
+    pub(super) path: Option<PathCode>,
+    pub(super) smooths: Option<Smoother>,
+    pub(super) rigid: bool,
+    pub(super) path_mode: Option<PathMode>,
+    pub(super) smoothing: Option<Smoothing>,
+    pub(super) smoothing_angle: Option<f64>,
+    /// The code may cancel the work offset.
+    pub(super) offset_lost: bool,
+    /// Faults of the frame of the line, as of its number: nothing that its text does takes them away.
+    pub(super) frame_faults: usize,
+    /// Bits of [`effect`].
+    pub(super) effects: u8,
+    pub(super) clamp_on: u16,
+    pub(super) clamp_off: u16,
     /// Modal groups that have spoken.
     pub(super) groups: u32,
 }
 
 impl Draft {
-    /// Notes that a modal group speaks; `false` if it has spoken already.
-    pub(super) fn group(&mut self, group: u32) -> bool {
-        let first = self.groups & (1 << group) == 0;
-        self.groups |= 1 << group;
-        first
-    }
-
     /// Notes that the block says something.
     pub(super) fn speaks(&mut self) {
         self.groups |= 1 << group::FREE;

@@ -13,6 +13,42 @@ pub(crate) enum LengthRegisters {
     Rows,
 }
 
+/// Length that the guards of a family read from the control.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum GuardSource {
+    /// That of the tool in the spindle, whatever register is active: guarded is a register with the number of the tool.
+    Spindle,
+    /// Registers up to this number.
+    Registers {
+        /// Largest register.
+        largest: u32,
+    },
+    /// The active cutting edge.
+    Edge,
+    /// The row of the tool.
+    Row,
+}
+
+/// Words of smoothing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct SmoothingWords {
+    /// The program states its tolerance.
+    pub(crate) tolerance: bool,
+    /// Level in the program: rough, medium, finish.
+    pub(crate) levels: [Option<u8>; 3],
+}
+
+/// Rule by which a control chooses between the two poses of a tilted plane.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum PoseSelector {
+    /// The nearest pose.
+    Nearest,
+    /// The sign of the rotary axis nearest the tool (SEQ).
+    Sign,
+    /// The lower or the higher value of the rotary axis nearest the tool (_DIR).
+    Higher,
+}
+
 /// What the comparison has to know of a family.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Facts {
@@ -42,6 +78,36 @@ pub(crate) struct Facts {
     pub(crate) tool_axis_frame: bool,
     /// Work offsets are rows of a table; G54 is row 1.
     pub(crate) offset_rows: bool,
+    /// The code that switches length compensation off ends tip control as well.
+    pub(crate) length_off_ends_tip_control: bool,
+    /// The form of tip control is P of its code: how the tool axis moves.
+    pub(crate) tip_control_has_form: bool,
+    /// Switching tip control on or off may cancel the work offset.
+    pub(crate) tip_control_may_cancel_offset: bool,
+    /// A number without a decimal point counts least increments, a time without one milliseconds.
+    pub(crate) least_increments: bool,
+    /// P of a dwell has no decimal point: it counts milliseconds.
+    pub(crate) whole_milliseconds: bool,
+    /// The unit of F without a decimal point depends on a setting.
+    pub(crate) feed_needs_point: bool,
+    /// A tool cannot be called in a block that moves.
+    pub(crate) tool_call_alone: bool,
+    /// Comments that begin with a word and a comma are orders.
+    pub(crate) comments_give_orders: bool,
+    /// A semicolon begins a comment; otherwise it ends the block.
+    pub(crate) semicolon_comments: bool,
+    /// Programs have a number, which begins them.
+    pub(crate) program_numbers: bool,
+    /// Motion codes stay in force.
+    pub(crate) motion_modal: bool,
+    /// Length that guards read.
+    pub(crate) guard_source: GuardSource,
+    /// The largest deviation of blended blocks is programmed (G64 P).
+    pub(crate) path_tolerance: bool,
+    /// Words of smoothing.
+    pub(crate) smoothing: SmoothingWords,
+    /// Rule for the pose of a tilted plane.
+    pub(crate) pose: PoseSelector,
 }
 
 const ISO: Facts = Facts {
@@ -59,6 +125,21 @@ const ISO: Facts = Facts {
     tool_axis_interpolation: false,
     tool_axis_frame: false,
     offset_rows: false,
+    length_off_ends_tip_control: true,
+    tip_control_has_form: false,
+    tip_control_may_cancel_offset: false,
+    least_increments: true,
+    whole_milliseconds: false,
+    feed_needs_point: false,
+    tool_call_alone: false,
+    comments_give_orders: false,
+    semicolon_comments: false,
+    program_numbers: true,
+    motion_modal: true,
+    guard_source: GuardSource::Registers { largest: 999 },
+    path_tolerance: false,
+    smoothing: SmoothingWords { tolerance: false, levels: [None; 3] },
+    pose: PoseSelector::Nearest,
 };
 
 impl Family {
@@ -70,10 +151,27 @@ impl Family {
                 length_off_at_machine_coordinates: false,
                 guard_in_mm: true,
                 rapids_interpolated: true,
+                length_off_ends_tip_control: false,
+                least_increments: false,
+                tool_call_alone: true,
+                comments_give_orders: true,
+                semicolon_comments: true,
+                program_numbers: false,
+                guard_source: GuardSource::Spindle,
+                path_tolerance: true,
                 ..ISO
             },
-            Self::Fanuc => Facts { tool_axis_interpolation: true, ..ISO },
-            Self::Haas => ISO,
+            // B-64484EN, II-4: P of a dwell has no decimal point.
+            Self::Fanuc => {
+                Facts { tool_axis_interpolation: true, tip_control_has_form: true, whole_milliseconds: true, ..ISO }
+            }
+            // Mill manual 96-8000: #2000+H and #2200+H for H1 to H200; G187 P1 rough, P2 medium, P3 finish.
+            Self::Haas => Facts {
+                feed_needs_point: true,
+                guard_source: GuardSource::Registers { largest: 200 },
+                smoothing: SmoothingWords { tolerance: true, levels: [Some(1), Some(2), Some(3)] },
+                ..ISO
+            },
             // Rapids: programming manual of the Sinumerik One, RTLIOF.
             Self::Siemens => Facts {
                 registers: LengthRegisters::Edges,
@@ -82,6 +180,15 @@ impl Family {
                 rapids_interpolated: true,
                 tool_axis_interpolation: true,
                 tool_axis_frame: true,
+                length_off_ends_tip_control: false,
+                tip_control_may_cancel_offset: true,
+                least_increments: false,
+                semicolon_comments: true,
+                program_numbers: false,
+                guard_source: GuardSource::Edge,
+                // CYCLE832: 1 finish, 2 medium, 3 rough; _DIR of CYCLE800.
+                smoothing: SmoothingWords { tolerance: true, levels: [Some(3), Some(2), Some(1)] },
+                pose: PoseSelector::Higher,
                 ..ISO
             },
             Self::Heidenhain => Facts {
@@ -97,6 +204,15 @@ impl Family {
                 plane_by_tool_call: true,
                 tool_axis_interpolation: true,
                 offset_rows: true,
+                length_off_ends_tip_control: false,
+                least_increments: false,
+                semicolon_comments: true,
+                program_numbers: false,
+                motion_modal: false,
+                guard_source: GuardSource::Row,
+                // HSC-MODE:1 rough, 0 finish.
+                smoothing: SmoothingWords { tolerance: true, levels: [Some(1), Some(1), Some(0)] },
+                pose: PoseSelector::Sign,
                 ..ISO
             },
         }

@@ -1,19 +1,23 @@
 //! One line while it is read: the place in its text, what it has said so far, and what was in force before it.
 
+use super::Vocabulary;
 use super::block::{Fault, WorkPlane};
 use super::draft::{Draft, fault};
+use super::facts::Facts;
+use super::language::Language;
 use super::machine::Interpreter;
 use super::text::{Cursor, shown};
-use super::{Family, Vocabulary};
 use crate::program::Units;
 
 /// A line on its way into a draft.
 ///
-/// Vocabulary and machine live as long as the program and are only asked; place, draft and faults as long as the line.
-/// What a family has to remember from one line to the next is in its own reader.
+/// Vocabulary, language and machine live as long as the program and are only asked; place, draft and faults as long as the
+/// line. What a family has to remember from one line to the next is in its own reader.
 #[derive(Debug)]
 pub(super) struct Line<'a> {
     pub(super) vocabulary: &'a Vocabulary,
+    pub(super) language: &'static Language,
+    pub(super) facts: Facts,
     /// The state in front of the line.
     pub(super) machine: &'a Interpreter,
     pub(super) at: Cursor<'a>,
@@ -22,10 +26,6 @@ pub(super) struct Line<'a> {
 }
 
 impl<'a> Line<'a> {
-    pub(super) fn family(&self) -> Family {
-        self.vocabulary.family
-    }
-
     /// Notes what is wrong at a column, from 0.
     #[cold]
     pub(super) fn fault(&mut self, column: usize, text: impl Into<String>) {
@@ -44,18 +44,11 @@ impl<'a> Line<'a> {
         self.at.read_from(column)
     }
 
-    /// Whether the set-up brings a text into programs.
-    pub(super) fn in_set_up(&self, text: &[u8]) -> bool {
-        self.vocabulary.known.iter().any(|known| known.eq_ignore_ascii_case(text))
-    }
-
-    /// Says that what has been read from a column on is not known, unless the set-up brings it in.
+    /// Says that what has been read from a column on is not in the language.
     #[cold]
     pub(super) fn unknown(&mut self, column: usize) {
         let text = self.read_from(column);
-        if !self.in_set_up(text) {
-            self.fault(column, format!("`{}` is not known to the check", shown(text)));
-        }
+        self.fault(column, format!("`{}` is not known to the check", shown(text)));
     }
 
     /// Position of an axis in the chain, by its name in the program.
@@ -72,10 +65,12 @@ impl<'a> Line<'a> {
         first
     }
 
-    /// Takes a component of the tool axis, X being 0.
-    pub(super) fn vector(&mut self, axis: usize, value: f64) {
+    /// Takes a component of the tool axis, X being 0; `false` if it stands there already.
+    pub(super) fn vector(&mut self, axis: usize, value: f64) -> bool {
+        let first = self.draft.vector_written & (1 << axis) == 0;
         self.draft.vector[axis] = value;
         self.draft.vector_written |= 1 << axis;
+        first
     }
 
     /// The unit in which the line counts.

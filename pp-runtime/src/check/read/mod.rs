@@ -6,13 +6,18 @@
 
 mod arc;
 mod block;
+mod codes;
 mod draft;
 mod facts;
 mod frames;
 mod heidenhain;
 mod iso;
+mod language;
 mod line;
 mod machine;
+mod modes;
+mod motion;
+mod own;
 mod siemens;
 mod text;
 
@@ -22,12 +27,13 @@ mod tests;
 use std::io::{self, BufRead, BufReader, Read};
 
 pub use block::{
-    Action, ArcMove, Block, CycleKind, CycleMove, Fault, FeedMode, Length, MAX_AXES, Side, State, Tilt, TipControl,
-    WorkOffset, WorkPlane, coolant, stated,
+    Action, ArcMove, Block, CycleKind, CycleMove, Effect, Fault, FeedMode, Guard, Length, LengthSource, MAX_AXES,
+    OwnLine, OwnPlace, PathMode, Side, Smoothing, State, Tilt, TipControl, WorkOffset, WorkPlane, coolant, stated,
 };
-#[allow(unused_imports, reason = "used by the comparison")]
-pub(crate) use facts::{Facts, LengthRegisters};
+pub(crate) use facts::{Facts, GuardSource, LengthRegisters, PoseSelector, SmoothingWords};
+pub(crate) use language::table;
 pub(crate) use machine::AxisName;
+pub(crate) use own::OwnText;
 
 use draft::{Draft, fault};
 use heidenhain::Heidenhain;
@@ -79,10 +85,12 @@ pub(crate) struct Vocabulary {
     pub(crate) family: Family,
     /// Axes in chain order.
     pub(crate) axes: Vec<AxisName>,
-    /// Words that the configuration brings into a program and that move nothing.
-    pub(crate) known: Vec<Vec<u8>>,
-    /// Codes that switch coolant, and the bits they switch on and off.
-    pub(crate) coolant: Vec<(Vec<u8>, u8, bool)>,
+    /// Lines that the configuration brings into a program.
+    pub(crate) own: Vec<OwnText>,
+    /// Lines and words whose effect the user has declared.
+    pub(crate) effects: Vec<(Vec<u8>, Effect)>,
+    /// Name of the swivel data record.
+    pub(crate) swivel_data: String,
     /// A length without a decimal point counts millimetres or inches, whatever is usual on the control.
     pub(crate) plain: bool,
     /// Tools by name.
@@ -107,7 +115,11 @@ pub(crate) struct Reader<R> {
     syntax: Syntax,
     machine: Interpreter,
     line: Vec<u8>,
+    /// The line without what has a declared effect.
+    blanked: Vec<u8>,
     number: u64,
+    /// A block has moved.
+    moved: bool,
     draft: Draft,
     block: Block,
 }
@@ -120,14 +132,17 @@ impl<R: Read> Reader<R> {
             Family::Siemens => Syntax::Siemens(Siemens::default()),
             Family::Heidenhain => Syntax::Heidenhain(Heidenhain::default()),
         };
-        let machine = Interpreter::new(vocabulary.axes.clone(), family != Family::Heidenhain, vocabulary.rounding);
+        let modal = family.facts().motion_modal;
+        let machine = Interpreter::new(vocabulary.axes.clone(), modal, vocabulary.rounding);
         Self {
             input: BufReader::with_capacity(1 << 16, input),
             vocabulary,
             syntax,
             machine,
             line: Vec::new(),
+            blanked: Vec::new(),
             number: 0,
+            moved: false,
             draft: Draft::default(),
             block: Block::default(),
         }
@@ -157,6 +172,7 @@ impl<R: Read> Reader<R> {
             if is_block || !self.block.faults.is_empty() {
                 self.block.line = self.number;
                 self.machine.execute(&self.draft, &mut self.block);
+                self.moved |= self.block.action.moves();
                 return Ok(Some((&self.block, &self.line)));
             }
         }
@@ -176,35 +192,43 @@ impl<R: Read> Reader<R> {
     }
 
     fn read_line(&mut self) -> bool {
-        let Vocabulary { known, coolant, .. } = &self.vocabulary;
+        let vocabulary = &self.vocabulary;
+        // Lines and words with a declared effect are blanked out: the rest of their line is read by the table.
+        let declared = own::declared(&self.line, vocabulary, &mut self.blanked);
+        let text = if declared.is_some() { &self.blanked } else { &self.line };
         let mut line = Line {
-            vocabulary: &self.vocabulary,
+            vocabulary,
+            language: vocabulary.family.language(),
+            facts: vocabulary.family.facts(),
             machine: &self.machine,
-            at: Cursor::new(&self.line),
+            at: Cursor::new(text),
             draft: &mut self.draft,
             faults: &mut self.block.faults,
         };
-        let is_block = match &mut self.syntax {
+        let mut is_block = match &mut self.syntax {
             Syntax::Iso(iso) => iso.line(&mut line),
             Syntax::Siemens(siemens) => siemens.line(&mut line),
             Syntax::Heidenhain(heidenhain) => heidenhain.line(&mut line),
         };
-        // Codes of the configuration are lines of their own; what goes off by them goes off beside what the control
-        // switches off.
-        if let Some((_, bits, on)) = coolant.iter().find(|(code, _, _)| is_line(code, &self.line)) {
-            line.draft.speaks();
-            match on {
-                true => line.draft.coolant_on = *bits,
-                false => line.draft.coolant_off |= *bits,
-            }
+        let switched = line.draft.written == 0 && own::switch(&self.line, &mut line);
+        self.block.own = None;
+        if declared.is_some() || switched || !line.faults.is_empty() {
+            self.block.own = own::resolve(&self.line, &mut line, declared, switched);
+            is_block |= self.block.own.is_some();
         }
         if self.line.trim_ascii_start().first() == Some(&b'/') && line.draft.groups | u32::from(line.draft.written) != 0
         {
             line.fault(0, "a switch of the control decides whether this block is executed (block delete)");
         }
-        // What the shop writes into its programs is the shop's to know.
-        if !line.faults.is_empty() && known.iter().any(|text| is_line(text, &self.line)) {
-            line.faults.clear();
+        if matches!(self.block.own, Some(OwnLine { place: OwnPlace::Start, .. })) && self.moved {
+            line.fault(0, "a line of `[program] start` after the first motion");
+        }
+        if line.draft.effects & draft::effect::STATE != 0 {
+            match &mut self.syntax {
+                Syntax::Iso(iso) => iso.forget(),
+                Syntax::Siemens(siemens) => siemens.forget(),
+                Syntax::Heidenhain(heidenhain) => heidenhain.forget(),
+            }
         }
         is_block
     }
@@ -238,7 +262,10 @@ impl<R: Read> Reader<R> {
             if !goes_on {
                 return Ok(Some(long));
             }
-            self.line.truncate(if long { before } else { self.line.len() - 1 });
+            // The mark stays: it separates the parameters of a cycle.
+            if long {
+                self.line.truncate(before);
+            }
         }
     }
 
@@ -260,11 +287,4 @@ impl<R: Read> Reader<R> {
             }
         }
     }
-}
-
-/// Whether a line is a text of the configuration, block numbers aside.
-fn is_line(text: &[u8], line: &[u8]) -> bool {
-    let numbered = line.strip_prefix(b"N").unwrap_or(line);
-    let digits = numbered.iter().take_while(|byte| byte.is_ascii_digit()).count();
-    text == line || (digits > 0 && numbered[digits..].strip_prefix(b" ") == Some(text))
 }

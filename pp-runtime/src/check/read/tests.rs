@@ -5,14 +5,24 @@ use std::f64::consts::{PI, TAU};
 use super::*;
 use crate::program::{Rotation, Units};
 
+mod closed;
+mod cycles;
+mod guards;
+mod own;
+mod state;
+
 fn vocabulary(family: Family) -> Vocabulary {
     let name =
         |letter: &str| AxisName { name: letter.as_bytes().to_vec(), rotary: "ABC".contains(letter), rollover: None };
     Vocabulary {
         family,
         axes: ["C", "B", "X", "Y", "Z"].map(name).to_vec(),
-        known: vec![b"M10".to_vec()],
-        coolant: Vec::new(),
+        own: vec![
+            OwnText { text: b"M428".to_vec(), place: OwnPlace::TipControl { on: true }, coolant: None },
+            OwnText { text: b"M429".to_vec(), place: OwnPlace::TipControl { on: false }, coolant: None },
+        ],
+        effects: Vec::new(),
+        swivel_data: "TC".to_owned(),
         plain: false,
         tools: vec![("MILL 10".to_owned(), 7)],
         rounding: 0.5e-3,
@@ -103,8 +113,7 @@ fn what_is_not_known_is_a_fault_and_never_passed_over() {
     for text in ["2 FOO", "2 L X+1 W+2", "3 L X+1", "L X+1", "2 PLANE VECTOR BX1", "2 CYCL DEF 19.0"] {
         assert!(!faults(Family::Heidenhain, &format!("{TNC}{text}")).is_empty(), "{text}");
     }
-    // What the shop brings in is the shop's to know.
-    assert!(faults(Family::Fanuc, "M10").is_empty());
+    assert!(!faults(Family::Fanuc, "M10").is_empty());
 }
 
 #[test]
@@ -198,8 +207,15 @@ fn hole(block: &Block) -> CycleMove {
 
 #[test]
 fn cycles_make_the_same_hole_on_each_control() {
-    let peck =
-        CycleMove { kind: CycleKind::Peck(3.0), reference: 2.0, bottom: -10.0, back_to: 25.0, dwell: 0.0, feed: None };
+    let peck = CycleMove {
+        kind: CycleKind::Peck(3.0),
+        reference: 2.0,
+        bottom: -10.0,
+        back_to: 25.0,
+        dwell: 0.0,
+        feed: None,
+        gap: None,
+    };
     let texts = [
         (Family::LinuxCnc, format!("{LINUXCNC}G0 X0 Y0 Z25\nG98 G83 X1 Y2 Z-10 R2 Q3 F100"), None),
         (
@@ -211,7 +227,7 @@ fn cycles_make_the_same_hole_on_each_control() {
         (
             Family::Heidenhain,
             format!(
-                "{TNC}2 L X+0 Y+0 Z+25 R0 FMAX\n3 CYCL DEF 200 DRILLING ~\n Q200=+2 ;A ~\n Q201=-10 ;B ~\n Q206=+100 ;C ~\n Q202=+3 ;D ~\n Q203=+0 ;E ~\n Q204=+25 ;F\n4 L X+1 Y+2 R0 FMAX M99"
+                "{TNC}2 L X+0 Y+0 Z+25 R0 FMAX\n3 CYCL DEF 200 DRILLING ~\n Q200=+2 ;A ~\n Q201=-10 ;B ~\n Q206=+100 ;C ~\n Q202=+3 ;D ~\n Q210=+0 ~\n Q203=+0 ;E ~\n Q204=+25 ;F ~\n Q211=+0\n4 L X+1 Y+2 R0 FMAX M99"
             ),
             Some(100.0),
         ),
@@ -320,12 +336,12 @@ fn words_of_axes_that_roll_over_are_turned_the_way_the_control_turns_them() {
 #[test]
 fn a_guard_is_known_and_nothing_moves_in_it() {
     let guard = "o1 if [[ABS[#5403 - 101.5] GT 0.01] AND [ABS[[#5403 * 25.4] - 101.5] GT 0.01]]\n(abort, no)\no1 endif";
-    let blocks = read(Family::LinuxCnc, guard);
-    assert_eq!(blocks[0].guard, Some(101.5));
-    assert!(faults(Family::LinuxCnc, guard).is_empty());
+    let wanted = Guard { length_mm: 101.5, tolerance_mm: 0.01, source: LengthSource::Spindle, stops: true };
+    assert_eq!(last(Family::LinuxCnc, guard).guard, Some(wanted));
     assert!(!faults(Family::LinuxCnc, &guard.replace("(abort, no)", "G0 X1")).is_empty());
     let fanuc = "IF [ABS[#11001-101.5] LT 0.01] GOTO 5\n#3000=1 (LENGTH)\nN5 G0";
-    assert_eq!(read(Family::Fanuc, fanuc)[0].guard, Some(101.5));
+    let wanted = Guard { source: LengthSource::Variable(11_001), ..wanted };
+    assert_eq!(read(Family::Fanuc, fanuc)[1].guard, Some(wanted));
     assert!(faults(Family::Fanuc, fanuc).is_empty());
     assert!(!faults(Family::Fanuc, "#3000=1 (LENGTH)").is_empty());
 }
@@ -353,8 +369,10 @@ fn lines_of_any_length_and_any_bytes_are_read_without_harm() {
 fn one_code_ends_what_the_set_up_and_the_control_have_switched_on() {
     for family in [Family::Fanuc, Family::Siemens, Family::Heidenhain] {
         let mut vocabulary = vocabulary(family);
-        vocabulary.coolant = vec![(b"M7".to_vec(), coolant::MIST, true), (b"M9".to_vec(), coolant::MIST, false)];
-        vocabulary.known.push(b"M7".to_vec());
+        for (text, on) in [(b"M7", true), (b"M9", false)] {
+            let coolant = Some((coolant::MIST, on));
+            vocabulary.own.push(OwnText { text: text.to_vec(), place: OwnPlace::Coolant, coolant });
+        }
         let text = if family == Family::Heidenhain { "1 M8\n2 M9\n3 M7\n4 M9\n" } else { "M8\nM9\nM7\nM9\n" };
         let mut reader = Reader::new(text.as_bytes(), vocabulary);
         let mut found = Vec::new();
@@ -424,11 +442,6 @@ fn a_byte_order_mark_is_told_once_and_what_stands_behind_it_is_read() {
         let (with, without) = (read(family, &marked), last(family, text));
         assert_eq!(with.last(), Some(&without), "{family:?}");
     }
-    // Also in front of a line that the shop writes into its programs.
-    let vocabulary = |family| Vocabulary { known: vec![b"(*) SHOP".to_vec()], ..vocabulary(family) };
-    let mut reader = Reader::new("\u{feff}(*) SHOP\n".as_bytes(), vocabulary(Family::LinuxCnc));
-    let (block, _) = reader.next_block().expect("text in memory").expect("a block");
-    assert_eq!(block.faults.len(), 1, "{:?}", block.faults);
     let wide: Vec<u8> = "\u{feff}G0 X1\n".encode_utf16().flat_map(u16::to_le_bytes).collect();
     let mut reader = Reader::new(&wide[..], vocabulary(Family::LinuxCnc));
     let (block, _) = reader.next_block().expect("text in memory").expect("a block");

@@ -80,6 +80,36 @@ impl<'a> Cursor<'a> {
         found
     }
 
+    /// Takes a text if it comes next, whatever its case and the blanks between its bytes.
+    pub(super) fn literal(&mut self, text: &[u8]) -> bool {
+        let start = self.at;
+        for wanted in text {
+            self.blanks();
+            if !self.peek().is_some_and(|byte| byte.eq_ignore_ascii_case(wanted)) {
+                self.at = start;
+                return false;
+            }
+            self.at += 1;
+        }
+        true
+    }
+
+    /// Takes words one after the other, each as [`word`](Self::word) does.
+    pub(super) fn words(&mut self, words: &str) -> bool {
+        let start = self.at;
+        let found = words.split(' ').all(|word| self.word(word.as_bytes()));
+        if !found {
+            self.at = start;
+        }
+        found
+    }
+
+    /// Takes a number, and blanks before it.
+    pub(super) fn spaced_number(&mut self) -> Option<Number> {
+        self.blanks();
+        self.number()
+    }
+
     /// Takes a letter and the number behind it, blanks between them or not.
     pub(super) fn letter_and_number(&mut self) -> Option<(u8, Number)> {
         let letter = self.peek().filter(u8::is_ascii_alphabetic)?;

@@ -16,7 +16,7 @@ use crate::program::{Feed, Units};
 use super::expect::{ClMotion, Required};
 use super::geometry::{ToolPose, angle_between};
 use super::policy::{LinearWords, Policy};
-use super::read::{Block, Facts, MAX_AXES, WorkOffset};
+use super::read::{Block, Facts, MAX_AXES, OwnPlace, WorkOffset};
 pub(super) use feed::{FeedLaw, Stroke};
 pub(super) use fit::{Arrival, BOTH, BlockPath, SHARE, chord, sweep};
 pub(super) use state::{ModalContext, StateFault, fault_at_end};
@@ -53,6 +53,8 @@ pub(super) struct Rules<'a> {
     units: Units,
     /// Work offset of each frame.
     offsets: Vec<(u32, WorkOffset)>,
+    /// Rotary axes with clamps: bits.
+    clamps: u16,
     /// Direction of the first rotary axis.
     pole: Option<Vector3<f64>>,
     /// The machine retract leads along the tool axis.
@@ -75,6 +77,10 @@ impl<'a> Rules<'a> {
             rounding,
             units,
             offsets: state::offsets(&policy.set_up, &facts),
+            clamps: policy.shop.lines.iter().fold(0, |bits, line| match line.place {
+                OwnPlace::Clamp { axis, .. } => bits | 1 << axis,
+                _ => bits,
+            }),
             pole: first_rotary.map(|index| machine.joint(index).direction.into_inner()),
             retracts_along_tool: retracts_along_tool(&*machine),
             machine,
@@ -109,11 +115,6 @@ impl<'a> Rules<'a> {
         &self.rounding
     }
 
-    /// Unit of the program.
-    pub(super) fn units(&self) -> Units {
-        self.units
-    }
-
     /// Whether all axes of a rapid under tip control arrive together.
     pub(super) fn rapids_are_interpolated(&self) -> bool {
         self.policy.feed.rapids_interpolated.unwrap_or(self.facts.rapids_interpolated)
@@ -121,6 +122,21 @@ impl<'a> Rules<'a> {
 
     pub(super) fn retracts_along_tool(&self) -> bool {
         self.retracts_along_tool
+    }
+
+    /// Rotary axes with clamps: bits.
+    pub(super) fn clamps(&self) -> u16 {
+        self.clamps
+    }
+
+    /// Rotary axes that a block moves, apart from rounding, or whose words were unknown before it: bits.
+    pub(super) fn moved(&self, before: &[f64; MAX_AXES], known: u16, block: &Block) -> u16 {
+        let moved = |index: &usize| {
+            let bit = 1 << index;
+            block.written & bit != 0
+                && (known & bit == 0 || (block.values[*index] - before[*index]).abs() > 0.5 * self.rounding.unit_rad)
+        };
+        self.words.rotary().filter(moved).fold(0, |bits, index| bits | 1 << index)
     }
 
     /// Puts another tool into the spindle.

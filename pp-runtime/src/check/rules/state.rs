@@ -67,7 +67,14 @@ impl Rules<'_> {
             .everywhere(state, Side::None, context)
             .or_else(|| inverse_time(state))
             .or_else(|| self.frame(state, framed))
-            .or_else(|| self.offsets(state, required, last || !self.facts.length_moves))
+            .or_else(|| {
+                // Rotary axes rotate before the work offset is selected again that tip control may have cancelled.
+                let cancelled = self.facts.tip_control_may_cancel_offset && state.work_offset.is_none();
+                match cancelled && !framed {
+                    true => None,
+                    false => self.offsets(state, required, last || !self.facts.length_moves),
+                }
+            })
             .or_else(|| spindle(state, self.spindle_in_cut(required)))
             .or_else(|| if context.dry { coolant(state, 0) } else { None });
         self.tool_first(found, state, required)

@@ -7,6 +7,7 @@
 use std::f64::consts::TAU;
 
 use super::super::geometry::{PathPoint, PathShape, Search, Segment};
+use super::super::read::PoseSelector;
 use super::super::rules::BlockPath;
 use super::{Action, Block, Extent, Findings, MAX_AXES, Rules, TipControl, ToolPose, Travel, Vector3, sweep};
 
@@ -95,9 +96,30 @@ impl Travel {
             return;
         }
         self.rotated = Some(last.words);
-        match self.rotary_outside(&last.values).then(|| self.other_position(rules, &last.words, &end)).flatten() {
+        match self.rotary_outside(&last.values).then(|| self.other_position(rules, &last.words, &end, false)).flatten()
+        {
             Some(other) => self.rotated = Some(other),
             None => self.judge(words, &extent, [&values, &last.values], "within this block ", findings),
+        }
+    }
+
+    /// Whether the selector of a plane call names another pose than that of these words; `higher`: SEQ+ or _DIR 1.
+    ///
+    /// Heidenhain: SEQ is the sign of the master axis, the one nearest the tool. Siemens: _DIR is the lower or the higher of
+    /// its two values. Where both poses agree with the selector the control takes the nearest.
+    pub(in super::super) fn selects_other_pose(&self, rules: &Rules<'_>, here: &[f64; MAX_AXES], higher: bool) -> bool {
+        let words = rules.words();
+        let (Some(master), Some(other)) =
+            (words.rotary().last(), self.other_position(rules, here, &words.tool_axis_at(here), true))
+        else {
+            return false;
+        };
+        let (here, other) = (words.values(here)[master], words.values(&other)[master]);
+        match rules.facts().pose {
+            _ if (here - other).abs() <= SAME_POSITION => false,
+            PoseSelector::Nearest => false,
+            PoseSelector::Sign => (here > 0.0) != higher && (other > 0.0) == higher,
+            PoseSelector::Higher => (here > other) != higher,
         }
     }
 
@@ -107,6 +129,7 @@ impl Travel {
         rules: &Rules<'_>,
         from: &[f64; MAX_AXES],
         axis: &Vector3<f64>,
+        different: bool,
     ) -> Option<[f64; MAX_AXES]> {
         let words = rules.words();
         let mut rotary = words.rotary();
@@ -116,7 +139,12 @@ impl Travel {
             start[first] += TAU * (f64::from(seed % SEEDS) / f64::from(SEEDS) - 0.5);
             start[second] += TAU * (f64::from(seed / SEEDS) / f64::from(SEEDS) - 0.5);
             let there = words.rotated_to(&start, axis)?;
-            (!self.rotary_outside(&words.values(&there))).then_some(there)
+            let turns = |index: usize| {
+                let off = there[index] - from[index];
+                off - (off / TAU).round() * TAU
+            };
+            let other = words.rotary().any(|index| turns(index).abs() > SAME_POSITION);
+            (!self.rotary_outside(&words.values(&there)) && (other || !different)).then_some(there)
         });
         let distance = |there: &[f64; MAX_AXES]| words.rotary_travel(from, there);
         found.min_by(|a, b| distance(a).total_cmp(&distance(b)))

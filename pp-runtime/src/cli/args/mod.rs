@@ -70,6 +70,10 @@ pub(crate) struct ExplainArgs {
     /// Print the list of all words of CL data instead: read, ignored (inert) or refused
     #[arg(long)]
     pub(crate) cl: bool,
+    /// Print the codes of `--control` instead that the check reads: meaning, states read and changed, axes moved, words that
+    /// the code takes, source
+    #[arg(long, conflicts_with_all = ["latex", "cl", "proof_program"])]
+    pub(crate) codes: bool,
     /// Print a proof program for the machine instead: the tip stays on one point while each rotary axis runs its travel
     #[arg(long, conflicts_with_all = ["latex", "cl"])]
     pub(crate) proof_program: bool,
@@ -80,7 +84,7 @@ pub(crate) struct ExplainArgs {
 /// Arguments of `explain --proof-program`.
 #[derive(Debug, Args)]
 pub(crate) struct ProofArgs {
-    /// Control that will run the proof program
+    /// Control that will run the proof program, or whose codes are printed
     #[arg(long, value_name = "NAME", value_parser = control_names(), default_value = control_name(CONTROLS[0]))]
     control: String,
     /// Configuration file of machine and set-up (see `config`)

@@ -1,82 +1,204 @@
-//! Cycles: CYCL DEF with its parameters, and where they run.
+//! Cycles: CYCL DEF with its parameters, by the lists of the language.
 
-use super::super::block::{CycleKind, WorkOffset};
+use super::super::block::{CycleKind, Smoothing, WorkOffset};
 use super::super::draft::Cycle;
+use super::super::language::arguments::{SLOTS, Slot};
+use super::super::language::{List, Role};
 use super::super::line::Line;
 use super::super::text::{Cursor, whole};
+use super::ended;
 
-/// `CYCL CALL`, `CYCL DEF 200 DRILLING ~ Q200=+2 ..`, and the old ones: `CYCL DEF 9.1 DWELL 0.5`.
-pub(super) fn statement(line: &mut Line<'_>) -> bool {
-    if line.at.word(b"CALL") {
-        line.draft.call = true;
+/// The line of a cycle of several lines that must come next.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub(super) enum Pending {
+    #[default]
+    Nothing,
+    /// 9.1.
+    Dwell,
+    /// 32.1.
+    Tolerance,
+}
+
+/// Numbers of a cycle by their slots.
+struct Numbers([f64; SLOTS]);
+
+impl Numbers {
+    fn get(&self, slot: Slot) -> f64 {
+        self.0[slot as usize]
+    }
+}
+
+/// `CYCL DEF 200 DRILLING ~ Q200=+2 ..`, and those of several lines: `CYCL DEF 9.1 DWELL 0.5`.
+pub(super) fn define(line: &mut Line<'_>, pending: &mut Pending) -> bool {
+    let Some(number) = line.at.spaced_number() else { return false };
+    let tenths = (number.value * 10.0).round() as u32;
+    let Some(list) = line.language.lists.iter().find(|list| list.number == tenths) else { return false };
+    let expected = std::mem::take(pending);
+    let wanted = match tenths {
+        91 => Pending::Dwell,
+        321 => Pending::Tolerance,
+        _ => Pending::Nothing,
+    };
+    if expected != wanted {
+        line.fault(0, "the lines of this cycle are not complete, or not in their order");
+    }
+    match tenths {
+        90 => {
+            *pending = Pending::Dwell;
+            line.at.words("DWELL TIME") && ended(line)
+        }
+        320 => {
+            *pending = Pending::Tolerance;
+            line.at.word(b"TOLERANCE") && ended(line)
+        }
+        91 => {
+            line.draft.dwell = line.at.word(b"DWELL").then(|| line.at.spaced_number()).flatten().map(|time| time.value);
+            line.draft.dwell.is_some_and(|seconds| seconds >= 0.0) && ended(line)
+        }
+        321 => tolerance(line),
+        322 => mode(line),
+        _ => parameters(line, list).is_none_or(|numbers| carry_out(line, tenths, &numbers)),
+    }
+}
+
+/// `32.1 T0.02`; without T smoothing is off.
+fn tolerance(line: &mut Line<'_>) -> bool {
+    line.at.blanks();
+    let tolerance = if line.at.take(b'T') { line.at.spaced_number() } else { None };
+    let unit = line.machine.unit();
+    line.draft.smoothing = Some(match tolerance {
+        Some(tolerance) => Smoothing::On { tolerance_mm: Some(tolerance.value * unit), level: None },
+        None => Smoothing::Off,
+    });
+    ended(line)
+}
+
+/// `32.2 HSC-MODE:1 TA0.5`.
+fn mode(line: &mut Line<'_>) -> bool {
+    let level = line.at.literal(b"HSC-MODE:").then(|| line.at.spaced_number()).flatten().and_then(whole);
+    line.at.blanks();
+    let angle = if line.at.literal(b"TA") { line.at.spaced_number() } else { None };
+    let Smoothing::On { tolerance_mm, .. } = line.machine.state.smoothing else { return false };
+    let Some(level @ 0..=1) = level else { return false };
+    line.draft.smoothing = Some(Smoothing::On { tolerance_mm, level: Some(level as u8) });
+    line.draft.smoothing_angle = angle.map(|angle| angle.value.to_radians());
+    ended(line)
+}
+
+/// The parameters of a cycle; each must be there once. `None` if one is wrong, which has been said.
+fn parameters(line: &mut Line<'_>, list: &List) -> Option<Numbers> {
+    let mut numbers = Numbers([0.0; SLOTS]);
+    let (mut seen, mut correct) = (0_u32, true);
+    // The first part has the name of the cycle, the others a parameter and a comment.
+    let mut parts = line.at.take_rest().split(|byte| *byte == b'~');
+    let name = parts.next().unwrap_or_default();
+    if name.iter().any(|byte| matches!(byte, b'=' | b';')) {
+        line.fault(0, "parameters in the first line of the cycle");
+        correct = false;
+    }
+    for part in parts {
+        let mut at = Cursor::new(part);
+        while !at.ended() && at.peek() != Some(b';') {
+            let found = parameter(&mut at);
+            let Some((number, value)) = found else {
+                line.fault(0, format!("`{}` is no parameter with a number", super::shown(part.trim_ascii())));
+                return None;
+            };
+            let Some(index) = list.items.iter().position(|item| item.number == number) else {
+                line.fault(0, format!("Q{number} is no parameter of {}", list.name));
+                correct = false;
+                continue;
+            };
+            correct &= seen & (1 << index) == 0;
+            seen |= 1 << index;
+            match list.items[index].role {
+                Role::Needs(slot) | Role::Takes(slot) => numbers.0[slot as usize] = value,
+                Role::Must(wanted) if wanted != value => {
+                    let name = list.items[index].name;
+                    line.fault(0, format!("Q{number} ({name}) of {} is {value}, expected {wanted}", list.name));
+                    correct = false;
+                }
+                _ => {}
+            }
+        }
+    }
+    for (index, item) in list.items.iter().enumerate().filter(|(index, _)| seen & (1 << index) == 0) {
+        let _ = index;
+        let text = format!(
+            "Q{} ({}) of {} is missing: it would keep the value of an earlier definition",
+            item.number, item.name, list.name
+        );
+        line.fault(0, text);
+        correct = false;
+    }
+    if !correct && line.faults.is_empty() {
+        line.fault(0, "a parameter of the cycle occurs twice");
+    }
+    correct.then_some(numbers)
+}
+
+/// `Q200=+2`.
+fn parameter(at: &mut Cursor<'_>) -> Option<(u32, f64)> {
+    at.take(b'Q').then_some(())?;
+    let number = at.number().and_then(whole)?;
+    at.blanks();
+    at.take(b'=').then_some(())?;
+    let value = at.spaced_number()?.value;
+    matches!(at.peek(), None | Some(b' ' | b'\t' | b';')).then_some((number, value))
+}
+
+fn carry_out(line: &mut Line<'_>, tenths: u32, numbers: &Numbers) -> bool {
+    if tenths == 2470 {
+        let row = numbers.get(Slot::Row);
+        if row < 0.0 || row.fract() != 0.0 {
+            return false;
+        }
+        line.draft.restart = true;
+        line.draft.work_offset = Some(WorkOffset::Row(row as u32));
         return true;
     }
-    line.at.word(b"DEF") && define(line).is_some()
-}
-
-fn define(line: &mut Line<'_>) -> Option<()> {
-    line.at.blanks();
-    let number = line.at.number()?;
-    let rest = line.at.rest();
-    let q = Parameters { text: rest };
-    let tenth = (number.value * 10.0).round() as u32;
-    match tenth {
-        // 9.0 names the dwell, 32.0 to 32.2 are the tolerance of the control.
-        90 | 320..=322 => {}
-        91 => {
-            let digits = rest.iter().position(|byte| byte.is_ascii_digit()).unwrap_or_default();
-            line.draft.dwell = Some(Cursor::new(&rest[digits..]).number()?.value);
-        }
-        2470 => {
-            line.draft.restart = true;
-            let row = q.value(339).filter(|row| *row >= 0.0)?;
-            line.draft.work_offset = Some(WorkOffset::Row(row as u32));
-        }
-        _ => line.draft.define = Some(hole(tenth / 10, &q)?.in_unit(line.machine.unit())),
-    }
-    Some(())
-}
-
-/// `Q200=+2` and its kin in the text of a cycle.
-struct Parameters<'a> {
-    text: &'a [u8],
-}
-
-impl Parameters<'_> {
-    fn value(&self, number: u32) -> Option<f64> {
-        let mut at = Cursor::new(self.text);
-        while at.at < self.text.len() {
-            if at.take(b'Q') && at.number().and_then(whole) == Some(number) && at.take(b'=') {
-                at.blanks();
-                return at.number().map(|number| number.value);
-            }
-            at.at += 1;
-        }
-        None
-    }
+    let hole = hole(line, tenths / 10, numbers);
+    line.draft.define = hole.map(|hole| hole.in_unit(line.machine.unit()));
+    hole.is_some()
 }
 
 /// Cycles 200 and up that make one hole.
-fn hole(number: u32, q: &Parameters<'_>) -> Option<Cycle> {
-    let surface = q.value(203)?;
-    let depth = -q.value(201)?;
-    let (reference, bottom) = (surface + q.value(200)?, surface - depth);
-    let back_to = q.value(204).map_or(reference, |second| (surface + second).max(reference));
+fn hole(line: &mut Line<'_>, number: u32, q: &Numbers) -> Option<Cycle> {
+    let surface = q.get(Slot::Surface);
+    let (depth, clearance) = (-q.get(Slot::Depth), q.get(Slot::Clearance));
+    if depth <= 0.0 || clearance < 0.0 {
+        line.fault(0, "Q201 of the cycle is not negative, or Q200 is");
+    }
+    let (reference, bottom) = (surface + clearance, surface - depth);
+    let back_to = (surface + q.get(Slot::Return)).max(reference);
     // Steps count from the surface.
-    let step = q.value(202).filter(|step| *step > 0.0 && *step < depth);
+    let step = Some(q.get(Slot::Step)).filter(|step| *step > 0.0 && *step < depth);
+    let mut gap = None;
     let kind = match number {
         200 => step.map_or(CycleKind::Drill, CycleKind::Peck),
         201 => CycleKind::Ream,
-        202 => CycleKind::Bore,
-        203 | 205 if q.value(212).is_none_or(|less| less == 0.0) => match (step, q.value(213), q.value(257)) {
-            (_, _, Some(chip)) if chip > 0.0 => CycleKind::ChipBreak(chip),
-            (Some(step), Some(breaks), _) if breaks > 0.0 => CycleKind::ChipBreak(step),
-            (Some(step), _, _) => CycleKind::Peck(step),
-            (None, _, _) => CycleKind::Drill,
+        203 => match step {
+            Some(step) => {
+                let breaks = q.get(Slot::Breaks);
+                if breaks < (depth / step).ceil() - 1.0 {
+                    line.fault(0, format!("Q213 is {breaks}, fewer chip breaks than the hole has steps"));
+                }
+                gap = Some(q.get(Slot::OtherGap));
+                CycleKind::ChipBreak(step)
+            }
+            None => CycleKind::Drill,
         },
-        207 | 209 => CycleKind::Tap(q.value(239)?),
+        205 => {
+            let (upper, lower) = (q.get(Slot::Gap), q.get(Slot::OtherGap));
+            if upper != lower {
+                line.fault(0, format!("Q259 is {lower}, expected {upper} as Q258"));
+            }
+            gap = step.map(|_| upper);
+            step.map_or(CycleKind::Drill, CycleKind::Peck)
+        }
+        207 => CycleKind::Tap(q.get(Slot::Pitch)),
         _ => return None,
     };
-    let dwell = q.value(211).unwrap_or(0.0);
-    Some(Cycle { kind, reference, bottom, back_to: Some(back_to), dwell, feed: q.value(206) })
+    let feed = (number != 207).then(|| q.get(Slot::Feed));
+    Some(Cycle { kind, reference, bottom, back_to: Some(back_to), dwell: q.get(Slot::Dwell), feed, gap })
 }

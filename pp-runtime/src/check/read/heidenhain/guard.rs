@@ -1,56 +1,104 @@
-//! FN, labels and messages: a guard reads the length of the tool and jumps over a message and a stop.
+//! The length guard: it reads length and oversize of a tool from the tool table, and jumps over an error.
 //!
-//! `FN 18: SYSREAD ..`, then `FN 12: IF +Q1 LT +0.01 GOTO LBL 5` once or more, `FN 14` or STOP, `LBL 5`.
+//! `FN 18: SYSREAD QL1 = ID50 NR1 IDX5`, `FN 18: SYSREAD QL2 = ID50 NR4 IDX5`, `FN 1: QL1 = +QL1 + +QL2`,
+//! `FN 12: IF +QL1 LT +99.99 GOTO LBL "OFF1"`, `FN 12: IF +QL1 LT +100.01 GOTO LBL "FITS1"`, `LBL "OFF1"`,
+//! `FN 14: ERROR = 100`, `LBL "FITS1"`. `QL` parameters are local; no other parameter is set anywhere.
 
+use super::super::block::{Guard, LengthSource};
+use super::super::line::Line;
 use super::super::text::{Cursor, whole};
 
-/// The label where the last jump of a guard leads, while that has not been reached; only messages stand before it.
-#[derive(Debug, Default)]
-pub(super) struct Jump {
-    label: Option<Vec<u8>>,
+/// Bounds and lengths are rounded to this, mm.
+const ROUNDED: f64 = 1e4;
+
+/// How far a guard has come.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct LengthGuard {
+    /// Lines of it that have come.
+    lines: u8,
+    tool: u32,
+    low: f64,
+    high: f64,
+    off: Label,
+    fits: Label,
 }
 
-impl Jump {
-    /// Whether a jump leads over what stands here.
-    pub(super) fn leads_on(&self) -> bool {
-        self.label.is_some()
+/// Name of a label.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+struct Label {
+    name: [u8; 24],
+    length: usize,
+}
+
+impl LengthGuard {
+    /// Whether a guard has begun.
+    pub(super) fn is_open(&self) -> bool {
+        self.lines > 0
     }
 
-    /// `FN 0` to `FN 5` and `FN 18` set parameters, `FN 9` to `FN 12` jump.
-    pub(super) fn function(&mut self, at: &mut Cursor<'_>) -> bool {
-        at.blanks();
-        match at.number().and_then(whole) {
-            Some(0..=5 | 18) => true,
-            Some(9..=12) => self.begin(at),
-            _ => false,
+    /// The next line of a guard; `false` if it is not.
+    pub(super) fn line(&mut self, line: &mut Line<'_>) -> bool {
+        let fits = self.next(&mut line.at).is_some() && (line.at.ended() || line.at.peek() == Some(b';'));
+        if !fits {
+            if self.is_open() {
+                line.fault(0, "the length guard is not complete before this block");
+            }
+            self.lines = 0;
+            return false;
         }
-    }
-
-    /// `.. GOTO LBL 5`, `.. GOTO LBL "FITS1"`.
-    fn begin(&mut self, at: &mut Cursor<'_>) -> bool {
-        let rest = at.rest();
-        let Some(label) = rest.windows(4).rposition(|word| word == b"LBL ") else { return false };
-        self.label = Some(rest[label + 4..].trim_ascii().to_vec());
-        at.take_rest();
+        self.lines += 1;
+        if self.lines == 8 {
+            self.lines = 0;
+            let [low, high] = [self.low, self.high];
+            line.draft.guard = Some(Guard {
+                length_mm: ((low + high) / 2.0 * ROUNDED).round() / ROUNDED,
+                tolerance_mm: ((high - low) / 2.0 * ROUNDED).round() / ROUNDED,
+                source: LengthSource::Tool(self.tool),
+                stops: true,
+            });
+        }
         true
     }
 
-    /// What a guard jumps over: other jumps, labels, messages and a stop.
-    pub(super) fn over(&mut self, at: &mut Cursor<'_>) -> bool {
-        if at.word(b"LBL") {
-            if self.label.as_deref() == Some(at.rest().trim_ascii()) {
-                self.label = None;
+    fn next(&mut self, at: &mut Cursor<'_>) -> Option<()> {
+        let correct = match self.lines {
+            0 => {
+                self.tool = at.literal(b"FN18:SYSREADQL1=ID50NR1IDX").then(|| at.number())?.and_then(whole)?;
+                true
             }
-            return true;
-        }
-        if at.word(b"FN") {
-            at.blanks();
-            return match at.number().and_then(whole) {
-                Some(9..=12) => self.begin(at),
-                Some(14) => true,
-                _ => false,
-            };
-        }
-        at.word(b"STOP")
+            1 => at.literal(b"FN18:SYSREADQL2=ID50NR4IDX") && at.number().and_then(whole) == Some(self.tool),
+            2 => at.literal(b"FN1:QL1=+QL1++QL2"),
+            3 => {
+                (self.low, self.off) = jump(at)?;
+                true
+            }
+            4 => {
+                (self.high, self.fits) = jump(at)?;
+                self.high > self.low && self.fits != self.off
+            }
+            5 => at.word(b"LBL") && label(at)? == self.off,
+            6 => at.literal(b"FN14:ERROR=") && at.spaced_number().and_then(whole).is_some(),
+            _ => at.word(b"LBL") && label(at)? == self.fits,
+        };
+        correct.then_some(())
     }
+}
+
+/// `FN 12: IF +QL1 LT +99.99 GOTO LBL "OFF1"`: bound and label.
+fn jump(at: &mut Cursor<'_>) -> Option<(f64, Label)> {
+    let bound = at.literal(b"FN12:IF+QL1LT").then(|| at.spaced_number())??.value;
+    let label = at.literal(b"GOTOLBL").then(|| label(at))??;
+    Some((bound, label))
+}
+
+/// `"OFF1"`.
+fn label(at: &mut Cursor<'_>) -> Option<Label> {
+    at.blanks();
+    at.take(b'"').then_some(())?;
+    let rest = at.rest();
+    let length = rest.iter().position(|byte| *byte == b'"')?;
+    let mut label = Label { length, ..Label::default() };
+    label.name.get_mut(..length)?.copy_from_slice(&rest[..length]);
+    at.at += length + 1;
+    Some(label)
 }

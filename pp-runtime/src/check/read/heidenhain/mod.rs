@@ -4,8 +4,9 @@
 //! radius correction stay in force: a line begins with L, C, CR or CP. `FMAX` and M codes hold for one line. The tool axis
 //! of TOOL CALL is the normal of the plane.
 //!
-//! Here is what a line begins with, `words` has those of a motion, `round` the arcs about CC, `cycles` CYCL DEF, `plane`
-//! PLANE and TCPM. Functions of a statement answer whether all of it is known.
+//! What a line begins with is in the table of the language; `words` has the words of a motion, `round` the arcs about CC,
+//! `cycles` CYCL DEF, `plane` PLANE and TCPM, `guard` the length guard. Functions of a statement answer whether all of it is
+//! known.
 
 mod cycles;
 mod guard;
@@ -13,9 +14,11 @@ mod plane;
 mod round;
 mod words;
 
-use self::guard::Jump;
+use self::cycles::Pending;
+use self::guard::LengthGuard;
 use super::block::{FeedMode, Side, WorkPlane};
 use super::draft::Code;
+use super::language::{Means, Statement};
 use super::line::Line;
 use super::text::{shown, whole};
 use crate::program::Units;
@@ -27,7 +30,11 @@ pub(super) struct Heidenhain {
     last: Option<u64>,
     /// CC, as written.
     pole: [Option<f64>; 3],
-    jump: Jump,
+    guard: LengthGuard,
+    /// The line of a cycle of several lines that must come next.
+    pending: Pending,
+    began: bool,
+    ended: bool,
 }
 
 impl Heidenhain {
@@ -37,16 +44,25 @@ impl Heidenhain {
             return false;
         }
         self.number(line);
+        line.draft.frame_faults = line.faults.len();
         line.at.blanks();
         if matches!(line.at.peek(), None | Some(b';' | b'*')) {
             return true;
         }
         line.draft.speaks();
         let start = line.at;
-        if !self.statement(line) && !line.in_set_up(start.rest().trim_ascii()) {
+        if !self.statement(line) {
             line.fault(start.at, format!("`{}` is not known to the check", shown(start.rest())));
         }
+        line.contradictions();
+        self.began = true;
+        self.ended |= line.draft.end;
         true
+    }
+
+    /// Forgets what stays in force.
+    pub(super) fn forget(&mut self) {
+        (self.pole, self.pending) = ([None; 3], Pending::default());
     }
 
     /// The number of the line.
@@ -62,41 +78,64 @@ impl Heidenhain {
     }
 
     fn statement(&mut self, line: &mut Line<'_>) -> bool {
-        if self.jump.leads_on() {
-            return self.jump.over(&mut line.at);
+        if self.guard.is_open() {
+            return self.guard.line(line);
         }
-        let at = &mut line.at;
-        if at.word(b"L") || at.word(b"LN") {
-            line.draft.code = Some(Code::Feed);
-            words::motion(line)
-        } else if at.word(b"CC") {
-            round::centre(line, &mut self.pole)
-        } else if at.word(b"CR") || at.word(b"C") || at.word(b"CP") {
-            words::motion(line) && round::close(line, &self.pole)
-        } else if at.word(b"TOOL") {
-            tool(line)
-        } else if at.word(b"CYCL") {
-            cycles::statement(line)
-        } else if at.word(b"PLANE") {
-            plane::statement(line)
-        } else if at.word(b"FUNCTION") {
-            plane::function(line)
-        } else if at.word(b"BEGIN") {
-            begin(line)
-        } else if at.word(b"END") || at.word(b"BLK") {
-            at.word(b"PGM") || at.word(b"FORM")
-        } else if at.word(b"FN") {
-            self.jump.function(at)
-        } else if at.word(b"LBL") {
-            at.blanks();
-            at.number().is_some()
-        } else {
-            if at.word(b"STOP") {
-                line.draft.stop = Some(false);
+        let row = line.language.words.iter().find(|row| {
+            matches!(row.means, Means::Statement(_)) && !row.spelling.starts_with("FN") && line.at.words(row.spelling)
+        });
+        let named = row.map(|row| (row.spelling, row.means));
+        let goes_on = matches!(named, Some((_, Means::Statement(Statement::CycleDef))));
+        if self.pending != Pending::Nothing && !goes_on {
+            self.pending = Pending::Nothing;
+            line.fault(0, "the line before begins a cycle whose second line is missing");
+        }
+        let Some((spelling, Means::Statement(statement))) = named else {
+            return self.guard.line(line) || words::codes(line);
+        };
+        match statement {
+            Statement::Line => {
+                line.draft.code = Some(Code::Feed);
+                words::motion(line) && line.draft.pitch.is_none()
             }
-            words::motion(line)
+            Statement::Pole => round::centre(line, &mut self.pole),
+            Statement::Arc => words::motion(line) && round::close(line, spelling, &self.pole),
+            Statement::ToolCall => tool(line),
+            Statement::ToolDef => {
+                line.at.blanks();
+                line.at.number().and_then(whole).is_some() && ended(line)
+            }
+            Statement::CycleDef => cycles::define(line, &mut self.pending),
+            Statement::CycleCall => {
+                line.draft.call = true;
+                words::codes(line)
+            }
+            Statement::PlaneSpatial => plane::spatial(line),
+            Statement::PlaneReset => plane::reset(line),
+            Statement::TcpmOn => plane::tcpm(line),
+            Statement::TcpmOff => {
+                line.draft.tip_control = Some(false);
+                ended(line)
+            }
+            Statement::Begin => !self.began && begin(line),
+            Statement::EndOfProgram => {
+                line.draft.end = !self.ended;
+                line.at.take_rest();
+                true
+            }
+            Statement::Blank => blank(line),
+            Statement::Stop => {
+                line.draft.stop = Some(false);
+                words::codes(line)
+            }
+            _ => false,
         }
     }
+}
+
+/// Nothing but a comment comes.
+fn ended(line: &mut Line<'_>) -> bool {
+    line.at.ended() || line.at.peek() == Some(b';')
 }
 
 /// `BEGIN PGM NAME MM`: the unit, and what is in force before anything is said.
@@ -105,28 +144,34 @@ fn begin(line: &mut Line<'_>) -> bool {
     draft.distances = Some(false);
     draft.feed_mode = Some(FeedMode::PerMinute);
     draft.side = Some(Side::None);
-    draft.units = match line.at.rest().trim_ascii_end().rsplit(|byte| *byte == b' ').next() {
+    draft.units = match line.at.take_rest().trim_ascii_end().rsplit(|byte| *byte == b' ').next() {
         Some(b"MM") => Some(Units::Millimetres),
         Some(b"INCH") => Some(Units::Inches),
         _ => None,
     };
-    line.at.word(b"PGM") && draft.units.is_some()
+    draft.units.is_some()
 }
 
-/// `TOOL CALL 5 Z S8000 DL+0`, `TOOL CALL S8000`, `TOOL DEF 6`.
-fn tool(line: &mut Line<'_>) -> bool {
-    let (at, draft) = (&mut line.at, &mut *line.draft);
-    if at.word(b"DEF") {
-        at.blanks();
-        // The next tool is brought near; it does not come into the spindle.
-        return at.number().and_then(whole).is_some() && at.ended();
-    }
-    if !at.word(b"CALL") {
+/// `BLK FORM 0.1 Z X-10 Y-10 Z-10`, `BLK FORM 0.2 X+10 Y+10 Z+0`.
+fn blank(line: &mut Line<'_>) -> bool {
+    line.at.blanks();
+    let corner = line.at.number().map(|number| number.value);
+    if !matches!(corner, Some(0.1 | 0.2)) || (corner == Some(0.1) && !line.at.word(b"Z")) {
         return false;
     }
+    [b'X', b'Y', b'Z'].into_iter().all(|letter| {
+        line.at.blanks();
+        line.at.take(letter) && line.at.number().is_some()
+    }) && ended(line)
+}
+
+/// `TOOL CALL 5 Z S8000 DL+0`, `TOOL CALL S8000`.
+fn tool(line: &mut Line<'_>) -> bool {
+    let (at, draft) = (&mut line.at, &mut *line.draft);
     at.blanks();
     if at.peek().is_some_and(|byte| byte.is_ascii_digit()) {
-        draft.tool = at.number().and_then(whole);
+        let Some(number) = at.number().and_then(whole) else { return false };
+        draft.tool = Some(number);
         draft.change = true;
         draft.length_with_tool = true;
         at.blanks();
@@ -141,11 +186,14 @@ fn tool(line: &mut Line<'_>) -> bool {
     while !at.ended() && at.peek() != Some(b';') {
         let name = at.letters();
         let Some(number) = at.number() else { return false };
-        match name {
-            b"S" => draft.speed = Some(number.value),
-            b"DL" | b"DR" if number.value == 0.0 => {}
-            _ => return false,
+        let first = match name {
+            b"S" => draft.speed.replace(number.value).is_none(),
+            b"DL" | b"DR" => number.value == 0.0,
+            _ => false,
+        };
+        if !first {
+            return false;
         }
     }
-    true
+    draft.change || draft.speed.is_some()
 }

@@ -3,63 +3,106 @@
 use super::super::draft::TiltCode;
 use super::super::frames;
 use super::super::line::Line;
-use super::super::text::Cursor;
+use super::ended;
 
-/// `PLANE SPATIAL SPA+45 SPB+0 SPC+90 TURN ..`, `PLANE RESET STAY`.
-pub(super) fn statement(line: &mut Line<'_>) -> bool {
-    let (at, draft) = (&mut line.at, &mut *line.draft);
-    if at.word(b"RESET") {
-        draft.tilt = Some(TiltCode::Off);
-        return at.word(b"STAY") && at.ended() || at.word(b"TURN") || at.word(b"MOVE");
-    }
-    if !at.word(b"SPATIAL") {
-        return false;
-    }
-    let mut angles = [None; 3];
+/// How the rotary axes get to a plane.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Positioning {
+    /// They stay, and the control does not move them.
+    Stay,
+    /// They rotate.
+    Turn,
+    /// They rotate, and the linear axes keep the tool at its point of the part.
+    Move,
+}
+
+/// Words after the positioning.
+#[derive(Debug, Clone, Copy, Default)]
+struct Words {
+    retract: bool,
+    distance: bool,
+    feed: bool,
+    pose: Option<bool>,
+    /// TABLE ROT or COORD ROT.
+    coordinate_rotation: Option<bool>,
+}
+
+/// `PLANE RESET STAY`, `PLANE RESET TURN MB MAX FMAX`: with TURN and MOVE the rotary axes go to 0.
+pub(super) fn reset(line: &mut Line<'_>) -> bool {
+    let Some(positioning) = positioning(line) else { return false };
+    let stays = positioning == Positioning::Stay;
+    line.draft.tilt = Some(if stays { TiltCode::Off } else { TiltCode::Zero });
+    words(line, positioning).is_some_and(|words| words.pose.is_none() && words.coordinate_rotation.is_none())
+}
+
+/// `PLANE SPATIAL SPA+45 SPB+0 SPC+90 TURN MB MAX FMAX SEQ- TABLE ROT`.
+pub(super) fn spatial(line: &mut Line<'_>) -> bool {
+    let mut angles = [0.0; 3];
     for (angle, name) in angles.iter_mut().zip([b"SPA", b"SPB", b"SPC"]) {
-        at.blanks();
-        if at.letters() != name {
+        line.at.blanks();
+        if line.at.letters() != name {
             return false;
         }
-        *angle = at.number().map(|number| number.value);
+        let Some(number) = line.at.number() else { return false };
+        *angle = number.value;
     }
-    let [Some(a), Some(b), Some(c)] = angles else { return false };
-    let oriented = at.word(b"TURN") || at.word(b"MOVE");
-    let stays = !oriented && at.word(b"STAY");
-    draft.tilt =
-        Some(TiltCode::On { rotation: frames::spatial([a, b, c]), origin: nalgebra::Vector3::zeros(), oriented });
-    (oriented || stays) && positioning(at)
+    let Some(positioning) = positioning(line) else { return false };
+    let Some(words) = words(line, positioning) else { return false };
+    line.draft.tilt = Some(TiltCode::On {
+        rotation: frames::spatial(angles),
+        origin: nalgebra::Vector3::zeros(),
+        oriented: positioning != Positioning::Stay,
+        pose: words.pose,
+        coordinate_rotation: words.coordinate_rotation == Some(true),
+    });
+    true
 }
 
-/// How the rotary axes get there: `MB MAX FMAX SEQ- TABLE ROT`.
-fn positioning(at: &mut Cursor<'_>) -> bool {
-    const WORDS: [&[u8]; 11] =
-        [b"MB", b"MAX", b"FMAX", b"SEQ+", b"SEQ-", b"SYM+", b"SYM-", b"TABLE", b"COORD", b"ROT", b"DIST"];
-    let rest = at.rest();
-    at.at += rest.len();
-    let rest = rest.split(|byte| *byte == b';').next().unwrap_or_default();
-    let mut words = rest.split(|byte| *byte == b' ').filter(|word| !word.is_empty());
-    words.all(|word| WORDS.contains(&word))
+fn positioning(line: &mut Line<'_>) -> Option<Positioning> {
+    let choices = [(&b"TURN"[..], Positioning::Turn), (b"MOVE", Positioning::Move), (b"STAY", Positioning::Stay)];
+    choices.into_iter().find(|(word, _)| line.at.word(word)).map(|(_, positioning)| positioning)
 }
 
-/// `FUNCTION TCPM F TCP AXIS POS PATHCTRL AXIS`, `FUNCTION RESET TCPM`.
-pub(super) fn function(line: &mut Line<'_>) -> bool {
+/// `MB MAX`, `MB50`, `DIST50`, `FMAX`, `F500`, `SEQ-`, `SYM+`, `TABLE ROT`, `COORD ROT`; each at most once.
+fn words(line: &mut Line<'_>, positioning: Positioning) -> Option<Words> {
+    let mut words = Words::default();
+    let moves = positioning != Positioning::Stay;
+    while !ended(line) {
+        let at = &mut line.at;
+        let letters = at.letters();
+        let first = match letters {
+            b"MB" if moves => {
+                let distance = at.word(b"MAX") || at.spaced_number().is_some_and(|number| number.value >= 0.0);
+                distance && !std::mem::replace(&mut words.retract, true)
+            }
+            b"DIST" if positioning == Positioning::Move => {
+                at.spaced_number().is_some() && !std::mem::replace(&mut words.distance, true)
+            }
+            b"FMAX" if moves => !std::mem::replace(&mut words.feed, true),
+            b"F" if moves => {
+                at.spaced_number().is_some_and(|number| number.value > 0.0) && !std::mem::replace(&mut words.feed, true)
+            }
+            b"SEQ" | b"SYM" => {
+                let plus = at.take(b'+');
+                (plus || at.take(b'-')) && words.pose.replace(plus).is_none()
+            }
+            b"TABLE" | b"COORD" => at.word(b"ROT") && words.coordinate_rotation.replace(letters == b"COORD").is_none(),
+            _ => false,
+        };
+        if !first {
+            return None;
+        }
+    }
+    Some(words)
+}
+
+/// `FUNCTION TCPM F TCP AXIS POS PATHCTRL AXIS`: whether the tool axis rotates in a plane. With AXIS SPAT the words of
+/// rotary axes would be spatial angles, which nothing here is.
+pub(super) fn tcpm(line: &mut Line<'_>) -> bool {
+    line.draft.tip_control = Some(true);
     let at = &mut line.at;
-    let reset = at.word(b"RESET");
-    line.draft.tip_control = Some(!reset);
-    if !at.word(b"TCPM") {
-        return false;
-    }
-    if !reset {
-        line.draft.in_plane = tcpm(at);
-    }
-    reset || line.draft.in_plane.is_some()
-}
-
-/// `F TCP AXIS POS PATHCTRL AXIS`: whether the tool axis turns in a plane. With AXIS SPAT the words of rotary axes would be
-/// spatial angles, which nothing here is.
-fn tcpm(at: &mut Cursor<'_>) -> Option<bool> {
-    let positions = at.word(b"F") && at.word(b"TCP") && at.word(b"AXIS") && at.word(b"POS") && at.word(b"PATHCTRL");
+    let positions = at.words("F TCP AXIS POS PATHCTRL");
     let in_plane = positions && at.word(b"VECTOR");
-    (positions && (in_plane || at.word(b"AXIS")) && at.ended()).then_some(in_plane)
+    line.draft.in_plane = (positions && (in_plane || at.word(b"AXIS"))).then_some(in_plane);
+    line.draft.in_plane.is_some() && ended(line)
 }

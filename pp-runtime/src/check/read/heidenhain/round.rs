@@ -16,18 +16,24 @@ pub(super) fn centre(line: &mut Line<'_>, pole: &mut [Option<f64>; 3]) -> bool {
             (true, Some(from)) => from / line.machine.unit(),
             (true, None) => return false,
         };
-        pole[axis] = Some(from + number.value);
+        if pole[axis].replace(from + number.value).is_some() {
+            return false;
+        }
     }
     true
 }
 
-/// What is missing for an arc when its words have been read.
-pub(super) fn close(line: &mut Line<'_>, pole: &[Option<f64>; 3]) -> bool {
+/// What is missing for an arc when its words have been read: C has a pole, CR a radius, CP a pole and an angle.
+pub(super) fn close(line: &mut Line<'_>, spelling: &str, pole: &[Option<f64>; 3]) -> bool {
     let draft = &mut *line.draft;
+    let forms = (draft.radius.is_some(), draft.sweep.is_some());
+    if draft.code.is_some() || forms != (spelling == "CR", spelling == "CP") {
+        return false;
+    }
     let Some(sense) = draft.pitch.take() else { return false };
     draft.code = Some(if sense > 0.0 { Code::CounterClockwise } else { Code::Clockwise });
     if draft.radius.is_some() {
-        return draft.sweep.is_none();
+        return true;
     }
     for (axis, value) in pole.iter().enumerate() {
         if let Some(value) = value {

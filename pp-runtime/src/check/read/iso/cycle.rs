@@ -2,31 +2,43 @@
 
 use super::super::block::{CycleKind, FeedMode};
 use super::super::draft::{Code, Cycle};
+use super::super::language::{Pattern, letters};
 use super::Reading;
 
 /// Words of a cycle that stay in force, mm and seconds.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct CycleWords {
-    /// The code, 0 for none.
-    code: u32,
+    pattern: Option<Pattern>,
     reference: Option<f64>,
     bottom: Option<f64>,
     step: Option<f64>,
     dwell: f64,
+    /// M29 came before it.
+    rigid: bool,
+}
+
+impl CycleWords {
+    /// No cycle is in force.
+    pub(super) fn is_off(&self) -> bool {
+        self.pattern.is_none()
+    }
 }
 
 impl Reading<'_, '_> {
-    /// Words of a canned cycle, in the block that begins it or in a later one.
+    /// Words of a canned cycle, in the block that begins it or in a later one. Every block with one of its words, or with an
+    /// axis word, drills.
     pub(super) fn cycle_words(&mut self) {
         let code = self.line.draft.code;
         if code.is_some() && code != Some(Code::Cycle) {
-            self.iso.cycle.code = 0;
+            self.iso.cycle = CycleWords::default();
         }
-        if let Some(code) = self.loose.cycle {
-            self.iso.cycle = CycleWords { code, ..CycleWords::default() };
+        if let Some(pattern) = self.line.draft.hole {
+            self.iso.cycle = CycleWords { pattern: Some(pattern), rigid: self.iso.rigid, ..CycleWords::default() };
         }
-        let says = self.loose.cycle.is_some() || self.line.draft.written != 0 || self.loose.r.is_some();
-        if self.iso.cycle.code == 0 || !says {
+        let draft = &*self.line.draft;
+        let apart = draft.machine || draft.reference || draft.dwell.is_some();
+        let says = draft.hole.is_some() || draft.written != 0 || draft.letters & letters("RPQ") != 0;
+        if self.iso.cycle.is_off() || !says || apart {
             return;
         }
         self.levels();
@@ -34,13 +46,12 @@ impl Reading<'_, '_> {
             self.iso.cycle.step = Some(self.length(q, false) * self.line.unit());
         }
         if let Some(p) = self.loose.p.take() {
-            self.iso.cycle.dwell = self.seconds(p);
+            self.iso.cycle.dwell = self.wait(p);
         }
-        self.loose.l = None;
         let words = self.iso.cycle;
         match (self.kind(), words.reference, words.bottom) {
             (Some(kind), Some(reference), Some(bottom)) => {
-                let cycle = Cycle { kind, reference, bottom, back_to: None, dwell: words.dwell, feed: None };
+                let cycle = Cycle { kind, reference, bottom, back_to: None, dwell: words.dwell, feed: None, gap: None };
                 self.line.draft.define = Some(cycle);
             }
             _ => self.line.fault(0, "unknown cycle, or a word of the cycle is missing"),
@@ -51,7 +62,13 @@ impl Reading<'_, '_> {
     fn levels(&mut self) {
         let (unit, incremental, normal) = (self.line.unit(), self.line.incremental(), self.line.normal());
         if let Some(r) = self.loose.r.take() {
-            let start = normal.filter(|_| incremental).and_then(|index| self.line.machine.at(index));
+            let start = match normal.filter(|_| incremental) {
+                Some(index) => self.line.machine.at(index),
+                None => Some(0.0),
+            };
+            if start.is_none() {
+                self.line.fault(0, "incremental motion from an unknown position");
+            }
             self.iso.cycle.reference = Some(start.unwrap_or_default() + self.length(r, false) * unit);
         }
         if let Some(index) = normal.filter(|index| self.line.draft.written & (1 << index) != 0) {
@@ -61,15 +78,17 @@ impl Reading<'_, '_> {
     }
 
     fn kind(&self) -> Option<CycleKind> {
-        Some(match (self.iso.cycle.code, self.iso.cycle.step) {
-            (81 | 82, _) => CycleKind::Drill,
-            (85 | 89, _) => CycleKind::Ream,
-            (83, Some(step)) => CycleKind::Peck(step),
-            (73, Some(step)) => CycleKind::ChipBreak(step),
-            (84, _) => CycleKind::Tap(self.pitch()),
-            (74, _) => CycleKind::Tap(-self.pitch()),
-            (76 | 86 | 88, _) => CycleKind::Bore,
-            _ => return None,
+        let words = &self.iso.cycle;
+        let tap = |left: bool| self.pitch() * if left { -1.0 } else { 1.0 };
+        Some(match words.pattern? {
+            Pattern::Drill => CycleKind::Drill,
+            Pattern::Ream => CycleKind::Ream,
+            Pattern::Bore => CycleKind::Bore,
+            Pattern::Peck => CycleKind::Peck(words.step.filter(|step| *step > 0.0)?),
+            Pattern::ChipBreak => CycleKind::ChipBreak(words.step.filter(|step| *step > 0.0)?),
+            Pattern::Tap { left } => CycleKind::Tap(tap(left)),
+            Pattern::TapAfterRigid { left } if words.rigid => CycleKind::Tap(tap(left)),
+            Pattern::TapAfterRigid { left } | Pattern::FloatingTap { left } => CycleKind::FloatingTap(tap(left)),
         })
     }
 

@@ -1,111 +1,198 @@
-//! What is no block of letters and numbers: program numbers, and guards that compare the length of the tool.
+//! Guards that compare the length of the tool, each recognised as a whole.
 //!
-//! LinuxCNC: `o1 if [..]` up to `o1 endif` with nothing in it but messages. Fanuc and Haas: `IF [..] THEN #3000=1 (..)`, or
-//! `IF [..] GOTO n` over such an alarm to the block `Nn`.
+//! LinuxCNC: `o1 if [[ABS[#5403 - L] GT tol] AND [ABS[[#5403 * 25.4] - L] GT tol]]`, `(abort, ..)`, `o1 endif`. Fanuc and
+//! Haas: `IF [ABS[#10021+#11021-L] GT tol] THEN #3000=101 (..)`, or `IF [ABS[..] LT tol] GOTO n`, such an alarm, and the
+//! block `Nn`.
 
-use super::super::Family;
+use super::super::block::{Guard, LengthSource};
 use super::super::line::Line;
 use super::super::text::{Cursor, shown, whole};
 
-/// The variable that raises an alarm.
-const ALARM: u32 = 3000;
+/// Variables of geometry and wear of a length register: first numbers, and the number of registers.
+const REGISTERS: [([u32; 2], u32); 2] = [([10_000, 11_000], 999), ([2000, 2200], 200)];
 
-/// Guards that have begun and not ended.
+/// A guard that has begun.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Guards {
-    /// The label of an `if` of LinuxCNC.
-    open: Option<u32>,
-    /// The block to which a jump over an alarm leads.
-    jump: Option<u32>,
+    open: Option<Open>,
+}
+
+#[derive(Debug, Clone, Copy)]
+enum Open {
+    /// `o1 if`, and whether the abort has come.
+    Condition { label: u32, guard: Guard, aborts: bool },
+    /// A jump over an alarm, and whether that has come.
+    Jump { target: u32, guard: Guard, alarm: bool },
 }
 
 impl Guards {
-    /// Whether what stands here runs only where a guard lets it.
-    pub(super) fn open(&self) -> bool {
-        self.open.is_some()
-    }
-
-    /// A block of this number begins: a jump may have led to it.
-    pub(super) fn block(&mut self, number: Option<u32>) {
-        if self.jump == number {
-            self.jump = None;
+    /// A line of a guard: whether it is a block. `None` if it is a block of words.
+    #[inline]
+    pub(super) fn line(&mut self, line: &mut Line<'_>) -> Option<bool> {
+        match line.at.rest() {
+            [b'O' | b'o', ..] => Some(self.o_word(line)),
+            [b'I' | b'i', b'F' | b'f', ..] => Some(self.condition(line)),
+            [b'#', ..] => Some(self.alarm(line)),
+            _ if self.open.is_some() => self.within(line),
+            _ => None,
         }
     }
 
-    /// `O1234 (NAME)`, `o1 if [..]`, `o1 endif`; `true` if a guard begins.
-    pub(super) fn o_word(&mut self, line: &mut Line<'_>) -> bool {
+    /// Within a guard: the abort, or the block to which the jump leads.
+    fn within(&mut self, line: &mut Line<'_>) -> Option<bool> {
+        match (&mut self.open, line.at.rest()) {
+            (Some(Open::Condition { aborts, .. }), [b'(', ..]) if !*aborts => {
+                let rest = line.at.rest();
+                let whole = rest.iter().position(|byte| *byte == b')') == Some(rest.trim_ascii_end().len() - 1);
+                line.at.at += 1;
+                if !(whole && line.at.word(b"abort") && line.at.literal(b",")) {
+                    line.fault(0, "`(abort, ..)` expected in the length guard");
+                }
+                *aborts = true;
+                Some(false)
+            }
+            (Some(Open::Condition { .. }), _) => {
+                line.fault(0, "this block is executed only under a condition");
+                None
+            }
+            (Some(Open::Jump { target, alarm: true, .. }), [b'N' | b'n', ..]) => {
+                let mut at = line.at;
+                at.at += 1;
+                if at.number().and_then(whole) != Some(*target) {
+                    line.fault(0, format!("N{target} expected, to which the length guard jumps"));
+                }
+                self.open = None;
+                None
+            }
+            (open, _) => {
+                *open = None;
+                line.fault(0, "the length guard is not complete before this block");
+                None
+            }
+        }
+    }
+
+    /// `o1 if [..]`, `o1 endif`.
+    fn o_word(&mut self, line: &mut Line<'_>) -> bool {
         line.at.at += 1;
         let Some(label) = line.at.number().and_then(whole) else {
             line.fault(0, "O word without a number");
             return false;
         };
-        if line.at.ended() || line.at.peek() == Some(b'(') {
-            if line.family() == Family::LinuxCnc && line.at.ended() {
-                line.fault(0, "O word without a function");
+        if line.at.word(b"if") {
+            let unit = if line.facts.guard_in_mm { 1.0 } else { line.unit() };
+            match spindle_condition(&mut line.at, unit) {
+                Some(guard) if self.open.is_none() => self.open = Some(Open::Condition { label, guard, aborts: false }),
+                _ => line.fault(line.at.at, "unknown condition"),
             }
-        } else if line.at.word(b"if") && self.open.is_none() {
-            self.open = Some(label);
-            line.draft.guard = compared(line.at.rest());
-            if line.draft.guard.is_none() {
-                line.fault(line.at.at, "unknown condition");
-            }
-        } else if line.at.word(b"endif") && self.open == Some(label) && line.at.ended() {
-            self.open = None;
-        } else {
-            line.fault(0, format!("`{}` is not known to the check", shown(line.at.rest())));
+            return false;
         }
-        line.draft.guard.is_some()
+        if line.at.word(b"endif") && line.at.ended() {
+            match self.open.take() {
+                Some(Open::Condition { label: opened, mut guard, aborts }) if opened == label => {
+                    guard.stops = aborts;
+                    line.draft.guard = Some(guard);
+                    if !aborts {
+                        line.fault(0, "the length guard does not abort the program");
+                    }
+                }
+                _ => line.fault(0, "endif without its condition"),
+            }
+            return true;
+        }
+        line.fault(0, format!("`{}` is not known to the check", shown(line.at.rest())));
+        false
     }
 
-    /// `IF [ABS[#..-101.5] GT 0.01] THEN #3000=1 (..)`, and `IF [ABS[#..-101.5] LT 0.01] GOTO 5` over such an alarm.
-    pub(super) fn condition(&mut self, line: &mut Line<'_>) -> bool {
-        line.at.at += 2;
-        let rest = line.at.rest();
-        let length = match rest.windows(4).position(|word| word.eq_ignore_ascii_case(b"THEN")) {
-            Some(then) => compared(&rest[..then]).filter(|_| is_alarm(&mut behind(rest, then))),
-            None => compared(rest).filter(|_| self.jumps(rest)),
-        };
-        match length.filter(|_| line.family() != Family::LinuxCnc) {
-            Some(length) => line.draft.guard = Some(length),
-            None => line.fault(0, "unknown condition"),
+    /// `IF [ABS[#..-L] GT tol] THEN #3000=1 (..)`, and `IF [ABS[#..-L] LT tol] GOTO 5` over such an alarm.
+    fn condition(&mut self, line: &mut Line<'_>) -> bool {
+        if self.open.take().is_some() {
+            line.fault(0, "the length guard is not complete before this block");
+        }
+        let unit = line.unit();
+        match register_condition(&mut line.at, unit) {
+            Some((mut guard, None)) if is_alarm(line) => {
+                guard.stops = true;
+                line.draft.guard = Some(guard);
+            }
+            Some((guard, Some(target))) => self.open = Some(Open::Jump { target, guard, alarm: false }),
+            _ => line.fault(
+                0,
+                "unknown condition: the check reads `IF [ABS[#..+#..-L] GT t] THEN #3000=n (..)` and \
+                 `IF [ABS[#..-L] LT t] GOTO n` over `#3000=n (..)`",
+            ),
         }
         true
     }
 
-    /// `.. GOTO 5`.
-    fn jumps(&mut self, rest: &[u8]) -> bool {
-        let goto = rest.windows(4).rposition(|word| word.eq_ignore_ascii_case(b"GOTO"));
-        let target = goto.and_then(|goto| behind(rest, goto).number()).and_then(whole);
-        self.jump = target.or(self.jump);
-        target.is_some()
-    }
-
     /// `#3000 = 1 (TEXT)`: only a guard jumps over it.
-    pub(super) fn alarm(&self, line: &mut Line<'_>) {
-        if !is_alarm(&mut line.at) || self.jump.is_none() {
-            line.fault(0, "a variable is set or an alarm is raised without a condition");
+    fn alarm(&mut self, line: &mut Line<'_>) -> bool {
+        match &mut self.open {
+            Some(Open::Jump { guard, alarm, .. }) if !*alarm && is_alarm(line) => {
+                *alarm = true;
+                line.draft.guard = Some(Guard { stops: true, ..*guard });
+            }
+            _ => line.fault(0, "a variable is set or an alarm is raised without a condition"),
         }
+        true
     }
 }
 
-/// Behind a word of four letters.
-fn behind(rest: &[u8], word: usize) -> Cursor<'_> {
-    let mut at = Cursor::new(&rest[word + 4..]);
-    at.blanks();
-    at
+/// `[[ABS[#5403 - L] GT tol] AND [ABS[[#5403 * 25.4] - L] GT tol]]` and nothing after it.
+fn spindle_condition(at: &mut Cursor<'_>, unit: f64) -> Option<Guard> {
+    let [length, tolerance] = compared(at, b"[[ABS[#5403-", b"]GT")?;
+    let again = compared(at, b"]AND[ABS[[#5403*25.4]-", b"]GT")?;
+    let whole = at.literal(b"]]") && at.ended() && again == [length, tolerance] && tolerance > 0.0;
+    let [length_mm, tolerance_mm] = [length * unit, tolerance * unit];
+    whole.then_some(Guard { length_mm, tolerance_mm, source: LengthSource::Spindle, stops: false })
 }
 
-/// `#3000 =`.
-fn is_alarm(at: &mut Cursor<'_>) -> bool {
-    let variable = at.take(b'#') && at.number().and_then(whole) == Some(ALARM);
-    at.blanks();
-    variable && at.take(b'=')
+/// Two numbers, each after a text.
+fn compared(at: &mut Cursor<'_>, before: &[u8], between: &[u8]) -> Option<[f64; 2]> {
+    let length = at.literal(before).then(|| at.spaced_number())??.value;
+    let tolerance = at.literal(between).then(|| at.spaced_number())??.value;
+    Some([length, tolerance])
 }
 
-/// The length that a condition compares with: the number behind the first `-`.
-fn compared(condition: &[u8]) -> Option<f64> {
-    let minus = condition.iter().position(|byte| *byte == b'-')?;
-    let mut at = Cursor::new(&condition[minus + 1..]);
-    at.blanks();
-    at.number().map(|number| number.value)
+/// `IF [ABS[#10021+#11021-L] GT tol] THEN`, or with LT and GOTO, whose target is returned.
+fn register_condition(at: &mut Cursor<'_>, unit: f64) -> Option<(Guard, Option<u32>)> {
+    let first = at.literal(b"IF[ABS[#").then(|| at.number())?.and_then(whole)?;
+    let second = if at.literal(b"+#") { Some(at.number().and_then(whole)?) } else { None };
+    let length_mm = at.literal(b"-").then(|| at.spaced_number())??.value * unit;
+    let greater = at.literal(b"]GT");
+    if !greater && !at.literal(b"]LT") {
+        return None;
+    }
+    let tolerance_mm = at.spaced_number().filter(|number| number.value > 0.0)?.value * unit;
+    let source = match second {
+        Some(second) => LengthSource::Register(register(first, second)?),
+        None => LengthSource::Variable(first),
+    };
+    let guard = Guard { length_mm, tolerance_mm, source, stops: false };
+    if greater {
+        return at.literal(b"]THEN").then_some((guard, None));
+    }
+    let target = at.literal(b"]GOTO").then(|| at.spaced_number())?.and_then(whole)?;
+    at.ended().then_some((guard, Some(target)))
+}
+
+/// The register whose geometry and wear two variables hold.
+fn register(one: u32, other: u32) -> Option<u32> {
+    let (low, high) = (one.min(other), one.max(other));
+    REGISTERS.iter().find_map(|([first, second], count)| {
+        let register = low.checked_sub(*first).filter(|register| (1..=*count).contains(register))?;
+        (high == second + register).then_some(register)
+    })
+}
+
+/// `#3000 = 101 (TEXT)`: an alarm that stops.
+fn is_alarm(line: &mut Line<'_>) -> bool {
+    if !line.at.literal(b"#3000=") {
+        return false;
+    }
+    let number = line.at.spaced_number().and_then(whole);
+    let rest = line.at.take_rest().trim_ascii();
+    let text = rest.is_empty()
+        || (rest.starts_with(b"(") && rest.iter().position(|byte| *byte == b')') == Some(rest.len() - 1));
+    text && number.is_some_and(|number| number > 0)
 }

@@ -2,90 +2,106 @@
 //!
 //! | word | beside | means |
 //! |---|---|---|
-//! | P, X | G4 | a dwell: seconds on LinuxCNC, milliseconds on Fanuc and Haas where P has no point |
+//! | P, X | G4 | a dwell: seconds on LinuxCNC, milliseconds on Fanuc and Haas where it has no point |
 //! | P | G54.1, G154 | number of the work offset |
-//! | P, Q | G64, G61, G187, G5.1 | smoothing, which is the control's own |
+//! | P, Q | G64 on LinuxCNC | largest deviation from the path, and that up to which blocks are joined |
+//! | Q | G5.1 | smoothing on or off |
+//! | P, E | G187 | level and tolerance of the smoothing |
 //! | P | G43.4 on Fanuc | how the rotary axes move between two points |
-//! | P | G2, G3 | turns of a helix, also L |
+//! | P | G2, G3 on LinuxCNC | revolutions of a helix |
 //! | I J K | G43.5 in force | the tool axis |
 //! | K | G33.1 | pitch |
 //! | X Y Z I J K Q | G68.2, G268 | a tilted plane |
 //! | R, Q, P | a cycle in force | reference level, step, dwell |
-//! | R | else | radius of an arc |
+//! | R | G2, G3 | radius of an arc |
 
-use super::super::Family;
-use super::super::block::WorkOffset;
+use super::super::block::{PathMode, Smoothing, WorkOffset};
 use super::super::draft::{Code, LengthCode, TiltCode};
 use super::super::frames;
+use super::super::language::{PathCode, Plane, Smoother, letters};
 use super::super::text::{Number, whole};
-use super::Reading;
+use super::{ALWAYS, Reading};
 
-/// Words of a block that wait for its end, and codes that take some of them.
+/// Words of a block that wait for its end.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Loose {
     pub(super) p: Option<Number>,
     pub(super) q: Option<Number>,
     pub(super) r: Option<Number>,
-    pub(super) l: Option<Number>,
+    pub(super) e: Option<Number>,
     pub(super) x: Option<Number>,
     pub(super) k: Option<Number>,
-    /// The canned cycle that begins here, as its code.
-    pub(super) cycle: Option<u32>,
-    pub(super) plane: Option<Plane>,
-    pub(super) dwell: bool,
-    pub(super) offset_with_p: bool,
-    pub(super) smoothing: bool,
-}
-
-/// How the words of a tilted plane count.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Plane {
-    /// G68.2.
-    Euler,
-    /// G268.
-    Haas,
 }
 
 impl Reading<'_, '_> {
     /// Gives the loose words to what they belong to.
     pub(super) fn conclude(&mut self) {
-        if self.iso.guards.open() && (self.line.draft.groups != 0 || self.line.draft.written != 0) {
-            self.line.fault(0, "this block is executed only under a condition");
-        }
-        if self.loose.dwell {
+        self.modal();
+        self.line.account(ALWAYS, self.iso.modal | if self.iso.vectors { letters("IJK") } else { 0 });
+        self.line.contradictions();
+        if self.line.draft.dwells {
             self.dwell();
         }
-        if self.loose.offset_with_p {
+        if self.line.draft.offset_with_p {
             self.further_offset();
         }
-        if self.loose.smoothing {
-            (self.loose.p, self.loose.q) = (None, None);
+        if let Some(path) = self.line.draft.path {
+            self.path(path);
+        }
+        if let Some(smoother) = self.line.draft.smooths {
+            self.smooth(smoother);
         }
         self.tip_control();
         if self.line.draft.code == Some(Code::RigidTap) {
             self.line.draft.pitch = self.loose.k.map(|k| k.value);
-            self.line.draft.centre_written = 0;
+            self.line.draft.centre_written &= 3;
         }
-        if let Some(plane) = self.loose.plane {
+        if let Some(plane) = self.line.draft.plane_form {
             self.tilted(plane);
         }
         self.cycle_words();
         self.arc_words();
-        for (word, letter) in [(self.loose.p, 'P'), (self.loose.q, 'Q'), (self.loose.l, 'L')] {
-            if word.is_some() {
-                self.line.fault(0, format!("{letter} has no meaning in this block"));
-            }
-        }
         self.tool_words();
     }
 
+    /// What the motion code of the block takes stays in force with it.
+    fn modal(&mut self) {
+        let draft = &*self.line.draft;
+        match draft.code {
+            Some(Code::Cycle | Code::Clockwise | Code::CounterClockwise) => {
+                self.iso.modal = draft.takes & letters("IJKPQR");
+            }
+            Some(_) => self.iso.modal = 0,
+            None => {}
+        }
+        match draft.length {
+            Some(LengthCode::TipVector) => self.iso.vectors = true,
+            Some(LengthCode::Off | LengthCode::On | LengthCode::TipControl) => self.iso.vectors = false,
+            None => {}
+        }
+        let moves = draft.written != 0 && !draft.machine && !draft.reference;
+        if matches!(draft.code, Some(code) if code != Code::Cycle)
+            || (moves && draft.hole.is_none() && self.iso.cycle.is_off())
+        {
+            self.iso.rigid = false;
+        }
+        self.iso.rigid |= draft.rigid;
+    }
+
     fn dwell(&mut self) {
-        let word = self.loose.p.take().or(self.loose.x.take());
-        self.line.draft.written = 0;
-        self.line.draft.dwell = word.map(|word| self.seconds(word));
+        let word = match self.loose.p.take() {
+            Some(word) => Some(self.wait(word)),
+            None if self.line.draft.takes & letters("X") != 0 => self.loose.x.take().map(|word| self.seconds(word)),
+            None => None,
+        };
         if word.is_none() {
             self.line.fault(0, "dwell without its time");
+        } else if self.loose.x.is_none() {
+            // X has been the time.
+            let x = self.line.machine.linear[0].map_or(0, |index| 1 << index);
+            self.line.draft.written &= !x;
         }
+        self.line.draft.dwell = Some(word.unwrap_or_default());
     }
 
     fn further_offset(&mut self) {
@@ -95,21 +111,58 @@ impl Reading<'_, '_> {
         }
     }
 
+    fn path(&mut self, path: PathCode) {
+        let unit = self.line.unit();
+        let [tolerance_mm, joining_mm] = if path == PathCode::Continuous && self.line.draft.takes & letters("Q") != 0 {
+            [self.loose.p.take(), self.loose.q.take()].map(|word| word.map(|word| word.value * unit))
+        } else {
+            [None; 2]
+        };
+        self.line.draft.path_mode = Some(match path {
+            PathCode::ExactPath => PathMode::ExactPath,
+            PathCode::ExactStop | PathCode::Window => PathMode::ExactStop,
+            PathCode::Continuous => PathMode::Continuous { tolerance_mm, joining_mm },
+            PathCode::Smoothed(code) => PathMode::Smoothed(code),
+        });
+    }
+
+    fn smooth(&mut self, smoother: Smoother) {
+        let smoothing = match smoother {
+            Smoother::Contour => match self.loose.q.take().and_then(whole) {
+                Some(0) => Some(Smoothing::Off),
+                Some(1) => Some(Smoothing::On { tolerance_mm: None, level: None }),
+                _ => None,
+            },
+            Smoother::Level => {
+                let level = self.loose.p.take().map(|word| whole(word).filter(|level| (1..=3).contains(level)));
+                let tolerance = self.loose.e.take().map(|word| self.length(word, false) * self.line.unit());
+                match (level, tolerance) {
+                    (None, None) => Some(Smoothing::Off),
+                    (Some(None), _) => None,
+                    (level, tolerance_mm) => {
+                        Some(Smoothing::On { tolerance_mm, level: level.flatten().map(|level| level as u8) })
+                    }
+                }
+            }
+        };
+        match smoothing {
+            Some(smoothing) => self.line.draft.smoothing = Some(smoothing),
+            None => self.line.fault(0, "unknown form of smoothing"),
+        }
+    }
+
     /// G43.4 and its kin, and what I J K are while G43.5 is in force.
     fn tip_control(&mut self) {
         let draft = &mut *self.line.draft;
-        match draft.length {
-            Some(LengthCode::TipVector) => self.iso.vectors = true,
-            Some(LengthCode::Off | LengthCode::On | LengthCode::TipControl) => self.iso.vectors = false,
-            None => {}
-        }
         let on = matches!(draft.length, Some(LengthCode::TipControl | LengthCode::TipVector));
-        if self.iso.vectors && draft.centre_written != 0 {
+        let straight =
+            !matches!(draft.code, Some(Code::Clockwise | Code::CounterClockwise)) && draft.plane_form.is_none();
+        if self.iso.vectors && straight && draft.centre_written != 0 {
             draft.vector = draft.centre;
             draft.vector_written = draft.centre_written;
             draft.centre_written = 0;
         }
-        if on && self.line.family() == Family::Fanuc {
+        if on && self.line.facts.tip_control_has_form {
             // P1: the tool axis turns in a plane.
             let form = self.loose.p.take();
             self.line.draft.in_plane = match form.map(whole) {
@@ -125,10 +178,13 @@ impl Reading<'_, '_> {
 
     /// G68.2 and G268: the words are those of the plane.
     fn tilted(&mut self, plane: Plane) {
+        let linear = self.line.machine.linear;
         let draft = &mut *self.line.draft;
-        let origin = self.line.machine.linear.map(|place| {
+        let origin = linear.map(|place| {
             place.filter(|index| draft.written & (1 << index) != 0).map_or(0.0, |index| draft.axes[index])
         });
+        let others = linear.iter().flatten().fold(draft.written, |bits, index| bits & !(1 << index));
+        let all = draft.centre_written == 7;
         let order = self.loose.q.take().and_then(whole);
         let words = frames::EulerWords { angles: draft.centre, order };
         draft.written = 0;
@@ -137,23 +193,29 @@ impl Reading<'_, '_> {
             Plane::Euler => words.euler(),
             Plane::Haas => words.haas(),
         };
-        match rotation {
+        match rotation.filter(|_| others == 0 && all) {
             Some(rotation) => {
-                draft.tilt = Some(TiltCode::On { rotation, origin: origin.into(), oriented: false });
+                let (pose, coordinate_rotation, oriented) = (None, false, false);
+                draft.tilt =
+                    Some(TiltCode::On { rotation, origin: origin.into(), oriented, pose, coordinate_rotation });
             }
             None => self.line.fault(0, "unknown form of tilted plane"),
         }
     }
 
-    /// R, and the turns of a helix.
+    /// R, and the revolutions of a helix.
     fn arc_words(&mut self) {
         if let Some(radius) = self.loose.r.take() {
             self.line.draft.radius = Some(self.length(radius, false));
         }
-        if self.line.draft.centre_written != 0
-            && let Some(turns) = self.loose.p.take().or(self.loose.l.take())
-        {
-            self.line.draft.turns = whole(turns).unwrap_or(1).saturating_sub(1);
+        if self.line.draft.takes & letters("P") == 0 && self.iso.modal & letters("P") == 0 {
+            return;
+        }
+        if let Some(turns) = self.loose.p.take() {
+            match whole(turns) {
+                Some(turns @ 1..) => self.line.draft.turns = turns - 1,
+                _ => self.line.fault(0, "revolutions of a helix that are no whole number above 0"),
+            }
         }
     }
 
@@ -163,7 +225,7 @@ impl Reading<'_, '_> {
         if change && !tool && self.line.machine.state.selected.is_none() {
             self.line.fault(0, "tool change without a tool number");
         }
-        if tool && !change && self.line.family() == Family::LinuxCnc && self.line.draft.written != 0 {
+        if tool && !change && self.line.facts.tool_call_alone && self.line.draft.written != 0 {
             self.line.fault(0, "tool call in a block with axis motion");
         }
     }

@@ -1,14 +1,13 @@
 //! Programs of letters and numbers: LinuxCNC, Fanuc, Haas.
 //!
-//! A line is read in one go: letters and their numbers here, G and M in `codes`. What P Q R L X K mean depends on what
-//! else stands in the block, so they wait for its end in `loose`; `cycle` has the words of canned cycles, which stay in
-//! force. Known besides blocks: `%`, `O1234`, comments, `/`, and the guards of `guard`.
+//! A line is read in one go: letters and their numbers here, codes by the table of the language. What P Q R E X K mean
+//! depends on what else is in the block, so they wait for its end in `loose`; `cycle` has the words of canned cycles, which
+//! stay in force. Besides blocks a program has `%`, `O1234`, comments, `/`, and the guards of `guard`.
 //!
 //! On Fanuc and Haas a length without a decimal point counts least increments (0.001 mm, 0.0001 in, 0.001 degree), unless
 //! the set-up says that the control reads them plainly; Haas reads an F without one by a setting, so that it is refused
-//! here.
+//! here. There `;` ends a block, and what follows it in the line would be the next block: it is a fault.
 
-mod codes;
 mod cycle;
 mod guard;
 mod loose;
@@ -16,7 +15,7 @@ mod loose;
 use self::cycle::CycleWords;
 use self::guard::Guards;
 use self::loose::Loose;
-use super::Family;
+use super::language::{Address, Letters, letters};
 use super::line::Line;
 use super::text::{Number, shown, whole};
 use crate::program::Units;
@@ -25,6 +24,12 @@ use crate::program::Units;
 const LEAST: f64 = 1e-3;
 const LEAST_INCH: f64 = 1e-4;
 
+/// Words that any block may have: block number, codes, axes, F, S, T.
+const ALWAYS: Letters = letters("NGMXYZABCUVWFST");
+
+/// Comments of LinuxCNC that begin with these words and a comma display a text and do nothing else.
+const DISPLAYED: [&[u8]; 3] = [b"MSG", b"DEBUG", b"PRINT"];
+
 /// What is remembered from one line to the next.
 #[derive(Debug, Default)]
 pub(super) struct Iso {
@@ -32,6 +37,13 @@ pub(super) struct Iso {
     cycle: CycleWords,
     /// I J K are the tool axis (G43.5).
     vectors: bool,
+    /// Address words that the motion code in force takes.
+    modal: Letters,
+    /// The next thread is cut in step with the spindle (M29).
+    rigid: bool,
+    /// The program has begun, and has ended.
+    began: bool,
+    ended: bool,
 }
 
 /// One block while its words are read.
@@ -46,20 +58,60 @@ impl Iso {
     pub(super) fn line(&mut self, line: &mut Line<'_>) -> bool {
         line.at.blanks();
         match line.at.rest() {
-            [] | [b'%', ..] => return false,
-            [b'O' | b'o', ..] => return self.guards.o_word(line),
-            [b'I' | b'i', b'F' | b'f', ..] => return self.guards.condition(line),
-            [b'#', ..] => {
-                self.guards.alarm(line);
-                return false;
-            }
+            [] => return false,
+            [b'%', ..] => return self.mark(line),
+            [b'O' | b'o', ..] if line.facts.program_numbers => return self.program_number(line),
             _ => {}
+        }
+        if let Some(is_block) = self.guards.line(line) {
+            self.began = true;
+            return is_block;
         }
         let mut reading = Reading { iso: self, line, loose: Loose::default() };
         if reading.words() {
             reading.conclude();
         }
+        let says = line.draft.groups != 0 || line.draft.written != 0;
+        self.began |= says;
+        self.ended |= line.draft.end;
         true
+    }
+
+    /// Forgets what stays in force.
+    pub(super) fn forget(&mut self) {
+        (self.cycle, self.vectors, self.modal, self.rigid) = (CycleWords::default(), false, 0, false);
+    }
+
+    /// `%`: before the first block it begins the program, and after it ends it.
+    fn mark(&mut self, line: &mut Line<'_>) -> bool {
+        line.at.at += 1;
+        if !line.at.ended() {
+            line.fault(line.at.at, "text after %");
+        }
+        let ends = self.began && !self.ended;
+        line.draft.end = ends;
+        self.ended |= ends;
+        ends
+    }
+
+    /// `O1234 (NAME)`: where it is not the first block it begins another program.
+    fn program_number(&mut self, line: &mut Line<'_>) -> bool {
+        line.at.at += 1;
+        if line.at.number().and_then(whole).is_none() {
+            line.fault(0, "O word without a number");
+        } else if !line.at.ended() && line.at.peek() != Some(b'(') {
+            line.fault(0, format!("`{}` is not known to the check", shown(line.at.rest())));
+        } else if !line.at.ended() {
+            Reading { iso: self, line, loose: Loose::default() }.comment();
+            if !line.at.ended() {
+                line.fault(line.at.at, "text after the program number");
+            }
+        }
+        let ends = self.began && !self.ended;
+        line.draft.end = ends;
+        self.ended |= ends;
+        self.began = true;
+        ends
     }
 }
 
@@ -70,7 +122,11 @@ impl Reading<'_, '_> {
             let start = self.line.at.at;
             match self.line.at.peek() {
                 Some(b'(') => self.comment(),
-                Some(b';') => break,
+                Some(b';') => {
+                    self.line.at.at += 1;
+                    self.semicolon();
+                    break;
+                }
                 Some(b'/') if start == 0 => self.line.at.at += 1,
                 _ => match self.line.at.letter_and_number() {
                     Some((letter, number)) => self.word(letter.to_ascii_uppercase(), number, start),
@@ -85,13 +141,27 @@ impl Reading<'_, '_> {
         true
     }
 
+    /// What follows a semicolon.
+    fn semicolon(&mut self) {
+        let start = self.line.at.at;
+        let rest = self.line.at.take_rest().trim_ascii();
+        if self.line.facts.semicolon_comments {
+            self.order(rest, start);
+        } else if !rest.is_empty() {
+            self.line.fault(start, "text after `;`, which ends the block: the control reads it as the next block");
+        }
+    }
+
     /// `( .. )`, without another bracket in it.
     fn comment(&mut self) {
         let at = &mut self.line.at;
         let start = at.at;
         let rest = &at.rest()[1..];
         match rest.iter().position(|byte| *byte == b')') {
-            Some(end) if !rest[..end].contains(&b'(') => at.at += end + 2,
+            Some(end) if !rest[..end].contains(&b'(') => {
+                at.at += end + 2;
+                self.order(&rest[..end], start);
+            }
             _ => {
                 at.take_rest();
                 self.line.fault(start, "comment without its closing bracket, or with a bracket in it");
@@ -99,18 +169,41 @@ impl Reading<'_, '_> {
         }
     }
 
+    /// A comment that begins with a word and a comma is an order to LinuxCNC, and so are two words that need none.
+    fn order(&mut self, text: &[u8], column: usize) {
+        if !self.line.facts.comments_give_orders {
+            return;
+        }
+        let text = text.trim_ascii_start();
+        let end = text.iter().position(|byte| !byte.is_ascii_alphanumeric() && *byte != b'_').unwrap_or(text.len());
+        let (word, rest) = text.split_at(end);
+        let order = !word.is_empty() && rest.trim_ascii_start().starts_with(b",")
+            || word.eq_ignore_ascii_case(b"probeclose")
+            || word.eq_ignore_ascii_case(b"logclose");
+        if order && !DISPLAYED.iter().any(|known| word.eq_ignore_ascii_case(known)) {
+            self.line.fault(column, format!("the comment `{}` is an order to the control", shown(text)));
+        }
+    }
+
     /// A letter and its number, which begin at a column.
     #[inline]
     fn word(&mut self, letter: u8, number: Number, column: usize) {
-        let first = match letter {
-            b'N' => {
-                let number = whole(number);
-                self.iso.guards.block(number);
-                self.line.draft.number.replace(number.map(u64::from).unwrap_or_default()).is_none()
+        let Some(address) = self.line.language.address(letter) else { return self.line.unknown(column) };
+        if address == Address::Code {
+            if !self.line.code(letter, number, column) {
+                self.line.unknown(column);
             }
-            b'G' => return self.g(number, column),
-            b'M' => return self.m(number, column),
-            b'X' | b'Y' | b'Z' | b'A' | b'B' | b'C' | b'U' | b'V' | b'W' => {
+            return self.line.draft.speaks();
+        }
+        let bit = 1 << (letter - b'A');
+        let first = self.line.draft.letters & bit == 0;
+        self.line.draft.letters |= bit;
+        match address {
+            Address::BlockNumber => match whole(number) {
+                Some(number) => self.line.draft.number = Some(u64::from(number)),
+                None => self.line.fault(column, "block number that is no whole number"),
+            },
+            Address::Axis => {
                 let Some(index) = self.line.axis(&[letter]) else {
                     return self.line.fault(column, format!("the machine has no axis {}", char::from(letter)));
                 };
@@ -118,34 +211,43 @@ impl Reading<'_, '_> {
                     self.loose.x = Some(number);
                 }
                 let value = self.length(number, self.line.machine.axes[index].rotary);
-                self.line.draft.axis(index, value, number.negative)
+                self.line.draft.axis(index, value, number.negative);
             }
-            b'I' | b'J' | b'K' => {
+            Address::Centre => {
                 if letter == b'K' {
                     self.loose.k = Some(number);
                 }
                 let value = self.length(number, false);
-                self.line.centre(letter, value)
+                self.line.centre(letter, value);
             }
-            b'F' => {
-                if self.line.family() == Family::Haas && !self.counts_plainly(number) {
+            Address::Feed => {
+                if self.line.facts.feed_needs_point && !self.counts_plainly(number) {
                     self.line.fault(column, "F without a decimal point: its value depends on a setting of the control");
                 }
-                self.line.draft.feed.replace(number.value).is_none()
+                self.line.draft.feed = Some(number.value);
             }
-            b'S' => self.line.draft.speed.replace(number.value).is_none(),
-            b'T' => self.line.draft.tool.replace(whole(number).unwrap_or(u32::MAX)).is_none(),
-            b'H' => self.line.draft.register.replace(whole(number).unwrap_or(u32::MAX)).is_none(),
-            b'D' => self.line.draft.diameter.replace(whole(number).unwrap_or(u32::MAX)).is_none(),
-            b'P' => self.loose.p.replace(number).is_none(),
-            b'Q' => self.loose.q.replace(number).is_none(),
-            b'R' => self.loose.r.replace(number).is_none(),
-            b'L' => self.loose.l.replace(number).is_none(),
-            b'E' if self.line.family() == Family::Haas => true,
-            _ => return self.line.unknown(column),
-        };
+            Address::Speed => self.line.draft.speed = Some(number.value),
+            Address::Tool => self.line.draft.tool = Some(self.register(number, column)),
+            Address::LengthRegister => self.line.draft.register = Some(self.register(number, column)),
+            Address::RadiusRegister => self.line.draft.diameter = Some(self.register(number, column)),
+            _ => match letter {
+                b'P' => self.loose.p = Some(number),
+                b'Q' => self.loose.q = Some(number),
+                b'R' => self.loose.r = Some(number),
+                b'E' => self.loose.e = Some(number),
+                _ => self.line.unknown(column),
+            },
+        }
         self.line.once(first, &[letter], column);
         self.line.draft.speaks();
+    }
+
+    /// The number of a tool or a register.
+    fn register(&mut self, number: Number, column: usize) -> u32 {
+        whole(number).unwrap_or_else(|| {
+            self.line.fault(column, "number of a tool or a register that is no whole number");
+            u32::MAX
+        })
     }
 
     /// A length or an angle as written: least increments where there is no point.
@@ -158,12 +260,20 @@ impl Reading<'_, '_> {
     }
 
     fn counts_plainly(&self, number: Number) -> bool {
-        number.point || self.line.vocabulary.plain || self.line.family() == Family::LinuxCnc
+        number.point || self.line.vocabulary.plain || !self.line.facts.least_increments
     }
 
     /// A time in seconds: milliseconds where a Fanuc or a Haas reads no point.
     fn seconds(&self, number: Number) -> f64 {
-        let milliseconds = self.line.family() != Family::LinuxCnc && !number.point;
+        let milliseconds = self.line.facts.least_increments && !number.point;
         if milliseconds { number.value / 1000.0 } else { number.value }
+    }
+
+    /// A P in seconds.
+    fn wait(&mut self, number: Number) -> f64 {
+        if self.line.facts.whole_milliseconds && number.point {
+            self.line.fault(0, "P of a dwell has no decimal point: it counts milliseconds");
+        }
+        self.seconds(number)
     }
 }

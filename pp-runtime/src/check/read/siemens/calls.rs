@@ -1,123 +1,247 @@
-//! Calls of a Siemens control: cycles at a point, CYCLE800, and those that move nothing.
+//! Calls of a Siemens control by their lists of arguments: cycles at a point, CYCLE800, CYCLE832, MSG.
 
-use super::super::block::CycleKind;
+use super::super::block::{CycleKind, Smoothing};
 use super::super::draft::{Cycle, TiltCode};
 use super::super::frames;
+use super::super::language::arguments::{Item, SLOTS, Slot};
+use super::super::language::{List, Role};
 use super::super::line::Line;
-use super::super::text::Cursor;
+use crate::program::{Rotation, Units};
 
-/// Most arguments of a call that are looked at.
-const ARGUMENTS: usize = 24;
+/// Numbers of a call by their slots.
+struct Numbers([Option<f64>; SLOTS]);
 
-/// Calls that move nothing and leave nothing in force that is looked at.
-const MESSAGES: [&[u8]; 5] = [b"MSG", b"FGROUP", b"SETAL", b"WRITE", b"CYCLE832"];
+/// What stands at the place of an argument.
+enum Argument<'a> {
+    Gap,
+    Number(f64),
+    Text(&'a [u8]),
+}
+
+impl Numbers {
+    fn get(&self, slot: Slot) -> Option<f64> {
+        self.0[slot as usize]
+    }
+
+    /// One that the list needs.
+    fn value(&self, slot: Slot) -> f64 {
+        self.get(slot).unwrap_or_default()
+    }
+}
 
 /// `NAME(..)`, from the bracket on; `false` if it is not known.
 pub(super) fn call(line: &mut Line<'_>, name: &[u8]) -> bool {
+    let Some(list) = line.language.lists.iter().find(|list| list.name.as_bytes().eq_ignore_ascii_case(name)) else {
+        return false;
+    };
     let start = line.at.at;
-    let Some((arguments, count)) = arguments(&mut line.at) else {
+    line.at.at += 1;
+    line.at.blanks();
+    let none = line.at.take(b')');
+    if none {
+        return match list.number {
+            800 => line.draft.tilt.replace(TiltCode::Off).is_none(),
+            832 => line.draft.smoothing.replace(Smoothing::Off).is_none(),
+            0 => true,
+            _ => false,
+        };
+    }
+    let Some(numbers) = arguments(line, list) else {
         line.at.take_rest();
-        line.fault(start, "call without its closing bracket");
+        line.fault(start, format!("arguments of {} that the check cannot read", list.name));
         return true;
     };
-    if name.eq_ignore_ascii_case(b"CYCLE800") {
-        line.draft.tilt = if count == 0 { Some(TiltCode::Off) } else { swivel(&arguments) };
-        return line.draft.tilt.is_some();
+    match list.number {
+        0 => {}
+        800 => swivel(line, &numbers),
+        832 => smooth(line, &numbers),
+        _ => {
+            line.draft.define = cycle(line, list.number, &numbers);
+            line.draft.call = true;
+        }
     }
-    if MESSAGES.iter().any(|word| name.eq_ignore_ascii_case(word)) {
-        return true;
-    }
-    let Some(code) = name.strip_prefix(b"CYCLE").or(name.strip_prefix(b"cycle")) else { return false };
-    line.draft.define = cycle(code, |index| arguments.get(index).copied().flatten());
-    line.draft.call = true;
-    line.draft.define.is_some()
+    true
 }
 
-/// CYCLE81 and its kin: RTP, RFP, SDIS, DP, DPR, and what each has behind these.
-fn cycle(code: &[u8], number: impl Fn(usize) -> Option<f64>) -> Option<Cycle> {
-    let surface = number(1)?;
-    let bottom = number(3).or_else(|| Some(surface - number(4)?.abs()))?;
-    let reference = surface + number(2).unwrap_or(0.0).abs();
-    let (mut dwell, mut feed) = (0.0, None);
-    let kind = match code {
-        b"81" => CycleKind::Drill,
-        b"82" => {
-            dwell = number(5).unwrap_or(0.0);
-            CycleKind::Drill
-        }
-        b"83" => {
-            // A step that grows smaller is not read here.
-            let first = number(5).map(|depth| surface - depth).or(number(6).map(f64::abs))?;
-            if number(7).is_some_and(|less| less != 0.0) {
-                return None;
+/// The arguments up to the closing bracket, each by its role.
+fn arguments(line: &mut Line<'_>, list: &List) -> Option<Numbers> {
+    let mut numbers = Numbers([None; SLOTS]);
+    let mut index = 0;
+    loop {
+        line.at.blanks();
+        let argument = match line.at.peek()? {
+            b',' | b')' => Argument::Gap,
+            b'"' => {
+                let rest = &line.at.rest()[1..];
+                let end = rest.iter().position(|byte| *byte == b'"')?;
+                line.at.at += end + 2;
+                Argument::Text(&rest[..end])
             }
-            // A wait at the bottom alone, else one after each step.
-            dwell = number(15).filter(|wait| *wait != 0.0).or(number(8)).unwrap_or(0.0);
-            if number(11) == Some(1.0) { CycleKind::Peck(first) } else { CycleKind::ChipBreak(first) }
+            _ => Argument::Number(line.at.number()?.value),
+        };
+        let item = list.items.get(index)?;
+        take(line, list, item, &argument, &mut numbers);
+        index += 1;
+        line.at.blanks();
+        if line.at.take(b')') {
+            break;
         }
-        b"84" => {
-            dwell = number(5).unwrap_or(0.0);
-            CycleKind::Tap(number(8)?)
+        line.at.take(b',').then_some(())?;
+    }
+    for item in &list.items[index..] {
+        take(line, list, item, &Argument::Gap, &mut numbers);
+    }
+    Some(numbers)
+}
+
+fn take(line: &mut Line<'_>, list: &List, item: &Item, argument: &Argument<'_>, numbers: &mut Numbers) {
+    let expected = match (item.role, argument) {
+        (Role::Needs(slot) | Role::Takes(slot), Argument::Number(value)) => {
+            numbers.0[slot as usize] = Some(*value);
+            return;
         }
-        b"840" => CycleKind::Tap(number(8)? * if number(6) == Some(4.0) { -1.0 } else { 1.0 }),
-        b"85" => {
-            dwell = number(5).unwrap_or(0.0);
-            feed = number(6);
+        (Role::Must(wanted) | Role::May(wanted), Argument::Number(value)) if wanted == *value => return,
+        (Role::Takes(_) | Role::May(_) | Role::Empty, Argument::Gap) => return,
+        (Role::Name, Argument::Text(name)) if *name == line.vocabulary.swivel_data.as_bytes() => return,
+        (Role::Text, Argument::Text(_)) => return,
+        (Role::Must(wanted) | Role::May(wanted), _) => wanted.to_string(),
+        (Role::Needs(_) | Role::Takes(_), _) => "a number".to_owned(),
+        (Role::Empty, _) => "no value".to_owned(),
+        (Role::Name, _) => format!("\"{}\"", line.vocabulary.swivel_data),
+        (Role::Text, _) => "a text".to_owned(),
+    };
+    let found = match argument {
+        Argument::Gap => "missing".to_owned(),
+        Argument::Number(value) => value.to_string(),
+        Argument::Text(text) => format!("\"{}\"", String::from_utf8_lossy(text)),
+    };
+    line.fault(0, format!("{} of {} is {found}, expected {expected}", item.name, list.name));
+}
+
+/// CYCLE81 and its kin.
+fn cycle(line: &mut Line<'_>, number: u32, numbers: &Numbers) -> Option<Cycle> {
+    let surface = numbers.value(Slot::Surface);
+    let clearance = numbers.value(Slot::Clearance);
+    let bottom = match (numbers.get(Slot::Bottom), numbers.get(Slot::Depth)) {
+        (Some(bottom), None) => bottom,
+        (None, Some(depth)) if depth >= 0.0 => surface - depth,
+        _ => {
+            line.fault(0, "the depth of the cycle: expected DP or DPR");
+            return None;
+        }
+    };
+    if clearance < 0.0 {
+        line.fault(0, format!("SDIS is {clearance}, expected 0 or more"));
+    }
+    let (mut feed, mut gap) = (None, None);
+    let kind = match number {
+        81 | 82 => CycleKind::Drill,
+        83 => {
+            let step = numbers.value(Slot::Step);
+            if step <= 0.0 {
+                line.fault(0, format!("FDPR is {step}, expected more than 0"));
+            }
+            match numbers.value(Slot::Variant) {
+                1.0 => {
+                    gap = numbers.get(Slot::Gap);
+                    CycleKind::Peck(step)
+                }
+                variant => {
+                    gap = numbers.get(Slot::OtherGap);
+                    if variant != 0.0 {
+                        line.fault(0, format!("VARI is {variant}, expected 0 or 1"));
+                    }
+                    CycleKind::ChipBreak(step)
+                }
+            }
+        }
+        84 => thread(line, numbers),
+        85 => {
+            let (into, out) = (numbers.value(Slot::Feed), numbers.value(Slot::FeedOut));
+            if into != out {
+                line.fault(0, format!("RFF of CYCLE85 is {out}, expected {into} as FFR"));
+            }
+            feed = Some(into);
             CycleKind::Ream
         }
-        b"86" => CycleKind::Bore,
         _ => return None,
     };
-    Some(Cycle { kind, reference, bottom, back_to: Some(number(0)?), dwell, feed })
+    let (reference, back_to) = (surface + clearance, Some(numbers.value(Slot::Return)));
+    Some(Cycle { kind, reference, bottom, back_to, dwell: numbers.value(Slot::Dwell), feed, gap })
 }
 
-/// CYCLE800(_FR,"_TC",_ST,_MODE,_X0,_Y0,_Z0,_A,_B,_C,_X1,_Y1,_Z1,_DIR,..) with a new plane, axis by axis.
-fn swivel(arguments: &[Option<f64>; ARGUMENTS]) -> Option<TiltCode> {
-    let number = |index: usize| arguments[index].unwrap_or(0.0);
-    if !(number(2) as u32).is_multiple_of(10) {
-        return None;
-    }
-    let rotation = frames::axis_by_axis(number(3) as u32, [number(7), number(8), number(9)])?;
-    let vector = |first: usize| nalgebra::Vector3::new(number(first), number(first + 1), number(first + 2));
-    let origin = vector(4) + rotation * vector(10);
-    Some(TiltCode::On { rotation, origin, oriented: number(13) != 0.0 })
-}
-
-/// Numbers between brackets; a text or a gap is `None`. And how many there are.
-fn arguments(at: &mut Cursor<'_>) -> Option<([Option<f64>; ARGUMENTS], usize)> {
-    let mut list = [None; ARGUMENTS];
-    let mut count = 0;
-    at.take(b'(').then_some(())?;
-    loop {
-        at.blanks();
-        match at.peek()? {
-            b')' => {
-                at.at += 1;
-                return Some((list, count));
-            }
-            b',' => {
-                at.at += 1;
-                count += 1;
-            }
-            b'"' => {
-                at.at += 1;
-                while at.peek()? != b'"' {
-                    at.at += 1;
-                }
-                at.at += 1;
-                count = count.max(1);
-            }
-            _ => {
-                *list.get_mut(count)? = Some(at.number()?.value);
-                if count == 0 {
-                    count = 1;
-                    at.blanks();
-                    // The first argument is counted; a comma leads to the second.
-                    if at.take(b',') {
-                        continue;
-                    }
-                }
-            }
+/// CYCLE84: the pitch in the unit of the program. Sense and speeds are those of the spindle.
+fn thread(line: &mut Line<'_>, numbers: &Numbers) -> CycleKind {
+    let state = line.machine.state;
+    let sense = match numbers.value(Slot::Sense) {
+        3.0 => Some(Rotation::Clockwise),
+        4.0 => Some(Rotation::CounterClockwise),
+        other => {
+            line.fault(0, format!("SDAC is {other}, expected 3 or 4"));
+            None
         }
+    };
+    if let (Some(sense), Some(Some(turns))) = (sense, state.spindle)
+        && sense != turns
+    {
+        line.fault(0, "SDAC is not the sense in which the spindle rotates");
     }
+    let speed = numbers.value(Slot::Speed);
+    if state.speed.is_some_and(|wanted| wanted != speed) || numbers.value(Slot::SpeedOut) != speed {
+        let out = numbers.value(Slot::SpeedOut);
+        let wanted = state.speed.unwrap_or(speed);
+        line.fault(0, format!("SST and SST1 are {speed} and {out}, expected S of the spindle, {wanted}"));
+    }
+    let unit = match numbers.get(Slot::PitchUnit) {
+        None | Some(0.0) => line.machine.unit(),
+        Some(1.0) => 1.0,
+        Some(3.0) => Units::Inches.in_mm(),
+        Some(other) => {
+            line.fault(0, format!("_PITA is {other}, expected 1 (mm) or 3 (inches)"));
+            1.0
+        }
+    };
+    CycleKind::Tap(numbers.value(Slot::Pitch) * unit / line.machine.unit())
+}
+
+/// CYCLE800 with a new plane, axis by axis.
+fn swivel(line: &mut Line<'_>, numbers: &Numbers) {
+    let angles = [Slot::A, Slot::B, Slot::C].map(|slot| numbers.value(slot));
+    let vector = |slots: [Slot; 3]| nalgebra::Vector3::from(slots.map(|slot| numbers.value(slot)));
+    let mode = numbers.value(Slot::Mode);
+    let rotation = if mode >= 0.0 && mode.fract() == 0.0 { frames::axis_by_axis(mode as u32, angles) } else { None };
+    let Some(rotation) = rotation else {
+        return line.fault(0, format!("_MODE of CYCLE800 is {mode}, expected one axis by axis: 57 or 27"));
+    };
+    let origin = vector([Slot::X0, Slot::Y0, Slot::Z0]) + rotation * vector([Slot::X1, Slot::Y1, Slot::Z1]);
+    let direction = numbers.value(Slot::Direction);
+    let pose = match direction {
+        -1.0 => Some(false),
+        1.0 => Some(true),
+        0.0 => None,
+        _ => return line.fault(0, format!("_DIR of CYCLE800 is {direction}, expected -1, 0 or 1")),
+    };
+    let oriented = pose.is_some();
+    let tilt = TiltCode::On { rotation, origin, oriented, pose, coordinate_rotation: false };
+    if line.draft.tilt.replace(tilt).is_some() {
+        line.fault(0, "two planes in one block");
+    }
+}
+
+/// CYCLE832: units of the second argument are the level, tens whether the third is an angle.
+fn smooth(line: &mut Line<'_>, numbers: &Numbers) {
+    let mode = numbers.value(Slot::Mode);
+    let angle = numbers.get(Slot::AxisTolerance);
+    let level = match mode {
+        0.0 => None,
+        1.0 | 2.0 | 3.0 | 4.0 if angle.is_none_or(|angle| angle == 1.0) => Some(mode as u8),
+        11.0 | 12.0 | 13.0 | 14.0 if angle.is_some() => Some(mode as u8 % 10),
+        _ => return line.fault(0, format!("S_TOLM of CYCLE832 is {mode}, expected 0 to 4, or 11 to 14 with S_OTOL")),
+    };
+    line.draft.smoothing_angle = angle.filter(|_| mode > 10.0).map(f64::to_radians);
+    let tolerance_mm = Some(numbers.value(Slot::Tolerance) * line.machine.unit());
+    line.draft.smoothing = Some(match level {
+        Some(_) => Smoothing::On { tolerance_mm, level },
+        None => Smoothing::Off,
+    });
 }

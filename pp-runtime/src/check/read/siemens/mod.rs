@@ -1,25 +1,28 @@
 //! Programs of a Siemens 840D: words with and without `=`, keywords, calls.
 //!
 //! `D` puts the length of a cutting edge in force, `D0` none. `G4 F` waits seconds. `CYCLE8x(..)` runs where it stands,
-//! `MCALL CYCLE8x(..)` at each point that follows. Guards are `IF` with a condition on the tool's length, up to `ENDIF`;
-//! messages, alarms and stops stand between the two.
+//! `MCALL CYCLE8x(..)` at each point that follows. A guard is `IF` with a condition on the tool's length, a message, a stop
+//! and `ENDIF`.
 //!
-//! Words and keywords are here, G and M in `codes`, what stands in brackets in `calls`.
+//! Words and keywords are here, codes in the table of the language, what stands in brackets in `calls`.
 
 mod calls;
-mod codes;
+mod guard;
 
+use self::guard::LengthGuard;
+use super::block::PathMode;
 use super::draft::{Cycle, LengthCode};
+use super::language::{Address, Means, PathCode, Statement};
 use super::line::Line;
 use super::text::{Cursor, Number, shown, whole};
 
 /// What is remembered from one line to the next.
 #[derive(Debug, Default)]
 pub(super) struct Siemens {
-    /// Between IF and ENDIF.
-    guard: bool,
+    guard: LengthGuard,
     /// MCALL is in force.
     called: Option<Cycle>,
+    began: bool,
 }
 
 /// How the value of a word counts.
@@ -30,32 +33,30 @@ enum Counts {
     Incremental,
 }
 
-/// What decides the meaning of other words of its block.
-#[derive(Debug, Default)]
-struct Loose {
-    /// G4: F and S are its time.
-    dwell: bool,
-    mcall: bool,
-}
-
 impl Siemens {
     /// Reads one line into its draft; `false` if it is no block.
     pub(super) fn line(&mut self, line: &mut Line<'_>) -> bool {
         line.at.blanks();
-        if matches!(line.at.peek(), None | Some(b'%')) {
-            return false;
+        match line.at.rest() {
+            [] => return false,
+            // The file header of an archive.
+            [b'%', b'_', b'N', b'_', ..] if !self.began => {
+                self.began = true;
+                return false;
+            }
+            _ => {}
         }
-        if self.guard {
-            self.guard = !line.at.rest().windows(5).any(|word| word.eq_ignore_ascii_case(b"ENDIF"));
-            return false;
+        self.began = true;
+        if let Some(is_block) = self.guard.line(line) {
+            return is_block;
         }
-        let mut loose = Loose::default();
+        let mut modal_call = false;
         while !line.at.ended() && line.at.peek() != Some(b';') {
             let start = line.at.at;
-            if line.at.take(b'/') && start == 0 {
+            if start == 0 && line.at.take(b'/') {
                 continue;
             }
-            if !self.item(line, &mut loose) {
+            if !item(line, &mut modal_call) {
                 let mut from = line.at;
                 from.at = start;
                 let word = from.rest().split(|byte| *byte == b' ').next().unwrap_or_default();
@@ -65,123 +66,26 @@ impl Siemens {
                 }
             }
         }
-        if loose.dwell {
+        if line.draft.dwells {
             dwell(line);
         }
-        self.cycle(line, &loose);
+        line.contradictions();
+        path(line);
+        self.cycle(line, modal_call);
         true
     }
 
-    /// A word, a keyword or a call; `false` if it is not known.
-    #[inline]
-    fn item(&mut self, line: &mut Line<'_>, loose: &mut Loose) -> bool {
-        let start = line.at.at;
-        match line.at.letters() {
-            [] => false,
-            [letter] => self.word(line, loose, letter.to_ascii_uppercase(), start),
-            _ => {
-                line.at.at = start;
-                self.keyword(line, loose)
-            }
-        }
-    }
-
-    /// A letter, the digits of its name (`C1=30`), and its value.
-    #[inline]
-    fn word(&mut self, line: &mut Line<'_>, loose: &mut Loose, letter: u8, start: usize) -> bool {
-        let digits = line.at.rest().iter().take_while(|byte| byte.is_ascii_digit()).count();
-        let named = line.at.rest().get(digits) == Some(&b'=');
-        let mut name = [letter, 0, 0, 0];
-        let length = if named { 1 + digits.min(3) } else { 1 };
-        name[1..length].copy_from_slice(&line.at.rest()[..length - 1]);
-        let name = &name[..length];
-        line.at.at += if named { digits + 1 } else { 0 };
-        if letter == b'T' && named && line.at.peek() == Some(b'"') {
-            return tool_name(line);
-        }
-        let Some((number, counts)) = value(&mut line.at) else { return false };
-        line.draft.speaks();
-        if let Some(index) = line.axis(name) {
-            match counts {
-                Counts::AsInForce => {}
-                Counts::Absolute => line.draft.absolute |= 1 << index,
-                Counts::Incremental => line.draft.incremental |= 1 << index,
-            }
-            let first = line.draft.axis(index, number.value, number.negative);
-            line.once(first, name, start);
-            return true;
-        }
-        let first = match name {
-            [b'A' | b'B' | b'C', b'3'] => {
-                line.vector(usize::from(letter - b'A'), number.value);
-                true
-            }
-            b"N" => {
-                line.draft.number = whole(number).map(u64::from);
-                true
-            }
-            b"G" => return codes::g(line, loose, number, start),
-            b"M" => return codes::m(line, number, start) || line.in_set_up(line.read_from(start)),
-            b"F" => line.draft.feed.replace(number.value).is_none(),
-            b"S" => line.draft.speed.replace(number.value).is_none(),
-            b"T" => line.draft.tool.replace(whole(number).unwrap_or(u32::MAX)).is_none(),
-            b"D" => {
-                line.draft.register = whole(number);
-                line.draft.length = Some(if number.value == 0.0 { LengthCode::Off } else { LengthCode::On });
-                true
-            }
-            b"I" | b"J" | b"K" => {
-                if counts == Counts::Absolute {
-                    line.draft.centre_absolute |= 1 << (letter - b'I');
-                }
-                line.centre(letter, number.value)
-            }
-            _ => return false,
-        };
-        line.once(first, name, start);
-        true
-    }
-
-    /// A name of two letters or more.
-    fn keyword(&mut self, line: &mut Line<'_>, loose: &mut Loose) -> bool {
-        const OF_THE_CONTROL: [&[u8]; 2] = [b"STOPRE", b"RET"];
-        let start = line.at.at;
-        let name = line.at.name();
-        let is = |word: &[u8]| name.eq_ignore_ascii_case(word);
-        line.draft.speaks();
-        match line.at.peek() {
-            Some(b'=') => return assigned(line, name),
-            Some(b'(') => return calls::call(line, name),
-            _ => {}
-        }
-        if is(b"SUPA") {
-            line.draft.machine = true;
-        } else if is(b"TRAFOOF") {
-            line.draft.tip_control = Some(false);
-        } else if is(b"TRAORI") {
-            line.draft.tip_control = Some(true);
-        } else if is(b"ORIAXES") || is(b"ORIVECT") {
-            line.draft.in_plane = Some(is(b"ORIVECT"));
-        } else if is(b"ORIMKS") || is(b"ORIWKS") {
-            line.draft.in_workpiece = Some(is(b"ORIWKS"));
-        } else if is(b"MCALL") {
-            loose.mcall = true;
-        } else if is(b"IF") {
-            line.draft.guard = compared(line.at.take_rest());
-            self.guard = line.draft.guard.is_some();
-            return self.guard;
-        } else if !OF_THE_CONTROL.into_iter().any(is) {
-            return line.in_set_up(line.read_from(start));
-        }
-        true
+    /// Forgets what stays in force.
+    pub(super) fn forget(&mut self) {
+        self.called = None;
     }
 
     /// What becomes of the cycle of a block, and of the one that MCALL has left in force.
-    fn cycle(&mut self, line: &mut Line<'_>, loose: &Loose) {
+    fn cycle(&mut self, line: &mut Line<'_>, modal_call: bool) {
         let unit = line.machine.unit();
         let draft = &mut *line.draft;
         draft.define = draft.define.map(|cycle| cycle.in_unit(unit));
-        if loose.mcall {
+        if modal_call {
             self.called = draft.define;
             draft.call = false;
         } else if self.called.is_some() && draft.written != 0 && !draft.machine {
@@ -191,45 +95,166 @@ impl Siemens {
     }
 }
 
-/// `G4 F0.5` in seconds, `G4 S20` in turns of the spindle.
+/// A word, a keyword or a call; `false` if it is not known.
+#[inline]
+fn item(line: &mut Line<'_>, modal_call: &mut bool) -> bool {
+    let start = line.at.at;
+    match line.at.letters() {
+        [] => false,
+        [letter] => word(line, letter.to_ascii_uppercase(), start),
+        _ => {
+            line.at.at = start;
+            keyword(line, modal_call)
+        }
+    }
+}
+
+/// A letter, the digits of its name (`C1=30`), and its value.
+#[inline]
+fn word(line: &mut Line<'_>, letter: u8, start: usize) -> bool {
+    let digits = line.at.rest().iter().take_while(|byte| byte.is_ascii_digit()).count();
+    let named = line.at.rest().get(digits) == Some(&b'=');
+    if named && digits > 3 {
+        return false;
+    }
+    let mut name = [letter, 0, 0, 0];
+    let length = if named { 1 + digits } else { 1 };
+    name[1..length].copy_from_slice(&line.at.rest()[..length - 1]);
+    let name = &name[..length];
+    line.at.at += if named { digits + 1 } else { 0 };
+    if name == b"T" && named && line.at.peek() == Some(b'"') {
+        return tool_name(line, start);
+    }
+    let Some((number, counts)) = value(&mut line.at) else { return false };
+    line.draft.speaks();
+    if let Some(index) = line.axis(name) {
+        match counts {
+            Counts::AsInForce => {}
+            Counts::Absolute => line.draft.absolute |= 1 << index,
+            Counts::Incremental => line.draft.incremental |= 1 << index,
+        }
+        let first = line.draft.axis(index, number.value, number.negative);
+        line.once(first, name, start);
+        return true;
+    }
+    let address = match name {
+        [letter] => line.language.address(*letter),
+        _ => None,
+    };
+    let Some(address) = address.or_else(|| named_address(line, name)) else { return false };
+    if counts != Counts::AsInForce && !(address == Address::Centre && counts == Counts::Absolute) {
+        return false;
+    }
+    let bit = 1 << (letter - b'A');
+    let first = match address {
+        Address::Code => return line.code(letter, number, start),
+        Address::Vector => line.vector(usize::from(letter - b'A'), number.value),
+        Address::Centre => {
+            if counts == Counts::Absolute {
+                line.draft.centre_absolute |= 1 << (letter - b'I');
+            }
+            line.centre(letter, number.value)
+        }
+        _ => {
+            let first = line.draft.letters & bit == 0;
+            line.draft.letters |= bit;
+            first
+        }
+    };
+    match address {
+        Address::BlockNumber => line.draft.number = whole(number).map(u64::from),
+        Address::Feed => line.draft.feed = Some(number.value),
+        Address::Speed => line.draft.speed = Some(number.value),
+        Address::Tool => line.draft.tool = whole(number),
+        Address::Edge => {
+            line.draft.register = whole(number);
+            line.draft.length = Some(if number.value == 0.0 { LengthCode::Off } else { LengthCode::On });
+        }
+        _ => {}
+    }
+    let counted = matches!(address, Address::BlockNumber | Address::Tool | Address::Edge);
+    if counted && whole(number).is_none() {
+        return false;
+    }
+    line.once(first, name, start);
+    true
+}
+
+/// Address of a letter with digits: A3.
+fn named_address(line: &Line<'_>, name: &[u8]) -> Option<Address> {
+    match line.language.word(name)?.means {
+        Means::Address(address) => Some(address),
+        _ => None,
+    }
+}
+
+/// A name of two letters or more.
+fn keyword(line: &mut Line<'_>, modal_call: &mut bool) -> bool {
+    let start = line.at.at;
+    let name = line.at.name();
+    line.draft.speaks();
+    if line.at.peek() == Some(b'(') {
+        return calls::call(line, name);
+    }
+    let Some(row) = line.language.word(name) else { return false };
+    match row.means {
+        Means::Address(address) => return line.at.take(b'=') && assigned(line, address, start),
+        Means::Statement(Statement::ModalCall) => *modal_call = true,
+        Means::Statement(_) => return false,
+        _ => line.carry_out(row, 0, start),
+    }
+    line.at.peek() != Some(b'=')
+}
+
+/// What the codes of the path mode say.
+fn path(line: &mut Line<'_>) {
+    line.draft.path_mode = line.draft.path.map(|path| match path {
+        PathCode::ExactPath => PathMode::ExactPath,
+        PathCode::ExactStop | PathCode::Window => PathMode::ExactStop,
+        PathCode::Continuous => PathMode::Continuous { tolerance_mm: None, joining_mm: None },
+        PathCode::Smoothed(code) => PathMode::Smoothed(code),
+    });
+}
+
+/// `G4 F0.5` in seconds, `G4 S20` in revolutions of the spindle.
 fn dwell(line: &mut Line<'_>) {
-    let turns = line.draft.speed.take().zip(line.machine.state.speed);
-    let seconds = line.draft.feed.take().or(turns.map(|(turns, speed)| turns / speed * 60.0));
-    line.draft.dwell = seconds;
+    let (feed, speed) = (line.draft.feed.take(), line.draft.speed.take());
+    let turns = speed.zip(line.machine.state.speed);
+    let seconds = feed.or(turns.map(|(turns, speed)| turns / speed * 60.0));
+    line.draft.dwell = Some(seconds.unwrap_or_default());
     if seconds.is_none() {
         line.fault(0, "dwell without its time");
+    } else if feed.is_some() && speed.is_some() {
+        line.fault(0, "dwell with two times");
     }
 }
 
 /// `CR=5`, `AR=90`, `TURN=2`.
-fn assigned(line: &mut Line<'_>, name: &[u8]) -> bool {
-    line.at.at += 1;
-    let Some((number, _)) = value(&mut line.at) else { return false };
-    if name.eq_ignore_ascii_case(b"CR") {
-        line.draft.radius = Some(number.value);
-    } else if name.eq_ignore_ascii_case(b"AR") {
-        line.draft.sweep = Some(number.value.to_radians());
-    } else if name.eq_ignore_ascii_case(b"TURN") {
-        line.draft.turns = whole(number).unwrap_or(u32::MAX);
-    } else {
-        return false;
-    }
+fn assigned(line: &mut Line<'_>, address: Address, start: usize) -> bool {
+    let Some((number, Counts::AsInForce)) = value(&mut line.at) else { return false };
+    let draft = &mut *line.draft;
+    let first = match address {
+        Address::Radius => draft.radius.replace(number.value).is_none(),
+        Address::Angle => draft.sweep.replace(number.value.to_radians()).is_none(),
+        Address::Turns => match whole(number) {
+            Some(turns) => std::mem::replace(&mut draft.turns, turns) == 0,
+            None => return false,
+        },
+        _ => return false,
+    };
+    let name = line.read_from(start);
+    line.once(first, name, start);
     true
-}
-
-/// The length with which a condition compares that of the tool, `$P_TOOLL[1]`.
-fn compared(condition: &[u8]) -> Option<f64> {
-    let compares = condition.windows(7).any(|word| word == b"P_TOOLL");
-    let minus = condition.iter().position(|byte| *byte == b'-')?;
-    let number = Cursor::new(&condition[minus + 1..]).number();
-    number.map(|number| number.value).filter(|_| compares)
 }
 
 /// A number, or one in `AC( )` or `IC( )`.
 fn value(at: &mut Cursor<'_>) -> Option<(Number, Counts)> {
     at.blanks();
     if !at.peek()?.is_ascii_alphabetic() {
-        return at.number().map(|number| (number, Counts::AsInForce));
+        let number = at.number()?;
+        // An expression goes on.
+        let goes_on = matches!(at.peek(), Some(b'+' | b'-' | b'*' | b'/' | b'[' | b'(' | b'='));
+        return (!goes_on).then_some((number, Counts::AsInForce));
     }
     let counts = match at.letters() {
         b"AC" => Counts::Absolute,
@@ -244,7 +269,7 @@ fn value(at: &mut Cursor<'_>) -> Option<(Number, Counts)> {
 }
 
 /// `T="MILL 10"`.
-fn tool_name(line: &mut Line<'_>) -> bool {
+fn tool_name(line: &mut Line<'_>, start: usize) -> bool {
     line.at.at += 1;
     let rest = line.at.rest();
     let Some(end) = rest.iter().position(|byte| *byte == b'"') else { return false };
@@ -252,6 +277,8 @@ fn tool_name(line: &mut Line<'_>) -> bool {
     line.at.at += end + 1;
     line.draft.speaks();
     let known = line.vocabulary.tools.iter().find(|(known, _)| *known == name);
+    let first = line.draft.tool.is_none();
     line.draft.tool = known.map(|(_, number)| *number).or(name.parse().ok());
+    line.once(first, b"T", start);
     line.draft.tool.is_some()
 }

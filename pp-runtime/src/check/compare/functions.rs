@@ -1,0 +1,205 @@
+//! Functions that the configuration puts into a program: length guards, dwells of the spindle, smoothing, clamps, and lines
+//! of the shop.
+
+use super::super::expect::Required;
+use super::super::policy::SmoothingLevel;
+use super::super::read::{
+    Action, Block, Guard, GuardSource, LengthSource, OwnPlace, PathMode, Smoothing, SmoothingWords, State,
+};
+use super::super::rules::Rules;
+use super::phase::Phase;
+use crate::kinematics::Axis;
+use crate::program::Rotation;
+
+/// Rounding of the numbers of a guard, mm.
+const GUARD_ROUNDING: f64 = 1e-3;
+
+/// State of the functions.
+#[derive(Debug, Clone, Default)]
+pub(super) struct FunctionState {
+    /// Length guard since a complete state began.
+    guard: Option<Guard>,
+    /// The spindle has started, and its dwell is to come.
+    dwell_is_due: bool,
+    /// Sense of rotation after the last block.
+    rotation: Option<Rotation>,
+    /// Mode of the first cut, where the blocks of the shop select it.
+    path_mode: Option<Option<PathMode>>,
+    /// Rotary axes that have moved since the approach, and those that were not clamped in a cut: bits.
+    moved: u16,
+    unclamped: u16,
+}
+
+impl FunctionState {
+    /// A complete state begins.
+    pub(super) fn restart(&mut self) {
+        self.guard = None;
+    }
+
+    /// Takes the guard of a block; what is wrong with it.
+    pub(super) fn guard(&mut self, guard: Guard, rules: &Rules<'_>, required: Option<&Required>) -> Option<String> {
+        self.guard = Some(guard);
+        let required = required?;
+        let expected = required.gauge_length_mm?;
+        if (expected - guard.length_mm).abs() > GUARD_ROUNDING {
+            let length = guard.length_mm;
+            return Some(format!("the length guard compares with {length} mm, but the tool length is {expected} mm"));
+        }
+        if guard.source != guarded(rules, required)? {
+            return Some("the length guard reads the length of another tool, register or edge".to_owned());
+        }
+        let largest = rules.policy().shop.length_guard_mm?;
+        if guard.tolerance_mm > largest + GUARD_ROUNDING {
+            let tolerance = guard.tolerance_mm;
+            return Some(format!("the length guard allows a difference of {tolerance} mm, expected {largest} mm"));
+        }
+        (!guard.stops).then(|| "the length guard does not stop the program".to_owned())
+    }
+
+    /// What is missing where an operation begins.
+    pub(super) fn start(&self, rules: &Rules<'_>, required: &Required) -> Option<String> {
+        rules.policy().shop.length_guard_mm?;
+        let (length, tool) = (required.gauge_length_mm?, required.tool?);
+        guarded(rules, required)?;
+        self.guard.is_none().then(|| {
+            format!(
+                "the length guard of T{tool}, length {length} mm, is missing between its restart point and this block"
+            )
+        })
+    }
+
+    /// Notes the spindle after a block; what is wrong where one moves.
+    pub(super) fn spindle(&mut self, block: &Block, rules: &Rules<'_>) -> Option<String> {
+        let rotation = block.state.spindle.flatten();
+        let dwell = rules.policy().links.spindle_dwell_s;
+        if dwell <= 0.0 {
+            return None;
+        }
+        if rotation.is_some() && rotation != self.rotation {
+            self.dwell_is_due = true;
+        }
+        self.rotation = rotation;
+        match block.action {
+            Action::Dwell(seconds) if seconds >= dwell - 1e-3 => self.dwell_is_due = false,
+            _ if rotation.is_none() => self.dwell_is_due = false,
+            _ if block.action.moves() && std::mem::take(&mut self.dwell_is_due) => {
+                return Some(format!("the dwell of {dwell} s after the start of the spindle is missing"));
+            }
+            _ => {}
+        }
+        None
+    }
+
+    /// What is wrong with smoothing and path mode in a cut; `cycle`: of a cycle of the control.
+    pub(super) fn smoothing(&mut self, state: &State, rules: &Rules<'_>, cycle: bool) -> Option<String> {
+        let mode = self.path_mode(state, rules);
+        if mode.is_some() {
+            return mode;
+        }
+        let policy = rules.policy();
+        let expected = policy.shop.smoothing.filter(|_| !cycle);
+        match (expected, state.smoothing) {
+            (None, Smoothing::Off) => None,
+            (None, Smoothing::On { .. }) => Some("smoothing is on, expected off".to_owned()),
+            (Some(_), Smoothing::Off) => Some("smoothing is off, expected on".to_owned()),
+            (Some(level), Smoothing::On { tolerance_mm, level: written }) => {
+                let SmoothingWords { tolerance, levels } = rules.facts().smoothing;
+                let index = match level {
+                    SmoothingLevel::Rough => 0,
+                    SmoothingLevel::Medium => 1,
+                    SmoothingLevel::Finish => 2,
+                };
+                let blending = policy.tolerances.blending_mm;
+                let same = |written: f64| (written - blending).abs() <= 0.6 * rules.rounding().unit_mm.max(1e-4);
+                if tolerance && !tolerance_mm.is_some_and(same) {
+                    return Some(format!("smoothing within {} mm, expected {blending} mm", shown(tolerance_mm)));
+                }
+                (levels[index] != written)
+                    .then(|| "smoothing of another level than that of the configuration".to_owned())
+            }
+        }
+    }
+
+    /// What is wrong with the motion from block to block.
+    fn path_mode(&mut self, state: &State, rules: &Rules<'_>) -> Option<String> {
+        let blending = rules.policy().tolerances.blending_mm;
+        let written = state.path_mode;
+        if rules.facts().path_tolerance && !rules.policy().shop.own_safety {
+            let tolerance = match written {
+                Some(PathMode::Continuous { tolerance_mm, joining_mm: None }) => tolerance_mm,
+                _ => None,
+            };
+            let same = |written: f64| (written - blending).abs() <= 0.6 * rules.rounding().unit_mm.max(1e-4);
+            return (!tolerance.is_some_and(same))
+                .then(|| format!("blocks are blended within {} mm (G64 P), expected {blending} mm", shown(tolerance)));
+        }
+        let first = *self.path_mode.get_or_insert(written);
+        (first != written).then(|| "exact stop or blending (G61, G64) differs from that of the first cut".to_owned())
+    }
+
+    /// What is wrong with the clamps of the rotary axes in a block that moves.
+    pub(super) fn clamps(&mut self, block: &Block, moved: u16, rules: &Rules<'_>, at_part: bool) -> Option<String> {
+        let clamps = rules.clamps();
+        if clamps == 0 {
+            return None;
+        }
+        let state = &block.state;
+        let released = state.clamps_known & !state.clamped;
+        if at_part {
+            self.moved |= moved;
+            if block.action != Action::Rapid {
+                self.unclamped |= clamps & !state.clamped;
+            }
+            if state.vector.is_some() {
+                self.moved = u16::MAX;
+            }
+        }
+        let stuck = moved & clamps & !released;
+        letter(rules, stuck).map(|letter| match state.clamped & stuck {
+            0 => format!("{letter} moves, and its clamp has not been released"),
+            _ => format!("{letter} moves while it is clamped"),
+        })
+    }
+
+    /// What is wrong with the clamps of the motions between two approaches.
+    pub(super) fn end_of_cuts(&mut self, rules: &Rules<'_>) -> Option<String> {
+        let loose = std::mem::take(&mut self.unclamped) & !std::mem::take(&mut self.moved);
+        letter(rules, loose)
+            .map(|letter| format!("{letter} has not moved since the approach, and was not clamped in a cut"))
+    }
+}
+
+fn letter(rules: &Rules<'_>, bits: u16) -> Option<char> {
+    let found = |(index, _): &(usize, &Axis)| bits & (1 << index) != 0;
+    rules.axes().iter().enumerate().find(found).map(|(_, axis)| axis.letter)
+}
+
+fn shown(value: Option<f64>) -> String {
+    value.map_or_else(|| "an unlimited number of".to_owned(), |value| value.to_string())
+}
+
+/// The length that a guard must read; `None` where the control cannot read it.
+fn guarded(rules: &Rules<'_>, required: &Required) -> Option<LengthSource> {
+    match rules.facts().guard_source {
+        GuardSource::Spindle => (required.tool == Some(required.register)).then_some(LengthSource::Spindle),
+        GuardSource::Registers { largest } => {
+            (1..=largest).contains(&required.register).then_some(LengthSource::Register(required.register))
+        }
+        GuardSource::Edge => Some(LengthSource::Edge),
+        GuardSource::Row => required.tool.map(LengthSource::Tool),
+    }
+}
+
+/// What is wrong with the place of a line of the shop; `ended`: the CL data is done.
+pub(super) fn place_of_line(place: OwnPlace, phase: &Phase, motions: u64, ended: bool) -> Option<&'static str> {
+    match place {
+        OwnPlace::Start => (motions > 0).then_some("a line of `program.start` after the first motion"),
+        OwnPlace::End => {
+            (!ended || phase.is_at_part()).then_some("a line of `program.end` before the end of the CL data")
+        }
+        OwnPlace::Safety => phase.is_at_part().then_some("a line of `control.safety` at the part"),
+        OwnPlace::ToolChange => phase.is_at_part().then_some("a line of `control.tool_change` at the part"),
+        OwnPlace::Insert => Some("a block of INSERT, AUXFUN or PREFUN that the CL data does not have here"),
+        OwnPlace::Clamp { .. } | OwnPlace::Coolant | OwnPlace::TipControl { .. } => None,
+    }
+}

@@ -1,0 +1,117 @@
+//! Execution of codes: the row of a code fills the draft of its block.
+
+use super::block::{WorkOffset, coolant};
+use super::draft::{Code, LengthCode, TiltCode, group};
+use super::language::{Letters, Means, PathCode, Row};
+use super::line::Line;
+use super::text::{Number, shown, tenths};
+
+/// Codes of the coolant may be several in a block, as long as they do not contradict.
+const SEVERAL: u32 = 1 << group::FREE | 1 << group::COOLANT;
+
+impl Line<'_> {
+    /// A code by its letter and number, which begin at a column; `false` if the table does not have it.
+    pub(super) fn code(&mut self, letter: u8, number: Number, column: usize) -> bool {
+        let Some(code) = tenths(number) else { return false };
+        let Some(row) = self.language.code(letter, code) else { return false };
+        self.carry_out(row, code, column);
+        true
+    }
+
+    /// Puts a row into the draft.
+    pub(super) fn carry_out(&mut self, row: &'static Row, code: u32, column: usize) {
+        let draft = &mut *self.draft;
+        draft.takes |= row.takes;
+        draft.needs |= row.needs;
+        let first = draft.groups & (1 << row.group) == 0 || SEVERAL & (1 << row.group) != 0;
+        draft.groups |= 1 << row.group;
+        self.fill(row.means, code);
+        if !first {
+            let text = shown(self.read_from(column));
+            self.fault(column, format!("`{text}` together with another code of its group"));
+        }
+    }
+
+    fn fill(&mut self, means: Means, code: u32) {
+        let draft = &mut *self.draft;
+        match means {
+            Means::Motion(code) => draft.code = Some(code),
+            Means::Hole(pattern) => {
+                draft.hole = Some(pattern);
+                draft.code = Some(Code::Cycle);
+            }
+            Means::Dwell => draft.dwells = true,
+            Means::Reference => draft.reference = true,
+            Means::Machine => draft.machine = true,
+            Means::Plane(plane) => draft.plane = Some(plane),
+            Means::Units(units) => draft.units = Some(units),
+            Means::Distances { incremental } => draft.distances = Some(incremental),
+            Means::FeedMode(mode) => draft.feed_mode = Some(mode),
+            Means::Side(side) => draft.side = Some(side),
+            Means::Centre { absolute } => draft.centre_absolute = if absolute { 7 } else { 0 },
+            Means::Length(length) => {
+                draft.length = Some(length);
+                if length == LengthCode::Off && self.facts.length_off_ends_tip_control {
+                    draft.tip_control = Some(false);
+                }
+            }
+            Means::TiltedPlane(form) => draft.plane_form = Some(form),
+            Means::Orient => draft.tilt = Some(TiltCode::Orient),
+            Means::TiltOff => draft.tilt = Some(TiltCode::Off),
+            Means::Offset => draft.work_offset = Some(WorkOffset::Code(code)),
+            Means::FurtherOffset => draft.offset_with_p = true,
+            Means::Return { initial } => draft.to_initial = Some(initial),
+            Means::Path(PathCode::Window) => {}
+            Means::Path(path) => draft.path = Some(path),
+            Means::Smoothing(smoother) => draft.smooths = Some(smoother),
+            Means::Stop { optional } => draft.stop = Some(optional),
+            Means::End => draft.end = true,
+            Means::Spindle(turns) => draft.spindle = Some(turns),
+            Means::SpindleAndFlood(turns) => {
+                draft.spindle = Some(Some(turns));
+                draft.coolant_on |= coolant::FLOOD;
+            }
+            Means::ToolChange => draft.change = true,
+            Means::CoolantOn(bits) => draft.coolant_on |= bits,
+            Means::CoolantOff(bits) => draft.coolant_off |= bits,
+            Means::Rigid => draft.rigid = true,
+            Means::TipControl(on) => {
+                draft.tip_control = Some(on);
+                draft.offset_lost |= self.facts.tip_control_may_cancel_offset;
+            }
+            Means::Interpolation { in_plane } => draft.in_plane = Some(in_plane),
+            Means::Frame { in_workpiece } => draft.in_workpiece = Some(in_workpiece),
+            Means::ShortestWay(shortest) => draft.shortest = Some(shortest),
+            Means::CallCycle => draft.call = true,
+            Means::Address(_) | Means::Statement(_) | Means::Harmless(_) => {}
+        }
+    }
+
+    /// Says which words of the block no code takes, and which a code lacks. `modal`: what codes in force take.
+    pub(super) fn account(&mut self, always: Letters, modal: Letters) {
+        let draft = &*self.draft;
+        let idle = draft.letters & !(always | modal | draft.takes);
+        let missing = draft.needs & !draft.letters;
+        if idle | missing == 0 {
+            return;
+        }
+        for letter in named(idle) {
+            self.fault(0, format!("{letter} has no meaning in this block: none of its codes takes it"));
+        }
+        for letter in named(missing) {
+            self.fault(0, format!("{letter} is missing: a code of this block needs it"));
+        }
+    }
+
+    /// Says what contradicts itself in the block.
+    pub(super) fn contradictions(&mut self) {
+        if self.draft.coolant_on & self.draft.coolant_off != 0 {
+            self.fault(0, "coolant is switched on and off in one block");
+        }
+    }
+}
+
+/// The letters of some bits.
+fn named(bits: Letters) -> impl Iterator<Item = char> {
+    ('A'..='Z').enumerate().filter(move |(index, _)| bits & (1 << index) != 0).map(|(_, letter)| letter)
+}

@@ -1,0 +1,321 @@
+//! Arguments of calls and parameters of cycles: each is executed, or must have the one value that is.
+
+/// A call of Siemens, or a cycle of Heidenhain, with everything that may be between its brackets or in its lines.
+#[derive(Debug)]
+pub(in super::super) struct List {
+    /// `CYCLE83`, or the number of a cycle.
+    pub(in super::super) name: &'static str,
+    pub(in super::super) number: u32,
+    pub(in super::super) meaning: &'static str,
+    /// In their order (Siemens), or by their number (Heidenhain).
+    pub(in super::super) items: &'static [Item],
+    pub(super) source: &'static str,
+}
+
+/// An argument or a parameter.
+#[derive(Debug, Clone, Copy)]
+pub(in super::super) struct Item {
+    pub(in super::super) name: &'static str,
+    /// Number of a Q parameter.
+    pub(in super::super) number: u32,
+    pub(in super::super) role: Role,
+}
+
+/// Meaning of an argument or a parameter.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(in super::super) enum Role {
+    /// It must be there and have this value.
+    Must(f64),
+    /// It may be missing, and must have this value otherwise.
+    May(f64),
+    /// It must be missing.
+    Empty,
+    /// Name of the swivel data.
+    Name,
+    /// A text that is displayed.
+    Text,
+    /// A number that is executed; it must be there.
+    Needs(Slot),
+    /// A number that is executed; it may be missing.
+    Takes(Slot),
+}
+
+/// Places of the numbers that are executed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in super::super) enum Slot {
+    Return,
+    Surface,
+    Clearance,
+    Bottom,
+    Depth,
+    Dwell,
+    Step,
+    Gap,
+    OtherGap,
+    Breaks,
+    Variant,
+    Sense,
+    Pitch,
+    PitchUnit,
+    Speed,
+    SpeedOut,
+    Feed,
+    FeedOut,
+    Mode,
+    X0,
+    Y0,
+    Z0,
+    A,
+    B,
+    C,
+    X1,
+    Y1,
+    Z1,
+    Direction,
+    Tolerance,
+    AxisTolerance,
+    Row,
+}
+
+/// Number of slots.
+pub(in super::super) const SLOTS: usize = Slot::Row as usize + 1;
+
+const fn q(number: u32, name: &'static str, role: Role) -> Item {
+    Item { name, number, role }
+}
+
+const fn arg(name: &'static str, role: Role) -> Item {
+    Item { name, number: 0, role }
+}
+
+const CYCLES: &str = "Siemens 840D Cycles PGZ, 2.1; 840D sl programming manual, cycles";
+const ONE: &str = "SINUMERIK ONE programming manual 12/2019 (6FC5398-2EP40-0BA0), p. 1108";
+const TNC: &str = "HEIDENHAIN TNC 640 and iTNC 530, user's manuals of cycle programming";
+
+/// RTP, RFP, SDIS, DP, DPR.
+const RTP: Item = arg("RTP", Role::Needs(Slot::Return));
+const RFP: Item = arg("RFP", Role::Needs(Slot::Surface));
+const SDIS: Item = arg("SDIS", Role::Needs(Slot::Clearance));
+const DP: Item = arg("DP", Role::Takes(Slot::Bottom));
+const DPR: Item = arg("DPR", Role::Takes(Slot::Depth));
+const DTB: Item = arg("DTB", Role::Takes(Slot::Dwell));
+
+/// Calls of Siemens.
+pub(super) const SIEMENS: &[List] = &[
+    List { name: "CYCLE81", number: 81, meaning: "drilling", items: &[RTP, RFP, SDIS, DP, DPR], source: CYCLES },
+    List {
+        name: "CYCLE82",
+        number: 82,
+        meaning: "drilling with dwell",
+        items: &[RTP, RFP, SDIS, DP, DPR, DTB],
+        source: CYCLES,
+    },
+    List {
+        name: "CYCLE83",
+        number: 83,
+        meaning: "deep-hole drilling",
+        items: &[
+            RTP,
+            RFP,
+            SDIS,
+            DP,
+            DPR,
+            arg("FDEP", Role::Empty),
+            arg("FDPR", Role::Needs(Slot::Step)),
+            arg("DAM", Role::May(0.0)),
+            arg("DTB", Role::May(0.0)),
+            arg("DTS", Role::May(0.0)),
+            arg("FRF", Role::Must(1.0)),
+            arg("VARI", Role::Needs(Slot::Variant)),
+            arg("_AXN", Role::Empty),
+            arg("_MDEP", Role::Empty),
+            arg("_VRT", Role::Takes(Slot::OtherGap)),
+            arg("_DTD", Role::Takes(Slot::Dwell)),
+            arg("_DIS1", Role::Takes(Slot::Gap)),
+        ],
+        source: CYCLES,
+    },
+    List {
+        name: "CYCLE84",
+        number: 84,
+        meaning: "rigid tapping",
+        items: &[
+            RTP,
+            RFP,
+            SDIS,
+            DP,
+            DPR,
+            DTB,
+            arg("SDAC", Role::Needs(Slot::Sense)),
+            arg("MPIT", Role::Empty),
+            arg("PIT", Role::Needs(Slot::Pitch)),
+            arg("POSS", Role::May(0.0)),
+            arg("SST", Role::Needs(Slot::Speed)),
+            arg("SST1", Role::Needs(Slot::SpeedOut)),
+            arg("_AXN", Role::Empty),
+            arg("_PITA", Role::Takes(Slot::PitchUnit)),
+        ],
+        source: CYCLES,
+    },
+    List {
+        name: "CYCLE85",
+        number: 85,
+        meaning: "reaming",
+        items: &[
+            RTP,
+            RFP,
+            SDIS,
+            DP,
+            DPR,
+            DTB,
+            arg("FFR", Role::Needs(Slot::Feed)),
+            arg("RFF", Role::Needs(Slot::FeedOut)),
+        ],
+        source: CYCLES,
+    },
+    List {
+        name: "CYCLE800",
+        number: 800,
+        meaning: "tilted plane, off without arguments",
+        items: &[
+            arg("_FR", Role::Must(0.0)),
+            arg("_TC", Role::Name),
+            arg("_ST", Role::Must(0.0)),
+            arg("_MODE", Role::Needs(Slot::Mode)),
+            arg("_X0", Role::Needs(Slot::X0)),
+            arg("_Y0", Role::Needs(Slot::Y0)),
+            arg("_Z0", Role::Needs(Slot::Z0)),
+            arg("_A", Role::Needs(Slot::A)),
+            arg("_B", Role::Needs(Slot::B)),
+            arg("_C", Role::Needs(Slot::C)),
+            arg("_X1", Role::Needs(Slot::X1)),
+            arg("_Y1", Role::Needs(Slot::Y1)),
+            arg("_Z1", Role::Needs(Slot::Z1)),
+            arg("_DIR", Role::Needs(Slot::Direction)),
+            arg("_FR_I", Role::May(0.0)),
+        ],
+        source: "Siemens 840D sl programming manual, p. 334; 828D operating manual, 10.6",
+    },
+    List {
+        name: "CYCLE832",
+        number: 832,
+        meaning: "smoothing, off without arguments",
+        items: &[
+            arg("S_TOL", Role::Needs(Slot::Tolerance)),
+            arg("S_TOLM", Role::Needs(Slot::Mode)),
+            arg("S_OTOL", Role::Takes(Slot::AxisTolerance)),
+        ],
+        source: ONE,
+    },
+    List {
+        name: "MSG",
+        number: 0,
+        meaning: "message, the program goes on",
+        items: &[arg("text", Role::Text)],
+        source: "Siemens Fundamentals 05/2017 (A5E40869423), Supplementary commands",
+    },
+];
+
+const Q200: Item = q(200, "set-up clearance", Role::Needs(Slot::Clearance));
+const Q201: Item = q(201, "depth", Role::Needs(Slot::Depth));
+const Q202: Item = q(202, "plunging depth", Role::Needs(Slot::Step));
+const Q203: Item = q(203, "surface", Role::Needs(Slot::Surface));
+const Q204: Item = q(204, "second set-up clearance", Role::Needs(Slot::Return));
+const Q206: Item = q(206, "feed", Role::Needs(Slot::Feed));
+const Q211: Item = q(211, "dwell at depth", Role::Needs(Slot::Dwell));
+const Q210: Item = q(210, "dwell at top", Role::Must(0.0));
+const Q212: Item = q(212, "decrement", Role::Must(0.0));
+const Q205: Item = q(205, "least plunging depth", Role::Must(0.0));
+
+/// Cycles of Heidenhain. A parameter that is missing would keep the value of an earlier definition.
+pub(super) const HEIDENHAIN: &[List] = &[
+    List { name: "CYCL DEF 9.0", number: 90, meaning: "dwell, first line", items: &[], source: TNC },
+    List { name: "CYCL DEF 9.1", number: 91, meaning: "dwell, s", items: &[], source: TNC },
+    List { name: "CYCL DEF 32.0", number: 320, meaning: "smoothing, first line", items: &[], source: TNC },
+    List {
+        name: "CYCL DEF 32.1",
+        number: 321,
+        meaning: "smoothing: tolerance, off without T",
+        items: &[],
+        source: TNC,
+    },
+    List {
+        name: "CYCL DEF 32.2",
+        number: 322,
+        meaning: "smoothing: mode, tolerance of the tool axis",
+        items: &[],
+        source: TNC,
+    },
+    List {
+        name: "CYCL DEF 200",
+        number: 2000,
+        meaning: "drilling",
+        items: &[Q200, Q201, Q206, Q202, Q210, Q203, Q204, Q211],
+        source: TNC,
+    },
+    List {
+        name: "CYCL DEF 201",
+        number: 2010,
+        meaning: "reaming",
+        items: &[Q200, Q201, Q206, Q211, q(208, "feed out, 0 as Q206", Role::Must(0.0)), Q203, Q204],
+        source: TNC,
+    },
+    List {
+        name: "CYCL DEF 203",
+        number: 2030,
+        meaning: "universal drilling",
+        items: &[
+            Q200,
+            Q201,
+            Q206,
+            Q202,
+            Q210,
+            Q203,
+            Q204,
+            Q212,
+            q(213, "number of chip breaks", Role::Needs(Slot::Breaks)),
+            Q205,
+            Q211,
+            q(208, "feed out, rapid", Role::Must(99_999.0)),
+            q(256, "retract that breaks the chip", Role::Needs(Slot::OtherGap)),
+        ],
+        source: TNC,
+    },
+    List {
+        name: "CYCL DEF 205",
+        number: 2050,
+        meaning: "universal pecking",
+        items: &[
+            Q200,
+            Q201,
+            Q206,
+            Q202,
+            Q203,
+            Q204,
+            Q212,
+            Q205,
+            q(258, "upper advanced stop distance", Role::Needs(Slot::Gap)),
+            q(259, "lower advanced stop distance, as Q258", Role::Needs(Slot::OtherGap)),
+            q(257, "depth for chip breaking", Role::Must(0.0)),
+            q(256, "retract that breaks the chip", Role::Must(0.2)),
+            Q211,
+            q(379, "starting point", Role::Must(0.0)),
+            q(253, "feed to the starting point", Role::Must(99_999.0)),
+        ],
+        source: TNC,
+    },
+    List {
+        name: "CYCL DEF 207",
+        number: 2070,
+        meaning: "rigid tapping",
+        items: &[Q200, Q201, q(239, "pitch", Role::Needs(Slot::Pitch)), Q203, Q204],
+        source: TNC,
+    },
+    List {
+        name: "CYCL DEF 247",
+        number: 2470,
+        meaning: "work offset: row of the datum table",
+        items: &[q(339, "row", Role::Needs(Slot::Row))],
+        source: TNC,
+    },
+];

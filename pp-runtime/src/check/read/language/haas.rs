@@ -1,0 +1,29 @@
+//! Haas NGC.
+
+use super::super::block::coolant;
+use super::super::draft::{LengthCode, group};
+use super::{Language, Means, Pattern, Plane, Row, Smoother, iso, sorted};
+
+const G: &str = "Haas 96-8210 (2017), G-codes";
+const UMC: &str = "Haas UMC supplement 96-8210 (2017); haascnc.com, page of the code";
+const M: &str = "Haas 96-8210 (2017), M-codes";
+
+const OWN: &[Row] = &[
+    Row::new("G4", Means::Dwell, group::ALONE, G).needs("P"),
+    Row::new("G74", Means::Hole(Pattern::Tap { left: true }), group::MOTION, G).needs("R"),
+    Row::new("G84", Means::Hole(Pattern::Tap { left: false }), group::MOTION, G).needs("R"),
+    Row::new("G154", Means::FurtherOffset, group::OFFSET, G).needs("P"),
+    Row::new("G187", Means::Smoothing(Smoother::Level), group::SMOOTHING, G).takes("PE"),
+    Row::new("G234", Means::Length(LengthCode::TipControl), group::LENGTH, UMC).takes("H"),
+    Row::new("G253", Means::Orient, group::TILT, UMC),
+    Row::new("G268", Means::TiltedPlane(Plane::Haas), group::TILT, UMC).takes("IJK").needs("Q"),
+    Row::new("G269", Means::TiltOff, group::TILT, UMC),
+    Row::new("M88", Means::CoolantOn(coolant::THROUGH), group::COOLANT, M),
+    Row::new("M89", Means::CoolantOff(coolant::THROUGH), group::COOLANT, M),
+];
+
+const COUNT: usize = iso::ROWS.len() + iso::OF_TWO.len() + OWN.len();
+
+static CODES: [Row; COUNT] = sorted(&[iso::ROWS, iso::OF_TWO, OWN]);
+
+pub(super) static LANGUAGE: Language = Language::new(&CODES, iso::LETTERS, iso::LINES, &[]);

@@ -1,0 +1,45 @@
+//! LinuxCNC.
+
+use super::super::block::coolant;
+use super::super::draft::{Code, group};
+use super::{Language, Means, PathCode, Pattern, Row, Statement, iso, sorted};
+
+const G: &str = "LinuxCNC 2.9 documentation, G-Codes";
+const OVERVIEW: &str = "LinuxCNC 2.9 documentation, G-Code Overview";
+
+const OWN: &[Row] = &[
+    Row::new("G2", Means::Motion(Code::Clockwise), group::MOTION, G).takes("IJKRP"),
+    Row::new("G3", Means::Motion(Code::CounterClockwise), group::MOTION, G).takes("IJKRP"),
+    Row::new("G4", Means::Dwell, group::ALONE, G).needs("P"),
+    Row::new("G33.1", Means::Motion(Code::RigidTap), group::MOTION, G).needs("K"),
+    Row::new("G59.1", Means::Offset, group::OFFSET, G),
+    Row::new("G59.2", Means::Offset, group::OFFSET, G),
+    Row::new("G59.3", Means::Offset, group::OFFSET, G),
+    Row::new("G61", Means::Path(PathCode::ExactPath), group::PATH, G),
+    Row::new("G61.1", Means::Path(PathCode::ExactStop), group::PATH, G),
+    Row::new("G64", Means::Path(PathCode::Continuous), group::PATH, G).takes("PQ"),
+    Row::new("G74", Means::Hole(Pattern::FloatingTap { left: true }), group::MOTION, G).needs("R"),
+    Row::new("G84", Means::Hole(Pattern::FloatingTap { left: false }), group::MOTION, G).needs("R"),
+    Row::new("G90.1", Means::Centre { absolute: true }, group::CENTRE, G),
+    Row::new("G91.1", Means::Centre { absolute: false }, group::CENTRE, G),
+    Row::new("M7", Means::CoolantOn(coolant::MIST), group::COOLANT, "LinuxCNC 2.9 documentation, M-Codes"),
+];
+
+const COUNT: usize = iso::ROWS.len() + OWN.len();
+
+static CODES: [Row; COUNT] = sorted(&[iso::ROWS, OWN]);
+
+const LINES: &[Row] = &[
+    Row::word("%", Means::Statement(Statement::ProgramMark), OVERVIEW),
+    Row::word("(..)", Means::Statement(Statement::Comment), OVERVIEW),
+    Row::word(";", Means::Statement(Statement::Comment), OVERVIEW),
+    Row::word("(MSG,", Means::Statement(Statement::Message), OVERVIEW),
+    Row::word("(DEBUG,", Means::Statement(Statement::Message), OVERVIEW),
+    Row::word("(PRINT,", Means::Statement(Statement::Message), OVERVIEW),
+    Row::word("/", Means::Statement(Statement::BlockDelete), OVERVIEW),
+    Row::word("o.. if", Means::Statement(Statement::Guard), "LinuxCNC 2.9 documentation, O Codes"),
+    Row::word("(abort,", Means::Statement(Statement::Guard), "LinuxCNC 2.9 documentation, O Codes"),
+    Row::word("o.. endif", Means::Statement(Statement::Guard), "LinuxCNC 2.9 documentation, O Codes"),
+];
+
+pub(super) static LANGUAGE: Language = Language::new(&CODES, iso::LETTERS, LINES, &[]);

@@ -1,0 +1,72 @@
+//! The table of a language as text.
+
+use std::io::{self, Write};
+
+use super::super::Family;
+use super::arguments::{List, Role};
+use super::{Language, Letters, Row};
+
+/// Names of the columns.
+const HEADS: [&str; 7] = ["spelling", "meaning", "reads", "changes", "moves", "takes", "source"];
+
+/// Writes the codes and words of a family in columns, then the lists of arguments.
+pub(crate) fn table(family: Family, out: &mut dyn Write) -> io::Result<()> {
+    let language = family.language();
+    let rows: Vec<[String; 7]> = rows(language).map(cells).collect();
+    let mut widths = HEADS.map(str::len);
+    for row in &rows {
+        widths.iter_mut().zip(row).for_each(|(width, cell)| *width = (*width).max(cell.len()));
+    }
+    let line = |out: &mut dyn Write, cells: &[String; 7]| {
+        let (last, first) = (&cells[6], &cells[..6]);
+        first.iter().zip(widths).try_for_each(|(cell, width)| write!(out, "{cell:width$}  "))?;
+        writeln!(out, "{last}")
+    };
+    line(out, &HEADS.map(str::to_owned))?;
+    rows.iter().try_for_each(|row| line(out, row))?;
+    language.lists.iter().try_for_each(|list| arguments(list, out))
+}
+
+fn rows(language: &Language) -> impl Iterator<Item = &'static Row> {
+    language.codes.iter().chain(language.letters).chain(language.words)
+}
+
+fn cells(row: &'static Row) -> [String; 7] {
+    let [reads, changes, moves] = row.means.effect().map(str::to_owned);
+    let several = row.key != row.last;
+    let spelling = match several {
+        true => format!("{} .. {}{}", row.spelling, &row.spelling[..1], Row::number(row.last) / 10),
+        false => row.spelling.to_owned(),
+    };
+    [spelling, row.means.text().to_owned(), reads, changes, moves, takes(row.takes, row.needs), row.source.to_owned()]
+}
+
+/// Address words of a code; those that it needs without brackets.
+fn takes(takes: Letters, needs: Letters) -> String {
+    let letters = ('A'..='Z').enumerate().filter(|(index, _)| takes & (1 << index) != 0);
+    let words = letters.map(|(index, letter)| match needs & (1 << index) != 0 {
+        true => letter.to_string(),
+        false => format!("[{letter}]"),
+    });
+    let words: Vec<String> = words.collect();
+    if words.is_empty() { "-".to_owned() } else { words.join(" ") }
+}
+
+/// A call or a cycle with the meaning of each of its arguments.
+fn arguments(list: &List, out: &mut dyn Write) -> io::Result<()> {
+    writeln!(out, "\n{}: {}. {}", list.name, list.meaning, list.source)?;
+    for item in list.items {
+        let name = if item.number > 0 { format!("Q{} {}", item.number, item.name) } else { item.name.to_owned() };
+        let meaning = match item.role {
+            Role::Must(value) => format!("must be {value}"),
+            Role::May(value) => format!("must be {value} or missing"),
+            Role::Empty => "must be missing".to_owned(),
+            Role::Name => "must be the swivel data of the configuration".to_owned(),
+            Role::Text => "text".to_owned(),
+            Role::Needs(_) => "executed".to_owned(),
+            Role::Takes(_) => "executed, may be missing".to_owned(),
+        };
+        writeln!(out, "    {name:40}  {meaning}")?;
+    }
+    Ok(())
+}

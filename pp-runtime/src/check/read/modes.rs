@@ -1,0 +1,146 @@
+//! What codes change in the state of the control, before the block moves.
+
+use super::block::{Fault, FeedMode, Length, MAX_AXES, State, Tilt, TipControl, coolant};
+use super::draft::{Draft, LengthCode, TiltCode, fault};
+use super::machine::Interpreter;
+
+impl Interpreter {
+    pub(super) fn set_state(&mut self, draft: &Draft, faults: &mut Vec<Fault>) {
+        let before = self.state;
+        let state = &mut self.state;
+        state.units = draft.units.or(state.units);
+        if let Some(mode) = draft.feed_mode {
+            if state.feed_mode != Some(mode) {
+                state.feed = None;
+            }
+            state.feed_mode = Some(mode);
+        }
+        if state.feed_mode == Some(FeedMode::InverseTime) {
+            state.feed = None;
+        }
+        if let Some(feed) = draft.feed {
+            state.feed = Some(feed);
+        }
+        state.speed = draft.speed.or(state.speed);
+        state.selected = draft.tool.or(state.selected);
+        state.diameter = draft.diameter.or(state.diameter);
+        state.plane = draft.plane.or(state.plane);
+        state.side = draft.side.or(state.side);
+        state.incremental = draft.distances.or(state.incremental);
+        state.to_initial = draft.to_initial.unwrap_or(state.to_initial);
+        state.shortest = draft.shortest.unwrap_or(state.shortest);
+        state.shortest_stated |= draft.shortest.is_some();
+        if draft.offset_lost {
+            state.work_offset = None;
+        }
+        state.work_offset = draft.work_offset.or(state.work_offset);
+        state.path_mode = draft.path_mode.or(state.path_mode);
+        if let Some(smoothing) = draft.smoothing {
+            state.smoothing = smoothing;
+            state.smoothing_angle_rad = None;
+        }
+        state.smoothing_angle_rad = draft.smoothing_angle.or(state.smoothing_angle_rad);
+        state.clamped = state.clamped & !draft.clamp_off | draft.clamp_on;
+        state.clamps_known |= draft.clamp_on | draft.clamp_off;
+        if draft.change {
+            state.tool = state.selected;
+            state.spindle = Some(None);
+            state.length = None;
+            self.known = 0;
+        }
+        state.spindle = draft.spindle.or(state.spindle);
+        if draft.coolant_off != 0 {
+            let left = state.coolant.unwrap_or(0) & !draft.coolant_off;
+            state.coolant = Some(left);
+        }
+        if draft.coolant_on != 0 {
+            state.coolant = Some(state.coolant.unwrap_or(0) | draft.coolant_on);
+        }
+        if draft.coolant_on & !(coolant::FLOOD | coolant::MIST | coolant::THROUGH | coolant::AIR) != 0 {
+            fault(faults, 0, "unknown coolant code");
+        }
+        self.set_length(draft, faults);
+        self.set_frames(draft, faults);
+        let now = &self.state;
+        if now.length != before.length {
+            // The length lies along Z, whatever the plane.
+            self.known &= !self.linear[2].map_or(0, |z| 1 << z);
+        }
+        if (now.work_offset, now.units) != (before.work_offset, before.units)
+            || now.tilt != before.tilt
+            || now.tip_control != before.tip_control
+        {
+            self.known &= !self.mask(false);
+        }
+    }
+
+    fn set_length(&mut self, draft: &Draft, faults: &mut Vec<Fault>) {
+        let state = &mut self.state;
+        let with = |register: Option<u32>, state: &State| {
+            register.or(match state.length {
+                Some(Length::Register(register)) => Some(register),
+                _ => None,
+            })
+        };
+        match draft.length {
+            None if draft.length_with_tool => state.length = state.tool.map(Length::Register),
+            None => {
+                if draft.register.is_some() {
+                    fault(faults, 0, "length register without the code for length compensation");
+                }
+            }
+            Some(LengthCode::Off) => state.length = Some(Length::Off),
+            Some(LengthCode::On | LengthCode::TipControl | LengthCode::TipVector) => {
+                match with(draft.register, state) {
+                    Some(0) => state.length = Some(Length::Off),
+                    Some(register) => state.length = Some(Length::Register(register)),
+                    None => fault(faults, 0, "length compensation without its register"),
+                }
+            }
+        }
+    }
+
+    fn set_frames(&mut self, draft: &Draft, faults: &mut Vec<Fault>) {
+        let state = &mut self.state;
+        let tip = match draft.length {
+            Some(LengthCode::TipControl | LengthCode::TipVector) => Some(true),
+            _ => draft.tip_control,
+        };
+        match tip {
+            Some(true) => state.tip_control = TipControl::On { start: self.values },
+            Some(false) => {
+                state.tip_control = TipControl::Off;
+                state.vector = None;
+            }
+            None => {}
+        }
+        state.in_plane = draft.in_plane.or(state.in_plane);
+        state.in_workpiece = draft.in_workpiece.or(state.in_workpiece);
+        if draft.vector_written != 0 && state.tip_control == TipControl::Off {
+            fault(faults, 0, "a tool axis is programmed while tip control is off");
+        }
+        if draft.vector_written == 7 {
+            state.vector = nalgebra::Vector3::from(draft.vector).try_normalize(0.0);
+        }
+        match draft.tilt {
+            None | Some(TiltCode::Orient) => {}
+            Some(TiltCode::Off | TiltCode::Zero) => state.tilt = None,
+            Some(TiltCode::On { rotation, origin, oriented, pose, coordinate_rotation }) => {
+                let unit = state.units.map_or(1.0, |units| units.in_mm());
+                state.tilt = Some(Tilt { rotation, origin: origin * unit, oriented, pose, coordinate_rotation });
+            }
+        }
+        match (draft.tilt, &mut state.tilt) {
+            (Some(TiltCode::Orient), Some(tilt)) => tilt.oriented = true,
+            (Some(TiltCode::Orient), None) => {
+                fault(faults, 0, "the rotary axes are positioned to a tilted plane, but none is active");
+            }
+            _ => {}
+        }
+        if draft.tilt == Some(TiltCode::Zero) {
+            let rotary = self.mask(true);
+            (0..MAX_AXES).filter(|index| rotary & (1 << index) != 0).for_each(|index| self.values[index] = 0.0);
+            self.known = rotary;
+        }
+    }
+}

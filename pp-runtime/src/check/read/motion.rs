@@ -1,0 +1,259 @@
+//! Motions: where the axes of a block go, and by what action.
+
+use std::f64::consts::TAU;
+
+use super::super::policy::Rollover;
+use super::arc;
+use super::block::{Action, Block, CycleKind, CycleMove, Fault, MAX_AXES, TipControl};
+use super::draft::{Code, Draft, fault};
+use super::machine::Interpreter;
+use crate::program::Units;
+
+/// Angles nearer to half a turn than this have no shorter way, rad.
+const HALF_TURN: f64 = 1e-9;
+
+/// Rotary positions nearer than this are the same, rad.
+const SAME_ANGLE: f64 = 1e-9;
+
+impl Interpreter {
+    pub(super) fn motion(&mut self, draft: &Draft, block: &mut Block) -> Action {
+        // Under tip control a block may turn the tool axis alone.
+        let turns = draft.vector_written != 0 && self.state.tip_control != TipControl::Off;
+        if draft.reference {
+            return self.reference(draft, block);
+        }
+        if draft.written == 0 && !turns {
+            if draft.call {
+                return self.hole(&mut block.faults);
+            }
+            // A code or a word of the cycle alone drills where the tool is.
+            if self.modal == Some(Code::Cycle) && draft.define.is_some() {
+                return self.hole(&mut block.faults);
+            }
+            if draft.machine {
+                fault(&mut block.faults, 0, "machine coordinates without an axis word");
+            }
+            return self.still(draft, &mut block.faults);
+        }
+        if draft.machine {
+            return self.machine_block(draft, block);
+        }
+        let rotary = draft.written & self.mask(true);
+        if draft.vector_written != 0 && rotary != 0 {
+            fault(&mut block.faults, 0, "rotary words together with a tool axis");
+        }
+        let Some(code) = self.modal else {
+            fault(&mut block.faults, 0, "axis words, but no motion code is active");
+            return Action::Nothing;
+        };
+        let from = (self.values, self.known);
+        self.place(draft, code == Code::Cycle, &mut block.faults);
+        self.left_plane(rotary, from);
+        match code {
+            Code::None => {
+                fault(&mut block.faults, 0, "axis words, but no motion code is active");
+                Action::Nothing
+            }
+            Code::Cycle => self.hole(&mut block.faults),
+            Code::Rapid if draft.call => self.hole(&mut block.faults),
+            Code::Rapid => Action::Rapid,
+            Code::Feed => Action::Feed,
+            Code::RigidTap => self.rigid_tap(draft, from.0, &mut block.faults),
+            Code::Clockwise | Code::CounterClockwise => match arc::of(draft, self, from, code == Code::Clockwise) {
+                Ok(arc) => Action::Arc(arc),
+                Err(text) => {
+                    fault(&mut block.faults, 0, text);
+                    Action::Feed
+                }
+            },
+        }
+    }
+
+    /// A block without axes: only a full circle moves.
+    fn still(&mut self, draft: &Draft, faults: &mut Vec<Fault>) -> Action {
+        if draft.centre_written != 0
+            && let Some(code @ (Code::Clockwise | Code::CounterClockwise)) = self.modal
+        {
+            return match arc::of(draft, self, (self.values, self.known), code == Code::Clockwise) {
+                Ok(arc) => Action::Arc(arc),
+                Err(text) => {
+                    fault(faults, 0, text);
+                    Action::Nothing
+                }
+            };
+        }
+        Action::Nothing
+    }
+
+    /// Rotary words that have moved their axes take them out of the tilted plane.
+    fn left_plane(&mut self, rotary: u16, (from, known): ([f64; MAX_AXES], u16)) {
+        let Some(tilt) = &mut self.state.tilt else { return };
+        let moved = |index: usize| known & (1 << index) == 0 || (self.values[index] - from[index]).abs() > SAME_ANGLE;
+        if (0..self.axes.len()).any(|index| rotary & (1 << index) != 0 && moved(index)) {
+            tilt.oriented = false;
+        }
+    }
+
+    /// Takes the words of a block as machine coordinates, or as distances from the position.
+    fn words(&self, draft: &Draft, block: &mut Block) {
+        let unit = self.unit();
+        for index in (0..self.axes.len()).filter(|index| draft.written & (1 << index) != 0) {
+            let value = draft.axes[index];
+            block.values[index] = if self.axes[index].rotary { value.to_radians() } else { value * unit };
+        }
+    }
+
+    /// To the reference position: the axes of the block through the point of their words, all axes if there is none.
+    fn reference(&mut self, draft: &Draft, block: &mut Block) -> Action {
+        block.values = self.values;
+        self.words(draft, block);
+        if self.state.incremental == Some(true) {
+            for index in (0..self.axes.len()).filter(|index| draft.written & (1 << index) != 0) {
+                if block.values[index] != 0.0 && self.known & (1 << index) == 0 {
+                    fault(&mut block.faults, 0, "incremental motion from an unknown position");
+                }
+                block.values[index] += self.values[index];
+            }
+        }
+        if draft.written == 0 {
+            block.written = self.mask(true) | self.mask(false);
+        }
+        self.known &= !block.written;
+        if block.written & self.mask(true) != 0
+            && let Some(tilt) = &mut self.state.tilt
+        {
+            tilt.oriented = false;
+        }
+        Action::Reference
+    }
+
+    fn machine_block(&mut self, draft: &Draft, block: &mut Block) -> Action {
+        self.words(draft, block);
+        self.known &= !draft.written;
+        if draft.written & self.mask(true) != 0
+            && let Some(tilt) = &mut self.state.tilt
+        {
+            tilt.oriented = false;
+        }
+        if self.modal != Some(Code::Rapid) {
+            fault(&mut block.faults, 0, "machine coordinates in a feed motion");
+        }
+        if self.state.incremental == Some(true) || draft.incremental & draft.written != 0 {
+            fault(&mut block.faults, 0, "machine coordinates in incremental mode");
+        }
+        Action::Machine
+    }
+
+    /// Where the axes stand.
+    pub(super) fn position(&self) -> [f64; MAX_AXES] {
+        self.values
+    }
+
+    /// Where an axis stands, if that is known.
+    pub(super) fn at(&self, index: usize) -> Option<f64> {
+        (self.known & (1 << index) != 0).then_some(self.values[index])
+    }
+
+    pub(super) fn unit(&self) -> f64 {
+        self.state.units.map_or(1.0, Units::in_mm)
+    }
+
+    /// Position of the axis along the normal of the plane.
+    pub(super) fn normal(&self) -> Option<usize> {
+        let [_, _, normal] = self.state.plane?.axes();
+        self.linear[normal]
+    }
+
+    /// Puts the axes where their words say.
+    fn place(&mut self, draft: &Draft, cycle: bool, faults: &mut Vec<Fault>) {
+        let (unit, normal) = (self.unit(), self.normal());
+        for index in (0..self.axes.len()).filter(|index| draft.written & (1 << index) != 0) {
+            // In a cycle the word along the normal is the bottom of the hole.
+            if cycle && Some(index) == normal {
+                continue;
+            }
+            let bit = 1 << index;
+            let rotary = self.axes[index].rotary;
+            let value = if rotary { draft.axes[index].to_radians() } else { draft.axes[index] * unit };
+            let incremental =
+                draft.incremental & bit != 0 || (self.state.incremental == Some(true) && draft.absolute & bit == 0);
+            if incremental {
+                if self.known & bit == 0 {
+                    fault(faults, 0, "incremental motion from an unknown position");
+                }
+                self.values[index] += value;
+            } else if rotary {
+                self.values[index] = self.turned(index, value, draft.negative & bit != 0, faults);
+            } else {
+                self.values[index] = value;
+            }
+            self.known |= bit;
+        }
+    }
+
+    /// Where a rotary axis ends whose word says `value`.
+    fn turned(&self, index: usize, value: f64, negative: bool, faults: &mut Vec<Fault>) -> f64 {
+        // Where the set-up says which axes roll over, the short way is for these.
+        let said = self.axes.iter().any(|axis| axis.rollover.is_some());
+        let any = if self.state.shortest && !said { Some(Rollover::Shortest) } else { None };
+        let wrap = self.axes[index].rollover.or(any);
+        let Some(wrap) = wrap else { return value };
+        if self.known & (1 << index) == 0 {
+            // Its sign is the way there, not the place.
+            return if wrap == Rollover::Sign { value.abs() } else { value };
+        }
+        let from = self.values[index];
+        match wrap {
+            Rollover::Sign => {
+                let forward = (value.abs() - from).rem_euclid(TAU);
+                // What is already there does not turn, whatever its rounding.
+                let forward = if TAU - forward < HALF_TURN { 0.0 } else { forward };
+                if forward < HALF_TURN || !negative { from + forward } else { from + forward - TAU }
+            }
+            Rollover::Shortest => {
+                let way = (value - from + TAU / 2.0).rem_euclid(TAU) - TAU / 2.0;
+                if TAU / 2.0 - way.abs() < HALF_TURN {
+                    fault(faults, 0, "rotary motion of exactly 180°: the control may rotate in either direction");
+                }
+                from + way
+            }
+        }
+    }
+
+    /// The hole of the cycle that is defined, where the axes stand.
+    fn hole(&mut self, faults: &mut Vec<Fault>) -> Action {
+        let (Some(cycle), Some(normal)) = (self.cycle, self.normal()) else {
+            fault(faults, 0, "cycle call without a cycle definition, or without a working plane");
+            return Action::Nothing;
+        };
+        let back_to = cycle.back_to.unwrap_or(if self.state.to_initial { self.initial } else { cycle.reference });
+        let back_to = back_to.max(cycle.reference);
+        self.values[normal] = back_to;
+        self.known |= 1 << normal;
+        Action::Cycle(CycleMove {
+            kind: cycle.kind,
+            reference: cycle.reference,
+            bottom: cycle.bottom,
+            back_to,
+            dwell: cycle.dwell,
+            feed: cycle.feed,
+            gap: cycle.gap,
+        })
+    }
+
+    /// G33.1 to a depth along the normal; it comes back to where it began.
+    fn rigid_tap(&mut self, draft: &Draft, from: [f64; MAX_AXES], faults: &mut Vec<Fault>) -> Action {
+        let (Some(pitch), Some(normal)) = (draft.pitch, self.normal()) else {
+            fault(faults, 0, "thread without a pitch, or without a working plane");
+            return Action::Nothing;
+        };
+        let bottom = self.values[normal];
+        self.values = from;
+        self.modal = None;
+        let back_to = from[normal];
+        let left = matches!(self.state.spindle, Some(Some(crate::program::Rotation::CounterClockwise)));
+        let pitch = pitch * self.unit() * if left { -1.0 } else { 1.0 };
+        let kind = CycleKind::Tap(pitch);
+        Action::Cycle(CycleMove { kind, reference: back_to, bottom, back_to, dwell: 0.0, feed: None, gap: None })
+    }
+}

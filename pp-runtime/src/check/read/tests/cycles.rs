@@ -1,0 +1,198 @@
+//! Every word and every parameter of a cycle is executed, or is a fault.
+
+use super::*;
+
+const AT: &str = "G21 G17 G40 G49 G80 G90 G94 G54\nG0 X0. Y0. Z25. B0. C0.\nS500 M3\n";
+
+fn holes(family: Family, text: &str) -> Vec<CycleMove> {
+    let blocks = read(family, text);
+    blocks.iter().for_each(|block| assert_eq!(block.faults, [], "{family:?}: {text}"));
+    let cycles = blocks.iter().filter_map(|block| match block.action {
+        Action::Cycle(cycle) => Some(cycle),
+        _ => None,
+    });
+    cycles.collect()
+}
+
+#[test]
+fn any_axis_word_or_r_drills_again_while_a_cycle_is_in_force() {
+    for family in [Family::LinuxCnc, Family::Fanuc, Family::Haas] {
+        let bottoms = |more: &str| -> Vec<f64> {
+            let found = holes(family, &format!("{AT}G98 G81 X1. Y2. Z-10. R2. F100.\n{more}\nG80\n"));
+            found.iter().map(|cycle| cycle.bottom).collect()
+        };
+        assert_eq!(bottoms(""), [-10.0]);
+        assert_eq!(bottoms("Z-40."), [-10.0, -40.0], "{family:?}");
+        assert_eq!(bottoms("G98 Z-40."), [-10.0, -40.0], "{family:?}");
+        assert_eq!(bottoms("R-8."), [-10.0, -10.0], "{family:?}");
+        assert_eq!(bottoms("C5."), [-10.0, -10.0], "{family:?}");
+        assert_eq!(bottoms("M8"), [-10.0], "{family:?}");
+        // Without X and Y it drills where the tool is.
+        assert_eq!(holes(family, &format!("{AT}G98 G81 Z-10. R2. F100.\n")).len(), 1, "{family:?}");
+    }
+}
+
+#[test]
+fn repeat_counts_and_words_that_a_cycle_does_not_take_are_faults() {
+    for family in [Family::LinuxCnc, Family::Fanuc, Family::Haas] {
+        let texts = [
+            "G81 X1. Y2. Z-10. R2. F9. L0",
+            "G81 X1. Y2. Z-10. R2. F9. L3",
+            "G81 X1. Y2. Z-10. R2. F9. K0",
+            "G81 X1. Y2. Z-10. R2. P500 F9.",
+            "G81 X1. Y2. Z-10. R2. Q1. F9.",
+            "G83 X1. Y2. Z-10. R2. Q1. P500 F9.",
+            "G83 X1. Y2. Z-10. R2. F9.",
+            "G82 X1. Y2. Z-10. R2. F9.",
+            "G81 X1. Y2. Z-10. F9.",
+            "G81 X1. Y2. R2. F9.",
+            "G83 X1. Y2. Z-10. R2. Q0. F9.",
+            "G83 X1. Y2. Z-10. R2. Q1. I1. J1. K1. F9.",
+            "G85 X1. Y2. Z-10. R2. P1 F9.",
+        ];
+        for text in texts {
+            assert!(!faults(family, &format!("{AT}{text}\n")).is_empty(), "{family:?}: {text}");
+        }
+    }
+}
+
+#[test]
+fn a_thread_is_in_step_with_the_spindle_only_after_m29_on_fanuc() {
+    let kind = |family: Family, text: &str| holes(family, &format!("{AT}{text}")).last().map(|cycle| cycle.kind);
+    let thread = "G98 G84 X1. Y2. Z-10. R2. F500.\nX5.\nG80\n";
+    assert_eq!(kind(Family::Fanuc, thread), Some(CycleKind::FloatingTap(1.0)));
+    assert_eq!(kind(Family::Fanuc, &format!("M29 S500\n{thread}")), Some(CycleKind::Tap(1.0)));
+    assert_eq!(kind(Family::Fanuc, &format!("M29 S500\n{thread}{thread}")), Some(CycleKind::FloatingTap(1.0)));
+    assert_eq!(kind(Family::Haas, thread), Some(CycleKind::Tap(1.0)));
+    assert_eq!(kind(Family::Haas, &thread.replace("G84", "G74")), Some(CycleKind::Tap(-1.0)));
+    assert_eq!(kind(Family::LinuxCnc, thread), Some(CycleKind::FloatingTap(1.0)));
+    assert!(!faults(Family::Haas, "M29 S500").is_empty());
+}
+
+const PECKING: &str = "CYCL DEF 205 UNIVERSAL PECKING ~\n Q200=+2 ~\n Q201=-10 ~\n Q206=+100 ~\n Q202=+3 ~\n Q203=+0 ~\n \
+    Q204=+25 ~\n Q212=+0 ~\n Q205=+0 ~\n Q258=+0.5 ~\n Q259=+0.5 ~\n Q257=+0 ~\n Q256=+0.2 ~\n Q211=+1 ~\n Q379=+0 ~\n Q253=+99999";
+const BREAKING: &str = "CYCL DEF 203 UNIVERSAL DRILLING ~\n Q200=+2 ~\n Q201=-10 ~\n Q206=+100 ~\n Q202=+3 ~\n Q210=+0 ~\n \
+    Q203=+0 ~\n Q204=+25 ~\n Q212=+0 ~\n Q213=+4 ~\n Q205=+0 ~\n Q211=+1 ~\n Q208=+99999 ~\n Q256=+0.4";
+
+fn called(definition: &str) -> String {
+    format!("{TNC}2 L X+0 Y+0 Z+25 R0 FMAX\n3 {definition}\n4 L X+1 Y+2 R0 FMAX M99\n")
+}
+
+#[test]
+fn every_parameter_of_a_heidenhain_cycle_is_executed_or_must_have_its_value() {
+    let wanted = CycleMove {
+        kind: CycleKind::Peck(3.0),
+        reference: 2.0,
+        bottom: -10.0,
+        back_to: 25.0,
+        dwell: 1.0,
+        feed: Some(100.0),
+        gap: Some(0.5),
+    };
+    assert_eq!(holes(Family::Heidenhain, &called(PECKING)), [wanted]);
+    let breaking = CycleMove { kind: CycleKind::ChipBreak(3.0), gap: Some(0.4), ..wanted };
+    assert_eq!(holes(Family::Heidenhain, &called(BREAKING)), [breaking]);
+    let changes = [
+        (PECKING, "Q379=+0", "Q379=+5", "Q379"),
+        (PECKING, "Q259=+0.5", "Q259=+3", "Q259 is 3"),
+        (PECKING, "Q205=+0", "Q205=+1", "Q205"),
+        (PECKING, "Q212=+0", "Q212=+0.5", "Q212 (decrement) of CYCL DEF 205 is 0.5, expected 0"),
+        (PECKING, "Q257=+0", "Q257=+2", "Q257"),
+        (PECKING, "Q253=+99999", "Q253=+10", "Q253"),
+        (PECKING, " Q211=+1 ~\n", "", "Q211 (dwell at depth) of CYCL DEF 205 is missing"),
+        (PECKING, "Q202=+3", "Q202=+Q5", "no parameter with a number"),
+        (PECKING, "Q202=+3", "Q202=+3 Q202=+4", "twice"),
+        (PECKING, "Q202=+3", "Q999=+3", "Q999"),
+        (PECKING, "Q201=-10", "Q201=+10", "not negative"),
+        (BREAKING, "Q208=+99999", "Q208=+50", "Q208"),
+        (BREAKING, "Q213=+4", "Q213=+1", "fewer chip breaks"),
+        (BREAKING, "Q210=+0", "Q210=+1", "Q210"),
+        (BREAKING, "203", "207", "Q206"),
+    ];
+    for (definition, from, to, text) in changes {
+        let found = faults(Family::Heidenhain, &called(&definition.replacen(from, to, 1)));
+        assert!(found.iter().any(|fault| fault.contains(text)), "{to}: {found:?}");
+    }
+    // A comment ends at the mark that continues the line.
+    let commented = PECKING.replace("Q202=+3 ~", "Q202=+3 ;Q201=-50 ~");
+    assert_eq!(holes(Family::Heidenhain, &called(&commented)), [wanted]);
+}
+
+#[test]
+fn parameters_of_the_cycle_in_force_cannot_be_changed() {
+    for text in [
+        "FN 0: Q201 = -50",
+        "FN 1: Q201 = -5 + -5",
+        "FN 18: SYSREAD Q201 = ID50 NR1 IDX3",
+        "Q201 = -50",
+        "FN 0: QL1 = +1",
+    ] {
+        let program = called(PECKING).replace("4 L", &format!("4 {text}\n5 L"));
+        assert!(!faults(Family::Heidenhain, &program).is_empty(), "{text}");
+    }
+}
+
+#[test]
+fn every_argument_of_a_siemens_cycle_is_executed_or_must_have_its_value() {
+    let called = |call: &str| format!("{SIEMENS}F100\nS500 M3\nMCALL {call}\nG0 X1 Y2\nMCALL\n");
+    let deep = "CYCLE83(25,0,2,-10,,,3,0,0,0,1,1,,,,1.5,0.5)";
+    let wanted = CycleMove {
+        kind: CycleKind::Peck(3.0),
+        reference: 2.0,
+        bottom: -10.0,
+        back_to: 25.0,
+        dwell: 1.5,
+        feed: None,
+        gap: Some(0.5),
+    };
+    assert_eq!(holes(Family::Siemens, &called(deep)), [wanted]);
+    let breaking = "CYCLE83(25,0,2,-10,,,3,0,0,0,1,0,,,0.4,1.5)";
+    let broken = CycleMove { kind: CycleKind::ChipBreak(3.0), gap: Some(0.4), ..wanted };
+    assert_eq!(holes(Family::Siemens, &called(breaking)), [broken]);
+    let thread = "CYCLE84(25,0,2,-10,,0,3,,1.5,0,500,500,,1)";
+    assert_eq!(holes(Family::Siemens, &called(thread))[0].kind, CycleKind::Tap(1.5));
+    let inch = called(thread).replace("G710", "G700").replace(",1)", ",3)");
+    assert_eq!(holes(Family::Siemens, &inch)[0].kind, CycleKind::Tap(1.5 * 25.4));
+    let wrong = [
+        (deep, "3,0,0,0,1,1", "3,1,0,0,1,1", "DAM of CYCLE83 is 1, expected 0"),
+        (deep, "3,0,0,0,1,1", "3,0,2,0,1,1", "DTB"),
+        (deep, "3,0,0,0,1,1", "3,0,0,2,1,1", "DTS"),
+        (deep, "3,0,0,0,1,1", "3,0,0,0,0.5,1", "FRF of CYCLE83 is 0.5, expected 1"),
+        (deep, "3,0,0,0,1,1", "3,0,0,0,1,2", "VARI"),
+        (deep, ",,,3,", ",,5,3,", "FDEP"),
+        (deep, "0.5)", "0.5,7)", "arguments of CYCLE83"),
+        (deep, "25,0", "R1,0", "arguments of CYCLE83"),
+        (deep, "25,0", ",0", "RTP"),
+        (deep, "-10,,", "-10,10,", "DP or DPR"),
+        (thread, "0,3,", "0,4,", "SDAC"),
+        (thread, "500,500", "500,800", "SST"),
+        (thread, "500,500", "600,600", "SST"),
+        (thread, "1.5,0,", "1.5,90,", "POSS"),
+        (thread, ",1)", ",2)", "_PITA"),
+        ("CYCLE85(25,0,2,-10,,0,100,100)", "100,100", "100,300", "RFF of CYCLE85 is 300, expected 100"),
+        ("CYCLE81(25,0,2,-10)", "-10)", "-10,,3)", "arguments of CYCLE81"),
+    ];
+    for (call, from, to, text) in wrong {
+        let changed = call.replacen(from, to, 1);
+        assert_ne!(changed, call);
+        let found = faults(Family::Siemens, &called(&changed));
+        assert!(found.iter().any(|fault| fault.contains(text)), "{changed}: {found:?}");
+    }
+    let plane = "CYCLE800(0,\"TC\",0,57,0,0,0,30,0,0,0,0,0,-1,0)";
+    assert_eq!(faults(Family::Siemens, &format!("{SIEMENS}{plane}\n")), [""; 0]);
+    let changes = [
+        ("(0,\"TC\"", "(1,\"TC\""),
+        ("\"TC\"", "\"HEAD\""),
+        ("\"TC\",0", "\"TC\",1"),
+        (",57,", ",192,"),
+        (",57,", ",57.5,"),
+        (",-1,0)", ",-2,0)"),
+        (",-1,0)", ",-1,5)"),
+        (",-1,0)", ",-1,0,1)"),
+        ("30,0,0", "30,,0"),
+    ];
+    for (from, to) in changes {
+        let changed = plane.replacen(from, to, 1);
+        assert!(!faults(Family::Siemens, &format!("{SIEMENS}{changed}\n")).is_empty(), "{changed}");
+    }
+}

@@ -1,0 +1,113 @@
+//! Lines of the user: executed by their declared effect, in their places.
+
+use super::*;
+
+fn own(text: &str, place: OwnPlace) -> OwnText {
+    OwnText { text: text.as_bytes().to_vec(), place, coolant: None }
+}
+
+fn with(family: Family, own: Vec<OwnText>, effects: &[(&str, Effect)], program: &str) -> Vec<Block> {
+    let effects = effects.iter().map(|(text, effect)| (text.as_bytes().to_vec(), *effect)).collect();
+    let mut reader = Reader::new(program.as_bytes(), Vocabulary { own, effects, ..vocabulary(family) });
+    let mut blocks = Vec::new();
+    while let Some((block, _)) = reader.next_block().expect("text in memory") {
+        blocks.push(block.clone());
+    }
+    blocks
+}
+
+const HEAD: &str = "G21 G17 G40 G49 G80 G90 G94 G54\nS500 M3\nM8\nG0 X1. Y2. Z3. B0. C0.\n";
+
+#[test]
+fn a_line_without_a_declared_effect_is_a_fault_that_names_it() {
+    for (family, line, program) in [
+        (Family::Fanuc, "M77", "M77\n"),
+        (Family::Haas, "M77", "N5 M77\n"),
+        (Family::Siemens, "WARM_UP(5)", "WARM_UP(5)\n"),
+        (Family::Heidenhain, "M77", "0 M77\n"),
+    ] {
+        let blocks = with(family, vec![own(line, OwnPlace::Start)], &[], program);
+        let fault = &blocks[0].faults[0].text;
+        assert!(blocks[0].faults.len() == 1 && fault.contains(line) && fault.contains("[control] effects"), "{fault}");
+        let blocks = with(family, vec![own(line, OwnPlace::Start)], &[(line, Effect::None)], program);
+        assert_eq!(blocks[0].faults, [], "{family:?}");
+        assert_eq!(blocks[0].own, Some(OwnLine { place: OwnPlace::Start, effect: Some(Effect::None) }), "{family:?}");
+        // A line that is not in the configuration stays a fault.
+        let blocks = with(family, Vec::new(), &[], program);
+        assert!(blocks[0].faults[0].text.contains("is not known"), "{family:?}");
+    }
+}
+
+#[test]
+fn a_declared_effect_is_executed() {
+    let after = |effect: Effect| {
+        let program = format!("{HEAD}M77\n");
+        let blocks = with(Family::Fanuc, vec![own("M77", OwnPlace::End)], &[("M77", effect)], &program);
+        blocks.iter().for_each(|block| assert_eq!(block.faults, []));
+        blocks.last().cloned().expect("a block")
+    };
+    let untouched = after(Effect::None);
+    assert_eq!((untouched.known, untouched.state.coolant), (0b11111, Some(coolant::FLOOD)));
+    assert_eq!(after(Effect::Coolant).state.coolant, None);
+    assert_eq!(after(Effect::Coolant).stated & stated::COOLANT, 0);
+    let spindle = after(Effect::Spindle).state;
+    assert_eq!((spindle.spindle, spindle.speed), (None, None));
+    assert_eq!((after(Effect::Stop).action, after(Effect::Stop).known), (Action::Stop, 0));
+    assert_eq!((after(Effect::PositionLost).known, after(Effect::Measures).known), (0, 0));
+    let lost = after(Effect::StateLost);
+    assert_eq!((lost.known, lost.state, lost.stated), (0, State::default(), 0));
+}
+
+#[test]
+fn a_declared_word_stands_beside_codes_that_are_read() {
+    let lines =
+        vec![own("T{tool} M6 M77", OwnPlace::ToolChange), own("{units} G90 M78 {work_offset}", OwnPlace::Safety)];
+    let effects = [("M77", Effect::None), ("M78", Effect::Coolant)];
+    let program = "M8\nT5 M6 M77\nG21 G90 M78 G54.1 P3\n";
+    let blocks = with(Family::Fanuc, lines.clone(), &effects, program);
+    blocks.iter().for_each(|block| assert_eq!(block.faults, []));
+    assert_eq!((blocks[1].action, blocks[1].state.tool), (Action::ToolChange, Some(5)));
+    assert_eq!(blocks[1].own.map(|own| own.place), Some(OwnPlace::ToolChange));
+    assert_eq!(blocks[2].state.work_offset, Some(WorkOffset::Further(3)));
+    assert_eq!((blocks[1].state.coolant, blocks[2].state.coolant), (Some(coolant::FLOOD), None));
+    // The word in a line of another form is a fault, and so is a word that has no effect.
+    for program in ["T5 M77\n", "T5 M6 M77 M55\n", "G0 X5. M77\n", "T[5] M6 M77\n"] {
+        let blocks = with(Family::Fanuc, lines.clone(), &effects, program);
+        assert!(!blocks[0].faults.is_empty(), "{program}");
+    }
+}
+
+#[test]
+fn a_line_of_the_start_is_a_fault_after_the_first_motion() {
+    let lines = || vec![own("M77", OwnPlace::Start)];
+    let effects = [("M77", Effect::None)];
+    assert_eq!(with(Family::Fanuc, lines(), &effects, "M77\nG21\nG0 X5.\n")[0].faults, []);
+    let late = with(Family::Fanuc, lines(), &effects, &format!("{HEAD}M77\n"));
+    assert!(late.last().expect("a block").faults[0].text.contains("after the first motion"));
+}
+
+#[test]
+fn clamps_are_known_once_their_codes_have_come() {
+    let clamp = |text: &str, axis: usize, on: bool| own(text, OwnPlace::Clamp { axis, on });
+    let lines = vec![clamp("M10", 0, true), clamp("M11", 0, false), clamp("M10", 1, true), clamp("M69", 1, false)];
+    let blocks = with(Family::Haas, lines, &[], "M10\nM11\nM69\n");
+    let clamps: Vec<_> = blocks.iter().map(|block| (block.state.clamped, block.state.clamps_known)).collect();
+    assert_eq!(clamps, [(3, 3), (2, 3), (0, 3)]);
+    blocks.iter().for_each(|block| assert_eq!(block.faults, []));
+    assert_eq!(blocks[0].own.map(|own| own.place), Some(OwnPlace::Clamp { axis: 0, on: true }));
+}
+
+#[test]
+fn a_text_of_insert_has_the_effect_that_is_declared_for_it() {
+    let blocks = with(Family::Fanuc, Vec::new(), &[("G65 P9000", Effect::Measures)], &format!("{HEAD}G65 P9000\n"));
+    let last = blocks.last().expect("a block");
+    let measures = OwnLine { place: OwnPlace::Insert, effect: Some(Effect::Measures) };
+    assert_eq!((&last.faults[..], last.known, last.own), (&[][..], 0, Some(measures)));
+}
+
+#[test]
+fn a_line_number_that_does_not_follow_is_a_fault_of_a_line_of_the_user_too() {
+    let blocks =
+        with(Family::Heidenhain, vec![own("M77", OwnPlace::Clamp { axis: 0, on: true })], &[], "0 M8\n5 M77\n");
+    assert!(blocks[1].faults[0].text.contains("line number"), "{:?}", blocks[1].faults);
+}
