@@ -111,7 +111,7 @@ impl Family {
                 program_numbers: false,
                 ..ISO
             },
-            // B-64484EN, II-4: P of a dwell has no decimal point.
+            // P of a dwell has no decimal point: B-63944EN/02 (2004), dwell.
             Self::Fanuc => {
                 Facts { tool_axis_interpolation: true, tip_control_has_form: true, whole_milliseconds: true, ..ISO }
             }

@@ -19,6 +19,7 @@ mod modes;
 mod motion;
 mod own;
 mod siemens;
+mod state;
 mod text;
 
 #[cfg(test)]
