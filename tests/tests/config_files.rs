@@ -141,6 +141,8 @@ fn values_that_the_reader_refuses_violate_the_schema() {
         "[limits]\nC = 'endless'",
         "[retract]\nclearance = { ball = 5 }",
         "[control]\ncoolant = { mist = ['M7'] }",
+        "[control]\neffects = { M77 = 'nothing' }",
+        "[control]\neffects = { M77 = 5 }",
         "[cl]\nauxfun = [10000]",
         "[formats]\nrotary = 7",
         "[formats]\nrotary = 3.5",

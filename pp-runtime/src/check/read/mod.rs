@@ -156,6 +156,7 @@ impl<R: Read> Reader<R> {
             let begins = self.number == 0;
             let Some(long) = self.next_line()? else { return Ok(None) };
             self.block.faults.clear();
+            self.block.own = None;
             self.draft = Draft::default();
             let mark = if begins { self.byte_order_mark() } else { None };
             let is_block = long || self.read_line();
@@ -213,7 +214,6 @@ impl<R: Read> Reader<R> {
             Syntax::Heidenhain(heidenhain) => heidenhain.line(&mut line),
         };
         let switched = line.draft.written == 0 && own::switch(&self.line, &mut line);
-        self.block.own = None;
         if declared.is_some() || switched || !line.faults.is_empty() {
             self.block.own = own::resolve(&self.line, &mut line, declared, switched);
             is_block |= self.block.own.is_some();
