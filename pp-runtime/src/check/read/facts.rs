@@ -1,4 +1,4 @@
-//! Properties of the families of controls on which the comparison depends.
+//! Properties of the families of controls on which reader and comparison depend.
 
 use super::Family;
 
@@ -13,9 +13,22 @@ pub(crate) enum LengthRegisters {
     Rows,
 }
 
-/// What the comparison has to know of a family.
+/// Form of the lines of a program.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Form {
+    /// Letters and numbers.
+    Letters,
+    /// The same, and keywords and calls.
+    Keywords,
+    /// Numbered lines, each a statement.
+    Statements,
+}
+
+/// Properties of a family.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Facts {
+    /// Form of the lines.
+    pub(crate) form: Form,
     /// Numbering of length registers.
     pub(crate) registers: LengthRegisters,
     /// Switching length compensation on or off may move the tool by its length.
@@ -67,6 +80,7 @@ pub(crate) struct Facts {
 }
 
 const ISO: Facts = Facts {
+    form: Form::Letters,
     registers: LengthRegisters::Shared,
     length_moves: true,
     length_off_at_machine_coordinates: true,
@@ -118,6 +132,7 @@ impl Family {
             Self::Haas => Facts { feed_needs_point: true, ..ISO },
             // Rapids: programming manual of the Sinumerik One, RTLIOF.
             Self::Siemens => Facts {
+                form: Form::Keywords,
                 registers: LengthRegisters::Edges,
                 length_moves: false,
                 radius_registers: false,
@@ -132,6 +147,7 @@ impl Family {
                 ..ISO
             },
             Self::Heidenhain => Facts {
+                form: Form::Statements,
                 registers: LengthRegisters::Rows,
                 length_moves: false,
                 length_off_at_machine_coordinates: false,

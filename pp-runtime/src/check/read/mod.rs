@@ -38,6 +38,7 @@ pub(crate) use machine::AxisName;
 pub(crate) use own::OwnText;
 
 use draft::{Draft, fault};
+use facts::Form;
 use heidenhain::Heidenhain;
 use iso::Iso;
 use line::Line;
@@ -128,13 +129,13 @@ pub(crate) struct Reader<R> {
 
 impl<R: Read> Reader<R> {
     pub(crate) fn new(input: R, vocabulary: Vocabulary) -> Self {
-        let family = vocabulary.family;
-        let syntax = match family {
-            Family::LinuxCnc | Family::Fanuc | Family::Haas => Syntax::Iso(Iso::default()),
-            Family::Siemens => Syntax::Siemens(Siemens::default()),
-            Family::Heidenhain => Syntax::Heidenhain(Heidenhain::default()),
+        let facts = vocabulary.family.facts();
+        let syntax = match facts.form {
+            Form::Letters => Syntax::Iso(Iso::default()),
+            Form::Keywords => Syntax::Siemens(Siemens::default()),
+            Form::Statements => Syntax::Heidenhain(Heidenhain::default()),
         };
-        let modal = family.facts().motion_modal;
+        let modal = facts.motion_modal;
         let machine = Interpreter::new(vocabulary.axes.clone(), modal, vocabulary.rounding);
         Self {
             input: BufReader::with_capacity(1 << 16, input),
