@@ -115,6 +115,7 @@ enum Syntax {
 pub(crate) struct Reader<R> {
     input: BufReader<R>,
     vocabulary: Vocabulary,
+    facts: Facts,
     syntax: Syntax,
     machine: Interpreter,
     line: Vec<u8>,
@@ -140,6 +141,7 @@ impl<R: Read> Reader<R> {
         Self {
             input: BufReader::with_capacity(1 << 16, input),
             vocabulary,
+            facts,
             syntax,
             machine,
             line: Vec::new(),
@@ -203,7 +205,7 @@ impl<R: Read> Reader<R> {
         let mut line = Line {
             vocabulary,
             language: vocabulary.family.language(),
-            facts: vocabulary.family.facts(),
+            facts: &self.facts,
             machine: &self.machine,
             at: Cursor::new(text),
             draft: &mut self.draft,
