@@ -126,8 +126,9 @@ fn motion_difference(block: &Block, executed: &Executed, unit: f64) -> Option<St
                 (read::CycleKind::Drill, CycleKind::Drill) | (read::CycleKind::Ream, CycleKind::Ream) => true,
                 (read::CycleKind::Peck(one), CycleKind::Peck { step })
                 | (read::CycleKind::ChipBreak(one), CycleKind::ChipBreak { step }) => near(one, step * unit),
-                (read::CycleKind::Tap(one), CycleKind::Tap { pitch }) => near(one, pitch * unit),
-                (read::CycleKind::FloatingTap(one), CycleKind::Tap { pitch }) => near(one, pitch * unit),
+                (read::CycleKind::Tap(one) | read::CycleKind::FloatingTap(one), CycleKind::Tap { pitch }) => {
+                    near(one, pitch * unit)
+                }
                 _ => false,
             };
             let levels = [

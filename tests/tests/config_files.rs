@@ -46,6 +46,12 @@ fn faults(schema: &Value, value: &Value, path: &str) -> Vec<String> {
                 found.extend(all.flat_map(|(index, item)| faults(wanted, item, &format!("{path}[{index}]"))));
                 continue;
             }
+            // A table with keys of any name.
+            "additionalProperties" if wanted.is_object() => {
+                let all = value.as_object().into_iter().flatten();
+                found.extend(all.flat_map(|(key, value)| faults(wanted, value, &format!("{path}.{key}"))));
+                continue;
+            }
             "additionalProperties" => {
                 assert_eq!(wanted, &Value::Bool(false));
                 found.extend(entries(schema, value, path));
@@ -141,6 +147,8 @@ fn values_that_the_reader_refuses_violate_the_schema() {
         "[limits]\nC = 'endless'",
         "[retract]\nclearance = { ball = 5 }",
         "[control]\ncoolant = { mist = ['M7'] }",
+        "[control]\neffects = { M77 = 'nothing' }",
+        "[control]\neffects = { M77 = 5 }",
         "[cl]\nauxfun = [10000]",
         "[formats]\nrotary = 7",
         "[formats]\nrotary = 3.5",

@@ -94,6 +94,26 @@ fn the_equations_of_the_papers_are_printed() {
 }
 
 #[test]
+fn the_codes_of_each_control_are_explained_with_their_source() {
+    for (control, rows) in [
+        ("linuxcnc", &["G33.1 ", "(abort,"][..]),
+        ("fanuc", &["G43.4 ", "M29 "]),
+        ("haas", &["G187 ", "G268 "]),
+        ("siemens", &["TRAORI ", "CYCLE83: "]),
+        ("heidenhain", &["PLANE SPATIAL ", "CYCL DEF 205: "]),
+    ] {
+        let text = explained("spinner-u5-620", &["--codes", "--control", control]);
+        assert!(text.starts_with("spelling "), "{control}: {text}");
+        for row in rows {
+            assert!(text.lines().any(|line| line.starts_with(row)), "{control}: {row}\n{text}");
+        }
+        let source = text.find("source").expect("a column");
+        let table = text.lines().take_while(|line| !line.is_empty());
+        assert!(table.filter(|line| line.is_ascii()).all(|line| line.len() > source), "{control}: {text}");
+    }
+}
+
+#[test]
 fn latex_compiles_where_it_is_installed() {
     let installed = Command::new("pdflatex").arg("--version").stdout(Stdio::null()).stderr(Stdio::null()).status();
     if !installed.is_ok_and(|status| status.success()) {

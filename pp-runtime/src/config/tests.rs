@@ -409,6 +409,17 @@ fn numbers_that_a_word_would_round_to_nothing_or_could_not_hold_are_refused() {
 }
 
 #[test]
+fn effects_of_lines_are_read_by_their_text() {
+    use crate::control::LineEffect;
+    let text = "[control.effects]\nM77 = \"none\"\n\"G65 P9000\" = \"state lost\"\n";
+    let wanted = [("G65 P9000".to_owned(), LineEffect::StateLost), ("M77".to_owned(), LineEffect::None)];
+    assert_eq!(read(text).control.effects, BTreeMap::from(wanted));
+    let found = faults("[control]\neffects = { M77 = \"nothing\" }\n");
+    assert!(found.len() == 1 && found[0].contains("none"), "{found:?}");
+    assert_eq!(faults("[control]\neffects = { \"\" = \"none\" }\n").len(), 1);
+}
+
+#[test]
 fn options_of_reading_cl_data_are_read() {
     use crate::cl::record::ClCycleKind;
     use crate::cl::{CycleArg, Dialect, FeedLabel, Frames, Insert, Sense};

@@ -1,4 +1,4 @@
-//! Properties of the families of controls on which the comparison depends.
+//! Properties of the families of controls on which reader and comparison depend.
 
 use super::Family;
 
@@ -49,9 +49,22 @@ pub(crate) enum PoseSelector {
     Higher,
 }
 
-/// What the comparison has to know of a family.
+/// Form of the lines of a program.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Form {
+    /// Letters and numbers.
+    Letters,
+    /// The same, and keywords and calls.
+    Keywords,
+    /// Numbered lines, each a statement.
+    Statements,
+}
+
+/// Properties of a family.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Facts {
+    /// Form of the lines.
+    pub(crate) form: Form,
     /// Numbering of length registers.
     pub(crate) registers: LengthRegisters,
     /// Switching length compensation on or off may move the tool by its length.
@@ -111,6 +124,7 @@ pub(crate) struct Facts {
 }
 
 const ISO: Facts = Facts {
+    form: Form::Letters,
     registers: LengthRegisters::Shared,
     length_moves: true,
     length_off_at_machine_coordinates: true,
@@ -161,7 +175,7 @@ impl Family {
                 path_tolerance: true,
                 ..ISO
             },
-            // B-64484EN, II-4: P of a dwell has no decimal point.
+            // P of a dwell has no decimal point: B-63944EN/02 (2004), dwell.
             Self::Fanuc => {
                 Facts { tool_axis_interpolation: true, tip_control_has_form: true, whole_milliseconds: true, ..ISO }
             }
@@ -174,6 +188,7 @@ impl Family {
             },
             // Rapids: programming manual of the Sinumerik One, RTLIOF.
             Self::Siemens => Facts {
+                form: Form::Keywords,
                 registers: LengthRegisters::Edges,
                 length_moves: false,
                 radius_registers: false,
@@ -192,6 +207,7 @@ impl Family {
                 ..ISO
             },
             Self::Heidenhain => Facts {
+                form: Form::Statements,
                 registers: LengthRegisters::Rows,
                 length_moves: false,
                 length_off_at_machine_coordinates: false,

@@ -17,7 +17,7 @@ use crate::program::Units;
 pub(super) struct Line<'a> {
     pub(super) vocabulary: &'a Vocabulary,
     pub(super) language: &'static Language,
-    pub(super) facts: Facts,
+    pub(super) facts: &'a Facts,
     /// The state in front of the line.
     pub(super) machine: &'a Interpreter,
     pub(super) at: Cursor<'a>,

@@ -33,7 +33,7 @@ pub(super) struct Interpreter {
     /// The cycle that is defined.
     pub(super) cycle: Option<Cycle>,
     /// The level before the cycle.
-    pub(super) initial: f64,
+    pub(super) initial: Option<f64>,
     /// Motion codes stay in force.
     pub(super) keeps_motion: bool,
     /// Half a unit of a linear word, mm: how far ends of arcs are rounded.
@@ -52,7 +52,7 @@ impl Interpreter {
             modal: None,
             stated: 0,
             cycle: None,
-            initial: 0.0,
+            initial: None,
             keeps_motion,
             rounding,
         }
@@ -140,7 +140,7 @@ impl Interpreter {
             if self.cycle.is_none()
                 && let Some(z) = self.normal()
             {
-                self.initial = self.values[z];
+                self.initial = self.at(z);
             }
             self.cycle = Some(cycle);
         }

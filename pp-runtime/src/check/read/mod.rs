@@ -19,6 +19,7 @@ mod modes;
 mod motion;
 mod own;
 mod siemens;
+mod state;
 mod text;
 
 #[cfg(test)]
@@ -36,6 +37,7 @@ pub(crate) use machine::AxisName;
 pub(crate) use own::OwnText;
 
 use draft::{Draft, fault};
+use facts::Form;
 use heidenhain::Heidenhain;
 use iso::Iso;
 use line::Line;
@@ -112,6 +114,7 @@ enum Syntax {
 pub(crate) struct Reader<R> {
     input: BufReader<R>,
     vocabulary: Vocabulary,
+    facts: Facts,
     syntax: Syntax,
     machine: Interpreter,
     line: Vec<u8>,
@@ -126,17 +129,18 @@ pub(crate) struct Reader<R> {
 
 impl<R: Read> Reader<R> {
     pub(crate) fn new(input: R, vocabulary: Vocabulary) -> Self {
-        let family = vocabulary.family;
-        let syntax = match family {
-            Family::LinuxCnc | Family::Fanuc | Family::Haas => Syntax::Iso(Iso::default()),
-            Family::Siemens => Syntax::Siemens(Siemens::default()),
-            Family::Heidenhain => Syntax::Heidenhain(Heidenhain::default()),
+        let facts = vocabulary.family.facts();
+        let syntax = match facts.form {
+            Form::Letters => Syntax::Iso(Iso::default()),
+            Form::Keywords => Syntax::Siemens(Siemens::default()),
+            Form::Statements => Syntax::Heidenhain(Heidenhain::default()),
         };
-        let modal = family.facts().motion_modal;
+        let modal = facts.motion_modal;
         let machine = Interpreter::new(vocabulary.axes.clone(), modal, vocabulary.rounding);
         Self {
             input: BufReader::with_capacity(1 << 16, input),
             vocabulary,
+            facts,
             syntax,
             machine,
             line: Vec::new(),
@@ -154,6 +158,7 @@ impl<R: Read> Reader<R> {
             let begins = self.number == 0;
             let Some(long) = self.next_line()? else { return Ok(None) };
             self.block.faults.clear();
+            self.block.own = None;
             self.draft = Draft::default();
             let mark = if begins { self.byte_order_mark() } else { None };
             let is_block = long || self.read_line();
@@ -199,7 +204,7 @@ impl<R: Read> Reader<R> {
         let mut line = Line {
             vocabulary,
             language: vocabulary.family.language(),
-            facts: vocabulary.family.facts(),
+            facts: &self.facts,
             machine: &self.machine,
             at: Cursor::new(text),
             draft: &mut self.draft,
@@ -211,7 +216,6 @@ impl<R: Read> Reader<R> {
             Syntax::Heidenhain(heidenhain) => heidenhain.line(&mut line),
         };
         let switched = line.draft.written == 0 && own::switch(&self.line, &mut line);
-        self.block.own = None;
         if declared.is_some() || switched || !line.faults.is_empty() {
             self.block.own = own::resolve(&self.line, &mut line, declared, switched);
             is_block |= self.block.own.is_some();

@@ -226,7 +226,11 @@ impl Interpreter {
             fault(faults, 0, "cycle call without a cycle definition, or without a working plane");
             return Action::Nothing;
         };
-        let back_to = cycle.back_to.unwrap_or(if self.state.to_initial { self.initial } else { cycle.reference });
+        let modal = if self.state.to_initial { self.initial } else { Some(cycle.reference) };
+        let back_to = cycle.back_to.or(modal).unwrap_or_else(|| {
+            fault(faults, 0, "the cycle returns to the level before it, which is unknown");
+            cycle.reference
+        });
         let back_to = back_to.max(cycle.reference);
         self.values[normal] = back_to;
         self.known |= 1 << normal;

@@ -7,6 +7,7 @@
 use super::Vocabulary;
 use super::block::{Effect, OwnLine, OwnPlace};
 use super::draft::{Draft, effect};
+use super::facts::Form;
 use super::line::Line;
 use super::text::shown;
 
@@ -52,7 +53,7 @@ pub(super) fn declared(line: &[u8], vocabulary: &Vocabulary, blanked: &mut Vec<u
 }
 
 fn search(line: &[u8], vocabulary: &Vocabulary, blanked: &mut Vec<u8>) -> Option<Declared> {
-    let numbered = vocabulary.family == super::Family::Heidenhain;
+    let numbered = vocabulary.family.facts().form == Form::Statements;
     let (text, begin) = text_of(line, numbered);
     blanked.clear();
     blanked.extend_from_slice(line);
@@ -89,7 +90,7 @@ fn bits(declared: Effect) -> u8 {
 #[inline]
 pub(super) fn switch(text: &[u8], line: &mut Line<'_>) -> bool {
     let vocabulary = line.vocabulary;
-    let (text, _) = text_of(text, !line.facts.motion_modal);
+    let (text, _) = text_of(text, line.facts.form == Form::Statements);
     let mut found = false;
     for own in vocabulary.own.iter().filter(|own| own.text == text) {
         let draft = &mut *line.draft;
@@ -115,7 +116,7 @@ pub(super) fn switch(text: &[u8], line: &mut Line<'_>) -> bool {
 /// The own line that a line is, and what is wrong with it: an effect that is not declared.
 #[cold]
 pub(super) fn resolve(text: &[u8], line: &mut Line<'_>, declared: Option<Declared>, switched: bool) -> Option<OwnLine> {
-    let (text, _) = text_of(text, !line.facts.motion_modal);
+    let (text, _) = text_of(text, line.facts.form == Form::Statements);
     let mut own = line.vocabulary.own.iter().filter(|own| matches(&own.text, text));
     let switches =
         |place: OwnPlace| matches!(place, OwnPlace::Clamp { .. } | OwnPlace::Coolant | OwnPlace::TipControl { .. });

@@ -162,6 +162,14 @@ impl<'a> Cursor<'a> {
     }
 }
 
+/// Numbers nearer than this are the same number: none is written with so many decimals.
+const SAME_NUMBER: f64 = 1e-9;
+
+/// Whether two numbers are written alike.
+pub(super) fn same(one: f64, other: f64) -> bool {
+    (one - other).abs() < SAME_NUMBER
+}
+
 /// A whole number that is not negative.
 pub(super) fn whole(number: Number) -> Option<u32> {
     let value = number.value;

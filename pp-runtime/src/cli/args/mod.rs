@@ -71,7 +71,7 @@ pub(crate) struct ExplainArgs {
     #[arg(long)]
     pub(crate) cl: bool,
     /// Print the codes of `--control` instead that the check reads: meaning, states read and changed, axes moved, words that
-    /// the code takes, source
+    /// the code takes (those without brackets are needed), group of which a block has one code, source
     #[arg(long, conflicts_with_all = ["latex", "cl", "proof_program"])]
     pub(crate) codes: bool,
     /// Print a proof program for the machine instead: the tip stays on one point while each rotary axis runs its travel

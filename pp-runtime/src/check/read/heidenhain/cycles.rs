@@ -5,7 +5,7 @@ use super::super::draft::Cycle;
 use super::super::language::arguments::{SLOTS, Slot};
 use super::super::language::{List, Role};
 use super::super::line::Line;
-use super::super::text::{Cursor, whole};
+use super::super::text::{Cursor, same, whole};
 use super::ended;
 
 /// The line of a cycle of several lines that must come next.
@@ -113,7 +113,7 @@ fn parameters(line: &mut Line<'_>, list: &List) -> Option<Numbers> {
             seen |= 1 << index;
             match list.items[index].role {
                 Role::Needs(slot) | Role::Takes(slot) => numbers.0[slot as usize] = value,
-                Role::Must(wanted) if wanted != value => {
+                Role::Must(wanted) if !same(wanted, value) => {
                     let name = list.items[index].name;
                     line.fault(0, format!("Q{number} ({name}) of {} is {value}, expected {wanted}", list.name));
                     correct = false;
@@ -190,7 +190,7 @@ fn hole(line: &mut Line<'_>, number: u32, q: &Numbers) -> Option<Cycle> {
         },
         205 => {
             let (upper, lower) = (q.get(Slot::Gap), q.get(Slot::OtherGap));
-            if upper != lower {
+            if !same(upper, lower) {
                 line.fault(0, format!("Q259 is {lower}, expected {upper} as Q258"));
             }
             gap = step.map(|_| upper);

@@ -6,7 +6,7 @@
 
 use super::super::block::{Guard, LengthSource};
 use super::super::line::Line;
-use super::super::text::{Cursor, shown, whole};
+use super::super::text::{Cursor, same, shown, whole};
 
 /// Variables of geometry and wear of a length register: first numbers, and the number of registers.
 const REGISTERS: [([u32; 2], u32); 2] = [([10_000, 11_000], 999), ([2000, 2200], 200)];
@@ -142,7 +142,8 @@ impl Guards {
 fn spindle_condition(at: &mut Cursor<'_>, unit: f64) -> Option<Guard> {
     let [length, tolerance] = compared(at, b"[[ABS[#5403-", b"]GT")?;
     let again = compared(at, b"]AND[ABS[[#5403*25.4]-", b"]GT")?;
-    let whole = at.literal(b"]]") && at.ended() && again == [length, tolerance] && tolerance > 0.0;
+    let whole =
+        at.literal(b"]]") && at.ended() && same(again[0], length) && same(again[1], tolerance) && tolerance > 0.0;
     let [length_mm, tolerance_mm] = [length * unit, tolerance * unit];
     whole.then_some(Guard { length_mm, tolerance_mm, source: LengthSource::Spindle, stops: false })
 }

@@ -30,6 +30,9 @@ const ALWAYS: Letters = letters("NGMXYZABCUVWFST");
 /// Comments of LinuxCNC that begin with these words and a comma display a text and do nothing else.
 const DISPLAYED: [&[u8]; 3] = [b"MSG", b"DEBUG", b"PRINT"];
 
+/// Comments of LinuxCNC that are orders without a comma.
+const ORDERS: [&[u8]; 4] = [b"PROBEOPEN", b"PROBECLOSE", b"LOGCLOSE", b"PYRELOAD"];
+
 /// What is remembered from one line to the next.
 #[derive(Debug, Default)]
 pub(super) struct Iso {
@@ -169,7 +172,7 @@ impl Reading<'_, '_> {
         }
     }
 
-    /// A comment that begins with a word and a comma is an order to LinuxCNC, and so are two words that need none.
+    /// A comment that begins with a word and a comma is an order to LinuxCNC, and so are some words that need none.
     fn order(&mut self, text: &[u8], column: usize) {
         if !self.line.facts.comments_give_orders {
             return;
@@ -178,8 +181,7 @@ impl Reading<'_, '_> {
         let end = text.iter().position(|byte| !byte.is_ascii_alphanumeric() && *byte != b'_').unwrap_or(text.len());
         let (word, rest) = text.split_at(end);
         let order = !word.is_empty() && rest.trim_ascii_start().starts_with(b",")
-            || word.eq_ignore_ascii_case(b"probeclose")
-            || word.eq_ignore_ascii_case(b"logclose");
+            || ORDERS.iter().any(|known| word.eq_ignore_ascii_case(known));
         if order && !DISPLAYED.iter().any(|known| word.eq_ignore_ascii_case(known)) {
             self.line.fault(column, format!("the comment `{}` is an order to the control", shown(text)));
         }

@@ -5,41 +5,40 @@ use super::super::draft::{LengthCode, group};
 use super::{Language, Means, Pattern, Plane, Row, Smoother, iso, sorted};
 use crate::program::Rotation;
 
-const M: &str = "Fanuc B-64484EN, II-11; the machine builder's list of M codes";
+const M: &str = "Fanuc B-63944EN/02 (2004), auxiliary functions; the machine builder's list of M codes (from memory)";
+
+const RIGID: &str = "Fanuc B-63944EN/02 (2004), rigid tapping: M29 before the cycle (from memory)";
 
 const OWN: &[Row] = &[
-    Row::new("G4", Means::Dwell, group::ALONE, "Fanuc B-64484EN, II-4 (dwell)").takes("PX"),
-    Row::new("G5.1", Means::Smoothing(Smoother::Contour), group::SMOOTHING, "Fanuc B-64484EN, II-19 (contour control)")
-        .needs("Q"),
+    Row::new("G4", Means::Dwell, group::ALONE, "Fanuc B-63944EN/02 (2004), dwell").takes("PX"),
+    Row::new(
+        "G5.1",
+        Means::Smoothing(Smoother::Contour),
+        group::SMOOTHING,
+        "Fanuc B-63944EN/02 (2004), AI contour control (from memory)",
+    )
+    .needs("Q"),
     Row::new("G43.4", Means::Length(LengthCode::TipControl), group::LENGTH, "Fanuc A-79294E, p. 11; A-79348E, p. 16")
         .takes("HP"),
     Row::new("G43.5", Means::Length(LengthCode::TipVector), group::LENGTH, "Fanuc A-79294E, p. 11; A-79348E, p. 16")
         .takes("HPIJK"),
     Row::new("G53.1", Means::Orient, group::TILT, "Fanuc B-63784EN, tool axis direction control"),
-    Row::new("G54.1", Means::FurtherOffset, group::OFFSET, "Fanuc B-64484EN, II-7 (coordinate systems)").needs("P"),
+    Row::new(
+        "G54.1",
+        Means::FurtherOffset,
+        group::OFFSET,
+        "Fanuc B-63944EN/02 (2004), additional workpiece coordinate systems",
+    )
+    .needs("P"),
     Row::new("G68.2", Means::TiltedPlane(Plane::Euler), group::TILT, "Fanuc B-63784EN, tilted working plane")
         .takes("IJK"),
     Row::new("G69", Means::TiltOff, group::TILT, "Fanuc B-63784EN, tilted working plane"),
-    Row::new(
-        "G74",
-        Means::Hole(Pattern::TapAfterRigid { left: true }),
-        group::MOTION,
-        "Fanuc B-64484EN, II-13.2 (rigid tapping)",
-    )
-    .needs("R")
-    .takes("P"),
-    Row::new(
-        "G84",
-        Means::Hole(Pattern::TapAfterRigid { left: false }),
-        group::MOTION,
-        "Fanuc B-64484EN, II-13.2 (rigid tapping)",
-    )
-    .needs("R")
-    .takes("P"),
+    Row::new("G74", Means::Hole(Pattern::TapAfterRigid { left: true }), group::MOTION, RIGID).needs("R").takes("P"),
+    Row::new("G84", Means::Hole(Pattern::TapAfterRigid { left: false }), group::MOTION, RIGID).needs("R").takes("P"),
     Row::new("M7", Means::CoolantOn(coolant::MIST), group::COOLANT, M),
     Row::new("M13", Means::SpindleAndFlood(Rotation::Clockwise), group::SPINDLE, M),
     Row::new("M14", Means::SpindleAndFlood(Rotation::CounterClockwise), group::SPINDLE, M),
-    Row::new("M29", Means::Rigid, group::RIGID, "Fanuc B-64484EN, II-13.2 (rigid tapping)"),
+    Row::new("M29", Means::Rigid, group::RIGID, RIGID),
 ];
 
 const COUNT: usize = iso::ROWS.len() + iso::OF_TWO.len() + OWN.len();

@@ -4,9 +4,9 @@ use super::super::block::coolant;
 use super::super::draft::{LengthCode, group};
 use super::{Language, Means, Pattern, Plane, Row, Smoother, iso, sorted};
 
-const G: &str = "Haas 96-8210 (2017), G-codes";
-const UMC: &str = "Haas UMC supplement 96-8210 (2017); haascnc.com, page of the code";
-const M: &str = "Haas 96-8210 (2017), M-codes";
+const G: &str = "Haas 96-8000 (mill operator's manual), G codes; haascnc.com, page of the code";
+const UMC: &str = "Haas UMC manual; haascnc.com, page of the code";
+const M: &str = "Haas 96-8000 (mill operator's manual), M codes; haascnc.com, page of the code";
 
 const OWN: &[Row] = &[
     Row::new("G4", Means::Dwell, group::ALONE, G).needs("P"),

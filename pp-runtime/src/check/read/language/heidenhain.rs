@@ -6,10 +6,10 @@ use super::arguments::HEIDENHAIN;
 use super::{Address, Language, Means, Row, Statement, sorted};
 use crate::program::Rotation;
 
-const TNC: &str = "HEIDENHAIN TNC 640 user's manual (conversational), 892903";
-const M: &str = "HEIDENHAIN TNC 640 user's manual (conversational), 892903, miscellaneous functions";
-const Q: &str = "HEIDENHAIN TNC 640 user's manual (conversational), 892903, Q parameters";
-const PLANE: &str = "HEIDENHAIN TNC 620 user's manual 10/2017, p. 540; TNC 640, the PLANE function";
+const TNC: &str = "HEIDENHAIN TNC 640 user's manual (conversational)";
+const M: &str = "HEIDENHAIN TNC 640 user's manual (conversational), miscellaneous functions";
+const Q: &str = "HEIDENHAIN TNC 640 user's manual (conversational), Q parameters";
+const PLANE: &str = "HEIDENHAIN TNC 620 user's manual 10/2017, p. 540 and 554 (positioning)";
 const TCPM: &str = "HEIDENHAIN TNC 620 user's manual, p. 340; TNC 640, FUNCTION TCPM";
 
 const OWN: &[Row] = &[

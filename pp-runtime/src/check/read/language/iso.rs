@@ -6,12 +6,17 @@ use super::{Address, Means, PathCode, Pattern, Row, Statement};
 use crate::program::{Rotation, Units};
 
 /// The chapters that list these codes. A difference between the controls is in the table of the control.
-const G: &str = "LinuxCNC 2.9 documentation, G-Codes; Fanuc B-64484EN, II-3; Haas 96-8210 (2017), G-codes";
-const CYCLE: &str =
-    "LinuxCNC 2.9 documentation, Canned Cycles; Fanuc B-64484EN, II-13.1; Haas 96-8210 (2017), canned cycles";
-const M: &str = "LinuxCNC 2.9 documentation, M-Codes; Fanuc B-64484EN, II-11; Haas 96-8210 (2017), M-codes";
+const G: &str =
+    "LinuxCNC 2.9 G-code documentation, Fanuc B-63944EN/02 (2004), list of G codes, Haas 96-8000 (1999), G codes";
+const CYCLE: &str = "LinuxCNC 2.9 G-code documentation, canned cycles, Fanuc 15i operator's manual, p. 315, Haas 96-8000 \
+                     (1999), p. 182";
+const M: &str =
+    "LinuxCNC 2.9 M-code documentation, Fanuc B-63944EN/02 (2004), auxiliary functions, Haas 96-8000 (1999), M codes";
+const MACRO: &str = "Fanuc B-63944EN/02 (2004), custom macro, Haas 96-8000, macros";
+const HOME: &str =
+    "LinuxCNC 2.9 G-code documentation, G28 and G30 (all axes where none is written), Fanuc and Haas (from memory)";
 const FORM: &str =
-    "LinuxCNC 2.9 documentation, G-Code Overview; Fanuc B-64484EN, II-12.2; Haas 96-8210 (2017), programming";
+    "LinuxCNC 2.9 G-code overview, Fanuc B-63944EN/02 (2004), program configuration, Haas 96-8000 (1999), format";
 
 /// G and M codes of the three controls.
 pub(super) const ROWS: &[Row] = &[
@@ -22,8 +27,8 @@ pub(super) const ROWS: &[Row] = &[
     Row::new("G19", Means::Plane(WorkPlane::Yz), group::PLANE, G),
     Row::new("G20", Means::Units(Units::Inches), group::UNITS, G),
     Row::new("G21", Means::Units(Units::Millimetres), group::UNITS, G),
-    Row::new("G28", Means::Reference, group::ALONE, G),
-    Row::new("G30", Means::Reference, group::ALONE, G),
+    Row::new("G28", Means::Reference, group::ALONE, HOME),
+    Row::new("G30", Means::Reference, group::ALONE, HOME),
     Row::new("G40", Means::Side(Side::None), group::SIDE, G),
     Row::new("G41", Means::Side(Side::Left), group::SIDE, G).takes("D"),
     Row::new("G42", Means::Side(Side::Right), group::SIDE, G).takes("D"),
@@ -105,10 +110,6 @@ pub(super) const LINES: &[Row] = &[
     Row::word("O", Means::Statement(Statement::ProgramNumber), FORM),
     Row::word("(..)", Means::Statement(Statement::Comment), FORM),
     Row::word("/", Means::Statement(Statement::BlockDelete), FORM),
-    Row::word(
-        "IF .. THEN #3000",
-        Means::Statement(Statement::Guard),
-        "Fanuc B-64484EN, II-16; Haas 96-8210 (2017), macros",
-    ),
-    Row::word("IF .. GOTO", Means::Statement(Statement::Guard), "Fanuc B-64484EN, II-16; Haas 96-8210 (2017), macros"),
+    Row::word("IF .. THEN #3000", Means::Statement(Statement::Guard), MACRO),
+    Row::word("IF .. GOTO", Means::Statement(Statement::Guard), MACRO),
 ];

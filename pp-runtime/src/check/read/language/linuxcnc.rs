@@ -4,8 +4,9 @@ use super::super::block::coolant;
 use super::super::draft::{Code, group};
 use super::{Language, Means, PathCode, Pattern, Row, Statement, iso, sorted};
 
-const G: &str = "LinuxCNC 2.9 documentation, G-Codes";
-const OVERVIEW: &str = "LinuxCNC 2.9 documentation, G-Code Overview";
+const G: &str = "LinuxCNC 2.9 G-code documentation";
+const ORDERS: &str = "LinuxCNC 5c41560 (2026), interp_convert.cc, convert_comment";
+const OVERVIEW: &str = "LinuxCNC 2.9 G-code overview";
 
 const OWN: &[Row] = &[
     Row::new("G2", Means::Motion(Code::Clockwise), group::MOTION, G).takes("IJKRP"),
@@ -18,11 +19,11 @@ const OWN: &[Row] = &[
     Row::new("G61", Means::Path(PathCode::ExactPath), group::PATH, G),
     Row::new("G61.1", Means::Path(PathCode::ExactStop), group::PATH, G),
     Row::new("G64", Means::Path(PathCode::Continuous), group::PATH, G).takes("PQ"),
-    Row::new("G74", Means::Hole(Pattern::FloatingTap { left: true }), group::MOTION, G).needs("R"),
-    Row::new("G84", Means::Hole(Pattern::FloatingTap { left: false }), group::MOTION, G).needs("R"),
+    Row::new("G74", Means::Hole(Pattern::FloatingTap { left: true }), group::MOTION, G).needs("R").takes("P"),
+    Row::new("G84", Means::Hole(Pattern::FloatingTap { left: false }), group::MOTION, G).needs("R").takes("P"),
     Row::new("G90.1", Means::Centre { absolute: true }, group::CENTRE, G),
     Row::new("G91.1", Means::Centre { absolute: false }, group::CENTRE, G),
-    Row::new("M7", Means::CoolantOn(coolant::MIST), group::COOLANT, "LinuxCNC 2.9 documentation, M-Codes"),
+    Row::new("M7", Means::CoolantOn(coolant::MIST), group::COOLANT, "LinuxCNC 2.9 M-code documentation"),
 ];
 
 const COUNT: usize = iso::ROWS.len() + OWN.len();
@@ -33,13 +34,13 @@ const LINES: &[Row] = &[
     Row::word("%", Means::Statement(Statement::ProgramMark), OVERVIEW),
     Row::word("(..)", Means::Statement(Statement::Comment), OVERVIEW),
     Row::word(";", Means::Statement(Statement::Comment), OVERVIEW),
-    Row::word("(MSG,", Means::Statement(Statement::Message), OVERVIEW),
-    Row::word("(DEBUG,", Means::Statement(Statement::Message), OVERVIEW),
-    Row::word("(PRINT,", Means::Statement(Statement::Message), OVERVIEW),
+    Row::word("(MSG,", Means::Statement(Statement::Message), ORDERS),
+    Row::word("(DEBUG,", Means::Statement(Statement::Message), ORDERS),
+    Row::word("(PRINT,", Means::Statement(Statement::Message), ORDERS),
     Row::word("/", Means::Statement(Statement::BlockDelete), OVERVIEW),
-    Row::word("o.. if", Means::Statement(Statement::Guard), "LinuxCNC 2.9 documentation, O Codes"),
-    Row::word("(abort,", Means::Statement(Statement::Guard), "LinuxCNC 2.9 documentation, O Codes"),
-    Row::word("o.. endif", Means::Statement(Statement::Guard), "LinuxCNC 2.9 documentation, O Codes"),
+    Row::word("o.. if", Means::Statement(Statement::Guard), "LinuxCNC 2.9 O-code documentation"),
+    Row::word("(abort,", Means::Statement(Statement::Guard), ORDERS),
+    Row::word("o.. endif", Means::Statement(Statement::Guard), "LinuxCNC 2.9 O-code documentation"),
 ];
 
 pub(super) static LANGUAGE: Language = Language::new(&CODES, iso::LETTERS, LINES, &[]);

@@ -3,22 +3,50 @@
 use std::io::{self, Write};
 
 use super::super::Family;
+use super::super::draft::group;
 use super::arguments::{List, Role};
 use super::{Language, Letters, Row};
 
 /// Names of the columns.
-const HEADS: [&str; 7] = ["spelling", "meaning", "reads", "changes", "moves", "takes", "source"];
+const HEADS: [&str; 8] = ["spelling", "meaning", "reads", "changes", "moves", "takes", "group", "source"];
+
+/// Names of the groups of which a block has one code, by their number.
+const GROUPS: [(u32, &str); 23] = [
+    (group::MOTION, "motion"),
+    (group::PLANE, "plane"),
+    (group::DISTANCE, "distance"),
+    (group::FEED, "feed mode"),
+    (group::UNITS, "unit"),
+    (group::SIDE, "compensation"),
+    (group::LENGTH, "length"),
+    (group::OFFSET, "work offset"),
+    (group::RETURN, "return level"),
+    (group::PATH, "path mode"),
+    (group::TILT, "tilted plane"),
+    (group::ALONE, "not modal"),
+    (group::STOP, "stop"),
+    (group::SPINDLE, "spindle"),
+    (group::CENTRE, "centre"),
+    (group::COOLANT, "any number"),
+    (group::CHANGE, "tool change"),
+    (group::SMOOTHING, "smoothing"),
+    (group::RIGID, "rigid"),
+    (group::TIP, "tip control"),
+    (group::WAY, "rotary path"),
+    (group::CALL, "cycle call"),
+    (group::WINDOW, "window"),
+];
 
 /// Writes the codes and words of a family in columns, then the lists of arguments.
 pub(crate) fn table(family: Family, out: &mut dyn Write) -> io::Result<()> {
     let language = family.language();
-    let rows: Vec<[String; 7]> = rows(language).map(cells).collect();
+    let rows: Vec<[String; 8]> = rows(language).map(cells).collect();
     let mut widths = HEADS.map(str::len);
     for row in &rows {
         widths.iter_mut().zip(row).for_each(|(width, cell)| *width = (*width).max(cell.len()));
     }
-    let line = |out: &mut dyn Write, cells: &[String; 7]| {
-        let (last, first) = (&cells[6], &cells[..6]);
+    let line = |out: &mut dyn Write, cells: &[String; 8]| {
+        let (last, first) = (&cells[7], &cells[..7]);
         first.iter().zip(widths).try_for_each(|(cell, width)| write!(out, "{cell:width$}  "))?;
         writeln!(out, "{last}")
     };
@@ -31,14 +59,24 @@ fn rows(language: &Language) -> impl Iterator<Item = &'static Row> {
     language.codes.iter().chain(language.letters).chain(language.words)
 }
 
-fn cells(row: &'static Row) -> [String; 7] {
+fn cells(row: &'static Row) -> [String; 8] {
     let [reads, changes, moves] = row.means.effect().map(str::to_owned);
+    let together = GROUPS.iter().find(|(number, _)| *number == row.group).map_or("-", |(_, name)| name);
     let several = row.key != row.last;
     let spelling = match several {
         true => format!("{} .. {}{}", row.spelling, &row.spelling[..1], Row::number(row.last) / 10),
         false => row.spelling.to_owned(),
     };
-    [spelling, row.means.text().to_owned(), reads, changes, moves, takes(row.takes, row.needs), row.source.to_owned()]
+    [
+        spelling,
+        row.means.text().to_owned(),
+        reads,
+        changes,
+        moves,
+        takes(row.takes, row.needs),
+        together.to_owned(),
+        row.source.to_owned(),
+    ]
 }
 
 /// Address words of a code; those that it needs without brackets.

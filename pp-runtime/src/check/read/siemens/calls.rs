@@ -6,6 +6,7 @@ use super::super::frames;
 use super::super::language::arguments::{Item, SLOTS, Slot};
 use super::super::language::{List, Role};
 use super::super::line::Line;
+use super::super::text::same;
 use crate::program::{Rotation, Units};
 
 /// Numbers of a call by their slots.
@@ -100,7 +101,7 @@ fn take(line: &mut Line<'_>, list: &List, item: &Item, argument: &Argument<'_>, 
             numbers.0[slot as usize] = Some(*value);
             return;
         }
-        (Role::Must(wanted) | Role::May(wanted), Argument::Number(value)) if wanted == *value => return,
+        (Role::Must(wanted) | Role::May(wanted), Argument::Number(value)) if same(wanted, *value) => return,
         (Role::Takes(_) | Role::May(_) | Role::Empty, Argument::Gap) => return,
         (Role::Name, Argument::Text(name)) if *name == line.vocabulary.swivel_data.as_bytes() => return,
         (Role::Text, Argument::Text(_)) => return,
@@ -158,7 +159,7 @@ fn cycle(line: &mut Line<'_>, number: u32, numbers: &Numbers) -> Option<Cycle> {
         84 => thread(line, numbers),
         85 => {
             let (into, out) = (numbers.value(Slot::Feed), numbers.value(Slot::FeedOut));
-            if into != out {
+            if !same(into, out) {
                 line.fault(0, format!("RFF of CYCLE85 is {out}, expected {into} as FFR"));
             }
             feed = Some(into);
@@ -187,9 +188,9 @@ fn thread(line: &mut Line<'_>, numbers: &Numbers) -> CycleKind {
         line.fault(0, "SDAC is not the sense in which the spindle rotates");
     }
     let speed = numbers.value(Slot::Speed);
-    if state.speed.is_some_and(|wanted| wanted != speed) || numbers.value(Slot::SpeedOut) != speed {
-        let out = numbers.value(Slot::SpeedOut);
-        let wanted = state.speed.unwrap_or(speed);
+    let out = numbers.value(Slot::SpeedOut);
+    let wanted = state.speed.unwrap_or(speed);
+    if !same(speed, wanted) || !same(out, wanted) {
         line.fault(0, format!("SST and SST1 are {speed} and {out}, expected S of the spindle, {wanted}"));
     }
     let unit = match numbers.get(Slot::PitchUnit) {
@@ -234,7 +235,7 @@ fn smooth(line: &mut Line<'_>, numbers: &Numbers) {
     let angle = numbers.get(Slot::AxisTolerance);
     let level = match mode {
         0.0 => None,
-        1.0 | 2.0 | 3.0 | 4.0 if angle.is_none_or(|angle| angle == 1.0) => Some(mode as u8),
+        1.0 | 2.0 | 3.0 | 4.0 if angle.is_none_or(|angle| same(angle, 1.0)) => Some(mode as u8),
         11.0 | 12.0 | 13.0 | 14.0 if angle.is_some() => Some(mode as u8 % 10),
         _ => return line.fault(0, format!("S_TOLM of CYCLE832 is {mode}, expected 0 to 4, or 11 to 14 with S_OTOL")),
     };

@@ -57,6 +57,14 @@ fn repeat_counts_and_words_that_a_cycle_does_not_take_are_faults() {
 }
 
 #[test]
+fn a_return_to_an_unknown_level_is_a_fault() {
+    for family in [Family::LinuxCnc, Family::Fanuc, Family::Haas] {
+        let cycle = |code: &str| faults(family, &format!("{AT}G53 G0 Z0.\n{code} G81 X1. Y2. Z-10. R2. F9.\n"));
+        assert_eq!((cycle("G98").len(), cycle("G99").len()), (1, 0), "{family:?}");
+    }
+}
+
+#[test]
 fn a_thread_is_in_step_with_the_spindle_only_after_m29_on_fanuc() {
     let kind = |family: Family, text: &str| holes(family, &format!("{AT}{text}")).last().map(|cycle| cycle.kind);
     let thread = "G98 G84 X1. Y2. Z-10. R2. F500.\nX5.\nG80\n";

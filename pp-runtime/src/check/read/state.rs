@@ -1,0 +1,298 @@
+//! State of a control: what is in force when a block acts.
+
+use std::fmt;
+
+use nalgebra::{Matrix3, Vector3};
+
+use super::block::MAX_AXES;
+use crate::program::{Rotation, Units};
+
+/// What F means.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FeedMode {
+    /// mm/min.
+    PerMinute,
+    /// 1/min.
+    InverseTime,
+    /// mm per revolution.
+    PerRevolution,
+}
+
+/// Plane of arcs, cycles and cutter compensation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum WorkPlane {
+    /// G17.
+    Xy,
+    /// G18.
+    Zx,
+    /// G19.
+    Yz,
+}
+
+impl WorkPlane {
+    /// First and second axis of the plane and its normal, as positions in X Y Z; right-handed.
+    #[must_use]
+    pub const fn axes(self) -> [usize; 3] {
+        match self {
+            Self::Xy => [0, 1, 2],
+            Self::Zx => [2, 0, 1],
+            Self::Yz => [1, 2, 0],
+        }
+    }
+}
+
+/// On which side of the path the cutter runs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Side {
+    /// On it.
+    #[default]
+    None,
+    /// G41.
+    Left,
+    /// G42.
+    Right,
+}
+
+impl Side {
+    /// The other side.
+    #[must_use]
+    pub fn across(self) -> Self {
+        match self {
+            Self::None => Self::None,
+            Self::Left => Self::Right,
+            Self::Right => Self::Left,
+        }
+    }
+}
+
+impl Side {
+    /// Name in messages.
+    pub(crate) const fn name(self) -> &'static str {
+        match self {
+            Self::None => "off",
+            Self::Left => "left",
+            Self::Right => "right",
+        }
+    }
+}
+
+/// A settable offset.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum WorkOffset {
+    /// `G54`, `G59.1`, `G505`: the code in tenths.
+    Code(u32),
+    /// `G54.1 P`, `G154 P`.
+    Further(u32),
+    /// A row of the datum table.
+    Row(u32),
+}
+
+/// Length compensation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Length {
+    /// None is in force.
+    Off,
+    /// That of a register, of a cutting edge, or of the tool's row.
+    Register(u32),
+}
+
+impl fmt::Display for WorkOffset {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::Code(tenths) if tenths % 10 == 0 => write!(f, "G{}", tenths / 10),
+            Self::Code(tenths) => write!(f, "G{}.{}", tenths / 10, tenths % 10),
+            Self::Further(number) => write!(f, "P{number} of the additional work offsets"),
+            Self::Row(row) => write!(f, "row {row} of the datum table"),
+        }
+    }
+}
+
+impl fmt::Display for Length {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Off => f.write_str("off"),
+            Self::Register(number) => write!(f, "register {number}"),
+        }
+    }
+}
+
+/// A control that keeps the tip on its path.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum TipControl {
+    /// Words are axis positions.
+    Off,
+    /// Words are tip coordinates; the rotary axes stood here when it was switched on, rad.
+    On {
+        /// By position of the axis.
+        start: [f64; MAX_AXES],
+    },
+}
+
+/// A tilted plane: words count in it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Tilt {
+    /// Plane to program coordinates.
+    pub rotation: Matrix3<f64>,
+    /// Where it counts from, mm.
+    pub origin: Vector3<f64>,
+    /// The rotary axes are in the plane: positioned to it, and no rotary word has moved them since.
+    pub oriented: bool,
+    /// Pose of the rotary axes that the program selects: SEQ, SYM or _DIR, `true` for plus.
+    pub pose: Option<bool>,
+    /// COORD ROT: the control rotates the coordinates in the plane, not the table.
+    pub coordinate_rotation: bool,
+}
+
+/// Smoothing of the path by the control.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum Smoothing {
+    /// Not active.
+    #[default]
+    Off,
+    /// G5.1 Q1, G187, CYCLE832, cycle 32.
+    On {
+        /// Largest deviation from the path, mm; `None` where the program does not state it.
+        tolerance_mm: Option<f64>,
+        /// P of G187, units of the second argument of CYCLE832, HSC-MODE.
+        level: Option<u8>,
+    },
+}
+
+/// Motion from block to block.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum PathMode {
+    /// G61 of LinuxCNC: the path exactly, without stops.
+    ExactPath,
+    /// A stop at the end of each block.
+    ExactStop,
+    /// G64: corners are rounded.
+    Continuous {
+        /// P of LinuxCNC, mm; `None`: no limit is programmed.
+        tolerance_mm: Option<f64>,
+        /// Q of LinuxCNC, mm: deviation up to which blocks are joined.
+        joining_mm: Option<f64>,
+    },
+    /// G641 to G645: by the smoothing of this code.
+    Smoothed(u16),
+}
+
+/// Coolant that is on: bits.
+pub mod coolant {
+    /// M8.
+    pub const FLOOD: u8 = 1;
+    /// M7.
+    pub const MIST: u8 = 2;
+    /// Through the spindle.
+    pub const THROUGH: u8 = 4;
+    /// Air.
+    pub const AIR: u8 = 8;
+}
+
+/// What has been said since a complete state began: bits.
+pub mod stated {
+    /// Spindle on or off.
+    pub const SPINDLE: u8 = 1;
+    /// Coolant.
+    pub const COOLANT: u8 = 2;
+    /// Length compensation.
+    pub const LENGTH: u8 = 4;
+    /// Work offset.
+    pub const OFFSET: u8 = 8;
+    /// Unit, plane, feed mode, distances and sides.
+    pub const MODES: u8 = 16;
+    /// Smoothing on or off.
+    pub const SMOOTHING: u8 = 32;
+}
+
+/// What is in force; `None` where the program has not said it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct State {
+    /// In the spindle.
+    pub tool: Option<u32>,
+    /// Called up for the next change.
+    pub selected: Option<u32>,
+    /// Length compensation.
+    pub length: Option<Length>,
+    /// Register of the diameter.
+    pub diameter: Option<u32>,
+    /// Work offset.
+    pub work_offset: Option<WorkOffset>,
+    /// Unit of lengths.
+    pub units: Option<Units>,
+    /// Words are distances.
+    pub incremental: Option<bool>,
+    /// Plane of arcs and cycles.
+    pub plane: Option<WorkPlane>,
+    /// Sense of the spindle; `Some(None)` if it stands.
+    pub spindle: Option<Option<Rotation>>,
+    /// S, rev/min.
+    pub speed: Option<f64>,
+    /// Bits of [`coolant`].
+    pub coolant: Option<u8>,
+    /// Cutter compensation.
+    pub side: Option<Side>,
+    /// What F means.
+    pub feed_mode: Option<FeedMode>,
+    /// F in force: units of length of the program per minute or per revolution, or 1/min.
+    pub feed: Option<f64>,
+    /// Tip control.
+    pub tip_control: TipControl,
+    /// Under tip control the tool axis turns in the plane of its ends; otherwise each rotary axis evenly.
+    pub in_plane: Option<bool>,
+    /// Under tip control tool axes count in the workpiece; otherwise in the machine.
+    pub in_workpiece: Option<bool>,
+    /// The tool axis as the program says it under tip control, in the place of angles.
+    pub vector: Option<Vector3<f64>>,
+    /// Tilted plane.
+    pub tilt: Option<Tilt>,
+    /// G98: cycles go back to the level before them.
+    pub to_initial: bool,
+    /// Rotary words name the nearest such angle.
+    pub shortest: bool,
+    /// The program has selected the path of rotary axes (M126, M127).
+    pub shortest_stated: bool,
+    /// Smoothing of the path.
+    pub smoothing: Smoothing,
+    /// Largest deviation of the tool axis while smoothing is on, rad.
+    pub smoothing_angle_rad: Option<f64>,
+    /// Motion from block to block.
+    pub path_mode: Option<PathMode>,
+    /// Clamped rotary axes: bits by position.
+    pub clamped: u16,
+    /// Axes of which it is known whether they are clamped: bits by position.
+    pub clamps_known: u16,
+}
+
+impl Default for State {
+    fn default() -> Self {
+        Self {
+            tool: None,
+            selected: None,
+            length: None,
+            diameter: None,
+            work_offset: None,
+            units: None,
+            incremental: None,
+            plane: None,
+            spindle: None,
+            speed: None,
+            coolant: None,
+            side: None,
+            feed_mode: None,
+            feed: None,
+            tip_control: TipControl::Off,
+            in_plane: None,
+            in_workpiece: None,
+            vector: None,
+            tilt: None,
+            to_initial: true,
+            shortest: false,
+            shortest_stated: false,
+            smoothing: Smoothing::Off,
+            smoothing_angle_rad: None,
+            path_mode: None,
+            clamped: 0,
+            clamps_known: 0,
+        }
+    }
+}
