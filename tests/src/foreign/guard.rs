@@ -23,6 +23,8 @@ pub(super) struct Guards {
 struct Open {
     line: usize,
     effect: Effect,
+    /// Register or tool whose length is compared, where the guard names one.
+    register: Option<u32>,
     /// Lines that have to follow, the next one last.
     due: Vec<Due>,
 }
@@ -45,7 +47,7 @@ pub(super) enum Outcome {
     /// The guard goes on.
     GoesOn,
     /// The guard is complete; it began in this line.
-    Complete(usize, Effect),
+    Complete(usize, Effect, Option<u32>),
 }
 
 /// Length with which the first line of a LinuxCNC guard compares, in the unit of the program.
@@ -81,7 +83,7 @@ impl Guards {
             Control::Heidenhain => heidenhain(text),
         };
         let (effect, due) = begun.ok_or(REFUSED)?;
-        Ok(self.keep(Open { line, effect, due }))
+        Ok(self.keep(Open { line, effect, register: register(control, text), due }))
     }
 
     /// Whether a guard has begun and not ended.
@@ -91,7 +93,7 @@ impl Guards {
 
     fn keep(&mut self, open: Open) -> Outcome {
         if open.due.is_empty() {
-            return Outcome::Complete(open.line, open.effect);
+            return Outcome::Complete(open.line, open.effect, open.register);
         }
         self.open = Some(open);
         Outcome::GoesOn
@@ -135,6 +137,18 @@ impl Open {
             Due::Line(format!("LBL \"OFF{label}\"")),
         ];
         Some(())
+    }
+}
+
+/// Register of the length in `#10001` (Fanuc), `#2001` (Haas), or the tool of `ID50 NR1 IDX1`.
+fn register(control: Control, text: &str) -> Option<u32> {
+    match control {
+        Control::Fanuc | Control::Haas => {
+            let digits = text.split_once('#')?.1;
+            digits[..digits.find(|digit: char| !digit.is_ascii_digit())?].parse().ok()
+        }
+        Control::Heidenhain => text.rsplit_once("IDX")?.1.parse().ok(),
+        Control::LinuxCnc | Control::Siemens => None,
     }
 }
 

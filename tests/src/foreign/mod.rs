@@ -99,6 +99,8 @@ pub struct Options {
     pub dry: bool,
     /// Text may be untidy, as edits by hand leave it.
     pub untidy: bool,
+    /// What a control executes is executed, also where no careful programmer writes it; the end code ends the reading.
+    pub careless: bool,
     /// Whole lengths are written with a point on every control.
     pub pointed: bool,
     /// Fanuc and Haas read a number without a point as one with a point.
@@ -117,6 +119,7 @@ impl Options {
             gauge_line: false,
             dry: false,
             untidy: false,
+            careless: false,
             pointed: false,
             plain_numbers: false,
             idle: Vec::new(),
@@ -137,6 +140,7 @@ pub fn run(text: &str, options: &Options) -> Result<Trace, Refused> {
         reached: options.entry.is_none(),
         ended: Ended::No,
         last_number: None,
+        tapes: 0,
     };
     let last = text.lines().count();
     if !options.untidy && !text.ends_with('\n') {
@@ -181,10 +185,15 @@ struct Run<'a> {
     ended: Ended,
     /// Number of the line before, where every line has one.
     last_number: Option<u32>,
+    /// Marks `%` so far.
+    tapes: u32,
 }
 
 impl Run<'_> {
     fn line(&mut self, line: usize, text: &str) -> Result<(), String> {
+        if self.options.careless && self.ended != Ended::No {
+            return Ok(());
+        }
         let control = self.options.control;
         let lexer::Line { number, content } = lexer::line(control, text)?;
         if control == Control::Heidenhain {
@@ -206,9 +215,9 @@ impl Run<'_> {
                 }
                 return Ok(());
             }
-            Outcome::Complete(line, effect) => {
+            Outcome::Complete(line, effect, register) => {
                 if self.reached {
-                    self.machine.guard()?;
+                    self.machine.guard(register)?;
                     self.push(line, None, effect, Axes::default(), false);
                 }
                 return Ok(());
@@ -216,10 +225,14 @@ impl Run<'_> {
         }
         match content {
             Content::Comment(text) => self.trace.comments.push((line, text)),
-            Content::Mark(mark) => self.mark(mark),
+            Content::Mark(mark) => self.mark(mark)?,
             Content::Block(tokens) if self.reached => {
                 let command = match table::command(self.options, &tokens, &self.machine.state) {
-                    Err(_) if self.is_idle(text) => return Ok(()),
+                    Err(_) if self.is_idle(text).is_some() => {
+                        let code = self.is_idle(text).unwrap_or_default();
+                        self.push(line, None, Effect::Shop(code), Axes::default(), false);
+                        return Ok(());
+                    }
                     command => command?,
                 };
                 let (effect, words) = self.machine.execute(command)?;
@@ -238,20 +251,26 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// Whether a block, its number aside, is one of the shop's.
-    fn is_idle(&self, text: &str) -> bool {
+    /// Index of the code of the shop that a block is, its number aside.
+    fn is_idle(&self, text: &str) -> Option<usize> {
         let unnumbered = text.split_once(' ').map(|(_, rest)| rest);
-        self.options.idle.iter().any(|idle| idle == text || unnumbered == Some(idle.as_str()))
+        self.options.idle.iter().position(|idle| idle == text || unnumbered == Some(idle.as_str()))
     }
 
-    fn mark(&mut self, mark: Mark) {
+    fn mark(&mut self, mark: Mark) -> Result<(), String> {
+        let begun = !self.trace.blocks.is_empty();
         match mark {
+            Mark::Tape | Mark::Name | Mark::Begin(_) if self.ended == Ended::No && (begun || self.tapes > 1) => {
+                return Err("the program ends, or another one begins".to_owned());
+            }
             // The file begins and ends with this mark.
             Mark::Tape if self.ended == Ended::Code => self.ended = Ended::File,
             Mark::End => self.ended = Ended::File,
             Mark::Begin(inches) => self.machine.begin(inches),
-            Mark::Tape | Mark::Name | Mark::Remark => {}
+            Mark::Tape => self.tapes += 1,
+            Mark::Name | Mark::Remark => {}
         }
+        Ok(())
     }
 
     fn push(&mut self, line: usize, number: Option<u32>, effect: Effect, words: Axes, restart: bool) {

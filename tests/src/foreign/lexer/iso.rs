@@ -6,6 +6,7 @@ use super::{Content, Line, Mark, Number, Token, take_number};
 
 pub(super) fn line(control: Control, text: &str) -> Result<Line, String> {
     let content = |content| Ok(Line { number: None, content });
+    let text = if control == Control::LinuxCnc { without_remark(text) } else { text };
     if let Some(inside) = text.strip_prefix('(')
         && let Some(comment) = inside.strip_suffix(')')
         && !comment.contains(['(', ')'])
@@ -35,6 +36,28 @@ pub(super) fn line(control: Control, text: &str) -> Result<Line, String> {
     let mut tokens = tokens(&text.to_ascii_uppercase())?;
     let number = take_number(&mut tokens)?;
     Ok(Line { number, content: Content::Block(tokens) })
+}
+
+/// LinuxCNC reads nothing after a semicolon outside of brackets.
+fn without_remark(text: &str) -> &str {
+    match end_of_block(text) {
+        Some(end) if !text[..end].trim().is_empty() => text[..end].trim_end(),
+        _ => text,
+    }
+}
+
+/// Place of the first semicolon outside of brackets.
+pub(super) fn end_of_block(text: &str) -> Option<usize> {
+    let mut inside = false;
+    for (place, letter) in text.char_indices() {
+        match letter {
+            '(' => inside = true,
+            ')' => inside = false,
+            ';' if !inside => return Some(place),
+            _ => {}
+        }
+    }
+    None
 }
 
 fn is_comment(text: &str) -> bool {

@@ -91,12 +91,27 @@ pub fn line(control: Control, text: &str) -> Result<Line, String> {
     }
 }
 
-/// Lines of a program with their numbers from 1; lines of a Heidenhain program that end in `~` are joined to the next.
+/// Lines of a program with their numbers from 1; lines of a Heidenhain program that end in `~` are joined to the next,
+/// and a semicolon outside of brackets ends a block on Fanuc and Haas.
 #[must_use]
 pub fn joined(control: Control, text: &str) -> Vec<(usize, String)> {
     let mut lines: Vec<(usize, String)> = Vec::new();
     let mut continued = false;
+    let ends_blocks = matches!(control, Control::Fanuc | Control::Haas);
     for (index, line) in text.split_terminator('\n').enumerate() {
+        let mut line = line;
+        while let Some(end) = iso::end_of_block(line).filter(|_| ends_blocks) {
+            if !line[..end].trim().is_empty() {
+                lines.push((index + 1, line[..end].trim_end().to_owned()));
+            }
+            line = line[end + 1..].trim_start();
+            if line.is_empty() {
+                break;
+            }
+        }
+        if line.is_empty() && ends_blocks && text.split_terminator('\n').nth(index).is_some_and(|whole| !whole.is_empty()) {
+            continue;
+        }
         let goes_on = control == Control::Heidenhain && line.ends_with('~');
         let part = match goes_on || continued {
             true => line.strip_suffix('~').unwrap_or(line).split(';').next().unwrap_or_default().trim_end(),

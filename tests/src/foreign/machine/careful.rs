@@ -17,6 +17,9 @@ use super::Machine;
 /// Rules for a block before it is executed.
 pub(super) fn block(machine: &Machine, command: &Command) -> Result<(), String> {
     one_deed(command)?;
+    if command.has(Meaning::Home) || command.has(Meaning::TiltOffTurning) {
+        return Err("a motion to reference points or zero that no block states".to_owned());
+    }
     let linuxcnc = machine.control == Control::LinuxCnc;
     if command.meanings.iter().any(|meaning| matches!(meaning, Meaning::Units(_))) {
         complete(machine.control, command)?;
@@ -112,7 +115,7 @@ fn is_mode(command: &Command) -> bool {
 pub(super) fn guard(machine: &Machine) -> Result<(), String> {
     match machine.state.length {
         Some(Length::Register(_)) => Ok(()),
-        _ if machine.control != Control::LinuxCnc => Ok(()),
+        _ if machine.control != Control::LinuxCnc || machine.careless => Ok(()),
         _ => Err("a guard before the length offset".to_owned()),
     }
 }
@@ -120,6 +123,9 @@ pub(super) fn guard(machine: &Machine) -> Result<(), String> {
 /// Rules for what a block has done.
 pub(super) fn effect(machine: &Machine, command: &Command, effect: &Effect, words: &Axes) -> Result<(), String> {
     let state = &machine.state;
+    if machine.careless {
+        return if effect.cuts() { programmed(machine, effect) } else { Ok(()) };
+    }
     if *effect == Effect::Modal && machine.control == Control::LinuxCnc && !is_mode(command) {
         return Err("a block that moves nothing".to_owned());
     }
@@ -156,6 +162,12 @@ fn cut(machine: &Machine, effect: &Effect) -> Result<(), String> {
     if state.tool.is_none() || !turns && !machine.dry {
         return Err("a feed motion without tool or with the spindle off".to_owned());
     }
+    programmed(machine, effect)
+}
+
+/// A cut without F, which every control refuses.
+fn programmed(machine: &Machine, effect: &Effect) -> Result<(), String> {
+    let state = &machine.state;
     let own = match effect {
         Effect::Hole(hole) => hole.cycle.feed.is_some() || matches!(hole.cycle.kind, CycleKind::Tap { .. }),
         _ => false,

@@ -102,22 +102,30 @@ impl Machine {
                 self.length(command)?;
                 self.begin_tip_control(vectors);
             }
-            Meaning::TipControl(true) => self.begin_tip_control(false),
+            Meaning::TipControl(true) => {
+                state.offset_cleared |= siemens;
+                self.begin_tip_control(false);
+            }
             Meaning::TipControl(false) => {
                 state.tip_control = Some(TipControl::Off);
                 state.vector = None;
             }
-            Meaning::WorkOffset(offset) => state.work_offset = Some(offset),
+            Meaning::WorkOffset(offset) => {
+                state.work_offset = Some(offset);
+                state.offset_cleared = false;
+            }
             Meaning::FurtherOffset => {
                 let number = command.take(Address::OffsetNumber).ok_or("a work offset without its number")?;
                 state.work_offset = Some(WorkOffset::Further(whole(number)?));
+                state.offset_cleared = false;
             }
             Meaning::Distance(distance) => state.distance = Some(distance),
             Meaning::ExactStop => state.path = Some(PathMode::ExactStop),
             Meaning::Continuous => state.path = Some(PathMode::Continuous(command.take(Address::PathTolerance))),
             Meaning::Return(level) => state.return_level = Some(level),
             Meaning::Tilt => state.tilt = Some(command.tilt.take()),
-            Meaning::TiltOff => state.tilt = Some(None),
+            Meaning::TiltOff | Meaning::TiltOffTurning => state.tilt = Some(None),
+            Meaning::Smoothing => smooth(state, command),
             Meaning::Orient => {
                 let plane = state.tilted_plane().ok_or("no tilted plane to turn to")?;
                 state.tilt = Some(Some(TiltedPlane { oriented: true, ..plane }));
@@ -132,10 +140,10 @@ impl Machine {
             | Meaning::CancelMotion
             | Meaning::RigidTap
             | Meaning::MachineCoordinates
+            | Meaning::Home
             | Meaning::Dwell
             | Meaning::Units(_)
             | Meaning::FeedMode(_)
-            | Meaning::Smoothing
             | Meaning::ToolChange
             | Meaning::Stop
             | Meaning::OptionalStop
@@ -208,6 +216,21 @@ impl Machine {
         if before.units != state.units {
             state.machine = Axes::default();
         }
+    }
+}
+
+/// Each form has places of its own; a form without numbers switches smoothing off, or back to the setting of the control.
+fn smooth(state: &mut State, command: &mut Command) {
+    let places = state.smoothing.get_or_insert_default();
+    let mut any = false;
+    for (index, place) in places.iter_mut().enumerate() {
+        if let Some(number) = command.take(Address::Smoothing(index)) {
+            *place = Some(number);
+            any = true;
+        }
+    }
+    if !any {
+        state.smoothing = Some(Default::default());
     }
 }
 

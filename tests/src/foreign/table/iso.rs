@@ -44,6 +44,8 @@ static G: &[Row] = &[
     (190, ALL, Meaning::Plane(Plane::Yz)),
     (200, ALL, Meaning::Units(Units::Inches)),
     (210, ALL, Meaning::Units(Units::Millimetres)),
+    (280, ALL, Meaning::Home),
+    (300, ALL, Meaning::Home),
     (331, &[LinuxCnc], Meaning::RigidTap),
     (400, ALL, Meaning::Compensation(Compensation::Off)),
     (410, ALL, Meaning::Compensation(Compensation::Left(None))),
@@ -96,7 +98,7 @@ static G: &[Row] = &[
 static M: &[Row] = &[
     (0, ALL, Meaning::Stop),
     (10, ALL, Meaning::OptionalStop),
-    (20, &[LinuxCnc], Meaning::End),
+    (20, ALL, Meaning::End),
     (30, ALL, Meaning::Spindle(Spindle::Clockwise)),
     (40, ALL, Meaning::Spindle(Spindle::CounterClockwise)),
     (50, ALL, Meaning::Spindle(Spindle::Off)),
@@ -207,7 +209,11 @@ impl Reader<'_> {
             self.command.word(Address::PathTolerance, tolerance.value)?;
         }
         if self.command.has(Meaning::Smoothing) {
-            let _ = [self.take('P'), self.take('Q'), self.take('E')];
+            for (index, letter) in ['P', 'Q', 'E'].into_iter().enumerate() {
+                if let Some(number) = self.take(letter) {
+                    self.command.word(Address::Smoothing(index), number.value)?;
+                }
+            }
         }
         if self.command.has(Meaning::Tilt) {
             self.tilted_plane()?;
@@ -245,7 +251,7 @@ impl Reader<'_> {
             (Haas, Some(order)) if (order - 123.0).abs() < 1e-9 => geometry::fixed([i, j, k]),
             _ => return Err("a tilted plane in a form that is unknown here".to_owned()),
         };
-        self.command.tilt = Some(TiltedPlane { rotation, origin: [x, y, z], oriented: false });
+        self.command.tilt = Some(TiltedPlane { rotation, origin: [x, y, z], oriented: false, solution: 0 });
         Ok(())
     }
 
