@@ -20,8 +20,8 @@ use std::path::Path;
 
 use pp_runtime::config::Mode;
 use tests::binaries::{golden_programs, workspace};
-use tests::edits::{Case, Edit, Posted, Verdict, edit, verdict};
-use tests::foreign::{Control, run};
+use tests::edits::{Case, Edit, Posted, Verdict, edit, restarts_differ, verdict};
+use tests::foreign::{Control, Entry, Options, Refused, Trace, run};
 use tests::random::Random;
 
 use random_programs::cl::{self, AxisRange};
@@ -174,8 +174,16 @@ fn with_options(programs: &mut Vec<Posted>) {
                     let config = merged(&config, more);
                     let operations = operations("works", mode);
                     let idle = ["M10", "M11"];
-                    let case =
-                        Case { name: &title, machine, control, mode, operations, config: &config, cl: &cl, idle: &idle };
+                    let case = Case {
+                        name: &title,
+                        machine,
+                        control,
+                        mode,
+                        operations,
+                        config: &config,
+                        cl: &cl,
+                        idle: &idle,
+                    };
                     match Posted::of(&case) {
                         Ok(posted) => programs.push(posted),
                         Err(why) if environment_number("PP_EDITS").is_some() => println!("{title}: {why}"),
@@ -296,12 +304,51 @@ fn chosen<'a>(programs: &'a [Posted], places: &Places, control: &str, random: &m
     }
 }
 
+/// Whether the program does the same from its beginning, and not from each of its restart points.
+fn is_another_restart(posted: &Posted, edit: &Edit, edited: &Result<Trace, Refused>) -> bool {
+    let subject = &posted.subject;
+    let Ok(edited) = edited else { return false };
+    let entered = |after: bool, number: usize| {
+        let trace = if after { edited } else { &subject.trace };
+        let line = trace.restarts().nth(number).unwrap_or_default();
+        let tool = trace.blocks.iter().rev().find(|block| block.line < line).and_then(|block| block.state.tool);
+        let options = Options { entry: Some(Entry { line, tool }), ..subject.options.clone() };
+        run(if after { &edit.text } else { &posted.text }, &options)
+    };
+    restarts_differ([&subject.trace, edited], entered, subject.allowed)
+}
+
+/// Whether a program that does the same holds what no careful programmer writes: text after a semicolon, which may begin a
+/// block, an end code before the end, a code of the shop beside other words.
+fn is_matter_of_taste(posted: &Posted, edit: &Edit) -> bool {
+    let options = &posted.subject.options;
+    let semicolon = matches!(options.control, Control::Fanuc | Control::Haas) && edit.after.contains(';');
+    let ends = ["M2", "M30", "M02", "RET", "M17"].iter().any(|code| edit.after.split(' ').any(|word| word == *code));
+    let shop = edit
+        .after
+        .split(" | ")
+        .any(|line| line.contains(' ') && line.split(' ').any(|word| options.idle.iter().any(|idle| idle == word)));
+    semicolon || ends || shop
+}
+
+/// Whether an edit concerns messages and comments alone. The foreign interpreter refuses a guard without its message.
+fn is_message(edit: &Edit) -> bool {
+    let message = |line: &str| line.is_empty() || line.starts_with(['(', ';', '*']) || line.starts_with("MSG(");
+    let abort = edit.before.contains("(abort") || edit.after.contains("(abort");
+    !abort && edit.before.split(" | ").chain(edit.after.split(" | ")).all(message)
+}
+
 fn judged(posted: &Posted, edit: &Edit, tally: &mut Tally) -> Option<Failure> {
     let subject = &posted.subject;
     let control = subject.options.control;
     tally.edits += 1;
-    let verdict = verdict(&subject.trace, &run(&edit.text, &subject.options), subject.allowed);
-    if let Verdict::Undecided(_) = verdict {
+    let edited = run(&edit.text, &subject.options);
+    let verdict = verdict(&subject.trace, &edited, subject.allowed);
+    if matches!(verdict, Verdict::Undecided(_))
+        || verdict == Verdict::Harmless && is_matter_of_taste(posted, edit)
+        || matches!(verdict, Verdict::Refused(_)) && is_message(edit)
+        || verdict == Verdict::Harmless && is_another_restart(posted, edit, &edited)
+    {
         tally.undecided += 1;
         return None;
     }

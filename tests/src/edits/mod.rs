@@ -18,4 +18,4 @@ pub mod verdict;
 pub use operations::{Edit, edit};
 pub use places::Subject;
 pub use posted::{Case, Posted};
-pub use verdict::{Allowed, Verdict, verdict};
+pub use verdict::{Allowed, Verdict, restarts_differ, verdict};

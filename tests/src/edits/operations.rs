@@ -71,19 +71,12 @@ pub fn edit(subject: &Subject, index: usize, random: &mut Random) -> Option<Edit
 
 /// An edit that replaces lines `from..to`, from 0; `None` if nothing changes.
 #[must_use]
-pub fn made(
-    subject: &Subject,
-    index: usize,
-    kind: &str,
-    from: usize,
-    to: usize,
-    changed: &[String],
-) -> Option<Edit> {
-    if subject.lines[from..to] == *changed {
+pub fn made(subject: &Subject, index: usize, kind: &str, from: usize, to: usize, changed: &[String]) -> Option<Edit> {
+    // Nothing after the end code is executed.
+    if subject.lines[from..to] == *changed || to > subject.end + 1 {
         return None;
     }
-    let lines: Vec<String> =
-        subject.lines[..from].iter().chain(changed).chain(&subject.lines[to..]).cloned().collect();
+    let lines: Vec<String> = subject.lines[..from].iter().chain(changed).chain(&subject.lines[to..]).cloned().collect();
     // With the neighbours, as a reader needs them.
     let shown = |lines: &[String]| lines.join(" | ");
     Some(Edit {
@@ -140,7 +133,7 @@ fn some<'a, T>(all: &'a [T], random: &mut Random) -> Option<&'a T> {
 fn insert_row(subject: &Subject, index: usize, random: &mut Random) -> Option<Change> {
     let rows = rows(subject.options.control);
     let row = *some(&rows, random)?;
-    let at = index + random.below(2);
+    let at = (index + random.below(2)).min(subject.end);
     let lines = row.split('\n').map(str::to_owned).collect();
     Some(Change { kind: format!("insert line {row}"), from: at, to: at, lines })
 }
@@ -166,7 +159,7 @@ fn insert_into_block(subject: &Subject, index: usize, random: &mut Random) -> Op
 fn insert_copy(subject: &Subject, index: usize, random: &mut Random) -> Option<Change> {
     let lines: Vec<usize> = subject.classes.keys().copied().collect();
     let copied = &subject.lines[*some(&lines, random)?];
-    let at = index + random.below(2);
+    let at = (index + random.below(2)).min(subject.end);
     let kind = format!("insert copied {}", heads(copied));
     (!is_comment(copied)).then(|| Change { kind, from: at, to: at, lines: vec![copied.clone()] })
 }

@@ -20,6 +20,8 @@ pub struct Subject {
     pub lines: Vec<String>,
     /// Trace of the whole program.
     pub trace: Trace,
+    /// Index of the line with the end code.
+    pub end: usize,
     /// State class of each line that may be edited, by its index.
     pub classes: BTreeMap<usize, String>,
 }
@@ -34,7 +36,7 @@ impl Subject {
         options.careless = true;
         let trace = run(text, &options)?;
         let lines = text.lines().map(|line| unnumbered(options.control, line).to_owned()).collect();
-        let mut subject = Self { name, options, allowed, lines, trace, classes: BTreeMap::new() };
+        let mut subject = Self { name, options, allowed, lines, trace, end: 0, classes: BTreeMap::new() };
         subject.classify();
         Ok(subject)
     }
@@ -59,6 +61,7 @@ impl Subject {
     fn classify(&mut self) {
         let Some(end) = self.trace.blocks.iter().position(|block| block.effect == Effect::End) else { return };
         let last = self.trace.blocks[end].line;
+        self.end = last - 1;
         let blocks = &self.trace.blocks[..=end];
         let first = blocks.first().map_or(last, |block| block.line);
         let name = |index: Option<usize>| index.and_then(|index| blocks.get(index)).map_or("-", |b| name_of(&b.effect));
@@ -67,7 +70,8 @@ impl Subject {
             let Some(index) = blocks.iter().rposition(|block| block.line <= line) else { continue };
             let block = &blocks[index];
             let here = if block.line == line { name(Some(index)).to_owned() } else { continued(text) };
-            let here = if here == "modal" { text.split([' ', '(']).next().unwrap_or_default().to_owned() } else { here };
+            let here =
+                if here == "modal" { text.split([' ', '(']).next().unwrap_or_default().to_owned() } else { here };
             let here = here.trim_start_matches(|letter: char| letter == 'N').to_owned();
             let class =
                 format!("{} {}>{here}>{}", mode(&block.state), name(index.checked_sub(1)), name(Some(index + 1)));

@@ -104,7 +104,8 @@ fn findings<M: Machine>(posted: &Posted, program: &str) -> Vec<String> {
     let job = check::Job { config: &posted.config, control: posted.control, units: None };
     match check::<M>(&job, Cursor::new(&posted.cl), program.as_bytes()) {
         Ok(checked) => {
-            let finding = |found: &pp_runtime::diag::Diagnostic| format!("line {}: {}", found.location.line, found.text);
+            let finding =
+                |found: &pp_runtime::diag::Diagnostic| format!("line {}: {}", found.location.line, found.text);
             let mut findings: Vec<String> = checked.outcome.findings.iter().map(finding).collect();
             findings.extend(checked.fault.iter().map(finding));
             if findings.is_empty() && !checked.outcome.passed() {

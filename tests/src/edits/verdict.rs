@@ -4,8 +4,10 @@
 //! same motions in the same states, in the same order. Between the two are deviations within tolerance and rounding,
 //! and states that differ only where nothing is cut.
 
-use crate::foreign::axes::is_rotary;
-use crate::foreign::state::{Compensation, Cycle, CycleKind, State, TiltedPlane};
+use std::collections::BTreeMap;
+
+use crate::foreign::axes::{Axes, is_rotary};
+use crate::foreign::state::{Compensation, Cycle, CycleKind, PathMode, State, TiltedPlane};
 use crate::foreign::trace::{Arc, Hole};
 use crate::foreign::{Effect, Executed, Feed, Refused, Trace};
 
@@ -56,14 +58,17 @@ pub fn verdict(original: &Trace, edited: &Result<Trace, Refused>, allowed: Allow
         Err(refused) => return Verdict::Refused(refused.to_string()),
     };
     let start = State::default();
-    let (was, is) = (events(original, &start), events(edited, &start));
-    let mut soft = None;
+    let ((was, was_again), (is, is_again)) = (events(original, &start), events(edited, &start));
+    let mut soft = (was_again != is_again).then(|| "a motion to where the axes are".to_owned());
     for (index, (one, other)) in was.iter().zip(&is).enumerate() {
         match difference(one, other, allowed) {
             Some(Hard(why)) => return removed(&was, &is, index, allowed).unwrap_or(Verdict::Harmful(at(other, &why))),
             Some(Soft(why)) => soft = soft.or_else(|| Some(at(other, &why))),
             None => {}
         }
+    }
+    if edited.blocks.last().map(|block| &block.effect) != original.blocks.last().map(|block| &block.effect) {
+        soft = soft.or_else(|| Some("the last block".to_owned()));
     }
     if was.len() != is.len() {
         let index = was.len().min(is.len());
@@ -73,26 +78,66 @@ pub fn verdict(original: &Trace, edited: &Result<Trace, Refused>, allowed: Allow
     soft.map_or(Verdict::Harmless, Verdict::Undecided)
 }
 
+/// Whether a program that is harmless from its beginning is another one from a restart point.
+///
+/// `entered` gives the trace from the restart point with a number.
+#[must_use]
+pub fn restarts_differ(
+    [original, edited]: [&Trace; 2],
+    entered: impl Fn(bool, usize) -> Result<Trace, Refused>,
+    allowed: Allowed,
+) -> bool {
+    let [before, after] = [original, edited].map(|trace| trace.restarts().count());
+    before != after
+        || (0..before).any(|number| match entered(false, number) {
+            Ok(trace) => verdict(&trace, &entered(true, number), allowed) != Verdict::Harmless,
+            Err(_) => false,
+        })
+}
+
 fn at(event: &Event<'_>, why: &str) -> String {
     format!("line {}: {why}", event.block.line)
 }
 
-/// Blocks that do something. A motion to the place where the axes are is none.
-fn events<'a>(trace: &'a Trace, start: &'a State) -> Vec<Event<'a>> {
-    let mut events = Vec::new();
+/// Blocks that do something, and as text those that do it again: motions to the place where the axes are, codes of the
+/// shop that are in force.
+fn events<'a>(trace: &'a Trace, start: &'a State) -> (Vec<Event<'a>>, Vec<String>) {
+    let (mut events, mut again) = (Vec::<Event<'a>>::new(), Vec::new());
     let mut before = start;
+    let mut codes = BTreeMap::new();
     for block in &trace.blocks {
         let event = Event { before, block };
-        let does = match block.effect {
-            Effect::Modal | Effect::Safety | Effect::Length(_) | Effect::Spindle(_) | Effect::Coolant => false,
-            _ => !stays(&event),
-        };
-        if does {
-            events.push(event);
-        }
         before = &block.state;
+        match block.effect {
+            Effect::Modal | Effect::Safety | Effect::Length(_) | Effect::Spindle(_) | Effect::Coolant => {}
+            Effect::Shop(code) => {
+                let (pair, off) = pair(code);
+                let last = codes.insert(pair, code);
+                if last == Some(code) || last.is_none() && off {
+                    again.push(format!("M{code}"));
+                } else {
+                    // The order of codes for several things does not matter.
+                    let shop = |event: &&Event<'_>| matches!(event.block.effect, Effect::Shop(other) if self::pair(other).0 > pair);
+                    let later = events.iter().rev().take_while(shop).count();
+                    events.insert(events.len() - later, event);
+                }
+            }
+            _ if stays(&event) => again.push(format!("{:?}", block.words)),
+            _ => events.push(event),
+        }
     }
-    events
+    (events, again)
+}
+
+/// Number of the thing that a code of the shop switches, and whether the code switches off what is off at first.
+fn pair(code: u32) -> (u32, bool) {
+    match code {
+        83 | 84 => (83, code == 84),
+        88 | 89 => (88, code == 89),
+        10 | 11 => (10, false),
+        68 | 69 => (68, false),
+        _ => (code, false),
+    }
 }
 
 /// Whether a motion ends where it begins.
@@ -101,12 +146,21 @@ fn stays(event: &Event<'_>) -> bool {
     let places = match event.block.effect {
         Effect::Rapid | Effect::Feed => [before.position, after.position],
         Effect::Machine => [before.machine, after.machine],
+        Effect::Orient => {
+            let rotary = |axes: &Axes| axes.letters().any(is_rotary);
+            return before.tilted_plane() == after.tilted_plane()
+                && before.tilted_plane().is_some_and(|plane| plane.oriented)
+                && !rotary(&before.position);
+        }
         _ => return false,
     };
     let same = |letter| match places.map(|place| place.get(letter)) {
         [Some(from), Some(to)] => (from - to).abs() < 1e-9,
         _ => false,
     };
+    if event.block.effect == Effect::Machine {
+        return event.block.words.letters().all(same);
+    }
     let frame = |state: &State| (state.work_offset, state.length, state.units, state.under_tip_control());
     event.block.words.letters().all(same)
         && before.vector == after.vector
@@ -121,6 +175,21 @@ fn removed(was: &[Event<'_>], is: &[Event<'_>], index: usize, allowed: Allowed) 
         let hard = |(one, other): (&Event<'_>, &Event<'_>)| matches!(difference(one, other, allowed), Some(Hard(_)));
         was.len() == is.len() && !was.iter().zip(is).any(hard)
     };
+    if is_split(was, is, index, allowed) && rest_agrees(&was[index + 1..], &is[index + 2..])
+        || is_split(is, was, index, allowed) && rest_agrees(&was[index + 2..], &is[index + 1..])
+    {
+        return Some(Verdict::Undecided("a rapid in X and Y in two blocks".to_owned()));
+    }
+    if let Some(extra) = is.get(index)
+        && matches!(extra.block.effect, Effect::Dwell(_) | Effect::Guard { .. })
+        && rest_agrees(&was[index..], &is[index + 1..])
+    {
+        return Some(Verdict::Undecided("a wait is added".to_owned()));
+    }
+    let still = |events: &[Event<'_>]| !events.iter().any(|event| event.block.effect.moves());
+    if [was, is].iter().all(|events| still(&events[index.min(events.len())..])) && is_of_shop(was, index, is) {
+        return Some(Verdict::Undecided("a code of the shop after the last motion".to_owned()));
+    }
     // The first block that differs may come after one that lies on the same line.
     for index in [Some(index), index.checked_sub(1)].into_iter().flatten() {
         if index < was.len() && on_the_line(was, index, allowed) && rest_agrees(&was[index + 1..], &is[index..]) {
@@ -133,14 +202,32 @@ fn removed(was: &[Event<'_>], is: &[Event<'_>], index: usize, allowed: Allowed) 
     None
 }
 
+/// Whether one of two blocks is a code of the shop.
+fn is_of_shop(one: &[Event<'_>], index: usize, two: &[Event<'_>]) -> bool {
+    [one, two].iter().any(|events| events.get(index).is_some_and(|event| matches!(event.block.effect, Effect::Shop(_))))
+}
+
+/// Whether a rapid of `one` in X and Y, or of rotary axes, is two rapids of `two`.
+fn is_split(one: &[Event<'_>], two: &[Event<'_>], index: usize, allowed: Allowed) -> bool {
+    let (Some(whole), Some(parts)) = (one.get(index), two.get(index..index + 2)) else { return false };
+    let level = |event: &Event<'_>| {
+        let letters = || event.block.words.letters();
+        event.block.effect == Effect::Rapid
+            && (letters().all(|letter| matches!(letter, 'X' | 'Y')) || letters().all(is_rotary))
+    };
+    let ends = |letter| match [whole, &parts[1]].map(|event| event.block.state.position.get(letter)) {
+        [Some(one), Some(two)] => (one - two).abs() <= allowed.linear,
+        _ => false,
+    };
+    level(whole) && parts.iter().all(level) && whole.block.words.letters().all(ends)
+}
+
 /// Whether a straight motion ends on the straight line between the positions before it and after the next motion.
 fn on_the_line(events: &[Event<'_>], index: usize, allowed: Allowed) -> bool {
     let Some(next) = events.get(index + 1) else { return false };
     let this = &events[index];
-    let alike = matches!(
-        (this.block.effect, next.block.effect),
-        (Effect::Rapid, Effect::Rapid) | (Effect::Feed, Effect::Feed)
-    );
+    let alike =
+        matches!((this.block.effect, next.block.effect), (Effect::Rapid, Effect::Rapid) | (Effect::Feed, Effect::Feed));
     if !alike || this.block.feed() != next.block.feed() || state_difference(this, next).is_some() {
         return false;
     }
@@ -220,13 +307,25 @@ fn difference(was: &Event<'_>, is: &Event<'_>, allowed: Allowed) -> Option<Diffe
         ]),
         (Effect::ToolChange(one), Effect::ToolChange(other)) => hard(one != other, "the tool"),
         (Effect::Shop(one), Effect::Shop(other)) => hard(one != other, "the code of the shop"),
-        (Effect::Stop | Effect::OptionalStop | Effect::End, _) => soft(
-            (old.spindle, old.coolant) != (new.spindle, new.coolant),
-            "spindle or coolant at a stop",
-        ),
+        (Effect::Stop | Effect::OptionalStop | Effect::End, _) => None,
         _ => worst([effect_difference(one, other, old, allowed), moved(was, is, allowed), state_difference(was, is)]),
     };
-    worst([own, preselected])
+    worst([own, preselected, other_state(was, is)])
+}
+
+/// States in which nothing is cut.
+fn other_state(was: &Event<'_>, is: &Event<'_>) -> Option<Difference> {
+    let [(spindle, coolant, speed, tool), now] =
+        [was, is].map(|event| (event.before.spindle, event.before.coolant, event.before.speed, event.before.tool));
+    let process = (spindle, coolant, speed, tool) != now;
+    let [frame, frame_now] = [was, is].map(|event| {
+        let state = &event.block.state;
+        (state.plane, state.feed_mode, side(state), state.length, state.work_offset, state.tilted_plane().is_some())
+    });
+    worst([
+        soft(process, "spindle or coolant where nothing is cut"),
+        soft(frame != frame_now, "a mode where nothing is cut"),
+    ])
 }
 
 fn effect_difference(one: &Effect, other: &Effect, state: &State, allowed: Allowed) -> Option<Difference> {
@@ -283,6 +382,15 @@ fn moved(was: &Event<'_>, is: &Event<'_>, allowed: Allowed) -> Option<Difference
         match (of(old), of(new)) {
             (Some(one), Some(other)) => {
                 let starts = cuts && from[0] && !from[1];
+                let free = was.block.effect == Effect::Rapid
+                    && is_rotary(letter)
+                    && letter == 'C'
+                    && [old, new]
+                        .iter()
+                        .all(|state| ['A', 'B'].iter().any(|tilt| state.position.get(*tilt) == Some(0.0)));
+                if free && was.block.words.letters().all(is_rotary) {
+                    return soft((one - other).abs() > 1e-9, "a rotary axis that is free at the pole");
+                }
                 let whole = ((one - other) / 360.0).round();
                 let rolled = if allowed.wraps && is_rotary(letter) { 360.0 * whole } else { 0.0 };
                 worst([
@@ -321,15 +429,16 @@ fn side(state: &State) -> Compensation {
 fn state_difference(was: &Event<'_>, is: &Event<'_>) -> Option<Difference> {
     let (old, new) = (&was.block.state, &is.block.state);
     let tip = (old.under_tip_control(), new.under_tip_control());
+    let machine = was.block.effect == Effect::Machine;
     let frame = worst([
         hard(old.units != new.units, "the unit"),
         hard(tip.0 != tip.1, "tip control"),
-        hard(tilt_differs(old.tilted_plane(), new.tilted_plane()), "the tilted plane"),
+        hard(!machine && tilt_differs(old.tilted_plane(), new.tilted_plane()), "the tilted plane"),
         hard(tip.0 && old.interpolation != new.interpolation, "the interpolation of the tool axis"),
         hard(tip.0 && old.vector_frame != new.vector_frame, "the frame of vectors"),
         soft(old.tip_control != new.tip_control, "the start of tip control"),
     ]);
-    if was.block.effect == Effect::Machine {
+    if machine {
         return frame;
     }
     let linear = was.block.effect.cuts() || was.block.words.letters().any(|letter| !is_rotary(letter));
@@ -354,11 +463,16 @@ fn state_difference(was: &Event<'_>, is: &Event<'_>) -> Option<Difference> {
         hard(old.speed != new.speed, "the speed"),
         hard(old.coolant != new.coolant, "coolant"),
         hard(old.plane != new.plane, "the plane"),
-        hard(old.path != new.path, "the path mode"),
-        hard(old.smoothing != new.smoothing, "smoothing"),
+        hard(path(old) != path(new), "the path mode"),
+        hard(old.smoothing.unwrap_or_default() != new.smoothing.unwrap_or_default(), "smoothing"),
         hard(old.rotary_path != new.rotary_path, "shortest path"),
         hard(taps && old.rigid != new.rigid, "rigid tapping"),
     ])
+}
+
+/// Continuous path without a tolerance is the state in which a control is switched on.
+fn path(state: &State) -> PathMode {
+    state.path.unwrap_or(PathMode::Continuous(None))
 }
 
 fn tilt_differs(was: Option<TiltedPlane>, is: Option<TiltedPlane>) -> bool {

@@ -195,8 +195,15 @@ fn siemens(text: &str) -> Option<(Effect, Vec<Due>)> {
 
 /// `FN 18: SYSREAD QL1 = ID50 NR1 IDX5` reads the length of tool 5; its wear and their sum follow.
 fn heidenhain(text: &str) -> Option<(Effect, Vec<Due>)> {
-    let tool: u32 = text.strip_prefix("FN 18: SYSREAD QL1 = ID50 NR1 IDX")?.parse().ok()?;
-    let wear = format!("FN 18: SYSREAD QL2 = ID50 NR4 IDX{tool}");
+    // Either may be read first.
+    let [length, wear] = ["FN 18: SYSREAD QL1 = ID50 NR1 IDX", "FN 18: SYSREAD QL2 = ID50 NR4 IDX"];
+    let (tool, other) = match (text.strip_prefix(length), text.strip_prefix(wear)) {
+        (Some(tool), _) => (tool, wear),
+        (_, Some(tool)) => (tool, length),
+        _ => return None,
+    };
+    let tool: u32 = tool.parse().ok()?;
+    let wear = format!("{other}{tool}");
     let due = vec![Due::Low, Due::Line("FN 1: QL1 = +QL1 + +QL2".to_owned()), Due::Line(wear)];
     Some((Effect::Modal, due))
 }

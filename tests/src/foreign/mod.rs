@@ -141,6 +141,7 @@ pub fn run(text: &str, options: &Options) -> Result<Trace, Refused> {
         ended: Ended::No,
         last_number: None,
         tapes: 0,
+        parts: Parts::default(),
     };
     let last = text.lines().count();
     if !options.untidy && !text.ends_with('\n') {
@@ -187,6 +188,30 @@ struct Run<'a> {
     last_number: Option<u32>,
     /// Marks `%` so far.
     tapes: u32,
+    parts: Parts,
+}
+
+/// Parts of the old cycles of Heidenhain: 9.0 is followed by 9.1, and 9.1 follows 9.0.
+#[derive(Debug, Default)]
+struct Parts {
+    /// Cycle and part of the block before.
+    last: Option<(u32, u32)>,
+}
+
+impl Parts {
+    fn next(&mut self, text: &str) -> Result<(), String> {
+        let part = text.split_once("CYCL DEF ").and_then(|(_, rest)| {
+            let (cycle, part) = rest.split(' ').next()?.split_once('.')?;
+            Some((cycle.parse().ok()?, part.parse().ok()?))
+        });
+        let before = self.last;
+        self.last = part;
+        let follows = match part {
+            Some((cycle, number)) if number > 0 => before == Some((cycle, number - 1)),
+            _ => !matches!(before, Some((_, 0))),
+        };
+        if follows { Ok(()) } else { Err("a cycle without all its parts".to_owned()) }
+    }
 }
 
 impl Run<'_> {
@@ -227,11 +252,17 @@ impl Run<'_> {
             Content::Comment(text) => self.trace.comments.push((line, text)),
             Content::Mark(mark) => self.mark(mark)?,
             Content::Block(tokens) if self.reached => {
+                if self.options.careless && control == Control::Heidenhain {
+                    self.parts.next(text)?;
+                }
                 let command = match table::command(self.options, &tokens, &self.machine.state) {
-                    Err(_) if self.is_idle(text).is_some() => {
-                        let code = self.is_idle(text).unwrap_or_default();
-                        self.push(line, None, Effect::Shop(code), Axes::default(), false);
-                        return Ok(());
+                    Err(why) => {
+                        let rest = self.without_codes_of_the_shop(line, tokens);
+                        let rest = rest.filter(|rest| rest.is_empty() || self.options.careless).ok_or(why)?;
+                        if rest.is_empty() {
+                            return Ok(());
+                        }
+                        table::command(self.options, &rest, &self.machine.state)?
                     }
                     command => command?,
                 };
@@ -251,10 +282,28 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// Index of the code of the shop that a block is, its number aside.
-    fn is_idle(&self, text: &str) -> Option<usize> {
-        let unnumbered = text.split_once(' ').map(|(_, rest)| rest);
-        self.options.idle.iter().position(|idle| idle == text || unnumbered == Some(idle.as_str()))
+    /// The tokens of a block but for the codes of the shop, which are executed; `None` if it has none.
+    fn without_codes_of_the_shop(&mut self, line: usize, tokens: Vec<lexer::Token>) -> Option<Vec<lexer::Token>> {
+        let code = |token: &lexer::Token| match token {
+            lexer::Token::Word { name, number, .. } if name == "M" => {
+                let code = meaning::whole(number.value).ok()?;
+                self.options.idle.contains(&format!("M{code}")).then_some(code)
+            }
+            _ => None,
+        };
+        // A statement of Heidenhain ends in its M codes.
+        if self.options.control == Control::Heidenhain && tokens.len() > 1 && code(&tokens[0]).is_some() {
+            return None;
+        }
+        let codes: Vec<u32> = tokens.iter().filter_map(code).collect();
+        let rest: Vec<lexer::Token> = tokens.iter().filter(|token| code(token).is_none()).cloned().collect();
+        if codes.is_empty() || !rest.is_empty() && !self.options.careless {
+            return None;
+        }
+        for code in codes {
+            self.push(line, None, Effect::Shop(code), Axes::default(), false);
+        }
+        Some(rest)
     }
 
     fn mark(&mut self, mark: Mark) -> Result<(), String> {

@@ -75,8 +75,8 @@ pub enum Effect {
     Orient,
     /// Axes go to their reference points, all if none is named: G28, G30. They pass the position of the block.
     Home(Axes),
-    /// A code of the shop: its index in the options.
-    Shop(usize),
+    /// An M code of the shop, by its number.
+    Shop(u32),
 }
 
 impl Effect {

@@ -4,6 +4,8 @@ use super::super::Control;
 use super::super::meaning::Counting;
 use super::{Content, Line, Mark, Number, Token, take_number};
 
+const EMPTY: &str = "an empty line";
+
 pub(super) fn line(control: Control, text: &str) -> Result<Line, String> {
     let content = |content| Ok(Line { number: None, content });
     let text = if control == Control::LinuxCnc { without_remark(text) } else { text };
@@ -12,6 +14,11 @@ pub(super) fn line(control: Control, text: &str) -> Result<Line, String> {
         && !comment.contains(['(', ')'])
     {
         return content(Content::Comment(comment.to_owned()));
+    }
+    // A comment that is skipped, and several comments.
+    let rest = text.strip_prefix('/').unwrap_or(text);
+    if rest.starts_with('(') && !rest.starts_with("(abort") && tokens(rest).is_err_and(|why| why == EMPTY) {
+        return content(Content::Comment(rest.to_owned()));
     }
     let condition = match control {
         Control::LinuxCnc => text.starts_with(['o', 'O']),
@@ -42,7 +49,8 @@ pub(super) fn line(control: Control, text: &str) -> Result<Line, String> {
 fn without_remark(text: &str) -> &str {
     match end_of_block(text) {
         Some(end) if !text[..end].trim().is_empty() => text[..end].trim_end(),
-        _ => text,
+        Some(_) => "()",
+        None => text,
     }
 }
 
@@ -83,5 +91,5 @@ fn tokens(mut text: &str) -> Result<Vec<Token>, String> {
         tokens.push(Token::Word { name: letter.to_string(), number, counting: Counting::AsInForce });
         text = rest;
     }
-    if tokens.is_empty() { Err("an empty line".to_owned()) } else { Ok(tokens) }
+    if tokens.is_empty() { Err(EMPTY.to_owned()) } else { Ok(tokens) }
 }

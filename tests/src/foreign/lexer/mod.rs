@@ -109,7 +109,10 @@ pub fn joined(control: Control, text: &str) -> Vec<(usize, String)> {
                 break;
             }
         }
-        if line.is_empty() && ends_blocks && text.split_terminator('\n').nth(index).is_some_and(|whole| !whole.is_empty()) {
+        if line.is_empty()
+            && ends_blocks
+            && text.split_terminator('\n').nth(index).is_some_and(|whole| !whole.is_empty())
+        {
             continue;
         }
         let goes_on = control == Control::Heidenhain && line.ends_with('~');

@@ -42,6 +42,19 @@ pub(super) fn block(machine: &Machine, command: &Command) -> Result<(), String> 
     Ok(())
 }
 
+/// Codes whose order in the block decides, and a cycle without its position.
+pub(super) fn clear(command: &Command) -> Result<(), String> {
+    let on = command.meanings.iter().any(|meaning| matches!(meaning, Meaning::CoolantOn(_)));
+    let off = command.meanings.iter().any(|meaning| matches!(meaning, Meaning::CoolantOff(_)));
+    if on && off {
+        return Err("coolant on and off in one block".to_owned());
+    }
+    if command.meanings.iter().any(|meaning| matches!(meaning, Meaning::Cycle(_))) && !command.has_axes() {
+        return Err("a cycle without a position".to_owned());
+    }
+    Ok(())
+}
+
 /// At most one of: motion, dwell, tool change, spindle, coolant, stop, end.
 fn one_deed(command: &Command) -> Result<(), String> {
     let deed = |meaning: &&Meaning| {

@@ -79,6 +79,7 @@ impl Machine {
         if !self.careless {
             careful::block(self, &written)?;
         }
+        careful::clear(&written)?;
         self.modes(meanings, &mut command)?;
         let effect = self.effect(&written, &mut command)?;
         command.finish()?;
@@ -90,6 +91,7 @@ impl Machine {
     fn effect(&mut self, written: &Command, command: &mut Command) -> Result<Effect, String> {
         let meanings = &written.meanings;
         if meanings.contains(&Meaning::Dwell) {
+            self.motion_mode(meanings, command)?;
             let seconds = command.take(Address::Seconds).ok_or("a dwell without its time")?;
             return Ok(Effect::Dwell(seconds));
         }

@@ -199,7 +199,9 @@ impl Machine {
     /// Positions are unknown where the block has changed what they count from.
     fn forget_positions(&mut self, before: &State, meanings: &[Meaning]) {
         let state = &mut self.state;
-        if meanings.iter().any(|meaning| meaning.group() == Meaning::LengthOn.group()) {
+        // The offset that is in force already moves nothing.
+        let again = self.careless && before.length == state.length && before.tip_control == state.tip_control;
+        if !again && meanings.iter().any(|meaning| meaning.group() == Meaning::LengthOn.group()) {
             // The tool table of LinuxCNC may hold lengths along every linear axis.
             let all = self.control == Control::LinuxCnc;
             state.position.retain(|letter| if all { is_rotary(letter) } else { letter != 'Z' });

@@ -32,7 +32,11 @@ impl Machine {
             && written.words.iter().any(|word| matches!(word.address, Address::Vector(_)));
         let again = self.state.motion == Some(MotionMode::Cycle)
             && command.words.iter().any(|word| word.address == Address::Level);
-        if !command.has_axes() && !again && !round && !command.words.iter().any(|word| word.address == Address::PolarAngle) {
+        if !command.has_axes()
+            && !again
+            && !round
+            && !command.words.iter().any(|word| word.address == Address::PolarAngle)
+        {
             if call {
                 return hole::called(self, called).map(Some);
             }
@@ -70,7 +74,7 @@ impl Machine {
         Ok(Some(effect))
     }
 
-    fn motion_mode(&mut self, meanings: &[Meaning], command: &mut Command) -> Result<(), String> {
+    pub(super) fn motion_mode(&mut self, meanings: &[Meaning], command: &mut Command) -> Result<(), String> {
         for meaning in meanings {
             match meaning {
                 Meaning::Motion(mode) => {

@@ -46,6 +46,9 @@ pub(super) fn command(tokens: &[Token], _: &State) -> Result<Command, String> {
         ("CC", _) => {
             command.code(Meaning::Pole)?;
             words(&mut command, &tokens[1..])?;
+            if command.meanings.len() > 1 {
+                return Err("a pole with other codes".to_owned());
+            }
         }
         ("C" | "CP" | "CR", _) => {
             command.code(Meaning::Motion(sense(tokens)?))?;
@@ -59,7 +62,14 @@ pub(super) fn command(tokens: &[Token], _: &State) -> Result<Command, String> {
         ("CYCL", "DEF") => cycle_definition(&mut command, &tokens[2..])?,
         ("PLANE", _) => plane(&mut command, &tokens[1..])?,
         ("FUNCTION", _) => function(&mut command, &tokens[1..])?,
-        _ => words(&mut command, tokens)?,
+        _ => {
+            words(&mut command, tokens)?;
+            if !command.words.is_empty()
+                || command.meanings.iter().any(|meaning| matches!(meaning, Meaning::Compensation(_)))
+            {
+                return Err("words without the statement that they belong to".to_owned());
+            }
+        }
     }
     Ok(command)
 }
@@ -84,7 +94,7 @@ fn words(command: &mut Command, tokens: &[Token]) -> Result<(), String> {
     let motion = command.meanings.iter().any(|meaning| matches!(meaning, Meaning::Motion(_)));
     for token in tokens {
         match token {
-            Token::Word { name, number, counting } => word(command, name, number.value, *counting)?,
+            Token::Word { name, number, counting } => word(command, name, *number, *counting)?,
             Token::Name(name) => match name.as_str() {
                 "FMAX" | "DR+" | "DR-" if motion => {}
                 "RL" => command.code(Meaning::Compensation(Compensation::Left(None)))?,
@@ -97,7 +107,8 @@ fn words(command: &mut Command, tokens: &[Token]) -> Result<(), String> {
     Ok(())
 }
 
-fn word(command: &mut Command, name: &str, value: f64, counting: Counting) -> Result<(), String> {
+fn word(command: &mut Command, name: &str, number: Number, counting: Counting) -> Result<(), String> {
+    let Number { value, point } = number;
     let absolute = counting == Counting::AsInForce;
     let address = match name {
         "X" | "Y" | "Z" | "U" | "V" | "W" | "A" | "B" | "C" => {
@@ -108,7 +119,9 @@ fn word(command: &mut Command, name: &str, value: f64, counting: Counting) -> Re
         "TY" if absolute => Address::Vector(1),
         "TZ" if absolute => Address::Vector(2),
         "F" if absolute => Address::Feed,
-        "R" if absolute && value.abs() < 1e-12 => return command.code(Meaning::Compensation(Compensation::Off)),
+        "R" if absolute && !point && value.abs() < 1e-12 => {
+            return command.code(Meaning::Compensation(Compensation::Off));
+        }
         "R" if absolute => Address::Radius,
         "M" if absolute => {
             let code = super::super::meaning::whole(value)?;
@@ -240,10 +253,8 @@ fn cycle_definition(command: &mut Command, tokens: &[Token]) -> Result<(), Strin
         code if code % 10 == 0 => {
             // Those that `hole` reads are compared as levels, steps and times.
             let read = [200, 201, 202, 203, 204, 206, 211, 239, 257];
-            let more = others(
-                code / 10,
-                (1..1000).filter(|number| !read.contains(number)).map(|number| (number, q(number))),
-            );
+            let more =
+                others(code / 10, (1..1000).filter(|number| !read.contains(number)).map(|number| (number, q(number))));
             let cycle = hole(code / 10, q).map(|cycle| Cycle { others: more, ..cycle });
             command.cycle = Some(cycle.ok_or_else(|| format!("cycle {number} in a form that is unknown here"))?);
             Ok(())

@@ -117,7 +117,7 @@ static M: &[Row] = &[
 
 fn meaning(table: &[Row], control: Control, number: Number) -> Option<Meaning> {
     let tenths = (number.value * 10.0).round();
-    let exact = (number.value * 10.0 - tenths).abs() < 1e-6 && tenths >= 0.0;
+    let exact = (number.value * 10.0 - tenths).abs() < 1e-6 && number.value.is_sign_positive();
     let row = table.iter().find(|(code, controls, _)| exact && *code == tenths as u32 && controls.contains(&control));
     row.map(|(_, _, meaning)| *meaning)
 }
@@ -152,6 +152,8 @@ impl Reader<'_> {
                     .ok_or_else(|| format!("{letter}{} has no business in this program: unknown", number.value))?;
                 self.command.code(meaning)
             }
+            // A sequence number in the middle.
+            'N' if self.options.careless && control != LinuxCnc => Ok(()),
             'S' => self.command.word(Address::Speed, number.value),
             'T' => self.command.word(Address::Tool, number.value),
             'H' => self.command.word(Address::LengthRegister, number.value),
@@ -204,6 +206,7 @@ impl Reader<'_> {
             self.command.word(Address::OffsetNumber, number.value)?;
         }
         if self.command.has(Meaning::Continuous)
+            && self.options.control == LinuxCnc
             && let Some(tolerance) = self.take('P')
         {
             self.command.word(Address::PathTolerance, tolerance.value)?;
@@ -224,12 +227,17 @@ impl Reader<'_> {
             self.command.word(Address::Pitch, pitch.value)?;
         }
         self.cycle()?;
+        let control = self.options.control;
+        let arcs = matches!(self.state.motion, Some(MotionMode::Clockwise | MotionMode::CounterClockwise))
+            || self.command.meanings.iter().any(|meaning| meaning.group() == Meaning::CancelMotion.group());
         for (letter, number) in std::mem::take(&mut self.letters) {
             let value = self.length(letter, number);
             let address = match letter {
                 'I' => Address::Centre(0),
                 'J' => Address::Centre(1),
                 'K' => Address::Centre(2),
+                // Alone it moves nothing.
+                'R' if self.options.careless && control != LinuxCnc && !self.command.has_axes() && !arcs => continue,
                 'R' => Address::Radius,
                 'P' | 'Q' | 'E' => return Err(format!("{letter} has no business in this block")),
                 axis => Address::Axis(axis),

@@ -6,8 +6,8 @@
 use super::super::lexer::Token;
 use super::super::meaning::{Address, Command, Counting, Meaning, Supply};
 use super::super::state::{
-    Compensation, Cycle, CycleKind, Distance, FeedMode, Interpolation, MotionMode, Plane, Spindle, State, TiltedPlane,
-    Units, VectorFrame, WorkOffset, SMOOTHING,
+    Compensation, Cycle, CycleKind, Distance, FeedMode, Interpolation, MotionMode, Plane, SMOOTHING, Spindle, State,
+    TiltedPlane, Units, VectorFrame, WorkOffset,
 };
 use super::{geometry, others};
 
@@ -174,7 +174,12 @@ fn swivel(number: impl Fn(usize) -> Option<f64>) -> Option<TiltedPlane> {
     let shifted = geometry::rotated(&rotation, vector(10)?);
     let before = vector(4)?;
     let origin = [0, 1, 2].map(|index| before[index] + shifted[index]);
-    Some(TiltedPlane { rotation, origin, oriented: !zero(number(13)?), solution: number(13)?.signum() as i8 * i8::from(!zero(number(13)?)) })
+    Some(TiltedPlane {
+        rotation,
+        origin,
+        oriented: !zero(number(13)?),
+        solution: number(13)?.signum() as i8 * i8::from(!zero(number(13)?)),
+    })
 }
 
 /// CYCLE81 to CYCLE85 (RTP, RFP, SDIS, DP, DPR, ..): return level, surface, clearance, bottom. A depth by DPR is unknown
