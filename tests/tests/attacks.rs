@@ -5,8 +5,8 @@ use std::fs;
 
 use pp_runtime::config::Mode::{self, Axes, Plane, Tcp};
 use tests::binaries::workspace;
-use tests::edits::{Case, Posted, Subject};
-use tests::foreign::Effect;
+use tests::edits::{Case, Posted, Subject, Verdict, verdict};
+use tests::foreign::{Effect, run};
 
 /// Where an edit is made.
 #[derive(Debug, Clone, Copy)]
@@ -93,7 +93,7 @@ fn posted(machine: &str, control: &str, mode: Mode, more: &str) -> Option<Posted
         },
     ));
     let config = config(machine, control, mode, more);
-    let case = Case { name: &name, machine, control, mode, operations, config: &config, cl: &cl, idle: &[] };
+    let case = Case { name: &name, machine, control, mode, operations, config: &config, cl: &cl, idle: &["M98 P9000", "L100"] };
     let posted = Posted::of(&case).unwrap_or_else(|why| panic!("{name}: {why}"));
     let findings = posted.findings(&posted.text);
     assert!(findings.is_empty(), "{name} before the edit: {findings:?}");
@@ -119,8 +119,8 @@ fn place(subject: &Subject, place: Place) -> Option<usize> {
         }
         Dwell => blocks.iter().find(|block| matches!(block.effect, Effect::Dwell(_))).map(|block| block.line - 1),
         Text(text, number) => {
-            let lines =
-                subject.lines.iter().enumerate().filter(|(_, line)| line.contains(text) && !line.starts_with("(CL"));
+            let comment = |line: &str| line.starts_with(['(', ';', '*']) && !text.starts_with('(');
+            let lines = subject.lines.iter().enumerate().filter(|(_, line)| line.contains(text) && !comment(line));
             lines.map(|(index, _)| index).nth(number)
         }
     }
@@ -156,7 +156,11 @@ fn all_are_found(rows: &[Row]) {
                 let Some(index) = place(subject, *at) else { continue };
                 let Some(lines) = changed(subject, index, *change) else { continue };
                 *made += 1;
-                if posted.findings(&subject.text(&lines)).is_empty() {
+                let text = subject.text(&lines);
+                let harm = verdict(&subject.trace, &run(&text, &subject.options), subject.allowed);
+                let harmful = matches!(harm, Verdict::Harmful(_) | Verdict::Refused(_));
+                assert!(harmful, "{} {:?}: {at:?} {change:?} is {harm:?}", subject.name, subject.lines[index]);
+                if posted.findings(&text).is_empty() {
                     overlooked.push(format!(
                         "{}, line {} `{}`: {change:?}",
                         subject.name,
@@ -318,7 +322,7 @@ attacks! {
         (&["haas"], ALL, GUARD, &[(Text("IF [ABS", 0), Replace("#2001 + #2201", "#2002 + #2202"))]),
         (&["linuxcnc"], &[Axes, Tcp], GUARD, &[
             (Text(" if [[ABS", 0), Delete(3)), (Text("(abort", 0), Replace("abort", "msg")),
-            (Text(" if [[ABS", 0), Replace("GT 0.01]] ", "GT 99]] ")), (Text(" if [[ABS", 0), Replace("GT 0.01] A", "GT 99] A")),
+            (Text(" if [[ABS", 0), From("GT 0.01] AND", "GT 99] AND [1 GT 2]]")), (Text(" if [[ABS", 0), Replace("GT 0.01] A", "GT 99] A")),
             (Text("(abort", 0), Delete(1)), (Text("(abort", 0), Replace("(abort", "/(abort")),
         ]),
         (&["siemens"], ALL, GUARD, &[
@@ -352,7 +356,7 @@ attacks! {
     ];
     another_position_of_the_plane_is_found: [
         (HEIDENHAIN, &[Plane], "", &[
-            (Text("SEQ", 0), Replace("SEQ+", "SEQ-")), (Text("SEQ", 0), Replace("SEQ-", "SEQ+")),
+            (Text("SEQ+ TABLE", 0), Replace("SEQ+", "SEQ-")), 
             (Text("TABLE ROT", 0), Replace("TABLE ROT", "COORD ROT")), (Text("TABLE ROT", 1), Replace("TABLE ROT", "COORD ROT")),
         ]),
     ];

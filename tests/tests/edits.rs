@@ -268,6 +268,7 @@ struct Failure {
 fn failure(what: &str, control: Control, posted: &Posted, edit: &Edit, why: &str, finding: &str) -> Failure {
     let reason = why.split_once(": ").map_or(why, |(_, reason)| reason);
     let reason = if what == "refused, not found" { reason.split(": ").next().unwrap_or_default() } else { reason };
+    let edit = &Edit { kind: edit.kind.replace('\n', "\\n").replace(" | ", " / "), ..edit.clone() };
     let (kind, reason) = (without_numbers(reason), finding.split_once(": ").map_or("", |(_, text)| text));
     let reason = without_numbers(reason);
     Failure {
@@ -318,8 +319,8 @@ fn is_another_restart(posted: &Posted, edit: &Edit, edited: &Result<Trace, Refus
     restarts_differ([&subject.trace, edited], entered, subject.allowed)
 }
 
-/// Whether a program that does the same holds what no careful programmer writes: text after a semicolon, which may begin a
-/// block, an end code before the end, a code of the shop beside other words.
+/// Whether a program that does the same holds what a check may find: text after a semicolon, which may begin a block, an end
+/// code before the end, a code of the shop beside other words, M9 besides codes of air, a unit elsewhere.
 fn is_matter_of_taste(posted: &Posted, edit: &Edit) -> bool {
     let options = &posted.subject.options;
     let semicolon = matches!(options.control, Control::Fanuc | Control::Haas) && edit.after.contains(';');
@@ -328,7 +329,18 @@ fn is_matter_of_taste(posted: &Posted, edit: &Edit) -> bool {
         .after
         .split(" | ")
         .any(|line| line.contains(' ') && line.split(' ').any(|word| options.idle.iter().any(|idle| idle == word)));
-    semicolon || ends || shop
+    let of_air = options.idle.iter().any(|idle| idle == "M83");
+    let words = || edit.before.split(' ').chain(edit.after.split(' '));
+    // Whether M9 also switches off air and coolant through the spindle.
+    let off = of_air && words().any(|word| word == "M9" || word == "M09");
+    // Where a restart point begins.
+    let unit = words().any(|word| ["G20", "G21", "G700", "G710"].contains(&word));
+    // A tool that is selected in a block with a motion.
+    let tool = edit.after.split(" | ").any(|line| {
+        let is = |letters: &str| line.split(' ').any(|word| word.starts_with(|letter| letters.contains(letter)));
+        is("T") && is("XYZABC")
+    });
+    semicolon || ends || shop || off || unit || tool
 }
 
 /// Whether an edit concerns messages and comments alone. The foreign interpreter refuses a guard without its message.

@@ -7,7 +7,7 @@
 use std::collections::BTreeMap;
 
 use crate::foreign::axes::{Axes, is_rotary};
-use crate::foreign::state::{Compensation, Cycle, CycleKind, PathMode, State, TiltedPlane};
+use crate::foreign::state::{Compensation, Cycle, Length, CycleKind, PathMode, State, TiltedPlane};
 use crate::foreign::trace::{Arc, Hole};
 use crate::foreign::{Effect, Executed, Feed, Refused, Trace};
 
@@ -107,22 +107,42 @@ fn events<'a>(trace: &'a Trace, start: &'a State) -> (Vec<Event<'a>>, Vec<String
     let mut codes = BTreeMap::new();
     for block in &trace.blocks {
         let event = Event { before, block };
+        let was = before;
         before = &block.state;
+        // Without the length the axis may move (Fanuc and Haas).
+        if matches!((was.length, before.length), (Some(Length::Register(_)), Some(Length::Off)))
+            && !block.effect.moves()
+            && was.position.contains('Z')
+        {
+            again.push("G49".to_owned());
+        }
         match block.effect {
             Effect::Modal | Effect::Safety | Effect::Length(_) | Effect::Spindle(_) | Effect::Coolant => {}
             Effect::Shop(code) => {
                 let (pair, off) = pair(code);
                 let last = codes.insert(pair, code);
-                if last == Some(code) || last.is_none() && off {
+                if code != u32::MAX && (last == Some(code) || last.is_none() && off) {
                     again.push(format!("M{code}"));
                 } else {
-                    // The order of codes for several things does not matter.
-                    let shop = |event: &&Event<'_>| matches!(event.block.effect, Effect::Shop(other) if self::pair(other).0 > pair);
-                    let later = events.iter().rev().take_while(shop).count();
+                    // The order of codes for several things does not matter, nor that of a code and a retract.
+                    let later = |event: &&Event<'_>| match event.block.effect {
+                        Effect::Shop(other) => self::pair(other).0 > pair,
+                        effect => effect == Effect::Machine,
+                    };
+                    let later = events.iter().rev().take_while(later).count();
+                    again.push(format!("M{code} before {later} actions"));
                     events.insert(events.len() - later, event);
                 }
             }
-            _ if stays(&event) => again.push(format!("{:?}", block.words)),
+            Effect::Guard { .. } => {
+                let retract = |event: &&Event<'_>| event.block.effect == Effect::Machine;
+                let later = events.iter().rev().take_while(retract).count();
+                again.push(format!("a guard before {later} retracts"));
+                events.insert(events.len() - later, event);
+            }
+            effect if stays(&event) => {
+                again.push(format!("{} {:?} {}", name(&effect), block.words, block.state.under_tip_control()));
+            }
             _ => events.push(event),
         }
     }
@@ -186,6 +206,14 @@ fn removed(was: &[Event<'_>], is: &[Event<'_>], index: usize, allowed: Allowed) 
     {
         return Some(Verdict::Undecided("a wait is added".to_owned()));
     }
+    let over = |events: &[Event<'_>], other: &[Event<'_>]| {
+        index < events.len()
+            && is_over_next_hole(events, index, allowed)
+            && rest_agrees(&events[index + 1..], &other[index..])
+    };
+    if over(was, is) || over(is, was) {
+        return Some(Verdict::Undecided("a rapid over the next hole".to_owned()));
+    }
     let still = |events: &[Event<'_>]| !events.iter().any(|event| event.block.effect.moves());
     if [was, is].iter().all(|events| still(&events[index.min(events.len())..])) && is_of_shop(was, index, is) {
         return Some(Verdict::Undecided("a code of the shop after the last motion".to_owned()));
@@ -200,6 +228,23 @@ fn removed(was: &[Event<'_>], is: &[Event<'_>], index: usize, allowed: Allowed) 
         }
     }
     None
+}
+
+/// Whether a rapid ends over the next hole, and the cycle alone would bring the tool there above its reference level.
+fn is_over_next_hole(events: &[Event<'_>], index: usize, allowed: Allowed) -> bool {
+    let Some([rapid, next]) = events.get(index..index + 2) else { return false };
+    let Effect::Hole(hole) = next.block.effect else { return false };
+    let near = |letter| match [rapid, next].map(|event| event.block.state.position.get(letter)) {
+        [Some(one), Some(two)] => (one - two).abs() <= allowed.linear,
+        _ => false,
+    };
+    let above = |state: &State| state.position.get('Z').is_some_and(|z| z >= hole.cycle.reference - allowed.linear);
+    rapid.block.effect == Effect::Rapid
+        && !rapid.block.words.letters().any(is_rotary)
+        && near('X')
+        && near('Y')
+        && above(rapid.before)
+        && above(&rapid.block.state)
 }
 
 /// Whether one of two blocks is a code of the shop.
@@ -219,7 +264,12 @@ fn is_split(one: &[Event<'_>], two: &[Event<'_>], index: usize, allowed: Allowed
         [Some(one), Some(two)] => (one - two).abs() <= allowed.linear,
         _ => false,
     };
-    level(whole) && parts.iter().all(level) && whole.block.words.letters().all(ends)
+    let part = |letter| match [whole, &parts[0]].map(|event| event.block.state.position.get(letter)) {
+        [Some(one), Some(two)] => (one - two).abs() <= allowed.linear,
+        _ => false,
+    };
+    let partly = parts[0].block.words.letters().all(part);
+    partly && level(whole) && parts.iter().all(level) && whole.block.words.letters().all(ends)
 }
 
 /// Whether a straight motion ends on the straight line between the positions before it and after the next motion.
@@ -317,7 +367,11 @@ fn difference(was: &Event<'_>, is: &Event<'_>, allowed: Allowed) -> Option<Diffe
 fn other_state(was: &Event<'_>, is: &Event<'_>) -> Option<Difference> {
     let [(spindle, coolant, speed, tool), now] =
         [was, is].map(|event| (event.before.spindle, event.before.coolant, event.before.speed, event.before.tool));
-    let process = (spindle, coolant, speed, tool) != now;
+    let after = [was, is].map(|event| {
+        let state = &event.block.state;
+        (state.spindle, state.coolant, state.speed, state.tool)
+    });
+    let process = (spindle, coolant, speed, tool) != now || after[0] != after[1];
     let [frame, frame_now] = [was, is].map(|event| {
         let state = &event.block.state;
         (state.plane, state.feed_mode, side(state), state.length, state.work_offset, state.tilted_plane().is_some())
@@ -380,6 +434,9 @@ fn moved(was: &Event<'_>, is: &Event<'_>, allowed: Allowed) -> Option<Difference
         let largest = if is_rotary(letter) { allowed.rotary_deg } else { allowed.linear };
         let from = [was, is].map(|event| event.before.position.contains(letter));
         match (of(old), of(new)) {
+            (Some(one), Some(other)) if machine && written[0] != written[1] && (one - other).abs() < 1e-9 => {
+                soft(true, "another axis at machine coordinates")
+            }
             (Some(one), Some(other)) => {
                 let starts = cuts && from[0] && !from[1];
                 let free = was.block.effect == Effect::Rapid

@@ -252,10 +252,18 @@ impl Run<'_> {
             Content::Comment(text) => self.trace.comments.push((line, text)),
             Content::Mark(mark) => self.mark(mark)?,
             Content::Block(tokens) if self.reached => {
+                let numbered = |token: &lexer::Token| matches!(token, lexer::Token::Word { name, .. } if name == "N");
+                if number.is_some() && tokens.iter().any(numbered) {
+                    return Err("two block numbers".to_owned());
+                }
                 if self.options.careless && control == Control::Heidenhain {
                     self.parts.next(text)?;
                 }
                 let command = match table::command(self.options, &tokens, &self.machine.state) {
+                    Err(_) if self.is_block_of_the_shop(text) => {
+                        self.push(line, None, Effect::Shop(u32::MAX), Axes::default(), false);
+                        return Ok(());
+                    }
                     Err(why) => {
                         let rest = self.without_codes_of_the_shop(line, tokens);
                         let rest = rest.filter(|rest| rest.is_empty() || self.options.careless).ok_or(why)?;
@@ -280,6 +288,15 @@ impl Run<'_> {
             Content::Condition(_) => return Err("a condition outside a guard".to_owned()),
         }
         Ok(())
+    }
+
+    /// Whether a block, its number aside, is one of the shop's and no M code.
+    fn is_block_of_the_shop(&self, text: &str) -> bool {
+        let unnumbered = match text.split_once(' ') {
+            Some((number, rest)) if number.trim_start_matches('N').parse::<u32>().is_ok() => rest,
+            _ => text,
+        };
+        self.options.idle.iter().any(|idle| idle == unnumbered && idle.contains(' ') || idle == unnumbered && !idle.starts_with('M'))
     }
 
     /// The tokens of a block but for the codes of the shop, which are executed; `None` if it has none.

@@ -49,7 +49,11 @@ pub(super) fn clear(command: &Command) -> Result<(), String> {
     if on && off {
         return Err("coolant on and off in one block".to_owned());
     }
-    if command.meanings.iter().any(|meaning| matches!(meaning, Meaning::Cycle(_))) && !command.has_axes() {
+    let cycle = command.meanings.iter().any(|meaning| matches!(meaning, Meaning::Cycle(_)));
+    if cycle && command.has(Meaning::Continuous) {
+        return Err("P of a cycle and of G64 in one block".to_owned());
+    }
+    if cycle && !command.has_axes() {
         return Err("a cycle without a position".to_owned());
     }
     Ok(())

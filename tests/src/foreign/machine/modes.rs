@@ -186,6 +186,11 @@ impl Machine {
 
     /// Components of the tool axis in the block; a component that is not written is that of the block before.
     fn tool_vector(&mut self, command: &mut Command) {
+        let programmed = |command: &Command| command.words.iter().any(|word| matches!(word.address, Address::Vector(_)));
+        if self.careless && programmed(command) {
+            // Components that are left out count as zero.
+            self.state.vector = Some([0.0; 3]);
+        }
         for index in 0..3 {
             if let Some(value) = command.take(Address::Vector(index)) {
                 self.state.vector.get_or_insert_default()[index] = value;
@@ -207,7 +212,9 @@ impl Machine {
             state.position.retain(|letter| if all { is_rotary(letter) } else { letter != 'Z' });
         }
         let tips = (before.under_tip_control(), state.under_tip_control());
-        let begun = tips.1 && before.tip_control != state.tip_control;
+        // The kinematics of LinuxCNC that are active stay active.
+        let active = self.careless && self.control == Control::LinuxCnc && tips == (true, true);
+        let begun = tips.1 && before.tip_control != state.tip_control && !active;
         if (before.work_offset, before.units) != (state.work_offset, state.units)
             || before.tilted_plane() != state.tilted_plane()
             || tips.0 != tips.1

@@ -46,8 +46,8 @@ pub(super) fn command(tokens: &[Token], _: &State) -> Result<Command, String> {
         ("CC", _) => {
             command.code(Meaning::Pole)?;
             words(&mut command, &tokens[1..])?;
-            if command.meanings.len() > 1 {
-                return Err("a pole with other codes".to_owned());
+            if command.meanings.len() > 1 || command.words.len() > 2 {
+                return Err("a pole with other codes, or with three coordinates".to_owned());
             }
         }
         ("C" | "CP" | "CR", _) => {
@@ -55,7 +55,10 @@ pub(super) fn command(tokens: &[Token], _: &State) -> Result<Command, String> {
             words(&mut command, &tokens[1..])?;
         }
         ("TOOL", "DEF") => match &tokens[2..] {
-            [Token::Number(_)] => command.code(Meaning::Idle)?,
+            [Token::Number(number)] => {
+                super::super::meaning::whole(number.value)?;
+                command.code(Meaning::Idle)?;
+            }
             _ => return Err("TOOL DEF without its number".to_owned()),
         },
         ("TOOL", "CALL") => tool_call(&mut command, &tokens[2..])?,

@@ -64,6 +64,7 @@ static NAMES: &[(&str, Meaning)] = &[
     ("ORIWKS", Meaning::VectorFrame(VectorFrame::Workpiece)),
     ("MCALL", Meaning::ModalCall),
     ("RET", Meaning::End),
+    ("STOPRE", Meaning::Idle),
 ];
 
 /// The block that some tokens mean.
@@ -125,7 +126,7 @@ fn word(command: &mut Command, name: &str, value: f64, counting: Counting) -> Re
 }
 
 fn meaning(table: &[Row], g: bool, value: f64) -> Option<Meaning> {
-    let code = super::super::meaning::whole(value).ok()?;
+    let code = super::super::meaning::whole(value).ok().filter(|_| value.is_sign_positive())?;
     if g && matches!(code, 54..=57 | 505..=599) {
         return Some(Meaning::WorkOffset(WorkOffset::Code(code * 10)));
     }
@@ -146,6 +147,7 @@ fn call(
             command.tilt = Some(swivel(number).ok_or("CYCLE800 in a form that is unknown here")?);
             command.code(Meaning::Tilt)
         }
+        "MSG" => command.code(Meaning::Idle),
         "CYCLE832" => {
             command.code(Meaning::Smoothing)?;
             for index in 0..arguments.len().min(SMOOTHING) {
