@@ -93,7 +93,16 @@ fn posted(machine: &str, control: &str, mode: Mode, more: &str) -> Option<Posted
         },
     ));
     let config = config(machine, control, mode, more);
-    let case = Case { name: &name, machine, control, mode, operations, config: &config, cl: &cl, idle: &["M98 P9000", "L100"] };
+    let case = Case {
+        name: &name,
+        machine,
+        control,
+        mode,
+        operations,
+        config: &config,
+        cl: &cl,
+        idle: &["M98 P9000", "L100"],
+    };
     let posted = Posted::of(&case).unwrap_or_else(|why| panic!("{name}: {why}"));
     let findings = posted.findings(&posted.text);
     assert!(findings.is_empty(), "{name} before the edit: {findings:?}");
@@ -356,7 +365,7 @@ attacks! {
     ];
     another_position_of_the_plane_is_found: [
         (HEIDENHAIN, &[Plane], "", &[
-            (Text("SEQ+ TABLE", 0), Replace("SEQ+", "SEQ-")), 
+            (Text("SEQ+ TABLE", 0), Replace("SEQ+", "SEQ-")),
             (Text("TABLE ROT", 0), Replace("TABLE ROT", "COORD ROT")), (Text("TABLE ROT", 1), Replace("TABLE ROT", "COORD ROT")),
         ]),
     ];

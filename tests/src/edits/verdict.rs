@@ -7,7 +7,7 @@
 use std::collections::BTreeMap;
 
 use crate::foreign::axes::{Axes, is_rotary};
-use crate::foreign::state::{Compensation, Cycle, Length, CycleKind, PathMode, State, TiltedPlane};
+use crate::foreign::state::{Compensation, Cycle, CycleKind, Length, PathMode, State, TiltedPlane};
 use crate::foreign::trace::{Arc, Hole};
 use crate::foreign::{Effect, Executed, Feed, Refused, Trace};
 

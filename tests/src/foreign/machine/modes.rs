@@ -186,7 +186,8 @@ impl Machine {
 
     /// Components of the tool axis in the block; a component that is not written is that of the block before.
     fn tool_vector(&mut self, command: &mut Command) {
-        let programmed = |command: &Command| command.words.iter().any(|word| matches!(word.address, Address::Vector(_)));
+        let programmed =
+            |command: &Command| command.words.iter().any(|word| matches!(word.address, Address::Vector(_)));
         if self.careless && programmed(command) {
             // Components that are left out count as zero.
             self.state.vector = Some([0.0; 3]);
