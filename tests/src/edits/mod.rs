@@ -15,6 +15,9 @@ pub mod posted;
 pub mod rows;
 pub mod verdict;
 
+#[cfg(test)]
+mod tests;
+
 pub use operations::{Edit, edit};
 pub use places::Subject;
 pub use posted::{Case, Posted};

@@ -54,8 +54,19 @@ fn without_remark(text: &str) -> &str {
     }
 }
 
+/// Blocks of a line: a semicolon outside of brackets ends one. A line without a semicolon is one block.
+pub(super) fn blocks(line: &str) -> Vec<&str> {
+    let Some(end) = end_of_block(line) else { return vec![line] };
+    let rest = line[end + 1..].trim_start();
+    let mut blocks = if rest.is_empty() { Vec::new() } else { self::blocks(rest) };
+    if !line[..end].trim().is_empty() {
+        blocks.insert(0, line[..end].trim_end());
+    }
+    blocks
+}
+
 /// Place of the first semicolon outside of brackets.
-pub(super) fn end_of_block(text: &str) -> Option<usize> {
+fn end_of_block(text: &str) -> Option<usize> {
     let mut inside = false;
     for (place, letter) in text.char_indices() {
         match letter {

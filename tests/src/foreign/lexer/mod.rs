@@ -97,22 +97,10 @@ pub fn line(control: Control, text: &str) -> Result<Line, String> {
 pub fn joined(control: Control, text: &str) -> Vec<(usize, String)> {
     let mut lines: Vec<(usize, String)> = Vec::new();
     let mut continued = false;
-    let ends_blocks = matches!(control, Control::Fanuc | Control::Haas);
     for (index, line) in text.split_terminator('\n').enumerate() {
-        let mut line = line;
-        while let Some(end) = iso::end_of_block(line).filter(|_| ends_blocks) {
-            if !line[..end].trim().is_empty() {
-                lines.push((index + 1, line[..end].trim_end().to_owned()));
-            }
-            line = line[end + 1..].trim_start();
-            if line.is_empty() {
-                break;
-            }
-        }
-        if line.is_empty()
-            && ends_blocks
-            && text.split_terminator('\n').nth(index).is_some_and(|whole| !whole.is_empty())
-        {
+        if matches!(control, Control::Fanuc | Control::Haas) {
+            let blocks = iso::blocks(line);
+            lines.extend(blocks.into_iter().map(|block| (index + 1, block.to_owned())));
             continue;
         }
         let goes_on = control == Control::Heidenhain && line.ends_with('~');
