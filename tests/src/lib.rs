@@ -9,6 +9,7 @@
 //! - [`heap`]: a counting allocator.
 //! - [`block`]: largest deviation of a block of the machine from its line, sampled along the block.
 //! - [`damage`]: programs with one fault.
+//! - [`edits`]: edits of posted programs, and the harm that each does.
 //! - [`foreign`]: an interpreter for programs of all five controls that shares no code with the postprocessor.
 //! - [`agreement`]: compares the product's own reader with the foreign interpreter, on the same program.
 //! - [`linuxcnc`]: a real control: its interpreter alone, and the whole control, simulated.
@@ -21,6 +22,7 @@ pub mod binaries;
 pub mod block;
 pub mod conformance;
 pub mod damage;
+pub mod edits;
 pub mod foreign;
 pub mod further;
 pub mod heap;

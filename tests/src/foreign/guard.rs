@@ -23,6 +23,8 @@ pub(super) struct Guards {
 struct Open {
     line: usize,
     effect: Effect,
+    /// Register or tool whose length is compared, where the guard names one.
+    register: Option<u32>,
     /// Lines that have to follow, the next one last.
     due: Vec<Due>,
 }
@@ -45,7 +47,7 @@ pub(super) enum Outcome {
     /// The guard goes on.
     GoesOn,
     /// The guard is complete; it began in this line.
-    Complete(usize, Effect),
+    Complete(usize, Effect, Option<u32>),
 }
 
 /// Length with which the first line of a LinuxCNC guard compares, in the unit of the program.
@@ -81,7 +83,7 @@ impl Guards {
             Control::Heidenhain => heidenhain(text),
         };
         let (effect, due) = begun.ok_or(REFUSED)?;
-        Ok(self.keep(Open { line, effect, due }))
+        Ok(self.keep(Open { line, effect, register: register(control, text), due }))
     }
 
     /// Whether a guard has begun and not ended.
@@ -91,7 +93,7 @@ impl Guards {
 
     fn keep(&mut self, open: Open) -> Outcome {
         if open.due.is_empty() {
-            return Outcome::Complete(open.line, open.effect);
+            return Outcome::Complete(open.line, open.effect, open.register);
         }
         self.open = Some(open);
         Outcome::GoesOn
@@ -138,6 +140,18 @@ impl Open {
     }
 }
 
+/// Register of the length in `#10001` (Fanuc), `#2001` (Haas), or the tool of `ID50 NR1 IDX1`.
+fn register(control: Control, text: &str) -> Option<u32> {
+    match control {
+        Control::Fanuc | Control::Haas => {
+            let digits = text.split_once('#')?.1;
+            digits[..digits.find(|digit: char| !digit.is_ascii_digit())?].parse().ok()
+        }
+        Control::Heidenhain => text.rsplit_once("IDX")?.1.parse().ok(),
+        Control::LinuxCnc | Control::Siemens => None,
+    }
+}
+
 fn is_m(tokens: &[Token], code: u32) -> bool {
     matches!(tokens, [Token::Word { name, number, .. }] if name == "M" && (number.value - f64::from(code)).abs() < 1e-9)
 }
@@ -181,8 +195,15 @@ fn siemens(text: &str) -> Option<(Effect, Vec<Due>)> {
 
 /// `FN 18: SYSREAD QL1 = ID50 NR1 IDX5` reads the length of tool 5; its wear and their sum follow.
 fn heidenhain(text: &str) -> Option<(Effect, Vec<Due>)> {
-    let tool: u32 = text.strip_prefix("FN 18: SYSREAD QL1 = ID50 NR1 IDX")?.parse().ok()?;
-    let wear = format!("FN 18: SYSREAD QL2 = ID50 NR4 IDX{tool}");
+    // Either may be read first.
+    let [length, wear] = ["FN 18: SYSREAD QL1 = ID50 NR1 IDX", "FN 18: SYSREAD QL2 = ID50 NR4 IDX"];
+    let (tool, other) = match (text.strip_prefix(length), text.strip_prefix(wear)) {
+        (Some(tool), _) => (tool, wear),
+        (_, Some(tool)) => (tool, length),
+        _ => return None,
+    };
+    let tool: u32 = tool.parse().ok()?;
+    let wear = format!("{other}{tool}");
     let due = vec![Due::Low, Due::Line("FN 1: QL1 = +QL1 + +QL2".to_owned()), Due::Line(wear)];
     Some((Effect::Modal, due))
 }

@@ -20,6 +20,8 @@ pub enum Meaning {
     RigidTap,
     /// Words of this block are machine coordinates: G53, SUPA, M91.
     MachineCoordinates,
+    /// Reference points: G28, G30.
+    Home,
     /// A wait: G4.
     Dwell,
     /// Plane.
@@ -56,6 +58,8 @@ pub enum Meaning {
     Orient,
     /// Tilted plane off.
     TiltOff,
+    /// Tilted plane off, and the rotary axes turn to zero: `PLANE RESET TURN`, `PLANE RESET MOVE`.
+    TiltOffTurning,
     /// Tip control on or off, the length unchanged.
     TipControl(bool),
     /// Motion of the tool axis under tip control.
@@ -160,7 +164,7 @@ impl Meaning {
     pub const fn group(self) -> Group {
         match self {
             Self::Motion(_) | Self::Cycle(_) | Self::CancelMotion | Self::RigidTap => Group::Motion,
-            Self::MachineCoordinates | Self::Dwell => Group::OneShot,
+            Self::MachineCoordinates | Self::Dwell | Self::Home => Group::OneShot,
             Self::Plane(_) => Group::Plane,
             Self::Units(_) => Group::Units,
             Self::Distance(_) => Group::Distance,
@@ -170,7 +174,7 @@ impl Meaning {
             Self::WorkOffset(_) | Self::FurtherOffset => Group::WorkOffset,
             Self::ExactStop | Self::Continuous | Self::Smoothing => Group::Path,
             Self::Return(_) => Group::Return,
-            Self::Tilt | Self::Orient | Self::TiltOff => Group::Tilt,
+            Self::Tilt | Self::Orient | Self::TiltOff | Self::TiltOffTurning => Group::Tilt,
             Self::TipControl(_) => Group::TipControl,
             Self::Interpolation(_) => Group::Interpolation,
             Self::VectorFrame(_) => Group::VectorFrame,
@@ -223,8 +227,8 @@ pub enum Address {
     Step,
     /// Advance per revolution.
     Pitch,
-    /// A number that only the control's smoothing reads.
-    Smoothing,
+    /// A number that only the control's smoothing reads; its place in [`State::smoothing`](super::State::smoothing).
+    Smoothing(usize),
 }
 
 /// How a number counts.

@@ -99,6 +99,8 @@ pub struct Options {
     pub dry: bool,
     /// Text may be untidy, as edits by hand leave it.
     pub untidy: bool,
+    /// What a control executes is executed, also where no careful programmer writes it; the end code ends the reading.
+    pub careless: bool,
     /// Whole lengths are written with a point on every control.
     pub pointed: bool,
     /// Fanuc and Haas read a number without a point as one with a point.
@@ -117,6 +119,7 @@ impl Options {
             gauge_line: false,
             dry: false,
             untidy: false,
+            careless: false,
             pointed: false,
             plain_numbers: false,
             idle: Vec::new(),
@@ -137,6 +140,8 @@ pub fn run(text: &str, options: &Options) -> Result<Trace, Refused> {
         reached: options.entry.is_none(),
         ended: Ended::No,
         last_number: None,
+        tapes: 0,
+        parts: Parts::default(),
     };
     let last = text.lines().count();
     if !options.untidy && !text.ends_with('\n') {
@@ -181,10 +186,39 @@ struct Run<'a> {
     ended: Ended,
     /// Number of the line before, where every line has one.
     last_number: Option<u32>,
+    /// Marks `%` so far.
+    tapes: u32,
+    parts: Parts,
+}
+
+/// Parts of the old cycles of Heidenhain: 9.0 is followed by 9.1, and 9.1 follows 9.0.
+#[derive(Debug, Default)]
+struct Parts {
+    /// Cycle and part of the block before.
+    last: Option<(u32, u32)>,
+}
+
+impl Parts {
+    fn next(&mut self, text: &str) -> Result<(), String> {
+        let part = text.split_once("CYCL DEF ").and_then(|(_, rest)| {
+            let (cycle, part) = rest.split(' ').next()?.split_once('.')?;
+            Some((cycle.parse().ok()?, part.parse().ok()?))
+        });
+        let before = self.last;
+        self.last = part;
+        let follows = match part {
+            Some((cycle, number)) if number > 0 => before == Some((cycle, number - 1)),
+            _ => !matches!(before, Some((_, 0))),
+        };
+        if follows { Ok(()) } else { Err("a cycle without all its parts".to_owned()) }
+    }
 }
 
 impl Run<'_> {
     fn line(&mut self, line: usize, text: &str) -> Result<(), String> {
+        if self.options.careless && self.ended != Ended::No {
+            return Ok(());
+        }
         let control = self.options.control;
         let lexer::Line { number, content } = lexer::line(control, text)?;
         if control == Control::Heidenhain {
@@ -206,9 +240,9 @@ impl Run<'_> {
                 }
                 return Ok(());
             }
-            Outcome::Complete(line, effect) => {
+            Outcome::Complete(line, effect, register) => {
                 if self.reached {
-                    self.machine.guard()?;
+                    self.machine.guard(register)?;
                     self.push(line, None, effect, Axes::default(), false);
                 }
                 return Ok(());
@@ -216,10 +250,28 @@ impl Run<'_> {
         }
         match content {
             Content::Comment(text) => self.trace.comments.push((line, text)),
-            Content::Mark(mark) => self.mark(mark),
+            Content::Mark(mark) => self.mark(mark)?,
             Content::Block(tokens) if self.reached => {
+                let numbered = |token: &lexer::Token| matches!(token, lexer::Token::Word { name, .. } if name == "N");
+                if number.is_some() && tokens.iter().any(numbered) {
+                    return Err("two block numbers".to_owned());
+                }
+                if self.options.careless && control == Control::Heidenhain {
+                    self.parts.next(text)?;
+                }
                 let command = match table::command(self.options, &tokens, &self.machine.state) {
-                    Err(_) if self.is_idle(text) => return Ok(()),
+                    Err(_) if self.is_block_of_the_shop(text) => {
+                        self.push(line, None, Effect::Shop(u32::MAX), Axes::default(), false);
+                        return Ok(());
+                    }
+                    Err(why) => {
+                        let rest = self.without_codes_of_the_shop(line, tokens);
+                        let rest = rest.filter(|rest| rest.is_empty() || self.options.careless).ok_or(why)?;
+                        if rest.is_empty() {
+                            return Ok(());
+                        }
+                        table::command(self.options, &rest, &self.machine.state)?
+                    }
                     command => command?,
                 };
                 let (effect, words) = self.machine.execute(command)?;
@@ -238,20 +290,56 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// Whether a block, its number aside, is one of the shop's.
-    fn is_idle(&self, text: &str) -> bool {
-        let unnumbered = text.split_once(' ').map(|(_, rest)| rest);
-        self.options.idle.iter().any(|idle| idle == text || unnumbered == Some(idle.as_str()))
+    /// Whether a block, its number aside, is one of the shop's and no M code.
+    fn is_block_of_the_shop(&self, text: &str) -> bool {
+        let unnumbered = match text.split_once(' ') {
+            Some((number, rest)) if number.trim_start_matches('N').parse::<u32>().is_ok() => rest,
+            _ => text,
+        };
+        self.options
+            .idle
+            .iter()
+            .any(|idle| idle == unnumbered && idle.contains(' ') || idle == unnumbered && !idle.starts_with('M'))
     }
 
-    fn mark(&mut self, mark: Mark) {
+    /// The tokens of a block but for the codes of the shop, which are executed; `None` if it has none.
+    fn without_codes_of_the_shop(&mut self, line: usize, tokens: Vec<lexer::Token>) -> Option<Vec<lexer::Token>> {
+        let code = |token: &lexer::Token| match token {
+            lexer::Token::Word { name, number, .. } if name == "M" => {
+                let code = meaning::whole(number.value).ok()?;
+                self.options.idle.contains(&format!("M{code}")).then_some(code)
+            }
+            _ => None,
+        };
+        // A statement of Heidenhain ends in its M codes.
+        if self.options.control == Control::Heidenhain && tokens.len() > 1 && code(&tokens[0]).is_some() {
+            return None;
+        }
+        let codes: Vec<u32> = tokens.iter().filter_map(code).collect();
+        let rest: Vec<lexer::Token> = tokens.iter().filter(|token| code(token).is_none()).cloned().collect();
+        if codes.is_empty() || !rest.is_empty() && !self.options.careless {
+            return None;
+        }
+        for code in codes {
+            self.push(line, None, Effect::Shop(code), Axes::default(), false);
+        }
+        Some(rest)
+    }
+
+    fn mark(&mut self, mark: Mark) -> Result<(), String> {
+        let begun = !self.trace.blocks.is_empty();
         match mark {
+            Mark::Tape | Mark::Name | Mark::Begin(_) if self.ended == Ended::No && (begun || self.tapes > 1) => {
+                return Err("the program ends, or another one begins".to_owned());
+            }
             // The file begins and ends with this mark.
             Mark::Tape if self.ended == Ended::Code => self.ended = Ended::File,
             Mark::End => self.ended = Ended::File,
             Mark::Begin(inches) => self.machine.begin(inches),
-            Mark::Tape | Mark::Name | Mark::Remark => {}
+            Mark::Tape => self.tapes += 1,
+            Mark::Name | Mark::Remark => {}
         }
+        Ok(())
     }
 
     fn push(&mut self, line: usize, number: Option<u32>, effect: Effect, words: Axes, restart: bool) {

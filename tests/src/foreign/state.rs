@@ -204,6 +204,8 @@ pub struct TiltedPlane {
     pub origin: [f64; 3],
     /// The rotary axes have been commanded to the plane.
     pub oriented: bool,
+    /// Sign that chooses between two positions of the rotary axes: SEQ, _DIR; 0 without it.
+    pub solution: i8,
 }
 
 /// How a cycle makes its hole.
@@ -245,7 +247,12 @@ pub struct Cycle {
     pub dwell_s: f64,
     /// Feed of its own.
     pub feed: Option<f64>,
+    /// Number of the cycle and its other parameters, as one number; 0 for cycles of letters.
+    pub others: u64,
 }
+
+/// Numbers of smoothing: P Q E of G5.1 and G187, arguments of CYCLE832, T, HSC-MODE and TA of cycle 32.
+pub const SMOOTHING: usize = 5;
 
 /// Modal state of a control.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -294,8 +301,14 @@ pub struct State {
     pub return_level: Option<ReturnLevel>,
     /// Path mode.
     pub path: Option<PathMode>,
+    /// Numbers of the control's smoothing, in places of their own for each form; `None` before the program has set it.
+    pub smoothing: Option<[Option<f64>; SMOOTHING]>,
     /// How rotary axes reach their words.
     pub rotary_path: Option<RotaryPath>,
+    /// TRAORI has been programmed after the work offset, which it may clear.
+    pub offset_cleared: bool,
+    /// Register or tool of the last length guard, where it names one.
+    pub guarded: Option<u32>,
     /// The next G84 is in step with the spindle (M29).
     pub rigid: bool,
     /// Pole of Heidenhain arcs: X Y Z as far as programmed.

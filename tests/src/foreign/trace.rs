@@ -73,13 +73,20 @@ pub enum Effect {
     Machine,
     /// The control turns the rotary axes to the tilted plane.
     Orient,
+    /// Axes go to their reference points, all if none is named: G28, G30. They pass the position of the block.
+    Home(Axes),
+    /// An M code of the shop, by its number.
+    Shop(u32),
 }
 
 impl Effect {
     /// Whether an axis moves.
     #[must_use]
     pub const fn moves(&self) -> bool {
-        matches!(self, Self::Rapid | Self::Feed | Self::Arc(_) | Self::Hole(_) | Self::Machine | Self::Orient)
+        matches!(
+            self,
+            Self::Rapid | Self::Feed | Self::Arc(_) | Self::Hole(_) | Self::Machine | Self::Orient | Self::Home(_)
+        )
     }
 
     /// Whether the tool cuts.

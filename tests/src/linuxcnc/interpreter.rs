@@ -79,10 +79,21 @@ fn lengths(program: &str) -> BTreeMap<u32, f64> {
 /// # Panics
 /// If the interpreter cannot be run.
 pub fn interpret(program: &str, off_mm: f64) -> Result<String, String> {
+    interpret_edited(program, program, off_mm)
+}
+
+/// As [`interpret`], with the tools that another program expects: the one from which `program` was edited.
+///
+/// # Errors
+/// Message of the interpreter about a program that it refuses.
+///
+/// # Panics
+/// If the interpreter cannot be run.
+pub fn interpret_edited(program: &str, original: &str, off_mm: f64) -> Result<String, String> {
     let folder = TempDir::new().expect("a temporary folder");
     let write = |name: &str, text: &str| fs::write(folder.path().join(name), text).expect("a file can be written");
     let row = |(number, length): (u32, f64)| format!("T{number} P{number} Z{:+.7} D+0.25\n", (length + off_mm) / 25.4);
-    write("tool.tbl", &lengths(program).into_iter().map(row).collect::<String>());
+    write("tool.tbl", &lengths(original).into_iter().map(row).collect::<String>());
     write("params.var", "");
     write("program.ngc", program);
     let output = Command::new("rs274")

@@ -4,13 +4,21 @@ use super::super::Control;
 use super::super::meaning::Counting;
 use super::{Content, Line, Mark, Number, Token, take_number};
 
+const EMPTY: &str = "an empty line";
+
 pub(super) fn line(control: Control, text: &str) -> Result<Line, String> {
     let content = |content| Ok(Line { number: None, content });
+    let text = if control == Control::LinuxCnc { without_remark(text) } else { text };
     if let Some(inside) = text.strip_prefix('(')
         && let Some(comment) = inside.strip_suffix(')')
         && !comment.contains(['(', ')'])
     {
         return content(Content::Comment(comment.to_owned()));
+    }
+    // A comment that is skipped, and several comments.
+    let rest = text.strip_prefix('/').unwrap_or(text);
+    if rest.starts_with('(') && !rest.starts_with("(abort") && tokens(rest).is_err_and(|why| why == EMPTY) {
+        return content(Content::Comment(rest.to_owned()));
     }
     let condition = match control {
         Control::LinuxCnc => text.starts_with(['o', 'O']),
@@ -37,6 +45,40 @@ pub(super) fn line(control: Control, text: &str) -> Result<Line, String> {
     Ok(Line { number, content: Content::Block(tokens) })
 }
 
+/// LinuxCNC reads nothing after a semicolon outside of brackets.
+fn without_remark(text: &str) -> &str {
+    match end_of_block(text) {
+        Some(end) if !text[..end].trim().is_empty() => text[..end].trim_end(),
+        Some(_) => "()",
+        None => text,
+    }
+}
+
+/// Blocks of a line: a semicolon outside of brackets ends one. A line without a semicolon is one block.
+pub(super) fn blocks(line: &str) -> Vec<&str> {
+    let Some(end) = end_of_block(line) else { return vec![line] };
+    let rest = line[end + 1..].trim_start();
+    let mut blocks = if rest.is_empty() { Vec::new() } else { self::blocks(rest) };
+    if !line[..end].trim().is_empty() {
+        blocks.insert(0, line[..end].trim_end());
+    }
+    blocks
+}
+
+/// Place of the first semicolon outside of brackets.
+fn end_of_block(text: &str) -> Option<usize> {
+    let mut inside = false;
+    for (place, letter) in text.char_indices() {
+        match letter {
+            '(' => inside = true,
+            ')' => inside = false,
+            ';' if !inside => return Some(place),
+            _ => {}
+        }
+    }
+    None
+}
+
 fn is_comment(text: &str) -> bool {
     text.strip_prefix('(').and_then(|text| text.strip_suffix(')')).is_some_and(|text| !text.contains(['(', ')']))
 }
@@ -60,5 +102,5 @@ fn tokens(mut text: &str) -> Result<Vec<Token>, String> {
         tokens.push(Token::Word { name: letter.to_string(), number, counting: Counting::AsInForce });
         text = rest;
     }
-    if tokens.is_empty() { Err("an empty line".to_owned()) } else { Ok(tokens) }
+    if tokens.is_empty() { Err(EMPTY.to_owned()) } else { Ok(tokens) }
 }

@@ -91,12 +91,18 @@ pub fn line(control: Control, text: &str) -> Result<Line, String> {
     }
 }
 
-/// Lines of a program with their numbers from 1; lines of a Heidenhain program that end in `~` are joined to the next.
+/// Lines of a program with their numbers from 1; lines of a Heidenhain program that end in `~` are joined to the next,
+/// and a semicolon outside of brackets ends a block on Fanuc and Haas.
 #[must_use]
 pub fn joined(control: Control, text: &str) -> Vec<(usize, String)> {
     let mut lines: Vec<(usize, String)> = Vec::new();
     let mut continued = false;
     for (index, line) in text.split_terminator('\n').enumerate() {
+        if matches!(control, Control::Fanuc | Control::Haas) {
+            let blocks = iso::blocks(line);
+            lines.extend(blocks.into_iter().map(|block| (index + 1, block.to_owned())));
+            continue;
+        }
         let goes_on = control == Control::Heidenhain && line.ends_with('~');
         let part = match goes_on || continued {
             true => line.strip_suffix('~').unwrap_or(line).split(';').next().unwrap_or_default().trim_end(),

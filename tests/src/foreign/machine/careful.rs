@@ -17,6 +17,9 @@ use super::Machine;
 /// Rules for a block before it is executed.
 pub(super) fn block(machine: &Machine, command: &Command) -> Result<(), String> {
     one_deed(command)?;
+    if command.has(Meaning::Home) || command.has(Meaning::TiltOffTurning) {
+        return Err("a motion to reference points or zero that no block states".to_owned());
+    }
     let linuxcnc = machine.control == Control::LinuxCnc;
     if command.meanings.iter().any(|meaning| matches!(meaning, Meaning::Units(_))) {
         complete(machine.control, command)?;
@@ -35,6 +38,23 @@ pub(super) fn block(machine: &Machine, command: &Command) -> Result<(), String> 
         command.has(Meaning::Spindle(Spindle::Clockwise)) || command.has(Meaning::Spindle(Spindle::CounterClockwise));
     if starts && !command.words.iter().any(|word| word.address == Address::Speed) {
         return Err("S is missing".to_owned());
+    }
+    Ok(())
+}
+
+/// Codes whose order in the block decides, and a cycle without its position.
+pub(super) fn clear(command: &Command) -> Result<(), String> {
+    let on = command.meanings.iter().any(|meaning| matches!(meaning, Meaning::CoolantOn(_)));
+    let off = command.meanings.iter().any(|meaning| matches!(meaning, Meaning::CoolantOff(_)));
+    if on && off {
+        return Err("coolant on and off in one block".to_owned());
+    }
+    let cycle = command.meanings.iter().any(|meaning| matches!(meaning, Meaning::Cycle(_)));
+    if cycle && command.has(Meaning::Continuous) {
+        return Err("P of a cycle and of G64 in one block".to_owned());
+    }
+    if cycle && !command.has_axes() {
+        return Err("a cycle without a position".to_owned());
     }
     Ok(())
 }
@@ -112,7 +132,7 @@ fn is_mode(command: &Command) -> bool {
 pub(super) fn guard(machine: &Machine) -> Result<(), String> {
     match machine.state.length {
         Some(Length::Register(_)) => Ok(()),
-        _ if machine.control != Control::LinuxCnc => Ok(()),
+        _ if machine.control != Control::LinuxCnc || machine.careless => Ok(()),
         _ => Err("a guard before the length offset".to_owned()),
     }
 }
@@ -120,6 +140,9 @@ pub(super) fn guard(machine: &Machine) -> Result<(), String> {
 /// Rules for what a block has done.
 pub(super) fn effect(machine: &Machine, command: &Command, effect: &Effect, words: &Axes) -> Result<(), String> {
     let state = &machine.state;
+    if machine.careless {
+        return if effect.cuts() { programmed(machine, effect) } else { Ok(()) };
+    }
     if *effect == Effect::Modal && machine.control == Control::LinuxCnc && !is_mode(command) {
         return Err("a block that moves nothing".to_owned());
     }
@@ -156,6 +179,12 @@ fn cut(machine: &Machine, effect: &Effect) -> Result<(), String> {
     if state.tool.is_none() || !turns && !machine.dry {
         return Err("a feed motion without tool or with the spindle off".to_owned());
     }
+    programmed(machine, effect)
+}
+
+/// A cut without F, which every control refuses.
+fn programmed(machine: &Machine, effect: &Effect) -> Result<(), String> {
+    let state = &machine.state;
     let own = match effect {
         Effect::Hole(hole) => hole.cycle.feed.is_some() || matches!(hole.cycle.kind, CycleKind::Tap { .. }),
         _ => false,

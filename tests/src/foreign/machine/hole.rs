@@ -41,7 +41,11 @@ pub(super) fn of_letters(machine: &mut Machine, command: &mut Command) -> Result
     let letters = &mut machine.letters;
     letters.reference = command.take(Address::Level).or(letters.reference);
     letters.step = command.take(Address::Step).or(letters.step);
-    letters.dwell_s = command.take(Address::Seconds).unwrap_or(letters.dwell_s);
+    let dwell_s = command.take(Address::Seconds);
+    // G81 and G85 have no wait.
+    if !matches!(letters.code, 81 | 85) {
+        letters.dwell_s = dwell_s.unwrap_or(letters.dwell_s);
+    }
     if machine.state.distance != Some(super::super::state::Distance::Absolute) {
         return Err("a canned cycle without absolute dimensions".to_owned());
     }
@@ -51,7 +55,7 @@ pub(super) fn of_letters(machine: &mut Machine, command: &mut Command) -> Result
     let (Some(reference), Some(bottom)) = (letters.reference, letters.bottom) else {
         return Err("a canned cycle without its levels".to_owned());
     };
-    let cycle = Cycle { kind, reference, bottom, back_to: None, dwell_s: letters.dwell_s, feed: None };
+    let cycle = Cycle { kind, reference, bottom, back_to: None, dwell_s: letters.dwell_s, feed: None, others: 0 };
     machine.state.cycle = Some(cycle);
     machine.place(command, &LETTERS)?;
     made(machine, cycle, MotionMode::Rapid)
@@ -110,6 +114,6 @@ pub(super) fn rigid_tap(machine: &mut Machine, command: &mut Command) -> Result<
     let word = command.take_counted(Address::Axis(normal)).ok_or("a thread without its bottom")?;
     let bottom = machine.value_of(normal, word.value, word.counting)?;
     let kind = CycleKind::Tap { pitch };
-    let cycle = Cycle { kind, reference: level, bottom, back_to: Some(level), dwell_s: 0.0, feed: None };
+    let cycle = Cycle { kind, reference: level, bottom, back_to: Some(level), dwell_s: 0.0, feed: None, others: 0 };
     Ok(Effect::Hole(Hole { cycle, back_to: level, approach: MotionMode::Rapid }))
 }

@@ -22,6 +22,7 @@ pub(super) struct Machine {
     control: Control,
     gauge_line: bool,
     dry: bool,
+    careless: bool,
     /// State after the last command.
     pub(super) state: State,
     /// Level before the canned cycle.
@@ -45,6 +46,7 @@ impl Machine {
             control: options.control,
             gauge_line: options.gauge_line,
             dry: options.dry,
+            careless: options.careless,
             state,
             initial_level: None,
             letters: hole::Letters::default(),
@@ -59,7 +61,8 @@ impl Machine {
     }
 
     /// A length guard.
-    pub(super) fn guard(&self) -> Result<(), String> {
+    pub(super) fn guard(&mut self, register: Option<u32>) -> Result<(), String> {
+        self.state.guarded = register;
         careful::guard(self)
     }
 
@@ -73,7 +76,10 @@ impl Machine {
         }
         let written = command.clone();
         let meanings = &written.meanings;
-        careful::block(self, &written)?;
+        if !self.careless {
+            careful::block(self, &written)?;
+        }
+        careful::clear(&written)?;
         self.modes(meanings, &mut command)?;
         let effect = self.effect(&written, &mut command)?;
         command.finish()?;
@@ -85,6 +91,7 @@ impl Machine {
     fn effect(&mut self, written: &Command, command: &mut Command) -> Result<Effect, String> {
         let meanings = &written.meanings;
         if meanings.contains(&Meaning::Dwell) {
+            self.motion_mode(meanings, command)?;
             let seconds = command.take(Address::Seconds).ok_or("a dwell without its time")?;
             return Ok(Effect::Dwell(seconds));
         }

@@ -102,22 +102,30 @@ impl Machine {
                 self.length(command)?;
                 self.begin_tip_control(vectors);
             }
-            Meaning::TipControl(true) => self.begin_tip_control(false),
+            Meaning::TipControl(true) => {
+                state.offset_cleared |= siemens;
+                self.begin_tip_control(false);
+            }
             Meaning::TipControl(false) => {
                 state.tip_control = Some(TipControl::Off);
                 state.vector = None;
             }
-            Meaning::WorkOffset(offset) => state.work_offset = Some(offset),
+            Meaning::WorkOffset(offset) => {
+                state.work_offset = Some(offset);
+                state.offset_cleared = false;
+            }
             Meaning::FurtherOffset => {
                 let number = command.take(Address::OffsetNumber).ok_or("a work offset without its number")?;
                 state.work_offset = Some(WorkOffset::Further(whole(number)?));
+                state.offset_cleared = false;
             }
             Meaning::Distance(distance) => state.distance = Some(distance),
             Meaning::ExactStop => state.path = Some(PathMode::ExactStop),
             Meaning::Continuous => state.path = Some(PathMode::Continuous(command.take(Address::PathTolerance))),
             Meaning::Return(level) => state.return_level = Some(level),
             Meaning::Tilt => state.tilt = Some(command.tilt.take()),
-            Meaning::TiltOff => state.tilt = Some(None),
+            Meaning::TiltOff | Meaning::TiltOffTurning => state.tilt = Some(None),
+            Meaning::Smoothing => smooth(state, command),
             Meaning::Orient => {
                 let plane = state.tilted_plane().ok_or("no tilted plane to turn to")?;
                 state.tilt = Some(Some(TiltedPlane { oriented: true, ..plane }));
@@ -132,10 +140,10 @@ impl Machine {
             | Meaning::CancelMotion
             | Meaning::RigidTap
             | Meaning::MachineCoordinates
+            | Meaning::Home
             | Meaning::Dwell
             | Meaning::Units(_)
             | Meaning::FeedMode(_)
-            | Meaning::Smoothing
             | Meaning::ToolChange
             | Meaning::Stop
             | Meaning::OptionalStop
@@ -178,6 +186,12 @@ impl Machine {
 
     /// Components of the tool axis in the block; a component that is not written is that of the block before.
     fn tool_vector(&mut self, command: &mut Command) {
+        let programmed =
+            |command: &Command| command.words.iter().any(|word| matches!(word.address, Address::Vector(_)));
+        if self.careless && programmed(command) {
+            // Components that are left out count as zero.
+            self.state.vector = Some([0.0; 3]);
+        }
         for index in 0..3 {
             if let Some(value) = command.take(Address::Vector(index)) {
                 self.state.vector.get_or_insert_default()[index] = value;
@@ -191,13 +205,17 @@ impl Machine {
     /// Positions are unknown where the block has changed what they count from.
     fn forget_positions(&mut self, before: &State, meanings: &[Meaning]) {
         let state = &mut self.state;
-        if meanings.iter().any(|meaning| meaning.group() == Meaning::LengthOn.group()) {
+        // The offset that is in force already moves nothing.
+        let again = self.careless && before.length == state.length && before.tip_control == state.tip_control;
+        if !again && meanings.iter().any(|meaning| meaning.group() == Meaning::LengthOn.group()) {
             // The tool table of LinuxCNC may hold lengths along every linear axis.
             let all = self.control == Control::LinuxCnc;
             state.position.retain(|letter| if all { is_rotary(letter) } else { letter != 'Z' });
         }
         let tips = (before.under_tip_control(), state.under_tip_control());
-        let begun = tips.1 && before.tip_control != state.tip_control;
+        // The kinematics of LinuxCNC that are active stay active.
+        let active = self.careless && self.control == Control::LinuxCnc && tips == (true, true);
+        let begun = tips.1 && before.tip_control != state.tip_control && !active;
         if (before.work_offset, before.units) != (state.work_offset, state.units)
             || before.tilted_plane() != state.tilted_plane()
             || tips.0 != tips.1
@@ -208,6 +226,21 @@ impl Machine {
         if before.units != state.units {
             state.machine = Axes::default();
         }
+    }
+}
+
+/// Each form has places of its own; a form without numbers switches smoothing off, or back to the setting of the control.
+fn smooth(state: &mut State, command: &mut Command) {
+    let places = state.smoothing.get_or_insert_default();
+    let mut any = false;
+    for (index, place) in places.iter_mut().enumerate() {
+        if let Some(number) = command.take(Address::Smoothing(index)) {
+            *place = Some(number);
+            any = true;
+        }
+    }
+    if !any {
+        state.smoothing = Some(Default::default());
     }
 }
 

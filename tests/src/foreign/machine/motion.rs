@@ -13,6 +13,9 @@ impl Machine {
         let meanings = &written.meanings;
         let rigid = meanings.contains(&Meaning::RigidTap);
         self.motion_mode(meanings, command)?;
+        if meanings.contains(&Meaning::Home) {
+            return self.home(command).map(Some);
+        }
         if meanings.contains(&Meaning::MachineCoordinates) {
             return self.move_in_machine_coordinates(command).map(Some);
         }
@@ -27,11 +30,18 @@ impl Machine {
         let round = arcs && command.words.iter().any(|word| matches!(word.address, Address::Centre(_)));
         let leans = self.state.under_tip_control()
             && written.words.iter().any(|word| matches!(word.address, Address::Vector(_)));
-        if !command.has_axes() && !round && !command.words.iter().any(|word| word.address == Address::PolarAngle) {
+        let again = self.state.motion == Some(MotionMode::Cycle)
+            && command.words.iter().any(|word| word.address == Address::Level);
+        if !command.has_axes()
+            && !again
+            && !round
+            && !command.words.iter().any(|word| word.address == Address::PolarAngle)
+        {
             if call {
                 return hole::called(self, called).map(Some);
             }
             let oriented = meanings.contains(&Meaning::Orient)
+                || meanings.contains(&Meaning::TiltOffTurning)
                 || meanings.contains(&Meaning::Tilt) && self.state.tilted_plane().is_some_and(|plane| plane.oriented);
             if oriented {
                 // The control computes the angles.
@@ -64,7 +74,7 @@ impl Machine {
         Ok(Some(effect))
     }
 
-    fn motion_mode(&mut self, meanings: &[Meaning], command: &mut Command) -> Result<(), String> {
+    pub(super) fn motion_mode(&mut self, meanings: &[Meaning], command: &mut Command) -> Result<(), String> {
         for meaning in meanings {
             match meaning {
                 Meaning::Motion(mode) => {
@@ -121,6 +131,19 @@ impl Machine {
         from.map(|from| from + value).ok_or_else(|| format!("{letter} moves by a distance from an unknown position"))
     }
 
+    /// G28, G30: the named axes pass the position of the block and go to their reference points; without a name, all do.
+    fn home(&mut self, command: &mut Command) -> Result<Effect, String> {
+        let mut passed = Axes::default();
+        for letter in LETTERS {
+            if let Some(word) = command.take_counted(Address::Axis(letter)) {
+                passed.set(letter, self.value_of(letter, word.value, word.counting)?);
+            }
+        }
+        self.state.position.retain(|letter| !passed.is_empty() && !passed.contains(letter));
+        self.state.machine.retain(|letter| !passed.is_empty() && !passed.contains(letter));
+        Ok(Effect::Home(passed))
+    }
+
     fn move_in_machine_coordinates(&mut self, command: &mut Command) -> Result<Effect, String> {
         if self.state.motion != Some(MotionMode::Rapid) {
             return Err("G53 with feed: machine coordinates are reached at rapid".to_owned());
@@ -131,6 +154,9 @@ impl Machine {
         let mut moved = Axes::default();
         for letter in LETTERS {
             if let Some(word) = command.take_counted(Address::Axis(letter)) {
+                if word.counting == Counting::Incremental {
+                    return Err("machine coordinates by their distance".to_owned());
+                }
                 moved.set(letter, word.value);
             }
         }

@@ -10,12 +10,13 @@ use super::super::state::{
     Compensation, Cycle, CycleKind, Interpolation, MotionMode, Plane, RotaryPath, Spindle, State, TiltedPlane,
     WorkOffset,
 };
-use super::geometry;
+use super::{geometry, others};
 
 #[rustfmt::skip]
 static M: &[(u32, Meaning)] = &[
     (0, Meaning::Stop),
     (1, Meaning::OptionalStop),
+    (2, Meaning::End),
     (3, Meaning::Spindle(Spindle::Clockwise)),
     (4, Meaning::Spindle(Spindle::CounterClockwise)),
     (5, Meaning::Spindle(Spindle::Off)),
@@ -45,20 +46,33 @@ pub(super) fn command(tokens: &[Token], _: &State) -> Result<Command, String> {
         ("CC", _) => {
             command.code(Meaning::Pole)?;
             words(&mut command, &tokens[1..])?;
+            if command.meanings.len() > 1 || command.words.len() > 2 {
+                return Err("a pole with other codes, or with three coordinates".to_owned());
+            }
         }
         ("C" | "CP" | "CR", _) => {
             command.code(Meaning::Motion(sense(tokens)?))?;
             words(&mut command, &tokens[1..])?;
         }
         ("TOOL", "DEF") => match &tokens[2..] {
-            [Token::Number(_)] => command.code(Meaning::Idle)?,
+            [Token::Number(number)] => {
+                super::super::meaning::whole(number.value)?;
+                command.code(Meaning::Idle)?;
+            }
             _ => return Err("TOOL DEF without its number".to_owned()),
         },
         ("TOOL", "CALL") => tool_call(&mut command, &tokens[2..])?,
         ("CYCL", "DEF") => cycle_definition(&mut command, &tokens[2..])?,
         ("PLANE", _) => plane(&mut command, &tokens[1..])?,
         ("FUNCTION", _) => function(&mut command, &tokens[1..])?,
-        _ => words(&mut command, tokens)?,
+        _ => {
+            words(&mut command, tokens)?;
+            if !command.words.is_empty()
+                || command.meanings.iter().any(|meaning| matches!(meaning, Meaning::Compensation(_)))
+            {
+                return Err("words without the statement that they belong to".to_owned());
+            }
+        }
     }
     Ok(command)
 }
@@ -83,7 +97,7 @@ fn words(command: &mut Command, tokens: &[Token]) -> Result<(), String> {
     let motion = command.meanings.iter().any(|meaning| matches!(meaning, Meaning::Motion(_)));
     for token in tokens {
         match token {
-            Token::Word { name, number, counting } => word(command, name, number.value, *counting)?,
+            Token::Word { name, number, counting } => word(command, name, *number, *counting)?,
             Token::Name(name) => match name.as_str() {
                 "FMAX" | "DR+" | "DR-" if motion => {}
                 "RL" => command.code(Meaning::Compensation(Compensation::Left(None)))?,
@@ -96,7 +110,8 @@ fn words(command: &mut Command, tokens: &[Token]) -> Result<(), String> {
     Ok(())
 }
 
-fn word(command: &mut Command, name: &str, value: f64, counting: Counting) -> Result<(), String> {
+fn word(command: &mut Command, name: &str, number: Number, counting: Counting) -> Result<(), String> {
+    let Number { value, point } = number;
     let absolute = counting == Counting::AsInForce;
     let address = match name {
         "X" | "Y" | "Z" | "U" | "V" | "W" | "A" | "B" | "C" => {
@@ -107,7 +122,9 @@ fn word(command: &mut Command, name: &str, value: f64, counting: Counting) -> Re
         "TY" if absolute => Address::Vector(1),
         "TZ" if absolute => Address::Vector(2),
         "F" if absolute => Address::Feed,
-        "R" if absolute && value.abs() < 1e-12 => return command.code(Meaning::Compensation(Compensation::Off)),
+        "R" if absolute && !point && value.abs() < 1e-12 => {
+            return command.code(Meaning::Compensation(Compensation::Off));
+        }
         "R" if absolute => Address::Radius,
         "M" if absolute => {
             let code = super::super::meaning::whole(value)?;
@@ -148,6 +165,9 @@ fn tool_call(command: &mut Command, tokens: &[Token]) -> Result<(), String> {
 /// `PLANE SPATIAL SPA+45 SPB+0 SPC+90 TURN MB MAX FMAX SEQ- TABLE ROT`, `PLANE RESET STAY`.
 fn plane(command: &mut Command, tokens: &[Token]) -> Result<(), String> {
     let names: Vec<&str> = tokens.iter().map(|token| if let Token::Name(name) = token { name } else { "" }).collect();
+    if matches!(names[..], ["RESET", "TURN" | "MOVE", ..]) {
+        return command.code(Meaning::TiltOffTurning);
+    }
     if names == ["RESET", "STAY"] {
         return command.code(Meaning::TiltOff);
     }
@@ -158,11 +178,17 @@ fn plane(command: &mut Command, tokens: &[Token]) -> Result<(), String> {
             _ => return Err(format!("PLANE SPATIAL without {wanted}")),
         }
     }
+    let solution = match names.iter().find(|name| name.starts_with("SEQ")) {
+        Some(&"SEQ+") => 1,
+        Some(&"SEQ-") => -1,
+        Some(_) => return Err("SEQ in a form that is unknown here".to_owned()),
+        None => 0,
+    };
     let turn: Vec<&str> = names.iter().skip(4).copied().filter(|name| !name.starts_with("SEQ")).collect();
     if names.first() != Some(&"SPATIAL") || turn != ["TURN", "MB", "MAX", "FMAX", "TABLE", "ROT"] {
         return Err("a tilted plane in a form that is unknown here".to_owned());
     }
-    command.tilt = Some(TiltedPlane { rotation: geometry::fixed(angles), origin: [0.0; 3], oriented: true });
+    command.tilt = Some(TiltedPlane { rotation: geometry::fixed(angles), origin: [0.0; 3], oriented: true, solution });
     command.code(Meaning::Tilt)
 }
 
@@ -203,13 +229,36 @@ fn cycle_definition(command: &mut Command, tokens: &[Token]) -> Result<(), Strin
             }
             _ => Err("a dwell without its time".to_owned()),
         },
-        320..=322 => command.code(Meaning::Smoothing),
+        code @ 320..=322 => {
+            command.code(Meaning::Smoothing)?;
+            for token in parameters {
+                match (code, token) {
+                    (321, Token::Word { name, number, .. }) if name == "T" => {
+                        command.word(Address::Smoothing(0), number.value)?;
+                    }
+                    (322, Token::Word { name, number, .. }) if name == "TA" => {
+                        command.word(Address::Smoothing(2), number.value)?;
+                    }
+                    (322, Token::Name(name)) if name == "HSC-MODE:0" || name == "HSC-MODE:1" => {
+                        let mode = if name.ends_with('1') { 1.0 } else { 0.0 };
+                        command.word(Address::Smoothing(1), mode)?;
+                    }
+                    (320, Token::Name(name)) if name == "TOLERANCE" => {}
+                    _ => return Err("a tolerance in a form that is unknown here".to_owned()),
+                }
+            }
+            Ok(())
+        }
         2470 => {
             let row = q(339).ok_or("a datum without its number")?;
             command.code(Meaning::WorkOffset(WorkOffset::Row(super::super::meaning::whole(row)?)))
         }
         code if code % 10 == 0 => {
-            let cycle = hole(code / 10, q);
+            // Those that `hole` reads are compared as levels, steps and times.
+            let read = [200, 201, 202, 203, 204, 206, 211, 239, 257];
+            let more =
+                others(code / 10, (1..1000).filter(|number| !read.contains(number)).map(|number| (number, q(number))));
+            let cycle = hole(code / 10, q).map(|cycle| Cycle { others: more, ..cycle });
             command.cycle = Some(cycle.ok_or_else(|| format!("cycle {number} in a form that is unknown here"))?);
             Ok(())
         }
@@ -250,5 +299,6 @@ fn hole(number: u32, q: impl Fn(u32) -> Option<f64>) -> Option<Cycle> {
         back_to: Some(back_to),
         dwell_s: q(211).unwrap_or(0.0),
         feed,
+        others: 0,
     })
 }

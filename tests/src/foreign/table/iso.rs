@@ -44,6 +44,8 @@ static G: &[Row] = &[
     (190, ALL, Meaning::Plane(Plane::Yz)),
     (200, ALL, Meaning::Units(Units::Inches)),
     (210, ALL, Meaning::Units(Units::Millimetres)),
+    (280, ALL, Meaning::Home),
+    (300, ALL, Meaning::Home),
     (331, &[LinuxCnc], Meaning::RigidTap),
     (400, ALL, Meaning::Compensation(Compensation::Off)),
     (410, ALL, Meaning::Compensation(Compensation::Left(None))),
@@ -96,7 +98,7 @@ static G: &[Row] = &[
 static M: &[Row] = &[
     (0, ALL, Meaning::Stop),
     (10, ALL, Meaning::OptionalStop),
-    (20, &[LinuxCnc], Meaning::End),
+    (20, ALL, Meaning::End),
     (30, ALL, Meaning::Spindle(Spindle::Clockwise)),
     (40, ALL, Meaning::Spindle(Spindle::CounterClockwise)),
     (50, ALL, Meaning::Spindle(Spindle::Off)),
@@ -115,7 +117,7 @@ static M: &[Row] = &[
 
 fn meaning(table: &[Row], control: Control, number: Number) -> Option<Meaning> {
     let tenths = (number.value * 10.0).round();
-    let exact = (number.value * 10.0 - tenths).abs() < 1e-6 && tenths >= 0.0;
+    let exact = (number.value * 10.0 - tenths).abs() < 1e-6 && number.value.is_sign_positive();
     let row = table.iter().find(|(code, controls, _)| exact && *code == tenths as u32 && controls.contains(&control));
     row.map(|(_, _, meaning)| *meaning)
 }
@@ -150,6 +152,8 @@ impl Reader<'_> {
                     .ok_or_else(|| format!("{letter}{} has no business in this program: unknown", number.value))?;
                 self.command.code(meaning)
             }
+            // A sequence number in the middle.
+            'N' if self.options.careless && control != LinuxCnc => Ok(()),
             'S' => self.command.word(Address::Speed, number.value),
             'T' => self.command.word(Address::Tool, number.value),
             'H' => self.command.word(Address::LengthRegister, number.value),
@@ -202,12 +206,17 @@ impl Reader<'_> {
             self.command.word(Address::OffsetNumber, number.value)?;
         }
         if self.command.has(Meaning::Continuous)
+            && self.options.control == LinuxCnc
             && let Some(tolerance) = self.take('P')
         {
             self.command.word(Address::PathTolerance, tolerance.value)?;
         }
         if self.command.has(Meaning::Smoothing) {
-            let _ = [self.take('P'), self.take('Q'), self.take('E')];
+            for (index, letter) in ['P', 'Q', 'E'].into_iter().enumerate() {
+                if let Some(number) = self.take(letter) {
+                    self.command.word(Address::Smoothing(index), number.value)?;
+                }
+            }
         }
         if self.command.has(Meaning::Tilt) {
             self.tilted_plane()?;
@@ -218,12 +227,17 @@ impl Reader<'_> {
             self.command.word(Address::Pitch, pitch.value)?;
         }
         self.cycle()?;
+        let control = self.options.control;
+        let arcs = matches!(self.state.motion, Some(MotionMode::Clockwise | MotionMode::CounterClockwise))
+            || self.command.meanings.iter().any(|meaning| meaning.group() == Meaning::CancelMotion.group());
         for (letter, number) in std::mem::take(&mut self.letters) {
             let value = self.length(letter, number);
             let address = match letter {
                 'I' => Address::Centre(0),
                 'J' => Address::Centre(1),
                 'K' => Address::Centre(2),
+                // Alone it moves nothing.
+                'R' if self.options.careless && control != LinuxCnc && !self.command.has_axes() && !arcs => continue,
                 'R' => Address::Radius,
                 'P' | 'Q' | 'E' => return Err(format!("{letter} has no business in this block")),
                 axis => Address::Axis(axis),
@@ -245,7 +259,7 @@ impl Reader<'_> {
             (Haas, Some(order)) if (order - 123.0).abs() < 1e-9 => geometry::fixed([i, j, k]),
             _ => return Err("a tilted plane in a form that is unknown here".to_owned()),
         };
-        self.command.tilt = Some(TiltedPlane { rotation, origin: [x, y, z], oriented: false });
+        self.command.tilt = Some(TiltedPlane { rotation, origin: [x, y, z], oriented: false, solution: 0 });
         Ok(())
     }
 

@@ -10,6 +10,17 @@ use super::meaning::Command;
 use super::state::State;
 use super::{Control, Options};
 
+/// Number of a cycle and its parameters by number, as one number (FNV-1a).
+fn others(cycle: u32, parameters: impl Iterator<Item = (u32, Option<f64>)>) -> u64 {
+    let mut hash = 0xcbf2_9ce4_8422_2325_u64 ^ u64::from(cycle);
+    for (index, value) in parameters.filter_map(|(index, value)| Some((index, value?))) {
+        for part in [u64::from(index), (value + 0.0).to_bits()] {
+            hash = (hash ^ part).wrapping_mul(0x0100_0000_01b3).rotate_left(23);
+        }
+    }
+    hash
+}
+
 /// The block that some tokens mean, in the state before it.
 ///
 /// # Errors

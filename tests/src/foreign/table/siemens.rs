@@ -6,10 +6,10 @@
 use super::super::lexer::Token;
 use super::super::meaning::{Address, Command, Counting, Meaning, Supply};
 use super::super::state::{
-    Compensation, Cycle, CycleKind, Distance, FeedMode, Interpolation, MotionMode, Plane, Spindle, State, TiltedPlane,
-    Units, VectorFrame, WorkOffset,
+    Compensation, Cycle, CycleKind, Distance, FeedMode, Interpolation, MotionMode, Plane, SMOOTHING, Spindle, State,
+    TiltedPlane, Units, VectorFrame, WorkOffset,
 };
-use super::geometry;
+use super::{geometry, others};
 
 /// A code and its meaning.
 type Row = (u32, Meaning);
@@ -49,6 +49,8 @@ static M: &[Row] = &[
     (7, Meaning::CoolantOn(Supply::Mist)),
     (8, Meaning::CoolantOn(Supply::Flood)),
     (9, Meaning::CoolantOff(Supply::FloodAndMist)),
+    (2, Meaning::End),
+    (17, Meaning::End),
     (30, Meaning::End),
 ];
 
@@ -61,6 +63,8 @@ static NAMES: &[(&str, Meaning)] = &[
     ("ORIMKS", Meaning::VectorFrame(VectorFrame::Machine)),
     ("ORIWKS", Meaning::VectorFrame(VectorFrame::Workpiece)),
     ("MCALL", Meaning::ModalCall),
+    ("RET", Meaning::End),
+    ("STOPRE", Meaning::Idle),
 ];
 
 /// The block that some tokens mean.
@@ -122,7 +126,7 @@ fn word(command: &mut Command, name: &str, value: f64, counting: Counting) -> Re
 }
 
 fn meaning(table: &[Row], g: bool, value: f64) -> Option<Meaning> {
-    let code = super::super::meaning::whole(value).ok()?;
+    let code = super::super::meaning::whole(value).ok().filter(|_| value.is_sign_positive())?;
     if g && matches!(code, 54..=57 | 505..=599) {
         return Some(Meaning::WorkOffset(WorkOffset::Code(code * 10)));
     }
@@ -143,7 +147,15 @@ fn call(
             command.tilt = Some(swivel(number).ok_or("CYCLE800 in a form that is unknown here")?);
             command.code(Meaning::Tilt)
         }
-        "CYCLE832" => command.code(Meaning::Smoothing),
+        "MSG" => command.code(Meaning::Idle),
+        "CYCLE832" => {
+            command.code(Meaning::Smoothing)?;
+            for index in 0..arguments.len().min(SMOOTHING) {
+                // An argument that is left out counts as zero.
+                command.word(Address::Smoothing(index), number(index).unwrap_or(0.0))?;
+            }
+            Ok(())
+        }
         _ => {
             let kind = name.strip_prefix("CYCLE").ok_or_else(|| format!("{name} is unknown"))?;
             let cycle = cycle(kind, number, state);
@@ -164,16 +176,21 @@ fn swivel(number: impl Fn(usize) -> Option<f64>) -> Option<TiltedPlane> {
     let shifted = geometry::rotated(&rotation, vector(10)?);
     let before = vector(4)?;
     let origin = [0, 1, 2].map(|index| before[index] + shifted[index]);
-    Some(TiltedPlane { rotation, origin, oriented: !zero(number(13)?) })
+    Some(TiltedPlane {
+        rotation,
+        origin,
+        oriented: !zero(number(13)?),
+        solution: number(13)?.signum() as i8 * i8::from(!zero(number(13)?)),
+    })
 }
 
 /// CYCLE81 to CYCLE85 (RTP, RFP, SDIS, DP, DPR, ..): return level, surface, clearance, bottom. A depth by DPR is unknown
 /// here.
-fn cycle(kind: &str, number: impl Fn(usize) -> Option<f64>, state: &State) -> Option<Cycle> {
+fn cycle(code: &str, number: impl Fn(usize) -> Option<f64>, state: &State) -> Option<Cycle> {
     let (back_to, surface, bottom) = (number(0)?, number(1)?, number(3)?);
     let reference = surface + number(2)?;
     let (mut dwell_s, mut feed) = (number(5).unwrap_or(0.0), None);
-    let kind = match kind {
+    let kind = match code {
         "81" if number(5).is_none() => CycleKind::Drill,
         "82" => CycleKind::Drill,
         "83" => {
@@ -200,5 +217,7 @@ fn cycle(kind: &str, number: impl Fn(usize) -> Option<f64>, state: &State) -> Op
         }
         _ => return None,
     };
-    Some(Cycle { kind, reference, bottom, back_to: Some(back_to), dwell_s, feed })
+    // Arguments from the fifth on, whose meaning depends on the cycle.
+    let others = others(code.parse().ok()?, (4..20).map(|index| (index as u32, number(index))));
+    Some(Cycle { kind, reference, bottom, back_to: Some(back_to), dwell_s, feed, others })
 }

@@ -1,5 +1,6 @@
 //! Tests of the foreign interpreter by small programs.
 
+mod careless;
 mod controls;
 mod guards;
 mod linuxcnc;

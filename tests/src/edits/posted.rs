@@ -1,0 +1,153 @@
+//! Programs posted for the suites of edits, and their check.
+
+use std::io::Cursor;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use machines::{Dmu70e, LolaXoyzba, MultiProDesk, SpinnerU5620};
+use pp_runtime::check::{self, check};
+use pp_runtime::config::{Config, Mode, Operations, starting_point};
+use pp_runtime::control::{self, Control};
+use pp_runtime::diag::Severity;
+use pp_runtime::kinematics::Machine;
+use pp_runtime::{machine, post};
+
+use super::{Allowed, Subject};
+use crate::foreign::{self, Options};
+use crate::further::HeadTable;
+
+machine! {
+    /// Three axes.
+    pub struct Mill;
+    chain: X Y | Z;
+}
+
+/// Input of a posted program.
+#[derive(Debug, Clone)]
+pub struct Case<'a> {
+    /// Name for messages.
+    pub name: &'a str,
+    /// Name of the machine.
+    pub machine: &'a str,
+    /// Name of the control.
+    pub control: &'a str,
+    /// Mode.
+    pub mode: Mode,
+    /// First and last operation; all without it.
+    pub operations: Option<(u64, u64)>,
+    /// Configuration file.
+    pub config: &'a str,
+    /// CL data.
+    pub cl: &'a [u8],
+    /// Codes of the shop that are blocks of their own.
+    pub idle: &'a [&'a str],
+}
+
+/// A posted program with what its check needs.
+pub struct Posted {
+    /// The program.
+    pub subject: Subject,
+    /// Its text.
+    pub text: String,
+    machine: String,
+    control: &'static dyn Control,
+    config: Config,
+    cl: Vec<u8>,
+}
+
+/// Calls a generic function for the machine with a name.
+macro_rules! with_machine {
+    ($name:expr, $function:ident($($argument:expr),*)) => {
+        match $name {
+            "dmu-70e" | "dmu" => $function::<Dmu70e>($($argument),*),
+            "lola-xoyzba" | "lola" => $function::<LolaXoyzba>($($argument),*),
+            "multiprodesk" => $function::<MultiProDesk>($($argument),*),
+            "head_table" => $function::<HeadTable>($($argument),*),
+            "mill" => $function::<Mill>($($argument),*),
+            _ => $function::<SpinnerU5620>($($argument),*),
+        }
+    };
+}
+
+impl Posted {
+    /// Posts a case.
+    ///
+    /// # Errors
+    /// The reason for which it cannot be posted, or is refused by the foreign interpreter.
+    ///
+    /// # Panics
+    /// If the control does not exist.
+    pub fn of(case: &Case<'_>) -> Result<Self, String> {
+        let control = control::by_name(case.control).expect("a control");
+        let (config, text) = with_machine!(case.machine, posted(case, control))?;
+        let foreign = foreign::Control::by_name(case.control).expect("a control");
+        let options = Options {
+            plain_numbers: config.control.point == Some(false),
+            gauge_line: case.config.contains("length_mode = \"gauge\""),
+            idle: case.idle.iter().map(|code| (*code).to_owned()).collect(),
+            ..Options::of(foreign)
+        };
+        let allowed = allowed(&config, case.config, &text);
+        let subject = Subject::new(case.name.to_owned(), &text, options, allowed).map_err(|why| why.to_string())?;
+        Ok(Self { subject, text, machine: case.machine.to_owned(), control, config, cl: case.cl.to_vec() })
+    }
+
+    /// Findings of the check in a program that should do what this one does.
+    #[must_use]
+    pub fn findings(&self, program: &str) -> Vec<String> {
+        let found = catch_unwind(AssertUnwindSafe(|| with_machine!(&*self.machine, findings(self, program))));
+        found.unwrap_or_else(|_| vec!["PANIC".to_owned()])
+    }
+}
+
+/// The one call of the check.
+fn findings<M: Machine>(posted: &Posted, program: &str) -> Vec<String> {
+    let job = check::Job { config: &posted.config, control: posted.control, units: None };
+    match check::<M>(&job, Cursor::new(&posted.cl), program.as_bytes()) {
+        Ok(checked) => {
+            let finding =
+                |found: &pp_runtime::diag::Diagnostic| format!("line {}: {}", found.location.line, found.text);
+            let mut findings: Vec<String> = checked.outcome.findings.iter().map(finding).collect();
+            findings.extend(checked.fault.iter().map(finding));
+            if findings.is_empty() && !checked.outcome.passed() {
+                findings.push("not passed, without a finding".to_owned());
+            }
+            findings
+        }
+        Err(error) => vec![error.to_string()],
+    }
+}
+
+fn posted<M: Machine>(case: &Case<'_>, control: &'static dyn Control) -> Result<(Config, String), String> {
+    let config = starting_point(control).read_over(&M::default(), case.config);
+    let mut config = config.map_err(|faults| faults[0].text.clone())?;
+    config.motion.mode = case.mode;
+    if let Some((first, last)) = case.operations {
+        config.motion.operations = Some(Operations::Range(first, Some(last)));
+    }
+    if let Some(fault) = control::unfit(&M::default(), control, config.demands()).into_iter().next() {
+        return Err(fault);
+    }
+    let job = post::Job { cl_name: "part.cls", config: &config, control, units: None };
+    let mut program = Vec::new();
+    let report = post::post::<M>(&job, &mut Cursor::new(case.cl), &mut program).map_err(|error| error.to_string())?;
+    if report.failed {
+        let error = report.diagnostics.iter().find(|found| found.severity == Severity::Error);
+        return Err(error.map_or_else(|| "refused".to_owned(), |error| error.text.clone()));
+    }
+    Ok((config, String::from_utf8(program).map_err(|error| error.to_string())?))
+}
+
+/// Twice the tolerance and the rounding: before an edit an axis may be off on one side, and after it on the other.
+fn allowed(config: &Config, set_up: &str, text: &str) -> Allowed {
+    let decimals = text.split([' ', '\n']).filter(|word| word.starts_with(['X', 'Y', 'Z']));
+    let decimals = decimals.filter_map(|word| Some(word.split_once('.')?.1.len())).max().unwrap_or(3).min(6);
+    let unit = 10_f64.powi(-(decimals as i32));
+    let inches = text.contains("G20 ") || text.contains("G700 ") || text.contains(" INCH\n");
+    let in_mm = if inches { 25.4 } else { 1.0 };
+    let path = set_up.lines().find_map(|line| line.strip_prefix("axis_tolerance_path = ")?.parse().ok());
+    Allowed {
+        linear: 2.0 * config.motion.tolerance_mm / in_mm + 4.0 * unit,
+        rotary_deg: 2.0 * path.unwrap_or(0.1_f64) + 0.05,
+        wraps: set_up.contains("[wrap]"),
+    }
+}

@@ -1,0 +1,546 @@
+//! Harm of an edit: the traces of two programs, compared.
+//!
+//! Harmful: another motion, another state in a cut, a wait, a guard or a stop that is missing or changed. Harmless: the
+//! same motions in the same states, in the same order. Between the two are deviations within tolerance and rounding,
+//! and states that differ only where nothing is cut.
+
+use std::collections::BTreeMap;
+
+use crate::foreign::axes::{Axes, is_rotary};
+use crate::foreign::state::{Compensation, Cycle, CycleKind, Length, PathMode, State, TiltedPlane};
+use crate::foreign::trace::{Arc, Hole};
+use crate::foreign::{Effect, Executed, Feed, Refused, Trace};
+
+/// Largest deviations that are not harmful for certain.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Allowed {
+    /// Linear axes, in the unit of the program.
+    pub linear: f64,
+    /// Rotary axes, degrees.
+    pub rotary_deg: f64,
+    /// Rotary axes may roll over, so that whole revolutions make no difference.
+    pub wraps: bool,
+}
+
+/// Harm of an edit.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Verdict {
+    /// The control does something else.
+    Harmful(String),
+    /// The control stops, or the code is unknown.
+    Refused(String),
+    /// Deviations within tolerance, or other states where nothing is cut.
+    Undecided(String),
+    /// The control does the same.
+    Harmless,
+}
+
+/// Difference between two blocks.
+enum Difference {
+    Hard(String),
+    Soft(String),
+}
+
+use Difference::{Hard, Soft};
+
+/// A block that does something, with the state before it.
+#[derive(Clone, Copy)]
+struct Event<'a> {
+    before: &'a State,
+    block: &'a Executed,
+}
+
+/// Compares the trace of an edited program with that of the original.
+#[must_use]
+pub fn verdict(original: &Trace, edited: &Result<Trace, Refused>, allowed: Allowed) -> Verdict {
+    let edited = match edited {
+        Ok(trace) => trace,
+        Err(refused) => return Verdict::Refused(refused.to_string()),
+    };
+    let start = State::default();
+    let ((was, was_again), (is, is_again)) = (events(original, &start), events(edited, &start));
+    let mut soft = (was_again != is_again).then(|| "a motion to where the axes are".to_owned());
+    for (index, (one, other)) in was.iter().zip(&is).enumerate() {
+        match difference(one, other, allowed) {
+            Some(Hard(why)) => return removed(&was, &is, index, allowed).unwrap_or(Verdict::Harmful(at(other, &why))),
+            Some(Soft(why)) => soft = soft.or_else(|| Some(at(other, &why))),
+            None => {}
+        }
+    }
+    if edited.blocks.last().map(|block| &block.effect) != original.blocks.last().map(|block| &block.effect) {
+        soft = soft.or_else(|| Some("the last block".to_owned()));
+    }
+    if was.len() != is.len() {
+        let index = was.len().min(is.len());
+        let why = format!("{} actions became {}", was.len(), is.len());
+        return removed(&was, &is, index, allowed).unwrap_or(Verdict::Harmful(why));
+    }
+    soft.map_or(Verdict::Harmless, Verdict::Undecided)
+}
+
+/// Whether a program that is harmless from its beginning is another one from a restart point.
+///
+/// `entered` gives the trace from the restart point with a number.
+#[must_use]
+pub fn restarts_differ(
+    [original, edited]: [&Trace; 2],
+    entered: impl Fn(bool, usize) -> Result<Trace, Refused>,
+    allowed: Allowed,
+) -> bool {
+    let [before, after] = [original, edited].map(|trace| trace.restarts().count());
+    before != after
+        || (0..before).any(|number| match entered(false, number) {
+            Ok(trace) => verdict(&trace, &entered(true, number), allowed) != Verdict::Harmless,
+            Err(_) => false,
+        })
+}
+
+fn at(event: &Event<'_>, why: &str) -> String {
+    format!("line {}: {why}", event.block.line)
+}
+
+/// Blocks that do something, and as text those that do it again: motions to the place where the axes are, codes of the
+/// shop that are in force.
+fn events<'a>(trace: &'a Trace, start: &'a State) -> (Vec<Event<'a>>, Vec<String>) {
+    let (mut events, mut again) = (Vec::<Event<'a>>::new(), Vec::new());
+    let mut before = start;
+    let mut codes = BTreeMap::new();
+    for block in &trace.blocks {
+        let event = Event { before, block };
+        let was = before;
+        before = &block.state;
+        // Without the length the axis may move (Fanuc and Haas).
+        if matches!((was.length, before.length), (Some(Length::Register(_)), Some(Length::Off)))
+            && !block.effect.moves()
+            && was.position.contains('Z')
+        {
+            again.push("G49".to_owned());
+        }
+        match block.effect {
+            Effect::Modal | Effect::Safety | Effect::Length(_) | Effect::Spindle(_) | Effect::Coolant => {}
+            Effect::Shop(code) => {
+                let (pair, off) = pair(code);
+                let last = codes.insert(pair, code);
+                if code != u32::MAX && (last == Some(code) || last.is_none() && off) {
+                    again.push(format!("M{code}"));
+                } else {
+                    // The order of codes for several things does not matter, nor that of a code and a retract.
+                    let later = |event: &&Event<'_>| match event.block.effect {
+                        Effect::Shop(other) => self::pair(other).0 > pair,
+                        effect => effect == Effect::Machine,
+                    };
+                    let later = events.iter().rev().take_while(later).count();
+                    again.push(format!("M{code} before {later} actions"));
+                    events.insert(events.len() - later, event);
+                }
+            }
+            Effect::Guard { .. } => {
+                let retract = |event: &&Event<'_>| event.block.effect == Effect::Machine;
+                let later = events.iter().rev().take_while(retract).count();
+                again.push(format!("a guard before {later} retracts"));
+                events.insert(events.len() - later, event);
+            }
+            effect if stays(&event) => {
+                again.push(format!("{} {:?} {}", name(&effect), block.words, block.state.under_tip_control()));
+            }
+            _ => events.push(event),
+        }
+    }
+    (events, again)
+}
+
+/// Number of the thing that a code of the shop switches, and whether the code switches off what is off at first.
+fn pair(code: u32) -> (u32, bool) {
+    match code {
+        83 | 84 => (83, code == 84),
+        88 | 89 => (88, code == 89),
+        10 | 11 => (10, false),
+        68 | 69 => (68, false),
+        _ => (code, false),
+    }
+}
+
+/// Whether a motion ends where it begins.
+fn stays(event: &Event<'_>) -> bool {
+    let (before, after) = (event.before, &event.block.state);
+    let places = match event.block.effect {
+        Effect::Rapid | Effect::Feed => [before.position, after.position],
+        Effect::Machine => [before.machine, after.machine],
+        Effect::Orient => {
+            let rotary = |axes: &Axes| axes.letters().any(is_rotary);
+            return before.tilted_plane() == after.tilted_plane()
+                && before.tilted_plane().is_some_and(|plane| plane.oriented)
+                && !rotary(&before.position);
+        }
+        _ => return false,
+    };
+    let same = |letter| match places.map(|place| place.get(letter)) {
+        [Some(from), Some(to)] => (from - to).abs() < 1e-9,
+        _ => false,
+    };
+    if event.block.effect == Effect::Machine {
+        return event.block.words.letters().all(same);
+    }
+    let frame = |state: &State| (state.work_offset, state.length, state.units, state.under_tip_control());
+    event.block.words.letters().all(same)
+        && before.vector == after.vector
+        && frame(before) == frame(after)
+        && before.tilted_plane() == after.tilted_plane()
+        && before.compensation == after.compensation
+}
+
+/// Whether the traces are the same but for one block on the line between its neighbours.
+fn removed(was: &[Event<'_>], is: &[Event<'_>], index: usize, allowed: Allowed) -> Option<Verdict> {
+    let rest_agrees = |was: &[Event<'_>], is: &[Event<'_>]| {
+        let hard = |(one, other): (&Event<'_>, &Event<'_>)| matches!(difference(one, other, allowed), Some(Hard(_)));
+        was.len() == is.len() && !was.iter().zip(is).any(hard)
+    };
+    if is_split(was, is, index, allowed) && rest_agrees(&was[index + 1..], &is[index + 2..])
+        || is_split(is, was, index, allowed) && rest_agrees(&was[index + 2..], &is[index + 1..])
+    {
+        return Some(Verdict::Undecided("a rapid in X and Y in two blocks".to_owned()));
+    }
+    if let Some(extra) = is.get(index)
+        && matches!(extra.block.effect, Effect::Dwell(_) | Effect::Guard { .. })
+        && rest_agrees(&was[index..], &is[index + 1..])
+    {
+        return Some(Verdict::Undecided("a wait is added".to_owned()));
+    }
+    let over = |events: &[Event<'_>], other: &[Event<'_>]| {
+        index < events.len()
+            && is_over_next_hole(events, index, allowed)
+            && rest_agrees(&events[index + 1..], &other[index..])
+    };
+    if over(was, is) || over(is, was) {
+        return Some(Verdict::Undecided("a rapid over the next hole".to_owned()));
+    }
+    let still = |events: &[Event<'_>]| !events.iter().any(|event| event.block.effect.moves());
+    if [was, is].iter().all(|events| still(&events[index.min(events.len())..])) && is_of_shop(was, index, is) {
+        return Some(Verdict::Undecided("a code of the shop after the last motion".to_owned()));
+    }
+    // The first block that differs may come after one that lies on the same line.
+    for index in [Some(index), index.checked_sub(1)].into_iter().flatten() {
+        if index < was.len() && on_the_line(was, index, allowed) && rest_agrees(&was[index + 1..], &is[index..]) {
+            return Some(Verdict::Undecided("a point on a line is left out".to_owned()));
+        }
+        if index < is.len() && on_the_line(is, index, allowed) && rest_agrees(&was[index..], &is[index + 1..]) {
+            return Some(Verdict::Undecided("a point on a line is added".to_owned()));
+        }
+    }
+    None
+}
+
+/// Whether a rapid ends over the next hole, and the cycle alone would bring the tool there above its reference level.
+fn is_over_next_hole(events: &[Event<'_>], index: usize, allowed: Allowed) -> bool {
+    let Some([rapid, next]) = events.get(index..index + 2) else { return false };
+    let Effect::Hole(hole) = next.block.effect else { return false };
+    let near = |letter| match [rapid, next].map(|event| event.block.state.position.get(letter)) {
+        [Some(one), Some(two)] => (one - two).abs() <= allowed.linear,
+        _ => false,
+    };
+    let above = |state: &State| state.position.get('Z').is_some_and(|z| z >= hole.cycle.reference - allowed.linear);
+    rapid.block.effect == Effect::Rapid
+        && !rapid.block.words.letters().any(is_rotary)
+        && near('X')
+        && near('Y')
+        && above(rapid.before)
+        && above(&rapid.block.state)
+}
+
+/// Whether one of two blocks is a code of the shop.
+fn is_of_shop(one: &[Event<'_>], index: usize, two: &[Event<'_>]) -> bool {
+    [one, two].iter().any(|events| events.get(index).is_some_and(|event| matches!(event.block.effect, Effect::Shop(_))))
+}
+
+/// Whether a rapid of `one` in X and Y, or of rotary axes, is two rapids of `two`.
+fn is_split(one: &[Event<'_>], two: &[Event<'_>], index: usize, allowed: Allowed) -> bool {
+    let (Some(whole), Some(parts)) = (one.get(index), two.get(index..index + 2)) else { return false };
+    let level = |event: &Event<'_>| {
+        let letters = || event.block.words.letters();
+        event.block.effect == Effect::Rapid
+            && (letters().all(|letter| matches!(letter, 'X' | 'Y')) || letters().all(is_rotary))
+    };
+    let ends = |letter| match [whole, &parts[1]].map(|event| event.block.state.position.get(letter)) {
+        [Some(one), Some(two)] => (one - two).abs() <= allowed.linear,
+        _ => false,
+    };
+    let part = |letter| match [whole, &parts[0]].map(|event| event.block.state.position.get(letter)) {
+        [Some(one), Some(two)] => (one - two).abs() <= allowed.linear,
+        _ => false,
+    };
+    let partly = parts[0].block.words.letters().all(part);
+    partly && level(whole) && parts.iter().all(level) && whole.block.words.letters().all(ends)
+}
+
+/// Whether a straight motion ends on the straight line between the positions before it and after the next motion.
+fn on_the_line(events: &[Event<'_>], index: usize, allowed: Allowed) -> bool {
+    let Some(next) = events.get(index + 1) else { return false };
+    let this = &events[index];
+    let alike =
+        matches!((this.block.effect, next.block.effect), (Effect::Rapid, Effect::Rapid) | (Effect::Feed, Effect::Feed));
+    if !alike || this.block.feed() != next.block.feed() || state_difference(this, next).is_some() {
+        return false;
+    }
+    let [from, here, to] = [&this.before.position, &this.block.state.position, &next.block.state.position];
+    let mut ratio = 0.0;
+    let mut longest = 0.0_f64;
+    let mut moved = Vec::new();
+    for letter in here.letters() {
+        let [Some(from), Some(here), Some(to)] = [from, here, to].map(|axes| axes.get(letter)) else { return false };
+        moved.push((letter, from, here, to));
+        if (to - from).abs() > longest {
+            longest = (to - from).abs();
+            ratio = (here - from) / (to - from);
+        }
+    }
+    longest > 0.0
+        && (0.0..=1.0).contains(&ratio)
+        && moved.iter().all(|(letter, from, here, to)| {
+            let off = (from + ratio * (to - from) - here).abs();
+            off <= if is_rotary(*letter) { allowed.rotary_deg } else { allowed.linear }
+        })
+}
+
+fn compared(what: &str, was: f64, is: f64, largest: f64) -> Option<Difference> {
+    let off = (was - is).abs();
+    let text = || format!("{what} {was} became {is}");
+    if off > largest || off.is_nan() {
+        Some(Hard(text()))
+    } else if off > 1e-9 {
+        Some(Soft(text()))
+    } else {
+        None
+    }
+}
+
+/// The first hard difference, or the first soft one.
+fn worst(differences: impl IntoIterator<Item = Option<Difference>>) -> Option<Difference> {
+    let mut soft = None;
+    for difference in differences.into_iter().flatten() {
+        match difference {
+            Hard(why) => return Some(Hard(why)),
+            Soft(why) => soft = soft.or(Some(Soft(why))),
+        }
+    }
+    soft
+}
+
+fn hard(differs: bool, what: &str) -> Option<Difference> {
+    differs.then(|| Hard(what.to_owned()))
+}
+
+fn soft(differs: bool, what: &str) -> Option<Difference> {
+    differs.then(|| Soft(what.to_owned()))
+}
+
+fn name(effect: &Effect) -> &'static str {
+    super::places::name_of(effect)
+}
+
+fn difference(was: &Event<'_>, is: &Event<'_>, allowed: Allowed) -> Option<Difference> {
+    let (one, other) = (&was.block.effect, &is.block.effect);
+    let (old, new) = (&was.block.state, &is.block.state);
+    if std::mem::discriminant(one) != std::mem::discriminant(other) {
+        return Some(Hard(format!("{} became {}", name(one), name(other))));
+    }
+    let preselected = soft(old.selected != new.selected, "the selected tool");
+    let own = match (one, other) {
+        (Effect::Dwell(one), Effect::Dwell(other)) => worst([
+            compared("a dwell of", *one, *other, 0.01 * one),
+            hard(old.spindle != new.spindle, "the spindle in a dwell"),
+        ]),
+        (Effect::Guard { length, tolerance }, Effect::Guard { length: length_now, tolerance: now }) => worst([
+            compared("the length of a guard,", *length, *length_now, 1e-6),
+            compared("the tolerance of a guard,", *tolerance, *now, 1e-6),
+            hard(old.guarded != new.guarded, "the register of a guard"),
+            hard((old.tool, old.length) != (new.tool, new.length), "tool or length offset at a guard"),
+        ]),
+        (Effect::ToolChange(one), Effect::ToolChange(other)) => hard(one != other, "the tool"),
+        (Effect::Shop(one), Effect::Shop(other)) => hard(one != other, "the code of the shop"),
+        (Effect::Stop | Effect::OptionalStop | Effect::End, _) => None,
+        _ => worst([effect_difference(one, other, old, allowed), moved(was, is, allowed), state_difference(was, is)]),
+    };
+    worst([own, preselected, other_state(was, is)])
+}
+
+/// States in which nothing is cut.
+fn other_state(was: &Event<'_>, is: &Event<'_>) -> Option<Difference> {
+    let [(spindle, coolant, speed, tool), now] =
+        [was, is].map(|event| (event.before.spindle, event.before.coolant, event.before.speed, event.before.tool));
+    let after = [was, is].map(|event| {
+        let state = &event.block.state;
+        (state.spindle, state.coolant, state.speed, state.tool)
+    });
+    let process = (spindle, coolant, speed, tool) != now || after[0] != after[1];
+    let [frame, frame_now] = [was, is].map(|event| {
+        let state = &event.block.state;
+        (state.plane, state.feed_mode, side(state), state.length, state.work_offset, state.tilted_plane().is_some())
+    });
+    worst([
+        soft(process, "spindle or coolant where nothing is cut"),
+        soft(frame != frame_now, "a mode where nothing is cut"),
+    ])
+}
+
+fn effect_difference(one: &Effect, other: &Effect, state: &State, allowed: Allowed) -> Option<Difference> {
+    match (one, other) {
+        (Effect::Arc(one), Effect::Arc(other)) => arc_difference(one, other, state, allowed),
+        (Effect::Hole(one), Effect::Hole(other)) => hole_difference(one, other, allowed),
+        (Effect::Home(one), Effect::Home(other)) => hard(one != other, "the way to the reference point"),
+        _ => None,
+    }
+}
+
+fn arc_difference(one: &Arc, other: &Arc, state: &State, allowed: Allowed) -> Option<Difference> {
+    let centre = |index: usize| compared("a centre of", one.centre[index], other.centre[index], allowed.linear);
+    let radius = |letter: char, index: usize| state.position.get(letter).map_or(0.0, |end| end - one.centre[index]);
+    let radius = radius('X', 0).hypot(radius('Y', 1)).hypot(radius('Z', 2)).max(1e-6);
+    let off_deg = (allowed.linear / radius).to_degrees().max(0.001);
+    worst([centre(0), centre(1), centre(2), compared("a sweep of", one.sweep_deg, other.sweep_deg, off_deg)])
+}
+
+fn hole_difference(one: &Hole, other: &Hole, allowed: Allowed) -> Option<Difference> {
+    let (was, is): (&Cycle, &Cycle) = (&one.cycle, &other.cycle);
+    let kind = match (was.kind, is.kind) {
+        (CycleKind::Peck { step: was }, CycleKind::Peck { step: is })
+        | (CycleKind::ChipBreak { step: was }, CycleKind::ChipBreak { step: is }) => {
+            compared("a step of", was, is, allowed.linear)
+        }
+        (CycleKind::Tap { pitch: was }, CycleKind::Tap { pitch: is }) => {
+            compared("a pitch of", was, is, 0.002 * was.abs())
+        }
+        (was, is) => hard(was != is, "the kind of a hole"),
+    };
+    worst([
+        kind,
+        compared("a reference level of", was.reference, is.reference, allowed.linear),
+        compared("a bottom of", was.bottom, is.bottom, allowed.linear),
+        compared("a return level of", one.back_to, other.back_to, allowed.linear),
+        compared("a dwell of", was.dwell_s, is.dwell_s, 0.01 * was.dwell_s),
+        hard(was.others != is.others, "a parameter of a cycle"),
+        hard(one.approach != other.approach, "rapid or feed to a hole"),
+    ])
+}
+
+/// Differences of the positions, of the F and of the tool vector.
+fn moved(was: &Event<'_>, is: &Event<'_>, allowed: Allowed) -> Option<Difference> {
+    let (old, new) = (&was.block.state, &is.block.state);
+    let cuts = was.block.effect.cuts();
+    let machine = was.block.effect == Effect::Machine;
+    let letters: Vec<char> = crate::foreign::axes::LETTERS.to_vec();
+    let place = |letter: char| {
+        let of = |state: &State| if machine { state.machine.get(letter) } else { state.position.get(letter) };
+        let written = [was, is].map(|event| event.block.words.contains(letter));
+        let largest = if is_rotary(letter) { allowed.rotary_deg } else { allowed.linear };
+        let from = [was, is].map(|event| event.before.position.contains(letter));
+        match (of(old), of(new)) {
+            (Some(one), Some(other)) if machine && written[0] != written[1] && (one - other).abs() < 1e-9 => {
+                soft(true, "another axis at machine coordinates")
+            }
+            (Some(one), Some(other)) => {
+                let starts = cuts && from[0] && !from[1];
+                let free = was.block.effect == Effect::Rapid
+                    && is_rotary(letter)
+                    && letter == 'C'
+                    && [old, new]
+                        .iter()
+                        .all(|state| ['A', 'B'].iter().any(|tilt| state.position.get(*tilt) == Some(0.0)));
+                if free && was.block.words.letters().all(is_rotary) {
+                    return soft((one - other).abs() > 1e-9, "a rotary axis that is free at the pole");
+                }
+                let whole = ((one - other) / 360.0).round();
+                let rolled = if allowed.wraps && is_rotary(letter) { 360.0 * whole } else { 0.0 };
+                worst([
+                    compared(&format!("{letter} of"), one, other + rolled, largest),
+                    soft(rolled.abs() > 1.0, &format!("revolutions of {letter}")),
+                    hard(starts, &format!("{letter} cuts from an unknown position")),
+                ])
+            }
+            (Some(_), None) if cuts || written[0] => Some(Hard(format!("{letter} is unknown"))),
+            (None, Some(_)) if written[1] && !written[0] => Some(Hard(format!("{letter} moves"))),
+            (None, None) => hard(written[0] != written[1], &format!("{letter} moves in one of both")),
+            (one, other) => soft(one != other, &format!("{letter} is known in one of both")),
+        }
+    };
+    let vectors = match (old.vector, new.vector) {
+        (Some(was), Some(is)) if old.under_tip_control() => {
+            worst([0, 1, 2].map(|index| compared("a component of", was[index], is[index], 2e-3)))
+        }
+        (was, is) if old.under_tip_control() && cuts => hard(was != is, "the tool vector"),
+        _ => None,
+    };
+    let feed = match (was.block.feed(), is.block.feed()) {
+        (Some(Feed::PerMinute(was)), Some(Feed::PerMinute(is)))
+        | (Some(Feed::InverseTime(was)), Some(Feed::InverseTime(is)))
+        | (Some(Feed::PerRevolution(was)), Some(Feed::PerRevolution(is))) => compared("F", was, is, 0.0101 * was),
+        (was, is) => hard(was != is, "the feed mode"),
+    };
+    worst(letters.into_iter().map(place).chain([vectors, feed]))
+}
+
+fn side(state: &State) -> Compensation {
+    state.compensation.unwrap_or(Compensation::Off)
+}
+
+/// Differences of modal states: those that change where the axes go, and in cuts those of the process.
+fn state_difference(was: &Event<'_>, is: &Event<'_>) -> Option<Difference> {
+    let (old, new) = (&was.block.state, &is.block.state);
+    let tip = (old.under_tip_control(), new.under_tip_control());
+    let machine = was.block.effect == Effect::Machine;
+    let frame = worst([
+        hard(old.units != new.units, "the unit"),
+        hard(tip.0 != tip.1, "tip control"),
+        hard(!machine && tilt_differs(old.tilted_plane(), new.tilted_plane()), "the tilted plane"),
+        hard(tip.0 && old.interpolation != new.interpolation, "the interpolation of the tool axis"),
+        hard(tip.0 && old.vector_frame != new.vector_frame, "the frame of vectors"),
+        soft(old.tip_control != new.tip_control, "the start of tip control"),
+    ]);
+    if machine {
+        return frame;
+    }
+    let linear = was.block.effect.cuts() || was.block.words.letters().any(|letter| !is_rotary(letter));
+    let rotary = was.block.words.letters().chain(is.block.words.letters()).any(is_rotary);
+    let words = worst([
+        frame,
+        hard(old.work_offset != new.work_offset, "the work offset"),
+        hard(old.offset_cleared != new.offset_cleared, "the work offset after TRAORI"),
+        hard(linear && old.length != new.length, "the length offset"),
+        hard(rotary && old.rotary_path != new.rotary_path, "shortest path"),
+        hard(linear && side(old) != side(new), "the compensation"),
+    ]);
+    if !was.block.effect.cuts() {
+        let process = (old.spindle, old.coolant, old.speed) != (new.spindle, new.coolant, new.speed);
+        return worst([words, soft(process, "spindle or coolant in a rapid")]);
+    }
+    let taps = matches!(was.block.effect, Effect::Hole(_));
+    worst([
+        words,
+        hard(old.tool != new.tool, "the tool"),
+        hard(old.spindle != new.spindle, "the spindle"),
+        hard(old.speed != new.speed, "the speed"),
+        hard(old.coolant != new.coolant, "coolant"),
+        hard(old.plane != new.plane, "the plane"),
+        hard(path(old) != path(new), "the path mode"),
+        hard(old.smoothing.unwrap_or_default() != new.smoothing.unwrap_or_default(), "smoothing"),
+        hard(old.rotary_path != new.rotary_path, "shortest path"),
+        hard(taps && old.rigid != new.rigid, "rigid tapping"),
+    ])
+}
+
+/// Continuous path without a tolerance is the state in which a control is switched on.
+fn path(state: &State) -> PathMode {
+    state.path.unwrap_or(PathMode::Continuous(None))
+}
+
+fn tilt_differs(was: Option<TiltedPlane>, is: Option<TiltedPlane>) -> bool {
+    match (was, is) {
+        (Some(was), Some(is)) => {
+            let near = |one: &f64, other: &f64| (one - other).abs() < 1e-3;
+            let rows = was.rotation.iter().flatten().zip(is.rotation.iter().flatten());
+            !rows.into_iter().all(|(one, other)| near(one, other))
+                || !was.origin.iter().zip(&is.origin).all(|(one, other)| near(one, other))
+                || (was.oriented, was.solution) != (is.oriented, is.solution)
+        }
+        (was, is) => was.is_some() != is.is_some(),
+    }
+}
