@@ -4,7 +4,7 @@ use std::io::Cursor;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use machines::{Dmu70e, LolaXoyzba, MultiProDesk, SpinnerU5620};
-use pp_runtime::check::{self, check};
+use pp_runtime::check::check;
 use pp_runtime::config::{Config, Mode, Operations, starting_point};
 use pp_runtime::control::{self, Control};
 use pp_runtime::diag::Severity;
@@ -101,13 +101,17 @@ impl Posted {
 
 /// The one call of the check.
 fn findings<M: Machine>(posted: &Posted, program: &str) -> Vec<String> {
-    let job = check::Job { config: &posted.config, control: posted.control, units: None };
-    match check::<M>(&job, Cursor::new(&posted.cl), program.as_bytes()) {
+    let policy = match posted.config.check_policy::<M>(posted.control, None) {
+        Ok(policy) => policy,
+        Err(error) => return vec![error.to_string()],
+    };
+    match check::<M>(&policy, Cursor::new(&posted.cl), program.as_bytes()) {
         Ok(checked) => {
-            let finding =
-                |found: &pp_runtime::diag::Diagnostic| format!("line {}: {}", found.location.line, found.text);
-            let mut findings: Vec<String> = checked.outcome.findings.iter().map(finding).collect();
-            findings.extend(checked.fault.iter().map(finding));
+            let found = |line: u64, text: &str| format!("line {line}: {text}");
+            let findings = checked.outcome.findings.iter();
+            let mut findings: Vec<String> =
+                findings.map(|finding| found(finding.location.line, &finding.text)).collect();
+            findings.extend(checked.fault.iter().map(|fault| found(fault.location.line, &fault.text)));
             if findings.is_empty() && !checked.outcome.passed() {
                 findings.push("not passed, without a finding".to_owned());
             }
