@@ -70,9 +70,9 @@ impl Subject {
             let Some(index) = blocks.iter().rposition(|block| block.line <= line) else { continue };
             let block = &blocks[index];
             let here = if block.line == line { name(Some(index)).to_owned() } else { continued(text) };
-            let here =
-                if here == "modal" { text.split([' ', '(']).next().unwrap_or_default().to_owned() } else { here };
-            let here = here.trim_start_matches(|letter: char| letter == 'N').to_owned();
+            let number = |word: &&str| word.strip_prefix('N').is_some_and(|digits| digits.parse::<u32>().is_ok());
+            let code = text.split([' ', '(']).find(|word| !number(word)).unwrap_or_default();
+            let here = if here == "modal" { code.to_owned() } else { here };
             let class =
                 format!("{} {}>{here}>{}", mode(&block.state), name(index.checked_sub(1)), name(Some(index + 1)));
             self.classes.insert(line - 1, class);

@@ -110,7 +110,8 @@ fn events<'a>(trace: &'a Trace, start: &'a State) -> (Vec<Event<'a>>, Vec<String
         let was = before;
         before = &block.state;
         // Without the length the axis may move (Fanuc and Haas).
-        if matches!((was.length, before.length), (Some(Length::Register(_)), Some(Length::Off)))
+        if matches!((was.length, before.length), (Some(Length::Register(_)), Some(_)))
+            && was.length != before.length
             && !block.effect.moves()
             && was.position.contains('Z')
         {
@@ -206,6 +207,13 @@ fn removed(was: &[Event<'_>], is: &[Event<'_>], index: usize, allowed: Allowed) 
     {
         return Some(Verdict::Undecided("a wait is added".to_owned()));
     }
+    let short = |events: &[Event<'_>], other: &[Event<'_>]| {
+        events.get(index).is_some_and(|event| is_short(event, allowed))
+            && rest_agrees(&events[index + 1..], &other[index..])
+    };
+    if short(was, is) || short(is, was) {
+        return Some(Verdict::Undecided("a motion within tolerance".to_owned()));
+    }
     let over = |events: &[Event<'_>], other: &[Event<'_>]| {
         index < events.len()
             && is_over_next_hole(events, index, allowed)
@@ -228,6 +236,17 @@ fn removed(was: &[Event<'_>], is: &[Event<'_>], index: usize, allowed: Allowed) 
         }
     }
     None
+}
+
+/// Whether a straight motion ends where it begins, within tolerance.
+fn is_short(event: &Event<'_>, allowed: Allowed) -> bool {
+    let short = |letter| match [event.before, &event.block.state].map(|state| state.position.get(letter)) {
+        [Some(from), Some(to)] => {
+            (from - to).abs() <= if is_rotary(letter) { allowed.rotary_deg } else { allowed.linear }
+        }
+        _ => false,
+    };
+    matches!(event.block.effect, Effect::Rapid | Effect::Feed) && event.block.words.letters().all(short)
 }
 
 /// Whether a rapid ends over the next hole, and the cycle alone would bring the tool there above its reference level.
@@ -494,6 +513,7 @@ fn state_difference(was: &Event<'_>, is: &Event<'_>) -> Option<Difference> {
         hard(tip.0 && old.interpolation != new.interpolation, "the interpolation of the tool axis"),
         hard(tip.0 && old.vector_frame != new.vector_frame, "the frame of vectors"),
         soft(old.tip_control != new.tip_control, "the start of tip control"),
+        soft(old.tilted_plane() != new.tilted_plane(), "the tilted plane by little"),
     ]);
     if machine {
         return frame;

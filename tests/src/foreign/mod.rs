@@ -296,10 +296,7 @@ impl Run<'_> {
             Some((number, rest)) if number.trim_start_matches('N').parse::<u32>().is_ok() => rest,
             _ => text,
         };
-        self.options
-            .idle
-            .iter()
-            .any(|idle| idle == unnumbered && idle.contains(' ') || idle == unnumbered && !idle.starts_with('M'))
+        self.options.idle.iter().any(|idle| idle == unnumbered && (idle.contains(' ') || !idle.starts_with('M')))
     }
 
     /// The tokens of a block but for the codes of the shop, which are executed; `None` if it has none.

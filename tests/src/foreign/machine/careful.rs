@@ -43,11 +43,19 @@ pub(super) fn block(machine: &Machine, command: &Command) -> Result<(), String> 
 }
 
 /// Codes whose order in the block decides, and a cycle without its position.
-pub(super) fn clear(command: &Command) -> Result<(), String> {
+pub(super) fn clear(control: Control, command: &Command) -> Result<(), String> {
     let on = command.meanings.iter().any(|meaning| matches!(meaning, Meaning::CoolantOn(_)));
     let off = command.meanings.iter().any(|meaning| matches!(meaning, Meaning::CoolantOff(_)));
     if on && off {
         return Err("coolant on and off in one block".to_owned());
+    }
+    let own_block = |meaning: &Meaning| match meaning {
+        Meaning::ModalCall => true,
+        Meaning::TipControl(_) => control != Control::Heidenhain,
+        _ => false,
+    };
+    if command.has_axes() && command.meanings.iter().any(own_block) {
+        return Err("MCALL or a change of the kinematics with a motion".to_owned());
     }
     let cycle = command.meanings.iter().any(|meaning| matches!(meaning, Meaning::Cycle(_)));
     if cycle && command.has(Meaning::Continuous) {

@@ -43,7 +43,11 @@ pub(super) fn of_letters(machine: &mut Machine, command: &mut Command) -> Result
     letters.step = command.take(Address::Step).or(letters.step);
     let dwell_s = command.take(Address::Seconds);
     // G81 and G85 have no wait.
-    if !matches!(letters.code, 81 | 85) {
+    let waits = !matches!(letters.code, 81 | 85);
+    if !waits && dwell_s.is_some() && machine.control == super::super::Control::LinuxCnc {
+        return Err("P in a cycle without a wait".to_owned());
+    }
+    if waits {
         letters.dwell_s = dwell_s.unwrap_or(letters.dwell_s);
     }
     if machine.state.distance != Some(super::super::state::Distance::Absolute) {

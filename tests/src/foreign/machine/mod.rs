@@ -79,7 +79,7 @@ impl Machine {
         if !self.careless {
             careful::block(self, &written)?;
         }
-        careful::clear(&written)?;
+        careful::clear(self.control, &written)?;
         self.modes(meanings, &mut command)?;
         let effect = self.effect(&written, &mut command)?;
         command.finish()?;

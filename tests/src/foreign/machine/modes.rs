@@ -97,7 +97,14 @@ impl Machine {
                     state.vector = None;
                 }
             }
-            Meaning::LengthOn => self.length(command)?,
+            Meaning::LengthOn => {
+                // One group on Fanuc and Haas: G43 ends G43.4, G43.5 and G234.
+                if matches!(self.control, Control::Fanuc | Control::Haas) && state.under_tip_control() {
+                    state.tip_control = Some(TipControl::Off);
+                    state.vector = None;
+                }
+                self.length(command)?;
+            }
             Meaning::LengthWithTipControl(vectors) => {
                 self.length(command)?;
                 self.begin_tip_control(vectors);
