@@ -377,7 +377,7 @@ attacks! {
         (HEIDENHAIN, ALL, "spindle_dwell = 2.0\n", &[(Dwell, DeleteWithBefore)]),
     ];
     a_block_of_the_start_of_the_program_is_found_in_a_cut: [
-        (&["fanuc", "haas"], ALL, "[program]\nstart = [\"M98 P9000\"]\n", &[(Cut, Before("M98 P9000")), (Cut, Append(" M98 P9000"))]),
-        (&["siemens"], ALL, "[program]\nstart = [\"L100\"]\n", &[(Cut, Before("L100"))]),
+        (&["fanuc", "haas"], ALL, "[program]\nstart = [\"M98 P9000\"]\n[control]\neffects = { \"M98 P9000\" = \"state lost\" }\n", &[(Cut, Before("M98 P9000")), (Cut, Append(" M98 P9000"))]),
+        (&["siemens"], ALL, "[program]\nstart = [\"L100\"]\n[control]\neffects = { L100 = \"state lost\" }\n", &[(Cut, Before("L100"))]),
     ];
 }

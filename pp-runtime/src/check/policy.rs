@@ -262,6 +262,14 @@ pub struct ShopBlocks {
     pub swivel_data: String,
 }
 
+impl ShopBlocks {
+    /// Whether blocks of the shop may select modal functions that the control's own blocks leave alone.
+    #[must_use]
+    pub fn selects_modes(&self) -> bool {
+        self.own_safety || self.lines.iter().any(|line| matches!(line.place, OwnPlace::Start | OwnPlace::ToolChange))
+    }
+}
+
 /// A line that the configuration brings into the program.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ShopLine {

@@ -513,7 +513,8 @@ impl<R: Read> Comparison<'_, R> {
             let found = comparison.compare(&level);
             (level.level_mm, found)
         });
-        let faults: Vec<String> = comparison.faults().collect();
+        let over = comparison.over_fault(&self.previous.words, self.previous.known);
+        let faults: Vec<String> = over.into_iter().chain(comparison.faults()).collect();
         for (level_mm, found) in levels {
             self.level_found(current, level_mm, found);
         }

@@ -4,7 +4,7 @@
 use super::super::expect::Required;
 use super::super::policy::SmoothingLevel;
 use super::super::read::{
-    Action, Block, Guard, GuardSource, LengthSource, OwnPlace, PathMode, Smoothing, SmoothingWords, State,
+    Action, Block, Guard, GuardSource, LengthSource, OwnPlace, PathMode, Smoothing, SmoothingWords, State, stated,
 };
 use super::super::rules::Rules;
 use super::phase::Phase;
@@ -23,8 +23,12 @@ pub(super) struct FunctionState {
     dwell_is_due: bool,
     /// Sense of rotation after the last block.
     rotation: Option<Rotation>,
-    /// Mode of the first cut, where the blocks of the shop select it.
-    path_mode: Option<Option<PathMode>>,
+    /// Mode of the first cut, where blocks of the shop may select it.
+    path_mode: Option<PathMode>,
+    /// The program has programmed smoothing.
+    smoothing_stated: bool,
+    /// Rotary axes whose clamps have been switched since a complete state began: bits.
+    clamps_stated: u16,
     /// Rotary axes that have moved since the approach, and those that were not clamped in a cut: bits.
     moved: u16,
     unclamped: u16,
@@ -34,6 +38,7 @@ impl FunctionState {
     /// A complete state begins.
     pub(super) fn restart(&mut self) {
         self.guard = None;
+        self.clamps_stated = 0;
     }
 
     /// Takes the guard of a block; what is wrong with it.
@@ -57,19 +62,28 @@ impl FunctionState {
     }
 
     /// What is missing where an operation begins.
-    pub(super) fn start(&self, rules: &Rules<'_>, required: &Required) -> Option<String> {
-        rules.policy().shop.length_guard_mm?;
-        let (length, tool) = (required.gauge_length_mm?, required.tool?);
-        guarded(rules, required)?;
-        self.guard.is_none().then(|| {
-            format!(
-                "the length guard of T{tool}, length {length} mm, is missing between its restart point and this block"
-            )
-        })
+    pub(super) fn start(&self, rules: &Rules<'_>, required: &Required) -> Vec<String> {
+        let guard = match (rules.policy().shop.length_guard_mm, required.gauge_length_mm, required.tool) {
+            (Some(_), Some(length), Some(tool)) if guarded(rules, required).is_some() && self.guard.is_none() => {
+                Some(format!("the length guard of T{tool}, length {length} mm, is missing after the restart point"))
+            }
+            _ => None,
+        };
+        let clamp = letter(rules, rules.clamps() & !self.clamps_stated);
+        let clamp = clamp.map(|letter| format!("the clamp of {letter} is neither on nor off after the restart point"));
+        guard.into_iter().chain(clamp).collect()
+    }
+
+    /// Notes a line of the shop.
+    pub(super) fn line(&mut self, place: OwnPlace) {
+        if let OwnPlace::Clamp { axis, .. } = place {
+            self.clamps_stated |= 1 << axis;
+        }
     }
 
     /// Notes the spindle after a block; what is wrong where one moves.
     pub(super) fn spindle(&mut self, block: &Block, rules: &Rules<'_>) -> Option<String> {
+        self.smoothing_stated |= block.stated & stated::SMOOTHING != 0;
         let rotation = block.state.spindle.flatten();
         let dwell = rules.policy().links.spindle_dwell_s;
         if dwell <= 0.0 {
@@ -99,7 +113,11 @@ impl FunctionState {
         let policy = rules.policy();
         let expected = policy.shop.smoothing.filter(|_| !cycle);
         match (expected, state.smoothing) {
-            (None, Smoothing::Off) => None,
+            (None, Smoothing::Off) => {
+                let asked = policy.shop.smoothing.is_some() || policy.shop.selects_modes();
+                (self.smoothing_stated && !asked)
+                    .then(|| "smoothing is switched off, which the configuration does not ask for".to_owned())
+            }
             (None, Smoothing::On { .. }) => Some("smoothing is on, expected off".to_owned()),
             (Some(_), Smoothing::Off) => Some("smoothing is off, expected on".to_owned()),
             (Some(level), Smoothing::On { tolerance_mm, level: written }) => {
@@ -133,8 +151,11 @@ impl FunctionState {
             return (!tolerance.is_some_and(same))
                 .then(|| format!("blocks are blended within {} mm (G64 P), expected {blending} mm", shown(tolerance)));
         }
-        let first = *self.path_mode.get_or_insert(written);
-        (first != written).then(|| "exact stop or blending (G61, G64) differs from that of the first cut".to_owned())
+        // Blending without a limit is the mode after switching on.
+        let written = written.unwrap_or(PathMode::Continuous { tolerance_mm: None, joining_mm: None });
+        let usual = PathMode::Continuous { tolerance_mm: None, joining_mm: None };
+        let expected = if rules.policy().shop.selects_modes() { *self.path_mode.get_or_insert(written) } else { usual };
+        (expected != written).then(|| "the motion from block to block (G61, G64) differs from that expected".to_owned())
     }
 
     /// What is wrong with the clamps of the rotary axes in a block that moves.

@@ -106,7 +106,7 @@ impl CycleComparison<'_> {
 
     /// What is wrong with kind, feed and dwell.
     pub(super) fn faults(&self) -> impl Iterator<Item = String> {
-        [self.kind_fault(), self.feed_fault(), self.dwell_fault()].into_iter().flatten()
+        [self.kind_fault(), self.gap_fault(), self.feed_fault(), self.dwell_fault()].into_iter().flatten()
     }
 
     fn kind_fault(&self) -> Option<String> {
@@ -128,6 +128,35 @@ impl CycleComparison<'_> {
             _ => false,
         };
         (!same).then(|| format!("the cycle makes {}, expected {}", self.cycle.kind, expected_kind(hole)))
+    }
+
+    /// Retract that breaks the chip, and distance above the last depth.
+    fn gap_fault(&self) -> Option<String> {
+        let gap = self.cycle.gap?;
+        let expected = match (self.cycle.kind, self.hole.drilling) {
+            (CycleKind::ChipBreak(_), Drilling::ChipBreak { retract_mm: Some(retract), .. }) => retract,
+            (CycleKind::ChipBreak(_) | CycleKind::Peck(_), _) => self.rules.policy().defaults.peck_gap_mm,
+            _ => return None,
+        };
+        ((gap - expected).abs() > self.rules.rounding().unit_mm)
+            .then(|| format!("the cycle returns to {gap} mm above the last depth, expected {expected} mm"))
+    }
+
+    /// What is wrong where the tool moves over the hole: it is below the clearance level. `before`: words before the block.
+    pub(super) fn over_fault(&self, before: &[f64; MAX_AXES], known: u16) -> Option<String> {
+        let normal = self.rules.words().xyz()[self.block.state.plane?.axes()[2]]?;
+        let moves = (0..MAX_AXES).any(|index| {
+            let off = (self.block.values[index] - before[index]).abs();
+            index != normal && self.block.written & (1 << index) != 0 && off > self.rules.rounding().unit_mm
+        });
+        if !moves || known & (1 << normal) == 0 {
+            return None;
+        }
+        let over = pose_at(self.rules, self.block, before[normal])?;
+        let height = (over.tip - self.hole.top.tip.coords).dot(&self.hole.top.axis);
+        let below = self.hole.clearance_mm - height;
+        (below > 2.0 * self.rules.rounding().tip_mm)
+            .then(|| format!("the tool moves over this hole {below:.4} mm below its clearance level"))
     }
 
     fn is_pitch(&self, pitch: f64, stated: Option<f64>) -> bool {

@@ -36,6 +36,7 @@ impl<R: Read> Comparison<'_, R> {
     pub(super) fn before_task(&mut self, phase: &Phase, current: &Current<'_>) {
         let block = current.block;
         if let Some(own) = block.own {
+            self.functions.line(own.place);
             let ended = self.progress.next().is_none();
             if let Some(text) = place_of_line(own.place, phase, self.tally.motions(), ended) {
                 self.found(current, text);
@@ -458,8 +459,9 @@ impl<R: Read> Comparison<'_, R> {
             self.found(current, "operation starts without the machine retract after its restart point");
         }
         if let Some(required) = self.progress.next().map(|item| item.required) {
-            let fault = self.functions.start(&self.rules, &required);
-            self.found_any(current, fault);
+            for fault in self.functions.start(&self.rules, &required) {
+                self.found(current, &fault);
+            }
         }
     }
 
@@ -479,6 +481,11 @@ impl<R: Read> Comparison<'_, R> {
         let tool = current.block.state.tool;
         if self.progress.next().is_none_or(|item| item.required.tool != tool) {
             self.find_again(phase, |item| item.required.tool == tool, current)?;
+        }
+        if let Some(required) = self.progress.next().map(|item| item.required.tool).filter(|required| *required != tool)
+        {
+            let name = |tool: Option<u32>| tool.map_or("no tool".to_owned(), |number| format!("T{number}"));
+            self.found(current, &format!("change to {}, but the CL data requires {}", name(tool), name(required)));
         }
         if !phase.is_retracted() || !self.start.retracted {
             self.found(current, "tool change before the machine has retracted");

@@ -121,6 +121,8 @@ pub(crate) struct Facts {
     pub(crate) smoothing: SmoothingWords,
     /// Rule for the pose of a tilted plane.
     pub(crate) pose: PoseSelector,
+    /// The program selects whether rotary axes take the shorter way (M126, M127).
+    pub(crate) rotary_path_selected: bool,
 }
 
 const ISO: Facts = Facts {
@@ -154,6 +156,7 @@ const ISO: Facts = Facts {
     path_tolerance: false,
     smoothing: SmoothingWords { tolerance: false, levels: [None; 3] },
     pose: PoseSelector::Nearest,
+    rotary_path_selected: false,
 };
 
 impl Family {
@@ -229,6 +232,7 @@ impl Family {
                 // HSC-MODE:1 rough, 0 finish.
                 smoothing: SmoothingWords { tolerance: true, levels: [Some(1), Some(1), Some(0)] },
                 pose: PoseSelector::Sign,
+                rotary_path_selected: true,
                 ..ISO
             },
         }

@@ -3,7 +3,7 @@
 use std::fmt::Display;
 
 use super::super::expect::{Required, SpindleState};
-use super::super::policy::LinearWords;
+use super::super::policy::{LinearWords, Rollover};
 use super::super::read::{Action, Block, Facts, FeedMode, Length, Side, State, TipControl, WorkOffset, WorkPlane};
 use super::Rules;
 use crate::program::Location;
@@ -178,6 +178,14 @@ impl Rules<'_> {
                 state.side.unwrap_or_default().name(),
                 side.name()
             ));
+        }
+        let selects = self.facts.rotary_path_selected && !self.policy.shop.own_safety;
+        if selects && !state.shortest_stated {
+            return Some("the direction of rotary axes (M126, M127) has not been programmed".to_owned());
+        }
+        let shorter = self.policy.words.rollover.values().any(|rollover| *rollover == Rollover::Shortest);
+        if selects && !state.shortest && shorter {
+            return Some("rotary axes do not take the shorter way, but their words are reduced to 360".to_owned());
         }
         if state.shortest && self.policy.words.rollover.is_empty() {
             return Some(

@@ -106,20 +106,20 @@ impl Travel {
     /// Whether the selector of a plane call names another pose than that of these words; `higher`: SEQ+ or _DIR 1.
     ///
     /// Heidenhain: SEQ is the sign of the master axis, the one nearest the tool. Siemens: _DIR is the lower or the higher of
-    /// its two values. Where both poses agree with the selector the control takes the nearest.
+    /// its two values.
     pub(in super::super) fn selects_other_pose(&self, rules: &Rules<'_>, here: &[f64; MAX_AXES], higher: bool) -> bool {
         let words = rules.words();
-        let (Some(master), Some(other)) =
-            (words.rotary().last(), self.other_position(rules, here, &words.tool_axis_at(here), true))
-        else {
-            return false;
-        };
-        let (here, other) = (words.values(here)[master], words.values(&other)[master]);
+        let Some(master) = words.rotary().last() else { return false };
+        let value = words.values(here)[master];
         match rules.facts().pose {
-            _ if (here - other).abs() <= SAME_POSITION => false,
             PoseSelector::Nearest => false,
-            PoseSelector::Sign => (here > 0.0) != higher && (other > 0.0) == higher,
-            PoseSelector::Higher => (here > other) != higher,
+            // Without a pose of this sign the control stops.
+            PoseSelector::Sign => value.abs() > SAME_POSITION && (value > 0.0) != higher,
+            PoseSelector::Higher => {
+                let other = self.other_position(rules, here, &words.tool_axis_at(here), true);
+                let other = other.map(|other| words.values(&other)[master]);
+                other.is_some_and(|other| (value - other).abs() > SAME_POSITION && (value > other) != higher)
+            }
         }
     }
 
