@@ -33,6 +33,10 @@ pub(super) mod group {
     pub(in super::super) const WAY: u32 = 21;
     pub(in super::super) const CALL: u32 = 22;
     pub(in super::super) const WINDOW: u32 = 23;
+    pub(in super::super) const POSTURE: u32 = 24;
+    pub(in super::super) const FRAME: u32 = 25;
+    /// Any M code.
+    pub(in super::super) const MISCELLANEOUS: u32 = 30;
     /// Whatever may stand beside anything.
     pub(in super::super) const FREE: u32 = 31;
 }

@@ -6,7 +6,7 @@ use super::draft::{Draft, fault};
 use super::facts::Facts;
 use super::language::Language;
 use super::machine::Interpreter;
-use super::text::{Cursor, shown};
+use super::text::{Cursor, Number, shown, whole};
 use crate::program::Units;
 
 /// A line on its way into a draft.
@@ -30,6 +30,25 @@ impl<'a> Line<'a> {
     #[cold]
     pub(super) fn fault(&mut self, column: usize, text: impl Into<String>) {
         fault(self.faults, column, text);
+    }
+
+    /// Notes a fault that nothing takes away, whatever the user declares for the line.
+    #[cold]
+    pub(super) fn lasting_fault(&mut self, column: usize, text: impl Into<String>) {
+        let fault = Fault { column: column + 1, text: text.into() };
+        self.faults.insert(self.draft.frame_faults, fault);
+        self.draft.frame_faults += 1;
+    }
+
+    /// Takes a block number: the first word of the line, after the mark of block delete at most.
+    pub(super) fn block_number(&mut self, number: Number, column: usize) {
+        self.draft.number = whole(number).filter(|_| !number.point && !number.negative).map(u64::from);
+        if self.draft.number.is_none() {
+            self.fault(column, "block number that is no whole number");
+        }
+        if self.at.before(column).iter().any(|byte| !matches!(byte, b' ' | b'\t' | b'\r' | b'/')) {
+            self.fault(column, "block number after the first word of its block");
+        }
     }
 
     /// Says that a word stands twice, unless it is the first.

@@ -7,6 +7,7 @@
 use super::super::policy::Rollover;
 use super::block::{Action, Block, MAX_AXES, State, stated};
 use super::draft::{Code, Cycle, Draft, LengthCode, TiltCode, effect, fault};
+use super::facts::Facts;
 
 /// One axis of the machine as the program names it.
 #[derive(Debug, Clone, PartialEq)]
@@ -34,14 +35,13 @@ pub(super) struct Interpreter {
     pub(super) cycle: Option<Cycle>,
     /// The level before the cycle.
     pub(super) initial: Option<f64>,
-    /// Motion codes stay in force.
-    pub(super) keeps_motion: bool,
+    pub(super) facts: Facts,
     /// Half a unit of a linear word, mm: how far ends of arcs are rounded.
     pub(super) rounding: f64,
 }
 
 impl Interpreter {
-    pub(super) fn new(axes: Vec<AxisName>, keeps_motion: bool, rounding: f64) -> Self {
+    pub(super) fn new(axes: Vec<AxisName>, facts: Facts, rounding: f64) -> Self {
         let linear = [b"X", b"Y", b"Z"].map(|name| axes.iter().position(|axis| axis.name == name));
         Self {
             axes,
@@ -53,7 +53,7 @@ impl Interpreter {
             stated: 0,
             cycle: None,
             initial: None,
-            keeps_motion,
+            facts,
             rounding,
         }
     }
@@ -146,7 +146,7 @@ impl Interpreter {
         }
         if let Some(code) = draft.code {
             self.modal = Some(code);
-            if !matches!(code, Code::Cycle) && draft.define.is_none() && self.keeps_motion && !draft.call {
+            if !matches!(code, Code::Cycle) && draft.define.is_none() && self.facts.motion_modal && !draft.call {
                 self.cycle = None;
             }
         }
@@ -156,6 +156,9 @@ impl Interpreter {
             self.known = 0;
             if optional { Action::OptionalStop } else { Action::Stop }
         } else if let Some(seconds) = draft.dwell {
+            if seconds < 0.0 {
+                fault(&mut block.faults, 0, "dwell with a negative time");
+            }
             Action::Dwell(seconds)
         } else if draft.change {
             Action::ToolChange
@@ -173,7 +176,7 @@ impl Interpreter {
         } else if orients {
             fault(&mut block.faults, 0, "the rotary axes are positioned to a plane in a block with another function");
         }
-        if !self.keeps_motion {
+        if !self.facts.motion_modal {
             self.modal = None;
         }
     }

@@ -17,6 +17,9 @@ pub(super) struct Cursor<'a> {
     pub(super) at: usize,
 }
 
+/// End of a line that goes on in the next one: no line holds it.
+pub(super) const GOES_ON: u8 = b'\n';
+
 /// Powers of ten that are exact.
 const TENS: [f64; 20] =
     [1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19];
@@ -36,6 +39,11 @@ impl<'a> Cursor<'a> {
     /// What has been taken from a column on.
     pub(super) fn read_from(&self, column: usize) -> &'a [u8] {
         &self.line[column..self.at]
+    }
+
+    /// What comes before a column.
+    pub(super) fn before(&self, column: usize) -> &'a [u8] {
+        &self.line[..column.min(self.line.len())]
     }
 
     /// Goes to the end; what was left.

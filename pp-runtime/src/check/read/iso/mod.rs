@@ -15,7 +15,7 @@ mod loose;
 use self::cycle::CycleWords;
 use self::guard::Guards;
 use self::loose::Loose;
-use super::language::{Address, Letters, letters};
+use super::language::{Address, Letters, Pattern, letters};
 use super::line::Line;
 use super::text::{Number, shown, whole};
 use crate::program::Units;
@@ -33,6 +33,9 @@ const DISPLAYED: [&[u8]; 3] = [b"MSG", b"DEBUG", b"PRINT"];
 /// Comments of LinuxCNC that are orders without a comma.
 const ORDERS: [&[u8]; 4] = [b"PROBEOPEN", b"PROBECLOSE", b"LOGCLOSE", b"PYRELOAD"];
 
+/// M29 without its thread.
+const WITHOUT_THREAD: &str = "M29 in the block before: expected its thread here, G84 or G74";
+
 /// What is remembered from one line to the next.
 #[derive(Debug, Default)]
 pub(super) struct Iso {
@@ -44,6 +47,8 @@ pub(super) struct Iso {
     modal: Letters,
     /// The next thread is cut in step with the spindle (M29).
     rigid: bool,
+    /// The block of that thread must come next.
+    thread_due: bool,
     /// The program has begun, and has ended.
     began: bool,
     ended: bool,
@@ -60,29 +65,47 @@ impl Iso {
     /// Reads one line into its draft; `false` if the line is no block of words.
     pub(super) fn line(&mut self, line: &mut Line<'_>) -> bool {
         line.at.blanks();
-        match line.at.rest() {
-            [] => return false,
-            [b'%', ..] => return self.mark(line),
-            [b'O' | b'o', ..] if line.facts.program_numbers => return self.program_number(line),
-            _ => {}
+        if line.at.rest().is_empty() {
+            return false;
         }
-        if let Some(is_block) = self.guards.line(line) {
-            self.began = true;
+        let due = std::mem::take(&mut self.thread_due);
+        if let Some(is_block) = self.without_words(line) {
+            if due {
+                line.lasting_fault(0, WITHOUT_THREAD);
+            }
             return is_block;
         }
         let mut reading = Reading { iso: self, line, loose: Loose::default() };
         if reading.words() {
             reading.conclude();
         }
-        let says = line.draft.groups != 0 || line.draft.written != 0;
+        let says = line.draft.groups != 0 || line.draft.written != 0 || !line.faults.is_empty();
         self.began |= says;
+        if due && says && !matches!(line.draft.hole, Some(Pattern::TapAfterRigid { .. })) {
+            line.lasting_fault(0, WITHOUT_THREAD);
+        }
+        self.thread_due = line.draft.rigid || due && !says;
         self.ended |= line.draft.end;
         true
     }
 
+    /// Reads a line that has no words: whether it is a block. `None` if it has words.
+    fn without_words(&mut self, line: &mut Line<'_>) -> Option<bool> {
+        match line.at.rest() {
+            [b'%', ..] => Some(self.mark(line)),
+            [b'O' | b'o', ..] if line.facts.program_numbers => Some(self.program_number(line)),
+            _ => {
+                let is_block = self.guards.line(line)?;
+                self.began = true;
+                Some(is_block)
+            }
+        }
+    }
+
     /// Forgets what stays in force.
     pub(super) fn forget(&mut self) {
-        (self.cycle, self.vectors, self.modal, self.rigid) = (CycleWords::default(), false, 0, false);
+        (self.cycle, self.vectors, self.modal) = (CycleWords::default(), false, 0);
+        (self.rigid, self.thread_due) = (false, false);
     }
 
     /// `%`: before the first block it begins the program, and after it ends it.
@@ -183,7 +206,7 @@ impl Reading<'_, '_> {
         let order = !word.is_empty() && rest.trim_ascii_start().starts_with(b",")
             || ORDERS.iter().any(|known| word.eq_ignore_ascii_case(known));
         if order && !DISPLAYED.iter().any(|known| word.eq_ignore_ascii_case(known)) {
-            self.line.fault(column, format!("the comment `{}` is an order to the control", shown(text)));
+            self.line.lasting_fault(column, format!("the comment `{}` is an order to the control", shown(text)));
         }
     }
 
@@ -201,10 +224,7 @@ impl Reading<'_, '_> {
         let first = self.line.draft.letters & bit == 0;
         self.line.draft.letters |= bit;
         match address {
-            Address::BlockNumber => match whole(number) {
-                Some(number) => self.line.draft.number = Some(u64::from(number)),
-                None => self.line.fault(column, "block number that is no whole number"),
-            },
+            Address::BlockNumber => self.line.block_number(number, column),
             Address::Axis => {
                 let Some(index) = self.line.axis(&[letter]) else {
                     return self.line.fault(column, format!("the machine has no axis {}", char::from(letter)));

@@ -59,6 +59,11 @@ impl Row {
         Self { spelling, key: 0, last: 0, means, group: group::FREE, takes: 0, needs: 0, source }
     }
 
+    /// The modal group of a word.
+    const fn of(self, group: u32) -> Self {
+        Self { group, ..self }
+    }
+
     /// The address words that it takes.
     const fn takes(self, words: &str) -> Self {
         Self { takes: self.takes | letters(words), ..self }

@@ -97,6 +97,11 @@ fn arguments(line: &mut Line<'_>, list: &List) -> Option<Numbers> {
 
 fn take(line: &mut Line<'_>, list: &List, item: &Item, argument: &Argument<'_>, numbers: &mut Numbers) {
     let expected = match (item.role, argument) {
+        (Role::Whole(slot), Argument::Number(value)) if value.fract() == 0.0 => {
+            numbers.0[slot as usize] = Some(*value);
+            return;
+        }
+        (Role::Whole(_), _) => "a whole number".to_owned(),
         (Role::Needs(slot) | Role::Takes(slot), Argument::Number(value)) => {
             numbers.0[slot as usize] = Some(*value);
             return;

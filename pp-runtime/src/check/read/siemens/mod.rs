@@ -162,7 +162,7 @@ fn word(line: &mut Line<'_>, letter: u8, start: usize) -> bool {
         }
     };
     match address {
-        Address::BlockNumber => line.draft.number = whole(number).map(u64::from),
+        Address::BlockNumber => line.block_number(number, start),
         Address::Feed => line.draft.feed = Some(number.value),
         Address::Speed => line.draft.speed = Some(number.value),
         Address::Tool => line.draft.tool = whole(number),
@@ -172,7 +172,7 @@ fn word(line: &mut Line<'_>, letter: u8, start: usize) -> bool {
         }
         _ => {}
     }
-    let counted = matches!(address, Address::BlockNumber | Address::Tool | Address::Edge);
+    let counted = matches!(address, Address::Tool | Address::Edge);
     if counted && whole(number).is_none() {
         return false;
     }
