@@ -4,7 +4,6 @@
 //! read as it streams by, and nothing is allocated for a block unless something is wrong with it. What is not known is a
 //! fault of its block, never passed over.
 
-mod arc;
 mod block;
 mod codes;
 mod draft;
@@ -15,8 +14,6 @@ mod iso;
 mod language;
 mod line;
 mod machine;
-mod modes;
-mod motion;
 mod own;
 mod siemens;
 mod state;
@@ -44,7 +41,7 @@ use line::Line;
 use machine::Interpreter;
 use own::Bare;
 use siemens::Siemens;
-use text::{Cursor, GOES_ON};
+use text::GOES_ON;
 
 /// A line longer than this is no line of a program, bytes.
 const LONGEST: usize = 1 << 16;
@@ -212,15 +209,7 @@ impl<R: Read> Reader<R> {
         self.bare.forget();
         let declared = own::declared(&self.line, vocabulary, &self.facts, &mut self.bare, &mut self.blanked);
         let text = if declared.is_some() { &self.blanked } else { &self.line };
-        let mut line = Line {
-            vocabulary,
-            language: vocabulary.family.language(),
-            facts: &self.facts,
-            machine: &self.machine,
-            at: Cursor::new(text),
-            draft: &mut self.draft,
-            faults: &mut self.block.faults,
-        };
+        let mut line = Line::new(text, vocabulary, &self.machine, &mut self.draft, &mut self.block.faults);
         let mut is_block = match &mut self.syntax {
             Syntax::Iso(iso) => iso.line(&mut line),
             Syntax::Siemens(siemens) => siemens.line(&mut line),
@@ -228,7 +217,7 @@ impl<R: Read> Reader<R> {
         };
         let may_switch = line.draft.written == 0 && !vocabulary.own.is_empty();
         let switched = may_switch && own::switch(self.bare.text(&self.line, &self.facts), &mut line);
-        if declared.is_some() || switched || !line.faults.is_empty() {
+        if declared.is_some() || switched || line.fault_count() > 0 {
             self.block.own = own::resolve(self.bare.text(&self.line, &self.facts), &mut line, declared, switched);
             is_block |= self.block.own.is_some();
         }

@@ -176,7 +176,7 @@ fn bits(declared: Effect) -> u8 {
 /// Executes a code of clamps, coolant or tip control; whether the line is one.
 #[inline]
 pub(super) fn switch(text: &[u8], line: &mut Line<'_>) -> bool {
-    let vocabulary = line.vocabulary;
+    let vocabulary = line.vocabulary();
     let mut found = false;
     for own in vocabulary.own.iter().filter(|own| own.text == text) {
         let draft = &mut *line.draft;
@@ -202,7 +202,7 @@ pub(super) fn switch(text: &[u8], line: &mut Line<'_>) -> bool {
 /// The own line that a line is, and what is wrong with it: an effect that is not declared.
 #[cold]
 pub(super) fn resolve(text: &[u8], line: &mut Line<'_>, declared: Option<Declared>, switched: bool) -> Option<OwnLine> {
-    let mut own = line.vocabulary.own.iter().filter(|own| matches(&own.text, text));
+    let mut own = line.vocabulary().own.iter().filter(|own| matches(&own.text, text));
     let switches =
         |place: OwnPlace| matches!(place, OwnPlace::Clamp { .. } | OwnPlace::Coolant | OwnPlace::TipControl { .. });
     let place = if switched { own.find(|own| switches(own.place)) } else { own.next() }.map(|own| own.place);
@@ -210,20 +210,20 @@ pub(super) fn resolve(text: &[u8], line: &mut Line<'_>, declared: Option<Declare
     if let Some(Declared { bits, whole, .. }) = declared {
         line.draft.effects = bits;
         line.draft.speaks();
-        if whole || line.faults.len() == line.draft.frame_faults {
+        if whole || line.fault_count() == line.draft.frame_faults {
             return Some(OwnLine { place: place.unwrap_or(OwnPlace::Insert), effect });
         }
     }
     let place = place?;
     if switched {
-        line.faults.truncate(line.draft.frame_faults);
+        line.excuse();
         return Some(OwnLine { place, effect });
     }
-    if line.faults.len() > line.draft.frame_faults {
+    if line.fault_count() > line.draft.frame_faults {
         // What it does is unknown, so nothing of it is executed.
         let Draft { number, frame_faults, .. } = *line.draft;
         *line.draft = Draft { number, frame_faults, ..Draft::default() };
-        line.faults.truncate(frame_faults);
+        line.excuse();
         let text = format!(
             "`{}` is a line of the configuration with a code that the check does not know: declare its effect in \
              `[control] effects`",

@@ -52,7 +52,7 @@ impl Numbers {
 pub(super) fn define(line: &mut Line<'_>) -> bool {
     let Some(number) = line.at.spaced_number() else { return false };
     let Some(tenths) = tenths(number) else { return false };
-    let Some(list) = line.language.lists.iter().find(|list| list.number == tenths) else { return false };
+    let Some(list) = line.language().lists.iter().find(|list| list.number == tenths) else { return false };
     // The lines of a cycle have a decimal, and a cycle with parameters has none.
     if number.point != list.items.is_empty() {
         return false;
@@ -74,7 +74,7 @@ pub(super) fn define(line: &mut Line<'_>) -> bool {
 fn tolerance(line: &mut Line<'_>) -> bool {
     line.at.blanks();
     let tolerance = if line.at.take(b'T') { line.at.spaced_number() } else { None };
-    let unit = line.machine.unit();
+    let unit = line.machine().unit();
     line.draft.smoothing = Some(match tolerance {
         Some(tolerance) => Smoothing::On { tolerance_mm: Some(tolerance.value * unit), level: None },
         None => Smoothing::Off,
@@ -87,7 +87,7 @@ fn mode(line: &mut Line<'_>) -> bool {
     let level = line.at.literal(b"HSC-MODE:").then(|| line.at.spaced_number()).flatten().and_then(whole);
     line.at.blanks();
     let angle = if line.at.literal(b"TA") { line.at.spaced_number() } else { None };
-    let Smoothing::On { tolerance_mm, .. } = line.machine.state.smoothing else { return false };
+    let Smoothing::On { tolerance_mm, .. } = line.machine().state().smoothing else { return false };
     let Some(level @ 0..=1) = level else { return false };
     line.draft.smoothing = Some(Smoothing::On { tolerance_mm, level: Some(level as u8) });
     line.draft.smoothing_angle = angle.map(|angle| angle.value.to_radians());
@@ -145,7 +145,7 @@ fn parameters(line: &mut Line<'_>, list: &List) -> Option<Numbers> {
         line.fault(0, text);
         correct = false;
     }
-    if !correct && line.faults.is_empty() {
+    if !correct && line.fault_count() == 0 {
         line.fault(0, "a parameter of the cycle occurs twice");
     }
     correct.then_some(numbers)
@@ -172,7 +172,7 @@ fn carry_out(line: &mut Line<'_>, tenths: u32, numbers: &Numbers) -> bool {
         return true;
     }
     let hole = hole(line, tenths / 10, numbers);
-    line.draft.define = hole.map(|hole| hole.in_unit(line.machine.unit()));
+    line.draft.define = hole.map(|hole| hole.in_unit(line.machine().unit()));
     hole.is_some()
 }
 

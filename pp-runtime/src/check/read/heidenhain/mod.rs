@@ -46,7 +46,7 @@ impl Heidenhain {
         self.number(line);
         line.at.blanks();
         self.sequence.line(line);
-        line.draft.frame_faults = line.faults.len();
+        line.draft.frame_faults = line.fault_count();
         let goes_on = line.at.rest().contains(&GOES_ON);
         if matches!(line.at.peek(), None | Some(b';' | b'*')) {
             if goes_on {
@@ -58,7 +58,7 @@ impl Heidenhain {
         let start = line.at;
         // Only the parameters of a cycle go on in the next line, and they have been read to their end.
         if !self.statement(line) || goes_on && !line.at.ended() {
-            line.fault(start.at, format!("`{}` is not known to the check", shown(start.rest())));
+            line.fault(start.column(), format!("`{}` is not known to the check", shown(start.rest())));
         }
         line.contradictions();
         self.began = true;
@@ -87,7 +87,7 @@ impl Heidenhain {
         if self.guard.is_open() {
             return self.guard.line(line);
         }
-        let row = line.language.words.iter().find(|row| {
+        let row = line.language().words.iter().find(|row| {
             matches!(row.means, Means::Statement(_)) && !row.spelling.starts_with("FN") && line.at.words(row.spelling)
         });
         let named = row.map(|row| (row.spelling, row.means));
@@ -182,7 +182,7 @@ fn tool(line: &mut Line<'_>) -> bool {
             Some(b'X') => Some(WorkPlane::Yz),
             _ => return false,
         };
-        at.at += 1;
+        at.skip(1);
     }
     while !at.ended() && at.peek() != Some(b';') {
         let name = at.letters();

@@ -79,7 +79,7 @@ impl Iso {
         if reading.words() {
             reading.conclude();
         }
-        let says = line.draft.groups != 0 || line.draft.written != 0 || !line.faults.is_empty();
+        let says = line.draft.groups != 0 || line.draft.written != 0 || line.fault_count() > 0;
         self.began |= says;
         if due && says && !matches!(line.draft.hole, Some(Pattern::TapAfterRigid { .. })) {
             line.lasting_fault(0, WITHOUT_THREAD);
@@ -93,7 +93,7 @@ impl Iso {
     fn without_words(&mut self, line: &mut Line<'_>) -> Option<bool> {
         match line.at.rest() {
             [b'%', ..] => Some(self.mark(line)),
-            [b'O' | b'o', ..] if line.facts.program_numbers => Some(self.program_number(line)),
+            [b'O' | b'o', ..] if line.facts().program_numbers => Some(self.program_number(line)),
             _ => {
                 let is_block = self.guards.line(line)?;
                 self.began = true;
@@ -110,9 +110,9 @@ impl Iso {
 
     /// `%`: before the first block it begins the program, and after it ends it.
     fn mark(&mut self, line: &mut Line<'_>) -> bool {
-        line.at.at += 1;
+        line.at.skip(1);
         if !line.at.ended() {
-            line.fault(line.at.at, "text after %");
+            line.fault(line.at.column(), "text after %");
         }
         let ends = self.began && !self.ended;
         line.draft.end = ends;
@@ -122,7 +122,7 @@ impl Iso {
 
     /// `O1234 (NAME)`: where it is not the first block it begins another program.
     fn program_number(&mut self, line: &mut Line<'_>) -> bool {
-        line.at.at += 1;
+        line.at.skip(1);
         if line.at.number().and_then(whole).is_none() {
             line.fault(0, "O word without a number");
         } else if !line.at.ended() && line.at.peek() != Some(b'(') {
@@ -130,7 +130,7 @@ impl Iso {
         } else if !line.at.ended() {
             Reading { iso: self, line, loose: Loose::default() }.comment();
             if !line.at.ended() {
-                line.fault(line.at.at, "text after the program number");
+                line.fault(line.at.column(), "text after the program number");
             }
         }
         let ends = self.began && !self.ended;
@@ -145,19 +145,19 @@ impl Reading<'_, '_> {
     /// Takes the words up to the end of the line or a comment that reaches there; `false` at what is no word.
     fn words(&mut self) -> bool {
         while !self.line.at.ended() {
-            let start = self.line.at.at;
+            let start = self.line.at.column();
             match self.line.at.peek() {
                 Some(b'(') => self.comment(),
                 Some(b';') => {
-                    self.line.at.at += 1;
+                    self.line.at.skip(1);
                     self.semicolon();
                     break;
                 }
-                Some(b'/') if start == 0 => self.line.at.at += 1,
+                Some(b'/') if start == 0 => self.line.at.skip(1),
                 _ => match self.line.at.letter_and_number() {
                     Some((letter, number)) => self.word(letter.to_ascii_uppercase(), number, start),
                     None => {
-                        self.line.at.at = start;
+                        self.line.at.go_to(start);
                         self.line.fault(start, format!("`{}` is not a word", shown(self.line.at.rest())));
                         return false;
                     }
@@ -169,9 +169,9 @@ impl Reading<'_, '_> {
 
     /// What follows a semicolon.
     fn semicolon(&mut self) {
-        let start = self.line.at.at;
+        let start = self.line.at.column();
         let rest = self.line.at.take_rest().trim_ascii();
-        if self.line.facts.semicolon_comments {
+        if self.line.facts().semicolon_comments {
             self.order(rest, start);
         } else if !rest.is_empty() {
             self.line.fault(start, "text after `;`, which ends the block: the control reads it as the next block");
@@ -181,11 +181,11 @@ impl Reading<'_, '_> {
     /// `( .. )`, without another bracket in it.
     fn comment(&mut self) {
         let at = &mut self.line.at;
-        let start = at.at;
+        let start = at.column();
         let rest = &at.rest()[1..];
         match rest.iter().position(|byte| *byte == b')') {
             Some(end) if !rest[..end].contains(&b'(') => {
-                at.at += end + 2;
+                at.skip(end + 2);
                 self.order(&rest[..end], start);
             }
             _ => {
@@ -197,7 +197,7 @@ impl Reading<'_, '_> {
 
     /// A comment that begins with a word and a comma is an order to LinuxCNC, and so are some words that need none.
     fn order(&mut self, text: &[u8], column: usize) {
-        if !self.line.facts.comments_give_orders {
+        if !self.line.facts().comments_give_orders {
             return;
         }
         let text = text.trim_ascii_start();
@@ -213,7 +213,7 @@ impl Reading<'_, '_> {
     /// A letter and its number, which begin at a column.
     #[inline]
     fn word(&mut self, letter: u8, number: Number, column: usize) {
-        let Some(address) = self.line.language.address(letter) else { return self.line.unknown(column) };
+        let Some(address) = self.line.language().address(letter) else { return self.line.unknown(column) };
         if address == Address::Code {
             if !self.line.code(letter, number, column) {
                 self.line.unknown(column);
@@ -232,7 +232,7 @@ impl Reading<'_, '_> {
                 if letter == b'X' {
                     self.loose.x = Some(number);
                 }
-                let value = self.length(number, self.line.machine.axes[index].rotary);
+                let value = self.length(number, self.line.machine().axis(index).rotary);
                 self.line.draft.axis(index, value, number.negative);
             }
             Address::Centre => {
@@ -243,7 +243,7 @@ impl Reading<'_, '_> {
                 self.line.centre(letter, value);
             }
             Address::Feed => {
-                if self.line.facts.feed_needs_point && !self.counts_plainly(number) {
+                if self.line.facts().feed_needs_point && !self.counts_plainly(number) {
                     self.line.fault(column, "F without a decimal point: its value depends on a setting of the control");
                 }
                 self.line.draft.feed = Some(number.value);
@@ -282,18 +282,18 @@ impl Reading<'_, '_> {
     }
 
     fn counts_plainly(&self, number: Number) -> bool {
-        number.point || self.line.vocabulary.plain || !self.line.facts.least_increments
+        number.point || self.line.vocabulary().plain || !self.line.facts().least_increments
     }
 
     /// A time in seconds: milliseconds where a Fanuc or a Haas reads no point.
     fn seconds(&self, number: Number) -> f64 {
-        let milliseconds = self.line.facts.least_increments && !number.point;
+        let milliseconds = self.line.facts().least_increments && !number.point;
         if milliseconds { number.value / 1000.0 } else { number.value }
     }
 
     /// A P in seconds.
     fn wait(&mut self, number: Number) -> f64 {
-        if self.line.facts.whole_milliseconds && number.point {
+        if self.line.facts().whole_milliseconds && number.point {
             self.line.fault(0, "P of a dwell has no decimal point: it counts milliseconds");
         }
         self.seconds(number)

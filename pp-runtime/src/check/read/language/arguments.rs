@@ -4,21 +4,21 @@
 #[derive(Debug)]
 pub(in super::super) struct List {
     /// `CYCLE83`, or the number of a cycle.
-    pub(in super::super) name: &'static str,
-    pub(in super::super) number: u32,
-    pub(in super::super) meaning: &'static str,
+    pub(crate) name: &'static str,
+    pub(crate) number: u32,
+    pub(crate) meaning: &'static str,
     /// In their order (Siemens), or by their number (Heidenhain).
-    pub(in super::super) items: &'static [Item],
-    pub(super) source: &'static str,
+    pub(crate) items: &'static [Item],
+    pub(crate) source: &'static str,
 }
 
 /// An argument or a parameter.
 #[derive(Debug, Clone, Copy)]
 pub(in super::super) struct Item {
-    pub(in super::super) name: &'static str,
+    pub(crate) name: &'static str,
     /// Number of a Q parameter.
-    pub(in super::super) number: u32,
-    pub(in super::super) role: Role,
+    pub(crate) number: u32,
+    pub(crate) role: Role,
 }
 
 /// Meaning of an argument or a parameter.

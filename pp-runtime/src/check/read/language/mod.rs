@@ -31,18 +31,18 @@ pub(super) type Letters = u32;
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Row {
     /// Spelling without leading zeros; a text of several words for statements.
-    pub(super) spelling: &'static str,
+    pub(crate) spelling: &'static str,
     /// Letter and number of a code, for the search: letter << 24, and the number in tenths.
     key: u32,
     /// Last code of a row that stands for several.
     last: u32,
-    pub(super) means: Means,
+    pub(crate) means: Means,
     /// Modal group, of which a block may have one code.
-    pub(super) group: u32,
+    pub(crate) group: u32,
     /// Address words that the code takes.
-    pub(super) takes: Letters,
+    pub(crate) takes: Letters,
     /// Address words that its block must have.
-    pub(super) needs: Letters,
+    pub(crate) needs: Letters,
     /// Manual with edition and page or section, or a public post.
     source: &'static str,
 }
@@ -95,9 +95,9 @@ pub(super) struct Language {
     /// Address of each letter, A to Z.
     addresses: [Option<Address>; 26],
     /// Statements, keywords and words of several letters.
-    pub(super) words: &'static [Row],
+    pub(crate) words: &'static [Row],
     /// Calls and cycles with their arguments.
-    pub(super) lists: &'static [List],
+    pub(crate) lists: &'static [List],
 }
 
 impl Language {

@@ -182,3 +182,56 @@ fn comments_and_numbers_hide_nothing_of_a_line_of_the_shop() {
     assert_eq!((&inside[0].faults[..], inside[0].own), (&[][..], None));
     assert_eq!((&beside[0].faults[..], beside[0].own.map(|own| own.place)), (&[][..], Some(OwnPlace::ToolChange)));
 }
+
+#[test]
+fn after_a_lost_state_tip_control_and_plane_are_unknown_until_they_are_programmed() {
+    const ISO: &str = "G21 G17 G40 G49 G80 G90 G94 G54\n";
+    const HEIDENHAIN: &str = "0 BEGIN PGM A MM\n1 M77\n";
+    let lines = |family: Family| {
+        let [on, off] = [true, false].map(|on| OwnPlace::TipControl { on });
+        let mut lines = vec![own("M77", OwnPlace::ToolChange)];
+        if family == Family::LinuxCnc {
+            lines.extend([own("M428", on), own("M429", off)]);
+        }
+        lines
+    };
+    let of = |family: Family, program: &str| {
+        let blocks = with(family, lines(family), &[("M77", Effect::StateLost)], program);
+        let faults: Vec<String> =
+            blocks.iter().flat_map(|block| &block.faults).map(|fault| fault.text.clone()).collect();
+        (blocks.last().expect("a block").known, faults)
+    };
+    let motion = "G0 X1. Y2. Z3. B0. C0.\n";
+    let plane = "G68.2 X0. Y0. Z0. I0. J30. K0.\nG69\n";
+    // The safety lines of a posted program: those of planes and tip control are options on Fanuc, Haas and LinuxCNC.
+    for (family, program) in [
+        (Family::LinuxCnc, format!("M77\n{ISO}{motion}")),
+        (Family::LinuxCnc, format!("{ISO}M428\nM429\nM77\n{ISO}M429\n{motion}")),
+        (Family::Fanuc, format!("M77\n{ISO}{motion}")),
+        (Family::Haas, format!("M77\n{ISO}{motion}")),
+        (Family::Fanuc, format!("{ISO}{plane}M77\n{ISO}G69\n{motion}")),
+        (Family::Fanuc, format!("{ISO}G43.4 H1\nG49\nM77\n{ISO}{motion}")),
+        (Family::Siemens, "M77\nTRAFOOF\nCYCLE800()\nG710 G17 G40 G64 G90 G94 G54\nG0 X1 Y2 Z3 B0 C0\n".to_owned()),
+    ] {
+        assert_eq!(of(family, &program), (0b11111, Vec::new()), "{family:?}: {program}");
+    }
+    let safe = "2 M129\n3 PLANE RESET STAY\n4 L X+1 Y+2 Z+3 B+0 C+0 R0 FMAX\n";
+    assert_eq!(of(Family::Heidenhain, &format!("{HEIDENHAIN}{safe}")), (0b11111, Vec::new()));
+    // One of the two is missing.
+    for (family, program) in [
+        (Family::LinuxCnc, format!("{ISO}M428\nM429\nM77\n{ISO}{motion}")),
+        (Family::Fanuc, format!("{ISO}{plane}M77\n{ISO}{motion}")),
+        (Family::Fanuc, format!("{ISO}G43.4 H1\nM77\n{}G69\n{motion}", ISO.replace("G49 ", ""))),
+        (Family::Fanuc, format!("{ISO}M77\n{motion}")),
+        (Family::Siemens, "M77\nTRAFOOF\nG710 G17 G40 G64 G90 G94 G54\nG0 X1 Y2 Z3 B0 C0\n".to_owned()),
+        (Family::Siemens, "M77\nCYCLE800()\nG710 G17 G40 G64 G90 G94 G54\nG0 X1 Y2 Z3 B0 C0\n".to_owned()),
+        (Family::Heidenhain, format!("{HEIDENHAIN}2 M129\n3 L X+1 Y+2 Z+3 B+0 C+0 R0 FMAX\n")),
+        (Family::Heidenhain, format!("{HEIDENHAIN}2 PLANE RESET STAY\n3 L X+1 Y+2 Z+3 B+0 C+0 R0 FMAX\n")),
+    ] {
+        let (known, faults) = of(family, &program);
+        assert_eq!(known, 0, "{family:?}: {program}");
+        assert!(faults.iter().any(|text| text.contains("state lost")), "{family:?}: {program}: {faults:?}");
+    }
+    // The retract in machine coordinates needs neither.
+    assert_eq!(of(Family::Fanuc, &format!("{ISO}{plane}M77\n{ISO}G53 G0 Z0.\n")), (0, Vec::new()));
+}

@@ -1,8 +1,8 @@
 //! What codes change in the state of the control, before the block moves.
 
-use super::block::{Fault, FeedMode, Length, MAX_AXES, Tilt, TipControl, coolant};
-use super::draft::{Draft, LengthCode, TiltCode, fault};
-use super::machine::Interpreter;
+use super::super::block::{Fault, FeedMode, Length, MAX_AXES, Tilt, TipControl, coolant};
+use super::super::draft::{Draft, LengthCode, TiltCode, fault};
+use super::{Frames, Interpreter};
 
 impl Interpreter {
     pub(super) fn set_state(&mut self, draft: &Draft, faults: &mut Vec<Fault>) {
@@ -110,6 +110,9 @@ impl Interpreter {
             }
             None => {}
         }
+        if let Some(on) = tip {
+            self.frames.programmed(Frames::TIP_CONTROL, on);
+        }
         state.in_plane = draft.in_plane.or(state.in_plane);
         state.in_workpiece = draft.in_workpiece.or(state.in_workpiece);
         if draft.vector_written != 0 && state.tip_control == TipControl::Off {
@@ -117,6 +120,9 @@ impl Interpreter {
         }
         if draft.vector_written == 7 {
             state.vector = nalgebra::Vector3::from(draft.vector).try_normalize(0.0);
+        }
+        if draft.tilt.is_some_and(|tilt| tilt != TiltCode::Orient) {
+            self.frames.programmed(Frames::PLANE, matches!(draft.tilt, Some(TiltCode::On { .. })));
         }
         match draft.tilt {
             None | Some(TiltCode::Orient) => {}
