@@ -3,7 +3,7 @@
 use std::fmt::Display;
 
 use super::super::expect::{Required, SpindleState};
-use super::super::policy::{LinearWords, Rollover};
+use super::super::policy::{LinearMeaning, RolloverRule};
 use super::super::read::{Action, Block, Facts, FeedMode, Length, Side, State, TipControl, WorkOffset, WorkPlane};
 use super::Rules;
 use crate::program::Location;
@@ -183,7 +183,7 @@ impl Rules<'_> {
         if selects && !state.shortest_stated {
             return Some("the direction of rotary axes (M126, M127) has not been programmed".to_owned());
         }
-        let shorter = self.policy.words.rollover.values().any(|rollover| *rollover == Rollover::Shortest);
+        let shorter = self.policy.words.rollover.values().any(|rollover| *rollover == RolloverRule::Shortest);
         if selects && !state.shortest && shorter {
             return Some("rotary axes do not take the shorter way, but their words are reduced to 360".to_owned());
         }
@@ -200,7 +200,7 @@ impl Rules<'_> {
 
     /// Tip control and tilted plane; `framed`: as the linear words require.
     fn frame(&self, state: &State, framed: bool) -> Option<String> {
-        use LinearWords::{PlaneCoordinates, TipCoordinates};
+        use LinearMeaning::{PlaneCoordinates, TipCoordinates};
         let tip_control = state.tip_control != TipControl::Off;
         let tilted = state.tilt.is_some();
         match (self.policy.words.linear, framed) {

@@ -8,7 +8,7 @@ mod arc;
 mod modes;
 mod motion;
 
-use super::super::policy::Rollover;
+use super::super::policy::RolloverRule;
 use super::block::{Action, Block, MAX_AXES, State, stated};
 use super::draft::{Code, Cycle, Draft, LengthCode, TiltCode, effect, fault};
 use super::facts::Facts;
@@ -20,7 +20,7 @@ pub(crate) struct AxisName {
     /// As in the program, upper case.
     pub(crate) name: Vec<u8>,
     pub(crate) rotary: bool,
-    pub(crate) rollover: Option<Rollover>,
+    pub(crate) rollover: Option<RolloverRule>,
 }
 
 /// State and position of a control.
