@@ -33,9 +33,9 @@ pub struct ExecutedBlock<'b> {
     pub record: Location,
     /// Number of findings about it.
     pub findings: u64,
-    pub(super) from: [f64; MAX_AXES],
-    pub(super) known: u16,
-    pub(super) rules: &'b Rules<'b>,
+    pub(crate) from: [f64; MAX_AXES],
+    pub(crate) known: u16,
+    pub(crate) rules: &'b Rules<'b>,
 }
 
 /// A part of a block in which the axes move at feed or at rapid: an arc, or a straight line of the words.
