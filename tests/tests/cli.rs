@@ -367,6 +367,28 @@ fn every_line_of_json_is_an_object_with_location_and_severity() {
 }
 
 #[test]
+fn findings_as_json_name_the_lines_of_the_program_and_those_of_the_cl_data() {
+    let shop = Shop::with(format!("{HEAD}GOTO/1,2,3\nGOTO/5,2,3\nGOTO/5,9,3\nGOTO/5,9,1\n"));
+    let run = shop.run(&["post", "part.cls", "-o", "part.nc"]);
+    assert_eq!(run.status, 0, "{}", run.errors);
+    let program = fs::read_to_string(shop.path().join("part.nc")).expect("the program");
+    let lost = program.lines().position(|line| line == "Y9").expect("the third point");
+    // Blocks in a row that match nothing are one finding: the last stays beside the path.
+    let wrong = program.replace("\nY9\n", "\nX50 Y9\nX60 Y90\n");
+    fs::write(shop.path().join("part.nc"), wrong).expect("it can be written");
+    let run = shop.run(&["check", "part.cls", "part.nc", "--message-format", "json"]);
+    assert_eq!(run.status, 1, "{}", run.errors);
+    let found: Vec<serde_json::Value> =
+        run.errors.lines().map(|line| serde_json::from_str(line).expect("an object")).collect();
+    let first = found.iter().find(|found| found["program"].is_object()).expect("a finding");
+    let lines = &first["program"];
+    assert_eq!(lines["file"], "part.nc");
+    assert_eq!((lines["line"].as_u64(), lines["last_line"].as_u64()), (Some(lost as u64 + 1), Some(lost as u64 + 3)));
+    assert_eq!(lines["block"], "X50 Y9");
+    assert!(first["line"].as_u64().is_some() && first["severity"] == "error", "{first}");
+}
+
+#[test]
 fn line_ends_do_not_change_the_program() {
     let lines = fs::read_to_string(example("two_tools.cls")).expect("a sample");
     let program = |text: &[u8]| {

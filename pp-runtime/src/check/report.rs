@@ -57,7 +57,7 @@ impl Finding {
             (true, _) => cause.clone(),
             (false, false) => format!("{cause}; line {line} of the program is `{block}`"),
             (false, true) => {
-                format!("{cause}; so do all blocks up to line {last_line}; line {line} of the program is `{block}`")
+                format!("{cause}; nor do the blocks up to line {last_line}; line {line} of the program is `{block}`")
             }
         };
         self

@@ -1,16 +1,16 @@
 //! `check IN.cls OUT.nc`: compares a program that was posted earlier, or edited by hand, with its CL data.
 
 use std::fs::File;
-use std::io::{Read, Seek as _};
+use std::io::{self, Read, Seek as _};
 use std::path::Path;
 
 use serde::Serialize;
 
-use crate::check::{CheckError, Checked, Finding, check_for};
-use crate::diag::Diagnostic;
+use crate::check::{CheckError, Checked, check_for};
 use crate::kinematics::AnyMachine;
 
 use super::args::{CheckArgs, MessageFormat};
+use super::cl_source::ClSource;
 use super::inputs::{open_cl_data, read_config};
 use super::messages::Messages;
 use super::outcome::{Failure, Status, Streams, is_standard, print};
@@ -49,13 +49,10 @@ pub(crate) fn run(machine: &dyn AnyMachine, args: &CheckArgs, streams: &mut Stre
     if let Some(what) = source.changed_since_opened() {
         return Err(Failure::Changed(name, what));
     }
-    let found = findings(&checked);
-    if !found.is_empty() {
-        source.rewind().map_err(|error| Failure::Unreadable(name.clone(), error))?;
-        messages.diagnostics(&name, &mut source, &found);
-    }
+    report(&checked, &name, &mut source, Some(&args.program.to_string_lossy()), &mut messages)
+        .map_err(|error| Failure::Unreadable(name.clone(), error))?;
     messages.note(&checked.outcome.summary());
-    let passed = found.is_empty() && checked.outcome.passed();
+    let passed = checked.fault.is_none() && checked.outcome.passed();
     if args.format() == MessageFormat::Json {
         let figures = figures(&checked, passed);
         print(streams, |out| {
@@ -75,9 +72,23 @@ pub(crate) fn failure(error: CheckError, name: &str, program: &Path) -> Failure 
     }
 }
 
-/// All errors of a check: the first error of the CL data, and the findings in the program.
-pub(crate) fn findings(checked: &Checked) -> Vec<Diagnostic> {
-    checked.fault.iter().cloned().chain(checked.outcome.findings.iter().map(Finding::diagnostic)).collect()
+/// Writes the first error of the CL data, and the findings in the program.
+pub(crate) fn report(
+    checked: &Checked,
+    name: &str,
+    source: &mut ClSource,
+    program: Option<&str>,
+    messages: &mut Messages<'_>,
+) -> io::Result<()> {
+    if let Some(fault) = &checked.fault {
+        source.rewind()?;
+        messages.diagnostics(name, source, std::slice::from_ref(fault));
+    }
+    if !checked.outcome.findings.is_empty() {
+        source.rewind()?;
+        messages.findings(name, source, program, &checked.outcome.findings);
+    }
+    Ok(())
 }
 
 fn figures(checked: &Checked, passed: bool) -> Figures {

@@ -8,6 +8,7 @@ use std::io::{Read, Write};
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use serde::Serialize;
 
+use crate::check::Finding;
 use crate::diag::{Diagnostic, LISTED_OF_A_KIND, Severity};
 use crate::program::Location;
 
@@ -32,6 +33,19 @@ struct JsonMessage<'a> {
     help: Option<&'a str>,
     /// Number of diagnostics or findings that the message represents.
     count: u64,
+    /// Lines of the program that a finding is about.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    program: Option<JsonLines<'a>>,
+}
+
+/// Lines of a program as JSON.
+#[derive(Serialize)]
+struct JsonLines<'a> {
+    file: Option<&'a str>,
+    line: u64,
+    last_line: u64,
+    /// Text of the first block.
+    block: &'a str,
 }
 
 impl<'a> Messages<'a> {
@@ -54,7 +68,8 @@ impl<'a> Messages<'a> {
             MessageFormat::Human => self.line(human),
             MessageFormat::Json => {
                 let (file, line, column, length, help) = (None, None, None, None, None);
-                self.json(&JsonMessage { file, line, column, length, severity, text, help, count: 1 });
+                let program = None;
+                self.json(&JsonMessage { file, line, column, length, severity, text, help, count: 1, program });
             }
         }
     }
@@ -64,22 +79,47 @@ impl<'a> Messages<'a> {
         let mut ordered: Vec<&Diagnostic> = diagnostics.iter().collect();
         ordered.sort_by_key(|diagnostic| diagnostic.location);
         match self.format {
-            MessageFormat::Json => {
-                for diagnostic in ordered {
-                    self.json(&JsonMessage {
-                        file: Some(file),
-                        line: Some(diagnostic.location.line),
-                        column: Some(diagnostic.location.column),
-                        length: Some(diagnostic.length),
-                        severity: name(diagnostic.severity),
-                        text: &diagnostic.text,
-                        help: diagnostic.help.as_deref(),
-                        count: diagnostic.count,
-                    });
-                }
-            }
+            MessageFormat::Json => ordered.into_iter().for_each(|diagnostic| self.located(file, diagnostic, None)),
             MessageFormat::Human => self.human(file, source, &ordered),
         }
+    }
+
+    /// Findings in a program, in their order: by cause, the first block first. `file`: the CL data, whose lines `source`
+    /// gives; `program`: file name of the program.
+    pub(crate) fn findings(&mut self, file: &str, source: &mut dyn Read, program: Option<&str>, findings: &[Finding]) {
+        let found: Vec<(&Finding, Diagnostic)> =
+            findings.iter().map(|finding| (finding, finding.diagnostic())).collect();
+        if self.format == MessageFormat::Json {
+            for (finding, diagnostic) in &found {
+                let Finding { line, last_line, block, .. } = finding;
+                let lines = JsonLines { file: program, line: *line, last_line: *last_line, block };
+                self.located(file, diagnostic, Some(lines));
+            }
+            return;
+        }
+        let places = found.iter().map(|(_, diagnostic)| (diagnostic.location, diagnostic.length));
+        // If the lines cannot be read, the messages are shown without them.
+        let excerpts = excerpts(source, places).unwrap_or_default();
+        for (_, diagnostic) in &found {
+            self.show(file, diagnostic, excerpts.get(&(diagnostic.location, diagnostic.length)));
+        }
+        let count: u64 = findings.iter().map(|finding| finding.count).sum();
+        self.line(&format!("{file}: {count} {}", if count == 1 { "error" } else { "errors" }));
+    }
+
+    /// A diagnostic with its place as JSON.
+    fn located(&mut self, file: &str, diagnostic: &Diagnostic, program: Option<JsonLines<'_>>) {
+        self.json(&JsonMessage {
+            file: Some(file),
+            line: Some(diagnostic.location.line),
+            column: Some(diagnostic.location.column),
+            length: Some(diagnostic.length),
+            severity: name(diagnostic.severity),
+            text: &diagnostic.text,
+            help: diagnostic.help.as_deref(),
+            count: diagnostic.count,
+            program,
+        });
     }
 
     /// Diagnostics as text: the first of each kind with their lines, a count of the others, and the totals.

@@ -5,14 +5,14 @@
 //! its own. The last lines, with the end code, are held back until the check is done. A program with findings gets no end
 //! code. In a program without findings the figures of the check may be a comment before the end code.
 
-use std::io::{self, Read, Seek as _, Write};
+use std::io::{self, Read, Write};
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 use std::thread::{self, JoinHandle};
 
-use crate::check::{CheckError, Checked, Policy, check_for};
+use crate::check::{CheckError, Checked, Finding, Policy, check_for};
 use crate::kinematics::AnyMachine;
 
-use super::check::findings;
+use super::check::report;
 use super::cl_source::ClSource;
 use super::messages::{Messages, headline};
 
@@ -79,13 +79,12 @@ pub(crate) fn rejection(
     messages: &mut Messages<'_>,
 ) -> Option<String> {
     let checked = checked?;
-    let found = findings(checked);
-    let first = found.iter().min_by_key(|found| found.location)?;
-    if source.rewind().is_ok() {
-        messages.diagnostics(name, source, &found);
-    }
+    let findings = checked.outcome.findings.first().map(Finding::diagnostic);
+    let first = checked.fault.clone().or(findings)?;
+    // If the CL data cannot be read again, the reason to reject the program is still shown.
+    let _ = report(checked, name, source, None, messages);
     messages.note(&checked.outcome.summary());
-    Some(format!("the program differs from the CL data: {}", headline(name, first)))
+    Some(format!("the program differs from the CL data: {}", headline(name, &first)))
 }
 
 /// Reads the pieces as a stream.

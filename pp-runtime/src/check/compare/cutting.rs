@@ -194,6 +194,7 @@ impl<R: Read> Comparison<'_, R> {
         self.start.restarted = false;
         cutting.finished = (part.share >= 1.0).then_some(FinishedMotion {
             motion: *motion,
+            segment: part.segment,
             required: part.required,
             at_feed,
             rotated_rad: 0.0,
@@ -281,7 +282,8 @@ impl<R: Read> Comparison<'_, R> {
         end: &ToolPose,
     ) -> bool {
         let block = current.block;
-        let at_end = self.rules.is_at(end, &back.to);
+        // The cut was interrupted at a point that rounded words show.
+        let at_end = self.rules.is_near(end, &back.to, 2.0);
         if let (Action::Rapid, Some(item), true) = (block.action, cutting.perhaps_retract.take(), at_end) {
             // It was no rewind but the retract before a rapid, and this is the rapid.
             self.compare_state(current, &item.required);
@@ -301,10 +303,13 @@ impl<R: Read> Comparison<'_, R> {
                  only",
             );
         }
-        let item = self.progress.next().map(|item| item.required);
-        if let Some(required) = item {
+        let (motion, required) = match &cutting.finished {
+            Some(finished) => (Some(finished.motion), Some(finished.required)),
+            None => (self.progress.motion(), self.progress.next().map(|item| item.required)),
+        };
+        if let Some(required) = required {
             self.compare_state(current, &required);
-            if let (Some(motion), true) = (self.progress.motion(), self.rules.is_known(block, known)) {
+            if let (Some(motion), true) = (motion, self.rules.is_known(block, known)) {
                 let stroke = self.rules.stroke(&before, block, back.length(), motion.feed, &required);
                 if let Some(text) = self.rules.law().wrong(&stroke, &block.state) {
                     self.found(current, &text);
@@ -329,15 +334,19 @@ impl<R: Read> Comparison<'_, R> {
             _ => false,
         };
         let before = self.previous.words;
-        let rotated_rad = finished.rotated_rad + rules.words().rotary_travel(&before, &block.values);
+        let rotation = rules.words().rotary_travel(&before, &block.values);
+        let rotated_rad = finished.rotated_rad + rotation;
+        // Rounding may show an end of a rotation at the pole where it is only near.
+        let near = rotation > 0.5 * rules.rounding().unit_rad && rules.is_almost_done(&finished.segment, end);
+        let tolerance_mm = required.tolerance_mm + if near { BOTH * rules.rounding().tip_mm } else { 0.0 };
         let right_feed = || {
             let stroke = rules.stroke(&before, block, 0.0, rules.feed_of(&motion), &required);
             !at_feed || rules.law().wrong(&stroke, &block.state).is_none()
         };
         let is_rest = same_kind
             && rotated_rad <= PI + rules.rounding().unit_rad
-            && rules.is_at(end, &motion.to)
-            && rules.stays_at(&rules.path(before, block), &motion.to, required.tolerance_mm)
+            && (near || rules.is_at(end, &motion.to))
+            && rules.stays_at(&rules.path(before, block), &motion.to, tolerance_mm)
             && rules.fault_in_cut(block, &required, self.modal_context()).is_none()
             && right_feed();
         if is_rest {
@@ -436,9 +445,8 @@ impl<R: Read> Comparison<'_, R> {
             self.progress.fill(2)?;
         }
         let Some((rest, out)) = self.rest_of_retract(cutting, &here, end) else { return Ok(None) };
-        let rewinds = self.progress.continues_cut();
-        let rewind = rewinds.then(|| RewindPoint { pose: self.progress.on_path(&here), out: Some(out) });
-        let dry = !rewinds || self.rules.policy().links.rewinds_dry;
+        let rewind = self.rewind_point(cutting, Some(out), current.block);
+        let dry = rewind.is_none() || self.rules.policy().links.rewinds_dry;
         let context = ModalContext { dry, ..self.modal_context() };
         let fault = self.rules.fault_at_leave(&current.block.state, self.progress.last(), context);
         self.found_state(current, fault);
@@ -448,6 +456,21 @@ impl<R: Read> Comparison<'_, R> {
             rewind,
             perhaps_retract: cutting.perhaps_retract.take(),
         }))
+    }
+
+    /// The point at which a retract interrupts the cut, if it does so. A cut that is done but for rounding may have to go on.
+    pub(super) fn rewind_point(&self, cutting: &Cutting, out: Option<ToolPose>, block: &Block) -> Option<RewindPoint> {
+        let here = cutting.here?;
+        let continues = self.progress.continues_cut();
+        let wet = !continues && block.state.coolant.is_some_and(|coolant| coolant != 0);
+        match cutting.finished.filter(|finished| finished.at_feed) {
+            Some(finished) if continues || wet || self.rules.policy().links.rewinds_dry => {
+                let on_path = finished.segment.at(self.rules.share_at(&finished.segment, &here));
+                let pose = ToolPose { axis: here.axis, ..on_path };
+                Some(RewindPoint { pose, out, finished: Some(finished), wet })
+            }
+            _ => continues.then(|| RewindPoint { pose: self.progress.on_path(&here), out, finished: None, wet }),
+        }
     }
 
     /// A cycle returns to the level where it began: the tool first comes to that level over its hole, and down again to a

@@ -75,8 +75,12 @@ impl<R: Read> Comparison<'_, R> {
 
     /// An approach that has begun must end at the approach point.
     fn is_complete(&mut self, phase: &Phase, current: &Current<'_>) {
-        if matches!(phase, Phase::Retracted(Retracted { step: 1.., parks: false, .. })) {
+        let Phase::Retracted(retracted) = phase else { return };
+        if retracted.step > 0 && !retracted.parks {
             self.found(current, "the approach before this block does not end at an approach point");
+        }
+        if let Some(rewind) = retracted.rewind {
+            self.wet_retract(&rewind, current);
         }
     }
 
@@ -125,7 +129,12 @@ impl<R: Read> Comparison<'_, R> {
             self.tally.outside_limits(self.progress.location(), current.shown, &text);
         }
         self.is_complete(phase, current);
-        let rewinds = self.progress.continues_cut();
+        if phase.is_at_part() {
+            let fault = self.functions.end_of_cuts(&self.rules);
+            self.found_any(current, fault);
+        }
+        let mut retracted = self.retracted(phase, current);
+        let rewinds = retracted.rewind.is_some();
         let links = &self.rules.policy().links;
         // After a stop, where the position is unknown, the operator has switched the coolant; and the stop may have been in
         // the plane.
@@ -136,11 +145,6 @@ impl<R: Read> Comparison<'_, R> {
             no_plane: phase.is_unknown(),
             arc_plane: self.previous.arc_plane.filter(|_| matches!(phase, Phase::Cutting(_) | Phase::Unknown { .. })),
         };
-        if phase.is_at_part() {
-            let fault = self.functions.end_of_cuts(&self.rules);
-            self.found_any(current, fault);
-        }
-        let mut retracted = self.retracted(phase, rewinds, current);
         let spindle = self.spindle_may_be(current.block, retracted.stopped);
         let fault = self.rules.fault_at_retract(&block.state, tilts, spindle, context);
         self.found_state(current, fault);
@@ -153,7 +157,7 @@ impl<R: Read> Comparison<'_, R> {
     }
 
     /// Data of the retract position after this phase. At the part the tool must have left it along its axis.
-    fn retracted(&mut self, phase: &mut Phase, rewinds: bool, current: &Current<'_>) -> Retracted {
+    fn retracted(&mut self, phase: &mut Phase, current: &Current<'_>) -> Retracted {
         let stopped = phase.is_stopped();
         match phase {
             Phase::Cutting(cutting) => {
@@ -161,7 +165,7 @@ impl<R: Read> Comparison<'_, R> {
                 let on_path = here.map(|here| self.progress.on_path(&here));
                 self.has_left(here, on_path, cutting.retract.out_mm(), current);
                 Retracted {
-                    rewind: on_path.filter(|_| rewinds).map(|pose| RewindPoint { pose, out: None }),
+                    rewind: self.rewind_point(cutting, None, current.block),
                     perhaps_retract: cutting.perhaps_retract.take(),
                     ..Retracted::default()
                 }
@@ -229,7 +233,8 @@ impl<R: Read> Comparison<'_, R> {
             _ => 0,
         };
         let parks = retracted.parks && step == 1 && parking::moves_rotary(&self.rules, &self.previous, block);
-        if self.progress.next().is_none() || parks {
+        let continues = retracted.rewind.is_some_and(|rewind| rewind.finished.is_some());
+        if self.progress.next().is_none() && !continues || parks {
             self.park(retracted, current);
             return Ok(None);
         }
@@ -247,7 +252,8 @@ impl<R: Read> Comparison<'_, R> {
             );
         }
         self.moves_once(retracted, current);
-        if let Some(required) = self.progress.next().map(|item| item.required) {
+        let finished = retracted.rewind.and_then(|rewind| rewind.finished).map(|finished| finished.required);
+        if let Some(required) = self.progress.next().map(|item| item.required).or(finished) {
             let context = ModalContext { dry: retracted.rewind.is_none(), ..ModalContext::default() };
             let fault = self.rules.fault_at_approach(&block.state, &required, (step > 1, step == 3), context);
             self.found_state(current, fault);
@@ -318,7 +324,8 @@ impl<R: Read> Comparison<'_, R> {
     /// The approach has ended.
     fn arrive(&mut self, retracted: &mut Retracted, current: &Current<'_>, end: &ToolPose) -> Cutting {
         let mut cutting = Cutting { here: Some(*end), ..Cutting::default() };
-        if let Some(rewind) = retracted.rewind {
+        if let Some(rewind) = self.rewind_of(retracted, end, current) {
+            cutting.finished = rewind.finished;
             cutting.perhaps_retract = retracted.perhaps_retract.take();
             cutting.back = Some(Box::new(self.come_back(&rewind, current, end)));
             return cutting;
@@ -410,8 +417,25 @@ impl<R: Read> Comparison<'_, R> {
         (0..count).for_each(|_| self.progress.pass());
     }
 
-    /// Way back from above the point at which the rotary axes were rewound.
-    fn come_back(&mut self, rewind: &RewindPoint, current: &Current<'_>, end: &ToolPose) -> Segment {
+    /// The rewind that this approach comes back from, if the cut continues.
+    fn rewind_of(&mut self, retracted: &Retracted, end: &ToolPose, current: &Current<'_>) -> Option<RewindPoint> {
+        let rewind = retracted.rewind?;
+        if rewind.finished.is_none() || self.above(&rewind, end).is_some() {
+            return Some(rewind);
+        }
+        self.wet_retract(&rewind, current);
+        None
+    }
+
+    /// A retract with coolant, although the cut does not continue.
+    fn wet_retract(&mut self, rewind: &RewindPoint, current: &Current<'_>) {
+        if rewind.wet {
+            self.found(current, "coolant was on in the retract before this block, expected off");
+        }
+    }
+
+    /// The pose above a rewind point at which an approach ends, if it ends there.
+    fn above(&self, rewind: &RewindPoint, end: &ToolPose) -> Option<ToolPose> {
         let pose = rewind.pose;
         // Far above, the rounding of the rotary axes counts: along the tool axis as it is now.
         let mut over = [pose.axis, end.axis].map(|axis| {
@@ -422,10 +446,20 @@ impl<R: Read> Comparison<'_, R> {
             over[0].1 = out;
         }
         let tip_mm = self.rules.rounding().tip_mm;
-        let back = over
-            .iter()
-            .find(|(along, above)| *along >= -tip_mm && retract::is_at_distance(&self.rules, end, above, *along));
-        let (_, above) = *back.unwrap_or(&over[0]);
+        let at = |(along, above): &&(f64, ToolPose)| {
+            *along >= -tip_mm && retract::is_at_distance(&self.rules, end, above, *along)
+        };
+        over.iter().find(at).map(|(_, above)| *above)
+    }
+
+    /// Way back from above the point at which the rotary axes were rewound.
+    fn come_back(&mut self, rewind: &RewindPoint, current: &Current<'_>, end: &ToolPose) -> Segment {
+        let pose = rewind.pose;
+        let back = self.above(rewind, end);
+        let above = back.unwrap_or_else(|| {
+            let along = (end.tip - pose.tip).dot(&pose.axis);
+            rewind.out.unwrap_or(ToolPose { tip: pose.tip + pose.axis * along, axis: pose.axis })
+        });
         if back.is_none() || angle_between(&pose.axis, &end.axis) > self.rules.axis_allowance(&pose.axis) {
             self.found(current, "after the rewind the tool does not return above the point that it left");
         }

@@ -72,6 +72,10 @@ pub(super) struct RewindPoint {
     pub(crate) pose: ToolPose,
     /// End of the retract along the tool axis.
     pub(crate) out: Option<ToolPose>,
+    /// The motion that was done but for rounding: the cut may have been interrupted just before its end.
+    pub(crate) finished: Option<FinishedMotion>,
+    /// The coolant was on in the retract, which is right only if the cut continues.
+    pub(crate) wet: bool,
 }
 
 /// Length of the last motions out along the tool axis.
@@ -93,6 +97,7 @@ pub(super) struct RapidSteps {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct FinishedMotion {
     pub(crate) motion: ClMotion,
+    pub(crate) segment: Segment,
     pub(crate) required: Required,
     /// It was run at feed.
     pub(crate) at_feed: bool,

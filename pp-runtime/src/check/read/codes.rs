@@ -6,24 +6,36 @@ use super::language::{Letters, Means, PathCode, Row};
 use super::line::Line;
 use super::text::{Number, shown, tenths};
 
-/// Codes of the coolant may be several in a block, as long as they do not contradict.
-const SEVERAL: u32 = 1 << group::FREE | 1 << group::COOLANT;
-
 impl Line<'_> {
     /// A code by its letter and number, which begin at a column; `false` if the table does not have it.
     pub(super) fn code(&mut self, letter: u8, number: Number, column: usize) -> bool {
         let Some(code) = tenths(number) else { return false };
-        let Some(row) = self.language.code(letter, code) else { return false };
+        let Some(row) = self.language().code(letter, code) else { return false };
+        if letter == b'M' {
+            self.m_code();
+        }
         self.carry_out(row, code, column);
         true
     }
 
+    /// Counts the M codes of a block.
+    #[inline]
+    fn m_code(&mut self) {
+        let bit = 1 << group::MISCELLANEOUS;
+        if self.facts().one_m_code && self.draft.groups & bit != 0 {
+            self.fault(0, "two M codes in one block: the control executes one");
+        }
+        self.draft.groups |= bit;
+    }
+
     /// Puts a row into the draft.
     pub(super) fn carry_out(&mut self, row: &'static Row, code: u32, column: usize) {
+        let facts = self.facts();
         let draft = &mut *self.draft;
         draft.takes |= row.takes;
         draft.needs |= row.needs;
-        let first = draft.groups & (1 << row.group) == 0 || SEVERAL & (1 << row.group) != 0;
+        let several = row.group == group::FREE || row.group == group::COOLANT && facts.several_coolant_codes;
+        let first = several || draft.groups & (1 << row.group) == 0;
         draft.groups |= 1 << row.group;
         self.fill(row.means, code);
         if !first {
@@ -33,6 +45,7 @@ impl Line<'_> {
     }
 
     fn fill(&mut self, means: Means, code: u32) {
+        let facts = self.facts();
         let draft = &mut *self.draft;
         match means {
             Means::Motion(code) => draft.code = Some(code),
@@ -51,7 +64,7 @@ impl Line<'_> {
             Means::Centre { absolute } => draft.centre_absolute = if absolute { 7 } else { 0 },
             Means::Length(length) => {
                 draft.length = Some(length);
-                if length == LengthCode::Off && self.facts.length_off_ends_tip_control {
+                if length == LengthCode::Off && facts.length_off_ends_tip_control {
                     draft.tip_control = Some(false);
                 }
             }
@@ -77,7 +90,7 @@ impl Line<'_> {
             Means::Rigid => draft.rigid = true,
             Means::TipControl(on) => {
                 draft.tip_control = Some(on);
-                draft.offset_lost |= self.facts.tip_control_may_cancel_offset;
+                draft.offset_lost |= facts.tip_control_may_cancel_offset;
             }
             Means::Interpolation { in_plane } => draft.in_plane = Some(in_plane),
             Means::Frame { in_workpiece } => draft.in_workpiece = Some(in_workpiece),
@@ -105,8 +118,19 @@ impl Line<'_> {
 
     /// Says what contradicts itself in the block.
     pub(super) fn contradictions(&mut self) {
-        if self.draft.coolant_on & self.draft.coolant_off != 0 {
-            self.fault(0, "coolant is switched on and off in one block");
+        let draft = &*self.draft;
+        let found = [
+            (draft.coolant_on != 0 && draft.coolant_off != 0, "coolant is switched on and off in one block"),
+            (draft.dwells && draft.code.is_some(), "a motion code in a block with a dwell"),
+            (
+                draft.reference && draft.code.is_some() && !self.facts().reference_beside_motion,
+                "a motion code in a block with a reference motion: both take the axis words",
+            ),
+            (draft.feed.is_some_and(|feed| feed <= 0.0), "F is not above 0"),
+            (draft.speed.is_some_and(|speed| speed < 0.0), "S is negative"),
+        ];
+        if found.iter().any(|(wrong, _)| *wrong) {
+            found.iter().filter(|(wrong, _)| *wrong).for_each(|(_, text)| self.fault(0, *text));
         }
     }
 }

@@ -33,6 +33,10 @@ pub(super) mod group {
     pub(in super::super) const WAY: u32 = 21;
     pub(in super::super) const CALL: u32 = 22;
     pub(in super::super) const WINDOW: u32 = 23;
+    pub(in super::super) const POSTURE: u32 = 24;
+    pub(in super::super) const FRAME: u32 = 25;
+    /// Any M code.
+    pub(in super::super) const MISCELLANEOUS: u32 = 30;
     /// Whatever may stand beside anything.
     pub(in super::super) const FREE: u32 = 31;
 }
@@ -93,15 +97,15 @@ pub(super) enum TiltCode {
 /// A cycle as it is defined, mm, rad, seconds; levels that are missing stay as they were.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Cycle {
-    pub(super) kind: CycleKind,
-    pub(super) reference: f64,
-    pub(super) bottom: f64,
+    pub(crate) kind: CycleKind,
+    pub(crate) reference: f64,
+    pub(crate) bottom: f64,
     /// `None`: as G98 and G99 say.
-    pub(super) back_to: Option<f64>,
-    pub(super) dwell: f64,
+    pub(crate) back_to: Option<f64>,
+    pub(crate) dwell: f64,
     /// A feed of its own, as F is written.
-    pub(super) feed: Option<f64>,
-    pub(super) gap: Option<f64>,
+    pub(crate) feed: Option<f64>,
+    pub(crate) gap: Option<f64>,
 }
 
 impl Cycle {
@@ -123,92 +127,92 @@ impl Cycle {
 /// Everything that a block says.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Draft {
-    pub(super) number: Option<u64>,
+    pub(crate) number: Option<u64>,
     /// mm and rad, once the unit is known; until then as written.
-    pub(super) axes: [f64; MAX_AXES],
-    pub(super) written: u16,
+    pub(crate) axes: [f64; MAX_AXES],
+    pub(crate) written: u16,
     /// Words that are distances, and words that are places, whatever is in force.
-    pub(super) incremental: u16,
-    pub(super) absolute: u16,
+    pub(crate) incremental: u16,
+    pub(crate) absolute: u16,
     /// Words with the sign `-`, -0 included.
-    pub(super) negative: u16,
+    pub(crate) negative: u16,
     /// I J K.
-    pub(super) centre: [f64; 3],
-    pub(super) centre_written: u8,
-    pub(super) centre_absolute: u8,
+    pub(crate) centre: [f64; 3],
+    pub(crate) centre_written: u8,
+    pub(crate) centre_absolute: u8,
     /// Components of the tool axis.
-    pub(super) vector: [f64; 3],
-    pub(super) vector_written: u8,
+    pub(crate) vector: [f64; 3],
+    pub(crate) vector_written: u8,
     /// Radius of an arc, R of a cycle.
-    pub(super) radius: Option<f64>,
+    pub(crate) radius: Option<f64>,
     /// More whole turns of a helix.
-    pub(super) turns: u32,
+    pub(crate) turns: u32,
     /// Angle of a polar arc, rad, + counter-clockwise.
-    pub(super) sweep: Option<f64>,
+    pub(crate) sweep: Option<f64>,
     /// As written.
-    pub(super) feed: Option<f64>,
-    pub(super) speed: Option<f64>,
-    pub(super) tool: Option<u32>,
-    pub(super) register: Option<u32>,
-    pub(super) diameter: Option<u32>,
-    pub(super) change: bool,
+    pub(crate) feed: Option<f64>,
+    pub(crate) speed: Option<f64>,
+    pub(crate) tool: Option<u32>,
+    pub(crate) register: Option<u32>,
+    pub(crate) diameter: Option<u32>,
+    pub(crate) change: bool,
     /// The tool's own row gives its length, as the call does.
-    pub(super) length_with_tool: bool,
-    pub(super) code: Option<Code>,
+    pub(crate) length_with_tool: bool,
+    pub(crate) code: Option<Code>,
     /// A cycle is defined; nothing is drilled by that.
-    pub(super) define: Option<Cycle>,
+    pub(crate) define: Option<Cycle>,
     /// The cycle defined is run where the block ends.
-    pub(super) call: bool,
+    pub(crate) call: bool,
     /// A wait, seconds.
-    pub(super) dwell: Option<f64>,
-    pub(super) pitch: Option<f64>,
-    pub(super) machine: bool,
-    pub(super) reference: bool,
-    pub(super) units: Option<Units>,
-    pub(super) distances: Option<bool>,
-    pub(super) plane: Option<WorkPlane>,
-    pub(super) feed_mode: Option<FeedMode>,
-    pub(super) side: Option<Side>,
-    pub(super) length: Option<LengthCode>,
-    pub(super) work_offset: Option<WorkOffset>,
-    pub(super) tip_control: Option<bool>,
-    pub(super) in_plane: Option<bool>,
-    pub(super) in_workpiece: Option<bool>,
-    pub(super) tilt: Option<TiltCode>,
-    pub(super) to_initial: Option<bool>,
-    pub(super) shortest: Option<bool>,
-    pub(super) spindle: Option<Option<Rotation>>,
-    pub(super) coolant_on: u8,
-    pub(super) coolant_off: u8,
-    pub(super) stop: Option<bool>,
-    pub(super) end: bool,
-    pub(super) restart: bool,
-    pub(super) guard: Option<Guard>,
+    pub(crate) dwell: Option<f64>,
+    pub(crate) pitch: Option<f64>,
+    pub(crate) machine: bool,
+    pub(crate) reference: bool,
+    pub(crate) units: Option<Units>,
+    pub(crate) distances: Option<bool>,
+    pub(crate) plane: Option<WorkPlane>,
+    pub(crate) feed_mode: Option<FeedMode>,
+    pub(crate) side: Option<Side>,
+    pub(crate) length: Option<LengthCode>,
+    pub(crate) work_offset: Option<WorkOffset>,
+    pub(crate) tip_control: Option<bool>,
+    pub(crate) in_plane: Option<bool>,
+    pub(crate) in_workpiece: Option<bool>,
+    pub(crate) tilt: Option<TiltCode>,
+    pub(crate) to_initial: Option<bool>,
+    pub(crate) shortest: Option<bool>,
+    pub(crate) spindle: Option<Option<Rotation>>,
+    pub(crate) coolant_on: u8,
+    pub(crate) coolant_off: u8,
+    pub(crate) stop: Option<bool>,
+    pub(crate) end: bool,
+    pub(crate) restart: bool,
+    pub(crate) guard: Option<Guard>,
     /// Address letters of the block, those that its codes take, and those that they need.
-    pub(super) letters: u32,
-    pub(super) takes: u32,
-    pub(super) needs: u32,
+    pub(crate) letters: u32,
+    pub(crate) takes: u32,
+    pub(crate) needs: u32,
     /// Codes that wait for the words of their block.
-    pub(super) hole: Option<Pattern>,
-    pub(super) dwells: bool,
-    pub(super) offset_with_p: bool,
-    pub(super) plane_form: Option<Plane>,
-    pub(super) path: Option<PathCode>,
-    pub(super) smooths: Option<Smoother>,
-    pub(super) rigid: bool,
-    pub(super) path_mode: Option<PathMode>,
-    pub(super) smoothing: Option<Smoothing>,
-    pub(super) smoothing_angle: Option<f64>,
+    pub(crate) hole: Option<Pattern>,
+    pub(crate) dwells: bool,
+    pub(crate) offset_with_p: bool,
+    pub(crate) plane_form: Option<Plane>,
+    pub(crate) path: Option<PathCode>,
+    pub(crate) smooths: Option<Smoother>,
+    pub(crate) rigid: bool,
+    pub(crate) path_mode: Option<PathMode>,
+    pub(crate) smoothing: Option<Smoothing>,
+    pub(crate) smoothing_angle: Option<f64>,
     /// The code may cancel the work offset.
-    pub(super) offset_lost: bool,
+    pub(crate) offset_lost: bool,
     /// Faults of the frame of the line, as of its number: nothing that its text does takes them away.
-    pub(super) frame_faults: usize,
+    pub(crate) frame_faults: usize,
     /// Bits of [`effect`].
-    pub(super) effects: u8,
-    pub(super) clamp_on: u16,
-    pub(super) clamp_off: u16,
+    pub(crate) effects: u8,
+    pub(crate) clamp_on: u16,
+    pub(crate) clamp_off: u16,
     /// Modal groups that have spoken.
-    pub(super) groups: u32,
+    pub(crate) groups: u32,
 }
 
 impl Draft {

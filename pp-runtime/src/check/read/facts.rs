@@ -111,6 +111,16 @@ pub(crate) struct Facts {
     pub(crate) semicolon_comments: bool,
     /// Programs have a number, which begins them.
     pub(crate) program_numbers: bool,
+    /// A block has at most one M code.
+    pub(crate) one_m_code: bool,
+    /// A block may have several codes of the coolant.
+    pub(crate) several_coolant_codes: bool,
+    /// Length register 0 is no length.
+    pub(crate) register_0_is_off: bool,
+    /// The words of a reference motion are those of the motion code, if the block has one.
+    pub(crate) reference_beside_motion: bool,
+    /// Tilted planes and tip control are options: a program that uses neither has no code that ends them.
+    pub(crate) frames_are_options: bool,
     /// Motion codes stay in force.
     pub(crate) motion_modal: bool,
     /// Length that guards read.
@@ -151,6 +161,11 @@ const ISO: Facts = Facts {
     comments_give_orders: false,
     semicolon_comments: false,
     program_numbers: true,
+    one_m_code: false,
+    several_coolant_codes: true,
+    register_0_is_off: true,
+    reference_beside_motion: true,
+    frames_are_options: true,
     motion_modal: true,
     guard_source: GuardSource::Registers { largest: 999 },
     path_tolerance: false,
@@ -163,7 +178,12 @@ impl Family {
     /// The properties of the family.
     pub(crate) const fn facts(self) -> Facts {
         match self {
+            // M7, M8 and M9 are one group: interp_array.cc, _ems. G43 H0 is the length of the tool in the spindle, or that of
+            // tool 0: G-code documentation, G43. G0 and G28 in one block are two codes that use axis words: interp_check.cc.
             Self::LinuxCnc => Facts {
+                several_coolant_codes: false,
+                register_0_is_off: false,
+                reference_beside_motion: false,
                 length_moves: false,
                 length_off_at_machine_coordinates: false,
                 guard_in_mm: true,
@@ -178,12 +198,18 @@ impl Family {
                 path_tolerance: true,
                 ..ISO
             },
-            // P of a dwell has no decimal point: B-63944EN/02 (2004), dwell.
-            Self::Fanuc => {
-                Facts { tool_axis_interpolation: true, tip_control_has_form: true, whole_milliseconds: true, ..ISO }
-            }
-            // Mill manual 96-8000: #2000+H and #2200+H for H1 to H200; G187 P1 rough, P2 medium, P3 finish.
+            // P of a dwell has no decimal point: B-63944EN/02 (2004), dwell. Up to three M codes only with parameter 3404#7:
+            // auxiliary functions.
+            Self::Fanuc => Facts {
+                tool_axis_interpolation: true,
+                tip_control_has_form: true,
+                whole_milliseconds: true,
+                one_m_code: true,
+                ..ISO
+            },
+            // One M code in a block (from memory). Mill manual 96-8000: #2000+H and #2200+H for H1 to H200; G187 P1 rough, P2 medium, P3 finish.
             Self::Haas => Facts {
+                one_m_code: true,
                 feed_needs_point: true,
                 guard_source: GuardSource::Registers { largest: 200 },
                 smoothing: SmoothingWords { tolerance: true, levels: [Some(1), Some(2), Some(3)] },
@@ -203,6 +229,7 @@ impl Family {
                 least_increments: false,
                 semicolon_comments: true,
                 program_numbers: false,
+                frames_are_options: false,
                 guard_source: GuardSource::Edge,
                 // CYCLE832: 1 finish, 2 medium, 3 rough; _DIR of CYCLE800.
                 smoothing: SmoothingWords { tolerance: true, levels: [Some(3), Some(2), Some(1)] },
@@ -227,6 +254,7 @@ impl Family {
                 least_increments: false,
                 semicolon_comments: true,
                 program_numbers: false,
+                frames_are_options: false,
                 motion_modal: false,
                 guard_source: GuardSource::Row,
                 // HSC-MODE:1 rough, 0 finish.

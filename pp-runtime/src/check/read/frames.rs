@@ -15,9 +15,9 @@ pub(super) fn turn(axis: usize, degrees: f64) -> Matrix3<f64> {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct EulerWords {
     /// I J K, degrees.
-    pub(super) angles: [f64; 3],
+    pub(crate) angles: [f64; 3],
     /// Q: the order of the turns.
-    pub(super) order: Option<u32>,
+    pub(crate) order: Option<u32>,
 }
 
 impl EulerWords {

@@ -6,7 +6,7 @@ use super::draft::{Draft, fault};
 use super::facts::Facts;
 use super::language::Language;
 use super::machine::Interpreter;
-use super::text::{Cursor, shown};
+use super::text::{Cursor, Number, shown, whole};
 use crate::program::Units;
 
 /// A line on its way into a draft.
@@ -15,21 +15,78 @@ use crate::program::Units;
 /// line. What a family has to remember from one line to the next is in its own reader.
 #[derive(Debug)]
 pub(super) struct Line<'a> {
-    pub(super) vocabulary: &'a Vocabulary,
-    pub(super) language: &'static Language,
-    pub(super) facts: &'a Facts,
-    /// The state in front of the line.
-    pub(super) machine: &'a Interpreter,
-    pub(super) at: Cursor<'a>,
-    pub(super) draft: &'a mut Draft,
-    pub(super) faults: &'a mut Vec<Fault>,
+    vocabulary: &'a Vocabulary,
+    language: &'static Language,
+    facts: &'a Facts,
+    machine: &'a Interpreter,
+    pub(crate) at: Cursor<'a>,
+    pub(crate) draft: &'a mut Draft,
+    faults: &'a mut Vec<Fault>,
 }
 
 impl<'a> Line<'a> {
+    /// A line before its first byte.
+    pub(super) fn new(
+        text: &'a [u8],
+        vocabulary: &'a Vocabulary,
+        machine: &'a Interpreter,
+        draft: &'a mut Draft,
+        faults: &'a mut Vec<Fault>,
+    ) -> Self {
+        let language = vocabulary.family.language();
+        Self { vocabulary, language, facts: machine.facts(), machine, at: Cursor::new(text), draft, faults }
+    }
+
+    pub(super) fn vocabulary(&self) -> &'a Vocabulary {
+        self.vocabulary
+    }
+
+    pub(super) fn language(&self) -> &'static Language {
+        self.language
+    }
+
+    pub(super) fn facts(&self) -> &'a Facts {
+        self.facts
+    }
+
+    /// The state before the line.
+    pub(super) fn machine(&self) -> &'a Interpreter {
+        self.machine
+    }
+
+    /// Number of its faults.
+    pub(super) fn fault_count(&self) -> usize {
+        self.faults.len()
+    }
+
+    /// Takes away its faults except those of its frame.
+    pub(super) fn excuse(&mut self) {
+        self.faults.truncate(self.draft.frame_faults);
+    }
+
     /// Notes what is wrong at a column, from 0.
     #[cold]
     pub(super) fn fault(&mut self, column: usize, text: impl Into<String>) {
         fault(self.faults, column, text);
+    }
+
+    /// Notes a fault that nothing takes away, whatever the user declares for the line.
+    #[cold]
+    pub(super) fn lasting_fault(&mut self, column: usize, text: impl Into<String>) {
+        let fault = Fault { column: column + 1, text: text.into() };
+        self.faults.insert(self.draft.frame_faults, fault);
+        self.draft.frame_faults += 1;
+    }
+
+    /// Takes a block number: the first word of the line, after the mark of block delete at most.
+    pub(super) fn block_number(&mut self, number: Number, column: usize) {
+        self.draft.number = whole(number).filter(|_| !number.point && !number.negative).map(u64::from);
+        if self.draft.number.is_none() {
+            self.fault(column, "block number that is no whole number");
+        }
+        if self.at.before(column).iter().any(|byte| !matches!(byte, b' ' | b'\t' | b'\r' | b'/')) {
+            self.fault(column, "block number after the first word of its block");
+        }
     }
 
     /// Says that a word stands twice, unless it is the first.
@@ -53,7 +110,7 @@ impl<'a> Line<'a> {
 
     /// Position of an axis in the chain, by its name in the program.
     pub(super) fn axis(&self, name: &[u8]) -> Option<usize> {
-        self.machine.axes.iter().position(|axis| axis.name == name)
+        self.machine.axis_named(name)
     }
 
     /// Takes the word of I, J or K; `false` if it stands there already.
@@ -75,7 +132,7 @@ impl<'a> Line<'a> {
 
     /// The unit in which the line counts.
     pub(super) fn units(&self) -> Option<Units> {
-        self.draft.units.or(self.machine.state.units)
+        self.draft.units.or(self.machine.state().units)
     }
 
     /// The same, mm.
@@ -85,12 +142,12 @@ impl<'a> Line<'a> {
 
     /// Whether the words of the line are distances.
     pub(super) fn incremental(&self) -> bool {
-        self.draft.distances.or(self.machine.state.incremental) == Some(true)
+        self.draft.distances.or(self.machine.state().incremental) == Some(true)
     }
 
     /// Position of the axis along the normal of the plane in which the line acts.
     pub(super) fn normal(&self) -> Option<usize> {
-        let [_, _, normal] = self.draft.plane.or(self.machine.state.plane).map(WorkPlane::axes)?;
-        self.machine.linear[normal]
+        let [_, _, normal] = self.draft.plane.or(self.machine.state().plane).map(WorkPlane::axes)?;
+        self.machine.linear()[normal]
     }
 }

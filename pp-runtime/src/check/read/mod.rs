@@ -4,7 +4,6 @@
 //! read as it streams by, and nothing is allocated for a block unless something is wrong with it. What is not known is a
 //! fault of its block, never passed over.
 
-mod arc;
 mod block;
 mod codes;
 mod draft;
@@ -15,8 +14,6 @@ mod iso;
 mod language;
 mod line;
 mod machine;
-mod modes;
-mod motion;
 mod own;
 mod siemens;
 mod state;
@@ -42,8 +39,9 @@ use heidenhain::Heidenhain;
 use iso::Iso;
 use line::Line;
 use machine::Interpreter;
+use own::Bare;
 use siemens::Siemens;
-use text::Cursor;
+use text::GOES_ON;
 
 /// A line longer than this is no line of a program, bytes.
 const LONGEST: usize = 1 << 16;
@@ -120,7 +118,10 @@ pub(crate) struct Reader<R> {
     line: Vec<u8>,
     /// The line without what has a declared effect.
     blanked: Vec<u8>,
+    bare: Bare,
     number: u64,
+    /// The line has been joined of several.
+    joined: bool,
     /// A block has moved.
     moved: bool,
     draft: Draft,
@@ -128,15 +129,15 @@ pub(crate) struct Reader<R> {
 }
 
 impl<R: Read> Reader<R> {
-    pub(crate) fn new(input: R, vocabulary: Vocabulary) -> Self {
+    pub(crate) fn new(input: R, mut vocabulary: Vocabulary) -> Self {
+        own::prepare(&mut vocabulary);
         let facts = vocabulary.family.facts();
         let syntax = match facts.form {
             Form::Letters => Syntax::Iso(Iso::default()),
             Form::Keywords => Syntax::Siemens(Siemens::default()),
             Form::Statements => Syntax::Heidenhain(Heidenhain::default()),
         };
-        let modal = facts.motion_modal;
-        let machine = Interpreter::new(vocabulary.axes.clone(), modal, vocabulary.rounding);
+        let machine = Interpreter::new(vocabulary.axes.clone(), facts, vocabulary.rounding);
         Self {
             input: BufReader::with_capacity(1 << 16, input),
             vocabulary,
@@ -145,7 +146,9 @@ impl<R: Read> Reader<R> {
             machine,
             line: Vec::new(),
             blanked: Vec::new(),
+            bare: Bare::default(),
             number: 0,
+            joined: false,
             moved: false,
             draft: Draft::default(),
             block: Block::default(),
@@ -178,6 +181,10 @@ impl<R: Read> Reader<R> {
                 self.block.line = self.number;
                 self.machine.execute(&self.draft, &mut self.block);
                 self.moved |= self.block.action.moves();
+                if self.joined {
+                    // As the program has it.
+                    self.line.iter_mut().filter(|byte| **byte == GOES_ON).for_each(|byte| *byte = b'~');
+                }
                 return Ok(Some((&self.block, &self.line)));
             }
         }
@@ -199,30 +206,27 @@ impl<R: Read> Reader<R> {
     fn read_line(&mut self) -> bool {
         let vocabulary = &self.vocabulary;
         // Lines and words with a declared effect are blanked out: the rest of their line is read by the table.
-        let declared = own::declared(&self.line, vocabulary, &mut self.blanked);
+        self.bare.forget();
+        let declared = own::declared(&self.line, vocabulary, &self.facts, &mut self.bare, &mut self.blanked);
         let text = if declared.is_some() { &self.blanked } else { &self.line };
-        let mut line = Line {
-            vocabulary,
-            language: vocabulary.family.language(),
-            facts: &self.facts,
-            machine: &self.machine,
-            at: Cursor::new(text),
-            draft: &mut self.draft,
-            faults: &mut self.block.faults,
-        };
+        let mut line = Line::new(text, vocabulary, &self.machine, &mut self.draft, &mut self.block.faults);
         let mut is_block = match &mut self.syntax {
             Syntax::Iso(iso) => iso.line(&mut line),
             Syntax::Siemens(siemens) => siemens.line(&mut line),
             Syntax::Heidenhain(heidenhain) => heidenhain.line(&mut line),
         };
-        let switched = line.draft.written == 0 && own::switch(&self.line, &mut line);
-        if declared.is_some() || switched || !line.faults.is_empty() {
-            self.block.own = own::resolve(&self.line, &mut line, declared, switched);
+        let may_switch = line.draft.written == 0 && !vocabulary.own.is_empty();
+        let switched = may_switch && own::switch(self.bare.text(&self.line, &self.facts), &mut line);
+        if declared.is_some() || switched || line.fault_count() > 0 {
+            self.block.own = own::resolve(self.bare.text(&self.line, &self.facts), &mut line, declared, switched);
             is_block |= self.block.own.is_some();
         }
-        if self.line.trim_ascii_start().first() == Some(&b'/') && line.draft.groups | u32::from(line.draft.written) != 0
-        {
-            line.fault(0, "a switch of the control decides whether this block is executed (block delete)");
+        if let [b'/', rest @ ..] = self.line.trim_ascii_start() {
+            if line.draft.groups | u32::from(line.draft.written) != 0 {
+                line.fault(0, "a switch of the control decides whether this block is executed (block delete)");
+            } else if rest.iter().all(|byte| byte.is_ascii_whitespace() || *byte == b';') {
+                line.fault(0, "block delete without a block");
+            }
         }
         if matches!(self.block.own, Some(OwnLine { place: OwnPlace::Start, .. })) && self.moved {
             line.fault(0, "a line of `[program] start` after the first motion");
@@ -240,6 +244,7 @@ impl<R: Read> Reader<R> {
     /// Reads a line, with those that continue it; says whether it was cut off.
     fn next_line(&mut self) -> io::Result<Option<bool>> {
         self.line.clear();
+        self.joined = false;
         let (mut long, mut any) = (false, false);
         loop {
             let before = self.line.len();
@@ -258,7 +263,7 @@ impl<R: Read> Reader<R> {
             while self.line.len() > before && self.line.last().is_some_and(u8::is_ascii_whitespace) {
                 self.line.pop();
             }
-            let goes_on = matches!(self.syntax, Syntax::Heidenhain(_)) && self.line[before..].last() == Some(&b'~');
+            let goes_on = self.facts.form == Form::Statements && self.line[before..].last() == Some(&b'~');
             long |= self.line.len() > LONGEST;
             if long {
                 self.line.truncate(LONGEST);
@@ -266,7 +271,11 @@ impl<R: Read> Reader<R> {
             if !goes_on {
                 return Ok(Some(long));
             }
-            // The mark stays: it separates the parameters of a cycle.
+            // It separates the parameters of a cycle, and a `~` anywhere else is text.
+            if let Some(mark) = self.line.last_mut() {
+                *mark = GOES_ON;
+            }
+            self.joined = true;
             if long {
                 self.line.truncate(before);
             }

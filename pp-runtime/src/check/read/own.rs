@@ -7,7 +7,7 @@
 use super::Vocabulary;
 use super::block::{Effect, OwnLine, OwnPlace};
 use super::draft::{Draft, effect};
-use super::facts::Form;
+use super::facts::{Facts, Form};
 use super::line::Line;
 use super::text::shown;
 
@@ -30,40 +30,127 @@ pub(super) struct Declared {
     whole: bool,
 }
 
-/// The line without its block number, and where it begins.
-fn text_of(line: &[u8], numbered: bool) -> (&[u8], usize) {
+/// Text of a line without its block number and its comments, and buffers for it.
+#[derive(Debug, Default)]
+pub(super) struct Bare {
+    /// The line, with blanks in the place of number and comments.
+    masked: Vec<u8>,
+    /// Its words, one blank apart.
+    text: Vec<u8>,
+    current: bool,
+}
+
+impl Bare {
+    /// Another line has come.
+    pub(super) fn forget(&mut self) {
+        self.current = false;
+    }
+
+    /// The text of the line; found once for each line.
+    pub(super) fn text(&mut self, line: &[u8], facts: &Facts) -> &[u8] {
+        if !self.current {
+            self.find(line, number_end(line, facts), facts);
+        }
+        &self.text
+    }
+
+    fn find(&mut self, line: &[u8], number: usize, facts: &Facts) {
+        self.masked.clear();
+        self.masked.extend_from_slice(line);
+        self.masked[..number].fill(b' ');
+        comments(line, facts, &mut self.masked);
+        if self.masked.trim_ascii().is_empty() {
+            // A comment alone may be a line of the configuration.
+            self.masked[number..].copy_from_slice(&line[number..]);
+        }
+        self.text.clear();
+        for word in self.masked.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty()) {
+            if !self.text.is_empty() {
+                self.text.push(b' ');
+            }
+            self.text.extend_from_slice(word);
+        }
+        self.current = true;
+    }
+}
+
+/// End of the block number with which a line begins, 0 if it has none.
+fn number_end(line: &[u8], facts: &Facts) -> usize {
     let start = line.iter().position(|byte| !byte.is_ascii_whitespace()).unwrap_or(line.len());
-    let rest = &line[start..];
-    let letter = usize::from(rest.first() == Some(&b'N'));
-    let digits = rest[letter..].iter().take_while(|byte| byte.is_ascii_digit()).count();
-    let end = letter + digits;
-    let number = digits > 0 && (letter == 1 || numbered) && rest.get(end).is_none_or(|byte| *byte == b' ');
-    let begin = if number { (start + end + 1).min(line.len()) } else { start };
-    (line[begin..].trim_ascii(), begin)
+    let statement = facts.form == Form::Statements;
+    let letter = usize::from(!statement && matches!(line.get(start), Some(b'N' | b'n')));
+    let digits = line[start + letter..].iter().take_while(|byte| byte.is_ascii_digit()).count();
+    let end = start + letter + digits;
+    let closed = match line.get(end) {
+        None => true,
+        Some(next) if statement => next.is_ascii_whitespace(),
+        Some(next) => !matches!(next, b'.' | b'=' | b'_'),
+    };
+    if digits > 0 && (letter == 1 || statement) && closed { end } else { 0 }
+}
+
+/// Puts blanks in the place of comments; what is no whole comment stays.
+fn comments(line: &[u8], facts: &Facts, masked: &mut [u8]) {
+    let brackets = facts.form == Form::Letters;
+    let (mut at, mut quoted) = (0, false);
+    while let Some(byte) = line.get(at) {
+        quoted ^= *byte == b'"' && !brackets;
+        let rest = &line[at + 1..];
+        let length = match byte {
+            b'(' if brackets => rest.iter().position(|byte| matches!(byte, b'(' | b')')).map(|end| end + 2),
+            b';' if !quoted && (facts.semicolon_comments || rest.trim_ascii().is_empty()) => Some(line.len() - at),
+            _ => None,
+        };
+        let whole = length.filter(|length| *byte == b';' || line[at + length - 1] == b')');
+        if let Some(length) = whole {
+            masked[at..at + length].fill(b' ');
+        }
+        at += whole.unwrap_or(1);
+    }
+}
+
+/// Brings the lines of the configuration and the declared texts into the form of [`Bare`].
+pub(super) fn prepare(vocabulary: &mut Vocabulary) {
+    let facts = vocabulary.family.facts();
+    let mut bare = Bare::default();
+    let texts = vocabulary.own.iter_mut().map(|own| &mut own.text);
+    for text in texts.chain(vocabulary.effects.iter_mut().map(|(text, _)| text)) {
+        bare.find(text, 0, &facts);
+        text.clone_from(&bare.text);
+    }
+    vocabulary.own.retain(|own| !own.text.is_empty());
+    vocabulary.effects.retain(|(text, _)| !text.is_empty());
 }
 
 /// What is declared for a line or for words of it, if it is one of the configuration or declared as a whole. `blanked`
 /// receives the line without them.
 #[inline]
-pub(super) fn declared(line: &[u8], vocabulary: &Vocabulary, blanked: &mut Vec<u8>) -> Option<Declared> {
+pub(super) fn declared(
+    line: &[u8],
+    vocabulary: &Vocabulary,
+    facts: &Facts,
+    bare: &mut Bare,
+    blanked: &mut Vec<u8>,
+) -> Option<Declared> {
     if vocabulary.effects.is_empty() {
         return None;
     }
-    search(line, vocabulary, blanked)
+    bare.text(line, facts);
+    search(line, vocabulary, bare, blanked)
 }
 
-fn search(line: &[u8], vocabulary: &Vocabulary, blanked: &mut Vec<u8>) -> Option<Declared> {
-    let numbered = vocabulary.family.facts().form == Form::Statements;
-    let (text, begin) = text_of(line, numbered);
+fn search(line: &[u8], vocabulary: &Vocabulary, bare: &Bare, blanked: &mut Vec<u8>) -> Option<Declared> {
+    let Bare { masked, text, .. } = bare;
     blanked.clear();
     blanked.extend_from_slice(line);
     if let Some((_, effect)) = vocabulary.effects.iter().find(|(key, _)| matches(key, text)) {
-        blanked[begin..].fill(b' ');
+        // Number and comments stay.
+        blanked.iter_mut().zip(masked).filter(|(_, byte)| **byte != b' ').for_each(|(byte, _)| *byte = b' ');
         return Some(Declared { effect: *effect, bits: bits(*effect), whole: true });
     }
     let mut found: Option<Declared> = None;
-    let mut at = begin;
-    for word in line[begin..].split(|byte| *byte == b' ') {
+    let mut at = 0;
+    for word in masked.split(|byte| *byte == b' ') {
         if let Some((_, effect)) = vocabulary.effects.iter().find(|(key, _)| key == word) {
             blanked[at..at + word.len()].fill(b' ');
             let before = found.unwrap_or(Declared { effect: Effect::None, bits: 0, whole: false });
@@ -89,8 +176,7 @@ fn bits(declared: Effect) -> u8 {
 /// Executes a code of clamps, coolant or tip control; whether the line is one.
 #[inline]
 pub(super) fn switch(text: &[u8], line: &mut Line<'_>) -> bool {
-    let vocabulary = line.vocabulary;
-    let (text, _) = text_of(text, line.facts.form == Form::Statements);
+    let vocabulary = line.vocabulary();
     let mut found = false;
     for own in vocabulary.own.iter().filter(|own| own.text == text) {
         let draft = &mut *line.draft;
@@ -116,8 +202,7 @@ pub(super) fn switch(text: &[u8], line: &mut Line<'_>) -> bool {
 /// The own line that a line is, and what is wrong with it: an effect that is not declared.
 #[cold]
 pub(super) fn resolve(text: &[u8], line: &mut Line<'_>, declared: Option<Declared>, switched: bool) -> Option<OwnLine> {
-    let (text, _) = text_of(text, line.facts.form == Form::Statements);
-    let mut own = line.vocabulary.own.iter().filter(|own| matches(&own.text, text));
+    let mut own = line.vocabulary().own.iter().filter(|own| matches(&own.text, text));
     let switches =
         |place: OwnPlace| matches!(place, OwnPlace::Clamp { .. } | OwnPlace::Coolant | OwnPlace::TipControl { .. });
     let place = if switched { own.find(|own| switches(own.place)) } else { own.next() }.map(|own| own.place);
@@ -125,20 +210,20 @@ pub(super) fn resolve(text: &[u8], line: &mut Line<'_>, declared: Option<Declare
     if let Some(Declared { bits, whole, .. }) = declared {
         line.draft.effects = bits;
         line.draft.speaks();
-        if whole || line.faults.len() == line.draft.frame_faults {
+        if whole || line.fault_count() == line.draft.frame_faults {
             return Some(OwnLine { place: place.unwrap_or(OwnPlace::Insert), effect });
         }
     }
     let place = place?;
     if switched {
-        line.faults.truncate(line.draft.frame_faults);
+        line.excuse();
         return Some(OwnLine { place, effect });
     }
-    if line.faults.len() > line.draft.frame_faults {
+    if line.fault_count() > line.draft.frame_faults {
         // What it does is unknown, so nothing of it is executed.
         let Draft { number, frame_faults, .. } = *line.draft;
         *line.draft = Draft { number, frame_faults, ..Draft::default() };
-        line.faults.truncate(frame_faults);
+        line.excuse();
         let text = format!(
             "`{}` is a line of the configuration with a code that the check does not know: declare its effect in \
              `[control] effects`",

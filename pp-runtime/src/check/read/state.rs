@@ -137,7 +137,7 @@ pub struct Tilt {
     pub origin: Vector3<f64>,
     /// The rotary axes are in the plane: positioned to it, and no rotary word has moved them since.
     pub oriented: bool,
-    /// Pose of the rotary axes that the program selects: SEQ, SYM or _DIR, `true` for plus.
+    /// Pose of the rotary axes that the program selects: SEQ or _DIR, `true` for plus.
     pub pose: Option<bool>,
     /// COORD ROT: the control rotates the coordinates in the plane, not the table.
     pub coordinate_rotation: bool,

@@ -5,10 +5,14 @@ use std::f64::consts::{PI, TAU};
 use super::*;
 use crate::program::{Rotation, Units};
 
+mod arcs;
 mod closed;
 mod cycles;
+mod frame;
 mod guards;
+mod heidenhain;
 mod own;
+mod planes;
 mod state;
 
 fn vocabulary(family: Family) -> Vocabulary {
@@ -145,59 +149,6 @@ fn tool_spindle_and_coolant_are_kept() {
     }
 }
 
-fn arc(block: &Block) -> ArcMove {
-    match block.action {
-        Action::Arc(arc) => arc,
-        other => panic!("{other:?}"),
-    }
-}
-
-#[test]
-fn circles_by_centre_radius_and_angle_are_the_same() {
-    let texts = [
-        (Family::LinuxCnc, format!("{LINUXCNC}G0 X10 Y0 Z0\nG3 X0 Y10 I-10 J0 F100")),
-        (Family::LinuxCnc, format!("{LINUXCNC}G0 X10 Y0 Z0\nG3 X0 Y10 R10 F100")),
-        (Family::Siemens, format!("{SIEMENS}G0 X10 Y0 Z0\nG3 X0 Y10 I-10 J0 F100")),
-        (Family::Siemens, format!("{SIEMENS}G0 X10 Y0 Z0\nG3 X0 Y10 CR=10 F100")),
-        (Family::Siemens, format!("{SIEMENS}G0 X10 Y0 Z0\nG3 X0 Y10 I=AC(0) J=AC(0) F100")),
-        (Family::Heidenhain, format!("{TNC}2 L X+10 Y+0 Z+0 R0 FMAX\n3 CC X+0 Y+0\n4 C X+0 Y+10 DR+ F100")),
-        (Family::Heidenhain, format!("{TNC}2 L X+10 Y+0 Z+0 R0 FMAX\n3 CR X+0 Y+10 R+10 DR+ F100")),
-        (Family::Heidenhain, format!("{TNC}2 L X+10 Y+0 Z+0 R0 FMAX\n3 CC X+0 Y+0\n4 CP IPA+90 DR+ F100")),
-    ];
-    for (family, text) in texts {
-        let block = last(family, &text);
-        let found = arc(&block);
-        assert!(near([found.centre[0], found.centre[1], 0.0], [0.0; 3]), "{text}: {found:?}");
-        assert!((found.sweep - PI / 2.0).abs() < 1e-9, "{text}: {found:?}");
-        assert!(near(xyz(&block), [0.0, 10.0, 0.0]), "{text}");
-    }
-}
-
-#[test]
-fn circles_know_sense_long_ways_turns_and_planes() {
-    let arc_of = |text: &str| arc(&last(Family::LinuxCnc, &format!("{LINUXCNC}G0 X10 Y0 Z0\n{text}")));
-    assert!((arc_of("G2 X0 Y10 I-10 F9").sweep + 1.5 * PI).abs() < 1e-9);
-    let long = arc_of("G3 X0 Y10 R-10 F9");
-    assert!((long.sweep - 1.5 * PI).abs() < 1e-9 && near([long.centre[0], long.centre[1], 0.0], [10.0, 10.0, 0.0]));
-    assert!((arc_of("G3 I-10 F9").sweep - TAU).abs() < 1e-9);
-    assert!((arc_of("G2 X10 Y0 Z-5 I-10 P3 F9").sweep + 3.0 * TAU).abs() < 1e-9);
-    // In G18 Z turns towards X.
-    let block = last(Family::LinuxCnc, &format!("{LINUXCNC}G18\nG0 X0 Y0 Z10\nG3 X10 Z0 I0 K-10 F9"));
-    assert!((arc(&block).sweep - PI / 2.0).abs() < 1e-9);
-    let turn = last(Family::Siemens, &format!("{SIEMENS}G0 X10 Y0 Z0\nG3 X10 Y0 Z-4 I-10 J0 TURN=1 F9"));
-    assert!((arc(&turn).sweep - 2.0 * TAU).abs() < 1e-9);
-    let polar =
-        last(Family::Heidenhain, &format!("{TNC}2 L X+10 Y+0 Z+0 R0 FMAX\n3 CC X+0 Y+0\n4 CP IPA-720 IZ-6 DR- F9"));
-    assert!((arc(&polar).sweep + 2.0 * TAU).abs() < 1e-9 && near(xyz(&polar), [10.0, 0.0, -6.0]));
-}
-
-#[test]
-fn circles_that_do_not_close_are_faults() {
-    for text in ["G3 X0 Y10 I-9 F9", "G3 X10 Y0 R5 F9", "G3 X0 Y10 R1 F9", "G3 X0 Y10 F9", "G3 X0 Y10 I-10 K1 F9"] {
-        assert!(!faults(Family::LinuxCnc, &format!("{LINUXCNC}G0 X10 Y0 Z0\n{text}")).is_empty(), "{text}");
-    }
-}
-
 fn hole(block: &Block) -> CycleMove {
     match block.action {
         Action::Cycle(cycle) => cycle,
@@ -251,56 +202,8 @@ fn a_cycle_goes_on_at_each_point_until_it_is_cancelled() {
     assert_eq!(called.last().map(|block| block.action), Some(Action::Rapid));
 }
 
-fn column(tilt: &Tilt, index: usize) -> [f64; 3] {
-    tilt.rotation.column(index).into_owned().into()
-}
-
 fn tilt(block: &Block) -> Tilt {
     block.state.tilt.expect("a plane")
-}
-
-/// HEIDENHAIN TNC 620 user's manual 10/2017, page 540: `PLANE SPATIAL SPA+45 SPB+0 SPC+90` is A+45, B+0, C+90 about the
-/// axes that stay, and C+90, B+0, A+45 about those that turn: both leave the new X along the old Y, and the new Z leaning
-/// by 45 degrees towards the old X.
-#[test]
-fn plane_spatial_is_that_of_the_manual() {
-    let block =
-        last(Family::Heidenhain, &format!("{TNC}2 PLANE SPATIAL SPA+45 SPB+0 SPC+90 TURN MB MAX FMAX SEQ- TABLE ROT"));
-    let (plane, half) = (tilt(&block), 0.5_f64.sqrt());
-    assert!(near(column(&plane, 0), [0.0, 1.0, 0.0]), "{plane:?}");
-    assert!(near(column(&plane, 2), [half, 0.0, half]), "{plane:?}");
-    assert_eq!(block.action, Action::Orient);
-    assert!(plane.oriented);
-}
-
-/// G68.2 turns about Z by I, about the new X by J, about the new Z by K: with I 90 and J 45 the new X is the old Y, and the
-/// new Z leans towards the old X; K turns X and Y in the plane.
-#[test]
-fn g68_2_turns_about_z_x_z_as_they_go_along() {
-    let text = format!("{}G68.2 X1. Y2. Z3. I90. J45. K0.\nG53.1", LINUXCNC.replace(" G64 P0.01", ""));
-    let (plane, half) = (tilt(&last(Family::Fanuc, &text)), 0.5_f64.sqrt());
-    assert!(near(column(&plane, 0), [0.0, 1.0, 0.0]) && near(column(&plane, 2), [half, 0.0, half]), "{plane:?}");
-    assert!(plane.oriented && near(plane.origin.into(), [1.0, 2.0, 3.0]));
-    let turned = tilt(&last(Family::Fanuc, &text.replace("K0.", "K90.")));
-    assert!(near(column(&turned, 0), [-half, 0.0, half]), "{turned:?}");
-}
-
-/// CYCLE800 axis by axis: mode 57 is X, new Y, new Z (its bits 01, 10, 11 name the axes of A, B and C in this order), 27 is
-/// Z, new Y, new X.
-#[test]
-fn cycle800_turns_in_the_order_of_its_mode() {
-    let plane = |mode: u32, angles: &str| {
-        tilt(&last(Family::Siemens, &format!("{SIEMENS}CYCLE800(0,\"TC\",0,{mode},1,0,0,{angles},0,0,5,-1,0)")))
-    };
-    let half = 0.5_f64.sqrt();
-    // X by 90 puts the new Y along Z; the new Y then turns Z from -Y towards X.
-    let moving = plane(57, "90,45,0");
-    assert!(near(column(&moving, 2), [half, -half, 0.0]), "{moving:?}");
-    // Z by 90, then the new Y, which is -X.
-    let backwards = plane(27, "90,45,0");
-    assert!(near(column(&backwards, 2), [0.0, half, half]), "{backwards:?}");
-    assert!(near(moving.origin.into(), [1.0 + 5.0 * half, -5.0 * half, 0.0]), "{moving:?}");
-    assert!(moving.oriented);
 }
 
 #[test]

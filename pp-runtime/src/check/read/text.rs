@@ -3,19 +3,22 @@
 /// A number as it is written.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Number {
-    pub(super) value: f64,
+    pub(crate) value: f64,
     /// A decimal point stands in it.
-    pub(super) point: bool,
+    pub(crate) point: bool,
     /// It begins with `-`.
-    pub(super) negative: bool,
+    pub(crate) negative: bool,
 }
 
 /// A place in a line.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Cursor<'a> {
     line: &'a [u8],
-    pub(super) at: usize,
+    at: usize,
 }
+
+/// End of a line that goes on in the next one: no line holds it.
+pub(super) const GOES_ON: u8 = b'\n';
 
 /// Powers of ten that are exact.
 const TENS: [f64; 20] =
@@ -36,6 +39,26 @@ impl<'a> Cursor<'a> {
     /// What has been taken from a column on.
     pub(super) fn read_from(&self, column: usize) -> &'a [u8] {
         &self.line[column..self.at]
+    }
+
+    /// Column that comes next, from 0.
+    pub(super) fn column(&self) -> usize {
+        self.at
+    }
+
+    /// Goes to a column.
+    pub(super) fn go_to(&mut self, column: usize) {
+        self.at = column;
+    }
+
+    /// Passes over some bytes.
+    pub(super) fn skip(&mut self, count: usize) {
+        self.at += count;
+    }
+
+    /// What comes before a column.
+    pub(super) fn before(&self, column: usize) -> &'a [u8] {
+        &self.line[..column.min(self.line.len())]
     }
 
     /// Goes to the end; what was left.

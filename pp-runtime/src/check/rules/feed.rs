@@ -18,6 +18,9 @@ const ROUGHEST: f64 = 0.8;
 /// Time written for a block without a motion, minutes.
 const NOTHING: f64 = 1e-3;
 
+/// Ratio of the motion of the linear axes to that of the tip above which the tool axis decides the ends of a block.
+const LEVER: f64 = 10.0;
+
 /// Motion of one feed block.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Stroke {
@@ -156,9 +159,11 @@ impl FeedLaw {
             FeedPath::InverseMinutes | FeedPath::InverseSeconds => stroke.length_mm,
         };
         let minutes = programmed.max(least).max(self.shortest_min).max(counted / self.largest_mm_per_min);
-        // Ends of the tip path are known to one unit, those of the axes to half a unit each.
+        // Ends of the tip path are known to one unit, those of the axes to half a unit each. Where the axes move much farther
+        // than the tip, the rounding of the tool axis moves the ends, too.
         let way = if still { turn } else { stroke.length_mm };
-        let known = if still { self.unit_rad } else { 2.0 * self.unit_mm };
+        let ends = if linear > LEVER * stroke.length_mm { 3.0 } else { 2.0 };
+        let known = if still { self.unit_rad } else { ends * self.unit_mm };
         let mut rough = if way > 0.0 { known / way } else { 1.0 };
         if least > 0.0 && minutes > programmed {
             rough =
@@ -244,9 +249,13 @@ impl FeedLaw {
         stroke.change.iter().enumerate().any(|(index, change)| rotary(index) && change.abs() >= 0.25 * self.unit_rad)
     }
 
-    /// Whether the tip stands still, as far as rounded ends show.
+    /// Whether the tip stands still, as far as rounded ends show. Where the axes move much farther than the tip, the rounding
+    /// of the tool axis moves its ends, too.
     pub(crate) fn is_still(&self, stroke: &Stroke) -> bool {
-        stroke.length_mm < 2.5 * self.unit_mm
+        let linear = stroke.change.iter().enumerate().filter(|(index, _)| self.linear_bits & (1 << index) != 0);
+        let linear = linear.map(|(_, change)| change * change).sum::<f64>().sqrt();
+        let lever = self.rotates(stroke) && linear > LEVER * stroke.length_mm;
+        stroke.length_mm < if lever { 6.0 } else { 2.5 } * self.unit_mm
     }
 
     /// Where only the tool axis rotates, and the rotation of the rotary axes is unknown: degrees a minute, at most those of

@@ -136,6 +136,22 @@ impl Rules<'_> {
         if near { Some(share.clamp(along, 1.0)) } else { unmoved }
     }
 
+    /// Share of a motion at which a pose is.
+    pub(crate) fn share_at(&self, segment: &Segment, end: &ToolPose) -> f64 {
+        let rounding = &self.rounding;
+        segment.share(end, 0.0, rounding.tip_mm, rounding.tip_mm / rounding.axis_rad).clamp(0.0, 1.0)
+    }
+
+    /// Whether a pose is on a motion, before its end by no more than the rounding of both.
+    pub(crate) fn is_almost_done(&self, segment: &Segment, end: &ToolPose) -> bool {
+        let rest = 1.0 - self.share_at(segment, end);
+        let near = matches!(segment.shape, PathShape::Line)
+            && rest * segment.length() <= 4.0 * self.rounding.tip_mm
+            && rest * segment.turn() <= 4.0 * self.rounding.axis_rad;
+        near && segment.distance(end, 0.0) <= BOTH * self.rounding.tip_mm
+            && segment.axis_distance(&end.axis) <= BOTH * self.axis_allowance(&segment.to.axis)
+    }
+
     /// Rounding may put an end a little before that of the last block, which rounding has put a little forward.
     fn is_just_before(&self, segment: &Segment, share: f64, along: f64, axis: f64) -> bool {
         let (length, angle) = (segment.length(), segment.turn());

@@ -5,18 +5,38 @@ use super::super::draft::Cycle;
 use super::super::language::arguments::{SLOTS, Slot};
 use super::super::language::{List, Role};
 use super::super::line::Line;
-use super::super::text::{Cursor, same, whole};
+use super::super::text::{Cursor, GOES_ON, same, tenths, whole};
 use super::ended;
 
-/// The line of a cycle of several lines that must come next.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub(super) enum Pending {
-    #[default]
-    Nothing,
-    /// 9.1.
-    Dwell,
-    /// 32.1.
-    Tolerance,
+/// Progress through a cycle of several lines, which follow each other directly.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Sequence {
+    /// The line that must come next: the number of the cycle in tenths.
+    next: Option<u32>,
+}
+
+impl Sequence {
+    /// Compares a line, from what follows its number, with the one that must come.
+    pub(super) fn line(&mut self, line: &mut Line<'_>) {
+        let mut at = line.at;
+        let part = if at.words("CYCL DEF") { at.spaced_number().and_then(tenths) } else { None };
+        let part = part.filter(|part| matches!(part, 90 | 91 | 320..=322));
+        let due = std::mem::take(&mut self.next);
+        let first = part.filter(|part| !matches!(part, 90 | 320));
+        if due.is_some() && due != part {
+            line.fault(0, "the cycle before this line is not complete: its lines follow each other directly");
+        } else if due != first {
+            line.fault(0, "the first line of this cycle is missing before it");
+        }
+        at.blanks();
+        self.next = match part {
+            Some(90) => Some(91),
+            Some(320) => Some(321),
+            // Without a tolerance it is off, and has no mode.
+            Some(321) if at.peek() == Some(b'T') => Some(322),
+            _ => None,
+        };
+    }
 }
 
 /// Numbers of a cycle by their slots.
@@ -29,28 +49,17 @@ impl Numbers {
 }
 
 /// `CYCL DEF 200 DRILLING ~ Q200=+2 ..`, and those of several lines: `CYCL DEF 9.1 DWELL 0.5`.
-pub(super) fn define(line: &mut Line<'_>, pending: &mut Pending) -> bool {
+pub(super) fn define(line: &mut Line<'_>) -> bool {
     let Some(number) = line.at.spaced_number() else { return false };
-    let tenths = (number.value * 10.0).round() as u32;
-    let Some(list) = line.language.lists.iter().find(|list| list.number == tenths) else { return false };
-    let expected = std::mem::take(pending);
-    let wanted = match tenths {
-        91 => Pending::Dwell,
-        321 => Pending::Tolerance,
-        _ => Pending::Nothing,
-    };
-    if expected != wanted {
-        line.fault(0, "the lines of this cycle are not complete, or not in their order");
+    let Some(tenths) = tenths(number) else { return false };
+    let Some(list) = line.language().lists.iter().find(|list| list.number == tenths) else { return false };
+    // The lines of a cycle have a decimal, and a cycle with parameters has none.
+    if number.point != list.items.is_empty() {
+        return false;
     }
     match tenths {
-        90 => {
-            *pending = Pending::Dwell;
-            line.at.words("DWELL TIME") && ended(line)
-        }
-        320 => {
-            *pending = Pending::Tolerance;
-            line.at.word(b"TOLERANCE") && ended(line)
-        }
+        90 => line.at.words("DWELL TIME") && ended(line),
+        320 => line.at.word(b"TOLERANCE") && ended(line),
         91 => {
             line.draft.dwell = line.at.word(b"DWELL").then(|| line.at.spaced_number()).flatten().map(|time| time.value);
             line.draft.dwell.is_some_and(|seconds| seconds >= 0.0) && ended(line)
@@ -65,7 +74,7 @@ pub(super) fn define(line: &mut Line<'_>, pending: &mut Pending) -> bool {
 fn tolerance(line: &mut Line<'_>) -> bool {
     line.at.blanks();
     let tolerance = if line.at.take(b'T') { line.at.spaced_number() } else { None };
-    let unit = line.machine.unit();
+    let unit = line.machine().unit();
     line.draft.smoothing = Some(match tolerance {
         Some(tolerance) => Smoothing::On { tolerance_mm: Some(tolerance.value * unit), level: None },
         None => Smoothing::Off,
@@ -78,7 +87,7 @@ fn mode(line: &mut Line<'_>) -> bool {
     let level = line.at.literal(b"HSC-MODE:").then(|| line.at.spaced_number()).flatten().and_then(whole);
     line.at.blanks();
     let angle = if line.at.literal(b"TA") { line.at.spaced_number() } else { None };
-    let Smoothing::On { tolerance_mm, .. } = line.machine.state.smoothing else { return false };
+    let Smoothing::On { tolerance_mm, .. } = line.machine().state().smoothing else { return false };
     let Some(level @ 0..=1) = level else { return false };
     line.draft.smoothing = Some(Smoothing::On { tolerance_mm, level: Some(level as u8) });
     line.draft.smoothing_angle = angle.map(|angle| angle.value.to_radians());
@@ -89,8 +98,8 @@ fn mode(line: &mut Line<'_>) -> bool {
 fn parameters(line: &mut Line<'_>, list: &List) -> Option<Numbers> {
     let mut numbers = Numbers([0.0; SLOTS]);
     let (mut seen, mut correct) = (0_u32, true);
-    // The first part has the name of the cycle, the others a parameter and a comment.
-    let mut parts = line.at.take_rest().split(|byte| *byte == b'~');
+    // The first line has the name of the cycle, the others a parameter and a comment.
+    let mut parts = line.at.take_rest().split(|byte| *byte == GOES_ON);
     let name = parts.next().unwrap_or_default();
     if name.iter().any(|byte| matches!(byte, b'=' | b';')) {
         line.fault(0, "parameters in the first line of the cycle");
@@ -112,6 +121,12 @@ fn parameters(line: &mut Line<'_>, list: &List) -> Option<Numbers> {
             correct &= seen & (1 << index) == 0;
             seen |= 1 << index;
             match list.items[index].role {
+                Role::Whole(_) if value.fract() != 0.0 => {
+                    let name = list.items[index].name;
+                    line.fault(0, format!("Q{number} ({name}) of {} is {value}, expected a whole number", list.name));
+                    correct = false;
+                }
+                Role::Whole(slot) => numbers.0[slot as usize] = value,
                 Role::Needs(slot) | Role::Takes(slot) => numbers.0[slot as usize] = value,
                 Role::Must(wanted) if !same(wanted, value) => {
                     let name = list.items[index].name;
@@ -122,8 +137,7 @@ fn parameters(line: &mut Line<'_>, list: &List) -> Option<Numbers> {
             }
         }
     }
-    for (index, item) in list.items.iter().enumerate().filter(|(index, _)| seen & (1 << index) == 0) {
-        let _ = index;
+    for (_, item) in list.items.iter().enumerate().filter(|(index, _)| seen & (1 << index) == 0) {
         let text = format!(
             "Q{} ({}) of {} is missing: it would keep the value of an earlier definition",
             item.number, item.name, list.name
@@ -131,7 +145,7 @@ fn parameters(line: &mut Line<'_>, list: &List) -> Option<Numbers> {
         line.fault(0, text);
         correct = false;
     }
-    if !correct && line.faults.is_empty() {
+    if !correct && line.fault_count() == 0 {
         line.fault(0, "a parameter of the cycle occurs twice");
     }
     correct.then_some(numbers)
@@ -150,7 +164,7 @@ fn parameter(at: &mut Cursor<'_>) -> Option<(u32, f64)> {
 fn carry_out(line: &mut Line<'_>, tenths: u32, numbers: &Numbers) -> bool {
     if tenths == 2470 {
         let row = numbers.get(Slot::Row);
-        if row < 0.0 || row.fract() != 0.0 {
+        if row < 0.0 {
             return false;
         }
         line.draft.restart = true;
@@ -158,7 +172,7 @@ fn carry_out(line: &mut Line<'_>, tenths: u32, numbers: &Numbers) -> bool {
         return true;
     }
     let hole = hole(line, tenths / 10, numbers);
-    line.draft.define = hole.map(|hole| hole.in_unit(line.machine.unit()));
+    line.draft.define = hole.map(|hole| hole.in_unit(line.machine().unit()));
     hole.is_some()
 }
 

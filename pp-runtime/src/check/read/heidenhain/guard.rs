@@ -99,6 +99,6 @@ fn label(at: &mut Cursor<'_>) -> Option<Label> {
     let length = rest.iter().position(|byte| *byte == b'"')?;
     let mut label = Label { length, ..Label::default() };
     label.name.get_mut(..length)?.copy_from_slice(&rest[..length]);
-    at.at += length + 1;
+    at.skip(length + 1);
     Some(label)
 }

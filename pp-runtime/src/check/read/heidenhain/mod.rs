@@ -14,13 +14,13 @@ mod plane;
 mod round;
 mod words;
 
-use self::cycles::Pending;
+use self::cycles::Sequence;
 use self::guard::LengthGuard;
 use super::block::{FeedMode, Side, WorkPlane};
 use super::draft::Code;
 use super::language::{Means, Statement};
 use super::line::Line;
-use super::text::{shown, whole};
+use super::text::{GOES_ON, shown, whole};
 use crate::program::Units;
 
 /// What is remembered from one line to the next.
@@ -31,8 +31,8 @@ pub(super) struct Heidenhain {
     /// CC, as written.
     pole: [Option<f64>; 3],
     guard: LengthGuard,
-    /// The line of a cycle of several lines that must come next.
-    pending: Pending,
+    /// A cycle of several lines.
+    sequence: Sequence,
     began: bool,
     ended: bool,
 }
@@ -44,15 +44,21 @@ impl Heidenhain {
             return false;
         }
         self.number(line);
-        line.draft.frame_faults = line.faults.len();
         line.at.blanks();
+        self.sequence.line(line);
+        line.draft.frame_faults = line.fault_count();
+        let goes_on = line.at.rest().contains(&GOES_ON);
         if matches!(line.at.peek(), None | Some(b';' | b'*')) {
+            if goes_on {
+                line.fault(0, "a comment that goes on in the next line (~)");
+            }
             return true;
         }
         line.draft.speaks();
         let start = line.at;
-        if !self.statement(line) {
-            line.fault(start.at, format!("`{}` is not known to the check", shown(start.rest())));
+        // Only the parameters of a cycle go on in the next line, and they have been read to their end.
+        if !self.statement(line) || goes_on && !line.at.ended() {
+            line.fault(start.column(), format!("`{}` is not known to the check", shown(start.rest())));
         }
         line.contradictions();
         self.began = true;
@@ -62,7 +68,7 @@ impl Heidenhain {
 
     /// Forgets what stays in force.
     pub(super) fn forget(&mut self) {
-        (self.pole, self.pending) = ([None; 3], Pending::default());
+        (self.pole, self.sequence) = ([None; 3], Sequence::default());
     }
 
     /// The number of the line.
@@ -81,15 +87,10 @@ impl Heidenhain {
         if self.guard.is_open() {
             return self.guard.line(line);
         }
-        let row = line.language.words.iter().find(|row| {
+        let row = line.language().words.iter().find(|row| {
             matches!(row.means, Means::Statement(_)) && !row.spelling.starts_with("FN") && line.at.words(row.spelling)
         });
         let named = row.map(|row| (row.spelling, row.means));
-        let goes_on = matches!(named, Some((_, Means::Statement(Statement::CycleDef))));
-        if self.pending != Pending::Nothing && !goes_on {
-            self.pending = Pending::Nothing;
-            line.fault(0, "the line before begins a cycle whose second line is missing");
-        }
         let Some((spelling, Means::Statement(statement))) = named else {
             return self.guard.line(line) || words::codes(line);
         };
@@ -105,7 +106,7 @@ impl Heidenhain {
                 line.at.blanks();
                 line.at.number().and_then(whole).is_some() && ended(line)
             }
-            Statement::CycleDef => cycles::define(line, &mut self.pending),
+            Statement::CycleDef => cycles::define(line),
             Statement::CycleCall => {
                 line.draft.call = true;
                 words::codes(line)
@@ -181,7 +182,7 @@ fn tool(line: &mut Line<'_>) -> bool {
             Some(b'X') => Some(WorkPlane::Yz),
             _ => return false,
         };
-        at.at += 1;
+        at.skip(1);
     }
     while !at.ended() && at.peek() != Some(b';') {
         let name = at.letters();

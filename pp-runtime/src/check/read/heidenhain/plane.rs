@@ -63,7 +63,7 @@ fn positioning(line: &mut Line<'_>) -> Option<Positioning> {
     choices.into_iter().find(|(word, _)| line.at.word(word)).map(|(_, positioning)| positioning)
 }
 
-/// `MB MAX`, `MB50`, `DIST50`, `FMAX`, `F500`, `SEQ-`, `SYM+`, `TABLE ROT`, `COORD ROT`; each at most once.
+/// `MB MAX`, `MB50`, `DIST50`, `FMAX`, `F500`, `SEQ-`, `TABLE ROT`, `COORD ROT`; each at most once.
 fn words(line: &mut Line<'_>, positioning: Positioning) -> Option<Words> {
     let mut words = Words::default();
     let moves = positioning != Positioning::Stay;
@@ -82,7 +82,8 @@ fn words(line: &mut Line<'_>, positioning: Positioning) -> Option<Words> {
             b"F" if moves => {
                 at.spaced_number().is_some_and(|number| number.value > 0.0) && !std::mem::replace(&mut words.feed, true)
             }
-            b"SEQ" | b"SYM" => {
+            // SYM is not SEQ: it counts from the symmetry point of the axes, which the check does not know.
+            b"SEQ" => {
                 let plus = at.take(b'+');
                 (plus || at.take(b'-')) && words.pose.replace(plus).is_none()
             }

@@ -11,9 +11,9 @@ pub(super) fn centre(line: &mut Line<'_>, pole: &mut [Option<f64>; 3]) -> bool {
         let incremental = line.at.take(b'I');
         let Some(axis) = [b'X', b'Y', b'Z'].into_iter().position(|letter| line.at.take(letter)) else { return false };
         let Some(number) = line.at.number() else { return false };
-        let from = match (incremental, line.machine.linear[axis].and_then(|index| line.machine.at(index))) {
+        let from = match (incremental, line.machine().linear()[axis].and_then(|index| line.machine().at(index))) {
             (false, _) => 0.0,
-            (true, Some(from)) => from / line.machine.unit(),
+            (true, Some(from)) => from / line.machine().unit(),
             (true, None) => return false,
         };
         if pole[axis].replace(from + number.value).is_some() {
@@ -50,11 +50,11 @@ pub(super) fn close(line: &mut Line<'_>, spelling: &str, pole: &[Option<f64>; 3]
 
 /// CP: the end in the plane follows from the angle.
 fn polar_end(line: &mut Line<'_>, angle: f64, pole: &[Option<f64>; 3]) -> Option<()> {
-    let machine = line.machine;
-    let [u, v, _] = machine.state.plane.map(WorkPlane::axes)?;
+    let machine = line.machine();
+    let [u, v, _] = machine.state().plane.map(WorkPlane::axes)?;
     let unit = machine.unit();
     let from_pole = |axis: usize| {
-        let index = machine.linear[axis]?;
+        let index = machine.linear()[axis]?;
         Some((index, machine.at(index)? / unit - pole[axis]?))
     };
     let ((first, x), (second, y)) = (from_pole(u)?, from_pole(v)?);

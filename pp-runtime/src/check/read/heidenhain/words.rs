@@ -7,9 +7,9 @@ use super::super::line::Line;
 /// Takes the words up to the end of the line or a comment.
 pub(super) fn motion(line: &mut Line<'_>) -> bool {
     while !line.at.ended() && line.at.peek() != Some(b';') {
-        let start = line.at.at;
+        let start = line.at.column();
         if !word(line) && !rapid(line, start) && !side(line, start) && !sense(line, start) {
-            line.at.at = start;
+            line.at.go_to(start);
             return false;
         }
     }
@@ -29,7 +29,7 @@ pub(super) fn codes(line: &mut Line<'_>) -> bool {
 
 /// `FMAX`.
 fn rapid(line: &mut Line<'_>, start: usize) -> bool {
-    line.at.at = start;
+    line.at.go_to(start);
     let found = line.at.word(b"FMAX");
     if found {
         let first = line.draft.code != Some(Code::Rapid);
@@ -41,7 +41,7 @@ fn rapid(line: &mut Line<'_>, start: usize) -> bool {
 
 /// `R0`, `RL`, `RR`; one of them.
 fn side(line: &mut Line<'_>, start: usize) -> bool {
-    line.at.at = start;
+    line.at.go_to(start);
     [(&b"R0"[..], Side::None), (b"RL", Side::Left), (b"RR", Side::Right)]
         .into_iter()
         .any(|(word, side)| line.at.word(word) && line.draft.side.replace(side).is_none())
@@ -49,19 +49,19 @@ fn side(line: &mut Line<'_>, start: usize) -> bool {
 
 /// `DR+`, `DR-`.
 fn sense(line: &mut Line<'_>, start: usize) -> bool {
-    line.at.at = start;
+    line.at.go_to(start);
     let sense = match line.at.rest() {
         [b'D', b'R', b'+', ..] => 1.0,
         [b'D', b'R', b'-', ..] => -1.0,
         _ => return false,
     };
-    line.at.at += 3;
+    line.at.skip(3);
     line.draft.pitch.replace(sense).is_none()
 }
 
 /// Letters and a number, with an `I` in front of those that are distances.
 fn word(line: &mut Line<'_>) -> bool {
-    let start = line.at.at;
+    let start = line.at.column();
     let leading = line.at.take(b'I');
     let letters = line.at.letters();
     let incremental = leading && !letters.is_empty();

@@ -63,7 +63,7 @@ impl Reading<'_, '_> {
         let (unit, incremental, normal) = (self.line.unit(), self.line.incremental(), self.line.normal());
         if let Some(r) = self.loose.r.take() {
             let start = match normal.filter(|_| incremental) {
-                Some(index) => self.line.machine.at(index),
+                Some(index) => self.line.machine().at(index),
                 None => Some(0.0),
             };
             if start.is_none() {
@@ -94,7 +94,7 @@ impl Reading<'_, '_> {
 
     /// What feed and speed make of a thread, mm per turn.
     fn pitch(&self) -> f64 {
-        let (draft, state) = (&self.line.draft, &self.line.machine.state);
+        let (draft, state) = (&self.line.draft, &self.line.machine().state());
         let feed = draft.feed.or(state.feed).unwrap_or(0.0) * self.line.unit();
         match draft.feed_mode.or(state.feed_mode) {
             Some(FeedMode::PerRevolution) => feed,

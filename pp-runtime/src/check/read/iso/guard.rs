@@ -44,7 +44,7 @@ impl Guards {
             (Some(Open::Condition { aborts, .. }), [b'(', ..]) if !*aborts => {
                 let rest = line.at.rest();
                 let whole = rest.iter().position(|byte| *byte == b')') == Some(rest.trim_ascii_end().len() - 1);
-                line.at.at += 1;
+                line.at.skip(1);
                 if !(whole && line.at.word(b"abort") && line.at.literal(b",")) {
                     line.fault(0, "`(abort, ..)` expected in the length guard");
                 }
@@ -57,7 +57,7 @@ impl Guards {
             }
             (Some(Open::Jump { target, alarm: true, .. }), [b'N' | b'n', ..]) => {
                 let mut at = line.at;
-                at.at += 1;
+                at.skip(1);
                 if at.number().and_then(whole) != Some(*target) {
                     line.fault(0, format!("N{target} expected, to which the length guard jumps"));
                 }
@@ -74,16 +74,16 @@ impl Guards {
 
     /// `o1 if [..]`, `o1 endif`.
     fn o_word(&mut self, line: &mut Line<'_>) -> bool {
-        line.at.at += 1;
+        line.at.skip(1);
         let Some(label) = line.at.number().and_then(whole) else {
             line.fault(0, "O word without a number");
             return false;
         };
         if line.at.word(b"if") {
-            let unit = if line.facts.guard_in_mm { 1.0 } else { line.unit() };
+            let unit = if line.facts().guard_in_mm { 1.0 } else { line.unit() };
             match spindle_condition(&mut line.at, unit) {
                 Some(guard) if self.open.is_none() => self.open = Some(Open::Condition { label, guard, aborts: false }),
-                _ => line.fault(line.at.at, "unknown condition"),
+                _ => line.fault(line.at.column(), "unknown condition"),
             }
             return false;
         }

@@ -25,12 +25,12 @@ use super::{ALWAYS, Reading};
 /// Words of a block that wait for its end.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Loose {
-    pub(super) p: Option<Number>,
-    pub(super) q: Option<Number>,
-    pub(super) r: Option<Number>,
-    pub(super) e: Option<Number>,
-    pub(super) x: Option<Number>,
-    pub(super) k: Option<Number>,
+    pub(crate) p: Option<Number>,
+    pub(crate) q: Option<Number>,
+    pub(crate) r: Option<Number>,
+    pub(crate) e: Option<Number>,
+    pub(crate) x: Option<Number>,
+    pub(crate) k: Option<Number>,
 }
 
 impl Reading<'_, '_> {
@@ -98,7 +98,7 @@ impl Reading<'_, '_> {
             self.line.fault(0, "dwell without its time");
         } else if self.loose.x.is_none() {
             // X has been the time.
-            let x = self.line.machine.linear[0].map_or(0, |index| 1 << index);
+            let x = self.line.machine().linear()[0].map_or(0, |index| 1 << index);
             self.line.draft.written &= !x;
         }
         self.line.draft.dwell = Some(word.unwrap_or_default());
@@ -162,7 +162,7 @@ impl Reading<'_, '_> {
             draft.vector_written = draft.centre_written;
             draft.centre_written = 0;
         }
-        if on && self.line.facts.tip_control_has_form {
+        if on && self.line.facts().tip_control_has_form {
             // P1: the tool axis turns in a plane.
             let form = self.loose.p.take();
             self.line.draft.in_plane = match form.map(whole) {
@@ -178,7 +178,7 @@ impl Reading<'_, '_> {
 
     /// G68.2 and G268: the words are those of the plane.
     fn tilted(&mut self, plane: Plane) {
-        let linear = self.line.machine.linear;
+        let linear = self.line.machine().linear();
         let draft = &mut *self.line.draft;
         let origin = linear.map(|place| {
             place.filter(|index| draft.written & (1 << index) != 0).map_or(0.0, |index| draft.axes[index])
@@ -222,10 +222,10 @@ impl Reading<'_, '_> {
     /// What a tool word needs beside it, and what may not stand there.
     fn tool_words(&mut self) {
         let (tool, change) = (self.line.draft.tool.is_some(), self.line.draft.change);
-        if change && !tool && self.line.machine.state.selected.is_none() {
+        if change && !tool && self.line.machine().state().selected.is_none() {
             self.line.fault(0, "tool change without a tool number");
         }
-        if tool && !change && self.line.facts.tool_call_alone && self.line.draft.written != 0 {
+        if tool && !change && self.line.facts().tool_call_alone && self.line.draft.written != 0 {
             self.line.fault(0, "tool call in a block with axis motion");
         }
     }

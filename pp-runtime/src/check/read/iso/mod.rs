@@ -15,7 +15,7 @@ mod loose;
 use self::cycle::CycleWords;
 use self::guard::Guards;
 use self::loose::Loose;
-use super::language::{Address, Letters, letters};
+use super::language::{Address, Letters, Pattern, letters};
 use super::line::Line;
 use super::text::{Number, shown, whole};
 use crate::program::Units;
@@ -33,6 +33,9 @@ const DISPLAYED: [&[u8]; 3] = [b"MSG", b"DEBUG", b"PRINT"];
 /// Comments of LinuxCNC that are orders without a comma.
 const ORDERS: [&[u8]; 4] = [b"PROBEOPEN", b"PROBECLOSE", b"LOGCLOSE", b"PYRELOAD"];
 
+/// M29 without its thread.
+const WITHOUT_THREAD: &str = "M29 in the block before: expected its thread here, G84 or G74";
+
 /// What is remembered from one line to the next.
 #[derive(Debug, Default)]
 pub(super) struct Iso {
@@ -44,6 +47,8 @@ pub(super) struct Iso {
     modal: Letters,
     /// The next thread is cut in step with the spindle (M29).
     rigid: bool,
+    /// The block of that thread must come next.
+    thread_due: bool,
     /// The program has begun, and has ended.
     began: bool,
     ended: bool,
@@ -60,36 +65,54 @@ impl Iso {
     /// Reads one line into its draft; `false` if the line is no block of words.
     pub(super) fn line(&mut self, line: &mut Line<'_>) -> bool {
         line.at.blanks();
-        match line.at.rest() {
-            [] => return false,
-            [b'%', ..] => return self.mark(line),
-            [b'O' | b'o', ..] if line.facts.program_numbers => return self.program_number(line),
-            _ => {}
+        if line.at.rest().is_empty() {
+            return false;
         }
-        if let Some(is_block) = self.guards.line(line) {
-            self.began = true;
+        let due = std::mem::take(&mut self.thread_due);
+        if let Some(is_block) = self.without_words(line) {
+            if due {
+                line.lasting_fault(0, WITHOUT_THREAD);
+            }
             return is_block;
         }
         let mut reading = Reading { iso: self, line, loose: Loose::default() };
         if reading.words() {
             reading.conclude();
         }
-        let says = line.draft.groups != 0 || line.draft.written != 0;
+        let says = line.draft.groups != 0 || line.draft.written != 0 || line.fault_count() > 0;
         self.began |= says;
+        if due && says && !matches!(line.draft.hole, Some(Pattern::TapAfterRigid { .. })) {
+            line.lasting_fault(0, WITHOUT_THREAD);
+        }
+        self.thread_due = line.draft.rigid || due && !says;
         self.ended |= line.draft.end;
         true
     }
 
+    /// Reads a line that has no words: whether it is a block. `None` if it has words.
+    fn without_words(&mut self, line: &mut Line<'_>) -> Option<bool> {
+        match line.at.rest() {
+            [b'%', ..] => Some(self.mark(line)),
+            [b'O' | b'o', ..] if line.facts().program_numbers => Some(self.program_number(line)),
+            _ => {
+                let is_block = self.guards.line(line)?;
+                self.began = true;
+                Some(is_block)
+            }
+        }
+    }
+
     /// Forgets what stays in force.
     pub(super) fn forget(&mut self) {
-        (self.cycle, self.vectors, self.modal, self.rigid) = (CycleWords::default(), false, 0, false);
+        (self.cycle, self.vectors, self.modal) = (CycleWords::default(), false, 0);
+        (self.rigid, self.thread_due) = (false, false);
     }
 
     /// `%`: before the first block it begins the program, and after it ends it.
     fn mark(&mut self, line: &mut Line<'_>) -> bool {
-        line.at.at += 1;
+        line.at.skip(1);
         if !line.at.ended() {
-            line.fault(line.at.at, "text after %");
+            line.fault(line.at.column(), "text after %");
         }
         let ends = self.began && !self.ended;
         line.draft.end = ends;
@@ -99,7 +122,7 @@ impl Iso {
 
     /// `O1234 (NAME)`: where it is not the first block it begins another program.
     fn program_number(&mut self, line: &mut Line<'_>) -> bool {
-        line.at.at += 1;
+        line.at.skip(1);
         if line.at.number().and_then(whole).is_none() {
             line.fault(0, "O word without a number");
         } else if !line.at.ended() && line.at.peek() != Some(b'(') {
@@ -107,7 +130,7 @@ impl Iso {
         } else if !line.at.ended() {
             Reading { iso: self, line, loose: Loose::default() }.comment();
             if !line.at.ended() {
-                line.fault(line.at.at, "text after the program number");
+                line.fault(line.at.column(), "text after the program number");
             }
         }
         let ends = self.began && !self.ended;
@@ -122,19 +145,19 @@ impl Reading<'_, '_> {
     /// Takes the words up to the end of the line or a comment that reaches there; `false` at what is no word.
     fn words(&mut self) -> bool {
         while !self.line.at.ended() {
-            let start = self.line.at.at;
+            let start = self.line.at.column();
             match self.line.at.peek() {
                 Some(b'(') => self.comment(),
                 Some(b';') => {
-                    self.line.at.at += 1;
+                    self.line.at.skip(1);
                     self.semicolon();
                     break;
                 }
-                Some(b'/') if start == 0 => self.line.at.at += 1,
+                Some(b'/') if start == 0 => self.line.at.skip(1),
                 _ => match self.line.at.letter_and_number() {
                     Some((letter, number)) => self.word(letter.to_ascii_uppercase(), number, start),
                     None => {
-                        self.line.at.at = start;
+                        self.line.at.go_to(start);
                         self.line.fault(start, format!("`{}` is not a word", shown(self.line.at.rest())));
                         return false;
                     }
@@ -146,9 +169,9 @@ impl Reading<'_, '_> {
 
     /// What follows a semicolon.
     fn semicolon(&mut self) {
-        let start = self.line.at.at;
+        let start = self.line.at.column();
         let rest = self.line.at.take_rest().trim_ascii();
-        if self.line.facts.semicolon_comments {
+        if self.line.facts().semicolon_comments {
             self.order(rest, start);
         } else if !rest.is_empty() {
             self.line.fault(start, "text after `;`, which ends the block: the control reads it as the next block");
@@ -158,11 +181,11 @@ impl Reading<'_, '_> {
     /// `( .. )`, without another bracket in it.
     fn comment(&mut self) {
         let at = &mut self.line.at;
-        let start = at.at;
+        let start = at.column();
         let rest = &at.rest()[1..];
         match rest.iter().position(|byte| *byte == b')') {
             Some(end) if !rest[..end].contains(&b'(') => {
-                at.at += end + 2;
+                at.skip(end + 2);
                 self.order(&rest[..end], start);
             }
             _ => {
@@ -174,7 +197,7 @@ impl Reading<'_, '_> {
 
     /// A comment that begins with a word and a comma is an order to LinuxCNC, and so are some words that need none.
     fn order(&mut self, text: &[u8], column: usize) {
-        if !self.line.facts.comments_give_orders {
+        if !self.line.facts().comments_give_orders {
             return;
         }
         let text = text.trim_ascii_start();
@@ -183,14 +206,14 @@ impl Reading<'_, '_> {
         let order = !word.is_empty() && rest.trim_ascii_start().starts_with(b",")
             || ORDERS.iter().any(|known| word.eq_ignore_ascii_case(known));
         if order && !DISPLAYED.iter().any(|known| word.eq_ignore_ascii_case(known)) {
-            self.line.fault(column, format!("the comment `{}` is an order to the control", shown(text)));
+            self.line.lasting_fault(column, format!("the comment `{}` is an order to the control", shown(text)));
         }
     }
 
     /// A letter and its number, which begin at a column.
     #[inline]
     fn word(&mut self, letter: u8, number: Number, column: usize) {
-        let Some(address) = self.line.language.address(letter) else { return self.line.unknown(column) };
+        let Some(address) = self.line.language().address(letter) else { return self.line.unknown(column) };
         if address == Address::Code {
             if !self.line.code(letter, number, column) {
                 self.line.unknown(column);
@@ -201,10 +224,7 @@ impl Reading<'_, '_> {
         let first = self.line.draft.letters & bit == 0;
         self.line.draft.letters |= bit;
         match address {
-            Address::BlockNumber => match whole(number) {
-                Some(number) => self.line.draft.number = Some(u64::from(number)),
-                None => self.line.fault(column, "block number that is no whole number"),
-            },
+            Address::BlockNumber => self.line.block_number(number, column),
             Address::Axis => {
                 let Some(index) = self.line.axis(&[letter]) else {
                     return self.line.fault(column, format!("the machine has no axis {}", char::from(letter)));
@@ -212,7 +232,7 @@ impl Reading<'_, '_> {
                 if letter == b'X' {
                     self.loose.x = Some(number);
                 }
-                let value = self.length(number, self.line.machine.axes[index].rotary);
+                let value = self.length(number, self.line.machine().axis(index).rotary);
                 self.line.draft.axis(index, value, number.negative);
             }
             Address::Centre => {
@@ -223,7 +243,7 @@ impl Reading<'_, '_> {
                 self.line.centre(letter, value);
             }
             Address::Feed => {
-                if self.line.facts.feed_needs_point && !self.counts_plainly(number) {
+                if self.line.facts().feed_needs_point && !self.counts_plainly(number) {
                     self.line.fault(column, "F without a decimal point: its value depends on a setting of the control");
                 }
                 self.line.draft.feed = Some(number.value);
@@ -262,18 +282,18 @@ impl Reading<'_, '_> {
     }
 
     fn counts_plainly(&self, number: Number) -> bool {
-        number.point || self.line.vocabulary.plain || !self.line.facts.least_increments
+        number.point || self.line.vocabulary().plain || !self.line.facts().least_increments
     }
 
     /// A time in seconds: milliseconds where a Fanuc or a Haas reads no point.
     fn seconds(&self, number: Number) -> f64 {
-        let milliseconds = self.line.facts.least_increments && !number.point;
+        let milliseconds = self.line.facts().least_increments && !number.point;
         if milliseconds { number.value / 1000.0 } else { number.value }
     }
 
     /// A P in seconds.
     fn wait(&mut self, number: Number) -> f64 {
-        if self.line.facts.whole_milliseconds && number.point {
+        if self.line.facts().whole_milliseconds && number.point {
             self.line.fault(0, "P of a dwell has no decimal point: it counts milliseconds");
         }
         self.seconds(number)

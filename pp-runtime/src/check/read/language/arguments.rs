@@ -4,21 +4,21 @@
 #[derive(Debug)]
 pub(in super::super) struct List {
     /// `CYCLE83`, or the number of a cycle.
-    pub(in super::super) name: &'static str,
-    pub(in super::super) number: u32,
-    pub(in super::super) meaning: &'static str,
+    pub(crate) name: &'static str,
+    pub(crate) number: u32,
+    pub(crate) meaning: &'static str,
     /// In their order (Siemens), or by their number (Heidenhain).
-    pub(in super::super) items: &'static [Item],
-    pub(super) source: &'static str,
+    pub(crate) items: &'static [Item],
+    pub(crate) source: &'static str,
 }
 
 /// An argument or a parameter.
 #[derive(Debug, Clone, Copy)]
 pub(in super::super) struct Item {
-    pub(in super::super) name: &'static str,
+    pub(crate) name: &'static str,
     /// Number of a Q parameter.
-    pub(in super::super) number: u32,
-    pub(in super::super) role: Role,
+    pub(crate) number: u32,
+    pub(crate) role: Role,
 }
 
 /// Meaning of an argument or a parameter.
@@ -36,6 +36,8 @@ pub(in super::super) enum Role {
     Text,
     /// A number that is executed; it must be there.
     Needs(Slot),
+    /// A whole number that is executed; it must be there.
+    Whole(Slot),
     /// A number that is executed; it may be missing.
     Takes(Slot),
 }
@@ -126,7 +128,7 @@ pub(super) const SIEMENS: &[List] = &[
             arg("DTB", Role::May(0.0)),
             arg("DTS", Role::May(0.0)),
             arg("FRF", Role::Must(1.0)),
-            arg("VARI", Role::Needs(Slot::Variant)),
+            arg("VARI", Role::Whole(Slot::Variant)),
             arg("_AXN", Role::Empty),
             arg("_MDEP", Role::Empty),
             arg("_VRT", Role::Takes(Slot::OtherGap)),
@@ -146,7 +148,7 @@ pub(super) const SIEMENS: &[List] = &[
             DP,
             DPR,
             DTB,
-            arg("SDAC", Role::Needs(Slot::Sense)),
+            arg("SDAC", Role::Whole(Slot::Sense)),
             arg("MPIT", Role::Empty),
             arg("PIT", Role::Needs(Slot::Pitch)),
             arg("POSS", Role::May(0.0)),
@@ -181,7 +183,7 @@ pub(super) const SIEMENS: &[List] = &[
             arg("_FR", Role::Must(0.0)),
             arg("_TC", Role::Name),
             arg("_ST", Role::Must(0.0)),
-            arg("_MODE", Role::Needs(Slot::Mode)),
+            arg("_MODE", Role::Whole(Slot::Mode)),
             arg("_X0", Role::Needs(Slot::X0)),
             arg("_Y0", Role::Needs(Slot::Y0)),
             arg("_Z0", Role::Needs(Slot::Z0)),
@@ -191,7 +193,7 @@ pub(super) const SIEMENS: &[List] = &[
             arg("_X1", Role::Needs(Slot::X1)),
             arg("_Y1", Role::Needs(Slot::Y1)),
             arg("_Z1", Role::Needs(Slot::Z1)),
-            arg("_DIR", Role::Needs(Slot::Direction)),
+            arg("_DIR", Role::Whole(Slot::Direction)),
             arg("_FR_I", Role::May(0.0)),
         ],
         source: "Siemens 840D sl programming manual, p. 334; 828D operating manual, 10.6",
@@ -202,7 +204,7 @@ pub(super) const SIEMENS: &[List] = &[
         meaning: "smoothing, off without arguments",
         items: &[
             arg("S_TOL", Role::Needs(Slot::Tolerance)),
-            arg("S_TOLM", Role::Needs(Slot::Mode)),
+            arg("S_TOLM", Role::Whole(Slot::Mode)),
             arg("S_OTOL", Role::Takes(Slot::AxisTolerance)),
         ],
         source: ONE,
@@ -273,7 +275,7 @@ pub(super) const HEIDENHAIN: &[List] = &[
             Q203,
             Q204,
             Q212,
-            q(213, "number of chip breaks", Role::Needs(Slot::Breaks)),
+            q(213, "number of chip breaks", Role::Whole(Slot::Breaks)),
             Q205,
             Q211,
             q(208, "feed out, rapid", Role::Must(99_999.0)),
@@ -315,7 +317,7 @@ pub(super) const HEIDENHAIN: &[List] = &[
         name: "CYCL DEF 247",
         number: 2470,
         meaning: "work offset: row of the datum table",
-        items: &[q(339, "row", Role::Needs(Slot::Row))],
+        items: &[q(339, "row", Role::Whole(Slot::Row))],
         source: TNC,
     },
 ];

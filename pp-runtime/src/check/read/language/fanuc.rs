@@ -19,9 +19,11 @@ const OWN: &[Row] = &[
     )
     .needs("Q"),
     Row::new("G43.4", Means::Length(LengthCode::TipControl), group::LENGTH, "Fanuc A-79294E, p. 11; A-79348E, p. 16")
-        .takes("HP"),
+        .needs("H")
+        .takes("P"),
     Row::new("G43.5", Means::Length(LengthCode::TipVector), group::LENGTH, "Fanuc A-79294E, p. 11; A-79348E, p. 16")
-        .takes("HPIJK"),
+        .needs("H")
+        .takes("PIJK"),
     Row::new("G53.1", Means::Orient, group::TILT, "Fanuc B-63784EN, tool axis direction control"),
     Row::new(
         "G54.1",
@@ -38,7 +40,7 @@ const OWN: &[Row] = &[
     Row::new("M7", Means::CoolantOn(coolant::MIST), group::COOLANT, M),
     Row::new("M13", Means::SpindleAndFlood(Rotation::Clockwise), group::SPINDLE, M),
     Row::new("M14", Means::SpindleAndFlood(Rotation::CounterClockwise), group::SPINDLE, M),
-    Row::new("M29", Means::Rigid, group::RIGID, RIGID),
+    Row::new("M29", Means::Rigid, group::RIGID, RIGID).needs("S"),
 ];
 
 const COUNT: usize = iso::ROWS.len() + iso::OF_TWO.len() + OWN.len();

@@ -14,7 +14,7 @@ const OWN: &[Row] = &[
     Row::new("G84", Means::Hole(Pattern::Tap { left: false }), group::MOTION, G).needs("R"),
     Row::new("G154", Means::FurtherOffset, group::OFFSET, G).needs("P"),
     Row::new("G187", Means::Smoothing(Smoother::Level), group::SMOOTHING, G).takes("PE"),
-    Row::new("G234", Means::Length(LengthCode::TipControl), group::LENGTH, UMC).takes("H"),
+    Row::new("G234", Means::Length(LengthCode::TipControl), group::LENGTH, UMC).needs("H"),
     Row::new("G253", Means::Orient, group::TILT, UMC),
     Row::new("G268", Means::TiltedPlane(Plane::Haas), group::TILT, UMC).takes("IJK").needs("Q"),
     Row::new("G269", Means::TiltOff, group::TILT, UMC),

@@ -32,7 +32,7 @@ pub(super) const ROWS: &[Row] = &[
     Row::new("G40", Means::Side(Side::None), group::SIDE, G),
     Row::new("G41", Means::Side(Side::Left), group::SIDE, G).takes("D"),
     Row::new("G42", Means::Side(Side::Right), group::SIDE, G).takes("D"),
-    Row::new("G43", Means::Length(LengthCode::On), group::LENGTH, G).takes("H"),
+    Row::new("G43", Means::Length(LengthCode::On), group::LENGTH, G).needs("H"),
     Row::new("G49", Means::Length(LengthCode::Off), group::LENGTH, G),
     Row::new("G53", Means::Machine, group::ALONE, G),
     Row::new("G54", Means::Offset, group::OFFSET, G),

@@ -31,18 +31,18 @@ pub(super) type Letters = u32;
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Row {
     /// Spelling without leading zeros; a text of several words for statements.
-    pub(super) spelling: &'static str,
+    pub(crate) spelling: &'static str,
     /// Letter and number of a code, for the search: letter << 24, and the number in tenths.
     key: u32,
     /// Last code of a row that stands for several.
     last: u32,
-    pub(super) means: Means,
+    pub(crate) means: Means,
     /// Modal group, of which a block may have one code.
-    pub(super) group: u32,
+    pub(crate) group: u32,
     /// Address words that the code takes.
-    pub(super) takes: Letters,
+    pub(crate) takes: Letters,
     /// Address words that its block must have.
-    pub(super) needs: Letters,
+    pub(crate) needs: Letters,
     /// Manual with edition and page or section, or a public post.
     source: &'static str,
 }
@@ -57,6 +57,11 @@ impl Row {
     /// A statement or a word that is no G or M code.
     const fn word(spelling: &'static str, means: Means, source: &'static str) -> Self {
         Self { spelling, key: 0, last: 0, means, group: group::FREE, takes: 0, needs: 0, source }
+    }
+
+    /// The modal group of a word.
+    const fn of(self, group: u32) -> Self {
+        Self { group, ..self }
     }
 
     /// The address words that it takes.
@@ -90,9 +95,9 @@ pub(super) struct Language {
     /// Address of each letter, A to Z.
     addresses: [Option<Address>; 26],
     /// Statements, keywords and words of several letters.
-    pub(super) words: &'static [Row],
+    pub(crate) words: &'static [Row],
     /// Calls and cycles with their arguments.
-    pub(super) lists: &'static [List],
+    pub(crate) lists: &'static [List],
 }
 
 impl Language {

@@ -11,7 +11,7 @@ use super::{Language, Letters, Row};
 const HEADS: [&str; 8] = ["spelling", "meaning", "reads", "changes", "moves", "takes", "group", "source"];
 
 /// Names of the groups of which a block has one code, by their number.
-const GROUPS: [(u32, &str); 23] = [
+const GROUPS: [(u32, &str); 25] = [
     (group::MOTION, "motion"),
     (group::PLANE, "plane"),
     (group::DISTANCE, "distance"),
@@ -35,6 +35,8 @@ const GROUPS: [(u32, &str); 23] = [
     (group::WAY, "rotary path"),
     (group::CALL, "cycle call"),
     (group::WINDOW, "window"),
+    (group::POSTURE, "posture"),
+    (group::FRAME, "frame"),
 ];
 
 /// Writes the codes and words of a family in columns, then the lists of arguments.
@@ -102,6 +104,7 @@ fn arguments(list: &List, out: &mut dyn Write) -> io::Result<()> {
             Role::Name => "must be the swivel data of the configuration".to_owned(),
             Role::Text => "text".to_owned(),
             Role::Needs(_) => "executed".to_owned(),
+            Role::Whole(_) => "executed, a whole number".to_owned(),
             Role::Takes(_) => "executed, may be missing".to_owned(),
         };
         writeln!(out, "    {name:40}  {meaning}")?;

@@ -32,11 +32,11 @@ impl Numbers {
 
 /// `NAME(..)`, from the bracket on; `false` if it is not known.
 pub(super) fn call(line: &mut Line<'_>, name: &[u8]) -> bool {
-    let Some(list) = line.language.lists.iter().find(|list| list.name.as_bytes().eq_ignore_ascii_case(name)) else {
+    let Some(list) = line.language().lists.iter().find(|list| list.name.as_bytes().eq_ignore_ascii_case(name)) else {
         return false;
     };
-    let start = line.at.at;
-    line.at.at += 1;
+    let start = line.at.column();
+    line.at.skip(1);
     line.at.blanks();
     let none = line.at.take(b')');
     if none {
@@ -75,7 +75,7 @@ fn arguments(line: &mut Line<'_>, list: &List) -> Option<Numbers> {
             b'"' => {
                 let rest = &line.at.rest()[1..];
                 let end = rest.iter().position(|byte| *byte == b'"')?;
-                line.at.at += end + 2;
+                line.at.skip(end + 2);
                 Argument::Text(&rest[..end])
             }
             _ => Argument::Number(line.at.number()?.value),
@@ -97,18 +97,23 @@ fn arguments(line: &mut Line<'_>, list: &List) -> Option<Numbers> {
 
 fn take(line: &mut Line<'_>, list: &List, item: &Item, argument: &Argument<'_>, numbers: &mut Numbers) {
     let expected = match (item.role, argument) {
+        (Role::Whole(slot), Argument::Number(value)) if value.fract() == 0.0 => {
+            numbers.0[slot as usize] = Some(*value);
+            return;
+        }
+        (Role::Whole(_), _) => "a whole number".to_owned(),
         (Role::Needs(slot) | Role::Takes(slot), Argument::Number(value)) => {
             numbers.0[slot as usize] = Some(*value);
             return;
         }
         (Role::Must(wanted) | Role::May(wanted), Argument::Number(value)) if same(wanted, *value) => return,
         (Role::Takes(_) | Role::May(_) | Role::Empty, Argument::Gap) => return,
-        (Role::Name, Argument::Text(name)) if *name == line.vocabulary.swivel_data.as_bytes() => return,
+        (Role::Name, Argument::Text(name)) if *name == line.vocabulary().swivel_data.as_bytes() => return,
         (Role::Text, Argument::Text(_)) => return,
         (Role::Must(wanted) | Role::May(wanted), _) => wanted.to_string(),
         (Role::Needs(_) | Role::Takes(_), _) => "a number".to_owned(),
         (Role::Empty, _) => "no value".to_owned(),
-        (Role::Name, _) => format!("\"{}\"", line.vocabulary.swivel_data),
+        (Role::Name, _) => format!("\"{}\"", line.vocabulary().swivel_data),
         (Role::Text, _) => "a text".to_owned(),
     };
     let found = match argument {
@@ -173,7 +178,7 @@ fn cycle(line: &mut Line<'_>, number: u32, numbers: &Numbers) -> Option<Cycle> {
 
 /// CYCLE84: the pitch in the unit of the program. Sense and speeds are those of the spindle.
 fn thread(line: &mut Line<'_>, numbers: &Numbers) -> CycleKind {
-    let state = line.machine.state;
+    let state = line.machine().state();
     let sense = match numbers.value(Slot::Sense) {
         3.0 => Some(Rotation::Clockwise),
         4.0 => Some(Rotation::CounterClockwise),
@@ -194,7 +199,7 @@ fn thread(line: &mut Line<'_>, numbers: &Numbers) -> CycleKind {
         line.fault(0, format!("SST and SST1 are {speed} and {out}, expected S of the spindle, {wanted}"));
     }
     let unit = match numbers.get(Slot::PitchUnit) {
-        None | Some(0.0) => line.machine.unit(),
+        None | Some(0.0) => line.machine().unit(),
         Some(1.0) => 1.0,
         Some(3.0) => Units::Inches.in_mm(),
         Some(other) => {
@@ -202,7 +207,7 @@ fn thread(line: &mut Line<'_>, numbers: &Numbers) -> CycleKind {
             1.0
         }
     };
-    CycleKind::Tap(numbers.value(Slot::Pitch) * unit / line.machine.unit())
+    CycleKind::Tap(numbers.value(Slot::Pitch) * unit / line.machine().unit())
 }
 
 /// CYCLE800 with a new plane, axis by axis.
@@ -240,7 +245,7 @@ fn smooth(line: &mut Line<'_>, numbers: &Numbers) {
         _ => return line.fault(0, format!("S_TOLM of CYCLE832 is {mode}, expected 0 to 4, or 11 to 14 with S_OTOL")),
     };
     line.draft.smoothing_angle = angle.filter(|_| mode > 10.0).map(f64::to_radians);
-    let tolerance_mm = Some(numbers.value(Slot::Tolerance) * line.machine.unit());
+    let tolerance_mm = Some(numbers.value(Slot::Tolerance) * line.machine().unit());
     line.draft.smoothing = Some(match level {
         Some(_) => Smoothing::On { tolerance_mm, level },
         None => Smoothing::Off,

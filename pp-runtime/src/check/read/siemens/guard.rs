@@ -20,7 +20,7 @@ impl LengthGuard {
         if !matches!(line.at.rest(), [b'I' | b'i', b'F' | b'f', ..]) || !line.at.word(b"IF") {
             return None;
         }
-        let unit = if line.facts.guard_in_mm { 1.0 } else { line.unit() };
+        let unit = if line.facts().guard_in_mm { 1.0 } else { line.unit() };
         self.open = condition(&mut line.at, unit);
         if self.open.is_none() {
             line.fault(0, "unknown condition: the check reads `IF ABS($P_TOOLL[1]-L)>t`");
@@ -66,6 +66,6 @@ fn message(at: &mut Cursor<'_>) -> bool {
     }
     let rest = at.rest();
     let Some(end) = rest.iter().position(|byte| *byte == b'"') else { return false };
-    at.at += end + 1;
+    at.skip(end + 1);
     at.literal(b")")
 }

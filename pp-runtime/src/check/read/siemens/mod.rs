@@ -52,17 +52,17 @@ impl Siemens {
         }
         let mut modal_call = false;
         while !line.at.ended() && line.at.peek() != Some(b';') {
-            let start = line.at.at;
+            let start = line.at.column();
             if start == 0 && line.at.take(b'/') {
                 continue;
             }
             if !item(line, &mut modal_call) {
                 let mut from = line.at;
-                from.at = start;
+                from.go_to(start);
                 let word = from.rest().split(|byte| *byte == b' ').next().unwrap_or_default();
                 line.fault(start, format!("`{}` is not known to the check", shown(word)));
-                if line.at.at == start {
-                    line.at.at += word.len().max(1);
+                if line.at.column() == start {
+                    line.at.skip(word.len().max(1));
                 }
             }
         }
@@ -82,7 +82,7 @@ impl Siemens {
 
     /// What becomes of the cycle of a block, and of the one that MCALL has left in force.
     fn cycle(&mut self, line: &mut Line<'_>, modal_call: bool) {
-        let unit = line.machine.unit();
+        let unit = line.machine().unit();
         let draft = &mut *line.draft;
         draft.define = draft.define.map(|cycle| cycle.in_unit(unit));
         if modal_call {
@@ -98,12 +98,12 @@ impl Siemens {
 /// A word, a keyword or a call; `false` if it is not known.
 #[inline]
 fn item(line: &mut Line<'_>, modal_call: &mut bool) -> bool {
-    let start = line.at.at;
+    let start = line.at.column();
     match line.at.letters() {
         [] => false,
         [letter] => word(line, letter.to_ascii_uppercase(), start),
         _ => {
-            line.at.at = start;
+            line.at.go_to(start);
             keyword(line, modal_call)
         }
     }
@@ -121,7 +121,7 @@ fn word(line: &mut Line<'_>, letter: u8, start: usize) -> bool {
     let length = if named { 1 + digits } else { 1 };
     name[1..length].copy_from_slice(&line.at.rest()[..length - 1]);
     let name = &name[..length];
-    line.at.at += if named { digits + 1 } else { 0 };
+    line.at.skip(if named { digits + 1 } else { 0 });
     if name == b"T" && named && line.at.peek() == Some(b'"') {
         return tool_name(line, start);
     }
@@ -138,7 +138,7 @@ fn word(line: &mut Line<'_>, letter: u8, start: usize) -> bool {
         return true;
     }
     let address = match name {
-        [letter] => line.language.address(*letter),
+        [letter] => line.language().address(*letter),
         _ => None,
     };
     let Some(address) = address.or_else(|| named_address(line, name)) else { return false };
@@ -162,7 +162,7 @@ fn word(line: &mut Line<'_>, letter: u8, start: usize) -> bool {
         }
     };
     match address {
-        Address::BlockNumber => line.draft.number = whole(number).map(u64::from),
+        Address::BlockNumber => line.block_number(number, start),
         Address::Feed => line.draft.feed = Some(number.value),
         Address::Speed => line.draft.speed = Some(number.value),
         Address::Tool => line.draft.tool = whole(number),
@@ -172,7 +172,7 @@ fn word(line: &mut Line<'_>, letter: u8, start: usize) -> bool {
         }
         _ => {}
     }
-    let counted = matches!(address, Address::BlockNumber | Address::Tool | Address::Edge);
+    let counted = matches!(address, Address::Tool | Address::Edge);
     if counted && whole(number).is_none() {
         return false;
     }
@@ -182,7 +182,7 @@ fn word(line: &mut Line<'_>, letter: u8, start: usize) -> bool {
 
 /// Address of a letter with digits: A3.
 fn named_address(line: &Line<'_>, name: &[u8]) -> Option<Address> {
-    match line.language.word(name)?.means {
+    match line.language().word(name)?.means {
         Means::Address(address) => Some(address),
         _ => None,
     }
@@ -190,13 +190,13 @@ fn named_address(line: &Line<'_>, name: &[u8]) -> Option<Address> {
 
 /// A name of two letters or more.
 fn keyword(line: &mut Line<'_>, modal_call: &mut bool) -> bool {
-    let start = line.at.at;
+    let start = line.at.column();
     let name = line.at.name();
     line.draft.speaks();
     if line.at.peek() == Some(b'(') {
         return calls::call(line, name);
     }
-    let Some(row) = line.language.word(name) else { return false };
+    let Some(row) = line.language().word(name) else { return false };
     match row.means {
         Means::Address(address) => return line.at.take(b'=') && assigned(line, address, start),
         Means::Statement(Statement::ModalCall) => *modal_call = true,
@@ -219,7 +219,7 @@ fn path(line: &mut Line<'_>) {
 /// `G4 F0.5` in seconds, `G4 S20` in revolutions of the spindle.
 fn dwell(line: &mut Line<'_>) {
     let (feed, speed) = (line.draft.feed.take(), line.draft.speed.take());
-    let turns = speed.zip(line.machine.state.speed);
+    let turns = speed.zip(line.machine().state().speed);
     let seconds = feed.or(turns.map(|(turns, speed)| turns / speed * 60.0));
     line.draft.dwell = Some(seconds.unwrap_or_default());
     if seconds.is_none() {
@@ -270,13 +270,13 @@ fn value(at: &mut Cursor<'_>) -> Option<(Number, Counts)> {
 
 /// `T="MILL 10"`.
 fn tool_name(line: &mut Line<'_>, start: usize) -> bool {
-    line.at.at += 1;
+    line.at.skip(1);
     let rest = line.at.rest();
     let Some(end) = rest.iter().position(|byte| *byte == b'"') else { return false };
     let name = String::from_utf8_lossy(&rest[..end]);
-    line.at.at += end + 1;
+    line.at.skip(end + 1);
     line.draft.speaks();
-    let known = line.vocabulary.tools.iter().find(|(known, _)| *known == name);
+    let known = line.vocabulary().tools.iter().find(|(known, _)| *known == name);
     let first = line.draft.tool.is_none();
     line.draft.tool = known.map(|(_, number)| *number).or(name.parse().ok());
     line.once(first, b"T", start);

@@ -205,7 +205,7 @@ fn contradictory_codes_of_a_block_are_faults() {
     for text in ["L X+5 FMAX M8 M9", "M3 M4", "M126 M127", "M128 M129", "M13 M5"] {
         assert!(!faults(Family::Heidenhain, &format!("{TNC}2 {text}\n")).is_empty(), "{text}");
     }
-    assert_eq!(last(Family::LinuxCnc, "M7 M8").state.coolant, Some(coolant::FLOOD | coolant::MIST));
+    assert_eq!(last(Family::Siemens, "M7 M8").state.coolant, Some(coolant::FLOOD | coolant::MIST));
 }
 
 #[test]

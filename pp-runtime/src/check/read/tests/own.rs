@@ -111,3 +111,127 @@ fn a_line_number_that_does_not_follow_is_a_fault_of_a_line_of_the_user_too() {
         with(Family::Heidenhain, vec![own("M77", OwnPlace::Clamp { axis: 0, on: true })], &[], "0 M8\n5 M77\n");
     assert!(blocks[1].faults[0].text.contains("line number"), "{:?}", blocks[1].faults);
 }
+
+#[test]
+fn a_line_of_the_shop_is_known_by_its_words_whatever_its_number_and_comments() {
+    let lines = |unlock: &str| {
+        vec![
+            own("M10", OwnPlace::Clamp { axis: 0, on: true }),
+            own(unlock, OwnPlace::Clamp { axis: 0, on: false }),
+            own("M77  P5", OwnPlace::Insert),
+        ]
+    };
+    let iso = ["N117 M10", "M10 (X)", "N5 M10 (LOCK)", "(A) M10", "N5 (A) M10 (B)", "  M10  ", "N5M10", "M10 (A) (B)"];
+    let marks = ["M10 ; clamp", "N5 M10 ; clamp", "N5 M10;clamp", "  M10"];
+    let cases = [
+        (Family::LinuxCnc, "", &[&iso[..], &marks].concat()),
+        (Family::Fanuc, "", &[&iso[..], &["M10;", "N5 M10 (A);"]].concat()),
+        (Family::Haas, "", &iso.to_vec()),
+        (Family::Siemens, "", &marks.to_vec()),
+        (Family::Heidenhain, "0 ", &vec!["M10 ; clamp", "M10;clamp", " M10"]),
+    ];
+    for (family, number, texts) in cases {
+        let brackets = matches!(family, Family::LinuxCnc | Family::Fanuc | Family::Haas);
+        let unlock = if brackets { "M11 (UNLOCK C)" } else { "M11 ;UNLOCK C" };
+        for text in texts {
+            let of =
+                |text: &str| with(family, lines(unlock), &[("M77 P5", Effect::Measures)], &format!("{number}{text}\n"));
+            let blocks = of(text);
+            assert_eq!(blocks[0].faults, [], "{family:?}: {text}");
+            assert_eq!((blocks[0].state.clamped, blocks[0].state.clamps_known), (1, 1), "{family:?}: {text}");
+            // The text of the configuration may have a comment of its own, and one with a declared effect too.
+            let off = of(&text.replace("M10", "M11"));
+            assert_eq!(
+                (&off[0].faults[..], off[0].state.clamps_known, off[0].state.clamped),
+                (&[][..], 1, 0),
+                "{text}"
+            );
+            let measured = of(&text.replace("M10", "M77 P5"));
+            let wanted = OwnLine { place: OwnPlace::Insert, effect: Some(Effect::Measures) };
+            assert_eq!((&measured[0].faults[..], measured[0].own), (&[][..], Some(wanted)), "{family:?}: {text}");
+            // Another code is no line of the shop.
+            assert!(!of(&text.replace("M10", "M12"))[0].faults.is_empty(), "{family:?}: {text}");
+        }
+    }
+}
+
+#[test]
+fn comments_and_numbers_hide_nothing_of_a_line_of_the_shop() {
+    let lines = || vec![own("M10", OwnPlace::Clamp { axis: 0, on: true })];
+    let wrong = [
+        (
+            Family::Fanuc,
+            &["(M10)", "M10 ; G0 X500.", "M10 N5", "N5.5 M10", "M10 (A", "M10 A)", "N5 N6 M10", "/M10"][..],
+        ),
+        (Family::LinuxCnc, &["M10 (PROBEOPEN a)", "M10 ;py,x()", "(A) N5 M10", "; M10 X"]),
+        (Family::Siemens, &["M10 N5", "M10 (A)", "/M10", "N5.5 M10"]),
+        (Family::Heidenhain, &["0M10", "0 M10 (A)", "0 M10 ~"]),
+    ];
+    for (family, texts) in wrong {
+        for text in texts {
+            let blocks = with(family, lines(), &[], &format!("{text}\n0 M8\n"));
+            let comment = text.starts_with(['(', ';']) && !text.contains(") ");
+            assert!(comment || !blocks[0].faults.is_empty(), "{family:?}: {text}");
+            assert!(!comment || blocks[0].state.clamps_known == 0, "{family:?}: {text}");
+        }
+    }
+    // A word with a declared effect is not looked for in a comment.
+    let lines = vec![own("T{tool} M6 M77", OwnPlace::ToolChange)];
+    let of = |text: &str| with(Family::Fanuc, lines.clone(), &[("M77", Effect::Coolant)], text);
+    let (inside, beside) = (of("T5 M6 (M77 )\n"), of("N5 T5 (MILL) M6 M77 (M78)\n"));
+    assert_eq!((&inside[0].faults[..], inside[0].own), (&[][..], None));
+    assert_eq!((&beside[0].faults[..], beside[0].own.map(|own| own.place)), (&[][..], Some(OwnPlace::ToolChange)));
+}
+
+#[test]
+fn after_a_lost_state_tip_control_and_plane_are_unknown_until_they_are_programmed() {
+    const ISO: &str = "G21 G17 G40 G49 G80 G90 G94 G54\n";
+    const HEIDENHAIN: &str = "0 BEGIN PGM A MM\n1 M77\n";
+    let lines = |family: Family| {
+        let [on, off] = [true, false].map(|on| OwnPlace::TipControl { on });
+        let mut lines = vec![own("M77", OwnPlace::ToolChange)];
+        if family == Family::LinuxCnc {
+            lines.extend([own("M428", on), own("M429", off)]);
+        }
+        lines
+    };
+    let of = |family: Family, program: &str| {
+        let blocks = with(family, lines(family), &[("M77", Effect::StateLost)], program);
+        let faults: Vec<String> =
+            blocks.iter().flat_map(|block| &block.faults).map(|fault| fault.text.clone()).collect();
+        (blocks.last().expect("a block").known, faults)
+    };
+    let motion = "G0 X1. Y2. Z3. B0. C0.\n";
+    let plane = "G68.2 X0. Y0. Z0. I0. J30. K0.\nG69\n";
+    // The safety lines of a posted program: those of planes and tip control are options on Fanuc, Haas and LinuxCNC.
+    for (family, program) in [
+        (Family::LinuxCnc, format!("M77\n{ISO}{motion}")),
+        (Family::LinuxCnc, format!("{ISO}M428\nM429\nM77\n{ISO}M429\n{motion}")),
+        (Family::Fanuc, format!("M77\n{ISO}{motion}")),
+        (Family::Haas, format!("M77\n{ISO}{motion}")),
+        (Family::Fanuc, format!("{ISO}{plane}M77\n{ISO}G69\n{motion}")),
+        (Family::Fanuc, format!("{ISO}G43.4 H1\nG49\nM77\n{ISO}{motion}")),
+        (Family::Siemens, "M77\nTRAFOOF\nCYCLE800()\nG710 G17 G40 G64 G90 G94 G54\nG0 X1 Y2 Z3 B0 C0\n".to_owned()),
+    ] {
+        assert_eq!(of(family, &program), (0b11111, Vec::new()), "{family:?}: {program}");
+    }
+    let safe = "2 M129\n3 PLANE RESET STAY\n4 L X+1 Y+2 Z+3 B+0 C+0 R0 FMAX\n";
+    assert_eq!(of(Family::Heidenhain, &format!("{HEIDENHAIN}{safe}")), (0b11111, Vec::new()));
+    // One of the two is missing.
+    for (family, program) in [
+        (Family::LinuxCnc, format!("{ISO}M428\nM429\nM77\n{ISO}{motion}")),
+        (Family::Fanuc, format!("{ISO}{plane}M77\n{ISO}{motion}")),
+        (Family::Fanuc, format!("{ISO}G43.4 H1\nM77\n{}G69\n{motion}", ISO.replace("G49 ", ""))),
+        (Family::Fanuc, format!("{ISO}M77\n{motion}")),
+        (Family::Siemens, "M77\nTRAFOOF\nG710 G17 G40 G64 G90 G94 G54\nG0 X1 Y2 Z3 B0 C0\n".to_owned()),
+        (Family::Siemens, "M77\nCYCLE800()\nG710 G17 G40 G64 G90 G94 G54\nG0 X1 Y2 Z3 B0 C0\n".to_owned()),
+        (Family::Heidenhain, format!("{HEIDENHAIN}2 M129\n3 L X+1 Y+2 Z+3 B+0 C+0 R0 FMAX\n")),
+        (Family::Heidenhain, format!("{HEIDENHAIN}2 PLANE RESET STAY\n3 L X+1 Y+2 Z+3 B+0 C+0 R0 FMAX\n")),
+    ] {
+        let (known, faults) = of(family, &program);
+        assert_eq!(known, 0, "{family:?}: {program}");
+        assert!(faults.iter().any(|text| text.contains("state lost")), "{family:?}: {program}: {faults:?}");
+    }
+    // The retract in machine coordinates needs neither.
+    assert_eq!(of(Family::Fanuc, &format!("{ISO}{plane}M77\n{ISO}G53 G0 Z0.\n")), (0, Vec::new()));
+}

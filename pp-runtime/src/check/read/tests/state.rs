@@ -50,7 +50,7 @@ fn the_end_of_a_plane_may_rotate_the_axes_to_zero() {
 fn a_plane_has_its_pose_and_its_rotation_of_coordinates() {
     let plane =
         |words: &str| tilt(&last(Family::Heidenhain, &format!("{TNC}2 PLANE SPATIAL SPA+45 SPB+0 SPC+90 {words}\n")));
-    let (table, coord) = (plane("TURN MB MAX FMAX SEQ- TABLE ROT"), plane("TURN MB50 F500 SYM+ COORD ROT"));
+    let (table, coord) = (plane("TURN MB MAX FMAX SEQ- TABLE ROT"), plane("TURN MB50 F500 SEQ+ COORD ROT"));
     assert_eq!((table.pose, table.coordinate_rotation), (Some(false), false));
     assert_eq!((coord.pose, coord.coordinate_rotation), (Some(true), true));
     assert_eq!(plane("TURN MB MAX FMAX").pose, None);
@@ -59,6 +59,8 @@ fn a_plane_has_its_pose_and_its_rotation_of_coordinates() {
         "TURN SEQ",
         "TURN SEQ+ SEQ-",
         "TURN SEQ- SYM-",
+        "TURN SYM+",
+        "TURN SYM-",
         "TURN TABLE",
         "TURN TABLE ROT COORD ROT",
         "TURN DIST50",

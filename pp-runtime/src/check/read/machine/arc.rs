@@ -4,9 +4,9 @@
 
 use std::f64::consts::TAU;
 
-use super::block::{ArcMove, MAX_AXES};
-use super::draft::Draft;
-use super::machine::Interpreter;
+use super::super::block::{ArcMove, MAX_AXES};
+use super::super::draft::Draft;
+use super::Interpreter;
 
 /// Radii at both ends may differ by so much more than rounding, mm.
 const SAME_RADIUS: f64 = 0.002;

@@ -1,8 +1,8 @@
 //! What codes change in the state of the control, before the block moves.
 
-use super::block::{Fault, FeedMode, Length, MAX_AXES, State, Tilt, TipControl, coolant};
-use super::draft::{Draft, LengthCode, TiltCode, fault};
-use super::machine::Interpreter;
+use super::super::block::{Fault, FeedMode, Length, MAX_AXES, Tilt, TipControl, coolant};
+use super::super::draft::{Draft, LengthCode, TiltCode, fault};
+use super::{Frames, Interpreter};
 
 impl Interpreter {
     pub(super) fn set_state(&mut self, draft: &Draft, faults: &mut Vec<Fault>) {
@@ -76,12 +76,6 @@ impl Interpreter {
 
     fn set_length(&mut self, draft: &Draft, faults: &mut Vec<Fault>) {
         let state = &mut self.state;
-        let with = |register: Option<u32>, state: &State| {
-            register.or(match state.length {
-                Some(Length::Register(register)) => Some(register),
-                _ => None,
-            })
-        };
         match draft.length {
             None if draft.length_with_tool => state.length = state.tool.map(Length::Register),
             None => {
@@ -91,10 +85,12 @@ impl Interpreter {
             }
             Some(LengthCode::Off) => state.length = Some(Length::Off),
             Some(LengthCode::On | LengthCode::TipControl | LengthCode::TipVector) => {
-                match with(draft.register, state) {
-                    Some(0) => state.length = Some(Length::Off),
+                // A code without its register is a fault by the table.
+                match draft.register {
+                    Some(0) if self.facts.register_0_is_off => state.length = Some(Length::Off),
+                    Some(0) => fault(faults, 0, "length register 0: which length it has depends on the tool changer"),
                     Some(register) => state.length = Some(Length::Register(register)),
-                    None => fault(faults, 0, "length compensation without its register"),
+                    None => {}
                 }
             }
         }
@@ -114,6 +110,9 @@ impl Interpreter {
             }
             None => {}
         }
+        if let Some(on) = tip {
+            self.frames.programmed(Frames::TIP_CONTROL, on);
+        }
         state.in_plane = draft.in_plane.or(state.in_plane);
         state.in_workpiece = draft.in_workpiece.or(state.in_workpiece);
         if draft.vector_written != 0 && state.tip_control == TipControl::Off {
@@ -121,6 +120,9 @@ impl Interpreter {
         }
         if draft.vector_written == 7 {
             state.vector = nalgebra::Vector3::from(draft.vector).try_normalize(0.0);
+        }
+        if draft.tilt.is_some_and(|tilt| tilt != TiltCode::Orient) {
+            self.frames.programmed(Frames::PLANE, matches!(draft.tilt, Some(TiltCode::On { .. })));
         }
         match draft.tilt {
             None | Some(TiltCode::Orient) => {}

@@ -2,12 +2,11 @@
 
 use std::f64::consts::TAU;
 
-use super::super::policy::Rollover;
+use super::super::super::policy::Rollover;
+use super::super::block::{Action, Block, CycleKind, CycleMove, Fault, MAX_AXES, TipControl};
+use super::super::draft::{Code, Draft, fault};
+use super::Interpreter;
 use super::arc;
-use super::block::{Action, Block, CycleKind, CycleMove, Fault, MAX_AXES, TipControl};
-use super::draft::{Code, Draft, fault};
-use super::machine::Interpreter;
-use crate::program::Units;
 
 /// Angles nearer to half a turn than this have no shorter way, rad.
 const HALF_TURN: f64 = 1e-9;
@@ -147,15 +146,6 @@ impl Interpreter {
     /// Where the axes stand.
     pub(super) fn position(&self) -> [f64; MAX_AXES] {
         self.values
-    }
-
-    /// Where an axis stands, if that is known.
-    pub(super) fn at(&self, index: usize) -> Option<f64> {
-        (self.known & (1 << index) != 0).then_some(self.values[index])
-    }
-
-    pub(super) fn unit(&self) -> f64 {
-        self.state.units.map_or(1.0, Units::in_mm)
     }
 
     /// Position of the axis along the normal of the plane.

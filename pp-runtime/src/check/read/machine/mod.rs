@@ -4,9 +4,15 @@
 //! distances, motion, stop; what the user declares of a line comes last. Words become mm and rad here. Where an axis stands is known only while nothing has happened
 //! that may have moved it or its zero.
 
+mod arc;
+mod modes;
+mod motion;
+
 use super::super::policy::Rollover;
 use super::block::{Action, Block, MAX_AXES, State, stated};
 use super::draft::{Code, Cycle, Draft, LengthCode, TiltCode, effect, fault};
+use super::facts::Facts;
+use crate::program::Units;
 
 /// One axis of the machine as the program names it.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,32 +26,63 @@ pub(crate) struct AxisName {
 /// State and position of a control.
 #[derive(Debug)]
 pub(super) struct Interpreter {
-    pub(super) axes: Vec<AxisName>,
+    axes: Vec<AxisName>,
     /// Positions of X Y Z.
-    pub(super) linear: [Option<usize>; 3],
-    pub(super) state: State,
-    pub(super) values: [f64; MAX_AXES],
-    pub(super) known: u16,
+    linear: [Option<usize>; 3],
+    facts: Facts,
+    state: State,
+    values: [f64; MAX_AXES],
+    known: u16,
     /// The motion code in force.
-    pub(super) modal: Option<Code>,
+    modal: Option<Code>,
     /// Bits of [`stated`], since a complete state began.
     stated: u8,
     /// The cycle that is defined.
-    pub(super) cycle: Option<Cycle>,
+    cycle: Option<Cycle>,
     /// The level before the cycle.
-    pub(super) initial: Option<f64>,
-    /// Motion codes stay in force.
-    pub(super) keeps_motion: bool,
+    initial: Option<f64>,
     /// Half a unit of a linear word, mm: how far ends of arcs are rounded.
-    pub(super) rounding: f64,
+    rounding: f64,
+    frames: Frames,
+}
+
+/// Tip control and tilted plane, as bits: a line of the user may leave either on.
+#[derive(Debug, Clone, Copy, Default)]
+struct Frames {
+    /// Those of which it is unknown whether they are on.
+    unknown: u8,
+    /// Those that the program has switched on.
+    used: u8,
+}
+
+impl Frames {
+    const TIP_CONTROL: u8 = 1;
+    const PLANE: u8 = 2;
+
+    /// The program has switched one on or off.
+    fn programmed(&mut self, frame: u8, on: bool) {
+        self.unknown &= !frame;
+        self.used |= if on { frame } else { 0 };
+    }
+
+    /// A line of the user may have switched either.
+    fn lose(&mut self) {
+        self.unknown = Self::TIP_CONTROL | Self::PLANE;
+    }
+
+    /// A complete state has been programmed: an option that the program does not use is off.
+    fn complete(&mut self) {
+        self.unknown &= self.used;
+    }
 }
 
 impl Interpreter {
-    pub(super) fn new(axes: Vec<AxisName>, keeps_motion: bool, rounding: f64) -> Self {
+    pub(super) fn new(axes: Vec<AxisName>, facts: Facts, rounding: f64) -> Self {
         let linear = [b"X", b"Y", b"Z"].map(|name| axes.iter().position(|axis| axis.name == name));
         Self {
             axes,
             linear,
+            facts,
             state: State::default(),
             values: [0.0; MAX_AXES],
             known: 0,
@@ -53,12 +90,46 @@ impl Interpreter {
             stated: 0,
             cycle: None,
             initial: None,
-            keeps_motion,
             rounding,
+            frames: Frames::default(),
         }
     }
 
-    pub(super) fn mask(&self, rotary: bool) -> u16 {
+    pub(super) fn facts(&self) -> &Facts {
+        &self.facts
+    }
+
+    /// What is in force.
+    pub(super) fn state(&self) -> &State {
+        &self.state
+    }
+
+    /// Axis by its position in the chain.
+    pub(super) fn axis(&self, index: usize) -> &AxisName {
+        &self.axes[index]
+    }
+
+    /// Position in the chain of an axis, by its name in the program.
+    pub(super) fn axis_named(&self, name: &[u8]) -> Option<usize> {
+        self.axes.iter().position(|axis| axis.name == name)
+    }
+
+    /// Positions in the chain of X Y Z.
+    pub(super) fn linear(&self) -> [Option<usize>; 3] {
+        self.linear
+    }
+
+    /// Where an axis stands, if that is known.
+    pub(super) fn at(&self, index: usize) -> Option<f64> {
+        (self.known & (1 << index) != 0).then_some(self.values[index])
+    }
+
+    /// Unit of lengths in force, mm.
+    pub(super) fn unit(&self) -> f64 {
+        self.state.units.map_or(1.0, Units::in_mm)
+    }
+
+    fn mask(&self, rotary: bool) -> u16 {
         let bits = self.axes.iter().enumerate().filter(|(_, axis)| axis.rotary == rotary);
         bits.fold(0, |mask, (index, _)| mask | 1 << index)
     }
@@ -77,6 +148,9 @@ impl Interpreter {
         block.stated = self.stated;
         self.act(draft, block);
         leftovers(draft, block);
+        if self.frames.unknown != 0 {
+            self.in_unknown_frame(block);
+        }
         self.suffer(draft.effects, block);
         block.values = self.act_values(block);
         block.known = self.known;
@@ -93,6 +167,9 @@ impl Interpreter {
             && draft.distances.is_some()
             && draft.side.is_some()
             && draft.feed_mode.is_some();
+        if modes && self.facts.frames_are_options {
+            self.frames.complete();
+        }
         let said = [
             (draft.spindle.is_some(), stated::SPINDLE),
             (draft.coolant_on | draft.coolant_off != 0, stated::COOLANT),
@@ -102,6 +179,17 @@ impl Interpreter {
             (draft.smoothing.is_some(), stated::SMOOTHING),
         ];
         self.stated |= said.iter().filter(|(said, _)| *said).fold(0, |bits, (_, bit)| bits | bit);
+    }
+
+    /// Where words count is unknown, and so is every position.
+    #[cold]
+    fn in_unknown_frame(&mut self, block: &mut Block) {
+        self.known = 0;
+        if block.action.moves() && !matches!(block.action, Action::Machine | Action::Reference) {
+            let text = "motion while tip control or a tilted plane may be active, after a line with the effect \"state lost\": \
+                        switch both off before";
+            fault(&mut block.faults, 0, text);
+        }
     }
 
     /// Machine coordinates stay in the block alone.
@@ -128,6 +216,7 @@ impl Interpreter {
         if effects & effect::STATE != 0 {
             self.state = State::default();
             (self.modal, self.cycle, self.stated) = (None, None, 0);
+            self.frames.lose();
         }
         block.stated = self.stated;
         if effects & effect::STOP != 0 && block.action == Action::Nothing {
@@ -146,7 +235,7 @@ impl Interpreter {
         }
         if let Some(code) = draft.code {
             self.modal = Some(code);
-            if !matches!(code, Code::Cycle) && draft.define.is_none() && self.keeps_motion && !draft.call {
+            if !matches!(code, Code::Cycle) && draft.define.is_none() && self.facts.motion_modal && !draft.call {
                 self.cycle = None;
             }
         }
@@ -156,6 +245,9 @@ impl Interpreter {
             self.known = 0;
             if optional { Action::OptionalStop } else { Action::Stop }
         } else if let Some(seconds) = draft.dwell {
+            if seconds < 0.0 {
+                fault(&mut block.faults, 0, "dwell with a negative time");
+            }
             Action::Dwell(seconds)
         } else if draft.change {
             Action::ToolChange
@@ -173,7 +265,7 @@ impl Interpreter {
         } else if orients {
             fault(&mut block.faults, 0, "the rotary axes are positioned to a plane in a block with another function");
         }
-        if !self.keeps_motion {
+        if !self.facts.motion_modal {
             self.modal = None;
         }
     }
