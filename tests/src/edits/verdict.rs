@@ -5,7 +5,7 @@
 //! and states that differ only where nothing is cut.
 
 use crate::foreign::axes::{Axes, is_rotary};
-use crate::foreign::state::{Compensation, Cycle, CycleKind, Length, PathMode, SMOOTHING, State, TiltedPlane};
+use crate::foreign::state::{Compensation, Coolant, Cycle, CycleKind, Length, PathMode, SMOOTHING, State, TiltedPlane};
 use crate::foreign::trace::{Arc, Hole};
 use crate::foreign::{Effect, Executed, Feed, Refused, Trace};
 
@@ -64,8 +64,8 @@ struct Event<'a> {
 struct Shop {
     /// The clamps of M10 and M11, and of M68 and M69.
     clamps: [Option<bool>; 2],
-    /// M83 and M84, M88 and M89.
-    supplies: [Option<bool>; 2],
+    /// M83 and M84, M88 and M89, M7 and M9.
+    supplies: [Option<bool>; 3],
 }
 
 impl Shop {
@@ -76,6 +76,7 @@ impl Shop {
             68 | 69 => (&mut self.clamps[1], code == 68),
             83 | 84 => (&mut self.supplies[0], code == 83),
             88 | 89 => (&mut self.supplies[1], code == 88),
+            7 => (&mut self.supplies[2], true),
             _ => return false,
         };
         *thing = Some(on);
@@ -150,7 +151,13 @@ fn events<'a>(trace: &'a Trace, start: &'a State) -> (Vec<Event<'a>>, Vec<String
         {
             again.push("G49".to_owned());
         }
+        if before.spindle != was.spindle {
+            again.push(format!("{:?} after {} actions", before.spindle, events.len()));
+        }
         match block.effect {
+            Effect::Coolant if before.coolant.unwrap_or_default() == Coolant::default() => {
+                shop.supplies[2] = shop.supplies[2].map(|_| false);
+            }
             Effect::Modal | Effect::Safety | Effect::Length(_) | Effect::Spindle(_) | Effect::Coolant => {}
             // What it switches is compared where it matters, in the blocks that follow.
             Effect::Shop(code) if shop.obey(code) => again.push(format!("M{code} after {} actions", events.len())),
@@ -242,6 +249,18 @@ fn removed(was: &[Event<'_>], is: &[Event<'_>], index: usize, allowed: Allowed) 
     if over(was, is) || over(is, was) {
         return Some(Verdict::Undecided("a rapid over the next hole".to_owned()));
     }
+    let turned = |events: &[Event<'_>], other: &[Event<'_>]| {
+        events.get(index).is_some_and(|event| is_turned_already(event, allowed))
+            && rest_agrees(&events[index + 1..], &other[index..])
+    };
+    if turned(was, is) || turned(is, was) {
+        return Some(Verdict::Undecided("rotary axes to where the plane has them".to_owned()));
+    }
+    let ends =
+        |events: &[Event<'_>]| matches!(&events[index.min(events.len())..], [end] if end.block.effect == Effect::End);
+    if ends(was) && is.len() == index {
+        return Some(Verdict::Undecided("the end of the file ends the program".to_owned()));
+    }
     let still = |events: &[Event<'_>]| !events.iter().any(|event| event.block.effect.moves());
     if [was, is].iter().all(|events| still(&events[index.min(events.len())..])) && is_of_shop(was, index, is) {
         return Some(Verdict::Undecided("a code of the shop after the last motion".to_owned()));
@@ -256,6 +275,36 @@ fn removed(was: &[Event<'_>], is: &[Event<'_>], index: usize, allowed: Allowed) 
         }
     }
     None
+}
+
+/// Whether a rapid brings rotary axes to where they are in the tilted plane, any other rotary axis where it suits best.
+fn is_turned_already(event: &Event<'_>, allowed: Allowed) -> bool {
+    let (Some(tool_axis), Some(plane)) = (allowed.tool_axis, event.before.tilted_plane()) else { return false };
+    let mut rotary = event.block.words;
+    if event.block.effect != Effect::Rapid || !plane.oriented || !rotary.letters().all(is_rotary) {
+        return false;
+    }
+    let Some(free) = ['A', 'B', 'C'].into_iter().find(|letter| {
+        let mut all = rotary;
+        all.extend(&Axes::from([('A', 0.0), ('B', 0.0), ('C', 0.0)]));
+        !rotary.contains(*letter) && {
+            let mut turned = all;
+            turned.set(*letter, 90.0);
+            tool_axis(&all) != tool_axis(&turned)
+        }
+    }) else {
+        return false;
+    };
+    let normal = plane.rotation.map(|row| row[2]);
+    for letter in ['A', 'B', 'C'].into_iter().filter(|letter| *letter != free && !event.block.words.contains(*letter)) {
+        rotary.set(letter, 0.0);
+    }
+    (0..3600).any(|step| {
+        let mut rotary = rotary;
+        rotary.set(free, 0.1 * f64::from(step));
+        let axis = tool_axis(&rotary).unwrap_or_default();
+        axis.iter().zip(&normal).all(|(one, other)| (one - other).abs() < 2e-3)
+    })
 }
 
 /// Number of rapids after the last cut with a tool that bring the same axes to the same places in another order.
@@ -453,7 +502,7 @@ fn shop_difference(was: &Event<'_>, is: &Event<'_>, allowed: Allowed) -> Option<
         let differs = old.unwrap_or_default() != new.unwrap_or_default();
         worst([hard(cuts && differs, "a supply of the shop"), soft(old != new, "a supply where nothing is cut")])
     };
-    worst([clamp(0), clamp(1), supply(0), supply(1)])
+    worst([clamp(0), clamp(1), supply(0), supply(1), supply(2)])
 }
 
 /// Whether a block moves a rotary axis, or may move it.

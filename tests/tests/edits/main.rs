@@ -156,12 +156,14 @@ fn is_matter_of_taste(posted: &Posted, edit: &Edit) -> bool {
     let off = of_air && words().any(|word| word == "M9" || word == "M09");
     // Where a restart point begins.
     let unit = words().any(|word| ["G20", "G21", "G700", "G710"].contains(&word));
+    // Smoothing of Haas without a tolerance, and the user's codes of tip control again.
+    let own = words().any(|word| ["G187", "M428", "M429"].contains(&word));
     // A tool that is selected in a block with a motion.
     let tool = edit.after.split(" | ").any(|line| {
         let is = |letters: &str| line.split(' ').any(|word| word.starts_with(|letter| letters.contains(letter)));
         is("T") && is("XYZABC")
     });
-    semicolon || ends || shop || off || unit || tool
+    semicolon || ends || shop || off || unit || own || tool
 }
 
 /// Whether an edit concerns messages and comments alone. The foreign interpreter refuses a guard without its message.
