@@ -5,15 +5,18 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use machines::{Dmu70e, LolaXoyzba, MultiProDesk, SpinnerU5620};
 use pp_runtime::check::check;
-use pp_runtime::config::{Config, Mode, Operations, starting_point};
+use pp_runtime::config::{Config, Mode, Operations, TcpFrame, starting_point};
 use pp_runtime::control::{self, Control};
 use pp_runtime::diag::Severity;
 use pp_runtime::kinematics::Machine;
 use pp_runtime::{machine, post};
 
+use super::verdict::ToolAxis;
 use super::{Allowed, Subject};
-use crate::foreign::{self, Options};
+use crate::foreign::axes::is_rotary;
+use crate::foreign::{self, Axes, Options, Trace, run};
 use crate::further::HeadTable;
+use crate::oracle::Oracle;
 
 machine! {
     /// Three axes.
@@ -48,6 +51,8 @@ pub struct Posted {
     pub subject: Subject,
     /// Its text.
     pub text: String,
+    /// How the careful interpreter reads it, and its trace; `None` if that interpreter refuses it.
+    pub careful: Option<(Options, Trace)>,
     machine: String,
     control: &'static dyn Control,
     config: Config,
@@ -86,9 +91,17 @@ impl Posted {
             idle: case.idle.iter().map(|code| (*code).to_owned()).collect(),
             ..Options::of(foreign)
         };
-        let allowed = allowed(&config, case.config, &text);
+        let tool_axis: ToolAxis = with_machine!(case.machine, tool_axis_of());
+        let allowed = allowed(&config, foreign, case.config, &text, tool_axis);
         let subject = Subject::new(case.name.to_owned(), &text, options, allowed).map_err(|why| why.to_string())?;
-        Ok(Self { subject, text, machine: case.machine.to_owned(), control, config, cl: case.cl.to_vec() })
+        let careful = Options {
+            pointed: config.control.point == Some(true),
+            untidy: false,
+            careless: false,
+            ..subject.options.clone()
+        };
+        let careful = run(&text, &careful).map(|trace| (careful, trace)).ok();
+        Ok(Self { subject, text, careful, machine: case.machine.to_owned(), control, config, cl: case.cl.to_vec() })
     }
 
     /// Findings of the check in a program that should do what this one does.
@@ -142,7 +155,7 @@ fn posted<M: Machine>(case: &Case<'_>, control: &'static dyn Control) -> Result<
 }
 
 /// Twice the tolerance and the rounding: before an edit an axis may be off on one side, and after it on the other.
-fn allowed(config: &Config, set_up: &str, text: &str) -> Allowed {
+fn allowed(config: &Config, control: foreign::Control, set_up: &str, text: &str, tool_axis: ToolAxis) -> Allowed {
     let decimals = text.split([' ', '\n']).filter(|word| word.starts_with(['X', 'Y', 'Z']));
     let decimals = decimals.filter_map(|word| Some(word.split_once('.')?.1.len())).max().unwrap_or(3).min(6);
     let unit = 10_f64.powi(-(decimals as i32));
@@ -153,5 +166,26 @@ fn allowed(config: &Config, set_up: &str, text: &str) -> Allowed {
         linear: 2.0 * config.motion.tolerance_mm / in_mm + 4.0 * unit,
         rotary_deg: 2.0 * path.unwrap_or(0.1_f64) + 0.05,
         wraps: set_up.contains("[wrap]"),
+        tool_axis: (config.motion.tip.tcp_frame != Some(TcpFrame::NotTurning)).then_some(tool_axis),
+        starts_continuous: matches!(
+            control,
+            foreign::Control::Fanuc | foreign::Control::Haas | foreign::Control::Siemens
+        ),
+        clamped: ["M10", "M68"]
+            .map(|on| config.motion.rotaries.clamp.iter().find(|(_, codes)| codes.on == on).map(|(letter, _)| *letter)),
     }
+}
+
+fn tool_axis_of<M: Machine>() -> ToolAxis {
+    tool_axis::<M>
+}
+
+/// The tool axis that rotary axes give, the linear axes at zero.
+fn tool_axis<M: Machine>(axes: &Axes) -> Option<[f64; 3]> {
+    let value = |letter: char| {
+        if is_rotary(letter) { axes.get(letter).map(f64::to_radians) } else { Some(0.0) }
+    };
+    let values: Option<Vec<f64>> = M::AXES.iter().map(|axis| value(axis.letter)).collect();
+    let axis = Oracle::of(&M::default()).forward(&values?).axis;
+    Some([axis.x, axis.y, axis.z])
 }

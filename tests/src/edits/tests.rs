@@ -4,7 +4,14 @@ use crate::foreign::{Control, Options, run};
 
 use super::{Allowed, Subject, Verdict, restarts_differ, verdict};
 
-const ALLOWED: Allowed = Allowed { linear: 0.024, rotary_deg: 0.25, wraps: false };
+const ALLOWED: Allowed = Allowed {
+    linear: 0.024,
+    rotary_deg: 0.25,
+    wraps: false,
+    tool_axis: None,
+    starts_continuous: false,
+    clamped: [Some('B'), None],
+};
 
 const PROGRAM: &str = "N1 G21 G17 G40 G49 G80 G90 G94 G54 G64 P0.01
 M9

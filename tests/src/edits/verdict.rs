@@ -4,15 +4,16 @@
 //! same motions in the same states, in the same order. Between the two are deviations within tolerance and rounding,
 //! and states that differ only where nothing is cut.
 
-use std::collections::BTreeMap;
-
 use crate::foreign::axes::{Axes, is_rotary};
-use crate::foreign::state::{Compensation, Cycle, CycleKind, Length, PathMode, State, TiltedPlane};
+use crate::foreign::state::{Compensation, Coolant, Cycle, CycleKind, Length, PathMode, SMOOTHING, State, TiltedPlane};
 use crate::foreign::trace::{Arc, Hole};
 use crate::foreign::{Effect, Executed, Feed, Refused, Trace};
 
-/// Largest deviations that are not harmful for certain.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// Tool axis on the workpiece for the positions of the rotary axes, degrees; `None` where one of them is unknown.
+pub type ToolAxis = fn(&Axes) -> Option<[f64; 3]>;
+
+/// What is not harmful for certain.
+#[derive(Debug, Clone, Copy)]
 pub struct Allowed {
     /// Linear axes, in the unit of the program.
     pub linear: f64,
@@ -20,6 +21,13 @@ pub struct Allowed {
     pub rotary_deg: f64,
     /// Rotary axes may roll over, so that whole revolutions make no difference.
     pub wraps: bool,
+    /// Where words under tip control are coordinates of the tip on the workpiece: the tool axis, which decides whether a
+    /// rotary axis is free.
+    pub tool_axis: Option<ToolAxis>,
+    /// A control that is switched on is in continuous path mode.
+    pub starts_continuous: bool,
+    /// Letters of the axes with the clamp of M10 and M11, and with that of M68 and M69.
+    pub clamped: [Option<char>; 2],
 }
 
 /// Harm of an edit.
@@ -48,6 +56,32 @@ use Difference::{Hard, Soft};
 struct Event<'a> {
     before: &'a State,
     block: &'a Executed,
+    shop: Shop,
+}
+
+/// Things that codes of the shop switch, `true` for on; `None` before the program has set it.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+struct Shop {
+    /// The clamps of M10 and M11, and of M68 and M69.
+    clamps: [Option<bool>; 2],
+    /// M83 and M84, M88 and M89, M7 and M9.
+    supplies: [Option<bool>; 3],
+}
+
+impl Shop {
+    /// Obeys a code; `false` if it switches nothing that is known here.
+    fn obey(&mut self, code: u32) -> bool {
+        let (thing, on) = match code {
+            10 | 11 => (&mut self.clamps[0], code == 10),
+            68 | 69 => (&mut self.clamps[1], code == 68),
+            83 | 84 => (&mut self.supplies[0], code == 83),
+            88 | 89 => (&mut self.supplies[1], code == 88),
+            7 => (&mut self.supplies[2], true),
+            _ => return false,
+        };
+        *thing = Some(on);
+        true
+    }
 }
 
 /// Compares the trace of an edited program with that of the original.
@@ -83,10 +117,11 @@ pub fn verdict(original: &Trace, edited: &Result<Trace, Refused>, allowed: Allow
 /// `entered` gives the trace from the restart point with a number.
 #[must_use]
 pub fn restarts_differ(
-    [original, edited]: [&Trace; 2],
+    traces: [&Trace; 2],
     entered: impl Fn(bool, usize) -> Result<Trace, Refused>,
     allowed: Allowed,
 ) -> bool {
+    let [original, edited] = traces;
     let [before, after] = [original, edited].map(|trace| trace.restarts().count());
     before != after
         || (0..before).any(|number| match entered(false, number) {
@@ -99,14 +134,13 @@ fn at(event: &Event<'_>, why: &str) -> String {
     format!("line {}: {why}", event.block.line)
 }
 
-/// Blocks that do something, and as text those that do it again: motions to the place where the axes are, codes of the
-/// shop that are in force.
+/// Blocks that do something, and as text those that do it again, and what switches a thing of the shop.
 fn events<'a>(trace: &'a Trace, start: &'a State) -> (Vec<Event<'a>>, Vec<String>) {
     let (mut events, mut again) = (Vec::<Event<'a>>::new(), Vec::new());
     let mut before = start;
-    let mut codes = BTreeMap::new();
+    let mut shop = Shop::default();
     for block in &trace.blocks {
-        let event = Event { before, block };
+        let event = Event { before, block, shop };
         let was = before;
         before = &block.state;
         // Without the length the axis may move (Fanuc and Haas).
@@ -117,23 +151,22 @@ fn events<'a>(trace: &'a Trace, start: &'a State) -> (Vec<Event<'a>>, Vec<String
         {
             again.push("G49".to_owned());
         }
+        if before.spindle != was.spindle {
+            again.push(format!("{:?} after {} actions", before.spindle, events.len()));
+        }
         match block.effect {
+            Effect::Coolant if before.coolant.unwrap_or_default() == Coolant::default() => {
+                shop.supplies[2] = shop.supplies[2].map(|_| false);
+            }
             Effect::Modal | Effect::Safety | Effect::Length(_) | Effect::Spindle(_) | Effect::Coolant => {}
+            // What it switches is compared where it matters, in the blocks that follow.
+            Effect::Shop(code) if shop.obey(code) => again.push(format!("M{code} after {} actions", events.len())),
             Effect::Shop(code) => {
-                let (pair, off) = pair(code);
-                let last = codes.insert(pair, code);
-                if code != u32::MAX && (last == Some(code) || last.is_none() && off) {
-                    again.push(format!("M{code}"));
-                } else {
-                    // The order of codes for several things does not matter, nor that of a code and a retract.
-                    let later = |event: &&Event<'_>| match event.block.effect {
-                        Effect::Shop(other) => self::pair(other).0 > pair,
-                        effect => effect == Effect::Machine,
-                    };
-                    let later = events.iter().rev().take_while(later).count();
-                    again.push(format!("M{code} before {later} actions"));
-                    events.insert(events.len() - later, event);
-                }
+                // The order of a code and a retract does not matter.
+                let later = |event: &&Event<'_>| event.block.effect == Effect::Machine;
+                let later = events.iter().rev().take_while(later).count();
+                again.push(format!("M{code} before {later} actions"));
+                events.insert(events.len() - later, event);
             }
             Effect::Guard { .. } => {
                 let retract = |event: &&Event<'_>| event.block.effect == Effect::Machine;
@@ -148,17 +181,6 @@ fn events<'a>(trace: &'a Trace, start: &'a State) -> (Vec<Event<'a>>, Vec<String
         }
     }
     (events, again)
-}
-
-/// Number of the thing that a code of the shop switches, and whether the code switches off what is off at first.
-fn pair(code: u32) -> (u32, bool) {
-    match code {
-        83 | 84 => (83, code == 84),
-        88 | 89 => (88, code == 89),
-        10 | 11 => (10, false),
-        68 | 69 => (68, false),
-        _ => (code, false),
-    }
 }
 
 /// Whether a motion ends where it begins.
@@ -214,6 +236,11 @@ fn removed(was: &[Event<'_>], is: &[Event<'_>], index: usize, allowed: Allowed) 
     if short(was, is) || short(is, was) {
         return Some(Verdict::Undecided("a motion within tolerance".to_owned()));
     }
+    if let Some(count) = is_parked_in_another_order(was, is, index)
+        && rest_agrees(&was[index + count..], &is[index + count..])
+    {
+        return Some(Verdict::Undecided("axes park in another order".to_owned()));
+    }
     let over = |events: &[Event<'_>], other: &[Event<'_>]| {
         index < events.len()
             && is_over_next_hole(events, index, allowed)
@@ -221,6 +248,18 @@ fn removed(was: &[Event<'_>], is: &[Event<'_>], index: usize, allowed: Allowed) 
     };
     if over(was, is) || over(is, was) {
         return Some(Verdict::Undecided("a rapid over the next hole".to_owned()));
+    }
+    let turned = |events: &[Event<'_>], other: &[Event<'_>]| {
+        events.get(index).is_some_and(|event| is_turned_already(event, allowed))
+            && rest_agrees(&events[index + 1..], &other[index..])
+    };
+    if turned(was, is) || turned(is, was) {
+        return Some(Verdict::Undecided("rotary axes to where the plane has them".to_owned()));
+    }
+    let ends =
+        |events: &[Event<'_>]| matches!(&events[index.min(events.len())..], [end] if end.block.effect == Effect::End);
+    if ends(was) && is.len() == index {
+        return Some(Verdict::Undecided("the end of the file ends the program".to_owned()));
     }
     let still = |events: &[Event<'_>]| !events.iter().any(|event| event.block.effect.moves());
     if [was, is].iter().all(|events| still(&events[index.min(events.len())..])) && is_of_shop(was, index, is) {
@@ -236,6 +275,64 @@ fn removed(was: &[Event<'_>], is: &[Event<'_>], index: usize, allowed: Allowed) 
         }
     }
     None
+}
+
+/// Whether a rapid brings rotary axes to where they are in the tilted plane, any other rotary axis where it suits best.
+fn is_turned_already(event: &Event<'_>, allowed: Allowed) -> bool {
+    let (Some(tool_axis), Some(plane)) = (allowed.tool_axis, event.before.tilted_plane()) else { return false };
+    let mut rotary = event.block.words;
+    if event.block.effect != Effect::Rapid || !plane.oriented || !rotary.letters().all(is_rotary) {
+        return false;
+    }
+    let Some(free) = ['A', 'B', 'C'].into_iter().find(|letter| {
+        let mut all = rotary;
+        all.extend(&Axes::from([('A', 0.0), ('B', 0.0), ('C', 0.0)]));
+        !rotary.contains(*letter) && {
+            let mut turned = all;
+            turned.set(*letter, 90.0);
+            tool_axis(&all) != tool_axis(&turned)
+        }
+    }) else {
+        return false;
+    };
+    let normal = plane.rotation.map(|row| row[2]);
+    for letter in ['A', 'B', 'C'].into_iter().filter(|letter| *letter != free && !event.block.words.contains(*letter)) {
+        rotary.set(letter, 0.0);
+    }
+    (0..3600).any(|step| {
+        let mut rotary = rotary;
+        rotary.set(free, 0.1 * f64::from(step));
+        let axis = tool_axis(&rotary).unwrap_or_default();
+        axis.iter().zip(&normal).all(|(one, other)| (one - other).abs() < 2e-3)
+    })
+}
+
+/// Number of rapids after the last cut with a tool that bring the same axes to the same places in another order.
+fn is_parked_in_another_order(was: &[Event<'_>], is: &[Event<'_>], index: usize) -> Option<usize> {
+    let rapid = |event: &&Event<'_>| matches!(event.block.effect, Effect::Rapid | Effect::Machine);
+    let cut = |event: &&Event<'_>| event.block.effect.cuts();
+    let stop = |event: &&Event<'_>| matches!(event.block.effect, Effect::ToolChange(_));
+    let parks =
+        |events: &[Event<'_>]| !events[index.min(events.len())..].iter().take_while(|e| !stop(e)).any(|e| cut(&e));
+    if !parks(was) || !parks(is) {
+        return None;
+    }
+    let ends = |event: &Event<'_>| {
+        let state = &event.block.state;
+        let machine = event.block.effect == Effect::Machine;
+        let place = if machine { state.machine } else { state.position };
+        let ends: Vec<_> =
+            event.block.words.letters().map(|letter| format!("{machine} {letter}{:?}", place.get(letter))).collect();
+        ends.join(" ")
+    };
+    let runs = [was, is].map(|events| events[index.min(events.len())..].iter().take_while(rapid).count());
+    (2..=runs[0].min(runs[1])).find(|count| {
+        let mut sorted = [was, is].map(|events| events[index..index + count].iter().map(ends).collect::<Vec<_>>());
+        sorted.iter_mut().for_each(|ends| ends.sort());
+        let mut letters: Vec<char> = was[index..index + count].iter().flat_map(|e| e.block.words.letters()).collect();
+        letters.sort_unstable();
+        sorted[0] == sorted[1] && letters.windows(2).all(|pair| pair[0] != pair[1])
+    })
 }
 
 /// Whether a straight motion ends where it begins, within tolerance.
@@ -297,7 +394,7 @@ fn on_the_line(events: &[Event<'_>], index: usize, allowed: Allowed) -> bool {
     let this = &events[index];
     let alike =
         matches!((this.block.effect, next.block.effect), (Effect::Rapid, Effect::Rapid) | (Effect::Feed, Effect::Feed));
-    if !alike || this.block.feed() != next.block.feed() || state_difference(this, next).is_some() {
+    if !alike || this.block.feed() != next.block.feed() || state_difference(this, next, allowed).is_some() {
         return false;
     }
     let [from, here, to] = [&this.before.position, &this.block.state.position, &next.block.state.position];
@@ -377,9 +474,53 @@ fn difference(was: &Event<'_>, is: &Event<'_>, allowed: Allowed) -> Option<Diffe
         (Effect::ToolChange(one), Effect::ToolChange(other)) => hard(one != other, "the tool"),
         (Effect::Shop(one), Effect::Shop(other)) => hard(one != other, "the code of the shop"),
         (Effect::Stop | Effect::OptionalStop | Effect::End, _) => None,
-        _ => worst([effect_difference(one, other, old, allowed), moved(was, is, allowed), state_difference(was, is)]),
+        _ => worst([
+            effect_difference(one, other, old, allowed),
+            moved(was, is, allowed),
+            state_difference(was, is, allowed),
+        ]),
     };
-    worst([own, preselected, other_state(was, is)])
+    worst([own, preselected, shop_difference(was, is, allowed), other_state(was, is)])
+}
+
+/// Clamps where their axis moves and in cuts, and supplies in cuts.
+fn shop_difference(was: &Event<'_>, is: &Event<'_>, allowed: Allowed) -> Option<Difference> {
+    let cuts = was.block.effect.cuts() || is.block.effect.cuts();
+    let clamp = |index: usize| {
+        let [old, new] = [was.shop.clamps[index], is.shop.clamps[index]];
+        let moves = |letter: char| turns(was, letter) || turns(is, letter);
+        let bound = old == Some(false) && new != old && allowed.clamped[index].is_some_and(moves);
+        let loose = cuts && old == Some(true) && new != old;
+        worst([
+            hard(bound, "an axis moves with its clamp not released"),
+            hard(loose, "a cut with an axis not clamped"),
+            soft(old != new, "a clamp where it does not matter"),
+        ])
+    };
+    let supply = |index: usize| {
+        let [old, new] = [was.shop.supplies[index], is.shop.supplies[index]];
+        let differs = old.unwrap_or_default() != new.unwrap_or_default();
+        worst([hard(cuts && differs, "a supply of the shop"), soft(old != new, "a supply where nothing is cut")])
+    };
+    worst([clamp(0), clamp(1), supply(0), supply(1), supply(2)])
+}
+
+/// Whether a block moves a rotary axis, or may move it.
+fn turns(event: &Event<'_>, letter: char) -> bool {
+    let (before, after) = (event.before, &event.block.state);
+    let place = |state: &State| match event.block.effect {
+        Effect::Machine => state.machine.get(letter),
+        _ => state.position.get(letter),
+    };
+    match event.block.effect {
+        Effect::Orient => true,
+        Effect::Home(_) => place(after).is_none(),
+        effect if effect.moves() => {
+            let tilts = after.under_tip_control() && before.vector != after.vector;
+            tilts || event.block.words.contains(letter) && (place(before) != place(after) || place(after).is_none())
+        }
+        _ => false,
+    }
 }
 
 /// States in which nothing is cut.
@@ -447,6 +588,7 @@ fn moved(was: &Event<'_>, is: &Event<'_>, allowed: Allowed) -> Option<Difference
     let cuts = was.block.effect.cuts();
     let machine = was.block.effect == Effect::Machine;
     let letters: Vec<char> = crate::foreign::axes::LETTERS.to_vec();
+    let free = is_free(was, is, allowed);
     let place = |letter: char| {
         let of = |state: &State| if machine { state.machine.get(letter) } else { state.position.get(letter) };
         let written = [was, is].map(|event| event.block.words.contains(letter));
@@ -458,13 +600,7 @@ fn moved(was: &Event<'_>, is: &Event<'_>, allowed: Allowed) -> Option<Difference
             }
             (Some(one), Some(other)) => {
                 let starts = cuts && from[0] && !from[1];
-                let free = was.block.effect == Effect::Rapid
-                    && is_rotary(letter)
-                    && letter == 'C'
-                    && [old, new]
-                        .iter()
-                        .all(|state| ['A', 'B'].iter().any(|tilt| state.position.get(*tilt) == Some(0.0)));
-                if free && was.block.words.letters().all(is_rotary) {
+                if is_rotary(letter) && free {
                     return soft((one - other).abs() > 1e-9, "a rotary axis that is free at the pole");
                 }
                 let whole = ((one - other) / 360.0).round();
@@ -497,12 +633,35 @@ fn moved(was: &Event<'_>, is: &Event<'_>, allowed: Allowed) -> Option<Difference
     worst(letters.into_iter().map(place).chain([vectors, feed]))
 }
 
+/// Whether the tool axis is the same at the end of a motion and half way, although rotary axes differ, and words are
+/// coordinates of the tip.
+fn is_free(was: &Event<'_>, is: &Event<'_>, allowed: Allowed) -> bool {
+    let Some(tool_axis) = allowed.tool_axis else { return false };
+    let tips = |event: &Event<'_>| event.before.under_tip_control() && event.block.state.under_tip_control();
+    let middle = |event: &Event<'_>| {
+        let (from, to) = (&event.before.position, &event.block.state.position);
+        let mut middle = *to;
+        for (letter, value) in to.iter().filter(|(letter, _)| is_rotary(*letter)) {
+            middle.set(letter, (from.get(letter).unwrap_or(value) + value) / 2.0);
+        }
+        middle
+    };
+    let near = |places: [Axes; 2]| match places.map(|place| tool_axis(&place)) {
+        [Some(one), Some(other)] => one.iter().zip(&other).all(|(one, other)| (one - other).abs() < 1e-6),
+        _ => false,
+    };
+    tips(was)
+        && tips(is)
+        && near([was.block.state.position, is.block.state.position])
+        && near([middle(was), middle(is)])
+}
+
 fn side(state: &State) -> Compensation {
     state.compensation.unwrap_or(Compensation::Off)
 }
 
 /// Differences of modal states: those that change where the axes go, and in cuts those of the process.
-fn state_difference(was: &Event<'_>, is: &Event<'_>) -> Option<Difference> {
+fn state_difference(was: &Event<'_>, is: &Event<'_>, allowed: Allowed) -> Option<Difference> {
     let (old, new) = (&was.block.state, &is.block.state);
     let tip = (old.under_tip_control(), new.under_tip_control());
     let machine = was.block.effect == Effect::Machine;
@@ -541,10 +700,17 @@ fn state_difference(was: &Event<'_>, is: &Event<'_>) -> Option<Difference> {
         hard(old.coolant != new.coolant, "coolant"),
         hard(old.plane != new.plane, "the plane"),
         hard(path(old) != path(new), "the path mode"),
-        hard(old.smoothing.unwrap_or_default() != new.smoothing.unwrap_or_default(), "smoothing"),
+        soft(!allowed.starts_continuous && old.path != new.path, "the path mode of a control that is switched on"),
+        hard(smoothing(old) != smoothing(new), "smoothing"),
         hard(old.rotary_path != new.rotary_path, "shortest path"),
         hard(taps && old.rigid != new.rigid, "rigid tapping"),
     ])
+}
+
+/// Numbers of smoothing, all zero where it is off: Q0 of G5.1, a tolerance or a kind of 0.
+fn smoothing(state: &State) -> [f64; SMOOTHING] {
+    let numbers = state.smoothing.unwrap_or_default().map(Option::unwrap_or_default);
+    if numbers.iter().all(|number| number.abs() < 1e-12) { [0.0; SMOOTHING] } else { numbers }
 }
 
 /// Continuous path without a tolerance is the state in which a control is switched on.

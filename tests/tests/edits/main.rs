@@ -134,6 +134,12 @@ fn is_another_restart(posted: &Posted, edit: &Edit, edited: &Result<Trace, Refus
     restarts_differ([&subject.trace, edited], entered, subject.allowed)
 }
 
+/// Whether the careful interpreter, too, finds that the program does the same. What it refuses may be found.
+fn is_harmless_for_the_careful(posted: &Posted, edit: &Edit) -> bool {
+    let Some((options, trace)) = &posted.careful else { return false };
+    verdict(trace, &run(&edit.text, options), posted.subject.allowed) == Verdict::Harmless
+}
+
 /// Whether a program that does the same holds what a check may find: text after a semicolon, which may begin a block, an end
 /// code before the end, a code of the shop beside other words, M9 besides codes of air, a unit elsewhere.
 fn is_matter_of_taste(posted: &Posted, edit: &Edit) -> bool {
@@ -150,12 +156,14 @@ fn is_matter_of_taste(posted: &Posted, edit: &Edit) -> bool {
     let off = of_air && words().any(|word| word == "M9" || word == "M09");
     // Where a restart point begins.
     let unit = words().any(|word| ["G20", "G21", "G700", "G710"].contains(&word));
+    // Smoothing of Haas without a tolerance, and the user's codes of tip control again.
+    let own = words().any(|word| ["G187", "M428", "M429"].contains(&word));
     // A tool that is selected in a block with a motion.
     let tool = edit.after.split(" | ").any(|line| {
         let is = |letters: &str| line.split(' ').any(|word| word.starts_with(|letter| letters.contains(letter)));
         is("T") && is("XYZABC")
     });
-    semicolon || ends || shop || off || unit || tool
+    semicolon || ends || shop || off || unit || own || tool
 }
 
 /// Whether an edit concerns messages and comments alone. The foreign interpreter refuses a guard without its message.
@@ -172,6 +180,7 @@ fn judged(posted: &Posted, edit: &Edit, tally: &mut Tally) -> Option<Failure> {
     let edited = run(&edit.text, &subject.options);
     let verdict = verdict(&subject.trace, &edited, subject.allowed);
     if matches!(verdict, Verdict::Undecided(_))
+        || verdict == Verdict::Harmless && !is_harmless_for_the_careful(posted, edit)
         || verdict == Verdict::Harmless && is_matter_of_taste(posted, edit)
         || matches!(verdict, Verdict::Refused(_)) && is_message(edit)
         || verdict == Verdict::Harmless && is_another_restart(posted, edit, &edited)
@@ -226,13 +235,23 @@ fn every_harmful_edit_is_found_and_no_harmless_one() {
     let edits = more.map_or(EDITS, |edits| edits as usize);
     let seed = environment_number("PP_EDITS_SEED").unwrap_or(1);
     let programs = programs(seed);
+    let mut faulty = Vec::new();
     for posted in programs.iter().filter(|_| more.is_some()) {
         let findings = posted.findings(&posted.text);
-        assert!(findings.is_empty(), "{}: {findings:?}", posted.subject.name);
+        if !findings.is_empty() {
+            faulty.push(format!("{}: {findings:?}", posted.subject.name));
+        }
     }
+    println!("{} programs that are not edited have findings: {faulty:#?}", faulty.len());
+    let programs: Vec<Posted> = programs
+        .into_iter()
+        .filter(|posted| !faulty.iter().any(|found| found.starts_with(&format!("{}:", posted.subject.name))))
+        .collect();
+    let careful = programs.iter().filter(|posted| posted.careful.is_some()).count();
+    assert!(careful * 2 > programs.len(), "only {careful} of {} programs are read with care", programs.len());
     let places = places(&programs);
     let classes: usize = places.values().map(BTreeMap::len).sum();
-    println!("{} programs, {classes} states", programs.len());
+    println!("{} programs, {careful} of them read with care, {classes} states", programs.len());
     let mut random = Random::new(seed);
     let mut tallies = [Tally::default(); 5];
     let mut failures = Vec::new();
@@ -249,5 +268,6 @@ fn every_harmful_edit_is_found_and_no_harmless_one() {
     let decided: usize = tallies.iter().map(|tally| tally.harmful + tally.harmless).sum();
     assert!(decided > edits / 4, "only {decided} of {edits} edits are harmful or harmless for certain");
     let shown: Vec<&str> = failures.iter().take(SHOWN).map(|failure| failure.text.as_str()).collect();
+    assert!(faulty.is_empty(), "programs that are not edited have findings: {faulty:#?}");
     assert!(failures.is_empty(), "{} edits fail, for example\n{}", failures.len(), shown.join("\n"));
 }

@@ -24,6 +24,9 @@ pub fn check(control: Control, text: &str, pointed: bool) -> Result<(), String> 
     if control == Control::LinuxCnc && text.len() > LONGEST {
         return Err("the line is too long".to_owned());
     }
+    if comment && control == Control::LinuxCnc && is_order(text) {
+        return Err("a comment that is an order to the control".to_owned());
+    }
     if comment || text == "%" || free_form(control, text) {
         return Ok(());
     }
@@ -37,6 +40,15 @@ pub fn check(control: Control, text: &str, pointed: bool) -> Result<(), String> 
         }
         Control::Heidenhain => heidenhain(text, pointed),
     }
+}
+
+/// `(py, ..)`, `(probeopen ..)`, `(logclose)`: orders of LinuxCNC in the form of a comment; `(MSG, ..)` shows its text,
+/// and `(abort, ..)` belongs to a guard.
+fn is_order(text: &str) -> bool {
+    let text = text.trim_start_matches('(').trim_start().to_ascii_lowercase();
+    let name: String = text.chars().take_while(char::is_ascii_alphabetic).collect();
+    let comma = text[name.len()..].trim_start().starts_with(',');
+    comma && !matches!(&*name, "" | "msg" | "abort") || name.starts_with("probe") || name.starts_with("log")
 }
 
 /// Lines whose form the guards and the file marks check themselves.
@@ -111,7 +123,11 @@ fn siemens(piece: &str, shortest: fn(char, &str) -> bool) -> Result<(), String> 
 
 /// A number, then words and names with one blank between two; parameters of a cycle on lines of their own.
 fn heidenhain(text: &str, pointed: bool) -> Result<(), String> {
-    let text = text.strip_prefix("  Q").map_or(text, |_| &text[2..]);
+    let parameter = text.starts_with("  Q");
+    let text = if parameter { &text[2..] } else { text };
+    if parameter && text.split(" ;").next().is_some_and(|block| block.contains(' ')) || text.contains("~ ") {
+        return Err("a line with more than one parameter".to_owned());
+    }
     let block = text.split(';').next().unwrap_or_default();
     let block = if block.len() < text.len() { block.strip_suffix(' ').unwrap_or(block) } else { block };
     let piece = |piece: &str| {
@@ -128,5 +144,11 @@ fn heidenhain(text: &str, pointed: bool) -> Result<(), String> {
             && (name || symbol || part || digits(signed, pointed) && !signed.starts_with('-') && !zero);
         if tidy { Ok(()) } else { Err(format!("`{piece}` is not a word in its shortest form")) }
     };
-    block.split(' ').try_for_each(piece)
+    let mut pieces: Vec<&str> = block.split(' ').collect();
+    pieces.iter().try_for_each(|text| piece(text))?;
+    pieces.sort_unstable();
+    let twice = pieces
+        .windows(2)
+        .any(|pair| pair[0] == pair[1] && pair[0].starts_with(|letter: char| letter.is_ascii_uppercase()));
+    if twice { Err("a word twice".to_owned()) } else { Ok(()) }
 }

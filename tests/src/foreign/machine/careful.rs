@@ -20,6 +20,17 @@ pub(super) fn block(machine: &Machine, command: &Command) -> Result<(), String> 
     if command.has(Meaning::Home) || command.has(Meaning::TiltOffTurning) {
         return Err("a motion to reference points or zero that no block states".to_owned());
     }
+    let vector = command.words.iter().filter(|word| matches!(word.address, Address::Vector(_))).count();
+    if vector > 0 && (vector < 3 || !machine.state.under_tip_control()) {
+        return Err("a tool vector without all its components, or without tip control".to_owned());
+    }
+    if command.has(Meaning::Orient) && command.meanings.len() + command.words.len() > 1 {
+        return Err("the rotary axes turn to a plane in a block with other words".to_owned());
+    }
+    let smoothing = command.words.iter().any(|word| matches!(word.address, Address::Smoothing(_)));
+    if machine.control == Control::Fanuc && command.has(Meaning::Smoothing) && !smoothing {
+        return Err("G5.1 without Q".to_owned());
+    }
     let linuxcnc = machine.control == Control::LinuxCnc;
     if command.meanings.iter().any(|meaning| matches!(meaning, Meaning::Units(_))) {
         complete(machine.control, command)?;
@@ -163,6 +174,9 @@ pub(super) fn effect(machine: &Machine, command: &Command, effect: &Effect, word
     }
     if matches!(effect, Effect::Machine | Effect::Rapid) && state.feed_mode == Some(FeedMode::InverseTime) {
         return Err("a rapid in inverse time".to_owned());
+    }
+    if state.rigid && effect.moves() {
+        return Err("a motion between M29 and its thread".to_owned());
     }
     if !effect.moves() || matches!(effect, Effect::Orient) {
         return Ok(());

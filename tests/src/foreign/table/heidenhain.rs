@@ -53,6 +53,10 @@ pub(super) fn command(tokens: &[Token], _: &State) -> Result<Command, String> {
         ("C" | "CP" | "CR", _) => {
             command.code(Meaning::Motion(sense(tokens)?))?;
             words(&mut command, &tokens[1..])?;
+            let has = |address: Address| command.words.iter().any(|word| word.address == address);
+            if (has(Address::Radius), has(Address::PolarAngle)) != (name(0) == "CR", name(0) == "CP") {
+                return Err("an arc with the words of another kind of arc".to_owned());
+            }
         }
         ("TOOL", "DEF") => match &tokens[2..] {
             [Token::Number(number)] => {
@@ -213,6 +217,15 @@ fn cycle_definition(command: &mut Command, tokens: &[Token]) -> Result<(), Strin
     let [Token::Number(Number { value: number, .. }), parameters @ ..] = tokens else {
         return Err("CYCL DEF without its number".to_owned());
     };
+    let twice = |(index, token): (usize, &Token)| match token {
+        Token::Word { name, .. } => {
+            parameters[..index].iter().any(|other| matches!(other, Token::Word { name: other, .. } if other == name))
+        }
+        _ => false,
+    };
+    if parameters.iter().enumerate().any(twice) {
+        return Err("a parameter of a cycle twice".to_owned());
+    }
     let q = |wanted: u32| {
         parameters.iter().find_map(|token| match token {
             Token::Word { name, number, .. } if *name == format!("Q{wanted}") => Some(number.value),

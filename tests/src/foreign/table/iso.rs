@@ -69,7 +69,7 @@ static G: &[Row] = &[
     (610, ALL, Meaning::ExactStop),
     (640, ALL, Meaning::Continuous),
     (682, &[Fanuc], Meaning::Tilt),
-    (690, ALL, Meaning::TiltOff),
+    (690, &[Fanuc], Meaning::TiltOff),
     (730, ALL, Meaning::Cycle(73)),
     (740, &[Fanuc, Haas], Meaning::Cycle(74)),
     (800, ALL, Meaning::CancelMotion),
