@@ -516,8 +516,11 @@ impl<R: Read> Comparison<'_, R> {
         if self.progress.next().is_none_or(|item| item.required.tool != tool) {
             self.find_again(phase, |item| item.required.tool == tool, current)?;
         }
-        if let Some(required) = self.progress.next().map(|item| item.required.tool).filter(|required| *required != tool)
-        {
+        self.progress.fill(8)?;
+        // A stop that is lost is reported where the cut goes on.
+        let motion = |item: &&ExpectedItem| matches!(item.action, ExpectedAction::Motion(_));
+        let next = (0..8).map_while(|index| self.progress.get(index)).find(motion).map(|item| item.required.tool);
+        if let Some(required) = next.filter(|required| *required != tool) {
             let name = |tool: Option<u32>| tool.map_or("no tool".to_owned(), |number| format!("T{number}"));
             self.found(current, &format!("change to {}, but the CL data requires {}", name(tool), name(required)));
         }
