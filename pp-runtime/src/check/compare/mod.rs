@@ -146,15 +146,9 @@ impl<'a, R: Read> Checker<'a, R> {
         let Previous { words: from, known, .. } = self.comparison.previous;
         let (record, count) = (self.comparison.progress.location(), self.comparison.tally.count());
         self.block(block, text)?;
-        observer.executed(&ExecutedBlock {
-            block,
-            before: &self.before,
-            record,
-            findings: self.comparison.tally.count() - count,
-            from,
-            known,
-            rules: &self.comparison.rules,
-        });
+        let findings = self.comparison.tally.count() - count;
+        let states = (block, &self.before);
+        observer.executed(&ExecutedBlock::new(states, (record, findings), (from, known), &self.comparison.rules));
         self.before = block.state;
         Ok(())
     }
