@@ -29,6 +29,8 @@ pub(super) struct Interpreter {
     axes: Vec<AxisName>,
     /// Positions of X Y Z.
     linear: [Option<usize>; 3],
+    /// Position of the axis with a name of one letter, A to Z.
+    by_letter: [Option<u8>; 26],
     facts: Facts,
     state: State,
     values: [f64; MAX_AXES],
@@ -79,9 +81,14 @@ impl Frames {
 impl Interpreter {
     pub(super) fn new(axes: Vec<AxisName>, facts: Facts, rounding: f64) -> Self {
         let linear = [b"X", b"Y", b"Z"].map(|name| axes.iter().position(|axis| axis.name == name));
+        let by_letter = std::array::from_fn(|letter| {
+            let index = axes.iter().position(|axis| axis.name == [b'A' + letter as u8])?;
+            u8::try_from(index).ok()
+        });
         Self {
             axes,
             linear,
+            by_letter,
             facts,
             state: State::default(),
             values: [0.0; MAX_AXES],
@@ -110,7 +117,11 @@ impl Interpreter {
     }
 
     /// Position in the chain of an axis, by its name in the program.
+    #[inline]
     pub(super) fn axis_named(&self, name: &[u8]) -> Option<usize> {
+        if let [letter @ b'A'..=b'Z'] = name {
+            return self.by_letter[usize::from(letter - b'A')].map(usize::from);
+        }
         self.axes.iter().position(|axis| axis.name == name)
     }
 
