@@ -175,7 +175,8 @@ pub(super) fn effect(machine: &Machine, command: &Command, effect: &Effect, word
     if matches!(effect, Effect::Machine | Effect::Rapid) && state.feed_mode == Some(FeedMode::InverseTime) {
         return Err("a rapid in inverse time".to_owned());
     }
-    if state.rigid && effect.moves() {
+    let thread = matches!(effect, Effect::Hole(hole) if matches!(hole.cycle.kind, CycleKind::Tap { .. }));
+    if state.rigid && effect.moves() && !thread {
         return Err("a motion between M29 and its thread".to_owned());
     }
     if !effect.moves() || matches!(effect, Effect::Orient) {

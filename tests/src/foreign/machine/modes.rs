@@ -32,8 +32,12 @@ impl Machine {
             match meaning {
                 Meaning::Units(units) => state.units = Some(*units),
                 Meaning::FeedMode(mode) => {
+                    // A complete state begins with its unit: F is not of what was before.
+                    let complete = meanings.iter().any(|meaning| matches!(meaning, Meaning::Units(_)));
+                    if state.feed_mode != Some(*mode) || complete {
+                        state.feed = None;
+                    }
                     state.feed_mode = Some(*mode);
-                    state.feed = None;
                 }
                 _ => {}
             }

@@ -11,6 +11,10 @@ impl Interpreter {
         let reframes = draft.tilt.is_some() || draft.tip_control.is_some() || draft.length.is_some();
         let frames = if reframes { Some((state.tilt, state.tip_control)) } else { None };
         state.units = draft.units.or(state.units);
+        // An operation can be entered at its complete state: F is not of what was before.
+        if draft.restart || draft.units.is_some() {
+            state.feed = None;
+        }
         if let Some(mode) = draft.feed_mode {
             if state.feed_mode != Some(mode) {
                 state.feed = None;
