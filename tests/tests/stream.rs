@@ -14,6 +14,7 @@ use pp_runtime::check::{Checked, ExecutedBlock, check_observed};
 use pp_runtime::config::{Config, Mode, Operations, starting_point};
 use pp_runtime::control::{self, Control};
 use pp_runtime::kinematics::{Machine, Pose};
+use pp_runtime::post;
 use tests::binaries::{golden_programs, workspace};
 use tests::oracle::{Oracle, angle_between};
 
@@ -295,4 +296,32 @@ fn a_cut_off_its_path_is_found_at_its_block() {
         edits += with_machine!(golden, edited);
     }
     assert!(edits > 250, "{edits} edits");
+}
+
+#[test]
+fn a_leg_begins_where_the_one_before_has_ended_where_the_tool_axis_is_a_vector() {
+    let mut compared = 0;
+    for path in golden_programs() {
+        let mut golden = Golden::read(&path);
+        let vectors = matches!(golden.control.spellings().name, "fanuc" | "siemens" | "heidenhain");
+        if golden.mode != Mode::Tcp || !vectors {
+            continue;
+        }
+        golden.keys =
+            format!("tcp_words = \"vectors\"\ntool_posture = \"plane\"\ntcp_confirmed = true\n{}", golden.keys);
+        let golden = &mut golden;
+        with_machine!(golden, repost);
+        compared += with_machine!(golden, continued);
+    }
+    assert!(compared > 500, "{compared} legs");
+}
+
+/// Posts the program again with the keys that it has now.
+fn repost<M: Machine>(golden: &mut Golden) {
+    let config = golden.config::<M>();
+    let job = post::Job { cl_name: "part.cls", config: &config, control: golden.control, units: None };
+    let mut program = Vec::new();
+    let report = post::post::<M>(&job, &mut Cursor::new(&golden.cl), &mut program).expect("it can be written");
+    assert!(!report.failed, "{}: {:?}", golden.name, report.diagnostics);
+    golden.program = String::from_utf8(program).expect("ASCII");
 }
