@@ -6,7 +6,7 @@
 //! carry out, `rules` what a block must be like, `travel` has the limits of the axes. `compare` compares the two, block by
 //! block. Memory does not grow with the length of the program.
 //!
-//! It shares no code with the planner and the controls: [`Policy`] is all that it reads of a job.
+//! It shares no code with the planner and the controls: [`CheckPolicy`] is all that it reads of a job.
 
 mod compare;
 mod expect;
@@ -21,7 +21,7 @@ mod vocabulary;
 
 use std::io::{self, Read, Seek};
 
-pub use policy::Policy;
+pub use policy::CheckPolicy;
 pub use report::{Finding, Outcome};
 pub use stream::{ExecutedBlock, Leg, Observer};
 
@@ -60,7 +60,7 @@ pub struct Checked {
 /// # Errors
 /// [`CheckError`] if the program cannot be compared. Errors of the program are findings of the outcome.
 pub fn check<M: Machine>(
-    policy: &Policy,
+    policy: &CheckPolicy,
     mut input: impl Read + Seek,
     mut program: impl Read,
 ) -> Result<Checked, CheckError> {
@@ -73,7 +73,7 @@ pub fn check<M: Machine>(
 /// Those of [`check()`].
 pub fn check_for(
     machine: &dyn AnyMachine,
-    policy: &Policy,
+    policy: &CheckPolicy,
     input: &mut dyn ReadSeek,
     program: &mut dyn Read,
 ) -> Result<Checked, CheckError> {
@@ -86,7 +86,7 @@ pub fn check_for(
 /// Those of [`check()`].
 pub fn check_observed(
     machine: &dyn AnyMachine,
-    policy: &Policy,
+    policy: &CheckPolicy,
     input: &mut dyn ReadSeek,
     program: &mut dyn Read,
     observer: &mut dyn Observer,
@@ -96,7 +96,7 @@ pub fn check_observed(
 
 fn run(
     machine: &dyn AnyMachine,
-    policy: &Policy,
+    policy: &CheckPolicy,
     input: &mut dyn ReadSeek,
     program: &mut dyn Read,
     mut observer: Option<&mut dyn Observer>,
@@ -122,7 +122,7 @@ fn run(
 ///
 /// # Errors
 /// [`CheckError`] if the program cannot be read.
-pub fn blocks<M: Machine>(policy: &Policy, mut program: impl Read) -> Result<Vec<read::Block>, CheckError> {
+pub fn blocks<M: Machine>(policy: &CheckPolicy, mut program: impl Read) -> Result<Vec<read::Block>, CheckError> {
     blocks_for(&M::default(), policy, &mut program)
 }
 
@@ -132,7 +132,7 @@ pub fn blocks<M: Machine>(policy: &Policy, mut program: impl Read) -> Result<Vec
 /// Those of [`blocks`].
 pub fn blocks_for(
     machine: &dyn AnyMachine,
-    policy: &Policy,
+    policy: &CheckPolicy,
     program: &mut dyn Read,
 ) -> Result<Vec<read::Block>, CheckError> {
     let units: Units = policy.output_units.or(policy.reading.units).unwrap_or_default();

@@ -1,4 +1,4 @@
-//! Policy of a check: everything that it reads of a job, besides CL data, program and machine.
+//! CheckPolicy of a check: everything that it reads of a job, besides CL data, program and machine.
 //!
 //! Whoever configures a job builds it. Lengths in mm, angles in rad, feeds in mm/min and rad/min.
 
@@ -12,7 +12,7 @@ use super::read::{Effect, Family, OwnPlace};
 
 /// Meaning of the words of a program, the motion between cuts, and the tolerances of a check.
 #[derive(Debug, Clone)]
-pub struct Policy {
+pub struct CheckPolicy {
     /// Family of the control that runs the program.
     pub family: Family,
     /// How the CL data is read, its unit included.
@@ -34,14 +34,14 @@ pub struct Policy {
     /// State that the CL data leaves open.
     pub defaults: StateDefaults,
     /// Operations that are in the program; all without it.
-    pub selection: Option<Selection>,
+    pub selection: Option<OperationSelection>,
     /// Blocks of the shop and functions of the control in the program.
     pub shop: ShopBlocks,
 }
 
 /// Meaning of linear words.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum LinearWords {
+pub enum LinearMeaning {
     /// Axis positions.
     AxisPositions,
     /// Coordinates of the tip, under tip control.
@@ -63,7 +63,7 @@ pub enum TipFrame {
 
 /// Words of a rotary axis that the control reduces to one revolution.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Rollover {
+pub enum RolloverRule {
     /// The axis takes the shorter way.
     Shortest,
     /// The sign of the word is the direction.
@@ -74,7 +74,7 @@ pub enum Rollover {
 #[derive(Debug, Clone, PartialEq)]
 pub struct WordPolicy {
     /// Meaning of linear words.
-    pub linear: LinearWords,
+    pub linear: LinearMeaning,
     /// Frame of the tip under tip control.
     pub tip_frame: TipFrame,
     /// Under tip control the control rotates the tool axis in the plane of its ends.
@@ -86,7 +86,7 @@ pub struct WordPolicy {
     /// Axis names that differ from the axis letters.
     pub axis_names: BTreeMap<char, String>,
     /// Rotary axes whose words are reduced to one revolution.
-    pub rollover: BTreeMap<char, Rollover>,
+    pub rollover: BTreeMap<char, RolloverRule>,
     /// A number without a decimal point has the same value as with one.
     pub plain_numbers: bool,
 }
@@ -225,7 +225,7 @@ pub struct StateDefaults {
 
 /// Operations that are in the program.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Selection {
+pub enum OperationSelection {
     /// By number, from 1: the first and the last.
     Range(u64, Option<u64>),
     /// From the operation of this name.

@@ -33,9 +33,9 @@ pub struct ExecutedBlock<'b> {
     pub record: Location,
     /// Number of findings about it.
     pub findings: u64,
-    pub(super) from: [f64; MAX_AXES],
-    pub(super) known: u16,
-    pub(super) rules: &'b Rules<'b>,
+    from: [f64; MAX_AXES],
+    known: u16,
+    rules: &'b Rules<'b>,
 }
 
 /// A part of a block in which the axes move at feed or at rapid: an arc, or a straight line of the words.
@@ -50,6 +50,16 @@ pub struct Leg<'b> {
 }
 
 impl<'b> ExecutedBlock<'b> {
+    /// `from`: words before the block, and the bits of those that are known.
+    pub(super) fn new(
+        (block, before): (&'b Block, &'b State),
+        (record, findings): (Location, u64),
+        (from, known): ([f64; MAX_AXES], u16),
+        rules: &'b Rules<'b>,
+    ) -> Self {
+        Self { block, before, record, findings, from, known, rules }
+    }
+
     /// The parts of the block, in order; none where nothing moves, where the start is unknown, and for machine coordinates.
     ///
     /// A cycle has its rapid over the hole and down to the clearance level, the feed to the bottom, and the way out; its

@@ -1,12 +1,12 @@
 //! What the reader of a program has to know of the set-up: names of axes and tools, codes of the shop.
 
-use super::policy::{Policy, ShopLine};
+use super::policy::{CheckPolicy, ShopLine};
 use super::read::{AxisName, OwnText, Vocabulary};
 use crate::kinematics::{AnyMachine, Axis, AxisKind};
 use crate::program::Units;
 
 /// Names and codes of a program.
-pub(super) fn vocabulary(machine: &dyn AnyMachine, policy: &Policy, units: Units) -> Vocabulary {
+pub(super) fn vocabulary(machine: &dyn AnyMachine, policy: &CheckPolicy, units: Units) -> Vocabulary {
     let axis = |axis: &Axis| AxisName {
         name: policy
             .words

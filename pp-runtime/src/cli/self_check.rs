@@ -9,7 +9,7 @@ use std::io::{self, Read, Write};
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 use std::thread::{self, JoinHandle};
 
-use crate::check::{CheckError, Checked, Finding, Policy, check_for};
+use crate::check::{CheckError, CheckPolicy, Checked, Finding, check_for};
 use crate::kinematics::AnyMachine;
 
 use super::check::report;
@@ -31,7 +31,7 @@ pub(crate) struct SelfCheck {
 
 impl SelfCheck {
     /// Starts the check of a program that is about to be written.
-    pub(crate) fn start(machine: &dyn AnyMachine, policy: Policy, source: &ClSource) -> io::Result<Self> {
+    pub(crate) fn start(machine: &dyn AnyMachine, policy: CheckPolicy, source: &ClSource) -> io::Result<Self> {
         let (sender, receiver) = sync_channel(MOST_PIECES);
         let (machine, mut input) = (machine.to_boxed(), source.reopen()?);
         let body = move || {

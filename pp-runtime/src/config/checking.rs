@@ -1,8 +1,8 @@
 //! The policy of a check, from a configuration and its control.
 
 use crate::check::policy::{
-    Digits, FeedPath, FeedPolicy, LinearWords, LinkPolicy, Policy, RapidForm, Rollover, Selection, ShopBlocks,
-    ShopLine, SmoothingLevel, StateDefaults, TipFrame, Tolerances, WordPolicy,
+    CheckPolicy, Digits, FeedPath, FeedPolicy, LinearMeaning, LinkPolicy, OperationSelection, RapidForm, RolloverRule,
+    ShopBlocks, ShopLine, SmoothingLevel, StateDefaults, TipFrame, Tolerances, WordPolicy,
 };
 use crate::check::read::{Effect, Family, OwnPlace, coolant};
 use crate::cl::ReadingOptions;
@@ -20,7 +20,7 @@ use super::Config;
 pub struct NotCheckable(String);
 
 impl Config {
-    /// Policy of the check of programs that are posted with this configuration. `cl_units`: unit of CL data that states none;
+    /// CheckPolicy of the check of programs that are posted with this configuration. `cl_units`: unit of CL data that states none;
     /// takes precedence over that of the configuration.
     ///
     /// # Errors
@@ -29,7 +29,7 @@ impl Config {
         &self,
         control: &dyn Control,
         cl_units: Option<Units>,
-    ) -> Result<Policy, NotCheckable> {
+    ) -> Result<CheckPolicy, NotCheckable> {
         self.check_policy_for(&M::default(), control, cl_units)
     }
 
@@ -42,14 +42,14 @@ impl Config {
         machine: &dyn AnyMachine,
         control: &dyn Control,
         cl_units: Option<Units>,
-    ) -> Result<Policy, NotCheckable> {
+    ) -> Result<CheckPolicy, NotCheckable> {
         let family = Family::of_control(control.spellings().name)
             .ok_or_else(|| NotCheckable("the check cannot read programs of this control".to_owned()))?;
         let unfit = control::unfit(machine, control, self.demands());
         if !unfit.is_empty() {
             return Err(NotCheckable(unfit.join("\n")));
         }
-        Ok(Policy {
+        Ok(CheckPolicy {
             family,
             reading: ReadingOptions { units: cl_units.or(self.cl_units), ..self.cl.clone() },
             output_units: self.output_units,
@@ -61,8 +61,8 @@ impl Config {
             feed: self.feed_policy(),
             defaults: self.state_defaults(),
             selection: self.motion.operations.as_ref().map(|operations| match operations {
-                Operations::Range(first, last) => Selection::Range(*first, *last),
-                Operations::From(name) => Selection::From(name.clone()),
+                Operations::Range(first, last) => OperationSelection::Range(*first, *last),
+                Operations::From(name) => OperationSelection::From(name.clone()),
             }),
             shop: self.shop_blocks(machine),
         })
@@ -71,14 +71,14 @@ impl Config {
     fn word_policy(&self) -> WordPolicy {
         let (tip, control) = (&self.motion.tip, &self.control);
         let rollover = |wrap: Wrap| match wrap {
-            Wrap::Positive | Wrap::Symmetric => Rollover::Shortest,
-            Wrap::Sign => Rollover::Sign,
+            Wrap::Positive | Wrap::Symmetric => RolloverRule::Shortest,
+            Wrap::Sign => RolloverRule::Sign,
         };
         WordPolicy {
             linear: match self.motion.mode {
-                Mode::Axes => LinearWords::AxisPositions,
-                Mode::Tcp => LinearWords::TipCoordinates,
-                Mode::Plane => LinearWords::PlaneCoordinates,
+                Mode::Axes => LinearMeaning::AxisPositions,
+                Mode::Tcp => LinearMeaning::TipCoordinates,
+                Mode::Plane => LinearMeaning::PlaneCoordinates,
             },
             tip_frame: match tip.tcp_frame {
                 None | Some(TcpFrame::TableAtZero) => TipFrame::TableAtZero,

@@ -11,7 +11,7 @@ use super::super::expect::{ClMotion, ExpectedAction, ExpectedItem, Required};
 use super::super::geometry::{PathShape, Segment, ToolPose, angle_between};
 use super::super::policy::RapidForm;
 use super::super::read::{Action, Block, CycleMove, MAX_AXES};
-use super::super::rules::{BOTH, ModalContext, Rules};
+use super::super::rules::{BOTH, ModalContext, Rules, StateFault};
 use super::hole::{CycleComparison, is_over, pose_at, words_at};
 use super::phase::{Cutting, FinishedMotion, Leaving, Phase, RapidSteps, RetractedLength, RewindPoint};
 use super::{Comparison, Current, Findings, retract};
@@ -303,18 +303,19 @@ impl<R: Read> Comparison<'_, R> {
                  only",
             );
         }
-        let (motion, required) = match &cutting.finished {
-            Some(finished) => (Some(finished.motion), Some(finished.required)),
-            None => (self.progress.motion(), self.progress.next().map(|item| item.required)),
+        // The cut may have been interrupted just before the end of a motion, or just after it.
+        let next = self.progress.next().map(|item| item.required).zip(self.progress.motion());
+        let finished = cutting.finished.as_ref().map(|finished| (finished.required, finished.motion));
+        let fault = |(required, motion): &(Required, ClMotion)| {
+            let state = self.rules.fault_at_path(block, required, self.modal_context());
+            let feed = state.is_none() && self.rules.is_known(block, known);
+            let stroke = || self.rules.stroke(&before, block, back.length(), motion.feed, required);
+            let feed = if feed { self.rules.law().wrong(&stroke(), &block.state) } else { None };
+            state.or(feed.map(StateFault::from))
         };
-        if let Some(required) = required {
-            self.compare_state(current, &required);
-            if let (Some(motion), true) = (motion, self.rules.is_known(block, known)) {
-                let stroke = self.rules.stroke(&before, block, back.length(), motion.feed, &required);
-                if let Some(text) = self.rules.law().wrong(&stroke, &block.state) {
-                    self.found(current, &text);
-                }
-            }
+        let faults: Vec<Option<StateFault>> = next.iter().chain(&finished).map(fault).collect();
+        if faults.iter().all(Option::is_some) {
+            self.found_state(current, faults.into_iter().flatten().next());
         }
         cutting.back = None;
         true

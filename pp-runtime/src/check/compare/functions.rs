@@ -130,7 +130,7 @@ impl FunctionState {
                 let blending = policy.tolerances.blending_mm;
                 let same = |written: f64| (written - blending).abs() <= 0.6 * rules.rounding().unit_mm.max(1e-4);
                 if tolerance && !tolerance_mm.is_some_and(same) {
-                    return Some(format!("smoothing within {} mm, expected {blending} mm", shown(tolerance_mm)));
+                    return Some(format!("smoothing {}, expected within {blending} mm", shown(tolerance_mm)));
                 }
                 (levels[index] != written)
                     .then(|| "smoothing of another level than that of the configuration".to_owned())
@@ -149,7 +149,7 @@ impl FunctionState {
             };
             let same = |written: f64| (written - blending).abs() <= 0.6 * rules.rounding().unit_mm.max(1e-4);
             return (!tolerance.is_some_and(same))
-                .then(|| format!("blocks are blended within {} mm (G64 P), expected {blending} mm", shown(tolerance)));
+                .then(|| format!("blocks are blended {} (G64 P), expected within {blending} mm", shown(tolerance)));
         }
         // Blending without a limit is the mode after switching on.
         let written = written.unwrap_or(PathMode::Continuous { tolerance_mm: None, joining_mm: None });
@@ -195,8 +195,8 @@ fn letter(rules: &Rules<'_>, bits: u16) -> Option<char> {
     rules.axes().iter().enumerate().find(found).map(|(_, axis)| axis.letter)
 }
 
-fn shown(value: Option<f64>) -> String {
-    value.map_or_else(|| "an unlimited number of".to_owned(), |value| value.to_string())
+fn shown(tolerance_mm: Option<f64>) -> String {
+    tolerance_mm.map_or_else(|| "without a tolerance".to_owned(), |tolerance| format!("within {tolerance} mm"))
 }
 
 /// The length that a guard must read; `None` where the control cannot read it.

@@ -4,7 +4,7 @@ use std::io::{self, Read};
 
 use super::super::expect::{ClMotion, ExpectedAction, ExpectedItem};
 use super::super::geometry::{PathShape, Segment, ToolPose, angle_between};
-use super::super::policy::LinearWords;
+use super::super::policy::LinearMeaning;
 use super::super::read::{Action, Block, Length, stated};
 use super::super::rules::{ModalContext, fault_at_end};
 use super::functions::place_of_line;
@@ -60,7 +60,7 @@ impl<R: Read> Comparison<'_, R> {
         }
         let facts = *self.rules.facts();
         // Tip control is switched off with the length before the retract, as the manuals have it.
-        let length_moves = facts.length_moves && self.rules.policy().words.linear != LinearWords::TipCoordinates;
+        let length_moves = facts.length_moves && self.rules.policy().words.linear != LinearMeaning::TipCoordinates;
         let changed = matches!(length, Some(Length::Register(_))) && length != block.state.length;
         if length_moves && changed && block.action != Action::Machine {
             self.found(
@@ -87,7 +87,7 @@ impl<R: Read> Comparison<'_, R> {
     /// The control positions the rotary axes to a tilted plane: to the pose in which they are.
     pub(super) fn orient(&mut self, current: &Current<'_>) {
         let state = &current.block.state;
-        let (LinearWords::PlaneCoordinates, Some(tilt)) = (self.rules.policy().words.linear, &state.tilt) else {
+        let (LinearMeaning::PlaneCoordinates, Some(tilt)) = (self.rules.policy().words.linear, &state.tilt) else {
             self.found(current, "the control positions the rotary axes to a tilted plane where none is expected");
             return;
         };
@@ -222,9 +222,9 @@ impl<R: Read> Comparison<'_, R> {
         let (retract, rotary) = (1 << words.retract(), words.rotary_bits());
         // Under tip control all linear axes move down together; in a plane its own Z comes last.
         let last = match self.rules.policy().words.linear {
-            LinearWords::AxisPositions => retract,
-            LinearWords::TipCoordinates => words.linear_bits(),
-            LinearWords::PlaneCoordinates => words.xyz()[2].map_or(retract, |z| 1 << z),
+            LinearMeaning::AxisPositions => retract,
+            LinearMeaning::TipCoordinates => words.linear_bits(),
+            LinearMeaning::PlaneCoordinates => words.xyz()[2].map_or(retract, |z| 1 << z),
         };
         let step = match block.written {
             written if written & !rotary == 0 => 1,
@@ -516,8 +516,11 @@ impl<R: Read> Comparison<'_, R> {
         if self.progress.next().is_none_or(|item| item.required.tool != tool) {
             self.find_again(phase, |item| item.required.tool == tool, current)?;
         }
-        if let Some(required) = self.progress.next().map(|item| item.required.tool).filter(|required| *required != tool)
-        {
+        self.progress.fill(8)?;
+        // A stop that is lost is reported where the cut goes on.
+        let motion = |item: &&ExpectedItem| matches!(item.action, ExpectedAction::Motion(_));
+        let next = (0..8).map_while(|index| self.progress.get(index)).find(motion).map(|item| item.required.tool);
+        if let Some(required) = next.filter(|required| *required != tool) {
             let name = |tool: Option<u32>| tool.map_or("no tool".to_owned(), |number| format!("T{number}"));
             self.found(current, &format!("change to {}, but the CL data requires {}", name(tool), name(required)));
         }

@@ -23,7 +23,7 @@ use std::io::{self, Read};
 use super::Checked;
 use super::expect::{Expect, ExpectedAction, ExpectedItem};
 use super::geometry::ToolPose;
-use super::policy::Policy;
+use super::policy::CheckPolicy;
 use super::read::{Action, ArcMove, Block, Length, MAX_AXES, State, WorkPlane};
 use super::report::{Shown, Tally};
 use super::rules::{ModalContext, Rules, StateFault, chord};
@@ -34,7 +34,7 @@ use crate::kinematics::AnyMachine;
 use crate::program::{Location, Units};
 use functions::FunctionState;
 use phase::{Phase, Task};
-use progress::Progress;
+use progress::ClProgress;
 
 /// A program while it is compared.
 pub(super) struct Checker<'a, R> {
@@ -47,7 +47,7 @@ pub(super) struct Checker<'a, R> {
 /// Everything of a comparison that does not depend on the phase.
 struct Comparison<'a, R> {
     rules: Rules<'a>,
-    progress: Progress<'a, R>,
+    progress: ClProgress<'a, R>,
     travel: Travel,
     tally: Tally,
     previous: Previous,
@@ -90,12 +90,17 @@ struct Current<'b> {
 }
 
 impl<'a, R: Read> Checker<'a, R> {
-    pub(super) fn new(machine: Box<dyn AnyMachine>, policy: &'a Policy, units: Units, reader: ClReader<R>) -> Self {
+    pub(super) fn new(
+        machine: Box<dyn AnyMachine>,
+        policy: &'a CheckPolicy,
+        units: Units,
+        reader: ClReader<R>,
+    ) -> Self {
         let rules = Rules::new(machine, policy, units);
         let travel = Travel::new(&rules);
         let expect = Expect::new(rules.machine(), reader, policy, rules.rounding().unit_mm);
         let comparison = Comparison {
-            progress: Progress::new(expect),
+            progress: ClProgress::new(expect),
             tally: Tally::new(policy.tolerances.path_mm, travel.is_limited()),
             travel,
             rules,
@@ -141,15 +146,9 @@ impl<'a, R: Read> Checker<'a, R> {
         let Previous { words: from, known, .. } = self.comparison.previous;
         let (record, count) = (self.comparison.progress.location(), self.comparison.tally.count());
         self.block(block, text)?;
-        observer.executed(&ExecutedBlock {
-            block,
-            before: &self.before,
-            record,
-            findings: self.comparison.tally.count() - count,
-            from,
-            known,
-            rules: &self.comparison.rules,
-        });
+        let findings = self.comparison.tally.count() - count;
+        let states = (block, &self.before);
+        observer.executed(&ExecutedBlock::new(states, (record, findings), (from, known), &self.comparison.rules));
         self.before = block.state;
         Ok(())
     }
@@ -288,7 +287,7 @@ impl<R: Read> Comparison<'_, R> {
     /// Passes items for which the program has no block, and reports them.
     fn skip(&mut self, count: usize, here: Option<ToolPose>, current: &Current<'_>) {
         let (rules, chords) = (&self.rules, self.previous.chords);
-        let needless = |progress: &Progress<'_, R>, index: usize| progress.is_needless(index, rules, here, chords);
+        let needless = |progress: &ClProgress<'_, R>, index: usize| progress.is_needless(index, rules, here, chords);
         if let Some((at, text)) = self.progress.skip(count, needless) {
             self.tally.found(at, current.shown, &text);
         }

@@ -16,7 +16,7 @@ const ON_LINE: f64 = 1e-3;
 const SAME_AXIS: f64 = 1e-6;
 
 /// The place of a program in its CL data: the next item, and how much of it is done.
-pub(super) struct Progress<'a, R> {
+pub(super) struct ClProgress<'a, R> {
     expect: Expect<'a, R>,
     /// End of the last motion of the CL data, or the approach point.
     reached: Option<ToolPose>,
@@ -30,7 +30,7 @@ pub(super) struct Progress<'a, R> {
     approached: bool,
 }
 
-impl<'a, R: Read> Progress<'a, R> {
+impl<'a, R: Read> ClProgress<'a, R> {
     pub(super) fn new(expect: Expect<'a, R>) -> Self {
         Self { expect, reached: None, along: 0.0, last: None, lost: false, approached: false }
     }

@@ -17,7 +17,7 @@ use crate::kinematics::{AnyMachine, AxisKind, Side as ChainSide};
 use crate::program::{Clearance, Event, Feed, Location, Rotation, Units};
 
 use super::geometry::{PathShape, ToolPose};
-use super::policy::Policy;
+use super::policy::CheckPolicy;
 use super::read::Side;
 pub(super) use hole::{ExpectedHole, SAME_LEVEL};
 use modal::ClState;
@@ -101,7 +101,7 @@ pub(super) struct Expect<'a, R> {
 
 impl<'a, R: Read> Expect<'a, R> {
     /// `unit_mm`: one unit of linear words.
-    pub(super) fn new(machine: &dyn AnyMachine, reader: ClReader<R>, policy: &'a Policy, unit_mm: f64) -> Self {
+    pub(super) fn new(machine: &dyn AnyMachine, reader: ClReader<R>, policy: &'a CheckPolicy, unit_mm: f64) -> Self {
         let rotary = |axis: &crate::kinematics::Axis| axis.kind == AxisKind::Rotary && !axis.held;
         let head = machine.axes().iter().any(|axis| rotary(axis) && axis.side == ChainSide::Tool);
         Self {

@@ -4,7 +4,7 @@
 use std::collections::{BTreeMap, VecDeque};
 
 use super::super::geometry::{ArcPath, PathShape, bezier, tool_pose};
-use super::super::policy::{Policy, Selection};
+use super::super::policy::{CheckPolicy, OperationSelection};
 use super::super::read::{LengthRegisters, Side, coolant};
 use super::hole::{ExpectedHole, HoleStep, unfolded};
 use super::{ClMotion, ExpectedAction, ExpectedItem, Required, SpindleState};
@@ -20,14 +20,14 @@ const PERPENDICULAR: f64 = 5e-4;
 
 /// Modal state of the CL data.
 pub(super) struct ClState<'a> {
-    policy: &'a Policy,
+    policy: &'a CheckPolicy,
     /// The machine has rotary axes in its head.
     head: bool,
     /// One unit of linear words.
     unit_mm: f64,
     required: Required,
     calls: BTreeMap<u32, ToolCall>,
-    spindle: SpindleRequests,
+    spindle: SpindleRecords,
     coolant: Coolant,
     compensation: CompensationRequest,
     operation: Operation,
@@ -44,23 +44,23 @@ pub(super) struct ClState<'a> {
 
 /// Requests of SPINDL.
 #[derive(Debug, Clone, Copy, Default)]
-struct SpindleRequests {
-    now: SpindleRequest,
+struct SpindleRecords {
+    now: SpindleRecord,
     /// Since the end of the last operation.
-    in_start: SpindleRequest,
+    in_start: SpindleRecord,
     /// State that the last SPINDL after a motion of its operation requests.
     in_operation: Option<SpindleState>,
 }
 
 /// Speed and sense of rotation as far as they are requested, and OFF.
 #[derive(Debug, Clone, Copy, Default)]
-struct SpindleRequest {
+struct SpindleRecord {
     speed_rev_per_min: Option<f64>,
     rotation: Option<Rotation>,
     off: bool,
 }
 
-impl SpindleRequest {
+impl SpindleRecord {
     /// A value that SPINDL leaves out keeps its last one.
     fn take(&mut self, spindle: Spindle) {
         self.off = spindle == Spindle::Off;
@@ -100,7 +100,7 @@ struct Operation {
 }
 
 impl<'a> ClState<'a> {
-    pub(super) fn new(policy: &'a Policy, head: bool, unit_mm: f64) -> Self {
+    pub(super) fn new(policy: &'a CheckPolicy, head: bool, unit_mm: f64) -> Self {
         let required = Required {
             tool: None,
             called: None,
@@ -129,7 +129,7 @@ impl<'a> ClState<'a> {
             unit_mm,
             required,
             calls: BTreeMap::new(),
-            spindle: SpindleRequests::default(),
+            spindle: SpindleRecords::default(),
             coolant: Coolant::Off,
             compensation: CompensationRequest::default(),
             operation,
@@ -234,7 +234,7 @@ impl<'a> ClState<'a> {
 
     fn begin_operation(&mut self, name: &[u8]) {
         self.begin();
-        if let Some(Selection::From(selected)) = &self.policy.selection {
+        if let Some(OperationSelection::From(selected)) = &self.policy.selection {
             let name = String::from_utf8_lossy(name);
             self.operation.named |= name.trim().eq_ignore_ascii_case(selected.trim());
         }
@@ -268,7 +268,7 @@ impl<'a> ClState<'a> {
     /// The next motion begins an operation.
     fn begin(&mut self) {
         if !self.operation.starts {
-            self.spindle.in_start = SpindleRequest::default();
+            self.spindle.in_start = SpindleRecord::default();
         }
         self.operation.starts = true;
         self.fresh_arc = true;
@@ -294,7 +294,7 @@ impl<'a> ClState<'a> {
         self.calls.insert(call.number, ToolCall { length_mm, length_offset, ..*call });
         if self.required.tool != Some(call.number) {
             self.required.called = at;
-            self.spindle.now = if self.operation.called { SpindleRequest::default() } else { self.spindle.in_start };
+            self.spindle.now = if self.operation.called { SpindleRecord::default() } else { self.spindle.in_start };
             self.operation.changed = true;
         }
         self.operation.called = true;
@@ -404,11 +404,11 @@ impl<'a> ClState<'a> {
     fn push(&mut self, at: Location, action: ExpectedAction) {
         let selected = match &self.policy.selection {
             None => true,
-            Some(Selection::Range(first, last)) => {
+            Some(OperationSelection::Range(first, last)) => {
                 let number = self.operation.number.max(1);
                 number >= *first && last.is_none_or(|last| number <= last)
             }
-            Some(Selection::From(_)) => self.operation.reached,
+            Some(OperationSelection::From(_)) => self.operation.reached,
         };
         if selected {
             self.items.push_back(ExpectedItem {

@@ -120,7 +120,7 @@ impl<F: Fn(f64, &PathPoint) -> Option<PathPoint>> Search<'_, F> {
 }
 
 /// Where a function with one peak is highest, by golden sections.
-pub(crate) fn highest(low: f64, high: f64, value: impl Fn(f64) -> f64) -> f64 {
+fn highest(low: f64, high: f64, value: impl Fn(f64) -> f64) -> f64 {
     let (mut low, mut high) = (low, high);
     let (mut left, mut right) = (high - GOLDEN * (high - low), low + GOLDEN * (high - low));
     let (mut at_left, mut at_right) = (value(left), value(right));

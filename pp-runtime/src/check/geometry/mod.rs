@@ -8,5 +8,5 @@ mod path;
 
 pub(super) use chain::{Chain, ToolPose};
 pub(super) use clearance::distance_out;
-pub(super) use extrema::{Extent, PathPoint, Search, highest};
+pub(super) use extrema::{Extent, PathPoint, Search};
 pub(super) use path::{ArcPath, PathShape, Segment, angle_between, bezier, tool_pose};

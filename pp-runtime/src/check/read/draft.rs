@@ -125,7 +125,7 @@ impl Cycle {
 }
 
 /// Everything that a block says.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Draft {
     pub(crate) number: Option<u64>,
     /// mm and rad, once the unit is known; until then as written.

@@ -125,6 +125,8 @@ pub(crate) struct Reader<R> {
     /// A block has moved.
     moved: bool,
     draft: Draft,
+    /// The draft with which a line begins.
+    empty: Draft,
     block: Block,
 }
 
@@ -151,6 +153,7 @@ impl<R: Read> Reader<R> {
             joined: false,
             moved: false,
             draft: Draft::default(),
+            empty: Draft::default(),
             block: Block::default(),
         }
     }
@@ -162,7 +165,7 @@ impl<R: Read> Reader<R> {
             let Some(long) = self.next_line()? else { return Ok(None) };
             self.block.faults.clear();
             self.block.own = None;
-            self.draft = Draft::default();
+            self.draft = self.empty;
             let mark = if begins { self.byte_order_mark() } else { None };
             let is_block = long || self.read_line();
             if long {

@@ -4,7 +4,7 @@
 //! where an axis would be faster than it can, or the control has a largest F or a shortest block. Where no rotary word
 //! changes and the linear axes are perpendicular F is the feed of the tip; elsewhere it applies to the control's own path.
 
-use super::super::policy::{FeedPath, LinearWords, Policy};
+use super::super::policy::{CheckPolicy, FeedPath, LinearMeaning};
 use super::super::read::{Facts, FeedMode, MAX_AXES, State};
 use crate::kinematics::{AnyMachine, AxisKind};
 use crate::program::{Feed, Units};
@@ -84,7 +84,7 @@ impl FeedLaw {
     /// `bits`: solved linear and rotary axes; `units`: one unit of linear and of rotary words, mm and rad.
     pub(crate) fn new(
         machine: &dyn AnyMachine,
-        policy: &Policy,
+        policy: &CheckPolicy,
         facts: &Facts,
         program: Units,
         bits: (u16, u16),
@@ -107,7 +107,7 @@ impl FeedLaw {
             unit_rad: units.1,
             decimals: policy.digits.feed,
             digits: policy.digits.inverse_time,
-            along_tip: policy.words.linear == LinearWords::TipCoordinates,
+            along_tip: policy.words.linear == LinearMeaning::TipCoordinates,
             per_mm: in_tenths / program.in_mm(),
         }
     }

@@ -15,7 +15,7 @@ use crate::program::{Feed, Units};
 
 use super::expect::{ClMotion, Required};
 use super::geometry::{ToolPose, angle_between};
-use super::policy::{LinearWords, Policy};
+use super::policy::{CheckPolicy, LinearMeaning};
 use super::read::{Block, Facts, MAX_AXES, OwnPlace, WorkOffset};
 pub(super) use feed::{FeedLaw, Stroke};
 pub(super) use fit::{Arrival, BOTH, BlockPath, SHARE, chord, sweep};
@@ -44,7 +44,7 @@ pub(super) struct Rounding {
 
 /// The rules for one program.
 pub(super) struct Rules<'a> {
-    policy: &'a Policy,
+    policy: &'a CheckPolicy,
     facts: Facts,
     machine: Box<dyn AnyMachine>,
     words: Words,
@@ -62,7 +62,7 @@ pub(super) struct Rules<'a> {
 }
 
 impl<'a> Rules<'a> {
-    pub(super) fn new(machine: Box<dyn AnyMachine>, policy: &'a Policy, units: Units) -> Self {
+    pub(super) fn new(machine: Box<dyn AnyMachine>, policy: &'a CheckPolicy, units: Units) -> Self {
         let facts = policy.family.facts();
         let words = Words::new(&*machine, policy);
         let rounding = Rounding::new(&*machine, policy, units, words.rotary_bits().count_ones());
@@ -87,7 +87,7 @@ impl<'a> Rules<'a> {
         }
     }
 
-    pub(super) fn policy(&self) -> &'a Policy {
+    pub(super) fn policy(&self) -> &'a CheckPolicy {
         self.policy
     }
 
@@ -234,14 +234,14 @@ impl<'a> Rules<'a> {
 }
 
 impl Rounding {
-    fn new(machine: &dyn AnyMachine, policy: &Policy, units: Units, rotaries: u32) -> Self {
+    fn new(machine: &dyn AnyMachine, policy: &CheckPolicy, units: Units, rotaries: u32) -> Self {
         let decimals = |digits: u32| 10_f64.powi(-(digits as i32));
         let unit_mm = decimals(policy.digits.linear(units)) * units.in_mm();
         let unit_rad = decimals(policy.digits.rotary).to_radians();
         // Three angles of a plane, half a unit each: thousandths of a degree, or coarser rotary words.
         let in_plane = match policy.words.linear {
-            LinearWords::PlaneCoordinates => 1.5 * decimals(policy.digits.rotary.min(3)).to_radians(),
-            LinearWords::AxisPositions | LinearWords::TipCoordinates => 0.0,
+            LinearMeaning::PlaneCoordinates => 1.5 * decimals(policy.digits.rotary.min(3)).to_radians(),
+            LinearMeaning::AxisPositions | LinearMeaning::TipCoordinates => 0.0,
         };
         let rotary_rad = 0.5 * unit_rad * f64::from(rotaries) * 1.01 + AXIS_NOISE;
         let pole_rad = rotary_rad.max(rotary_rad - AXIS_NOISE + policy.tolerances.pole_rad);

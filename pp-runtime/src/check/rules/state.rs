@@ -3,7 +3,7 @@
 use std::fmt::Display;
 
 use super::super::expect::{Required, SpindleState};
-use super::super::policy::{LinearWords, Rollover};
+use super::super::policy::{LinearMeaning, RolloverRule};
 use super::super::read::{Action, Block, Facts, FeedMode, Length, Side, State, TipControl, WorkOffset, WorkPlane};
 use super::Rules;
 use crate::program::Location;
@@ -95,7 +95,7 @@ impl Rules<'_> {
             .or_else(|| if context.dry { coolant(state, 0) } else { None });
         match required {
             Some(required) => self.tool_first(found, state, required),
-            None => found.map(StateFault::of),
+            None => found.map(StateFault::from),
         }
     }
 
@@ -119,7 +119,7 @@ impl Rules<'_> {
             .or(length)
             .or_else(|| spindle(state, spindle_on))
             .or_else(|| if context.dry { coolant(state, 0) } else { None });
-        found.map(StateFault::of)
+        found.map(StateFault::from)
     }
 
     /// Rotary axes to their parking positions.
@@ -134,7 +134,7 @@ impl Rules<'_> {
             .or_else(|| self.frame(state, false))
             .or_else(|| spindle(state, spindle_on))
             .or_else(|| coolant(state, 0));
-        found.map(StateFault::of)
+        found.map(StateFault::from)
     }
 
     /// Whether the spindle is in a state.
@@ -149,7 +149,7 @@ impl Rules<'_> {
     /// A wrong tool is reported first, where the CL data calls the right one: other faults may follow from it.
     fn tool_first(&self, found: Option<String>, state: &State, required: &Required) -> Option<StateFault> {
         if state.tool == required.tool {
-            return found.map(StateFault::of);
+            return found.map(StateFault::from);
         }
         let name = |tool: Option<u32>| tool.map_or("no tool".to_owned(), |number| format!("T{number}"));
         let text = format!("{} is in the spindle, expected {}", name(state.tool), name(required.tool));
@@ -183,7 +183,7 @@ impl Rules<'_> {
         if selects && !state.shortest_stated {
             return Some("the direction of rotary axes (M126, M127) has not been programmed".to_owned());
         }
-        let shorter = self.policy.words.rollover.values().any(|rollover| *rollover == Rollover::Shortest);
+        let shorter = self.policy.words.rollover.values().any(|rollover| *rollover == RolloverRule::Shortest);
         if selects && !state.shortest && shorter {
             return Some("rotary axes do not take the shorter way, but their words are reduced to 360".to_owned());
         }
@@ -200,7 +200,7 @@ impl Rules<'_> {
 
     /// Tip control and tilted plane; `framed`: as the linear words require.
     fn frame(&self, state: &State, framed: bool) -> Option<String> {
-        use LinearWords::{PlaneCoordinates, TipCoordinates};
+        use LinearMeaning::{PlaneCoordinates, TipCoordinates};
         let tip_control = state.tip_control != TipControl::Off;
         let tilted = state.tilt.is_some();
         match (self.policy.words.linear, framed) {
@@ -273,8 +273,8 @@ impl Rules<'_> {
     }
 }
 
-impl StateFault {
-    fn of(text: String) -> Self {
+impl From<String> for StateFault {
+    fn from(text: String) -> Self {
         Self { text, called: None }
     }
 }

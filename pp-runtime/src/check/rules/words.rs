@@ -7,7 +7,7 @@
 use nalgebra::{Matrix2, Matrix3, Matrix3x2, Vector3};
 
 use super::super::geometry::{Chain, ToolPose, angle_between};
-use super::super::policy::{Policy, TipFrame};
+use super::super::policy::{CheckPolicy, TipFrame};
 use super::super::read::{MAX_AXES, State, TipControl};
 use crate::kinematics::{AnyMachine, AxisKind};
 use crate::set_up::{LengthMode, ProgramZero};
@@ -69,7 +69,7 @@ impl SolvedAxes {
 }
 
 impl Words {
-    pub(crate) fn new(machine: &dyn AnyMachine, policy: &Policy) -> Self {
+    pub(crate) fn new(machine: &dyn AnyMachine, policy: &CheckPolicy) -> Self {
         let set_up = &policy.set_up;
         let mut words = Self {
             axes: SolvedAxes::of(machine),
@@ -132,7 +132,12 @@ impl Words {
     }
 
     /// Puts another tool into the spindle. Returns whether its length differs.
-    pub(crate) fn set_tool(&mut self, machine: &mut dyn AnyMachine, policy: &Policy, gauge_length_mm: f64) -> bool {
+    pub(crate) fn set_tool(
+        &mut self,
+        machine: &mut dyn AnyMachine,
+        policy: &CheckPolicy,
+        gauge_length_mm: f64,
+    ) -> bool {
         let differs = (self.gauge_length_mm - gauge_length_mm).abs() > 0.0;
         if differs {
             machine.set_up(policy.set_up.part_origin.into(), gauge_length_mm);

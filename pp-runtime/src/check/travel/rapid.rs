@@ -1,14 +1,22 @@
 //! A rapid under tip control in which every axis moves on its own.
 //!
 //! Every pair of rotary values may occur with every point of the box of the linear words. For a pair of rotary values
-//! linear axes are affine in the words, so that the corners of the box suffice.
+//! linear axes are affine in the words, so that the corners of the box suffice. Over the rotary values an axis value is
+//! `Σ c_ij·g_i(a)·h_j(b)` with `g, h ∈ {1, cos, sin}`, because each rotary axis is one factor of the chain: nine values give
+//! the bound of its curvature, and branch and bound its largest value. Nothing between samples is left out.
 
-use super::super::geometry::highest;
-use super::{Block, Extent, Findings, MAX_AXES, Rules, Travel};
+use std::f64::consts::FRAC_PI_2;
 
-/// Largest distance between rotary values that are paired, rad, unless there were more than this.
-const PAIR_STEP: f64 = 0.05;
-const MOST_PAIRED: f64 = 60.0;
+use super::{Block, Extent, Findings, MAX_AXES, NOISE, Rules, Travel};
+
+/// Accuracy of a largest value that is outside the limits, mm and rad.
+const ACCURACY: f64 = 1e-4;
+
+/// Largest number of cells that are examined for one value; the rest counts with its bound.
+const MOST_CELLS: usize = 20_000;
+
+/// A rectangle of two rotary words: from and to of each.
+type Cell = [[f64; 2]; 2];
 
 impl Travel {
     pub(super) fn uncoordinated(
@@ -19,37 +27,37 @@ impl Travel {
         findings: &mut Findings<'_>,
     ) {
         let words = rules.words();
-        let counts: [u32; MAX_AXES] = std::array::from_fn(|index| {
-            let angle = (block.values[index] - before[index]).abs();
-            let rotary = words.rotary_bits() & (1 << index) != 0;
-            if rotary { (angle / PAIR_STEP).ceil().min(MOST_PAIRED) as u32 + 1 } else { 1 }
-        });
         let at = |point: &[f64; MAX_AXES]| words.axes(point, &block.state);
         let (Some(first), Some(last)) = (at(before), at(&block.values)) else { return };
+        let mut rotary = words.rotary();
+        let rotary = [rotary.next(), rotary.next()];
+        let cell = rotary.map(|index| index.map_or([0.0; 2], |index| [before[index], block.values[index]]));
+        let (quiet, linear) = (self.quiet(words), words.linear_bits());
         let mut extent = Extent::of(&first);
-        let mut farthest = [[*before; 2]; MAX_AXES];
-        for point in pairs(before, &block.values, counts, words.linear_bits()) {
-            let Some(values) = at(&point) else { continue };
-            for (index, value) in values.into_iter().enumerate() {
-                if value < extent.low[index] {
-                    farthest[index][0] = point;
+        extent.take(&last);
+        for corner in (0..=linear).filter(|corner| corner & !linear == 0) {
+            let from: [f64; MAX_AXES] =
+                std::array::from_fn(
+                    |index| if corner & (1 << index) == 0 { before[index] } else { block.values[index] },
+                );
+            let with = |angles: [f64; 2]| {
+                let mut point = from;
+                for (index, angle) in rotary.into_iter().zip(angles) {
+                    if let Some(index) = index {
+                        point[index] = angle;
+                    }
                 }
-                if value > extent.high[index] {
-                    farthest[index][1] = point;
-                }
-            }
-            extent.take(&values);
-        }
-        let quiet = self.quiet(words);
-        for axis in &self.axes {
-            // Between two pairs a value rises by less than over all of them.
-            let room = extent.high[axis.index] - extent.low[axis.index];
-            for (side, point) in [-1.0, 1.0].into_iter().zip(farthest[axis.index]) {
-                if extent.bound(axis.index, side) + room > quiet.bound(axis.index, side) {
-                    let value =
-                        |point: &[f64; MAX_AXES]| at(point).map_or(f64::NEG_INFINITY, |at| side * at[axis.index]);
-                    let point = farther(before, &block.values, counts, point, value);
-                    extent.take(&at(&point).unwrap_or(first));
+                at(&point)
+            };
+            for axis in self.axes.iter().filter(|axis| !axis.rotary) {
+                for side in [1.0, -1.0] {
+                    let value = |angles: [f64; 2]| with(angles).map_or(f64::NEG_INFINITY, |at| side * at[axis.index]);
+                    let inside = quiet.bound(axis.index, side).max(extent.bound(axis.index, side));
+                    let largest = highest(value, cell, curvature(value), inside + NOISE);
+                    let bound = if side > 0.0 { &mut extent.high } else { &mut extent.low };
+                    if largest > inside {
+                        bound[axis.index] = side * largest;
+                    }
                 }
             }
         }
@@ -57,51 +65,103 @@ impl Travel {
     }
 }
 
-/// Every pair of rotary values at every corner of the box of the linear words; `counts`: number of values of each axis.
-fn pairs(
-    from: &[f64; MAX_AXES],
-    to: &[f64; MAX_AXES],
-    counts: [u32; MAX_AXES],
-    linear: u16,
-) -> impl Iterator<Item = [f64; MAX_AXES]> {
-    let all: u32 = counts.iter().product();
-    let corners = (0..=linear).filter(move |corner| corner & !linear == 0);
-    corners.flat_map(move |corner| (0..all).map(move |pair| (corner, pair))).map(move |(corner, pair)| {
-        let mut rest = pair;
-        std::array::from_fn(|index| {
-            let (step, last) = (rest % counts[index], counts[index] - 1);
-            rest /= counts[index];
-            let share = match corner & (1 << index) {
-                0 if last == 0 => 0.0,
-                0 => f64::from(step) / f64::from(last),
-                _ => 1.0,
-            };
-            from[index] + (to[index] - from[index]) * share
-        })
-    })
+/// Bound of the second derivative in each of two angles.
+fn curvature(value: impl Fn([f64; 2]) -> f64) -> [f64; 2] {
+    // Constant, cosine and sine from the values at 0, a quarter and half a revolution.
+    let parts = |values: [f64; 3]| {
+        let constant = f64::midpoint(values[0], values[2]);
+        [constant, values[0] - constant, values[1] - constant]
+    };
+    let at = |quarters: usize| FRAC_PI_2 * quarters as f64;
+    let bound = |value: &dyn Fn(f64, f64) -> f64| {
+        let [_, cosine, sine] = transposed([0, 1, 2].map(|b| parts([0, 1, 2].map(|a| value(at(a), at(b))))));
+        let largest = |over_b: [f64; 3]| {
+            let [constant, cosine, sine] = parts(over_b);
+            constant.abs() + cosine.hypot(sine)
+        };
+        largest(cosine).hypot(largest(sine))
+    };
+    [bound(&|a, b| value([a, b])), bound(&|b, a| value([a, b]))]
 }
 
-/// The point near the best pair where a value is largest: one rotary axis after the other, twice.
-fn farther(
-    from: &[f64; MAX_AXES],
-    to: &[f64; MAX_AXES],
-    counts: [u32; MAX_AXES],
-    mut words: [f64; MAX_AXES],
-    value: impl Fn(&[f64; MAX_AXES]) -> f64,
-) -> [f64; MAX_AXES] {
-    for index in (0..MAX_AXES).chain(0..MAX_AXES).filter(|index| counts[*index] > 1) {
-        let step = (to[index] - from[index]).abs() / f64::from(counts[index] - 1);
-        let (least, most) = (from[index].min(to[index]), from[index].max(to[index]));
-        let with = |word: f64| {
-            let mut moved = words;
-            moved[index] = word;
-            moved
+fn transposed(rows: [[f64; 3]; 3]) -> [[f64; 3]; 3] {
+    [0, 1, 2].map(|column| rows.map(|row| row[column]))
+}
+
+/// Largest value over a cell, to [`ACCURACY`]; of no interest up to `threshold`, which is returned then or less.
+///
+/// Over a rectangle with edges `u` and `v` a function exceeds the largest of its corners by `(u²·m + v²·n) / 8` at most, where
+/// `m` and `n` bound its second derivatives: the error of linear interpolation, once for each edge.
+fn highest(value: impl Fn([f64; 2]) -> f64, cell: Cell, curvature: [f64; 2], threshold: f64) -> f64 {
+    let (mut best, mut cells, mut examined) = (f64::NEG_INFINITY, vec![cell], 0);
+    while let Some([a, b]) = cells.pop() {
+        let corners = [[a[0], b[0]], [a[0], b[1]], [a[1], b[0]], [a[1], b[1]]].map(&value);
+        let corner = corners.into_iter().fold(f64::NEG_INFINITY, f64::max);
+        best = best.max(corner);
+        let excess =
+            [(a, curvature[0]), (b, curvature[1])].map(|(edge, bound)| (edge[1] - edge[0]).powi(2) * bound / 8.0);
+        let above = corner + excess[0] + excess[1];
+        if above <= threshold.max(best + ACCURACY) {
+            continue;
+        }
+        examined += 1;
+        if examined > MOST_CELLS {
+            best = best.max(above);
+            continue;
+        }
+        let halves = |[low, high]: [f64; 2]| {
+            let middle = f64::midpoint(low, high);
+            [[low, middle], [middle, high]]
         };
-        let (low, high) = ((words[index] - step).max(least), (words[index] + step).min(most));
-        let better = with(highest(low, high, |word| value(&with(word))));
-        if value(&better) > value(&words) {
-            words = better;
+        if excess[0] >= excess[1] {
+            cells.extend(halves(a).map(|a| [a, b]));
+        } else {
+            cells.extend(halves(b).map(|b| [a, b]));
         }
     }
-    words
+    best
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Products of two trigonometric functions with random coefficients.
+    fn wave(seed: u32) -> impl Fn([f64; 2]) -> f64 {
+        let c: [f64; 9] = std::array::from_fn(|index| (f64::from(seed) * 1.7 + index as f64 * 2.3).sin() * 300.0);
+        move |[a, b]: [f64; 2]| {
+            let (g, h) = ([1.0, a.cos(), a.sin()], [1.0, b.cos(), b.sin()]);
+            (0..9).map(|index| c[index] * g[index / 3] * h[index % 3]).sum()
+        }
+    }
+
+    #[test]
+    fn the_largest_value_of_a_rectangle_is_found_wherever_it_is() {
+        for seed in 0..60 {
+            let value = wave(seed);
+            let at = f64::from(seed) * 0.21;
+            let cell = [[at - 2.0, at + 0.3 * at.sin()], [0.7 * at, 0.7 * at + 1.9]];
+            let found = highest(&value, cell, curvature(&value), f64::NEG_INFINITY);
+            let sampled = (0..=400).flat_map(|i| (0..=400).map(move |j| [i, j].map(|step| f64::from(step) / 400.0)));
+            let point = |share: [f64; 2]| [0, 1].map(|i| cell[i][0] + (cell[i][1] - cell[i][0]) * share[i]);
+            let most = sampled.map(|share| value(point(share))).fold(f64::NEG_INFINITY, f64::max);
+            assert!(found >= most - ACCURACY && found <= most + 0.02, "{seed}: {found} {most}");
+        }
+    }
+
+    #[test]
+    fn no_curvature_is_larger_than_its_bound() {
+        for seed in 0..60 {
+            let value = wave(seed);
+            let [m, n] = curvature(&value);
+            for step in 0..500 {
+                let at = [f64::from(step) * 0.37, f64::from(step) * 0.91];
+                let second = |by: [f64; 2]| {
+                    let moved = |sign: f64| value([at[0] + sign * by[0], at[1] + sign * by[1]]);
+                    (moved(1.0) - 2.0 * value(at) + moved(-1.0)) / 1e-6
+                };
+                assert!(second([1e-3, 0.0]).abs() <= m * 1.001 + 1e-3 && second([0.0, 1e-3]).abs() <= n * 1.001 + 1e-3);
+            }
+        }
+    }
 }

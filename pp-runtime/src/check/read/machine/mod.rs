@@ -8,7 +8,7 @@ mod arc;
 mod modes;
 mod motion;
 
-use super::super::policy::Rollover;
+use super::super::policy::RolloverRule;
 use super::block::{Action, Block, MAX_AXES, State, stated};
 use super::draft::{Code, Cycle, Draft, LengthCode, TiltCode, effect, fault};
 use super::facts::Facts;
@@ -20,7 +20,7 @@ pub(crate) struct AxisName {
     /// As in the program, upper case.
     pub(crate) name: Vec<u8>,
     pub(crate) rotary: bool,
-    pub(crate) rollover: Option<Rollover>,
+    pub(crate) rollover: Option<RolloverRule>,
 }
 
 /// State and position of a control.
@@ -29,6 +29,8 @@ pub(super) struct Interpreter {
     axes: Vec<AxisName>,
     /// Positions of X Y Z.
     linear: [Option<usize>; 3],
+    /// Position of the axis with a name of one letter, A to Z.
+    by_letter: [Option<u8>; 26],
     facts: Facts,
     state: State,
     values: [f64; MAX_AXES],
@@ -79,9 +81,14 @@ impl Frames {
 impl Interpreter {
     pub(super) fn new(axes: Vec<AxisName>, facts: Facts, rounding: f64) -> Self {
         let linear = [b"X", b"Y", b"Z"].map(|name| axes.iter().position(|axis| axis.name == name));
+        let by_letter = std::array::from_fn(|letter| {
+            let index = axes.iter().position(|axis| axis.name == [b'A' + letter as u8])?;
+            u8::try_from(index).ok()
+        });
         Self {
             axes,
             linear,
+            by_letter,
             facts,
             state: State::default(),
             values: [0.0; MAX_AXES],
@@ -110,7 +117,11 @@ impl Interpreter {
     }
 
     /// Position in the chain of an axis, by its name in the program.
+    #[inline]
     pub(super) fn axis_named(&self, name: &[u8]) -> Option<usize> {
+        if let [letter @ b'A'..=b'Z'] = name {
+            return self.by_letter[usize::from(letter - b'A')].map(usize::from);
+        }
         self.axes.iter().position(|axis| axis.name == name)
     }
 

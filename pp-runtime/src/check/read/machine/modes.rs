@@ -6,8 +6,10 @@ use super::{Frames, Interpreter};
 
 impl Interpreter {
     pub(super) fn set_state(&mut self, draft: &Draft, faults: &mut Vec<Fault>) {
-        let before = self.state;
         let state = &mut self.state;
+        let (before_length, before) = (state.length, (state.work_offset, state.units));
+        let reframes = draft.tilt.is_some() || draft.tip_control.is_some() || draft.length.is_some();
+        let frames = if reframes { Some((state.tilt, state.tip_control)) } else { None };
         state.units = draft.units.or(state.units);
         if let Some(mode) = draft.feed_mode {
             if state.feed_mode != Some(mode) {
@@ -62,13 +64,11 @@ impl Interpreter {
         self.set_length(draft, faults);
         self.set_frames(draft, faults);
         let now = &self.state;
-        if now.length != before.length {
+        if now.length != before_length {
             // The length lies along Z, whatever the plane.
             self.known &= !self.linear[2].map_or(0, |z| 1 << z);
         }
-        if (now.work_offset, now.units) != (before.work_offset, before.units)
-            || now.tilt != before.tilt
-            || now.tip_control != before.tip_control
+        if (now.work_offset, now.units) != before || frames.is_some_and(|frames| frames != (now.tilt, now.tip_control))
         {
             self.known &= !self.mask(false);
         }

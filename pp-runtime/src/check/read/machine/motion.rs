@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use super::super::super::policy::Rollover;
+use super::super::super::policy::RolloverRule;
 use super::super::block::{Action, Block, CycleKind, CycleMove, Fault, MAX_AXES, TipControl};
 use super::super::draft::{Code, Draft, fault};
 use super::Interpreter;
@@ -185,22 +185,22 @@ impl Interpreter {
     fn turned(&self, index: usize, value: f64, negative: bool, faults: &mut Vec<Fault>) -> f64 {
         // Where the set-up says which axes roll over, the short way is for these.
         let said = self.axes.iter().any(|axis| axis.rollover.is_some());
-        let any = if self.state.shortest && !said { Some(Rollover::Shortest) } else { None };
+        let any = if self.state.shortest && !said { Some(RolloverRule::Shortest) } else { None };
         let wrap = self.axes[index].rollover.or(any);
         let Some(wrap) = wrap else { return value };
         if self.known & (1 << index) == 0 {
             // Its sign is the way there, not the place.
-            return if wrap == Rollover::Sign { value.abs() } else { value };
+            return if wrap == RolloverRule::Sign { value.abs() } else { value };
         }
         let from = self.values[index];
         match wrap {
-            Rollover::Sign => {
+            RolloverRule::Sign => {
                 let forward = (value.abs() - from).rem_euclid(TAU);
                 // What is already there does not turn, whatever its rounding.
                 let forward = if TAU - forward < HALF_TURN { 0.0 } else { forward };
                 if forward < HALF_TURN || !negative { from + forward } else { from + forward - TAU }
             }
-            Rollover::Shortest => {
+            RolloverRule::Shortest => {
                 let way = (value - from + TAU / 2.0).rem_euclid(TAU) - TAU / 2.0;
                 if TAU / 2.0 - way.abs() < HALF_TURN {
                     fault(faults, 0, "rotary motion of exactly 180°: the control may rotate in either direction");
