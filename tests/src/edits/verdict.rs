@@ -5,7 +5,9 @@
 //! and states that differ only where nothing is cut.
 
 use crate::foreign::axes::{Axes, is_rotary};
-use crate::foreign::state::{Compensation, Coolant, Cycle, CycleKind, Length, PathMode, SMOOTHING, State, TiltedPlane};
+use crate::foreign::state::{
+    Compensation, Coolant, Cycle, CycleKind, Length, PathMode, Plane, SMOOTHING, State, TiltedPlane,
+};
 use crate::foreign::trace::{Arc, Hole};
 use crate::foreign::{Effect, Executed, Feed, Refused, Trace};
 
@@ -241,6 +243,9 @@ fn removed(was: &[Event<'_>], is: &[Event<'_>], index: usize, allowed: Allowed) 
     {
         return Some(Verdict::Undecided("axes park in another order".to_owned()));
     }
+    if is_stop_at_retract(was, is, index) && rest_agrees(&was[index + 2..], &is[index + 2..]) {
+        return Some(Verdict::Undecided("a stop before or after a retract".to_owned()));
+    }
     let over = |events: &[Event<'_>], other: &[Event<'_>]| {
         index < events.len()
             && is_over_next_hole(events, index, allowed)
@@ -250,7 +255,9 @@ fn removed(was: &[Event<'_>], is: &[Event<'_>], index: usize, allowed: Allowed) 
         return Some(Verdict::Undecided("a rapid over the next hole".to_owned()));
     }
     let turned = |events: &[Event<'_>], other: &[Event<'_>]| {
-        events.get(index).is_some_and(|event| is_turned_already(event, allowed))
+        events
+            .get(index)
+            .is_some_and(|event| is_turned_already(event, allowed) && event.block.words.letters().all(is_rotary))
             && rest_agrees(&events[index + 1..], &other[index..])
     };
     if turned(was, is) || turned(is, was) {
@@ -277,11 +284,28 @@ fn removed(was: &[Event<'_>], is: &[Event<'_>], index: usize, allowed: Allowed) 
     None
 }
 
+/// Whether a stop comes before or after a motion to machine coordinates.
+fn is_stop_at_retract(was: &[Event<'_>], is: &[Event<'_>], index: usize) -> bool {
+    let kinds = |events: &[Event<'_>]| {
+        events.get(index..index + 2).map(|pair| [0, 1].map(|at| std::mem::discriminant(&pair[at].block.effect)))
+    };
+    let stops = |event: Option<&Event<'_>>| {
+        event.is_some_and(|event| matches!(event.block.effect, Effect::Stop | Effect::OptionalStop | Effect::Machine))
+    };
+    match (kinds(was), kinds(is)) {
+        (Some([one, two]), Some([three, four])) => {
+            one == four && two == three && one != two && stops(was.get(index)) && stops(was.get(index + 1))
+        }
+        _ => false,
+    }
+}
+
 /// Whether a rapid brings rotary axes to where they are in the tilted plane, any other rotary axis where it suits best.
 fn is_turned_already(event: &Event<'_>, allowed: Allowed) -> bool {
     let (Some(tool_axis), Some(plane)) = (allowed.tool_axis, event.before.tilted_plane()) else { return false };
     let mut rotary = event.block.words;
-    if event.block.effect != Effect::Rapid || !plane.oriented || !rotary.letters().all(is_rotary) {
+    rotary.retain(is_rotary);
+    if event.block.effect != Effect::Rapid || !plane.oriented || rotary.is_empty() {
         return false;
     }
     let Some(free) = ['A', 'B', 'C'].into_iter().find(|letter| {
@@ -462,7 +486,7 @@ fn difference(was: &Event<'_>, is: &Event<'_>, allowed: Allowed) -> Option<Diffe
     let preselected = soft(old.selected != new.selected, "the selected tool");
     let own = match (one, other) {
         (Effect::Dwell(one), Effect::Dwell(other)) => worst([
-            compared("a dwell of", *one, *other, 0.01 * one),
+            compared("a dwell of", *one, *other, (0.01 * one).max(0.0015)),
             hard(old.spindle != new.spindle, "the spindle in a dwell"),
         ]),
         (Effect::Guard { length, tolerance }, Effect::Guard { length: length_now, tolerance: now }) => worst([
@@ -553,8 +577,12 @@ fn effect_difference(one: &Effect, other: &Effect, state: &State, allowed: Allow
 
 fn arc_difference(one: &Arc, other: &Arc, state: &State, allowed: Allowed) -> Option<Difference> {
     let centre = |index: usize| compared("a centre of", one.centre[index], other.centre[index], allowed.linear);
-    let radius = |letter: char, index: usize| state.position.get(letter).map_or(0.0, |end| end - one.centre[index]);
-    let radius = radius('X', 0).hypot(radius('Y', 1)).hypot(radius('Z', 2)).max(1e-6);
+    let [first, second, _] = state.plane.unwrap_or(Plane::Xy).letters();
+    let from_centre = |letter: char| {
+        let index = "XYZ".find(letter).unwrap_or_default();
+        state.position.get(letter).map_or(0.0, |end| end - one.centre[index])
+    };
+    let radius = from_centre(first).hypot(from_centre(second)).max(1e-6);
     let off_deg = (allowed.linear / radius).to_degrees().max(0.001);
     worst([centre(0), centre(1), centre(2), compared("a sweep of", one.sweep_deg, other.sweep_deg, off_deg)])
 }
@@ -612,6 +640,9 @@ fn moved(was: &Event<'_>, is: &Event<'_>, allowed: Allowed) -> Option<Difference
                 ])
             }
             (Some(_), None) if cuts || written[0] => Some(Hard(format!("{letter} is unknown"))),
+            (None, Some(_)) if written[1] && !written[0] && is_turned_already(is, allowed) => {
+                soft(true, "a rotary axis to where the plane has it")
+            }
             (None, Some(_)) if written[1] && !written[0] => Some(Hard(format!("{letter} moves"))),
             (None, None) => hard(written[0] != written[1], &format!("{letter} moves in one of both")),
             (one, other) => soft(one != other, &format!("{letter} is known in one of both")),

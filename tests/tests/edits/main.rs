@@ -89,8 +89,9 @@ fn failure(what: &str, control: Control, posted: &Posted, edit: &Edit, why: &str
 
 /// An edit as text.
 fn shown(posted: &Posted, edit: &Edit, why: &str, finding: &str) -> String {
+    let before = posted.subject.lines[edit.line.saturating_sub(8)..edit.line - 1].join(" | ");
     format!(
-        "{}, line {}, {}\n  state: {}\n  was: {}\n  is:  {}\n  trace: {why}\n  finding: {finding}\n",
+        "{}, line {}, {}\n  state: {}\n  before: {before}\n  was: {}\n  is:  {}\n  trace: {why}\n  finding: {finding}\n",
         posted.subject.name, edit.line, edit.kind, edit.class, edit.before, edit.after
     )
 }
@@ -163,13 +164,34 @@ fn is_matter_of_taste(posted: &Posted, edit: &Edit) -> bool {
         let is = |letters: &str| line.split(' ').any(|word| word.starts_with(|letter| letters.contains(letter)));
         is("T") && is("XYZABC")
     });
-    semicolon || ends || shop || off || unit || own || tool
+    // A parameter of a cycle that is left out.
+    let parameter =
+        options.control == Control::Heidenhain && edit.before.split(" | ").any(|line| line.starts_with("  Q"));
+    parameter || semicolon || ends || shop || off || unit || own || tool
+}
+
+/// Whether a code is in the edit that the control has and the foreign interpreter has not.
+fn is_another_mode(edit: &Edit) -> bool {
+    const MODES: &[&str] = &[
+        "G9", "G09", "G60", "G61.1", "G500", "G601", "G602", "G603", "G641", "G642", "G643", "G644", "G645", "G70",
+        "G71", "G91.1", "G97",
+    ];
+    edit.after.split(' ').any(|word| MODES.contains(&word)) && !edit.before.split(' ').any(|word| MODES.contains(&word))
 }
 
 /// Whether an edit concerns messages and comments alone. The foreign interpreter refuses a guard without its message.
 fn is_message(edit: &Edit) -> bool {
     let message = |line: &str| line.is_empty() || line.starts_with(['(', ';', '*']) || line.starts_with("MSG(");
     let abort = edit.before.contains("(abort") || edit.after.contains("(abort");
+    let rest =
+        |text: &str| -> Vec<String> { text.split(" | ").filter(|line| !message(line)).map(str::to_owned).collect() };
+    // A message that moves across other lines of a guard, and the two codes that stop in one.
+    let stop = |line: &str| message(line) || matches!(line, "M0" | "M30");
+    let all_stop = edit.before.split(" | ").chain(edit.after.split(" | ")).all(stop);
+    let stops = edit.after.split(" | ").any(|line| matches!(line, "M0" | "M30"));
+    if !abort && (rest(&edit.before) == rest(&edit.after) || all_stop && stops) {
+        return true;
+    }
     !abort && edit.before.split(" | ").chain(edit.after.split(" | ")).all(message)
 }
 
@@ -182,7 +204,7 @@ fn judged(posted: &Posted, edit: &Edit, tally: &mut Tally) -> Option<Failure> {
     if matches!(verdict, Verdict::Undecided(_))
         || verdict == Verdict::Harmless && !is_harmless_for_the_careful(posted, edit)
         || verdict == Verdict::Harmless && is_matter_of_taste(posted, edit)
-        || matches!(verdict, Verdict::Refused(_)) && is_message(edit)
+        || matches!(verdict, Verdict::Refused(_)) && (is_message(edit) || is_another_mode(edit))
         || verdict == Verdict::Harmless && is_another_restart(posted, edit, &edited)
     {
         tally.undecided += 1;
@@ -248,7 +270,7 @@ fn every_harmful_edit_is_found_and_no_harmless_one() {
         .filter(|posted| !faulty.iter().any(|found| found.starts_with(&format!("{}:", posted.subject.name))))
         .collect();
     let careful = programs.iter().filter(|posted| posted.careful.is_some()).count();
-    assert!(careful * 2 > programs.len(), "only {careful} of {} programs are read with care", programs.len());
+    assert!(careful * 20 > programs.len() * 19, "only {careful} of {} programs are read with care", programs.len());
     let places = places(&programs);
     let classes: usize = places.values().map(BTreeMap::len).sum();
     println!("{} programs, {careful} of them read with care, {classes} states", programs.len());

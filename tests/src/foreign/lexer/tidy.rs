@@ -150,6 +150,9 @@ fn heidenhain(text: &str, pointed: bool) -> Result<(), String> {
     let twice = pieces
         .windows(2)
         .any(|pair| pair[0] == pair[1] && pair[0].starts_with(|letter: char| letter.is_ascii_uppercase()));
-    // `FUNCTION TCPM F TCP AXIS POS PATHCTRL AXIS`.
-    if twice && !block.contains("FUNCTION") { Err("a word twice".to_owned()) } else { Ok(()) }
+    if twice && !block.contains(" FUNCTION ") && !block.starts_with("FUNCTION ") {
+        Err("a word twice".to_owned())
+    } else {
+        Ok(())
+    }
 }

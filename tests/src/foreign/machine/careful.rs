@@ -9,7 +9,7 @@
 
 use super::super::Control;
 use super::super::axes::Axes;
-use super::super::meaning::{Address, Command, Meaning};
+use super::super::meaning::{Address, Command, Meaning, Word};
 use super::super::state::{Compensation, CycleKind, Distance, FeedMode, Length, Spindle};
 use super::super::trace::Effect;
 use super::Machine;
@@ -21,15 +21,17 @@ pub(super) fn block(machine: &Machine, command: &Command) -> Result<(), String> 
         return Err("a motion to reference points or zero that no block states".to_owned());
     }
     let vector = command.words.iter().filter(|word| matches!(word.address, Address::Vector(_))).count();
-    if vector > 0 && (vector < 3 || !machine.state.under_tip_control()) {
+    let begins = |meaning: &Meaning| matches!(meaning, Meaning::TipControl(true) | Meaning::LengthWithTipControl(_));
+    let tips = machine.state.under_tip_control() || command.meanings.iter().any(begins);
+    if vector > 0 && (vector < 3 || !tips) {
         return Err("a tool vector without all its components, or without tip control".to_owned());
     }
     if command.has(Meaning::Orient) && command.meanings.len() + command.words.len() > 1 {
         return Err("the rotary axes turn to a plane in a block with other words".to_owned());
     }
-    let smoothing = command.words.iter().any(|word| matches!(word.address, Address::Smoothing(_)));
-    if machine.control == Control::Fanuc && command.has(Meaning::Smoothing) && !smoothing {
-        return Err("G5.1 without Q".to_owned());
+    let on_or_off = |word: &Word| word.address == Address::Smoothing(1) && [0.0, 1.0].contains(&word.value);
+    if machine.control == Control::Fanuc && command.has(Meaning::Smoothing) && !command.words.iter().any(on_or_off) {
+        return Err("G5.1 without Q0 and Q1".to_owned());
     }
     let linuxcnc = machine.control == Control::LinuxCnc;
     if command.meanings.iter().any(|meaning| matches!(meaning, Meaning::Units(_))) {
@@ -67,6 +69,11 @@ pub(super) fn clear(control: Control, command: &Command) -> Result<(), String> {
     };
     if command.has_axes() && command.meanings.iter().any(own_block) {
         return Err("MCALL or a change of the kinematics with a motion".to_owned());
+    }
+    if control == Control::Fanuc && command.has(Meaning::Smoothing) && command.meanings.len() > 1
+        || command.has(Meaning::Smoothing) && command.has_axes()
+    {
+        return Err("smoothing in a block with other words".to_owned());
     }
     let cycle = command.meanings.iter().any(|meaning| matches!(meaning, Meaning::Cycle(_)));
     if cycle && command.has(Meaning::Continuous) {
@@ -175,8 +182,7 @@ pub(super) fn effect(machine: &Machine, command: &Command, effect: &Effect, word
     if matches!(effect, Effect::Machine | Effect::Rapid) && state.feed_mode == Some(FeedMode::InverseTime) {
         return Err("a rapid in inverse time".to_owned());
     }
-    let thread = matches!(effect, Effect::Hole(hole) if matches!(hole.cycle.kind, CycleKind::Tap { .. }));
-    if state.rigid && effect.moves() && !thread {
+    if state.rigid && effect.moves() && !matches!(effect, Effect::Hole(_)) {
         return Err("a motion between M29 and its thread".to_owned());
     }
     if !effect.moves() || matches!(effect, Effect::Orient) {

@@ -90,7 +90,11 @@ impl Machine {
     /// The one thing that a block does; `command` is what its modes have left of `written`.
     fn effect(&mut self, written: &Command, command: &mut Command) -> Result<Effect, String> {
         let meanings = &written.meanings;
-        if meanings.contains(&Meaning::Dwell) {
+        let stops = meanings.contains(&Meaning::Stop) || meanings.contains(&Meaning::OptionalStop);
+        if meanings.contains(&Meaning::Dwell) && stops {
+            // The wait comes before the stop.
+            command.take(Address::Seconds).ok_or("a dwell without its time")?;
+        } else if meanings.contains(&Meaning::Dwell) {
             self.motion_mode(meanings, command)?;
             let seconds = command.take(Address::Seconds).ok_or("a dwell without its time")?;
             return Ok(Effect::Dwell(seconds));

@@ -99,6 +99,10 @@ fn sense(tokens: &[Token]) -> Result<MotionMode, String> {
 /// Axes, F, radius compensation, parameters of an arc, M codes.
 fn words(command: &mut Command, tokens: &[Token]) -> Result<(), String> {
     let motion = command.meanings.iter().any(|meaning| matches!(meaning, Meaning::Motion(_)));
+    let is_word = |wanted: &str| tokens.iter().any(|token| matches!(token, Token::Word { name, .. } if name == wanted));
+    if is_word("F") && tokens.iter().any(|token| matches!(token, Token::Name(name) if name == "FMAX")) {
+        return Err("F and FMAX in one block".to_owned());
+    }
     for token in tokens {
         match token {
             Token::Word { name, number, counting } => word(command, name, *number, *counting)?,
@@ -244,6 +248,9 @@ fn cycle_definition(command: &mut Command, tokens: &[Token]) -> Result<(), Strin
         },
         code @ 320..=322 => {
             command.code(Meaning::Smoothing)?;
+            if code == 320 && parameters.is_empty() {
+                return Err("a cycle without its title".to_owned());
+            }
             for token in parameters {
                 match (code, token) {
                     (321, Token::Word { name, number, .. }) if name == "T" => {

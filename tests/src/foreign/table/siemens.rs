@@ -150,7 +150,7 @@ fn call(
         "MSG" => command.code(Meaning::Idle),
         "CYCLE832" => {
             command.code(Meaning::Smoothing)?;
-            for index in 0..arguments.len().min(SMOOTHING) {
+            for index in (0..SMOOTHING).filter(|_| !arguments.is_empty()) {
                 // An argument that is left out counts as zero.
                 command.word(Address::Smoothing(index), number(index).unwrap_or(0.0))?;
             }
@@ -169,7 +169,7 @@ fn call(
 fn swivel(number: impl Fn(usize) -> Option<f64>) -> Option<TiltedPlane> {
     let vector = |first: usize| Some([number(first)?, number(first + 1)?, number(first + 2)?]);
     let zero = |value: f64| value.abs() < 1e-9;
-    if !zero(number(2)?) {
+    if !zero(number(0)?) || !zero(number(2)?) {
         return None;
     }
     let rotation = geometry::axis_by_axis(number(3)? as u32, vector(7)?)?;
