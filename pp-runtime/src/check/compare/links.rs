@@ -233,7 +233,9 @@ impl<R: Read> Comparison<'_, R> {
             _ => 0,
         };
         let parks = retracted.parks && step == 1 && parking::moves_rotary(&self.rules, &self.previous, block);
-        let continues = retracted.rewind.is_some_and(|rewind| rewind.finished.is_some());
+        // A cut goes on with the spindle on; at the end it is off before the axes are parked.
+        let spindle_on = block.state.spindle.flatten().is_some();
+        let continues = spindle_on && retracted.rewind.is_some_and(|rewind| rewind.finished.is_some());
         if self.progress.next().is_none() && !continues || parks {
             self.park(retracted, current);
             return Ok(None);
