@@ -116,8 +116,20 @@ impl Line<'_> {
         }
     }
 
+    /// Says which of F and S cannot be executed.
+    #[inline]
+    pub(super) fn feed_and_speed(&mut self) {
+        if self.draft.feed.is_some_and(|feed| feed <= 0.0) {
+            self.fault(0, "F is not above 0");
+        }
+        if self.draft.speed.is_some_and(|speed| speed < 0.0) {
+            self.fault(0, "S is negative");
+        }
+    }
+
     /// Says what contradicts itself in the block.
     pub(super) fn contradictions(&mut self) {
+        self.feed_and_speed();
         let draft = &*self.draft;
         let found = [
             (draft.coolant_on != 0 && draft.coolant_off != 0, "coolant is switched on and off in one block"),
@@ -126,8 +138,6 @@ impl Line<'_> {
                 draft.reference && draft.code.is_some() && !self.facts().reference_beside_motion,
                 "a motion code in a block with a reference motion: both take the axis words",
             ),
-            (draft.feed.is_some_and(|feed| feed <= 0.0), "F is not above 0"),
-            (draft.speed.is_some_and(|speed| speed < 0.0), "S is negative"),
         ];
         if found.iter().any(|(wrong, _)| *wrong) {
             found.iter().filter(|(wrong, _)| *wrong).for_each(|(_, text)| self.fault(0, *text));

@@ -211,6 +211,8 @@ pub(super) struct Draft {
     pub(crate) effects: u8,
     pub(crate) clamp_on: u16,
     pub(crate) clamp_off: u16,
+    /// Words of axes, F, S and N, and nothing else: no state changes but F and S.
+    pub(crate) only_moves: bool,
     /// Modal groups that have spoken.
     pub(crate) groups: u32,
 }

@@ -152,10 +152,14 @@ impl Interpreter {
         block.guard = draft.guard;
         block.action = Action::Nothing;
         block.written = draft.written;
-        if draft.groups != 0 || draft.written != 0 || draft.vector_written != 0 {
+        if draft.only_moves {
+            self.set_feed_and_speed(draft);
+        } else if draft.groups != 0 || draft.written != 0 || draft.vector_written != 0 {
             self.set_state(draft, &mut block.faults);
         }
-        self.state_bits(draft, block.restart);
+        if !draft.only_moves {
+            self.state_bits(draft, block.restart);
+        }
         block.stated = self.stated;
         self.act(draft, block);
         leftovers(draft, block);

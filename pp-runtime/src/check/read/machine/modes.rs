@@ -21,13 +21,8 @@ impl Interpreter {
             }
             state.feed_mode = Some(mode);
         }
-        if state.feed_mode == Some(FeedMode::InverseTime) {
-            state.feed = None;
-        }
-        if let Some(feed) = draft.feed {
-            state.feed = Some(feed);
-        }
-        state.speed = draft.speed.or(state.speed);
+        self.set_feed_and_speed(draft);
+        let state = &mut self.state;
         state.selected = draft.tool.or(state.selected);
         state.diameter = draft.diameter.or(state.diameter);
         state.plane = draft.plane.or(state.plane);
@@ -76,6 +71,18 @@ impl Interpreter {
         {
             self.known &= !self.mask(false);
         }
+    }
+
+    /// F of an inverse-time feed holds for its block.
+    pub(super) fn set_feed_and_speed(&mut self, draft: &Draft) {
+        let state = &mut self.state;
+        if state.feed_mode == Some(FeedMode::InverseTime) {
+            state.feed = None;
+        }
+        if let Some(feed) = draft.feed {
+            state.feed = Some(feed);
+        }
+        state.speed = draft.speed.or(state.speed);
     }
 
     fn set_length(&mut self, draft: &Draft, faults: &mut Vec<Fault>) {
