@@ -165,3 +165,18 @@ fn m29_is_followed_by_its_thread() {
         assert!(!program(&text).is_empty(), "{text}");
     }
 }
+
+#[test]
+fn words_beside_axis_words_are_read_in_blocks_without_a_code_too() {
+    for family in [Family::LinuxCnc, Family::Fanuc, Family::Haas] {
+        let of = |line: &str| faults(family, &format!("{PLAIN}G1 X1. F100.\n{line}\n"));
+        assert_eq!(of("N7 X5. S500 F200."), [""; 0], "{family:?}");
+        for line in ["X5. P1", "X5. Q1.", "X5. R2.", "X5. I1.", "X5. H3", "X5. D3", "X5. E1."] {
+            assert!(!of(line).is_empty(), "{family:?}: {line}");
+        }
+        let arc = last(family, &format!("{PLAIN}G2 X10. Y0. I5. J0. F100.\nX0. Y0. R5.\n"));
+        assert!(matches!(arc.action, Action::Arc(_)), "{family:?}: {arc:?}");
+    }
+    assert!(!of(Family::LinuxCnc, "X5. T3").is_empty());
+    assert_eq!(last(Family::Fanuc, &format!("{PLAIN}X5. T3\n")).state.selected, Some(3));
+}
