@@ -97,7 +97,9 @@ impl<'b> ExecutedBlock<'b> {
                     (out, bottom, start),
                     (Action::Rapid, start, back),
                 ];
-                let moves = |(_, from, to): &(Action, [f64; MAX_AXES], [f64; MAX_AXES])| from != to;
+                let moves = |(_, from, to): &(Action, [f64; MAX_AXES], [f64; MAX_AXES])| {
+                    from.iter().zip(to).any(|(from, to)| (from - to).abs() > 0.0)
+                };
                 legs.into_iter().filter(moves).map(|(action, from, to)| leg(action, from, to)).collect()
             }
             Action::Nothing

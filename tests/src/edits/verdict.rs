@@ -732,7 +732,7 @@ fn state_difference(was: &Event<'_>, is: &Event<'_>, allowed: Allowed) -> Option
         hard(old.plane != new.plane, "the plane"),
         hard(path(old) != path(new), "the path mode"),
         soft(!allowed.starts_continuous && old.path != new.path, "the path mode of a control that is switched on"),
-        hard(smoothing(old) != smoothing(new), "smoothing"),
+        hard(smoothing(old).iter().zip(smoothing(new)).any(|(old, new)| (old - new).abs() > 0.0), "smoothing"),
         hard(old.rotary_path != new.rotary_path, "shortest path"),
         hard(taps && old.rigid != new.rigid, "rigid tapping"),
     ])

@@ -331,7 +331,7 @@ impl<R: Read> Comparison<'_, R> {
         let FinishedMotion { motion, required, at_feed, .. } = finished;
         let same_kind = match block.action {
             Action::Feed | Action::Arc(_) => at_feed,
-            Action::Rapid => !at_feed && !(rules.retracts_between() && self.rotates(block)),
+            Action::Rapid => !(at_feed || rules.retracts_between() && self.rotates(block)),
             _ => false,
         };
         let before = self.previous.words;
