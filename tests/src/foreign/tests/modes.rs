@@ -26,7 +26,7 @@ const ROWS: &[Row] = &[
     (Siemens, "G91", |state| state.distance == Some(Distance::Incremental)),
     (Fanuc, "G93", |state| state.feed_mode == Some(FeedMode::InverseTime)),
     (Siemens, "G95", |state| state.feed_mode == Some(FeedMode::PerRevolution)),
-    (Siemens, "F5\nG94", |state| state.feed.is_none()),
+    (Siemens, "F5\nG95", |state| state.feed.is_none()),
     (Siemens, "F5", |state| state.feed == Some(5.0)),
     (LinuxCnc, "G41 D3", |state| state.compensation == Some(Compensation::Left(Some(3)))),
     (Siemens, "G42", |state| state.compensation == Some(Compensation::Right(None))),
