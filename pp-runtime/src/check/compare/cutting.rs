@@ -16,7 +16,7 @@ use super::hole::{CycleComparison, is_over, pose_at, words_at};
 use super::phase::{Cutting, FinishedMotion, Leaving, Phase, RapidSteps, RetractedLength, RewindPoint};
 use super::{Comparison, Current, Findings, retract};
 use crate::kinematics::Axis;
-use crate::program::{Drilling, Location};
+use crate::program::{Drilling, Feed, Location};
 
 impl<R: Read> Comparison<'_, R> {
     /// A block at the part without an approach.
@@ -131,7 +131,9 @@ impl<R: Read> Comparison<'_, R> {
             let share = self.rules.share_done(&segment, &motion, block, end, &arrival);
             let share = share.or_else(|| if in_hole { self.stops_over_hole(&segment, &motion, end) } else { None });
             if let Some(share) = share {
-                self.travelled(cutting, current, end, &Part { segment, motion, share, at, required });
+                let feed = self.rules.feed_of(&motion);
+                let ClMotion { rapid, starts, .. } = motion;
+                self.travelled(cutting, current, end, &Part { segment, rapid, starts, feed, share, at, required });
                 return Ok(true);
             }
             if motion.rapid && self.is_step_of_rapid(cutting, current, &required) {
@@ -159,18 +161,18 @@ impl<R: Read> Comparison<'_, R> {
 
     /// A block that carries out a part of a motion: its state, its path, its feed.
     fn travelled(&mut self, cutting: &mut Cutting, current: &Current<'_>, end: &ToolPose, part: &Part) {
-        let (block, motion) = (current.block, &part.motion);
+        let block = current.block;
         let on = part.segment.at(part.share);
-        if !motion.rapid || part.share >= 1.0 {
+        if !part.rapid || part.share >= 1.0 {
             self.tally.deviation((end.tip - on.tip).norm(), angle_between(&end.axis, &on.axis));
         }
         self.compare_state(current, &part.required);
         let at_feed = block.action != Action::Rapid;
         let known = self.rules.is_known(block, self.previous.known);
         // The motion down from the approach point is a rapid if it is one in the CL data.
-        let approaches = motion.starts || self.progress.is_approached() || self.rotates(block);
+        let approaches = part.starts || self.progress.is_approached() || self.rotates(block);
         let rapids_at_feed = self.rules.policy().links.rapid == RapidForm::Feed;
-        let expects_feed = !motion.rapid || (rapids_at_feed && !approaches && (at_feed || !self.is_in_thread()));
+        let expects_feed = !part.rapid || (rapids_at_feed && !approaches && (at_feed || !self.is_in_thread()));
         if at_feed != expects_feed {
             let text = match at_feed {
                 true => "this motion is a rapid in the CL data and is programmed at feed",
@@ -193,15 +195,15 @@ impl<R: Read> Comparison<'_, R> {
         self.progress.advance((part.at, part.required), part.share);
         self.start.restarted = false;
         cutting.finished = (part.share >= 1.0).then_some(FinishedMotion {
-            motion: *motion,
             segment: part.segment,
             required: part.required,
+            feed: part.feed,
             at_feed,
             rotated_rad: 0.0,
         });
         if part.share >= 1.0 {
             self.progress.pass();
-        } else if motion.rapid {
+        } else if part.rapid {
             self.progress.begin_at(*end);
         }
     }
@@ -259,8 +261,7 @@ impl<R: Read> Comparison<'_, R> {
             _ if matches!(block.action, Action::Arc(_)) => (part.share - along) * segment.length(),
             _ => (segment.at(part.share).tip - segment.at(along).tip).norm(),
         };
-        let feed = self.rules.feed_of(&part.motion);
-        let stroke = self.rules.stroke(&self.previous.words, block, length, feed, &part.required);
+        let stroke = self.rules.stroke(&self.previous.words, block, length, part.feed, &part.required);
         let law = self.rules.law();
         let wrong = match block.state.vector {
             // The rotation of the rotary axes is the control's own.
@@ -304,12 +305,13 @@ impl<R: Read> Comparison<'_, R> {
             );
         }
         // The cut may have been interrupted just before the end of a motion, or just after it.
-        let next = self.progress.next().map(|item| item.required).zip(self.progress.motion());
-        let finished = cutting.finished.as_ref().map(|finished| (finished.required, finished.motion));
-        let fault = |(required, motion): &(Required, ClMotion)| {
+        let feed = self.progress.motion().map(|motion| self.rules.feed_of(&motion));
+        let next = self.progress.next().map(|item| item.required).zip(feed);
+        let finished = cutting.finished.as_ref().map(|finished| (finished.required, finished.feed));
+        let fault = |(required, programmed): &(Required, Option<Feed>)| {
             let state = self.rules.fault_at_path(block, required, self.modal_context());
             let feed = state.is_none() && self.rules.is_known(block, known);
-            let stroke = || self.rules.stroke(&before, block, back.length(), motion.feed, required);
+            let stroke = || self.rules.stroke(&before, block, back.length(), *programmed, required);
             let feed = if feed { self.rules.law().wrong(&stroke(), &block.state) } else { None };
             state.or(feed.map(StateFault::from))
         };
@@ -325,33 +327,33 @@ impl<R: Read> Comparison<'_, R> {
     /// half a revolution at most, where the tool axis is at its end already.
     fn is_rest(&self, cutting: &mut Cutting, block: &Block, end: &ToolPose) -> bool {
         let rules = &self.rules;
-        let Some(finished) = cutting.finished.filter(|_| rules.is_known(block, self.previous.known)) else {
+        let Some(finished) = cutting.finished.as_mut().filter(|_| rules.is_known(block, self.previous.known)) else {
             return false;
         };
-        let FinishedMotion { motion, required, at_feed, .. } = finished;
+        let FinishedMotion { segment, required, feed, at_feed, .. } = &*finished;
         let same_kind = match block.action {
-            Action::Feed | Action::Arc(_) => at_feed,
-            Action::Rapid => !(at_feed || rules.retracts_between() && self.rotates(block)),
+            Action::Feed | Action::Arc(_) => *at_feed,
+            Action::Rapid => !(*at_feed || rules.retracts_between() && self.rotates(block)),
             _ => false,
         };
-        let before = self.previous.words;
-        let rotation = rules.words().rotary_travel(&before, &block.values);
+        let before = &self.previous.words;
+        let rotation = rules.words().rotary_travel(before, &block.values);
         let rotated_rad = finished.rotated_rad + rotation;
         // Rounding may show an end of a rotation at the pole where it is only near.
-        let near = rotation > 0.5 * rules.rounding().unit_rad && rules.is_almost_done(&finished.segment, end);
+        let near = rotation > 0.5 * rules.rounding().unit_rad && rules.is_almost_done(segment, end);
         let tolerance_mm = required.tolerance_mm + if near { BOTH * rules.rounding().tip_mm } else { 0.0 };
         let right_feed = || {
-            let stroke = rules.stroke(&before, block, 0.0, rules.feed_of(&motion), &required);
+            let stroke = rules.stroke(before, block, 0.0, *feed, required);
             !at_feed || rules.law().wrong(&stroke, &block.state).is_none()
         };
         let is_rest = same_kind
             && rotated_rad <= PI + rules.rounding().unit_rad
-            && (near || rules.is_at(end, &motion.to))
-            && rules.stays_at(&rules.path(before, block), &motion.to, tolerance_mm)
-            && rules.fault_in_cut(block, &required, self.modal_context()).is_none()
+            && (near || rules.is_at(end, &segment.to))
+            && rules.stays_at(&rules.path(*before, block), &segment.to, tolerance_mm)
+            && rules.fault_in_cut(block, required, self.modal_context()).is_none()
             && right_feed();
         if is_rest {
-            cutting.finished = Some(FinishedMotion { rotated_rad, ..finished });
+            finished.rotated_rad = rotated_rad;
         }
         is_rest
     }
@@ -606,7 +608,10 @@ impl<R: Read> Comparison<'_, R> {
 /// A part of a motion that a block carries out.
 struct Part {
     segment: Segment,
-    motion: ClMotion,
+    rapid: bool,
+    starts: bool,
+    /// Feed of a block that is no rapid.
+    feed: Option<Feed>,
     /// Share of the motion that is done after the block.
     share: f64,
     at: Location,

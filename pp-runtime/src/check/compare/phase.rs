@@ -1,9 +1,10 @@
 //! Phases of a program, each with the data that has a meaning in it.
 
-use super::super::expect::{ClMotion, ExpectedItem, Required};
+use super::super::expect::{ExpectedItem, Required};
 use super::super::geometry::{Segment, ToolPose, angle_between};
 use super::super::read::{Action, MAX_AXES};
 use super::super::rules::SHARE;
+use crate::program::Feed;
 
 /// A motion within this angle of the tool axis leads along it, rad.
 const ALONG_AXIS: f64 = 1e-3;
@@ -96,9 +97,10 @@ pub(super) struct RapidSteps {
 /// A motion that is done.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct FinishedMotion {
-    pub(crate) motion: ClMotion,
     pub(crate) segment: Segment,
     pub(crate) required: Required,
+    /// Feed of a block that is no rapid.
+    pub(crate) feed: Option<Feed>,
     /// It was run at feed.
     pub(crate) at_feed: bool,
     /// Rotation of rotary axes since, the tool axis being at its end, rad.

@@ -123,10 +123,12 @@ impl ArcPath {
 impl Segment {
     /// Tip and axis at a share.
     pub(crate) fn at(&self, share: f64) -> ToolPose {
+        if share >= 1.0 {
+            return self.to;
+        }
         let tip = match &self.shape {
             PathShape::Line => self.from.tip + (self.to.tip - self.from.tip) * share,
-            PathShape::Arc(round) if share < 1.0 => round.at(share),
-            PathShape::Arc(_) => self.to.tip,
+            PathShape::Arc(round) => round.at(share),
             PathShape::Cubic(points) => cubic(points, share),
         };
         ToolPose { tip, axis: self.axis_at(share) }

@@ -97,6 +97,10 @@ impl Rules<'_> {
     ) -> Option<f64> {
         let rounding = &self.rounding;
         let along = arrival.along;
+        let is_arc = matches!(segment.shape, PathShape::Arc(_));
+        if !is_arc && self.is_at(end, &segment.to) {
+            return Some(1.0);
+        }
         let past_pole = self.pole.is_some_and(|pole| {
             segment.axis_distance(&pole).min(segment.axis_distance(&-pole)) <= self.policy.tolerances.pole_rad
         });
@@ -108,7 +112,7 @@ impl Rules<'_> {
             _ => segment.share(end, along, rounding.tip_mm, rounding.tip_mm / axis),
         };
         let done = (share - 1.0).abs() * segment.angle() < SAME_REVOLUTION;
-        if (done || !matches!(segment.shape, PathShape::Arc(_))) && self.is_at(end, &segment.to) {
+        if is_arc && done && self.is_at(end, &segment.to) {
             return Some(1.0);
         }
         // An arc by its angle ends where its rounded centre leads, not at a position of words.
@@ -144,6 +148,9 @@ impl Rules<'_> {
 
     /// Whether a pose is on a motion, before its end by no more than the rounding of both.
     pub(crate) fn is_almost_done(&self, segment: &Segment, end: &ToolPose) -> bool {
+        if (end.tip - segment.to.tip).norm() > 8.0 * self.rounding.tip_mm {
+            return false;
+        }
         let rest = 1.0 - self.share_at(segment, end);
         let near = matches!(segment.shape, PathShape::Line)
             && rest * segment.length() <= 4.0 * self.rounding.tip_mm
