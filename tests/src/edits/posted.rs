@@ -1,7 +1,9 @@
 //! Programs posted for the suites of edits, and their check.
 
-use std::io::Cursor;
+use std::fs;
+use std::io::{self, Cursor};
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::Path;
 
 use machines::{Dmu70e, LolaXoyzba, MultiProDesk, SpinnerU5620};
 use pp_runtime::check::check;
@@ -56,6 +58,7 @@ pub struct Posted {
     machine: String,
     control: &'static dyn Control,
     config: Config,
+    set_up: String,
     cl: Vec<u8>,
 }
 
@@ -101,7 +104,20 @@ impl Posted {
             ..subject.options.clone()
         };
         let careful = run(&text, &careful).map(|trace| (careful, trace)).ok();
-        Ok(Self { subject, text, careful, machine: case.machine.to_owned(), control, config, cl: case.cl.to_vec() })
+        let (machine, set_up) = (case.machine.to_owned(), case.config.to_owned());
+        Ok(Self { subject, text, careful, machine, control, config, set_up, cl: case.cl.to_vec() })
+    }
+
+    /// Writes CL data, configuration, and the program before and after an edit.
+    ///
+    /// # Errors
+    /// Those of the file system.
+    pub fn write(&self, folder: &Path, edited: &str) -> io::Result<()> {
+        fs::create_dir_all(folder)?;
+        fs::write(folder.join("part.cls"), &self.cl)?;
+        fs::write(folder.join("part.toml"), &self.set_up)?;
+        fs::write(folder.join("posted.nc"), &self.text)?;
+        fs::write(folder.join("edited.nc"), edited)
     }
 
     /// Findings of the check in a program that should do what this one does.

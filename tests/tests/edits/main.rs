@@ -6,7 +6,7 @@
 //! frequent ones.
 //!
 //! `PP_EDITS=20000 PP_EDITS_SEED=7 cargo test -p tests --test edits --release -- --nocapture` makes more edits;
-//! `PP_EDITS_REPORT=path` writes every edit that is missed or falsely found, grouped.
+//! `PP_EDITS_REPORT=path` writes every edit that is missed or falsely found, grouped; their files are in `path.files`.
 
 mod corpus;
 mod linuxcnc;
@@ -19,6 +19,7 @@ mod random_programs {
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::fs;
+use std::path::Path;
 
 use tests::edits::{Edit, Posted, Verdict, edit, restarts_differ, verdict};
 use tests::foreign::{Control, Entry, Options, Refused, Trace, run};
@@ -279,7 +280,13 @@ fn every_harmful_edit_is_found_and_no_harmless_one() {
     let mut failures = Vec::new();
     for number in 0..edits {
         let (posted, edit) = chosen(&programs, &places, CONTROLS[number % 5], &mut random);
-        failures.extend(judged(posted, &edit, &mut tallies[number % 5]));
+        let failure = judged(posted, &edit, &mut tallies[number % 5]);
+        if let (Some(failure), Ok(path)) = (&failure, std::env::var("PP_EDITS_REPORT")) {
+            let folder = format!("{path}.files/{}", failures.len());
+            posted.write(Path::new(&folder), &edit.text).expect("the files can be written");
+            println!("{folder}: {}", failure.text.lines().next().unwrap_or_default());
+        }
+        failures.extend(failure);
     }
     for (control, tally) in CONTROLS.iter().zip(&tallies) {
         println!("{control:10} {tally:?}");

@@ -93,6 +93,10 @@ impl<R: Read> Comparison<'_, R> {
     /// Lets the block carry out the next motion, or a part of it, and passes motions that need no block; `false` if it does
     /// not fit.
     fn carry_out(&mut self, cutting: &mut Cutting, current: &Current<'_>, end: &ToolPose) -> io::Result<bool> {
+        if self.is_rapid_after_retract(cutting, current.block, end) {
+            cutting.back = None;
+            cutting.here.into_iter().for_each(|here| self.progress.approach(here));
+        }
         if let Some(back) = cutting.back.clone() {
             return Ok(self.come_back_to_cut(cutting, &back, current, end));
         }
@@ -106,9 +110,8 @@ impl<R: Read> Comparison<'_, R> {
             let (at, required, in_hole) = (item.at, item.required, item.hole.is_some());
             let motion = match item.action {
                 ExpectedAction::Motion(motion) => motion,
-                ExpectedAction::Dwell(seconds) => {
-                    self.found(current, &format!("the dwell of {seconds} s before this block is missing"));
-                    self.progress.take();
+                ExpectedAction::Dwell(_) => {
+                    self.missing_dwells(current);
                     continue;
                 }
                 _ => return Ok(false),
@@ -148,7 +151,9 @@ impl<R: Read> Comparison<'_, R> {
 
     /// Whether a block has the feed of a motion.
     fn has_feed_of(&self, block: &Block, segment: &Segment, motion: &ClMotion, required: &Required) -> bool {
-        let stroke = || self.rules.stroke(&self.previous.words, block, segment.length(), motion.feed, required);
+        let stroke = || {
+            self.rules.stroke(&self.previous.words, block, (segment.length(), segment.length()), motion.feed, required)
+        };
         block.action != Action::Feed || motion.rapid || self.rules.law().wrong(&stroke(), &block.state).is_none()
     }
 
@@ -261,7 +266,8 @@ impl<R: Read> Comparison<'_, R> {
             _ if matches!(block.action, Action::Arc(_)) => (part.share - along) * segment.length(),
             _ => (segment.at(part.share).tip - segment.at(along).tip).norm(),
         };
-        let stroke = self.rules.stroke(&self.previous.words, block, length, part.feed, &part.required);
+        let stroke =
+            self.rules.stroke(&self.previous.words, block, (length, segment.length()), part.feed, &part.required);
         let law = self.rules.law();
         let wrong = match block.state.vector {
             // The rotation of the rotary axes is the control's own.
@@ -272,6 +278,13 @@ impl<R: Read> Comparison<'_, R> {
         if let Some(text) = wrong {
             self.found(current, &text);
         }
+    }
+
+    /// Whether a block is the next rapid, and the retract before it no rewind: the cut was done.
+    fn is_rapid_after_retract(&self, cutting: &Cutting, block: &Block, end: &ToolPose) -> bool {
+        let suits = |motion: ClMotion| motion.rapid && !motion.starts && self.rules.is_at(end, &motion.to);
+        let done = cutting.back.is_some() && cutting.finished.is_some() && cutting.perhaps_retract.is_none();
+        done && block.action == Action::Rapid && self.progress.motion().is_some_and(suits)
     }
 
     /// The way back to the point at which the rotary axes were rewound.
@@ -294,6 +307,8 @@ impl<R: Read> Comparison<'_, R> {
         if block.action == Action::Rapid || !at_end {
             return false;
         }
+        let smoothing = self.functions.smoothing(&block.state, &self.rules, false);
+        self.found_any(current, smoothing);
         let (before, known) = (self.previous.words, self.previous.known);
         let rotary = self.rules.words().rotary_bits();
         let rotated = self.rules.words().rotary_travel(&before, &block.values);
@@ -311,7 +326,7 @@ impl<R: Read> Comparison<'_, R> {
         let fault = |(required, programmed): &(Required, Option<Feed>)| {
             let state = self.rules.fault_at_path(block, required, self.modal_context());
             let feed = state.is_none() && self.rules.is_known(block, known);
-            let stroke = || self.rules.stroke(&before, block, back.length(), *programmed, required);
+            let stroke = || self.rules.stroke(&before, block, (back.length(), f64::INFINITY), *programmed, required);
             let feed = if feed { self.rules.law().wrong(&stroke(), &block.state) } else { None };
             state.or(feed.map(StateFault::from))
         };
@@ -343,7 +358,7 @@ impl<R: Read> Comparison<'_, R> {
         let near = rotation > 0.5 * rules.rounding().unit_rad && rules.is_almost_done(segment, end);
         let tolerance_mm = required.tolerance_mm + if near { BOTH * rules.rounding().tip_mm } else { 0.0 };
         let right_feed = || {
-            let stroke = rules.stroke(before, block, 0.0, *feed, required);
+            let stroke = rules.stroke(before, block, (0.0, f64::INFINITY), *feed, required);
             !at_feed || rules.law().wrong(&stroke, &block.state).is_none()
         };
         let is_rest = same_kind
@@ -448,6 +463,7 @@ impl<R: Read> Comparison<'_, R> {
             self.progress.fill(2)?;
         }
         let Some((rest, out)) = self.rest_of_retract(cutting, &here, end) else { return Ok(None) };
+        self.missing_dwells(current);
         let rewind = self.rewind_point(cutting, Some(out), current.block);
         let dry = rewind.is_none() || self.rules.policy().links.rewinds_dry;
         let context = ModalContext { dry, ..self.modal_context() };
@@ -523,6 +539,9 @@ impl<R: Read> Comparison<'_, R> {
             }
             return Ok(None);
         };
+        if self.progress.is_made(expected.number) {
+            self.found(current, "this hole has been made already: the cycle runs twice");
+        }
         let starts = self.progress.motion().is_some_and(|motion| motion.starts);
         if !matches!(phase, Phase::Cutting(_)) || (starts && !self.progress.is_approached()) {
             self.found(current, "cycle without an approach before it");
@@ -545,6 +564,7 @@ impl<R: Read> Comparison<'_, R> {
             self.level_found(current, level_mm, found);
         }
         faults.iter().for_each(|text| self.found(current, text));
+        self.progress.make(expected.number);
         self.finish_hole(expected.number, stays)?;
         self.progress.begin_at(back);
         self.progress.set_lost(false);

@@ -25,8 +25,8 @@ pub(super) struct FunctionState {
     rotation: Option<Rotation>,
     /// Mode of the first cut, where blocks of the shop may select it.
     path_mode: Option<PathMode>,
-    /// The program has programmed smoothing.
-    smoothing_stated: bool,
+    /// The spindle has been programmed since a complete state began.
+    spindle_stated: bool,
     /// Rotary axes whose clamps have been switched since a complete state began: bits.
     clamps_stated: u16,
     /// Rotary axes that have moved since the approach, and those that were not clamped in a cut: bits.
@@ -83,13 +83,14 @@ impl FunctionState {
 
     /// Notes the spindle after a block; what is wrong where one moves.
     pub(super) fn spindle(&mut self, block: &Block, rules: &Rules<'_>) -> Option<String> {
-        self.smoothing_stated |= block.stated & stated::SMOOTHING != 0;
         let rotation = block.state.spindle.flatten();
         let dwell = rules.policy().links.spindle_dwell_s;
         if dwell <= 0.0 {
             return None;
         }
-        if rotation.is_some() && rotation != self.rotation {
+        let stated = block.stated & stated::SPINDLE != 0;
+        let again = !std::mem::replace(&mut self.spindle_stated, stated) && stated;
+        if rotation.is_some() && (again || rotation != self.rotation) {
             self.dwell_is_due = true;
         }
         self.rotation = rotation;
@@ -113,11 +114,7 @@ impl FunctionState {
         let policy = rules.policy();
         let expected = policy.shop.smoothing.filter(|_| !cycle);
         match (expected, state.smoothing) {
-            (None, Smoothing::Off) => {
-                let asked = policy.shop.smoothing.is_some() || policy.shop.selects_modes();
-                (self.smoothing_stated && !asked)
-                    .then(|| "smoothing is switched off, which the configuration does not ask for".to_owned())
-            }
+            (None, Smoothing::Off) => None,
             (None, Smoothing::On { .. }) => Some("smoothing is on, expected off".to_owned()),
             (Some(_), Smoothing::Off) => Some("smoothing is off, expected on".to_owned()),
             (Some(level), Smoothing::On { tolerance_mm, level: written }) => {
@@ -175,6 +172,8 @@ impl FunctionState {
                 self.moved = u16::MAX;
             }
         }
+        // The control may rotate any of them.
+        let moved = if block.action == Action::Orient { clamps } else { moved };
         let stuck = moved & clamps & !released;
         letter(rules, stuck).map(|letter| match state.clamped & stuck {
             0 => format!("{letter} moves, and its clamp has not been released"),

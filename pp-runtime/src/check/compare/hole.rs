@@ -145,17 +145,18 @@ impl CycleComparison<'_> {
     /// What is wrong where the tool moves over the hole: it is below the clearance level. `before`: words before the block.
     pub(super) fn over_fault(&self, before: &[f64; MAX_AXES], known: u16) -> Option<String> {
         let normal = self.rules.words().xyz()[self.block.state.plane?.axes()[2]]?;
-        let moves = (0..MAX_AXES).any(|index| {
-            let off = (self.block.values[index] - before[index]).abs();
-            index != normal && self.block.written & (1 << index) != 0 && off > self.rules.rounding().unit_mm
-        });
-        if !moves || known & (1 << normal) == 0 {
+        let across = (0..MAX_AXES)
+            .filter(|index| *index != normal && self.block.written & (1 << index) != 0)
+            .fold(0.0_f64, |sum, index| sum.hypot(self.block.values[index] - before[index]));
+        let rounding = self.rules.rounding();
+        if across <= rounding.unit_mm || known & (1 << normal) == 0 {
             return None;
         }
         let over = pose_at(self.rules, self.block, before[normal])?;
         let height = (over.tip - self.hole.top.tip.coords).dot(&self.hole.top.axis);
         let below = self.hole.clearance_mm - height;
-        (below > 2.0 * self.rules.rounding().tip_mm)
+        // The tool axis is rounded, too.
+        (below > 2.0 * rounding.tip_mm + across * rounding.axis_rad)
             .then(|| format!("the tool moves over this hole {below:.4} mm below its clearance level"))
     }
 
@@ -178,8 +179,10 @@ impl CycleComparison<'_> {
         }
         let from = rules.words().values(&words_at(rules, block, self.cycle.reference)?);
         let to = rules.words().values(&words_at(rules, block, self.cycle.bottom)?);
+        let length_mm = hole.clearance_mm + hole.depth_mm;
         let stroke = Stroke {
-            length_mm: hole.clearance_mm + hole.depth_mm,
+            length_mm,
+            longest_mm: length_mm,
             change: std::array::from_fn(|index| to[index] - from[index]),
             feed: hole.feed,
             speed_rev_per_min: self.spindle.map(|(speed, _)| speed),

@@ -28,6 +28,12 @@ impl<R: Read> Comparison<'_, R> {
         if text != expected && !(current.block.number.is_some() && numbered == expected) {
             return false;
         }
+        if let Phase::Cutting(cutting) = phase {
+            self.has_left(cutting, current);
+        }
+        for fault in &current.block.faults[..current.block.frame_faults] {
+            self.found(current, &fault.text);
+        }
         (0..=index).for_each(|_| self.progress.pass());
         true
     }
@@ -130,6 +136,7 @@ impl<R: Read> Comparison<'_, R> {
         }
         self.is_complete(phase, current);
         if phase.is_at_part() {
+            self.missing_dwells(current);
             let fault = self.functions.end_of_cuts(&self.rules);
             self.found_any(current, fault);
         }
@@ -161,9 +168,7 @@ impl<R: Read> Comparison<'_, R> {
         let stopped = phase.is_stopped();
         match phase {
             Phase::Cutting(cutting) => {
-                let here = cutting.here;
-                let on_path = here.map(|here| self.progress.on_path(&here));
-                self.has_left(here, on_path, cutting.retract.out_mm(), current);
+                self.has_left(cutting, current);
                 Retracted {
                     rewind: self.rewind_point(cutting, None, current.block),
                     perhaps_retract: cutting.perhaps_retract.take(),
@@ -187,12 +192,14 @@ impl<R: Read> Comparison<'_, R> {
     }
 
     /// The tool must have left the part along its axis.
-    fn has_left(&mut self, here: Option<ToolPose>, on_path: Option<ToolPose>, out_mm: f64, current: &Current<'_>) {
+    fn has_left(&mut self, cutting: &Cutting, current: &Current<'_>) {
+        let (here, out_mm) = (cutting.here, cutting.retract.out_mm());
+        let on_path = here.map(|here| self.progress.on_path(&here));
         let out = |pose: ToolPose| retract::is_out(&self.rules, self.clearance(), &pose, out_mm);
         // Where the axis hardly leads to a plane, the rounding of a point is a long way: the CL data has reached it.
         let on_path = on_path.filter(|pose| here.is_some_and(|here| self.rules.is_at(&here, pose)));
         if !here.into_iter().chain(on_path).any(out) {
-            self.found(current, "the retract along the tool axis before this machine retract is missing or too short");
+            self.found(current, "the retract along the tool axis before this block is missing or too short");
         }
     }
 
@@ -549,6 +556,14 @@ impl<R: Read> Comparison<'_, R> {
         Ok(())
     }
 
+    /// Reports dwells of the CL data that are not in the program before a block.
+    pub(super) fn missing_dwells(&mut self, current: &Current<'_>) {
+        while let Some(ExpectedItem { action: ExpectedAction::Dwell(seconds), .. }) = self.progress.next() {
+            self.found(current, &format!("the dwell of {seconds} s before this block is missing"));
+            self.progress.take();
+        }
+    }
+
     pub(super) fn dwell(&mut self, phase: &mut Phase, seconds: f64, current: &Current<'_>) -> io::Result<()> {
         self.pass_needless(phase)?;
         if let Some(ExpectedItem { action: ExpectedAction::Dwell(expected), .. }) = self.progress.next()
@@ -578,6 +593,13 @@ impl<R: Read> Comparison<'_, R> {
             self.found_any(current, fault);
         }
         let retracts = self.rules.policy().links.retracts_for_stop;
+        // After the stop the retract axis moves from the position of the tool.
+        if let Phase::Cutting(cutting) = &*phase
+            && !retracts
+            && !self.rules.retracts_along_tool()
+        {
+            self.has_left(cutting, current);
+        }
         if retracts && !phase.is_retracted() {
             self.found(current, "program stop before the machine has retracted");
         }

@@ -28,11 +28,13 @@ pub(super) struct ClProgress<'a, R> {
     lost: bool,
     /// The approach to the next motion is done.
     approached: bool,
+    /// The last hole that a cycle has made.
+    made: Option<u64>,
 }
 
 impl<'a, R: Read> ClProgress<'a, R> {
     pub(super) fn new(expect: Expect<'a, R>) -> Self {
-        Self { expect, reached: None, along: 0.0, last: None, lost: false, approached: false }
+        Self { expect, reached: None, along: 0.0, last: None, lost: false, approached: false, made: None }
     }
 
     /// Reads until `count` items are known.
@@ -167,6 +169,16 @@ impl<'a, R: Read> ClProgress<'a, R> {
         self.approached = true;
         self.reached = Some(above);
         self.lost = false;
+    }
+
+    /// A cycle makes a hole.
+    pub(super) fn make(&mut self, hole: u64) {
+        self.made = Some(hole);
+    }
+
+    /// Whether the last cycle has made a hole.
+    pub(super) fn is_made(&self, hole: u64) -> bool {
+        self.made == Some(hole)
     }
 
     /// Begins the next motion anew.

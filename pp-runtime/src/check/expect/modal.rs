@@ -16,7 +16,7 @@ use crate::program::{
 
 /// A line is perpendicular to the tool within this height, mm, or half a unit of coarser words: points of CL data are
 /// rounded.
-const PERPENDICULAR: f64 = 5e-4;
+const PERPENDICULAR: f64 = 2e-3;
 
 /// Modal state of the CL data.
 pub(super) struct ClState<'a> {

@@ -253,6 +253,9 @@ pub struct Block {
     pub own: Option<OwnLine>,
     /// What is wrong with it.
     pub faults: Vec<Fault>,
+    /// Number of faults, the first ones, that the text of the block does not explain: its number, an incomplete cycle before
+    /// it.
+    pub(crate) frame_faults: usize,
 }
 
 impl Default for Block {
@@ -270,6 +273,7 @@ impl Default for Block {
             guard: None,
             own: None,
             faults: Vec::new(),
+            frame_faults: 0,
         }
     }
 }

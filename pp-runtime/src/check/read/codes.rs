@@ -2,6 +2,7 @@
 
 use super::block::{WorkOffset, coolant};
 use super::draft::{Code, LengthCode, TiltCode, group};
+use super::facts::Form;
 use super::language::{Letters, Means, PathCode, Row};
 use super::line::Line;
 use super::text::{Number, shown, tenths};
@@ -64,7 +65,7 @@ impl Line<'_> {
             Means::Centre { absolute } => draft.centre_absolute = if absolute { 7 } else { 0 },
             Means::Length(length) => {
                 draft.length = Some(length);
-                if length == LengthCode::Off && facts.length_off_ends_tip_control {
+                if matches!(length, LengthCode::Off | LengthCode::On) && facts.length_ends_tip_control {
                     draft.tip_control = Some(false);
                 }
             }
@@ -131,7 +132,17 @@ impl Line<'_> {
     pub(super) fn contradictions(&mut self) {
         self.feed_and_speed();
         let draft = &*self.draft;
+        let smooths = draft.groups & (1 << group::SMOOTHING) != 0;
+        let switches = self.facts().form == Form::Keywords && draft.groups & (1 << group::TIP) != 0;
         let found = [
+            (
+                smooths && !draft.is_alone(group::SMOOTHING),
+                "smoothing is switched in a block with other codes or words: it needs a block of its own",
+            ),
+            (
+                switches && !draft.is_alone(group::TIP),
+                "tip control is switched in a block with other codes or words: it needs a block of its own",
+            ),
             (draft.coolant_on != 0 && draft.coolant_off != 0, "coolant is switched on and off in one block"),
             (draft.dwells && draft.code.is_some(), "a motion code in a block with a dwell"),
             (

@@ -5,7 +5,7 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::block::{CycleKind, Fault, FeedMode, Guard, MAX_AXES, PathMode, Side, Smoothing, WorkOffset, WorkPlane};
-use super::language::{PathCode, Pattern, Plane, Smoother};
+use super::language::{PathCode, Pattern, Plane, Smoother, letters};
 use crate::program::{Rotation, Units};
 
 /// Groups of codes of which a block may hold one, as bits of a draft.
@@ -221,6 +221,12 @@ impl Draft {
     /// Notes that the block says something.
     pub(super) fn speaks(&mut self) {
         self.groups |= 1 << group::FREE;
+    }
+
+    /// Whether the block has nothing but codes of a group and their words.
+    pub(super) fn is_alone(&self, own: u32) -> bool {
+        let words = self.letters & !(self.takes | letters("N"));
+        self.groups & !(1 << own | 1 << group::FREE) == 0 && self.written == 0 && words == 0 && self.define.is_none()
     }
 
     /// Takes the word of an axis; `false` if it stands there already.

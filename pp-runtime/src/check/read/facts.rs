@@ -91,8 +91,8 @@ pub(crate) struct Facts {
     pub(crate) tool_axis_frame: bool,
     /// Work offsets are rows of a table; G54 is row 1.
     pub(crate) offset_rows: bool,
-    /// The code that switches length compensation off ends tip control as well.
-    pub(crate) length_off_ends_tip_control: bool,
+    /// Codes of length compensation, on or off, end tip control: they are of one group.
+    pub(crate) length_ends_tip_control: bool,
     /// The form of tip control is P of its code: how the tool axis moves.
     pub(crate) tip_control_has_form: bool,
     /// Switching tip control on or off may cancel the work offset.
@@ -111,6 +111,10 @@ pub(crate) struct Facts {
     pub(crate) semicolon_comments: bool,
     /// Programs have a number, which begins them.
     pub(crate) program_numbers: bool,
+    /// A block number may have a decimal point.
+    pub(crate) block_number_has_point: bool,
+    /// `%` ends the program, as the end code does.
+    pub(crate) mark_ends_program: bool,
     /// A block has at most one M code.
     pub(crate) one_m_code: bool,
     /// A block may have several codes of the coolant.
@@ -151,7 +155,7 @@ const ISO: Facts = Facts {
     tool_axis_interpolation: false,
     tool_axis_frame: false,
     offset_rows: false,
-    length_off_ends_tip_control: true,
+    length_ends_tip_control: true,
     tip_control_has_form: false,
     tip_control_may_cancel_offset: false,
     least_increments: true,
@@ -161,6 +165,8 @@ const ISO: Facts = Facts {
     comments_give_orders: false,
     semicolon_comments: false,
     program_numbers: true,
+    block_number_has_point: false,
+    mark_ends_program: false,
     one_m_code: false,
     several_coolant_codes: true,
     register_0_is_off: true,
@@ -179,7 +185,8 @@ impl Family {
     pub(crate) const fn facts(self) -> Facts {
         match self {
             // M7, M8 and M9 are one group: interp_array.cc, _ems. G43 H0 is the length of the tool in the spindle, or that of
-            // tool 0: G-code documentation, G43. G0 and G28 in one block are two codes that use axis words: interp_check.cc.
+            // tool 0: G-code documentation, G43. G0 and G28 in one block are two codes that use axis words: interp_check.cc. N is read as any
+            // number: interp_read.cc, read_n_number.
             Self::LinuxCnc => Facts {
                 several_coolant_codes: false,
                 register_0_is_off: false,
@@ -188,12 +195,14 @@ impl Family {
                 length_off_at_machine_coordinates: false,
                 guard_in_mm: true,
                 rapids_interpolated: true,
-                length_off_ends_tip_control: false,
+                length_ends_tip_control: false,
                 least_increments: false,
                 tool_call_alone: true,
                 comments_give_orders: true,
                 semicolon_comments: true,
                 program_numbers: false,
+                block_number_has_point: true,
+                mark_ends_program: true,
                 guard_source: GuardSource::Spindle,
                 path_tolerance: true,
                 ..ISO
@@ -224,7 +233,7 @@ impl Family {
                 rapids_interpolated: true,
                 tool_axis_interpolation: true,
                 tool_axis_frame: true,
-                length_off_ends_tip_control: false,
+                length_ends_tip_control: false,
                 tip_control_may_cancel_offset: true,
                 least_increments: false,
                 semicolon_comments: true,
@@ -250,7 +259,7 @@ impl Family {
                 plane_by_tool_call: true,
                 tool_axis_interpolation: true,
                 offset_rows: true,
-                length_off_ends_tip_control: false,
+                length_ends_tip_control: false,
                 least_increments: false,
                 semicolon_comments: true,
                 program_numbers: false,

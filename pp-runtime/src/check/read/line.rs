@@ -80,11 +80,19 @@ impl<'a> Line<'a> {
 
     /// Takes a block number: the first word of the line, after the mark of block delete at most.
     pub(super) fn block_number(&mut self, number: Number, column: usize) {
-        self.draft.number = whole(number).filter(|_| !number.point && !number.negative).map(u64::from);
+        let point = number.point && !self.facts.block_number_has_point;
+        self.draft.number = whole(number).filter(|_| !point && !number.negative).map(u64::from);
         if self.draft.number.is_none() {
             self.fault(column, "block number that is no whole number");
         }
-        if self.at.before(column).iter().any(|byte| !matches!(byte, b' ' | b'\t' | b'\r' | b'/')) {
+        let mut comment = false;
+        let comments = !self.facts.semicolon_comments;
+        let is_word = |byte: &u8| {
+            let within = comments && (comment || *byte == b'(');
+            comment = within && *byte != b')';
+            !within && !matches!(byte, b' ' | b'\t' | b'\r' | b'/')
+        };
+        if self.at.before(column).iter().any(is_word) {
             self.fault(column, "block number after the first word of its block");
         }
     }

@@ -200,8 +200,6 @@ pub mod stated {
     pub const OFFSET: u8 = 8;
     /// Unit, plane, feed mode, distances and sides.
     pub const MODES: u8 = 16;
-    /// Smoothing on or off.
-    pub const SMOOTHING: u8 = 32;
 }
 
 /// What is in force; `None` where the program has not said it.
@@ -245,8 +243,9 @@ pub struct State {
     pub vector: Option<Vector3<f64>>,
     /// Tilted plane.
     pub tilt: Option<Tilt>,
-    /// G98: cycles go back to the level before them.
-    pub to_initial: bool,
+    /// G98: cycles return to the level before them; G99: to their own level. `None` where neither has been programmed since
+    /// the complete state.
+    pub to_initial: Option<bool>,
     /// Rotary words name the nearest such angle.
     pub shortest: bool,
     /// The program has selected the path of rotary axes (M126, M127).
@@ -285,7 +284,7 @@ impl Default for State {
             in_workpiece: None,
             vector: None,
             tilt: None,
-            to_initial: true,
+            to_initial: None,
             shortest: false,
             shortest_stated: false,
             smoothing: Smoothing::Off,

@@ -197,12 +197,13 @@ impl<'a> Rules<'a> {
         }
     }
 
-    /// The motion of a feed block whose tip path has this length, from the words before it.
+    /// The motion of a feed block from the words before it. `length_mm`: its tip path as rounded ends show it, and the length
+    /// that it cannot exceed.
     pub(super) fn stroke(
         &self,
         before: &[f64; MAX_AXES],
         block: &Block,
-        length_mm: f64,
+        (length_mm, longest_mm): (f64, f64),
         feed: Option<Feed>,
         required: &Required,
     ) -> Stroke {
@@ -212,7 +213,7 @@ impl<'a> Rules<'a> {
         };
         let (from, to) = (axes(before), axes(&block.values));
         let change = std::array::from_fn(|index| to[index] - from[index]);
-        Stroke { length_mm, change, feed, speed_rev_per_min: required.spindle.map(|(speed, _)| speed) }
+        Stroke { length_mm, longest_mm, change, feed, speed_rev_per_min: required.spindle.map(|(speed, _)| speed) }
     }
 
     /// Whether the words of the block mirror the plane of the path: left of the words is right of the path.

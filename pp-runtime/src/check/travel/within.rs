@@ -4,7 +4,7 @@
 //! axes are followed from their last position in small steps. At a limit of theirs another position with the same tool
 //! axis is looked for, as the control does; how it gets there is not judged.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 use super::super::geometry::{PathPoint, PathShape, Search, Segment};
 use super::super::read::PoseSelector;
@@ -110,15 +110,24 @@ impl Travel {
     pub(in super::super) fn selects_other_pose(&self, rules: &Rules<'_>, here: &[f64; MAX_AXES], higher: bool) -> bool {
         let words = rules.words();
         let Some(master) = words.rotary().last() else { return false };
-        let value = words.values(here)[master];
+        // At half a revolution it is as much on the one side as on the other.
+        let principal = |angle: f64| angle - (angle / TAU).round() * TAU;
+        let value = principal(words.values(here)[master]);
+        if PI - value.abs() < SAME_POSITION {
+            return false;
+        }
         match rules.facts().pose {
             PoseSelector::Nearest => false,
             // Without a pose of this sign the control stops.
             PoseSelector::Sign => value.abs() > SAME_POSITION && (value > 0.0) != higher,
             PoseSelector::Higher => {
                 let other = self.other_position(rules, here, &words.tool_axis_at(here), true);
-                let other = other.map(|other| words.values(&other)[master]);
-                other.is_some_and(|other| (value - other).abs() > SAME_POSITION && (value > other) != higher)
+                let other = other.map(|other| principal(words.values(&other)[master]));
+                other.is_some_and(|other| {
+                    PI - other.abs() > SAME_POSITION
+                        && (value - other).abs() > SAME_POSITION
+                        && (value > other) != higher
+                })
             }
         }
     }

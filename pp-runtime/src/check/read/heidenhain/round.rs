@@ -20,7 +20,7 @@ pub(super) fn centre(line: &mut Line<'_>, pole: &mut [Option<f64>; 3]) -> bool {
             return false;
         }
     }
-    true
+    pole.iter().flatten().count() <= 2
 }
 
 /// What is missing for an arc when its words have been read: C has a pole, CR a radius, CP a pole and an angle.

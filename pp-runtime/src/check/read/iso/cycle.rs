@@ -37,7 +37,7 @@ impl Reading<'_, '_> {
         }
         let draft = &*self.line.draft;
         let apart = draft.machine || draft.reference || draft.dwell.is_some();
-        let says = draft.hole.is_some() || draft.written != 0 || draft.letters & letters("RPQ") != 0;
+        let says = draft.hole.is_some() || draft.written != 0 || draft.letters & letters("RPQ") & !draft.takes != 0;
         if self.iso.cycle.is_off() || !says || apart {
             return;
         }

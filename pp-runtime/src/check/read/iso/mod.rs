@@ -115,6 +115,9 @@ impl Iso {
             line.fault(line.at.column(), "text after %");
         }
         let ends = self.began && !self.ended;
+        if ends && !line.facts().mark_ends_program {
+            line.fault(0, "% before the end code of the program");
+        }
         line.draft.end = ends;
         self.ended |= ends;
         ends
@@ -134,6 +137,9 @@ impl Iso {
             }
         }
         let ends = self.began && !self.ended;
+        if ends {
+            line.fault(0, "another program begins before the end code");
+        }
         line.draft.end = ends;
         self.ended |= ends;
         self.began = true;

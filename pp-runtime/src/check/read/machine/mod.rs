@@ -55,6 +55,8 @@ struct Frames {
     unknown: u8,
     /// Those that the program has switched on.
     used: u8,
+    /// Those that the program has switched on or off, the last time.
+    stated: u8,
 }
 
 impl Frames {
@@ -65,11 +67,13 @@ impl Frames {
     fn programmed(&mut self, frame: u8, on: bool) {
         self.unknown &= !frame;
         self.used |= if on { frame } else { 0 };
+        self.stated |= frame;
     }
 
     /// A line of the user may have switched either.
     fn lose(&mut self) {
         self.unknown = Self::TIP_CONTROL | Self::PLANE;
+        self.stated = 0;
     }
 
     /// A complete state has been programmed: an option that the program does not use is off.
@@ -148,6 +152,7 @@ impl Interpreter {
     /// Does what a draft says and leaves it in the block.
     pub(super) fn execute(&mut self, draft: &Draft, block: &mut Block) {
         block.number = draft.number;
+        block.frame_faults = draft.frame_faults;
         block.restart = draft.restart || draft.units.is_some();
         block.guard = draft.guard;
         block.action = Action::Nothing;
@@ -191,7 +196,6 @@ impl Interpreter {
             (draft.length.is_some_and(|code| code != LengthCode::Off), stated::LENGTH),
             (draft.work_offset.is_some(), stated::OFFSET),
             (modes, stated::MODES),
-            (draft.smoothing.is_some(), stated::SMOOTHING),
         ];
         self.stated |= said.iter().filter(|(said, _)| *said).fold(0, |bits, (_, bit)| bits | bit);
     }

@@ -11,9 +11,9 @@ impl Interpreter {
         let reframes = draft.tilt.is_some() || draft.tip_control.is_some() || draft.length.is_some();
         let frames = if reframes { Some((state.tilt, state.tip_control)) } else { None };
         state.units = draft.units.or(state.units);
-        // An operation can be entered at its complete state: F is not of what was before.
+        // An operation can be entered at its complete state: F and the return level are not of what was before.
         if draft.restart || draft.units.is_some() {
-            state.feed = None;
+            (state.feed, state.to_initial) = (None, None);
         }
         if let Some(mode) = draft.feed_mode {
             if state.feed_mode != Some(mode) {
@@ -28,10 +28,12 @@ impl Interpreter {
         state.plane = draft.plane.or(state.plane);
         state.side = draft.side.or(state.side);
         state.incremental = draft.distances.or(state.incremental);
-        state.to_initial = draft.to_initial.unwrap_or(state.to_initial);
+        state.to_initial = draft.to_initial.or(state.to_initial);
         state.shortest = draft.shortest.unwrap_or(state.shortest);
         state.shortest_stated |= draft.shortest.is_some();
-        if draft.offset_lost {
+        let known = self.frames.stated & Frames::TIP_CONTROL != 0;
+        let off = known && draft.tip_control == Some(false) && state.tip_control == TipControl::Off;
+        if draft.offset_lost && !off {
             state.work_offset = None;
         }
         state.work_offset = draft.work_offset.or(state.work_offset);

@@ -216,7 +216,14 @@ impl Interpreter {
             fault(faults, 0, "cycle call without a cycle definition, or without a working plane");
             return Action::Nothing;
         };
-        let modal = if self.state.to_initial { self.initial } else { Some(cycle.reference) };
+        if cycle.back_to.is_none() && self.state.to_initial.is_none() {
+            fault(
+                faults,
+                0,
+                "neither G98 nor G99 has been programmed since the complete state: where the cycle returns to is unknown",
+            );
+        }
+        let modal = if self.state.to_initial == Some(false) { Some(cycle.reference) } else { self.initial };
         let back_to = cycle.back_to.or(modal).unwrap_or_else(|| {
             fault(faults, 0, "the cycle returns to the level before it, which is unknown");
             cycle.reference
@@ -241,6 +248,13 @@ impl Interpreter {
             fault(faults, 0, "thread without a pitch, or without a working plane");
             return Action::Nothing;
         };
+        if draft.written & !(1 << normal) != 0 {
+            fault(
+                faults,
+                0,
+                "G33.1 with a word other than that of the tool axis: the thread would be cut on the way there",
+            );
+        }
         let bottom = self.values[normal];
         self.values = from;
         self.modal = None;

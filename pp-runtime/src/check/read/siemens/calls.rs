@@ -1,7 +1,7 @@
 //! Calls of a Siemens control by their lists of arguments: cycles at a point, CYCLE800, CYCLE832, MSG.
 
 use super::super::block::{CycleKind, Smoothing};
-use super::super::draft::{Cycle, TiltCode};
+use super::super::draft::{Cycle, TiltCode, group};
 use super::super::frames;
 use super::super::language::arguments::{Item, SLOTS, Slot};
 use super::super::language::{List, Role};
@@ -42,7 +42,10 @@ pub(super) fn call(line: &mut Line<'_>, name: &[u8]) -> bool {
     if none {
         return match list.number {
             800 => line.draft.tilt.replace(TiltCode::Off).is_none(),
-            832 => line.draft.smoothing.replace(Smoothing::Off).is_none(),
+            832 => {
+                line.draft.groups |= 1 << group::SMOOTHING;
+                line.draft.smoothing.replace(Smoothing::Off).is_none()
+            }
             0 => true,
             _ => false,
         };
@@ -55,7 +58,10 @@ pub(super) fn call(line: &mut Line<'_>, name: &[u8]) -> bool {
     match list.number {
         0 => {}
         800 => swivel(line, &numbers),
-        832 => smooth(line, &numbers),
+        832 => {
+            line.draft.groups |= 1 << group::SMOOTHING;
+            smooth(line, &numbers);
+        }
         _ => {
             line.draft.define = cycle(line, list.number, &numbers);
             line.draft.call = true;

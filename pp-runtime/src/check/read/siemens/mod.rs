@@ -11,7 +11,7 @@ mod guard;
 
 use self::guard::LengthGuard;
 use super::block::PathMode;
-use super::draft::{Cycle, LengthCode};
+use super::draft::{Cycle, LengthCode, group};
 use super::language::{Address, Means, PathCode, Statement};
 use super::line::Line;
 use super::text::{Cursor, Number, shown, whole};
@@ -70,6 +70,9 @@ impl Siemens {
             dwell(line);
         }
         line.contradictions();
+        if modal_call && (line.draft.written != 0 || line.draft.groups & !(1 << group::FREE) != 0) {
+            line.fault(0, "MCALL in a block with other codes or words: it needs a block of its own");
+        }
         path(line);
         self.cycle(line, modal_call);
         true

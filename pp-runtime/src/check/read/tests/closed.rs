@@ -212,8 +212,6 @@ fn contradictory_codes_of_a_block_are_faults() {
 fn a_program_ends_where_its_control_ends_it() {
     for (family, text) in [
         (Family::LinuxCnc, "%\nG21\nG0 X1\n%"),
-        (Family::Fanuc, "%\nO0001 (A)\nG21\nG0 X1.\n%"),
-        (Family::Haas, "%\nO00001\nG21\nG00 X1.\nO00002"),
         (Family::Siemens, "G710\nG0 X1\nRET"),
         (Family::Siemens, "G710\nG0 X1\nM17"),
         (Family::Heidenhain, "0 BEGIN PGM A MM\n1 L X+1 R0 FMAX\n2 END PGM A MM"),
@@ -229,7 +227,7 @@ fn a_program_ends_where_its_control_ends_it() {
         let ends = read(family, text).into_iter().filter(|block| block.action == Action::End).count();
         assert_eq!(ends, 1, "{family:?}");
     }
-    faulty(Family::Fanuc, PLAIN, &["% G0 X9.", "O0002 G0 X9.", "M99"]);
+    faulty(Family::Fanuc, PLAIN, &["% G0 X9.", "O0002 G0 X9.", "M99", "%", "O0002"]);
     assert!(!faults(Family::Heidenhain, "0 BEGIN PGM A MM\n1 BEGIN PGM B INCH\n").is_empty());
 }
 

@@ -31,12 +31,17 @@ fn accepted(family: Family, lines: &[&str]) {
 #[test]
 fn a_block_number_is_the_first_word_of_its_block() {
     for family in [Family::LinuxCnc, Family::Fanuc, Family::Haas] {
-        refused(family, &["G80 N305", "X5. N5", "M5 N30", "(A) N5 G0 X5.", "G1 X5. F9. N1"], "after the first word");
+        refused(family, &["G80 N305", "X5. N5", "M5 N30", "G1 X5. F9. N1", "(A) M5 N5"], "after the first word");
         refused(family, &["N5 N6 G0 X5."], "two N words");
-        refused(family, &["N3.06 G0 X5.", "N-4 G0 X5.", "N5. G0 X5."], "no whole number");
+        refused(family, &["N3.06 G0 X5.", "N-4 G0 X5."], "no whole number");
         accepted(family, &["N5 G0 X5.", "N5", "N0", "  N5 X5."]);
         refused(family, &["/N5 G0 X5."], "block delete");
     }
+    for family in [Family::Fanuc, Family::Haas] {
+        refused(family, &["N5. G0 X5."], "no whole number");
+        accepted(family, &["(A) N5 G0 X5."]);
+    }
+    accepted(Family::LinuxCnc, &["N5. G0 X5."]);
     refused(Family::Siemens, &["CYCLE800() N610", "T1 N30", "M5 N9", "X1 N5"], "after the first word");
     refused(Family::Siemens, &["N5 N6"], "two N words");
     refused(Family::Siemens, &["N3.06", "N-4"], "no whole number");

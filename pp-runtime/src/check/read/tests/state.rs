@@ -166,6 +166,9 @@ fn a_switch_of_tip_control_may_cancel_the_work_offset_on_siemens() {
         assert_eq!(last(Family::Siemens, &format!("{SIEMENS}{code}")).state.work_offset, None, "{code}");
         let again = last(Family::Siemens, &format!("{SIEMENS}{code}\nG55")).state.work_offset;
         assert_eq!(again, Some(WorkOffset::Code(550)), "{code}");
+        // What is off already cancels nothing.
+        let off = last(Family::Siemens, &format!("{SIEMENS}{code}\nTRAFOOF\nG55\nTRAFOOF")).state.work_offset;
+        assert_eq!(off, Some(WorkOffset::Code(550)), "{code}");
     }
 }
 
