@@ -59,6 +59,8 @@ struct Event<'a> {
     before: &'a State,
     block: &'a Executed,
     shop: Shop,
+    /// Words of the rotary axes that were written last.
+    rotary: Axes,
 }
 
 /// Things that codes of the shop switch, `true` for on; `None` before the program has set it.
@@ -140,9 +142,14 @@ fn at(event: &Event<'_>, why: &str) -> String {
 fn events<'a>(trace: &'a Trace, start: &'a State) -> (Vec<Event<'a>>, Vec<String>) {
     let (mut events, mut again) = (Vec::<Event<'a>>::new(), Vec::new());
     let mut before = start;
-    let mut shop = Shop::default();
+    let (mut shop, mut rotary) = (Shop::default(), Axes::default());
     for block in &trace.blocks {
-        let event = Event { before, block, shop };
+        let event = Event { before, block, shop, rotary };
+        for (letter, value) in block.state.position.iter().filter(|(letter, _)| is_rotary(*letter)) {
+            if block.words.contains(letter) {
+                rotary.set(letter, value);
+            }
+        }
         let was = before;
         before = &block.state;
         // Without the length the axis may move (Fanuc and Haas).
@@ -157,7 +164,7 @@ fn events<'a>(trace: &'a Trace, start: &'a State) -> (Vec<Event<'a>>, Vec<String
             again.push(format!("{:?} after {} actions", before.spindle, events.len()));
         }
         match block.effect {
-            Effect::Coolant if before.coolant.unwrap_or_default() == Coolant::default() => {
+            Effect::Coolant if !is_wet(before) => {
                 shop.supplies[2] = shop.supplies[2].map(|_| false);
             }
             Effect::Modal | Effect::Safety | Effect::Length(_) | Effect::Spindle(_) | Effect::Coolant => {}
@@ -168,6 +175,12 @@ fn events<'a>(trace: &'a Trace, start: &'a State) -> (Vec<Event<'a>>, Vec<String
                 let later = |event: &&Event<'_>| event.block.effect == Effect::Machine;
                 let later = events.iter().rev().take_while(later).count();
                 again.push(format!("M{code} before {later} actions"));
+                events.insert(events.len() - later, event);
+            }
+            Effect::Stop | Effect::OptionalStop => {
+                let retract = |event: &&Event<'_>| event.block.effect == Effect::Machine;
+                let later = events.iter().rev().take_while(retract).count();
+                again.push(format!("a stop before {later} retracts"));
                 events.insert(events.len() - later, event);
             }
             Effect::Guard { .. } => {
@@ -183,6 +196,12 @@ fn events<'a>(trace: &'a Trace, start: &'a State) -> (Vec<Event<'a>>, Vec<String
         }
     }
     (events, again)
+}
+
+/// Whether coolant that M9 switches off is on.
+fn is_wet(state: &State) -> bool {
+    let Coolant { flood, mist, .. } = state.coolant.unwrap_or_default();
+    flood || mist
 }
 
 /// Whether a motion ends where it begins.
@@ -263,6 +282,32 @@ fn removed(was: &[Event<'_>], is: &[Event<'_>], index: usize, allowed: Allowed) 
     if turned(was, is) || turned(is, was) {
         return Some(Verdict::Undecided("rotary axes to where the plane has them".to_owned()));
     }
+    let settled = |events: &[Event<'_>], other: &[Event<'_>]| {
+        let same = |event: &Event<'_>| {
+            let position = event.block.state.position;
+            let at = |letter: char| is_rotary(letter) && position.get(letter) == event.rotary.get(letter);
+            event.block.effect == Effect::Rapid && event.block.words.letters().all(at)
+        };
+        events.get(index).is_some_and(same) && rest_agrees(&events[index + 1..], &other[index..])
+    };
+    if settled(was, is) || settled(is, was) {
+        return Some(Verdict::Undecided("rotary axes to where they are".to_owned()));
+    }
+    let swapped = |one: &[Event<'_>], other: &[Event<'_>]| {
+        one.get(index).is_some_and(|event| is_short(event, allowed))
+            && other.get(index + 1).is_some_and(|event| is_short(event, allowed))
+            && rest_agrees(&one[index + 1..=index + 1], &other[index..=index])
+            && rest_agrees(&one[index + 2..], &other[index + 2..])
+    };
+    if was.len() > index + 1 && is.len() > index + 1 && (swapped(was, is) || swapped(is, was)) {
+        return Some(Verdict::Undecided("a motion within tolerance, in another order".to_owned()));
+    }
+    let lifts = |events: &[Event<'_>], other: &[Event<'_>]| {
+        is_lift_before_stop(events, index, allowed) && rest_agrees(&events[index + 1..], &other[index..])
+    };
+    if lifts(was, is) || lifts(is, was) {
+        return Some(Verdict::Undecided("a lift along Z before a stop".to_owned()));
+    }
     let ends =
         |events: &[Event<'_>]| matches!(&events[index.min(events.len())..], [end] if end.block.effect == Effect::End);
     if ends(was) && is.len() == index {
@@ -282,6 +327,20 @@ fn removed(was: &[Event<'_>], is: &[Event<'_>], index: usize, allowed: Allowed) 
         }
     }
     None
+}
+
+/// Whether a rapid only raises the tool along Z, and the program stops before the retract along Z.
+fn is_lift_before_stop(events: &[Event<'_>], index: usize, allowed: Allowed) -> bool {
+    let Some([lift, stop]) = events.get(index..index + 2) else { return false };
+    let [from, to] = [lift.before.position, lift.block.state.position];
+    let near = |letter| match [from, to].map(|place| place.get(letter)) {
+        [Some(one), Some(two)] => letter == 'Z' && two > one || (one - two).abs() <= allowed.linear,
+        _ => false,
+    };
+    lift.block.effect == Effect::Rapid
+        && matches!(stop.block.effect, Effect::Stop | Effect::OptionalStop)
+        && lift.block.words.letters().all(near)
+        && lift.before.vector == lift.block.state.vector
 }
 
 /// Whether a stop comes before or after a motion to machine coordinates.
@@ -308,7 +367,7 @@ fn is_turned_already(event: &Event<'_>, allowed: Allowed) -> bool {
     if event.block.effect != Effect::Rapid || !plane.oriented || rotary.is_empty() {
         return false;
     }
-    let Some(free) = ['A', 'B', 'C'].into_iter().find(|letter| {
+    let free = ['A', 'B', 'C'].into_iter().find(|letter| {
         let mut all = rotary;
         all.extend(&Axes::from([('A', 0.0), ('B', 0.0), ('C', 0.0)]));
         !rotary.contains(*letter) && {
@@ -316,16 +375,16 @@ fn is_turned_already(event: &Event<'_>, allowed: Allowed) -> bool {
             turned.set(*letter, 90.0);
             tool_axis(&all) != tool_axis(&turned)
         }
-    }) else {
-        return false;
-    };
+    });
     let normal = plane.rotation.map(|row| row[2]);
-    for letter in ['A', 'B', 'C'].into_iter().filter(|letter| *letter != free && !event.block.words.contains(*letter)) {
+    for letter in ['A', 'B', 'C'].into_iter().filter(|letter| !event.block.words.contains(*letter)) {
         rotary.set(letter, 0.0);
     }
-    (0..3600).any(|step| {
+    (0..free.map_or(1, |_| 3600)).any(|step| {
         let mut rotary = rotary;
-        rotary.set(free, 0.1 * f64::from(step));
+        if let Some(free) = free {
+            rotary.set(free, 0.1 * f64::from(step));
+        }
         let axis = tool_axis(&rotary).unwrap_or_default();
         axis.iter().zip(&normal).all(|(one, other)| (one - other).abs() < 2e-3)
     })
@@ -493,7 +552,11 @@ fn difference(was: &Event<'_>, is: &Event<'_>, allowed: Allowed) -> Option<Diffe
             compared("the length of a guard,", *length, *length_now, 1e-6),
             compared("the tolerance of a guard,", *tolerance, *now, 1e-6),
             hard(old.guarded != new.guarded, "the register of a guard"),
-            hard((old.tool, old.length) != (new.tool, new.length), "tool or length offset at a guard"),
+            // A guard that names its register compares the same everywhere.
+            hard(
+                old.guarded.is_none() && (old.tool, old.length) != (new.tool, new.length),
+                "tool or length offset at a guard",
+            ),
         ]),
         (Effect::ToolChange(one), Effect::ToolChange(other)) => hard(one != other, "the tool"),
         (Effect::Shop(one), Effect::Shop(other)) => hard(one != other, "the code of the shop"),
@@ -639,6 +702,9 @@ fn moved(was: &Event<'_>, is: &Event<'_>, allowed: Allowed) -> Option<Difference
                     hard(starts, &format!("{letter} cuts from an unknown position")),
                 ])
             }
+            (Some(one), None) if !cuts && was.rotary.get(letter).is_some_and(|last| (last - one).abs() < 1e-9) => {
+                soft(true, "a rotary axis that is not moved")
+            }
             (Some(_), None) if cuts || written[0] => Some(Hard(format!("{letter} is unknown"))),
             (None, Some(_)) if written[1] && !written[0] && is_turned_already(is, allowed) => {
                 soft(true, "a rotary axis to where the plane has it")
@@ -716,6 +782,7 @@ fn state_difference(was: &Event<'_>, is: &Event<'_>, allowed: Allowed) -> Option
         hard(old.offset_cleared != new.offset_cleared, "the work offset after TRAORI"),
         hard(linear && old.length != new.length, "the length offset"),
         hard(rotary && old.rotary_path != new.rotary_path, "shortest path"),
+        soft(old.rotary_path != new.rotary_path, "shortest path where no rotary axis moves"),
         hard(linear && side(old) != side(new), "the compensation"),
     ]);
     if !was.block.effect.cuts() {
@@ -723,13 +790,15 @@ fn state_difference(was: &Event<'_>, is: &Event<'_>, allowed: Allowed) -> Option
         return worst([words, soft(process, "spindle or coolant in a rapid")]);
     }
     let taps = matches!(was.block.effect, Effect::Hole(_));
+    let planar = taps || matches!(was.block.effect, Effect::Arc(_)) || side(old) != Compensation::Off;
     worst([
         words,
         hard(old.tool != new.tool, "the tool"),
         hard(old.spindle != new.spindle, "the spindle"),
         hard(old.speed != new.speed, "the speed"),
         hard(old.coolant != new.coolant, "coolant"),
-        hard(old.plane != new.plane, "the plane"),
+        hard(planar && old.plane != new.plane, "the plane"),
+        soft(old.plane != new.plane, "the plane of a line"),
         hard(path(old) != path(new), "the path mode"),
         soft(!allowed.starts_continuous && old.path != new.path, "the path mode of a control that is switched on"),
         hard(smoothing(old).iter().zip(smoothing(new)).any(|(old, new)| (old - new).abs() > 0.0), "smoothing"),

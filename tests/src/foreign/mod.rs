@@ -196,6 +196,8 @@ struct Run<'a> {
 struct Parts {
     /// Cycle and part of the block before.
     last: Option<(u32, u32)>,
+    /// The mode of a tolerance must come next: 32.2.
+    mode_due: bool,
 }
 
 impl Parts {
@@ -206,9 +208,15 @@ impl Parts {
         });
         let before = self.last;
         self.last = part;
+        if part == Some((32, 2)) {
+            self.mode_due = false;
+        } else if part == Some((32, 1)) {
+            self.mode_due = text.contains("32.1 T");
+        }
         let follows = match part {
             Some((cycle, number)) if number > 0 => before == Some((cycle, number - 1)),
-            _ => !matches!(before, Some((_, 0))),
+            // A tolerance has its mode after it.
+            _ => !matches!(before, Some((_, 0))) && !std::mem::take(&mut self.mode_due),
         };
         if follows { Ok(()) } else { Err("a cycle without all its parts".to_owned()) }
     }
@@ -249,8 +257,16 @@ impl Run<'_> {
             }
         }
         match content {
-            Content::Comment(text) => self.trace.comments.push((line, text)),
+            Content::Comment(text) => {
+                if self.options.careless && control == Control::Heidenhain && self.reached {
+                    self.parts.next("")?;
+                }
+                self.trace.comments.push((line, text));
+            }
             Content::Mark(mark) => self.mark(mark)?,
+            Content::Block(_) if control == Control::LinuxCnc && text.to_ascii_lowercase().contains("(abort,") => {
+                return Err("the program stops here (abort)".to_owned());
+            }
             Content::Block(tokens) if self.reached => {
                 let numbered = |token: &lexer::Token| matches!(token, lexer::Token::Word { name, .. } if name == "N");
                 if number.is_some() && tokens.iter().any(numbered) {

@@ -11,6 +11,9 @@ use super::phase::Phase;
 use crate::kinematics::Axis;
 use crate::program::Rotation;
 
+/// Share by which a tolerance of three significant digits may be rounded.
+const ROUNDED: f64 = 0.006;
+
 /// Rounding of the numbers of a guard, mm.
 const GUARD_ROUNDING: f64 = 1e-3;
 
@@ -125,7 +128,7 @@ impl FunctionState {
                     SmoothingLevel::Finish => 2,
                 };
                 let blending = policy.tolerances.blending_mm;
-                let same = |written: f64| (written - blending).abs() <= 0.6 * rules.rounding().unit_mm.max(1e-4);
+                let same = |written: f64| (written - blending).abs() <= ROUNDED * blending;
                 if tolerance && !tolerance_mm.is_some_and(same) {
                     return Some(format!("smoothing {}, expected within {blending} mm", shown(tolerance_mm)));
                 }
@@ -144,7 +147,7 @@ impl FunctionState {
                 Some(PathMode::Continuous { tolerance_mm, joining_mm: None }) => tolerance_mm,
                 _ => None,
             };
-            let same = |written: f64| (written - blending).abs() <= 0.6 * rules.rounding().unit_mm.max(1e-4);
+            let same = |written: f64| (written - blending).abs() <= ROUNDED * blending;
             return (!tolerance.is_some_and(same))
                 .then(|| format!("blocks are blended {} (G64 P), expected within {blending} mm", shown(tolerance)));
         }

@@ -122,6 +122,10 @@ impl<R: Read> Comparison<'_, R> {
         let there = (block.values[index] - position).abs() <= 0.6 * self.rules.rounding().unit_mm;
         if block.written != 1 << index || !there {
             if phase.is_retracted() && parking::moves_linear(&self.rules, block) {
+                let spindle = self.spindle_may_be(block, phase.is_stopped());
+                let context = ModalContext { dry: true, ..ModalContext::default() };
+                let fault = self.rules.fault_at_retract(&block.state, false, spindle, context);
+                self.found_state(current, fault);
                 self.parked |= block.written;
             } else {
                 self.found(
@@ -233,7 +237,10 @@ impl<R: Read> Comparison<'_, R> {
             LinearMeaning::TipCoordinates => words.linear_bits(),
             LinearMeaning::PlaneCoordinates => words.xyz()[2].map_or(retract, |z| 1 << z),
         };
-        let step = match block.written {
+        // A rotary word that moves nothing may be in any block.
+        let moved = self.rules.moved(&self.previous.words, self.previous.known, block);
+        let written = block.written & !(rotary & !moved);
+        let step = match if written == 0 { block.written } else { written } {
             written if written & !rotary == 0 => 1,
             written if written & !last == 0 => 3,
             written if written & (rotary | last) == 0 => 2,
@@ -512,7 +519,7 @@ impl<R: Read> Comparison<'_, R> {
     fn park(&mut self, retracted: &mut Retracted, current: &Current<'_>) {
         let block = current.block;
         let spindle = if retracted.parks { self.spindle_may_be(block, retracted.stopped) } else { None };
-        let fault = self.rules.fault_at_park(&block.state, spindle, ModalContext::default());
+        let fault = self.rules.fault_at_park(&block.state, self.progress.last(), spindle, ModalContext::default());
         self.found_state(current, fault);
         retracted.parks = true;
         if !parking::moves_rotary(&self.rules, &self.previous, block) {

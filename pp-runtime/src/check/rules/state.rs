@@ -122,16 +122,20 @@ impl Rules<'_> {
         found.map(StateFault::from)
     }
 
-    /// Rotary axes to their parking positions.
+    /// Rotary axes to their parking positions. `last`: the state of the last motion, whose work offset is in force.
     pub(crate) fn fault_at_park(
         &self,
         state: &State,
+        last: Option<&Required>,
         spindle_on: Option<SpindleState>,
         context: ModalContext,
     ) -> Option<StateFault> {
+        let cancelled = self.facts.tip_control_may_cancel_offset && state.work_offset.is_none();
+        let last = last.filter(|_| !cancelled);
         let found = self
             .everywhere(state, Side::None, context)
             .or_else(|| self.frame(state, false))
+            .or_else(|| last.and_then(|last| self.offsets(state, last, false)))
             .or_else(|| spindle(state, spindle_on))
             .or_else(|| coolant(state, 0));
         found.map(StateFault::from)

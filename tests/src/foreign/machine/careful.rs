@@ -67,13 +67,18 @@ pub(super) fn clear(control: Control, command: &Command) -> Result<(), String> {
         Meaning::TipControl(_) => control != Control::Heidenhain,
         _ => false,
     };
-    if command.has_axes() && command.meanings.iter().any(own_block) {
-        return Err("MCALL or a change of the kinematics with a motion".to_owned());
+    let process = |word: &Word| matches!(word.address, Address::Feed | Address::Speed | Address::Tool);
+    let words = command.has_axes() || command.words.iter().any(process);
+    let shared = words || command.meanings.len() > 1;
+    let plane = control == Control::Siemens && command.has(Meaning::Tilt);
+    if shared && command.meanings.iter().any(own_block) || words && plane {
+        return Err("MCALL or a change of the kinematics with other words".to_owned());
     }
-    if control == Control::Fanuc && command.has(Meaning::Smoothing) && command.meanings.len() > 1
-        || command.has(Meaning::Smoothing) && command.has_axes()
-    {
+    if shared && command.has(Meaning::Smoothing) && control != Control::Heidenhain {
         return Err("smoothing in a block with other words".to_owned());
+    }
+    if command.has(Meaning::RigidTapping) && !command.words.iter().any(|word| word.address == Address::Speed) {
+        return Err("M29 without its S".to_owned());
     }
     let cycle = command.meanings.iter().any(|meaning| matches!(meaning, Meaning::Cycle(_)));
     if cycle && command.has(Meaning::Continuous) {

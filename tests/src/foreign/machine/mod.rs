@@ -27,6 +27,10 @@ pub(super) struct Machine {
     pub(super) state: State,
     /// Level before the canned cycle.
     initial_level: Option<f64>,
+    /// Register of the tool radius that was written last.
+    radius: Option<u32>,
+    /// M29 was in the block before.
+    thread_due: bool,
     /// Canned cycle of letters that is in force.
     letters: hole::Letters,
 }
@@ -49,6 +53,8 @@ impl Machine {
             careless: options.careless,
             state,
             initial_level: None,
+            radius: None,
+            thread_due: false,
             letters: hole::Letters::default(),
         }
     }
@@ -82,6 +88,11 @@ impl Machine {
         careful::clear(self.control, &written)?;
         self.modes(meanings, &mut command)?;
         let effect = self.effect(&written, &mut command)?;
+        let thread = matches!(effect, Effect::Hole(_));
+        if self.careless && self.thread_due && !thread {
+            return Err("a block between M29 and its thread, or M29 twice".to_owned());
+        }
+        self.thread_due = written.has(Meaning::RigidTapping) && !thread;
         command.finish()?;
         careful::effect(self, &written, &effect, &words)?;
         Ok((effect, words))

@@ -86,7 +86,11 @@ impl Machine {
             Meaning::CoolantOff(supply) => switch(state, supply, false),
             Meaning::Plane(plane) => state.plane = Some(plane),
             Meaning::Compensation(side) => {
-                let register = command.take(Address::RadiusRegister).map(whole).transpose()?;
+                let written = command.take(Address::RadiusRegister).map(whole).transpose()?;
+                // D stays in force on Fanuc and Haas.
+                self.radius = written.or(self.radius);
+                let stays = matches!(self.control, Control::Fanuc | Control::Haas) && side != Compensation::Off;
+                let register = written.or(self.radius.filter(|_| stays));
                 state.compensation = Some(match side {
                     Compensation::Off if register.is_some() => return Err("G40 with a register".to_owned()),
                     Compensation::Off => Compensation::Off,
@@ -112,6 +116,9 @@ impl Machine {
             Meaning::LengthWithTipControl(vectors) => {
                 self.length(command)?;
                 self.begin_tip_control(vectors);
+            }
+            Meaning::TipControl(true) if self.control == Control::Heidenhain && state.under_tip_control() => {
+                return Err("tip control while it is on".to_owned());
             }
             Meaning::TipControl(true) => {
                 state.offset_cleared |= siemens;

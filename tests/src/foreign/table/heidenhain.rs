@@ -238,6 +238,9 @@ fn cycle_definition(command: &mut Command, tokens: &[Token]) -> Result<(), Strin
     };
     match (number * 10.0).round() as u32 {
         // The title of the dwell, and the tolerance of the control.
+        90 if !matches!(parameters, [Token::Name(dwell), Token::Name(time)] if dwell == "DWELL" && time == "TIME") => {
+            Err("a dwell without its title".to_owned())
+        }
         90 => command.code(Meaning::Idle),
         91 => match parameters {
             [Token::Name(name), Token::Number(seconds)] if name == "DWELL" => {
@@ -275,7 +278,7 @@ fn cycle_definition(command: &mut Command, tokens: &[Token]) -> Result<(), Strin
         }
         code if code % 10 == 0 => {
             // Those that `hole` reads are compared as levels, steps and times.
-            let read = [200, 201, 202, 203, 204, 206, 211, 239, 257];
+            let read = [200, 201, 202, 203, 204, 206, 211, 213, 239, 257];
             let more =
                 others(code / 10, (1..1000).filter(|number| !read.contains(number)).map(|number| (number, q(number))));
             let cycle = hole(code / 10, q).map(|cycle| Cycle { others: more, ..cycle });
@@ -298,8 +301,9 @@ fn hole(number: u32, q: impl Fn(u32) -> Option<f64>) -> Option<Cycle> {
         200 => step.map_or(CycleKind::Drill, |step| CycleKind::Peck { step }),
         201 => CycleKind::Ream,
         203 if even => match (step, positive(213)) {
-            (Some(step), Some(_)) => CycleKind::ChipBreak { step },
-            (Some(step), None) => CycleKind::Peck { step },
+            // With fewer chip breaks than steps the tool comes out between them.
+            (Some(step), Some(breaks)) if breaks + 1.0 >= (depth / step).ceil() => CycleKind::ChipBreak { step },
+            (Some(step), _) => CycleKind::Peck { step },
             (None, _) => CycleKind::Drill,
         },
         205 if even => match (positive(257), step) {

@@ -55,6 +55,9 @@ pub(super) fn spatial(line: &mut Line<'_>) -> bool {
         pose: words.pose,
         coordinate_rotation: words.coordinate_rotation == Some(true),
     });
+    if positioning == Positioning::Move {
+        line.fault(0, "PLANE with MOVE moves the linear axes as well, by a distance that depends on the control");
+    }
     true
 }
 

@@ -56,6 +56,10 @@ impl Interpreter {
             Code::Cycle => self.hole(&mut block.faults),
             Code::Rapid if draft.call => self.hole(&mut block.faults),
             Code::Rapid => Action::Rapid,
+            _ if draft.call => {
+                fault(&mut block.faults, 0, "a cycle runs at the end of this motion, which is no rapid");
+                self.hole(&mut block.faults)
+            }
             Code::Feed => Action::Feed,
             Code::RigidTap => self.rigid_tap(draft, from.0, &mut block.faults),
             Code::Clockwise | Code::CounterClockwise => match arc::of(draft, self, from, code == Code::Clockwise) {
