@@ -145,6 +145,9 @@ fn events<'a>(trace: &'a Trace, start: &'a State) -> (Vec<Event<'a>>, Vec<String
     let (mut shop, mut rotary) = (Shop::default(), Axes::default());
     for block in &trace.blocks {
         let event = Event { before, block, shop, rotary };
+        if matches!(block.effect, Effect::ToolChange(_) | Effect::Home(_)) {
+            rotary = Axes::default();
+        }
         for (letter, value) in block.state.position.iter().filter(|(letter, _)| is_rotary(*letter)) {
             if block.words.contains(letter) {
                 rotary.set(letter, value);
@@ -178,6 +181,7 @@ fn events<'a>(trace: &'a Trace, start: &'a State) -> (Vec<Event<'a>>, Vec<String
                 events.insert(events.len() - later, event);
             }
             Effect::Stop | Effect::OptionalStop => {
+                rotary = Axes::default();
                 let retract = |event: &&Event<'_>| event.block.effect == Effect::Machine;
                 let later = events.iter().rev().take_while(retract).count();
                 again.push(format!("a stop before {later} retracts"));
@@ -189,6 +193,9 @@ fn events<'a>(trace: &'a Trace, start: &'a State) -> (Vec<Event<'a>>, Vec<String
                 again.push(format!("a guard before {later} retracts"));
                 events.insert(events.len() - later, event);
             }
+            Effect::Rapid if is_settled(&event) => again.push(format!("{:?}", block.words)),
+            // After a stop in between the retract is repeated.
+            Effect::Machine if repeats(&events, &event) => again.push(format!("{:?}", block.words)),
             effect if stays(&event) => {
                 again.push(format!("{} {:?} {}", name(&effect), block.words, block.state.under_tip_control()));
             }
@@ -196,6 +203,25 @@ fn events<'a>(trace: &'a Trace, start: &'a State) -> (Vec<Event<'a>>, Vec<String
         }
     }
     (events, again)
+}
+
+/// Whether a rapid brings rotary axes to the words that were written last: a plane has rotated them there as well.
+fn is_settled(event: &Event<'_>) -> bool {
+    let position = event.block.state.position;
+    let at = |letter: char| is_rotary(letter) && position.get(letter) == event.rotary.get(letter);
+    event.block.words.letters().all(at)
+}
+
+/// Whether a motion to machine coordinates goes where the one before it went, with nothing but stops between them.
+fn repeats(events: &[Event<'_>], event: &Event<'_>) -> bool {
+    let still =
+        |event: &&Event<'_>| matches!(event.block.effect, Effect::Stop | Effect::OptionalStop | Effect::Dwell(_));
+    events.iter().rev().find(|event| !still(event)).is_some_and(|last| {
+        let place = |letter| last.block.state.machine.get(letter) == event.block.state.machine.get(letter);
+        last.block.effect == Effect::Machine
+            && last.block.words.letters().eq(event.block.words.letters())
+            && event.block.words.letters().all(place)
+    })
 }
 
 /// Whether coolant that M9 switches off is on.
@@ -282,16 +308,11 @@ fn removed(was: &[Event<'_>], is: &[Event<'_>], index: usize, allowed: Allowed) 
     if turned(was, is) || turned(is, was) {
         return Some(Verdict::Undecided("rotary axes to where the plane has them".to_owned()));
     }
-    let settled = |events: &[Event<'_>], other: &[Event<'_>]| {
-        let same = |event: &Event<'_>| {
-            let position = event.block.state.position;
-            let at = |letter: char| is_rotary(letter) && position.get(letter) == event.rotary.get(letter);
-            event.block.effect == Effect::Rapid && event.block.words.letters().all(at)
-        };
-        events.get(index).is_some_and(same) && rest_agrees(&events[index + 1..], &other[index..])
-    };
-    if settled(was, is) || settled(is, was) {
-        return Some(Verdict::Undecided("rotary axes to where they are".to_owned()));
+    if is_extra_tool_change(is, index) && rest_agrees(&was[index..], &is[index + 1..]) {
+        return Some(Verdict::Undecided("a tool change before another".to_owned()));
+    }
+    if is_turned_before_tip_control(was, is, index, allowed) && rest_agrees(&was[index + 1..], &is[index + 1..]) {
+        return Some(Verdict::Undecided("a rotary axis that is free under tip control".to_owned()));
     }
     let swapped = |one: &[Event<'_>], other: &[Event<'_>]| {
         one.get(index).is_some_and(|event| is_short(event, allowed))
@@ -301,12 +322,6 @@ fn removed(was: &[Event<'_>], is: &[Event<'_>], index: usize, allowed: Allowed) 
     };
     if was.len() > index + 1 && is.len() > index + 1 && (swapped(was, is) || swapped(is, was)) {
         return Some(Verdict::Undecided("a motion within tolerance, in another order".to_owned()));
-    }
-    let lifts = |events: &[Event<'_>], other: &[Event<'_>]| {
-        is_lift_before_stop(events, index, allowed) && rest_agrees(&events[index + 1..], &other[index..])
-    };
-    if lifts(was, is) || lifts(is, was) {
-        return Some(Verdict::Undecided("a lift along Z before a stop".to_owned()));
     }
     let ends =
         |events: &[Event<'_>]| matches!(&events[index.min(events.len())..], [end] if end.block.effect == Effect::End);
@@ -329,18 +344,25 @@ fn removed(was: &[Event<'_>], is: &[Event<'_>], index: usize, allowed: Allowed) 
     None
 }
 
-/// Whether a rapid only raises the tool along Z, and the program stops before the retract along Z.
-fn is_lift_before_stop(events: &[Event<'_>], index: usize, allowed: Allowed) -> bool {
-    let Some([lift, stop]) = events.get(index..index + 2) else { return false };
-    let [from, to] = [lift.before.position, lift.block.state.position];
-    let near = |letter| match [from, to].map(|place| place.get(letter)) {
-        [Some(one), Some(two)] => letter == 'Z' && two > one || (one - two).abs() <= allowed.linear,
+/// Whether a tool change is followed by another, before anything but retracts.
+fn is_extra_tool_change(events: &[Event<'_>], index: usize) -> bool {
+    let mut rest = events.get(index..).unwrap_or_default().iter();
+    let change = |event: &Event<'_>| matches!(event.block.effect, Effect::ToolChange(_));
+    rest.next().is_some_and(change) && rest.find(|event| event.block.effect != Effect::Machine).is_some_and(change)
+}
+
+/// Whether both rapids give the rotary axes places with one tool axis, and the next motion is under tip control.
+fn is_turned_before_tip_control(was: &[Event<'_>], is: &[Event<'_>], index: usize, allowed: Allowed) -> bool {
+    let (Some(tool_axis), Some(one), Some(other)) = (allowed.tool_axis, was.get(index), is.get(index)) else {
+        return false;
+    };
+    let rapid = |event: &Event<'_>| event.block.effect == Effect::Rapid && event.block.words.letters().all(is_rotary);
+    let tips = |events: &[Event<'_>]| events.get(index + 1).is_some_and(|next| next.before.under_tip_control());
+    let near = match [one, other].map(|event| tool_axis(&event.block.state.position)) {
+        [Some(one), Some(other)] => one.iter().zip(&other).all(|(one, other)| (one - other).abs() < 1e-6),
         _ => false,
     };
-    lift.block.effect == Effect::Rapid
-        && matches!(stop.block.effect, Effect::Stop | Effect::OptionalStop)
-        && lift.block.words.letters().all(near)
-        && lift.before.vector == lift.block.state.vector
+    rapid(one) && rapid(other) && tips(was) && tips(is) && near
 }
 
 /// Whether a stop comes before or after a motion to machine coordinates.
@@ -604,7 +626,8 @@ fn turns(event: &Event<'_>, letter: char) -> bool {
         Effect::Home(_) => place(after).is_none(),
         effect if effect.moves() => {
             let tilts = after.under_tip_control() && before.vector != after.vector;
-            tilts || event.block.words.contains(letter) && (place(before) != place(after) || place(after).is_none())
+            let from = place(before).or(event.rotary.get(letter));
+            tilts || event.block.words.contains(letter) && (from != place(after) || place(after).is_none())
         }
         _ => false,
     }
@@ -639,7 +662,6 @@ fn effect_difference(one: &Effect, other: &Effect, state: &State, allowed: Allow
 }
 
 fn arc_difference(one: &Arc, other: &Arc, state: &State, allowed: Allowed) -> Option<Difference> {
-    let centre = |index: usize| compared("a centre of", one.centre[index], other.centre[index], allowed.linear);
     let [first, second, _] = state.plane.unwrap_or(Plane::Xy).letters();
     let from_centre = |letter: char| {
         let index = "XYZ".find(letter).unwrap_or_default();
@@ -647,7 +669,24 @@ fn arc_difference(one: &Arc, other: &Arc, state: &State, allowed: Allowed) -> Op
     };
     let radius = from_centre(first).hypot(from_centre(second)).max(1e-6);
     let off_deg = (allowed.linear / radius).to_degrees().max(0.001);
-    worst([centre(0), centre(1), centre(2), compared("a sweep of", one.sweep_deg, other.sweep_deg, off_deg)])
+    // Points of both between their common ends, in the plane.
+    let point = |arc: &Arc, share: f64| {
+        let [u, v] = [first, second].map(|letter| {
+            let index = "XYZ".find(letter).unwrap_or_default();
+            (arc.centre[index], state.position.get(letter).unwrap_or_default() - arc.centre[index])
+        });
+        let (sine, cosine) = (-share * arc.sweep_deg.to_radians()).sin_cos();
+        [u.0 + u.1 * cosine - v.1 * sine, v.0 + u.1 * sine + v.1 * cosine]
+    };
+    let between = [0.25, 0.5, 0.75].into_iter().flat_map(|share| {
+        let [was, is] = [one, other].map(|arc| point(arc, share));
+        [0, 1].map(|index| compared("a point of an arc at", was[index], is[index], allowed.linear))
+    });
+    let turns = ((one.sweep_deg - other.sweep_deg) / 360.0).round();
+    worst(between.chain([
+        hard(turns.abs() > 0.5, "the turns of an arc"),
+        soft((one.sweep_deg - other.sweep_deg).abs() > off_deg, "the sweep of an arc"),
+    ]))
 }
 
 fn hole_difference(one: &Hole, other: &Hole, allowed: Allowed) -> Option<Difference> {
@@ -721,10 +760,16 @@ fn moved(was: &Event<'_>, is: &Event<'_>, allowed: Allowed) -> Option<Difference
         (was, is) if old.under_tip_control() && cuts => hard(was != is, "the tool vector"),
         _ => None,
     };
+    let short = is_short(was, allowed) && is_short(is, allowed);
     let feed = match (was.block.feed(), is.block.feed()) {
         (Some(Feed::PerMinute(was)), Some(Feed::PerMinute(is)))
         | (Some(Feed::InverseTime(was)), Some(Feed::InverseTime(is)))
-        | (Some(Feed::PerRevolution(was)), Some(Feed::PerRevolution(is))) => compared("F", was, is, 0.0101 * was),
+        | (Some(Feed::PerRevolution(was)), Some(Feed::PerRevolution(is)))
+            if !short =>
+        {
+            compared("F", was, is, 0.0101 * was)
+        }
+        (Some(was), Some(is)) if short => soft(was != is, "F of a motion within tolerance"),
         (was, is) => hard(was != is, "the feed mode"),
     };
     worst(letters.into_iter().map(place).chain([vectors, feed]))
@@ -810,7 +855,7 @@ fn state_difference(was: &Event<'_>, is: &Event<'_>, allowed: Allowed) -> Option
 /// Numbers of smoothing, all zero where it is off: Q0 of G5.1, a tolerance or a kind of 0.
 fn smoothing(state: &State) -> [f64; SMOOTHING] {
     let numbers = state.smoothing.unwrap_or_default().map(Option::unwrap_or_default);
-    if numbers.iter().all(|number| number.abs() < 1e-12) { [0.0; SMOOTHING] } else { numbers }
+    if numbers[..2].iter().all(|number| number.abs() < 1e-12) { [0.0; SMOOTHING] } else { numbers }
 }
 
 /// Continuous path without a tolerance is the state in which a control is switched on.

@@ -272,7 +272,7 @@ impl<R: Read> Comparison<'_, R> {
         let wrong = match block.state.vector {
             // The rotation of the rotary axes is the control's own.
             Some(_) if law.is_still(&stroke) && segment.turn() > 0.0 => law.wrong_on_the_spot(&block.state),
-            Some(_) if law.needs_axes() => law.too_fast(&stroke, &block.state),
+            Some(_) if law.needs_axes() => law.wrong_within(&stroke, &block.state, segment.turn() > 0.0),
             _ => law.wrong(&stroke, &block.state),
         };
         if let Some(text) = wrong {
@@ -358,7 +358,9 @@ impl<R: Read> Comparison<'_, R> {
         let near = rotation > 0.5 * rules.rounding().unit_rad && rules.is_almost_done(segment, end);
         let tolerance_mm = required.tolerance_mm + if near { BOTH * rules.rounding().tip_mm } else { 0.0 };
         let right_feed = || {
-            let stroke = rules.stroke(before, block, (0.0, f64::INFINITY), *feed, required);
+            let stays = (rules.pose_from(before, block).tip - end.tip).norm() < 0.5 * rules.rounding().unit_mm;
+            let longest = if stays { 0.0 } else { f64::INFINITY };
+            let stroke = rules.stroke(before, block, (0.0, longest), *feed, required);
             !at_feed || rules.law().wrong(&stroke, &block.state).is_none()
         };
         let is_rest = same_kind
@@ -514,6 +516,14 @@ impl<R: Read> Comparison<'_, R> {
             self.compare_state(current, &required);
             if current.block.action == Action::Rapid {
                 self.rotates_at_part(current);
+            } else if let Some(here) = cutting.here {
+                let length = (end.tip - here.tip).norm();
+                let feed = self.rules.policy().links.rapid_feed_mm_per_min.map(Feed::PerMinute);
+                let feed = if next.rapid { feed } else { feed.or(next.feed) };
+                let before = &self.previous.words;
+                let stroke = self.rules.stroke(before, current.block, (length, f64::INFINITY), feed, &required);
+                let fault = self.rules.law().wrong(&stroke, &current.block.state);
+                self.found_any(current, fault);
             }
         }
         lifts

@@ -1,10 +1,13 @@
 //! Functions that the configuration puts into a program: length guards, dwells of the spindle, smoothing, clamps, and lines
 //! of the shop.
 
+use nalgebra::Vector3;
+
 use super::super::expect::Required;
 use super::super::policy::SmoothingLevel;
 use super::super::read::{
-    Action, Block, Guard, GuardSource, LengthSource, OwnPlace, PathMode, Smoothing, SmoothingWords, State, stated,
+    Action, Block, Guard, GuardSource, Length, LengthSource, OwnPlace, PathMode, Smoothing, SmoothingWords, State,
+    stated,
 };
 use super::super::rules::Rules;
 use super::phase::Phase;
@@ -32,6 +35,8 @@ pub(super) struct FunctionState {
     spindle_stated: bool,
     /// Rotary axes whose clamps have been switched since a complete state began: bits.
     clamps_stated: u16,
+    /// Tool axis of the last block at the part.
+    vector: Option<Vector3<f64>>,
     /// Rotary axes that have moved since the approach, and those that were not clamped in a cut: bits.
     moved: u16,
     unclamped: u16,
@@ -45,10 +50,19 @@ impl FunctionState {
     }
 
     /// Takes the guard of a block; what is wrong with it.
-    pub(super) fn guard(&mut self, guard: Guard, rules: &Rules<'_>, required: Option<&Required>) -> Option<String> {
+    pub(super) fn guard(
+        &mut self,
+        guard: Guard,
+        length: Option<Length>,
+        rules: &Rules<'_>,
+        required: Option<&Required>,
+    ) -> Option<String> {
         self.guard = Some(guard);
         let required = required?;
         let expected = required.gauge_length_mm?;
+        if guard.source == LengthSource::Edge && !matches!(length, Some(Length::Register(_))) {
+            return Some("the length guard reads the length of the active edge, and none is active".to_owned());
+        }
         if (expected - guard.length_mm).abs() > GUARD_ROUNDING {
             let length = guard.length_mm;
             return Some(format!("the length guard compares with {length} mm, but the tool length is {expected} mm"));
@@ -171,8 +185,12 @@ impl FunctionState {
             if block.action != Action::Rapid {
                 self.unclamped |= clamps & !state.clamped;
             }
-            if state.vector.is_some() {
-                self.moved = u16::MAX;
+            let before = std::mem::replace(&mut self.vector, state.vector);
+            if state.vector.is_some() && before != state.vector {
+                // The first tool axis may be the one of the approach.
+                let axis = rules.pose(block).axis;
+                let same = before.is_none() && rules.is_at_tool_axis(&block.values, &axis);
+                self.moved |= if same { 0 } else { u16::MAX };
             }
         }
         // The control may rotate any of them.
@@ -186,6 +204,7 @@ impl FunctionState {
 
     /// What is wrong with the clamps of the motions between two approaches.
     pub(super) fn end_of_cuts(&mut self, rules: &Rules<'_>) -> Option<String> {
+        self.vector = None;
         let loose = std::mem::take(&mut self.unclamped) & !std::mem::take(&mut self.moved);
         letter(rules, loose)
             .map(|letter| format!("{letter} has not moved since the approach, and was not clamped in a cut"))

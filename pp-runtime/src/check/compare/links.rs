@@ -54,7 +54,7 @@ impl<R: Read> Comparison<'_, R> {
         }
         if let Some(guard) = block.guard {
             let required = self.progress.next().map(|item| item.required);
-            let fault = self.functions.guard(guard, &self.rules, required.as_ref());
+            let fault = self.functions.guard(guard, block.state.length, &self.rules, required.as_ref());
             self.found_any(current, fault);
         }
         let fault = self.functions.spindle(block, &self.rules);

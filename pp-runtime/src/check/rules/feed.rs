@@ -12,6 +12,9 @@ use crate::program::{Feed, Units};
 /// Share by which sums of floating-point numbers may differ.
 const NOISE: f64 = 1e-9;
 
+/// Share of the slowest axis that a tool axis rotated by rounding may cost.
+const NEARLY: f64 = 0.999;
+
 /// Time written for a block without a motion, minutes.
 const NOTHING: f64 = 1e-3;
 
@@ -250,15 +253,21 @@ impl FeedLaw {
         })
     }
 
-    /// Where axis speeds may hold a block back, and the motion of the axes is unknown: at most the feed of the tip.
-    pub(crate) fn too_fast(&self, stroke: &Stroke, state: &State) -> Option<String> {
+    /// Where axis speeds may hold a block back, and the motion of the axes is unknown: at most the feed of the tip, and
+    /// unless rotary axes rotate no less than the slowest linear axis.
+    pub(crate) fn wrong_within(&self, stroke: &Stroke, state: &State, rotates: bool) -> Option<String> {
         let programmed = Self::programmed(stroke)?;
         let still = Stroke { change: [0.0; MAX_AXES], ..*stroke };
         let extent = self.extent(&still, 0.0);
-        let (mode, (_, most)) = (self.mode(&extent), self.bounds(programmed, &still, &extent));
+        let (mode, (low, most)) = (self.mode(&extent), self.bounds(programmed, &still, &extent));
+        let linear = self.speeds.iter().enumerate().filter(|(index, _)| self.linear_bits & (1 << index) != 0);
+        let slowest = linear.filter_map(|(_, speed)| *speed).fold(f64::INFINITY, f64::min);
+        let least = if rotates { 0.0 } else { NEARLY * low.min(slowest * self.per_mm) };
         let feed = state.feed.unwrap_or(0.0);
-        (state.feed_mode != Some(mode) || feed <= 0.0 || feed > most * (1.0 + NOISE) + self.step(mode, most))
-            .then(|| format!("F is {feed} per minute, allowed at most {most:.6}"))
+        let low = least * (1.0 - NOISE) - self.step(mode, most);
+        let high = most * (1.0 + NOISE) + self.step(mode, most);
+        (state.feed_mode != Some(mode) || feed <= 0.0 || !(low..=high).contains(&feed))
+            .then(|| format!("F is {feed} per minute, allowed at most {most:.6}, at least {least:.6}"))
     }
 
     /// What is wrong with F; `None` if it is right.

@@ -57,7 +57,7 @@ pub(super) struct Rules<'a> {
     clamps: u16,
     /// Direction of the first rotary axis.
     pole: Option<Vector3<f64>>,
-    /// The machine retract leads along the tool axis.
+    /// The machine retract leads along the tool axis, and linear words are positions of the axes.
     retracts_along_tool: bool,
 }
 
@@ -82,7 +82,7 @@ impl<'a> Rules<'a> {
                 _ => bits,
             }),
             pole: first_rotary.map(|index| machine.joint(index).direction.into_inner()),
-            retracts_along_tool: retracts_along_tool(&*machine),
+            retracts_along_tool: policy.words.linear == LinearMeaning::AxisPositions && retracts_along_tool(&*machine),
             machine,
         }
     }
@@ -159,6 +159,16 @@ impl<'a> Rules<'a> {
     /// Tip and tool axis after a block.
     pub(super) fn pose(&self, block: &Block) -> ToolPose {
         self.words.place(&block.values, &block.state)
+    }
+
+    /// Tip and tool axis of other words in the state of a block.
+    pub(super) fn pose_from(&self, words: &[f64; MAX_AXES], block: &Block) -> ToolPose {
+        self.words.place(words, &block.state)
+    }
+
+    /// Whether rotary words have a tool axis.
+    pub(super) fn is_at_tool_axis(&self, words: &[f64; MAX_AXES], axis: &Vector3<f64>) -> bool {
+        angle_between(&self.words.tool_axis_at(words), axis) <= self.axis_allowance(axis)
     }
 
     /// Whether a pose is another, apart from rounding.

@@ -99,6 +99,9 @@ fn sense(tokens: &[Token]) -> Result<MotionMode, String> {
 /// Axes, F, radius compensation, parameters of an arc, M codes.
 fn words(command: &mut Command, tokens: &[Token]) -> Result<(), String> {
     let motion = command.meanings.iter().any(|meaning| matches!(meaning, Meaning::Motion(_)));
+    let turns =
+        |meaning: &Meaning| matches!(meaning, Meaning::Motion(MotionMode::Clockwise | MotionMode::CounterClockwise));
+    let arc = command.meanings.iter().any(turns);
     let is_word = |wanted: &str| tokens.iter().any(|token| matches!(token, Token::Word { name, .. } if name == wanted));
     if is_word("F") && tokens.iter().any(|token| matches!(token, Token::Name(name) if name == "FMAX")) {
         return Err("F and FMAX in one block".to_owned());
@@ -107,7 +110,8 @@ fn words(command: &mut Command, tokens: &[Token]) -> Result<(), String> {
         match token {
             Token::Word { name, number, counting } => word(command, name, *number, *counting)?,
             Token::Name(name) => match name.as_str() {
-                "FMAX" | "DR+" | "DR-" if motion => {}
+                "FMAX" if motion => {}
+                "DR+" | "DR-" if arc => {}
                 "RL" => command.code(Meaning::Compensation(Compensation::Left(None)))?,
                 "RR" => command.code(Meaning::Compensation(Compensation::Right(None)))?,
                 _ => return Err(format!("{name} is unknown here")),

@@ -67,8 +67,8 @@ fn smoothing_is_a_state() {
         (Siemens, "CYCLE832(0.01,3)", "CYCLE832(10,3)", "CYCLE832()"),
         (
             Heidenhain,
-            "CYCL DEF 32.0 TOLERANCE\nCYCL DEF 32.1 T0.01",
-            "CYCL DEF 32.0 TOLERANCE\nCYCL DEF 32.1 T5",
+            "CYCL DEF 32.0 TOLERANCE\nCYCL DEF 32.1 T0.01\nCYCL DEF 32.2 HSC-MODE:1",
+            "CYCL DEF 32.0 TOLERANCE\nCYCL DEF 32.1 T5\nCYCL DEF 32.2 HSC-MODE:1",
             "CYCL DEF 32.0 TOLERANCE\nCYCL DEF 32.1",
         ),
     ] {

@@ -84,7 +84,7 @@ impl Iso {
         if due && says && !matches!(line.draft.hole, Some(Pattern::TapAfterRigid { .. })) {
             line.lasting_fault(0, WITHOUT_THREAD);
         }
-        self.thread_due = line.draft.rigid || due && !says;
+        self.thread_due = line.draft.rigid && line.draft.hole.is_none() || due && !says;
         self.ended |= line.draft.end;
         true
     }
