@@ -193,9 +193,11 @@ fn events<'a>(trace: &'a Trace, start: &'a State) -> (Vec<Event<'a>>, Vec<String
                 again.push(format!("a guard before {later} retracts"));
                 events.insert(events.len() - later, event);
             }
-            Effect::Rapid if is_settled(&event) => again.push(format!("{:?}", block.words)),
+            Effect::Rapid if is_settled(&event) => again.push(format!("{:?} {:?}", block.words, block.state)),
             // After a stop in between the retract is repeated.
-            Effect::Machine if repeats(&events, &event) => again.push(format!("{:?}", block.words)),
+            Effect::Machine if repeats(&events, &event) => {
+                again.push(format!("{:?} {:?} {:?}", block.words, before, block.state));
+            }
             effect if stays(&event) => {
                 again.push(format!("{} {:?} {}", name(&effect), block.words, block.state.under_tip_control()));
             }
@@ -460,7 +462,7 @@ fn is_over_next_hole(events: &[Event<'_>], index: usize, allowed: Allowed) -> bo
         _ => false,
     };
     let above = |state: &State| state.position.get('Z').is_some_and(|z| z >= hole.cycle.reference - allowed.linear);
-    rapid.block.effect == Effect::Rapid
+    matches!(rapid.block.effect, Effect::Rapid | Effect::Feed)
         && !rapid.block.words.letters().any(is_rotary)
         && near('X')
         && near('Y')
@@ -745,6 +747,9 @@ fn moved(was: &Event<'_>, is: &Event<'_>, allowed: Allowed) -> Option<Difference
                 soft(true, "a rotary axis that is not moved")
             }
             (Some(_), None) if cuts || written[0] => Some(Hard(format!("{letter} is unknown"))),
+            (None, Some(other)) if is.rotary.get(letter) == Some(other) => {
+                soft(true, "a rotary axis that is not moved")
+            }
             (None, Some(_)) if written[1] && !written[0] && is_turned_already(is, allowed) => {
                 soft(true, "a rotary axis to where the plane has it")
             }
@@ -820,12 +825,15 @@ fn state_difference(was: &Event<'_>, is: &Event<'_>, allowed: Allowed) -> Option
         return frame;
     }
     let linear = was.block.effect.cuts() || was.block.words.letters().any(|letter| !is_rotary(letter));
+    let across = !tip.0 && old.tilted_plane().is_none() && !was.block.effect.cuts();
+    let levels = linear && !(across && was.block.words.letters().all(|letter| letter != 'Z'));
     let rotary = was.block.words.letters().chain(is.block.words.letters()).any(is_rotary);
     let words = worst([
         frame,
         hard(old.work_offset != new.work_offset, "the work offset"),
         hard(old.offset_cleared != new.offset_cleared, "the work offset after TRAORI"),
-        hard(linear && old.length != new.length, "the length offset"),
+        hard(levels && old.length != new.length, "the length offset"),
+        soft(linear && old.length != new.length, "the length offset of X and Y"),
         hard(rotary && old.rotary_path != new.rotary_path, "shortest path"),
         soft(old.rotary_path != new.rotary_path, "shortest path where no rotary axis moves"),
         hard(linear && side(old) != side(new), "the compensation"),

@@ -164,7 +164,9 @@ fn wrong(posted: &Posted, edit: &Edit, original: &str) -> Option<String> {
         if matches!(foreign, Verdict::Harmful(_)) && !unseen {
             return Some(format!("the same for LinuxCNC, but {foreign:?}"));
         }
-        let decided = foreign == Verdict::Harmless && !is_matter_of_taste(posted, edit);
+        // The interpreter opens a file for (PROBEOPEN ..) without a call.
+        let opens = edit.after.contains("probeopen");
+        let decided = foreign == Verdict::Harmless && !is_matter_of_taste(posted, edit) && !opens;
         return found().filter(|_| decided).map(|finding| format!("the same for LinuxCNC, falsely found: {finding}"));
     }
     let difference = difference(&actions(&was), &actions(&is), subject.allowed)?;

@@ -524,6 +524,8 @@ impl<R: Read> Comparison<'_, R> {
                 let stroke = self.rules.stroke(before, current.block, (length, f64::INFINITY), feed, &required);
                 let fault = self.rules.law().wrong(&stroke, &current.block.state);
                 self.found_any(current, fault);
+                let fault = self.functions.smoothing(&current.block.state, &self.rules, false);
+                self.found_any(current, fault);
             }
         }
         lifts

@@ -14,8 +14,8 @@ use super::phase::Phase;
 use crate::kinematics::Axis;
 use crate::program::Rotation;
 
-/// Share by which a tolerance of three significant digits may be rounded.
-const ROUNDED: f64 = 0.006;
+/// Tolerances are written to six decimals, in the unit of the program.
+const ROUNDED: f64 = 6e-7;
 
 /// Rounding of the numbers of a guard, mm.
 const GUARD_ROUNDING: f64 = 1e-3;
@@ -142,7 +142,7 @@ impl FunctionState {
                     SmoothingLevel::Finish => 2,
                 };
                 let blending = policy.tolerances.blending_mm;
-                let same = |written: f64| (written - blending).abs() <= ROUNDED * blending;
+                let same = |written: f64| (written - blending).abs() <= ROUNDED * rules.units().in_mm();
                 if tolerance && !tolerance_mm.is_some_and(same) {
                     return Some(format!("smoothing {}, expected within {blending} mm", shown(tolerance_mm)));
                 }
@@ -161,7 +161,7 @@ impl FunctionState {
                 Some(PathMode::Continuous { tolerance_mm, joining_mm: None }) => tolerance_mm,
                 _ => None,
             };
-            let same = |written: f64| (written - blending).abs() <= ROUNDED * blending;
+            let same = |written: f64| (written - blending).abs() <= ROUNDED * rules.units().in_mm();
             return (!tolerance.is_some_and(same))
                 .then(|| format!("blocks are blended {} (G64 P), expected within {blending} mm", shown(tolerance)));
         }

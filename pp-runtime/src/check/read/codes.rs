@@ -62,7 +62,6 @@ impl Line<'_> {
             Means::Distances { incremental } => draft.distances = Some(incremental),
             Means::FeedMode(mode) => draft.feed_mode = Some(mode),
             Means::Side(side) => draft.side = Some(side),
-            Means::Centre { absolute } => draft.centre_absolute = if absolute { 7 } else { 0 },
             Means::Length(length) => {
                 draft.length = Some(length);
                 if matches!(length, LengthCode::Off | LengthCode::On) && facts.length_ends_tip_control {

@@ -111,6 +111,10 @@ pub(crate) struct Facts {
     pub(crate) semicolon_comments: bool,
     /// Programs have a number, which begins them.
     pub(crate) program_numbers: bool,
+    /// A motion code is executed in its own block, without axis words as well, and compensation is not switched on twice.
+    pub(crate) motion_codes_execute: bool,
+    /// A code of the feed mode clears F, the same mode as well.
+    pub(crate) feed_mode_clears_feed: bool,
     /// A block number may have a decimal point.
     pub(crate) block_number_has_point: bool,
     /// `%` ends the program, as the end code does.
@@ -165,6 +169,8 @@ const ISO: Facts = Facts {
     comments_give_orders: false,
     semicolon_comments: false,
     program_numbers: true,
+    motion_codes_execute: false,
+    feed_mode_clears_feed: false,
     block_number_has_point: false,
     mark_ends_program: false,
     one_m_code: false,
@@ -186,7 +192,7 @@ impl Family {
         match self {
             // M7, M8 and M9 are one group: interp_array.cc, _ems. G43 H0 is the length of the tool in the spindle, or that of
             // tool 0: G-code documentation, G43. G0 and G28 in one block are two codes that use axis words: interp_check.cc. N is read as any
-            // number: interp_read.cc, read_n_number.
+            // number: interp_read.cc, read_n_number. Motion codes, feed modes, compensation: interp_convert.cc.
             Self::LinuxCnc => Facts {
                 several_coolant_codes: false,
                 register_0_is_off: false,
@@ -201,6 +207,8 @@ impl Family {
                 comments_give_orders: true,
                 semicolon_comments: true,
                 program_numbers: false,
+                motion_codes_execute: true,
+                feed_mode_clears_feed: true,
                 block_number_has_point: true,
                 mark_ends_program: true,
                 guard_source: GuardSource::Spindle,

@@ -3,7 +3,7 @@
 use super::Vocabulary;
 use super::block::{Fault, WorkPlane};
 use super::draft::{Draft, fault};
-use super::facts::Facts;
+use super::facts::{Facts, Form};
 use super::language::Language;
 use super::machine::Interpreter;
 use super::text::{Cursor, Number, shown, whole};
@@ -86,7 +86,7 @@ impl<'a> Line<'a> {
             self.fault(column, "block number that is no whole number");
         }
         let mut comment = false;
-        let comments = !self.facts.semicolon_comments;
+        let comments = self.facts.form == Form::Letters;
         let is_word = |byte: &u8| {
             let within = comments && (comment || *byte == b'(');
             comment = within && *byte != b')';

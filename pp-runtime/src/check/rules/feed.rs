@@ -13,7 +13,7 @@ use crate::program::{Feed, Units};
 const NOISE: f64 = 1e-9;
 
 /// Share of the slowest axis that a tool axis rotated by rounding may cost.
-const NEARLY: f64 = 0.999;
+const NEARLY: f64 = 0.99;
 
 /// Time written for a block without a motion, minutes.
 const NOTHING: f64 = 1e-3;

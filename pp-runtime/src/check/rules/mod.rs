@@ -124,6 +124,10 @@ impl<'a> Rules<'a> {
         self.retracts_along_tool
     }
 
+    pub(super) fn units(&self) -> Units {
+        self.units
+    }
+
     /// Rotary axes with clamps: bits.
     pub(super) fn clamps(&self) -> u16 {
         self.clamps

@@ -21,8 +21,12 @@ const OWN: &[Row] = &[
     Row::new("G64", Means::Path(PathCode::Continuous), group::PATH, G).takes("PQ"),
     Row::new("G74", Means::Hole(Pattern::FloatingTap { left: true }), group::MOTION, G).needs("R").takes("P"),
     Row::new("G84", Means::Hole(Pattern::FloatingTap { left: false }), group::MOTION, G).needs("R").takes("P"),
-    Row::new("G90.1", Means::Centre { absolute: true }, group::CENTRE, G),
-    Row::new("G91.1", Means::Centre { absolute: false }, group::CENTRE, G),
+    Row::new(
+        "G91.1",
+        Means::Harmless("centres of arcs count from the start of the arc, as they do anyway"),
+        group::CENTRE,
+        G,
+    ),
     Row::new("M7", Means::CoolantOn(coolant::MIST), group::COOLANT, "LinuxCNC 2.9 M-code documentation"),
 ];
 

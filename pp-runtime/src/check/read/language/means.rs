@@ -21,10 +21,6 @@ pub(in super::super) enum Means {
     },
     FeedMode(FeedMode),
     Side(Side),
-    /// Centres of arcs count from the program zero (G90.1) or from the start of the arc.
-    Centre {
-        absolute: bool,
-    },
     Length(LengthCode),
     TiltedPlane(Plane),
     Orient,
@@ -213,8 +209,6 @@ impl Means {
             Self::Side(Side::None) => "cutter compensation off",
             Self::Side(Side::Left) => "cutter compensation left",
             Self::Side(Side::Right) => "cutter compensation right",
-            Self::Centre { absolute: true } => "centres of arcs absolute, this block",
-            Self::Centre { absolute: false } => "centres of arcs from the start",
             Self::Length(LengthCode::Off) => "length compensation off",
             Self::Length(LengthCode::On) => "length compensation on",
             Self::Length(LengthCode::TipControl) => "tip control with length compensation",
@@ -279,7 +273,6 @@ impl Means {
             Self::Distances { .. } => ["none", "absolute or incremental", "none"],
             Self::FeedMode(_) => ["none", "feed mode, F", "none"],
             Self::Side(_) => ["D", "cutter compensation", "none"],
-            Self::Centre { .. } => ["none", "centres of this block", "none"],
             Self::Length(LengthCode::Off) => ["none", "length, tip control", "none: Z unknown"],
             Self::Length(_) => ["H", "length, tip control", "none: Z unknown"],
             Self::TiltedPlane(_) => ["work offset", "tilted plane", "none"],

@@ -1,8 +1,11 @@
 //! What codes change in the state of the control, before the block moves.
 
-use super::super::block::{Fault, FeedMode, Length, MAX_AXES, Tilt, TipControl, coolant};
+use super::super::block::{Fault, FeedMode, Length, MAX_AXES, Side, Tilt, TipControl, coolant};
 use super::super::draft::{Draft, LengthCode, TiltCode, fault};
 use super::{Frames, Interpreter};
+
+/// Largest error of the length of a tool axis with rounded components.
+const UNIT: f64 = 5e-3;
 
 impl Interpreter {
     pub(super) fn set_state(&mut self, draft: &Draft, faults: &mut Vec<Fault>) {
@@ -16,7 +19,7 @@ impl Interpreter {
             (state.feed, state.to_initial) = (None, None);
         }
         if let Some(mode) = draft.feed_mode {
-            if state.feed_mode != Some(mode) {
+            if state.feed_mode != Some(mode) || self.facts.feed_mode_clears_feed {
                 state.feed = None;
             }
             state.feed_mode = Some(mode);
@@ -26,6 +29,10 @@ impl Interpreter {
         state.selected = draft.tool.or(state.selected);
         state.diameter = draft.diameter.or(state.diameter);
         state.plane = draft.plane.or(state.plane);
+        let on = |side: Option<Side>| side.is_some_and(|side| side != Side::None);
+        if self.facts.motion_codes_execute && on(draft.side) && on(state.side) {
+            fault(faults, 0, "cutter compensation is switched on while it is on");
+        }
         state.side = draft.side.or(state.side);
         state.incremental = draft.distances.or(state.incremental);
         state.to_initial = draft.to_initial.or(state.to_initial);
@@ -132,6 +139,9 @@ impl Interpreter {
             fault(faults, 0, "a tool axis is programmed while tip control is off");
         }
         if draft.vector_written == 7 {
+            if (nalgebra::Vector3::from(draft.vector).norm() - 1.0).abs() > UNIT {
+                fault(faults, 0, "the components of the tool axis are those of no unit vector");
+            }
             state.vector = nalgebra::Vector3::from(draft.vector).try_normalize(0.0);
         }
         if draft.tilt.is_some_and(|tilt| tilt != TiltCode::Orient) {

@@ -32,6 +32,9 @@ impl Interpreter {
             if draft.machine {
                 fault(&mut block.faults, 0, "machine coordinates without an axis word");
             }
+            if self.facts.motion_codes_execute {
+                self.code_alone(draft, &mut block.faults);
+            }
             return self.still(draft, &mut block.faults);
         }
         if draft.machine {
@@ -69,6 +72,17 @@ impl Interpreter {
                     Action::Feed
                 }
             },
+        }
+    }
+
+    /// A motion code without axis words where it is executed all the same.
+    fn code_alone(&self, draft: &Draft, faults: &mut Vec<Fault>) {
+        match draft.code {
+            Some(Code::Feed) if self.state.feed.is_none() => fault(faults, 0, "G1 while no F is in force"),
+            Some(Code::Clockwise | Code::CounterClockwise) if draft.centre_written == 0 => {
+                fault(faults, 0, "an arc without its words");
+            }
+            _ => {}
         }
     }
 
