@@ -199,7 +199,7 @@ fn events<'a>(trace: &'a Trace, start: &'a State) -> (Vec<Event<'a>>, Vec<String
                 again.push(format!("{:?} {:?} {:?}", block.words, before, block.state));
             }
             effect if stays(&event) => {
-                again.push(format!("{} {:?} {}", name(&effect), block.words, block.state.under_tip_control()));
+                again.push(format!("{} {:?} {:?}", name(&effect), block.words, block.state));
             }
             _ => events.push(event),
         }

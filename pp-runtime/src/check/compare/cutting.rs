@@ -14,7 +14,7 @@ use super::super::read::{Action, Block, CycleMove, MAX_AXES};
 use super::super::rules::{BOTH, ModalContext, Rules, StateFault};
 use super::hole::{CycleComparison, is_over, pose_at, words_at};
 use super::phase::{Cutting, FinishedMotion, Leaving, Phase, RapidSteps, RetractedLength, RewindPoint};
-use super::{Comparison, Current, Findings, retract};
+use super::{Comparison, Current, Findings, Previous, retract};
 use crate::kinematics::Axis;
 use crate::program::{Drilling, Feed, Location};
 
@@ -70,6 +70,10 @@ impl<R: Read> Comparison<'_, R> {
             || self.carry_out(cutting, current, &end)?
             || may_lift && self.lifts_for_cycle(cutting, current, &end);
         if !carried_out {
+            // A rapid to where the axes are moves nothing.
+            if rapid && self.stays(block) {
+                return Ok(None);
+            }
             if rapid && let Some(leaving) = self.retract(cutting, current, &end)? {
                 return Ok(Some(Phase::Leaving(leaving)));
             }
@@ -77,6 +81,13 @@ impl<R: Read> Comparison<'_, R> {
         }
         cutting.here = Some(end);
         Ok(None)
+    }
+
+    /// Whether the words of a block are those before it.
+    fn stays(&self, block: &Block) -> bool {
+        let Previous { words, known, .. } = &self.previous;
+        let same = |index: usize| (block.values[index] - words[index]).abs() <= 0.0;
+        block.written & !known == 0 && (0..MAX_AXES).all(|index| block.written & (1 << index) == 0 || same(index))
     }
 
     /// In a tilted plane the rotary axes stay where the plane has them.
@@ -516,6 +527,10 @@ impl<R: Read> Comparison<'_, R> {
             self.compare_state(current, &required);
             if current.block.action == Action::Rapid {
                 self.rotates_at_part(current);
+                let at_feed = self.rules.policy().links.rapid == RapidForm::Feed;
+                if at_feed && !self.is_in_thread() && !self.progress.is_approached() {
+                    self.found(current, "this motion to the next hole is programmed as a rapid, expected at feed");
+                }
             } else if let Some(here) = cutting.here {
                 let length = (end.tip - here.tip).norm();
                 let feed = self.rules.policy().links.rapid_feed_mm_per_min.map(Feed::PerMinute);

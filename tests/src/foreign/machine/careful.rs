@@ -80,6 +80,9 @@ pub(super) fn clear(control: Control, command: &Command) -> Result<(), String> {
     if command.has(Meaning::RigidTapping) && !command.words.iter().any(|word| word.address == Address::Speed) {
         return Err("M29 without its S".to_owned());
     }
+    if command.has(Meaning::Home) && !command.has_axes() && command.meanings.len() > 1 {
+        return Err("reference points in a block with another code".to_owned());
+    }
     let cycle = command.meanings.iter().any(|meaning| matches!(meaning, Meaning::Cycle(_)));
     if cycle && command.has(Meaning::Continuous) {
         return Err("P of a cycle and of G64 in one block".to_owned());

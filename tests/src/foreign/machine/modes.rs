@@ -34,7 +34,8 @@ impl Machine {
                 Meaning::FeedMode(mode) => {
                     // A complete state begins with its unit: F is not of what was before.
                     let complete = meanings.iter().any(|meaning| matches!(meaning, Meaning::Units(_)));
-                    if state.feed_mode != Some(*mode) || complete {
+                    // LinuxCNC forgets F at each of these codes.
+                    if state.feed_mode != Some(*mode) || complete || self.control == Control::LinuxCnc {
                         state.feed = None;
                     }
                     state.feed_mode = Some(*mode);

@@ -274,7 +274,8 @@ impl Interpreter {
             self.motion(draft, block)
         };
         let alone = matches!(block.action, Action::End | Action::Stop | Action::OptionalStop | Action::Dwell(_));
-        if (alone || block.action == Action::ToolChange) && draft.written != 0 {
+        let others = draft.written != 0 || draft.reference || draft.machine;
+        if (alone || block.action == Action::ToolChange) && others {
             fault(&mut block.faults, 0, "axis words in a block with another function");
         }
         let orients =
