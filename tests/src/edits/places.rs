@@ -117,7 +117,7 @@ pub fn name_of(effect: &Effect) -> &'static str {
         Effect::Safety => "safety",
         Effect::Length(_) => "length",
         Effect::Spindle(_) => "spindle",
-        Effect::Coolant => "coolant",
+        Effect::Coolant { .. } => "coolant",
         Effect::ToolChange(_) => "tool",
         Effect::Guard { .. } => "guard",
         Effect::Dwell(_) => "dwell",

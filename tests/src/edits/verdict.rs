@@ -5,9 +5,7 @@
 //! and states that differ only where nothing is cut.
 
 use crate::foreign::axes::{Axes, is_rotary};
-use crate::foreign::state::{
-    Compensation, Coolant, Cycle, CycleKind, Length, PathMode, Plane, SMOOTHING, State, TiltedPlane,
-};
+use crate::foreign::state::{Compensation, Cycle, CycleKind, Length, PathMode, Plane, SMOOTHING, State, TiltedPlane};
 use crate::foreign::trace::{Arc, Hole};
 use crate::foreign::{Effect, Executed, Feed, Refused, Trace};
 
@@ -167,10 +165,10 @@ fn events<'a>(trace: &'a Trace, start: &'a State) -> (Vec<Event<'a>>, Vec<String
             again.push(format!("{:?} after {} actions", before.spindle, events.len()));
         }
         match block.effect {
-            Effect::Coolant if !is_wet(before) => {
+            Effect::Coolant { off: true } => {
                 shop.supplies[2] = shop.supplies[2].map(|_| false);
             }
-            Effect::Modal | Effect::Safety | Effect::Length(_) | Effect::Spindle(_) | Effect::Coolant => {}
+            Effect::Modal | Effect::Safety | Effect::Length(_) | Effect::Spindle(_) | Effect::Coolant { .. } => {}
             // What it switches is compared where it matters, in the blocks that follow.
             Effect::Shop(code) if shop.obey(code) => again.push(format!("M{code} after {} actions", events.len())),
             Effect::Shop(code) => {
@@ -224,12 +222,6 @@ fn repeats(events: &[Event<'_>], event: &Event<'_>) -> bool {
             && last.block.words.letters().eq(event.block.words.letters())
             && event.block.words.letters().all(place)
     })
-}
-
-/// Whether coolant that M9 switches off is on.
-fn is_wet(state: &State) -> bool {
-    let Coolant { flood, mist, .. } = state.coolant.unwrap_or_default();
-    flood || mist
 }
 
 /// Whether a motion ends where it begins.

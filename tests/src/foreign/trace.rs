@@ -43,7 +43,10 @@ pub enum Effect {
     /// Spindle.
     Spindle(Spindle),
     /// Coolant.
-    Coolant,
+    Coolant {
+        /// Flood or mist is switched off, whether it was on or not.
+        off: bool,
+    },
     /// A tool comes into the spindle.
     ToolChange(u32),
     /// The program stops unless the control's tool length is the one posted.

@@ -357,6 +357,11 @@ impl<R: Read> Comparison<'_, R> {
             return false;
         };
         let FinishedMotion { segment, required, feed, at_feed, .. } = &*finished;
+        let off = |to: &ToolPose| (end.tip - to.tip).norm();
+        let belongs = |next: ClMotion| off(&next.to) < off(&segment.to) && rules.is_at(end, &next.to);
+        if self.progress.motion().is_some_and(belongs) {
+            return false;
+        }
         let same_kind = match block.action {
             Action::Feed | Action::Arc(_) => *at_feed,
             Action::Rapid => !(*at_feed || rules.retracts_between() && self.rotates(block)),

@@ -40,6 +40,8 @@ pub(super) struct FunctionState {
     /// Rotary axes that have moved since the approach, and those that were not clamped in a cut: bits.
     moved: u16,
     unclamped: u16,
+    /// The axes not clamped and moved in the cuts before a retract that may be a rewind.
+    interrupted: Option<(u16, u16)>,
 }
 
 impl FunctionState {
@@ -106,8 +108,8 @@ impl FunctionState {
             return None;
         }
         let stated = block.stated & stated::SPINDLE != 0;
-        let again = !std::mem::replace(&mut self.spindle_stated, stated) && stated;
-        if rotation.is_some() && (again || rotation != self.rotation) {
+        let first = !std::mem::replace(&mut self.spindle_stated, stated) && stated;
+        if rotation.is_some() && (first || rotation != self.rotation) {
             self.dwell_is_due = true;
         }
         self.rotation = rotation;
@@ -202,13 +204,34 @@ impl FunctionState {
         })
     }
 
+    /// The cuts may go on after a rewind.
+    pub(super) fn interrupt_cuts(&mut self) {
+        self.interrupted = Some((std::mem::take(&mut self.unclamped), std::mem::take(&mut self.moved)));
+        self.vector = None;
+    }
+
+    /// The cuts go on after a rewind.
+    pub(super) fn resume_cuts(&mut self) {
+        let (unclamped, moved) = self.interrupted.take().unwrap_or_default();
+        self.unclamped |= unclamped;
+        self.moved |= moved;
+    }
+
+    /// What is wrong with the clamps of cuts that did not go on.
+    pub(super) fn end_of_interrupted(&mut self, rules: &Rules<'_>) -> Option<String> {
+        let (unclamped, moved) = self.interrupted.take()?;
+        loose(rules, unclamped & !moved)
+    }
+
     /// What is wrong with the clamps of the motions between two approaches.
     pub(super) fn end_of_cuts(&mut self, rules: &Rules<'_>) -> Option<String> {
         self.vector = None;
-        let loose = std::mem::take(&mut self.unclamped) & !std::mem::take(&mut self.moved);
-        letter(rules, loose)
-            .map(|letter| format!("{letter} has not moved since the approach, and was not clamped in a cut"))
+        loose(rules, std::mem::take(&mut self.unclamped) & !std::mem::take(&mut self.moved))
     }
+}
+
+fn loose(rules: &Rules<'_>, bits: u16) -> Option<String> {
+    letter(rules, bits).map(|letter| format!("{letter} has not moved since the approach, and was not clamped in a cut"))
 }
 
 fn letter(rules: &Rules<'_>, bits: u16) -> Option<char> {

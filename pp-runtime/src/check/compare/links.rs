@@ -141,11 +141,17 @@ impl<R: Read> Comparison<'_, R> {
         self.is_complete(phase, current);
         if phase.is_at_part() {
             self.missing_dwells(current);
+        }
+        let at_part = phase.is_at_part();
+        let mut retracted = self.retracted(phase, current);
+        let rewinds = retracted.rewind.is_some();
+        // The cuts after a rewind belong to those before it.
+        if at_part && rewinds {
+            self.functions.interrupt_cuts();
+        } else if at_part {
             let fault = self.functions.end_of_cuts(&self.rules);
             self.found_any(current, fault);
         }
-        let mut retracted = self.retracted(phase, current);
-        let rewinds = retracted.rewind.is_some();
         let links = &self.rules.policy().links;
         // After a stop, where the position is unknown, the operator has switched the coolant; and the stop may have been in
         // the plane.
@@ -340,7 +346,14 @@ impl<R: Read> Comparison<'_, R> {
     /// The approach has ended.
     fn arrive(&mut self, retracted: &mut Retracted, current: &Current<'_>, end: &ToolPose) -> Cutting {
         let mut cutting = Cutting { here: Some(*end), ..Cutting::default() };
-        if let Some(rewind) = self.rewind_of(retracted, end, current) {
+        let rewind = self.rewind_of(retracted, end, current);
+        if rewind.is_some() {
+            self.functions.resume_cuts();
+        } else {
+            let fault = self.functions.end_of_interrupted(&self.rules);
+            self.found_any(current, fault);
+        }
+        if let Some(rewind) = rewind {
             cutting.finished = rewind.finished;
             cutting.perhaps_retract = retracted.perhaps_retract.take();
             cutting.back = Some(Box::new(self.come_back(&rewind, current, end)));
@@ -544,6 +557,8 @@ impl<R: Read> Comparison<'_, R> {
             self.found(current, "tool change before the machine has retracted");
         }
         self.is_complete(phase, current);
+        let interrupted = self.functions.end_of_interrupted(&self.rules);
+        self.found_any(current, interrupted);
         Ok(self.forget(phase))
     }
 
@@ -595,6 +610,8 @@ impl<R: Read> Comparison<'_, R> {
             Some(item) if suits(item) => self.progress.take(),
             _ => self.found(current, "stop without STOP or OPSTOP in the CL data"),
         }
+        let interrupted = self.functions.end_of_interrupted(&self.rules);
+        self.found_any(current, interrupted);
         if phase.is_at_part() {
             let fault = self.functions.end_of_cuts(&self.rules);
             self.found_any(current, fault);
@@ -634,6 +651,8 @@ impl<R: Read> Comparison<'_, R> {
             self.found(current, &text);
         }
         self.is_complete(phase, current);
+        let interrupted = self.functions.end_of_interrupted(&self.rules);
+        self.found_any(current, interrupted);
         let missing: Vec<char> = parking::missing(&self.rules, self.parked, current.block).collect();
         for letter in missing {
             self.found(current, &format!("{letter} is not at its parking position"));

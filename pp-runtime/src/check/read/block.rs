@@ -255,7 +255,7 @@ pub struct Block {
     pub faults: Vec<Fault>,
     /// Number of faults, the first ones, that the text of the block does not explain: its number, an incomplete cycle before
     /// it.
-    pub(crate) frame_faults: usize,
+    pub frame_faults: usize,
 }
 
 impl Default for Block {

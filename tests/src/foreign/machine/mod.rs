@@ -11,7 +11,7 @@ mod modes;
 mod motion;
 
 use super::axes::Axes;
-use super::meaning::{Address, Command, Meaning};
+use super::meaning::{Address, Command, Meaning, Supply};
 use super::state::{Distance, FeedMode, State, Units};
 use super::trace::Effect;
 use super::{Control, Options};
@@ -142,7 +142,8 @@ fn still(meanings: &[Meaning], state: &State) -> Effect {
     for meaning in meanings {
         match meaning {
             Meaning::Spindle(spindle) => return Effect::Spindle(*spindle),
-            Meaning::CoolantOn(_) | Meaning::CoolantOff(_) => return Effect::Coolant,
+            Meaning::CoolantOn(_) => return Effect::Coolant { off: false },
+            Meaning::CoolantOff(supply) => return Effect::Coolant { off: *supply != Supply::Through },
             Meaning::LengthOn | Meaning::LengthOff => {
                 if let Some(length) = state.length {
                     return Effect::Length(length);
