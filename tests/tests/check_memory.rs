@@ -270,7 +270,7 @@ const FINDINGS: usize = 256 << 10;
 fn a_program_of_another_part_takes_constant_memory() {
     let part = Long::posted("linuxcnc", &works());
     let other = Long::posted("linuxcnc", &floor());
-    let (few, short, least) = part.checked_against(5, other.program.of_lines(5_000));
+    let (few, short, least) = part.checked_against(5, other.program.of_lines(50_000));
     let (many, lines, most) = part.checked_against(5, other.program.of_lines(150_000));
     assert!(few.outcome.count > 5 && many.outcome.count > 100, "{} and {}", few.outcome.count, many.outcome.count);
     assert!(most <= least + ALLOWANCE, "{least} bytes for {short} lines, {most} for {lines}");

@@ -3,11 +3,12 @@
 //!
 //! Positions are axis values of the machine; [`Leg::pose`] has tip and tool axis on the workpiece.
 
-use nalgebra::{Point3, UnitVector3};
+use nalgebra::{Point3, UnitVector3, Vector3};
 
 use crate::kinematics::{AxisValues, Pose};
 use crate::program::Location;
 
+use super::geometry::{PathShape, Segment, ToolPose};
 use super::read::{Action, ArcMove, Block, MAX_AXES, State};
 use super::rules::{BlockPath, Rules};
 
@@ -46,6 +47,8 @@ pub struct Leg<'b> {
     pub together: bool,
     block: Block,
     from: [f64; MAX_AXES],
+    /// Tool axis before the leg, where the program states tool axes.
+    axis: Option<Vector3<f64>>,
     rules: &'b Rules<'b>,
 }
 
@@ -75,6 +78,7 @@ impl<'b> ExecutedBlock<'b> {
             together: action != Action::Rapid || self.rules.rapids_are_interpolated(),
             block: Block { action, values: to, faults: Vec::new(), ..block.clone() },
             from,
+            axis: block.state.vector.map(|_| self.rules.words().place(&self.from, self.before).axis),
             rules: self.rules,
         };
         match block.action {
@@ -128,10 +132,14 @@ impl Leg<'_> {
         self.rules.words().axes(&self.words(share), &self.block.state)
     }
 
-    /// Tip and tool axis on the workpiece at a share of the leg, mm.
+    /// Tip and tool axis on the workpiece at a share of the leg, mm. A stated tool axis rotates evenly from the one before it.
     #[must_use]
     pub fn pose(&self, share: f64) -> Pose {
-        let pose = self.rules.words().place(&self.words(share), &self.block.state);
+        let to = self.rules.words().place(&self.words(share), &self.block.state);
+        let pose = self.axis.map_or(to, |axis| {
+            let from = ToolPose { axis, ..to };
+            Segment { from, to, shape: PathShape::Line }.at(share)
+        });
         Pose { tip: Point3::from(pose.tip), axis: UnitVector3::new_normalize(pose.axis) }
     }
 

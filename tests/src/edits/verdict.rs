@@ -186,7 +186,12 @@ fn events<'a>(trace: &'a Trace, start: &'a State) -> (Vec<Event<'a>>, Vec<String
                 events.insert(events.len() - later, event);
             }
             Effect::Guard { .. } => {
-                let retract = |event: &&Event<'_>| event.block.effect == Effect::Machine;
+                // One that names its register compares the same before the tool change.
+                let named = block.state.guarded.is_some();
+                let retract = |event: &&Event<'_>| {
+                    event.block.effect == Effect::Machine
+                        || named && matches!(event.block.effect, Effect::ToolChange(_))
+                };
                 let later = events.iter().rev().take_while(retract).count();
                 again.push(format!("a guard before {later} retracts"));
                 events.insert(events.len() - later, event);
@@ -566,7 +571,8 @@ fn difference(was: &Event<'_>, is: &Event<'_>, allowed: Allowed) -> Option<Diffe
         ]),
         (Effect::Guard { length, tolerance }, Effect::Guard { length: length_now, tolerance: now }) => worst([
             compared("the length of a guard,", *length, *length_now, 1e-6),
-            compared("the tolerance of a guard,", *tolerance, *now, 1e-6),
+            hard(*now > tolerance + 1e-6, "the tolerance of a guard"),
+            soft(*now < tolerance - 1e-6, "a guard that is stricter"),
             hard(old.guarded != new.guarded, "the register of a guard"),
             // A guard that names its register compares the same everywhere.
             hard(

@@ -168,7 +168,9 @@ fn is_matter_of_taste(posted: &Posted, edit: &Edit) -> bool {
     // A parameter of a cycle that is left out.
     let parameter =
         options.control == Control::Heidenhain && edit.before.split(" | ").any(|line| line.starts_with("  Q"));
-    parameter || semicolon || ends || shop || off || unit || own || tool
+    // Words of a plane in another order.
+    let plane = edit.before.contains("TABLE ROT") && !edit.after.contains("TABLE ROT");
+    parameter || plane || semicolon || ends || shop || off || unit || own || tool
 }
 
 /// Whether a code is in the edit that the control has and the foreign interpreter has not.

@@ -359,7 +359,8 @@ impl<R: Read> Comparison<'_, R> {
         let FinishedMotion { segment, required, feed, at_feed, .. } = &*finished;
         let off = |to: &ToolPose| (end.tip - to.tip).norm();
         let belongs = |next: ClMotion| off(&next.to) < off(&segment.to) && rules.is_at(end, &next.to);
-        if self.progress.motion().is_some_and(belongs) {
+        let waits = matches!(self.progress.next(), Some(ExpectedItem { action: ExpectedAction::Dwell(_), .. }));
+        if waits && self.rotates(block) || self.progress.motion().is_some_and(belongs) {
             return false;
         }
         let same_kind = match block.action {
