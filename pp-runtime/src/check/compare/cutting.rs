@@ -111,6 +111,10 @@ impl<R: Read> Comparison<'_, R> {
         if let Some(back) = cutting.back.clone() {
             return Ok(self.come_back_to_cut(cutting, &back, current, end));
         }
+        while self.progress.repeats() {
+            self.pass_over(Some(&mut cutting.perhaps_retract));
+            self.progress.fill(2)?;
+        }
         if self.is_rest(cutting, current.block, end) {
             return Ok(true);
         }
@@ -358,9 +362,10 @@ impl<R: Read> Comparison<'_, R> {
         };
         let FinishedMotion { segment, required, feed, at_feed, .. } = &*finished;
         let off = |to: &ToolPose| (end.tip - to.tip).norm();
-        let belongs = |next: ClMotion| off(&next.to) < off(&segment.to) && rules.is_at(end, &next.to);
+        let still = rules.moved(&self.previous.words, self.previous.known, block) == 0;
+        let nearer = |next: ClMotion| off(&next.to) < off(&segment.to) && rules.is_at(end, &next.to);
         let waits = matches!(self.progress.next(), Some(ExpectedItem { action: ExpectedAction::Dwell(_), .. }));
-        if waits && self.rotates(block) || self.progress.motion().is_some_and(belongs) {
+        if waits && self.rotates(block) || still && self.progress.motion().is_some_and(nearer) {
             return false;
         }
         let same_kind = match block.action {

@@ -116,6 +116,21 @@ impl<'a, R: Read> ClProgress<'a, R> {
         }
     }
 
+    /// Whether the next motion repeats the point and the tool axis of the last one.
+    pub(super) fn repeats(&self) -> bool {
+        let (Some(reached), Some(motion)) = (self.reached.filter(|_| self.along <= 0.0), self.motion()) else {
+            return false;
+        };
+        let segment = Segment { from: reached, to: motion.to, shape: motion.shape };
+        let of_hole = self.next().is_some_and(|item| item.hole.is_some());
+        !of_hole
+            && !motion.rapid
+            && !motion.starts
+            && !self.approached
+            && segment.length() <= 0.0
+            && segment.turn() <= 0.0
+    }
+
     /// Whether an item ahead needs no block.
     pub(super) fn is_needless(&self, index: usize, rules: &Rules<'_>, here: Option<ToolPose>, chords: f64) -> bool {
         let Some(ExpectedItem { action: ExpectedAction::Motion(motion), .. }) = self.get(index) else { return false };
