@@ -4,7 +4,7 @@
 //! - [`places`]: the state of the control at each line, so that edits meet every state and not the most frequent ones.
 //! - [`posted`]: the programs, and their check.
 //! - [`operations`]: insertions, deletions, exchanges and changes of numbers and codes.
-//! - [`verdict`]: the traces of the program before and after an edit, compared.
+//! - [`verdict()`]: the traces of the program before and after an edit, compared.
 //!
 //! Whether an edit is harmful is decided by the [foreign interpreter](crate::foreign), which shares no code with the
 //! product; no table here is that of the product.
