@@ -373,7 +373,7 @@ fn findings_as_json_name_the_lines_of_the_program_and_those_of_the_cl_data() {
     assert_eq!(run.status, 0, "{}", run.errors);
     let program = fs::read_to_string(shop.path().join("part.nc")).expect("the program");
     let lost = program.lines().position(|line| line == "Y9").expect("the third point");
-    // Blocks in a row that match nothing are one finding: the last stays beside the path.
+    // Blocks in a row that match nothing are one finding; after Y9 no block comes back to the path.
     let wrong = program.replace("\nY9\n", "\nX50 Y9\nX60 Y90\n");
     fs::write(shop.path().join("part.nc"), wrong).expect("it can be written");
     let run = shop.run(&["check", "part.cls", "part.nc", "--message-format", "json"]);

@@ -1,4 +1,4 @@
-//! CheckPolicy of a check: everything that it reads of a job, besides CL data, program and machine.
+//! Policy of a check: everything that it reads of a job, besides CL data, program and machine.
 //!
 //! Whoever configures a job builds it. Lengths in mm, angles in rad, feeds in mm/min and rad/min.
 
@@ -202,7 +202,7 @@ pub struct FeedPolicy {
     pub largest_mm_per_min: Option<f64>,
     /// Shortest time of a block, s.
     pub shortest_block_s: f64,
-    /// Speed of rotary axes where the tip stands still, rad/min.
+    /// Speed of rotary axes where the tip rests, rad/min.
     pub reorient_rad_per_min: f64,
     /// All axes of a rapid under tip control arrive together, if that is not as the control is delivered.
     pub rapids_interpolated: Option<bool>,

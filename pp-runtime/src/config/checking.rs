@@ -20,7 +20,7 @@ use super::Config;
 pub struct NotCheckable(String);
 
 impl Config {
-    /// CheckPolicy of the check of programs that are posted with this configuration. `cl_units`: unit of CL data that states none;
+    /// Policy of the check of programs that are posted with this configuration. `cl_units`: unit of CL data that states none;
     /// takes precedence over that of the configuration.
     ///
     /// # Errors

@@ -7,6 +7,8 @@
 pub mod any;
 mod explanation;
 mod machine;
+#[cfg(all(test, feature = "std"))]
+pub(crate) mod machines;
 pub mod math;
 mod motion;
 mod refusal;

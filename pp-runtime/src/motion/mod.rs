@@ -16,8 +16,6 @@ mod source;
 mod step;
 
 #[cfg(test)]
-pub(crate) mod machines;
-#[cfg(test)]
 mod tests;
 
 pub use course::{Course, Navigator};

@@ -9,7 +9,7 @@ use std::io::Cursor;
 
 use super::*;
 use crate::control::LinuxCnc;
-use crate::motion::machines::Cb;
+use crate::kinematics::machines::Cb;
 
 const PART: &str = "\
 PARTNO BRACKET

@@ -97,6 +97,12 @@ impl Effect {
     pub const fn cuts(&self) -> bool {
         matches!(self, Self::Feed | Self::Arc(_) | Self::Hole(_))
     }
+
+    /// Whether the operator has to press start again.
+    #[must_use]
+    pub const fn stops(&self) -> bool {
+        matches!(self, Self::Stop | Self::OptionalStop)
+    }
 }
 
 /// An arc or a helix.

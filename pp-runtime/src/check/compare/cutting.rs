@@ -361,13 +361,6 @@ impl<R: Read> Comparison<'_, R> {
             return false;
         };
         let FinishedMotion { segment, required, feed, at_feed, .. } = &*finished;
-        let off = |to: &ToolPose| (end.tip - to.tip).norm();
-        let still = rules.moved(&self.previous.words, self.previous.known, block) == 0;
-        let nearer = |next: ClMotion| off(&next.to) < off(&segment.to) && rules.is_at(end, &next.to);
-        let waits = matches!(self.progress.next(), Some(ExpectedItem { action: ExpectedAction::Dwell(_), .. }));
-        if waits && self.rotates(block) || still && self.progress.motion().is_some_and(nearer) {
-            return false;
-        }
         let same_kind = match block.action {
             Action::Feed | Action::Arc(_) => *at_feed,
             Action::Rapid => !(*at_feed || rules.retracts_between() && self.rotates(block)),
@@ -379,6 +372,17 @@ impl<R: Read> Comparison<'_, R> {
         // Rounding may show an end of a rotation at the pole where it is only near.
         let near = rotation > 0.5 * rules.rounding().unit_rad && rules.is_almost_done(segment, end);
         let tolerance_mm = required.tolerance_mm + if near { BOTH * rules.rounding().tip_mm } else { 0.0 };
+        // A rotation after a dwell, or a step that ends nearer to the end of the next motion, is the beginning of that motion.
+        let off = |to: &ToolPose| (end.tip - to.tip).norm();
+        let begins_next = || match self.progress.next().map(|item| &item.action) {
+            Some(ExpectedAction::Dwell(_)) => self.rotates(block),
+            Some(ExpectedAction::Motion(next)) => {
+                off(&next.to) < off(&segment.to)
+                    && rules.is_at(end, &next.to)
+                    && rules.moved(before, self.previous.known, block) == 0
+            }
+            _ => false,
+        };
         let right_feed = || {
             let stays = (rules.pose_from(before, block).tip - end.tip).norm() < 0.5 * rules.rounding().unit_mm;
             let longest = if stays { 0.0 } else { f64::INFINITY };
@@ -388,6 +392,7 @@ impl<R: Read> Comparison<'_, R> {
         let is_rest = same_kind
             && rotated_rad <= PI + rules.rounding().unit_rad
             && (near || rules.is_at(end, &segment.to))
+            && !begins_next()
             && rules.stays_at(&rules.path(*before, block), &segment.to, tolerance_mm)
             && rules.fault_in_cut(block, required, self.modal_context()).is_none()
             && right_feed();

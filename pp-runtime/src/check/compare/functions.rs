@@ -144,8 +144,7 @@ impl FunctionState {
                     SmoothingLevel::Finish => 2,
                 };
                 let blending = policy.tolerances.blending_mm;
-                let same = |written: f64| (written - blending).abs() <= ROUNDED * rules.units().in_mm();
-                if tolerance && !tolerance_mm.is_some_and(same) {
+                if tolerance && !is_blending(tolerance_mm, rules) {
                     return Some(format!("smoothing {}, expected within {blending} mm", shown(tolerance_mm)));
                 }
                 (levels[index] != written)
@@ -163,8 +162,7 @@ impl FunctionState {
                 Some(PathMode::Continuous { tolerance_mm, joining_mm: None }) => tolerance_mm,
                 _ => None,
             };
-            let same = |written: f64| (written - blending).abs() <= ROUNDED * rules.units().in_mm();
-            return (!tolerance.is_some_and(same))
+            return (!is_blending(tolerance, rules))
                 .then(|| format!("blocks are blended {} (G64 P), expected within {blending} mm", shown(tolerance)));
         }
         // Blending without a limit is the mode after switching on.
@@ -237,6 +235,12 @@ fn loose(rules: &Rules<'_>, bits: u16) -> Option<String> {
 fn letter(rules: &Rules<'_>, bits: u16) -> Option<char> {
     let found = |(index, _): &(usize, &Axis)| bits & (1 << index) != 0;
     rules.axes().iter().enumerate().find(found).map(|(_, axis)| axis.letter)
+}
+
+/// Whether a programmed tolerance is the one of the configuration.
+fn is_blending(tolerance_mm: Option<f64>, rules: &Rules<'_>) -> bool {
+    let off = tolerance_mm.map(|written| (written - rules.policy().tolerances.blending_mm).abs());
+    off.is_some_and(|off| off <= ROUNDED * rules.units().in_mm())
 }
 
 fn shown(tolerance_mm: Option<f64>) -> String {

@@ -139,10 +139,10 @@ impl<R: Read> Comparison<'_, R> {
             self.tally.outside_limits(self.progress.location(), current.shown, &text);
         }
         self.is_complete(phase, current);
-        if phase.is_at_part() {
+        let at_part = phase.is_at_part();
+        if at_part {
             self.missing_dwells(current);
         }
-        let at_part = phase.is_at_part();
         let mut retracted = self.retracted(phase, current);
         let rewinds = retracted.rewind.is_some();
         // The cuts after a rewind belong to those before it.
@@ -171,6 +171,12 @@ impl<R: Read> Comparison<'_, R> {
             retracted.parks = true;
         }
         Ok(Some(Phase::Retracted(retracted)))
+    }
+
+    /// The cuts before the last retract do not go on: it was no rewind.
+    fn cuts_have_ended(&mut self, current: &Current<'_>) {
+        let fault = self.functions.end_of_interrupted(&self.rules);
+        self.found_any(current, fault);
     }
 
     /// Data of the retract position after this phase. At the part the tool must have left it along its axis.
@@ -350,8 +356,7 @@ impl<R: Read> Comparison<'_, R> {
         if rewind.is_some() {
             self.functions.resume_cuts();
         } else {
-            let fault = self.functions.end_of_interrupted(&self.rules);
-            self.found_any(current, fault);
+            self.cuts_have_ended(current);
         }
         if let Some(rewind) = rewind {
             cutting.finished = rewind.finished;
@@ -557,8 +562,7 @@ impl<R: Read> Comparison<'_, R> {
             self.found(current, "tool change before the machine has retracted");
         }
         self.is_complete(phase, current);
-        let interrupted = self.functions.end_of_interrupted(&self.rules);
-        self.found_any(current, interrupted);
+        self.cuts_have_ended(current);
         Ok(self.forget(phase))
     }
 
@@ -610,8 +614,7 @@ impl<R: Read> Comparison<'_, R> {
             Some(item) if suits(item) => self.progress.take(),
             _ => self.found(current, "stop without STOP or OPSTOP in the CL data"),
         }
-        let interrupted = self.functions.end_of_interrupted(&self.rules);
-        self.found_any(current, interrupted);
+        self.cuts_have_ended(current);
         if phase.is_at_part() {
             let fault = self.functions.end_of_cuts(&self.rules);
             self.found_any(current, fault);
@@ -651,8 +654,7 @@ impl<R: Read> Comparison<'_, R> {
             self.found(current, &text);
         }
         self.is_complete(phase, current);
-        let interrupted = self.functions.end_of_interrupted(&self.rules);
-        self.found_any(current, interrupted);
+        self.cuts_have_ended(current);
         let missing: Vec<char> = parking::missing(&self.rules, self.parked, current.block).collect();
         for letter in missing {
             self.found(current, &format!("{letter} is not at its parking position"));

@@ -118,17 +118,12 @@ impl<'a, R: Read> ClProgress<'a, R> {
 
     /// Whether the next motion repeats the point and the tool axis of the last one.
     pub(super) fn repeats(&self) -> bool {
-        let (Some(reached), Some(motion)) = (self.reached.filter(|_| self.along <= 0.0), self.motion()) else {
-            return false;
-        };
-        let segment = Segment { from: reached, to: motion.to, shape: motion.shape };
-        let of_hole = self.next().is_some_and(|item| item.hole.is_some());
-        !of_hole
-            && !motion.rapid
-            && !motion.starts
-            && !self.approached
-            && segment.length() <= 0.0
-            && segment.turn() <= 0.0
+        let (Some(from), Some(item)) = (self.reached, self.next()) else { return false };
+        let ExpectedItem { action: ExpectedAction::Motion(motion), hole: None, .. } = item else { return false };
+        let begins = self.along <= 0.0 && !self.approached && !motion.rapid && !motion.starts;
+        // A full circle ends where it began, too.
+        let length = || Segment { from, to: motion.to, shape: motion.shape }.length();
+        begins && from == motion.to && length() <= 0.0
     }
 
     /// Whether an item ahead needs no block.

@@ -128,7 +128,7 @@ impl Link {
 mod tests {
     use super::*;
     use crate::kinematics::Machine;
-    use crate::motion::machines::{Cb, Head};
+    use crate::kinematics::machines::{Cb, Head};
 
     /// The same product with 4 × 4 matrices, written out.
     fn product<M: Machine>(machine: &M, values: &[f64]) -> (Vector3<f64>, Vector3<f64>) {

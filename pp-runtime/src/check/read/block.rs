@@ -237,7 +237,7 @@ pub struct Block {
     pub action: Action,
     /// The state in which it does so.
     pub state: State,
-    /// Value of each axis behind the block, as written: no offsets. mm and rad.
+    /// Value of each axis after the block, as written: no offsets. mm and rad.
     pub values: [f64; MAX_AXES],
     /// Axes whose value is known: bits by position.
     pub known: u16,

@@ -149,8 +149,8 @@ impl Line<'_> {
                 "a motion code in a block with a reference motion: both take the axis words",
             ),
         ];
-        if found.iter().any(|(wrong, _)| *wrong) {
-            found.iter().filter(|(wrong, _)| *wrong).for_each(|(_, text)| self.fault(0, *text));
+        for (_, text) in found.into_iter().filter(|(wrong, _)| *wrong) {
+            self.fault(0, text);
         }
     }
 }

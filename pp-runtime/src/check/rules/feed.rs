@@ -225,20 +225,20 @@ impl FeedLaw {
         // Three words may be off by √3 units together, two rotary ones by √2.
         let linear = if extent.linear_mm > 0.25 * self.unit_mm { 2.0 * self.unit_mm } else { 0.0 };
         let rotary = if self.rotates(extent) { self.unit_rad } else { 0.0 };
-        let off = |sign: f64, length_mm: f64| Extent {
-            length_mm,
+        let ends = [1.0, -1.0].map(|sign| Extent {
+            length_mm: stroke.length_mm,
             linear_mm: (extent.linear_mm - sign * linear).max(0.5 * linear),
             rotary_deg: (extent.rotary_deg - sign * 1.5 * rotary.to_degrees()).max(0.0),
             rotation_rad: (extent.rotation_rad + sign * rotary).max(rotary),
-            least_min: self.extent(stroke, sign).least_min.max(0.0),
-        };
-        lengths.fold((f64::INFINITY, 0.0), |(low, high), length| {
-            let [slow, fast] = [1.0, -1.0].map(|sign| self.value(feed, &off(sign, length)));
+            least_min: self.extent(stroke, sign).least_min,
+        });
+        lengths.fold((f64::INFINITY, 0.0), |(low, high), length_mm| {
+            let [slow, fast] = ends.map(|end| self.value(feed, &Extent { length_mm, ..end }));
             (low.min(slow), high.max(fast))
         })
     }
 
-    /// Whether the tip stands still, as far as rounded ends show.
+    /// Whether the tip rests, as far as rounded ends show.
     pub(crate) fn is_still(&self, stroke: &Stroke) -> bool {
         self.lengths(stroke, &self.extent(stroke, 0.0)).0 < self.unit_mm
     }

@@ -1,7 +1,7 @@
 //! Tests of the check that runs while a program is posted, and of `check`.
 
 use super::*;
-use crate::motion::machines::Cb;
+use crate::kinematics::machines::Cb;
 
 /// CL data of a small part.
 const PART: &str = "UNITS/MM\nTOOL PATH/FACE,TOOL,MILL\nLOADTL/1\nSPINDL/RPM,3000,CLW\nCOOLNT/ON\nFEDRAT/MMPM,500\n\

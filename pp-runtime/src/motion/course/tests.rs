@@ -7,7 +7,7 @@ use super::*;
 use crate::config::Config;
 use crate::kinematics::Limits;
 use crate::kinematics::Machine;
-use crate::motion::machines::{Cb, Head};
+use crate::kinematics::machines::{Cb, Head};
 use crate::motion::tests::hand_on;
 use crate::program::{Feed, Move, ToolCall};
 

@@ -102,7 +102,7 @@ mod tests {
     use super::*;
     use crate::config::Config;
     use crate::kinematics::Machine;
-    use crate::motion::machines::{Cb, Head};
+    use crate::kinematics::machines::{Cb, Head};
     use crate::motion::tests::{Run, config, feed, rapid, run, spindle, tool};
     use crate::set_up::GivenTool;
 

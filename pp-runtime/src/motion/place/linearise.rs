@@ -454,7 +454,7 @@ mod tests {
 
     use super::*;
     use crate::config::Config;
-    use crate::motion::machines::Cb;
+    use crate::kinematics::machines::Cb;
     use crate::program::Units;
 
     const TOLERANCE: PathTolerance = PathTolerance { tip_mm: 0.01, axis_rad: 0.001_745 };

@@ -550,7 +550,7 @@ mod tests {
     use super::*;
     use crate::config::Config;
     use crate::kinematics::Machine;
-    use crate::motion::machines::{Ay, Cb, Head, Xyz};
+    use crate::kinematics::machines::{Ay, Cb, Head, Xyz};
 
     fn placer<M: Machine>() -> Placer {
         let config = Config::default();

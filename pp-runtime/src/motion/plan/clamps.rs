@@ -117,7 +117,7 @@ impl Clamps {
 mod tests {
     use super::*;
     use crate::config::Config;
-    use crate::motion::machines::Cb;
+    use crate::kinematics::machines::Cb;
     use crate::motion::tests::{config, feed, rapid, run, spindle, tool};
     use crate::program::Event;
 

@@ -85,7 +85,7 @@ mod tests {
     use super::*;
     use crate::config::Config;
     use crate::kinematics::Machine;
-    use crate::motion::machines::Cb;
+    use crate::kinematics::machines::Cb;
 
     /// The written words of C for a list of positions in degrees.
     fn spelled(wrap: Wrap, degrees: &[i64]) -> Vec<i64> {

@@ -118,7 +118,7 @@ mod tests {
     use super::*;
     use crate::config::Config;
     use crate::diag::Diagnostic;
-    use crate::motion::machines::Xyz;
+    use crate::kinematics::machines::Xyz;
     use crate::motion::source::{ItemAction, ProgramItem, Source, Stage};
     use crate::program::{Arc, Event, Location, ToolCall};
 

@@ -6,8 +6,8 @@ use super::*;
 use crate::config::Config;
 use crate::kinematics::Machine;
 use crate::kinematics::Pose;
+use crate::kinematics::machines::{Head, Xyz};
 use crate::motion::Transition;
-use crate::motion::machines::{Head, Xyz};
 use crate::program::{Coolant, Drilling, Feed, Spindle};
 
 const UP: [f64; 3] = [0.0, 0.0, 1.0];

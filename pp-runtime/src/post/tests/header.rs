@@ -2,8 +2,8 @@
 
 use super::*;
 use crate::control::{Heidenhain, Siemens};
+use crate::kinematics::machines::Head;
 use crate::motion::Wrap;
-use crate::motion::machines::Head;
 use crate::set_up::GivenTool;
 
 #[test]

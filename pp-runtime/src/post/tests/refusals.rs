@@ -3,8 +3,8 @@
 use std::io::{self, Read, Seek, SeekFrom, Write};
 
 use super::*;
+use crate::kinematics::machines::Xyz;
 use crate::motion::Mode;
-use crate::motion::machines::Xyz;
 
 #[test]
 fn nothing_is_written_for_a_configuration_that_the_control_cannot_do() {

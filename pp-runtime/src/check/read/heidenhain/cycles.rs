@@ -8,7 +8,7 @@ use super::super::line::Line;
 use super::super::text::{Cursor, GOES_ON, same, tenths, whole};
 use super::ended;
 
-/// ClProgress through a cycle of several lines, which follow each other directly.
+/// Progress through a cycle of several lines, which follow each other directly.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Sequence {
     /// The line that must come next: the number of the cycle in tenths.

@@ -1,8 +1,8 @@
 //! What the words of a block bring about: the one state machine behind every family of controls.
 //!
 //! Order of a block: unit, feed, spindle speed, tool, spindle, coolant, plane, compensation, offsets, tilt and tip control,
-//! distances, motion, stop; what the user declares of a line comes last. Words become mm and rad here. Where an axis stands is known only while nothing has happened
-//! that may have moved it or its zero.
+//! distances, motion, stop; what the user declares of a line comes last. Words become mm and rad here. The position of an axis is
+//! known only while nothing has happened that may have moved it or its zero.
 
 mod arc;
 mod modes;
@@ -134,7 +134,7 @@ impl Interpreter {
         self.linear
     }
 
-    /// Where an axis stands, if that is known.
+    /// Position of an axis, if it is known.
     pub(super) fn at(&self, index: usize) -> Option<f64> {
         (self.known & (1 << index) != 0).then_some(self.values[index])
     }

@@ -6,8 +6,8 @@ use std::f64::consts::TAU;
 use proptest::prelude::*;
 
 use crate::config::Config;
+use crate::kinematics::machines::{Ay, Cb, Head, Mirrored, Xyz};
 use crate::kinematics::{AxisKind, Machine, Pose};
-use crate::motion::machines::{Ay, Cb, Head, Mirrored, Xyz};
 use crate::motion::tests::{Run, config, feed, run, spindle, tool};
 use crate::motion::{ArcForm, ArcOutput};
 use crate::nalgebra::{Point3, Rotation3, UnitVector3, Vector3};
