@@ -252,6 +252,8 @@ pub struct ShopBlocks {
     pub length_guard_mm: Option<f64>,
     /// Smoothing in cuts.
     pub smoothing: Option<SmoothingLevel>,
+    /// Tolerance of smoothing for rotary axes, where the program states it.
+    pub smoothing_angle_rad: Option<f64>,
     /// Threads are cut with the feed synchronised to the spindle.
     pub rigid_tapping: bool,
     /// Lines that the configuration brings into the program.

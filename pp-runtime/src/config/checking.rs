@@ -183,6 +183,7 @@ impl Config {
                 Smoothing::Medium => Some(SmoothingLevel::Medium),
                 Smoothing::Finish => Some(SmoothingLevel::Finish),
             },
+            smoothing_angle_rad: control.smoothing_angle_rad,
             rigid_tapping: self.motion.cycles.rigid,
             lines: self.shop_lines(machine),
             effects: control.effects.iter().map(|(text, effect)| (text.clone(), declared(*effect))).collect(),

@@ -6,7 +6,7 @@ use crate::motion::{self, Abilities, CycleAbilities, Mode, PathNorm, PlaneAbilit
 use crate::program::Coolant;
 use crate::set_up::LengthMode;
 
-use super::dialects::{ArcCentre, Control, LengthCall, coolant_index};
+use super::dialects::{ArcCentre, Control, CycleCodes, CycleForm, LengthCall, Spellings, ThreadCodes, coolant_index};
 use super::options::{Demands, Smoothing};
 
 /// Settings that the control does not support, and reasons why machine, control and configuration do not suit the mode.
@@ -91,6 +91,18 @@ fn centre_letters_are_tool_axis(control: &dyn Control, demands: Demands<'_>) -> 
     used && codes.arcs.centre == ArcCentre::Offsets && vectors.is_some_and(|vectors| vectors.words[0] == "I")
 }
 
+/// A thread that is not in step with the spindle does not stop it.
+fn cycle_abilities(codes: &Spellings, demands: Demands<'_>) -> CycleAbilities {
+    let Some(cycles) = &codes.cycles else { return CycleAbilities::default() };
+    let floats = match &cycles.form {
+        CycleForm::Codes(CycleCodes { thread: ThreadCodes::Cycle { rigid, .. }, .. }) => {
+            !rigid.is_empty() && !demands.motion.cycles.rigid
+        }
+        CycleForm::Codes(_) | CycleForm::Definitions(_) => false,
+    };
+    CycleAbilities { tap_stops_spindle: cycles.abilities.tap_stops_spindle && !floats, ..cycles.abilities }
+}
+
 /// Functions of the control that the planner may use.
 #[must_use]
 pub fn abilities(control: &dyn Control, demands: Demands<'_>) -> Abilities {
@@ -108,7 +120,7 @@ pub fn abilities(control: &dyn Control, demands: Demands<'_>) -> Abilities {
         registers: codes.length.registers,
         path_norm: demands.options.path_norm.unwrap_or(codes.path_norm),
         feed_per_inch: codes.feed_per_inch,
-        cycles: codes.cycles.as_ref().map_or_else(CycleAbilities::default, |cycles| cycles.abilities),
+        cycles: cycle_abilities(codes, demands),
         shared_radius_registers: codes.compensation[1].contains("{radius}"),
         arc_planes: codes.arcs.planes.map(|plane| plane.is_some() && !centre_letters_are_tool_axis(control, demands)),
         arc_radius_tolerance_mm: codes.arcs.radius_tolerance_mm,

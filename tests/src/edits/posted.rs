@@ -91,6 +91,7 @@ impl Posted {
         let options = Options {
             plain_numbers: config.control.point == Some(false),
             gauge_line: case.config.contains("length_mode = \"gauge\""),
+            rapids_at_feed: case.config.contains("rapid = \"feed\""),
             idle: case.idle.iter().map(|code| (*code).to_owned()).collect(),
             ..Options::of(foreign)
         };
@@ -180,6 +181,7 @@ fn allowed(config: &Config, control: foreign::Control, set_up: &str, text: &str,
     let path = set_up.lines().find_map(|line| line.strip_prefix("axis_tolerance_path = ")?.parse().ok());
     Allowed {
         linear: 2.0 * config.motion.tolerance_mm / in_mm + 4.0 * unit,
+        unit,
         rotary_deg: 2.0 * path.unwrap_or(0.1_f64) + 0.05,
         wraps: set_up.contains("[wrap]"),
         tool_axis: (config.motion.tip.tcp_frame != Some(TcpFrame::NotTurning)).then_some(tool_axis),

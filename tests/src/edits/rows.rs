@@ -179,7 +179,7 @@ const SIEMENS: &[&str] = &[
     "REPEAT ENDE", "REPEATB ENDE P=3", "IF R1==0", "ENDIF", "ELSE", "WHILE R1<5", "FOR R1=0 TO 5", "LOOP", "CASE R1 OF 1 GOTOF X",
     "CALL \"X\"", "L100", "L100 P3", "SUB1", "EXTCALL(\"X\")", "EXECSTRING(\"X5\")", "PCALL X", "PROC X", "MCALL",
     "MCALL CYCLE81(50,0,2,-5)", "CYCLE81(50,0,2,-5)", "CYCLE82(50,0,2,-5,0,1)", "HOLES1(0,0,0,0,5,3)", "HOLES2(0,0,5,0,0,3)",
-    "POCKET3(50,0,2,-5)", "CYCLE61(50,0,2,-5)", "CYCLE76", "CYCLE78", "CYCLE86(50,0,2,-5,0,1,3,1,1,1,0)", "CYCLE99", "MCALL CYCLE85(50,0,2,-5,0,1,50,50)",
+    "POCKET3(50,0,2,-5)", "CYCLE61(50,0,2,-5)", "CYCLE76", "CYCLE78", "CYCLE86(50,0,2,-5,0,1,3,1,1,1,0)", "CYCLE99", "MCALL CYCLE85(50,0,2,-5,,1,50,50)",
     "M0", "M00", "M1", "M2", "M3", "M4", "M5", "M6", "M7", "M8", "M9", "M10", "M11", "M17", "M19", "M30", "M40", "M41", "M70", "M77",
     "M68", "M69", "M83", "M84", "M88", "M89", "M3=5", "M1=3", "M2=3", "RET", "STOPRE", "G4 F1", "G4 S5", "G4 F100", "G4",
     "S100", "S1=500", "S2=500", "S0", "F10", "F5000", "F0", "F100", "F=50", "FB=10", "F[X]=5", "FL[X]=50", "FGROUP(X,Y,Z)", "FGROUP(X)", "FGREF[A]=10", "FNORM", "FLIN",

@@ -6,6 +6,7 @@ use super::{Allowed, Subject, Verdict, restarts_differ, verdict};
 
 const ALLOWED: Allowed = Allowed {
     linear: 0.024,
+    unit: 0.001,
     rotary_deg: 0.25,
     wraps: false,
     tool_axis: None,

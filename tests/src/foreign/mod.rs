@@ -97,6 +97,8 @@ pub struct Options {
     pub gauge_line: bool,
     /// Nothing is cut: feed motions run with the spindle off.
     pub dry: bool,
+    /// Rapids are written at feed: such a motion is no cut.
+    pub rapids_at_feed: bool,
     /// Text may be untidy, as edits by hand leave it.
     pub untidy: bool,
     /// What a control executes is executed, also where no careful programmer writes it; the end code ends the reading.
@@ -118,6 +120,7 @@ impl Options {
             entry: None,
             gauge_line: false,
             dry: false,
+            rapids_at_feed: false,
             untidy: false,
             careless: false,
             pointed: false,

@@ -279,6 +279,8 @@ pub struct State {
     pub length: Option<Length>,
     /// Spindle.
     pub spindle: Option<Spindle>,
+    /// A thread has stopped the spindle, and nothing has started it again.
+    pub stopped_by_thread: bool,
     /// S, rev/min.
     pub speed: Option<f64>,
     /// Coolant.

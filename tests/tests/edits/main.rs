@@ -143,7 +143,7 @@ fn is_harmless_for_the_careful(posted: &Posted, edit: &Edit) -> bool {
 }
 
 /// Whether a program that does the same holds what a check may find: text after a semicolon, which may begin a block, an end
-/// code before the end, a code of the shop beside other words, M9 besides codes of air, a unit elsewhere.
+/// code before the end, a code of the shop beside other words, M9 besides codes of air, a unit or a datum elsewhere.
 fn is_matter_of_taste(posted: &Posted, edit: &Edit) -> bool {
     let options = &posted.subject.options;
     let semicolon = matches!(options.control, Control::Fanuc | Control::Haas) && edit.after.contains(';');
@@ -157,7 +157,8 @@ fn is_matter_of_taste(posted: &Posted, edit: &Edit) -> bool {
     // Whether M9 also switches off air and coolant through the spindle.
     let off = of_air && words().any(|word| word == "M9" || word == "M09");
     // Where a restart point begins.
-    let unit = words().any(|word| ["G20", "G21", "G700", "G710"].contains(&word));
+    let unit =
+        words().any(|word| ["G20", "G21", "G700", "G710"].contains(&word)) || edit.after.contains("CYCL DEF 247");
     // Smoothing of Haas without a tolerance, and the user's codes of tip control again.
     let own = words().any(|word| ["G187", "M428", "M429"].contains(&word));
     // A tool that is selected in a block with a motion.
@@ -170,7 +171,9 @@ fn is_matter_of_taste(posted: &Posted, edit: &Edit) -> bool {
         options.control == Control::Heidenhain && edit.before.split(" | ").any(|line| line.starts_with("  Q"));
     // Words of a plane in another order.
     let plane = edit.before.contains("TABLE ROT") && !edit.after.contains("TABLE ROT");
-    parameter || plane || semicolon || ends || shop || off || unit || own || tool
+    // A label of a guard, to which the control does not get unless it stops.
+    let label = edit.before.contains("LBL \"");
+    parameter || label || plane || semicolon || ends || shop || off || unit || own || tool
 }
 
 /// Whether a code is in the edit that the control has and the foreign interpreter has not.

@@ -206,7 +206,8 @@ fn same_motions<M: Machine>(case: &Case, config: &Config, program: &[u8]) -> Res
     let [pointed, plain_numbers] = [true, false].map(|point| config.control.point == Some(point));
     let idle = set_up::BUILDER_CODES.iter().map(|code| (*code).to_owned()).collect();
     let gauge_line = case.set_up.contains("length_mode = \"gauge\"");
-    let options = Options { pointed, plain_numbers, gauge_line, idle, ..Options::of(control) };
+    let rapids_at_feed = case.set_up.contains("rapid = \"feed\"");
+    let options = Options { pointed, plain_numbers, gauge_line, rapids_at_feed, idle, ..Options::of(control) };
     // The codes of mist, air and coolant through the spindle are in the set-up.
     let compared = Compared { coolant: coolant::FLOOD, revolutions: !case.set_up.contains("[wrap]") };
     let text = std::str::from_utf8(program).map_err(|_| "a program that is not ASCII".to_owned())?;

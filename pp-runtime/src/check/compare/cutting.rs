@@ -10,7 +10,7 @@ use std::io::{self, Read};
 use super::super::expect::{ClMotion, ExpectedAction, ExpectedItem, Required};
 use super::super::geometry::{PathShape, Segment, ToolPose, angle_between};
 use super::super::policy::RapidForm;
-use super::super::read::{Action, Block, CycleMove, MAX_AXES};
+use super::super::read::{Action, Block, CycleKind, CycleMove, MAX_AXES};
 use super::super::rules::{BOTH, ModalContext, Rules, StateFault};
 use super::hole::{CycleComparison, is_over, pose_at, words_at};
 use super::phase::{Cutting, FinishedMotion, Leaving, Phase, RapidSteps, RetractedLength, RewindPoint};
@@ -187,6 +187,8 @@ impl<R: Read> Comparison<'_, R> {
             self.tally.deviation((end.tip - on.tip).norm(), angle_between(&end.axis, &on.axis));
         }
         self.compare_state(current, &part.required);
+        let stopped = if part.rapid { None } else { self.functions.cut_after_thread() };
+        self.found_any(current, stopped);
         let at_feed = block.action != Action::Rapid;
         let known = self.rules.is_known(block, self.previous.known);
         // The motion down from the approach point is a rapid if it is one in the CL data.
@@ -372,10 +374,13 @@ impl<R: Read> Comparison<'_, R> {
         // Rounding may show an end of a rotation at the pole where it is only near.
         let near = rotation > 0.5 * rules.rounding().unit_rad && rules.is_almost_done(segment, end);
         let tolerance_mm = required.tolerance_mm + if near { BOTH * rules.rounding().tip_mm } else { 0.0 };
-        // A rotation after a dwell, or a step that ends nearer to the end of the next motion, is the beginning of that motion.
+        // A rotation after a dwell or before another speed or coolant, or a step that ends nearer to the end of the next motion, is the beginning of that motion.
         let off = |to: &ToolPose| (end.tip - to.tip).norm();
+        let process = |required: &Required| (required.spindle, required.coolant);
+        let changes = || self.progress.next().is_some_and(|item| process(&item.required) != process(required));
         let begins_next = || match self.progress.next().map(|item| &item.action) {
             Some(ExpectedAction::Dwell(_)) => self.rotates(block),
+            Some(ExpectedAction::Motion(_)) if changes() && self.rotates(block) => true,
             Some(ExpectedAction::Motion(next)) => {
                 off(&next.to) < off(&segment.to)
                     && rules.is_at(end, &next.to)
@@ -590,6 +595,10 @@ impl<R: Read> Comparison<'_, R> {
             self.found(current, "cycle without an approach before it");
         }
         self.compare_state(current, &required);
+        if !matches!(cycle.kind, CycleKind::Tap(_)) {
+            let stopped = self.functions.cut_after_thread();
+            self.found_any(current, stopped);
+        }
         let fault = self.functions.smoothing(&block.state, &self.rules, true);
         self.found_any(current, fault);
         let (hole, spindle) = (expected.hole, required.spindle);

@@ -6,8 +6,8 @@ use nalgebra::Vector3;
 use super::super::expect::Required;
 use super::super::policy::SmoothingLevel;
 use super::super::read::{
-    Action, Block, Guard, GuardSource, Length, LengthSource, OwnPlace, PathMode, Smoothing, SmoothingWords, State,
-    stated,
+    Action, Block, CycleKind, CycleMove, Guard, GuardSource, Length, LengthSource, OwnPlace, PathMode, Smoothing,
+    SmoothingWords, State, stated,
 };
 use super::super::rules::Rules;
 use super::phase::Phase;
@@ -31,8 +31,10 @@ pub(super) struct FunctionState {
     rotation: Option<Rotation>,
     /// Mode of the first cut, where blocks of the shop may select it.
     path_mode: Option<PathMode>,
-    /// The spindle has been programmed since a complete state began.
+    /// The spindle has been programmed since a complete state or a thread that stops it.
     spindle_stated: bool,
+    /// A thread has stopped the spindle.
+    stopped_by_thread: bool,
     /// Rotary axes whose clamps have been switched since a complete state began: bits.
     clamps_stated: u16,
     /// Tool axis of the last block at the part.
@@ -103,12 +105,16 @@ impl FunctionState {
     /// Notes the spindle after a block; what is wrong where one moves.
     pub(super) fn spindle(&mut self, block: &Block, rules: &Rules<'_>) -> Option<String> {
         let rotation = block.state.spindle.flatten();
+        let stated = block.stated & stated::SPINDLE != 0;
+        let first = !std::mem::replace(&mut self.spindle_stated, stated) && stated;
+        self.stopped_by_thread &= !stated;
+        if let Action::Cycle(CycleMove { kind: CycleKind::Tap(_), .. }) = block.action {
+            self.stopped_by_thread = rules.facts().tap_stops_spindle;
+        }
         let dwell = rules.policy().links.spindle_dwell_s;
         if dwell <= 0.0 {
             return None;
         }
-        let stated = block.stated & stated::SPINDLE != 0;
-        let first = !std::mem::replace(&mut self.spindle_stated, stated) && stated;
         if rotation.is_some() && (first || rotation != self.rotation) {
             self.dwell_is_due = true;
         }
@@ -116,12 +122,18 @@ impl FunctionState {
         match block.action {
             Action::Dwell(seconds) if seconds >= dwell - 1e-3 => self.dwell_is_due = false,
             _ if rotation.is_none() => self.dwell_is_due = false,
-            _ if block.action.moves() && std::mem::take(&mut self.dwell_is_due) => {
+            action if action.cuts() && std::mem::take(&mut self.dwell_is_due) => {
                 return Some(format!("the dwell of {dwell} s after the start of the spindle is missing"));
             }
             _ => {}
         }
         None
+    }
+
+    /// What is wrong with the spindle in a cut after a thread.
+    pub(super) fn cut_after_thread(&mut self) -> Option<String> {
+        std::mem::take(&mut self.stopped_by_thread)
+            .then(|| "the control has switched the spindle off after the thread: M3 or M4 is missing".to_owned())
     }
 
     /// What is wrong with smoothing and path mode in a cut; `cycle`: of a cycle of the control.
@@ -147,8 +159,18 @@ impl FunctionState {
                 if tolerance && !is_blending(tolerance_mm, rules) {
                     return Some(format!("smoothing {}, expected within {blending} mm", shown(tolerance_mm)));
                 }
-                (levels[index] != written)
-                    .then(|| "smoothing of another level than that of the configuration".to_owned())
+                if levels[index] != written {
+                    return Some("smoothing of another level than that of the configuration".to_owned());
+                }
+                let angle = [policy.shop.smoothing_angle_rad, state.smoothing_angle_rad];
+                (!is_angle(angle)).then(|| {
+                    let [expected, written] = angle.map(|angle| {
+                        angle.map_or("no tolerance".to_owned(), |angle| {
+                            format!("a tolerance of {}°", angle.to_degrees())
+                        })
+                    });
+                    format!("smoothing has {written} for rotary axes, expected {expected}")
+                })
             }
         }
     }
@@ -235,6 +257,14 @@ fn loose(rules: &Rules<'_>, bits: u16) -> Option<String> {
 fn letter(rules: &Rules<'_>, bits: u16) -> Option<char> {
     let found = |(index, _): &(usize, &Axis)| bits & (1 << index) != 0;
     rules.axes().iter().enumerate().find(found).map(|(_, axis)| axis.letter)
+}
+
+/// Whether tolerances of smoothing for rotary axes are the same, as far as they are rounded.
+fn is_angle(angles: [Option<f64>; 2]) -> bool {
+    match angles.map(|angle| angle.map(f64::to_degrees)) {
+        [Some(expected), Some(written)] => (expected - written).abs() <= ROUNDED,
+        [expected, written] => expected.is_none() && written.is_none(),
+    }
 }
 
 /// Whether a programmed tolerance is the one of the configuration.

@@ -14,6 +14,9 @@ const DWELL_ROUNDING: f64 = 6e-4;
 /// Largest relative error of a pitch: 4 µm in a thread 20 mm long.
 const PITCH: f64 = 2e-4;
 
+/// Rounding of a length, in units of its word.
+const ROUNDED: f64 = 0.51;
+
 /// A cycle and the hole that it is to make.
 pub(super) struct CycleComparison<'c> {
     pub(crate) rules: &'c Rules<'c>,
@@ -138,7 +141,7 @@ impl CycleComparison<'_> {
             (CycleKind::ChipBreak(_) | CycleKind::Peck(_), _) => self.rules.policy().defaults.peck_gap_mm,
             _ => return None,
         };
-        ((gap - expected).abs() > self.rules.rounding().unit_mm)
+        ((gap - expected).abs() > ROUNDED * self.rules.rounding().unit_mm)
             .then(|| format!("the cycle returns to {gap} mm above the last depth, expected {expected} mm"))
     }
 

@@ -5,7 +5,7 @@ use std::io::{self, Read};
 use super::super::expect::{ClMotion, ExpectedAction, ExpectedItem};
 use super::super::geometry::{PathShape, Segment, ToolPose, angle_between};
 use super::super::policy::LinearMeaning;
-use super::super::read::{Action, Block, Length, stated};
+use super::super::read::{Action, Block, Length, MAX_AXES, stated};
 use super::super::rules::{ModalContext, fault_at_end};
 use super::functions::place_of_line;
 use super::phase::{Cutting, Phase, Retracted, RetractedLength, RewindPoint};
@@ -249,9 +249,13 @@ impl<R: Read> Comparison<'_, R> {
             LinearMeaning::TipCoordinates => words.linear_bits(),
             LinearMeaning::PlaneCoordinates => words.xyz()[2].map_or(retract, |z| 1 << z),
         };
-        // A rotary word that moves nothing may be in any block.
+        // A word that moves nothing may be in any block.
         let moved = self.rules.moved(&self.previous.words, self.previous.known, block);
-        let written = block.written & !(rotary & !moved);
+        let stays = |index: &usize| {
+            self.previous.known & (1 << index) != 0 && (block.values[*index] - self.previous.words[*index]).abs() < 1e-9
+        };
+        let still = (0..MAX_AXES).filter(stays).fold(rotary & !moved, |bits, index| bits | 1 << index);
+        let written = block.written & !still;
         let step = match if written == 0 { block.written } else { written } {
             written if written & !rotary == 0 => 1,
             written if written & !last == 0 => 3,

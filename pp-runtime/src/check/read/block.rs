@@ -215,6 +215,12 @@ impl Action {
             Self::Rapid | Self::Feed | Self::Arc(_) | Self::Cycle(_) | Self::Machine | Self::Reference | Self::Orient
         )
     }
+
+    /// Whether the tool moves at feed.
+    #[must_use]
+    pub const fn cuts(&self) -> bool {
+        matches!(self, Self::Feed | Self::Arc(_) | Self::Cycle(_))
+    }
 }
 
 /// What a control would stumble over.

@@ -73,6 +73,8 @@ pub(crate) struct Facts {
     pub(crate) length_off_at_machine_coordinates: bool,
     /// Tool radii have registers of their own: D.
     pub(crate) radius_registers: bool,
+    /// The control has switched the spindle off after a thread that is in step with it.
+    pub(crate) tap_stops_spindle: bool,
     /// A length guard compares in mm, whatever the unit of the program.
     pub(crate) guard_in_mm: bool,
     /// F of an inch program counts tenths of an inch.
@@ -149,6 +151,8 @@ const ISO: Facts = Facts {
     length_moves: true,
     length_off_at_machine_coordinates: true,
     radius_registers: true,
+    // Rigid tapping: Fanuc B-63944EN/02 (2004), Haas 96-8000 (from memory).
+    tap_stops_spindle: true,
     guard_in_mm: false,
     feed_in_tenths_of_inch: false,
     feed_counts_degrees: false,
@@ -199,6 +203,7 @@ impl Family {
                 reference_beside_motion: false,
                 length_moves: false,
                 length_off_at_machine_coordinates: false,
+                tap_stops_spindle: false,
                 guard_in_mm: true,
                 rapids_interpolated: true,
                 length_ends_tip_control: false,
@@ -238,6 +243,7 @@ impl Family {
                 registers: LengthRegisters::Edges,
                 length_moves: false,
                 radius_registers: false,
+                tap_stops_spindle: false,
                 rapids_interpolated: true,
                 tool_axis_interpolation: true,
                 tool_axis_frame: true,

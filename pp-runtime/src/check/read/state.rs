@@ -215,6 +215,8 @@ pub struct State {
     pub diameter: Option<u32>,
     /// Work offset.
     pub work_offset: Option<WorkOffset>,
+    /// Work offset that was in force before tip control may have cancelled it.
+    pub cancelled_offset: Option<WorkOffset>,
     /// Unit of lengths.
     pub units: Option<Units>,
     /// Words are distances.
@@ -270,6 +272,7 @@ impl Default for State {
             length: None,
             diameter: None,
             work_offset: None,
+            cancelled_offset: None,
             units: None,
             incremental: None,
             plane: None,

@@ -1,5 +1,7 @@
 //! Whether a block ends on a motion of the CL data, and its deviation from the path between its ends.
 
+use std::f64::consts::FRAC_PI_2;
+
 use super::super::expect::ClMotion;
 use super::super::geometry::{PathShape, Segment, ToolPose, angle_between};
 use super::super::policy::RapidForm;
@@ -197,7 +199,10 @@ impl Rules<'_> {
             found.tip_mm = found.tip_mm.max(match &segment.shape {
                 PathShape::Arc(arc) if sweep > 0.0 => {
                     let done = along + arc.share_of(sweep * share);
-                    (on.tip - segment.at(arc.share_near(&on.tip, done).clamp(0.0, 1.0)).tip).norm()
+                    let near = arc.share_near(&on.tip, done).clamp(0.0, 1.0);
+                    // In the other sense about the same centre, or some other turn.
+                    let strays = (near - done).abs() > arc.share_of(FRAC_PI_2);
+                    (on.tip - segment.at(if strays { done.clamp(0.0, 1.0) } else { near }).tip).norm()
                 }
                 _ => segment.distance(&on, along),
             });

@@ -226,6 +226,11 @@ impl<'a> Rules<'a> {
             false => self.words.values(words),
         };
         let (from, to) = (axes(before), axes(&block.values));
+        // Where the same coordinates of the tip are programmed again, rounding hides no motion.
+        let same = |index: Option<usize>| index.is_none_or(|index| (before[index] - block.values[index]).abs() < 1e-12);
+        let tip = self.policy.words.linear == LinearMeaning::TipCoordinates;
+        let rests = tip && length_mm < 0.5 * self.rounding.unit_mm && self.words.xyz().into_iter().all(same);
+        let longest_mm = if rests { 0.0 } else { longest_mm };
         let change = std::array::from_fn(|index| to[index] - from[index]);
         Stroke { length_mm, longest_mm, change, feed, speed_rev_per_min: required.spindle.map(|(speed, _)| speed) }
     }

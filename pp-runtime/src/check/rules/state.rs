@@ -130,8 +130,8 @@ impl Rules<'_> {
         spindle_on: Option<SpindleState>,
         context: ModalContext,
     ) -> Option<StateFault> {
-        let cancelled = self.facts.tip_control_may_cancel_offset && state.work_offset.is_none();
-        let last = last.filter(|_| !cancelled);
+        // A work offset that tip control may have cancelled may be in force as well.
+        let state = &State { work_offset: state.work_offset.or(state.cancelled_offset), ..*state };
         let found = self
             .everywhere(state, Side::None, context)
             .or_else(|| self.frame(state, false))
@@ -191,9 +191,10 @@ impl Rules<'_> {
         if selects && !state.shortest && shorter {
             return Some("rotary axes do not take the shorter way, but their words are reduced to 360".to_owned());
         }
-        if state.shortest && self.policy.words.rollover.is_empty() {
+        if state.shortest && !shorter {
             return Some(
-                "shortest-path rotary mode is active, but rotary words are absolute: they may go beyond 360".to_owned(),
+                "rotary axes take the shorter way (M126), but their words give the position and the direction"
+                    .to_owned(),
             );
         }
         if state.feed_mode == Some(FeedMode::PerRevolution) || state.feed_mode.is_none() {

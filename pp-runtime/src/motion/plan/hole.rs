@@ -344,6 +344,10 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         let can = self.planner.abilities.cycles;
         let here = self.planner.mover.placer().written(self.planner.mover.here());
         let height = self.height().max(hole.clearance_mm);
+        let thread = matches!(cycle.kind, CannedKind::Tap { .. });
+        if !thread && self.planner.spindle.take_stopped_by_cycle() {
+            self.planner.apply_spindle(true)?;
+        }
         self.planner.mover.watch_plunge(&hole.level(height), &hole.level(hole.clearance_mm));
         if cycle.back != cycle.clearance && here[cycle.z] != cycle.back && !can.returns_to_any_level {
             // Such a cycle returns to the level at which it began.
@@ -360,7 +364,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         output.set_reason(BlockReason::Record);
         mover.write_motion(&Step::Cycle { cycle }, &back)?;
         mover.output_mut().statistics_mut().cycles += 1;
-        if let CannedKind::Tap { .. } = cycle.kind {
+        if thread {
             self.planner.spindle.note_thread(can.tap_stops_spindle);
         }
         let bottom = hole.level(-hole.depth_mm);

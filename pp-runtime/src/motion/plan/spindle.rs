@@ -109,7 +109,8 @@ impl SpindleState {
             return if again { Ok(output.step(&Step::SpindleOff)?) } else { Ok(()) };
         }
         if again || self.running != wanted {
-            let starts = again || self.running.is_none_or(|(_, before)| before != rotation);
+            let stopped = std::mem::take(&mut self.stopped_by_cycle);
+            let starts = again || stopped || self.running.is_none_or(|(_, before)| before != rotation);
             self.running = wanted;
             output.step(&Step::Spindle { speed, rotation })?;
             if starts && policy.options.spindle_dwell_s > 0.0 {

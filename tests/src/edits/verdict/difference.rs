@@ -3,7 +3,7 @@
 use super::super::places::name_of;
 use super::{Allowed, Event};
 use crate::foreign::axes::{Axes, LETTERS, is_rotary};
-use crate::foreign::state::{Compensation, Cycle, CycleKind, PathMode, Plane, SMOOTHING, State, TiltedPlane};
+use crate::foreign::state::{Compensation, Cycle, CycleKind, Length, PathMode, Plane, SMOOTHING, State, TiltedPlane};
 use crate::foreign::trace::{Arc, Hole};
 use crate::foreign::{Effect, Feed};
 use Difference::{Hard, Soft};
@@ -243,6 +243,9 @@ fn moved(was: &Event<'_>, is: &Event<'_>, allowed: Allowed) -> Option<Difference
             (Some(one), None) if !cuts && was.rotary.get(letter).is_some_and(|last| (last - one).abs() < 1e-9) => {
                 soft(true, "a rotary axis that is not moved")
             }
+            (Some(_), None) | (None, Some(_)) if is_rotary(letter) && free => {
+                soft(true, "a rotary axis that gives the tool axis of a vector")
+            }
             (Some(_), None) if cuts || written[0] => Some(Hard(format!("{letter} is unknown"))),
             (None, Some(other)) if is.rotary.get(letter) == Some(other) => {
                 soft(true, "a rotary axis that is not moved")
@@ -255,21 +258,28 @@ fn moved(was: &Event<'_>, is: &Event<'_>, allowed: Allowed) -> Option<Difference
             (one, other) => soft(one != other, &format!("{letter} is known in one of both")),
         }
     };
+    let axes = [old, new].map(|state| tool_axis(state, allowed));
     let vectors = match (old.vector, new.vector) {
         (Some(was), Some(is)) if old.under_tip_control() => {
             worst([0, 1, 2].map(|index| compared("a component of", was[index], is[index], 2e-3)))
         }
-        (was, is) if old.under_tip_control() && cuts => hard(was != is, "the tool vector"),
+        (was, is) if old.under_tip_control() && cuts && !is_near(axes) => hard(was != is, "the tool vector"),
         _ => None,
     };
     let short = is_short(was, allowed) && is_short(is, allowed);
+    let travel = |letter: &char| match [was.before, old].map(|state| state.position.get(*letter)) {
+        [Some(from), Some(to)] if !is_rotary(*letter) => (to - from).powi(2),
+        _ => 0.0,
+    };
+    let length = LETTERS.iter().map(travel).sum::<f64>().sqrt();
     let feed = match (was.block.feed(), is.block.feed()) {
         (Some(Feed::PerMinute(was)), Some(Feed::PerMinute(is)))
         | (Some(Feed::InverseTime(was)), Some(Feed::InverseTime(is)))
         | (Some(Feed::PerRevolution(was)), Some(Feed::PerRevolution(is)))
             if !short =>
         {
-            compared("F", was, is, 0.0101 * was)
+            // Rounded ends do not show the length of a short motion better.
+            compared("F", was, is, (6.0 * allowed.unit / length).max(0.0101) * was)
         }
         (Some(was), Some(is)) if short => soft(was != is, "F of a motion within tolerance"),
         (was, is) => hard(was != is, "the feed mode"),
@@ -280,21 +290,23 @@ fn moved(was: &Event<'_>, is: &Event<'_>, allowed: Allowed) -> Option<Difference
 /// Whether the tool axis is the same at the end of a motion and half way, although rotary axes differ, and words are
 /// coordinates of the tip.
 fn is_free(was: &Event<'_>, is: &Event<'_>, allowed: Allowed) -> bool {
-    let Some(tool_axis) = allowed.tool_axis else { return false };
     let tips = |event: &Event<'_>| event.before.under_tip_control() && event.block.state.under_tip_control();
     let middle = |event: &Event<'_>| {
-        let (from, to) = (&event.before.position, &event.block.state.position);
+        let (from, to) = (event.before, &event.block.state);
         let mut middle = *to;
-        for (letter, value) in to.iter().filter(|(letter, _)| is_rotary(*letter)) {
-            middle.set(letter, (from.get(letter).unwrap_or(value) + value) / 2.0);
+        for (letter, value) in to.position.iter().filter(|(letter, _)| is_rotary(*letter)) {
+            middle.position.set(letter, (from.position.get(letter).unwrap_or(value) + value) / 2.0);
         }
-        middle
+        let still = is_near([from, to].map(|state| tool_axis(state, allowed)));
+        if to.vector.is_some() && !still { None } else { tool_axis(&middle, allowed) }
     };
-    let near = |places: [Axes; 2]| is_near(places.map(|place| tool_axis(&place)));
-    tips(was)
-        && tips(is)
-        && near([was.block.state.position, is.block.state.position])
-        && near([middle(was), middle(is)])
+    let ends = [was, is].map(|event| tool_axis(&event.block.state, allowed));
+    tips(was) && tips(is) && is_near(ends) && is_near([was, is].map(middle))
+}
+
+/// Tool axis on the workpiece: the vector, or that of the rotary axes.
+fn tool_axis(state: &State, allowed: Allowed) -> Option<[f64; 3]> {
+    state.vector.or_else(|| allowed.tool_axis.and_then(|axis| axis(&state.position)))
 }
 
 /// Whether a rapid brings rotary axes to where they are in the tilted plane, any other rotary axis where it suits best.
@@ -328,10 +340,15 @@ pub(super) fn is_turned_already(event: &Event<'_>, allowed: Allowed) -> bool {
     })
 }
 
-/// Whether two unit vectors are known and equal.
+/// Whether two unit vectors are known and equal, as far as rounded words show.
 pub(super) fn is_near(vectors: [Option<[f64; 3]>; 2]) -> bool {
     let [Some(one), Some(other)] = vectors else { return false };
-    one.iter().zip(&other).all(|(one, other)| (one - other).abs() < 1e-6)
+    one.iter().zip(&other).all(|(one, other)| (one - other).abs() < 1e-4)
+}
+
+/// A tool change leaves no length offset.
+fn length(state: &State) -> Length {
+    state.length.unwrap_or(Length::Off)
 }
 
 fn side(state: &State) -> Compensation {
@@ -353,18 +370,19 @@ pub(super) fn state_difference(was: &Event<'_>, is: &Event<'_>, allowed: Allowed
         soft(old.tilted_plane() != new.tilted_plane(), "the tilted plane by little"),
     ]);
     if machine {
-        return frame;
+        return worst([frame, soft(old.rotary_path != new.rotary_path, "shortest path where no rotary axis moves")]);
     }
     let linear = was.block.effect.cuts() || was.block.words.letters().any(|letter| !is_rotary(letter));
-    let across = !tip.0 && old.tilted_plane().is_none() && !was.block.effect.cuts();
+    // In a tilted plane the length lies along its normal.
+    let across = !tip.0 && !was.block.effect.cuts();
     let levels = linear && !(across && was.block.words.letters().all(|letter| letter != 'Z'));
     let rotary = was.block.words.letters().chain(is.block.words.letters()).any(is_rotary);
     let words = worst([
         frame,
         hard(old.work_offset != new.work_offset, "the work offset"),
         hard(old.offset_cleared != new.offset_cleared, "the work offset after TRAORI"),
-        hard(levels && old.length != new.length, "the length offset"),
-        soft(linear && old.length != new.length, "the length offset of X and Y"),
+        hard(levels && length(old) != length(new), "the length offset"),
+        soft(linear && old.length != new.length, "the length offset where it does not matter"),
         hard(rotary && old.rotary_path != new.rotary_path, "shortest path"),
         soft(old.rotary_path != new.rotary_path, "shortest path where no rotary axis moves"),
         hard(linear && side(old) != side(new), "the compensation"),
@@ -379,6 +397,7 @@ pub(super) fn state_difference(was: &Event<'_>, is: &Event<'_>, allowed: Allowed
         words,
         hard(old.tool != new.tool, "the tool"),
         hard(old.spindle != new.spindle, "the spindle"),
+        hard(!taps && old.stopped_by_thread != new.stopped_by_thread, "the spindle after a thread"),
         hard(old.speed != new.speed, "the speed"),
         hard(old.coolant != new.coolant, "coolant"),
         hard(planar && old.plane != new.plane, "the plane"),

@@ -65,7 +65,7 @@ pub(super) fn events<'a>(trace: &'a Trace, start: &'a State) -> (Vec<Event<'a>>,
         {
             again.push("G49".to_owned());
         }
-        if before.spindle != was.spindle {
+        if before.spindle != was.spindle || matches!(block.effect, Effect::Spindle(_)) {
             again.push(format!("{:?} after {} actions", before.spindle, events.len()));
         }
         match block.effect {
@@ -102,7 +102,8 @@ pub(super) fn events<'a>(trace: &'a Trace, start: &'a State) -> (Vec<Event<'a>>,
 fn is_later(action: &Event<'_>, next: &Event<'_>) -> bool {
     // A guard that names its register compares the same before the tool change.
     let guards = matches!(next.block.effect, Effect::Guard { .. }) && next.block.state.guarded.is_some();
-    action.block.effect == Effect::Machine || guards && matches!(action.block.effect, Effect::ToolChange(_))
+    matches!(action.block.effect, Effect::Machine | Effect::Dwell(_))
+        || guards && matches!(action.block.effect, Effect::ToolChange(_))
 }
 
 /// Whether a rapid brings rotary axes to the words that were written last: a plane has rotated them there as well.

@@ -24,6 +24,8 @@ pub type ToolAxis = fn(&Axes) -> Option<[f64; 3]>;
 pub struct Allowed {
     /// Linear axes, in the unit of the program.
     pub linear: f64,
+    /// One unit of linear words.
+    pub unit: f64,
     /// Rotary axes, degrees.
     pub rotary_deg: f64,
     /// Rotary axes may roll over, so that whole revolutions make no difference.

@@ -3,9 +3,10 @@
 use super::difference::Difference::Hard;
 use super::difference::{difference, is_near, is_short, is_turned_already, state_difference};
 use super::{Allowed, Event, Verdict};
-use crate::foreign::Effect;
 use crate::foreign::axes::is_rotary;
 use crate::foreign::state::State;
+use crate::foreign::trace::Arc;
+use crate::foreign::{Effect, Executed};
 
 /// Whether the traces are the same but for one block on the line between its neighbours.
 pub(super) fn rearranged(was: &[Event<'_>], is: &[Event<'_>], index: usize, allowed: Allowed) -> Option<Verdict> {
@@ -24,12 +25,55 @@ pub(super) fn rearranged(was: &[Event<'_>], is: &[Event<'_>], index: usize, allo
     {
         return Some(Verdict::Undecided("a wait is added".to_owned()));
     }
+    let is_idle = |events: &[Event<'_>]| {
+        let before_next = |event: &&Event<'_>| {
+            !matches!(event.block.effect, Effect::Dwell(_) | Effect::ToolChange(_)) && !event.block.effect.stops()
+        };
+        events.get(index).is_some_and(|event| matches!(event.block.effect, Effect::Dwell(_)))
+            && !events[index + 1..].iter().take_while(before_next).any(|event| event.block.effect.cuts())
+    };
+    let idle = |events: &[Event<'_>], other: &[Event<'_>]| {
+        is_idle(events) && rest_agrees(&events[index + 1..], &other[index..])
+    };
+    let both = is_idle(was) && is_idle(is) && rest_agrees(&was[index + 1..], &is[index + 1..]);
+    if both || idle(was, is) || idle(is, was) {
+        return Some(Verdict::Undecided("a wait with no cut after it".to_owned()));
+    }
     let short = |events: &[Event<'_>], other: &[Event<'_>]| {
         events.get(index).is_some_and(|event| is_short(event, allowed))
             && rest_agrees(&events[index + 1..], &other[index..])
     };
     if short(was, is) || short(is, was) {
         return Some(Verdict::Undecided("a motion within tolerance".to_owned()));
+    }
+    let agrees = |one: &Event<'_>, other: &Event<'_>| !matches!(difference(one, other, allowed), Some(Hard(_)));
+    let waits = |one: &[Event<'_>], other: &[Event<'_>]| {
+        let moved = one.get(index..).and_then(<[_]>::split_first).zip(other.get(index..));
+        moved.is_some_and(|((wait, one), other)| {
+            let guards = matches!(wait.block.effect, Effect::Guard { .. });
+            let free = |event: &&Event<'_>| {
+                let lengthless = matches!(event.block.effect, Effect::Orient | Effect::Machine)
+                    || event.block.words.letters().all(is_rotary);
+                event.block.effect.moves() && !event.block.effect.cuts() && (lengthless || !guards)
+            };
+            let rapids = other.iter().take_while(free).count();
+            (guards || matches!(wait.block.effect, Effect::Dwell(_)))
+                && rapids > 0
+                && other.get(rapids).is_some_and(|event| agrees(wait, event) && agrees(event, wait))
+                && rest_agrees(&one[..rapids.min(one.len())], &other[..rapids])
+                && rest_agrees(&one[rapids.min(one.len())..], &other[rapids + 1..])
+        })
+    };
+    if waits(was, is) || waits(is, was) {
+        return Some(Verdict::Undecided("a wait or a guard before or after a rapid".to_owned()));
+    }
+    if is_retracted_further(is, index) && rest_agrees(&was[index..], &is[index + 1..]) {
+        return Some(Verdict::Undecided("another axis in machine coordinates after a retract".to_owned()));
+    }
+    if is_arc_in_parts(was, is, index, allowed) && rest_agrees(&was[index + 1..], &is[index + 2..])
+        || is_arc_in_parts(is, was, index, allowed) && rest_agrees(&was[index + 2..], &is[index + 1..])
+    {
+        return Some(Verdict::Undecided("an arc in two parts".to_owned()));
     }
     if let Some(count) = is_parked_in_another_order(was, is, index)
         && rest_agrees(&was[index + count..], &is[index + count..])
@@ -53,20 +97,27 @@ pub(super) fn rearranged(was: &[Event<'_>], is: &[Event<'_>], index: usize, allo
     if turned(was, is) || turned(is, was) {
         return Some(Verdict::Undecided("rotary axes to where the plane has them".to_owned()));
     }
-    if is_extra_tool_change(is, index) && rest_agrees(&was[index..], &is[index + 1..]) {
+    // The retract after it is another one.
+    let retracts = usize::from(is.get(index + 1).is_some_and(|event| event.block.effect == Effect::Machine));
+    if is_extra_tool_change(is, index)
+        && (rest_agrees(&was[index..], &is[index + 1..]) || rest_agrees(&was[index..], &is[index + 1 + retracts..]))
+    {
         return Some(Verdict::Undecided("a tool change before another".to_owned()));
     }
     if is_turned_before_tip_control(was, is, index, allowed) && rest_agrees(&was[index + 1..], &is[index + 1..]) {
         return Some(Verdict::Undecided("a rotary axis that is free under tip control".to_owned()));
     }
-    let swapped = |one: &[Event<'_>], other: &[Event<'_>]| {
-        one.get(index).is_some_and(|event| is_short(event, allowed))
-            && other.get(index + 1).is_some_and(|event| is_short(event, allowed))
-            && rest_agrees(&one[index + 1..=index + 1], &other[index..=index])
-            && rest_agrees(&one[index + 2..], &other[index + 2..])
+    let moved = |one: &[Event<'_>], other: &[Event<'_>]| {
+        let Some((first, one)) = one.get(index..).and_then(<[_]>::split_first) else { return false };
+        let hard = |(one, other): (&Event<'_>, &Event<'_>)| matches!(difference(one, other, allowed), Some(Hard(_)));
+        let other = &other[index.min(other.len())..];
+        let place = one.iter().zip(other).position(hard).unwrap_or(one.len().min(other.len()));
+        is_short(first, allowed)
+            && other.get(place).is_some_and(|event| is_short(event, allowed))
+            && rest_agrees(&one[place..], &other[place + 1..])
     };
-    if was.len() > index + 1 && is.len() > index + 1 && (swapped(was, is) || swapped(is, was)) {
-        return Some(Verdict::Undecided("a motion within tolerance, in another order".to_owned()));
+    if moved(was, is) || moved(is, was) {
+        return Some(Verdict::Undecided("a motion within tolerance, elsewhere".to_owned()));
     }
     let ends =
         |events: &[Event<'_>]| matches!(&events[index.min(events.len())..], [end] if end.block.effect == Effect::End);
@@ -89,8 +140,39 @@ pub(super) fn rearranged(was: &[Event<'_>], is: &[Event<'_>], index: usize, allo
     None
 }
 
-/// Whether a tool change is followed by another, before anything but retracts.
+/// Whether a motion to machine coordinates follows another, with no motion between them.
+fn is_retracted_further(events: &[Event<'_>], index: usize) -> bool {
+    let retract = |event: &Event<'_>| event.block.effect == Effect::Machine;
+    let before = events.get(..index).unwrap_or_default().iter().rev().find(|event| event.block.effect.moves());
+    events.get(index).is_some_and(retract) && before.is_some_and(retract)
+}
+
+/// Whether an arc of `one` is two arcs of `two` about the same centre.
+fn is_arc_in_parts(one: &[Event<'_>], two: &[Event<'_>], index: usize, allowed: Allowed) -> bool {
+    let (Some(whole), Some(parts)) = (one.get(index), two.get(index..index + 2)) else { return false };
+    let (Effect::Arc(arc), Effect::Arc(first), Effect::Arc(second)) =
+        (whole.block.effect, parts[0].block.effect, parts[1].block.effect)
+    else {
+        return false;
+    };
+    let centred =
+        |part: &Arc| arc.centre.iter().zip(&part.centre).all(|(one, two)| (one - two).abs() <= allowed.linear);
+    let sweep = first.sweep_deg + second.sweep_deg;
+    let same = Event { block: &Executed { effect: Effect::Arc(arc), ..*parts[1].block }, ..parts[1] };
+    centred(&first)
+        && centred(&second)
+        && first.sweep_deg * second.sweep_deg > 0.0
+        && (sweep - arc.sweep_deg).abs() < 1.0
+        && !matches!(difference(whole, &same, allowed), Some(Hard(_)))
+}
+
+/// Whether a tool change brings the tool that is in the spindle, or is followed by another, before anything but retracts.
 fn is_extra_tool_change(events: &[Event<'_>], index: usize) -> bool {
+    let again =
+        |event: &Event<'_>| matches!(event.block.effect, Effect::ToolChange(tool) if event.before.tool == Some(tool));
+    if events.get(index).is_some_and(again) {
+        return true;
+    }
     let mut rest = events.get(index..).unwrap_or_default().iter();
     let change = |event: &Event<'_>| matches!(event.block.effect, Effect::ToolChange(_));
     rest.next().is_some_and(change) && rest.find(|event| event.block.effect != Effect::Machine).is_some_and(change)
@@ -162,8 +244,7 @@ fn is_split(one: &[Event<'_>], two: &[Event<'_>], index: usize, allowed: Allowed
     let (Some(whole), Some(parts)) = (one.get(index), two.get(index..index + 2)) else { return false };
     let level = |event: &Event<'_>| {
         let letters = || event.block.words.letters();
-        event.block.effect == Effect::Rapid
-            && (letters().all(|letter| matches!(letter, 'X' | 'Y')) || letters().all(is_rotary))
+        event.block.effect == Effect::Rapid && letters().all(|letter| matches!(letter, 'X' | 'Y') || is_rotary(letter))
     };
     let ends = |letter| match [whole, &parts[1]].map(|event| event.block.state.position.get(letter)) {
         [Some(one), Some(two)] => (one - two).abs() <= allowed.linear,
@@ -193,8 +274,10 @@ fn on_the_line(events: &[Event<'_>], index: usize, allowed: Allowed) -> bool {
     for letter in here.letters() {
         let [Some(from), Some(here), Some(to)] = [from, here, to].map(|axes| axes.get(letter)) else { return false };
         moved.push((letter, from, here, to));
-        if (to - from).abs() > longest {
-            longest = (to - from).abs();
+        // The rotary axes need not be even.
+        let travel = (to - from).abs() * if is_rotary(letter) { 1e-6 } else { 1.0 };
+        if travel > longest {
+            longest = travel;
             ratio = (here - from) / (to - from);
         }
     }

@@ -213,7 +213,9 @@ pub(super) fn effect(machine: &Machine, command: &Command, effect: &Effect, word
 fn cut(machine: &Machine, effect: &Effect) -> Result<(), String> {
     let state = &machine.state;
     let turns = matches!(state.spindle, Some(Spindle::Clockwise | Spindle::CounterClockwise));
-    if state.tool.is_none() || !turns && !machine.dry {
+    let thread = matches!(effect, Effect::Hole(hole) if matches!(hole.cycle.kind, CycleKind::Tap { .. }));
+    let stopped = !turns || state.stopped_by_thread && !thread;
+    if state.tool.is_none() || stopped && !machine.dry {
         return Err("a feed motion without tool or with the spindle off".to_owned());
     }
     programmed(machine, effect)

@@ -40,7 +40,9 @@ pub(super) fn of_letters(machine: &mut Machine, command: &mut Command) -> Result
     let [_, _, normal] = modes::plane(&machine.state)?.letters();
     let letters = &mut machine.letters;
     letters.reference = command.take(Address::Level).or(letters.reference);
-    letters.step = command.take(Address::Step).or(letters.step);
+    if matches!(letters.code, 73 | 83) {
+        letters.step = command.take(Address::Step).or(letters.step);
+    }
     let dwell_s = command.take(Address::Seconds);
     // G81 and G85 have no wait.
     let waits = !matches!(letters.code, 81 | 85);

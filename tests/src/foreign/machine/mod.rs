@@ -12,7 +12,7 @@ mod motion;
 
 use super::axes::Axes;
 use super::meaning::{Address, Command, Meaning, Supply};
-use super::state::{Distance, FeedMode, State, Units};
+use super::state::{CycleKind, Distance, FeedMode, State, Units};
 use super::trace::Effect;
 use super::{Control, Options};
 
@@ -23,6 +23,8 @@ pub(super) struct Machine {
     gauge_line: bool,
     dry: bool,
     careless: bool,
+    /// Rapids are written at feed.
+    rapids_at_feed: bool,
     /// State after the last command.
     pub(super) state: State,
     /// Level before the canned cycle.
@@ -51,6 +53,7 @@ impl Machine {
             gauge_line: options.gauge_line,
             dry: options.dry,
             careless: options.careless,
+            rapids_at_feed: options.rapids_at_feed,
             state,
             initial_level: None,
             radius: None,
@@ -68,7 +71,8 @@ impl Machine {
 
     /// A length guard.
     pub(super) fn guard(&mut self, register: Option<u32>) -> Result<(), String> {
-        self.state.guarded = register;
+        // LinuxCNC reads the length of the tool in the spindle, whatever is in force.
+        self.state.guarded = register.or(self.state.tool.filter(|_| self.control == Control::LinuxCnc));
         careful::guard(self)
     }
 
@@ -95,6 +99,16 @@ impl Machine {
         self.thread_due = written.has(Meaning::RigidTapping) && !thread;
         command.finish()?;
         careful::effect(self, &written, &effect, &words)?;
+        if let Effect::Hole(hole) = effect
+            && matches!(hole.cycle.kind, CycleKind::Tap { .. })
+        {
+            self.state.stopped_by_thread = !self.rapids_at_feed
+                && match self.control {
+                    Control::Fanuc => self.state.rigid,
+                    Control::Haas | Control::Heidenhain => true,
+                    Control::LinuxCnc | Control::Siemens => false,
+                };
+        }
         Ok((effect, words))
     }
 

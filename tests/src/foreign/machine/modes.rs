@@ -78,6 +78,7 @@ impl Machine {
         let state = &mut self.state;
         match meaning {
             Meaning::Spindle(spindle) => {
+                state.stopped_by_thread = false;
                 if spindle != Spindle::Off && state.speed.is_none() {
                     return Err("the spindle starts without S".to_owned());
                 }

@@ -110,7 +110,7 @@ fn words(command: &mut Command, tokens: &[Token]) -> Result<(), String> {
         match token {
             Token::Word { name, number, counting } => word(command, name, *number, *counting)?,
             Token::Name(name) => match name.as_str() {
-                "FMAX" if motion => {}
+                "FMAX" if motion && !arc => {}
                 "DR+" | "DR-" if arc => {}
                 "RL" => command.code(Meaning::Compensation(Compensation::Left(None)))?,
                 "RR" => command.code(Meaning::Compensation(Compensation::Right(None)))?,

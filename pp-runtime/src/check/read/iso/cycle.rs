@@ -33,6 +33,10 @@ impl Reading<'_, '_> {
             self.iso.cycle = CycleWords::default();
         }
         if let Some(pattern) = self.line.draft.hole {
+            if self.iso.rigid && !matches!(pattern, Pattern::Tap { .. } | Pattern::TapAfterRigid { .. }) {
+                self.line
+                    .fault(0, "this cycle cuts no thread, and rigid tapping (M29) is active: G80 is missing before it");
+            }
             self.iso.cycle = CycleWords { pattern: Some(pattern), rigid: self.iso.rigid, ..CycleWords::default() };
         }
         let draft = &*self.line.draft;

@@ -41,9 +41,12 @@ impl Interpreter {
         let known = self.frames.stated & Frames::TIP_CONTROL != 0;
         let off = known && draft.tip_control == Some(false) && state.tip_control == TipControl::Off;
         if draft.offset_lost && !off {
+            state.cancelled_offset = state.work_offset.or(state.cancelled_offset);
             state.work_offset = None;
         }
-        state.work_offset = draft.work_offset.or(state.work_offset);
+        if draft.work_offset.is_some() {
+            (state.work_offset, state.cancelled_offset) = (draft.work_offset, None);
+        }
         state.path_mode = draft.path_mode.or(state.path_mode);
         if let Some(smoothing) = draft.smoothing {
             state.smoothing = smoothing;
@@ -60,8 +63,9 @@ impl Interpreter {
         }
         state.spindle = draft.spindle.or(state.spindle);
         if draft.coolant_off != 0 {
-            let left = state.coolant.unwrap_or(0) & !draft.coolant_off;
-            state.coolant = Some(left);
+            // Off codes of another supply leave flood and mist unknown.
+            let known = state.coolant.or((draft.coolant_off & coolant::FLOOD != 0).then_some(0));
+            state.coolant = known.map(|on| on & !draft.coolant_off);
         }
         if draft.coolant_on != 0 {
             state.coolant = Some(state.coolant.unwrap_or(0) | draft.coolant_on);

@@ -11,8 +11,8 @@ mod guard;
 
 use self::guard::LengthGuard;
 use super::block::PathMode;
-use super::draft::{Cycle, LengthCode, group};
-use super::language::{Address, Means, PathCode, Statement};
+use super::draft::{Cycle, Draft, LengthCode, group};
+use super::language::{Address, Means, PathCode, Statement, letters};
 use super::line::Line;
 use super::text::{Cursor, Number, shown, whole};
 
@@ -70,7 +70,10 @@ impl Siemens {
             dwell(line);
         }
         line.contradictions();
-        if modal_call && (line.draft.written != 0 || line.draft.groups & !(1 << group::FREE) != 0) {
+        let shared = |draft: &Draft| {
+            draft.written != 0 || draft.groups & !(1 << group::FREE) != 0 || draft.letters & !letters("N") != 0
+        };
+        if modal_call && shared(line.draft) {
             line.fault(0, "MCALL in a block with other codes or words: it needs a block of its own");
         }
         path(line);
@@ -202,7 +205,7 @@ fn keyword(line: &mut Line<'_>, modal_call: &mut bool) -> bool {
     let Some(row) = line.language().word(name) else { return false };
     match row.means {
         Means::Address(address) => return line.at.take(b'=') && assigned(line, address, start),
-        Means::Statement(Statement::ModalCall) => *modal_call = true,
+        Means::Statement(Statement::ModalCall) => return !std::mem::replace(modal_call, true),
         Means::Statement(_) => return false,
         _ => line.carry_out(row, 0, start),
     }

@@ -1,0 +1,141 @@
+//! Small programs, each with edits at the machine that the check must find.
+
+use pp_runtime::config::Mode;
+use tests::edits::{Case, Posted};
+
+const SET_UP: &str = "units = \"mm\"\npart_origin = [0, 0, 0]\nwork_offset = \"G54\"\nspindle_dwell = 1.0\n";
+
+/// Two threads, two holes, and a cut.
+const THREADS: &str = "UNITS/MM\nTOOL PATH/HOLES,TOOL,T1\nLOADTL/1\nSPINDL/RPM,500,CLW\nCOOLNT/ON\nRAPID\n\
+    GOTO/0,0,50,0,0,1\nCYCLE/TAP,RAPTO,3,FEDTO,-10,MMPR,1.0\nGOTO/0,0,0\nGOTO/10,0,0\nCYCLE/OFF\n\
+    CYCLE/DRILL,RAPTO,3,FEDTO,-10,MMPM,100\nGOTO/20,0,0\nGOTO/30,0,0\nCYCLE/OFF\n\
+    CYCLE/TAP,RAPTO,3,FEDTO,-10,MMPR,1.0\nGOTO/40,0,0\nCYCLE/OFF\nFEDRAT/200,MMPM\nGOTO/40,0,20\n\
+    RAPID\nGOTO/0,0,50\nEND-OF-PATH\nFINI\n";
+
+/// A circle of three and a half turns.
+const TURNS: &str = "UNITS/MM\nTOOL PATH/TURNS,TOOL,T1\nLOADTL/1\nSPINDL/RPM,500,CLW\nRAPID\n\
+    GOTO/10,0,50,0,0,1\nRAPID\nGOTO/10,0,5\nFEDRAT/200,MMPM\nGOTO/10,0,0\n\
+    CIRCLE/0,0,0,0,0,1,10,0.06,0.5,10,0,TIMES,4\nGOTO/-10,0,0\nRAPID\nGOTO/-10,0,50\nEND-OF-PATH\nFINI\n";
+
+fn posted(control: &str, mode: Mode, more: &str, cl: &str) -> Posted {
+    let (keys, sections) = more.split_at(more.find('[').unwrap_or(more.len()));
+    let config = format!("{keys}{SET_UP}{sections}");
+    let case = Case {
+        name: control,
+        machine: "spinner-u5-620",
+        control,
+        mode,
+        operations: None,
+        config: &config,
+        cl: cl.as_bytes(),
+        idle: &[],
+    };
+    let posted = Posted::of(&case).unwrap_or_else(|why| panic!("{control}: {why}"));
+    let findings = posted.findings(&posted.text);
+    assert!(findings.is_empty(), "{control}: {findings:?}\n{}", posted.text);
+    posted
+}
+
+/// Replaces a text at its `index`th place; the check must find it.
+fn is_found(posted: &Posted, text: &str, index: usize, by: &str) {
+    let (at, _) = posted.text.match_indices(text).nth(index).unwrap_or_else(|| panic!("{text}:\n{}", posted.text));
+    let edited = format!("{}{by}{}", &posted.text[..at], &posted.text[at + text.len()..]);
+    // The lines of a Heidenhain program are numbered one after the other.
+    let edited = if posted.text.starts_with("0 BEGIN") { renumbered(&edited) } else { edited };
+    assert!(!posted.findings(&edited).is_empty(), "not found: {text} {index} -> {by}\n{edited}");
+}
+
+fn renumbered(program: &str) -> String {
+    let mut number = 0;
+    let mut lines = String::new();
+    let mut continues = false;
+    for line in program.lines() {
+        let text = if continues { line } else { line.split_once(' ').map_or(line, |(_, text)| text) };
+        if continues {
+            lines += text;
+        } else {
+            lines += &format!("{number} {text}");
+            number += 1;
+        }
+        lines.push('\n');
+        continues = line.ends_with('~');
+    }
+    lines
+}
+
+/// Starts of the spindle.
+fn starts(posted: &Posted) -> usize {
+    posted.text.lines().filter(|line| line.ends_with(" M3") || line.ends_with(" M03")).count()
+}
+
+#[test]
+fn after_a_thread_that_stops_it_the_spindle_starts_before_the_next_hole_and_cut() {
+    for (control, more, start) in
+        [("fanuc", "", "S500 M3\nG4 P1000\n"), ("haas", "", "S500 M03\nG04 P1.\n"), ("heidenhain", "", "M3\n")]
+    {
+        let posted = posted(control, Mode::Axes, more, THREADS);
+        assert_eq!(starts(&posted), 3, "{}", posted.text);
+        for (index, _) in posted.text.match_indices(start).enumerate().skip(1) {
+            if control == "heidenhain" {
+                is_found(&posted, "M3\n", index, "M5\n");
+            } else {
+                is_found(&posted, start, index, "");
+                let (spindle, dwell) = start.split_once('\n').expect("two blocks");
+                is_found(&posted, start, index, dwell);
+                is_found(&posted, start, index, &format!("{spindle}\n"));
+            }
+        }
+    }
+    // These leave the spindle on, and a floating tap holder needs it on.
+    for (control, more) in [("linuxcnc", ""), ("siemens", ""), ("fanuc", "[cycles]\nrigid = false\n")] {
+        assert_eq!(starts(&posted(control, Mode::Axes, more, THREADS)), 1, "{control}");
+    }
+}
+
+#[test]
+fn a_turn_in_the_other_sense_among_several_is_found() {
+    for (control, text, by) in
+        [("linuxcnc", "G3 ", "G2 "), ("fanuc", "G3 ", "G2 "), ("haas", "G03 ", "G02 "), ("siemens", "G3 ", "G2 ")]
+    {
+        let posted = posted(control, Mode::Axes, "[control]\nevery_word = true\n", TURNS);
+        for index in 0..posted.text.matches(text).count() {
+            is_found(&posted, text, index, by);
+        }
+    }
+    let posted = posted("heidenhain", Mode::Axes, "", TURNS);
+    for index in 0..posted.text.matches(" DR+").count() {
+        is_found(&posted, " DR+", index, " DR-");
+    }
+}
+
+#[test]
+fn the_tolerance_of_smoothing_for_rotary_axes_is_compared() {
+    let more = "[control]\nsmoothing = \"finish\"\nsmoothing_angle = 0.1\n";
+    let stated = posted("heidenhain", Mode::Axes, more, TURNS);
+    is_found(&stated, " TA0.1", 0, " TA5");
+    is_found(&stated, " TA0.1", 0, "");
+    let unstated = posted("heidenhain", Mode::Axes, "[control]\nsmoothing = \"finish\"\n", TURNS);
+    is_found(&unstated, "HSC-MODE:0", 0, "HSC-MODE:0 TA5");
+}
+
+#[test]
+fn mcall_shares_its_block_with_nothing() {
+    let posted = posted("siemens", Mode::Axes, "", THREADS);
+    for by in ["F100 MCALL CYCLE", "MCALL MCALL CYCLE", "G94 MCALL CYCLE"] {
+        is_found(&posted, "MCALL CYCLE", 0, by);
+    }
+    is_found(&posted, "MCALL\n", 0, "MCALL F100\n");
+}
+
+#[test]
+fn a_hole_while_rigid_tapping_is_active_is_found() {
+    let posted = posted("fanuc", Mode::Axes, "", THREADS);
+    is_found(&posted, "G80\nS500 M3", 0, "S500 M3");
+}
+
+#[test]
+fn an_off_code_of_one_supply_says_nothing_about_the_others() {
+    let more = "[control]\ncoolant = { through = [\"M88\", \"M89\"] }\n";
+    let posted = posted("fanuc", Mode::Axes, more, TURNS);
+    is_found(&posted, "M9\n", 0, "M89\n");
+}
