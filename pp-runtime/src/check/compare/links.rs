@@ -263,9 +263,10 @@ impl<R: Read> Comparison<'_, R> {
             _ => 0,
         };
         let parks = retracted.parks && step == 1 && parking::moves_rotary(&self.rules, &self.previous, block);
-        // A cut goes on with the spindle on; at the end it is off before the axes are parked.
+        // A cut goes on with the spindle on, and its rotary axes rotate first; at the end it is off before the axes are parked.
+        let rotates = step == 1 || retracted.step >= 1;
         let spindle_on = block.state.spindle.flatten().is_some();
-        let continues = spindle_on && retracted.rewind.is_some_and(|rewind| rewind.finished.is_some());
+        let continues = spindle_on && rotates && retracted.rewind.is_some_and(|rewind| rewind.finished.is_some());
         if self.progress.next().is_none() && !continues || parks {
             self.park(retracted, current);
             return Ok(None);

@@ -70,7 +70,7 @@ pub(super) fn difference(was: &Event<'_>, is: &Event<'_>, allowed: Allowed) -> O
             hard(old.spindle != new.spindle, "the spindle in a dwell"),
         ]),
         (Effect::Guard { length, tolerance }, Effect::Guard { length: length_now, tolerance: now }) => worst([
-            compared("the length of a guard,", *length, *length_now, 1e-6),
+            compared("the length of a guard,", *length, *length_now, allowed.unit),
             hard(*now > tolerance + 1e-6, "the tolerance of a guard"),
             soft(*now < tolerance - 1e-6, "a guard that is stricter"),
             hard(old.guarded != new.guarded, "the register of a guard"),
@@ -428,7 +428,9 @@ fn tilt_differs(was: Option<TiltedPlane>, is: Option<TiltedPlane>) -> bool {
             let rows = was.rotation.iter().flatten().zip(is.rotation.iter().flatten());
             !rows.into_iter().all(|(one, other)| near(one, other))
                 || !was.origin.iter().zip(&is.origin).all(|(one, other)| near(one, other))
-                || (was.oriented, was.solution) != (is.oriented, is.solution)
+                || was.oriented != is.oriented
+                // Without a word the control takes the nearest, to which the program has moved the rotary axes before.
+                || was.solution != 0 && is.solution != 0 && was.solution != is.solution
         }
         (was, is) => was.is_some() != is.is_some(),
     }

@@ -67,6 +67,9 @@ pub(super) fn rearranged(was: &[Event<'_>], is: &[Event<'_>], index: usize, allo
     if waits(was, is) || waits(is, was) {
         return Some(Verdict::Undecided("a wait or a guard before or after a rapid".to_owned()));
     }
+    if is_rotated_before(is, index) && rest_agrees(&was[index..], &is[index + 1..]) {
+        return Some(Verdict::Undecided("a rotary axis rotates to another place before".to_owned()));
+    }
     if is_retracted_further(is, index) && rest_agrees(&was[index..], &is[index + 1..]) {
         return Some(Verdict::Undecided("another axis in machine coordinates after a retract".to_owned()));
     }
@@ -145,6 +148,20 @@ fn is_retracted_further(events: &[Event<'_>], index: usize) -> bool {
     let retract = |event: &Event<'_>| event.block.effect == Effect::Machine;
     let before = events.get(..index).unwrap_or_default().iter().rev().find(|event| event.block.effect.moves());
     events.get(index).is_some_and(retract) && before.is_some_and(retract)
+}
+
+/// Whether a rapid of rotary axes follows a retract, and the next rapid has other words for them.
+fn is_rotated_before(events: &[Event<'_>], index: usize) -> bool {
+    let moves = |event: &&Event<'_>| event.block.effect.moves();
+    let (Some(event), Some(before)) = (events.get(index), events[..index.min(events.len())].iter().rev().find(moves))
+    else {
+        return false;
+    };
+    let next = events[index + 1..].iter().find(moves);
+    let rapid = |event: &Event<'_>| event.block.effect == Effect::Rapid && event.block.words.letters().all(is_rotary);
+    let again =
+        |next: &Event<'_>| rapid(next) && event.block.words.letters().all(|letter| next.block.words.contains(letter));
+    rapid(event) && before.block.effect == Effect::Machine && next.is_some_and(again)
 }
 
 /// Whether an arc of `one` is two arcs of `two` about the same centre.

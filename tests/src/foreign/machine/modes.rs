@@ -17,7 +17,7 @@ impl Machine {
         for &meaning in meanings {
             self.mode(meaning, command)?;
         }
-        self.tool_vector(command);
+        self.tool_vector(command)?;
         self.forget_positions(&before, meanings);
         Ok(())
     }
@@ -205,10 +205,11 @@ impl Machine {
     }
 
     /// Components of the tool axis in the block; a component that is not written is that of the block before.
-    fn tool_vector(&mut self, command: &mut Command) {
+    fn tool_vector(&mut self, command: &mut Command) -> Result<(), String> {
         let programmed =
             |command: &Command| command.words.iter().any(|word| matches!(word.address, Address::Vector(_)));
-        if self.careless && programmed(command) {
+        let given = programmed(command);
+        if self.careless && given {
             // Components that are left out count as zero.
             self.state.vector = Some([0.0; 3]);
         }
@@ -220,6 +221,8 @@ impl Machine {
                 }
             }
         }
+        let norm = self.state.vector.map_or(1.0, |vector| vector.iter().map(|part| part * part).sum::<f64>().sqrt());
+        if given && (norm - 1.0).abs() > 0.01 { Err("a tool vector that is no unit vector".to_owned()) } else { Ok(()) }
     }
 
     /// Positions are unknown where the block has changed what they count from.

@@ -87,7 +87,9 @@ impl Guards {
             }
             return false;
         }
-        if line.at.word(b"endif") && line.at.ended() {
+        // A comment without a comma orders nothing.
+        let remarks = |rest: &[u8]| matches!(rest, [b';', text @ ..] if !text.contains(&b','));
+        if line.at.word(b"endif") && (line.at.ended() || remarks(line.at.rest())) {
             match self.open.take() {
                 Some(Open::Condition { label: opened, mut guard, aborts }) if opened == label => {
                     guard.stops = aborts;

@@ -298,8 +298,13 @@ impl Interpreter {
 
 /// Says which words of a block did nothing.
 fn leftovers(draft: &Draft, block: &mut Block) {
-    let round = matches!(block.action, Action::Arc(_)) || !block.faults.is_empty();
-    if round {
+    if !block.faults.is_empty() {
+        return;
+    }
+    if !matches!(draft.vector_written, 0 | 7) {
+        fault(&mut block.faults, 0, "tool axis with fewer than three components");
+    }
+    if matches!(block.action, Action::Arc(_)) {
         return;
     }
     if draft.centre_written != 0 {
@@ -307,8 +312,5 @@ fn leftovers(draft: &Draft, block: &mut Block) {
     }
     if draft.radius.is_some() || draft.sweep.is_some() || draft.turns != 0 {
         fault(&mut block.faults, 0, "radius, angle or revolutions of an arc without an arc");
-    }
-    if !matches!(draft.vector_written, 0 | 7) {
-        fault(&mut block.faults, 0, "tool axis with fewer than three components");
     }
 }
