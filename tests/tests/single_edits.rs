@@ -28,7 +28,7 @@ fn posted(control: &str, mode: Mode, more: &str, cl: &str) -> Posted {
         operations: None,
         config: &config,
         cl: cl.as_bytes(),
-        idle: &[],
+        idle: &["M13", "M14"],
     };
     let posted = Posted::of(&case).unwrap_or_else(|why| panic!("{control}: {why}"));
     let findings = posted.findings(&posted.text);
@@ -138,4 +138,51 @@ fn an_off_code_of_one_supply_says_nothing_about_the_others() {
     let more = "[control]\ncoolant = { through = [\"M88\", \"M89\"] }\n";
     let posted = posted("fanuc", Mode::Axes, more, TURNS);
     is_found(&posted, "M9\n", 0, "M89\n");
+}
+
+/// Two tools, with a dwell between the record of the second and its first motion.
+const TWO_TOOLS: &str = "UNITS/MM\nTOOL PATH/A,TOOL,T1\nLOADTL/1\nSPINDL/RPM,500,CLW\nRAPID\nGOTO/0,0,50,0,0,1\n\
+    FEDRAT/200,MMPM\nGOTO/0,0,0\nRAPID\nGOTO/0,0,50\nEND-OF-PATH\nTOOL PATH/B,TOOL,T2\nLOADTL/2\nDELAY/2.5\n\
+    SPINDL/RPM,700,CLW\nRAPID\nGOTO/0,0,50,0,0,1\nFEDRAT/200,MMPM\nGOTO/0,0,0\nRAPID\nGOTO/0,0,50\nEND-OF-PATH\nFINI\n";
+
+#[test]
+fn a_dwell_after_the_record_of_a_tool_comes_after_its_change_and_the_start_of_the_spindle() {
+    let posted = posted("fanuc", Mode::Axes, "", TWO_TOOLS);
+    assert!(posted.text.contains("S700 M3\nG4 P1000\nG4 P2500\n"), "{}", posted.text);
+    is_found(&posted, "G4 P2500\n", 0, "");
+    // With the tool before it is another dwell.
+    let early = posted.text.replace("G4 P2500\n", "").replace("T2 M6\n", "G4 P2500\nT2 M6\n");
+    let findings = posted.findings(&early);
+    assert!(findings.iter().any(|text| text.contains("dwell with T1 in the spindle")), "{findings:?}");
+}
+
+#[test]
+fn a_tool_change_of_the_shop_may_stop_before_it() {
+    let more = "[control]\ntool_change = [\"M1\", \"T{tool} M6\"]\n";
+    let posted = posted("fanuc", Mode::Axes, more, TWO_TOOLS);
+    assert_eq!(posted.text.matches("M1\nT").count(), 2, "{}", posted.text);
+    // At the part it is a stop that nothing asks for.
+    is_found(&posted, "G1 Z0. F200.\n", 1, "G1 Z0. F200.\nM1\n");
+    is_found(&posted, "M1\nT2", 0, "M0\nT2");
+}
+
+#[test]
+fn smoothing_of_siemens_always_states_its_third_argument() {
+    let stated = posted("siemens", Mode::Axes, "[control]\nsmoothing = \"finish\"\n", TURNS);
+    for by in ["CYCLE832(0.01,1)", "CYCLE832(0.01,1,5)", "CYCLE832(0.01,11,1)", "CYCLE832(0.01,11)"] {
+        is_found(&stated, "CYCLE832(0.01,1,1)", 0, by);
+    }
+    let angled = posted("siemens", Mode::Axes, "[control]\nsmoothing = \"rough\"\nsmoothing_angle = 0.1\n", TURNS);
+    for by in ["CYCLE832(0.01,13,5)", "CYCLE832(0.01,3,1)"] {
+        is_found(&angled, "CYCLE832(0.01,13,0.1)", 0, by);
+    }
+}
+
+#[test]
+fn a_code_of_the_machine_builder_takes_the_place_of_the_usual_meaning_of_its_number() {
+    // M13 is spindle and coolant elsewhere.
+    for control in ["fanuc", "siemens", "heidenhain"] {
+        let posted = posted(control, Mode::Axes, "[clamp]\nC = { on = \"M14\", off = \"M13\" }\n", TWO_TOOLS);
+        is_found(&posted, "M13\n", 0, "M14\n");
+    }
 }

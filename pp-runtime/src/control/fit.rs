@@ -54,6 +54,13 @@ fn unsupported(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
     if options.smoothing != Smoothing::None && codes.smoothing[0].is_empty() {
         faults.push(format!("{title} has no smoothing levels: leave `control.smoothing` out and set `path_tolerance`"));
     }
+    let angle = codes.smoothing.iter().chain(&codes.smoothing_with_angle).copied().flatten();
+    let stated = angle.into_iter().any(|block| block.contains("{angle}"));
+    if options.smoothing != Smoothing::None && options.smoothing_angle_rad.is_some() && !stated {
+        faults.push(format!(
+            "smoothing of {title} has no tolerance for rotary axes: leave `control.smoothing_angle` out"
+        ));
+    }
     let inverse = matches!(options.path_norm, Some(PathNorm::G93Minutes | PathNorm::G93Seconds));
     if inverse && codes.inverse_time.is_none() {
         faults.push(format!("{title} has no inverse-time feed: set `control.path_norm` to \"xyz\" or \"xyz+deg\""));

@@ -125,8 +125,8 @@ impl<R: Read> Comparison<'_, R> {
             let (at, required, in_hole) = (item.at, item.required, item.hole.is_some());
             let motion = match item.action {
                 ExpectedAction::Motion(motion) => motion,
-                ExpectedAction::Dwell(_) => {
-                    self.missing_dwells(current);
+                ExpectedAction::Dwell { .. } => {
+                    self.missing_dwells(current, true);
                     continue;
                 }
                 _ => return Ok(false),
@@ -379,7 +379,7 @@ impl<R: Read> Comparison<'_, R> {
         let process = |required: &Required| (required.spindle, required.coolant);
         let changes = || self.progress.next().is_some_and(|item| process(&item.required) != process(required));
         let begins_next = || match self.progress.next().map(|item| &item.action) {
-            Some(ExpectedAction::Dwell(_)) => self.rotates(block),
+            Some(ExpectedAction::Dwell { .. }) => self.rotates(block),
             Some(ExpectedAction::Motion(_)) if changes() && self.rotates(block) => true,
             Some(ExpectedAction::Motion(next)) => {
                 off(&next.to) < off(&segment.to)
@@ -497,7 +497,7 @@ impl<R: Read> Comparison<'_, R> {
             self.progress.fill(2)?;
         }
         let Some((rest, out)) = self.rest_of_retract(cutting, &here, end) else { return Ok(None) };
-        self.missing_dwells(current);
+        self.missing_dwells(current, false);
         let rewind = self.rewind_point(cutting, Some(out), current.block);
         let dry = rewind.is_none() || self.rules.policy().links.rewinds_dry;
         let context = ModalContext { dry, ..self.modal_context() };

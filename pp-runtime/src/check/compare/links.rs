@@ -5,8 +5,8 @@ use std::io::{self, Read};
 use super::super::expect::{ClMotion, ExpectedAction, ExpectedItem};
 use super::super::geometry::{PathShape, Segment, ToolPose, angle_between};
 use super::super::policy::LinearMeaning;
-use super::super::read::{Action, Block, Length, MAX_AXES, stated};
-use super::super::rules::{ModalContext, fault_at_end};
+use super::super::read::{Action, Block, Length, MAX_AXES, OwnPlace, stated};
+use super::super::rules::{ModalContext, fault_at_end, tool_name};
 use super::functions::place_of_line;
 use super::phase::{Cutting, Phase, Retracted, RetractedLength, RewindPoint};
 use super::{Comparison, Current, StartState, parking, retract};
@@ -141,7 +141,7 @@ impl<R: Read> Comparison<'_, R> {
         self.is_complete(phase, current);
         let at_part = phase.is_at_part();
         if at_part {
-            self.missing_dwells(current);
+            self.missing_dwells(current, false);
         }
         let mut retracted = self.retracted(phase, current);
         let rewinds = retracted.rewind.is_some();
@@ -370,9 +370,7 @@ impl<R: Read> Comparison<'_, R> {
             return cutting;
         }
         self.progress.restart_motion();
-        while let Some(ExpectedItem { action: ExpectedAction::Dwell(_), .. }) = self.progress.next() {
-            self.skip(1, None, current);
-        }
+        self.missing_dwells(current, true);
         self.take_back_at_approach_point(retracted, end);
         let Some(motion) = self.progress.motion() else {
             self.found(current, "approach, but the CL data has no motion here");
@@ -560,8 +558,8 @@ impl<R: Read> Comparison<'_, R> {
         let motion = |item: &&ExpectedItem| matches!(item.action, ExpectedAction::Motion(_));
         let next = (0..8).map_while(|index| self.progress.get(index)).find(motion).map(|item| item.required.tool);
         if let Some(required) = next.filter(|required| *required != tool) {
-            let name = |tool: Option<u32>| tool.map_or("no tool".to_owned(), |number| format!("T{number}"));
-            self.found(current, &format!("change to {}, but the CL data requires {}", name(tool), name(required)));
+            let (tool, required) = (tool_name(tool), tool_name(required));
+            self.found(current, &format!("change to {tool}, but the CL data requires {required}"));
         }
         if !phase.is_retracted() || !self.start.retracted {
             self.found(current, "tool change before the machine has retracted");
@@ -587,9 +585,12 @@ impl<R: Read> Comparison<'_, R> {
         Ok(())
     }
 
-    /// Reports dwells of the CL data that are not in the program before a block.
-    pub(super) fn missing_dwells(&mut self, current: &Current<'_>) {
-        while let Some(ExpectedItem { action: ExpectedAction::Dwell(seconds), .. }) = self.progress.next() {
+    /// Reports dwells of the CL data that are not in the program before a block; `all`: those of the next tool as well.
+    pub(super) fn missing_dwells(&mut self, current: &Current<'_>, all: bool) {
+        while let Some(ExpectedItem { action: ExpectedAction::Dwell { seconds, of_tool }, .. }) = self.progress.next() {
+            if *of_tool && !all {
+                return;
+            }
             self.found(current, &format!("the dwell of {seconds} s before this block is missing"));
             self.progress.take();
         }
@@ -597,10 +598,19 @@ impl<R: Read> Comparison<'_, R> {
 
     pub(super) fn dwell(&mut self, phase: &mut Phase, seconds: f64, current: &Current<'_>) -> io::Result<()> {
         self.pass_needless(phase)?;
-        if let Some(ExpectedItem { action: ExpectedAction::Dwell(expected), .. }) = self.progress.next()
+        if let Some(ExpectedItem { action: ExpectedAction::Dwell { seconds: expected, .. }, required, .. }) =
+            self.progress.next()
             && (expected - seconds).abs() <= DWELL_ROUNDING
         {
+            let (tool, called) = (current.block.state.tool, required.tool);
             self.progress.take();
+            if tool != called {
+                let (tool, called) = (tool_name(tool), tool_name(called));
+                self.found(
+                    current,
+                    &format!("dwell with {tool} in the spindle, in the CL data it comes after {called}"),
+                );
+            }
             return Ok(());
         }
         let spindle = self.rules.policy().links.spindle_dwell_s;
@@ -611,12 +621,20 @@ impl<R: Read> Comparison<'_, R> {
     }
 
     /// M0 and M1.
-    pub(super) fn stop(&mut self, phase: &mut Phase, optional: bool, current: &Current<'_>) -> io::Result<Phase> {
+    pub(super) fn stop(
+        &mut self,
+        phase: &mut Phase,
+        optional: bool,
+        current: &Current<'_>,
+    ) -> io::Result<Option<Phase>> {
         self.pass_needless(phase)?;
         let suits = |item: &ExpectedItem| matches!(item.action, ExpectedAction::Stop { optional: expected } if expected == optional);
         self.find_again(phase, suits, current)?;
+        let of_shop = current.block.own.is_some_and(|own| own.place == OwnPlace::ToolChange);
         match self.progress.next() {
             Some(item) if suits(item) => self.progress.take(),
+            // The shop stops before its tool changes.
+            _ if of_shop && phase.is_retracted() => return Ok(None),
             _ => self.found(current, "stop without STOP or OPSTOP in the CL data"),
         }
         self.cuts_have_ended(current);
@@ -640,8 +658,8 @@ impl<R: Read> Comparison<'_, R> {
         }
         self.is_complete(phase, current);
         match self.forget(phase) {
-            Phase::Unknown { stopped } => Ok(Phase::Unknown { stopped: stopped || retracts }),
-            other => Ok(other),
+            Phase::Unknown { stopped } => Ok(Some(Phase::Unknown { stopped: stopped || retracts })),
+            other => Ok(Some(other)),
         }
     }
 

@@ -222,7 +222,7 @@ impl<R: Read> Comparison<'_, R> {
         match (task, &current.block.action) {
             (Task::ToolChange, _) => self.tool_change(phase, current).map(Some),
             (Task::Dwell, Action::Dwell(seconds)) => self.dwell(phase, *seconds, current).map(|()| None),
-            (Task::Stop, action) => self.stop(phase, *action == Action::OptionalStop, current).map(Some),
+            (Task::Stop, action) => self.stop(phase, *action == Action::OptionalStop, current),
             (Task::End, _) => self.end(phase, current).map(Some),
             _ => Ok(None),
         }

@@ -228,7 +228,7 @@ impl<'a, R: Read> ClProgress<'a, R> {
     pub(super) fn approach_point(&self, index: usize, first: &ClMotion, approach_mm: f64) -> ToolPose {
         let next = (index + 1..).map_while(|index| self.get(index)).find_map(|item| match &item.action {
             ExpectedAction::Motion(motion) => Some((!motion.starts).then_some(motion)),
-            ExpectedAction::Dwell(_) => None,
+            ExpectedAction::Dwell { .. } => None,
             _ => Some(None),
         });
         let below = next.flatten().is_some_and(|next| {
@@ -266,7 +266,7 @@ impl<'a, R: Read> ClProgress<'a, R> {
             }
             Some(ExpectedAction::Raw(_)) => "the text of INSERT is not in the program before this block".to_owned(),
             Some(ExpectedAction::Home) => "the retract of GOHOME is not in the program before this block".to_owned(),
-            Some(ExpectedAction::Dwell(_)) | None => "this block matches no motion of the CL data".to_owned(),
+            Some(ExpectedAction::Dwell { .. }) | None => "this block matches no motion of the CL data".to_owned(),
         }
     }
 }

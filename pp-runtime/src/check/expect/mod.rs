@@ -83,8 +83,11 @@ pub(super) enum ExpectedAction {
     Stop {
         optional: bool,
     },
-    /// Seconds.
-    Dwell(f64),
+    /// `of_tool`: after the record of a tool and before its first motion, so that it may come before or after the retract.
+    Dwell {
+        seconds: f64,
+        of_tool: bool,
+    },
     /// A block that is copied from the CL data.
     Raw(Vec<u8>),
     Home,

@@ -397,7 +397,8 @@ impl<'a> ClState<'a> {
             Dwell::Revolutions(count) => self.spindle_state().map_or(f64::NAN, |(speed, _)| count / speed * 60.0),
         };
         if seconds > 0.0 {
-            self.push(at, ExpectedAction::Dwell(seconds));
+            let of_tool = self.operation.starts && self.operation.called;
+            self.push(at, ExpectedAction::Dwell { seconds, of_tool });
         }
     }
 

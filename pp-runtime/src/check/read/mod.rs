@@ -220,7 +220,9 @@ impl<R: Read> Reader<R> {
         };
         let may_switch = line.draft.written == 0 && !vocabulary.own.is_empty();
         let switched = may_switch && own::switch(self.bare.text(&self.line, &self.facts), &mut line);
-        if declared.is_some() || switched || line.fault_count() > 0 {
+        // A stop may be a line of the tool change.
+        let stops = line.draft.stop.is_some() && !vocabulary.own.is_empty();
+        if declared.is_some() || switched || stops || line.fault_count() > 0 {
             self.block.own = own::resolve(self.bare.text(&self.line, &self.facts), &mut line, declared, switched);
             is_block |= self.block.own.is_some();
         }

@@ -180,6 +180,11 @@ pub(super) fn switch(text: &[u8], line: &mut Line<'_>) -> bool {
     let mut found = false;
     for own in vocabulary.own.iter().filter(|own| own.text == text) {
         let draft = &mut *line.draft;
+        if !found && matches!(own.place, OwnPlace::Clamp { .. } | OwnPlace::TipControl { .. }) {
+            // The machine builder's code takes the place of the control's own of this spelling.
+            let Draft { number, frame_faults, .. } = *draft;
+            *draft = Draft { number, frame_faults, ..Draft::default() };
+        }
         match own.place {
             OwnPlace::Clamp { axis, on: true } => draft.clamp_on |= 1 << axis,
             OwnPlace::Clamp { axis, on: false } => draft.clamp_off |= 1 << axis,

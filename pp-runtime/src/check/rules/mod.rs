@@ -19,7 +19,7 @@ use super::policy::{CheckPolicy, LinearMeaning};
 use super::read::{Block, Facts, MAX_AXES, OwnPlace, WorkOffset};
 pub(super) use feed::{FeedLaw, Stroke};
 pub(super) use fit::{Arrival, BOTH, BlockPath, SHARE, chord, sweep};
-pub(super) use state::{ModalContext, StateFault, fault_at_end};
+pub(super) use state::{ModalContext, StateFault, fault_at_end, tool_name};
 pub(super) use words::Words;
 
 /// Tool axes of CL data are rounded to seven digits: near the pole they are put there, rad.

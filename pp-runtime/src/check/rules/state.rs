@@ -155,8 +155,7 @@ impl Rules<'_> {
         if state.tool == required.tool {
             return found.map(StateFault::from);
         }
-        let name = |tool: Option<u32>| tool.map_or("no tool".to_owned(), |number| format!("T{number}"));
-        let text = format!("{} is in the spindle, expected {}", name(state.tool), name(required.tool));
+        let text = format!("{} is in the spindle, expected {}", tool_name(state.tool), tool_name(required.tool));
         Some(StateFault { text, called: required.called })
     }
 
@@ -323,6 +322,11 @@ fn coolant(state: &State, required: u8) -> Option<String> {
         None => Some("coolant state is unknown: neither on nor off has been programmed before this block".to_owned()),
         Some(_) => Some("coolant differs from that of the CL data (COOLNT)".to_owned()),
     }
+}
+
+/// A tool in a message.
+pub(crate) fn tool_name(tool: Option<u32>) -> String {
+    tool.map_or("no tool".to_owned(), |number| format!("T{number}"))
 }
 
 /// The work offset of each frame.

@@ -179,6 +179,7 @@ static SPELLINGS: Spellings = Spellings {
         &["CYCL DEF 32.0 TOLERANCE", "CYCL DEF 32.1 T{path_tolerance}", "CYCL DEF 32.2 HSC-MODE:1 TA{angle}"],
         &["CYCL DEF 32.0 TOLERANCE", "CYCL DEF 32.1 T{path_tolerance}", "CYCL DEF 32.2 HSC-MODE:0 TA{angle}"],
     ],
+    smoothing_with_angle: [&[], &[], &[]],
     smoothing_off: &["CYCL DEF 32.0 TOLERANCE", "CYCL DEF 32.1"],
     rotary_path: ["M127", "M126"],
     tip: Some(TipControlCodes {

@@ -56,6 +56,7 @@ impl Spellings {
         dwell: &["G4 P{seconds}"],
         longest_dwell: 99_999_000,
         smoothing: [&[], &[], &[]],
+        smoothing_with_angle: [&[], &[], &[]],
         smoothing_off: &[],
         rotary_path: ["", ""],
         tip: None,

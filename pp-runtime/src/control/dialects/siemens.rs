@@ -14,6 +14,10 @@
 //! 1 takes the pose with the lower or the higher value of the axis that is the direction reference of the swivel data
 //! (828D operating manual, 10.6).
 //!
+//! `CYCLE832(S_TOL,S_TOLM,S_OTOL)`: units of S_TOLM 1 finish, 2 semi-finish, 3 rough; tens 1 where S_OTOL is the tolerance of
+//! the rotary axes, degrees. S_OTOL is always programmed, 1 without such a tolerance (SINUMERIK ONE programming manual NC
+//! programming 12/2019, p. 1108).
+//!
 //! After `MCALL CYCLE81(..)` each motion ends with the cycle until `MCALL` alone. Arguments (840D Cycles PGZ, 2.1, and
 //! 840D sl, which adds those from `_AXN` on): RTP return level, RFP surface, SDIS clearance above the surface, DP
 //! bottom. `CYCLE82` adds DPR, DTB. `CYCLE83` adds DPR, FDEP, FDPR (depth of a step), DAM (0: all steps alike), DTB,
@@ -96,9 +100,14 @@ static SPELLINGS: Spellings = Spellings {
     },
     dwell: &["G4 F{seconds}"],
     smoothing: [
-        &["CYCLE832({path_tolerance},3)"],
-        &["CYCLE832({path_tolerance},2)"],
-        &["CYCLE832({path_tolerance},1)"],
+        &["CYCLE832({path_tolerance},3,1)"],
+        &["CYCLE832({path_tolerance},2,1)"],
+        &["CYCLE832({path_tolerance},1,1)"],
+    ],
+    smoothing_with_angle: [
+        &["CYCLE832({path_tolerance},13,{angle})"],
+        &["CYCLE832({path_tolerance},12,{angle})"],
+        &["CYCLE832({path_tolerance},11,{angle})"],
     ],
     smoothing_off: &["CYCLE832()"],
     tip: Some(TipControlCodes {

@@ -29,14 +29,14 @@ fn coolant_is_switched_off_by_the_code_of_its_kind() {
 
 #[test]
 fn smoothing_is_on_in_cuts_and_off_before_machine_coordinates() {
-    let options = |smoothing| ControlOptions {
-        smoothing,
-        smoothing_angle_rad: Some(0.1_f64.to_radians()),
-        ..ControlOptions::default()
-    };
-    let text = |control: &dyn Control, smoothing| whole(control, &layout_with(options(smoothing))).join("\n");
+    let options =
+        |smoothing, smoothing_angle_rad| ControlOptions { smoothing, smoothing_angle_rad, ..ControlOptions::default() };
+    let angle = Some(0.1_f64.to_radians());
+    let text = |control: &dyn Control, smoothing| whole(control, &layout_with(options(smoothing, angle))).join("\n");
     assert!(text(&Fanuc, Smoothing::Finish).contains("G05.1 Q1\nG1 Z-1. F800.\nX12. C31.\nM9\nG05.1 Q0\nG49 G53"));
-    assert!(text(&Siemens, Smoothing::Rough).contains("CYCLE832(0.01,3)\nG1 Z-1 F800"));
+    assert!(text(&Siemens, Smoothing::Rough).contains("CYCLE832(0.01,13,0.1)\nG1 Z-1 F800"));
+    let plain = whole(&Siemens, &layout_with(options(Smoothing::Finish, None))).join("\n");
+    assert!(plain.contains("CYCLE832(0.01,1,1)\nG1 Z-1 F800"));
     assert!(text(&Haas, Smoothing::Medium).contains("G187 P2 E0.01\nG01"));
     assert!(text(&Heidenhain, Smoothing::Finish).contains("20 CYCL DEF 32.1 T0.01\n21 CYCL DEF 32.2 HSC-MODE:0 TA0.1"));
     assert!(!text(&Fanuc, Smoothing::None).contains("G05.1"));

@@ -38,6 +38,11 @@ pub(crate) fn delay<S: Sink>(planner: &mut Planner<'_, S>, dwell: Dwell) -> Plan
     Ok(output.step(&Step::Dwell { seconds })?)
 }
 
+/// Writes the dwells that were kept for a tool, now in the spindle.
+pub(crate) fn kept_dwells<S: Sink>(planner: &mut Planner<'_, S>) -> Planned {
+    planner.tooling.take_dwells().into_iter().try_for_each(|dwell| delay(planner, dwell))
+}
+
 /// The planner while it takes a record.
 struct Records<'p, 'a, S> {
     planner: &'p mut Planner<'a, S>,
@@ -46,6 +51,9 @@ struct Records<'p, 'a, S> {
 
 impl<S: Sink> Records<'_, '_, S> {
     fn take(&mut self, event: &Event<'_>) -> Planned {
+        if matches!(event, Event::Stop | Event::OptionalStop | Event::Insert(_) | Event::Code { .. } | Event::Home) {
+            kept_dwells(self.planner)?;
+        }
         match *event {
             Event::Spindle(command) => {
                 self.planner.spindle.request(command, self.between);
@@ -66,6 +74,7 @@ impl<S: Sink> Records<'_, '_, S> {
             Event::Tool(call) => self.call_tool(&call),
             Event::Stop => self.stop(false),
             Event::OptionalStop => self.stop(true),
+            Event::Delay(dwell) if self.between && self.planner.tooling.dwell_later(dwell) => Ok(()),
             Event::Delay(dwell) => delay(self.planner, dwell),
             Event::MachineName(name) => {
                 self.compare_machine(name);

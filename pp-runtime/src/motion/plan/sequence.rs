@@ -19,7 +19,7 @@ use crate::program::{Location, Move};
 use crate::motion::fault::{Fault, Planned};
 use crate::motion::geometry::SAME_AXIS;
 use crate::motion::plan::tool::LoadedTool;
-use crate::motion::plan::{MotionAndNext, Planner};
+use crate::motion::plan::{MotionAndNext, Planner, records};
 use crate::motion::rotary::RotaryTarget;
 use crate::motion::source::Next;
 use crate::motion::step::BlockReason;
@@ -140,6 +140,7 @@ impl<S: Sink> Planner<'_, S> {
         }
         self.apply_spindle(true)?;
         self.spindle.note_thread(false);
+        records::kept_dwells(self)?;
         self.check_state(ahead.motion)?;
         self.approach(ahead, planned)
     }
@@ -182,6 +183,7 @@ impl<S: Sink> Planner<'_, S> {
     pub(crate) fn prepare_directly(&mut self, first: &Move) -> Planned {
         self.apply_spindle(false)?;
         self.stop_spindle()?;
+        records::kept_dwells(self)?;
         self.check_state(first)?;
         self.apply_coolant()
     }
@@ -260,6 +262,7 @@ impl<S: Sink> Planner<'_, S> {
             return self.mover.park();
         }
         self.cutter.check_end()?;
+        records::kept_dwells(self)?;
         self.mover.output_mut().serve(at, BlockReason::LeadOut);
         self.leave()?;
         self.mover.output_mut().set_reason(BlockReason::End);

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::program::ToolCall;
+use crate::program::{Dwell, ToolCall};
 
 use crate::motion::plan::tool::LoadedTool;
 
@@ -12,6 +12,8 @@ pub(crate) struct Tooling {
     current: Option<LoadedTool>,
     /// Tool of the next operation.
     next: Option<LoadedTool>,
+    /// Dwells (DELAY) after the record of the next tool.
+    dwells: Vec<Dwell>,
     /// Tools called so far, with the last length and offset register of the CL data.
     calls: BTreeMap<u32, ToolCall>,
     /// Tools in the order of their changes, as far as known.
@@ -51,6 +53,19 @@ impl Tooling {
     /// Sets the tool of the next operation.
     pub(crate) fn prepare(&mut self, tool: LoadedTool) {
         self.next = Some(tool);
+    }
+
+    /// Keeps a dwell for the next tool; `false` if none is called.
+    pub(crate) fn dwell_later(&mut self, dwell: Dwell) -> bool {
+        if self.next.is_some() {
+            self.dwells.push(dwell);
+        }
+        self.next.is_some()
+    }
+
+    /// The dwells kept for the tool.
+    pub(crate) fn take_dwells(&mut self) -> Vec<Dwell> {
+        std::mem::take(&mut self.dwells)
     }
 
     /// Tool called for an operation, and whether it has to be changed.

@@ -246,7 +246,11 @@ fn smooth(line: &mut Line<'_>, numbers: &Numbers) {
     let angle = numbers.get(Slot::AxisTolerance);
     let level = match mode {
         0.0 => None,
-        1.0 | 2.0 | 3.0 | 4.0 if angle.is_none_or(|angle| same(angle, 1.0)) => Some(mode as u8),
+        1.0 | 2.0 | 3.0 | 4.0 if angle.is_some_and(|angle| same(angle, 1.0)) => Some(mode as u8),
+        1.0 | 2.0 | 3.0 | 4.0 if angle.is_none() => {
+            return line
+                .fault(0, "CYCLE832 without S_OTOL, its third argument: 1 where no rotary axis has a tolerance");
+        }
         11.0 | 12.0 | 13.0 | 14.0 if angle.is_some() => Some(mode as u8 % 10),
         _ => return line.fault(0, format!("S_TOLM of CYCLE832 is {mode}, expected 0 to 4, or 11 to 14 with S_OTOL")),
     };

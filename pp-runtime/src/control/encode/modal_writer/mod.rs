@@ -320,7 +320,9 @@ impl<'a> ModalWriter<'a> {
         };
         if self.modal.smooths() != on {
             let codes = self.codes;
-            self.fill_all(if on { codes.smoothing[level] } else { codes.smoothing_off })?;
+            let angled = self.values.angle_deg.is_some() && !codes.smoothing_with_angle[level].is_empty();
+            let begins = if angled { codes.smoothing_with_angle } else { codes.smoothing };
+            self.fill_all(if on { begins[level] } else { codes.smoothing_off })?;
             self.modal.set_smoothing(on);
             self.modal.forget(After::Smoothing);
         }
