@@ -28,7 +28,7 @@ fn posted(control: &str, mode: Mode, more: &str, cl: &str) -> Posted {
         operations: None,
         config: &config,
         cl: cl.as_bytes(),
-        idle: &["M13", "M14"],
+        idle: &["M10", "M11", "M13", "M14", "M68", "M69"],
     };
     let posted = Posted::of(&case).unwrap_or_else(|why| panic!("{control}: {why}"));
     let findings = posted.findings(&posted.text);
@@ -184,5 +184,60 @@ fn a_code_of_the_machine_builder_takes_the_place_of_the_usual_meaning_of_its_num
     for control in ["fanuc", "siemens", "heidenhain"] {
         let posted = posted(control, Mode::Axes, "[clamp]\nC = { on = \"M14\", off = \"M13\" }\n", TWO_TOOLS);
         is_found(&posted, "M13\n", 0, "M14\n");
+    }
+}
+
+/// An operation with the tool upright, one with it tilted.
+const TWO_PLANES: &str = "UNITS/MM\nTOOL PATH/A,TOOL,T1\nLOADTL/1\nSPINDL/RPM,500,CLW\nRAPID\nGOTO/5,0,50,0,0,1\n\
+    FEDRAT/200,MMPM\nGOTO/5,0,0\nGOTO/15,0,0\nRAPID\nGOTO/15,0,50\nEND-OF-PATH\n\
+    TOOL PATH/B,TOOL,T1\nRAPID\nGOTO/40,0,40,0.7071067812,0,0.7071067812\n\
+    FEDRAT/200,MMPM\nGOTO/20,0,20\nGOTO/20,10,20\nRAPID\nGOTO/40,10,40\nEND-OF-PATH\nFINI\n";
+
+#[test]
+fn a_plane_that_is_not_tilted_is_not_called_and_a_tilted_one_is_required() {
+    for (control, call, plane) in [
+        ("fanuc", "G68.2 ", "G53.1\n"),
+        ("haas", "\nG268 ", "\nG253\n"),
+        ("siemens", "CYCLE800(0", "CYCLE800(0"),
+        ("heidenhain", "PLANE SPATIAL", "PLANE SPATIAL"),
+    ] {
+        let posted = posted(control, Mode::Plane, "", TWO_PLANES);
+        assert_eq!(posted.text.matches(call).count(), 1, "{control}:\n{}", posted.text);
+        assert_eq!(posted.text.matches(plane).count(), 1, "{control}:\n{}", posted.text);
+        let lines: Vec<&str> = posted.text.lines().collect();
+        let line =
+            lines.iter().find(|line| line.contains(call.trim_start()) && !line.starts_with("(")).expect("the call");
+        is_found(&posted, &format!("{line}\n"), 0, "");
+        // Upright the rotary axes have to be at zero.
+        let upright = lines.iter().find(|line| line.contains("B0") || line.contains("B+0")).expect("upright");
+        is_found(&posted, upright, 0, &upright.replace("C0", "C30").replace("C+0", "C+30"));
+        is_found(&posted, upright, 0, &upright.replace("B0", "B5").replace("B+0", "B+5"));
+    }
+}
+
+/// An operation with two tilted directions: B rotates, C stays.
+const TWO_TILTS: &str = "UNITS/MM\nTOOL PATH/A,TOOL,T1\nLOADTL/1\nSPINDL/RPM,500,CLW\nRAPID\n\
+    GOTO/40,0,40,0.7071067812,0,0.7071067812\nFEDRAT/200,MMPM\nGOTO/20,0,20\nGOTO/20,10,20\n\
+    RAPID\nGOTO/40,10,40,0.7071067812,0,0.7071067812\nRAPID\nGOTO/60,0,40,0.8660254,0,0.5\nFEDRAT/200,MMPM\n\
+    GOTO/20,0,16.905989\nRAPID\nGOTO/60,0,40\nEND-OF-PATH\nFINI\n";
+
+#[test]
+fn no_axis_is_clamped_where_a_plane_call_may_rotate_it() {
+    let more =
+        "retract.distance = 30\n[clamp]\nB = { on = \"M10\", off = \"M11\" }\nC = { on = \"M68\", off = \"M69\" }\n";
+    for (control, call) in
+        [("fanuc", "G53.1\n"), ("haas", "\nG253\n"), ("siemens", "CYCLE800(0"), ("heidenhain", "PLANE SPATIAL")]
+    {
+        let posted = posted(control, Mode::Plane, more, TWO_TILTS);
+        let calls: Vec<usize> = posted.text.match_indices(call).map(|(at, _)| at).collect();
+        assert_eq!(calls.len(), 2, "{control}:\n{}", posted.text);
+        for at in calls {
+            for (on, off) in [("M10\n", "M11\n"), ("M68\n", "M69\n")] {
+                let before = &posted.text[..at];
+                assert!(before.rfind(off) > before.rfind(on), "{control}: {off} before the call:\n{}", posted.text);
+            }
+        }
+        let last = posted.text.matches("M69\n").count() - 1;
+        is_found(&posted, "M69\n", last, "");
     }
 }

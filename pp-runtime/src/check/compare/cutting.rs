@@ -501,7 +501,7 @@ impl<R: Read> Comparison<'_, R> {
         let rewind = self.rewind_point(cutting, Some(out), current.block);
         let dry = rewind.is_none() || self.rules.policy().links.rewinds_dry;
         let context = ModalContext { dry, ..self.modal_context() };
-        let fault = self.rules.fault_at_leave(&current.block.state, self.progress.last(), context);
+        let fault = self.rules.fault_at_leave(current.block, self.progress.last(), context);
         self.found_state(current, fault);
         Ok(Some(Leaving {
             here: *end,

@@ -288,7 +288,7 @@ impl<R: Read> Comparison<'_, R> {
         let finished = retracted.rewind.and_then(|rewind| rewind.finished).map(|finished| finished.required);
         if let Some(required) = self.progress.next().map(|item| item.required).or(finished) {
             let context = ModalContext { dry: retracted.rewind.is_none(), ..ModalContext::default() };
-            let fault = self.rules.fault_at_approach(&block.state, &required, (step > 1, step == 3), context);
+            let fault = self.rules.fault_at_approach(block, &required, (step > 1, step == 3), context);
             self.found_state(current, fault);
         }
         retracted.stopped = false;
@@ -540,7 +540,7 @@ impl<R: Read> Comparison<'_, R> {
     fn park(&mut self, retracted: &mut Retracted, current: &Current<'_>) {
         let block = current.block;
         let spindle = if retracted.parks { self.spindle_may_be(block, retracted.stopped) } else { None };
-        let fault = self.rules.fault_at_park(&block.state, self.progress.last(), spindle, ModalContext::default());
+        let fault = self.rules.fault_at_park(block, self.progress.last(), spindle, ModalContext::default());
         self.found_state(current, fault);
         retracted.parks = true;
         if !parking::moves_rotary(&self.rules, &self.previous, block) {

@@ -20,7 +20,12 @@ pub(super) fn moves_rotary(rules: &Rules<'_>, previous: &Previous, block: &Block
     let there = |index: usize, place: f64| apart(values[index], place) <= largest;
     let known = |index: usize| previous.known & (1 << index) != 0;
     let nearer = |index: usize, place: f64| known(index) && apart(values[index], place) < apart(before[index], place);
-    let moved = || rules.axes().iter().enumerate().filter(|(index, _)| block.written & (1 << index) != 0);
+    // A word of the place where an axis is moves nothing.
+    let still = |index: usize| known(index) && (values[index] - before[index]).abs() <= largest;
+    let written = |index: &usize| block.written & (1 << index) != 0;
+    let all_still = (0..rules.axes().len()).filter(written).all(still);
+    let moves = |index: usize| written(&index) && (all_still || !still(index));
+    let moved = || rules.axes().iter().enumerate().filter(|(index, _)| moves(*index));
     let place = |letter: &char| policy.links.park.get(letter).copied();
     let in_steps = moved().any(|(index, axis)| {
         policy.words.rollover.contains_key(&axis.letter)

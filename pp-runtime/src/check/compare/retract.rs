@@ -49,6 +49,6 @@ pub(super) fn rest(
 /// Whether a pose is at a distance along a tool axis that is known to its rounding.
 pub(super) fn is_at_distance(rules: &Rules<'_>, end: &ToolPose, out: &ToolPose, distance_mm: f64) -> bool {
     let rounding = rules.rounding();
-    let largest = BOTH * rounding.tip_mm + distance_mm.abs() * rules.axis_allowance(&out.axis);
+    let largest = BOTH * rounding.tip_mm + distance_mm.abs() * rounding.axis_rad;
     (end.tip - out.tip).norm() <= largest && angle_between(&end.axis, &out.axis) <= rules.axis_allowance(&out.axis)
 }

@@ -1,5 +1,6 @@
 //! Modal state of a block, compared with the one that the CL data and the safe sequence require.
 
+use std::f64::consts::TAU;
 use std::fmt::Display;
 
 use super::super::expect::{Required, SpindleState};
@@ -48,7 +49,7 @@ impl Rules<'_> {
         let side = if offset_path && self.is_mirrored(block) { required.side.across() } else { required.side };
         self.everywhere(state, side, context)
             .or_else(|| if block.action == Action::Rapid { inverse_time(state) } else { None })
-            .or_else(|| self.frame(state, true))
+            .or_else(|| self.frame(block, true))
             .or_else(|| self.offsets(state, required, true))
             .or_else(|| if offset_path { self.radius_register(state, required) } else { None })
             .or_else(|| spindle(state, self.spindle_in_cut(required)))
@@ -58,15 +59,16 @@ impl Rules<'_> {
     /// In a step of the approach; `last`: to the approach point.
     pub(crate) fn fault_at_approach(
         &self,
-        state: &State,
+        block: &Block,
         required: &Required,
         (framed, last): (bool, bool),
         context: ModalContext,
     ) -> Option<StateFault> {
+        let state = &block.state;
         let found = self
             .everywhere(state, Side::None, context)
             .or_else(|| inverse_time(state))
-            .or_else(|| self.frame(state, framed))
+            .or_else(|| self.frame(block, framed))
             .or_else(|| {
                 // Rotary axes rotate before the work offset is selected again that tip control may have cancelled.
                 let cancelled = self.facts.tip_control_may_cancel_offset && state.work_offset.is_none();
@@ -83,14 +85,15 @@ impl Rules<'_> {
     /// In the retract along the tool axis.
     pub(crate) fn fault_at_leave(
         &self,
-        state: &State,
+        block: &Block,
         required: Option<&Required>,
         context: ModalContext,
     ) -> Option<StateFault> {
+        let state = &block.state;
         let found = self
             .everywhere(state, Side::None, context)
             .or_else(|| inverse_time(state))
-            .or_else(|| self.frame(state, true))
+            .or_else(|| self.frame(block, true))
             .or_else(|| required.and_then(|required| self.offsets(state, required, true)))
             .or_else(|| if context.dry { coolant(state, 0) } else { None });
         match required {
@@ -125,16 +128,17 @@ impl Rules<'_> {
     /// Rotary axes to their parking positions. `last`: the state of the last motion, whose work offset is in force.
     pub(crate) fn fault_at_park(
         &self,
-        state: &State,
+        block: &Block,
         last: Option<&Required>,
         spindle_on: Option<SpindleState>,
         context: ModalContext,
     ) -> Option<StateFault> {
         // A work offset that tip control may have cancelled may be in force as well.
-        let state = &State { work_offset: state.work_offset.or(state.cancelled_offset), ..*state };
+        let work_offset = block.state.work_offset.or(block.state.cancelled_offset);
+        let state = &State { work_offset, ..block.state };
         let found = self
             .everywhere(state, Side::None, context)
-            .or_else(|| self.frame(state, false))
+            .or_else(|| self.frame(block, false))
             .or_else(|| last.and_then(|last| self.offsets(state, last, false)))
             .or_else(|| spindle(state, spindle_on))
             .or_else(|| coolant(state, 0));
@@ -203,14 +207,17 @@ impl Rules<'_> {
     }
 
     /// Tip control and tilted plane; `framed`: as the linear words require.
-    fn frame(&self, state: &State, framed: bool) -> Option<String> {
+    fn frame(&self, block: &Block, framed: bool) -> Option<String> {
         use LinearMeaning::{PlaneCoordinates, TipCoordinates};
+        let state = &block.state;
         let tip_control = state.tip_control != TipControl::Off;
         let tilted = state.tilt.is_some();
         match (self.policy.words.linear, framed) {
             (TipCoordinates, true) if !tip_control => {
                 Some("tip control is off, but linear words are tip coordinates".to_owned())
             }
+            // With the rotary axes at zero these are coordinates in a plane that is not tilted.
+            (PlaneCoordinates, true) if !tilted && self.are_at_zero(block) => None,
             (PlaneCoordinates, true) if !tilted => {
                 Some("no tilted plane is active, but linear words are coordinates in one".to_owned())
             }
@@ -226,6 +233,16 @@ impl Rules<'_> {
             (TipCoordinates, true) => self.tool_axis_interpolation(state),
             _ => None,
         }
+    }
+
+    /// Whether every rotary axis is known to be at zero, or whole revolutions from it.
+    fn are_at_zero(&self, block: &Block) -> bool {
+        let bits = self.words.rotary_bits();
+        let zero = |index: usize| {
+            let value = block.values[index];
+            (value - (value / TAU).round() * TAU).abs() <= 0.5 * self.rounding.unit_rad
+        };
+        block.known & bits == bits && self.words.rotary().all(zero)
     }
 
     /// Motion of the tool axis between the ends of a block, where the program selects it.

@@ -259,6 +259,13 @@ impl Placer {
         self.linear.mask
     }
 
+    /// Whether every rotary axis is at zero, and Z is the retract axis: words without a plane are those of a plane that is
+    /// not tilted.
+    pub(crate) fn is_plain(&self, place: &AxisPosition) -> bool {
+        let mut rotary = self.rotary.axes.iter();
+        rotary.all(|axis| place.words[axis.index] == 0) && self.frame_letters()[2] == self.retract_axis()
+    }
+
     pub(crate) fn rotary_mask(&self) -> u16 {
         self.rotary.mask
     }

@@ -104,6 +104,13 @@ pub struct TiltedPlane {
     pub orientation: Matrix3<f64>,
 }
 
+impl TiltedPlane {
+    /// Whether its axes are those of the frame that is tilted.
+    pub(crate) fn is_plain(&self) -> bool {
+        self.words.iter().all(|word| word.value() == 0.0)
+    }
+}
+
 impl PlaneAbility {
     /// The plane of an orientation; `None` if the orientation of its rounded words deviates by more than three times
     /// half a unit of a word: then the matrix is no orientation of this convention.

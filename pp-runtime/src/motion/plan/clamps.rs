@@ -76,14 +76,16 @@ impl Clamps {
         self.approaches.checked_sub(1).and_then(|index| masks.get(index)).copied().unwrap_or(u16::MAX)
     }
 
-    /// Before the rotary axes move alone: off where they rotate now or before the next approach.
+    /// Before the rotary axes move alone: off where they rotate now or before the next approach; `all`: the control may rotate
+    /// every axis to a plane.
     pub(crate) fn open<S: Sink>(
         &mut self,
         from: &[i64; MAX_AXES],
         to: &[i64; MAX_AXES],
+        all: bool,
         output: &mut Output<S>,
     ) -> io::Result<()> {
-        let turns = |clamp: &&Clamp| clamp.on.is_none() || from[clamp.index] != to[clamp.index];
+        let turns = |clamp: &&Clamp| all || clamp.on.is_none() || from[clamp.index] != to[clamp.index];
         let turning = self.clamps.iter().filter(turns).fold(0, |mask, clamp| mask | 1 << clamp.index);
         self.switch(turning | self.moving(), false, output)
     }

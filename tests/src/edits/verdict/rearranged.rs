@@ -54,7 +54,9 @@ pub(super) fn rearranged(was: &[Event<'_>], is: &[Event<'_>], index: usize, allo
             let free = |event: &&Event<'_>| {
                 let lengthless = matches!(event.block.effect, Effect::Orient | Effect::Machine)
                     || event.block.words.letters().all(is_rotary);
-                event.block.effect.moves() && !event.block.effect.cuts() && (lengthless || !guards)
+                let change = matches!(event.block.effect, Effect::ToolChange(_)) && wait.block.state.guarded.is_some();
+                let moves = event.block.effect.moves() && !event.block.effect.cuts();
+                moves && (lengthless || !guards) || change && guards
             };
             let rapids = other.iter().take_while(free).count();
             (guards || matches!(wait.block.effect, Effect::Dwell(_)))
@@ -69,6 +71,13 @@ pub(super) fn rearranged(was: &[Event<'_>], is: &[Event<'_>], index: usize, allo
     }
     if is_rotated_before(is, index) && rest_agrees(&was[index..], &is[index + 1..]) {
         return Some(Verdict::Undecided("a rotary axis rotates to another place before".to_owned()));
+    }
+    let free = |events: &[Event<'_>], other: &[Event<'_>]| {
+        events.get(index).is_some_and(|event| rotates_freely(event, allowed))
+            && rest_agrees(&events[index + 1..], &other[index..])
+    };
+    if free(was, is) || free(is, was) {
+        return Some(Verdict::Undecided("a rotation at the pole".to_owned()));
     }
     if is_retracted_further(is, index) && rest_agrees(&was[index..], &is[index + 1..]) {
         return Some(Verdict::Undecided("another axis in machine coordinates after a retract".to_owned()));
@@ -162,6 +171,15 @@ fn is_rotated_before(events: &[Event<'_>], index: usize) -> bool {
     let again =
         |next: &Event<'_>| rapid(next) && event.block.words.letters().all(|letter| next.block.words.contains(letter));
     rapid(event) && before.block.effect == Effect::Machine && next.is_some_and(again)
+}
+
+/// Whether only rotary axes rotate under tip control, and the tool axis is where it was.
+fn rotates_freely(event: &Event<'_>, allowed: Allowed) -> bool {
+    let axes = [event.before, &event.block.state].map(|state| allowed.tool_axis.and_then(|axis| axis(&state.position)));
+    event.before.under_tip_control()
+        && !event.block.words.is_empty()
+        && event.block.words.letters().all(is_rotary)
+        && is_near(axes)
 }
 
 /// Whether an arc of `one` is two arcs of `two` about the same centre.

@@ -268,6 +268,10 @@ fn smooth(state: &mut State, command: &mut Command) {
 }
 
 fn switch(state: &mut State, supply: Supply, on: bool) {
+    if supply == Supply::Through && !on && state.coolant.is_none() {
+        // It says nothing about flood and mist.
+        return;
+    }
     let coolant = state.coolant.get_or_insert_default();
     match supply {
         Supply::Flood => coolant.flood = on,

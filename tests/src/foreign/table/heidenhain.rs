@@ -281,6 +281,9 @@ fn cycle_definition(command: &mut Command, tokens: &[Token]) -> Result<(), Strin
             command.code(Meaning::WorkOffset(WorkOffset::Row(super::super::meaning::whole(row)?)))
         }
         code if code % 10 == 0 => {
+            if let Some(number) = (1..1000).find(|number| q(*number).is_some() && !takes(code / 10, *number)) {
+                return Err(format!("Q{number} is no parameter of this cycle"));
+            }
             // Those that `hole` reads are compared as levels, steps and times.
             let read = [200, 201, 202, 203, 204, 206, 211, 213, 239, 257];
             let more =
@@ -291,6 +294,19 @@ fn cycle_definition(command: &mut Command, tokens: &[Token]) -> Result<(), Strin
         }
         _ => Err(format!("cycle {number} is unknown")),
     }
+}
+
+/// Whether a cycle has a parameter (TNC 640, cycle programming).
+fn takes(cycle: u32, parameter: u32) -> bool {
+    let own: &[u32] = match cycle {
+        200 => &[202, 206, 210, 211, 395],
+        201 => &[206, 208, 211],
+        203 => &[202, 205, 206, 208, 210, 211, 212, 213, 256, 395],
+        205 => &[202, 205, 206, 208, 211, 212, 253, 256, 257, 258, 259, 379, 395],
+        207 => &[239],
+        _ => return true,
+    };
+    [200, 201, 203, 204].contains(&parameter) || own.contains(&parameter)
 }
 
 /// Cycles that make one hole. Q203 surface, Q201 depth with its sign, Q200 clearance, Q204 second clearance, Q202 step,

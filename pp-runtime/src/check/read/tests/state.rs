@@ -113,9 +113,8 @@ fn smoothing_and_path_modes_are_in_the_state() {
         (Family::Fanuc, "G05.1 Q1\nG05.1 Q0", Smoothing::Off),
         (Family::Haas, "G21\nG187 P2 E0.02", on(Some(0.02), Some(2))),
         (Family::Haas, "G21\nG187 P2 E0.02\nG187", Smoothing::Off),
-        (Family::Siemens, "G710\nCYCLE832(0.02,2)", on(Some(0.02), Some(2))),
         (Family::Siemens, "G710\nCYCLE832(0.02,2,1)", on(Some(0.02), Some(2))),
-        (Family::Siemens, "G710\nCYCLE832(0.02,2)\nCYCLE832()", Smoothing::Off),
+        (Family::Siemens, "G710\nCYCLE832(0.02,2,1)\nCYCLE832()", Smoothing::Off),
         (Family::Siemens, "G710\nCYCLE832(0,0,1)", Smoothing::Off),
         (Family::Heidenhain, "0 CYCL DEF 32.0 TOLERANCE\n1 CYCL DEF 32.1 T0.02", on(Some(0.02), None)),
         (

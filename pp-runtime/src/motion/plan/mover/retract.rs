@@ -43,14 +43,17 @@ impl<S: Sink> Mover<'_, S> {
         Ok(())
     }
 
-    /// A place in the frame of the following motions, and the step that sets this frame. The frame may depend on the rotary
-    /// angles of the place. Moves nothing.
+    /// A place in the frame of the following motions, and the step that sets this frame; no plane is set that is not tilted,
+    /// with the rotary axes at zero. The frame may depend on the rotary angles of the place. Moves nothing.
     pub(crate) fn framed_at(&mut self, place: AxisPosition) -> Result<(AxisPosition, Option<Step<'static>>), Fault> {
         match (self.policy.options.mode, self.abilities.plane) {
             (Mode::Axes, _) | (Mode::Plane, None) => Ok((place, None)),
             (Mode::Tcp, _) => Ok((self.placer.in_tip_frame(place)?, Some(Step::TipControl { on: true }))),
             (Mode::Plane, Some(ability)) => {
                 let (place, tilt) = self.placer.tilted(place, &ability)?;
+                if tilt.is_plain() && self.placer.is_plain(&place) {
+                    return Ok((place, None));
+                }
                 let pose = self.placer.pose_of_plane(&place, ability.pose);
                 Ok((place, Some(Step::Plane { angles: tilt.words, pose })))
             }
@@ -67,7 +70,8 @@ impl<S: Sink> Mover<'_, S> {
     pub(crate) fn approach_from_retract(&mut self, above: &AxisPosition, frame: Option<Step<'static>>) -> Planned {
         self.check_below_retract(above)?;
         let (linear, rotary) = (self.placer.linear_mask(), self.placer.rotary_mask());
-        self.clamps.open(&self.position.place().words, &above.words, &mut self.output)?;
+        let plane = self.policy.options.mode == Mode::Plane;
+        self.clamps.open(&self.position.place().words, &above.words, plane, &mut self.output)?;
         self.rapid_alone(above, rotary)?;
         if let Some(frame) = frame {
             self.output.step(&frame)?;
