@@ -54,8 +54,8 @@ fn unsupported(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
     if options.smoothing != Smoothing::None && codes.smoothing[0].is_empty() {
         faults.push(format!("{title} has no smoothing levels: leave `control.smoothing` out and set `path_tolerance`"));
     }
-    let angle = codes.smoothing.iter().chain(&codes.smoothing_with_angle).copied().flatten();
-    let stated = angle.into_iter().any(|block| block.contains("{angle}"));
+    let mut smoothing = codes.smoothing.iter().chain(&codes.smoothing_with_angle).copied().flatten();
+    let stated = smoothing.any(|block| block.contains("{angle}"));
     if options.smoothing != Smoothing::None && options.smoothing_angle_rad.is_some() && !stated {
         faults.push(format!(
             "smoothing of {title} has no tolerance for rotary axes: leave `control.smoothing_angle` out"

@@ -98,6 +98,12 @@ impl Effect {
         matches!(self, Self::Feed | Self::Arc(_) | Self::Hole(_))
     }
 
+    /// Whether a thread is cut.
+    #[must_use]
+    pub const fn is_thread(&self) -> bool {
+        matches!(self, Self::Hole(Hole { cycle: Cycle { kind: CycleKind::Tap { .. }, .. }, .. }))
+    }
+
     /// Whether the operator has to press start again.
     #[must_use]
     pub const fn stops(&self) -> bool {
@@ -142,7 +148,7 @@ impl Executed {
     #[must_use]
     pub fn feed(&self) -> Option<Feed> {
         let feed = match self.effect {
-            Effect::Hole(hole) if matches!(hole.cycle.kind, CycleKind::Tap { .. }) => None,
+            effect if effect.is_thread() => None,
             Effect::Hole(hole) => hole.cycle.feed.or(self.state.feed),
             _ => self.state.feed.filter(|_| self.effect.cuts()),
         }?;

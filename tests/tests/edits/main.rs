@@ -143,7 +143,7 @@ fn is_harmless_for_the_careful(posted: &Posted, edit: &Edit) -> bool {
 }
 
 /// Whether a program that does the same holds what a check may find: text after a semicolon, which may begin a block, an end
-/// code before the end, a code of the shop beside other words, M9 besides codes of air, a unit or a datum elsewhere.
+/// code before the end, a code of the shop in a block with other words, M9 with codes of air, another unit or datum.
 fn is_matter_of_taste(posted: &Posted, edit: &Edit) -> bool {
     let options = &posted.subject.options;
     let semicolon = matches!(options.control, Control::Fanuc | Control::Haas) && edit.after.contains(';');

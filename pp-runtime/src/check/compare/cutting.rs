@@ -10,7 +10,7 @@ use std::io::{self, Read};
 use super::super::expect::{ClMotion, ExpectedAction, ExpectedItem, Required};
 use super::super::geometry::{PathShape, Segment, ToolPose, angle_between};
 use super::super::policy::RapidForm;
-use super::super::read::{Action, Block, CycleKind, CycleMove, MAX_AXES};
+use super::super::read::{Action, Block, CycleMove, MAX_AXES};
 use super::super::rules::{BOTH, ModalContext, Rules, StateFault};
 use super::hole::{CycleComparison, is_over, pose_at, words_at};
 use super::phase::{Cutting, FinishedMotion, Leaving, Phase, RapidSteps, RetractedLength, RewindPoint};
@@ -374,7 +374,8 @@ impl<R: Read> Comparison<'_, R> {
         // Rounding may show an end of a rotation at the pole where it is only near.
         let near = rotation > 0.5 * rules.rounding().unit_rad && rules.is_almost_done(segment, end);
         let tolerance_mm = required.tolerance_mm + if near { BOTH * rules.rounding().tip_mm } else { 0.0 };
-        // A rotation after a dwell or before another speed or coolant, or a step that ends nearer to the end of the next motion, is the beginning of that motion.
+        // A rotation after a dwell or before another speed or coolant, or a step that ends nearer to the end of the next
+        // motion, is the beginning of that motion.
         let off = |to: &ToolPose| (end.tip - to.tip).norm();
         let process = |required: &Required| (required.spindle, required.coolant);
         let changes = || self.progress.next().is_some_and(|item| process(&item.required) != process(required));
@@ -595,7 +596,7 @@ impl<R: Read> Comparison<'_, R> {
             self.found(current, "cycle without an approach before it");
         }
         self.compare_state(current, &required);
-        if !matches!(cycle.kind, CycleKind::Tap(_)) {
+        if !block.action.is_rigid_thread() {
             let stopped = self.functions.cut_after_thread();
             self.found_any(current, stopped);
         }

@@ -6,8 +6,8 @@ use nalgebra::Vector3;
 use super::super::expect::Required;
 use super::super::policy::SmoothingLevel;
 use super::super::read::{
-    Action, Block, CycleKind, CycleMove, Guard, GuardSource, Length, LengthSource, OwnPlace, PathMode, Smoothing,
-    SmoothingWords, State, stated,
+    Action, Block, Guard, GuardSource, Length, LengthSource, OwnPlace, PathMode, Smoothing, SmoothingWords, State,
+    stated,
 };
 use super::super::rules::Rules;
 use super::phase::Phase;
@@ -108,7 +108,7 @@ impl FunctionState {
         let stated = block.stated & stated::SPINDLE != 0;
         let first = !std::mem::replace(&mut self.spindle_stated, stated) && stated;
         self.stopped_by_thread &= !stated;
-        if let Action::Cycle(CycleMove { kind: CycleKind::Tap(_), .. }) = block.action {
+        if block.action.is_rigid_thread() {
             self.stopped_by_thread = rules.facts().tap_stops_spindle;
         }
         let dwell = rules.policy().links.spindle_dwell_s;
@@ -162,13 +162,9 @@ impl FunctionState {
                 if levels[index] != written {
                     return Some("smoothing of another level than that of the configuration".to_owned());
                 }
-                let angle = [policy.shop.smoothing_angle_rad, state.smoothing_angle_rad];
-                (!is_angle(angle)).then(|| {
-                    let [expected, written] = angle.map(|angle| {
-                        angle.map_or("no tolerance".to_owned(), |angle| {
-                            format!("a tolerance of {}°", angle.to_degrees())
-                        })
-                    });
+                let angles = [policy.shop.smoothing_angle_rad, state.smoothing_angle_rad];
+                (!is_angle(angles)).then(|| {
+                    let [expected, written] = angles.map(angle_shown);
                     format!("smoothing has {written} for rotary axes, expected {expected}")
                 })
             }
@@ -271,6 +267,10 @@ fn is_angle(angles: [Option<f64>; 2]) -> bool {
 fn is_blending(tolerance_mm: Option<f64>, rules: &Rules<'_>) -> bool {
     let off = tolerance_mm.map(|written| (written - rules.policy().tolerances.blending_mm).abs());
     off.is_some_and(|off| off <= ROUNDED * rules.units().in_mm())
+}
+
+fn angle_shown(angle_rad: Option<f64>) -> String {
+    angle_rad.map_or_else(|| "no tolerance".to_owned(), |angle| format!("a tolerance of {}°", angle.to_degrees()))
 }
 
 fn shown(tolerance_mm: Option<f64>) -> String {

@@ -5,7 +5,7 @@ use std::io::{self, Read};
 use super::super::expect::{ClMotion, ExpectedAction, ExpectedItem};
 use super::super::geometry::{PathShape, Segment, ToolPose, angle_between};
 use super::super::policy::LinearMeaning;
-use super::super::read::{Action, Block, Length, MAX_AXES, OwnPlace, stated};
+use super::super::read::{Action, Block, Length, OwnPlace, stated};
 use super::super::rules::{ModalContext, fault_at_end, tool_name};
 use super::functions::place_of_line;
 use super::phase::{Cutting, Phase, Retracted, RetractedLength, RewindPoint};
@@ -250,13 +250,8 @@ impl<R: Read> Comparison<'_, R> {
             LinearMeaning::PlaneCoordinates => words.xyz()[2].map_or(retract, |z| 1 << z),
         };
         // A word that moves nothing may be in any block.
-        let moved = self.rules.moved(&self.previous.words, self.previous.known, block);
-        let stays = |index: &usize| {
-            self.previous.known & (1 << index) != 0 && (block.values[*index] - self.previous.words[*index]).abs() < 1e-9
-        };
-        let still = (0..MAX_AXES).filter(stays).fold(rotary & !moved, |bits, index| bits | 1 << index);
-        let written = block.written & !still;
-        let step = match if written == 0 { block.written } else { written } {
+        let moved = self.rules.all_moved(&self.previous.words, self.previous.known, block);
+        let step = match if moved == 0 { block.written } else { moved } {
             written if written & !rotary == 0 => 1,
             written if written & !last == 0 => 3,
             written if written & (rotary | last) == 0 => 2,

@@ -1,9 +1,7 @@
 //! Parking positions of the axes.
 
-use std::f64::consts::TAU;
-
 use super::super::read::Block;
-use super::super::rules::Rules;
+use super::super::rules::{Rules, apart};
 use super::Previous;
 use crate::kinematics::Axis;
 
@@ -21,11 +19,9 @@ pub(super) fn moves_rotary(rules: &Rules<'_>, previous: &Previous, block: &Block
     let known = |index: usize| previous.known & (1 << index) != 0;
     let nearer = |index: usize, place: f64| known(index) && apart(values[index], place) < apart(before[index], place);
     // A word of the place where an axis is moves nothing.
-    let still = |index: usize| known(index) && (values[index] - before[index]).abs() <= largest;
-    let written = |index: &usize| block.written & (1 << index) != 0;
-    let all_still = (0..rules.axes().len()).filter(written).all(still);
-    let moves = |index: usize| written(&index) && (all_still || !still(index));
-    let moved = || rules.axes().iter().enumerate().filter(|(index, _)| moves(*index));
+    let turned = rules.moved(&previous.words, previous.known, block);
+    let moves = if turned == 0 { block.written } else { turned };
+    let moved = || rules.axes().iter().enumerate().filter(|(index, _)| moves & (1 << index) != 0);
     let place = |letter: &char| policy.links.park.get(letter).copied();
     let in_steps = moved().any(|(index, axis)| {
         policy.words.rollover.contains_key(&axis.letter)
@@ -60,10 +56,4 @@ pub(super) fn missing(rules: &Rules<'_>, parked: u16, block: &Block) -> impl Ite
         let retracted = index == retract && (place - links.retract_mm).abs() < unit_mm;
         (!rotated && !retracted && parked & (1 << index) == 0).then_some(axis.letter)
     })
-}
-
-/// Distance of a rotary axis from a position, rad; without limits it may be whole revolutions away.
-fn apart(value: f64, place: f64) -> f64 {
-    let off = value - place;
-    (off - (off / TAU).round() * TAU).abs()
 }

@@ -207,6 +207,12 @@ pub enum Action {
 }
 
 impl Action {
+    /// Whether a thread is cut in step with the spindle.
+    #[must_use]
+    pub const fn is_rigid_thread(&self) -> bool {
+        matches!(self, Self::Cycle(CycleMove { kind: CycleKind::Tap(_), .. }))
+    }
+
     /// Whether an axis moves.
     #[must_use]
     pub const fn moves(&self) -> bool {

@@ -218,6 +218,12 @@ pub(super) struct Draft {
 }
 
 impl Draft {
+    /// Forgets everything but the block number.
+    pub(super) fn forget_codes(&mut self) {
+        let Self { number, frame_faults, .. } = *self;
+        *self = Self { number, frame_faults, ..Self::default() };
+    }
+
     /// Notes that the block says something.
     pub(super) fn speaks(&mut self) {
         self.groups |= 1 << group::FREE;

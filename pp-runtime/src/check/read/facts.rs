@@ -151,7 +151,7 @@ const ISO: Facts = Facts {
     length_moves: true,
     length_off_at_machine_coordinates: true,
     radius_registers: true,
-    // Rigid tapping: Fanuc B-63944EN/02 (2004), Haas 96-8000 (from memory).
+    // Rigid tapping of Fanuc and Haas, cycle 207 of Heidenhain (from memory).
     tap_stops_spindle: true,
     guard_in_mm: false,
     feed_in_tenths_of_inch: false,

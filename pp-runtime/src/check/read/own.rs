@@ -6,7 +6,7 @@
 
 use super::Vocabulary;
 use super::block::{Effect, OwnLine, OwnPlace};
-use super::draft::{Draft, effect};
+use super::draft::effect;
 use super::facts::{Facts, Form};
 use super::line::Line;
 use super::text::shown;
@@ -182,8 +182,7 @@ pub(super) fn switch(text: &[u8], line: &mut Line<'_>) -> bool {
         let draft = &mut *line.draft;
         if !found && matches!(own.place, OwnPlace::Clamp { .. } | OwnPlace::TipControl { .. }) {
             // The machine builder's code takes the place of the control's own of this spelling.
-            let Draft { number, frame_faults, .. } = *draft;
-            *draft = Draft { number, frame_faults, ..Draft::default() };
+            draft.forget_codes();
         }
         match own.place {
             OwnPlace::Clamp { axis, on: true } => draft.clamp_on |= 1 << axis,
@@ -226,8 +225,7 @@ pub(super) fn resolve(text: &[u8], line: &mut Line<'_>, declared: Option<Declare
     }
     if line.fault_count() > line.draft.frame_faults {
         // What it does is unknown, so nothing of it is executed.
-        let Draft { number, frame_faults, .. } = *line.draft;
-        *line.draft = Draft { number, frame_faults, ..Draft::default() };
+        line.draft.forget_codes();
         line.excuse();
         let text = format!(
             "`{}` is a line of the configuration with a code that the check does not know: declare its effect in \

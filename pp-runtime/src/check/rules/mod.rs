@@ -8,6 +8,8 @@ mod fit;
 mod state;
 mod words;
 
+use std::f64::consts::TAU;
+
 use nalgebra::Vector3;
 
 use crate::kinematics::{AnyMachine, Axis, AxisKind, Side};
@@ -24,6 +26,9 @@ pub(super) use words::Words;
 
 /// Tool axes of CL data are rounded to seven digits: near the pole they are put there, rad.
 const AXIS_NOISE: f64 = 2e-6;
+
+/// Words of a linear axis that differ by less are the same, mm.
+const SAME: f64 = 1e-9;
 
 /// Allowance for rounded words.
 #[derive(Debug, Clone, Copy)]
@@ -135,12 +140,26 @@ impl<'a> Rules<'a> {
 
     /// Rotary axes that a block moves, apart from rounding, or whose words were unknown before it: bits.
     pub(super) fn moved(&self, before: &[f64; MAX_AXES], known: u16, block: &Block) -> u16 {
+        self.moved_by_more(self.words.rotary(), 0.5 * self.rounding.unit_rad, (before, known, block))
+    }
+
+    /// The same for every axis; rounding hides no motion of a linear one.
+    pub(super) fn all_moved(&self, before: &[f64; MAX_AXES], known: u16, block: &Block) -> u16 {
+        let linear = (0..MAX_AXES).filter(|index| self.words.rotary_bits() & (1 << index) == 0);
+        self.moved(before, known, block) | self.moved_by_more(linear, SAME, (before, known, block))
+    }
+
+    fn moved_by_more(
+        &self,
+        axes: impl Iterator<Item = usize>,
+        least: f64,
+        (before, known, block): (&[f64; MAX_AXES], u16, &Block),
+    ) -> u16 {
         let moved = |index: &usize| {
             let bit = 1 << index;
-            block.written & bit != 0
-                && (known & bit == 0 || (block.values[*index] - before[*index]).abs() > 0.5 * self.rounding.unit_rad)
+            block.written & bit != 0 && (known & bit == 0 || (block.values[*index] - before[*index]).abs() > least)
         };
-        self.words.rotary().filter(moved).fold(0, |bits, index| bits | 1 << index)
+        axes.filter(moved).fold(0, |bits, index| bits | 1 << index)
     }
 
     /// Puts another tool into the spindle.
@@ -251,6 +270,12 @@ impl<'a> Rules<'a> {
     pub(super) fn retracts_between(&self) -> bool {
         !self.policy.links.direct
     }
+}
+
+/// Distance of a rotary axis from a position, rad; without limits it may be whole revolutions away.
+pub(super) fn apart(value: f64, place: f64) -> f64 {
+    let off = value - place;
+    (off - (off / TAU).round() * TAU).abs()
 }
 
 impl Rounding {

@@ -1,12 +1,11 @@
 //! Modal state of a block, compared with the one that the CL data and the safe sequence require.
 
-use std::f64::consts::TAU;
 use std::fmt::Display;
 
 use super::super::expect::{Required, SpindleState};
 use super::super::policy::{LinearMeaning, RolloverRule};
 use super::super::read::{Action, Block, Facts, FeedMode, Length, Side, State, TipControl, WorkOffset, WorkPlane};
-use super::Rules;
+use super::{Rules, apart};
 use crate::program::Location;
 use crate::set_up::{LengthMode, SetUp};
 
@@ -238,10 +237,7 @@ impl Rules<'_> {
     /// Whether every rotary axis is known to be at zero, or whole revolutions from it.
     fn are_at_zero(&self, block: &Block) -> bool {
         let bits = self.words.rotary_bits();
-        let zero = |index: usize| {
-            let value = block.values[index];
-            (value - (value / TAU).round() * TAU).abs() <= 0.5 * self.rounding.unit_rad
-        };
+        let zero = |index: usize| apart(block.values[index], 0.0) <= 0.5 * self.rounding.unit_rad;
         block.known & bits == bits && self.words.rotary().all(zero)
     }
 

@@ -132,9 +132,7 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
             self.planner.check_state(&Move { pose, ..motion })?;
         }
         let planned = self.planner.apply_course_changes(&motion, index)?;
-        if self.planner.spindle.take_stopped_by_cycle() {
-            self.planner.apply_spindle(true)?;
-        }
+        self.planner.restart_after_thread()?;
         let end = self.planner.mover.place(&arc.end, true, planned)?;
         match self.trace(&end)? {
             Ok(()) => self.statistics().arcs += 1,

@@ -345,8 +345,8 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         let here = self.planner.mover.placer().written(self.planner.mover.here());
         let height = self.height().max(hole.clearance_mm);
         let thread = matches!(cycle.kind, CannedKind::Tap { .. });
-        if !thread && self.planner.spindle.take_stopped_by_cycle() {
-            self.planner.apply_spindle(true)?;
+        if !thread {
+            self.planner.restart_after_thread()?;
         }
         self.planner.mover.watch_plunge(&hole.level(height), &hole.level(hole.clearance_mm));
         if cycle.back != cycle.clearance && here[cycle.z] != cycle.back && !can.returns_to_any_level {

@@ -281,8 +281,8 @@ impl<'a, S: Sink> Planner<'a, S> {
     #[inline]
     fn go(&mut self, ahead: MotionAndNext<'_>, planned: Option<RotaryTarget>) -> Planned {
         let motion = ahead.motion;
-        if !motion.rapid && self.spindle.take_stopped_by_cycle() {
-            self.apply_spindle(true)?;
+        if !motion.rapid {
+            self.restart_after_thread()?;
         }
         let place = self.mover.place(&motion.pose, !motion.rapid, planned)?;
         let before = self.mover.position().pose();
@@ -334,6 +334,12 @@ impl<'a, S: Sink> Planner<'a, S> {
         self.mover.pass(&pose, place);
         self.mover.output_mut().set_reason(BlockReason::Record);
         Ok(())
+    }
+
+    /// Starts the spindle again if a thread has stopped it.
+    #[inline]
+    fn restart_after_thread(&mut self) -> Planned {
+        if self.spindle.take_stopped_by_cycle() { self.apply_spindle(true) } else { Ok(()) }
     }
 
     fn apply_spindle(&mut self, again: bool) -> Planned {

@@ -8,148 +8,140 @@ use crate::foreign::state::State;
 use crate::foreign::trace::Arc;
 use crate::foreign::{Effect, Executed};
 
-/// Whether the traces are the same but for one block on the line between its neighbours.
+/// Whether the traces nearly do the same from the first block on that differs, and why.
 pub(super) fn rearranged(was: &[Event<'_>], is: &[Event<'_>], index: usize, allowed: Allowed) -> Option<Verdict> {
-    let rest_agrees = |was: &[Event<'_>], is: &[Event<'_>]| {
-        let hard = |(one, other): (&Event<'_>, &Event<'_>)| matches!(difference(one, other, allowed), Some(Hard(_)));
-        was.len() == is.len() && !was.iter().zip(is).any(hard)
-    };
-    if is_split(was, is, index, allowed) && rest_agrees(&was[index + 1..], &is[index + 2..])
-        || is_split(is, was, index, allowed) && rest_agrees(&was[index + 2..], &is[index + 1..])
-    {
-        return Some(Verdict::Undecided("a rapid in X and Y in two blocks".to_owned()));
-    }
-    if let Some(extra) = is.get(index)
-        && matches!(extra.block.effect, Effect::Dwell(_) | Effect::Guard { .. })
-        && rest_agrees(&was[index..], &is[index + 1..])
-    {
-        return Some(Verdict::Undecided("a wait is added".to_owned()));
-    }
-    let is_idle = |events: &[Event<'_>]| {
-        let before_next = |event: &&Event<'_>| {
-            !matches!(event.block.effect, Effect::Dwell(_) | Effect::ToolChange(_)) && !event.block.effect.stops()
-        };
-        events.get(index).is_some_and(|event| matches!(event.block.effect, Effect::Dwell(_)))
-            && !events[index + 1..].iter().take_while(before_next).any(|event| event.block.effect.cuts())
-    };
-    let idle = |events: &[Event<'_>], other: &[Event<'_>]| {
-        is_idle(events) && rest_agrees(&events[index + 1..], &other[index..])
-    };
-    let both = is_idle(was) && is_idle(is) && rest_agrees(&was[index + 1..], &is[index + 1..]);
-    if both || idle(was, is) || idle(is, was) {
-        return Some(Verdict::Undecided("a wait with no cut after it".to_owned()));
-    }
-    let short = |events: &[Event<'_>], other: &[Event<'_>]| {
-        events.get(index).is_some_and(|event| is_short(event, allowed))
-            && rest_agrees(&events[index + 1..], &other[index..])
-    };
-    if short(was, is) || short(is, was) {
-        return Some(Verdict::Undecided("a motion within tolerance".to_owned()));
-    }
+    let undecided = |why: &str| Some(Verdict::Undecided(why.to_owned()));
     let agrees = |one: &Event<'_>, other: &Event<'_>| !matches!(difference(one, other, allowed), Some(Hard(_)));
-    let waits = |one: &[Event<'_>], other: &[Event<'_>]| {
-        let moved = one.get(index..).and_then(<[_]>::split_first).zip(other.get(index..));
-        moved.is_some_and(|((wait, one), other)| {
-            let guards = matches!(wait.block.effect, Effect::Guard { .. });
-            let free = |event: &&Event<'_>| {
-                let lengthless = matches!(event.block.effect, Effect::Orient | Effect::Machine)
-                    || event.block.words.letters().all(is_rotary);
-                let change = matches!(event.block.effect, Effect::ToolChange(_)) && wait.block.state.guarded.is_some();
-                let moves = event.block.effect.moves() && !event.block.effect.cuts();
-                moves && (lengthless || !guards) || change && guards
-            };
-            let rapids = other.iter().take_while(free).count();
-            (guards || matches!(wait.block.effect, Effect::Dwell(_)))
-                && rapids > 0
-                && other.get(rapids).is_some_and(|event| agrees(wait, event) && agrees(event, wait))
-                && rest_agrees(&one[..rapids.min(one.len())], &other[..rapids])
-                && rest_agrees(&one[rapids.min(one.len())..], &other[rapids + 1..])
+    let all_agree = |was: &[Event<'_>], is: &[Event<'_>]| {
+        was.len() == is.len() && was.iter().zip(is).all(|(was, is)| agrees(was, is))
+    };
+    let both_ways = |fits: &dyn Fn(&[Event<'_>], &[Event<'_>]) -> bool| fits(was, is) || fits(is, was);
+    let added = || index < is.len() && all_agree(&was[index..], &is[index + 1..]);
+    let in_one_of_both = |fits: &dyn Fn(&[Event<'_>]) -> bool| {
+        both_ways(&|events, other| {
+            index < events.len() && fits(events) && all_agree(&events[index + 1..], &other[index..])
         })
     };
-    if waits(was, is) || waits(is, was) {
-        return Some(Verdict::Undecided("a wait or a guard before or after a rapid".to_owned()));
-    }
-    if is_rotated_before(is, index) && rest_agrees(&was[index..], &is[index + 1..]) {
-        return Some(Verdict::Undecided("a rotary axis rotates to another place before".to_owned()));
-    }
-    let free = |events: &[Event<'_>], other: &[Event<'_>]| {
-        events.get(index).is_some_and(|event| rotates_freely(event, allowed))
-            && rest_agrees(&events[index + 1..], &other[index..])
+    let in_parts = |fits: &dyn Fn(&Event<'_>, &[Event<'_>]) -> bool| {
+        both_ways(&|one, two| match (one.get(index), two.get(index..index + 2)) {
+            (Some(whole), Some(parts)) => fits(whole, parts) && all_agree(&one[index + 1..], &two[index + 2..]),
+            _ => false,
+        })
     };
-    if free(was, is) || free(is, was) {
-        return Some(Verdict::Undecided("a rotation at the pole".to_owned()));
+    if in_parts(&|whole, parts| is_split(whole, parts, allowed)) {
+        return undecided("a rapid in X and Y in two blocks");
     }
-    if is_retracted_further(is, index) && rest_agrees(&was[index..], &is[index + 1..]) {
-        return Some(Verdict::Undecided("another axis in machine coordinates after a retract".to_owned()));
+    let waits = |extra: &Event<'_>| matches!(extra.block.effect, Effect::Dwell(_) | Effect::Guard { .. });
+    if is.get(index).is_some_and(waits) && added() {
+        return undecided("a wait is added");
     }
-    if is_arc_in_parts(was, is, index, allowed) && rest_agrees(&was[index + 1..], &is[index + 2..])
-        || is_arc_in_parts(is, was, index, allowed) && rest_agrees(&was[index + 2..], &is[index + 1..])
-    {
-        return Some(Verdict::Undecided("an arc in two parts".to_owned()));
+    let idle = |events: &[Event<'_>]| is_idle(events, index);
+    let both = || idle(was) && idle(is) && all_agree(&was[index + 1..], &is[index + 1..]);
+    if both() || in_one_of_both(&idle) {
+        return undecided("a wait with no cut after it");
+    }
+    if in_one_of_both(&|events| is_short(&events[index], allowed)) {
+        return undecided("a motion within tolerance");
+    }
+    let waits_elsewhere = both_ways(&|one, other| {
+        let Some((wait, one)) = one[index..].split_first() else { return false };
+        let other = &other[index..];
+        let between = other.iter().take_while(|event| is_free_of(wait, event)).count();
+        between > 0
+            && other.get(between).is_some_and(|event| agrees(wait, event) && agrees(event, wait))
+            && one.len() >= between
+            && all_agree(&one[..between], &other[..between])
+            && all_agree(&one[between..], &other[between + 1..])
+    });
+    if waits_elsewhere {
+        return undecided("a wait or a guard before or after a rapid");
+    }
+    if is_rotated_before(is, index) && added() {
+        return undecided("a rotary axis rotates to another place before");
+    }
+    if in_one_of_both(&|events| rotates_freely(&events[index], allowed)) {
+        return undecided("a rotation at the pole");
+    }
+    if is_retracted_further(is, index) && added() {
+        return undecided("another axis in machine coordinates after a retract");
+    }
+    if in_parts(&|whole, parts| is_arc_in_parts(whole, parts, allowed)) {
+        return undecided("an arc in two parts");
     }
     if let Some(count) = is_parked_in_another_order(was, is, index)
-        && rest_agrees(&was[index + count..], &is[index + count..])
+        && all_agree(&was[index + count..], &is[index + count..])
     {
-        return Some(Verdict::Undecided("axes park in another order".to_owned()));
+        return undecided("axes park in another order");
     }
-    let over = |events: &[Event<'_>], other: &[Event<'_>]| {
-        index < events.len()
-            && is_over_next_hole(events, index, allowed)
-            && rest_agrees(&events[index + 1..], &other[index..])
-    };
-    if over(was, is) || over(is, was) {
-        return Some(Verdict::Undecided("a rapid over the next hole".to_owned()));
+    if in_one_of_both(&|events| is_over_next_hole(events, index, allowed)) {
+        return undecided("a rapid over the next hole");
     }
-    let turned = |events: &[Event<'_>], other: &[Event<'_>]| {
-        events
-            .get(index)
-            .is_some_and(|event| is_turned_already(event, allowed) && event.block.words.letters().all(is_rotary))
-            && rest_agrees(&events[index + 1..], &other[index..])
-    };
-    if turned(was, is) || turned(is, was) {
-        return Some(Verdict::Undecided("rotary axes to where the plane has them".to_owned()));
+    let turned = |event: &Event<'_>| is_turned_already(event, allowed) && event.block.words.letters().all(is_rotary);
+    if in_one_of_both(&|events| turned(&events[index])) {
+        return undecided("rotary axes to where the plane has them");
     }
-    // The retract after it is another one.
-    let retracts = usize::from(is.get(index + 1).is_some_and(|event| event.block.effect == Effect::Machine));
-    if is_extra_tool_change(is, index)
-        && (rest_agrees(&was[index..], &is[index + 1..]) || rest_agrees(&was[index..], &is[index + 1 + retracts..]))
-    {
-        return Some(Verdict::Undecided("a tool change before another".to_owned()));
+    if is_extra_tool_change(is, index) {
+        // The retract after it is another one.
+        let retracts = is.get(index + 1).is_some_and(|event| event.block.effect == Effect::Machine);
+        if added() || retracts && all_agree(&was[index..], &is[index + 2..]) {
+            return undecided("a tool change before another");
+        }
     }
-    if is_turned_before_tip_control(was, is, index, allowed) && rest_agrees(&was[index + 1..], &is[index + 1..]) {
-        return Some(Verdict::Undecided("a rotary axis that is free under tip control".to_owned()));
+    if is_turned_before_tip_control(was, is, index, allowed) && all_agree(&was[index + 1..], &is[index + 1..]) {
+        return undecided("a rotary axis that is free under tip control");
     }
-    let moved = |one: &[Event<'_>], other: &[Event<'_>]| {
-        let Some((first, one)) = one.get(index..).and_then(<[_]>::split_first) else { return false };
-        let hard = |(one, other): (&Event<'_>, &Event<'_>)| matches!(difference(one, other, allowed), Some(Hard(_)));
-        let other = &other[index.min(other.len())..];
-        let place = one.iter().zip(other).position(hard).unwrap_or(one.len().min(other.len()));
+    let moved = both_ways(&|one, other| {
+        let Some((first, one)) = one[index..].split_first() else { return false };
+        let other = &other[index..];
+        let place = one.iter().zip(other).take_while(|(one, other)| agrees(one, other)).count();
         is_short(first, allowed)
             && other.get(place).is_some_and(|event| is_short(event, allowed))
-            && rest_agrees(&one[place..], &other[place + 1..])
-    };
-    if moved(was, is) || moved(is, was) {
-        return Some(Verdict::Undecided("a motion within tolerance, elsewhere".to_owned()));
+            && all_agree(&one[place..], &other[place + 1..])
+    });
+    if moved {
+        return undecided("a motion within tolerance, elsewhere");
     }
-    let ends =
-        |events: &[Event<'_>]| matches!(&events[index.min(events.len())..], [end] if end.block.effect == Effect::End);
-    if ends(was) && is.len() == index {
-        return Some(Verdict::Undecided("the end of the file ends the program".to_owned()));
+    if matches!(&was[index..], [end] if end.block.effect == Effect::End) && is.len() == index {
+        return undecided("the end of the file ends the program");
     }
     let still = |events: &[Event<'_>]| !events.iter().any(|event| event.block.effect.moves());
-    if [was, is].iter().all(|events| still(&events[index.min(events.len())..])) && is_of_shop(was, index, is) {
-        return Some(Verdict::Undecided("a code of the shop after the last motion".to_owned()));
+    if still(&was[index..]) && still(&is[index..]) && is_of_shop(was, index, is) {
+        return undecided("a code of the shop after the last motion");
     }
     // The first block that differs may come after one that lies on the same line.
     for index in [Some(index), index.checked_sub(1)].into_iter().flatten() {
-        if index < was.len() && on_the_line(was, index, allowed) && rest_agrees(&was[index + 1..], &is[index..]) {
-            return Some(Verdict::Undecided("a point on a line is left out".to_owned()));
+        if index < was.len() && on_the_line(was, index, allowed) && all_agree(&was[index + 1..], &is[index..]) {
+            return undecided("a point on a line is left out");
         }
-        if index < is.len() && on_the_line(is, index, allowed) && rest_agrees(&was[index..], &is[index + 1..]) {
-            return Some(Verdict::Undecided("a point on a line is added".to_owned()));
+        if index < is.len() && on_the_line(is, index, allowed) && all_agree(&was[index..], &is[index + 1..]) {
+            return undecided("a point on a line is added");
         }
     }
     None
+}
+
+/// Whether an event is a wait, and nothing is cut before the next one.
+fn is_idle(events: &[Event<'_>], index: usize) -> bool {
+    let before_next = |event: &&Event<'_>| {
+        !matches!(event.block.effect, Effect::Dwell(_) | Effect::ToolChange(_)) && !event.block.effect.stops()
+    };
+    events.get(index).is_some_and(|event| matches!(event.block.effect, Effect::Dwell(_)))
+        && !events[index + 1..].iter().take_while(before_next).any(|event| event.block.effect.cuts())
+}
+
+/// Whether a wait or a guard may as well come after an event: before a cut, and a guard before the length matters.
+fn is_free_of(wait: &Event<'_>, event: &Event<'_>) -> bool {
+    let moves = event.block.effect.moves() && !event.block.effect.cuts();
+    match wait.block.effect {
+        Effect::Dwell(_) => moves,
+        Effect::Guard { .. } => {
+            let lengthless = matches!(event.block.effect, Effect::Orient | Effect::Machine)
+                || event.block.words.letters().all(is_rotary);
+            let change = matches!(event.block.effect, Effect::ToolChange(_)) && wait.block.state.guarded.is_some();
+            moves && lengthless || change
+        }
+        _ => false,
+    }
 }
 
 /// Whether a motion to machine coordinates follows another, with no motion between them.
@@ -182,9 +174,8 @@ fn rotates_freely(event: &Event<'_>, allowed: Allowed) -> bool {
         && is_near(axes)
 }
 
-/// Whether an arc of `one` is two arcs of `two` about the same centre.
-fn is_arc_in_parts(one: &[Event<'_>], two: &[Event<'_>], index: usize, allowed: Allowed) -> bool {
-    let (Some(whole), Some(parts)) = (one.get(index), two.get(index..index + 2)) else { return false };
+/// Whether an arc is two arcs about the same centre.
+fn is_arc_in_parts(whole: &Event<'_>, parts: &[Event<'_>], allowed: Allowed) -> bool {
     let (Effect::Arc(arc), Effect::Arc(first), Effect::Arc(second)) =
         (whole.block.effect, parts[0].block.effect, parts[1].block.effect)
     else {
@@ -274,23 +265,20 @@ fn is_of_shop(one: &[Event<'_>], index: usize, two: &[Event<'_>]) -> bool {
     [one, two].iter().any(|events| events.get(index).is_some_and(|event| matches!(event.block.effect, Effect::Shop(_))))
 }
 
-/// Whether a rapid of `one` in X and Y, or of rotary axes, is two rapids of `two`.
-fn is_split(one: &[Event<'_>], two: &[Event<'_>], index: usize, allowed: Allowed) -> bool {
-    let (Some(whole), Some(parts)) = (one.get(index), two.get(index..index + 2)) else { return false };
+/// Whether a rapid in X and Y and of rotary axes is two rapids.
+fn is_split(whole: &Event<'_>, parts: &[Event<'_>], allowed: Allowed) -> bool {
     let level = |event: &Event<'_>| {
         let letters = || event.block.words.letters();
         event.block.effect == Effect::Rapid && letters().all(|letter| matches!(letter, 'X' | 'Y') || is_rotary(letter))
     };
-    let ends = |letter| match [whole, &parts[1]].map(|event| event.block.state.position.get(letter)) {
-        [Some(one), Some(two)] => (one - two).abs() <= allowed.linear,
-        _ => false,
+    let ends_as = |part: &Event<'_>, letter| {
+        let ends = [whole, part].map(|event| event.block.state.position.get(letter));
+        matches!(ends, [Some(one), Some(two)] if (one - two).abs() <= allowed.linear)
     };
-    let part = |letter| match [whole, &parts[0]].map(|event| event.block.state.position.get(letter)) {
-        [Some(one), Some(two)] => (one - two).abs() <= allowed.linear,
-        _ => false,
-    };
-    let partly = parts[0].block.words.letters().all(part);
-    partly && level(whole) && parts.iter().all(level) && whole.block.words.letters().all(ends)
+    level(whole)
+        && parts.iter().all(level)
+        && parts[0].block.words.letters().all(|letter| ends_as(&parts[0], letter))
+        && whole.block.words.letters().all(|letter| ends_as(&parts[1], letter))
 }
 
 /// Whether a straight motion ends on the straight line between the positions before it and after the next motion.

@@ -10,7 +10,7 @@
 use super::super::Control;
 use super::super::axes::Axes;
 use super::super::meaning::{Address, Command, Meaning, Word};
-use super::super::state::{Compensation, CycleKind, Distance, FeedMode, Length, Spindle};
+use super::super::state::{Compensation, Distance, FeedMode, Length, Spindle};
 use super::super::trace::Effect;
 use super::Machine;
 
@@ -213,8 +213,7 @@ pub(super) fn effect(machine: &Machine, command: &Command, effect: &Effect, word
 fn cut(machine: &Machine, effect: &Effect) -> Result<(), String> {
     let state = &machine.state;
     let turns = matches!(state.spindle, Some(Spindle::Clockwise | Spindle::CounterClockwise));
-    let thread = matches!(effect, Effect::Hole(hole) if matches!(hole.cycle.kind, CycleKind::Tap { .. }));
-    let stopped = !turns || state.stopped_by_thread && !thread;
+    let stopped = !turns || state.stopped_by_thread && !effect.is_thread();
     if state.tool.is_none() || stopped && !machine.dry {
         return Err("a feed motion without tool or with the spindle off".to_owned());
     }
@@ -225,7 +224,7 @@ fn cut(machine: &Machine, effect: &Effect) -> Result<(), String> {
 fn programmed(machine: &Machine, effect: &Effect) -> Result<(), String> {
     let state = &machine.state;
     let own = match effect {
-        Effect::Hole(hole) => hole.cycle.feed.is_some() || matches!(hole.cycle.kind, CycleKind::Tap { .. }),
+        Effect::Hole(hole) => hole.cycle.feed.is_some() || effect.is_thread(),
         _ => false,
     };
     if state.feed.is_none() && !own {

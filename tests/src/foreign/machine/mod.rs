@@ -12,7 +12,7 @@ mod motion;
 
 use super::axes::Axes;
 use super::meaning::{Address, Command, Meaning, Supply};
-use super::state::{CycleKind, Distance, FeedMode, State, Units};
+use super::state::{Distance, FeedMode, State, Units};
 use super::trace::Effect;
 use super::{Control, Options};
 
@@ -99,9 +99,7 @@ impl Machine {
         self.thread_due = written.has(Meaning::RigidTapping) && !thread;
         command.finish()?;
         careful::effect(self, &written, &effect, &words)?;
-        if let Effect::Hole(hole) = effect
-            && matches!(hole.cycle.kind, CycleKind::Tap { .. })
-        {
+        if effect.is_thread() {
             self.state.stopped_by_thread = !self.rapids_at_feed
                 && match self.control {
                     Control::Fanuc => self.state.rigid,

@@ -9,7 +9,7 @@ mod modes;
 mod motion;
 
 use super::super::policy::RolloverRule;
-use super::block::{Action, Block, CycleKind, CycleMove, MAX_AXES, State, stated};
+use super::block::{Action, Block, MAX_AXES, State, stated};
 use super::draft::{Code, Cycle, Draft, LengthCode, TiltCode, effect, fault};
 use super::facts::Facts;
 use crate::program::Units;
@@ -171,8 +171,7 @@ impl Interpreter {
         if self.frames.unknown != 0 {
             self.in_unknown_frame(block);
         }
-        let thread = matches!(block.action, Action::Cycle(CycleMove { kind: CycleKind::Tap(_), .. }));
-        if thread && self.facts.tap_stops_spindle {
+        if block.action.is_rigid_thread() && self.facts.tap_stops_spindle {
             self.stated &= !stated::SPINDLE;
             block.stated = self.stated;
         }
