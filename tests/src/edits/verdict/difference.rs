@@ -272,14 +272,16 @@ fn moved(was: &Event<'_>, is: &Event<'_>, allowed: Allowed) -> Option<Difference
         _ => 0.0,
     };
     let length = LETTERS.iter().map(travel).sum::<f64>().sqrt();
+    // Rounded ends do not show the length of a short straight motion better.
+    let straight = was.block.effect == Effect::Feed && length > 0.0;
+    let rounding = if straight { 6.0 * allowed.unit / length } else { 0.0 };
     let feed = match (was.block.feed(), is.block.feed()) {
         (Some(Feed::PerMinute(was)), Some(Feed::PerMinute(is)))
         | (Some(Feed::InverseTime(was)), Some(Feed::InverseTime(is)))
         | (Some(Feed::PerRevolution(was)), Some(Feed::PerRevolution(is)))
             if !short =>
         {
-            // Rounded ends do not show the length of a short motion better.
-            compared("F", was, is, (6.0 * allowed.unit / length).max(0.0101) * was)
+            compared("F", was, is, rounding.max(0.0101) * was)
         }
         (Some(was), Some(is)) if short => soft(was != is, "F of a motion within tolerance"),
         (was, is) => hard(was != is, "the feed mode"),
