@@ -6,6 +6,8 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::OnceLock;
 
+use pp_runtime::config::Mode;
+
 /// The folder of the workspace.
 #[must_use]
 pub fn workspace() -> PathBuf {
@@ -32,6 +34,21 @@ pub fn golden_programs() -> Vec<PathBuf> {
     }
     files.sort();
     files
+}
+
+/// Folder of the part of a golden program, and the mode of the program: programs of other modes than `axes` are in a folder
+/// of their mode in that of the part.
+///
+/// # Panics
+/// If the file is in no folder.
+#[must_use]
+pub fn part_and_mode(golden: &Path) -> (&Path, Mode) {
+    let folder = golden.parent().expect("a folder");
+    let name = folder.file_name().unwrap_or_default();
+    match Mode::NAMES.into_iter().find(|(mode, _)| name == *mode) {
+        Some((_, mode)) => (folder.parent().expect("the part"), mode),
+        None => (folder, Mode::Axes),
+    }
 }
 
 /// A command that runs the binary of a machine. The first call builds all binaries that are out of date.

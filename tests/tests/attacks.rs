@@ -87,7 +87,7 @@ fn posted(machine: &str, control: &str, mode: Mode, more: &str) -> Option<Posted
     let operations = Some((
         1,
         match mode {
-            Axes => 5,
+            Axes | Mode::Auto => 5,
             Tcp => 4,
             Plane => 3,
         },

@@ -494,8 +494,8 @@ fn a_program_ends_with_the_result_of_its_check() {
     for (control, end) in [("linuxcnc", 1), ("fanuc", 2), ("siemens", 1), ("heidenhain", 2), ("haas", 2)] {
         let shop = Shop::with(format!("{HEAD}GOTO/1,2,3\nGOTO/40,2,3,0.6,0,0.8\n"));
         shop.write("shop.toml", "[program]\nchecked = true\ntimes = true\n");
-        let with = ["part.cls", "--control", control, "--config", "shop.toml"];
-        let plain = shop.run(&["post", "part.cls", "--control", control]);
+        let with = ["part.cls", "--control", control, "--mode", "axes", "--config", "shop.toml"];
+        let plain = shop.run(&["post", "part.cls", "--control", control, "--mode", "axes"]);
         assert!(!String::from_utf8_lossy(&plain.output).to_lowercase().contains("um of"), "{control}");
         for (option, words) in [(&[][..], "checked"), (&["--no-check"][..], "not checked")] {
             let run = shop.run(&[&["post", "-o", "part.nc"], &with[..], option].concat());

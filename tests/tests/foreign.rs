@@ -11,7 +11,7 @@ use pp_runtime::config::{Mode, starting_point};
 use pp_runtime::control;
 use pp_runtime::kinematics::Machine;
 use tests::agreement::{self, Compared};
-use tests::binaries::golden_programs;
+use tests::binaries::{golden_programs, part_and_mode};
 use tests::foreign::{Control, Effect, Options, Trace, run};
 
 /// Machine and control in the name of a golden program.
@@ -30,12 +30,7 @@ fn traced(path: &Path) -> (String, Trace) {
 
 /// Configuration with which a golden program was posted; its folder is that of the part, or of a mode in it.
 fn config_of(path: &Path, machine: &str) -> (String, Mode) {
-    let folder = path.parent().expect("a folder");
-    let (part, mode) = match folder.file_name().and_then(|name| name.to_str()) {
-        Some("tcp") => (folder.parent().expect("the part"), Mode::Tcp),
-        Some("plane") => (folder.parent().expect("the part"), Mode::Plane),
-        _ => (folder, Mode::Axes),
-    };
+    let (part, mode) = part_and_mode(path);
     let name = part.file_name().expect("a name").to_string_lossy().into_owned();
     let name = if name == "works" && machine != "lola-xoyzba" { "table".to_owned() } else { name };
     (fs::read_to_string(part.join(format!("{name}.toml"))).unwrap_or_default(), mode)

@@ -70,6 +70,7 @@ const MODES: &[(&str, &[&str], &str)] = &[
     ("axes", &["linuxcnc", "fanuc", "siemens", "heidenhain", "haas"], "1..5"),
     ("tcp", &["fanuc", "siemens", "heidenhain", "haas"], "1..4"),
     ("plane", &["fanuc", "siemens", "heidenhain", "haas"], "1..3"),
+    ("auto", &["linuxcnc", "fanuc", "siemens", "heidenhain", "haas"], "1..5"),
 ];
 
 /// One golden program.
@@ -95,7 +96,8 @@ impl Golden {
     }
 
     fn posted(&self) -> String {
-        let mode = self.mode.map_or(vec![], |(mode, operations)| vec!["--mode", mode, "--ops", operations]);
+        let mode =
+            self.mode.map_or(vec!["--mode", "axes"], |(mode, operations)| vec!["--mode", mode, "--ops", operations]);
         posted_with(&mode, self.control, self.cl, self.config, self.machine)
     }
 }

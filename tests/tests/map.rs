@@ -266,7 +266,8 @@ fn comments_about_the_check_are_in_the_map() {
         assert!(posted.program[line as usize - 1].to_lowercase().contains("checked"), "{control}: {check_lines:?}");
         // The last line comes after these comments and is explained unchanged.
         let (count, last) = (posted.program.len().to_string(), posted.program.last().expect("a line"));
-        let arguments = ["explain-block", CL, &count, "--control", control, "--ops", "1..2", "--config"];
+        let arguments =
+            ["explain-block", CL, &count, "--control", control, "--mode", "axes", "--ops", "1..2", "--config"];
         let mut command = binary("dmu-70e");
         command.current_dir(workspace()).args(arguments).arg(&config);
         let numbers = (control != "heidenhain").then_some("--line-numbers");

@@ -15,7 +15,7 @@ use pp_runtime::config::{Config, Mode, Operations, starting_point};
 use pp_runtime::control::{self, Control};
 use pp_runtime::kinematics::{Machine, Pose};
 use pp_runtime::post;
-use tests::binaries::{golden_programs, workspace};
+use tests::binaries::{golden_programs, part_and_mode, workspace};
 use tests::oracle::{Oracle, angle_between};
 
 /// Largest distance of one tip from another that should be the same, mm: an axis value is solved for, and added up.
@@ -45,12 +45,7 @@ impl Golden {
     fn read(path: &Path) -> Self {
         let name = path.file_stem().expect("a name").to_string_lossy().into_owned();
         let (machine, control) = name.split_once('.').expect("machine and control");
-        let folder = path.parent().expect("a folder");
-        let (folder, mode) = match folder.file_name().and_then(|name| name.to_str()) {
-            Some("tcp") => (folder.parent().expect("the part"), Mode::Tcp),
-            Some("plane") => (folder.parent().expect("the part"), Mode::Plane),
-            _ => (folder, Mode::Axes),
-        };
+        let (folder, mode) = part_and_mode(path);
         let part = folder.file_name().expect("a name").to_string_lossy().into_owned();
         let keys = if part == "works" && machine != "lola-xoyzba" { "table" } else { &part };
         let endings = ["cls", "ncl", "apt", "aptsource"].map(|ending| folder.join(format!("{part}.{ending}")));
@@ -73,7 +68,7 @@ impl Golden {
         config.motion.mode = self.mode;
         if self.name.starts_with("works") {
             let last = match self.mode {
-                Mode::Axes => 5,
+                Mode::Axes | Mode::Auto => 5,
                 Mode::Tcp => 4,
                 Mode::Plane => 3,
             };

@@ -73,8 +73,8 @@ pub enum RolloverRule {
 /// Meaning of words.
 #[derive(Debug, Clone, PartialEq)]
 pub struct WordPolicy {
-    /// Meaning of linear words.
-    pub linear: LinearMeaning,
+    /// Meaning of linear words; without it the program decides with each approach.
+    pub linear: Option<LinearMeaning>,
     /// Frame of the tip under tip control.
     pub tip_frame: TipFrame,
     /// Under tip control the control rotates the tool axis in the plane of its ends.
@@ -250,6 +250,8 @@ pub struct ShopBlocks {
     pub own_safety: bool,
     /// Every tool of known length is guarded: largest difference of the length in the control, mm.
     pub length_guard_mm: Option<f64>,
+    /// The guard is needed only where words are positions of axes that have rotated.
+    pub guards_rotated_axes_only: bool,
     /// Smoothing in cuts.
     pub smoothing: Option<SmoothingLevel>,
     /// Tolerance of smoothing for rotary axes, where the program states it.

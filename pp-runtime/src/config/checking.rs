@@ -76,9 +76,10 @@ impl Config {
         };
         WordPolicy {
             linear: match self.motion.mode {
-                Mode::Axes => LinearMeaning::AxisPositions,
-                Mode::Tcp => LinearMeaning::TipCoordinates,
-                Mode::Plane => LinearMeaning::PlaneCoordinates,
+                Mode::Auto => None,
+                Mode::Axes => Some(LinearMeaning::AxisPositions),
+                Mode::Tcp => Some(LinearMeaning::TipCoordinates),
+                Mode::Plane => Some(LinearMeaning::PlaneCoordinates),
             },
             tip_frame: match tip.tcp_frame {
                 None | Some(TcpFrame::TableAtZero) => TipFrame::TableAtZero,
@@ -172,11 +173,16 @@ impl Config {
         let rotary_head =
             machine.axes().iter().any(|axis| axis.kind == AxisKind::Rotary && !axis.held && axis.side == Side::Tool);
         // Without tip control or tilted plane a rotary axis in the head makes the words depend on the length.
-        let guarded = self.motion.guards.length_guard.unwrap_or(rotary_head && self.motion.mode == Mode::Axes);
+        let guarded = self
+            .motion
+            .guards
+            .length_guard
+            .unwrap_or(rotary_head && matches!(self.motion.mode, Mode::Auto | Mode::Axes));
         ShopBlocks {
             own_safety: control.safety.is_some(),
             length_guard_mm: (guarded && self.set_up.length_mode == LengthMode::Tip)
                 .then_some(self.motion.guards.length_tolerance_mm),
+            guards_rotated_axes_only: self.motion.guards.length_guard.is_none() && self.motion.mode == Mode::Auto,
             smoothing: match control.smoothing {
                 Smoothing::None => None,
                 Smoothing::Rough => Some(SmoothingLevel::Rough),

@@ -2,21 +2,28 @@
 //! may use (the [`Abilities`] of `motion`).
 
 use crate::kinematics::AnyMachine;
-use crate::motion::{self, Abilities, CycleAbilities, Mode, PathNorm, PlaneAbility, TcpWords, TipAbility};
+use crate::motion::{self, Abilities, CycleAbilities, PathNorm, PlaneAbility, TipAbility, UsableModes};
 use crate::program::Coolant;
 use crate::set_up::LengthMode;
 
 use super::dialects::{ArcCentre, Control, CycleCodes, CycleForm, LengthCall, Spellings, ThreadCodes, coolant_index};
-use super::options::{Demands, Smoothing};
+use super::options::{ControlFunction, Demands, Smoothing};
 
 /// Settings that the control does not support, and reasons why machine, control and configuration do not suit the mode.
-/// One sentence each; empty if a program can be written.
+/// One sentence each; empty if a program can be written. In mode `auto` a setting may still be missing for a stretch.
 #[must_use]
 pub fn unfit(machine: &dyn AnyMachine, control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
     let Abilities { tip, plane, .. } = abilities(control, demands);
     let mut faults = unsupported(control, demands);
     faults.append(&mut motion::unsuited(machine, demands.policy(), control.spellings().title, tip, plane));
     faults
+}
+
+/// The modes that mode `auto` chooses from.
+#[must_use]
+pub fn usable_modes(machine: &dyn AnyMachine, control: &dyn Control, demands: Demands<'_>) -> UsableModes {
+    let Abilities { tip, plane, .. } = abilities(control, demands);
+    UsableModes::of(machine, demands.policy(), control.spellings().title, tip, plane)
 }
 
 /// Settings of the configuration that the control does not support, one sentence each.
@@ -61,6 +68,15 @@ fn unsupported(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
             "smoothing of {title} has no tolerance for rotary axes: leave `control.smoothing_angle` out"
         ));
     }
+    let known = [
+        (ControlFunction::TipControl, "tip_control", codes.tip.is_some() || options.tip_control.is_some()),
+        (ControlFunction::Planes, "planes", codes.plane.is_some()),
+    ];
+    for (_, name, _) in known.iter().filter(|(function, _, can)| {
+        !can && options.functions.as_ref().is_some_and(|installed| installed.contains(function))
+    }) {
+        faults.push(format!("{title} cannot have the function `{name}`: remove it from `control.functions`"));
+    }
     let inverse = matches!(options.path_norm, Some(PathNorm::G93Minutes | PathNorm::G93Seconds));
     if inverse && codes.inverse_time.is_none() {
         faults.push(format!("{title} has no inverse-time feed: set `control.path_norm` to \"xyz\" or \"xyz+deg\""));
@@ -81,6 +97,9 @@ fn unsupported(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
 
 /// Tip control: that of the control, or the codes of the configuration.
 fn tip_ability(control: &dyn Control, demands: Demands<'_>) -> Option<TipAbility> {
+    if !demands.options.has(ControlFunction::TipControl) {
+        return None;
+    }
     let own = control.spellings().tip.as_ref().map(|tip| TipAbility {
         frame_is_parameter: tip.frame_is_set,
         rotates_axis_in_plane: tip.turns_in_plane,
@@ -90,12 +109,10 @@ fn tip_ability(control: &dyn Control, demands: Demands<'_>) -> Option<TipAbility
     own.or_else(|| demands.options.tip_control.is_some().then_some(plain))
 }
 
-/// Whether I J K are the components of the tool axis, so that no arc centre can be written with them.
-fn centre_letters_are_tool_axis(control: &dyn Control, demands: Demands<'_>) -> bool {
-    let codes = control.spellings();
+/// Whether the components of the tool axis have the letters of an arc centre, I J K.
+fn vectors_take_arc_words(codes: &Spellings) -> bool {
     let vectors = codes.tip.as_ref().and_then(|tip| tip.vectors.as_ref());
-    let used = demands.motion.mode == Mode::Tcp && demands.motion.tip.tcp_words == TcpWords::Vectors;
-    used && codes.arcs.centre == ArcCentre::Offsets && vectors.is_some_and(|vectors| vectors.words[0] == "I")
+    codes.arcs.centre == ArcCentre::Offsets && vectors.is_some_and(|vectors| vectors.words[0] == "I")
 }
 
 /// A thread that is not in step with the spindle does not stop it.
@@ -129,14 +146,17 @@ pub fn abilities(control: &dyn Control, demands: Demands<'_>) -> Abilities {
         feed_per_inch: codes.feed_per_inch,
         cycles: cycle_abilities(codes, demands),
         shared_radius_registers: codes.compensation[1].contains("{radius}"),
-        arc_planes: codes.arcs.planes.map(|plane| plane.is_some() && !centre_letters_are_tool_axis(control, demands)),
+        arc_planes: codes.arcs.planes.map(|plane| plane.is_some()),
+        vectors_take_arc_words: vectors_take_arc_words(codes),
         arc_radius_tolerance_mm: codes.arcs.radius_tolerance_mm,
         tip: tip_ability(control, demands),
-        plane: codes.plane.as_ref().map(|plane| PlaneAbility {
-            angles: plane.angles,
-            decimals: plane.decimals.unwrap_or(demands.formats.rotary),
-            pose: plane.pose,
-            ends_after_retract: plane.cancelled_after_retract,
+        plane: codes.plane.as_ref().filter(|_| demands.options.has(ControlFunction::Planes)).map(|plane| {
+            PlaneAbility {
+                angles: plane.angles,
+                decimals: plane.decimals.unwrap_or(demands.formats.rotary),
+                pose: plane.pose,
+                ends_after_retract: plane.cancelled_after_retract,
+            }
         }),
     }
 }

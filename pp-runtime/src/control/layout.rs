@@ -3,7 +3,7 @@
 use super::options::Demands;
 use super::options::{ControlOptions, ProgramBlocks};
 use crate::kinematics::{AnyMachine, AxisKind};
-use crate::motion::{Mode, TcpWords, ToolPosture, Wrap};
+use crate::motion::{StretchMode, StretchModes, TcpWords, ToolPosture, Wrap};
 use crate::program::Units;
 
 /// The data of a job that the encoder reads.
@@ -23,11 +23,13 @@ pub struct Layout {
     pub name: Vec<u8>,
     /// The code for shortest-path rotation is in force.
     pub shortest_path: bool,
-    /// Mode of the words: axis values, tip coordinates, or a tilted plane.
-    pub mode: Mode,
+    /// Stretches of the program are under tip control.
+    pub tip_control: bool,
+    /// Stretches of the program are in tilted planes.
+    pub planes: bool,
     /// Motion of the tool axis under tip control.
     pub posture: ToolPosture,
-    /// Blocks hold the tool axis as a vector instead of rotary words.
+    /// Under tip control blocks hold the tool axis as a vector instead of rotary words.
     pub vectors: bool,
     /// Threads are cut by rigid tapping (spindle angle synchronised with the feed).
     pub rigid: bool,
@@ -38,9 +40,15 @@ pub struct Layout {
 }
 
 impl Layout {
-    /// The layout of a job for a machine.
+    /// The layout of a job for a machine; `modes`: of the stretches of its program.
     #[must_use]
-    pub fn new(machine: &dyn AnyMachine, demands: Demands<'_>, units: Units, name: &[u8]) -> Self {
+    pub fn new(
+        machine: &dyn AnyMachine,
+        demands: Demands<'_>,
+        modes: &StretchModes,
+        units: Units,
+        name: &[u8],
+    ) -> Self {
         let linear = demands.formats.linear(units);
         let decimals = |kind: AxisKind| if kind == AxisKind::Linear { linear } else { demands.formats.rotary };
         Self {
@@ -51,9 +59,10 @@ impl Layout {
             path_tolerance: demands.options.path_tolerance_mm / units.in_mm(),
             name: name.to_vec(),
             shortest_path: demands.motion.rotaries.wrap.values().any(|wrap| *wrap != Wrap::Sign),
-            mode: demands.motion.mode,
+            tip_control: modes.has(StretchMode::Tcp),
+            planes: modes.has(StretchMode::Plane),
             posture: demands.motion.tip.tool_posture,
-            vectors: demands.motion.mode == Mode::Tcp && demands.motion.tip.tcp_words == TcpWords::Vectors,
+            vectors: demands.motion.tip.tcp_words == TcpWords::Vectors,
             rigid: demands.motion.cycles.rigid,
             options: demands.options.clone(),
             program: demands.options.program.clone(),

@@ -24,6 +24,6 @@ mod tests;
 pub use dialects::*;
 pub use encode::Encoder;
 pub(crate) use encode::{legible, lines_of};
-pub use fit::{abilities, unfit};
+pub use fit::{abilities, unfit, usable_modes};
 pub use layout::Layout;
-pub use options::{ControlOptions, Demands, LineEffect, ProgramBlocks, Smoothing};
+pub use options::{ControlFunction, ControlOptions, Demands, LineEffect, ProgramBlocks, Smoothing};

@@ -70,6 +70,10 @@ options! {
         path_norm: Option<PathNorm> = None, key("control.path_norm", OneOf(&PATH_NORMS), "\"xyz+deg\"");
         /// Whole numbers end with a decimal point.
         point: Option<bool> = None, key("control.point", YesNo, "true");
+        /// Functions of the control that are installed: "tip_control", "planes"; both are options at many makers. Without
+        /// this key it has those that it can have.
+        functions: Option<Vec<ControlFunction>> = None,
+            key("control.functions", ListOf(OneOf(&ControlFunction::NAMES)), "[\"tip_control\", \"planes\"]");
         /// Codes that switch tip control on and off in mode "tcp".
         tip_control: Option<[String; 2]> = None, key("control.tip_control", OnAndOff, "[\"M428\", \"M429\"]");
         /// Name of the swivel data record of CYCLE800.
@@ -103,6 +107,26 @@ options! {
         checked: bool = false, key("program.checked", YesNo);
         /// Step of the block numbers. Without this key blocks have no numbers.
         line_numbers: Option<u32> = None, key("program.line_numbers", Whole(1..=1000), "10");
+    }
+}
+
+/// A function that is an option of controls.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ControlFunction {
+    /// Tip control (TCP).
+    TipControl,
+    /// Tilted work planes.
+    Planes,
+}
+
+impl ControlFunction {
+    const NAMES: [(&'static str, Self); 2] = [("tip_control", Self::TipControl), ("planes", Self::Planes)];
+}
+
+impl ControlOptions {
+    /// Whether a function of the control is installed.
+    pub(crate) fn has(&self, function: ControlFunction) -> bool {
+        self.functions.as_ref().is_none_or(|installed| installed.contains(&function))
     }
 }
 

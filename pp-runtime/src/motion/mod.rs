@@ -8,6 +8,7 @@
 mod course;
 mod fault;
 mod geometry;
+mod modes;
 mod options;
 mod place;
 mod plan;
@@ -22,12 +23,13 @@ pub use course::{Course, Navigator};
 pub use fault::PlanningError;
 pub(crate) use geometry::extent;
 pub use geometry::{ArcPlane, Circle};
+pub use modes::{ModeFinder, StretchModes};
 pub use options::{
     Approach, ArcForm, ArcOptions, ArcOutput, ClampCodes, CourseOptions, CutterPath, CycleOptions, CycleOutput,
     Defaults, FeedLimits, GuardOptions, Mode, MotionOptions, Operations, PathNorm, Policy, Rapid, RapidOptions,
-    Retract, Rewind, RotaryOptions, TcpFrame, TcpWords, TipOptions, ToolPosture, Transition, Wrap,
+    Retract, Rewind, RotaryOptions, StretchMode, TcpFrame, TcpWords, TipOptions, ToolPosture, Transition, Wrap,
 };
-pub use place::{PlaneAbility, PlaneAngles, PoseRule, TipAbility, unsuited};
+pub use place::{PlaneAbility, PlaneAngles, PoseRule, TipAbility, UsableModes, unsuited};
 pub(crate) use plan::hole_extent;
 pub use plan::{
     Abilities, ChordedArcs, FastestRotation, MovingAxes, OperationTime, Planner, ProofProgram, Registers, Statistics,

@@ -12,7 +12,7 @@ mod words;
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 
-use crate::keys::{Bound, Measure, OneOf, YesNo, options};
+use crate::keys::{Bound, Measure, OneOf, Whole, YesNo, options};
 use crate::kinematics::Branch;
 use crate::nc::Formats;
 use crate::set_up::SetUp;
@@ -23,7 +23,7 @@ pub use cutting::{
     ArcForm, ArcOptions, ArcOutput, CutterPath, CycleOptions, CycleOutput, Defaults, FeedLimits, PathNorm,
 };
 pub use links::{Approach, Rapid, RapidOptions, Retract, Rewind, Transition};
-pub use words::{ClampCodes, Mode, RotaryOptions, TcpFrame, TcpWords, TipOptions, ToolPosture, Wrap};
+pub use words::{ClampCodes, Mode, RotaryOptions, StretchMode, TcpFrame, TcpWords, TipOptions, ToolPosture, Wrap};
 
 /// All that planning reads of a job.
 #[derive(Debug, Clone, Copy)]
@@ -53,8 +53,12 @@ options! {
         /// without one do not move.
         park: BTreeMap<char, f64> = BTreeMap::new(), key("park", PARK);
         /// Meaning of the words of a motion: positions of the "axes" (on any control), coordinates of the tip under tip
-        /// control ("tcp"), or coordinates of the tip in a tilted "plane" (3+2).
-        mode: Mode = Mode::Axes, key("mode", OneOf(&Mode::NAMES));
+        /// control ("tcp"), coordinates of the tip in a tilted "plane" (3+2), or "auto": tip control where the tool axis
+        /// rotates at feed, else a tilted plane, and axis positions where the control has neither.
+        mode: Mode = Mode::Auto, key("mode", OneOf(&Mode::NAMES));
+        /// Mode "auto": largest number of tool axes of an operation of fixed tool axes without holes, arcs and cutter
+        /// compensation that gets a plane for each; one of more is written under tip control.
+        auto_planes: u32 = 8, key("auto_planes", Whole(1..=MOST_PLANES));
         /// Tip control, in mode `tcp`.
         tip: TipOptions = TipOptions::default(), keys();
         /// Motion between cuts.
@@ -126,6 +130,9 @@ options! {
         table_check: bool = true, key("table_check", YesNo);
     }
 }
+
+/// Largest number for `auto_planes`.
+const MOST_PLANES: u32 = 1000;
 
 /// Names of the branches.
 pub(crate) const START_BRANCHES: [(&str, Branch); 2] = [("first", Branch::First), ("second", Branch::Second)];

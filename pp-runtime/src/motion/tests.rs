@@ -41,7 +41,13 @@ impl Run {
 /// Posts events for LinuxCNC; the event at position `n` is in line `n + 1`.
 pub(super) fn run<M: Machine>(config: &Config, events: &[Event<'_>]) -> Run {
     let units = config.output_units.unwrap_or(Units::Millimetres);
-    let layout = Layout::new(&M::default(), config.demands(), units, b"");
+    let layout = Layout::new(
+        &M::default(),
+        config.demands(),
+        &crate::motion::StretchModes::all(config.motion.mode.of_all().unwrap_or_default()),
+        units,
+        b"",
+    );
     let mut out = Vec::new();
     let mut encoder = Encoder::new(&LinuxCnc, &layout, &mut out);
     let (diagnostics, statistics) = plan::<M>(&LinuxCnc, config, events, &mut encoder);

@@ -8,7 +8,7 @@ use crate::cl::{ArcVote, Dialect, Frames, Insert};
 use crate::config::Config;
 use crate::control::{Control, Encoder, LengthGuard};
 use crate::kinematics::{AnyMachine, Axis, AxisKind, Side, Sign};
-use crate::motion::{CutterPath, Mode, TcpFrame, ToolPosture, Wrap};
+use crate::motion::{CutterPath, StretchMode, StretchModes, TcpFrame, ToolPosture, Wrap};
 use crate::nc::{Decimal, write_decimal};
 use crate::program::Rotation;
 use crate::program::Units;
@@ -58,7 +58,7 @@ pub(crate) fn assumptions(
         list.push("points of the CL data are coordinates from the part zero".to_owned());
     }
     // A control that takes tip coordinates in the frame of the part needs no part origin: the work offset holds it.
-    let known = config.motion.mode != Mode::Axes
+    let known = !survey.modes.has(StretchMode::Axes)
         && config.motion.tip.tcp_frame.is_none_or(|frame| frame == TcpFrame::TableAtZero);
     if !known && rotaries(machine, Side::Workpiece).next().is_some() && !config.is_given("part_origin") {
         list.push("part_origin 0, 0, 0: the part zero is the reference point of the table".to_owned());
@@ -244,7 +244,7 @@ impl Header<'_> {
                 "MACHINE {}, CONTROL {}, MODE {}",
                 self.machine.name(),
                 self.job.control.spellings().title,
-                config.motion.mode.name()
+                self.modes()
             ),
             format!("UNITS {}, WORK OFFSET {}", self.units.name(), work_offset(self.job.control, config)),
             format!("PART ORIGIN {} from the reference point of the table", self.point(config.set_up.part_origin)),
@@ -259,7 +259,7 @@ impl Header<'_> {
         lines.extend(reading(config, self.survey));
         let has_rotaries =
             rotaries(self.machine, Side::Workpiece).chain(rotaries(self.machine, Side::Tool)).next().is_some();
-        let tolerances = (has_rotaries && config.motion.mode != Mode::Plane).then(|| {
+        let tolerances = (has_rotaries && self.rotates_in_cuts()).then(|| {
             format!(
                 "WHILE A ROTARY AXIS MOVES the tip stays within {} of its line at feed, the tool axis within {} deg",
                 self.length(config.motion.tolerance_mm),
@@ -272,6 +272,21 @@ impl Header<'_> {
             encoder.comment(line.as_bytes())?;
         }
         encoder.start()
+    }
+
+    /// The mode of the configuration, and those of the stretches where it is chosen for each.
+    fn modes(&self) -> String {
+        let mode = self.job.config.motion.mode;
+        let used: Vec<&str> = self.survey.modes.used().map(StretchMode::name).collect();
+        match mode.of_all() {
+            Some(_) => mode.name().to_owned(),
+            None => format!("{} ({})", mode.name(), used.join(", ")),
+        }
+    }
+
+    /// Whether rotary axes move in cuts.
+    fn rotates_in_cuts(&self) -> bool {
+        self.survey.modes.has(StretchMode::Axes) || self.survey.modes.has(StretchMode::Tcp)
     }
 
     /// Box of the blank in the coordinates of the program, mm: that of the configuration, or else one around all cuts
@@ -310,9 +325,9 @@ impl Header<'_> {
         let mut lines: Vec<String> = (0..self.machine.axes().len()).map(|index| self.axis_line(index)).collect();
         lines.extend(tolerances);
         lines.extend(self.rotary_words());
-        lines.extend(mode_lines(self.job.control, config));
+        lines.extend(mode_lines(self.job.control, config, &self.survey.modes));
         lines.extend(unchecked_limits(&self.unchecked));
-        if config.motion.mode == Mode::Axes && rotaries(self.machine, Side::Workpiece).next().is_some() {
+        if self.survey.modes.has(StretchMode::Axes) && rotaries(self.machine, Side::Workpiece).next().is_some() {
             lines.push(format!(
                 "valid only for part origin {} from the reference point of the table; do not touch off again",
                 self.point(config.set_up.part_origin)
@@ -329,7 +344,7 @@ impl Header<'_> {
         let (wrap, codes) = (&self.job.config.motion.rotaries.wrap, self.job.control.spellings());
         let counting = |axis: &&Axis| axis.kind == AxisKind::Rotary && !axis.held && !wrap.contains_key(&axis.letter);
         let letters: String = self.machine.axes().iter().filter(counting).map(|axis| axis.letter).collect();
-        if letters.is_empty() || self.job.config.motion.mode == Mode::Plane {
+        if letters.is_empty() || !self.rotates_in_cuts() {
             return None;
         }
         let of = if wrap.is_empty() { String::new() } else { format!(" of {}", joined_by_and(&letters)) };
@@ -430,7 +445,8 @@ impl Header<'_> {
         let mut lines = vec![text];
         let gauge_line = config.set_up.length_mode == LengthMode::Gauge;
         if let Some(length) = length
-            && (gauge_line || config.motion.mode == Mode::Axes && rotaries(self.machine, Side::Tool).next().is_some())
+            && (gauge_line
+                || self.survey.modes.has(StretchMode::Axes) && rotaries(self.machine, Side::Tool).next().is_some())
         {
             let mut held = format!("{register} must hold exactly this");
             if config.motion.guards.length_guard != Some(false) && !self.can_guard_length(number, offset, length) {
@@ -444,34 +460,46 @@ impl Header<'_> {
     }
 }
 
-/// Frame of the linear words in modes `tcp` and `plane`, and required settings of the control.
-fn mode_lines(control: &dyn Control, config: &Config) -> Vec<String> {
+/// Meaning of the linear words under tip control and in planes, and required settings of the control.
+fn mode_lines(control: &dyn Control, config: &Config, modes: &StretchModes) -> Vec<String> {
     let codes = control.spellings();
-    let note = |note: &str| (!note.is_empty()).then(|| format!("MODE {}: {note}", config.motion.mode.name()));
-    match config.motion.mode {
-        Mode::Axes => Vec::new(),
-        Mode::Tcp => {
-            let frame = match config.motion.tip.tcp_frame {
-                None | Some(TcpFrame::TableAtZero) => {
-                    "fixed to the table, aligned with the machine axes when its rotary axes are at zero"
-                }
-                Some(TcpFrame::TableAtStart) => {
-                    "fixed to the table, aligned with the machine axes at the start of tip control"
-                }
-                Some(TcpFrame::NotTurning) => "that does not rotate with the table",
-            };
-            let posture = match config.motion.tip.tool_posture {
-                ToolPosture::Axes => "rotary axes move evenly",
-                ToolPosture::Plane => "the tool axis rotates in the plane of its start and end",
-            };
-            let words = format!("LINEAR WORDS are tip coordinates in a frame {frame}; {posture}");
-            std::iter::once(words).chain(codes.tip.as_ref().and_then(|tip| note(tip.note))).collect()
-        }
-        Mode::Plane => {
-            let words = "LINEAR WORDS are tip coordinates in the tilted plane, from the same zero".to_owned();
-            std::iter::once(words).chain(codes.plane.as_ref().and_then(|plane| note(plane.note))).collect()
-        }
+    let mixed = modes.used().count() > 1;
+    let mut lines = Vec::new();
+    let mut add = |mode: StretchMode, words: &str, note: &str| {
+        let which = match mode {
+            _ if !mixed => "LINEAR WORDS",
+            StretchMode::Axes => "LINEAR WORDS elsewhere",
+            StretchMode::Tcp => "LINEAR WORDS under tip control",
+            StretchMode::Plane => "LINEAR WORDS in planes",
+        };
+        lines.push(format!("{which} are {words}"));
+        lines.extend((!note.is_empty()).then(|| format!("MODE {}: {note}", mode.name())));
+    };
+    if modes.has(StretchMode::Tcp) {
+        let frame = match config.motion.tip.tcp_frame {
+            None | Some(TcpFrame::TableAtZero) => {
+                "fixed to the table, aligned with the machine axes when its rotary axes are at zero"
+            }
+            Some(TcpFrame::TableAtStart) => {
+                "fixed to the table, aligned with the machine axes at the start of tip control"
+            }
+            Some(TcpFrame::NotTurning) => "that does not rotate with the table",
+        };
+        let posture = match config.motion.tip.tool_posture {
+            ToolPosture::Axes => "rotary axes move evenly",
+            ToolPosture::Plane => "the tool axis rotates in the plane of its start and end",
+        };
+        let words = format!("tip coordinates in a frame {frame}; {posture}");
+        add(StretchMode::Tcp, &words, codes.tip.as_ref().map_or("", |tip| tip.note));
     }
+    if modes.has(StretchMode::Plane) {
+        let words = "tip coordinates in the tilted plane, from the same zero";
+        add(StretchMode::Plane, words, codes.plane.as_ref().map_or("", |plane| plane.note));
+    }
+    if mixed && modes.has(StretchMode::Axes) {
+        add(StretchMode::Axes, "positions of the axes", "");
+    }
+    lines
 }
 
 /// The point of the tool that the CL data describes.

@@ -27,8 +27,8 @@ use crate::control::{self, Control, Encoder, Layout};
 use crate::diag::{Diagnostic, Remarks, Severity, grouped};
 use crate::kinematics::{AnyMachine, AxisKind, Invalid, Machine};
 use crate::motion::{
-    Abilities, ChordedArcs, Cost, Course, DiscardSteps, MovingAxes, Navigator, Planner, PlanningError, Sink, Source,
-    Statistics, Times,
+    Abilities, ChordedArcs, Cost, Course, DiscardSteps, ModeFinder, MovingAxes, Navigator, Planner, PlanningError,
+    Sink, Source, Statistics, Times, UsableModes,
 };
 use crate::program::Location;
 use crate::program::Units;
@@ -268,7 +268,9 @@ pub fn post_for(
     }
     let mut text = ClText::new(job, input)?;
     let ready = job.config.set_up.machine_for(machine);
-    let mut survey = text.survey(machine, ready.as_deref().ok())?;
+    let usable = control::usable_modes(ready.as_deref().unwrap_or(machine), job.control, job.config.demands());
+    let modes = ModeFinder::new(job.config.policy(), &usable);
+    let mut survey = text.survey(machine, ready.as_deref().ok(), modes)?;
     if let (Some(Err(missing)), None) = (&survey.selected, survey.first_error) {
         // Errors of the CL data are reported first: they may be why operations are missing.
         return Err(PostError::Operations(missing.clone()));
@@ -286,9 +288,9 @@ pub fn post_for(
         report.course = course_text(&course, job.config);
     }
     let units = job.config.output_units.unwrap_or_else(|| survey.file.units.unwrap_or(Units::Millimetres));
-    let layout = Layout::new(machine, job.config.demands(), units, &survey.name);
+    let layout = Layout::new(machine, job.config.demands(), &survey.modes, units, &survey.name);
     let abilities = control::abilities(job.control, job.config.demands());
-    let pass = PlanningPass { job, survey: &survey, machine, units, abilities: &abilities };
+    let pass = PlanningPass { job, survey: &survey, usable: &usable, machine, units, abilities: &abilities };
     let moving = if job.config.motion.rotaries.clamp.is_empty() {
         MovingAxes::default()
     } else {
@@ -319,12 +321,18 @@ impl<'a> ClText<'a> {
     }
 
     /// The first pass. `ready`: the machine with the dimensions of the set-up; without it no course is planned.
-    fn survey(&mut self, machine: &dyn AnyMachine, ready: Option<&dyn AnyMachine>) -> Result<Survey, PostError> {
+    fn survey(
+        &mut self,
+        machine: &dyn AnyMachine,
+        ready: Option<&dyn AnyMachine>,
+        modes: ModeFinder,
+    ) -> Result<Survey, PostError> {
         let policy = self.job.config.policy();
         let navigator = ready.map(|ready| Navigator::new(ready.to_boxed(), policy));
         let options = self.options();
         // The tool axis may depend on dimensions: that of the set-up, where it is valid.
-        Survey::take(ready.unwrap_or(machine), &mut *self.input, options, policy, navigator).map_err(PostError::Input)
+        Survey::take(ready.unwrap_or(machine), &mut *self.input, options, policy, (modes, navigator))
+            .map_err(PostError::Input)
     }
 
     /// A reader of the text from its start.
@@ -339,6 +347,7 @@ impl<'a> ClText<'a> {
 struct PlanningPass<'a> {
     job: &'a Job<'a>,
     survey: &'a Survey,
+    usable: &'a UsableModes,
     machine: &'a dyn AnyMachine,
     units: Units,
     abilities: &'a Abilities,
@@ -346,9 +355,10 @@ struct PlanningPass<'a> {
 
 impl PlanningPass<'_> {
     fn planner<S: Sink>(&self, course: Course, sink: S) -> Planner<'_, S> {
-        let Self { job, survey, machine, units, abilities } = *self;
+        let Self { job, survey, usable, machine, units, abilities } = *self;
         Planner::new(machine.to_boxed(), job.config.policy(), units, abilities, survey.upside_down, sink)
             .with_course(course)
+            .with_modes(survey.modes.clone(), usable.clone())
             .with_tools(survey.order.clone())
             .with_operations(survey.selected.clone().and_then(Result::ok))
     }

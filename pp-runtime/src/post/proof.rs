@@ -12,7 +12,7 @@ use crate::config::Config;
 use crate::control::{self, Control, Encoder, Layout};
 use crate::diag::Diagnostic;
 use crate::kinematics::{AnyMachine, AxisKind, Side};
-use crate::motion::Mode;
+use crate::motion::{Mode, StretchMode, StretchModes};
 use crate::motion::{Planner, PlanningError, ProofProgram, Sweep};
 use crate::program::ToolCall;
 use crate::program::Units;
@@ -67,7 +67,7 @@ pub fn prove(machine: &dyn AnyMachine, proof: &Proof<'_>) -> Result<Vec<u8>, Str
         .map_err(|invalid| format!("the dimensions of {} are not valid: {invalid}", machine.name()))?;
     let abilities = control::abilities(proof.control, config.demands());
     let mut out = Vec::new();
-    let layout = Layout::new(&*machine, config.demands(), units, b"PROOF");
+    let layout = Layout::new(&*machine, config.demands(), &StretchModes::all(StretchMode::Axes), units, b"PROOF");
     let mapped = MappedEncoder::new(Encoder::new(proof.control, &layout, &mut out), None);
     let mut planner = Planner::new(machine.clone(), config.policy(), units, &abilities, false, mapped);
     let sweeps = ProofProgram::new(&mut planner).sweeps().map_err(sentence)?;
@@ -104,7 +104,7 @@ fn survey(number: u32, point: &Point3<f64>) -> Survey {
     let call = ToolCall { number, ..ToolCall::default() };
     let tool =
         ToolUse { call, operations: 1, tip_z_mm: Some((point.z, point.z)), cuts_mm: None, spindle_assumed: false };
-    let mut survey = Survey::default();
+    let mut survey = Survey { modes: StretchModes::all(StretchMode::Axes), ..Survey::default() };
     survey.tools.push(tool);
     survey
 }

@@ -14,8 +14,8 @@ use crate::config::{list, nearest};
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::{AnyMachine, Pose};
 use crate::motion::{
-    Begins, Course, ItemAction, MotionIndex, Navigator, Operations, Policy, ProgramItem, Source, Stage, extent,
-    hole_extent,
+    Begins, Course, ItemAction, ModeFinder, MotionIndex, Navigator, Operations, Policy, ProgramItem, Source, Stage,
+    StretchModes, extent, hole_extent,
 };
 use crate::program::{Event, Location, Spindle, ToolCall, Units};
 
@@ -101,12 +101,14 @@ pub(crate) struct Survey {
     pub(crate) course: Course,
     /// In every feed motion the tool axis points down: the frame of the part is probably upside down.
     pub(crate) upside_down: bool,
+    /// Mode of each stretch.
+    pub(crate) modes: StretchModes,
     /// Numbers of the operations to be posted, `None` for all; a sentence if they do not exist.
     pub(crate) selected: Option<Result<RangeInclusive<u64>, String>>,
 }
 
 /// Number of stretches by the motion of the tool axis. A stretch is the part of an operation between two changes of the
-/// tool axis in the air.
+/// tool axis in the air, or its holes; those without cuts do not count.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Stretches {
     /// The tool axis is held.
@@ -130,12 +132,12 @@ impl Survey {
         input: impl Read,
         options: ReadingOptions,
         policy: Policy<'_>,
-        navigator: Option<Navigator>,
+        (modes, navigator): (ModeFinder, Option<Navigator>),
     ) -> io::Result<Self> {
         let mut reader = ClReader::new(input, options);
         let mut source = Source::new(machine, policy);
         let surveyor = Surveyor::new(policy.options.operations.clone(), machine.tool_axis());
-        let mut pass = FirstPass { surveyor, navigator };
+        let mut pass = FirstPass { surveyor, modes, navigator };
         loop {
             // Matched by reference: moving an event costs as much as reading it.
             let found = reader.next_event();
@@ -151,7 +153,8 @@ impl Survey {
         // The first pass reports no errors of the source.
         let _ = source.finish(&mut pass);
         let course = pass.navigator.map_or_else(Course::default, Navigator::finish);
-        let mut survey = Self { course, file: FileFacts::of(&reader), ..pass.surveyor.finish() };
+        let modes = pass.modes.finish();
+        let mut survey = Self { course, modes, file: FileFacts::of(&reader), ..pass.surveyor.finish() };
         let found = reader.diagnostics().iter().cloned();
         survey.diagnostics = found.chain(std::mem::take(&mut survey.diagnostics)).collect();
         let errors = survey.diagnostics.iter().filter(|diagnostic| diagnostic.severity == Severity::Error);
@@ -164,6 +167,7 @@ impl Survey {
 /// Receivers of the first pass.
 struct FirstPass {
     surveyor: Surveyor,
+    modes: ModeFinder,
     navigator: Option<Navigator>,
 }
 
@@ -181,6 +185,7 @@ impl Stage for FirstPass {
 
     fn take(&mut self, item: &ProgramItem<'_>) -> Result<(), Ignored> {
         self.surveyor.follow(item);
+        self.modes.follow(item);
         match &mut self.navigator {
             Some(navigator) => Ok(navigator.take(item)?),
             None => Ok(()),
@@ -206,7 +211,9 @@ struct Surveyor {
     between: bool,
     /// A tool has been called and there was no motion since.
     called: bool,
-    /// The tool axis turns at feed in the current stretch.
+    /// Number of the current stretch; whether it has cuts, and whether the tool axis turns in one of them.
+    stretch: u64,
+    cuts: bool,
     turning: bool,
     /// Number of feed motions.
     feeds: u64,
@@ -226,6 +233,8 @@ impl Surveyor {
             spindle: false,
             between: true,
             called: false,
+            stretch: 0,
+            cuts: false,
             turning: false,
             feeds: 0,
             feeds_down: 0,
@@ -233,9 +242,7 @@ impl Surveyor {
     }
 
     fn finish(mut self) -> Survey {
-        if self.survey.operations > 0 {
-            self.end_stretch();
-        }
+        self.end_stretch();
         self.survey.upside_down = self.feeds > 0 && self.feeds == self.feeds_down;
         self.survey.selected = self.selection.numbers(self.survey.operations);
         self.survey
@@ -317,8 +324,9 @@ impl Surveyor {
 
     /// Notes the begin of a motion, which may be the first of an operation or of a stretch.
     fn begin(&mut self, index: MotionIndex) {
-        if index.stretch != self.survey.stretches.held + self.survey.stretches.turning + 1 {
+        if index.stretch != self.stretch {
             self.end_stretch();
+            self.stretch = index.stretch;
         }
         self.turning |= index.rotates_axis;
         self.called = false;
@@ -330,9 +338,10 @@ impl Surveyor {
 
     fn end_stretch(&mut self) {
         let stretches = &mut self.survey.stretches;
-        match std::mem::take(&mut self.turning) {
-            true => stretches.turning += 1,
-            false => stretches.held += 1,
+        match (std::mem::take(&mut self.cuts), std::mem::take(&mut self.turning)) {
+            (true, true) => stretches.turning += 1,
+            (true, false) => stretches.held += 1,
+            (false, _) => {}
         }
     }
 
@@ -358,6 +367,7 @@ impl Surveyor {
     /// Notes a motion of the tip within a box (lowest and highest corner, mm). `cuts`: at feed.
     fn moved(&mut self, cuts: bool, [lowest, highest]: [[f64; 3]; 2], pose: &Pose) {
         if cuts {
+            self.cuts = true;
             self.feeds += 1;
             self.feeds_down += u64::from(pose.axis.dot(&self.tool_axis) < 0.0);
         }

@@ -31,6 +31,8 @@ struct Open {
 
 #[derive(Debug, Clone, PartialEq)]
 enum Due {
+    /// The comment that ends a LinuxCNC program, `(abort, ...)`.
+    Abort,
     Comment,
     Line(String),
     Block(u32),
@@ -105,7 +107,7 @@ impl Open {
         let fits = match (self.due.pop(), content) {
             (Some(Due::Comment), Content::Comment(text)) => !text.is_empty(),
             (Some(Due::Line(due)), Content::Condition(text)) => *text == due,
-            (Some(Due::Line(due)), Content::Comment(text)) => text.starts_with(&due),
+            (Some(Due::Abort), Content::Comment(text)) => text.starts_with("abort,"),
             (Some(Due::Block(code)), Content::Block(tokens)) => is_m(tokens, code),
             (Some(Due::Low), Content::Condition(text)) => self.low(text).is_some(),
             (Some(Due::High(low, label)), Content::Condition(text)) => self.high(text, low, &label).is_some(),
@@ -167,7 +169,7 @@ fn linuxcnc(text: &str) -> Option<(Effect, Vec<Due>)> {
     let allowed = condition.rsplit(" GT ").next()?.strip_suffix("]]")?;
     let whole = format!("[[ABS[#5403 - {compared}] GT {allowed}] AND [ABS[[#5403 * 25.4] - {compared}] GT {allowed}]]");
     let effect = Effect::Guard { length: number(compared)?, tolerance: number(allowed)? };
-    (condition == whole).then(|| (effect, vec![Due::Line(format!("{label} endif")), Due::Line("abort,".to_owned())]))
+    (condition == whole).then(|| (effect, vec![Due::Line(format!("{label} endif")), Due::Abort]))
 }
 
 /// The two registers that hold geometry and wear of one length: #10001 and #11001 on Fanuc, #2001 and #2201 on Haas.

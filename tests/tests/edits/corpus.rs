@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 
 use pp_runtime::config::Mode;
-use tests::binaries::{golden_programs, workspace};
+use tests::binaries::{golden_programs, part_and_mode, workspace};
 use tests::edits::{Case, Posted};
 use tests::random::Random;
 
@@ -107,7 +107,7 @@ fn part(folder: &Path, name: &str, machine: &str) -> (Vec<u8>, String) {
 /// axis rotates.
 fn operations(part: &str, mode: Mode) -> Option<(u64, u64)> {
     part.starts_with("works").then_some(match mode {
-        Mode::Axes => (1, 5),
+        Mode::Axes | Mode::Auto => (1, 5),
         Mode::Tcp => (1, 4),
         Mode::Plane => (1, 3),
     })
@@ -116,12 +116,7 @@ fn operations(part: &str, mode: Mode) -> Option<(u64, u64)> {
 /// The golden programs, posted.
 fn golden(programs: &mut Vec<Posted>) {
     for path in golden_programs() {
-        let folder = path.parent().expect("a folder");
-        let (folder, mode) = match folder.file_name().and_then(|name| name.to_str()) {
-            Some("tcp") => (folder.parent().expect("the part"), Mode::Tcp),
-            Some("plane") => (folder.parent().expect("the part"), Mode::Plane),
-            _ => (folder, Mode::Axes),
-        };
+        let (folder, mode) = part_and_mode(&path);
         let name = folder.file_name().expect("a name").to_string_lossy().into_owned();
         let stem = path.file_stem().expect("a name").to_string_lossy().into_owned();
         let (machine, control) = stem.split_once('.').expect("machine and control");
@@ -187,8 +182,8 @@ fn random(programs: &mut Vec<Posted>, count: usize, first: u64) {
         let control = CONTROLS[random.below(CONTROLS.len())];
         let modes: &[Mode] = match control {
             _ if kind.rotaries.is_empty() => &[Mode::Axes],
-            "linuxcnc" => &[Mode::Axes, Mode::Tcp],
-            _ => &[Mode::Axes, Mode::Tcp, Mode::Plane],
+            "linuxcnc" => &[Mode::Axes, Mode::Tcp, Mode::Auto],
+            _ => &[Mode::Axes, Mode::Tcp, Mode::Plane, Mode::Auto],
         };
         let mode = modes[random.below(modes.len())];
         let (config, needs) = set_up::set_up(random, kind, control, mode);

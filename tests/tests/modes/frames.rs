@@ -70,6 +70,7 @@ pub(crate) fn commanded_pose<M: Machine>(
     let words = signs(machine).transpose() * linear_words::<M>(&state.words);
     let axis = oracle.forward(&axis_values::<M>(&state.words)).axis.into_inner();
     match config.motion.mode {
+        Mode::Auto => panic!("the mode of a stretch is needed"),
         Mode::Axes => (oracle.forward(&axis_values::<M>(&state.words)).tip, axis),
         Mode::Tcp => {
             let start = state.start.expect("under tip control");

@@ -293,7 +293,8 @@ fn unsupported_modes_are_refused_with_the_alternative() {
     };
     let (linuxcnc, fanuc, haas) = (&control::LinuxCnc, &control::Fanuc, &control::Haas);
     assert!(
-        refused(linuxcnc, Mode::Plane, &|_| {}).contains("has no tilted work plane; mode axes works on any control")
+        refused(linuxcnc, Mode::Plane, &|_| {})
+            .contains("has no tilted work plane, or not among its `functions`; mode axes works on any control")
     );
     assert!(refused(linuxcnc, Mode::Tcp, &|_| {}).contains("`[control] tip_control = [on, off]`"));
     assert!(refused(fanuc, Mode::Tcp, &|_| {}).contains("give `tcp_frame`"));

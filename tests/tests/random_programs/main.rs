@@ -129,10 +129,11 @@ impl Case {
         let random = &mut random;
         let kind = &KINDS[random.below(KINDS.len())];
         let control = control::CONTROLS[random.below(control::CONTROLS.len())];
-        let mode = match random.below(4) {
-            _ if kind.rotaries.is_empty() => Mode::Axes,
+        let mode = match random.below(6) {
             0 | 1 => Mode::Axes,
-            2 => Mode::Tcp,
+            2 | 3 => Mode::Auto,
+            _ if kind.rotaries.is_empty() => Mode::Axes,
+            4 => Mode::Tcp,
             _ => Mode::Plane,
         };
         let mode = match mode {

@@ -275,10 +275,13 @@ impl File<'_> {
             return;
         }
         self.put("", "tcp_confirmed = true");
+        if mode == Mode::Auto {
+            self.one_of(0.3, "", "auto_planes", &["1", "2", "20"]);
+        }
         if mode == Mode::Plane {
             return;
         }
-        if control == "linuxcnc" {
+        if control == "linuxcnc" && (mode == Mode::Tcp || self.random.chance(0.5)) {
             self.put("control", "tip_control = [\"M428\", \"M429\"]");
         }
         let frames = ["\"table_at_zero\"", "\"table_at_start\"", "\"not_turning\""];

@@ -66,7 +66,7 @@ impl<R: Read> Comparison<'_, R> {
         }
         let facts = *self.rules.facts();
         // Tip control is switched off with the length before the retract, as the manuals have it.
-        let length_moves = facts.length_moves && self.rules.policy().words.linear != LinearMeaning::TipCoordinates;
+        let length_moves = facts.length_moves && self.rules.meaning() != LinearMeaning::TipCoordinates;
         let changed = matches!(length, Some(Length::Register(_))) && length != block.state.length;
         if length_moves && changed && block.action != Action::Machine {
             self.found(
@@ -93,7 +93,7 @@ impl<R: Read> Comparison<'_, R> {
     /// The control positions the rotary axes to a tilted plane: to the pose in which they are.
     pub(super) fn orient(&mut self, current: &Current<'_>) {
         let state = &current.block.state;
-        let (LinearMeaning::PlaneCoordinates, Some(tilt)) = (self.rules.policy().words.linear, &state.tilt) else {
+        let (LinearMeaning::PlaneCoordinates, Some(tilt)) = (self.rules.meaning(), &state.tilt) else {
             self.found(current, "the control positions the rotary axes to a tilted plane where none is expected");
             return;
         };
@@ -244,7 +244,7 @@ impl<R: Read> Comparison<'_, R> {
         let words = self.rules.words();
         let (retract, rotary) = (1 << words.retract(), words.rotary_bits());
         // Under tip control all linear axes move down together; in a plane its own Z comes last.
-        let last = match self.rules.policy().words.linear {
+        let last = match self.rules.meaning() {
             LinearMeaning::AxisPositions => retract,
             LinearMeaning::TipCoordinates => words.linear_bits(),
             LinearMeaning::PlaneCoordinates => words.xyz()[2].map_or(retract, |z| 1 << z),
@@ -277,6 +277,14 @@ impl<R: Read> Comparison<'_, R> {
             self.found(
                 current,
                 "order of the approach: expected rotary axes first, then the other linear axes, the retract axis last",
+            );
+        }
+        if step > 1
+            && retracted.meaning.replace(self.rules.meaning()).is_some_and(|before| before != self.rules.meaning())
+        {
+            self.found(
+                current,
+                "tip control or a tilted plane is switched after linear axes have moved in the approach",
             );
         }
         self.moves_once(retracted, current);
@@ -525,7 +533,7 @@ impl<R: Read> Comparison<'_, R> {
             self.found(current, "operation starts without the machine retract after its restart point");
         }
         if let Some(required) = self.progress.next().map(|item| item.required) {
-            for fault in self.functions.start(&self.rules, &required) {
+            for fault in self.functions.start(&self.rules, &required, current.block) {
                 self.found(current, &fault);
             }
         }

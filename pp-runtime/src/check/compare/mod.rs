@@ -124,6 +124,9 @@ impl<'a, R: Read> Checker<'a, R> {
         for fault in &block.faults {
             comparison.found(&current, &fault.text);
         }
+        if !phase.is_at_part() {
+            comparison.rules.follow_frame(&block.state);
+        }
         let task = phase.task(&block.action);
         if task == Task::AfterEnd {
             comparison.found(&current, "block after the end code of the program");

@@ -2,6 +2,7 @@
 
 use super::super::expect::{ExpectedItem, Required};
 use super::super::geometry::{Segment, ToolPose, angle_between};
+use super::super::policy::LinearMeaning;
 use super::super::read::{Action, MAX_AXES};
 use super::super::rules::SHARE;
 use crate::program::Feed;
@@ -57,6 +58,8 @@ pub(super) struct Leaving {
 pub(super) struct Retracted {
     /// Step of the approach that was done last: 1 rotary axes, 2 linear axes, 3 down to the approach point.
     pub(crate) step: u8,
+    /// Meaning of the linear words of its second step.
+    pub(crate) meaning: Option<LinearMeaning>,
     /// Words of the approach so far, and their bits.
     pub(crate) approach: ([f64; MAX_AXES], u16),
     pub(crate) rewind: Option<RewindPoint>,

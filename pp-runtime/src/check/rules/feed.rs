@@ -101,9 +101,14 @@ impl FeedLaw {
             unit_rad: units.1,
             decimals: policy.digits.feed,
             digits: policy.digits.inverse_time,
-            along_tip: policy.words.linear == LinearMeaning::TipCoordinates,
+            along_tip: policy.words.linear == Some(LinearMeaning::TipCoordinates),
             per_mm: in_tenths / program.in_mm(),
         }
+    }
+
+    /// Takes the meaning of linear words from the next block on.
+    pub(crate) fn follow(&mut self, meaning: LinearMeaning) {
+        self.along_tip = meaning == LinearMeaning::TipCoordinates;
     }
 
     /// Whether largest speeds of axes may hold a block back.

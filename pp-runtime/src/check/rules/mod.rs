@@ -18,7 +18,7 @@ use crate::program::{Feed, Units};
 use super::expect::{ClMotion, Required};
 use super::geometry::{ToolPose, angle_between};
 use super::policy::{CheckPolicy, LinearMeaning};
-use super::read::{Block, Facts, MAX_AXES, OwnPlace, WorkOffset};
+use super::read::{Block, Facts, MAX_AXES, OwnPlace, State, TipControl, WorkOffset};
 pub(super) use feed::{FeedLaw, Stroke};
 pub(super) use fit::{Arrival, BOTH, BlockPath, SHARE, chord, sweep};
 pub(super) use state::{ModalContext, StateFault, fault_at_end, tool_name};
@@ -43,8 +43,11 @@ pub(super) struct Rounding {
     pub(crate) axis_rad: f64,
     /// Tool axis that is put at the pole.
     pub(crate) pole_rad: f64,
-    /// Tool axis of rotary words alone: the angles of a tilted plane are coarser.
+    /// Tool axis of rotary words alone.
     pub(crate) rotary_rad: f64,
+    /// Added in a tilted plane, whose angles are coarser than rotary words, and whether it is.
+    plane_rad: f64,
+    in_plane: bool,
 }
 
 /// The rules for one program.
@@ -53,6 +56,10 @@ pub(super) struct Rules<'a> {
     facts: Facts,
     machine: Box<dyn AnyMachine>,
     words: Words,
+    /// Meaning of linear words since the last approach.
+    meaning: LinearMeaning,
+    /// Since then tip control is on, or a plane is tilted.
+    framed: bool,
     law: FeedLaw,
     rounding: Rounding,
     units: Units,
@@ -62,7 +69,7 @@ pub(super) struct Rules<'a> {
     clamps: u16,
     /// Direction of the first rotary axis.
     pole: Option<Vector3<f64>>,
-    /// The machine retract leads along the tool axis, and linear words are positions of the axes.
+    /// Outside tip control and planes the machine retract leads along the tool axis.
     retracts_along_tool: bool,
 }
 
@@ -87,7 +94,9 @@ impl<'a> Rules<'a> {
                 _ => bits,
             }),
             pole: first_rotary.map(|index| machine.joint(index).direction.into_inner()),
-            retracts_along_tool: policy.words.linear == LinearMeaning::AxisPositions && retracts_along_tool(&*machine),
+            retracts_along_tool: retracts_along_tool(&*machine),
+            meaning: policy.words.linear.unwrap_or(LinearMeaning::AxisPositions),
+            framed: false,
             machine,
         }
     }
@@ -126,7 +135,27 @@ impl<'a> Rules<'a> {
     }
 
     pub(super) fn retracts_along_tool(&self) -> bool {
-        self.retracts_along_tool
+        self.retracts_along_tool && !self.framed
+    }
+
+    /// Meaning of linear words.
+    pub(super) fn meaning(&self) -> LinearMeaning {
+        self.meaning
+    }
+
+    /// Takes tip control and planes of a block away from the part. They decide the meaning of linear words, where the policy
+    /// does not.
+    pub(super) fn follow_frame(&mut self, state: &State) {
+        self.framed = state.tip_control != TipControl::Off || state.tilt.is_some();
+        if self.policy.words.linear.is_none() {
+            self.meaning = match (state.tip_control, &state.tilt) {
+                (TipControl::On { .. }, _) => LinearMeaning::TipCoordinates,
+                (TipControl::Off, Some(_)) => LinearMeaning::PlaneCoordinates,
+                (TipControl::Off, None) => LinearMeaning::AxisPositions,
+            };
+            self.law.follow(self.meaning);
+            self.rounding = self.rounding.for_words(self.meaning);
+        }
     }
 
     pub(super) fn units(&self) -> Units {
@@ -247,7 +276,7 @@ impl<'a> Rules<'a> {
         let (from, to) = (axes(before), axes(&block.values));
         // Where the same coordinates of the tip are programmed again, rounding hides no motion.
         let same = |index: Option<usize>| index.is_none_or(|index| (before[index] - block.values[index]).abs() < 1e-12);
-        let tip = self.policy.words.linear == LinearMeaning::TipCoordinates;
+        let tip = self.meaning == LinearMeaning::TipCoordinates;
         let rests = tip && length_mm < 0.5 * self.rounding.unit_mm && self.words.xyz().into_iter().all(same);
         let longest_mm = if rests { 0.0 } else { longest_mm };
         let change = std::array::from_fn(|index| to[index] - from[index]);
@@ -283,21 +312,30 @@ impl Rounding {
         let decimals = |digits: u32| 10_f64.powi(-(digits as i32));
         let unit_mm = decimals(policy.digits.linear(units)) * units.in_mm();
         let unit_rad = decimals(policy.digits.rotary).to_radians();
-        // Three angles of a plane, half a unit each: thousandths of a degree, or coarser rotary words.
-        let in_plane = match policy.words.linear {
-            LinearMeaning::PlaneCoordinates => 1.5 * decimals(policy.digits.rotary.min(3)).to_radians(),
-            LinearMeaning::AxisPositions | LinearMeaning::TipCoordinates => 0.0,
-        };
         let rotary_rad = 0.5 * unit_rad * f64::from(rotaries) * 1.01 + AXIS_NOISE;
         let pole_rad = rotary_rad.max(rotary_rad - AXIS_NOISE + policy.tolerances.pole_rad);
-        Self {
+        let outside = Self {
             unit_mm,
             unit_rad,
             tip_mm: 0.5 * unit_mm * corner(machine) + 1e-6,
-            axis_rad: rotary_rad + in_plane,
-            pole_rad: pole_rad + in_plane,
+            axis_rad: rotary_rad,
+            pole_rad,
             rotary_rad,
+            // Three angles, half a unit each: thousandths of a degree, or coarser rotary words.
+            plane_rad: 1.5 * decimals(policy.digits.rotary.min(3)).to_radians(),
+            in_plane: false,
+        };
+        outside.for_words(policy.words.linear.unwrap_or(LinearMeaning::AxisPositions))
+    }
+
+    /// The allowance for words of a meaning.
+    fn for_words(self, meaning: LinearMeaning) -> Self {
+        let in_plane = meaning == LinearMeaning::PlaneCoordinates;
+        if in_plane == self.in_plane {
+            return self;
         }
+        let added = if in_plane { self.plane_rad } else { -self.plane_rad };
+        Self { axis_rad: self.axis_rad + added, pole_rad: self.pole_rad + added, in_plane, ..self }
     }
 }
 

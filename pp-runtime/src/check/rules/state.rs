@@ -211,7 +211,7 @@ impl Rules<'_> {
         let state = &block.state;
         let tip_control = state.tip_control != TipControl::Off;
         let tilted = state.tilt.is_some();
-        match (self.policy.words.linear, framed) {
+        match (self.meaning, framed) {
             (TipCoordinates, true) if !tip_control => {
                 Some("tip control is off, but linear words are tip coordinates".to_owned())
             }
@@ -229,13 +229,18 @@ impl Rules<'_> {
             (words, framed) if tilted && !(framed && words == PlaneCoordinates) => {
                 Some("a tilted plane is active, but words are axis positions".to_owned())
             }
+            (TipCoordinates, true)
+                if self.policy.words.tool_axis_vectors && block.written & self.words.rotary_bits() != 0 =>
+            {
+                Some("rotary words where the program gives the tool axis by its components".to_owned())
+            }
             (TipCoordinates, true) => self.tool_axis_interpolation(state),
             _ => None,
         }
     }
 
     /// Whether every rotary axis is known to be at zero, or whole revolutions from it.
-    fn are_at_zero(&self, block: &Block) -> bool {
+    pub(crate) fn are_at_zero(&self, block: &Block) -> bool {
         let bits = self.words.rotary_bits();
         let zero = |index: usize| apart(block.values[index], 0.0) <= 0.5 * self.rounding.unit_rad;
         block.known & bits == bits && self.words.rotary().all(zero)

@@ -4,7 +4,7 @@
 use std::io;
 
 use crate::control::layout::Layout;
-use crate::motion::{Mode, PoseRule};
+use crate::motion::PoseRule;
 use crate::nc::Decimal;
 
 use super::modal_state::{After, LengthState};
@@ -13,7 +13,8 @@ use super::modal_writer::ModalWriter;
 /// Writes the blocks that change the frame: those of the configuration, or those of the control.
 #[derive(Debug)]
 pub(crate) struct FrameWriter {
-    mode: Mode,
+    /// The program has stretches under tip control, and in tilted planes.
+    uses: [bool; 2],
     tip_control: Option<[String; 2]>,
     safety: Option<Vec<String>>,
     tool_change: Option<Vec<String>>,
@@ -22,7 +23,7 @@ pub(crate) struct FrameWriter {
 impl FrameWriter {
     pub(crate) fn new(layout: &Layout) -> Self {
         Self {
-            mode: layout.mode,
+            uses: [layout.tip_control, layout.planes],
             tip_control: layout.options.tip_control.clone(),
             safety: layout.options.safety.clone(),
             tool_change: layout.options.tool_change.clone(),
@@ -33,6 +34,7 @@ impl FrameWriter {
     pub(crate) fn tip_control(&self, on: bool, out: &mut ModalWriter<'_>) -> io::Result<()> {
         out.select_xy_plane()?;
         out.modal().forget(After::FrameChange);
+        out.set_tip_control(on);
         if let Some(codes) = &self.tip_control {
             return out.block(&codes[usize::from(!on)]);
         }
@@ -82,6 +84,7 @@ impl FrameWriter {
     pub(crate) fn restart(&self, number: u32, out: &mut ModalWriter<'_>) -> io::Result<()> {
         out.smooth(false)?;
         out.modal().forget(After::Anything);
+        out.set_tip_control(false);
         out.writer_mut().number_next(number);
         if let Some(safety) = &self.safety {
             return out.fill_all(safety);
@@ -96,17 +99,19 @@ impl FrameWriter {
         Ok(())
     }
 
-    /// Cancels the tip control or tilted plane of the mode, which `safety` does not cancel.
+    /// Cancels the tip control and the tilted planes that the program uses, which `safety` does not cancel.
     fn reset(&self, out: &mut ModalWriter<'_>) -> io::Result<()> {
-        let codes = out.codes();
-        match self.mode {
-            Mode::Tcp => match (&self.tip_control, &codes.tip) {
-                (Some([_, off]), _) => out.block(off),
-                (None, Some(tip)) => out.fill_all(tip.reset),
-                (None, None) => Ok(()),
-            },
-            Mode::Plane => codes.plane.as_ref().map_or(Ok(()), |plane| out.fill_all(plane.reset)),
-            Mode::Axes => Ok(()),
+        let (codes, [tip_control, planes]) = (out.codes(), self.uses);
+        if tip_control {
+            match (&self.tip_control, &codes.tip) {
+                (Some([_, off]), _) => out.block(off)?,
+                (None, Some(tip)) => out.fill_all(tip.reset)?,
+                (None, None) => {}
+            }
+        }
+        match &codes.plane {
+            Some(plane) if planes => out.fill_all(plane.reset),
+            Some(_) | None => Ok(()),
         }
     }
 

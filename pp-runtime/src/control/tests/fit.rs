@@ -41,13 +41,12 @@ fn no_arc_is_written_where_its_plane_or_its_centre_has_another_meaning() {
         let mut config = starting_point(control);
         config.motion.mode = mode;
         config.motion.tip.tcp_words = tcp_words;
-        abilities(control, config.demands()).arc_planes
+        let abilities = abilities(control, config.demands());
+        (abilities.arc_planes, abilities.vectors_take_arc_words)
     };
     let (all, only) = ([true; 3], [false, false, true]);
-    assert_eq!(planes(&Siemens, Mode::Axes, TcpWords::Angles), only);
-    assert_eq!(planes(&Siemens, Mode::Tcp, TcpWords::Vectors), only);
-    assert_eq!(planes(&Fanuc, Mode::Tcp, TcpWords::Angles), all);
-    assert_eq!(planes(&Fanuc, Mode::Axes, TcpWords::Vectors), all);
-    assert_eq!(planes(&Fanuc, Mode::Tcp, TcpWords::Vectors), [false; 3]);
-    assert_eq!(planes(&Heidenhain, Mode::Tcp, TcpWords::Vectors), only);
+    assert_eq!(planes(&Siemens, Mode::Axes, TcpWords::Angles), (only, false));
+    assert_eq!(planes(&Siemens, Mode::Tcp, TcpWords::Vectors), (only, false));
+    assert_eq!(planes(&Fanuc, Mode::Tcp, TcpWords::Vectors), (all, true));
+    assert_eq!(planes(&Heidenhain, Mode::Tcp, TcpWords::Vectors), (only, false));
 }

@@ -89,14 +89,13 @@ fn f_is_written_again_where_tip_control_or_a_plane_has_begun() {
     let angles = [Decimal { units: 30, decimals: 0 }; 3];
     let plane = Step::Plane { angles, pose: Some(true) };
     let cut = |x| Step::Feed { words: only(0b1100, [0, 0, 0, x]), feed: per_minute(800) };
-    for (mode, on, off) in [
-        (Mode::Tcp, Step::TipControl { on: true }, Step::TipControl { on: false }),
-        (Mode::Plane, plane, Step::PlaneOff),
-    ] {
+    for (tip_control, on, off) in
+        [(true, Step::TipControl { on: true }, Step::TipControl { on: false }), (false, plane, Step::PlaneOff)]
+    {
         let blocks =
             [Step::Restart { number: 1 }, Step::Length { offset: 6 }, on, cut(1), cut(2), off, on, cut(3), cut(4)];
         for control in CONTROLS.iter().filter(|control| control.spellings().tip.is_some()) {
-            let lines = steps(*control, &Layout { mode, ..layout() }, &blocks);
+            let lines = steps(*control, &Layout { tip_control, planes: !tip_control, ..layout() }, &blocks);
             let with_f = lines.iter().filter(|line| line.contains("F800")).count();
             assert_eq!(with_f, 2, "{lines:#?}");
         }

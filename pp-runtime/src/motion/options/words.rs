@@ -6,11 +6,12 @@ use crate::keys::{OneOf, YesNo, options};
 
 use super::keys::{CLAMP, GRID, WRAP};
 
-/// Meaning of the words of a motion.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+/// Meaning of the words of a program.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Mode {
+    /// Chosen for each stretch by the motion of its tool axis: see [`StretchMode`].
+    Auto,
     /// Axis positions: the inverse kinematics is in the program.
-    #[default]
     Axes,
     /// Tip coordinates and rotary angles: the control keeps the tip on its path.
     Tcp,
@@ -20,8 +21,46 @@ pub enum Mode {
 
 impl Mode {
     /// Modes and their names on the command line and in a file.
-    pub const NAMES: [(&'static str, Self); 3] = [("axes", Self::Axes), ("tcp", Self::Tcp), ("plane", Self::Plane)];
+    pub const NAMES: [(&'static str, Self); 4] =
+        [("auto", Self::Auto), ("axes", Self::Axes), ("tcp", Self::Tcp), ("plane", Self::Plane)];
 
+    /// `auto`, `axes`, `tcp` or `plane`.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Auto => "auto",
+            Self::Axes => StretchMode::Axes.name(),
+            Self::Tcp => StretchMode::Tcp.name(),
+            Self::Plane => StretchMode::Plane.name(),
+        }
+    }
+
+    /// Mode of every stretch; `None` where it is chosen for each.
+    #[must_use]
+    pub const fn of_all(self) -> Option<StretchMode> {
+        match self {
+            Self::Auto => None,
+            Self::Axes => Some(StretchMode::Axes),
+            Self::Tcp => Some(StretchMode::Tcp),
+            Self::Plane => Some(StretchMode::Plane),
+        }
+    }
+}
+
+/// Meaning of the words of a stretch: the part of an operation between two changes of the tool axis in the air, or the
+/// holes of an operation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
+pub enum StretchMode {
+    /// Axis positions.
+    #[default]
+    Axes,
+    /// Tip coordinates under tip control.
+    Tcp,
+    /// Tip coordinates in a tilted plane.
+    Plane,
+}
+
+impl StretchMode {
     /// `axes`, `tcp` or `plane`.
     #[must_use]
     pub const fn name(self) -> &'static str {

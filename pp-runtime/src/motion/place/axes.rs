@@ -7,7 +7,7 @@ use nalgebra::UnitVector3;
 use super::chain::{coordinates, held_tool_axis, orthogonal, poles, xyz_only};
 use super::datum::Datum;
 use crate::kinematics::{AnyMachine, Axis, AxisKind, REACH_TOLERANCE};
-use crate::motion::options::{Mode, Policy};
+use crate::motion::options::Policy;
 use crate::motion::rotary::{AngleScale, Rotary, RotaryMetric};
 use crate::program::Units;
 
@@ -56,7 +56,7 @@ pub(crate) struct LinearAxes {
     pub(crate) retract_axis: usize,
     /// Component of the tool axis along the positive direction of the retract axis, at the zero position.
     pub(crate) retract_share: f64,
-    /// A retract along the retract axis is a retract along the tool axis at any rotary angles.
+    /// A retract along the retract axis, outside tip control and planes, is one along the tool axis at any rotary angles.
     pub(crate) retracts_along_tool: bool,
     /// The path length that the control computes from the words equals that of the tip.
     pub(crate) keeps_path_length: bool,
@@ -144,7 +144,7 @@ impl LinearAxes {
             xyz: coordinates(axes),
             retract_axis,
             retract_share: share(retract_axis),
-            retracts_along_tool: policy.options.mode == Mode::Axes && !head && along_tool,
+            retracts_along_tool: !head && along_tool,
             keeps_path_length: orthogonal && xyz_only(axes),
             orthogonal,
         }

@@ -19,10 +19,9 @@ use nalgebra::{Matrix3, Point3, Vector3};
 
 use crate::kinematics::{AnyMachine, AxisKind, AxisValues, MotionBound, Side};
 use crate::motion::options::Policy;
-use crate::motion::options::{Mode, TcpFrame, TcpWords, ToolPosture};
+use crate::motion::options::{StretchMode, TcpFrame, ToolPosture};
 use crate::set_up::ProgramZero;
 
-use super::chain::rotaries;
 use super::tilted_plane::{PlaneAbility, TiltedPlane};
 use crate::motion::fault::Fault;
 
@@ -71,7 +70,7 @@ enum LinearWords {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct WordFrame {
     meaning: LinearWords,
-    mode: Mode,
+    mode: StretchMode,
     tcp_frame: TcpFrame,
     posture: ToolPosture,
     /// Signs of the words X Y Z.
@@ -91,21 +90,31 @@ impl WordFrame {
             ProgramZero::Part => Vector3::zeros(),
             ProgramZero::Table => policy.set_up.part_origin.into(),
         };
-        let mut frame = Self {
+        Self {
             meaning: LinearWords::Axes,
-            mode: policy.options.mode,
+            mode: StretchMode::Axes,
             tcp_frame: policy.options.tip.tcp_frame.unwrap_or(TcpFrame::TableAtZero),
             posture: policy.options.tip.tool_posture,
             signs: Matrix3::from_diagonal(&Vector3::from(sign)),
             zero_mm,
             letters,
-        };
-        match (frame.mode, frame.tcp_frame) {
-            (Mode::Tcp, TcpFrame::TableAtZero) => frame.fix(&Matrix3::identity(), Vector3::zeros()),
-            (Mode::Tcp, TcpFrame::NotTurning) => frame.meaning = LinearWords::Turning,
-            (Mode::Axes | Mode::Plane, _) | (Mode::Tcp, TcpFrame::TableAtStart) => {}
         }
-        frame
+    }
+
+    /// Mode of the present stretch.
+    pub(crate) fn mode(&self) -> StretchMode {
+        self.mode
+    }
+
+    /// Sets the mode of the stretch that begins. A frame that depends on rotary angles is set when these are known.
+    pub(crate) fn set_mode(&mut self, mode: StretchMode) {
+        self.mode = mode;
+        self.meaning = LinearWords::Axes;
+        match (mode, self.tcp_frame) {
+            (StretchMode::Tcp, TcpFrame::TableAtZero) => self.fix(&Matrix3::identity(), Vector3::zeros()),
+            (StretchMode::Tcp, TcpFrame::NotTurning) => self.meaning = LinearWords::Turning,
+            (StretchMode::Axes | StretchMode::Plane, _) | (StretchMode::Tcp, TcpFrame::TableAtStart) => {}
+        }
     }
 
     /// Positions of X Y Z in the chain.
@@ -125,7 +134,7 @@ impl WordFrame {
 
     /// Whether the frame depends on the rotary angles at which it is switched on.
     pub(crate) fn is_set_at_angles(&self) -> bool {
-        self.mode == Mode::Plane || self.mode == Mode::Tcp && self.tcp_frame == TcpFrame::TableAtStart
+        self.mode == StretchMode::Plane || self.mode == StretchMode::Tcp && self.tcp_frame == TcpFrame::TableAtStart
     }
 
     fn fix(&mut self, table_rotation: &Matrix3<f64>, moved_mm: Vector3<f64>) {
@@ -199,127 +208,6 @@ pub(crate) fn orientation(machine: &dyn AnyMachine, axes: &AxisValues) -> Matrix
 
 fn joint_rotation(joint: &crate::kinematics::Joint, angle_rad: f64) -> Matrix3<f64> {
     nalgebra::Rotation3::from_axis_angle(&joint.direction, joint.sign * angle_rad).into_inner()
-}
-
-/// Reasons why a machine, its control and a configuration do not suit the configured mode, one sentence each.
-#[must_use]
-pub fn unsuited(
-    machine: &dyn AnyMachine,
-    policy: Policy<'_>,
-    control: &str,
-    tip: Option<TipAbility>,
-    plane: Option<PlaneAbility>,
-) -> Vec<String> {
-    let mode = policy.options.mode;
-    if mode == Mode::Axes {
-        return Vec::new();
-    }
-    let Ok(machine) = policy.set_up.machine_for(machine) else { return Vec::new() };
-    let machine = &*machine;
-    let mut faults = Vec::new();
-    let mut other = |text: String, instead: &str| faults.push(format!("mode {}: {text}; {instead}", mode.name()));
-    if policy.set_up.length_mode == crate::set_up::LengthMode::Gauge {
-        other("the control needs an active tool length offset".to_owned(), "leave `length_mode` at \"tip\"");
-    }
-    if let Some(letter) = ['X', 'Y', 'Z'].into_iter().find(|letter| !is_own_direction(machine, *letter)) {
-        let text =
-            format!("{letter} of this machine is not parallel to the {letter} direction, as the control assumes");
-        other(text, "use mode axes");
-    }
-    let offset = policy.set_up.rotary_offset.iter().find(|(_, offset)| offset.abs() > 0.0);
-    if let Some((letter, _)) = offset.filter(|_| !policy.options.tip.tcp_confirmed) {
-        let text = format!(
-            "on some controls the coordinate system of tip control and planes rotates with the value of {letter} in the work \
-             offset; the words are computed for one that does not"
-        );
-        let instead = "use `part_rotation` instead of `rotary_offset`, or set `tcp_confirmed = true` if the coordinate system of this \
-             control does not rotate with the work offset";
-        other(text, instead);
-    }
-    match mode {
-        Mode::Tcp => tcp_faults(machine, policy, control, tip, &mut other),
-        Mode::Plane if plane.is_none() => {
-            other(format!("{control} has no tilted work plane"), "mode axes works on any control, mode tcp on most");
-        }
-        Mode::Plane if !tool_along_z(machine) => {
-            other("the tool axis of this machine is not parallel to Z".to_owned(), "use mode axes");
-        }
-        Mode::Plane | Mode::Axes => {}
-    }
-    faults
-}
-
-fn tcp_faults(
-    machine: &dyn AnyMachine,
-    policy: Policy<'_>,
-    control: &str,
-    tip: Option<TipAbility>,
-    other: &mut impl FnMut(String, &str),
-) {
-    let Some(tip) = tip else {
-        let text = format!("{control} has no tip control (TCP) by default");
-        return other(
-            text,
-            "give the codes that switch it on and off, `[control] tip_control = [on, off]`, or use mode axes",
-        );
-    };
-    let table = rotaries(machine.axes(), Side::Workpiece).next().is_some();
-    let head = rotaries(machine.axes(), Side::Tool).next().is_some();
-    if tip.frame_is_parameter && table && policy.options.tip.tcp_frame.is_none() {
-        let text =
-            "a parameter of the machine (19696#5) selects the frame of the tip coordinates while the table rotates";
-        other(text.to_owned(), "give `tcp_frame`: \"table_at_zero\", \"table_at_start\" or \"not_turning\"");
-    }
-    if !tip.frame_is_parameter && policy.options.tip.tcp_frame.is_some_and(|frame| frame != TcpFrame::TableAtZero) {
-        other(format!("{control} has its tip coordinates in the frame of the table at zero"), "leave `tcp_frame` out");
-    }
-    if policy.options.tip.tool_posture == ToolPosture::Plane && !tip.rotates_axis_in_plane {
-        other(format!("{control} interpolates the rotary axes linearly"), "leave `tool_posture` at \"axes\"");
-    }
-    if policy.options.tip.tcp_words == TcpWords::Vectors && !tip.takes_vectors {
-        other(format!("{control} does not accept the tool axis as a vector"), "leave `tcp_words` at \"angles\"");
-    }
-    if policy.options.tip.tcp_words == TcpWords::Vectors && policy.options.tip.tcp_frame == Some(TcpFrame::NotTurning) {
-        let text = "a tool axis as a vector has no meaning in a frame that does not rotate with the table";
-        other(text.to_owned(), "leave `tcp_words` at \"angles\"");
-    }
-    if policy.options.tip.tcp_frame == Some(TcpFrame::NotTurning)
-        && (head || policy.options.tip.tool_posture == ToolPosture::Plane)
-    {
-        let text = "in a frame that does not rotate, the path is certified only for rotary axes of the table that are \
-                    interpolated linearly";
-        other(text.to_owned(), "use mode axes");
-    }
-    if !policy.options.tip.tcp_confirmed && !plain_chain(machine) {
-        let text = "the kinematics of the control may not include a held axis, or a linear axis that is not between \
-                    table and head";
-        other(text.to_owned(), "set `tcp_confirmed = true` if the control knows this axis, or use mode axes");
-    }
-}
-
-/// Whether no axis is held, and every linear axis is between the rotary axes of the table and those of the head.
-fn plain_chain(machine: &dyn AnyMachine) -> bool {
-    let last_of_table = rotaries(machine.axes(), Side::Workpiece).last();
-    let first_of_head = rotaries(machine.axes(), Side::Tool).next();
-    machine.axes().iter().enumerate().all(|(index, axis)| {
-        let between = last_of_table.is_none_or(|last| index > last) && first_of_head.is_none_or(|first| index < first);
-        !axis.held && (axis.kind == AxisKind::Rotary || between)
-    })
-}
-
-/// Whether the axis of a letter is parallel to that direction of the machine frame; its word may run backwards.
-fn is_own_direction(machine: &dyn AnyMachine, letter: char) -> bool {
-    let index = machine.axes().iter().position(|axis| axis.letter == letter && !axis.held);
-    let own = match letter {
-        'X' => Vector3::x(),
-        'Y' => Vector3::y(),
-        _ => Vector3::z(),
-    };
-    index.is_some_and(|index| (machine.joint(index).direction.into_inner() - own).norm() < 1e-12)
-}
-
-fn tool_along_z(machine: &dyn AnyMachine) -> bool {
-    (machine.tool_axis().into_inner() - Vector3::z()).norm() < 1e-12
 }
 
 /// The fault that the angles of a tilted plane do not give its orientation.

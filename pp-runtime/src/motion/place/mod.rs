@@ -10,6 +10,7 @@ mod frame;
 mod linearise;
 mod refusal;
 mod rotary_angles;
+mod suited;
 mod tilted_plane;
 mod tip;
 mod travel;
@@ -20,16 +21,17 @@ use nalgebra::{Point3, UnitVector3, Vector3};
 
 use crate::kinematics::{AnyMachine, Axis, AxisKind, AxisValues, Branch, Limits, Pose, Side};
 use crate::motion::fault::Fault;
-use crate::motion::options::{Mode, Policy, TcpWords};
+use crate::motion::options::{Policy, StretchMode, TcpWords};
 use crate::motion::rotary::{AngleScale, OutOfLimits, Rotary, RotaryMetric, RotaryTarget, RotaryWords, choose};
 use crate::motion::step::{AxisWords, MAX_AXES, ReachedPosition, VECTOR_DECIMALS};
 use crate::nc::whole_units;
 use crate::program::Units;
 use crate::set_up::LengthMode;
 
-pub use frame::{TipAbility, unsuited};
+pub use frame::TipAbility;
 pub(crate) use linearise::{Linearised, PathTolerance};
 pub(crate) use refusal::limits_text;
+pub use suited::{UsableModes, unsuited};
 pub use tilted_plane::{PlaneAbility, PlaneAngles, PoseRule};
 
 use axes::{AxisSpeeds, LinearAxes, Poles, RotaryAxes};
@@ -81,10 +83,8 @@ pub(crate) struct Placer {
     /// The tool side has solved rotary axes.
     head: bool,
     gauge_line: bool,
-    /// Blocks contain the tool axis as a vector instead of rotary words.
+    /// Under tip control blocks contain the tool axis as a vector instead of rotary words.
     vectors: bool,
-    /// The control applies the tool length along the tool axis at any rotary angles.
-    compensated: bool,
 }
 
 fn too_large(letter: char) -> Fault {
@@ -114,8 +114,8 @@ impl Placer {
         let speeds = policy.set_up.travel(chain).speeds;
         let head = rotaries_of(chain, Side::Tool).next().is_some();
         let rotary = RotaryAxes::new(chain, policy, &datum, &speeds, scale);
-        let (options, mode) = (policy.options, policy.options.mode);
-        Self {
+        let options = policy.options;
+        let mut placer = Self {
             part_origin: policy.set_up.part_origin.into(),
             poles: Poles::new(&*machine, policy, &rotary.axes),
             linear: LinearAxes::new(&*machine, policy, units, head),
@@ -130,13 +130,30 @@ impl Placer {
             datum,
             head,
             gauge_line: policy.set_up.length_mode == LengthMode::Gauge,
-            vectors: mode == Mode::Tcp && options.tip.tcp_words == TcpWords::Vectors,
-            compensated: mode != Mode::Axes,
+            vectors: options.tip.tcp_words == TcpWords::Vectors,
             rotary,
             held: machine.held(),
             chain,
             machine,
-        }
+        };
+        placer.set_mode(options.mode.of_all().unwrap_or_default());
+        placer
+    }
+
+    /// Mode of the present stretch.
+    #[inline]
+    pub(crate) fn mode(&self) -> StretchMode {
+        self.frame.mode()
+    }
+
+    /// Sets the mode of the stretch that begins.
+    pub(crate) fn set_mode(&mut self, mode: StretchMode) {
+        self.frame.set_mode(mode);
+    }
+
+    /// Whether blocks contain the tool axis as a vector instead of rotary words.
+    pub(crate) fn writes_vectors(&self) -> bool {
+        self.vectors && self.mode() == StretchMode::Tcp
     }
 
     /// The machine with the current tool.
@@ -222,10 +239,11 @@ impl Placer {
         self.head
     }
 
-    /// Reason why the words depend on the tool length; `None` if they do not.
-    pub(crate) fn needs_gauge_length(&self) -> Option<&'static str> {
+    /// Reason why the words depend on the tool length; `None` if they do not. `axes`: stretches of the program have axis
+    /// positions.
+    pub(crate) fn needs_gauge_length(&self, axes: bool) -> Option<&'static str> {
         if self.head {
-            (!self.compensated).then_some("this machine rotates the tool about its head")
+            axes.then_some("this machine rotates the tool about its head")
         } else {
             self.gauge_line.then_some("`length_mode = \"gauge\"` writes positions of its gauge line")
         }
@@ -241,7 +259,8 @@ impl Placer {
         rotaries_of(self.chain, Side::Workpiece).next().is_some()
     }
 
-    /// Whether a retract along the retract axis is a retract along the tool axis at any rotary angles.
+    /// Whether a retract along the retract axis, outside tip control and planes, is one along the tool axis at any rotary
+    /// angles.
     pub(crate) fn retracts_along_tool(&self) -> bool {
         self.linear.retracts_along_tool
     }
@@ -343,7 +362,7 @@ impl Placer {
     pub(crate) fn words(&self, place: &AxisPosition, mask: u16) -> AxisWords {
         let units = self.written(place);
         let both = mask & self.linear.mask != 0 && mask & self.rotary.mask != 0;
-        if !(self.vectors && both) {
+        if !(self.writes_vectors() && both) {
             return AxisWords { units, mask, vector: None };
         }
         let axis = self.frame.map(&*self.machine, &place.axes).map(|map| map.rotation * place.pose.axis.into_inner());
@@ -357,7 +376,7 @@ impl Placer {
     /// moves the tool axis in the plane of its ends needs no such rotation.
     pub(crate) fn rotation_is_unprogrammable(&self, from: &AxisPosition, to: &AxisPosition, angle_rad: f64) -> bool {
         let all = self.linear.mask | self.rotary.mask;
-        self.vectors
+        self.writes_vectors()
             && !(to.at_pole && self.frame.rotates_axis_in_plane())
             && self.rotary_travel(&from.words, &to.words) > angle_rad
             && self.words(from, all).vector == self.words(to, all).vector

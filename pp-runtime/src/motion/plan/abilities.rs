@@ -31,6 +31,8 @@ pub struct Abilities {
     pub shared_radius_registers: bool,
     /// Arcs are possible in the plane perpendicular to X, to Y and to Z.
     pub arc_planes: [bool; 3],
+    /// Components of the tool axis have the letters of an arc centre: there are no arcs where they are written.
+    pub vectors_take_arc_words: bool,
     /// Largest difference between the distances of both ends of an arc from its centre.
     pub arc_radius_tolerance_mm: f64,
     /// Tip control, if the control has it.

@@ -131,6 +131,7 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
             let pose = Pose { tip: self.round.tip(part), ..arc.end };
             self.planner.check_state(&Move { pose, ..motion })?;
         }
+        self.planner.reach_stretch(&motion, index)?;
         let planned = self.planner.apply_course_changes(&motion, index)?;
         self.planner.restart_after_thread()?;
         let end = self.planner.mover.place(&arc.end, true, planned)?;
@@ -189,7 +190,7 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         let plane = ArcPlane::PERPENDICULAR_TO[perpendicular];
         let in_plane = plane.axes();
         let lean_mm = 2.0 * round.radius() * normal[in_plane[0]].hypot(normal[in_plane[1]]);
-        if lean_mm > self.planner.mover.tolerance().tip_mm || !self.planner.abilities.arc_planes[perpendicular] {
+        if lean_mm > self.planner.mover.tolerance().tip_mm || !self.planner.has_arcs(perpendicular) {
             return Err(NoArc::Plane);
         }
         if !(setup.smallest_radius_mm..=setup.largest_radius_mm).contains(&round.radius()) {

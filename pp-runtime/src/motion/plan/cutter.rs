@@ -10,7 +10,7 @@
 
 use nalgebra::Vector3;
 
-use crate::motion::options::{ArcOutput, CutterPath, Mode, Policy};
+use crate::motion::options::{ArcOutput, CutterPath, Mode, Policy, StretchMode};
 use crate::program::{Arc, Compensation, CutterSide, Event, Move};
 
 use crate::motion::fault::{Fault, Planned};
@@ -158,6 +158,13 @@ pub(crate) fn request<S: Sink>(planner: &mut Planner<'_, S>, asked: &Compensatio
     Ok(planner.cutter.begin(side, register)?)
 }
 
+/// Fault: cutter compensation under tip control.
+#[cold]
+fn under_tip_control() -> Fault {
+    Fault::new("cutter compensation in the plane is not possible under tip control")
+        .help("post this program with mode axes or plane, or remove CUTCOM")
+}
+
 /// Refuses CUTCOM where configuration, mode or plane do not allow it.
 fn check_set_up(policy: Policy<'_>, xy: bool) -> Result<(), Fault> {
     if policy.options.compensation.is_none() {
@@ -170,8 +177,7 @@ fn check_set_up(policy: Policy<'_>, xy: bool) -> Result<(), Fault> {
         ));
     }
     if policy.options.mode == Mode::Tcp {
-        return Err(Fault::new("cutter compensation in the plane is not possible under tip control")
-            .help("post this program with mode axes or plane, or remove CUTCOM"));
+        return Err(under_tip_control());
     }
     if !xy {
         return Err(Fault::new("cutter compensation is possible in the plane of X and Y only")
@@ -289,6 +295,9 @@ fn check_length<S: Sink>(planner: &Planner<'_, S>, length_mm: f64) -> Result<(),
 
 /// Switches compensation on or off with the next block.
 fn switch<S: Sink>(planner: &mut Planner<'_, S>, on: bool) -> Planned {
+    if on && planner.mover.placer().mode() == StretchMode::Tcp {
+        return Err(under_tip_control().into());
+    }
     let register = radius_register(planner)?;
     let mover = &mut planner.mover;
     let mirrored = mover.placer().orthogonal_map(mover.here()).is_some_and(|(_, map)| map.determinant() < 0.0);

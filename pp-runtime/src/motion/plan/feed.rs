@@ -8,7 +8,7 @@
 //! shorter than `feed.shortest_block`; and then by no more than necessary.
 
 use crate::motion::options::Policy;
-use crate::motion::options::{Mode, PathNorm};
+use crate::motion::options::{PathNorm, StretchMode};
 use crate::nc::Decimal;
 use crate::program;
 use crate::program::Units;
@@ -89,7 +89,7 @@ impl Feeds {
             feed_decimals: policy.formats.feed,
             inverse_time_digits: policy.formats.inverse_time,
             path_norm: abilities.path_norm,
-            along_tip: policy.options.mode != Mode::Axes,
+            along_tip: policy.options.mode.of_all().unwrap_or_default() != StretchMode::Axes,
             feed_per_unit: if units == Units::Inches { abilities.feed_per_inch } else { 1.0 },
             feed_bound: 10_f64.powi(policy.formats.feed_whole as i32),
             reorient_rad_per_min: policy.options.rapids.reorient_rad_per_min,
@@ -97,6 +97,11 @@ impl Feeds {
             shortest_block_min: policy.options.feed.shortest_block_s / 60.0,
             largest_mm_per_min: policy.options.feed.largest_mm_per_min.unwrap_or(f64::INFINITY),
         }
+    }
+
+    /// Sets the mode of the stretch that begins.
+    pub(crate) fn set_mode(&mut self, mode: StretchMode) {
+        self.along_tip = mode != StretchMode::Axes;
     }
 
     /// Whether F counts along the path of the control where a rotary axis moves.

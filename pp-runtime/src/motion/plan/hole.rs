@@ -6,7 +6,7 @@
 //! programmed retract between steps) is written as motions. A thread never is: only a cycle synchronises spindle and feed.
 
 use crate::kinematics::Pose;
-use crate::motion::options::{CycleOutput, Mode};
+use crate::motion::options::{CycleOutput, StretchMode};
 use crate::nc::Decimal;
 use crate::program::{Drilling, Feed as Programmed, Hole, Move, Rotation};
 
@@ -112,9 +112,10 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         let over = ahead.motion;
         self.planner.stop_spindle()?;
         self.planner.check_state(over)?;
+        self.planner.reach_stretch(over, index)?;
         let planned = self.planner.apply_course_changes(over, index)?;
         let place = self.planner.mover.place(&over.pose, false, planned)?;
-        if self.planner.mover.rotates(&place) {
+        if self.planner.mover.rotates(&place) || self.planner.modes.changes() {
             return self.planner.go(ahead, planned);
         }
         let lift = self.hole.clearance_mm - self.height();
@@ -187,7 +188,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         if policy.options.lift_mm.is_some() {
             return Ok(Err("a dry run writes no cycles"));
         }
-        if policy.options.mode == Mode::Tcp {
+        if self.planner.mover.placer().mode() == StretchMode::Tcp {
             return Ok(Err("there are no cycles under tip control"));
         }
         let here = *self.planner.mover.here();

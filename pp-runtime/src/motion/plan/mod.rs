@@ -32,7 +32,9 @@ use std::ops::RangeInclusive;
 
 use crate::diag::Diagnostic;
 use crate::kinematics::{AnyMachine, Pose};
-use crate::motion::options::{Policy, Transition};
+use crate::motion::modes::{ModeFollower, StretchModes};
+use crate::motion::options::{Policy, StretchMode, Transition};
+use crate::motion::place::UsableModes;
 use crate::program::Units;
 use crate::program::{self, Location, Move};
 
@@ -75,6 +77,8 @@ pub struct Planner<'a, S> {
     course: CourseFollower,
     cutter: CutterCompensation,
     selection: Selection,
+    modes: ModeFollower,
+    usable: UsableModes,
 }
 
 /// A motion, and the next one where the approach depends on it.
@@ -107,7 +111,17 @@ impl<'a, S: Sink> Planner<'a, S> {
             course: CourseFollower::default(),
             cutter: CutterCompensation::default(),
             selection: Selection::default(),
+            modes: ModeFollower::new(StretchModes::all(policy.options.mode.of_all().unwrap_or_default())),
+            usable: UsableModes::default(),
         }
+    }
+
+    /// Follows the modes that [`ModeFinder`](crate::motion::ModeFinder) has chosen among the usable ones.
+    #[must_use]
+    pub fn with_modes(mut self, modes: StretchModes, usable: UsableModes) -> Self {
+        self.modes = ModeFollower::new(modes);
+        self.usable = usable;
+        self
     }
 
     /// Follows the course that [`Navigator`](crate::motion::Navigator) has found.
@@ -201,7 +215,8 @@ impl<'a, S: Sink> Planner<'a, S> {
     /// The first motion of an operation.
     fn begin(&mut self, ahead: MotionAndNext<'_>, index: MotionIndex) -> Planned {
         self.mover.output_mut().set_reason(BlockReason::Record);
-        if self.mover.position().is_known() && self.policy.options.rapids.transition == Transition::Direct {
+        self.modes.reach(index.stretch);
+        if self.continues() {
             self.prepare_directly(ahead.motion)?;
         }
         let planned = self.apply_course_changes(ahead.motion, index)?;
@@ -273,8 +288,28 @@ impl<'a, S: Sink> Planner<'a, S> {
     fn run(&mut self, ahead: MotionAndNext<'_>, index: MotionIndex) -> Planned {
         self.stop_spindle()?;
         self.check_state(ahead.motion)?;
+        self.reach_stretch(ahead.motion, index)?;
         let planned = self.apply_course_changes(ahead.motion, index)?;
         self.go(ahead, planned)
+    }
+
+    /// The stretch of a motion inside an operation. Where another mode begins with a cut, the safe sequence leads back to
+    /// its start; a rapid leads to its own end.
+    #[inline]
+    fn reach_stretch(&mut self, motion: &Move, index: MotionIndex) -> Planned {
+        self.modes.reach(index.stretch);
+        if self.modes.changes() && !motion.rapid { self.change_mode(motion) } else { Ok(()) }
+    }
+
+    /// Reason why the words of the program depend on tool lengths; `None` if they do not.
+    fn needs_gauge_length(&self) -> Option<&'static str> {
+        self.mover.placer().needs_gauge_length(self.modes.modes().has(StretchMode::Axes))
+    }
+
+    /// Whether the control has arcs in the plane perpendicular to X, Y or Z here.
+    fn has_arcs(&self, perpendicular: usize) -> bool {
+        let vectors = self.abilities.vectors_take_arc_words && self.mover.placer().writes_vectors();
+        self.abilities.arc_planes[perpendicular] && !vectors
     }
 
     /// A motion inside an operation, after the changes of its course.
@@ -283,6 +318,8 @@ impl<'a, S: Sink> Planner<'a, S> {
         let motion = ahead.motion;
         if !motion.rapid {
             self.restart_after_thread()?;
+        } else if self.modes.changes() {
+            return self.index(ahead, planned);
         }
         let place = self.mover.place(&motion.pose, !motion.rapid, planned)?;
         let before = self.mover.position().pose();

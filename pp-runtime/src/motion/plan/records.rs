@@ -144,7 +144,7 @@ impl<S: Sink> Records<'_, '_, S> {
     fn resolve(&mut self, call: &ToolCall) -> Result<LoadedTool, Fault> {
         let planner = &mut *self.planner;
         let before = planner.tooling.called_before(call.number);
-        let needed = planner.mover.placer().needs_gauge_length();
+        let needed = planner.needs_gauge_length();
         let mut remarks = Vec::new();
         let registers = planner.abilities.registers;
         let tool = LoadedTool::resolve(call, &before.unwrap_or_default(), planner.policy, needed, registers, |fault| {
@@ -163,7 +163,7 @@ impl<S: Sink> Records<'_, '_, S> {
         let planner = &mut *self.planner;
         let retract = planner.policy.options.stop_retract;
         // After the stop the retract axis moves from the position of the tool, so a tilted tool is led out before.
-        if retract || !planner.mover.placer().retracts_along_tool() {
+        if retract || !planner.mover.retracts_along_tool() {
             planner.leave()?;
         }
         planner.mover.output_mut().set_reason(BlockReason::Record);

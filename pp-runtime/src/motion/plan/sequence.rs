@@ -58,7 +58,7 @@ impl<S: Sink> Planner<'_, S> {
                 self.mover.position_mut().go_to(out);
             }
             Some(_) => {}
-            None if self.mover.placer().retracts_along_tool() => {}
+            None if self.mover.retracts_along_tool() => {}
             None if led_out > ENOUGH => self.check_lead_out(led_out),
             None => {
                 return Err(Fault::new(
@@ -115,7 +115,7 @@ impl<S: Sink> Planner<'_, S> {
         }
         let (wanted, other) = self.tooling.take_next();
         let change = enters || other;
-        if self.mover.position().is_known() && self.policy.options.rapids.transition == Transition::Direct && !change {
+        if self.continues() && !change {
             return self.start_directly(ahead, planned);
         }
         self.leave()?;
@@ -134,6 +134,7 @@ impl<S: Sink> Planner<'_, S> {
         self.coolant.forget();
         self.stop_coolant()?;
         self.mover.machine_retract()?;
+        self.enter_mode()?;
         self.stop_spindle()?;
         if let Some(tool) = wanted.or(self.tooling.current()) {
             self.load_tool(tool, change)?;
@@ -168,8 +169,7 @@ impl<S: Sink> Planner<'_, S> {
             return Ok(());
         }
         self.mover.output_mut().step(&Step::Length { offset: tool.offset })?;
-        let guarded =
-            self.policy.options.guards.length_guard.unwrap_or(self.mover.placer().needs_gauge_length().is_some());
+        let guarded = self.policy.options.guards.length_guard.unwrap_or(self.needs_gauge_length().is_some());
         let label = self.mover.restarts();
         if let Some(length) = tool.length_mm.filter(|_| guarded) {
             let (tolerance, offset, tool) = (self.policy.options.guards.length_tolerance_mm, tool.offset, tool.number);
@@ -214,8 +214,34 @@ impl<S: Sink> Planner<'_, S> {
         self.leave()?;
         self.mover.output_mut().set_reason(BlockReason::Approach);
         self.mover.machine_retract()?;
+        self.enter_mode()?;
         self.stop_spindle()?;
         self.approach(ahead, planned)
+    }
+
+    /// The safe sequence from the present place and back to it at feed, where a stretch of another mode begins with a cut.
+    pub(crate) fn change_mode(&mut self, cut: &Move) -> Planned {
+        let here = *self.mover.here();
+        let words = self.mover.placer().rotary_words_of(&here.words);
+        let back = Move { pose: here.pose, ..*cut };
+        self.index(MotionAndNext { motion: &back, next: Next::None }, Some(RotaryTarget { words, sense: None }))
+    }
+
+    /// Whether an operation may continue from the end of the last one.
+    pub(crate) fn continues(&self) -> bool {
+        self.mover.position().is_known()
+            && self.policy.options.rapids.transition == Transition::Direct
+            && !self.modes.changes()
+    }
+
+    /// Sets the mode of the stretch that begins; the tool is at the machine retract.
+    fn enter_mode(&mut self) -> Result<(), Fault> {
+        let mode = self.modes.enter();
+        self.mover.set_mode(mode);
+        match self.usable.missing(mode) {
+            Some(text) => Err(Fault::new(text).help("or post this program with `mode = \"axes\"`")),
+            None => Ok(()),
+        }
     }
 
     /// Steps 4 to 8.

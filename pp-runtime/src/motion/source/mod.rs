@@ -27,6 +27,7 @@ use crate::program::{Arc, Event, Hole, Location, Move, Spline, ToolCall};
 use crate::motion::fault::Fault;
 
 pub use lookahead::Next;
+pub(crate) use operations::HELD;
 pub use operations::{Begins, MotionIndex};
 pub(crate) use setting::Setting;
 

@@ -2,8 +2,8 @@
 //!
 //! An operation begins with the first motion after TOOL PATH, a tool record, a stop, a change of the frame, GOHOME, or
 //! NC text in the CL data. A stretch is the part of an operation between two changes of the tool axis in the air: it
-//! begins with an operation, and with a rapid or a hole whose tool axis differs from the one before. Within a stretch
-//! the tool axis is constant, or changes at feed.
+//! begins with an operation, and with a rapid or a hole whose tool axis differs from the one before. Holes and other
+//! motions are never in one stretch. Within a stretch the tool axis is constant, or changes at feed.
 
 use crate::kinematics::{AnyMachine, Pose, Side};
 use crate::motion::options::{Policy, Transition};
@@ -12,6 +12,9 @@ use crate::nalgebra::UnitVector3;
 use crate::program::{Hole, Move};
 
 use crate::motion::geometry::SAME_AXIS;
+
+/// Largest angle by which a tool axis that is held differs from that at the begin of its stretch, rad: the digits of CL data.
+pub(crate) const HELD: f64 = 1e-5;
 
 /// Relation of a motion to the one before it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -36,7 +39,7 @@ pub struct MotionIndex {
     pub stretch: u64,
     /// Whether the motion begins an operation.
     pub begins: Begins,
-    /// The motion rotates the tool axis at feed.
+    /// The motion rotates the tool axis at feed: its axis is not the one with which the stretch began.
     pub rotates_axis: bool,
 }
 
@@ -60,6 +63,10 @@ pub(crate) struct MotionCounter {
     stretch: u64,
     /// Tool axis at the end of the last motion.
     axis: Option<UnitVector3<f64>>,
+    /// Tool axis at the begin of the stretch.
+    stretch_axis: Option<UnitVector3<f64>>,
+    /// The last motion was a hole.
+    in_holes: bool,
 }
 
 impl MotionCounter {
@@ -75,6 +82,8 @@ impl MotionCounter {
             operation: 0,
             stretch: 0,
             axis: None,
+            stretch_axis: None,
+            in_holes: false,
         }
     }
 
@@ -130,32 +139,38 @@ impl MotionCounter {
     /// Counts a straight motion.
     #[inline]
     pub(crate) fn line(&mut self, motion: &Move) -> MotionIndex {
-        self.count(&motion.pose, motion.rapid)
+        self.count(&motion.pose, motion.rapid, false)
     }
 
     /// Counts a motion at feed with a constant tool axis.
     pub(crate) fn hold(&mut self, end: &Pose) -> MotionIndex {
-        self.count(end, false)
+        self.count(end, false, false)
     }
 
     /// Counts a hole: a rapid leads to it.
     pub(crate) fn hole(&mut self, hole: &Hole) -> MotionIndex {
-        self.count(&hole.top, true)
+        self.count(&hole.top, true, true)
     }
 
     #[inline]
-    fn count(&mut self, end: &Pose, air: bool) -> MotionIndex {
-        let begins = std::mem::replace(&mut self.begins, Begins::Nothing);
-        let differs = |before: UnitVector3<f64>| {
-            (before.into_inner() - end.axis.into_inner()).norm_squared() > SAME_AXIS * SAME_AXIS
+    fn count(&mut self, end: &Pose, air: bool, hole: bool) -> MotionIndex {
+        let differs = |before: UnitVector3<f64>, most: f64| {
+            (before.into_inner() - end.axis.into_inner()).norm_squared() > most * most
         };
-        let axis_changes = self.axis.replace(end.axis).is_some_and(differs);
+        let begins = std::mem::replace(&mut self.begins, Begins::Nothing);
+        let before = self.axis.replace(end.axis);
         let first = begins != Begins::Nothing;
+        let other_kind = std::mem::replace(&mut self.in_holes, hole) != hole;
+        let stretch_begins = first || other_kind || air && before.is_some_and(|before| differs(before, SAME_AXIS));
         self.operation += u64::from(first);
-        self.stretch += u64::from(first || air && axis_changes);
+        self.stretch += u64::from(stretch_begins);
+        if stretch_begins {
+            // A feed motion at the begin starts from the last tool axis, unless the safe sequence leads to its end.
+            self.stretch_axis = before.filter(|_| !air && begins != Begins::Operation).or(Some(end.axis));
+        }
+        let rotates_axis = !air && self.stretch_axis.is_some_and(|axis| differs(axis, HELD));
         let motion = self.next_motion;
         self.next_motion += 1;
-        let rotates_axis = axis_changes && !air && begins != Begins::Operation;
         MotionIndex { motion, operation: self.operation, stretch: self.stretch, begins, rotates_axis }
     }
 }

@@ -53,6 +53,7 @@ fn a_siemens_program_begins_with_the_name_of_its_file_where_that_is_wanted() {
 fn only_axes_that_do_not_roll_over_have_words_beyond_a_revolution() {
     let line = |control: &dyn Control, wrapped: &str, wrap: Wrap| {
         let mut config = crate::config::starting_point(control);
+        config.motion.mode = crate::motion::Mode::Axes;
         config.motion.rotaries.wrap.extend(wrapped.chars().map(|letter| (letter, wrap)));
         let job = Job { cl_name: "bracket.cls", config: &config, control, units: None };
         let mut out = Vec::new();
@@ -89,7 +90,7 @@ fn the_header_states_the_set_up_that_the_program_is_valid_for() {
     for line in [
         "(PROGRAM BRACKET)",
         "(CL FILE bracket.cls)",
-        "(MACHINE Cb, CONTROL LinuxCNC, MODE axes)",
+        "(MACHINE Cb, CONTROL LinuxCNC, MODE auto [axes])",
         "(UNITS mm, WORK OFFSET G54)",
         "(PART ORIGIN X1 Y2 Z50.25 from the reference point of the table)",
         "(WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg)",

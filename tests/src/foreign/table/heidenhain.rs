@@ -278,6 +278,9 @@ fn cycle_definition(command: &mut Command, tokens: &[Token]) -> Result<(), Strin
         }
         2470 => {
             let row = q(339).ok_or("a datum without its number")?;
+            if let Some(number) = (1..1000).find(|number| *number != 339 && q(*number).is_some()) {
+                return Err(format!("Q{number} is no parameter of this cycle"));
+            }
             command.code(Meaning::WorkOffset(WorkOffset::Row(super::super::meaning::whole(row)?)))
         }
         code if code % 10 == 0 => {

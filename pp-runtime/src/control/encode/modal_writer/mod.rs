@@ -11,7 +11,7 @@ use std::io::{self, Write};
 use crate::control::dialects::{Control, Spellings, ToolAxisWords};
 use crate::control::layout::Layout;
 use crate::control::options::Smoothing;
-use crate::motion::{AxisWords, Mode, ToolPosture, VECTOR_DECIMALS};
+use crate::motion::{AxisWords, ToolPosture, VECTOR_DECIMALS};
 use crate::nc::{Decimal, Numbering, Numerals, Writer};
 use crate::program::Units;
 
@@ -43,8 +43,10 @@ pub(crate) struct ModalWriter<'a> {
     smoothing: Smoothing,
     /// Words for the tool axis as a vector, where it is written instead of rotary words.
     vectors: Option<&'static ToolAxisWords>,
-    /// Code that calls the length offset, and switches on tip control where the same code does both.
-    length_code: &'static str,
+    /// Code that calls the length offset and switches on tip control, where one does both.
+    tip_length_code: Option<&'static str>,
+    /// Tip control is on, or comes on with the next length offset.
+    tip_control: bool,
     /// Side of cutter compensation from the next feed block on, true for left; `None`: off.
     side: Option<bool>,
     modal: ModalState,
@@ -72,11 +74,10 @@ fn posture(codes: &Spellings, layout: &Layout) -> &'static str {
     words[usize::from(layout.posture == ToolPosture::Plane)]
 }
 
-/// Code that calls the length offset in a motion.
-fn length_code(codes: &Spellings, layout: &Layout, vectors: Option<&ToolAxisWords>) -> &'static str {
-    let tip = codes.tip.as_ref().filter(|_| layout.mode == Mode::Tcp && layout.options.tip_control.is_none());
-    let code = tip.and_then(|tip| vectors.map_or(tip.with_length, |vectors| vectors.with_length));
-    code.unwrap_or(codes.length.code)
+/// Code that calls the length offset and switches on tip control, where one does both.
+fn tip_length_code(codes: &Spellings, layout: &Layout, vectors: Option<&ToolAxisWords>) -> Option<&'static str> {
+    let tip = codes.tip.as_ref().filter(|_| layout.options.tip_control.is_none())?;
+    vectors.map_or(tip.with_length, |vectors| vectors.with_length)
 }
 
 /// Values of the template fields at the start of the program.
@@ -120,7 +121,8 @@ impl<'a> ModalWriter<'a> {
             every_word: layout.options.every_word,
             smoothing: layout.options.smoothing,
             vectors,
-            length_code: length_code(codes, layout, vectors),
+            tip_length_code: tip_length_code(codes, layout, vectors),
+            tip_control: false,
             side: None,
             modal: ModalState::default(),
             values: values(control, layout, numerals),
@@ -147,6 +149,11 @@ impl<'a> ModalWriter<'a> {
 
     pub(crate) fn values(&mut self) -> &mut Values {
         &mut self.values
+    }
+
+    /// Notes that tip control is on, or off.
+    pub(crate) fn set_tip_control(&mut self, on: bool) {
+        self.tip_control = on;
     }
 
     /// A number in the form of axis words.

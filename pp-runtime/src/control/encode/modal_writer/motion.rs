@@ -102,7 +102,7 @@ impl ModalWriter<'_> {
                 if let Some(z) = self.z {
                     self.modal.forget_axis(z);
                 }
-                self.code(self.length_code);
+                self.code(self.tip_length_code.filter(|_| self.tip_control).unwrap_or(self.codes.length.code));
                 Ok(())
             }
             LengthCall::WithZ | LengthCall::WithTool => Ok(()),

@@ -63,7 +63,13 @@ fn cuts(run: &Run) -> Vec<String> {
 }
 
 fn posted(control: &dyn Control, config: &Config, events: &[Event<'_>]) -> Vec<String> {
-    let layout = Layout::new(&Xyz::default(), config.demands(), Units::Millimetres, b"");
+    let layout = Layout::new(
+        &Xyz::default(),
+        config.demands(),
+        &crate::motion::StretchModes::all(crate::motion::StretchMode::Axes),
+        Units::Millimetres,
+        b"",
+    );
     let mut out = Vec::new();
     let mut encoder = Encoder::new(control, &layout, &mut out);
     let (diagnostics, _) = plan::<Xyz>(control, config, events, &mut encoder);

@@ -9,7 +9,7 @@ mod retract;
 use std::io;
 
 use crate::kinematics::{AnyMachine, Pose};
-use crate::motion::options::{Mode, Policy, Rapid};
+use crate::motion::options::{Policy, Rapid, StretchMode};
 use crate::program::Move;
 use crate::program::Units;
 
@@ -22,6 +22,7 @@ use crate::motion::plan::feed::{FeedMotion, Feeds, Pace};
 use crate::motion::plan::output::Output;
 use crate::motion::plan::position::Position;
 use crate::motion::rotary::{Rollover, RotaryTarget};
+use crate::motion::source::HELD;
 use crate::motion::step::{BlockReason, ReachedPosition};
 use crate::motion::step::{MAX_AXES, Sink, Step};
 
@@ -120,6 +121,17 @@ impl<'a, S: Sink> Mover<'a, S> {
         self.restarts
     }
 
+    /// Sets the mode of the stretch that begins; the tool is at the machine retract.
+    pub(crate) fn set_mode(&mut self, mode: StretchMode) {
+        self.placer.set_mode(mode);
+        self.feeds.set_mode(mode);
+    }
+
+    /// Whether the machine retract leads the tool out along its axis.
+    pub(crate) fn retracts_along_tool(&self) -> bool {
+        self.placer.retracts_along_tool() && !self.position.is_in_frame()
+    }
+
     /// Sets the gauge length of the tool in the spindle, mm, if known.
     pub(crate) fn set_gauge_length(&mut self, length: Option<f64>) {
         self.placer.set_gauge_length(length);
@@ -141,7 +153,8 @@ impl<'a, S: Sink> Mover<'a, S> {
         self.position.count_from(|from| placer.reference(pose, from));
     }
 
-    /// The place of a pose, reached from the present place: see [`Placer::place`].
+    /// The place of a pose, reached from the present place: see [`Placer::place`]. In a plane the rotary axes stay where the
+    /// tool axis is that of the plane but for the digits of CL data.
     #[inline]
     pub(crate) fn place(
         &mut self,
@@ -149,6 +162,12 @@ impl<'a, S: Sink> Mover<'a, S> {
         feed: bool,
         planned: Option<RotaryTarget>,
     ) -> Result<AxisPosition, Fault> {
+        if self.placer.mode() == StretchMode::Plane && planned.is_none() && self.position.is_known() {
+            let here = *self.position.place();
+            if (here.pose.axis.into_inner() - pose.axis.into_inner()).norm_squared() <= HELD * HELD {
+                return self.placer.shifted(pose.tip, &here);
+            }
+        }
         self.placer.place(pose, self.position.place(), feed, planned)
     }
 
@@ -164,7 +183,7 @@ impl<'a, S: Sink> Mover<'a, S> {
     /// Axes whose words a block inside an operation may have: in a tilted plane the control positions the rotary axes.
     #[inline]
     pub(crate) fn block_axes(&self) -> u16 {
-        let rotary = if self.policy.options.mode == Mode::Plane { 0 } else { self.placer.rotary_mask() };
+        let rotary = if self.placer.mode() == StretchMode::Plane { 0 } else { self.placer.rotary_mask() };
         self.placer.linear_mask() | rotary
     }
 
@@ -182,7 +201,7 @@ impl<'a, S: Sink> Mover<'a, S> {
     /// Whether rotary axes would rotate while the plane is tilted.
     #[inline]
     pub(crate) fn leaves_plane(&self, to: &AxisPosition) -> bool {
-        self.policy.options.mode == Mode::Plane && self.rotates(to)
+        self.placer.mode() == StretchMode::Plane && self.rotates(to)
     }
 
     /// Notes which axes rotate in a block to a place: their clamps must be off.

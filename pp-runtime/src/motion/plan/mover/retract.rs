@@ -1,7 +1,7 @@
 //! Motion between cuts: machine retract, motion to the approach point, tip control and planes on and off, parking.
 
 use crate::kinematics::AxisKind;
-use crate::motion::options::Mode;
+use crate::motion::options::StretchMode;
 
 use crate::motion::fault::{Fault, Planned};
 use crate::motion::place::AxisPosition;
@@ -27,10 +27,12 @@ impl<S: Sink> Mover<'_, S> {
             self.restart()?;
         }
         let words = self.placer.retract_words(self.policy.options.retract.position_mm())?;
-        let off = match (self.policy.options.mode, self.abilities.plane) {
+        let off = match (self.placer.mode(), self.abilities.plane) {
             _ if !self.position.is_in_frame() => None,
-            (Mode::Plane, Some(plane)) => Some((Step::PlaneOff, plane.ends_after_retract)),
-            (Mode::Plane, None) | (Mode::Tcp | Mode::Axes, _) => Some((Step::TipControl { on: false }, false)),
+            (StretchMode::Plane, Some(plane)) => Some((Step::PlaneOff, plane.ends_after_retract)),
+            (StretchMode::Plane, None) | (StretchMode::Tcp | StretchMode::Axes, _) => {
+                Some((Step::TipControl { on: false }, false))
+            }
         };
         if let Some((off, false)) = off {
             self.output.step(&off)?;
@@ -46,10 +48,10 @@ impl<S: Sink> Mover<'_, S> {
     /// A place in the frame of the following motions, and the step that sets this frame; no plane is set that is not tilted,
     /// with the rotary axes at zero. The frame may depend on the rotary angles of the place. Moves nothing.
     pub(crate) fn framed_at(&mut self, place: AxisPosition) -> Result<(AxisPosition, Option<Step<'static>>), Fault> {
-        match (self.policy.options.mode, self.abilities.plane) {
-            (Mode::Axes, _) | (Mode::Plane, None) => Ok((place, None)),
-            (Mode::Tcp, _) => Ok((self.placer.in_tip_frame(place)?, Some(Step::TipControl { on: true }))),
-            (Mode::Plane, Some(ability)) => {
+        match (self.placer.mode(), self.abilities.plane) {
+            (StretchMode::Axes, _) | (StretchMode::Plane, None) => Ok((place, None)),
+            (StretchMode::Tcp, _) => Ok((self.placer.in_tip_frame(place)?, Some(Step::TipControl { on: true }))),
+            (StretchMode::Plane, Some(ability)) => {
                 let (place, tilt) = self.placer.tilted(place, &ability)?;
                 if tilt.is_plain() && self.placer.is_plain(&place) {
                     return Ok((place, None));
@@ -70,7 +72,7 @@ impl<S: Sink> Mover<'_, S> {
     pub(crate) fn approach_from_retract(&mut self, above: &AxisPosition, frame: Option<Step<'static>>) -> Planned {
         self.check_below_retract(above)?;
         let (linear, rotary) = (self.placer.linear_mask(), self.placer.rotary_mask());
-        let plane = self.policy.options.mode == Mode::Plane;
+        let plane = self.placer.mode() == StretchMode::Plane;
         self.clamps.open(&self.position.place().words, &above.words, plane, &mut self.output)?;
         self.rapid_alone(above, rotary)?;
         if let Some(frame) = frame {
@@ -78,12 +80,12 @@ impl<S: Sink> Mover<'_, S> {
             self.position.enter_frame();
         }
         self.clamps.close(&mut self.output)?;
-        let last = match self.policy.options.mode {
-            Mode::Axes => 1 << self.placer.retract_axis(),
+        let last = match self.placer.mode() {
+            StretchMode::Axes => 1 << self.placer.retract_axis(),
             // Along the tool axis of the plane.
-            Mode::Plane => 1 << self.placer.frame_letters()[2],
+            StretchMode::Plane => 1 << self.placer.frame_letters()[2],
             // All linear axes together: the tip goes straight to the approach point for any tilt of the table.
-            Mode::Tcp => linear,
+            StretchMode::Tcp => linear,
         };
         self.rapid_alone(above, linear & !last)?;
         self.rapid(above, last)

@@ -1,0 +1,279 @@
+//! The mode of each stretch: axis positions, tip control or a tilted plane.
+//!
+//! Mode `auto` chooses in the first pass, by the feed motions and holes of a stretch; rapids do not decide.
+//!
+//! | the tool axis | mode |
+//! |---|---|
+//! | rotates at feed | tip control |
+//! | is held, in an operation in which it rotates elsewhere | tip control; holes: plane |
+//! | is held, in an operation with holes, arcs or CUTCOM, or with few tool axes | plane |
+//! | is held, in an operation with more tool axes than `auto_planes` | tip control |
+//!
+//! Where control or machine have no tip control or no planes, the words are axis positions. No plane is called that is not
+//! tilted while the rotary axes are at zero, so a vertical operation has no code of a frame.
+
+use nalgebra::UnitVector3;
+
+use crate::motion::geometry::angle_between;
+use crate::motion::options::{Mode, Policy, StretchMode};
+use crate::motion::place::UsableModes;
+use crate::motion::source::{Begins, HELD, ItemAction, MotionIndex, ProgramItem};
+use crate::program::{CutterSide, Event};
+
+/// The mode of each stretch of a program, in its order.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct StretchModes {
+    /// First stretch of each run of stretches of one mode.
+    runs: Vec<(u64, StretchMode)>,
+}
+
+impl StretchModes {
+    /// One mode for the whole program.
+    #[must_use]
+    pub fn all(mode: StretchMode) -> Self {
+        Self { runs: vec![(0, mode)] }
+    }
+
+    /// Whether a stretch has this mode.
+    #[must_use]
+    pub fn has(&self, mode: StretchMode) -> bool {
+        self.runs.iter().any(|(_, of)| *of == mode)
+    }
+
+    /// The modes that stretches have.
+    pub(crate) fn used(&self) -> impl Iterator<Item = StretchMode> {
+        [StretchMode::Axes, StretchMode::Plane, StretchMode::Tcp].into_iter().filter(|mode| self.has(*mode))
+    }
+
+    /// Adds a stretch, or several of one mode.
+    fn add(&mut self, first: u64, mode: StretchMode) {
+        if self.runs.last().is_none_or(|(_, last)| *last != mode) {
+            self.runs.push((first, mode));
+        }
+    }
+}
+
+/// Follows the modes while the program is planned.
+#[derive(Debug, Clone)]
+pub(crate) struct ModeFollower {
+    modes: StretchModes,
+    /// Run of the present stretch.
+    run: usize,
+    /// First stretch of the next run.
+    next: u64,
+    /// Mode in which the machine is.
+    entered: StretchMode,
+}
+
+impl ModeFollower {
+    pub(crate) fn new(modes: StretchModes) -> Self {
+        let mut follower = Self { entered: StretchMode::Axes, run: 0, next: 0, modes };
+        follower.entered = follower.mode();
+        follower.next = follower.first_of(1);
+        follower
+    }
+
+    fn first_of(&self, run: usize) -> u64 {
+        self.modes.runs.get(run).map_or(u64::MAX, |(first, _)| *first)
+    }
+
+    fn mode(&self) -> StretchMode {
+        self.modes.runs.get(self.run).map_or(StretchMode::Axes, |(_, mode)| *mode)
+    }
+
+    /// The modes of all stretches.
+    pub(crate) fn modes(&self) -> &StretchModes {
+        &self.modes
+    }
+
+    /// A stretch begins, or goes on.
+    #[inline]
+    pub(crate) fn reach(&mut self, stretch: u64) {
+        while stretch >= self.next {
+            self.run += 1;
+            self.next = self.first_of(self.run + 1);
+        }
+    }
+
+    /// Whether the stretch has another mode than the one in which the machine is.
+    #[inline]
+    pub(crate) fn changes(&self) -> bool {
+        self.mode() != self.entered
+    }
+
+    /// The machine enters the mode of the stretch.
+    pub(crate) fn enter(&mut self) -> StretchMode {
+        self.entered = self.mode();
+        self.entered
+    }
+}
+
+/// Content of a stretch, which decides its mode.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Content {
+    /// Rapids only.
+    Rapids,
+    /// Feed motions with one tool axis.
+    Held,
+    /// Holes.
+    Holes,
+    /// The tool axis rotates at feed.
+    Rotating,
+}
+
+/// Whether tip control and planes can be used.
+#[derive(Debug, Clone, Copy)]
+struct Usable {
+    tip: bool,
+    plane: bool,
+}
+
+/// Chooses the modes in the first pass.
+#[derive(Debug)]
+pub struct ModeFinder {
+    modes: StretchModes,
+    /// Whether tip control and planes can be used; `None` where nothing is to be chosen.
+    usable: Option<Usable>,
+    most_planes: usize,
+    operation: OperationContent,
+    /// Number of the present stretch, and its content.
+    stretch: (u64, Content),
+    /// Cutter compensation is requested for the operation that comes.
+    compensation_ahead: bool,
+}
+
+/// Content of the present operation.
+#[derive(Debug, Default)]
+struct OperationContent {
+    /// First stretch of each run of stretches of the same content.
+    runs: Vec<(u64, Content)>,
+    /// It has holes, arcs or cutter compensation.
+    needs_plane: bool,
+    /// Tool axes of the stretches in which they are held; one more than decides is enough.
+    directions: Vec<UnitVector3<f64>>,
+}
+
+impl OperationContent {
+    fn add(&mut self, (stretch, content): (u64, Content)) {
+        if self.runs.last().is_none_or(|(_, last)| *last != content) {
+            self.runs.push((stretch, content));
+        }
+    }
+
+    fn has(&self, content: Content) -> bool {
+        self.runs.iter().any(|(_, of)| *of == content)
+    }
+
+    /// Notes the tool axis of a cut.
+    fn note_direction(&mut self, axis: &UnitVector3<f64>, most: usize) {
+        let known = |other: &UnitVector3<f64>| angle_between(axis, other) <= HELD;
+        if self.directions.len() <= most && !self.directions.iter().any(known) {
+            self.directions.push(*axis);
+        }
+    }
+}
+
+impl ModeFinder {
+    /// Chooses among the usable modes, unless the policy has one mode for all stretches.
+    #[must_use]
+    pub fn new(policy: Policy<'_>, usable: &UsableModes) -> Self {
+        let mode = policy.options.mode;
+        Self {
+            modes: StretchModes { runs: mode.of_all().map(|mode| (0, mode)).into_iter().collect() },
+            usable: (mode == Mode::Auto).then_some(Usable { tip: usable.tip, plane: usable.plane }),
+            most_planes: policy.options.auto_planes as usize,
+            operation: OperationContent::default(),
+            stretch: (0, Content::Rapids),
+            compensation_ahead: false,
+        }
+    }
+
+    /// Takes the next item.
+    pub fn follow(&mut self, item: &ProgramItem<'_>) {
+        if self.usable.is_none() {
+            return;
+        }
+        match item.action {
+            ItemAction::Line { motion, index, .. } => {
+                self.begin(index);
+                if !motion.rapid {
+                    self.cut(&motion.pose.axis, if index.rotates_axis { Content::Rotating } else { Content::Held });
+                }
+            }
+            ItemAction::Arc { arc, index } => {
+                self.begin(index);
+                self.cut(&arc.end.axis, Content::Held);
+                self.operation.needs_plane = true;
+            }
+            ItemAction::Hole { hole, index } => {
+                self.begin(index);
+                self.cut(&hole.top.axis, Content::Holes);
+                self.operation.needs_plane = true;
+            }
+            ItemAction::Record { event: Event::Compensation(compensation), between } => {
+                let on = compensation.side != CutterSide::Off;
+                self.operation.needs_plane |= on && !between;
+                self.compensation_ahead |= on && between;
+            }
+            ItemAction::Record { .. } => {}
+        }
+    }
+
+    /// Notes the begin of a motion, which may be the first of a stretch or of an operation.
+    fn begin(&mut self, index: MotionIndex) {
+        if index.stretch == self.stretch.0 {
+            return;
+        }
+        let ended = std::mem::replace(&mut self.stretch, (index.stretch, Content::Rapids));
+        if ended.0 > 0 {
+            self.operation.add(ended);
+        }
+        if index.begins != Begins::Nothing {
+            self.end_operation();
+            self.operation.needs_plane = std::mem::take(&mut self.compensation_ahead);
+        }
+    }
+
+    fn cut(&mut self, axis: &UnitVector3<f64>, content: Content) {
+        self.stretch.1 = match (self.stretch.1, content) {
+            (Content::Rotating, _) => Content::Rotating,
+            (_, content) => content,
+        };
+        self.operation.note_direction(axis, self.most_planes);
+    }
+
+    /// Chooses the modes of the stretches of the operation that has ended.
+    fn end_operation(&mut self) {
+        let operation = std::mem::take(&mut self.operation);
+        let Some(usable) = self.usable else { return };
+        let or_axes = |usable: bool, mode: StretchMode| if usable { mode } else { StretchMode::Axes };
+        let (tip, plane) = (or_axes(usable.tip, StretchMode::Tcp), or_axes(usable.plane, StretchMode::Plane));
+        let rotates = operation.has(Content::Rotating);
+        let few = operation.needs_plane || operation.directions.len() <= self.most_planes;
+        let mode = |content: Content| match content {
+            Content::Rapids => None,
+            Content::Rotating => Some(tip),
+            Content::Holes => Some(plane),
+            Content::Held if rotates => Some(tip),
+            Content::Held if few || !usable.tip => Some(plane),
+            Content::Held => Some(tip),
+        };
+        // Rapids have the mode of the cuts after them, or else of those before.
+        let last = operation.runs.iter().rev().find_map(|(_, content)| mode(*content)).unwrap_or(plane);
+        for (index, (first, content)) in operation.runs.iter().enumerate() {
+            let mut from_here = operation.runs[index..].iter();
+            let chosen = mode(*content).or_else(|| from_here.find_map(|(_, content)| mode(*content))).unwrap_or(last);
+            self.modes.add(*first, chosen);
+        }
+    }
+
+    /// The modes of all stretches.
+    #[must_use]
+    pub fn finish(mut self) -> StretchModes {
+        if self.usable.is_some() {
+            self.operation.add(self.stretch);
+            self.end_operation();
+        }
+        self.modes
+    }
+}

@@ -1,0 +1,217 @@
+//! Whether a mode suits a machine, its control and a configuration.
+
+use nalgebra::Vector3;
+
+use crate::kinematics::{AnyMachine, AxisKind, Side};
+use crate::motion::options::{Mode, Policy, StretchMode, TcpFrame, TcpWords, ToolPosture};
+use crate::set_up::LengthMode;
+
+use super::chain::rotaries;
+use super::frame::TipAbility;
+use super::tilted_plane::PlaneAbility;
+
+/// Modes other than axis positions that machine, control and configuration allow.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct UsableModes {
+    /// Tip control.
+    pub tip: bool,
+    /// Tilted planes.
+    pub plane: bool,
+    /// Settings without which these two cannot be written; empty where none is missing.
+    missing: [Option<String>; 2],
+}
+
+/// Reason why a mode cannot be used.
+enum Unsuited {
+    /// Machine or control do not have it.
+    Absent(String),
+    /// A setting is missing, or another one is needed.
+    Setting(String),
+}
+
+impl Unsuited {
+    fn text(self) -> String {
+        match self {
+            Self::Absent(text) | Self::Setting(text) => text,
+        }
+    }
+}
+
+impl UsableModes {
+    /// The modes that mode `auto` chooses from.
+    #[must_use]
+    pub fn of(
+        machine: &dyn AnyMachine,
+        policy: Policy<'_>,
+        control: &str,
+        tip: Option<TipAbility>,
+        plane: Option<PlaneAbility>,
+    ) -> Self {
+        let rotates = rotaries(machine.axes(), Side::Workpiece).chain(rotaries(machine.axes(), Side::Tool)).next();
+        if rotates.is_none() {
+            return Self::default();
+        }
+        let faults = |mode| Faults { machine, policy, control, mode, list: Vec::new() }.find(tip, plane);
+        let [tip, plane] = [StretchMode::Tcp, StretchMode::Plane].map(faults);
+        let usable = |faults: &[Unsuited]| !faults.iter().any(|fault| matches!(fault, Unsuited::Absent(_)));
+        Self {
+            tip: usable(&tip),
+            plane: usable(&plane),
+            missing: [tip, plane].map(|faults| faults.into_iter().next().map(Unsuited::text)),
+        }
+    }
+
+    /// The setting without which a mode cannot be written.
+    pub(crate) fn missing(&self, mode: StretchMode) -> Option<&str> {
+        match mode {
+            StretchMode::Axes => None,
+            StretchMode::Tcp => self.missing[0].as_deref(),
+            StretchMode::Plane => self.missing[1].as_deref(),
+        }
+    }
+}
+
+/// Reasons why a machine, its control and a configuration do not suit the configured mode, one sentence each. Mode `auto`
+/// suits all of them; what a stretch of it needs is known with the CL data.
+#[must_use]
+pub fn unsuited(
+    machine: &dyn AnyMachine,
+    policy: Policy<'_>,
+    control: &str,
+    tip: Option<TipAbility>,
+    plane: Option<PlaneAbility>,
+) -> Vec<String> {
+    let Some(mode) = Mode::of_all(policy.options.mode) else { return Vec::new() };
+    let Ok(machine) = policy.set_up.machine_for(machine) else { return Vec::new() };
+    let faults = Faults { machine: &*machine, policy, control, mode, list: Vec::new() };
+    faults.find(tip, plane).into_iter().map(Unsuited::text).collect()
+}
+
+/// Search for the reasons why a mode cannot be used.
+struct Faults<'a> {
+    machine: &'a dyn AnyMachine,
+    policy: Policy<'a>,
+    control: &'a str,
+    mode: StretchMode,
+    list: Vec<Unsuited>,
+}
+
+impl Faults<'_> {
+    fn absent(&mut self, text: &str, instead: &str) {
+        self.list.push(Unsuited::Absent(format!("mode {}: {text}; {instead}", self.mode.name())));
+    }
+
+    fn setting(&mut self, text: &str, instead: &str) {
+        self.list.push(Unsuited::Setting(format!("mode {}: {text}; {instead}", self.mode.name())));
+    }
+
+    fn find(mut self, tip: Option<TipAbility>, plane: Option<PlaneAbility>) -> Vec<Unsuited> {
+        if self.mode == StretchMode::Axes {
+            return self.list;
+        }
+        self.machine();
+        match (self.mode, tip) {
+            (StretchMode::Axes, _) => {}
+            (StretchMode::Tcp, Some(tip)) => self.tip_control(tip),
+            (StretchMode::Tcp, None) => {
+                let text = format!("{} has no tip control (TCP) by default", self.control);
+                let instead =
+                    "give the codes that switch it on and off, `[control] tip_control = [on, off]`, or use mode axes";
+                self.absent(&text, instead);
+            }
+            (StretchMode::Plane, _) if plane.is_none() => {
+                let text = format!("{} has no tilted work plane, or not among its `functions`", self.control);
+                self.absent(&text, "mode axes works on any control, mode tcp on most");
+            }
+            (StretchMode::Plane, _) if !tool_along_z(self.machine) => {
+                self.absent("the tool axis of this machine is not parallel to Z", "use mode axes");
+            }
+            (StretchMode::Plane, _) => {}
+        }
+        self.list
+    }
+
+    /// What tip control and planes both need.
+    fn machine(&mut self) {
+        if self.policy.set_up.length_mode == LengthMode::Gauge {
+            self.absent("the control needs an active tool length offset", "leave `length_mode` at \"tip\"");
+        }
+        if let Some(letter) = ['X', 'Y', 'Z'].into_iter().find(|letter| !is_own_direction(self.machine, *letter)) {
+            let text =
+                format!("{letter} of this machine is not parallel to the {letter} direction, as the control assumes");
+            self.absent(&text, "use mode axes");
+        }
+        let offset = self.policy.set_up.rotary_offset.iter().find(|(_, offset)| offset.abs() > 0.0);
+        if let Some((letter, _)) = offset.filter(|_| !self.policy.options.tip.tcp_confirmed) {
+            let text = format!(
+                "on some controls the coordinate system of tip control and planes rotates with the value of {letter} in the work \
+                 offset; the words are computed for one that does not"
+            );
+            let instead = "use `part_rotation` instead of `rotary_offset`, or set `tcp_confirmed = true` if the coordinate system of \
+                           this control does not rotate with the work offset";
+            self.setting(&text, instead);
+        }
+    }
+
+    fn tip_control(&mut self, ability: TipAbility) {
+        let (machine, control, tip) = (self.machine, self.control, &self.policy.options.tip);
+        let table = rotaries(machine.axes(), Side::Workpiece).next().is_some();
+        let head = rotaries(machine.axes(), Side::Tool).next().is_some();
+        if ability.frame_is_parameter && table && tip.tcp_frame.is_none() {
+            let text =
+                "a parameter of the machine (19696#5) selects the frame of the tip coordinates while the table rotates";
+            self.setting(text, "give `tcp_frame`: \"table_at_zero\", \"table_at_start\" or \"not_turning\"");
+        }
+        if !ability.frame_is_parameter && tip.tcp_frame.is_some_and(|frame| frame != TcpFrame::TableAtZero) {
+            let text = format!("{control} has its tip coordinates in the frame of the table at zero");
+            self.setting(&text, "leave `tcp_frame` out");
+        }
+        if tip.tool_posture == ToolPosture::Plane && !ability.rotates_axis_in_plane {
+            let text = format!("{control} interpolates the rotary axes linearly");
+            self.setting(&text, "leave `tool_posture` at \"axes\"");
+        }
+        if tip.tcp_words == TcpWords::Vectors && !ability.takes_vectors {
+            let text = format!("{control} does not accept the tool axis as a vector");
+            self.setting(&text, "leave `tcp_words` at \"angles\"");
+        }
+        if tip.tcp_words == TcpWords::Vectors && tip.tcp_frame == Some(TcpFrame::NotTurning) {
+            let text = "a tool axis as a vector has no meaning in a frame that does not rotate with the table";
+            self.setting(text, "leave `tcp_words` at \"angles\"");
+        }
+        if tip.tcp_frame == Some(TcpFrame::NotTurning) && (head || tip.tool_posture == ToolPosture::Plane) {
+            let text = "in a frame that does not rotate, the path is certified only for rotary axes of the table that are \
+                        interpolated linearly";
+            self.setting(text, "use mode axes");
+        }
+        if !tip.tcp_confirmed && !plain_chain(machine) {
+            let text = "the kinematics of the control may not include a held axis, or a linear axis that is not between \
+                        table and head";
+            self.setting(text, "set `tcp_confirmed = true` if the control knows this axis, or use mode axes");
+        }
+    }
+}
+
+/// Whether no axis is held, and every linear axis is between the rotary axes of the table and those of the head.
+fn plain_chain(machine: &dyn AnyMachine) -> bool {
+    let last_of_table = rotaries(machine.axes(), Side::Workpiece).last();
+    let first_of_head = rotaries(machine.axes(), Side::Tool).next();
+    machine.axes().iter().enumerate().all(|(index, axis)| {
+        let between = last_of_table.is_none_or(|last| index > last) && first_of_head.is_none_or(|first| index < first);
+        !axis.held && (axis.kind == AxisKind::Rotary || between)
+    })
+}
+
+/// Whether the axis of a letter is parallel to that direction of the machine frame; its word may run backwards.
+fn is_own_direction(machine: &dyn AnyMachine, letter: char) -> bool {
+    let index = machine.axes().iter().position(|axis| axis.letter == letter && !axis.held);
+    let own = match letter {
+        'X' => Vector3::x(),
+        'Y' => Vector3::y(),
+        _ => Vector3::z(),
+    };
+    index.is_some_and(|index| (machine.joint(index).direction.into_inner() - own).norm() < 1e-12)
+}
+
+fn tool_along_z(machine: &dyn AnyMachine) -> bool {
+    (machine.tool_axis().into_inner() - Vector3::z()).norm() < 1e-12
+}

@@ -1,0 +1,190 @@
+%
+O00001 (NONAME)
+(PROGRAM without name)
+(CL FILE works.cls)
+(MACHINE LolaXoyzba, CONTROL Haas, MODE auto [plane, tcp])
+(UNITS mm, WORK OFFSET G54)
+(PART ORIGIN X10 Y-20 Z35 from the reference point of the table)
+(PROGRAMMED POINT tool tip)
+(TOLERANCE 0.01 for arcs and curves)
+(only operations 1 to 5 of 6; the program begins with a complete restart:)
+(modal codes, tool, offset, spindle)
+(CL data of NX, recognised from the file)
+(5 arcs, sense by form, confirmed by 4 of 4 neighbouring lines)
+(AXIS X+ moves the table against +X, as in ISO 841)
+(AXIS Y+ moves the tool along +Y, as in ISO 841)
+(AXIS Z+ moves the tool along +Z, as in ISO 841)
+(AXIS B+ rotates the tool right-handed about +Y, as in ISO 841)
+(AXIS A+ rotates the tool right-handed about +X, as in ISO 841)
+(WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the)
+(tool axis within 0.1 deg)
+(ROTARY WORDS are absolute and go beyond 360: the axes must not take the)
+(shortest path to an angle beyond 360)
+(LINEAR WORDS under tip control are tip coordinates in a frame fixed to the)
+(table, aligned with the machine axes when its rotary axes are at zero;)
+(rotary axes move evenly)
+(MODE tcp: G234 and G49 must move nothing by themselves)
+(LINEAR WORDS in planes are tip coordinates in the tilted plane, from the)
+(same zero)
+(MODE plane: G43 H must move nothing by itself, G268 must rotate about X,)
+(then Y, then Z of the work offset, and G253 must take the pose of the actual)
+(axis positions)
+(linear limits not checked: no travel declared [X Y Z])
+(T1 D10 R0 L110 H1, 3 operations, tip Z -7.398 to 36.793)
+(T2 D5 L130 H2, 1 operation, tip Z -15.078 to 28.689)
+(T3 D6 L95 H3, 1 operation, tip Z -10 to 25)
+(ASSUMED unit of the CL data is mm, as given; the CL file states none)
+(ASSUMED work offset G54)
+(ASSUMED retract to machine coordinate 0 mm)
+(ASSUMED approach distance 50 mm along the tool axis)
+(OPERATION ARCS)
+N1 G21 G17 G40 G49 G80 G90 G94 G54
+G269
+M09
+G53 G00 Z0.
+T1 M06
+T2
+G49 G53 G00 Z0.
+S4000 M03
+G00 A0. B0.
+X12. Y0.
+G43 H1 Z20.
+M08
+Z2.
+G03 X12. Y0. Z-0.4 I-12. J0. F200.
+X0. Y12. Z-1. I-12. J0.
+G01 X-20. F600.
+G03 X-20. Y-12. I0. J-12.
+G01 X0.
+G02 X8. Y-20. I0. J-8.
+X8. Y-20. I-8. J0.
+G01 Z20.
+M09
+G00 Z80.
+G49 G53 G00 Z0.
+M05
+M01
+(OPERATION TILTED)
+G49 G53 G00 Z0.
+N2 G21 G17 G40 G49 G80 G90 G94 G54
+G269
+M09
+G53 G00 Z0.
+(T1 stays in the spindle)
+S4000 M03
+G00 A-15.799 B19.629
+G43 H1
+G268 X0. Y0. Z0. I-15.799 J19.629 K0. Q123
+G253
+G00 X-11.904 Y-5.106
+Z34.739
+M08
+G01 Y-5.105 Z2.739 F300.
+X13.096 F700.
+G03 X13.096 Y14.895 I0. J10.
+G01 X-11.904
+Y-5.105
+Y-5.106 Z34.739
+M09
+G00 X-11.905 Z94.739
+(OPERATION HOLES)
+G49 G53 G00 Z0.
+G269
+N3 G21 G17 G40 G49 G80 G90 G94 G54
+G269
+M09
+G53 G00 Z0.
+T2 M06
+T1
+G49 G53 G00 Z0.
+S2500 M03
+G00 A-15.799 B19.629
+G43 H2
+G268 X0. Y0. Z0. I-15.799 J19.629 K0. Q123
+G253
+G00 X-8.904 Y4.895
+Z29.739
+M08
+G98 G81 X-8.904 Y4.895 Z-1.261 R6.739 F150.
+X3.096
+G80
+G98 G82 X15.096 Y4.895 Z-1.261 R6.739 P0.5 F150.
+G80
+G98 G83 X-8.904 Y16.895 Z-10.261 R6.739 Q4. F150.
+G80
+G98 G83 X3.096 Y16.895 Z-6.261 R10.739 Q4. F150.
+G80
+G98 G73 X15.096 Y16.895 Z-6.261 R6.739 Q4. F150.
+G80
+G98 G85 X3.096 Y-7.105 Z-1.261 R6.739 F80.
+G80
+M09
+G00 Y-7.106 Z89.739
+G49 G53 G00 Z0.
+G269
+M05
+M00
+(OPERATION SWARF)
+G49 G53 G00 Z0.
+N4 G21 G17 G40 G49 G80 G90 G94 G54
+G269
+M09
+G53 G00 Z0.
+T1 M06
+T3
+G49 G53 G00 Z0.
+S4000 M03
+G00 A9.752 B23.985
+G00 G234 H1 X39.651 Y-16.764 Z22.013
+M08
+G01 X27.632 Y-11.683 Z-5. A9.752 B23.985 F300.
+X29.853 Y-2.963 A2.462 B25.673 F900.
+X29.389 Y6.023 A-5.01 B25.324
+X26.281 Y14.467 A-12.108 B22.937
+X20.809 Y21.61 A-18.259 B18.524
+X13.465 Y26.809 A-22.873 B12.233
+X4.909 Y29.596 A-25.411 B4.52
+X-4.088 Y29.72 A-25.525 B-3.766
+X-12.717 Y27.171 A-23.201 B-11.573
+X-20.203 Y22.178 A-18.757 B-18.02
+X-25.871 Y15.189 A-12.722 B-22.615
+X-29.211 Y6.834 A-5.687 B-25.19
+X-29.924 Y-2.135 A1.774 B-25.726
+X-27.945 Y-10.913 A9.104 B-24.226
+X-23.452 Y-18.709 A15.739 B-20.687
+X-16.849 Y-24.822 A21.093 B-15.179
+X-8.73 Y-28.702 A24.591 B-8.002
+X0.174 Y-30. A25.783 B0.16
+X9.062 Y-28.599 A24.497 B8.302
+X17.135 Y-24.625 A20.918 B15.424
+X23.667 Y-18.436 A15.504 B20.861
+X28.069 Y-10.589 A8.831 B24.321
+X29.947 Y-1.789 A1.486 B25.743
+X29.13 Y7.172 A-5.969 B25.129
+X25.693 Y15.488 A-12.977 B22.475
+G00 X36.869 Y22.224 Z22.013
+M09
+X59.22 Y35.698 Z76.04
+(OPERATION THREAD)
+G49
+G53 G00 Z0.
+N5 G21 G17 G40 G49 G80 G90 G94 G54
+G269
+M09
+G53 G00 Z0.
+T3 M06
+G49 G53 G00 Z0.
+S500 M03
+G00 A0. B0.
+X-30. Y20.
+G43 H3 Z25.
+M08
+G98 G84 X-30. Y20. Z-10. R4. F500.
+X30.
+G80
+M09
+G00 Z85.
+G49 G53 G00 Z0.
+M05
+M30
+%
