@@ -58,9 +58,13 @@ fn arc(degrees: f64) -> String {
 
 /// The program of an operation, or its first error with its line.
 fn posted<M: Machine>(control: &str, keys: &str, operation: &str) -> Result<String, (u64, String)> {
+    posted_in::<M>("auto", control, keys, operation)
+}
+
+fn posted_in<M: Machine>(mode: &str, control: &str, keys: &str, operation: &str) -> Result<String, (u64, String)> {
     let control = control::by_name(control).expect("a control");
     let mut config = starting_point(control).read_over(&M::default(), &format!("{keys}\n{KEYS}")).expect("valid keys");
-    config.motion.mode = Mode::Auto;
+    config.motion.mode = Mode::NAMES.into_iter().find(|(name, _)| *name == mode).expect("a mode").1;
     let cl = format!("{HEAD}{operation}END-OF-PATH\nFINI\n");
     let job = Job { cl_name: "auto.cls", config: &config, control, units: None };
     let mut program = Vec::new();
@@ -197,4 +201,45 @@ fn a_length_is_guarded_in_a_head_without_tip_control_only() {
     assert!(guarded("linuxcnc", ""));
     assert!(!guarded("heidenhain", ""));
     assert!(guarded("heidenhain", "length_guard = true"));
+}
+
+/// A machine with a C table is at C0 in vertical operations, so that X and Y are read as on the drawing. An operation that
+/// begins vertically and tilts at feed begins with the angle to which it tilts.
+#[test]
+fn vertical_operations_are_at_zero() {
+    // Tilted about X: C is at -90 or 90 degrees there.
+    let tilted = "RAPID\nGOTO/0,0,30,0,0.5,0.8660254\nFEDRAT/MMPM,300\nGOTO/0,0,20\nRAPID\nGOTO/0,20,60\n";
+    let vertical = format!("END-OF-PATH\nTOOL PATH/TOP,TOOL,T\nLOADTL/1\n{}", face(0.0));
+    let tilting = "END-OF-PATH\nTOOL PATH/BLADE,TOOL,T\nLOADTL/1\nRAPID\nGOTO/0,0,30,0,0,1\nFEDRAT/MMPM,300\nGOTO/0,0,20\n\
+                   GOTO/0,5,20,0,0.2588190,0.9659258\nGOTO/0,10,20,0,0.5,0.8660254\n";
+    for mode in ["axes", "auto"] {
+        for control in ["linuxcnc", "heidenhain"] {
+            let angles = |keys: &str, operation: &str| {
+                let keys = format!("{keys}\ntcp_confirmed = true");
+                let program = posted_in::<SpinnerU5620>(mode, control, &keys, operation);
+                positions(&program.unwrap_or_else(|(line, text)| panic!("line {line}: {text}")))
+            };
+            let after_tilted = |operation: &str| angles("", &(tilted.to_owned() + operation));
+            let [first, second] = after_tilted(&vertical)[..] else { panic!("two positions") };
+            assert!((first.abs() - 90.0).abs() < 1e-3 && second.abs() < 1e-9, "{mode} {control}: {first} {second}");
+            let previous = angles("course = { singular = \"previous\" }", &(tilted.to_owned() + &vertical));
+            assert_eq!(previous.last(), previous.first(), "{mode} {control}");
+            let [.., begin] = after_tilted(tilting)[..] else { panic!("a position") };
+            assert!((begin.abs() - 90.0).abs() < 1e-3, "{mode} {control}: {begin}");
+        }
+    }
+}
+
+/// Angles of C in the blocks that position the rotary axes alone, and where it does not move, the one before.
+fn positions(program: &str) -> Vec<f64> {
+    let word = |line: &str, letter: char| {
+        line.split_whitespace().find_map(|word| word.strip_prefix(letter)?.parse::<f64>().ok())
+    };
+    let mut found = Vec::new();
+    for line in program.lines().filter(|line| !line.contains([';', '(']) && !line.contains("PLANE")) {
+        if let Some(angle) = word(line, 'C').filter(|_| word(line, 'X').is_none() && word(line, 'Z').is_none()) {
+            found.push(angle);
+        }
+    }
+    found
 }

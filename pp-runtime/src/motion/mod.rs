@@ -27,7 +27,8 @@ pub use modes::{ModeFinder, StretchModes};
 pub use options::{
     Approach, ArcForm, ArcOptions, ArcOutput, ClampCodes, CourseOptions, CutterPath, CycleOptions, CycleOutput,
     Defaults, FeedLimits, GuardOptions, Mode, MotionOptions, Operations, PathNorm, Policy, Rapid, RapidOptions,
-    Retract, Rewind, RotaryOptions, StretchMode, TcpFrame, TcpWords, TipOptions, ToolPosture, Transition, Wrap,
+    Retract, Rewind, RotaryOptions, Singular, StretchMode, TcpFrame, TcpWords, TipOptions, ToolPosture, Transition,
+    Wrap,
 };
 pub use place::{PlaneAbility, PlaneAngles, PoseRule, TipAbility, UsableModes, unsuited};
 pub(crate) use plan::hole_extent;

@@ -103,6 +103,10 @@ options! {
         ///
         /// `true`: at or above zero.
         prefer: Option<(char, bool)> = None, key("course.prefer", Preference);
+        /// Angle of the first rotary axis where the tool axis is parallel to it in all cuts from one motion in the air to
+        /// the next (vertical operations of a machine with a C table): "zero", so that X and Y are read as on the drawing,
+        /// or the "previous" one. A cut that rotates the tool axis away from there decides the angle itself.
+        singular: Singular = Singular::Zero, key("course.singular", OneOf(&Singular::NAMES));
         /// Choose motion by motion, without look-ahead.
         greedy: bool = false, key("course.greedy", YesNo);
         /// Within this angle of the direction that leaves the first rotary axis free, the tool axis is moved to that
@@ -133,6 +137,19 @@ options! {
 
 /// Largest number for `auto_planes`.
 const MOST_PLANES: u32 = 1000;
+
+/// Angle of the first rotary axis where it is free.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Singular {
+    /// Zero, or whole turns from it.
+    Zero,
+    /// The one in which it is.
+    Previous,
+}
+
+impl Singular {
+    const NAMES: [(&'static str, Self); 2] = [("zero", Self::Zero), ("previous", Self::Previous)];
+}
 
 /// Names of the branches.
 pub(crate) const START_BRANCHES: [(&str, Branch); 2] = [("first", Branch::First), ("second", Branch::Second)];

@@ -26,7 +26,7 @@ use nalgebra::UnitVector3;
 
 use crate::diag::Diagnostic;
 use crate::kinematics::{AnyMachine, Branch, Pose};
-use crate::motion::options::Policy;
+use crate::motion::options::{Policy, Singular};
 use crate::program::Event;
 use crate::program::Units;
 
@@ -156,7 +156,11 @@ impl Navigator {
     #[must_use]
     pub fn new(machine: Box<dyn AnyMachine>, policy: Policy<'_>) -> Self {
         let placer = Placer::new(machine, policy, Units::Millimetres);
-        let run = |greedy| SearchRun { search: CourseSearch::new(placer.metric(), [0; 2], greedy), ended: false };
+        let zeroed = match policy.options.course.singular {
+            Singular::Zero => placer.rotaries().first().filter(|_| placer.rotaries().len() == 2).copied(),
+            Singular::Previous => None,
+        };
+        let run = |greedy| SearchRun { search: CourseSearch::new(placer.metric(), zeroed, greedy), ended: false };
         Self {
             searches: [run(false), run(true)],
             finder: StateFinder::new(placer),

@@ -131,15 +131,18 @@ pub(crate) struct CourseSearch {
     history: History,
     /// Only the cheapest survivor is kept: the search is made motion by motion.
     greedy: bool,
+    /// The first rotary axis, if it is at zero where it is free from one motion in the air to the next.
+    zeroed: Option<Rotary>,
 }
 
 impl CourseSearch {
-    pub(crate) fn new(metric: RotaryMetric, start: RotaryWords, greedy: bool) -> Self {
+    pub(crate) fn new(metric: RotaryMetric, zeroed: Option<Rotary>, greedy: bool) -> Self {
         Self {
             metric,
+            zeroed,
             layer: Vec::new(),
             survivors: vec![Survivor {
-                state: RotaryState { branch: Branch::First, words: start },
+                state: RotaryState { branch: Branch::First, words: [0; 2] },
                 cost: Cost::default(),
                 last_change: None,
                 air: None,
@@ -160,6 +163,7 @@ impl CourseSearch {
 
     /// Moves every survivor to its parked words; the next motion is in the air.
     pub(crate) fn park(&mut self, parked: impl Fn(&RotaryWords) -> RotaryWords) {
+        self.leave_zeroed();
         self.next.clear();
         for from in &self.survivors {
             let words = parked(&from.state.words);
@@ -170,6 +174,25 @@ impl CourseSearch {
             );
         }
         self.finish_layer(&[]);
+    }
+
+    /// A stretch at the pole ends in the air: the free axis was at zero in it, or whole turns from zero.
+    fn leave_zeroed(&mut self) {
+        let Some(first) = self.zeroed else { return };
+        for index in 0..self.survivors.len() {
+            let Survivor { state, cost, last_change, air: Some(air) } = self.survivors[index] else { continue };
+            let Some(zero) = self.metric.nearest_zero(&first, state.words[0]).filter(|zero| *zero != state.words[0])
+            else {
+                continue;
+            };
+            let words = [zero, state.words[1]];
+            self.survivors[index] = Survivor {
+                state: RotaryState { words, ..state },
+                cost: cost.plus(self.metric.cost(&state.words, &words)),
+                last_change: self.history.push(last_change, air, CourseAction::EndWith, words),
+                air: None,
+            };
+        }
     }
 
     /// Words of the cheapest survivor.
@@ -230,6 +253,7 @@ impl CourseSearch {
         sense: Option<RotationSense>,
         is_preferred: impl Fn(&RotaryState) -> bool,
     ) -> bool {
+        self.leave_zeroed();
         self.next.clear();
         for state in states {
             let preference = if is_preferred(state) { Cost::default() } else { Cost::AGAINST_PREFERENCE };
@@ -262,6 +286,9 @@ impl CourseSearch {
         (first, second): (Rotary, &[i64]),
         sense: Option<RotationSense>,
     ) {
+        if begins {
+            self.leave_zeroed();
+        }
         self.next.clear();
         for from in &self.survivors {
             for &second in second {
@@ -398,6 +425,7 @@ impl CourseSearch {
 
     /// Returns the cost of the cheapest course, and its changes.
     pub(crate) fn finish(mut self) -> (Cost, PackedChanges) {
+        self.leave_zeroed();
         let best = self.survivors.iter().min_by_key(|survivor| survivor.cost).copied();
         let Some(best) = best else { return (Cost::default(), self.history.decided) };
         let chain = self.history.chain(best.last_change);
@@ -416,7 +444,8 @@ mod tests {
         let rotary = Rotary { index: 0, lower: Some(-400), upper: Some(400), rest_deg: 0.0 };
         let metric = RotaryMetric::new(&[rotary], [None; 2], AngleScale { units_per_degree: 1.0, units_per_turn: 360 });
         // Motion by motion one course is kept, and another, reached by a rewind, is abandoned.
-        let mut search = CourseSearch::new(metric, [10, 0], true);
+        let mut search = CourseSearch::new(metric, None, true);
+        search.restart([10, 0]);
         let states = [10, -350].map(|word| RotaryState { branch: Branch::First, words: [word, 0] });
         assert!(search.free(0, &states, None, |_| true));
         for motion in 1..10_000 {

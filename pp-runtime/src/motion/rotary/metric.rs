@@ -69,6 +69,11 @@ impl RotaryMetric {
         }
     }
 
+    /// The word inside the limits that is zero or whole turns from it, nearest to `word`; `None` if none is.
+    pub(crate) fn nearest_zero(&self, rotary: &Rotary, word: i64) -> Option<i64> {
+        rotary.nearest(0, word, self.units_per_turn).ok()
+    }
+
     /// Signed travel of one axis; an endless axis takes the shorter path.
     pub(crate) fn change(&self, axis: usize, from: i64, to: i64) -> i64 {
         let change = to - from;
