@@ -1,5 +1,7 @@
 //! Programs that are written right, each of a kind whose check has to look twice.
 
+mod selected;
+
 use std::io::Cursor;
 
 use super::*;

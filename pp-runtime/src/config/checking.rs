@@ -209,7 +209,7 @@ impl Config {
             }
         }
         let kinds = [coolant::FLOOD, coolant::MIST, coolant::THROUGH, coolant::AIR];
-        for (codes, bit) in control.coolant.iter().zip(kinds) {
+        for (codes, bit) in control.coolant.iter().zip(kinds.into_iter().chain(coolant::PRESSURES)) {
             if let Some([on, off]) = codes {
                 add(on, OwnPlace::Coolant, Some((bit, true)));
                 add(off, OwnPlace::Coolant, Some((bit, false)));

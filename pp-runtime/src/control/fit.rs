@@ -3,7 +3,7 @@
 
 use crate::kinematics::AnyMachine;
 use crate::motion::{self, Abilities, CycleAbilities, Mode, PathNorm, PlaneAbility, TcpWords, TipAbility};
-use crate::program::Coolant;
+use crate::program::{Coolant, Pressure};
 use crate::set_up::LengthMode;
 
 use super::dialects::{ArcCentre, Control, CycleCodes, CycleForm, LengthCall, Spellings, ThreadCodes, coolant_index};
@@ -50,6 +50,18 @@ fn unsupported(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
     }
     if codes.numbers_every_line && demands.options.program.line_numbers.is_some() {
         faults.push(format!("every line of a program for {title} has a number anyway: remove `program.line_numbers`"));
+    }
+    // The check could not tell the pressures from each other.
+    let through = |index: usize| options.coolant[index].as_ref().map(|[on, _]| on.as_str());
+    let plain = through(2).or(codes.coolant[2].map(|[on, _]| on));
+    let pressures = [plain, through(4), through(5), through(6)];
+    for (index, code) in pressures.iter().enumerate() {
+        if let Some(code) = code.filter(|_| pressures[..index].contains(code)) {
+            faults.push(format!(
+                "two pressures of coolant through the spindle have the code {code}: leave one of them out of \
+                 `control.coolant`"
+            ));
+        }
     }
     if options.smoothing != Smoothing::None && codes.smoothing[0].is_empty() {
         faults.push(format!("{title} has no smoothing levels: leave `control.smoothing` out and set `path_tolerance`"));
@@ -116,12 +128,13 @@ pub fn abilities(control: &dyn Control, demands: Demands<'_>) -> Abilities {
     let codes = control.spellings();
     let has = |kind: Coolant| {
         let index = coolant_index(kind).unwrap_or_default();
-        demands.options.coolant[index].is_some() || codes.coolant[index].is_some()
+        demands.options.coolant[index].is_some() || codes.coolant.get(index).copied().flatten().is_some()
     };
     Abilities {
         flood: has(Coolant::Flood),
         mist: has(Coolant::Mist),
         through: has(Coolant::Through),
+        pressures: Pressure::WORDS.map(|(_, pressure)| has(Coolant::ThroughAt(pressure))),
         air: has(Coolant::Air),
         length_call_may_move: codes.length.call == LengthCall::WithZ,
         registers: codes.length.registers,

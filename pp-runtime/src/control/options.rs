@@ -57,8 +57,9 @@ options! {
             key("control.tool_change", ListOf(TemplateBlock(OF_TOOL)), "[\"T{tool} M6\", \"T{next}\"]");
         /// Preselect the next tool at each tool change.
         preselect: Option<bool> = None, key("control.preselect", YesNo, "true");
-        /// On and off code of each kind of coolant: flood, mist, through (the spindle), air.
-        coolant: [Option<[String; 2]>; 4] = [const { None }; 4], key("control.coolant", CoolantCodes);
+        /// On and off code of each kind of coolant: flood, mist, through (the spindle), air; and of its pressures
+        /// (COOLNT/THRU,HIGH): through_low, through_medium, through_high.
+        coolant: [Option<[String; 2]>; 7] = [const { None }; 7], key("control.coolant", CoolantCodes);
         /// Smoothing by the control within `path_tolerance`: "none", "rough", "medium" or "finish".
         smoothing: Smoothing = Smoothing::None, key("control.smoothing", OneOf(&Smoothing::NAMES));
         /// Largest deviation of the tool axis while the control smooths; in degrees in the file (Heidenhain: TA of cycle
@@ -164,7 +165,7 @@ const PATH_NORMS: [(&str, PathNorm); 4] = [
 ];
 
 /// Kinds of coolant in the order of [`ControlOptions::coolant`].
-const COOLANTS: [&str; 4] = ["flood", "mist", "through", "air"];
+const COOLANTS: [&str; 7] = ["flood", "mist", "through", "air", "through_low", "through_medium", "through_high"];
 
 /// Smallest path tolerance, mm. In inches, with six decimals, it is still greater than zero.
 const SMALLEST_PATH_TOLERANCE: f64 = 0.0001;
@@ -222,10 +223,10 @@ impl KeyKind for OnAndOff {
 struct CoolantCodes;
 
 impl KeyKind for CoolantCodes {
-    type Value = [Option<[String; 2]>; 4];
+    type Value = [Option<[String; 2]>; 7];
 
     fn read(&self, r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<Self::Value> {
-        let mut codes = [const { None }; 4];
+        let mut codes = [const { None }; 7];
         for (key, span, value) in r.entries(value) {
             let Some(kind) = COOLANTS.iter().position(|kind| *kind == key) else {
                 let help = match nearest(key, COOLANTS.into_iter()) {

@@ -10,8 +10,8 @@ use super::hole::{ExpectedHole, HoleStep, unfolded};
 use super::{ClMotion, ExpectedAction, ExpectedItem, Required, SpindleState};
 use crate::kinematics::Pose;
 use crate::program::{
-    Arc, Clearance, Compensation, Coolant, CutterSide, Dwell, Event, Hole, Location, Move, Rotation, Spindle, Spline,
-    ToolCall,
+    Arc, Clearance, Compensation, Coolant, CutterSide, Dwell, Event, Hole, Location, Move, Pressure, Rotation, Spindle,
+    Spline, ToolCall,
 };
 
 /// A line is perpendicular to the tool within this height, mm, or half a unit of coarser words: points of CL data are
@@ -386,6 +386,16 @@ impl<'a> ClState<'a> {
             Coolant::On | Coolant::Flood => coolant::FLOOD,
             Coolant::Mist => coolant::MIST,
             Coolant::Through => coolant::THROUGH,
+            // A pressure without codes is left out.
+            Coolant::ThroughAt(pressure) => {
+                let bit = match pressure {
+                    Pressure::Low => coolant::PRESSURES[0],
+                    Pressure::Medium => coolant::PRESSURES[1],
+                    Pressure::High => coolant::PRESSURES[2],
+                };
+                let codes = &self.policy.shop.lines;
+                if codes.iter().any(|line| line.coolant == Some((bit, true))) { bit } else { coolant::THROUGH }
+            }
             Coolant::Air => coolant::AIR,
             Coolant::Off => 0,
         }

@@ -186,6 +186,8 @@ pub mod coolant {
     pub const THROUGH: u8 = 4;
     /// Air.
     pub const AIR: u8 = 8;
+    /// Through the spindle at low, medium and high pressure.
+    pub const PRESSURES: [u8; 3] = [16, 32, 64];
 }
 
 /// What has been said since a complete state began: bits.

@@ -6,7 +6,7 @@ use crate::motion::PathNorm;
 use crate::motion::{CycleAbilities, PlaneAngles, PoseRule, Registers};
 use crate::nc::Formats;
 use crate::nc::Numerals;
-use crate::program::{Coolant, Rotation};
+use crate::program::{Coolant, Pressure, Rotation};
 
 /// Codes of a control.
 #[derive(Debug)]
@@ -83,7 +83,8 @@ pub struct Spellings {
     pub spindle_off: &'static str,
     /// Coolant off.
     pub coolant_off: &'static str,
-    /// On and off codes of flood, mist, coolant through the spindle, and air.
+    /// On and off codes of flood, mist, coolant through the spindle, and air. Codes for a pressure are those of the
+    /// configuration.
     pub coolant: [Option<[&'static str; 2]>; 4],
     /// Program stop, and optional stop.
     pub stop: [&'static str; 2],
@@ -310,13 +311,16 @@ pub enum LengthCall {
     WithTool,
 }
 
-/// Index of a kind of coolant in [`Spellings::coolant`].
+/// Index of a kind of coolant in [`Spellings::coolant`] and in the configuration, which has the pressures after the kinds.
 pub(crate) fn coolant_index(coolant: Coolant) -> Option<usize> {
     match coolant {
         Coolant::On | Coolant::Flood => Some(0),
         Coolant::Mist => Some(1),
         Coolant::Through => Some(2),
         Coolant::Air => Some(3),
+        Coolant::ThroughAt(Pressure::Low) => Some(4),
+        Coolant::ThroughAt(Pressure::Medium) => Some(5),
+        Coolant::ThroughAt(Pressure::High) => Some(6),
         Coolant::Off => None,
     }
 }

@@ -15,6 +15,8 @@ pub struct Abilities {
     pub mist: bool,
     /// Coolant through the spindle.
     pub through: bool,
+    /// The same at low, medium and high pressure.
+    pub pressures: [bool; 3],
     /// Air.
     pub air: bool,
     /// Calling or cancelling a length offset may move the axis by the length.

@@ -34,7 +34,7 @@ use crate::diag::Diagnostic;
 use crate::kinematics::{AnyMachine, Pose};
 use crate::motion::options::{Policy, Transition};
 use crate::program::Units;
-use crate::program::{self, Location, Move};
+use crate::program::{self, Coolant, Location, Move};
 
 use crate::motion::course::{Course, CourseAction, CourseChange, CourseFollower};
 use crate::motion::fault::{Fault, ItemError, Planned, PlanningError};
@@ -343,6 +343,10 @@ impl<'a, S: Sink> Planner<'a, S> {
     #[inline]
     fn stop_spindle(&mut self) -> io::Result<()> {
         self.spindle.stop_if_pending(self.mover.output_mut())
+    }
+
+    fn request_coolant(&mut self, kind: Coolant) {
+        self.coolant.request(kind, self.abilities, self.mover.output_mut());
     }
 
     fn apply_coolant(&mut self) -> Planned {

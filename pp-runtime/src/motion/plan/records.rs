@@ -60,7 +60,7 @@ impl<S: Sink> Records<'_, '_, S> {
                 if self.between { Ok(()) } else { self.planner.apply_spindle(false) }
             }
             Event::Coolant(kind) => {
-                self.planner.coolant.request(kind);
+                self.planner.request_coolant(kind);
                 if self.between { Ok(()) } else { self.planner.apply_coolant() }
             }
             Event::From(pose) => {
@@ -230,12 +230,8 @@ impl<S: Sink> Records<'_, '_, S> {
         Ok(())
     }
 
-    /// GOHOME without a point.
+    /// GOHOME without a point: the machine retract, then the parking position where one is configured.
     fn go_home(&mut self) -> Planned {
-        if self.planner.policy.options.park.is_empty() && self.planner.policy.options.retract.position_mm.is_none() {
-            let fault = Fault::new("GOHOME without a point, and neither `park` nor `retract.position` is configured");
-            return Err(fault.help("configure one of them, or give GOHOME/x,y,z").into());
-        }
         self.leave()?;
         self.planner.mover.machine_retract()?;
         self.planner.mover.park()?;

@@ -70,9 +70,6 @@ impl Interpreter {
         if draft.coolant_on != 0 {
             state.coolant = Some(state.coolant.unwrap_or(0) | draft.coolant_on);
         }
-        if draft.coolant_on & !(coolant::FLOOD | coolant::MIST | coolant::THROUGH | coolant::AIR) != 0 {
-            fault(faults, 0, "unknown coolant code");
-        }
         self.set_length(draft, faults);
         self.set_frames(draft, faults);
         let now = &self.state;

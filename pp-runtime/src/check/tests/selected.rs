@@ -1,0 +1,50 @@
+//! Functions that the configuration selects: a program has them, and a program without them is found.
+
+use super::*;
+
+/// What is wrong with a configuration.
+fn refused<M: Machine>(control: &str, mode: Mode, set_up: &str) -> Vec<String> {
+    let (control, config) = configured::<M>(control, mode, set_up);
+    control::unfit(&M::default(), control, config.demands())
+}
+
+/// One tool, four cuts of three axes.
+fn cuts(record: &str) -> String {
+    format!(
+        "UNITS/MM\nLOADTL/1\nSPINDL/RPM,2000,CLW\n{record}\nFEDRAT/300,MMPM\nRAPID\nGOTO/0,0,50\nGOTO/0,0,0\nGOTO/20,0,0\n\
+         GOTO/20,20,0\nGOTO/20,20,50\n"
+    )
+}
+
+#[test]
+fn the_pressure_of_coolant_through_the_spindle_is_written_where_codes_are_configured() {
+    let data = cuts("COOLNT/THRU,HIGH");
+    let plain = posted_right::<Mill>("haas", Mode::Axes, "", &data);
+    assert!(plain.contains("\nM88\n") && plain.contains("\nM89\n"), "{plain}");
+    let codes = "control.coolant = { through = [\"M88\", \"M89\"], through_high = [\"M388\", \"M89\"] }\n";
+    let high = posted_right::<Mill>("haas", Mode::Axes, codes, &data);
+    assert!(high.contains("\nM388\n") && high.contains("\nM89\n") && !high.contains("\nM88\n"), "{high}");
+    let low = posted_right::<Mill>("haas", Mode::Axes, codes, &cuts("COOLNT/THRU,LOW"));
+    assert!(low.contains("\nM88\n") && !low.contains("\nM388\n"), "{low}");
+    assert_told::<Mill>("haas", Mode::Axes, codes, &data, &high.replace("M388", "M88"));
+    assert_told::<Mill>("haas", Mode::Axes, codes, &cuts("COOLNT/THRU,LOW"), &low.replace("M88", "M388"));
+    let same = "control.coolant = { through_high = [\"M88\", \"M89\"] }\n";
+    assert!(refused::<Mill>("haas", Mode::Axes, same)[0].contains("have the code M88"));
+}
+
+#[test]
+fn gohome_retracts_with_no_parking_position_on_every_control() {
+    let data = format!("{}GOHOME\nGOTO/5,5,10\nGOTO/5,5,0\nGOTO/5,5,20\nGOHOME\n", cuts("COOLNT/ON"));
+    for control in ["linuxcnc", "fanuc", "siemens", "heidenhain", "haas"] {
+        posted_right::<Mill>(control, Mode::Axes, "", &data);
+        posted_right::<Tables>(control, Mode::Axes, "", &data);
+    }
+}
+
+#[test]
+fn blocks_between_opskip_on_and_off_are_in_the_program_with_a_comment_that_they_are_never_skipped() {
+    let data = cuts("COOLNT/ON").replace("GOTO/20,0,0\n", "OPSKIP/ON\nGOTO/20,0,0\nOPSKIP/OFF\n");
+    let program = posted_right::<Mill>("fanuc", Mode::Axes, "", &data);
+    assert!(program.contains("(OPSKIP ON IGNORED, NEXT BLOCKS ARE NEVER SKIPPED)\n"), "{program}");
+    assert!(program.contains("X20.") && !program.contains("\n/"), "{program}");
+}
