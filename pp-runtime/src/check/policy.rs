@@ -200,6 +200,8 @@ pub struct FeedPolicy {
     pub keeps_axis_speeds: bool,
     /// Largest F, mm/min.
     pub largest_mm_per_min: Option<f64>,
+    /// Largest F of inverse-time feed, if it is not that of the control.
+    pub largest_inverse_time: Option<f64>,
     /// Shortest time of a block, s.
     pub shortest_block_s: f64,
     /// Speed of rotary axes where the tip rests, rad/min.

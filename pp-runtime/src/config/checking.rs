@@ -150,6 +150,7 @@ impl Config {
             }),
             keeps_axis_speeds: self.motion.feed.keep_speeds,
             largest_mm_per_min: self.motion.feed.largest_mm_per_min,
+            largest_inverse_time: self.motion.feed.largest_inverse_time,
             shortest_block_s: self.motion.feed.shortest_block_s,
             reorient_rad_per_min: self.motion.rapids.reorient_rad_per_min,
             rapids_interpolated: self.control.linear_rapids,

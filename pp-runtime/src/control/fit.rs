@@ -139,6 +139,7 @@ pub fn abilities(control: &dyn Control, demands: Demands<'_>) -> Abilities {
         length_call_may_move: codes.length.call == LengthCall::WithZ,
         registers: codes.length.registers,
         path_norm: demands.options.path_norm.unwrap_or(codes.path_norm),
+        largest_inverse_time: demands.motion.feed.largest_inverse_time.unwrap_or(codes.largest_inverse_time),
         feed_per_inch: codes.feed_per_inch,
         cycles: cycle_abilities(codes, demands),
         shared_radius_registers: codes.compensation[1].contains("{radius}"),

@@ -81,6 +81,8 @@ pub(crate) struct Facts {
     pub(crate) feed_in_tenths_of_inch: bool,
     /// F counts the degrees of rotary axes as millimetres, and there is no inverse-time feed.
     pub(crate) feed_counts_degrees: bool,
+    /// Largest F of inverse-time feed, in hundredths.
+    pub(crate) largest_inverse_time_hundredths: Option<u32>,
     /// All axes of a rapid under tip control arrive together.
     pub(crate) rapids_interpolated: bool,
     /// A tilted plane is switched off before the retract in machine coordinates, and that moves nothing.
@@ -156,6 +158,7 @@ const ISO: Facts = Facts {
     guard_in_mm: false,
     feed_in_tenths_of_inch: false,
     feed_counts_degrees: false,
+    largest_inverse_time_hundredths: None,
     // Fanuc: parameter 1401#1; Haas: a setting.
     rapids_interpolated: false,
     plane_off_before_retract: false,
@@ -233,6 +236,8 @@ impl Family {
             Self::Haas => Facts {
                 one_m_code: true,
                 feed_needs_point: true,
+                // Autodesk's public posts for Haas: 9999.99.
+                largest_inverse_time_hundredths: Some(999_999),
                 guard_source: GuardSource::Registers { largest: 200 },
                 smoothing: SmoothingWords { tolerance: true, levels: [Some(1), Some(2), Some(3)] },
                 ..ISO

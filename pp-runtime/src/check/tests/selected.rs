@@ -48,3 +48,48 @@ fn blocks_between_opskip_on_and_off_are_in_the_program_with_a_comment_that_they_
     assert!(program.contains("(OPSKIP ON IGNORED, NEXT BLOCKS ARE NEVER SKIPPED)\n"), "{program}");
     assert!(program.contains("X20.") && !program.contains("\n/"), "{program}");
 }
+
+/// A blade in miniature: short blocks in which the rotary axes rotate.
+fn short_blocks() -> String {
+    let mut data = "UNITS/MM\nLOADTL/1,LENGTH,100\nSPINDL/RPM,2000,CLW\nFEDRAT/3000,MMPM\n".to_owned();
+    for point in 0..12 {
+        let (x, tilt) = (f64::from(point) * 0.04, (20.0 + 0.3 * f64::from(point)).to_radians());
+        data += &format!("GOTO/{x:.3},0,20,{:.7},0,{:.7}\n", tilt.sin(), tilt.cos());
+    }
+    data
+}
+
+/// Largest F of the blocks in inverse time.
+fn largest_inverse_time(program: &str) -> f64 {
+    let blocks = program.split("G93").nth(1).expect("inverse time").split("G94").next().unwrap_or_default();
+    let words = blocks.split_whitespace().filter_map(|word| word.strip_prefix('F')?.parse().ok());
+    words.fold(0.0, f64::max)
+}
+
+#[test]
+fn f_of_inverse_time_stays_within_what_the_control_takes() {
+    let set_up = "retract.distance = 50\nfeed.keep_speeds = false\n";
+    let data = short_blocks();
+    let haas = posted_right::<Tables>("haas", Mode::Axes, set_up, &data);
+    assert!((largest_inverse_time(&haas) - 9999.99).abs() < 1e-9, "{haas}");
+    let fanuc = posted_right::<Tables>("fanuc", Mode::Axes, set_up, &data);
+    assert!(largest_inverse_time(&fanuc) > 50_000.0, "{fanuc}");
+    for control in ["linuxcnc", "fanuc", "siemens", "haas"] {
+        for largest in [777.7777, 60_000.0] {
+            let set_up = format!("{set_up}feed.largest_inverse_time = {largest}\n");
+            let program = posted_right::<Tables>(control, Mode::Axes, &set_up, &data);
+            let found = largest_inverse_time(&program);
+            assert!(found <= largest && (found > 0.999 * largest || largest > 1000.0), "{control} {found}\n{program}");
+            // A block that no limit holds back must not be slower.
+            let slower = program.replacen(&format!("F{found}"), &format!("F{}", found * 0.99), 1);
+            assert_ne!(slower, program);
+            assert_told::<Tables>(control, Mode::Axes, &set_up, &data, &slower);
+        }
+    }
+    let other = format!("{set_up}feed.largest_inverse_time = 60000\n");
+    let faster = posted_right::<Tables>("haas", Mode::Axes, &other, &data);
+    assert_told::<Tables>("haas", Mode::Axes, set_up, &data, &faster);
+    assert_told::<Tables>("haas", Mode::Axes, &other, &data, &haas);
+    let beyond = haas.replacen("F9999.99", "F10000.", 1);
+    assert_told::<Tables>("haas", Mode::Axes, set_up, &data, &beyond);
+}

@@ -117,6 +117,7 @@ static SPELLINGS: Spellings = Spellings {
     per_minute: "",
     offset_title: "datum row ",
     inverse_time: None,
+    largest_inverse_time: f64::INFINITY,
     path_norm: PathNorm::XyzDegrees,
     feed_per_inch: 10.0,
     rapid: "L",

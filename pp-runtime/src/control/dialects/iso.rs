@@ -33,6 +33,7 @@ impl Spellings {
         per_minute: "G94",
         offset_title: "",
         inverse_time: Some("G93"),
+        largest_inverse_time: f64::INFINITY,
         path_norm: PathNorm::G93Minutes,
         feed_per_inch: 1.0,
         rapid: "G0",

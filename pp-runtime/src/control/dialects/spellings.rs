@@ -47,6 +47,8 @@ pub struct Spellings {
     pub offset_title: &'static str,
     /// Code of inverse-time feed, F in 1/min; `None` if the control has none.
     pub inverse_time: Option<&'static str>,
+    /// Largest F of inverse-time feed.
+    pub largest_inverse_time: f64,
     /// Path to which F applies where a rotary axis moves.
     pub path_norm: PathNorm,
     /// Number of units of F in one inch, in an inch program.

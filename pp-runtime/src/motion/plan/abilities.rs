@@ -25,6 +25,8 @@ pub struct Abilities {
     pub registers: Registers,
     /// Path length that F refers to in a block in which a rotary axis moves.
     pub path_norm: PathNorm,
+    /// Largest F of inverse-time feed.
+    pub largest_inverse_time: f64,
     /// Units of F in one unit of length of an inch program.
     pub feed_per_inch: f64,
     /// Drilling and tapping cycles.
