@@ -79,6 +79,8 @@ pub struct WordPolicy {
     pub tip_frame: TipFrame,
     /// Under tip control the control rotates the tool axis in the plane of its ends.
     pub axis_in_plane: bool,
+    /// The program selects `axis_in_plane` where the control has a word for it; otherwise a setting of the control does.
+    pub posture_word: bool,
     /// Under tip control the program gives components of the tool axis instead of angles.
     pub tool_axis_vectors: bool,
     /// Tip control is switched by codes of the shop, which also select how the tool axis moves.

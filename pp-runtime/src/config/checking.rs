@@ -86,6 +86,7 @@ impl Config {
                 Some(TcpFrame::NotTurning) => TipFrame::Machine,
             },
             axis_in_plane: tip.tool_posture == ToolPosture::Plane,
+            posture_word: control.posture_word,
             tool_axis_vectors: tip.tcp_words == TcpWords::Vectors,
             own_tip_codes: control.tip_control.is_some(),
             axis_names: control.axes.clone(),

@@ -73,6 +73,12 @@ fn unsupported(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
             "smoothing of {title} has no tolerance for rotary axes: leave `control.smoothing_angle` out"
         ));
     }
+    let posture = codes.tip.as_ref().map_or("", |tip| tip.posture_setting[0]);
+    if !options.posture_word && (posture.is_empty() || options.tip_control.is_some()) {
+        faults.push(format!(
+            "no setting of {title} takes the place of the word of the tool posture: leave `control.posture_word` out"
+        ));
+    }
     let inverse = matches!(options.path_norm, Some(PathNorm::G93Minutes | PathNorm::G93Seconds));
     if inverse && codes.inverse_time.is_none() {
         faults.push(format!("{title} has no inverse-time feed: set `control.path_norm` to \"xyz\" or \"xyz+deg\""));

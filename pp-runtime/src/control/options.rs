@@ -75,6 +75,9 @@ options! {
         tip_control: Option<[String; 2]> = None, key("control.tip_control", OnAndOff, "[\"M428\", \"M429\"]");
         /// Name of the swivel data record of CYCLE800.
         swivel_data: Option<String> = None, key("control.swivel_data", OneLine, "\"TABLE\"");
+        /// Write the word of `tool_posture` where tip control is switched on (Fanuc: P of G43.4, an option of the control).
+        /// Without it a setting of the control decides (Fanuc: parameter 19604#0), which must be the same.
+        posture_word: bool = true, key("control.posture_word", YesNo);
         /// Rapids under tip control are interpolated: all axes arrive together (Fanuc: parameter 1401#1). The check of
         /// travel limits uses this.
         linear_rapids: Option<bool> = None, key("control.linear_rapids", YesNo, "true");

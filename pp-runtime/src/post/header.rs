@@ -465,7 +465,12 @@ fn mode_lines(control: &dyn Control, config: &Config) -> Vec<String> {
                 ToolPosture::Plane => "the tool axis rotates in the plane of its start and end",
             };
             let words = format!("LINEAR WORDS are tip coordinates in a frame {frame}; {posture}");
-            std::iter::once(words).chain(codes.tip.as_ref().and_then(|tip| note(tip.note))).collect()
+            let tip = codes.tip.as_ref();
+            let setting = tip.filter(|_| !config.control.posture_word);
+            let setting = setting
+                .map(|tip| tip.posture_setting[usize::from(config.motion.tip.tool_posture == ToolPosture::Plane)]);
+            let notes = [tip.map(|tip| tip.note), setting].into_iter().flatten().filter_map(note);
+            std::iter::once(words).chain(notes).collect()
         }
         Mode::Plane => {
             let words = "LINEAR WORDS are tip coordinates in the tilted plane, from the same zero".to_owned();

@@ -251,6 +251,11 @@ impl Rules<'_> {
         if words.own_tip_codes {
             return None;
         }
+        if !words.posture_word {
+            return state.in_plane.map(|_| {
+                "interpolation of the tool axis is programmed (P), expected the setting of the control".to_owned()
+            });
+        }
         if self.facts.tool_axis_interpolation && state.in_plane != Some(words.axis_in_plane) {
             let expected = match words.axis_in_plane {
                 true => "the plane through the first and the last tool axis",

@@ -93,3 +93,28 @@ fn f_of_inverse_time_stays_within_what_the_control_takes() {
     let beyond = haas.replacen("F9999.99", "F10000.", 1);
     assert_told::<Tables>("haas", Mode::Axes, set_up, &data, &beyond);
 }
+
+#[test]
+fn the_word_of_the_tool_posture_is_left_out_where_it_is_an_option() {
+    let data =
+        "UNITS/MM\nLOADTL/1\nSPINDL/RPM,2000,CLW\nFEDRAT/300,MMPM\nGOTO/0,0,20,0,0,1\nGOTO/10,0,20,0.1,0,0.9949874\n";
+    let set_up = "retract.distance = 50\ntcp_frame = \"table_at_zero\"\ntcp_confirmed = true\n";
+    for (vectors, code) in [("", "G43.4 H1"), ("tcp_words = \"vectors\"\n", "G43.5 H1")] {
+        let written = format!("{set_up}{vectors}");
+        let left_out = format!("{written}control.posture_word = false\n");
+        let with = posted_right::<Tables>("fanuc", Mode::Tcp, &written, data);
+        assert!(with.contains(&format!("{code} P0 X")), "{with}");
+        let without = posted_right::<Tables>("fanuc", Mode::Tcp, &left_out, data);
+        assert!(without.contains(&format!("{code} X")), "{without}");
+        assert!(without.contains("19604#0"), "{without}");
+        // The check takes what is configured, and nothing else.
+        assert_told::<Tables>("fanuc", Mode::Tcp, &written, data, &without);
+        assert_told::<Tables>("fanuc", Mode::Tcp, &left_out, data, &with);
+        assert_told::<Tables>("fanuc", Mode::Tcp, &left_out, data, &with.replace(" P0 ", " P1 "));
+    }
+    for control in ["siemens", "heidenhain", "haas"] {
+        let set_up = "retract.distance = 50\ncontrol.posture_word = false\ncontrol.swivel_data = \"T\"\n";
+        let found = refused::<Tables>(control, Mode::Tcp, set_up);
+        assert!(found[0].contains("control.posture_word"), "{found:?}");
+    }
+}

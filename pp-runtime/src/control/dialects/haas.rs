@@ -75,6 +75,7 @@ static SPELLINGS: Spellings = Spellings {
         reset: &[],
         cancels_length: true,
         posture: ["", ""],
+        posture_setting: ["", ""],
         vectors: None,
         frame_is_set: false,
         turns_in_plane: false,

@@ -190,6 +190,7 @@ static SPELLINGS: Spellings = Spellings {
         reset: &["FUNCTION RESET TCPM"],
         cancels_length: false,
         posture: ["AXIS", "VECTOR"],
+        posture_setting: ["", ""],
         vectors: Some(ToolAxisWords {
             words: ["TX", "TY", "TZ"],
             with_length: None,

@@ -117,6 +117,7 @@ static SPELLINGS: Spellings = Spellings {
         reset: &[],
         cancels_length: false,
         posture: ["ORIMKS ORIAXES", "ORIWKS ORIVECT"],
+        posture_setting: ["", ""],
         // In ORIMKS they would be components in the machine frame.
         vectors: Some(ToolAxisWords {
             words: ["A3=", "B3=", "C3="],

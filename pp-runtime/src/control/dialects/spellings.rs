@@ -252,6 +252,9 @@ pub struct TipControlCodes {
     pub cancels_length: bool,
     /// Value of `{posture}`: the tool axis follows the rotary axes, or rotates in the plane of its start and end.
     pub posture: [&'static str; 2],
+    /// Setting of the control that has the effect of `posture`, where the block may do without `{posture}`; empty where it
+    /// may not.
+    pub posture_setting: [&'static str; 2],
     /// Words for the tool axis as a vector; `None` if the control takes none.
     pub vectors: Option<ToolAxisWords>,
     /// A machine parameter selects the frame of its coordinates.

@@ -134,7 +134,8 @@ impl Interpreter {
         if let Some(on) = tip {
             self.frames.programmed(Frames::TIP_CONTROL, on);
         }
-        state.in_plane = draft.in_plane.or(state.in_plane);
+        let form = self.facts.tip_control_has_form && tip == Some(true);
+        state.in_plane = if form { draft.in_plane } else { draft.in_plane.or(state.in_plane) };
         state.in_workpiece = draft.in_workpiece.or(state.in_workpiece);
         if draft.vector_written != 0 && state.tip_control == TipControl::Off {
             fault(faults, 0, "a tool axis is programmed while tip control is off");
