@@ -258,6 +258,10 @@ pub struct ShopBlocks {
     pub smoothing: Option<SmoothingLevel>,
     /// Tolerance of smoothing for rotary axes, where the program states it.
     pub smoothing_angle_rad: Option<f64>,
+    /// The path in the CL data is that of the tool centre where cutter compensation is on.
+    pub compensated_centre: bool,
+    /// Largest wear of a tool, mm.
+    pub largest_wear_mm: f64,
     /// Threads are cut with the feed synchronised to the spindle.
     pub rigid_tapping: bool,
     /// Lines that the configuration brings into the program.

@@ -8,7 +8,9 @@ use crate::check::read::{Effect, Family, OwnPlace, coolant};
 use crate::cl::ReadingOptions;
 use crate::control::{self, Control, LineEffect, Smoothing};
 use crate::kinematics::{AnyMachine, AxisKind, Machine, Side};
-use crate::motion::{Mode, Operations, PathNorm, Rapid, Rewind, TcpFrame, TcpWords, ToolPosture, Transition, Wrap};
+use crate::motion::{
+    CutterPath, Mode, Operations, PathNorm, Rapid, Rewind, TcpFrame, TcpWords, ToolPosture, Transition, Wrap,
+};
 use crate::program::Units;
 use crate::set_up::LengthMode;
 
@@ -186,6 +188,8 @@ impl Config {
                 Smoothing::Finish => Some(SmoothingLevel::Finish),
             },
             smoothing_angle_rad: control.smoothing_angle_rad,
+            compensated_centre: self.motion.compensation == Some(CutterPath::Centre),
+            largest_wear_mm: self.motion.largest_wear_mm,
             rigid_tapping: self.motion.cycles.rigid,
             lines: self.shop_lines(machine),
             effects: control.effects.iter().map(|(text, effect)| (text.clone(), declared(*effect))).collect(),

@@ -2,11 +2,15 @@
 //! may use (the [`Abilities`] of `motion`).
 
 use crate::kinematics::AnyMachine;
-use crate::motion::{self, Abilities, CycleAbilities, Mode, PathNorm, PlaneAbility, TcpWords, TipAbility};
-use crate::program::{Coolant, Pressure};
+use crate::motion::{
+    self, Abilities, CutterRadius, CycleAbilities, Mode, PathNorm, PlaneAbility, TcpWords, TipAbility,
+};
+use crate::program::{Coolant, Pressure, Units};
 use crate::set_up::LengthMode;
 
-use super::dialects::{ArcCentre, Control, CycleCodes, CycleForm, LengthCall, Spellings, ThreadCodes, coolant_index};
+use super::dialects::{
+    ArcCentre, Control, CycleCodes, CycleForm, LengthCall, RadiusGuard, Spellings, ThreadCodes, coolant_index,
+};
 use super::options::{Demands, Smoothing};
 
 /// Settings that the control does not support, and reasons why machine, control and configuration do not suit the mode.
@@ -108,6 +112,21 @@ fn tip_ability(control: &dyn Control, demands: Demands<'_>) -> Option<TipAbility
     own.or_else(|| demands.options.tip_control.is_some().then_some(plain))
 }
 
+/// Radius that cutter compensation takes. The blocks of a tool change may be those of the configuration.
+fn cutter_radius(control: &dyn Control, demands: Demands<'_>) -> CutterRadius {
+    let codes = control.spellings();
+    let has_delta = |block: &str| block.contains("{radius_delta}");
+    let guard = RadiusGuard { tool: 1, largest_wear_mm: 1.0, units: Units::Millimetres };
+    if codes.compensation[1].contains("{radius}") {
+        CutterRadius::Register
+    } else if codes.tool_change.iter().any(|block| has_delta(block)) {
+        let own = demands.options.tool_change.as_ref();
+        CutterRadius::WithDelta { written: own.is_none_or(|blocks| blocks.iter().any(|block| has_delta(block))) }
+    } else {
+        CutterRadius::OfTool { guarded: !control.radius_guard(&guard).is_empty() }
+    }
+}
+
 /// Whether I J K are the components of the tool axis, so that no arc centre can be written with them.
 fn centre_letters_are_tool_axis(control: &dyn Control, demands: Demands<'_>) -> bool {
     let codes = control.spellings();
@@ -148,7 +167,7 @@ pub fn abilities(control: &dyn Control, demands: Demands<'_>) -> Abilities {
         largest_inverse_time: demands.motion.feed.largest_inverse_time.unwrap_or(codes.largest_inverse_time),
         feed_per_inch: codes.feed_per_inch,
         cycles: cycle_abilities(codes, demands),
-        shared_radius_registers: codes.compensation[1].contains("{radius}"),
+        cutter_radius: cutter_radius(control, demands),
         arc_planes: codes.arcs.planes.map(|plane| plane.is_some() && !centre_letters_are_tool_axis(control, demands)),
         arc_radius_tolerance_mm: codes.arcs.radius_tolerance_mm,
         tip: tip_ability(control, demands),

@@ -37,7 +37,8 @@ impl<'a> Demands<'a> {
 
 options! {
     /// Settings of this control that differ from its standard codes. Blocks may hold fields in braces: {name},
-    /// {number}, {units}, {work_offset}, {path_tolerance}; in a tool change also {tool}, {next}, {offset} and {speed}.
+    /// {number}, {units}, {work_offset}, {path_tolerance}; in a tool change also {tool}, {next}, {offset}, {speed} and
+    /// {radius_delta} (Heidenhain, with `compensation.path = "centre"`).
     /// A word whose field has no value is left out; a block with {next} is left out where no tool follows.
     pub struct ControlOptions in "control" {
         /// Largest deviation from the programmed path where the control blends blocks.

@@ -6,9 +6,9 @@ use std::io;
 
 use crate::cl::{ArcVote, Dialect, Frames, Insert};
 use crate::config::Config;
-use crate::control::{Control, Encoder, LengthGuard};
+use crate::control::{self, Control, Encoder, LengthGuard};
 use crate::kinematics::{AnyMachine, Axis, AxisKind, Side, Sign};
-use crate::motion::{CutterPath, Mode, TcpFrame, ToolPosture, Wrap};
+use crate::motion::{CutterPath, CutterRadius, Mode, TcpFrame, ToolPosture, Wrap};
 use crate::nc::{Decimal, write_decimal};
 use crate::program::Rotation;
 use crate::program::Units;
@@ -253,7 +253,15 @@ impl Header<'_> {
         ];
         lines.extend(set_up(config, self.survey));
         lines.extend(config.motion.compensation.map(|path| match path {
-            CutterPath::Centre => "CUTTER COMPENSATION of the centre path: D must hold wear only".to_owned(),
+            CutterPath::Centre => {
+                let abilities = control::abilities(self.job.control, config.demands());
+                let what = match abilities.cutter_radius {
+                    CutterRadius::Register => "D must hold wear only",
+                    CutterRadius::WithDelta { .. } => "the tool call takes the radius off (DR)",
+                    CutterRadius::OfTool { .. } => "the radius in the tool data must be wear only",
+                };
+                format!("CUTTER COMPENSATION of the centre path: {what}")
+            }
             CutterPath::Contour => "CUTTER COMPENSATION of the contour: D must hold the radius".to_owned(),
         }));
         lines.extend(reading(config, self.survey));

@@ -350,6 +350,7 @@ impl PlanningPass<'_> {
         Planner::new(machine.to_boxed(), job.config.policy(), units, abilities, survey.upside_down, sink)
             .with_course(course)
             .with_tools(survey.order.clone())
+            .with_compensated(survey.compensated.clone())
             .with_operations(survey.selected.clone().and_then(Result::ok))
     }
 

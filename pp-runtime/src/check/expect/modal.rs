@@ -111,6 +111,7 @@ impl<'a> ClState<'a> {
             frame: 1,
             side: Side::None,
             radius_register: 0,
+            radius_mm: None,
             tolerance_mm: policy.tolerances.path_mm,
             clearance: policy.links.clearance,
         };
@@ -291,7 +292,8 @@ impl<'a> ClState<'a> {
         let given = self.policy.set_up.tools.get(&call.number);
         let length_mm = call.length_mm.or(before.length_mm);
         let length_offset = call.length_offset.or(before.length_offset);
-        self.calls.insert(call.number, ToolCall { length_mm, length_offset, ..*call });
+        let diameter_mm = call.diameter_mm.or(before.diameter_mm);
+        self.calls.insert(call.number, ToolCall { length_mm, length_offset, diameter_mm, ..*call });
         if self.required.tool != Some(call.number) {
             self.required.called = at;
             self.spindle.now = if self.operation.called { SpindleRecord::default() } else { self.spindle.in_start };
@@ -299,6 +301,8 @@ impl<'a> ClState<'a> {
         }
         self.operation.called = true;
         self.required.tool = Some(call.number);
+        let diameter_mm = diameter_mm.or(given.and_then(|tool| tool.diameter_mm));
+        self.required.radius_mm = diameter_mm.map(|diameter| 0.5 * diameter);
         self.required.gauge_length_mm = given.and_then(|tool| tool.length_mm).or(length_mm);
         let offset = given.and_then(|tool| tool.offset).or(length_offset);
         self.required.register = match self.policy.family.facts().registers {

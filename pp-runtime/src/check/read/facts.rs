@@ -73,6 +73,10 @@ pub(crate) struct Facts {
     pub(crate) length_off_at_machine_coordinates: bool,
     /// Tool radii have registers of their own: D.
     pub(crate) radius_registers: bool,
+    /// Cutter compensation takes the radius of the tool, to which the tool call adds DR.
+    pub(crate) radius_delta: bool,
+    /// Cutter compensation takes the radius of the active edge, which a guard compares.
+    pub(crate) radius_guard: bool,
     /// The control has switched the spindle off after a thread that is in step with it.
     pub(crate) tap_stops_spindle: bool,
     /// A length guard compares in mm, whatever the unit of the program.
@@ -153,6 +157,8 @@ const ISO: Facts = Facts {
     length_moves: true,
     length_off_at_machine_coordinates: true,
     radius_registers: true,
+    radius_delta: false,
+    radius_guard: false,
     // Rigid tapping: Fanuc B-63944EN/02 (2004), Haas 96-8000 (from memory).
     tap_stops_spindle: true,
     guard_in_mm: false,
@@ -248,6 +254,7 @@ impl Family {
                 registers: LengthRegisters::Edges,
                 length_moves: false,
                 radius_registers: false,
+                radius_guard: true,
                 tap_stops_spindle: false,
                 rapids_interpolated: true,
                 tool_axis_interpolation: true,
@@ -270,6 +277,7 @@ impl Family {
                 length_moves: false,
                 length_off_at_machine_coordinates: false,
                 radius_registers: false,
+                radius_delta: true,
                 guard_in_mm: true,
                 feed_in_tenths_of_inch: true,
                 feed_counts_degrees: true,

@@ -215,6 +215,8 @@ pub struct State {
     pub length: Option<Length>,
     /// Register of the diameter.
     pub diameter: Option<u32>,
+    /// DR of the tool call, mm.
+    pub radius_delta_mm: Option<f64>,
     /// Work offset.
     pub work_offset: Option<WorkOffset>,
     /// Work offset that was in force before tip control may have cancelled it.
@@ -273,6 +275,7 @@ impl Default for State {
             selected: None,
             length: None,
             diameter: None,
+            radius_delta_mm: None,
             work_offset: None,
             cancelled_offset: None,
             units: None,

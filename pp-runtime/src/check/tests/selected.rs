@@ -118,3 +118,66 @@ fn the_word_of_the_tool_posture_is_left_out_where_it_is_an_option() {
         assert!(found[0].contains("control.posture_word"), "{found:?}");
     }
 }
+
+/// A contour that T1, 12 mm in diameter, cuts with compensation; T2 cuts without it.
+fn contour() -> &'static str {
+    "UNITS/MM\nCUTTER/12\nLOADTL/1\nSPINDL/RPM,2000,CLW\nFEDRAT/300,MMPM\nRAPID\nGOTO/0,-20,50\nGOTO/0,-20,0\nCUTCOM/LEFT\n\
+     GOTO/0,0,0\nGOTO/30,0,0\nSPINDL/RPM,3000,CLW\nGOTO/40,0,0\nCUTCOM/OFF\nGOTO/40,20,0\nGOTO/40,20,50\nCUTTER/8\nLOADTL/2\n\
+     SPINDL/RPM,1000,CLW\nRAPID\nGOTO/0,0,50\nGOTO/0,0,0\nGOTO/5,0,0\nGOTO/5,0,50\n"
+}
+
+const CENTRE: &str = "compensation.path = \"centre\"\nretract.distance = 20\n";
+
+#[test]
+fn a_tnc_takes_the_radius_of_the_tool_off_in_the_tool_call_where_the_path_is_that_of_the_centre() {
+    let (control, mode) = ("heidenhain", Mode::Axes);
+    let program = posted_right::<Mill>(control, mode, CENTRE, contour());
+    assert!(program.contains("TOOL CALL 1 Z S2000 DR-6\n"), "{program}");
+    assert!(program.contains("TOOL CALL S3000 DR-6\n"), "{program}");
+    assert!(program.contains("TOOL CALL 2 Z S1000\n"), "{program}");
+    for (was, is) in
+        [("S2000 DR-6", "S2000"), ("S2000 DR-6", "S2000 DR-4"), ("S2000 DR-6", "S2000 DR+6"), ("S3000 DR-6", "S3000")]
+    {
+        assert_told::<Mill>(control, mode, CENTRE, contour(), &program.replace(was, is));
+    }
+    let inches = format!("{CENTRE}output_units = \"in\"\n");
+    assert!(posted_right::<Mill>(control, mode, &inches, contour()).contains(" DR-0.2362\n"));
+    // Without a radius in the CL data that of the configuration.
+    let unknown = contour().replace("CUTTER/12\n", "");
+    let found = posted::<Mill>(control, mode, CENTRE, &unknown).expect_err("no radius");
+    assert!(found[0].text.contains("the radius of T1 is unknown"), "{found:?}");
+    let given = format!("{CENTRE}tools.1.diameter = 10\n");
+    assert!(posted_right::<Mill>(control, mode, &given, &unknown).contains("S2000 DR-5\n"));
+    // Where D is the radius the tool call has no delta.
+    let radius = CENTRE.replace("centre", "contour");
+    let plain = posted_right::<Mill>(control, mode, &radius, contour());
+    assert!(plain.contains("TOOL CALL 1 Z S2000\n"), "{plain}");
+    assert_told::<Mill>(control, mode, &radius, contour(), &plain.replace("Z S2000", "Z S2000 DR-6"));
+    // Blocks of the shop have the field, or the path of the centre is refused.
+    let own = format!("{CENTRE}control.tool_change = [\"TOOL CALL {{tool}} Z S{{speed}}\"]\n");
+    let found = posted::<Mill>(control, mode, &own, contour()).expect_err("no field for the delta");
+    assert!(found[0].help.as_ref().is_some_and(|help| help.contains("{radius_delta}")), "{found:?}");
+    let own = own.replace("S{speed}", "S{speed} DR{radius_delta}");
+    assert!(posted_right::<Mill>(control, mode, &own, contour()).contains("TOOL CALL 1 Z S2000 DR-6\n"));
+}
+
+#[test]
+fn a_siemens_stops_where_the_radius_of_the_edge_is_more_than_wear_and_the_path_is_that_of_the_centre() {
+    let (control, mode) = ("siemens", Mode::Axes);
+    let program = posted_right::<Mill>(control, mode, CENTRE, contour());
+    let guard = "IF ABS($P_TOOLR)>0.5\n";
+    assert_eq!(program.matches(guard).count(), 1, "{program}");
+    let begin = program.find(guard).expect("the guard");
+    let end = begin + program[begin..].find("ENDIF\n").expect("its end") + "ENDIF\n".len();
+    let without = format!("{}{}", &program[..begin], &program[end..]);
+    let wider = program.replace(guard, "IF ABS($P_TOOLR)>0.6\n");
+    let silent = program.replacen("M0\nM30\nENDIF", "ENDIF", 1);
+    for changed in [&without, &wider, &silent] {
+        assert_told::<Mill>(control, mode, CENTRE, contour(), changed);
+    }
+    let wear = format!("{CENTRE}compensation.largest_wear = 0.1\n");
+    assert_told::<Mill>(control, mode, &wear, contour(), &program);
+    assert!(posted_right::<Mill>(control, mode, &wear, contour()).contains("$P_TOOLR)>0.1\n"));
+    let radius = CENTRE.replace("centre", "contour");
+    assert!(!posted_right::<Mill>(control, mode, &radius, contour()).contains("$P_TOOLR"));
+}

@@ -9,6 +9,9 @@
 //! G2, 7.3). `M0` stops with the message displayed, and `M30` after it ends the program. Alarms of `SETAL` would need
 //! alarm texts in the machine.
 //!
+//! `G41` offsets the path by the whole radius of the active edge. Where the path is that of the tool centre a guard reads
+//! `$P_TOOLR`, the active radius with wear (System Variables 6FC5397-6AP40-3BA1, 03/2013), in the unit of the program.
+//!
 //! `TRAORI` switches on tip control, with coordinates in the frame of the table with its rotary axes at zero; after it
 //! the work offset is called again. `CYCLE800` in mode 57 rotates about X, the new Y and the new Z. Its direction -1 or
 //! 1 takes the pose with the lower or the higher value of the axis that is the direction reference of the swivel data
@@ -30,7 +33,7 @@
 use crate::motion::{CycleAbilities, PlaneAngles, PoseRule, Registers};
 use crate::nc::Formats;
 
-use super::control::{Control, LengthGuard, numbered};
+use super::control::{Control, LengthGuard, RadiusGuard, numbered};
 use super::spellings::{
     ArcCodes, CommentStyle, CycleDefinitions, CycleForm, HoleCycles, LengthCall, LengthCodes, Spellings,
     TiltedPlaneCodes, TipControlCodes, ToolAxisWords, printable,
@@ -175,6 +178,17 @@ impl Control for Siemens {
         vec![
             format!("IF ABS($P_TOOLL[1]-{length})>{tolerance}"),
             format!("MSG(\"T{} was posted with L = {length}: the length in the tool data differs\")", guard.tool),
+            "M0".to_owned(),
+            "M30".to_owned(),
+            "ENDIF".to_owned(),
+        ]
+    }
+
+    fn radius_guard(&self, guard: &RadiusGuard) -> Vec<String> {
+        let RadiusGuard { tool, .. } = guard;
+        vec![
+            format!("IF ABS($P_TOOLR)>{}", guard.in_program()),
+            format!("MSG(\"T{tool} follows the path of its centre: the radius in the tool data must be wear only\")"),
             "M0".to_owned(),
             "M30".to_owned(),
             "ENDIF".to_owned(),

@@ -20,7 +20,7 @@ use crate::nc::{Decimal, WrittenLine};
 use crate::program::Units;
 use crate::set_up::Stock;
 
-use super::dialects::{Control, LengthGuard, Spellings};
+use super::dialects::{Control, LengthGuard, RadiusGuard, Spellings};
 use super::layout::Layout;
 use super::options::ProgramBlocks;
 
@@ -173,7 +173,9 @@ impl<'a> Encoder<'a> {
                 out.feed_mode(codes.per_minute);
                 out.end()
             }
-            Step::Tool { number, offset, next, speed, change } => self.tool(number, offset, next, speed, change),
+            Step::Tool { number, offset, next, speed, radius_delta, change } => {
+                self.tool([number, offset], next, speed, radius_delta, change)
+            }
             Step::Length { offset } => out.length(offset),
             Step::CutterCompensation { left, register } => {
                 out.set_compensation_side(left, register);
@@ -190,6 +192,9 @@ impl<'a> Encoder<'a> {
                 tolerance_mm: tolerance,
                 units: self.units,
             }),
+            Step::RadiusGuard { tool, wear } => {
+                self.radius_guard(&RadiusGuard { tool, largest_wear_mm: wear, units: self.units })
+            }
             Step::Spindle { speed, rotation } => self.spindle_coolant.spindle(speed, rotation, out),
             Step::Code { text } => out.block(text),
             Step::SpindleOff => out.block(codes.spindle_off),
@@ -210,13 +215,16 @@ impl<'a> Encoder<'a> {
     /// Writes a tool change, or a comment that the tool is in the spindle already.
     fn tool(
         &mut self,
-        number: u32,
-        offset: u32,
+        [number, offset]: [u32; 2],
         next: Option<u32>,
         speed: Option<Decimal>,
+        radius_delta: Option<f64>,
         change: bool,
     ) -> io::Result<()> {
+        let unit_mm = self.units.in_mm();
+        let delta = radius_delta.map(|mm| Decimal::fixed(mm / unit_mm, self.linear).unwrap_or_default());
         let values = self.out.values();
+        values.radius_delta = delta;
         values.tool = Some(number);
         values.offset = Some(offset);
         values.next = next.filter(|_| self.preselect);
@@ -230,6 +238,11 @@ impl<'a> Encoder<'a> {
 
     fn length_guard(&mut self, guard: &LengthGuard) -> io::Result<()> {
         let blocks = self.control.length_guard(guard);
+        blocks.iter().try_for_each(|block| self.out.writer_mut().line(block.as_bytes()))
+    }
+
+    fn radius_guard(&mut self, guard: &RadiusGuard) -> io::Result<()> {
+        let blocks = self.control.radius_guard(guard);
         blocks.iter().try_for_each(|block| self.out.writer_mut().line(block.as_bytes()))
     }
 

@@ -31,8 +31,8 @@ pub struct Abilities {
     pub feed_per_inch: f64,
     /// Drilling and tapping cycles.
     pub cycles: CycleAbilities,
-    /// Radius registers are one list for all tools.
-    pub shared_radius_registers: bool,
+    /// Radius that cutter compensation takes.
+    pub cutter_radius: CutterRadius,
     /// Arcs are possible in the plane perpendicular to X, to Y and to Z.
     pub arc_planes: [bool; 3],
     /// Largest difference between the distances of both ends of an arc from its centre.
@@ -41,6 +41,23 @@ pub struct Abilities {
     pub tip: Option<TipAbility>,
     /// Tilted planes, if the control has them.
     pub plane: Option<PlaneAbility>,
+}
+
+/// Radius that cutter compensation takes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CutterRadius {
+    /// That of register D; registers are one list for all tools.
+    Register,
+    /// That of the tool, with a delta in the tool call.
+    WithDelta {
+        /// The tool call has a field for the delta.
+        written: bool,
+    },
+    /// That of the tool.
+    OfTool {
+        /// The program can stop where it is more than wear.
+        guarded: bool,
+    },
 }
 
 /// Numbering of the length offset registers.

@@ -27,6 +27,7 @@ mod statistics;
 mod tool;
 mod tooling;
 
+use std::collections::BTreeSet;
 use std::io;
 use std::ops::RangeInclusive;
 
@@ -44,7 +45,7 @@ use crate::motion::source::{Begins, ItemAction, LinePart, MotionIndex, Next, Pro
 use crate::motion::step::BlockReason;
 use crate::motion::step::Sink;
 
-pub use abilities::{Abilities, Registers};
+pub use abilities::{Abilities, CutterRadius, Registers};
 pub use clamps::MovingAxes;
 pub(crate) use hole::hole_extent;
 pub use machining_time::{FastestRotation, OperationTime, Times};
@@ -129,6 +130,13 @@ impl<'a, S: Sink> Planner<'a, S> {
     #[must_use]
     pub fn with_tools(mut self, order: Vec<u32>) -> Self {
         self.tooling.know_order(order);
+        self
+    }
+
+    /// Sets the tools that cut with cutter compensation. Without them every tool may.
+    #[must_use]
+    pub fn with_compensated(mut self, tools: BTreeSet<u32>) -> Self {
+        self.tooling.know_compensated(tools);
         self
     }
 

@@ -19,7 +19,7 @@ use crate::program::{Location, Move};
 use crate::motion::fault::{Fault, Planned};
 use crate::motion::geometry::SAME_AXIS;
 use crate::motion::plan::tool::LoadedTool;
-use crate::motion::plan::{MotionAndNext, Planner, records};
+use crate::motion::plan::{MotionAndNext, Planner, cutter, records};
 use crate::motion::rotary::RotaryTarget;
 use crate::motion::source::Next;
 use crate::motion::step::BlockReason;
@@ -151,11 +151,13 @@ impl<S: Sink> Planner<'_, S> {
         self.mover.set_gauge_length(tool.length_mm);
         let given = self.policy.set_up.tools.get(&tool.number);
         let spindle = self.spindle.requested().resolve(given, self.policy)?;
+        let radius_delta = cutter::radius_delta(self, &tool)?;
         self.mover.output_mut().step(&Step::Tool {
             number: tool.number,
             offset: tool.offset,
             next: self.tooling.following(tool.number),
             speed: spindle.map(|(speed, _)| speed),
+            radius_delta,
             change,
         })?;
         if change {
@@ -165,7 +167,7 @@ impl<S: Sink> Planner<'_, S> {
             self.mover.machine_retract()?;
         }
         if self.mover.placer().gauge_line() {
-            return Ok(());
+            return cutter::guard(self, &tool);
         }
         self.mover.output_mut().step(&Step::Length { offset: tool.offset })?;
         let guarded =
@@ -175,7 +177,7 @@ impl<S: Sink> Planner<'_, S> {
             let (tolerance, offset, tool) = (self.policy.options.guards.length_tolerance_mm, tool.offset, tool.number);
             self.mover.output_mut().step(&Step::LengthGuard { label, tool, offset, length, tolerance })?;
         }
-        Ok(())
+        cutter::guard(self, &tool)
     }
 
     /// Spindle and coolant of an operation that continues from the end of the last one: course changes may cut before its

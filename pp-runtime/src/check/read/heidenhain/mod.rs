@@ -166,8 +166,9 @@ fn blank(line: &mut Line<'_>) -> bool {
     }) && ended(line)
 }
 
-/// `TOOL CALL 5 Z S8000 DL+0`, `TOOL CALL S8000`.
+/// `TOOL CALL 5 Z S8000 DL+0 DR-6`, `TOOL CALL S8000 DR-6`.
 fn tool(line: &mut Line<'_>) -> bool {
+    let unit_mm = line.unit();
     let (at, draft) = (&mut line.at, &mut *line.draft);
     at.blanks();
     if at.peek().is_some_and(|byte| byte.is_ascii_digit()) {
@@ -184,17 +185,24 @@ fn tool(line: &mut Line<'_>) -> bool {
         };
         at.skip(1);
     }
+    let mut delta = draft.change.then_some(0.0);
+    let mut stated = false;
     while !at.ended() && at.peek() != Some(b';') {
         let name = at.letters();
         let Some(number) = at.number() else { return false };
         let first = match name {
             b"S" => draft.speed.replace(number.value).is_none(),
-            b"DL" | b"DR" => number.value == 0.0,
+            b"DL" => number.value == 0.0,
+            b"DR" => {
+                delta = Some(number.value * unit_mm);
+                !std::mem::replace(&mut stated, true)
+            }
             _ => false,
         };
         if !first {
             return false;
         }
     }
+    draft.radius_delta_mm = Some(delta);
     draft.change || draft.speed.is_some()
 }

@@ -61,6 +61,12 @@ impl Interpreter {
             state.length = None;
             self.known = 0;
         }
+        match draft.radius_delta_mm {
+            Some(Some(delta)) => state.radius_delta_mm = Some(delta),
+            // Whether a call with S alone keeps DR is in no manual that was found.
+            Some(None) => state.radius_delta_mm = state.radius_delta_mm.filter(|delta| *delta == 0.0),
+            None => {}
+        }
         state.spindle = draft.spindle.or(state.spindle);
         if draft.coolant_off != 0 {
             // Off codes of another supply leave flood and mist unknown.
