@@ -268,6 +268,8 @@ pub struct ShopBlocks {
     pub lines: Vec<ShopLine>,
     /// Declared effects of lines and words that are in no table, by their text.
     pub effects: Vec<(String, Effect)>,
+    /// Tools are called by the names of the set-up.
+    pub tool_names: bool,
     /// Name of the swivel data record.
     pub swivel_data: String,
 }

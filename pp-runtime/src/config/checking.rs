@@ -193,6 +193,7 @@ impl Config {
             rigid_tapping: self.motion.cycles.rigid,
             lines: self.shop_lines(machine),
             effects: control.effects.iter().map(|(text, effect)| (text.clone(), declared(*effect))).collect(),
+            tool_names: control.tool_names,
             swivel_data: control.swivel_data.clone().unwrap_or_default(),
         }
     }

@@ -1,9 +1,9 @@
 //! Fit of a configuration to a control: settings that the control does not support, and the functions that the planner
 //! may use (the [`Abilities`] of `motion`).
 
-use crate::kinematics::AnyMachine;
+use crate::kinematics::{AnyMachine, Axis, AxisKind, Side};
 use crate::motion::{
-    self, Abilities, CutterRadius, CycleAbilities, Mode, PathNorm, PlaneAbility, TcpWords, TipAbility,
+    self, Abilities, CutterRadius, CycleAbilities, Mode, PathNorm, PlaneAbility, Registers, TcpWords, TipAbility,
 };
 use crate::program::{Coolant, Pressure, Units};
 use crate::set_up::LengthMode;
@@ -13,12 +13,16 @@ use super::dialects::{
 };
 use super::options::{Demands, Smoothing};
 
+/// Largest number of characters of a tool name.
+const LONGEST_TOOL_NAME: usize = 32;
+
 /// Settings that the control does not support, and reasons why machine, control and configuration do not suit the mode.
 /// One sentence each; empty if a program can be written.
 #[must_use]
 pub fn unfit(machine: &dyn AnyMachine, control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
     let Abilities { tip, plane, .. } = abilities(control, demands);
     let mut faults = unsupported(control, demands);
+    faults.extend(unsuited_names(machine, control.spellings(), demands));
     faults.append(&mut motion::unsuited(machine, demands.policy(), control.spellings().title, tip, plane));
     faults
 }
@@ -112,6 +116,38 @@ fn tip_ability(control: &dyn Control, demands: Demands<'_>) -> Option<TipAbility
     own.or_else(|| demands.options.tip_control.is_some().then_some(plain))
 }
 
+/// Reasons why tools cannot be called by their names.
+fn unsuited_names(machine: &dyn AnyMachine, codes: &Spellings, demands: Demands<'_>) -> Vec<String> {
+    let (title, set_up) = (codes.title, demands.set_up);
+    if !demands.options.tool_names {
+        return Vec::new();
+    }
+    if codes.tool_name.is_none() {
+        return vec![format!("{title} calls tools by number: leave `control.tool_names` out")];
+    }
+    let mut faults = Vec::new();
+    let names = || set_up.tools.iter().filter_map(|(number, tool)| Some((number, tool.name.as_ref()?)));
+    for (number, name) in names() {
+        if name.len() > LONGEST_TOOL_NAME || name.is_empty() || !name.bytes().all(codes.tool_name_byte) {
+            faults.push(format!("{title} permits no tool name `{name}`: correct `[tools.{number}] name`"));
+        }
+        if let Some((other, _)) = names().find(|(other, known)| *other < number && known.eq_ignore_ascii_case(name)) {
+            faults.push(format!(
+                "T{other} and T{number} have the same name `{name}`: with `control.tool_names` they are one tool"
+            ));
+        }
+    }
+    // The guard of a control whose registers are rows reads the row of this number.
+    let head = |axis: &Axis| axis.kind == AxisKind::Rotary && !axis.held && axis.side == Side::Tool;
+    let needed = demands.motion.mode == Mode::Axes && machine.axes().iter().any(head);
+    if codes.length.registers == Registers::Rows && demands.motion.guards.length_guard.unwrap_or(needed) {
+        faults.push(format!(
+            "the length guard of {title} reads the row of the tool number: set `length_guard = false` with `control.tool_names`"
+        ));
+    }
+    faults
+}
+
 /// Radius that cutter compensation takes. The blocks of a tool change may be those of the configuration.
 fn cutter_radius(control: &dyn Control, demands: Demands<'_>) -> CutterRadius {
     let codes = control.spellings();
@@ -168,6 +204,7 @@ pub fn abilities(control: &dyn Control, demands: Demands<'_>) -> Abilities {
         feed_per_inch: codes.feed_per_inch,
         cycles: cycle_abilities(codes, demands),
         cutter_radius: cutter_radius(control, demands),
+        tools_by_name: demands.options.tool_names,
         arc_planes: codes.arcs.planes.map(|plane| plane.is_some() && !centre_letters_are_tool_axis(control, demands)),
         arc_radius_tolerance_mm: codes.arcs.radius_tolerance_mm,
         tip: tip_ability(control, demands),

@@ -56,6 +56,8 @@ options! {
         /// Blocks of a tool change, instead of those of the control.
         tool_change: Option<Vec<String>> = None,
             key("control.tool_change", ListOf(TemplateBlock(OF_TOOL)), "[\"T{tool} M6\", \"T{next}\"]");
+        /// Call tools by the names in `[tools.N] name`, as they are in the tool table (Siemens, Heidenhain).
+        tool_names: bool = false, key("control.tool_names", YesNo);
         /// Preselect the next tool at each tool change.
         preselect: Option<bool> = None, key("control.preselect", YesNo, "true");
         /// On and off code of each kind of coolant: flood, mist, through (the spindle), air; and of its pressures

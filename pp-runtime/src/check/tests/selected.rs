@@ -181,3 +181,57 @@ fn a_siemens_stops_where_the_radius_of_the_edge_is_more_than_wear_and_the_path_i
     let radius = CENTRE.replace("centre", "contour");
     assert!(!posted_right::<Mill>(control, mode, &radius, contour()).contains("$P_TOOLR"));
 }
+
+#[test]
+fn tools_are_called_by_their_names_where_the_control_can() {
+    let data = contour().replace("CUTCOM/LEFT\n", "").replace("CUTCOM/OFF\n", "");
+    let set_up = "tools = { 1 = { name = \"MILL_D12\" }, 2 = { name = \"MILL_D8\" } }\nretract.distance = 20\n";
+    let named = format!("{set_up}control.tool_names = true\ncontrol.preselect = true\n");
+    for (control, by_name, by_number, other) in [
+        ("siemens", "T=\"MILL_D12\"\n", "T1\n", "T=\"MILL_D8\"\n"),
+        ("heidenhain", "TOOL CALL \"MILL_D12\" Z S2000\n", "TOOL CALL 1 Z S2000\n", "TOOL CALL \"MILL_D8\" Z S2000\n"),
+    ] {
+        let plain = posted_right::<Mill>(control, Mode::Axes, set_up, &data);
+        assert!(plain.contains(by_number) && !plain.contains(by_name), "{plain}");
+        let program = posted_right::<Mill>(control, Mode::Axes, &named, &data);
+        assert!(program.contains(by_name), "{program}");
+        let next = if control == "siemens" { "\nT=\"MILL_D8\"\n" } else { "TOOL DEF \"MILL_D8\"\n" };
+        assert!(program.contains(next), "{program}");
+        // The check takes what is configured, and nothing else.
+        assert_told::<Mill>(control, Mode::Axes, &named, &data, &program.replacen(by_name, by_number, 1));
+        assert_told::<Mill>(control, Mode::Axes, &named, &data, &program.replacen(by_name, other, 1));
+        assert_told::<Mill>(
+            control,
+            Mode::Axes,
+            &named,
+            &data,
+            &program.replacen(by_name, &by_name.replace("D12", "D13"), 1),
+        );
+        assert_told::<Mill>(control, Mode::Axes, set_up, &data, &program);
+        // A tool without a name, a name twice, a name that the control does not take.
+        let one = named.replace(", 2 = { name = \"MILL_D8\" }", "");
+        let found = posted::<Mill>(control, Mode::Axes, &one, &data).expect_err("T2 has no name");
+        assert!(found[0].text.contains("T2 has no name"), "{found:?}");
+        let twice = named.replace("MILL_D8", "MILL_D12");
+        assert!(refused::<Mill>(control, Mode::Axes, &twice)[0].contains("the same name"));
+        let odd = named.replace("MILL_D8", "MILL 'D8'");
+        assert_eq!(refused::<Mill>(control, Mode::Axes, &odd).is_empty(), control == "siemens");
+        let own = format!(
+            "{named}control.tool_change = [\"{}\"]\n",
+            match control {
+                "siemens" => "T{tool} M6",
+                _ => "TOOL CALL {tool} Z S{speed}",
+            }
+        );
+        assert!(posted_right::<Mill>(control, Mode::Axes, &own, &data).contains("\"MILL_D12\" "));
+    }
+    for control in ["linuxcnc", "fanuc", "haas"] {
+        assert!(refused::<Mill>(control, Mode::Axes, &named)[0].contains("control.tool_names"));
+    }
+    // The guard reads a row of the tool table by its number.
+    let guarded = format!("{named}length_guard = true\ntools.1.length = 100\n")
+        .replace("tools = { 1 = { name = \"MILL_D12\" }", "tools = { 1 = { name = \"MILL_D12\", length = 100 }")
+        .replace("tools.1.length = 100\n", "");
+    assert!(refused::<Mill>("heidenhain", Mode::Axes, &guarded)[0].contains("length_guard"));
+    posted_right::<Mill>("siemens", Mode::Axes, &guarded, &data);
+}

@@ -10,6 +10,9 @@
 //! `TOOL CALL` takes; always in millimetres, whatever the unit of the program. `QL` parameters are local to this
 //! program. `FN 14` stops with an error number, so the message is a comment before it.
 //!
+//! `TOOL CALL "NAME"` and `TOOL DEF "NAME"` take the name of the tool table, as Autodesk's public post writes them
+//! (`toolAsName`): at most 32 capitals, digits and some signs (TNC 640 ISO manual 1/2015, p. 170).
+//!
 //! `RL` and `RR` offset the path by R + DR of the tool table + DR of the tool call (TNC 620 user's manual 1/2022, p. 134). Where
 //! the path is that of the tool centre the tool call takes the radius off, `DR-6`, so that wear is left; at most 99.999 mm
 //! (TNC 640 ISO manual 1/2015, p. 171). No manual was found that states whether a tool call with S alone keeps DR, so it is
@@ -163,6 +166,8 @@ static SPELLINGS: Spellings = Spellings {
     compensation: ["RL", "RR", "R0"],
     machine: ["L", "R0 FMAX M91"],
     tool_change: &["TOOL CALL {tool} Z S{speed} DR{radius_delta}", "TOOL DEF {next}"],
+    tool_name: Some(["\"", "\""]),
+    tool_name_byte: |byte| byte.is_ascii_uppercase() || byte.is_ascii_digit() || b"#$%&,-._@".contains(&byte),
     preselect: true,
     length: LengthCodes {
         code: "",

@@ -46,6 +46,8 @@ impl Spellings {
         compensation: ["G41 D{radius}", "G42 D{radius}", "G40"],
         machine: ["G53 G0", ""],
         tool_change: &["T{tool} M6", "T{next}"],
+        tool_name: None,
+        tool_name_byte: |_| false,
         preselect: true,
         length: LengthCodes::ISO,
         speed: None,

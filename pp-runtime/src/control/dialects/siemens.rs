@@ -9,6 +9,9 @@
 //! G2, 7.3). `M0` stops with the message displayed, and `M30` after it ends the program. Alarms of `SETAL` would need
 //! alarm texts in the machine.
 //!
+//! `T="NAME"` calls a tool by its name in the tool management (Fundamentals 05/2017; a name has at most 32 characters, from
+//! memory).
+//!
 //! `G41` offsets the path by the whole radius of the active edge. Where the path is that of the tool centre a guard reads
 //! `$P_TOOLR`, the active radius with wear (System Variables 6FC5397-6AP40-3BA1, 03/2013), in the unit of the program.
 //!
@@ -93,6 +96,8 @@ static SPELLINGS: Spellings = Spellings {
     compensation: ["G41", "G42", "G40"],
     machine: ["SUPA G0", "D0"],
     tool_change: &["T{tool}", "M6", "T{next}"],
+    tool_name: Some(["=\"", "\""]),
+    tool_name_byte: |byte| (b' '..=b'~').contains(&byte) && byte != b'"',
     length: LengthCodes {
         code: "D{offset}",
         call: LengthCall::Alone,

@@ -73,6 +73,11 @@ pub struct Spellings {
     pub machine: [&'static str; 2],
     /// Tool change, and preselection of the next tool.
     pub tool_change: &'static [&'static str],
+    /// Text before and after the name of a tool that is called by name, in the place of `{tool}`; `None` if tools have numbers
+    /// only.
+    pub tool_name: Option<[&'static str; 2]>,
+    /// Whether a name of a tool may have this byte.
+    pub tool_name_byte: fn(u8) -> bool,
     /// The next tool is preselected unless the configuration sets otherwise.
     pub preselect: bool,
     /// Codes of the length offset.

@@ -13,6 +13,7 @@ mod spindle_coolant;
 mod text;
 mod values;
 
+use std::collections::BTreeMap;
 use std::io::{self, Write};
 
 use crate::motion::{Provenance, Sink, Step};
@@ -42,6 +43,8 @@ pub struct Encoder<'a> {
     spindle_coolant: SpindleCoolantWriter,
     /// The next tool is preselected at each tool change.
     preselect: bool,
+    /// As in the layout.
+    tool_names: BTreeMap<u32, String>,
     /// The file begins with the name of the program.
     file_header: bool,
     program: ProgramBlocks,
@@ -64,6 +67,7 @@ impl<'a> Encoder<'a> {
             frames: FrameWriter::new(layout),
             spindle_coolant: SpindleCoolantWriter::new(layout),
             preselect: layout.options.preselect.unwrap_or(codes.preselect),
+            tool_names: layout.tool_names.clone(),
             file_header: layout.options.file_header,
             program: layout.program.clone(),
             units: layout.units,
@@ -222,17 +226,27 @@ impl<'a> Encoder<'a> {
         change: bool,
     ) -> io::Result<()> {
         let unit_mm = self.units.in_mm();
+        let called = self.tool_word(number);
+        let next = next.filter(|_| self.preselect).map(|next| self.tool_word(next));
         let delta = radius_delta.map(|mm| Decimal::fixed(mm / unit_mm, self.linear).unwrap_or_default());
         let values = self.out.values();
         values.radius_delta = delta;
-        values.tool = Some(number);
+        values.tool = Some(called);
         values.offset = Some(offset);
-        values.next = next.filter(|_| self.preselect);
+        values.next = next;
         values.speed = speed;
         if change {
             self.frames.tool_change(&mut self.out)
         } else {
             self.comment(format!("T{number} stays in the spindle").as_bytes())
+        }
+    }
+
+    /// Value of `{tool}`: the number of a tool, or its name.
+    fn tool_word(&self, number: u32) -> String {
+        match (self.tool_names.get(&number), self.codes.tool_name) {
+            (Some(name), Some([before, after])) => format!("{before}{name}{after}"),
+            _ => number.to_string(),
         }
     }
 

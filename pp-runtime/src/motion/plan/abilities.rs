@@ -33,6 +33,8 @@ pub struct Abilities {
     pub cycles: CycleAbilities,
     /// Radius that cutter compensation takes.
     pub cutter_radius: CutterRadius,
+    /// Tools are called by their names.
+    pub tools_by_name: bool,
     /// Arcs are possible in the plane perpendicular to X, to Y and to Z.
     pub arc_planes: [bool; 3],
     /// Largest difference between the distances of both ends of an arc from its centre.

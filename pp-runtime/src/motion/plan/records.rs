@@ -144,6 +144,11 @@ impl<S: Sink> Records<'_, '_, S> {
     fn resolve(&mut self, call: &ToolCall) -> Result<LoadedTool, Fault> {
         let planner = &mut *self.planner;
         let before = planner.tooling.called_before(call.number);
+        let named = planner.policy.set_up.tools.get(&call.number).is_some_and(|tool| tool.name.is_some());
+        if planner.abilities.tools_by_name && !named {
+            let fault = Fault::new(format_args!("T{} has no name, and tools are called by their names", call.number));
+            return Err(fault.help(format_args!("give `[tools.{}] name` in the configuration", call.number)));
+        }
         let needed = planner.mover.placer().needs_gauge_length();
         let mut remarks = Vec::new();
         let registers = planner.abilities.registers;
