@@ -233,7 +233,8 @@ pub(crate) fn unchecked_limits(axes: &[(char, &'static str)]) -> Vec<String> {
 
 impl Header<'_> {
     pub(crate) fn write(&self, assumptions: &[String], encoder: &mut Encoder<'_>) -> io::Result<()> {
-        encoder.open(self.blank().as_ref())?;
+        let blank = self.blank();
+        encoder.open(blank.as_ref())?;
         let config = self.job.config;
         let mut name = b"PROGRAM ".to_vec();
         name.extend_from_slice(if self.survey.name.is_empty() { b"without name" } else { &self.survey.name });
@@ -251,6 +252,10 @@ impl Header<'_> {
             format!("PROGRAMMED POINT {}", programmed_point(config)),
             format!("TOLERANCE {} for arcs and curves", self.length(config.motion.tolerance_mm)),
         ];
+        let shown = blank.is_some() && !self.job.control.blank("", "").is_empty();
+        if shown && config.set_up.stock.is_none() {
+            lines.push("BLANK is the box around all cuts, without [stock] in the configuration".to_owned());
+        }
         lines.extend(set_up(config, self.survey));
         lines.extend(config.motion.compensation.map(|path| match path {
             CutterPath::Centre => {

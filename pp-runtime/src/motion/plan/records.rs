@@ -121,6 +121,11 @@ impl<S: Sink> Records<'_, '_, S> {
     fn name_operation(&mut self, name: &[u8]) -> Planned {
         if self.planner.policy.options.rapids.transition == Transition::Safe {
             self.leave()?;
+            // The retract belongs to the operation before, so its blocks come before the name of this one.
+            if self.planner.retracts_before_restart() {
+                self.planner.mover.machine_retract()?;
+                self.planner.mover.output_mut().set_reason(BlockReason::Record);
+            }
         }
         let output = self.planner.mover.output_mut();
         let at = output.location();

@@ -107,6 +107,12 @@ impl<S: Sink> Planner<'_, S> {
         Ok(opening.enters)
     }
 
+    /// Whether the machine retracts before the safety line: its codes must not move the tool down, or rotate it in the part.
+    pub(crate) fn retracts_before_restart(&self) -> bool {
+        let moves = self.abilities.length_call_may_move || self.mover.position().is_in_frame();
+        moves && self.mover.restarts() > 0
+    }
+
     /// The first motion of an operation, with the safe sequence before it.
     pub(crate) fn start(&mut self, ahead: MotionAndNext<'_>, operation: u64, planned: Option<RotaryTarget>) -> Planned {
         let enters = self.begin_operation(operation)?;
@@ -120,11 +126,7 @@ impl<S: Sink> Planner<'_, S> {
         }
         self.leave()?;
         self.mover.output_mut().set_reason(BlockReason::Start);
-        if (self.abilities.length_call_may_move || self.mover.position().is_in_frame())
-            && self.mover.restarts() > 0
-            && !enters
-        {
-            // Codes of the safety line must not move the tool down, or rotate it in the part.
+        if self.retracts_before_restart() && !enters {
             self.mover.machine_retract()?;
         }
         // The program can be entered here, so the state is complete, with the retract.

@@ -94,9 +94,10 @@ impl Tooling {
         self.changes += usize::from(change);
     }
 
-    /// The tool after this one, where it is the tool of the last change.
+    /// The tool after this one, where it is the tool of the last change; after the last one the first, for the next part.
     pub(crate) fn following(&self, number: u32) -> Option<u32> {
         let known = self.order.get(self.changes.checked_sub(1)?..)?;
-        known.first().filter(|first| **first == number).and(known.get(1)).copied()
+        let next = known.first().filter(|first| **first == number).and(known.get(1).or(self.order.first()));
+        next.copied().filter(|next| *next != number)
     }
 }
