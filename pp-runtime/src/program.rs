@@ -79,10 +79,28 @@ pub enum Coolant {
     Mist,
     /// Coolant through the spindle.
     Through,
+    /// Coolant through the spindle at a pressure.
+    ThroughAt(Pressure),
     /// Air blast.
     Air,
     /// M9.
     Off,
+}
+
+/// Pressure of coolant, as CL data names it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Pressure {
+    /// LOW.
+    Low,
+    /// MEDIUM.
+    Medium,
+    /// HIGH.
+    High,
+}
+
+impl Pressure {
+    /// Words of the pressures in CL data.
+    pub const WORDS: [(&'static str, Self); 3] = [("LOW", Self::Low), ("MEDIUM", Self::Medium), ("HIGH", Self::High)];
 }
 
 /// Feed rate as programmed.

@@ -79,6 +79,8 @@ pub struct WordPolicy {
     pub tip_frame: TipFrame,
     /// Under tip control the control rotates the tool axis in the plane of its ends.
     pub axis_in_plane: bool,
+    /// The program selects `axis_in_plane` where the control has a word for it; otherwise a setting of the control does.
+    pub posture_word: bool,
     /// Under tip control the program gives components of the tool axis instead of angles.
     pub tool_axis_vectors: bool,
     /// Tip control is switched by codes of the shop, which also select how the tool axis moves.
@@ -200,6 +202,8 @@ pub struct FeedPolicy {
     pub keeps_axis_speeds: bool,
     /// Largest F, mm/min.
     pub largest_mm_per_min: Option<f64>,
+    /// Largest F of inverse-time feed, if it is not that of the control.
+    pub largest_inverse_time: Option<f64>,
     /// Shortest time of a block, s.
     pub shortest_block_s: f64,
     /// Speed of rotary axes where the tip rests, rad/min.
@@ -256,12 +260,18 @@ pub struct ShopBlocks {
     pub smoothing: Option<SmoothingLevel>,
     /// Tolerance of smoothing for rotary axes, where the program states it.
     pub smoothing_angle_rad: Option<f64>,
+    /// The path in the CL data is that of the tool centre where cutter compensation is on.
+    pub compensated_centre: bool,
+    /// Largest wear of a tool, mm.
+    pub largest_wear_mm: f64,
     /// Threads are cut with the feed synchronised to the spindle.
     pub rigid_tapping: bool,
     /// Lines that the configuration brings into the program.
     pub lines: Vec<ShopLine>,
     /// Declared effects of lines and words that are in no table, by their text.
     pub effects: Vec<(String, Effect)>,
+    /// Tools are called by the names of the set-up.
+    pub tool_names: bool,
     /// Name of the swivel data record.
     pub swivel_data: String,
 }

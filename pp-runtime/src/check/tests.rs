@@ -1,5 +1,8 @@
 //! Programs that are written right, each of a kind whose check has to look twice.
 
+mod order;
+mod selected;
+
 use std::io::Cursor;
 
 use super::*;
@@ -254,7 +257,7 @@ GOTO/-20.726,47.908,-27.552
 GOTO/-10.032,64.619,5.538
 ";
     let program = posted_right::<HeadTable>("heidenhain", Mode::Tcp, "", data);
-    assert!(program.contains("Z-25.34\n47 L X-28.937 Y+48.782 R0 FMAX\n"), "{program}");
+    assert!(program.contains("Z-25.34\n48 L X-28.937 Y+48.782 R0 FMAX\n"), "{program}");
 }
 
 /// RETRCT ends in the clearance plane; seen from the rounded place 0.4 µm below it that plane is 2.9 µm away along the tool.

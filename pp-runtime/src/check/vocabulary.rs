@@ -31,6 +31,7 @@ pub(super) fn vocabulary(machine: &dyn AnyMachine, policy: &CheckPolicy, units: 
         swivel_data: policy.shop.swivel_data.clone(),
         plain: policy.words.plain_numbers,
         tools: tools.collect(),
+        tools_by_name: policy.shop.tool_names,
         rounding: 0.5 * 10_f64.powi(-(policy.digits.linear(units) as i32)) * units.in_mm(),
     }
 }

@@ -8,7 +8,9 @@ use crate::check::read::{Effect, Family, OwnPlace, coolant};
 use crate::cl::ReadingOptions;
 use crate::control::{self, Control, LineEffect, Smoothing};
 use crate::kinematics::{AnyMachine, AxisKind, Machine, Side};
-use crate::motion::{Mode, Operations, PathNorm, Rapid, Rewind, TcpFrame, TcpWords, ToolPosture, Transition, Wrap};
+use crate::motion::{
+    CutterPath, Mode, Operations, PathNorm, Rapid, Rewind, TcpFrame, TcpWords, ToolPosture, Transition, Wrap,
+};
 use crate::program::Units;
 use crate::set_up::LengthMode;
 
@@ -87,6 +89,7 @@ impl Config {
                 Some(TcpFrame::NotTurning) => TipFrame::Machine,
             },
             axis_in_plane: tip.tool_posture == ToolPosture::Plane,
+            posture_word: control.posture_word,
             tool_axis_vectors: tip.tcp_words == TcpWords::Vectors,
             own_tip_codes: control.tip_control.is_some(),
             axis_names: control.axes.clone(),
@@ -151,6 +154,7 @@ impl Config {
             }),
             keeps_axis_speeds: self.motion.feed.keep_speeds,
             largest_mm_per_min: self.motion.feed.largest_mm_per_min,
+            largest_inverse_time: self.motion.feed.largest_inverse_time,
             shortest_block_s: self.motion.feed.shortest_block_s,
             reorient_rad_per_min: self.motion.rapids.reorient_rad_per_min,
             rapids_interpolated: self.control.linear_rapids,
@@ -190,9 +194,12 @@ impl Config {
                 Smoothing::Finish => Some(SmoothingLevel::Finish),
             },
             smoothing_angle_rad: control.smoothing_angle_rad,
+            compensated_centre: self.motion.compensation == Some(CutterPath::Centre),
+            largest_wear_mm: self.motion.largest_wear_mm,
             rigid_tapping: self.motion.cycles.rigid,
             lines: self.shop_lines(machine),
             effects: control.effects.iter().map(|(text, effect)| (text.clone(), declared(*effect))).collect(),
+            tool_names: control.tool_names,
             swivel_data: control.swivel_data.clone().unwrap_or_default(),
         }
     }
@@ -215,7 +222,7 @@ impl Config {
             }
         }
         let kinds = [coolant::FLOOD, coolant::MIST, coolant::THROUGH, coolant::AIR];
-        for (codes, bit) in control.coolant.iter().zip(kinds) {
+        for (codes, bit) in control.coolant.iter().zip(kinds.into_iter().chain(coolant::PRESSURES)) {
             if let Some([on, off]) = codes {
                 add(on, OwnPlace::Coolant, Some((bit, true)));
                 add(off, OwnPlace::Coolant, Some((bit, false)));

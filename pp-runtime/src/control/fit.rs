@@ -1,13 +1,20 @@
 //! Fit of a configuration to a control: settings that the control does not support, and the functions that the planner
 //! may use (the [`Abilities`] of `motion`).
 
-use crate::kinematics::AnyMachine;
-use crate::motion::{self, Abilities, CycleAbilities, PathNorm, PlaneAbility, TipAbility, UsableModes};
-use crate::program::Coolant;
+use crate::kinematics::{AnyMachine, Axis, AxisKind, Side};
+use crate::motion::{
+    self, Abilities, CutterRadius, CycleAbilities, Mode, PathNorm, PlaneAbility, Registers, TipAbility, UsableModes,
+};
+use crate::program::{Coolant, Pressure, Units};
 use crate::set_up::LengthMode;
 
-use super::dialects::{ArcCentre, Control, CycleCodes, CycleForm, LengthCall, Spellings, ThreadCodes, coolant_index};
+use super::dialects::{
+    ArcCentre, Control, CycleCodes, CycleForm, LengthCall, RadiusGuard, Spellings, ThreadCodes, coolant_index,
+};
 use super::options::{ControlFunction, Demands, Smoothing};
+
+/// Largest number of characters of a tool name.
+const LONGEST_TOOL_NAME: usize = 32;
 
 /// Settings that the control does not support, and reasons why machine, control and configuration do not suit the mode.
 /// One sentence each; empty if a program can be written. In mode `auto` a setting may still be missing for a stretch.
@@ -15,6 +22,7 @@ use super::options::{ControlFunction, Demands, Smoothing};
 pub fn unfit(machine: &dyn AnyMachine, control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
     let Abilities { tip, plane, .. } = abilities(control, demands);
     let mut faults = unsupported(control, demands);
+    faults.extend(unsuited_names(machine, control.spellings(), demands));
     faults.append(&mut motion::unsuited(machine, demands.policy(), control.spellings().title, tip, plane));
     faults
 }
@@ -58,6 +66,18 @@ fn unsupported(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
     if codes.numbers_every_line && demands.options.program.line_numbers.is_some() {
         faults.push(format!("every line of a program for {title} has a number anyway: remove `program.line_numbers`"));
     }
+    // The check could not tell the pressures from each other.
+    let through = |index: usize| options.coolant[index].as_ref().map(|[on, _]| on.as_str());
+    let plain = through(2).or(codes.coolant[2].map(|[on, _]| on));
+    let pressures = [plain, through(4), through(5), through(6)];
+    for (index, code) in pressures.iter().enumerate() {
+        if let Some(code) = code.filter(|_| pressures[..index].contains(code)) {
+            faults.push(format!(
+                "two pressures of coolant through the spindle have the code {code}: leave one of them out of \
+                 `control.coolant`"
+            ));
+        }
+    }
     if options.smoothing != Smoothing::None && codes.smoothing[0].is_empty() {
         faults.push(format!("{title} has no smoothing levels: leave `control.smoothing` out and set `path_tolerance`"));
     }
@@ -76,6 +96,12 @@ fn unsupported(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
         !can && options.functions.as_ref().is_some_and(|installed| installed.contains(function))
     }) {
         faults.push(format!("{title} cannot have the function `{name}`: remove it from `control.functions`"));
+    }
+    let posture = codes.tip.as_ref().map_or("", |tip| tip.posture_setting[0]);
+    if !options.posture_word && (posture.is_empty() || options.tip_control.is_some()) {
+        faults.push(format!(
+            "no setting of {title} takes the place of the word of the tool posture: leave `control.posture_word` out"
+        ));
     }
     let inverse = matches!(options.path_norm, Some(PathNorm::G93Minutes | PathNorm::G93Seconds));
     if inverse && codes.inverse_time.is_none() {
@@ -109,6 +135,53 @@ fn tip_ability(control: &dyn Control, demands: Demands<'_>) -> Option<TipAbility
     own.or_else(|| demands.options.tip_control.is_some().then_some(plain))
 }
 
+/// Reasons why tools cannot be called by their names.
+fn unsuited_names(machine: &dyn AnyMachine, codes: &Spellings, demands: Demands<'_>) -> Vec<String> {
+    let (title, set_up) = (codes.title, demands.set_up);
+    if !demands.options.tool_names {
+        return Vec::new();
+    }
+    if codes.tool_name.is_none() {
+        return vec![format!("{title} calls tools by number: leave `control.tool_names` out")];
+    }
+    let mut faults = Vec::new();
+    let names = || set_up.tools.iter().filter_map(|(number, tool)| Some((number, tool.name.as_ref()?)));
+    for (number, name) in names() {
+        if name.len() > LONGEST_TOOL_NAME || name.is_empty() || !name.bytes().all(codes.tool_name_byte) {
+            faults.push(format!("{title} permits no tool name `{name}`: correct `[tools.{number}] name`"));
+        }
+        if let Some((other, _)) = names().find(|(other, known)| *other < number && known.eq_ignore_ascii_case(name)) {
+            faults.push(format!(
+                "T{other} and T{number} have the same name `{name}`: with `control.tool_names` they are one tool"
+            ));
+        }
+    }
+    // The guard of a control whose registers are rows reads the row of this number.
+    let head = |axis: &Axis| axis.kind == AxisKind::Rotary && !axis.held && axis.side == Side::Tool;
+    let needed = matches!(demands.motion.mode, Mode::Auto | Mode::Axes) && machine.axes().iter().any(head);
+    if codes.length.registers == Registers::Rows && demands.motion.guards.length_guard.unwrap_or(needed) {
+        faults.push(format!(
+            "the length guard of {title} reads the row of the tool number: set `length_guard = false` with `control.tool_names`"
+        ));
+    }
+    faults
+}
+
+/// Radius that cutter compensation takes. The blocks of a tool change may be those of the configuration.
+fn cutter_radius(control: &dyn Control, demands: Demands<'_>) -> CutterRadius {
+    let codes = control.spellings();
+    let has_delta = |block: &str| block.contains("{radius_delta}");
+    let guard = RadiusGuard { tool: 1, largest_wear_mm: 1.0, units: Units::Millimetres };
+    if codes.compensation[1].contains("{radius}") {
+        CutterRadius::Register
+    } else if codes.tool_change.iter().any(|block| has_delta(block)) {
+        let own = demands.options.tool_change.as_ref();
+        CutterRadius::WithDelta { written: own.is_none_or(|blocks| blocks.iter().any(|block| has_delta(block))) }
+    } else {
+        CutterRadius::OfTool { guarded: !control.radius_guard(&guard).is_empty() }
+    }
+}
+
 /// Whether the components of the tool axis have the letters of an arc centre, I J K.
 fn vectors_take_arc_words(codes: &Spellings) -> bool {
     let vectors = codes.tip.as_ref().and_then(|tip| tip.vectors.as_ref());
@@ -133,19 +206,22 @@ pub fn abilities(control: &dyn Control, demands: Demands<'_>) -> Abilities {
     let codes = control.spellings();
     let has = |kind: Coolant| {
         let index = coolant_index(kind).unwrap_or_default();
-        demands.options.coolant[index].is_some() || codes.coolant[index].is_some()
+        demands.options.coolant[index].is_some() || codes.coolant.get(index).copied().flatten().is_some()
     };
     Abilities {
         flood: has(Coolant::Flood),
         mist: has(Coolant::Mist),
         through: has(Coolant::Through),
+        pressures: Pressure::WORDS.map(|(_, pressure)| has(Coolant::ThroughAt(pressure))),
         air: has(Coolant::Air),
         length_call_may_move: codes.length.call == LengthCall::WithZ,
         registers: codes.length.registers,
         path_norm: demands.options.path_norm.unwrap_or(codes.path_norm),
+        largest_inverse_time: demands.motion.feed.largest_inverse_time.unwrap_or(codes.largest_inverse_time),
         feed_per_inch: codes.feed_per_inch,
         cycles: cycle_abilities(codes, demands),
-        shared_radius_registers: codes.compensation[1].contains("{radius}"),
+        cutter_radius: cutter_radius(control, demands),
+        tools_by_name: demands.options.tool_names,
         arc_planes: codes.arcs.planes.map(|plane| plane.is_some()),
         vectors_take_arc_words: vectors_take_arc_words(codes),
         arc_radius_tolerance_mm: codes.arcs.radius_tolerance_mm,

@@ -1,5 +1,7 @@
 //! The data of a job that the encoder reads: axes and decimals, units, mode, and the settings for the control.
 
+use std::collections::BTreeMap;
+
 use super::options::Demands;
 use super::options::{ControlOptions, ProgramBlocks};
 use crate::kinematics::{AnyMachine, AxisKind};
@@ -33,6 +35,8 @@ pub struct Layout {
     pub vectors: bool,
     /// Threads are cut by rigid tapping (spindle angle synchronised with the feed).
     pub rigid: bool,
+    /// Names of the tools that are called by name; empty where they are called by number.
+    pub tool_names: BTreeMap<u32, String>,
     /// Settings for the control.
     pub options: ControlOptions,
     /// Blocks at the start and the end of the program.
@@ -64,8 +68,15 @@ impl Layout {
             posture: demands.motion.tip.tool_posture,
             vectors: demands.motion.tip.tcp_words == TcpWords::Vectors,
             rigid: demands.motion.cycles.rigid,
+            tool_names: named_tools(demands),
             options: demands.options.clone(),
             program: demands.options.program.clone(),
         }
     }
+}
+
+/// Tools that are called by name.
+fn named_tools(demands: Demands<'_>) -> BTreeMap<u32, String> {
+    let tools = demands.set_up.tools.iter().filter(|_| demands.options.tool_names);
+    tools.filter_map(|(number, tool)| Some((*number, tool.name.clone()?))).collect()
 }

@@ -37,7 +37,8 @@ impl<'a> Demands<'a> {
 
 options! {
     /// Settings of this control that differ from its standard codes. Blocks may hold fields in braces: {name},
-    /// {number}, {units}, {work_offset}, {path_tolerance}; in a tool change also {tool}, {next}, {offset} and {speed}.
+    /// {number}, {units}, {work_offset}, {path_tolerance}; in a tool change also {tool}, {next}, {offset}, {speed} and
+    /// {radius_delta} (Heidenhain, with `compensation.path = "centre"`).
     /// A word whose field has no value is left out; a block with {next} is left out where no tool follows.
     pub struct ControlOptions in "control" {
         /// Largest deviation from the programmed path where the control blends blocks.
@@ -55,10 +56,13 @@ options! {
         /// Blocks of a tool change, instead of those of the control.
         tool_change: Option<Vec<String>> = None,
             key("control.tool_change", ListOf(TemplateBlock(OF_TOOL)), "[\"T{tool} M6\", \"T{next}\"]");
+        /// Call tools by the names in `[tools.N] name`, as they are in the tool table (Siemens, Heidenhain).
+        tool_names: bool = false, key("control.tool_names", YesNo);
         /// Preselect the next tool at each tool change.
         preselect: Option<bool> = None, key("control.preselect", YesNo, "true");
-        /// On and off code of each kind of coolant: flood, mist, through (the spindle), air.
-        coolant: [Option<[String; 2]>; 4] = [const { None }; 4], key("control.coolant", CoolantCodes);
+        /// On and off code of each kind of coolant: flood, mist, through (the spindle), air; and of its pressures
+        /// (COOLNT/THRU,HIGH): through_low, through_medium, through_high.
+        coolant: [Option<[String; 2]>; 7] = [const { None }; 7], key("control.coolant", CoolantCodes);
         /// Smoothing by the control within `path_tolerance`: "none", "rough", "medium" or "finish".
         smoothing: Smoothing = Smoothing::None, key("control.smoothing", OneOf(&Smoothing::NAMES));
         /// Largest deviation of the tool axis while the control smooths; in degrees in the file (Heidenhain: TA of cycle
@@ -78,6 +82,9 @@ options! {
         tip_control: Option<[String; 2]> = None, key("control.tip_control", OnAndOff, "[\"M428\", \"M429\"]");
         /// Name of the swivel data record of CYCLE800.
         swivel_data: Option<String> = None, key("control.swivel_data", OneLine, "\"TABLE\"");
+        /// Write the word of `tool_posture` where tip control is switched on (Fanuc: P of G43.4, an option of the control).
+        /// Without it a setting of the control decides (Fanuc: parameter 19604#0), which must be the same.
+        posture_word: bool = true, key("control.posture_word", YesNo);
         /// Rapids under tip control are interpolated: all axes arrive together (Fanuc: parameter 1401#1). The check of
         /// travel limits uses this.
         linear_rapids: Option<bool> = None, key("control.linear_rapids", YesNo, "true");
@@ -188,7 +195,7 @@ const PATH_NORMS: [(&str, PathNorm); 4] = [
 ];
 
 /// Kinds of coolant in the order of [`ControlOptions::coolant`].
-const COOLANTS: [&str; 4] = ["flood", "mist", "through", "air"];
+const COOLANTS: [&str; 7] = ["flood", "mist", "through", "air", "through_low", "through_medium", "through_high"];
 
 /// Smallest path tolerance, mm. In inches, with six decimals, it is still greater than zero.
 const SMALLEST_PATH_TOLERANCE: f64 = 0.0001;
@@ -246,10 +253,10 @@ impl KeyKind for OnAndOff {
 struct CoolantCodes;
 
 impl KeyKind for CoolantCodes {
-    type Value = [Option<[String; 2]>; 4];
+    type Value = [Option<[String; 2]>; 7];
 
     fn read(&self, r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<Self::Value> {
-        let mut codes = [const { None }; 4];
+        let mut codes = [const { None }; 7];
         for (key, span, value) in r.entries(value) {
             let Some(kind) = COOLANTS.iter().position(|kind| *kind == key) else {
                 let help = match nearest(key, COOLANTS.into_iter()) {

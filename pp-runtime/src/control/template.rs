@@ -47,6 +47,8 @@ fields! {
     Offset = "offset",
     /// Register of the cutter radius.
     Radius = "radius",
+    /// Delta of the tool radius, which takes the radius off where the path is that of the tool centre.
+    RadiusDelta = "radius_delta",
     /// Spindle speed, rev/min.
     Speed = "speed",
     /// Dwell, s.
@@ -111,6 +113,7 @@ pub const OF_TOOL: &[Field] = &[
     Field::Next,
     Field::Offset,
     Field::Speed,
+    Field::RadiusDelta,
 ];
 
 /// Fields that have a value in a hole cycle.

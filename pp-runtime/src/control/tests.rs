@@ -72,7 +72,7 @@ fn short_program() -> Vec<Step<'static>> {
         Step::Restart { number: 1 },
         Step::CoolantOff,
         Step::Machine { words: only(z, [0; 4]) },
-        Step::Tool { number: 5, offset: 6, next: Some(7), speed: Some(SPEED), change: true },
+        Step::Tool { number: 5, offset: 6, next: Some(7), speed: Some(SPEED), radius_delta: None, change: true },
         Step::Machine { words: only(z, [0; 4]) },
         Step::Length { offset: 6 },
         Step::Spindle { speed: SPEED, rotation: Rotation::Clockwise },

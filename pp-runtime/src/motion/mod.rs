@@ -33,8 +33,8 @@ pub use options::{
 pub use place::{PlaneAbility, PlaneAngles, PoseRule, TipAbility, UsableModes, unsuited};
 pub(crate) use plan::hole_extent;
 pub use plan::{
-    Abilities, ChordedArcs, FastestRotation, MovingAxes, OperationTime, Planner, ProofProgram, Registers, Statistics,
-    Sweep, Times,
+    Abilities, ChordedArcs, CutterRadius, FastestRotation, MovingAxes, OperationTime, Planner, ProofProgram, Registers,
+    Statistics, Sweep, Times,
 };
 pub use rotary::Cost;
 pub use source::{Begins, ItemAction, LinePart, MotionIndex, Next, ProgramItem, Source, Stage};

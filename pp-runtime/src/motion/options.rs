@@ -78,8 +78,11 @@ options! {
         /// Cycles of the control.
         cycles: CycleOptions = CycleOptions::default(), keys();
         /// Cutter compensation by the control (CUTCOM: G41, G42, RL, RR): path in the CL data, of the tool "centre" (D
-        /// holds wear only) or the "contour" (D holds the radius). Without it CUTCOM is refused.
+        /// holds wear only; on Heidenhain the tool call takes the radius off) or the "contour" (D holds the radius).
+        /// Without it CUTCOM is refused.
         compensation: Option<CutterPath> = None, key("compensation.path", OneOf(&CutterPath::NAMES), "\"centre\"");
+        /// Largest wear with path "centre": a Siemens control stops if the radius of the edge is larger.
+        largest_wear_mm: f64 = 0.5, also("compensation.largest_wear", Measure::length(Bound::Positive));
         /// Limits of feeds and block times.
         feed: FeedLimits = FeedLimits::default(), keys();
         /// Approach to the part.

@@ -16,8 +16,8 @@ use crate::motion::{DiscardSteps, MovingAxes, Navigator, Planner, PlanningError,
 use crate::motion::{Rapid, Transition, Wrap};
 use crate::program::Units;
 use crate::program::{
-    ClearancePlane, Compensation, Coolant, CutterSide, Dwell, Event, Feed, Location, Move, RotaryDirection, Rotation,
-    Spindle, ToolCall,
+    ClearancePlane, Compensation, Coolant, CutterSide, Dwell, Event, Feed, Location, Move, Pressure, RotaryDirection,
+    Rotation, Spindle, ToolCall,
 };
 use crate::set_up::GivenTool;
 

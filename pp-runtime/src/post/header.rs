@@ -6,9 +6,9 @@ use std::io;
 
 use crate::cl::{ArcVote, Dialect, Frames, Insert};
 use crate::config::Config;
-use crate::control::{Control, Encoder, LengthGuard};
+use crate::control::{self, Control, Encoder, LengthGuard};
 use crate::kinematics::{AnyMachine, Axis, AxisKind, Side, Sign};
-use crate::motion::{CutterPath, StretchMode, StretchModes, TcpFrame, ToolPosture, Wrap};
+use crate::motion::{CutterPath, CutterRadius, StretchMode, StretchModes, TcpFrame, ToolPosture, Wrap};
 use crate::nc::{Decimal, write_decimal};
 use crate::program::Rotation;
 use crate::program::Units;
@@ -233,7 +233,8 @@ pub(crate) fn unchecked_limits(axes: &[(char, &'static str)]) -> Vec<String> {
 
 impl Header<'_> {
     pub(crate) fn write(&self, assumptions: &[String], encoder: &mut Encoder<'_>) -> io::Result<()> {
-        encoder.open(self.blank().as_ref())?;
+        let blank = self.blank();
+        encoder.open(blank.as_ref())?;
         let config = self.job.config;
         let mut name = b"PROGRAM ".to_vec();
         name.extend_from_slice(if self.survey.name.is_empty() { b"without name" } else { &self.survey.name });
@@ -251,9 +252,21 @@ impl Header<'_> {
             format!("PROGRAMMED POINT {}", programmed_point(config)),
             format!("TOLERANCE {} for arcs and curves", self.length(config.motion.tolerance_mm)),
         ];
+        let shown = blank.is_some() && !self.job.control.blank("", "").is_empty();
+        if shown && config.set_up.stock.is_none() {
+            lines.push("BLANK is the box around all cuts, without [stock] in the configuration".to_owned());
+        }
         lines.extend(set_up(config, self.survey));
         lines.extend(config.motion.compensation.map(|path| match path {
-            CutterPath::Centre => "CUTTER COMPENSATION of the centre path: D must hold wear only".to_owned(),
+            CutterPath::Centre => {
+                let abilities = control::abilities(self.job.control, config.demands());
+                let what = match abilities.cutter_radius {
+                    CutterRadius::Register => "D must hold wear only",
+                    CutterRadius::WithDelta { .. } => "the tool call takes the radius off (DR)",
+                    CutterRadius::OfTool { .. } => "the radius in the tool data must be wear only",
+                };
+                format!("CUTTER COMPENSATION of the centre path: {what}")
+            }
             CutterPath::Contour => "CUTTER COMPENSATION of the contour: D must hold the radius".to_owned(),
         }));
         lines.extend(reading(config, self.survey));
@@ -465,7 +478,7 @@ fn mode_lines(control: &dyn Control, config: &Config, modes: &StretchModes) -> V
     let codes = control.spellings();
     let mixed = modes.used().count() > 1;
     let mut lines = Vec::new();
-    let mut add = |mode: StretchMode, words: &str, note: &str| {
+    let mut add = |mode: StretchMode, words: &str, notes: &[&str]| {
         let which = match mode {
             _ if !mixed => "LINEAR WORDS",
             StretchMode::Axes => "LINEAR WORDS elsewhere",
@@ -473,7 +486,8 @@ fn mode_lines(control: &dyn Control, config: &Config, modes: &StretchModes) -> V
             StretchMode::Plane => "LINEAR WORDS in planes",
         };
         lines.push(format!("{which} are {words}"));
-        lines.extend((!note.is_empty()).then(|| format!("MODE {}: {note}", mode.name())));
+        let notes = notes.iter().filter(|note| !note.is_empty());
+        lines.extend(notes.map(|note| format!("MODE {}: {note}", mode.name())));
     };
     if modes.has(StretchMode::Tcp) {
         let frame = match config.motion.tip.tcp_frame {
@@ -490,14 +504,18 @@ fn mode_lines(control: &dyn Control, config: &Config, modes: &StretchModes) -> V
             ToolPosture::Plane => "the tool axis rotates in the plane of its start and end",
         };
         let words = format!("tip coordinates in a frame {frame}; {posture}");
-        add(StretchMode::Tcp, &words, codes.tip.as_ref().map_or("", |tip| tip.note));
+        let tip = codes.tip.as_ref();
+        let setting = tip.filter(|_| !config.control.posture_word);
+        let setting =
+            setting.map(|tip| tip.posture_setting[usize::from(config.motion.tip.tool_posture == ToolPosture::Plane)]);
+        add(StretchMode::Tcp, &words, &[tip.map_or("", |tip| tip.note), setting.unwrap_or("")]);
     }
     if modes.has(StretchMode::Plane) {
         let words = "tip coordinates in the tilted plane, from the same zero";
-        add(StretchMode::Plane, words, codes.plane.as_ref().map_or("", |plane| plane.note));
+        add(StretchMode::Plane, words, &[codes.plane.as_ref().map_or("", |plane| plane.note)]);
     }
     if mixed && modes.has(StretchMode::Axes) {
-        add(StretchMode::Axes, "positions of the axes", "");
+        add(StretchMode::Axes, "positions of the axes", &[]);
     }
     lines
 }

@@ -360,6 +360,7 @@ impl PlanningPass<'_> {
             .with_course(course)
             .with_modes(survey.modes.clone(), usable.clone())
             .with_tools(survey.order.clone())
+            .with_compensated(survey.compensated.clone())
             .with_operations(survey.selected.clone().and_then(Result::ok))
     }
 

@@ -3,7 +3,7 @@
 //!
 //! Plans the course of the rotary axes in the same pass, where a machine is given. Writes nothing.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, Read};
 use std::ops::RangeInclusive;
 
@@ -17,7 +17,7 @@ use crate::motion::{
     Begins, Course, ItemAction, ModeFinder, MotionIndex, Navigator, Operations, Policy, ProgramItem, Source, Stage,
     StretchModes, extent, hole_extent,
 };
-use crate::program::{Event, Location, Spindle, ToolCall, Units};
+use crate::program::{CutterSide, Event, Location, Spindle, ToolCall, Units};
 
 /// Largest number of different tools of a program; bounds the memory and the header.
 const MOST_TOOLS: usize = 1000;
@@ -94,6 +94,8 @@ pub(crate) struct Survey {
     pub(crate) tools: Vec<ToolUse>,
     /// Tool numbers in the order in which the tools are used.
     pub(crate) order: Vec<u32>,
+    /// Tools that are called while CUTCOM requests compensation.
+    pub(crate) compensated: BTreeSet<u32>,
     pub(crate) diagnostics: Vec<Diagnostic>,
     /// Place of the first error: from here on nothing is posted.
     pub(crate) first_error: Option<Location>,
@@ -203,6 +205,8 @@ struct Surveyor {
     /// Tools called so far, by number; for those that have moved their index in `survey.tools`.
     called_so_far: BTreeMap<u32, Option<usize>>,
     call: Option<ToolCall>,
+    /// CUTCOM requests compensation.
+    compensates: bool,
     /// Index of the current tool in `survey.tools`, once it has moved.
     tool: Option<usize>,
     /// The spindle has been programmed for the current tool.
@@ -229,6 +233,7 @@ impl Surveyor {
             tool_axis,
             called_so_far: BTreeMap::new(),
             call: None,
+            compensates: false,
             tool: None,
             spindle: false,
             between: true,
@@ -282,13 +287,16 @@ impl Surveyor {
             Event::Operation(name) => self.selection.name(name),
             Event::Tool(call) => self.call_tool(at, call),
             Event::Spindle(Spindle::On { .. }) => self.spindle = true,
+            Event::Compensation(asked) => {
+                self.compensates = asked.side != CutterSide::Off;
+                self.note_compensation();
+            }
             Event::Spindle(Spindle::Off)
             | Event::MachineName(_)
             | Event::SafeSequence
             | Event::Frame(_)
             | Event::Preselect(_)
             | Event::Coolant(_)
-            | Event::Compensation(_)
             | Event::From(_)
             | Event::Move(_)
             | Event::Arc(_)
@@ -319,7 +327,17 @@ impl Surveyor {
         }
         self.called = true;
         self.call = Some(call);
+        self.note_compensation();
         self.tool = None;
+    }
+
+    /// Notes that the tool may cut with cutter compensation.
+    fn note_compensation(&mut self) {
+        if let Some(call) = self.call.filter(|_| self.compensates)
+            && self.called_so_far.contains_key(&call.number)
+        {
+            self.survey.compensated.insert(call.number);
+        }
     }
 
     /// Notes the begin of a motion, which may be the first of an operation or of a stretch.

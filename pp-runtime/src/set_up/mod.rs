@@ -90,7 +90,7 @@ options! {
         offset: Option<u32> = None, key("offset", Whole(1..=LARGEST_TOOL), "12");
         /// Radius offset register (D), if it is neither programmed in CUTCOM nor the tool number.
         radius_offset: Option<u32> = None, key("radius_offset", Whole(1..=LARGEST_TOOL), "12");
-        /// Name of the tool for header and comments.
+        /// Name of the tool for header and comments; with `control.tool_names` its name in the tool table.
         name: Option<String> = None, key("name", OneLine, "\"ball 10\"");
         /// Left-hand tool: it cuts with counter-clockwise rotation.
         left_handed: bool = false, key("left_handed", YesNo);

@@ -8,44 +8,45 @@
 7 ; PART ORIGIN X0 Y0 Z0 from the reference point of the table
 8 ; PROGRAMMED POINT tool tip
 9 ; TOLERANCE 0.001 for arcs and curves
-10 ; CL data of Creo, recognised from the file
-11 ; 1 arc, sense by form, confirmed by 1 of 1 neighbouring lines
-12 ; AXIS C+ rotates the table left-handed about +Z, as in ISO 841
-13 ; AXIS B+ rotates the table left-handed about [0.0000, 0.7071, -0.7071], as in ISO 841
-14 ; AXIS X+ moves the tool along +X, as in ISO 841
-15 ; AXIS Y+ moves the tool along +Y, as in ISO 841
-16 ; AXIS Z+ moves the tool along +Z, as in ISO 841
-17 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.001 of its line at feed, the tool axis within 0.1 deg
-18 ; ROTARY WORDS are absolute and go beyond 360: M127 is in force, so the axes do not take the shortest path
-19 ; linear limits not checked: no travel declared (X Y Z)
-20 ; valid only for part origin X0 Y0 Z0 from the reference point of the table; do not touch off again
-21 ; the entries of C and B in datum row 1 must be zero
-22 ; T3 D0.25 L4, 1 operation, tip Z -0.4 to 1
-23 ; ASSUMED part_origin 0, 0, 0: the part zero is the reference point of the table
-24 ; ASSUMED work offset datum row 1
-25 ; ASSUMED retract to machine coordinate 0 mm
-26 ; ASSUMED approach distance 50 mm along the tool axis
-27 M129
-28 PLANE RESET STAY
-29 M127
-30 CYCL DEF 247 DATUM SETTING ~
+10 ; BLANK is the box around all cuts, without [stock] in the configuration
+11 ; CL data of Creo, recognised from the file
+12 ; 1 arc, sense by form, confirmed by 1 of 1 neighbouring lines
+13 ; AXIS C+ rotates the table left-handed about +Z, as in ISO 841
+14 ; AXIS B+ rotates the table left-handed about [0.0000, 0.7071, -0.7071], as in ISO 841
+15 ; AXIS X+ moves the tool along +X, as in ISO 841
+16 ; AXIS Y+ moves the tool along +Y, as in ISO 841
+17 ; AXIS Z+ moves the tool along +Z, as in ISO 841
+18 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.001 of its line at feed, the tool axis within 0.1 deg
+19 ; ROTARY WORDS are absolute and go beyond 360: M127 is in force, so the axes do not take the shortest path
+20 ; linear limits not checked: no travel declared (X Y Z)
+21 ; valid only for part origin X0 Y0 Z0 from the reference point of the table; do not touch off again
+22 ; the entries of C and B in datum row 1 must be zero
+23 ; T3 D0.25 L4, 1 operation, tip Z -0.4 to 1
+24 ; ASSUMED part_origin 0, 0, 0: the part zero is the reference point of the table
+25 ; ASSUMED work offset datum row 1
+26 ; ASSUMED retract to machine coordinate 0 mm
+27 ; ASSUMED approach distance 50 mm along the tool axis
+28 M129
+29 PLANE RESET STAY
+30 M127
+31 CYCL DEF 247 DATUM SETTING ~
   Q339=+1 ;DATUM NUMBER
-31 M9
-32 L Z+0 R0 FMAX M91
-33 TOOL CALL 3 Z S3000
-34 L Z+0 R0 FMAX M91
-35 M3
-36 L B+0 C+0 R0 FMAX
-37 L X+0 Y+0.5 R0 FMAX
-38 L Z+1 R0 FMAX
-39 L Z-0.1 R0 F200
-40 L X+1
-41 CC X+1 Y+0.25
-42 C X+1 Y+0 DR-
-43 L X+0
-44 L Y-0.25
-45 L Z+1
-46 CYCL DEF 203 UNIVERSAL DRILLING ~
+32 M9
+33 L Z+0 R0 FMAX M91
+34 TOOL CALL 3 Z S3000
+35 L Z+0 R0 FMAX M91
+36 M3
+37 L B+0 C+0 R0 FMAX
+38 L X+0 Y+0.5 R0 FMAX
+39 L Z+1 R0 FMAX
+40 L Z-0.1 R0 F200
+41 L X+1
+42 CC X+1 Y+0.25
+43 C X+1 Y+0 DR-
+44 L X+0
+45 L Y-0.25
+46 L Z+1
+47 CYCL DEF 203 UNIVERSAL DRILLING ~
   Q200=+0.1 ;SET-UP CLEARANCE ~
   Q201=-0.4 ;DEPTH ~
   Q206=+40 ;FEED RATE FOR PLNGNG ~
@@ -59,11 +60,11 @@
   Q211=+0 ;DWELL TIME AT DEPTH ~
   Q208=+99999 ;RETRACTION FEED RATE ~
   Q256=+0.0197 ;DIST FOR CHIP BRKNG
-47 L X+0.25 Y+0.25 R0 FMAX M99
-48 L X+0.75 R0 FMAX M99
-49 L Z+1 R0 FMAX
-50 L Z+3 R0 FMAX
-51 L Z+0 R0 FMAX M91
-52 M5
-53 M30
-54 END PGM PLATE INCH
+48 L X+0.25 Y+0.25 R0 FMAX M99
+49 L X+0.75 R0 FMAX M99
+50 L Z+1 R0 FMAX
+51 L Z+3 R0 FMAX
+52 L Z+0 R0 FMAX M91
+53 M5
+54 M30
+55 END PGM PLATE INCH

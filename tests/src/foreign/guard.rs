@@ -4,7 +4,7 @@
 //! |---|---|
 //! | LinuxCNC | `o1 if [..]`, `(abort, ..)`, `o1 endif` |
 //! | Fanuc, Haas | `IF [ABS[#..+#..-L] GT t] THEN #3000=101 (..)` |
-//! | Siemens | `IF ABS($P_TOOLL[1]-L)>t`, a message, M0, M30, `ENDIF` |
+//! | Siemens | `IF ABS($P_TOOLL[1]-L)>t`, or `IF ABS($P_TOOLR)>t` for a radius; a message, M0, M30, `ENDIF` |
 //! | Heidenhain | `FN 18` twice, `FN 1`, `FN 12` twice, `LBL "OFF1"`, a comment, `FN 14`, `LBL "FITS1"` |
 //!
 //! A guard is whole, or refused: a program whose guard lacks a line, or compares something else, does something unknown.
@@ -189,8 +189,13 @@ fn alarm(control: Control, text: &str) -> Option<(Effect, Vec<Due>)> {
 }
 
 fn siemens(text: &str) -> Option<(Effect, Vec<Due>)> {
-    let (compared, allowed) = text.strip_prefix("IF ABS($P_TOOLL[1]-")?.split_once(")>")?;
-    let effect = Effect::Guard { length: number(compared)?, tolerance: number(allowed)? };
+    let effect = if let Some(allowed) = text.strip_prefix("IF ABS($P_TOOLR)>") {
+        // A radius that is compared with nothing.
+        Effect::Guard { length: 0.0, tolerance: number(allowed)? }
+    } else {
+        let (compared, allowed) = text.strip_prefix("IF ABS($P_TOOLL[1]-")?.split_once(")>")?;
+        Effect::Guard { length: number(compared)?, tolerance: number(allowed)? }
+    };
     let due = vec![Due::Line("ENDIF".to_owned()), Due::Block(30), Due::Block(0), Due::Comment];
     Some((effect, due))
 }

@@ -215,6 +215,8 @@ pub enum Address {
     LengthRegister,
     /// D.
     RadiusRegister,
+    /// DR of a tool call.
+    RadiusDelta,
     /// Number of a further work offset.
     OffsetNumber,
     /// A time, s.

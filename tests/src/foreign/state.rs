@@ -287,6 +287,8 @@ pub struct State {
     pub coolant: Option<Coolant>,
     /// Cutter compensation.
     pub compensation: Option<Compensation>,
+    /// DR of the tool call; `None` after a call of a speed alone that may have reset it.
+    pub radius_delta: Option<f64>,
     /// Tip control; `None` before the program has set it, and off then as far as words count.
     pub tip_control: Option<TipControl>,
     /// Motion of the tool axis under tip control.

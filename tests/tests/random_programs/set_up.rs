@@ -200,7 +200,9 @@ impl File<'_> {
             let distance = self.between(5.0, 80.0);
             self.put("approach", format!("distance = {distance:?}"));
         }
-        self.one_of(0.3, "feed", "largest", &["5000.0", "30000.0", "900.0"]);
+        let inverse_time =
+            ["5000.0\nlargest_inverse_time = 777.7777", "30000.0", "900.0\nlargest_inverse_time = 9999.99"];
+        self.one_of(0.3, "feed", "largest", &inverse_time);
         self.one_of(0.1, "feed", "keep_speeds", &["false"]);
         self.one_of(0.2, "feed", "shortest_block", &["0.01", "0.1"]);
     }

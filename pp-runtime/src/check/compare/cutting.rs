@@ -10,7 +10,7 @@ use std::io::{self, Read};
 use super::super::expect::{ClMotion, ExpectedAction, ExpectedItem, Required};
 use super::super::geometry::{PathShape, Segment, ToolPose, angle_between};
 use super::super::policy::RapidForm;
-use super::super::read::{Action, Block, CycleMove, MAX_AXES};
+use super::super::read::{Action, Block, CycleMove, MAX_AXES, Side};
 use super::super::rules::{BOTH, ModalContext, Rules, StateFault};
 use super::hole::{CycleComparison, is_over, pose_at, words_at};
 use super::phase::{Cutting, FinishedMotion, Leaving, Phase, RapidSteps, RetractedLength, RewindPoint};
@@ -189,6 +189,10 @@ impl<R: Read> Comparison<'_, R> {
         self.compare_state(current, &part.required);
         let stopped = if part.rapid { None } else { self.functions.cut_after_thread() };
         self.found_any(current, stopped);
+        if part.required.side != Side::None {
+            let unguarded = self.functions.cut_with_radius(&self.rules);
+            self.found_any(current, unguarded);
+        }
         let at_feed = block.action != Action::Rapid;
         let known = self.rules.is_known(block, self.previous.known);
         // The motion down from the approach point is a rapid if it is one in the CL data.

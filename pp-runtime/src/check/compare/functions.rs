@@ -25,6 +25,8 @@ const GUARD_ROUNDING: f64 = 1e-3;
 pub(super) struct FunctionState {
     /// Length guard since a complete state began.
     guard: Option<Guard>,
+    /// Largest radius that a guard allows since a complete state began, mm.
+    radius_guard_mm: Option<f64>,
     /// The spindle has started, and its dwell is to come.
     dwell_is_due: bool,
     /// Sense of rotation after the last block.
@@ -50,6 +52,7 @@ impl FunctionState {
     /// A complete state begins.
     pub(super) fn restart(&mut self) {
         self.guard = None;
+        self.radius_guard_mm = None;
         self.clamps_stated = 0;
     }
 
@@ -80,6 +83,29 @@ impl FunctionState {
             return Some(format!("the length guard allows a difference of {tolerance} mm, expected {largest} mm"));
         }
         (!guard.stops).then(|| "the length guard does not stop the program".to_owned())
+    }
+
+    /// Takes the guard of the tool radius; it reads the active edge.
+    pub(super) fn radius_guard(&mut self, largest_mm: f64, length: Option<Length>) -> Option<String> {
+        if !matches!(length, Some(Length::Register(_))) {
+            return Some("the guard reads the radius of the active edge, and none is active".to_owned());
+        }
+        self.radius_guard_mm = Some(largest_mm);
+        None
+    }
+
+    /// What is wrong with the guard of the tool radius in a cut with cutter compensation.
+    pub(super) fn cut_with_radius(&self, rules: &Rules<'_>) -> Option<String> {
+        let shop = &rules.policy().shop;
+        if !rules.facts().radius_guard || !shop.compensated_centre {
+            return None;
+        }
+        let largest = shop.largest_wear_mm;
+        match self.radius_guard_mm {
+            Some(allowed) if allowed <= largest + GUARD_ROUNDING => None,
+            Some(allowed) => Some(format!("the guard of the tool radius allows {allowed} mm, expected {largest} mm")),
+            None => Some("the guard of the tool radius, which must be wear only, is missing".to_owned()),
+        }
     }
 
     /// What is missing where an operation begins.

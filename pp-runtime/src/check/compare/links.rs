@@ -57,6 +57,10 @@ impl<R: Read> Comparison<'_, R> {
             let fault = self.functions.guard(guard, block.state.length, &self.rules, required.as_ref());
             self.found_any(current, fault);
         }
+        if let Some(largest_mm) = block.radius_guard_mm {
+            let fault = self.functions.radius_guard(largest_mm, block.state.length);
+            self.found_any(current, fault);
+        }
         let fault = self.functions.spindle(block, &self.rules);
         self.found_any(current, fault);
         let length = std::mem::replace(&mut self.previous.length, block.state.length);

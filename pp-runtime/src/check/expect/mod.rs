@@ -47,6 +47,8 @@ pub(super) struct Required {
     pub(crate) side: Side,
     /// Register of the tool radius, on controls with registers of their own for it.
     pub(crate) radius_register: u32,
+    /// Radius of the tool that the path was made for, mm.
+    pub(crate) radius_mm: Option<f64>,
     /// Largest deviation of chords from the path, mm.
     pub(crate) tolerance_mm: f64,
     /// Geometry that the tool leaves before rotary axes rotate.

@@ -10,8 +10,8 @@ use super::hole::{ExpectedHole, HoleStep, unfolded};
 use super::{ClMotion, ExpectedAction, ExpectedItem, Required, SpindleState};
 use crate::kinematics::Pose;
 use crate::program::{
-    Arc, Clearance, Compensation, Coolant, CutterSide, Dwell, Event, Hole, Location, Move, Rotation, Spindle, Spline,
-    ToolCall,
+    Arc, Clearance, Compensation, Coolant, CutterSide, Dwell, Event, Hole, Location, Move, Pressure, Rotation, Spindle,
+    Spline, ToolCall,
 };
 
 /// A line is perpendicular to the tool within this height, mm, or half a unit of coarser words: points of CL data are
@@ -111,6 +111,7 @@ impl<'a> ClState<'a> {
             frame: 1,
             side: Side::None,
             radius_register: 0,
+            radius_mm: None,
             tolerance_mm: policy.tolerances.path_mm,
             clearance: policy.links.clearance,
         };
@@ -291,7 +292,8 @@ impl<'a> ClState<'a> {
         let given = self.policy.set_up.tools.get(&call.number);
         let length_mm = call.length_mm.or(before.length_mm);
         let length_offset = call.length_offset.or(before.length_offset);
-        self.calls.insert(call.number, ToolCall { length_mm, length_offset, ..*call });
+        let diameter_mm = call.diameter_mm.or(before.diameter_mm);
+        self.calls.insert(call.number, ToolCall { length_mm, length_offset, diameter_mm, ..*call });
         if self.required.tool != Some(call.number) {
             self.required.called = at;
             self.spindle.now = if self.operation.called { SpindleRecord::default() } else { self.spindle.in_start };
@@ -299,6 +301,8 @@ impl<'a> ClState<'a> {
         }
         self.operation.called = true;
         self.required.tool = Some(call.number);
+        let diameter_mm = diameter_mm.or(given.and_then(|tool| tool.diameter_mm));
+        self.required.radius_mm = diameter_mm.map(|diameter| 0.5 * diameter);
         self.required.gauge_length_mm = given.and_then(|tool| tool.length_mm).or(length_mm);
         let offset = given.and_then(|tool| tool.offset).or(length_offset);
         self.required.register = match self.policy.family.facts().registers {
@@ -386,6 +390,16 @@ impl<'a> ClState<'a> {
             Coolant::On | Coolant::Flood => coolant::FLOOD,
             Coolant::Mist => coolant::MIST,
             Coolant::Through => coolant::THROUGH,
+            // A pressure without codes is left out.
+            Coolant::ThroughAt(pressure) => {
+                let bit = match pressure {
+                    Pressure::Low => coolant::PRESSURES[0],
+                    Pressure::Medium => coolant::PRESSURES[1],
+                    Pressure::High => coolant::PRESSURES[2],
+                };
+                let codes = &self.policy.shop.lines;
+                if codes.iter().any(|line| line.coolant == Some((bit, true))) { bit } else { coolant::THROUGH }
+            }
             Coolant::Air => coolant::AIR,
             Coolant::Off => 0,
         }

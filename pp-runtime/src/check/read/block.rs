@@ -261,6 +261,9 @@ pub struct Block {
     pub stated: u8,
     /// A length guard that ends with this block.
     pub guard: Option<Guard>,
+    /// Largest radius of the active edge that a guard of the radius allows, which ends with this block, mm; it stops the
+    /// program.
+    pub radius_guard_mm: Option<f64>,
     /// The block is a line that the user brought in.
     pub own: Option<OwnLine>,
     /// What is wrong with it.
@@ -283,6 +286,7 @@ impl Default for Block {
             restart: false,
             stated: 0,
             guard: None,
+            radius_guard_mm: None,
             own: None,
             faults: Vec::new(),
             frame_faults: 0,

@@ -188,6 +188,9 @@ pub(super) struct Draft {
     pub(crate) end: bool,
     pub(crate) restart: bool,
     pub(crate) guard: Option<Guard>,
+    pub(crate) radius_guard_mm: Option<f64>,
+    /// DR of a tool call; `None` within: not programmed in a call without a tool number.
+    pub(crate) radius_delta_mm: Option<Option<f64>>,
     /// Address letters of the block, those that its codes take, and those that they need.
     pub(crate) letters: u32,
     pub(crate) takes: u32,

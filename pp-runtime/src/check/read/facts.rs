@@ -73,6 +73,10 @@ pub(crate) struct Facts {
     pub(crate) length_off_at_machine_coordinates: bool,
     /// Tool radii have registers of their own: D.
     pub(crate) radius_registers: bool,
+    /// Cutter compensation takes the radius of the tool, to which the tool call adds DR.
+    pub(crate) radius_delta: bool,
+    /// Cutter compensation takes the radius of the active edge, which a guard compares.
+    pub(crate) radius_guard: bool,
     /// The control has switched the spindle off after a thread that is in step with it.
     pub(crate) tap_stops_spindle: bool,
     /// A length guard compares in mm, whatever the unit of the program.
@@ -81,6 +85,8 @@ pub(crate) struct Facts {
     pub(crate) feed_in_tenths_of_inch: bool,
     /// F counts the degrees of rotary axes as millimetres, and there is no inverse-time feed.
     pub(crate) feed_counts_degrees: bool,
+    /// Largest F of inverse-time feed, in hundredths.
+    pub(crate) largest_inverse_time_hundredths: Option<u32>,
     /// All axes of a rapid under tip control arrive together.
     pub(crate) rapids_interpolated: bool,
     /// A tilted plane is switched off before the retract in machine coordinates, and that moves nothing.
@@ -151,11 +157,14 @@ const ISO: Facts = Facts {
     length_moves: true,
     length_off_at_machine_coordinates: true,
     radius_registers: true,
-    // Rigid tapping of Fanuc and Haas, cycle 207 of Heidenhain (from memory).
+    radius_delta: false,
+    radius_guard: false,
+    // Rigid tapping: Fanuc B-63944EN/02 (2004), Haas 96-8000 (from memory).
     tap_stops_spindle: true,
     guard_in_mm: false,
     feed_in_tenths_of_inch: false,
     feed_counts_degrees: false,
+    largest_inverse_time_hundredths: None,
     // Fanuc: parameter 1401#1; Haas: a setting.
     rapids_interpolated: false,
     plane_off_before_retract: false,
@@ -233,6 +242,8 @@ impl Family {
             Self::Haas => Facts {
                 one_m_code: true,
                 feed_needs_point: true,
+                // Autodesk's public posts for Haas: 9999.99.
+                largest_inverse_time_hundredths: Some(999_999),
                 guard_source: GuardSource::Registers { largest: 200 },
                 smoothing: SmoothingWords { tolerance: true, levels: [Some(1), Some(2), Some(3)] },
                 ..ISO
@@ -243,6 +254,7 @@ impl Family {
                 registers: LengthRegisters::Edges,
                 length_moves: false,
                 radius_registers: false,
+                radius_guard: true,
                 tap_stops_spindle: false,
                 rapids_interpolated: true,
                 tool_axis_interpolation: true,
@@ -265,6 +277,7 @@ impl Family {
                 length_moves: false,
                 length_off_at_machine_coordinates: false,
                 radius_registers: false,
+                radius_delta: true,
                 guard_in_mm: true,
                 feed_in_tenths_of_inch: true,
                 feed_counts_degrees: true,

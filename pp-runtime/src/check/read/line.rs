@@ -148,6 +148,22 @@ impl<'a> Line<'a> {
         self.units().map_or(1.0, Units::in_mm)
     }
 
+    /// Number of a tool that is called by its name.
+    pub(super) fn tool_of(&self, name: &[u8]) -> Option<u32> {
+        let tools = &self.vocabulary().tools;
+        let known = tools.iter().find(|(known, _)| known.as_bytes() == name).map(|(_, number)| *number);
+        known.or_else(|| std::str::from_utf8(name).ok()?.parse().ok())
+    }
+
+    /// Notes that a tool is called by its name, or by its number.
+    pub(super) fn called(&mut self, by_name: bool, column: usize) {
+        match (by_name, self.vocabulary().tools_by_name) {
+            (true, false) => self.fault(column, "the tool is called by its name, expected its number"),
+            (false, true) => self.fault(column, "the tool is called by its number, expected its name"),
+            (true, true) | (false, false) => {}
+        }
+    }
+
     /// Whether the words of the line are distances.
     pub(super) fn incremental(&self) -> bool {
         self.draft.distances.or(self.machine.state().incremental) == Some(true)

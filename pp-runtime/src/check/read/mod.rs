@@ -95,6 +95,8 @@ pub(crate) struct Vocabulary {
     pub(crate) plain: bool,
     /// Tools by name.
     pub(crate) tools: Vec<(String, u32)>,
+    /// Tools are called by these names, otherwise by number.
+    pub(crate) tools_by_name: bool,
     /// Half a unit of a linear word, mm.
     pub(crate) rounding: f64,
 }

@@ -186,6 +186,8 @@ pub mod coolant {
     pub const THROUGH: u8 = 4;
     /// Air.
     pub const AIR: u8 = 8;
+    /// Through the spindle at low, medium and high pressure.
+    pub const PRESSURES: [u8; 3] = [16, 32, 64];
 }
 
 /// What has been said since a complete state began: bits.
@@ -213,6 +215,8 @@ pub struct State {
     pub length: Option<Length>,
     /// Register of the diameter.
     pub diameter: Option<u32>,
+    /// DR of the tool call, mm.
+    pub radius_delta_mm: Option<f64>,
     /// Work offset.
     pub work_offset: Option<WorkOffset>,
     /// Work offset that was in force before tip control may have cancelled it.
@@ -271,6 +275,7 @@ impl Default for State {
             selected: None,
             length: None,
             diameter: None,
+            radius_delta_mm: None,
             work_offset: None,
             cancelled_offset: None,
             units: None,

@@ -29,6 +29,7 @@ fn vocabulary(family: Family) -> Vocabulary {
         swivel_data: "TC".to_owned(),
         plain: false,
         tools: vec![("MILL 10".to_owned(), 7)],
+        tools_by_name: false,
         rounding: 0.5e-3,
     }
 }
@@ -138,7 +139,7 @@ fn tool_spindle_and_coolant_are_kept() {
     for (family, text) in [
         (Family::LinuxCnc, "T7 M6\nG43 H7\nS5000 M4\nM8"),
         (Family::Fanuc, "T7 M6\nT8\nS5000 M4\nM8\nG0 G43 H7 Z5."),
-        (Family::Siemens, "T=\"MILL 10\"\nM6\nD7\nS5000 M4\nM8"),
+        (Family::Siemens, "T7\nM6\nD7\nS5000 M4\nM8"),
         (Family::Heidenhain, "0 TOOL CALL 7 Z S5000\n1 TOOL DEF 8\n2 M4\n3 M8"),
     ] {
         let state = last(family, text).state;

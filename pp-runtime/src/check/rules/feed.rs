@@ -45,6 +45,8 @@ pub(crate) struct FeedLaw {
     /// Largest speeds of the axes, mm/min and rad/min.
     speeds: Vec<Option<f64>>,
     largest_mm_per_min: f64,
+    /// Largest F of inverse-time feed.
+    largest_inverse_time: f64,
     shortest_min: f64,
     reorient_rad_per_min: f64,
     /// One unit of a linear word.
@@ -95,6 +97,9 @@ impl FeedLaw {
             rotary_bits: bits.1,
             speeds: travel.speeds.iter().map(|speed| speed.filter(|_| feed.keeps_axis_speeds)).collect(),
             largest_mm_per_min: feed.largest_mm_per_min.unwrap_or(f64::INFINITY),
+            largest_inverse_time: feed.largest_inverse_time.unwrap_or_else(|| {
+                facts.largest_inverse_time_hundredths.map_or(f64::INFINITY, |hundredths| f64::from(hundredths) / 100.0)
+            }),
             shortest_min: feed.shortest_block_s / 60.0,
             reorient_rad_per_min: feed.reorient_rad_per_min,
             unit_mm: units.0,
@@ -197,8 +202,10 @@ impl FeedLaw {
             return feed.min(slower).min(self.largest_mm_per_min) * self.per_mm;
         }
         match (self.mode(extent), self.path) {
-            (FeedMode::InverseTime, FeedPath::InverseSeconds) => 1.0 / (60.0 * minutes),
-            (FeedMode::InverseTime, _) => 1.0 / minutes,
+            (FeedMode::InverseTime, FeedPath::InverseSeconds) => {
+                (1.0 / (60.0 * minutes)).min(self.largest_inverse_time)
+            }
+            (FeedMode::InverseTime, _) => (1.0 / minutes).min(self.largest_inverse_time),
             _ => counted / minutes * if is_length { self.per_mm } else { 1.0 },
         }
     }
@@ -285,6 +292,10 @@ impl FeedLaw {
                 let noise = high * NOISE + self.step(mode, high);
                 (low - noise..=high + noise).contains(&written)
             };
+            if mode == FeedMode::InverseTime && written > self.largest_inverse_time * (1.0 + NOISE) {
+                let largest = self.largest_inverse_time;
+                return Some(format!("F is {written} in inverse time, allowed at most {largest}"));
+            }
             if suits(expected, expected) {
                 return None;
             }
@@ -330,6 +341,7 @@ mod tests {
             linear_bits: 1,
             speeds: Vec::new(),
             largest_mm_per_min: f64::INFINITY,
+            largest_inverse_time: f64::INFINITY,
             shortest_min: shortest / 60.0,
             reorient_rad_per_min: 1800_f64.to_radians(),
             unit_mm: 0.01,

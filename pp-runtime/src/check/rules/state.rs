@@ -51,6 +51,7 @@ impl Rules<'_> {
             .or_else(|| self.frame(block, true))
             .or_else(|| self.offsets(state, required, true))
             .or_else(|| if offset_path { self.radius_register(state, required) } else { None })
+            .or_else(|| if offset_path { self.radius_delta(state, required) } else { None })
             .or_else(|| spindle(state, self.spindle_in_cut(required)))
             .or_else(|| coolant(state, required.coolant))
     }
@@ -252,6 +253,11 @@ impl Rules<'_> {
         if words.own_tip_codes {
             return None;
         }
+        if !words.posture_word {
+            return state.in_plane.map(|_| {
+                "interpolation of the tool axis is programmed (P), expected the setting of the control".to_owned()
+            });
+        }
         if self.facts.tool_axis_interpolation && state.in_plane != Some(words.axis_in_plane) {
             let expected = match words.axis_in_plane {
                 true => "the plane through the first and the last tool axis",
@@ -284,6 +290,22 @@ impl Rules<'_> {
             return Some(format!("length compensation is {}, expected {register}", shown(state.length)));
         }
         None
+    }
+
+    /// DR of the tool call, where it has to take the radius off, or must not.
+    fn radius_delta(&self, state: &State, required: &Required) -> Option<String> {
+        if !self.facts.radius_delta {
+            return None;
+        }
+        let centre = self.policy.shop.compensated_centre;
+        let Some(expected) = (if centre { required.radius_mm.map(|radius| -radius) } else { Some(0.0) }) else {
+            return Some("the radius of the tool is unknown, and DR must take it off".to_owned());
+        };
+        let right = |delta: f64| (delta - expected).abs() <= 0.6 * self.rounding.unit_mm;
+        (!state.radius_delta_mm.is_some_and(right)).then(|| match state.radius_delta_mm {
+            Some(delta) => format!("DR of the tool call is {delta} mm, expected {expected} mm"),
+            None => format!("DR of the tool call is unknown after a call with S alone, expected {expected} mm"),
+        })
     }
 
     /// Register of the tool radius. A cutting edge, and a row of the tool table, have the radius with the length.

@@ -7,7 +7,7 @@ use super::feed::FeedRecord;
 use super::spindle::write_spindle;
 use super::values::{AxisPlane, ClNumber, word_of, write_on_off};
 use crate::cl::text::{Args, ClFault, Span};
-use crate::program::{Coolant, CutterSide, Dwell, RotaryDirection, Rotation, Spindle};
+use crate::program::{Coolant, CutterSide, Dwell, Pressure, RotaryDirection, Rotation, Spindle};
 
 /// A record that sets a state of the machine.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -20,7 +20,7 @@ pub enum MachineRecord {
     InverseTime(bool),
     /// `SPINDL/..` with RPM, CLW, CCLW, ON, OFF and a number in any order.
     Spindle(Spindle),
-    /// `COOLNT/ON|OFF|FLOOD|MIST|THRU|AIR`.
+    /// `COOLNT/ON|OFF|FLOOD|MIST|AIR`, `COOLNT/THRU[,LOW|MEDIUM|HIGH]`.
     Coolant(Coolant),
     /// `CUTCOM/LEFT|RIGHT[,n][,XYPLAN]`, `CUTCOM/ON`, `CUTCOM/OFF`.
     Compensation {
@@ -78,7 +78,11 @@ const COOLANTS: [(&str, Coolant); 6] = [
 
 /// COOLNT.
 pub(crate) fn coolant(args: &mut Args<'_>) -> Result<MachineRecord, ClFault> {
-    args.one_of(&COOLANTS).map(MachineRecord::Coolant)
+    let kind = args.one_of(&COOLANTS)?;
+    let pressure = if kind == Coolant::Through { args.next()? } else { None };
+    let Some(arg) = pressure else { return Ok(MachineRecord::Coolant(kind)) };
+    let pressure = arg.among(&Pressure::WORDS).ok_or_else(|| args.not_understood(arg))?;
+    Ok(MachineRecord::Coolant(Coolant::ThroughAt(pressure)))
 }
 
 const SIDES: [(&str, CutterSide); 4] =
@@ -168,6 +172,9 @@ impl Display for MachineRecord {
             Self::Feed(feed) => feed.fmt(out),
             Self::InverseTime(on) => write_on_off("INVERSE", *on, out),
             Self::Spindle(spindle) => write_spindle(*spindle, out),
+            Self::Coolant(Coolant::ThroughAt(pressure)) => {
+                write!(out, "COOLNT/THRU,{}", word_of(&Pressure::WORDS, pressure))
+            }
             Self::Coolant(coolant) => write!(out, "COOLNT/{}", word_of(&COOLANTS, coolant)),
             Self::Compensation { side, register, plane } => write_compensation(*side, *register, *plane, out),
             Self::Delay { dwell: Dwell::Seconds(value), .. } => write!(out, "DELAY/{}", ClNumber(*value)),

@@ -3,7 +3,7 @@
 
 use std::fmt::{self, Display, Formatter};
 
-use super::values::Text;
+use super::values::{Text, write_on_off};
 use crate::cl::text::{Args, ClFault, Span};
 
 /// A record that is neither a motion nor a state of the machine.
@@ -34,6 +34,13 @@ pub enum ProgramRecord<'a> {
     OptionalStop,
     /// `STOP`.
     Stop,
+    /// `OPSKIP/ON`, `OPSKIP/OFF`.
+    BlockSkip {
+        /// ON.
+        on: bool,
+        /// Place of the argument, for messages.
+        at: Span,
+    },
     /// `END`.
     End,
     /// `FINI`.
@@ -47,7 +54,7 @@ impl ProgramRecord<'_> {
     pub(crate) fn takes_anything(&self) -> bool {
         match self {
             Self::PartName(_) | Self::MachineName(_) | Self::ToolPath(_) | Self::Message(_) | Self::Insert(_) => true,
-            Self::Code { .. } | Self::OptionalStop | Self::Stop => false,
+            Self::Code { .. } | Self::OptionalStop | Self::Stop | Self::BlockSkip { .. } => false,
             Self::EndOfPath | Self::End | Self::Fini | Self::Rewind => false,
         }
     }
@@ -85,6 +92,13 @@ pub(crate) fn code<'a>(letter: u8, args: &mut Args<'_>) -> Result<ProgramRecord<
     Ok(ProgramRecord::Code { letter, number, at: arg.at })
 }
 
+/// OPSKIP.
+pub(crate) fn block_skip<'a>(args: &mut Args<'_>) -> Result<ProgramRecord<'a>, ClFault> {
+    let arg = args.needed()?;
+    let on = arg.among(&[("ON", true), ("OFF", false)]).ok_or_else(|| args.not_understood(arg))?;
+    Ok(ProgramRecord::BlockSkip { on, at: arg.at })
+}
+
 /// REWIND.
 pub(crate) fn rewind<'a>(args: &mut Args<'_>) -> Result<ProgramRecord<'a>, ClFault> {
     if let Some(arg) = args.next()? {
@@ -116,6 +130,7 @@ impl Display for ProgramRecord<'_> {
             }
             Self::OptionalStop => out.write_str("OPSTOP"),
             Self::Stop => out.write_str("STOP"),
+            Self::BlockSkip { on, .. } => write_on_off("OPSKIP", *on, out),
             Self::End => out.write_str("END"),
             Self::Fini => out.write_str("FINI"),
             Self::Rewind => out.write_str("REWIND/0"),

@@ -75,7 +75,8 @@ fn forms_that_are_not_read_are_refused_not_skipped() {
         "2:8+11 TRNTYP with numbers other than 0 is refused: its effect on the coordinates is not known",
     );
     refused("GOTO/0,0,0\nFEDRAT/INVERS,5\n", "2:15+1 FEDRAT with `5` is not supported");
-    refused("GOTO/0,0,0\nOPSKIP/ON\n", "2:8+2 OPSKIP with `ON` is not supported");
+    refused("GOTO/0,0,0\nCOOLNT/THRU,MUCH\n", "2:13+4 COOLNT with `MUCH` is not supported");
+    refused("GOTO/0,0,0\nOPSKIP/1\n", "2:8+1 OPSKIP with `1` is not supported");
 }
 
 #[test]

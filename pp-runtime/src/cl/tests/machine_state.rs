@@ -34,6 +34,23 @@ fn a_long_dwell_causes_a_warning() {
 }
 
 #[test]
+fn coolant_through_the_spindle_may_have_a_pressure() {
+    let text = "COOLNT/THRU,LOW\nCOOLNT/THRU,MEDIUM\nCOOLNT/THRU,HIGH\nGOTO/0,0,0\n";
+    let pressures = ["Low", "Medium", "High"].map(|word| format!("Coolant(ThroughAt({word}))"));
+    assert_eq!(events_without_places(text, MM)[..3], pressures);
+}
+
+#[test]
+fn block_skip_is_ignored_with_a_warning_and_a_message() {
+    let outcome = read_from(&b"GOTO/0,0,0\nOPSKIP/ON\nGOTO/1,0,0\nOPSKIP/OFF\n"[..], MM);
+    assert_eq!(outcome.events.len(), 3, "{:?}", outcome.events);
+    assert!(outcome.events[1].contains("OPSKIP ON ignored"), "{:?}", outcome.events);
+    let [warning] = &outcome.diagnostics[..] else { panic!("{:?}", outcome.diagnostics) };
+    assert_eq!((warning.severity, warning.location.line), (Severity::Warning, 2));
+    assert!(warning.text.contains("always executed"), "{}", warning.text);
+}
+
+#[test]
 fn a_length_offset_belongs_to_the_tool_called_before_it() {
     assert!(events_without_places("LOADTL/3\nSET/OFSETL,7\nGOTO/0,0,0\n", MM)[0].contains("length_offset: Some(7)"));
     assert_eq!(errors("LOADTL/3\nGOTO/0,0,0\nSET/OFSETL,3\n"), [""; 0]);

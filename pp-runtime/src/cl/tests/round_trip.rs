@@ -2,7 +2,7 @@
 
 use crate::cl::record::*;
 use crate::cl::record::{CatiaMatrix, parse, read_comment};
-use crate::program::{Coolant, CutterSide, Dwell, RotaryDirection, Rotation, Spindle, Units};
+use crate::program::{Coolant, CutterSide, Dwell, Pressure, RotaryDirection, Rotation, Spindle, Units};
 use proptest::prelude::*;
 
 fn number() -> impl Strategy<Value = f64> {
@@ -171,11 +171,15 @@ fn coordinates() -> BoxedStrategy<Record<'static>> {
 }
 
 fn states() -> BoxedStrategy<Record<'static>> {
-    let coolants = [Coolant::On, Coolant::Flood, Coolant::Mist, Coolant::Through, Coolant::Air, Coolant::Off];
+    let kinds = [Coolant::On, Coolant::Flood, Coolant::Mist, Coolant::Through, Coolant::Air, Coolant::Off];
+    let pressures = Pressure::WORDS.map(|(_, pressure)| Coolant::ThroughAt(pressure));
+    let coolants = [&kinds[..], &pressures].concat();
     let plain = [
         Record::Program(ProgramRecord::EndOfPath),
         Record::Program(ProgramRecord::OptionalStop),
         Record::Program(ProgramRecord::Stop),
+        Record::Program(ProgramRecord::BlockSkip { on: true, at: at() }),
+        Record::Program(ProgramRecord::BlockSkip { on: false, at: at() }),
         Record::Program(ProgramRecord::End),
         Record::Program(ProgramRecord::Fini),
         Record::Program(ProgramRecord::Rewind),
@@ -210,7 +214,7 @@ fn states() -> BoxedStrategy<Record<'static>> {
         }))),
         any::<bool>().prop_map(|value| Record::Machine(MachineRecord::InverseTime(value))),
         spindle().prop_map(|value| Record::Machine(MachineRecord::Spindle(value))),
-        prop::sample::select(coolants.to_vec()).prop_map(|value| Record::Machine(MachineRecord::Coolant(value))),
+        prop::sample::select(coolants).prop_map(|value| Record::Machine(MachineRecord::Coolant(value))),
         compensation(),
         (positive(), any::<bool>()).prop_map(|(value, turns)| Record::Machine(MachineRecord::Delay {
             dwell: if turns { Dwell::Revolutions(value) } else { Dwell::Seconds(value) },

@@ -52,6 +52,31 @@ pub trait Control: Sync {
     /// Blocks that compare the tool length of the control with the posted length, and stop the program with a message
     /// if they differ by more than the tolerance. Empty if the control cannot compare them.
     fn length_guard(&self, guard: &LengthGuard) -> Vec<String>;
+
+    /// Blocks that stop the program with a message if the radius of the tool is larger than its wear can be. Empty if the
+    /// control cannot compare it.
+    fn radius_guard(&self, _guard: &RadiusGuard) -> Vec<String> {
+        Vec::new()
+    }
+}
+
+/// Radius of a tool that must be wear only, because the path is that of the tool centre.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RadiusGuard {
+    /// Number of the tool in the spindle.
+    pub tool: u32,
+    /// Largest wear, mm.
+    pub largest_wear_mm: f64,
+    /// Unit of the program.
+    pub units: Units,
+}
+
+impl RadiusGuard {
+    /// Largest wear in the unit of the program, rounded as it is written.
+    pub(crate) fn in_program(&self) -> f64 {
+        let places = if self.units == Units::Inches { 1e5 } else { 1e4 };
+        (self.largest_wear_mm / self.units.in_mm() * places).round() / places
+    }
 }
 
 /// Posted length of a tool, to be compared with the length that the control has for it.

@@ -10,7 +10,8 @@
 //! most 26 characters.
 //!
 //! `G43.4 H` starts tip control in the block that moves to the first point. Parameter 19696#5 selects the frame of its
-//! coordinates. `G68.2` takes Euler angles about Z, the new X and the new Z, and `G53.1` rotates the axes. Of several
+//! coordinates. P of `G43.4` and `G43.5` belongs to tool posture control, an option: 0 rotates the rotary axes evenly, 1 the
+//! tool axis in a plane; without P parameter 19604#0 decides (A-79294E/05, p. 3 and 11). `G68.2` takes Euler angles about Z, the new X and the new Z, and `G53.1` rotates the axes. Of several
 //! poses it takes the one that rotates the master axis least (B-63784EN, tool axis direction control), so the axes are
 //! rotated to the planned pose before it.
 
@@ -74,6 +75,7 @@ static SPELLINGS: Spellings = Spellings {
         reset: &[],
         cancels_length: true,
         posture: ["0", "1"],
+        posture_setting: ["parameter 19604#0 must be 0", "parameter 19604#0 must be 1"],
         vectors: Some(ToolAxisWords {
             words: ["I", "J", "K"],
             with_length: Some("G43.5 H{offset} P{posture}"),

@@ -7,6 +7,9 @@
 //! in the unit of the machine, which is that of the program; `G43` takes their sum. Reading them stops the look-ahead
 //! (Haas mill manual 96-8000, macros). `#3000` stops with an alarm.
 //!
+//! F of `G93` is at most 9999.99, as in Autodesk's public posts for Haas (`setMultiAxisFeedrate`); the page of G93 of Haas
+//! states no limit.
+//!
 //! `G234 H` switches on tip control, with coordinates in the frame of the table with its rotary axes at zero. `G268`
 //! tilts a plane, with the length offset active before it, and `G253` rotates the axes; `Q123` is the order of its
 //! angles.
@@ -42,6 +45,7 @@ static SPELLINGS: Spellings = Spellings {
     opening: &["%", "O{number} ({name})"],
     closing: &["%"],
     number_digits: 5,
+    largest_inverse_time: 9999.99,
     rapid: "G00",
     feed: "G01",
     arcs: ArcCodes { senses: ["G02", "G03"], ..ArcCodes::ISO },
@@ -71,6 +75,7 @@ static SPELLINGS: Spellings = Spellings {
         reset: &[],
         cancels_length: true,
         posture: ["", ""],
+        posture_setting: ["", ""],
         vectors: None,
         frame_is_set: false,
         turns_in_plane: false,

@@ -10,6 +10,14 @@
 //! `TOOL CALL` takes; always in millimetres, whatever the unit of the program. `QL` parameters are local to this
 //! program. `FN 14` stops with an error number, so the message is a comment before it.
 //!
+//! `TOOL CALL "NAME"` and `TOOL DEF "NAME"` take the name of the tool table, as Autodesk's public post writes them
+//! (`toolAsName`): at most 32 capitals, digits and some signs (TNC 640 ISO manual 1/2015, p. 170).
+//!
+//! `RL` and `RR` offset the path by R + DR of the tool table + DR of the tool call (TNC 620 user's manual 1/2022, p. 134). Where
+//! the path is that of the tool centre the tool call takes the radius off, `DR-6`, so that wear is left; at most 99.999 mm
+//! (TNC 640 ISO manual 1/2015, p. 171). No manual was found that states whether a tool call with S alone keeps DR, so it is
+//! written there again.
+//!
 //! `FUNCTION TCPM` switches on tip control, with coordinates in the frame of the table with its rotary axes at zero.
 //! `PLANE SPATIAL` rotates about X, then Y, then Z of the frame that it tilts (SPC·SPB·SPA as a product). SEQ is the
 //! sign of the master axis, the first one from the tool. Both are switched off before a tool call and before M91.
@@ -117,6 +125,7 @@ static SPELLINGS: Spellings = Spellings {
     per_minute: "",
     offset_title: "datum row ",
     inverse_time: None,
+    largest_inverse_time: f64::INFINITY,
     path_norm: PathNorm::XyzDegrees,
     feed_per_inch: 10.0,
     rapid: "L",
@@ -156,7 +165,9 @@ static SPELLINGS: Spellings = Spellings {
     no_compensation: "R0",
     compensation: ["RL", "RR", "R0"],
     machine: ["L", "R0 FMAX M91"],
-    tool_change: &["TOOL CALL {tool} Z S{speed}", "TOOL DEF {next}"],
+    tool_change: &["TOOL CALL {tool} Z S{speed} DR{radius_delta}", "TOOL DEF {next}"],
+    tool_name: Some(["\"", "\""]),
+    tool_name_byte: |byte| byte.is_ascii_uppercase() || byte.is_ascii_digit() || b"#$%&,-._@".contains(&byte),
     preselect: true,
     length: LengthCodes {
         code: "",
@@ -166,7 +177,7 @@ static SPELLINGS: Spellings = Spellings {
         registers: Registers::Rows,
         address: "",
     },
-    speed: Some("TOOL CALL S{speed}"),
+    speed: Some("TOOL CALL S{speed} DR{radius_delta}"),
     spindle: ["M3", "M4"],
     spindle_off: "M5",
     coolant_off: "M9",
@@ -189,6 +200,7 @@ static SPELLINGS: Spellings = Spellings {
         reset: &["FUNCTION RESET TCPM"],
         cancels_length: false,
         posture: ["AXIS", "VECTOR"],
+        posture_setting: ["", ""],
         vectors: Some(ToolAxisWords {
             words: ["TX", "TY", "TZ"],
             with_length: None,

@@ -9,6 +9,12 @@
 //! G2, 7.3). `M0` stops with the message displayed, and `M30` after it ends the program. Alarms of `SETAL` would need
 //! alarm texts in the machine.
 //!
+//! `T="NAME"` calls a tool by its name in the tool management (Fundamentals 05/2017; a name has at most 32 characters, from
+//! memory).
+//!
+//! `G41` offsets the path by the whole radius of the active edge. Where the path is that of the tool centre a guard reads
+//! `$P_TOOLR`, the active radius with wear (System Variables 6FC5397-6AP40-3BA1, 03/2013), in the unit of the program.
+//!
 //! `TRAORI` switches on tip control, with coordinates in the frame of the table with its rotary axes at zero; after it
 //! the work offset is called again. `CYCLE800` in mode 57 rotates about X, the new Y and the new Z. Its direction -1 or
 //! 1 takes the pose with the lower or the higher value of the axis that is the direction reference of the swivel data
@@ -30,7 +36,7 @@
 use crate::motion::{CycleAbilities, PlaneAngles, PoseRule, Registers};
 use crate::nc::Formats;
 
-use super::control::{Control, LengthGuard, numbered};
+use super::control::{Control, LengthGuard, RadiusGuard, numbered};
 use super::spellings::{
     ArcCodes, CommentStyle, CycleDefinitions, CycleForm, HoleCycles, LengthCall, LengthCodes, Spellings,
     TiltedPlaneCodes, TipControlCodes, ToolAxisWords, printable,
@@ -90,6 +96,8 @@ static SPELLINGS: Spellings = Spellings {
     compensation: ["G41", "G42", "G40"],
     machine: ["SUPA G0", "D0"],
     tool_change: &["T{tool}", "M6", "T{next}"],
+    tool_name: Some(["=\"", "\""]),
+    tool_name_byte: |byte| (b' '..=b'~').contains(&byte) && byte != b'"',
     length: LengthCodes {
         code: "D{offset}",
         call: LengthCall::Alone,
@@ -117,6 +125,7 @@ static SPELLINGS: Spellings = Spellings {
         reset: &[],
         cancels_length: false,
         posture: ["ORIMKS ORIAXES", "ORIWKS ORIVECT"],
+        posture_setting: ["", ""],
         // In ORIMKS they would be components in the machine frame.
         vectors: Some(ToolAxisWords {
             words: ["A3=", "B3=", "C3="],
@@ -174,6 +183,17 @@ impl Control for Siemens {
         vec![
             format!("IF ABS($P_TOOLL[1]-{length})>{tolerance}"),
             format!("MSG(\"T{} was posted with L = {length}: the length in the tool data differs\")", guard.tool),
+            "M0".to_owned(),
+            "M30".to_owned(),
+            "ENDIF".to_owned(),
+        ]
+    }
+
+    fn radius_guard(&self, guard: &RadiusGuard) -> Vec<String> {
+        let RadiusGuard { tool, .. } = guard;
+        vec![
+            format!("IF ABS($P_TOOLR)>{}", guard.in_program()),
+            format!("MSG(\"T{tool} follows the path of its centre: the radius in the tool data must be wear only\")"),
             "M0".to_owned(),
             "M30".to_owned(),
             "ENDIF".to_owned(),

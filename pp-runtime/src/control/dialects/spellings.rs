@@ -6,7 +6,7 @@ use crate::motion::PathNorm;
 use crate::motion::{CycleAbilities, PlaneAngles, PoseRule, Registers};
 use crate::nc::Formats;
 use crate::nc::Numerals;
-use crate::program::{Coolant, Rotation};
+use crate::program::{Coolant, Pressure, Rotation};
 
 /// Codes of a control.
 #[derive(Debug)]
@@ -47,6 +47,8 @@ pub struct Spellings {
     pub offset_title: &'static str,
     /// Code of inverse-time feed, F in 1/min; `None` if the control has none.
     pub inverse_time: Option<&'static str>,
+    /// Largest F of inverse-time feed.
+    pub largest_inverse_time: f64,
     /// Path to which F applies where a rotary axis moves.
     pub path_norm: PathNorm,
     /// Number of units of F in one inch, in an inch program.
@@ -71,6 +73,11 @@ pub struct Spellings {
     pub machine: [&'static str; 2],
     /// Tool change, and preselection of the next tool.
     pub tool_change: &'static [&'static str],
+    /// Text before and after the name of a tool that is called by name, in the place of `{tool}`; `None` if tools have numbers
+    /// only.
+    pub tool_name: Option<[&'static str; 2]>,
+    /// Whether a name of a tool may have this byte.
+    pub tool_name_byte: fn(u8) -> bool,
     /// The next tool is preselected unless the configuration sets otherwise.
     pub preselect: bool,
     /// Codes of the length offset.
@@ -83,7 +90,8 @@ pub struct Spellings {
     pub spindle_off: &'static str,
     /// Coolant off.
     pub coolant_off: &'static str,
-    /// On and off codes of flood, mist, coolant through the spindle, and air.
+    /// On and off codes of flood, mist, coolant through the spindle, and air. Codes for a pressure are those of the
+    /// configuration.
     pub coolant: [Option<[&'static str; 2]>; 4],
     /// Program stop, and optional stop.
     pub stop: [&'static str; 2],
@@ -249,6 +257,9 @@ pub struct TipControlCodes {
     pub cancels_length: bool,
     /// Value of `{posture}`: the tool axis follows the rotary axes, or rotates in the plane of its start and end.
     pub posture: [&'static str; 2],
+    /// Setting of the control that has the effect of `posture`, where the block may do without `{posture}`; empty where it
+    /// may not.
+    pub posture_setting: [&'static str; 2],
     /// Words for the tool axis as a vector; `None` if the control takes none.
     pub vectors: Option<ToolAxisWords>,
     /// A machine parameter selects the frame of its coordinates.
@@ -310,13 +321,16 @@ pub enum LengthCall {
     WithTool,
 }
 
-/// Index of a kind of coolant in [`Spellings::coolant`].
+/// Index of a kind of coolant in [`Spellings::coolant`] and in the configuration, which has the pressures after the kinds.
 pub(crate) fn coolant_index(coolant: Coolant) -> Option<usize> {
     match coolant {
         Coolant::On | Coolant::Flood => Some(0),
         Coolant::Mist => Some(1),
         Coolant::Through => Some(2),
         Coolant::Air => Some(3),
+        Coolant::ThroughAt(Pressure::Low) => Some(4),
+        Coolant::ThroughAt(Pressure::Medium) => Some(5),
+        Coolant::ThroughAt(Pressure::High) => Some(6),
         Coolant::Off => None,
     }
 }

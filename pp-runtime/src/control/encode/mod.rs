@@ -13,6 +13,7 @@ mod spindle_coolant;
 mod text;
 mod values;
 
+use std::collections::BTreeMap;
 use std::io::{self, Write};
 
 use crate::motion::{Provenance, Sink, Step};
@@ -20,7 +21,7 @@ use crate::nc::{Decimal, WrittenLine};
 use crate::program::Units;
 use crate::set_up::Stock;
 
-use super::dialects::{Control, LengthGuard, Spellings};
+use super::dialects::{Control, LengthGuard, RadiusGuard, Spellings};
 use super::layout::Layout;
 use super::options::ProgramBlocks;
 
@@ -42,6 +43,8 @@ pub struct Encoder<'a> {
     spindle_coolant: SpindleCoolantWriter,
     /// The next tool is preselected at each tool change.
     preselect: bool,
+    /// As in the layout.
+    tool_names: BTreeMap<u32, String>,
     /// The file begins with the name of the program.
     file_header: bool,
     program: ProgramBlocks,
@@ -64,6 +67,7 @@ impl<'a> Encoder<'a> {
             frames: FrameWriter::new(layout),
             spindle_coolant: SpindleCoolantWriter::new(layout),
             preselect: layout.options.preselect.unwrap_or(codes.preselect),
+            tool_names: layout.tool_names.clone(),
             file_header: layout.options.file_header,
             program: layout.program.clone(),
             units: layout.units,
@@ -173,7 +177,9 @@ impl<'a> Encoder<'a> {
                 out.feed_mode(codes.per_minute);
                 out.end()
             }
-            Step::Tool { number, offset, next, speed, change } => self.tool(number, offset, next, speed, change),
+            Step::Tool { number, offset, next, speed, radius_delta, change } => {
+                self.tool([number, offset], next, speed, radius_delta, change)
+            }
             Step::Length { offset } => out.length(offset),
             Step::CutterCompensation { left, register } => {
                 out.set_compensation_side(left, register);
@@ -190,6 +196,9 @@ impl<'a> Encoder<'a> {
                 tolerance_mm: tolerance,
                 units: self.units,
             }),
+            Step::RadiusGuard { tool, wear } => {
+                self.radius_guard(&RadiusGuard { tool, largest_wear_mm: wear, units: self.units })
+            }
             Step::Spindle { speed, rotation } => self.spindle_coolant.spindle(speed, rotation, out),
             Step::Code { text } => out.block(text),
             Step::SpindleOff => out.block(codes.spindle_off),
@@ -210,16 +219,21 @@ impl<'a> Encoder<'a> {
     /// Writes a tool change, or a comment that the tool is in the spindle already.
     fn tool(
         &mut self,
-        number: u32,
-        offset: u32,
+        [number, offset]: [u32; 2],
         next: Option<u32>,
         speed: Option<Decimal>,
+        radius_delta: Option<f64>,
         change: bool,
     ) -> io::Result<()> {
+        let unit_mm = self.units.in_mm();
+        let called = self.tool_word(number);
+        let next = next.filter(|_| self.preselect).map(|next| self.tool_word(next));
+        let delta = radius_delta.map(|mm| Decimal::fixed(mm / unit_mm, self.linear).unwrap_or_default());
         let values = self.out.values();
-        values.tool = Some(number);
+        values.radius_delta = delta;
+        values.tool = Some(called);
         values.offset = Some(offset);
-        values.next = next.filter(|_| self.preselect);
+        values.next = next;
         values.speed = speed;
         if change {
             self.frames.tool_change(&mut self.out)
@@ -228,8 +242,21 @@ impl<'a> Encoder<'a> {
         }
     }
 
+    /// Value of `{tool}`: the number of a tool, or its name.
+    fn tool_word(&self, number: u32) -> String {
+        match (self.tool_names.get(&number), self.codes.tool_name) {
+            (Some(name), Some([before, after])) => format!("{before}{name}{after}"),
+            _ => number.to_string(),
+        }
+    }
+
     fn length_guard(&mut self, guard: &LengthGuard) -> io::Result<()> {
         let blocks = self.control.length_guard(guard);
+        blocks.iter().try_for_each(|block| self.out.writer_mut().line(block.as_bytes()))
+    }
+
+    fn radius_guard(&mut self, guard: &RadiusGuard) -> io::Result<()> {
+        let blocks = self.control.radius_guard(guard);
         blocks.iter().try_for_each(|block| self.out.writer_mut().line(block.as_bytes()))
     }
 

@@ -12,8 +12,8 @@ use super::modal_writer::ModalWriter;
 /// Writes spindle, coolant and dwell blocks. Coolant codes are those of the configuration, or those of the control.
 #[derive(Debug)]
 pub(crate) struct SpindleCoolantWriter {
-    /// As [`Spellings::coolant`].
-    coolant: [Option<[String; 2]>; 4],
+    /// As in the configuration.
+    coolant: [Option<[String; 2]>; 7],
 }
 
 impl SpindleCoolantWriter {
@@ -45,7 +45,7 @@ impl SpindleCoolantWriter {
     fn codes(&self, kind: Coolant, codes: &'static Spellings) -> Option<[&str; 2]> {
         let index = coolant_index(kind)?;
         let given = self.coolant[index].as_ref().map(|[on, off]| [on.as_str(), off.as_str()]);
-        given.or(codes.coolant[index])
+        given.or(codes.coolant.get(index).copied().flatten())
     }
 
     /// Switches coolant on.

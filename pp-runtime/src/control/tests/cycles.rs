@@ -99,7 +99,7 @@ fn heidenhain_keeps_a_definition_until_it_changes_or_may_have_changed() {
     assert_eq!(text[0], format!("0 {}", definition[0]));
     assert_eq!(text[1..9], definition[1..]);
     assert_eq!(text[9..], ["1 L X+10 Y+20 R0 FMAX M99", "2 L X+0 Y+0 Z+9 R0 FMAX", "3 L X+10 Y+20 R0 FMAX M99"]);
-    let tool = Step::Tool { number: 2, offset: 2, next: None, speed: None, change: true };
+    let tool = Step::Tool { number: 2, offset: 2, next: None, speed: None, radius_delta: None, change: true };
     for between in [Step::Stop { optional: false }, Step::Restart { number: 3 }, Step::Raw { text: b"M64" }, tool] {
         let text = steps(&Heidenhain, &milling(), &[call, between, call]);
         assert_eq!(text.iter().filter(|line| line.contains("CYCL DEF 200")).count(), 2, "{text:#?}");

@@ -118,8 +118,11 @@ options! {
     pub struct FeedLimits in "feed" {
         /// Slow down blocks in which an axis would exceed its speed.
         keep_speeds: bool = true, key("feed.keep_speeds", YesNo);
-        /// Largest F of the control. Without it F is not limited.
+        /// Largest F of the control, per minute. Without it F is not limited.
         largest_mm_per_min: Option<f64> = None, key("feed.largest", Measure::length(Bound::Positive), "20000.0");
+        /// Largest F of a block in inverse time. Without it that of the control (Haas: 9999.99).
+        largest_inverse_time: Option<f64> = None,
+            key("feed.largest_inverse_time", Measure::plain(Bound::Positive), "9999.99");
         /// Shortest time of a block, seconds.
         shortest_block_s: f64 = 0.0, key("feed.shortest_block", Measure::plain(Bound::NotNegative));
     }

@@ -15,6 +15,8 @@ pub struct Abilities {
     pub mist: bool,
     /// Coolant through the spindle.
     pub through: bool,
+    /// The same at low, medium and high pressure.
+    pub pressures: [bool; 3],
     /// Air.
     pub air: bool,
     /// Calling or cancelling a length offset may move the axis by the length.
@@ -23,12 +25,16 @@ pub struct Abilities {
     pub registers: Registers,
     /// Path length that F refers to in a block in which a rotary axis moves.
     pub path_norm: PathNorm,
+    /// Largest F of inverse-time feed.
+    pub largest_inverse_time: f64,
     /// Units of F in one unit of length of an inch program.
     pub feed_per_inch: f64,
     /// Drilling and tapping cycles.
     pub cycles: CycleAbilities,
-    /// Radius registers are one list for all tools.
-    pub shared_radius_registers: bool,
+    /// Radius that cutter compensation takes.
+    pub cutter_radius: CutterRadius,
+    /// Tools are called by their names.
+    pub tools_by_name: bool,
     /// Arcs are possible in the plane perpendicular to X, to Y and to Z.
     pub arc_planes: [bool; 3],
     /// Components of the tool axis have the letters of an arc centre: there are no arcs where they are written.
@@ -39,6 +45,23 @@ pub struct Abilities {
     pub tip: Option<TipAbility>,
     /// Tilted planes, if the control has them.
     pub plane: Option<PlaneAbility>,
+}
+
+/// Radius that cutter compensation takes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CutterRadius {
+    /// That of register D; registers are one list for all tools.
+    Register,
+    /// That of the tool, with a delta in the tool call.
+    WithDelta {
+        /// The tool call has a field for the delta.
+        written: bool,
+    },
+    /// That of the tool.
+    OfTool {
+        /// The program can stop where it is more than wear.
+        guarded: bool,
+    },
 }
 
 /// Numbering of the length offset registers.

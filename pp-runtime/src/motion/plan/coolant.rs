@@ -3,7 +3,7 @@
 use std::io;
 
 use crate::motion::options::Policy;
-use crate::program::Coolant as Kind;
+use crate::program::{Coolant as Kind, Pressure};
 
 use crate::motion::fault::{Fault, Planned};
 use crate::motion::plan::abilities::Abilities;
@@ -26,9 +26,22 @@ impl Default for CoolantState {
 }
 
 impl CoolantState {
-    /// COOLNT.
-    pub(crate) fn request(&mut self, kind: Kind) {
+    /// COOLNT. A pressure that the control has no code for is left out.
+    pub(crate) fn request<S: Sink>(&mut self, kind: Kind, abilities: &Abilities, output: &mut Output<S>) {
         self.request = kind;
+        let Kind::ThroughAt(pressure) = kind else { return };
+        if !abilities.pressures[pressure as usize] {
+            self.request = Kind::Through;
+            let (word, key) = match pressure {
+                Pressure::Low => ("LOW", "through_low"),
+                Pressure::Medium => ("MEDIUM", "through_medium"),
+                Pressure::High => ("HIGH", "through_high"),
+            };
+            let text = format!("coolant through the spindle is switched on without its pressure: {word} has no code");
+            let help =
+                format!("configure its codes for on and off: `[control] coolant = {{ {key} = [\"M..\", \"M..\"] }}`");
+            output.remark(Fault::new(text).help(help));
+        }
     }
 
     /// Forgets the state.
@@ -52,6 +65,7 @@ impl CoolantState {
         let missing = match kind {
             Kind::On | Kind::Flood => (!abilities.flood).then_some("flood"),
             Kind::Mist => (!abilities.mist).then_some("mist"),
+            Kind::ThroughAt(_) => None,
             Kind::Through => (!abilities.through).then_some("coolant through the spindle"),
             Kind::Air => (!abilities.air).then_some("air"),
             Kind::Off => None,

@@ -6,7 +6,9 @@
 //! are allowed, and arcs that are written as arcs: a control looks ahead over these blocks, so everything else is refused.
 //!
 //! In mirrored coordinates left and right are exchanged. The configuration states the value of D: the wear where the CL data
-//! is the path of the tool centre, the radius where it is the contour.
+//! is the path of the tool centre, the radius where it is the contour. A control without such registers takes the radius of
+//! the tool itself: where the path is that of the centre the tool call takes it off, or a guard stops the program unless it is
+//! wear only.
 
 use nalgebra::Vector3;
 
@@ -16,6 +18,8 @@ use crate::program::{Arc, Compensation, CutterSide, Event, Move};
 use crate::motion::fault::{Fault, Planned};
 use crate::motion::geometry::SAME_AXIS;
 use crate::motion::place::AxisPosition;
+use crate::motion::plan::abilities::CutterRadius;
+use crate::motion::plan::tool::LoadedTool;
 use crate::motion::plan::{MotionAndNext, Planner};
 use crate::motion::source::MotionIndex;
 use crate::motion::step::{Sink, Step};
@@ -23,6 +27,9 @@ use crate::motion::step::{Sink, Step};
 /// Largest height of a motion that lies in the plane, mm: in a tilted plane both ends of CL data with three decimals are up
 /// to 0.87 µm off.
 const FLAT: f64 = 2e-3;
+
+/// Largest delta of the radius in a tool call, mm.
+const LARGEST_DELTA: f64 = 99.999;
 
 /// Last request of CUTCOM, and the state in force.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -293,11 +300,70 @@ fn check_length<S: Sink>(planner: &Planner<'_, S>, length_mm: f64) -> Result<(),
     }
 }
 
+/// Delta of the radius in a tool call: takes the radius off where the path is that of the tool centre, and the control takes
+/// the radius of the tool itself.
+pub(crate) fn radius_delta<S: Sink>(planner: &Planner<'_, S>, tool: &LoadedTool) -> Result<Option<f64>, Fault> {
+    let (path, ability) = (planner.policy.options.compensation, planner.abilities.cutter_radius);
+    let radius_mm = tool.radius_mm.filter(|_| {
+        path == Some(CutterPath::Centre)
+            && ability == CutterRadius::WithDelta { written: true }
+            && planner.tooling.may_be_compensated(tool.number)
+    });
+    let Some(radius_mm) = radius_mm else { return Ok(None) };
+    if radius_mm > LARGEST_DELTA {
+        return Err(Fault::new(format_args!(
+            "the radius of T{} is {radius_mm} mm, and the delta in the tool call is {LARGEST_DELTA} mm at most",
+            tool.number
+        ))
+        .help("output the contour in CAM, and set `[compensation] path = \"contour\"`"));
+    }
+    Ok(Some(-radius_mm))
+}
+
+/// Writes the guard of the tool radius, where the program needs it and the control has it.
+pub(crate) fn guard<S: Sink>(planner: &mut Planner<'_, S>, tool: &LoadedTool) -> Planned {
+    let options = &planner.policy.options;
+    let needed = options.compensation == Some(CutterPath::Centre) && planner.tooling.may_be_compensated(tool.number);
+    if needed && planner.abilities.cutter_radius == (CutterRadius::OfTool { guarded: true }) {
+        let wear = options.largest_wear_mm;
+        planner.mover.output_mut().step(&Step::RadiusGuard { tool: tool.number, wear })?;
+    }
+    Ok(())
+}
+
+/// Refuses the path of the tool centre where the control would offset it by the whole radius.
+fn check_radius<S: Sink>(planner: &Planner<'_, S>) -> Result<(), Fault> {
+    if planner.policy.options.compensation != Some(CutterPath::Centre) {
+        return Ok(());
+    }
+    let tool = planner.tooling.current();
+    match planner.abilities.cutter_radius {
+        CutterRadius::Register | CutterRadius::OfTool { guarded: true } => Ok(()),
+        CutterRadius::WithDelta { written: true } => match tool {
+            Some(tool) if tool.radius_mm.is_none() => Err(Fault::new(format_args!(
+                "CUTCOM on the path of the tool centre: the radius of T{} is unknown, which the tool call must take off (DR)",
+                tool.number
+            ))
+            .help(format_args!("give `[tools.{}] diameter`, or CUTTER in the CL data", tool.number))),
+            _ => Ok(()),
+        },
+        CutterRadius::WithDelta { written: false } => Err(Fault::new(
+            "CUTCOM on the path of the tool centre: the tool call must take the radius of the tool off (DR)",
+        )
+        .help("add `DR{radius_delta}` to the tool call in `control.tool_change`")),
+        CutterRadius::OfTool { guarded: false } => Err(Fault::new(
+            "CUTCOM on the path of the tool centre: this control would offset it by the whole radius of the tool",
+        )
+        .help("output the contour in CAM, and set `[compensation] path = \"contour\"`")),
+    }
+}
+
 /// Switches compensation on or off with the next block.
 fn switch<S: Sink>(planner: &mut Planner<'_, S>, on: bool) -> Planned {
     if on && planner.mover.placer().mode() == StretchMode::Tcp {
         return Err(under_tip_control().into());
     }
+    check_radius(planner)?;
     let register = radius_register(planner)?;
     let mover = &mut planner.mover;
     let mirrored = mover.placer().orthogonal_map(mover.here()).is_some_and(|(_, map)| map.determinant() < 0.0);
@@ -316,7 +382,9 @@ fn radius_register<S: Sink>(planner: &Planner<'_, S>) -> Result<u32, Fault> {
         .ok_or_else(|| Fault::new("CUTCOM before the first tool call"))?;
     let given =
         planner.policy.set_up.tools.get(&number).and_then(|tool| tool.radius_offset).or(planner.cutter.register);
-    if let Some(given) = given.filter(|given| *given != number && !planner.abilities.shared_radius_registers) {
+    if let Some(given) =
+        given.filter(|given| *given != number && planner.abilities.cutter_radius != CutterRadius::Register)
+    {
         return Err(Fault::new(format_args!(
             "T{number} is given radius register {given}, but this control takes the radius of the tool itself"
         ))

@@ -4,8 +4,8 @@
 //! that the control measures: see [`PathNorm`].
 //!
 //! The tip keeps the programmed feed: the time of a block is the length of its tip path over the feed. A block takes longer
-//! only where an axis would exceed its largest speed, where F would exceed `feed.largest`, or where the block would be
-//! shorter than `feed.shortest_block`; and then by no more than necessary.
+//! only where an axis would exceed its largest speed, where F would exceed `feed.largest` or `feed.largest_inverse_time`,
+//! or where the block would be shorter than `feed.shortest_block`; and then by no more than necessary.
 
 use crate::motion::options::Policy;
 use crate::motion::options::{PathNorm, StretchMode};
@@ -38,6 +38,8 @@ pub(crate) struct Feeds {
     shortest_block_min: f64,
     /// Largest feed of the control.
     largest_mm_per_min: f64,
+    /// Largest F of inverse-time feed.
+    largest_inverse_time: f64,
 }
 
 /// One feed motion: lengths of its paths, and the least time that it takes.
@@ -96,6 +98,7 @@ impl Feeds {
             smallest_length_mm,
             shortest_block_min: policy.options.feed.shortest_block_s / 60.0,
             largest_mm_per_min: policy.options.feed.largest_mm_per_min.unwrap_or(f64::INFINITY),
+            largest_inverse_time: abilities.largest_inverse_time,
         }
     }
 
@@ -139,10 +142,17 @@ impl Feeds {
             return Err(zero(feed));
         }
         let programmed_min = self.programmed_min(feed, motion);
-        let least_min = motion.axis_time_min.max(self.shortest_block_min);
+        let plain = motion.rotation_rad == 0.0 && motion.orthogonal;
+        let shortest_min = match self.path_norm {
+            _ if plain || self.along_tip => 0.0,
+            PathNorm::G93Minutes => 1.0 / self.largest_inverse_time,
+            PathNorm::G93Seconds => 1.0 / (60.0 * self.largest_inverse_time),
+            PathNorm::Xyz | PathNorm::XyzDegrees => 0.0,
+        };
+        let least_min = motion.axis_time_min.max(self.shortest_block_min).max(shortest_min);
         let time_min = programmed_min.max(least_min).max(self.path_length(motion) / self.largest_mm_per_min);
         let overflow = |_| Fault::new(format_args!("a feed of {feed} mm/min is too large for an F word"));
-        let (feed, word) = if motion.rotation_rad == 0.0 && motion.orthogonal {
+        let (feed, word) = if plain {
             // A motion of nothing but rounding counts as one unit of the words.
             let length_mm = motion.length_mm.max(self.smallest_length_mm);
             let slowed = if time_min > programmed_min { length_mm / time_min } else { feed };
@@ -151,7 +161,11 @@ impl Feeds {
                 Decimal::fixed(feed / self.unit_mm * self.feed_per_unit, self.feed_decimals).map_err(overflow)?;
             (FeedWord::PerMinute(word), word)
         } else {
-            let inverse = |time: f64| Decimal::significant(1.0 / time, self.inverse_time_digits).map_err(overflow);
+            let inverse = |time: f64| {
+                let word = Decimal::significant(1.0 / time, self.inverse_time_digits).map_err(overflow)?;
+                // Rounding must not lead beyond the limit.
+                if word.value() > self.largest_inverse_time { self.largest_word() } else { Ok(word) }
+            };
             let along = |path: f64| Decimal::fixed(path / time_min, self.feed_decimals).map_err(overflow);
             // Degrees have no unit of length.
             let lengths = motion.linear_mm > 0.0 && (!self.along_tip || motion.length_mm >= self.smallest_length_mm);
@@ -179,6 +193,17 @@ impl Feeds {
             return Err(zero(motion.length_mm / time_min));
         }
         Ok(Pace { feed, time_min, slowed_min: time_min - programmed_min })
+    }
+
+    /// Largest F of inverse-time feed, rounded down to its digits.
+    fn largest_word(&self) -> Result<Decimal, Fault> {
+        let digits = self.inverse_time_digits.min(6);
+        let whole = self.largest_inverse_time.log10().floor() as i32 + 1;
+        let decimals = (digits as i32 - whole).max(0) as u32;
+        let nearest = Decimal::fixed(self.largest_inverse_time, decimals);
+        let word = nearest.map_err(|_| Fault::new("`feed.largest_inverse_time` is too large for an F word"))?;
+        let beyond = word.value() > self.largest_inverse_time;
+        Ok(Decimal { units: word.units - i64::from(beyond), ..word })
     }
 
     /// Length of the path that F counts along, mm; in degrees where a rotary axis moves and no linear axis does.

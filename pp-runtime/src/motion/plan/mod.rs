@@ -27,6 +27,7 @@ mod statistics;
 mod tool;
 mod tooling;
 
+use std::collections::BTreeSet;
 use std::io;
 use std::ops::RangeInclusive;
 
@@ -36,7 +37,7 @@ use crate::motion::modes::{ModeFollower, StretchModes};
 use crate::motion::options::{Policy, StretchMode, Transition};
 use crate::motion::place::UsableModes;
 use crate::program::Units;
-use crate::program::{self, Location, Move};
+use crate::program::{self, Coolant, Location, Move};
 
 use crate::motion::course::{Course, CourseAction, CourseChange, CourseFollower};
 use crate::motion::fault::{Fault, ItemError, Planned, PlanningError};
@@ -46,7 +47,7 @@ use crate::motion::source::{Begins, ItemAction, LinePart, MotionIndex, Next, Pro
 use crate::motion::step::BlockReason;
 use crate::motion::step::Sink;
 
-pub use abilities::{Abilities, Registers};
+pub use abilities::{Abilities, CutterRadius, Registers};
 pub use clamps::MovingAxes;
 pub(crate) use hole::hole_extent;
 pub use machining_time::{FastestRotation, OperationTime, Times};
@@ -143,6 +144,13 @@ impl<'a, S: Sink> Planner<'a, S> {
     #[must_use]
     pub fn with_tools(mut self, order: Vec<u32>) -> Self {
         self.tooling.know_order(order);
+        self
+    }
+
+    /// Sets the tools that cut with cutter compensation. Without them every tool may.
+    #[must_use]
+    pub fn with_compensated(mut self, tools: BTreeSet<u32>) -> Self {
+        self.tooling.know_compensated(tools);
         self
     }
 
@@ -386,6 +394,10 @@ impl<'a, S: Sink> Planner<'a, S> {
     #[inline]
     fn stop_spindle(&mut self) -> io::Result<()> {
         self.spindle.stop_if_pending(self.mover.output_mut())
+    }
+
+    fn request_coolant(&mut self, kind: Coolant) {
+        self.coolant.request(kind, self.abilities, self.mover.output_mut());
     }
 
     fn apply_coolant(&mut self) -> Planned {

@@ -60,7 +60,7 @@ impl<S: Sink> Records<'_, '_, S> {
                 if self.between { Ok(()) } else { self.planner.apply_spindle(false) }
             }
             Event::Coolant(kind) => {
-                self.planner.coolant.request(kind);
+                self.planner.request_coolant(kind);
                 if self.between { Ok(()) } else { self.planner.apply_coolant() }
             }
             Event::From(pose) => {
@@ -121,6 +121,11 @@ impl<S: Sink> Records<'_, '_, S> {
     fn name_operation(&mut self, name: &[u8]) -> Planned {
         if self.planner.policy.options.rapids.transition == Transition::Safe {
             self.leave()?;
+            // The retract belongs to the operation before, so its blocks come before the name of this one.
+            if self.planner.retracts_before_restart() {
+                self.planner.mover.machine_retract()?;
+                self.planner.mover.output_mut().set_reason(BlockReason::Record);
+            }
         }
         let output = self.planner.mover.output_mut();
         let at = output.location();
@@ -144,6 +149,11 @@ impl<S: Sink> Records<'_, '_, S> {
     fn resolve(&mut self, call: &ToolCall) -> Result<LoadedTool, Fault> {
         let planner = &mut *self.planner;
         let before = planner.tooling.called_before(call.number);
+        let named = planner.policy.set_up.tools.get(&call.number).is_some_and(|tool| tool.name.is_some());
+        if planner.abilities.tools_by_name && !named {
+            let fault = Fault::new(format_args!("T{} has no name, and tools are called by their names", call.number));
+            return Err(fault.help(format_args!("give `[tools.{}] name` in the configuration", call.number)));
+        }
         let needed = planner.needs_gauge_length();
         let mut remarks = Vec::new();
         let registers = planner.abilities.registers;
@@ -230,12 +240,8 @@ impl<S: Sink> Records<'_, '_, S> {
         Ok(())
     }
 
-    /// GOHOME without a point.
+    /// GOHOME without a point: the machine retract, then the parking position where one is configured.
     fn go_home(&mut self) -> Planned {
-        if self.planner.policy.options.park.is_empty() && self.planner.policy.options.retract.position_mm.is_none() {
-            let fault = Fault::new("GOHOME without a point, and neither `park` nor `retract.position` is configured");
-            return Err(fault.help("configure one of them, or give GOHOME/x,y,z").into());
-        }
         self.leave()?;
         self.planner.mover.machine_retract()?;
         self.planner.mover.park()?;

@@ -19,7 +19,7 @@ use crate::program::{Location, Move};
 use crate::motion::fault::{Fault, Planned};
 use crate::motion::geometry::SAME_AXIS;
 use crate::motion::plan::tool::LoadedTool;
-use crate::motion::plan::{MotionAndNext, Planner, records};
+use crate::motion::plan::{MotionAndNext, Planner, cutter, records};
 use crate::motion::rotary::RotaryTarget;
 use crate::motion::source::Next;
 use crate::motion::step::BlockReason;
@@ -107,6 +107,12 @@ impl<S: Sink> Planner<'_, S> {
         Ok(opening.enters)
     }
 
+    /// Whether the machine retracts before the safety line: its codes must not move the tool down, or rotate it in the part.
+    pub(crate) fn retracts_before_restart(&self) -> bool {
+        let moves = self.abilities.length_call_may_move || self.mover.position().is_in_frame();
+        moves && self.mover.restarts() > 0
+    }
+
     /// The first motion of an operation, with the safe sequence before it.
     pub(crate) fn start(&mut self, ahead: MotionAndNext<'_>, operation: u64, planned: Option<RotaryTarget>) -> Planned {
         let enters = self.begin_operation(operation)?;
@@ -120,11 +126,7 @@ impl<S: Sink> Planner<'_, S> {
         }
         self.leave()?;
         self.mover.output_mut().set_reason(BlockReason::Start);
-        if (self.abilities.length_call_may_move || self.mover.position().is_in_frame())
-            && self.mover.restarts() > 0
-            && !enters
-        {
-            // Codes of the safety line must not move the tool down, or rotate it in the part.
+        if self.retracts_before_restart() && !enters {
             self.mover.machine_retract()?;
         }
         // The program can be entered here, so the state is complete, with the retract.
@@ -152,11 +154,13 @@ impl<S: Sink> Planner<'_, S> {
         self.mover.set_gauge_length(tool.length_mm);
         let given = self.policy.set_up.tools.get(&tool.number);
         let spindle = self.spindle.requested().resolve(given, self.policy)?;
+        let radius_delta = cutter::radius_delta(self, &tool)?;
         self.mover.output_mut().step(&Step::Tool {
             number: tool.number,
             offset: tool.offset,
             next: self.tooling.following(tool.number),
             speed: spindle.map(|(speed, _)| speed),
+            radius_delta,
             change,
         })?;
         if change {
@@ -166,7 +170,7 @@ impl<S: Sink> Planner<'_, S> {
             self.mover.machine_retract()?;
         }
         if self.mover.placer().gauge_line() {
-            return Ok(());
+            return cutter::guard(self, &tool);
         }
         self.mover.output_mut().step(&Step::Length { offset: tool.offset })?;
         let guarded = self.policy.options.guards.length_guard.unwrap_or(self.needs_gauge_length().is_some());
@@ -175,7 +179,7 @@ impl<S: Sink> Planner<'_, S> {
             let (tolerance, offset, tool) = (self.policy.options.guards.length_tolerance_mm, tool.offset, tool.number);
             self.mover.output_mut().step(&Step::LengthGuard { label, tool, offset, length, tolerance })?;
         }
-        Ok(())
+        cutter::guard(self, &tool)
     }
 
     /// Spindle and coolant of an operation that continues from the end of the last one: course changes may cut before its

@@ -21,6 +21,8 @@ pub(crate) struct LoadedTool {
     pub(crate) length_mm: Option<f64>,
     /// Register of the length offset.
     pub(crate) offset: u32,
+    /// Radius, as the CL data was made for, if known.
+    pub(crate) radius_mm: Option<f64>,
 }
 
 /// Spindle state requested by the CL data; the configuration has the defaults.
@@ -86,7 +88,8 @@ impl LoadedTool {
             ))
             .help(format_args!("remove the register from the CL data, or give `[tools.{number}] offset = {number}`"))
         })?;
-        Ok(Self { number, length_mm: length, offset })
+        let diameter = call.diameter_mm.or(before.diameter_mm).or(given.and_then(|tool| tool.diameter_mm));
+        Ok(Self { number, length_mm: length, offset, radius_mm: diameter.map(|diameter| 0.5 * diameter) })
     }
 }
 

@@ -1,6 +1,6 @@
 //! Tools of a program: the one in the spindle, the next one, and the data of earlier calls.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::program::{Dwell, ToolCall};
 
@@ -18,6 +18,8 @@ pub(crate) struct Tooling {
     calls: BTreeMap<u32, ToolCall>,
     /// Tools in the order of their changes, as far as known.
     order: Vec<u32>,
+    /// Tools that cut with cutter compensation, where they are known.
+    compensated: Option<BTreeSet<u32>>,
     /// Tool changes so far.
     changes: usize,
 }
@@ -26,6 +28,16 @@ impl Tooling {
     /// Sets the order of the tools.
     pub(crate) fn know_order(&mut self, order: Vec<u32>) {
         self.order = order;
+    }
+
+    /// Sets the tools that cut with cutter compensation.
+    pub(crate) fn know_compensated(&mut self, tools: BTreeSet<u32>) {
+        self.compensated = Some(tools);
+    }
+
+    /// Whether a tool may cut with cutter compensation.
+    pub(crate) fn may_be_compensated(&self, number: u32) -> bool {
+        self.compensated.as_ref().is_none_or(|tools| tools.contains(&number))
     }
 
     /// The tool in the spindle.
@@ -47,7 +59,8 @@ impl Tooling {
     pub(crate) fn call(&mut self, call: &ToolCall) {
         let before = self.calls.get(&call.number).copied().unwrap_or_default();
         let (length, offset) = (call.length_mm.or(before.length_mm), call.length_offset.or(before.length_offset));
-        self.calls.insert(call.number, ToolCall { length_mm: length, length_offset: offset, ..*call });
+        let diameter_mm = call.diameter_mm.or(before.diameter_mm);
+        self.calls.insert(call.number, ToolCall { length_mm: length, length_offset: offset, diameter_mm, ..*call });
     }
 
     /// Sets the tool of the next operation.
@@ -81,9 +94,10 @@ impl Tooling {
         self.changes += usize::from(change);
     }
 
-    /// The tool after this one, where it is the tool of the last change.
+    /// The tool after this one, where it is the tool of the last change; after the last one the first, for the next part.
     pub(crate) fn following(&self, number: u32) -> Option<u32> {
         let known = self.order.get(self.changes.checked_sub(1)?..)?;
-        known.first().filter(|first| **first == number).and(known.get(1)).copied()
+        let next = known.first().filter(|first| **first == number).and(known.get(1).or(self.order.first()));
+        next.copied().filter(|next| *next != number)
     }
 }

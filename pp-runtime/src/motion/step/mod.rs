@@ -106,6 +106,8 @@ pub enum Step<'a> {
         next: Option<u32>,
         /// First spindle speed of the tool, rev/min, if known.
         speed: Option<Decimal>,
+        /// Delta of its radius, which takes the radius off where the path is that of the tool centre, mm.
+        radius_delta: Option<f64>,
         /// False if the tool is in the spindle already.
         change: bool,
     },
@@ -128,6 +130,13 @@ pub enum Step<'a> {
     },
     /// Tilted plane off.
     PlaneOff,
+    /// Stop if the radius of the tool, which must be wear only, is larger than wear.
+    RadiusGuard {
+        /// Number of the tool.
+        tool: u32,
+        /// Largest wear, mm.
+        wear: f64,
+    },
     /// Comparison of the tool length in the control with the posted one; the program stops where they differ. Writes
     /// nothing where a control cannot compare.
     LengthGuard {
@@ -213,6 +222,7 @@ impl Step<'_> {
             Self::TipControl { .. } => "tip-control",
             Self::Plane { .. } | Self::PlaneOff => "plane",
             Self::LengthGuard { .. } => "length-guard",
+            Self::RadiusGuard { .. } => "radius-guard",
             Self::Spindle { .. } | Self::SpindleOff => "spindle",
             Self::Code { .. } => "code",
             Self::Dwell { .. } => "dwell",

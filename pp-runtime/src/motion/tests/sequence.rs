@@ -394,9 +394,11 @@ fn the_spindle_stops_after_the_retract_and_only_once() {
 }
 
 #[test]
-fn gohome_retracts_and_parks_or_is_refused() {
+fn gohome_retracts_and_parks_where_a_position_is_configured() {
     let events = [tool(1), spindle(), feed([0.0; 3], UP), Event::Home, feed([1.0, 0.0, 0.0], UP)];
-    assert!(run::<Cb>(&config(), &events).error().text.contains("neither `park` nor `retract.position`"));
+    let retracted = lines::<Cb>(&config(), &events);
+    let home = retracted.iter().rposition(|line| line.starts_with("N2 G21")).expect("a restart");
+    assert_eq!(retracted[home - 1], "G53 G0 Z0", "{retracted:?}");
     let mut config = config();
     config.motion.park.insert('B', 0.5);
     let lines = lines::<Cb>(&config, &events);

@@ -181,6 +181,23 @@ fn coolant_that_the_control_has_no_code_for_is_refused() {
 }
 
 #[test]
+fn a_pressure_that_the_control_has_no_code_for_is_left_out_with_a_warning() {
+    let pressure = Event::Coolant(Coolant::ThroughAt(Pressure::High));
+    let events = [tool(1), spindle(), pressure, feed([0.0; 3], UP)];
+    let mut config = config();
+    config.control.coolant[2] = Some(["M51".to_owned(), "M59".to_owned()]);
+    let plain = run::<Xyz>(&config, &events);
+    let [remark] = &plain.diagnostics[..] else { panic!("{:?}", plain.diagnostics) };
+    assert!(remark.text.contains("HIGH has no code"), "{remark:?}");
+    assert!(plain.lines.iter().any(|line| line == "M51"), "{}", plain.text());
+    config.control.coolant[6] = Some(["M52".to_owned(), "M59".to_owned()]);
+    let high = run::<Xyz>(&config, &events);
+    assert_eq!(high.diagnostics.len(), 0, "{:?}", high.diagnostics);
+    assert!(high.lines.iter().any(|line| line == "M52"), "{}", high.text());
+    assert!(!high.lines.iter().any(|line| line == "M51"), "{}", high.text());
+}
+
+#[test]
 fn the_program_is_the_same_each_time() {
     let events: Vec<_> = [tool(1), spindle()]
         .into_iter()

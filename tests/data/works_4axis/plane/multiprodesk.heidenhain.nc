@@ -8,103 +8,104 @@
 7 ; PART ORIGIN X10 Y-20 Z35 from the reference point of the table
 8 ; PROGRAMMED POINT tool tip
 9 ; TOLERANCE 0.01 for arcs and curves
-10 ; only operations 1 to 3 of 6; the program begins with a complete restart: modal codes, tool, offset, spindle
-11 ; CL data of NX, recognised from the file
-12 ; 5 arcs, sense by form, confirmed by 4 of 4 neighbouring lines
-13 ; AXIS A+ rotates the table right-handed about +X, opposite to ISO 841
-14 ; AXIS Y+ moves the table along +Y, opposite to ISO 841
-15 ; AXIS X+ moves the tool along +X, as in ISO 841
-16 ; AXIS Z+ moves the tool along +Z, as in ISO 841
-17 ; LINEAR WORDS are tip coordinates in the tilted plane, from the same zero
-18 ; MODE plane: the master axis of SEQ must be the rotary axis nearest the tool
-19 ; linear limits not checked: no travel declared (Y X Z)
-20 ; the entries of A in datum row 1 must be zero
-21 ; T1 D10 R0 L110, 2 operations, tip Z -4.039 to 24.963
-22 ; T2 D5 L130, 1 operation, tip Z -8.509 to 29.729
-23 ; ASSUMED unit of the CL data is mm, as given; the CL file states none
-24 ; ASSUMED work offset datum row 1
-25 ; ASSUMED retract to machine coordinate 0 mm
-26 ; ASSUMED approach distance 50 mm along the tool axis
-27 * - ARCS
-28 M129
-29 PLANE RESET STAY
-30 M127
-31 CYCL DEF 247 DATUM SETTING ~
+10 ; BLANK is the box around all cuts, without [stock] in the configuration
+11 ; only operations 1 to 3 of 6; the program begins with a complete restart: modal codes, tool, offset, spindle
+12 ; CL data of NX, recognised from the file
+13 ; 5 arcs, sense by form, confirmed by 4 of 4 neighbouring lines
+14 ; AXIS A+ rotates the table right-handed about +X, opposite to ISO 841
+15 ; AXIS Y+ moves the table along +Y, opposite to ISO 841
+16 ; AXIS X+ moves the tool along +X, as in ISO 841
+17 ; AXIS Z+ moves the tool along +Z, as in ISO 841
+18 ; LINEAR WORDS are tip coordinates in the tilted plane, from the same zero
+19 ; MODE plane: the master axis of SEQ must be the rotary axis nearest the tool
+20 ; linear limits not checked: no travel declared (Y X Z)
+21 ; the entries of A in datum row 1 must be zero
+22 ; T1 D10 R0 L110, 2 operations, tip Z -4.039 to 24.963
+23 ; T2 D5 L130, 1 operation, tip Z -8.509 to 29.729
+24 ; ASSUMED unit of the CL data is mm, as given; the CL file states none
+25 ; ASSUMED work offset datum row 1
+26 ; ASSUMED retract to machine coordinate 0 mm
+27 ; ASSUMED approach distance 50 mm along the tool axis
+28 * - ARCS
+29 M129
+30 PLANE RESET STAY
+31 M127
+32 CYCL DEF 247 DATUM SETTING ~
   Q339=+1 ;DATUM NUMBER
-32 M9
-33 L Z+0 R0 FMAX M91
-34 TOOL CALL 1 Z S4000
-35 TOOL DEF 2
-36 L Z+0 R0 FMAX M91
-37 M3
-38 L A+0 R0 FMAX
-39 L X+12 Y+0 R0 FMAX
-40 L Z+20 R0 FMAX
-41 M8
-42 L Z+2 R0 FMAX
-43 CC X+0 Y+0
-44 CP IPA-360 IZ-2.4 DR- R0 F200
-45 CC X+0 Y+0
-46 CP IPA-90 IZ-0.6 DR-
-47 L X-20 Y-12 F600
-48 CC X-20 Y+0
-49 C X-20 Y+12 DR-
-50 L X+0
-51 CC X+0 Y+20
-52 C X+8 Y+20 DR+
-53 CC X+0 Y+20
-54 C X+8 Y+20 DR+
-55 L Z+20
-56 M9
-57 L Z+80 R0 FMAX
-58 L Z+0 R0 FMAX M91
-59 M5
-60 M1
-61 * - TILTED
-62 M129
-63 PLANE RESET STAY
-64 M127
-65 CYCL DEF 247 DATUM SETTING ~
+33 M9
+34 L Z+0 R0 FMAX M91
+35 TOOL CALL 1 Z S4000
+36 TOOL DEF 2
+37 L Z+0 R0 FMAX M91
+38 M3
+39 L A+0 R0 FMAX
+40 L X+12 Y+0 R0 FMAX
+41 L Z+20 R0 FMAX
+42 M8
+43 L Z+2 R0 FMAX
+44 CC X+0 Y+0
+45 CP IPA-360 IZ-2.4 DR- R0 F200
+46 CC X+0 Y+0
+47 CP IPA-90 IZ-0.6 DR-
+48 L X-20 Y-12 F600
+49 CC X-20 Y+0
+50 C X-20 Y+12 DR-
+51 L X+0
+52 CC X+0 Y+20
+53 C X+8 Y+20 DR+
+54 CC X+0 Y+20
+55 C X+8 Y+20 DR+
+56 L Z+20
+57 M9
+58 L Z+80 R0 FMAX
+59 L Z+0 R0 FMAX M91
+60 M5
+61 M1
+62 * - TILTED
+63 M129
+64 PLANE RESET STAY
+65 M127
+66 CYCL DEF 247 DATUM SETTING ~
   Q339=+1 ;DATUM NUMBER
-66 M9
-67 L Z+0 R0 FMAX M91
-68 ; T1 stays in the spindle
-69 TOOL CALL S4000
-70 M3
-71 L A-25 R0 FMAX
-72 PLANE SPATIAL SPA-25 SPB+0 SPC+0 TURN MB MAX FMAX TABLE ROT
-73 L X-11 Y+3.717 R0 FMAX
-74 L Z+29.277 R0 FMAX
-75 M8
-76 L Z-2.723 R0 F300
-77 L X+14 F700
-78 CC X+14 Y-6.283
-79 C X+14 Y-16.283 DR-
-80 L X-11
-81 L Y+3.717
-82 L Z+29.277
-83 M9
-84 L Z+89.277 R0 FMAX
-85 * - HOLES
+67 M9
+68 L Z+0 R0 FMAX M91
+69 ; T1 stays in the spindle
+70 TOOL CALL S4000
+71 M3
+72 L A-25 R0 FMAX
+73 PLANE SPATIAL SPA-25 SPB+0 SPC+0 TURN MB MAX FMAX TABLE ROT
+74 L X-11 Y+3.717 R0 FMAX
+75 L Z+29.277 R0 FMAX
+76 M8
+77 L Z-2.723 R0 F300
+78 L X+14 F700
+79 CC X+14 Y-6.283
+80 C X+14 Y-16.283 DR-
+81 L X-11
+82 L Y+3.717
+83 L Z+29.277
+84 M9
+85 L Z+89.277 R0 FMAX
 86 PLANE RESET STAY
 87 L Z+0 R0 FMAX M91
-88 M129
-89 PLANE RESET STAY
-90 M127
-91 CYCL DEF 247 DATUM SETTING ~
+88 * - HOLES
+89 M129
+90 PLANE RESET STAY
+91 M127
+92 CYCL DEF 247 DATUM SETTING ~
   Q339=+1 ;DATUM NUMBER
-92 M9
-93 L Z+0 R0 FMAX M91
-94 TOOL CALL 2 Z S2500
-95 TOOL DEF 1
-96 L Z+0 R0 FMAX M91
-97 M3
-98 L A-25 R0 FMAX
-99 PLANE SPATIAL SPA-25 SPB+0 SPC+0 TURN MB MAX FMAX TABLE ROT
-100 L X-8 Y-6.283 R0 FMAX
-101 L Z+24.277 R0 FMAX
-102 M8
-103 CYCL DEF 200 DRILLING ~
+93 M9
+94 L Z+0 R0 FMAX M91
+95 TOOL CALL 2 Z S2500
+96 TOOL DEF 1
+97 L Z+0 R0 FMAX M91
+98 M3
+99 L A-25 R0 FMAX
+100 PLANE SPATIAL SPA-25 SPB+0 SPC+0 TURN MB MAX FMAX TABLE ROT
+101 L X-8 Y-6.283 R0 FMAX
+102 L Z+24.277 R0 FMAX
+103 M8
+104 CYCL DEF 200 DRILLING ~
   Q200=+2 ;SET-UP CLEARANCE ~
   Q201=-6 ;DEPTH ~
   Q206=+150 ;FEED RATE FOR PLNGNG ~
@@ -113,9 +114,9 @@
   Q203=-0.723 ;SURFACE COORDINATE ~
   Q204=+25 ;2ND SET-UP CLEARANCE ~
   Q211=+0 ;DWELL TIME AT DEPTH
-104 L X-8 Y-6.283 R0 FMAX M99
-105 L X+4 R0 FMAX M99
-106 CYCL DEF 200 DRILLING ~
+105 L X-8 Y-6.283 R0 FMAX M99
+106 L X+4 R0 FMAX M99
+107 CYCL DEF 200 DRILLING ~
   Q200=+2 ;SET-UP CLEARANCE ~
   Q201=-6 ;DEPTH ~
   Q206=+150 ;FEED RATE FOR PLNGNG ~
@@ -124,8 +125,8 @@
   Q203=-0.723 ;SURFACE COORDINATE ~
   Q204=+25 ;2ND SET-UP CLEARANCE ~
   Q211=+0.5 ;DWELL TIME AT DEPTH
-107 L X+16 Y-6.283 R0 FMAX M99
-108 CYCL DEF 205 UNIVERSAL PECKING ~
+108 L X+16 Y-6.283 R0 FMAX M99
+109 CYCL DEF 205 UNIVERSAL PECKING ~
   Q200=+2 ;SET-UP CLEARANCE ~
   Q201=-15 ;DEPTH ~
   Q206=+150 ;FEED RATE FOR PLNGNG ~
@@ -141,8 +142,8 @@
   Q211=+0 ;DWELL TIME AT DEPTH ~
   Q379=+0 ;STARTING POINT ~
   Q253=+99999 ;F PRE-POSITIONING
-109 L X-8 Y-18.283 R0 FMAX M99
-110 CYCL DEF 205 UNIVERSAL PECKING ~
+110 L X-8 Y-18.283 R0 FMAX M99
+111 CYCL DEF 205 UNIVERSAL PECKING ~
   Q200=+2 ;SET-UP CLEARANCE ~
   Q201=-15 ;DEPTH ~
   Q206=+150 ;FEED RATE FOR PLNGNG ~
@@ -158,8 +159,8 @@
   Q211=+0 ;DWELL TIME AT DEPTH ~
   Q379=+0 ;STARTING POINT ~
   Q253=+99999 ;F PRE-POSITIONING
-111 L X+4 Y-18.283 R0 FMAX M99
-112 CYCL DEF 203 UNIVERSAL DRILLING ~
+112 L X+4 Y-18.283 R0 FMAX M99
+113 CYCL DEF 203 UNIVERSAL DRILLING ~
   Q200=+2 ;SET-UP CLEARANCE ~
   Q201=-11 ;DEPTH ~
   Q206=+150 ;FEED RATE FOR PLNGNG ~
@@ -173,8 +174,8 @@
   Q211=+0 ;DWELL TIME AT DEPTH ~
   Q208=+99999 ;RETRACTION FEED RATE ~
   Q256=+0.5 ;DIST FOR CHIP BRKNG
-113 L X+16 Y-18.283 R0 FMAX M99
-114 CYCL DEF 201 REAMING ~
+114 L X+16 Y-18.283 R0 FMAX M99
+115 CYCL DEF 201 REAMING ~
   Q200=+2 ;SET-UP CLEARANCE ~
   Q201=-6 ;DEPTH ~
   Q206=+80 ;FEED RATE FOR PLNGNG ~
@@ -182,15 +183,15 @@
   Q208=+0 ;RETRACTION FEED RATE ~
   Q203=-0.723 ;SURFACE COORDINATE ~
   Q204=+25 ;2ND SET-UP CLEARANCE
-115 L X+4 Y+5.717 R0 FMAX M99
-116 M9
-117 L Z+84.277 R0 FMAX
-118 PLANE RESET STAY
-119 L Z+0 R0 FMAX M91
-120 M5
-121 M0
-122 M9
-123 L Z+0 R0 FMAX M91
-124 M5
-125 M30
-126 END PGM NONAME MM
+116 L X+4 Y+5.717 R0 FMAX M99
+117 M9
+118 L Z+84.277 R0 FMAX
+119 PLANE RESET STAY
+120 L Z+0 R0 FMAX M91
+121 M5
+122 M0
+123 M9
+124 L Z+0 R0 FMAX M91
+125 M5
+126 M30
+127 END PGM NONAME MM

@@ -388,6 +388,10 @@ pub(super) fn state_difference(was: &Event<'_>, is: &Event<'_>, allowed: Allowed
         hard(rotary && old.rotary_path != new.rotary_path, "shortest path"),
         soft(old.rotary_path != new.rotary_path, "shortest path where no rotary axis moves"),
         hard(linear && side(old) != side(new), "the compensation"),
+        hard(
+            linear && side(old) != Compensation::Off && old.radius_delta != new.radius_delta,
+            "the radius of the tool",
+        ),
     ]);
     if !was.block.effect.cuts() {
         let process = (old.spindle, old.coolant, old.speed) != (new.spindle, new.coolant, new.speed);

@@ -54,11 +54,20 @@ impl Machine {
 
     fn tool_and_spindle(&mut self, meanings: &[Meaning], command: &mut Command) -> Result<(), String> {
         let state = &mut self.state;
-        if let Some(speed) = command.take(Address::Speed) {
+        let speed = command.take(Address::Speed);
+        let called = speed.is_some();
+        if let Some(speed) = speed {
             if speed <= 0.0 {
                 return Err("S0".to_owned());
             }
             state.speed = Some(speed);
+        }
+        match command.take(Address::RadiusDelta) {
+            Some(delta) => state.radius_delta = Some(delta),
+            None if self.control != Control::Heidenhain => {}
+            None if meanings.contains(&Meaning::ToolChange) => state.radius_delta = Some(0.0),
+            None if called => state.radius_delta = state.radius_delta.filter(|delta| delta.abs() < 1e-9),
+            None => {}
         }
         if let Some(tool) = command.take(Address::Tool) {
             state.selected = Some(whole(tool)?);

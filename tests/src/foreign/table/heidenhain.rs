@@ -148,7 +148,7 @@ fn word(command: &mut Command, name: &str, number: Number, counting: Counting) -
     command.word(address, value)
 }
 
-/// `TOOL CALL 5 Z S8000`, `TOOL CALL S8000`.
+/// `TOOL CALL 5 Z S8000 DR-6`, `TOOL CALL S8000`.
 fn tool_call(command: &mut Command, tokens: &[Token]) -> Result<(), String> {
     let mut rest = tokens;
     if let [Token::Number(number), Token::Name(axis), after @ ..] = rest {
@@ -166,9 +166,14 @@ fn tool_call(command: &mut Command, tokens: &[Token]) -> Result<(), String> {
         rest = after;
     }
     match rest {
-        [Token::Word { name, number, .. }] if name == "S" => {
+        [Token::Word { name, number, .. }, more @ ..] if name == "S" => {
             command.code(Meaning::Idle)?;
-            command.word(Address::Speed, number.value)
+            command.word(Address::Speed, number.value)?;
+            match more {
+                [] => Ok(()),
+                [Token::Word { name, number, .. }] if name == "DR" => command.word(Address::RadiusDelta, number.value),
+                _ => Err("TOOL CALL in a form that is unknown here".to_owned()),
+            }
         }
         _ => Err("TOOL CALL in a form that is unknown here".to_owned()),
     }

@@ -102,10 +102,7 @@ impl Heidenhain {
             Statement::Pole => round::centre(line, &mut self.pole),
             Statement::Arc => words::motion(line) && round::close(line, spelling, &self.pole),
             Statement::ToolCall => tool(line),
-            Statement::ToolDef => {
-                line.at.blanks();
-                line.at.number().and_then(whole).is_some() && ended(line)
-            }
+            Statement::ToolDef => matches!(tool_number(line), Ok(Some(_))) && ended(line),
             Statement::CycleDef => cycles::define(line),
             Statement::CycleCall => {
                 line.draft.call = true;
@@ -166,12 +163,31 @@ fn blank(line: &mut Line<'_>) -> bool {
     }) && ended(line)
 }
 
-/// `TOOL CALL 5 Z S8000 DL+0`, `TOOL CALL S8000`.
+/// `5` or `"MILL_D12"`: number of a tool, if there is one; an error if it is unknown.
+fn tool_number(line: &mut Line<'_>) -> Result<Option<u32>, ()> {
+    line.at.blanks();
+    let start = line.at.column();
+    let named = line.at.take(b'"');
+    let number = if named {
+        let rest = line.at.rest();
+        let end = rest.iter().position(|byte| *byte == b'"').ok_or(())?;
+        line.at.skip(end + 1);
+        line.tool_of(&rest[..end])
+    } else if line.at.peek().is_some_and(|byte| byte.is_ascii_digit()) {
+        line.at.number().and_then(whole)
+    } else {
+        return Ok(None);
+    };
+    line.called(named, start);
+    number.map(Some).ok_or(())
+}
+
+/// `TOOL CALL 5 Z S8000 DL+0 DR-6`, `TOOL CALL S8000 DR-6`.
 fn tool(line: &mut Line<'_>) -> bool {
+    let unit_mm = line.unit();
+    let Ok(number) = tool_number(line) else { return false };
     let (at, draft) = (&mut line.at, &mut *line.draft);
-    at.blanks();
-    if at.peek().is_some_and(|byte| byte.is_ascii_digit()) {
-        let Some(number) = at.number().and_then(whole) else { return false };
+    if let Some(number) = number {
         draft.tool = Some(number);
         draft.change = true;
         draft.length_with_tool = true;
@@ -184,17 +200,24 @@ fn tool(line: &mut Line<'_>) -> bool {
         };
         at.skip(1);
     }
+    let mut delta = draft.change.then_some(0.0);
+    let mut stated = false;
     while !at.ended() && at.peek() != Some(b';') {
         let name = at.letters();
         let Some(number) = at.number() else { return false };
         let first = match name {
             b"S" => draft.speed.replace(number.value).is_none(),
-            b"DL" | b"DR" => number.value == 0.0,
+            b"DL" => number.value == 0.0,
+            b"DR" => {
+                delta = Some(number.value * unit_mm);
+                !std::mem::replace(&mut stated, true)
+            }
             _ => false,
         };
         if !first {
             return false;
         }
     }
+    draft.radius_delta_mm = Some(delta);
     draft.change || draft.speed.is_some()
 }

@@ -181,10 +181,11 @@ impl Reading<'_, '_> {
             draft.centre_written = 0;
         }
         if on && self.line.facts().tip_control_has_form {
-            // P1: the tool axis turns in a plane.
+            // P1: the tool axis rotates in a plane. Without P a parameter decides: A-79294E, p. 11.
             let form = self.loose.p.take();
             self.line.draft.in_plane = match form.map(whole) {
-                None | Some(Some(0)) => Some(false),
+                None => None,
+                Some(Some(0)) => Some(false),
                 Some(Some(1)) => Some(true),
                 Some(_) => {
                     self.line.fault(0, "unknown form of tip control");

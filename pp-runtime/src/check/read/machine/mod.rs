@@ -155,6 +155,7 @@ impl Interpreter {
         block.frame_faults = draft.frame_faults;
         block.restart = draft.restart || draft.units.is_some();
         block.guard = draft.guard;
+        block.radius_guard_mm = draft.radius_guard_mm;
         block.action = Action::Nothing;
         block.written = draft.written;
         if draft.only_moves {

@@ -61,6 +61,12 @@ impl Interpreter {
             state.length = None;
             self.known = 0;
         }
+        match draft.radius_delta_mm {
+            Some(Some(delta)) => state.radius_delta_mm = Some(delta),
+            // Whether a call with S alone keeps DR is in no manual that was found.
+            Some(None) => state.radius_delta_mm = state.radius_delta_mm.filter(|delta| *delta == 0.0),
+            None => {}
+        }
         state.spindle = draft.spindle.or(state.spindle);
         if draft.coolant_off != 0 {
             // Off codes of another supply leave flood and mist unknown.
@@ -69,9 +75,6 @@ impl Interpreter {
         }
         if draft.coolant_on != 0 {
             state.coolant = Some(state.coolant.unwrap_or(0) | draft.coolant_on);
-        }
-        if draft.coolant_on & !(coolant::FLOOD | coolant::MIST | coolant::THROUGH | coolant::AIR) != 0 {
-            fault(faults, 0, "unknown coolant code");
         }
         self.set_length(draft, faults);
         self.set_frames(draft, faults);
@@ -137,7 +140,8 @@ impl Interpreter {
         if let Some(on) = tip {
             self.frames.programmed(Frames::TIP_CONTROL, on);
         }
-        state.in_plane = draft.in_plane.or(state.in_plane);
+        let form = self.facts.tip_control_has_form && tip == Some(true);
+        state.in_plane = if form { draft.in_plane } else { draft.in_plane.or(state.in_plane) };
         state.in_workpiece = draft.in_workpiece.or(state.in_workpiece);
         if draft.vector_written != 0 && state.tip_control == TipControl::Off {
             fault(faults, 0, "a tool axis is programmed while tip control is off");

@@ -1,4 +1,5 @@
-//! The length guard: `IF ABS($P_TOOLL[1]-L)>tol`, `MSG("..")`, `M0`, `M30`, `ENDIF`, each a line.
+//! The length guard: `IF ABS($P_TOOLL[1]-L)>tol`, `MSG("..")`, `M0`, `M30`, `ENDIF`, each a line; and that of the radius,
+//! which begins with `IF ABS($P_TOOLR)>tol`.
 
 use super::super::block::{Guard, LengthSource};
 use super::super::line::Line;
@@ -7,7 +8,23 @@ use super::super::text::Cursor;
 /// The guard that has begun.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct LengthGuard {
-    open: Option<Guard>,
+    open: Option<Open>,
+}
+
+/// What an open guard compares.
+#[derive(Debug, Clone, Copy)]
+enum Open {
+    Length(Guard),
+    Radius { largest_mm: f64, stops: bool },
+}
+
+impl Open {
+    fn stop(&mut self) {
+        match self {
+            Self::Length(guard) => guard.stops = true,
+            Self::Radius { stops, .. } => *stops = true,
+        }
+    }
 }
 
 impl LengthGuard {
@@ -23,24 +40,30 @@ impl LengthGuard {
         let unit = if line.facts().guard_in_mm { 1.0 } else { line.unit() };
         self.open = condition(&mut line.at, unit);
         if self.open.is_none() {
-            line.fault(0, "unknown condition: the check reads `IF ABS($P_TOOLL[1]-L)>t`");
+            line.fault(0, "unknown condition: the check reads `IF ABS($P_TOOLL[1]-L)>t` and `IF ABS($P_TOOLR)>t`");
             return Some(true);
         }
         Some(false)
     }
 
-    fn within(&mut self, mut guard: Guard, line: &mut Line<'_>) -> bool {
+    fn within(&mut self, mut guard: Open, line: &mut Line<'_>) -> bool {
         let at = &mut line.at;
         if at.word(b"ENDIF") && at.ended() {
             self.open = None;
-            line.draft.guard = Some(guard);
-            if !guard.stops {
-                line.fault(0, "the length guard does not stop the program");
+            match guard {
+                Open::Length(guard) => {
+                    line.draft.guard = Some(guard);
+                    if !guard.stops {
+                        line.fault(0, "the length guard does not stop the program");
+                    }
+                }
+                Open::Radius { largest_mm, stops: true } => line.draft.radius_guard_mm = Some(largest_mm),
+                Open::Radius { .. } => line.fault(0, "the guard of the tool radius does not stop the program"),
             }
             return true;
         }
         if (at.word(b"M0") || at.word(b"M30")) && at.ended() {
-            guard.stops = true;
+            guard.stop();
             self.open = Some(guard);
         } else if !(message(at) && at.ended()) {
             line.fault(0, "this block is executed only under a condition");
@@ -50,13 +73,17 @@ impl LengthGuard {
     }
 }
 
-/// `ABS($P_TOOLL[1]-L)>tol` and nothing after it.
-fn condition(at: &mut Cursor<'_>, unit: f64) -> Option<Guard> {
+/// `ABS($P_TOOLL[1]-L)>tol` or `ABS($P_TOOLR)>tol`, and nothing after it.
+fn condition(at: &mut Cursor<'_>, unit: f64) -> Option<Open> {
+    if at.literal(b"ABS($P_TOOLR)>") {
+        let largest = at.spaced_number()?.value;
+        return (at.ended() && largest > 0.0).then_some(Open::Radius { largest_mm: largest * unit, stops: false });
+    }
     let length = at.literal(b"ABS($P_TOOLL[1]-").then(|| at.spaced_number())??.value;
     let tolerance = at.literal(b")>").then(|| at.spaced_number())??.value;
     let [length_mm, tolerance_mm] = [length * unit, tolerance * unit];
     let guard = Guard { length_mm, tolerance_mm, source: LengthSource::Edge, stops: false };
-    (at.ended() && tolerance > 0.0).then_some(guard)
+    (at.ended() && tolerance > 0.0).then_some(Open::Length(guard))
 }
 
 /// `MSG("..")`.

@@ -171,7 +171,10 @@ fn word(line: &mut Line<'_>, letter: u8, start: usize) -> bool {
         Address::BlockNumber => line.block_number(number, start),
         Address::Feed => line.draft.feed = Some(number.value),
         Address::Speed => line.draft.speed = Some(number.value),
-        Address::Tool => line.draft.tool = whole(number),
+        Address::Tool => {
+            line.draft.tool = whole(number);
+            line.called(false, start);
+        }
         Address::Edge => {
             line.draft.register = whole(number);
             line.draft.length = Some(if number.value == 0.0 { LengthCode::Off } else { LengthCode::On });
@@ -279,12 +282,12 @@ fn tool_name(line: &mut Line<'_>, start: usize) -> bool {
     line.at.skip(1);
     let rest = line.at.rest();
     let Some(end) = rest.iter().position(|byte| *byte == b'"') else { return false };
-    let name = String::from_utf8_lossy(&rest[..end]);
+    let name = &rest[..end];
     line.at.skip(end + 1);
     line.draft.speaks();
-    let known = line.vocabulary().tools.iter().find(|(known, _)| *known == name);
     let first = line.draft.tool.is_none();
-    line.draft.tool = known.map(|(_, number)| *number).or(name.parse().ok());
+    line.draft.tool = line.tool_of(name);
+    line.called(true, start);
     line.once(first, b"T", start);
     line.draft.tool.is_some()
 }

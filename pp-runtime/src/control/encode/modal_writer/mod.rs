@@ -93,7 +93,7 @@ fn values(control: &dyn Control, layout: &Layout, numerals: Numerals) -> Values 
         path_tolerance: text(path_tolerance, Numerals { plus: false, ..numerals }),
         angle_deg: options.smoothing_angle_rad.map(f64::to_degrees),
         rotary_path: codes.rotary_path[usize::from(layout.shortest_path)],
-        posture: posture(codes, layout),
+        posture: options.posture_word.then(|| posture(codes, layout)),
         swivel_data: format!("\"{}\"", options.swivel_data.as_deref().unwrap_or_default()),
         numerals,
         dwell_numerals: Numerals { plus: false, point: numerals.point || codes.numerals.point },

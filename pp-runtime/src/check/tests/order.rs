@@ -1,0 +1,45 @@
+//! What a program has besides its motions: names of operations, preselected tools, the blank.
+
+use super::*;
+
+/// Two operations of two tools.
+const TWO_OPERATIONS: &str = "UNITS/MM\nTOOL PATH/FIRST,TOOL,T1\nLOADTL/1\nSPINDL/RPM,2000,CLW\nFEDRAT/300,MMPM\nRAPID\n\
+                              GOTO/0,0,50\nGOTO/0,0,0\nGOTO/20,0,0\nGOTO/20,0,50\nTOOL PATH/SECOND,TOOL,T2\nLOADTL/2\n\
+                              SPINDL/RPM,1000,CLW\nRAPID\nGOTO/0,9,50\nGOTO/0,9,2\nGOTO/20,9,2\nGOTO/20,9,50\n";
+
+#[test]
+fn the_name_of_an_operation_comes_after_the_retract_of_the_one_before() {
+    for (control, mode, name) in [
+        ("fanuc", Mode::Axes, "(OPERATION SECOND)"),
+        ("haas", Mode::Axes, "(OPERATION SECOND)"),
+        ("siemens", Mode::Tcp, "MSG(\"SECOND\")"),
+        ("heidenhain", Mode::Tcp, "* - SECOND"),
+    ] {
+        let program = posted_right::<Tables>(control, mode, "retract.distance = 20\n", TWO_OPERATIONS);
+        let (before, after) = program.split_once(name).expect("the name");
+        let last = before.trim_end_matches(|byte: char| byte.is_ascii_digit() || byte == ' ').trim_end();
+        let retract = last.lines().last().expect("a block");
+        assert!(["G53", "SUPA", "M91"].iter().any(|code| retract.contains(code)), "{control}: {retract}\n{program}");
+        let change = ["M6", "M06", "TOOL CALL 2"];
+        assert!(change.iter().any(|code| after.contains(code)), "{control}\n{program}");
+    }
+}
+
+#[test]
+fn the_last_tool_preselects_the_first() {
+    let program = posted_right::<Mill>("fanuc", Mode::Axes, "", TWO_OPERATIONS);
+    assert!(program.contains("T1 M6\nT2\n") && program.contains("T2 M6\nT1\n"), "{program}");
+    let one = TWO_OPERATIONS.split("TOOL PATH/SECOND").next().expect("the first operation");
+    assert!(!posted_right::<Mill>("fanuc", Mode::Axes, "", one).contains("\nT1\n"));
+}
+
+#[test]
+fn a_blank_around_the_cuts_is_named_in_the_header() {
+    let note = "BLANK is the box around all cuts";
+    let program = posted_right::<Mill>("heidenhain", Mode::Axes, "", TWO_OPERATIONS);
+    assert!(program.contains("BLK FORM 0.1 Z X+0 Y+0 Z+0\n") && program.contains(note), "{program}");
+    let stock = "stock = { lower = [-10, -10, -30], upper = [40, 20, 0] }\n";
+    let program = posted_right::<Mill>("heidenhain", Mode::Axes, stock, TWO_OPERATIONS);
+    assert!(program.contains("BLK FORM 0.1 Z X-10 Y-10 Z-30\n") && !program.contains(note), "{program}");
+    assert!(!posted_right::<Mill>("fanuc", Mode::Axes, "", TWO_OPERATIONS).to_lowercase().contains("blank"));
+}

@@ -1,0 +1,237 @@
+//! Functions that the configuration selects: a program has them, and a program without them is found.
+
+use super::*;
+
+/// What is wrong with a configuration.
+fn refused<M: Machine>(control: &str, mode: Mode, set_up: &str) -> Vec<String> {
+    let (control, config) = configured::<M>(control, mode, set_up);
+    control::unfit(&M::default(), control, config.demands())
+}
+
+/// One tool, four cuts of three axes.
+fn cuts(record: &str) -> String {
+    format!(
+        "UNITS/MM\nLOADTL/1\nSPINDL/RPM,2000,CLW\n{record}\nFEDRAT/300,MMPM\nRAPID\nGOTO/0,0,50\nGOTO/0,0,0\nGOTO/20,0,0\n\
+         GOTO/20,20,0\nGOTO/20,20,50\n"
+    )
+}
+
+#[test]
+fn the_pressure_of_coolant_through_the_spindle_is_written_where_codes_are_configured() {
+    let data = cuts("COOLNT/THRU,HIGH");
+    let plain = posted_right::<Mill>("haas", Mode::Axes, "", &data);
+    assert!(plain.contains("\nM88\n") && plain.contains("\nM89\n"), "{plain}");
+    let codes = "control.coolant = { through = [\"M88\", \"M89\"], through_high = [\"M388\", \"M89\"] }\n";
+    let high = posted_right::<Mill>("haas", Mode::Axes, codes, &data);
+    assert!(high.contains("\nM388\n") && high.contains("\nM89\n") && !high.contains("\nM88\n"), "{high}");
+    let low = posted_right::<Mill>("haas", Mode::Axes, codes, &cuts("COOLNT/THRU,LOW"));
+    assert!(low.contains("\nM88\n") && !low.contains("\nM388\n"), "{low}");
+    assert_told::<Mill>("haas", Mode::Axes, codes, &data, &high.replace("M388", "M88"));
+    assert_told::<Mill>("haas", Mode::Axes, codes, &cuts("COOLNT/THRU,LOW"), &low.replace("M88", "M388"));
+    let same = "control.coolant = { through_high = [\"M88\", \"M89\"] }\n";
+    assert!(refused::<Mill>("haas", Mode::Axes, same)[0].contains("have the code M88"));
+}
+
+#[test]
+fn gohome_retracts_with_no_parking_position_on_every_control() {
+    let data = format!("{}GOHOME\nGOTO/5,5,10\nGOTO/5,5,0\nGOTO/5,5,20\nGOHOME\n", cuts("COOLNT/ON"));
+    for control in ["linuxcnc", "fanuc", "siemens", "heidenhain", "haas"] {
+        posted_right::<Mill>(control, Mode::Axes, "", &data);
+        posted_right::<Tables>(control, Mode::Axes, "", &data);
+    }
+}
+
+#[test]
+fn blocks_between_opskip_on_and_off_are_in_the_program_with_a_comment_that_they_are_never_skipped() {
+    let data = cuts("COOLNT/ON").replace("GOTO/20,0,0\n", "OPSKIP/ON\nGOTO/20,0,0\nOPSKIP/OFF\n");
+    let program = posted_right::<Mill>("fanuc", Mode::Axes, "", &data);
+    assert!(program.contains("(OPSKIP ON IGNORED, NEXT BLOCKS ARE NEVER SKIPPED)\n"), "{program}");
+    assert!(program.contains("X20.") && !program.contains("\n/"), "{program}");
+}
+
+/// A blade in miniature: short blocks in which the rotary axes rotate.
+fn short_blocks() -> String {
+    let mut data = "UNITS/MM\nLOADTL/1,LENGTH,100\nSPINDL/RPM,2000,CLW\nFEDRAT/3000,MMPM\n".to_owned();
+    for point in 0..12 {
+        let (x, tilt) = (f64::from(point) * 0.04, (20.0 + 0.3 * f64::from(point)).to_radians());
+        data += &format!("GOTO/{x:.3},0,20,{:.7},0,{:.7}\n", tilt.sin(), tilt.cos());
+    }
+    data
+}
+
+/// Largest F of the blocks in inverse time.
+fn largest_inverse_time(program: &str) -> f64 {
+    let blocks = program.split("G93").nth(1).expect("inverse time").split("G94").next().unwrap_or_default();
+    let words = blocks.split_whitespace().filter_map(|word| word.strip_prefix('F')?.parse().ok());
+    words.fold(0.0, f64::max)
+}
+
+#[test]
+fn f_of_inverse_time_stays_within_what_the_control_takes() {
+    let set_up = "retract.distance = 50\nfeed.keep_speeds = false\n";
+    let data = short_blocks();
+    let haas = posted_right::<Tables>("haas", Mode::Axes, set_up, &data);
+    assert!((largest_inverse_time(&haas) - 9999.99).abs() < 1e-9, "{haas}");
+    let fanuc = posted_right::<Tables>("fanuc", Mode::Axes, set_up, &data);
+    assert!(largest_inverse_time(&fanuc) > 50_000.0, "{fanuc}");
+    for control in ["linuxcnc", "fanuc", "siemens", "haas"] {
+        for largest in [777.7777, 60_000.0] {
+            let set_up = format!("{set_up}feed.largest_inverse_time = {largest}\n");
+            let program = posted_right::<Tables>(control, Mode::Axes, &set_up, &data);
+            let found = largest_inverse_time(&program);
+            assert!(found <= largest && (found > 0.999 * largest || largest > 1000.0), "{control} {found}\n{program}");
+            // A block that no limit holds back must not be slower.
+            let slower = program.replacen(&format!("F{found}"), &format!("F{}", found * 0.99), 1);
+            assert_ne!(slower, program);
+            assert_told::<Tables>(control, Mode::Axes, &set_up, &data, &slower);
+        }
+    }
+    let other = format!("{set_up}feed.largest_inverse_time = 60000\n");
+    let faster = posted_right::<Tables>("haas", Mode::Axes, &other, &data);
+    assert_told::<Tables>("haas", Mode::Axes, set_up, &data, &faster);
+    assert_told::<Tables>("haas", Mode::Axes, &other, &data, &haas);
+    let beyond = haas.replacen("F9999.99", "F10000.", 1);
+    assert_told::<Tables>("haas", Mode::Axes, set_up, &data, &beyond);
+}
+
+#[test]
+fn the_word_of_the_tool_posture_is_left_out_where_it_is_an_option() {
+    let data =
+        "UNITS/MM\nLOADTL/1\nSPINDL/RPM,2000,CLW\nFEDRAT/300,MMPM\nGOTO/0,0,20,0,0,1\nGOTO/10,0,20,0.1,0,0.9949874\n";
+    let set_up = "retract.distance = 50\ntcp_frame = \"table_at_zero\"\ntcp_confirmed = true\n";
+    for (vectors, code) in [("", "G43.4 H1"), ("tcp_words = \"vectors\"\n", "G43.5 H1")] {
+        let written = format!("{set_up}{vectors}");
+        let left_out = format!("{written}control.posture_word = false\n");
+        let with = posted_right::<Tables>("fanuc", Mode::Tcp, &written, data);
+        assert!(with.contains(&format!("{code} P0 X")), "{with}");
+        let without = posted_right::<Tables>("fanuc", Mode::Tcp, &left_out, data);
+        assert!(without.contains(&format!("{code} X")), "{without}");
+        assert!(without.contains("19604#0"), "{without}");
+        // The check takes what is configured, and nothing else.
+        assert_told::<Tables>("fanuc", Mode::Tcp, &written, data, &without);
+        assert_told::<Tables>("fanuc", Mode::Tcp, &left_out, data, &with);
+        assert_told::<Tables>("fanuc", Mode::Tcp, &left_out, data, &with.replace(" P0 ", " P1 "));
+    }
+    for control in ["siemens", "heidenhain", "haas"] {
+        let set_up = "retract.distance = 50\ncontrol.posture_word = false\ncontrol.swivel_data = \"T\"\n";
+        let found = refused::<Tables>(control, Mode::Tcp, set_up);
+        assert!(found[0].contains("control.posture_word"), "{found:?}");
+    }
+}
+
+/// A contour that T1, 12 mm in diameter, cuts with compensation; T2 cuts without it.
+fn contour() -> &'static str {
+    "UNITS/MM\nCUTTER/12\nLOADTL/1\nSPINDL/RPM,2000,CLW\nFEDRAT/300,MMPM\nRAPID\nGOTO/0,-20,50\nGOTO/0,-20,0\nCUTCOM/LEFT\n\
+     GOTO/0,0,0\nGOTO/30,0,0\nSPINDL/RPM,3000,CLW\nGOTO/40,0,0\nCUTCOM/OFF\nGOTO/40,20,0\nGOTO/40,20,50\nCUTTER/8\nLOADTL/2\n\
+     SPINDL/RPM,1000,CLW\nRAPID\nGOTO/0,0,50\nGOTO/0,0,0\nGOTO/5,0,0\nGOTO/5,0,50\n"
+}
+
+const CENTRE: &str = "compensation.path = \"centre\"\nretract.distance = 20\n";
+
+#[test]
+fn a_tnc_takes_the_radius_of_the_tool_off_in_the_tool_call_where_the_path_is_that_of_the_centre() {
+    let (control, mode) = ("heidenhain", Mode::Axes);
+    let program = posted_right::<Mill>(control, mode, CENTRE, contour());
+    assert!(program.contains("TOOL CALL 1 Z S2000 DR-6\n"), "{program}");
+    assert!(program.contains("TOOL CALL S3000 DR-6\n"), "{program}");
+    assert!(program.contains("TOOL CALL 2 Z S1000\n"), "{program}");
+    for (was, is) in
+        [("S2000 DR-6", "S2000"), ("S2000 DR-6", "S2000 DR-4"), ("S2000 DR-6", "S2000 DR+6"), ("S3000 DR-6", "S3000")]
+    {
+        assert_told::<Mill>(control, mode, CENTRE, contour(), &program.replace(was, is));
+    }
+    let inches = format!("{CENTRE}output_units = \"in\"\n");
+    assert!(posted_right::<Mill>(control, mode, &inches, contour()).contains(" DR-0.2362\n"));
+    // Without a radius in the CL data that of the configuration.
+    let unknown = contour().replace("CUTTER/12\n", "");
+    let found = posted::<Mill>(control, mode, CENTRE, &unknown).expect_err("no radius");
+    assert!(found[0].text.contains("the radius of T1 is unknown"), "{found:?}");
+    let given = format!("{CENTRE}tools.1.diameter = 10\n");
+    assert!(posted_right::<Mill>(control, mode, &given, &unknown).contains("S2000 DR-5\n"));
+    // Where D is the radius the tool call has no delta.
+    let radius = CENTRE.replace("centre", "contour");
+    let plain = posted_right::<Mill>(control, mode, &radius, contour());
+    assert!(plain.contains("TOOL CALL 1 Z S2000\n"), "{plain}");
+    assert_told::<Mill>(control, mode, &radius, contour(), &plain.replace("Z S2000", "Z S2000 DR-6"));
+    // Blocks of the shop have the field, or the path of the centre is refused.
+    let own = format!("{CENTRE}control.tool_change = [\"TOOL CALL {{tool}} Z S{{speed}}\"]\n");
+    let found = posted::<Mill>(control, mode, &own, contour()).expect_err("no field for the delta");
+    assert!(found[0].help.as_ref().is_some_and(|help| help.contains("{radius_delta}")), "{found:?}");
+    let own = own.replace("S{speed}", "S{speed} DR{radius_delta}");
+    assert!(posted_right::<Mill>(control, mode, &own, contour()).contains("TOOL CALL 1 Z S2000 DR-6\n"));
+}
+
+#[test]
+fn a_siemens_stops_where_the_radius_of_the_edge_is_more_than_wear_and_the_path_is_that_of_the_centre() {
+    let (control, mode) = ("siemens", Mode::Axes);
+    let program = posted_right::<Mill>(control, mode, CENTRE, contour());
+    let guard = "IF ABS($P_TOOLR)>0.5\n";
+    assert_eq!(program.matches(guard).count(), 1, "{program}");
+    let begin = program.find(guard).expect("the guard");
+    let end = begin + program[begin..].find("ENDIF\n").expect("its end") + "ENDIF\n".len();
+    let without = format!("{}{}", &program[..begin], &program[end..]);
+    let wider = program.replace(guard, "IF ABS($P_TOOLR)>0.6\n");
+    let silent = program.replacen("M0\nM30\nENDIF", "ENDIF", 1);
+    for changed in [&without, &wider, &silent] {
+        assert_told::<Mill>(control, mode, CENTRE, contour(), changed);
+    }
+    let wear = format!("{CENTRE}compensation.largest_wear = 0.1\n");
+    assert_told::<Mill>(control, mode, &wear, contour(), &program);
+    assert!(posted_right::<Mill>(control, mode, &wear, contour()).contains("$P_TOOLR)>0.1\n"));
+    let radius = CENTRE.replace("centre", "contour");
+    assert!(!posted_right::<Mill>(control, mode, &radius, contour()).contains("$P_TOOLR"));
+}
+
+#[test]
+fn tools_are_called_by_their_names_where_the_control_can() {
+    let data = contour().replace("CUTCOM/LEFT\n", "").replace("CUTCOM/OFF\n", "");
+    let set_up = "tools = { 1 = { name = \"MILL_D12\" }, 2 = { name = \"MILL_D8\" } }\nretract.distance = 20\n";
+    let named = format!("{set_up}control.tool_names = true\ncontrol.preselect = true\n");
+    for (control, by_name, by_number, other) in [
+        ("siemens", "T=\"MILL_D12\"\n", "T1\n", "T=\"MILL_D8\"\n"),
+        ("heidenhain", "TOOL CALL \"MILL_D12\" Z S2000\n", "TOOL CALL 1 Z S2000\n", "TOOL CALL \"MILL_D8\" Z S2000\n"),
+    ] {
+        let plain = posted_right::<Mill>(control, Mode::Axes, set_up, &data);
+        assert!(plain.contains(by_number) && !plain.contains(by_name), "{plain}");
+        let program = posted_right::<Mill>(control, Mode::Axes, &named, &data);
+        assert!(program.contains(by_name), "{program}");
+        let next = if control == "siemens" { "\nT=\"MILL_D8\"\n" } else { "TOOL DEF \"MILL_D8\"\n" };
+        assert!(program.contains(next), "{program}");
+        // The check takes what is configured, and nothing else.
+        assert_told::<Mill>(control, Mode::Axes, &named, &data, &program.replacen(by_name, by_number, 1));
+        assert_told::<Mill>(control, Mode::Axes, &named, &data, &program.replacen(by_name, other, 1));
+        assert_told::<Mill>(
+            control,
+            Mode::Axes,
+            &named,
+            &data,
+            &program.replacen(by_name, &by_name.replace("D12", "D13"), 1),
+        );
+        assert_told::<Mill>(control, Mode::Axes, set_up, &data, &program);
+        // A tool without a name, a name twice, a name that the control does not take.
+        let one = named.replace(", 2 = { name = \"MILL_D8\" }", "");
+        let found = posted::<Mill>(control, Mode::Axes, &one, &data).expect_err("T2 has no name");
+        assert!(found[0].text.contains("T2 has no name"), "{found:?}");
+        let twice = named.replace("MILL_D8", "MILL_D12");
+        assert!(refused::<Mill>(control, Mode::Axes, &twice)[0].contains("the same name"));
+        let odd = named.replace("MILL_D8", "MILL 'D8'");
+        assert_eq!(refused::<Mill>(control, Mode::Axes, &odd).is_empty(), control == "siemens");
+        let own = format!(
+            "{named}control.tool_change = [\"{}\"]\n",
+            match control {
+                "siemens" => "T{tool} M6",
+                _ => "TOOL CALL {tool} Z S{speed}",
+            }
+        );
+        assert!(posted_right::<Mill>(control, Mode::Axes, &own, &data).contains("\"MILL_D12\" "));
+    }
+    for control in ["linuxcnc", "fanuc", "haas"] {
+        assert!(refused::<Mill>(control, Mode::Axes, &named)[0].contains("control.tool_names"));
+    }
+    // The guard reads a row of the tool table by its number.
+    let guarded = format!("{named}length_guard = true\ntools.1.length = 100\n")
+        .replace("tools = { 1 = { name = \"MILL_D12\" }", "tools = { 1 = { name = \"MILL_D12\", length = 100 }")
+        .replace("tools.1.length = 100\n", "");
+    assert!(refused::<Mill>("heidenhain", Mode::Axes, &guarded)[0].contains("length_guard"));
+    posted_right::<Mill>("siemens", Mode::Axes, &guarded, &data);
+}
