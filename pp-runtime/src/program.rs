@@ -318,9 +318,9 @@ pub enum Event<'a> {
     Operation(&'a [u8]),
     /// The next motion begins with the safe sequence.
     SafeSequence,
-    /// The following points are in the frame of this number, counted from 1, which has its own work offset. Begins like
-    /// an operation.
-    Frame(u32),
+    /// The set-up of this number begins, counted from 1: the part is clamped again, with its own origin, rotation and work
+    /// offset. Begins like an operation.
+    SetUp(u32),
     /// Tool call.
     Tool(ToolCall),
     /// SELECT/TOOL: number of the next tool.

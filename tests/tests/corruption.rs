@@ -190,7 +190,7 @@ fn harm<M: Machine>(config: &Config, whole: &[Block], damaged: &[Block]) -> Opti
             again.action == first.action
                 && again.values.iter().zip(&first.values).all(|(a, b)| (a - b).abs() < 1e-12)
                 && again.known == first.known
-                && state_difference(first, again).is_none()
+                && state_difference(&first.state, &again.state).is_none()
         });
         moving
     };
@@ -223,10 +223,10 @@ fn is_redundant<M: Machine>(config: &Config, blocks: &[Block], index: usize) -> 
         return false;
     };
     let alike = [block, after].iter().all(|block| block.action == Action::Feed && block.state.vector.is_some());
-    let same = state_difference(block, after).is_none() && block.state.feed == after.state.feed;
+    let same = state_difference(&block.state, &after.state).is_none() && block.state.feed == after.state.feed;
     let [(from, first), (tip, axis), (to, last)] = [before, block, after].map(|block| pose::<M>(config, block));
     // With M8 between two blocks only the next one has the same state; a state that is lost differs there.
-    let states = [(before, block), (block, after)];
+    let states = [(&before.state, &block.state), (&block.state, &after.state)];
     let stays =
         block.action == before.action && states.iter().any(|(one, other)| state_difference(one, other).is_none());
     let stays = stays && (tip - from).norm() <= UNITS * 1e-3 && (axis - first).norm() <= 1e-5;
@@ -248,7 +248,7 @@ fn pose_difference<M: Machine>(
     if std::mem::discriminant(&was.action) != std::mem::discriminant(&is.action) {
         return Some(format!("{:?} became {:?}", was.action, is.action));
     }
-    if let Some(what) = state_difference(was, is) {
+    if let Some(what) = state_difference(&was.state, &is.state) {
         return Some(what);
     }
     let all = (1_u16 << M::AXES.len()) - 1;
@@ -291,15 +291,12 @@ fn pose_difference<M: Machine>(
 }
 
 /// First difference between the modal states of two blocks that changes the motion.
-fn state_difference(was: &Block, is: &Block) -> Option<String> {
-    // Machine coordinates do not depend on the work offset.
-    let in_offset = was.action != Action::Machine || is.action != Action::Machine;
-    let (was, is) = (&was.state, &is.state);
+fn state_difference(was: &State, is: &State) -> Option<String> {
     let feeds = |state: &State| state.feed_mode == Some(FeedMode::InverseTime);
     let differences = [
         (was.tool != is.tool, "tool"),
         (was.length != is.length, "length offset"),
-        (in_offset && was.work_offset != is.work_offset, "work offset"),
+        (was.work_offset != is.work_offset, "work offset"),
         (was.units != is.units, "unit"),
         (was.incremental != is.incremental, "distances"),
         (was.plane != is.plane, "plane"),

@@ -22,6 +22,8 @@ mod vector;
 mod tests;
 
 pub use self::dialect::Dialect;
-pub use self::meaning::{ArcVote, CycleArg, FeedLabel, Frames, Insert, ReadingOptions, Sense, StatedFrame};
+pub use self::meaning::{
+    ArcVote, CycleArg, FeedLabel, Frames, Insert, ReadingOptions, Sense, SetUpBegins, StatedFrame,
+};
 pub use self::reader::{ClReader, ReadSeek};
 pub use self::record::{Record, list as list_words, not_inert};

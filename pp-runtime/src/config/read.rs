@@ -2,6 +2,7 @@
 
 use toml::de::DeTable;
 
+use crate::cl::SetUpBegins;
 use crate::control::CONTROLS;
 use crate::diag::Diagnostic;
 use crate::keys::{KeyReader, KeyScope, KeyTable, Keys};
@@ -51,11 +52,35 @@ impl Config {
         self.file_units_assumed = r.has_lengths() && units.is_none();
         let points = self.set_up.tools.iter().filter_map(|(&tool, given)| Some((tool, given.cl_point?)));
         self.cl.cl_point_of.extend(points);
+        let begins = self.set_up.set_ups.iter().map(|(&number, set_up)| SetUpBegins {
+            number,
+            frames: set_up.frames.clone(),
+            operation: set_up.begins.clone(),
+        });
+        self.cl.set_ups.extend(begins);
         self.check(machine, r, file);
+    }
+
+    /// Refuses a frame that is in two set-ups, and a work offset of two.
+    fn check_set_ups(&self, r: &mut KeyReader<'_>, file: &mut KeyTable<'_>) {
+        let mut frames: Vec<u32> = self.set_up.set_ups.values().flat_map(|set_up| set_up.frames.clone()).collect();
+        let mut offsets: Vec<&str> = self.set_up.clampings().map(|(_, part)| part.work_offset).collect();
+        frames.sort_unstable();
+        offsets.sort_unstable();
+        let twice = frames.windows(2).find(|pair| pair[0] == pair[1]).map(|pair| format!("frame {}", pair[0]));
+        let twice = twice.or_else(|| {
+            offsets.windows(2).find(|pair| pair[0] == pair[1]).map(|pair| format!("work offset {}", pair[0]))
+        });
+        if let Some(what) = twice.filter(|_| !r.has_faults()) {
+            let span = file.get("set_ups", r).map_or(0..0, |value| value.span());
+            let help = "each set-up has frames and a work offset of its own".to_owned();
+            r.fault(span, format!("{what} belongs to two set-ups"), Some(help));
+        }
     }
 
     /// Checks that concern several keys.
     fn check(&self, machine: &dyn AnyMachine, r: &mut KeyReader<'_>, file: &mut KeyTable<'_>) {
+        self.check_set_ups(r, file);
         let rapids = &self.motion.rapids;
         if rapids.rapid == Rapid::Feed && rapids.rapid_feed_mm_per_min.is_none() && !r.is_given("rapid_feed") {
             let help = "give it per minute: `rapid_feed = 10000`".to_owned();

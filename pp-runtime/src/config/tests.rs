@@ -426,18 +426,20 @@ fn options_of_reading_cl_data_are_read() {
     use crate::set_up::ClPoint;
     let config = read(
         "units = \"in\"\ntolerance = 0.001\ncl_point = \"centre\"\n[defaults]\ntool = 3\npeck_gap = 0.02\n[tools.2]\n\
-         cl_point = \"tip\"\n[frames]\n2 = \"G55\"\n[cl]\ndialect = \"solidworks\"\ncolumns = 72\ninert = [\"aicc\", \"BREAK\"]\n\
-         frames = \"offset\"\ncircle_sense = \"cw\"\ninsert = \"write\"\ninsert_stop = true\nauxfun = [10, 11]\nprefun = [64]\n\
+         cl_point = \"tip\"\n[set_ups.2]\nwork_offset = \"G55\"\n[cl]\ndialect = \"solidworks\"\ncolumns = 72\ninert = [\"aicc\", \"BREAK\"]\n\
+         frames = \"main\"\ncircle_sense = \"cw\"\ninsert = \"write\"\ninsert_stop = true\nauxfun = [10, 11]\nprefun = [64]\n\
          feed_label = \"file-units\"\nfrom = \"move\"\nallow_lintol = true\ncycle.TAP.args = [\"depth\", \"pitch\"]\n",
     );
     assert!(close(config.motion.tolerance_mm, 0.0254) && close(config.motion.defaults.peck_gap_mm, 0.508));
     assert_eq!((config.motion.defaults.tool, config.motion.allow_lintol), (Some(3), true));
-    assert_eq!(config.set_up.frames, BTreeMap::from([(2, "G55".to_owned())]));
+    let second = &config.set_up.set_ups[&2];
+    assert_eq!((&second.frames[..], second.work_offset.as_deref()), (&[2][..], Some("G55")));
+    assert_eq!(config.cl.set_ups[0].frames, [2]);
     let cl = &config.cl;
     assert_eq!((cl.cl_point, cl.cl_point_of.get(&2)), (ClPoint::Centre, Some(&ClPoint::Tip)));
     assert_eq!((cl.dialect, cl.columns), (Some(Dialect::SolidWorks), Some(72)));
     assert_eq!(cl.inert, ["AICC", "BREAK"]);
-    assert_eq!((cl.frames, cl.circle_sense), (Frames::Offset, Some(Sense::Clockwise)));
+    assert_eq!((cl.frames, cl.circle_sense), (Frames::Main, Some(Sense::Clockwise)));
     assert_eq!((cl.insert, cl.insert_stop, cl.from_move), (Insert::Write, true, true));
     assert_eq!((&cl.auxfun[..], &cl.prefun[..]), (&[10, 11][..], &[64][..]));
     assert_eq!(cl.feed_label, FeedLabel::FileUnits);
@@ -462,10 +464,21 @@ fn words_that_move_something_cannot_be_set_inert() {
         let tolerance = read(&format!("axis_tolerance_path = {text}")).motion.axis_tolerance_path_rad;
         assert!(close(tolerance, degrees.to_radians()));
     }
-    assert_eq!(
-        faults("[frames]\n0 = \"G55\""),
-        ["2:1: `0` is not the number of a frame | frames are numbered from 1 in the order of the CL data: 2 = \"G55\""]
-    );
+    let wrong = [
+        ("[set_ups.1]\nwork_offset = \"G55\"", "`1` is not the number of a further set-up"),
+        ("[set_ups.2]\n", "set-up 2 has no work offset"),
+        ("[set_ups.2]\nwork_offset = \"G54\"", "work offset G54 belongs to two set-ups"),
+        ("[set_ups.3]\nwork_offset = \"G55\"", "where set-up 3 begins is not known"),
+        ("[set_ups.2]\nwork_offset = \"G55\"\nframes = [2]\nbegins = \"A\"", "both `frames` and `begins`"),
+        (
+            "[set_ups.2]\nwork_offset = \"G55\"\nframes = [2]\n[set_ups.3]\nwork_offset = \"G56\"\nframes = [2]",
+            "frame 2 belongs to two set-ups",
+        ),
+    ];
+    for (text, fault) in wrong {
+        let found = faults(text);
+        assert!(found.len() == 1 && found[0].contains(fault), "{text}: {found:?}");
+    }
 }
 
 #[test]

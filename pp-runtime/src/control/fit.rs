@@ -40,7 +40,8 @@ fn unsupported(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
     let title = codes.title;
     let mut faults = Vec::new();
     let own = std::iter::once(("work_offset", &demands.set_up.work_offset));
-    for (key, offset) in own.chain(demands.set_up.frames.values().map(|offset| ("frames", offset))) {
+    let further = demands.set_up.set_ups.values().filter_map(|set_up| set_up.work_offset.as_ref());
+    for (key, offset) in own.chain(further.map(|offset| ("set_ups", offset))) {
         if control.work_offset(offset).is_none() {
             faults.push(format!("{title} has no work offset `{offset}`: correct `{key}`"));
         }

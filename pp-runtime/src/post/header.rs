@@ -4,7 +4,7 @@
 
 use std::io;
 
-use crate::cl::{ArcVote, Dialect, Frames, Insert};
+use crate::cl::{ArcVote, Dialect, Insert};
 use crate::config::Config;
 use crate::control::{self, Control, Encoder, LengthGuard};
 use crate::kinematics::{AnyMachine, Axis, AxisKind, Side, Sign};
@@ -116,6 +116,23 @@ pub(crate) fn set_up(config: &Config, survey: &Survey) -> Vec<String> {
              offset, spindle"
         ));
     }
+    for (&number, further) in &config.set_up.set_ups {
+        let begins = match &further.begins {
+            Some(name) => format!("from operation {name}"),
+            None => {
+                let frames: Vec<String> = further.frames.iter().map(u32::to_string).collect();
+                format!("frame {} of the CL data", frames.join(", "))
+            }
+        };
+        let offset = further.work_offset.as_deref().unwrap_or_default();
+        let [x, y, z] = further.part_origin;
+        let mut line = format!("set-up {number}, {begins}: work offset {offset}, part origin X{x} Y{y} Z{z} mm");
+        let [rx, ry, rz] = further.part_angles();
+        if [rx, ry, rz].iter().any(|angle| angle.abs() > 0.0) {
+            line += &format!(", part rotation {rx}, {ry}, {rz} degrees");
+        }
+        list.push(line);
+    }
     let [x, y, z] = config.set_up.part_angles();
     if [x, y, z].iter().any(|angle| angle.abs() > 0.0) {
         list.push(format!(
@@ -190,9 +207,9 @@ pub(crate) fn reading(config: &Config, survey: &Survey) -> Vec<String> {
         });
     }
     if survey.file.frames > 1 {
-        list.push(match config.cl.frames {
-            Frames::Offset => format!("{} frames, each with a work offset of its own", survey.file.frames),
-            Frames::Main | Frames::Refuse => format!("{} frames, transformed into the first", survey.file.frames),
+        list.push(match config.set_up.set_ups.is_empty() {
+            false => format!("{} frames, each transformed into the first of its set-up", survey.file.frames),
+            true => format!("{} frames, transformed into the first", survey.file.frames),
         });
     }
     if survey.file.setup_changes > 0 {

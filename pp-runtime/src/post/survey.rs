@@ -294,7 +294,7 @@ impl Surveyor {
             Event::Spindle(Spindle::Off)
             | Event::MachineName(_)
             | Event::SafeSequence
-            | Event::Frame(_)
+            | Event::SetUp(_)
             | Event::Preselect(_)
             | Event::Coolant(_)
             | Event::From(_)

@@ -12,7 +12,7 @@ use crate::keys::{
 };
 use crate::kinematics::{AxisKind, Dimension, DimensionKind, Limits};
 
-use super::{GivenTool, LARGEST_TOOL, Stock};
+use super::{FurtherSetUp, GivenTool, LARGEST_TOOL, MOST_FRAMES, Stock};
 
 /// Work offsets that the help lists.
 const WORK_OFFSETS: [&str; 9] = ["G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"];
@@ -45,35 +45,64 @@ impl KeyKind for OffsetWord {
     }
 }
 
-/// Kind of key: work offsets by frame number.
+/// Kind of key: set-ups after the first, by number.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct FrameOffsets;
+pub(crate) struct SetUpTable;
 
-impl KeyKind for FrameOffsets {
-    type Value = BTreeMap<u32, String>;
+impl KeyKind for SetUpTable {
+    type Value = BTreeMap<u32, FurtherSetUp>;
 
-    fn read(&self, r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<BTreeMap<u32, String>> {
-        let help = "frames are numbered from 1 in the order of the CL data: 2 = \"G55\"";
-        let mut frames = BTreeMap::new();
-        for (key, span, value) in r.entries(value) {
-            match number(key, 1..=u32::MAX) {
-                Some(number) => frames.extend(OffsetWord.read(r, value).map(|word| (number, word))),
-                None => r.fault(span, format!("`{key}` is not the number of a frame"), Some(help.to_owned())),
+    fn read(&self, r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<BTreeMap<u32, FurtherSetUp>> {
+        let mut set_ups = BTreeMap::new();
+        let entries = r.entries(value);
+        let alone = entries.len() == 1;
+        for (key, span, value) in entries {
+            let Some(number) = number(key, 2..=MOST_FRAMES) else {
+                let help =
+                    "set-ups are tables with a number from 2: [set_ups.2]; the first has the keys without a table";
+                r.fault(span, format!("`{key}` is not the number of a further set-up"), Some(help.to_owned()));
+                continue;
+            };
+            let mut table = KeyTable::of(r, format!("set_ups.{number}"), Some(value));
+            let mut set_up = FurtherSetUp::default();
+            set_up.read(&mut table, r);
+            table.close(r);
+            if set_up.work_offset.is_none() {
+                let help = "give `work_offset = \"G55\"`: the operator sets it for this clamping".to_owned();
+                r.fault(span.clone(), format!("set-up {number} has no work offset"), Some(help));
             }
+            match (set_up.frames.is_empty(), set_up.begins.is_some()) {
+                (true, false) if alone && number == 2 => set_up.frames.push(2),
+                (true, false) => {
+                    let help =
+                        "give `frames = [3]`, or the name of its first operation, `begins = \"OP20\"`".to_owned();
+                    r.fault(span, format!("where set-up {number} begins is not known"), Some(help));
+                }
+                (false, true) => {
+                    r.fault(
+                        span,
+                        format!("set-up {number} has both `frames` and `begins`"),
+                        Some("give one".to_owned()),
+                    );
+                }
+                (true, true) | (false, false) => {}
+            }
+            set_ups.insert(number, set_up);
         }
-        Some(frames)
+        Some(set_ups)
     }
 
-    fn print(&self, _value: &BTreeMap<u32, String>) -> String {
+    fn print(&self, _value: &BTreeMap<u32, FurtherSetUp>) -> String {
         "{}".to_owned()
     }
 
     fn schema(&self, scope: &KeyScope) -> Json {
-        numbered(&OffsetWord.schema(scope))
+        numbered(&Json::Object(KeyList::of(&FurtherSetUp::default(), *scope).schema()))
     }
 
-    fn printed(&self, _scope: &KeyScope) -> Option<Printed> {
-        Some(Printed::Section(vec![("2".to_owned(), Printed::Example("\"G55\"".to_owned()))]))
+    fn printed(&self, scope: &KeyScope) -> Option<Printed> {
+        let example = example_entries(KeyList::of(&FurtherSetUp::default(), *scope).rows());
+        Some(Printed::Section(vec![("2".to_owned(), Printed::Example(example))]))
     }
 
     fn counts(&self) -> bool {

@@ -12,12 +12,12 @@ use std::collections::BTreeMap;
 
 use nalgebra::Rotation3;
 
-use crate::keys::{Bound, LengthPoint, Measure, OneLine, OneOf, Whole, YesNo, options};
+use crate::keys::{Bound, LengthPoint, ListOf, Measure, OneLine, OneOf, Whole, YesNo, options};
 use crate::kinematics::Limits;
 use crate::program::{Coolant, Rotation};
 
 use keys::{
-    BlankCorners, DimensionTable, FrameOffsets, LIMITS, MACHINE_ZERO, OffsetWord, ROTARY_OFFSET, SPEEDS, ToolTable,
+    BlankCorners, DimensionTable, LIMITS, MACHINE_ZERO, OffsetWord, ROTARY_OFFSET, SPEEDS, SetUpTable, ToolTable,
 };
 use part_rotation::PartRotation;
 
@@ -61,8 +61,11 @@ options! {
         /// Machine coordinate of each linear axis at the zero position, without tool. Without it linear limits are not
         /// checked.
         machine_zero: BTreeMap<char, f64> = BTreeMap::new(), key("machine_zero", MACHINE_ZERO);
-        /// Work offsets of frames other than the first, with frames = "offset".
-        frames: BTreeMap<u32, String> = BTreeMap::new(), key("frames", FrameOffsets);
+        /// Set-ups after the first, by number: the part is clamped again in one program. `frames` are the frames of the CL
+        /// data that belong to it, counted in the order in which they are first stated, or `begins` is the name of its first
+        /// operation; without both the second set-up is the second frame. Between set-ups the axes are parked and the program
+        /// stops (M0).
+        set_ups: BTreeMap<u32, FurtherSetUp> = BTreeMap::new(), key("set_ups", SetUpTable);
         /// Corners of the blank as it lies on the table, for the graphics of a Heidenhain control (BLK FORM). Without them
         /// a box around all cuts is output.
         stock: Option<Stock> = None, key("stock", BlankCorners);
@@ -76,6 +79,60 @@ options! {
         limits: BTreeMap<char, Option<Limits>> = BTreeMap::new(), key("limits", LIMITS);
         /// Largest speeds of the axes where they differ from the machine's declaration.
         speeds: BTreeMap<char, f64> = BTreeMap::new(), key("speeds", SPEEDS);
+    }
+}
+
+options! {
+    /// One set-up after the first.
+    pub struct FurtherSetUp {
+        /// Numbers of its frames.
+        frames: Vec<u32> = Vec::new(), key("frames", ListOf(Whole(2..=MOST_FRAMES)));
+        /// Name of its first operation.
+        begins: Option<String> = None, key("begins", OneLine, "\"OP20\"");
+        /// Position of the part zero, as `part_origin`.
+        part_origin: [f64; 3] = [0.0; 3], key("part_origin", LengthPoint);
+        /// Orientation of the part, as `part_rotation`.
+        part_rotation: Rotation3<f64> = Rotation3::identity(), key("part_rotation", PartRotation);
+        /// Work offset, as `work_offset`; it differs from those of the other set-ups.
+        work_offset: Option<String> = None, key("work_offset", OffsetWord, "\"G55\"");
+    }
+}
+
+/// The part as it is clamped in one set-up.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Clamping<'a> {
+    /// Position of the part zero from the reference point of the table, mm.
+    pub part_origin: [f64; 3],
+    /// Orientation of the part on the table.
+    pub part_rotation: Rotation3<f64>,
+    /// Work offset of the control.
+    pub work_offset: &'a str,
+}
+
+impl FurtherSetUp {
+    /// The angles of `part_rotation`, degrees.
+    pub(crate) fn part_angles(&self) -> [f64; 3] {
+        part_rotation::angles(&self.part_rotation)
+    }
+}
+
+impl SetUp {
+    /// The part in the set-up of a number, counted from 1; `None` if there is no such set-up.
+    #[must_use]
+    pub fn clamping(&self, number: u32) -> Option<Clamping<'_>> {
+        if number == 1 {
+            let Self { part_origin, part_rotation, work_offset, .. } = self;
+            return Some(Clamping { part_origin: *part_origin, part_rotation: *part_rotation, work_offset });
+        }
+        let FurtherSetUp { part_origin, part_rotation, work_offset, .. } = self.set_ups.get(&number)?;
+        let work_offset = work_offset.as_deref().unwrap_or(&self.work_offset);
+        Some(Clamping { part_origin: *part_origin, part_rotation: *part_rotation, work_offset })
+    }
+
+    /// All set-ups with their numbers.
+    pub fn clampings(&self) -> impl Iterator<Item = (u32, Clamping<'_>)> {
+        let numbers = std::iter::once(1).chain(self.set_ups.keys().copied());
+        numbers.filter_map(|number| Some((number, self.clamping(number)?)))
     }
 }
 
@@ -104,6 +161,9 @@ options! {
         cl_point: Option<ClPoint> = None, key("cl_point", OneOf(&ClPoint::NAMES), "\"tip\"");
     }
 }
+
+/// Largest number of a frame, and of a set-up.
+pub(crate) const MOST_FRAMES: u32 = 100;
 
 /// Senses of rotation of the spindle, by name.
 pub(crate) const ROTATIONS: [(&str, Rotation); 2] =

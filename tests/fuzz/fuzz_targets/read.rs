@@ -16,7 +16,7 @@ fn options(choice: [u8; 2]) -> ReadingOptions {
         dialect: dialects[usize::from(choice[1] >> 5) % dialects.len()],
         columns: bit(1).then_some(72),
         inert: if bit(2) { vec!["BREAK".to_owned()] } else { Vec::new() },
-        frames: [Frames::Refuse, Frames::Main, Frames::Offset][usize::from(choice[0] >> 3) % 3],
+        frames: [Frames::Refuse, Frames::Main][usize::from(choice[0] >> 3) % 2],
         insert: if bit(6) { Insert::Comment } else { Insert::Write },
         insert_stop: bit(7),
         feed_label: if bit(8) { FeedLabel::FileUnits } else { FeedLabel::Refuse },

@@ -126,16 +126,20 @@ impl File<'_> {
     fn frames(&mut self, kind: &MachineKind) -> Frames {
         let frames = match self.random.below(5) {
             0 => Frames::Main,
-            // On a rotary table the position of a second work offset on the part is unknown.
-            1 if !kind.table => Frames::Offset,
+            1 => Frames::SetUps,
             _ => return Frames::None,
         };
-        let name = if frames == Frames::Main { "main" } else { "offset" };
-        self.put("cl", format!("frames = \"{name}\""));
-        if frames == Frames::Offset {
-            for number in 2..=FRAMES {
-                self.put("frames", format!("{number} = \"G{}\"", 54 + number));
-            }
+        if frames == Frames::Main {
+            self.put("cl", "frames = \"main\"");
+            return frames;
+        }
+        for (number, section) in (2..=FRAMES).zip(["set_ups.2", "set_ups.3"]) {
+            self.put(section, format!("frames = [{number}]\nwork_offset = \"G{}\"", 56 + number));
+            let [x, y, z] = [self.between(-40.0, 40.0), self.between(-40.0, 40.0), self.between(-20.0, 60.0)];
+            self.maybe(0.7, section, format!("part_origin = [{x:?}, {y:?}, {z:?}]"));
+            let rotation = ["[0.0, 0.0, 0.0]", "[0.0, 0.0, 90.0]", "[0.0, 0.0, -30.0]"][self.random.below(3)];
+            let turns = if kind.axis_range == AxisRange::AboutX { 0.0 } else { 0.5 };
+            self.maybe(turns, section, format!("part_rotation = {rotation}"));
         }
         frames
     }

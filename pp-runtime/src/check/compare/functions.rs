@@ -13,6 +13,7 @@ use super::super::rules::Rules;
 use super::phase::Phase;
 use crate::kinematics::Axis;
 use crate::program::Rotation;
+use crate::set_up::LengthMode;
 
 /// Tolerances are written to six decimals, in the unit of the program.
 const ROUNDED: f64 = 6e-7;
@@ -97,7 +98,9 @@ impl FunctionState {
     /// What is wrong with the guard of the tool radius in a cut with cutter compensation.
     pub(super) fn cut_with_radius(&self, rules: &Rules<'_>) -> Option<String> {
         let shop = &rules.policy().shop;
-        if !rules.facts().radius_guard || !shop.compensated_centre {
+        // Without length compensation (D0) no edge is active, and its radius is not taken.
+        let edge = rules.policy().set_up.length_mode == LengthMode::Tip;
+        if !rules.facts().radius_guard || !shop.compensated_centre || !edge {
             return None;
         }
         let largest = shop.largest_wear_mm;

@@ -49,6 +49,10 @@ impl<R: Read> Comparison<'_, R> {
             }
         }
         if block.restart {
+            // Tip control ends with the safety line, if it is still on, in the part.
+            if phase.is_at_part() && self.rules.meaning() == LinearMeaning::TipCoordinates {
+                self.found(current, "the safety line comes before the machine has retracted");
+            }
             self.start = StartState { restarted: true, retracted: false };
             self.functions.restart();
         }

@@ -256,10 +256,12 @@ impl<R: Read> Comparison<'_, R> {
         ModalContext { arc_plane: self.previous.arc_plane, ..ModalContext::default() }
     }
 
-    /// The tool of the next motion gives the chain its length.
+    /// The tool of the next motion gives the chain its length, and its set-up the part.
     fn take_tool(&mut self) {
         if let Some(item) = self.progress.next() {
-            self.rules.set_tool(item.required.gauge_length_mm.unwrap_or(0.0));
+            let required = item.required;
+            self.rules.set_part(required.set_up);
+            self.rules.set_tool(required.gauge_length_mm.unwrap_or(0.0));
         }
     }
 

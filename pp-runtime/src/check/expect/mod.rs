@@ -42,8 +42,8 @@ pub(super) struct Required {
     pub(crate) spindle: Option<SpindleState>,
     /// Bits of [`coolant`](super::read::coolant).
     pub(crate) coolant: u8,
-    /// Number of the frame.
-    pub(crate) frame: u32,
+    /// Number of the set-up.
+    pub(crate) set_up: u32,
     pub(crate) side: Side,
     /// Register of the tool radius, on controls with registers of their own for it.
     pub(crate) radius_register: u32,
@@ -109,9 +109,10 @@ impl<'a, R: Read> Expect<'a, R> {
     pub(super) fn new(machine: &dyn AnyMachine, reader: ClReader<R>, policy: &'a CheckPolicy, unit_mm: f64) -> Self {
         let rotary = |axis: &crate::kinematics::Axis| axis.kind == AxisKind::Rotary && !axis.held;
         let head = machine.axes().iter().any(|axis| rotary(axis) && axis.side == ChainSide::Tool);
+        let rotations = policy.set_up.clampings().map(|(number, part)| (number, part.part_rotation.into_inner()));
         Self {
             reader,
-            placement: Placement::new(policy.set_up.part_rotation.into_inner(), policy.links.dry_lift_mm),
+            placement: Placement::new(rotations.collect(), policy.links.dry_lift_mm),
             state: ClState::new(policy, head, unit_mm),
             queue: VecDeque::new(),
             ended: false,

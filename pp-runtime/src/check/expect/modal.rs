@@ -108,7 +108,7 @@ impl<'a> ClState<'a> {
             gauge_length_mm: None,
             spindle: None,
             coolant: 0,
-            frame: 1,
+            set_up: 1,
             side: Side::None,
             radius_register: 0,
             radius_mm: None,
@@ -174,9 +174,9 @@ impl<'a> ClState<'a> {
                 self.interrupt(at, ExpectedAction::Raw(format!("{}{number}", char::from(letter)).into_bytes()));
             }
             Event::SafeSequence => self.begin_anew(),
-            Event::Frame(number) => {
+            Event::SetUp(number) => {
                 self.begin_anew();
-                self.required.frame = number;
+                self.required.set_up = number;
                 self.required.clearance = self.policy.links.clearance;
             }
             Event::Tolerance(stated) => {

@@ -13,19 +13,36 @@ use crate::program::{Arc, ClearancePlane, Event, Hole, Move, Spline};
 pub(super) struct Placement {
     /// `None`: the CL data stays as it is.
     rotation: Option<Matrix3<f64>>,
+    /// Rotation of the part in each set-up.
+    set_ups: Vec<(u32, Matrix3<f64>)>,
     lift_mm: f64,
+    lifted: bool,
     /// Control points of the curve at hand.
     points: Vec<Point3<f64>>,
 }
 
 impl Placement {
-    pub(super) fn new(rotation: Matrix3<f64>, lift_mm: Option<f64>) -> Self {
+    /// The part in its set-ups, the first one first.
+    pub(super) fn new(set_ups: Vec<(u32, Matrix3<f64>)>, lift_mm: Option<f64>) -> Self {
+        let rotation = set_ups.first().map_or(Matrix3::identity(), |(_, rotation)| *rotation);
         let moves = rotation != Matrix3::identity() || lift_mm.is_some();
-        Self { rotation: moves.then_some(rotation), lift_mm: lift_mm.unwrap_or(0.0), points: Vec::new() }
+        Self {
+            rotation: moves.then_some(rotation),
+            set_ups,
+            lift_mm: lift_mm.unwrap_or(0.0),
+            lifted: lift_mm.is_some(),
+            points: Vec::new(),
+        }
     }
 
     /// The event in the frame of the part as it is mounted; `None` if nothing changes.
     pub(super) fn of<'s>(&'s mut self, event: &Event<'s>) -> Option<Event<'s>> {
+        if let Event::SetUp(number) = event
+            && let Some((_, rotation)) = self.set_ups.iter().find(|(set_up, _)| set_up == number)
+        {
+            let moves = *rotation != Matrix3::identity() || self.lifted;
+            self.rotation = moves.then_some(*rotation);
+        }
         let place = Place { rotation: self.rotation?, lift_mm: self.lift_mm };
         Some(match event {
             Event::Move(motion) => Event::Move(Move { pose: place.pose(&motion.pose), ..*motion }),
@@ -50,7 +67,7 @@ impl Placement {
             | Event::MachineName(_)
             | Event::Operation(_)
             | Event::SafeSequence
-            | Event::Frame(_)
+            | Event::SetUp(_)
             | Event::Tool(_)
             | Event::Preselect(_)
             | Event::Spindle(_)
@@ -100,7 +117,7 @@ mod tests {
     fn a_point_is_lifted_along_its_axis_and_then_rotated_with_the_part() {
         // X to Y, Y to -X.
         let quarter = Matrix3::new(0., -1., 0., 1., 0., 0., 0., 0., 1.);
-        let mut placement = Placement::new(quarter, Some(10.0));
+        let mut placement = Placement::new(vec![(1, quarter)], Some(10.0));
         let pose = Pose { tip: Point3::new(1.0, 2.0, 3.0), axis: Vector3::x_axis() };
         let placed = Pose { tip: Point3::new(-2.0, 11.0, 3.0), axis: Vector3::y_axis() };
         assert_eq!(placement.of(&Event::From(pose)), Some(Event::From(placed)));
@@ -112,6 +129,6 @@ mod tests {
     #[test]
     fn without_rotation_and_lift_the_cl_data_stays_as_it_is() {
         let pose = Pose { tip: Point3::new(1.0, 2.0, 3.0), axis: Vector3::x_axis() };
-        assert_eq!(Placement::new(Matrix3::identity(), None).of(&Event::From(pose)), None);
+        assert_eq!(Placement::new(Vec::new(), None).of(&Event::From(pose)), None);
     }
 }

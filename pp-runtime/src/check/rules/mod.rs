@@ -63,7 +63,7 @@ pub(super) struct Rules<'a> {
     law: FeedLaw,
     rounding: Rounding,
     units: Units,
-    /// Work offset of each frame.
+    /// Work offset of each set-up.
     offsets: Vec<(u32, WorkOffset)>,
     /// Rotary axes with clamps: bits.
     clamps: u16,
@@ -193,7 +193,14 @@ impl<'a> Rules<'a> {
 
     /// Puts another tool into the spindle.
     pub(super) fn set_tool(&mut self, gauge_length_mm: f64) {
-        self.words.set_tool(&mut *self.machine, self.policy, gauge_length_mm);
+        self.words.set_tool(&mut *self.machine, gauge_length_mm);
+    }
+
+    /// Clamps the part of a set-up.
+    pub(super) fn set_part(&mut self, set_up: u32) {
+        if let Some(part) = self.policy.set_up.clamping(set_up) {
+            self.words.set_part(&mut *self.machine, part.part_origin.into());
+        }
     }
 
     /// Axes whose position must be known for tip and tool axis: bits.

@@ -274,7 +274,7 @@ impl Rules<'_> {
 
     /// Work offset; `length`: length compensation, too.
     fn offsets(&self, state: &State, required: &Required, length: bool) -> Option<String> {
-        let offset = self.offsets.iter().find(|(frame, _)| *frame == required.frame).map(|(_, offset)| *offset);
+        let offset = self.offsets.iter().find(|(set_up, _)| *set_up == required.set_up).map(|(_, offset)| *offset);
         if state.work_offset != offset {
             return Some(format!("work offset is {}, expected {}", shown(state.work_offset), shown(offset)));
         }
@@ -369,11 +369,9 @@ pub(crate) fn tool_name(tool: Option<u32>) -> String {
     tool.map_or("no tool".to_owned(), |number| format!("T{number}"))
 }
 
-/// The work offset of each frame.
+/// The work offset of each set-up.
 pub(super) fn offsets(set_up: &SetUp, facts: &Facts) -> Vec<(u32, WorkOffset)> {
-    let first = std::iter::once((1, &set_up.work_offset)).filter(|_| !set_up.frames.contains_key(&1));
-    let frames = first.chain(set_up.frames.iter().map(|(number, word)| (*number, word)));
-    frames.filter_map(|(number, word)| Some((number, offset(word, facts)?))).collect()
+    set_up.clampings().filter_map(|(number, part)| Some((number, offset(part.work_offset, facts)?))).collect()
 }
 
 /// `G54`, `G59.1`, `G505`, `G54.1 P3`, `G154 P2`; or a row of the datum table.

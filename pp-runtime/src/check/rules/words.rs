@@ -37,6 +37,13 @@ pub(crate) struct Words {
     tool_axis: Vector3<f64>,
     gauge_length_mm: f64,
     tip_frame: TipFrame,
+    /// Part zero from the reference point of the table, mm: now, and in the first set-up.
+    part_origin: Vector3<f64>,
+    first_origin: Vector3<f64>,
+    /// Axis values of the part zero, from that of the first set-up.
+    moved_mm: [f64; MAX_AXES],
+    /// Linear words are measured from the reference point of the table.
+    from_table: bool,
 }
 
 /// The axes that the program moves; positions in the chain, and bits of them.
@@ -80,6 +87,10 @@ impl Words {
             held: [0.0; MAX_AXES],
             gauge_length_mm: 0.0,
             tip_frame: policy.words.tip_frame,
+            part_origin: set_up.part_origin.into(),
+            first_origin: set_up.part_origin.into(),
+            moved_mm: [0.0; MAX_AXES],
+            from_table: set_up.program_zero == ProgramZero::Table,
             chain: Chain::of(machine),
             tool_axis: machine.tool_axis().into_inner(),
         };
@@ -132,19 +143,28 @@ impl Words {
     }
 
     /// Puts another tool into the spindle. Returns whether its length differs.
-    pub(crate) fn set_tool(
-        &mut self,
-        machine: &mut dyn AnyMachine,
-        policy: &CheckPolicy,
-        gauge_length_mm: f64,
-    ) -> bool {
+    pub(crate) fn set_tool(&mut self, machine: &mut dyn AnyMachine, gauge_length_mm: f64) -> bool {
         let differs = (self.gauge_length_mm - gauge_length_mm).abs() > 0.0;
         if differs {
-            machine.set_up(policy.set_up.part_origin.into(), gauge_length_mm);
+            machine.set_up(self.part_origin, gauge_length_mm);
             self.chain = Chain::of(machine);
             self.gauge_length_mm = gauge_length_mm;
         }
         differs
+    }
+
+    /// Clamps the part with its zero at another place on the table.
+    pub(crate) fn set_part(&mut self, machine: &mut dyn AnyMachine, origin: Vector3<f64>) {
+        if origin == self.part_origin {
+            return;
+        }
+        machine.set_up(origin, self.gauge_length_mm);
+        self.chain = Chain::of(machine);
+        self.part_origin = origin;
+        if self.from_table {
+            self.zero_mm = self.along(&origin);
+        }
+        self.moved_mm = self.along(&(origin - self.first_origin));
     }
 
     /// Axis values for words, mm and rad.
@@ -162,9 +182,10 @@ impl Words {
         })
     }
 
-    /// Share of the gauge length in the machine coordinate of a linear axis, mm.
+    /// Machine coordinate of a linear axis less its value and `machine_zero`, mm: the share of the gauge length, and the
+    /// place of the part zero in a further set-up.
     pub(crate) fn gauge_of(&self, index: usize) -> f64 {
-        self.gauge_length_mm * self.gauge_share[index]
+        self.gauge_length_mm * self.gauge_share[index] + self.moved_mm[index]
     }
 
     /// Tip and tool axis on the workpiece.

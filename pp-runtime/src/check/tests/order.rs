@@ -43,3 +43,15 @@ fn a_blank_around_the_cuts_is_named_in_the_header() {
     assert!(program.contains("BLK FORM 0.1 Z X-10 Y-10 Z-30\n") && !program.contains(note), "{program}");
     assert!(!posted_right::<Mill>("fanuc", Mode::Axes, "", TWO_OPERATIONS).to_lowercase().contains("blank"));
 }
+
+#[test]
+fn under_tip_control_a_safety_line_before_the_retract_is_found() {
+    for (control, retract) in [("siemens", "SUPA G0 Z0 D0\n"), ("fanuc", "G53 G0 Z0.\n"), ("haas", "G53 G00 Z0.\n")] {
+        let set_up = "retract.distance = 20\ntcp_frame = \"table_at_zero\"\n";
+        let program = posted_right::<Tables>(control, Mode::Tcp, set_up, TWO_OPERATIONS);
+        let name = program.find("SECOND").expect("the name");
+        let at = program[..name].rfind(retract).expect("the retract");
+        let without = format!("{}{}", &program[..at], &program[at + retract.len()..]);
+        assert_told::<Tables>(control, Mode::Tcp, set_up, TWO_OPERATIONS, &without);
+    }
+}

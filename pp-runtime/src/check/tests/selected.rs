@@ -180,6 +180,10 @@ fn a_siemens_stops_where_the_radius_of_the_edge_is_more_than_wear_and_the_path_i
     assert!(posted_right::<Mill>(control, mode, &wear, contour()).contains("$P_TOOLR)>0.1\n"));
     let radius = CENTRE.replace("centre", "contour");
     assert!(!posted_right::<Mill>(control, mode, &radius, contour()).contains("$P_TOOLR"));
+    // With D0 no radius is taken.
+    let gauge =
+        format!("{CENTRE}length_mode = \"gauge\"\ntools = {{ 1 = {{ length = 100 }}, 2 = {{ length = 90 }} }}\n");
+    assert!(!posted_right::<Mill>(control, mode, &gauge, contour()).contains("$P_TOOLR"));
 }
 
 #[test]

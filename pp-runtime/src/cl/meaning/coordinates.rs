@@ -1,7 +1,7 @@
 //! From the numbers of a file to the workpiece frame: all coordinate transforms, and the frames stated in the file.
 
-use super::frame::{SetUpFrame, StatedFrame, WorkpieceFrames};
-use super::options::Frames;
+use super::frame::{FrameChange, SetUpFrame, StatedFrame, WorkpieceFrames};
+use super::options::{Frames, SetUpBegins};
 use super::transform::{RigidTransform, Transforms};
 use crate::cl::text::{ClFault, Span};
 use crate::cl::vector::{length, within_a_kilometre};
@@ -54,12 +54,22 @@ impl Coordinates {
         self.workpiece.scale(unit_mm);
     }
 
-    /// Sets the frame in force; returns whether it differs from the one before.
-    pub(crate) fn take_frame(&mut self, frame: StatedFrame, at: Span, frames: Frames) -> Result<bool, ClFault> {
-        self.workpiece.take(frame, at, frames)
+    /// Sets the frame in force.
+    pub(crate) fn take_frame(
+        &mut self,
+        frame: StatedFrame,
+        at: Span,
+        options: (Frames, &[SetUpBegins]),
+    ) -> Result<FrameChange, ClFault> {
+        self.workpiece.take(frame, at, options)
     }
 
-    /// Sets the transform from the frame in force to the first frame.
+    /// The set-up that begins with an operation of this name, if another one is in force.
+    pub(crate) fn begin_operation(&mut self, name: &[u8], set_ups: &[SetUpBegins]) -> Option<u32> {
+        self.workpiece.begin_operation(name, set_ups)
+    }
+
+    /// Sets the transform from the frame in force to the first frame of its set-up.
     pub(crate) fn map_frame(&mut self) {
         if let Some((main, current)) = self.workpiece.main_and_current() {
             self.transforms.set_frame(main, current);

@@ -1,11 +1,13 @@
 //! Frames of a file: position and orientation of the output frame in the model.
 //!
 //! The numbers of CL data are already in that frame, so the first frame *is* the workpiece frame and is only reported.
-//! A later frame that differs would move every point after it: it is mapped into the first, given a work offset of its
-//! own, or refused, never ignored. CSYS of SolidWorks CAM is not such a frame: it does not change points and states the
+//! A later frame that differs would move every point after it: it is mapped into the first of its set-up, begins another
+//! set-up, or is refused, never ignored. CSYS of SolidWorks CAM is not such a frame: it does not change points and states the
 //! tool axis.
 
-use super::options::Frames;
+use std::collections::BTreeMap;
+
+use super::options::{Frames, SetUpBegins};
 use crate::cl::record::FrameRecord;
 use crate::cl::text::{ClFault, Span};
 use crate::cl::vector::{cross, distance, dot, length};
@@ -60,14 +62,36 @@ impl StatedFrame {
 /// Largest number of different frames in a file.
 const MOST_FRAMES: usize = 100;
 
-/// The frames of a file; the first is that of the workpiece.
-#[derive(Debug, Default)]
+/// What follows from a frame that is stated.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum FrameChange {
+    /// It is in force already.
+    None,
+    /// Its points are mapped into the first frame of its set-up.
+    Mapped,
+    /// Another set-up begins.
+    SetUp(u32),
+}
+
+/// The frames of a file. Those of a set-up are mapped into its first; the first of all is that of the workpiece.
+#[derive(Debug)]
 pub(crate) struct WorkpieceFrames {
     /// Different frames, in the order in which they are first stated.
     frames: Vec<StatedFrame>,
     /// Index of the frame in force.
     current: usize,
     stated: u64,
+    /// Number of the set-up in force, and whether the name of an operation has begun it.
+    set_up: u32,
+    named: bool,
+    /// Index of the first frame of each set-up.
+    first_of: BTreeMap<u32, usize>,
+}
+
+impl Default for WorkpieceFrames {
+    fn default() -> Self {
+        Self { frames: Vec::new(), current: 0, stated: 0, set_up: 1, named: false, first_of: BTreeMap::new() }
+    }
 }
 
 impl WorkpieceFrames {
@@ -96,29 +120,37 @@ impl WorkpieceFrames {
         u32::try_from(self.current + 1).unwrap_or(u32::MAX)
     }
 
-    /// The first frame and the one in force.
+    /// The first frame of the set-up in force, and the frame in force.
     pub(crate) fn main_and_current(&self) -> Option<(&StatedFrame, &StatedFrame)> {
-        Some((self.frames.first()?, self.frames.get(self.current)?))
+        let main = self.first_of.get(&self.set_up).copied().unwrap_or(self.current);
+        Some((self.frames.get(main)?, self.frames.get(self.current)?))
     }
 
-    /// Sets the frame in force; returns whether it differs from the one before.
-    pub(crate) fn take(&mut self, frame: StatedFrame, at: Span, frames: Frames) -> Result<bool, ClFault> {
-        self.stated += 1;
-        let Some(first) = self.frames.first() else {
-            self.frames.push(frame);
-            return Ok(false);
+    /// The set-up that begins with an operation of this name, if another one is in force.
+    pub(crate) fn begin_operation(&mut self, name: &[u8], set_ups: &[SetUpBegins]) -> Option<u32> {
+        let is_named = |set_up: &&SetUpBegins| {
+            let begins = set_up.operation.as_ref().map(|operation| operation.trim().as_bytes());
+            begins.is_some_and(|begins| begins.eq_ignore_ascii_case(name.trim_ascii()))
         };
-        if !first.is_same(&frame) && frames == Frames::Refuse {
-            return Err(ClFault::new(
-                "second frame",
-                at,
-                format!(
-                    "the frame in line {} differs from the workpiece frame in line {}",
-                    frame.location.line, first.location.line
-                ),
-                "`--frames main` maps it into the first, `--frames offset` gives it a work offset of its own; or \
-                 output one file for each frame",
-            ));
+        let number = set_ups.iter().find(is_named)?.number;
+        self.named = true;
+        (std::mem::replace(&mut self.set_up, number) != number).then_some(number)
+    }
+
+    /// Sets the frame in force.
+    pub(crate) fn take(
+        &mut self,
+        frame: StatedFrame,
+        at: Span,
+        (frames, set_ups): (Frames, &[SetUpBegins]),
+    ) -> Result<FrameChange, ClFault> {
+        self.stated += 1;
+        if let Some(first) = self.frames.first()
+            && !first.is_same(&frame)
+            && frames == Frames::Refuse
+            && set_ups.is_empty()
+        {
+            return Err(second_frame(&frame, first, at));
         }
         let known = self.frames.iter().position(|known| known.is_same(&frame));
         let index = match known {
@@ -136,8 +168,35 @@ impl WorkpieceFrames {
                 ));
             }
         };
-        Ok(std::mem::replace(&mut self.current, index) != index)
+        let listed = set_ups.iter().find(|set_up| set_up.frames.iter().any(|number| *number as usize == index + 1));
+        let set_up = match listed {
+            Some(set_up) => set_up.number,
+            None if self.named => self.set_up,
+            None => 1,
+        };
+        self.named &= listed.is_none();
+        self.first_of.entry(set_up).or_insert(index);
+        let before = (std::mem::replace(&mut self.set_up, set_up), std::mem::replace(&mut self.current, index));
+        Ok(match before {
+            (other, _) if other != set_up => FrameChange::SetUp(set_up),
+            (_, other) if other != index => FrameChange::Mapped,
+            _ => FrameChange::None,
+        })
     }
+}
+
+/// The fault that another frame is stated, and the table that makes it a set-up.
+fn second_frame(frame: &StatedFrame, first: &StatedFrame, at: Span) -> ClFault {
+    ClFault::new(
+        "second frame",
+        at,
+        format!(
+            "the frame in line {} differs from the workpiece frame in line {}",
+            frame.location.line, first.location.line
+        ),
+        "the same clamping: `--frames main` maps it into the first; the part is clamped again: configure the set-up, \
+         `[set_ups.2]`, `part_origin = [0.0, 0.0, 0.0]`, `part_rotation = [0.0, 0.0, 0.0]`, `work_offset = \"G55\"`",
+    )
 }
 
 /// Set-up frame of SolidWorks CAM: the CSYS in force, whose third column is the tool axis.

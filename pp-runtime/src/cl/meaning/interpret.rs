@@ -198,6 +198,9 @@ impl RecordInterpreter {
             ProgramRecord::ToolPath(name) => {
                 self.begin_operation();
                 self.tool.end_operation();
+                if let Some(number) = self.coordinates.begin_operation(name.bytes, &self.options.set_ups) {
+                    self.change_set_up(number, here);
+                }
                 self.emit_text(here, TextUse::Operation, name);
             }
             ProgramRecord::Message(text) => self.emit_text(here, TextUse::Message, text),

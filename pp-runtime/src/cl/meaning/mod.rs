@@ -27,5 +27,5 @@ pub(crate) use self::event_queue::{QueuedEvent, TextUse};
 pub use self::frame::StatedFrame;
 pub use self::holes::CycleArg;
 pub(crate) use self::interpret::RecordInterpreter;
-pub use self::options::{FeedLabel, Frames, Insert, ReadingOptions, Sense};
+pub use self::options::{FeedLabel, Frames, Insert, ReadingOptions, Sense, SetUpBegins};
 pub use self::votes::ArcVote;

@@ -31,12 +31,21 @@ pub enum Frames {
     Refuse,
     /// Map its points and tool axes into the first frame.
     Main,
-    /// Keep points and tool axes; each frame has a work offset of its own.
-    Offset,
 }
 
 impl Frames {
-    const NAMES: [(&'static str, Self); 3] = [("refuse", Self::Refuse), ("main", Self::Main), ("offset", Self::Offset)];
+    const NAMES: [(&'static str, Self); 2] = [("refuse", Self::Refuse), ("main", Self::Main)];
+}
+
+/// Where a set-up after the first begins in the CL data.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct SetUpBegins {
+    /// Number of the set-up.
+    pub number: u32,
+    /// Numbers of its frames, in the order in which the CL data first states them.
+    pub frames: Vec<u32>,
+    /// Name of its first operation (TOOL PATH).
+    pub operation: Option<String>,
 }
 
 /// Handling of INSERT.
@@ -90,9 +99,11 @@ options! {
         columns: Option<u32> = None, key("cl.columns", Whole(COLUMNS), "72");
         /// Words of CL data that are passed over, because they move no axis and change no state.
         inert: Vec<String> = Vec::new(), key("cl.inert", ListOf(InertWord));
-        /// A frame that differs from the first: "refuse", "main" (mapped into the first) or "offset" (a work offset of its
-        /// own, see `[frames]`).
+        /// A frame that differs from the first and is in no set-up: "refuse", or "main" (mapped into the first). With
+        /// `[set_ups]` it belongs to the first set-up.
         frames: Frames = Frames::Refuse, key("cl.frames", OneOf(&Frames::NAMES));
+        /// Set-ups after the first.
+        set_ups: Vec<SetUpBegins> = Vec::new();
         /// Sense of every CIRCLE about its axis, "cw" or "ccw". Without it the count of its numbers decides.
         circle_sense: Option<Sense> = None, key("cl.circle_sense", OneOf(&SENSES), "\"ccw\"");
         /// INSERT: "refuse", "comment" or "write" (as NC text, which is not checked).

@@ -1,7 +1,7 @@
 //! Frames and coordinate transforms.
 
 use super::*;
-use crate::cl::Frames;
+use crate::cl::{Frames, SetUpBegins};
 
 #[test]
 fn origin_is_subtracted_trans_added_and_tracut_turns_points_and_axes() {
@@ -30,17 +30,49 @@ fn origin_is_subtracted_trans_added_and_tracut_turns_points_and_axes() {
 const TWO_FRAMES: &str = "MSYS/1,0,0,1,0,0,0,1,0\nGOTO/1,2,3\nMSYS/11,0,0,0,1,0,-1,0,0\nGOTO/1,2,3,.6,0,.8\n";
 
 #[test]
-fn a_second_frame_is_mapped_into_the_first_or_has_an_offset_of_its_own() {
+fn a_second_frame_is_mapped_into_the_first_or_begins_a_set_up() {
     let found = events_without_places(TWO_FRAMES, ReadingOptions { frames: Frames::Main, ..mm() });
     assert_eq!(found[1..], ["SafeSequence", "feed 8 1 3 axis 0 0.6 0.8 None"]);
-    let found = events_without_places(TWO_FRAMES, ReadingOptions { frames: Frames::Offset, ..mm() });
-    assert_eq!(found[1..], ["Frame(2)", "feed 1 2 3 axis 0.6 0 0.8 None"]);
+    let found = events_without_places(TWO_FRAMES, with_set_up(&[2], None));
+    assert_eq!(found[1..], ["Home", "Stop", "SetUp(2)", "feed 1 2 3 axis 0.6 0 0.8 None"]);
     // The first frame again, then the second under its own number.
     let back = format!("{TWO_FRAMES}MSYS/1,0,0,1,0,0,0,1,0\nGOTO/1,2,3,0,0,1\nMSYS/11,0,0,0,1,0,-1,0,0\nGOTO/0,0,0\n");
     let found = events_without_places(&back, ReadingOptions { frames: Frames::Main, ..mm() });
     assert!(found[4].starts_with("feed 1 2 3 axis 0 0 1") && found[6].starts_with("feed 10 0 0"), "{found:?}");
-    let found = events_without_places(&back, ReadingOptions { frames: Frames::Offset, ..mm() });
-    assert_eq!((found[3].as_str(), found[5].as_str()), ("Frame(1)", "Frame(2)"));
+    let found = events_without_places(&back, with_set_up(&[2], None));
+    let set_ups: Vec<&String> = found.iter().filter(|event| event.starts_with("SetUp")).collect();
+    assert_eq!(set_ups, ["SetUp(2)", "SetUp(1)", "SetUp(2)"]);
+}
+
+/// Reading with a second set-up that has these frames, or begins with this operation.
+fn with_set_up(frames: &[u32], operation: Option<&str>) -> ReadingOptions {
+    let operation = operation.map(str::to_owned);
+    ReadingOptions { set_ups: vec![SetUpBegins { number: 2, frames: frames.to_vec(), operation }], ..mm() }
+}
+
+/// Frames 1 and 3 belong to the first set-up, 2 and 4 to the second: 3 is mapped into 1, and 4 into 2.
+#[test]
+fn frames_of_a_set_up_are_mapped_into_its_first() {
+    let frame = |x: u32| format!("MSYS/{x},0,0,1,0,0,0,1,0\nGOTO/1,0,0\n");
+    let text: String = [0, 10, 5, 17].map(frame).concat();
+    let found = events_without_places(&text, with_set_up(&[2, 4], None));
+    let points: Vec<&str> = found.iter().filter_map(|event| event.strip_prefix("feed ")?.split(' ').next()).collect();
+    assert_eq!(points, ["1", "1", "6", "8"], "{found:?}");
+    assert_eq!(found.iter().filter(|event| *event == "Stop").count(), 3);
+    // Without a table the second frame is refused with one to paste.
+    assert!(errors_with(&text, mm())[0].contains("the frame in line 3 differs"));
+}
+
+#[test]
+fn a_set_up_may_begin_with_the_name_of_an_operation() {
+    let text = "TOOL PATH/OP10,TOOL,A\nMSYS/0,0,0,1,0,0,0,1,0\nGOTO/1,0,0\nEND-OF-PATH\n\
+                TOOL PATH/OP20,TOOL,A\nMSYS/10,0,0,1,0,0,0,1,0\nGOTO/1,0,0\nEND-OF-PATH\n\
+                TOOL PATH/OP30,TOOL,A\nMSYS/15,0,0,1,0,0,0,1,0\nGOTO/1,0,0\n";
+    let found = events_without_places(text, with_set_up(&[], Some("op20")));
+    let position = |what: &str| found.iter().position(|event| event.contains(what)).expect("an event");
+    assert!(position("SetUp(2)") < position("OP20") && position("Stop") < position("SetUp(2)"), "{found:?}");
+    let points: Vec<&str> = found.iter().filter_map(|event| event.strip_prefix("feed ")?.split(' ').next()).collect();
+    assert_eq!(points, ["1", "1", "6"], "the third frame is mapped into the second: {found:?}");
 }
 
 #[test]
@@ -53,7 +85,7 @@ fn a_frame_before_units_is_in_that_unit_too() {
 #[test]
 fn a_clearance_plane_belongs_to_its_frame() {
     let text = format!("CLEARP/XYPLAN,50\n{TWO_FRAMES}RETRCT\n");
-    let found = errors_with(&text, ReadingOptions { frames: Frames::Offset, ..mm() });
+    let found = errors_with(&text, with_set_up(&[2], None));
     assert_eq!(found, ["6:1+6 RETRCT needs a clearance plane, and no CLEARP comes before it"]);
     let found = events_without_places(&text, ReadingOptions { frames: Frames::Main, ..mm() });
     assert_eq!(found.last().map(String::as_str), Some("rapid 8 36.25 50 axis 0 0.6 0.8 None"));

@@ -127,15 +127,12 @@ impl From<DialectName> for Dialect {
 pub(crate) enum FramesName {
     /// Its points are transformed into the first frame
     Main,
-    /// It gets a work offset of its own
-    Offset,
 }
 
 impl From<FramesName> for Frames {
     fn from(name: FramesName) -> Self {
         match name {
             FramesName::Main => Self::Main,
-            FramesName::Offset => Self::Offset,
         }
     }
 }

@@ -4,6 +4,11 @@ use super::*;
 use crate::config::sample::Sample;
 use crate::config::{Config, starting_point};
 use crate::motion::{PathNorm, TcpWords};
+use crate::set_up::FurtherSetUp;
+
+fn further(offset: &str) -> FurtherSetUp {
+    FurtherSetUp { frames: vec![2], work_offset: Some(offset.to_owned()), ..FurtherSetUp::default() }
+}
 
 #[test]
 fn settings_that_a_control_does_not_support_are_refused() {
@@ -15,7 +20,7 @@ fn settings_that_a_control_does_not_support_are_refused() {
     for control in CONTROLS {
         assert_eq!(faults(*control, |_| {}), Vec::<String>::new());
         assert_eq!(faults(*control, |config| config.set_up.work_offset = "G53".into()).len(), 1);
-        assert_eq!(faults(*control, |config| config.set_up.frames = BTreeMap::from([(2, "G999".to_owned())])).len(), 1);
+        assert_eq!(faults(*control, |config| config.set_up.set_ups = BTreeMap::from([(2, further("G999"))])).len(), 1);
         assert_eq!(faults(*control, |config| config.control.axes = BTreeMap::from([('C', "c?".to_owned())])).len(), 1);
         assert_eq!(faults(*control, |config| config.control.program.start = vec!["M".repeat(600)]).len(), 1);
     }

@@ -188,7 +188,7 @@ impl Navigator {
             | Event::MachineName(_)
             | Event::Operation(_)
             | Event::SafeSequence
-            | Event::Frame(_)
+            | Event::SetUp(_)
             | Event::Tool(_)
             | Event::Preselect(_)
             | Event::Spindle(_)

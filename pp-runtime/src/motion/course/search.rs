@@ -29,6 +29,8 @@ struct Survivor {
     /// At the pole: number of the motion in the air that can rotate the first rotary axis. The last that begins an
     /// operation, which rotates the axes anyway; else the first since the axis became free.
     air: Option<u64>,
+    /// That motion begins an operation, or rotates the axes anyway: the first rotary axis can be at zero after it.
+    zeroable: bool,
 }
 
 /// Index of a change in the history; `None` before the first change that is not final.
@@ -146,6 +148,7 @@ impl CourseSearch {
                 cost: Cost::default(),
                 last_change: None,
                 air: None,
+                zeroable: false,
             }],
             next: Vec::new(),
             predecessors: Vec::new(),
@@ -170,7 +173,7 @@ impl CourseSearch {
             let cost = from.cost.plus(self.metric.cost(&from.state.words, &words));
             Self::keep(
                 &mut self.next,
-                Survivor { state: RotaryState { words, ..from.state }, cost, air: None, ..*from },
+                Survivor { state: RotaryState { words, ..from.state }, cost, air: None, zeroable: false, ..*from },
             );
         }
         self.finish_layer(&[]);
@@ -180,7 +183,9 @@ impl CourseSearch {
     fn leave_zeroed(&mut self) {
         let Some(first) = self.zeroed else { return };
         for index in 0..self.survivors.len() {
-            let Survivor { state, cost, last_change, air: Some(air) } = self.survivors[index] else { continue };
+            let Survivor { state, cost, last_change, air: Some(air), zeroable: true } = self.survivors[index] else {
+                continue;
+            };
             let Some(zero) = self.metric.nearest_zero(&first, state.words[0]).filter(|zero| *zero != state.words[0])
             else {
                 continue;
@@ -191,6 +196,7 @@ impl CourseSearch {
                 cost: cost.plus(self.metric.cost(&state.words, &words)),
                 last_change: self.history.push(last_change, air, CourseAction::EndWith, words),
                 air: None,
+                zeroable: false,
             };
         }
     }
@@ -273,7 +279,7 @@ impl CourseSearch {
                 true => from.last_change,
                 false => self.history.push(from.last_change, motion, CourseAction::EndWith, state.words),
             };
-            self.next.push(Survivor { state: *state, cost, last_change, air: None });
+            self.next.push(Survivor { state: *state, cost, last_change, air: None, zeroable: false });
         }
         self.finish_layer(states)
     }
@@ -294,12 +300,14 @@ impl CourseSearch {
             for &second in second {
                 let state = RotaryState { words: [first.clamped(from.state.words[0]), second], ..from.state };
                 let cost = from.cost.plus(self.metric.cost(&from.state.words, &state.words));
-                let (last_change, air) = match state.words == from.state.words && sense.is_none() {
+                let stays = state.words == from.state.words && sense.is_none();
+                let zeroable = begins || !stays || from.zeroable;
+                let (last_change, air) = match stays {
                     true => (from.last_change, from.air.filter(|_| !begins).unwrap_or(motion)),
                     // The change that rotates the axis must not come before this one in the course.
                     false => (self.history.push(from.last_change, motion, CourseAction::EndWith, state.words), motion),
                 };
-                Self::keep(&mut self.next, Survivor { state, cost, last_change, air: Some(air) });
+                Self::keep(&mut self.next, Survivor { state, cost, last_change, air: Some(air), zeroable });
             }
         }
         self.finish_layer(&[]);
@@ -334,7 +342,7 @@ impl CourseSearch {
             } else if from.state.branch != state.branch || !self.metric.plain(&from.state.words, &state.words) {
                 last_change = self.history.push(last_change, motion, CourseAction::EndWith, state.words);
             }
-            self.next.push(Survivor { state: *state, cost, last_change, air: None });
+            self.next.push(Survivor { state: *state, cost, last_change, air: None, zeroable: false });
         }
         self.finish_layer(states)
     }
@@ -392,7 +400,7 @@ impl CourseSearch {
             }
             Self::keep(
                 &mut self.next,
-                Survivor { state: RotaryState { words, ..from.state }, cost, last_change, air: None },
+                Survivor { state: RotaryState { words, ..from.state }, cost, last_change, air: None, zeroable: false },
             );
         }
         self.finish_layer(&[])
@@ -418,7 +426,7 @@ impl CourseSearch {
                 };
             }
             last_change = self.history.push(last_change, motion, CourseAction::EndWith, state.words);
-            self.next.push(Survivor { state: *state, cost, last_change, air: None });
+            self.next.push(Survivor { state: *state, cost, last_change, air: None, zeroable: false });
         }
         self.finish_layer(states)
     }

@@ -20,6 +20,8 @@ const NOISE: f64 = 1e-6;
 /// Offsets from axis values to written words, by position in the chain.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Datum {
+    /// Linear words are measured from the reference point of the table.
+    from_table: bool,
     /// Linear words minus axis values for a tool of no length.
     zero_mm: [f64; MAX_AXES],
     /// Addition to the linear words for 1 mm of gauge length.
@@ -49,7 +51,15 @@ impl Datum {
             LengthMode::Tip => [0.0; MAX_AXES],
             LengthMode::Gauge => along_axes(machine, &machine.tool_axis()),
         };
-        Self { zero_mm, share, linear_mm: zero_mm, offsets, whole }
+        let from_table = policy.set_up.program_zero == ProgramZero::Table;
+        Self { from_table, zero_mm, share, linear_mm: zero_mm, offsets, whole }
+    }
+
+    /// Sets the position of the part zero from the reference point of the table; the gauge length has to be set again.
+    pub(crate) fn set_part_origin(&mut self, machine: &dyn AnyMachine, origin: &Vector3<f64>) {
+        if self.from_table {
+            self.zero_mm = along_axes(machine, origin);
+        }
     }
 
     /// Sets the gauge length of the tool in the spindle.

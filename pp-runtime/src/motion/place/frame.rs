@@ -75,6 +75,8 @@ pub(crate) struct WordFrame {
     posture: ToolPosture,
     /// Signs of the words X Y Z.
     signs: Matrix3<f64>,
+    /// Words are measured from the reference point of the table.
+    from_table: bool,
     /// Part zero measured from the zero of the words.
     zero_mm: Vector3<f64>,
     /// Positions of X Y Z in the chain.
@@ -96,8 +98,17 @@ impl WordFrame {
             tcp_frame: policy.options.tip.tcp_frame.unwrap_or(TcpFrame::TableAtZero),
             posture: policy.options.tip.tool_posture,
             signs: Matrix3::from_diagonal(&Vector3::from(sign)),
+            from_table: policy.set_up.program_zero == ProgramZero::Table,
             zero_mm,
             letters,
+        }
+    }
+
+    /// Sets the position of the part zero from the reference point of the table.
+    pub(crate) fn set_part_origin(&mut self, origin: &Vector3<f64>) {
+        if self.from_table {
+            self.zero_mm = *origin;
+            self.set_mode(self.mode);
         }
     }
 

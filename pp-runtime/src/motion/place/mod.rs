@@ -254,11 +254,6 @@ impl Placer {
         self.gauge_line
     }
 
-    /// Whether the workpiece side has solved rotary axes.
-    pub(crate) fn has_rotary_table(&self) -> bool {
-        rotaries_of(self.chain, Side::Workpiece).next().is_some()
-    }
-
     /// Whether a retract along the retract axis, outside tip control and planes, is one along the tool axis at any rotary
     /// angles.
     pub(crate) fn retracts_along_tool(&self) -> bool {
@@ -293,6 +288,15 @@ impl Placer {
     /// Size of one unit of a linear word, mm.
     pub(crate) fn unit_mm(&self) -> f64 {
         1.0 / self.linear.units_per_mm
+    }
+
+    /// Sets the position of the part zero from the reference point of the table: the part is clamped again.
+    pub(crate) fn set_part_origin(&mut self, origin: Vector3<f64>) {
+        self.part_origin = origin;
+        self.datum.set_part_origin(&*self.machine, &origin);
+        self.frame.set_part_origin(&origin);
+        self.travel.set_part_origin(&*self.machine, &origin);
+        self.set_gauge_length(self.travel.gauge_length_mm());
     }
 
     pub(crate) fn set_gauge_length(&mut self, length: Option<f64>) {

@@ -1,11 +1,14 @@
 //! Travel of the linear axes, compared after rounding.
 //!
 //! Limits are machine coordinates: `M = machine_zero + q + g`, where `q` is the axis value and `g` the share of the
-//! gauge length along the axis. Without `machine_zero` only the span of `q + g` over the program is compared with the
+//! gauge length along the axis; in a further set-up `q` counts from the part zero of the first. Without `machine_zero` only the span of `q + g` over the program is compared with the
 //! travel.
 
 use crate::kinematics::{AnyMachine, AxisKind, Limits, Side};
+use nalgebra::Vector3;
+
 use crate::motion::options::Policy;
+use crate::motion::step::MAX_AXES;
 
 use super::chain::rotaries;
 use super::datum::along_axes;
@@ -41,6 +44,10 @@ pub(crate) struct TravelCheck {
     axes: Vec<LinearTravel>,
     /// Gauge length of the tool, if known.
     gauge_length_mm: Option<f64>,
+    /// Part zero of the first set-up, for which `machine_zero` is stated.
+    first_origin: Vector3<f64>,
+    /// Axis values of the part zero, from that of the first set-up.
+    moved_mm: [f64; MAX_AXES],
 }
 
 impl TravelCheck {
@@ -64,7 +71,18 @@ impl TravelCheck {
                 unknown_length: false,
             })
             .collect();
-        Self { axes, gauge_length_mm: None }
+        let first_origin = policy.set_up.part_origin.into();
+        Self { axes, gauge_length_mm: None, first_origin, moved_mm: [0.0; MAX_AXES] }
+    }
+
+    /// Sets the position of the part zero from the reference point of the table.
+    pub(crate) fn set_part_origin(&mut self, machine: &dyn AnyMachine, origin: &Vector3<f64>) {
+        self.moved_mm = along_axes(machine, &(origin - self.first_origin));
+    }
+
+    /// Gauge length of the tool, if known, mm.
+    pub(crate) fn gauge_length_mm(&self) -> Option<f64> {
+        self.gauge_length_mm
     }
 
     pub(crate) fn axes(&self) -> &[LinearTravel] {
@@ -79,7 +97,7 @@ impl TravelCheck {
     pub(crate) fn check(&mut self, values: &[f64]) -> Result<(), Fault> {
         let length = self.gauge_length_mm;
         for axis in &mut self.axes {
-            axis.check(values[axis.index], length)?;
+            axis.check(values[axis.index] + self.moved_mm[axis.index], length)?;
         }
         Ok(())
     }
@@ -105,7 +123,7 @@ impl TravelCheck {
     /// Axis value at a machine coordinate, mm; `None` if the machine zero or the gauge length is unknown.
     pub(crate) fn value_at(&self, index: usize, coordinate: f64) -> Option<f64> {
         let axis = self.axes.iter().find(|axis| axis.index == index)?;
-        Some(coordinate - axis.machine_zero_mm? - axis.gauge(self.gauge_length_mm)?)
+        Some(coordinate - axis.machine_zero_mm? - axis.gauge(self.gauge_length_mm)? - self.moved_mm[index])
     }
 }
 

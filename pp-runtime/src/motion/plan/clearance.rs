@@ -22,8 +22,8 @@ impl ClearanceGeometry {
         self.in_force = Some(Clearance::Plane(plane));
     }
 
-    /// Another frame: CLEARP was given in the last one and ends.
-    pub(crate) fn change_frame(&mut self) {
+    /// Another set-up: CLEARP was given in the last one and ends.
+    pub(crate) fn change_set_up(&mut self) {
         self.in_force = self.configured;
     }
 

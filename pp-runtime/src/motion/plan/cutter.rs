@@ -94,7 +94,7 @@ impl CutterCompensation {
             Event::Tool(_) => "a tool is called",
             Event::Operation(_) | Event::SafeSequence => "another operation begins",
             Event::Stop | Event::OptionalStop => "the program stops",
-            Event::Frame(_) => "another frame follows",
+            Event::SetUp(_) => "another frame follows",
             Event::Home => "GOHOME follows",
             Event::From(_) => "FROM follows",
             Event::Insert(_) | Event::Code { .. } => "NC text of the CL data follows",

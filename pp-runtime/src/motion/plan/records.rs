@@ -81,7 +81,7 @@ impl<S: Sink> Records<'_, '_, S> {
                 Ok(())
             }
             Event::SafeSequence => self.leave(),
-            Event::Frame(number) => self.change_frame(number),
+            Event::SetUp(number) => self.change_set_up(number),
             Event::Home => self.go_home(),
             Event::ClearancePlane(plane) => {
                 self.planner.clearance.set_plane(plane);
@@ -249,25 +249,17 @@ impl<S: Sink> Records<'_, '_, S> {
         Ok(())
     }
 
-    /// A frame with a work offset of its own.
-    fn change_frame(&mut self, number: u32) -> Planned {
-        let policy = self.planner.policy;
-        if self.planner.mover.placer().has_rotary_table() {
-            let fault = Fault::new("the part origin of a second frame on a rotary table is unknown");
-            return Err(fault.help("use `--frames main`, which maps every frame to the first").into());
-        }
-        let word = match policy.set_up.frames.get(&number) {
-            Some(word) => word,
-            None if number == 1 => &policy.set_up.work_offset,
-            None => {
-                let fault = Fault::new(format_args!("frame {number} of the CL data has no work offset"));
-                return Err(fault.help(format_args!("configure one: `[frames] \"{number}\" = \"G55\"`")).into());
-            }
+    /// Another set-up: the part has another origin and another work offset. Its rotation is that of the source.
+    fn change_set_up(&mut self, number: u32) -> Planned {
+        let Some(part) = self.planner.policy.set_up.clamping(number) else {
+            return Err(Fault::new(format_args!("set-up {number} is not configured")).into());
         };
+        self.planner.mover.set_part_origin(part.part_origin);
+        let word = part.work_offset;
         self.leave()?;
         self.planner.mover.position_mut().forget();
-        // CLEARP was given in the other frame.
-        self.planner.clearance.change_frame();
+        // CLEARP was given in the other set-up.
+        self.planner.clearance.change_set_up();
         Ok(self.planner.mover.output_mut().step(&Step::WorkOffset { word })?)
     }
 }

@@ -170,7 +170,7 @@ impl<S: Sink> Planner<'_, S> {
             self.mover.machine_retract()?;
         }
         if self.mover.placer().gauge_line() {
-            return cutter::guard(self, &tool);
+            return Ok(());
         }
         self.mover.output_mut().step(&Step::Length { offset: tool.offset })?;
         let guarded = self.policy.options.guards.length_guard.unwrap_or(self.needs_gauge_length().is_some());

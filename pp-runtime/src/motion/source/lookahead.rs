@@ -178,7 +178,7 @@ impl Lookahead {
             Event::Delay(dwell) => WaitingRecord::Plain(Event::Delay(dwell)),
             Event::Operation(_)
             | Event::SafeSequence
-            | Event::Frame(_)
+            | Event::SetUp(_)
             | Event::Tool(_)
             | Event::Move(_)
             | Event::Arc(_)

@@ -211,7 +211,7 @@ impl Expansion<'_> {
             Event::Stop
             | Event::OptionalStop
             | Event::SafeSequence
-            | Event::Frame(_)
+            | Event::SetUp(_)
             | Event::Home
             | Event::Insert(_)
             | Event::Code { .. } => {

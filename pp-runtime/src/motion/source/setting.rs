@@ -5,6 +5,8 @@
 //! `retract.clearance`) are in that frame, too; those of the CL data (CLEARP) are rotated with it. A dry run moves
 //! every point outwards along its tool axis; the clearance geometry stays at the part.
 
+use std::collections::BTreeMap;
+
 use nalgebra::{Point3, Rotation3, UnitVector3};
 
 use crate::kinematics::Pose;
@@ -16,8 +18,11 @@ use crate::motion::options::Policy;
 #[derive(Debug, Clone)]
 pub(crate) struct Setting {
     rotation: Rotation3<f64>,
+    /// Rotation of the part in each set-up.
+    rotations: BTreeMap<u32, Rotation3<f64>>,
     /// Lift of a dry run along the tool axis.
     lift_mm: f64,
+    lifted: bool,
     /// Neither rotation nor lift.
     plain: bool,
     /// Control points of the curve at hand, rotated and lifted.
@@ -30,7 +35,9 @@ impl Setting {
         let lift_mm = policy.options.lift_mm.unwrap_or(0.0);
         Self {
             rotation,
+            rotations: policy.set_up.clampings().map(|(number, part)| (number, part.part_rotation)).collect(),
             lift_mm,
+            lifted: policy.options.lift_mm.is_some(),
             plain: rotation == Rotation3::identity() && policy.options.lift_mm.is_none(),
             points: Vec::new(),
         }
@@ -39,7 +46,18 @@ impl Setting {
     /// Returns an event rotated and lifted; `None` if nothing changes.
     #[inline]
     pub(crate) fn event<'s>(&'s mut self, event: &Event<'s>) -> Option<Event<'s>> {
+        if let Event::SetUp(number) = event {
+            self.enter(*number);
+        }
         if self.plain { None } else { Some(self.rotated(event)) }
+    }
+
+    /// Another set-up begins.
+    #[cold]
+    fn enter(&mut self, number: u32) {
+        // The planner refuses a set-up that is not configured.
+        self.rotation = self.rotations.get(&number).copied().unwrap_or(self.rotation);
+        self.plain = self.rotation == Rotation3::identity() && !self.lifted;
     }
 
     fn rotated<'s>(&'s mut self, event: &Event<'s>) -> Event<'s> {
@@ -69,7 +87,7 @@ impl Setting {
             | Event::MachineName(_)
             | Event::Operation(_)
             | Event::SafeSequence
-            | Event::Frame(_)
+            | Event::SetUp(_)
             | Event::Tool(_)
             | Event::Preselect(_)
             | Event::Spindle(_)

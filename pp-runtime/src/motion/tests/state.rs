@@ -1,6 +1,7 @@
 //! State before a motion (tool, spindle, feed, coolant), and the records that change it.
 
 use super::*;
+use crate::set_up::FurtherSetUp;
 
 #[test]
 fn a_head_does_not_post_without_the_length_of_the_tool() {
@@ -297,12 +298,12 @@ fn a_wait_is_written_in_seconds() {
 }
 
 #[test]
-fn each_frame_has_its_own_work_offset_where_no_table_rotates() {
-    let events = [tool(1), spindle(), feed([0.0; 3], UP), Event::Frame(2), feed([1.0, 0.0, 0.0], UP)];
-    assert!(run::<Cb>(&config(), &events).error().text.contains("second frame on a rotary table"));
-    assert!(run::<Xyz>(&config(), &events).error().text.contains("frame 2 of the CL data has no work offset"));
+fn each_set_up_has_its_own_work_offset() {
+    let events = [tool(1), spindle(), feed([0.0; 3], UP), Event::SetUp(2), feed([1.0, 0.0, 0.0], UP)];
+    assert!(run::<Xyz>(&config(), &events).error().text.contains("set-up 2 is not configured"));
     let mut config = config();
-    config.set_up.frames.insert(2, "G55".to_owned());
+    let further = FurtherSetUp { work_offset: Some("G55".to_owned()), ..FurtherSetUp::default() };
+    config.set_up.set_ups.insert(2, further);
     let lines = lines::<Xyz>(&config, &events);
     let safety: Vec<&String> = lines.iter().filter(|line| line.contains("G17")).collect();
     assert!(safety[0].contains("G54") && safety[1].contains("G55"), "{safety:?}");

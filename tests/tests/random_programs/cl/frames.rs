@@ -14,8 +14,8 @@ pub(crate) enum Frames {
     None,
     /// Their points are mapped into the first.
     Main,
-    /// Each has its own work offset, and its points are not changed.
-    Offset,
+    /// Each is a set-up of its own, and its points are not changed.
+    SetUps,
 }
 
 /// Number of frames in a file.

@@ -3,8 +3,7 @@
 use super::RecordInterpreter;
 use crate::cl::dialect::Dialect;
 use crate::cl::meaning::feed::feed_of;
-use crate::cl::meaning::frame::StatedFrame;
-use crate::cl::meaning::options::Frames;
+use crate::cl::meaning::frame::{FrameChange, StatedFrame};
 use crate::cl::record::{
     AxisPlane, CoordinateRecord, CutterRecord, FrameRecord, MachineRecord, ToolCallRecord, ToolRecord,
 };
@@ -76,24 +75,27 @@ impl RecordInterpreter {
     /// MSYS, Creo's CSYS comment, CATIA's matrix.
     fn take_frame(&mut self, record: &FrameRecord, here: Location) -> Result<(), ClFault> {
         let frame = self.stated_frame(record, here)?;
-        let frames = self.options.frames;
-        if !self.coordinates.take_frame(frame, record.at, frames)? {
-            return Ok(());
-        }
-        self.begin_operation();
-        match frames {
-            Frames::Main => {
+        let options = (self.options.frames, &*self.options.set_ups);
+        match self.coordinates.take_frame(frame, record.at, options)? {
+            FrameChange::None => {}
+            FrameChange::Mapped => {
+                self.begin_operation();
                 self.coordinates.map_frame();
                 self.emit(here, Event::SafeSequence);
             }
-            // `Refuse` was handled in `take_frame`: a frame that differs is an error there.
-            Frames::Offset | Frames::Refuse => {
-                self.path.change_frame();
-                let number = self.coordinates.workpiece().number();
-                self.emit(here, Event::Frame(number));
-            }
+            FrameChange::SetUp(number) => self.change_set_up(number, here),
         }
         Ok(())
+    }
+
+    /// Another set-up begins: the axes are parked, and the operator clamps the part.
+    pub(crate) fn change_set_up(&mut self, number: u32, here: Location) {
+        self.begin_operation();
+        self.coordinates.map_frame();
+        self.path.change_frame();
+        self.emit(here, Event::Home);
+        self.emit(here, Event::Stop);
+        self.emit(here, Event::SetUp(number));
     }
 
     /// CSYS of SolidWorks CAM.

@@ -137,6 +137,11 @@ impl<'a, S: Sink> Mover<'a, S> {
         self.placer.set_gauge_length(length);
     }
 
+    /// Sets the position of the part zero from the reference point of the table, mm.
+    pub(crate) fn set_part_origin(&mut self, origin: [f64; 3]) {
+        self.placer.set_part_origin(origin.into());
+    }
+
     /// Sets the result of a rehearsal of the same program, which decides where clamps are on.
     pub(crate) fn set_rehearsed(&mut self, rehearsed: MovingAxes) {
         self.clamps.set_rehearsed(rehearsed);

@@ -1,0 +1,172 @@
+//! Several set-ups in one program: each is posted as it would be alone, with its own part origin, rotation and work offset,
+//! and between two of them the axes are parked and the program stops.
+
+use std::io::Cursor;
+
+use machines::{Dmu70e, LolaXoyzba, SpinnerU5620};
+use pp_runtime::check::check;
+use pp_runtime::config::{Config, starting_point};
+use pp_runtime::control::{self, Control};
+use pp_runtime::diag::Severity;
+use pp_runtime::kinematics::Machine;
+use pp_runtime::post::{Job, post};
+
+const FIRST: &str = "TOOL PATH/OP10,TOOL,T
+MSYS/0,0,0,1,0,0,0,1,0
+LOADTL/1,LENGTH,100
+SPINDL/RPM,2000,CLW
+COOLNT/ON
+RAPID
+GOTO/0,0,30,0.5,0,0.8660254
+FEDRAT/MMPM,300
+GOTO/0,0,20
+GOTO/0,20,20
+RAPID
+GOTO/0,20,60
+END-OF-PATH
+";
+
+/// The frame of the second set-up is upside down in the model; its numbers are coordinates of that frame.
+const SECOND: &str = "TOOL PATH/OP20,TOOL,T
+MSYS/0,0,-40,1,0,0,0,-1,0
+LOADTL/2,LENGTH,100
+SPINDL/RPM,2000,CLW
+COOLNT/ON
+RAPID
+GOTO/5,0,30,0.3420201,0,0.9396926
+FEDRAT/MMPM,300
+GOTO/5,0,20
+GOTO/5,20,20
+RAPID
+GOTO/5,20,60
+END-OF-PATH
+";
+
+const KEYS: &str = "tcp_confirmed = true
+tcp_frame = 'table_at_zero'
+[retract]
+distance = 40.0
+";
+
+const HERE: &str = "part_origin = [7.0, -3.0, 45.0]
+part_rotation = [0.0, 0.0, 90.0]
+work_offset = \"G55\"
+";
+
+fn config<M: Machine>(control: &'static dyn Control, mode: &str, keys: &str) -> Config {
+    let keys = if control.spellings().name == "fanuc" { keys.to_owned() } else { keys.replace("tcp_frame", "#") };
+    let text = format!("mode = '{mode}'\n{keys}");
+    starting_point(control).read_over(&M::default(), &text).unwrap_or_else(|faults| panic!("{text}: {faults:?}"))
+}
+
+/// The program, which passes its check; the first error with its line.
+fn posted<M: Machine>(config: &Config, control: &'static dyn Control, cl: &str) -> Result<String, (u64, String)> {
+    let job = Job { cl_name: "part.cls", config, control, units: None };
+    let mut program = Vec::new();
+    let report = post::<M>(&job, &mut Cursor::new(cl), &mut program).expect("it can run");
+    if let Some(error) = report.diagnostics.into_iter().find(|found| found.severity == Severity::Error) {
+        return Err((error.location.line, format!("{}; {}", error.text, error.help.unwrap_or_default())));
+    }
+    let text = String::from_utf8(program).expect("ASCII");
+    let found = findings::<M>(config, control, cl, &text);
+    assert!(found.is_empty(), "{text}\n{found:?}");
+    Ok(text)
+}
+
+fn findings<M: Machine>(config: &Config, control: &'static dyn Control, cl: &str, program: &str) -> Vec<String> {
+    let policy = config.check_policy::<M>(control, None).expect("it can be checked");
+    let checked = check::<M>(&policy, Cursor::new(cl), program.as_bytes()).expect("it can be read");
+    checked.outcome.findings.into_iter().map(|finding| finding.text).collect()
+}
+
+/// Blocks with axis words, from the block on that holds the first tool call in the operation of this name. Numbers at the
+/// begin of a block are left out.
+fn motions(program: &str, operation: &str) -> Vec<String> {
+    let unnumbered = |line: &str| line.trim_start_matches(|c: char| c.is_ascii_digit()).trim_start().to_owned();
+    let after = program.lines().skip_while(|line| !line.contains(operation) || line.contains("LINE"));
+    let tool = after.map(unnumbered).skip_while(|line| !(line.contains("S2000") || line.contains("TOOL CALL")));
+    tool.filter(|line| line.contains(['X', 'Y', 'B', 'C']) && !line.contains([';', '('])).collect()
+}
+
+fn alone_and_together<M: Machine>(control: &'static dyn Control, mode: &str) {
+    for keys in ["", "program_zero = \"table\"\n"] {
+        alone_and_together_with::<M>(control, mode, &format!("{keys}{KEYS}"));
+    }
+}
+
+fn alone_and_together_with<M: Machine>(control: &'static dyn Control, mode: &str, keys: &str) {
+    let name = format!("{} {mode}", control.spellings().name);
+    let whole = format!("UNITS/MM\n{FIRST}{SECOND}FINI\n");
+    let together = config::<M>(control, mode, &format!("{keys}[set_ups.2]\n{HERE}"));
+    let together = posted::<M>(&together, control, &whole).unwrap_or_else(|error| panic!("{name}: {error:?}"));
+    let alone = config::<M>(control, mode, &format!("{HERE}{keys}"));
+    let alone = posted::<M>(&alone, control, &format!("UNITS/MM\n{SECOND}FINI\n")).expect("the set-up alone");
+    let [one, other] = [&alone, &together].map(|program| motions(program, "OP20"));
+    assert!(one.len() > 3, "{name}: {alone}");
+    assert_eq!(one, other, "{name}\n{together}");
+    let stops = |line: &&str| matches!(line.split(' ').next_back(), Some("M0" | "M00"));
+    assert_eq!(together.lines().filter(stops).count(), 1, "{name}\n{together}");
+}
+
+#[test]
+fn a_set_up_is_posted_as_it_would_be_alone() {
+    for control in control::CONTROLS {
+        for mode in ["axes", "auto"] {
+            alone_and_together::<SpinnerU5620>(*control, mode);
+            alone_and_together::<Dmu70e>(*control, mode);
+        }
+    }
+    for control in control::CONTROLS.iter().filter(|control| control.spellings().plane.is_some()) {
+        alone_and_together::<SpinnerU5620>(*control, "plane");
+        alone_and_together::<LolaXoyzba>(*control, "plane");
+        alone_and_together::<SpinnerU5620>(*control, "tcp");
+    }
+}
+
+#[test]
+fn what_is_wrong_between_two_set_ups_is_found() {
+    let control = control::by_name("siemens").expect("a control");
+    let cl = format!("UNITS/MM\n{FIRST}{SECOND}FINI\n");
+    let config = config::<SpinnerU5620>(control, "axes", &format!("park = {{ C = 0.0 }}\n{KEYS}[set_ups.2]\n{HERE}"));
+    let program = posted::<SpinnerU5620>(&config, control, &cl).expect("it can be posted");
+    let offset = program.replacen("G94 G55", "G94 G54", 1);
+    assert_ne!(offset, program);
+    let stop = program.replacen("\nM0\n", "\n", 1);
+    assert_ne!(stop, program);
+    for (what, edited) in [("the work offset of the first set-up", offset), ("no stop", stop)] {
+        assert!(!findings::<SpinnerU5620>(&config, control, &cl, &edited).is_empty(), "{what}");
+    }
+    // The second set-up with the origin, or the rotation, of the first.
+    for changed in ["part_origin = [0.0, 0.0, 0.0]", "part_rotation = [0.0, 0.0, 0.0]"] {
+        let key = changed.split(' ').next().unwrap_or_default();
+        let line = HERE.lines().find(|line| line.starts_with(key)).expect("a key");
+        let keys = format!("park = {{ C = 0.0 }}\n{KEYS}[set_ups.2]\n{}", HERE.replace(line, changed));
+        let other = self::config::<SpinnerU5620>(control, "axes", &keys);
+        assert!(!findings::<SpinnerU5620>(&other, control, &cl, &program).is_empty(), "{changed}");
+    }
+}
+
+/// `machine_zero` is stated for the first set-up; a part that is clamped higher is nearer to the end of the travel.
+#[test]
+fn the_travel_counts_from_where_the_part_is_clamped() {
+    let control = control::by_name("linuxcnc").expect("a control");
+    let cl = format!("UNITS/MM\n{FIRST}{SECOND}FINI\n");
+    let clamped = |height: f64| {
+        let travel = "tcp_confirmed = true\nretract = { distance = 40.0 }\nmachine_zero = { X = 0.0, Y = 0.0, Z = -400.0 }\n[limits]\nZ = [-600.0, 0.0]\n";
+        let part = format!("[set_ups.2]\nwork_offset = \"G55\"\npart_origin = [0.0, 0.0, {height:?}]\n");
+        let config = config::<SpinnerU5620>(control, "axes", &format!("{travel}{part}"));
+        posted::<SpinnerU5620>(&config, control, &cl)
+    };
+    assert!(clamped(150.0).is_ok());
+    let (line, text) = clamped(400.0).expect_err("out of travel");
+    assert!(line > 14 && text.contains("Z would have to move to"), "line {line}: {text}");
+}
+
+#[test]
+fn without_a_table_a_second_frame_is_refused_with_one_to_paste() {
+    let control = control::by_name("heidenhain").expect("a control");
+    let cl = format!("UNITS/MM\n{FIRST}{SECOND}FINI\n");
+    let alone = config::<SpinnerU5620>(control, "auto", KEYS);
+    let (line, text) = posted::<SpinnerU5620>(&alone, control, &cl).expect_err("a second frame");
+    assert!(line == 16 && text.contains("[set_ups.2]") && text.contains("--frames main"), "line {line}: {text}");
+}
