@@ -14,6 +14,7 @@
 //! | `pocket` | NX: circles in both senses, a helix, a curve, deep holes, GOHOME |
 //! | `plate` | Creo in inches: circles, a list of points, GODLTA, chip breaking |
 //! | `nest` | SolidWorks CAM: full circles, two CSYS, INSERT as a comment |
+//! | `mixed` | a whole job in mode `auto`: two set-ups, vertical, tilted and simultaneous operations |
 //! | `works`, `works_4axis` | arcs, a helix, 3+2, every cycle, simultaneous motion, a rewind, a thread, stops; in each mode |
 //! | `pads` | a set-up with tool lengths, part origin, retract along the axis, limits, parking |
 
@@ -73,13 +74,17 @@ const MODES: &[(&str, &[&str], &str)] = &[
     ("auto", &["linuxcnc", "fanuc", "siemens", "heidenhain", "haas"], "1..5"),
 ];
 
+/// A whole job: two set-ups, four tools, holes and threads, tilted faces with arcs and cutter compensation, a blade with a
+/// rewind.
+const MIXED: (&str, &str) = ("tests/data/mixed/mixed.cls", "tests/data/mixed/mixed.toml");
+
 /// One golden program.
 struct Golden {
     cl: &'static str,
     config: Option<&'static str>,
     machine: &'static str,
     control: &'static str,
-    /// Mode and operations where they are not the default.
+    /// Mode, where it is not `axes`, and operations, if not all.
     mode: Option<(&'static str, &'static str)>,
 }
 
@@ -96,8 +101,11 @@ impl Golden {
     }
 
     fn posted(&self) -> String {
-        let mode =
-            self.mode.map_or(vec!["--mode", "axes"], |(mode, operations)| vec!["--mode", mode, "--ops", operations]);
+        let mode = match self.mode {
+            None => vec!["--mode", "axes"],
+            Some((mode, "")) => vec!["--mode", mode],
+            Some((mode, operations)) => vec!["--mode", mode, "--ops", operations],
+        };
         posted_with(&mode, self.control, self.cl, self.config, self.machine)
     }
 }
@@ -118,7 +126,18 @@ fn goldens() -> Vec<Golden> {
             controls.iter().map(move |&control| Golden { cl, config, machine, control, mode })
         })
     });
-    linuxcnc.chain(others).chain(works).collect()
+    let mixed = ["spinner-u5-620", "dmu-70e"].into_iter().flat_map(|machine| {
+        let (cl, config) = MIXED;
+        let posted = move |&control: &&'static str| Golden {
+            cl,
+            config: Some(config),
+            machine,
+            control,
+            mode: Some(("auto", "")),
+        };
+        ["linuxcnc", "fanuc", "siemens", "heidenhain", "haas"].iter().map(posted)
+    });
+    linuxcnc.chain(others).chain(works).chain(mixed).collect()
 }
 
 fn posted(cl: &str, config: Option<&str>, machine: &str) -> String {

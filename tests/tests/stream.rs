@@ -8,7 +8,6 @@ use std::io::Cursor;
 use std::path::Path;
 
 use machines::{Dmu70e, LolaXoyzba, MultiProDesk, SpinnerU5620};
-use nalgebra::Vector3;
 use pp_runtime::check::read::{Action, State};
 use pp_runtime::check::{Checked, ExecutedBlock, check_observed};
 use pp_runtime::config::{Config, Mode, Operations, starting_point};
@@ -128,7 +127,7 @@ fn posed<M: Machine>(golden: &Golden) -> usize {
     let mut machine = config.set_up.machine::<M>().expect("a valid machine");
     let mut compared = 0;
     golden.observed::<M>(&golden.program, |executed| {
-        machine.set_up(Vector3::from(config.set_up.part_origin), golden.length_mm(&config, executed.block.state.tool));
+        machine.set_up(executed.part_origin(), golden.length_mm(&config, executed.block.state.tool));
         let oracle = Oracle::of(&machine);
         for leg in executed.legs() {
             for share in [0.0, 0.3, 1.0] {

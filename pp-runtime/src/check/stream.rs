@@ -63,6 +63,12 @@ impl<'b> ExecutedBlock<'b> {
         Self { block, before, record, findings, from, known, rules }
     }
 
+    /// Position of the part zero from the reference point of the table in the set-up of the block, mm.
+    #[must_use]
+    pub fn part_origin(&self) -> Vector3<f64> {
+        self.rules.words().part_origin()
+    }
+
     /// The parts of the block, in order; none where nothing moves, where the start is unknown, and for machine coordinates.
     ///
     /// A cycle has its rapid over the hole and down to the clearance level, the feed to the bottom, and the way out; its

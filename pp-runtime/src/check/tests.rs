@@ -126,6 +126,22 @@ GOTO/107.909,45.614,-12.644,0.000000,0.032708,0.999465
     assert_eq!(program.matches("CP IPA").count(), 7, "{program}");
 }
 
+/// On a steep helix the point nearest to the end of a block lies between those of its angle and of its height.
+#[test]
+fn a_steep_helix_may_end_where_rounding_puts_it() {
+    let data = "UNITS/MM
+LOADTL/4,LENGTH,100
+FEDRAT/MMPM,2482.974
+GOTO/-17.177,-49.893,13.775
+CIRCLE/-16.106,-52.112,16.654,0.0000000,0.0000000,-1.0000000,2.464
+GOTO/-16.164,-49.649,16.654
+";
+    let program = posted_right::<OneTable>("haas", Mode::Axes, "retract = { distance = 95.0 }", data);
+    assert_eq!(program.matches("Z15.215").count(), 1, "{program}");
+    let higher = program.replace("Z15.215", "Z15.235");
+    assert_told::<OneTable>("haas", Mode::Axes, "retract = { distance = 95.0 }", data, &higher);
+}
+
 /// A turn that ends a little behind its beginning is a whole turn and a step of one unit.
 #[test]
 fn the_rest_of_a_turn_belongs_to_it_although_a_wait_stands_behind() {

@@ -82,12 +82,12 @@ impl ArcPath {
         angle / self.angle
     }
 
-    /// The share whose angle is that of a point, in the turn that a share says: rounding of ends and centre may have
-    /// made an arc longer or shorter.
+    /// The share nearest to a point in the turn that a share says: rounding of ends and centre may have made an arc longer
+    /// or shorter.
     pub(crate) fn share_near(&self, point: &Vector3<f64>, share: f64) -> f64 {
         let angle = self.angle_of(point);
         let turns = ((share * self.angle - angle) / TAU).round();
-        (angle + turns * TAU) / self.angle
+        self.foot(point, (angle + turns * TAU) / self.angle)
     }
 
     /// Where a point stands about the normal, from the start.

@@ -167,6 +167,11 @@ impl Words {
         self.moved_mm = self.along(&(origin - self.first_origin));
     }
 
+    /// Position of the part zero from the reference point of the table, mm.
+    pub(crate) fn part_origin(&self) -> Vector3<f64> {
+        self.part_origin
+    }
+
     /// Axis values for words, mm and rad.
     pub(crate) fn values(&self, words: &[f64; MAX_AXES]) -> [f64; MAX_AXES] {
         let length = if self.gauge_line { self.gauge_length_mm } else { 0.0 };

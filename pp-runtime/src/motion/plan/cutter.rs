@@ -271,6 +271,12 @@ pub(crate) fn arc<'a, S: Sink>(
     Ok(())
 }
 
+/// Largest angle between the tool axis and Z of a tilted plane by the rounding of its three angles, rad.
+fn plane_lean<S: Sink>(planner: &Planner<'_, S>) -> f64 {
+    let plane = planner.abilities.plane.filter(|_| planner.mover.placer().mode() == StretchMode::Plane);
+    plane.map_or(0.0, |plane| 1.5 * 10_f64.powi(-plane.decimals.cast_signed()).to_radians())
+}
+
 /// A motion in program coordinates, mm; refused where the tool axis is not Z of the program.
 fn in_program<S: Sink>(planner: &Planner<'_, S>, from: &AxisPosition, motion: &Move) -> Result<Vector3<f64>, Fault> {
     let tilted = || {
@@ -279,7 +285,7 @@ fn in_program<S: Sink>(planner: &Planner<'_, S>, from: &AxisPosition, motion: &M
     };
     let (_, map) = planner.mover.placer().orthogonal_map(from).ok_or_else(tilted)?;
     let along = map * motion.pose.axis.into_inner();
-    if along.z < 0.0 || along.x.hypot(along.y) > SAME_AXIS {
+    if along.z < 0.0 || along.x.hypot(along.y) > SAME_AXIS + plane_lean(planner) {
         return Err(tilted());
     }
     Ok(map * (motion.pose.tip - from.pose.tip))
