@@ -35,10 +35,13 @@ fn rotaries(machine: &dyn AnyMachine, side: Side) -> impl Iterator<Item = &'stat
     machine.axes().iter().filter(move |axis| axis.kind == AxisKind::Rotary && !axis.held && axis.side == side)
 }
 
-/// Name of the work offset, as the control writes it.
+/// Name of the work offset of the first set-up, as the control writes it.
 pub(crate) fn work_offset(control: &dyn Control, config: &Config) -> String {
-    let word = &config.set_up.work_offset;
-    let spelled = control.work_offset(word).unwrap_or_else(|| word.clone());
+    offset_name(control, &config.set_up.work_offset)
+}
+
+fn offset_name(control: &dyn Control, word: &str) -> String {
+    let spelled = control.work_offset(word).unwrap_or_else(|| word.to_owned());
     format!("{}{spelled}", control.spellings().offset_title)
 }
 
@@ -107,7 +110,7 @@ pub(crate) fn assumptions(
 }
 
 /// Settings of the set-up that differ from the plain case, one sentence each.
-pub(crate) fn set_up(config: &Config, survey: &Survey) -> Vec<String> {
+pub(crate) fn set_up(control: &dyn Control, config: &Config, survey: &Survey) -> Vec<String> {
     let mut list = Vec::new();
     if let Some(Ok(selected)) = &survey.selected {
         let (first, last, all) = (selected.start(), selected.end(), survey.operations);
@@ -124,7 +127,7 @@ pub(crate) fn set_up(config: &Config, survey: &Survey) -> Vec<String> {
                 format!("frame {} of the CL data", frames.join(", "))
             }
         };
-        let offset = further.work_offset.as_deref().unwrap_or_default();
+        let offset = offset_name(control, further.work_offset.as_deref().unwrap_or_default());
         let [x, y, z] = further.part_origin;
         let mut line = format!("set-up {number}, {begins}: work offset {offset}, part origin X{x} Y{y} Z{z} mm");
         let [rx, ry, rz] = further.part_angles();
@@ -160,7 +163,9 @@ pub(crate) fn set_up(config: &Config, survey: &Survey) -> Vec<String> {
 /// Required rotary entries of the work offset: those of the table always, those of the head only where `rotary_offset`
 /// is used.
 fn rotary_entries(machine: &dyn AnyMachine, control: &dyn Control, config: &Config) -> Vec<String> {
-    let entries_of = work_offset(control, config);
+    let offsets: Vec<String> =
+        config.set_up.clampings().map(|(_, part)| offset_name(control, part.work_offset)).collect();
+    let entries_of = offsets.join(" and ");
     let used = !config.set_up.rotary_offset.is_empty();
     let mut letters: Vec<char> = rotaries(machine, Side::Workpiece).map(|axis| axis.letter).collect();
     letters.extend(rotaries(machine, Side::Tool).filter(|_| used).map(|axis| axis.letter));
@@ -273,7 +278,7 @@ impl Header<'_> {
         if shown && config.set_up.stock.is_none() {
             lines.push("BLANK is the box around all cuts, without [stock] in the configuration".to_owned());
         }
-        lines.extend(set_up(config, self.survey));
+        lines.extend(set_up(self.job.control, config, self.survey));
         lines.extend(config.motion.compensation.map(|path| match path {
             CutterPath::Centre => {
                 let abilities = control::abilities(self.job.control, config.demands());

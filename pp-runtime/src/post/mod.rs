@@ -120,7 +120,7 @@ impl Report {
             tools: survey.tools.iter().map(|tool| tool.call.number).collect(),
             lines: survey.file.lines,
             stretches: survey.stretches,
-            set_up: header::set_up(job.config, survey),
+            set_up: header::set_up(job.control, job.config, survey),
             reading: header::reading(job.config, survey),
             assumptions: header::assumptions(machine, job.control, job.config, survey),
             ..Self::default()

@@ -219,6 +219,8 @@ struct Surveyor {
     stretch: u64,
     cuts: bool,
     turning: bool,
+    /// In the first set-up: the blank is in its coordinates.
+    first_set_up: bool,
     /// Number of feed motions.
     feeds: u64,
     /// Number of feed motions with the tool axis pointing down.
@@ -241,6 +243,7 @@ impl Surveyor {
             stretch: 0,
             cuts: false,
             turning: false,
+            first_set_up: true,
             feeds: 0,
             feeds_down: 0,
         }
@@ -287,6 +290,7 @@ impl Surveyor {
             Event::Operation(name) => self.selection.name(name),
             Event::Tool(call) => self.call_tool(at, call),
             Event::Spindle(Spindle::On { .. }) => self.spindle = true,
+            Event::SetUp(number) => self.first_set_up = number == 1,
             Event::Compensation(asked) => {
                 self.compensates = asked.side != CutterSide::Off;
                 self.note_compensation();
@@ -294,7 +298,6 @@ impl Surveyor {
             Event::Spindle(Spindle::Off)
             | Event::MachineName(_)
             | Event::SafeSequence
-            | Event::SetUp(_)
             | Event::Preselect(_)
             | Event::Coolant(_)
             | Event::From(_)
@@ -393,7 +396,7 @@ impl Surveyor {
             let tool = &mut self.survey.tools[index];
             let (low, high) = tool.tip_z_mm.unwrap_or((lowest[2], highest[2]));
             tool.tip_z_mm = Some((low.min(lowest[2]), high.max(highest[2])));
-            if cuts {
+            if cuts && self.first_set_up {
                 let [lower, upper] = tool.cuts_mm.get_or_insert([lowest, highest]);
                 for index in 0..3 {
                     (lower[index], upper[index]) = (lower[index].min(lowest[index]), upper[index].max(highest[index]));

@@ -1,6 +1,6 @@
 0 BEGIN PGM NONAME MM
 1 BLK FORM 0.1 Z X-40 Y-32.321 Z-20
-2 BLK FORM 0.2 X+40 Y+30.634 Z+28.284
+2 BLK FORM 0.2 X+40 Y+28 Z+28.284
 3 ; PROGRAM without name
 4 ; CL FILE mixed.cls
 5 ; MACHINE Dmu70e, CONTROL Heidenhain TNC, MODE auto (plane, tcp)
@@ -9,7 +9,7 @@
 8 ; PROGRAMMED POINT tool tip
 9 ; TOLERANCE 0.01 for arcs and curves
 10 ; BLANK is the box around all cuts, without [stock] in the configuration
-11 ; set-up 2, frame 2 of the CL data: work offset G55, part origin X5 Y0 Z60 mm, part rotation 0, 0, 90 degrees
+11 ; set-up 2, frame 2 of the CL data: work offset datum row 2, part origin X5 Y0 Z60 mm, part rotation 0, 0, 90 degrees
 12 ; CUTTER COMPENSATION of the contour: D must hold the radius
 13 ; CL data of NX, recognised from the file
 14 ; 3 arcs, sense by form, confirmed by 3 of 3 neighbouring lines
@@ -25,7 +25,7 @@
 24 ; LINEAR WORDS in planes are tip coordinates in the tilted plane, from the same zero
 25 ; MODE plane: the master axis of SEQ must be the rotary axis nearest the tool
 26 ; linear limits not checked: no travel declared (X Y Z)
-27 ; the entries of C and B in datum row 1 must be zero
+27 ; the entries of C and B in datum row 1 and datum row 2 must be zero
 28 ; T1 drill 8 L120, 2 operations, tip Z -20 to 60
 29 ; T2 tap M8 L110, 1 operation, tip Z -15 to 60
 30 ; T3 end mill 10 D10 L100, 3 operations, tip Z 0 to 55.704

@@ -19,7 +19,7 @@
 (ROTARY WORDS are absolute and go beyond 360: the axes must not be wrapped [WRAPPED_ROTARY = 0])
 (linear limits not checked: no travel declared [X Y Z])
 (valid only for part origin X0 Y0 Z50 from the reference point of the table; do not touch off again)
-(the entries of C and B in G54 must be zero)
+(the entries of C and B in G54 and G55 must be zero)
 (T1 drill 8 L120 H1, 2 operations, tip Z -20 to 60)
 (T2 tap M8 L110 H2, 1 operation, tip Z -15 to 60)
 (T3 end mill 10 D10 L100 H3, 3 operations, tip Z 0 to 55.704)

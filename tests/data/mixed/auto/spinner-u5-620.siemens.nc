@@ -21,7 +21,7 @@
 ; LINEAR WORDS in planes are tip coordinates in the tilted plane, from the same zero
 ; MODE plane: the direction reference of the swivel data must be the rotary axis nearest the tool
 ; linear limits not checked: no travel declared (X Y Z)
-; the entries of C and B in G54 must be zero
+; the entries of C and B in G54 and G55 must be zero
 ; T1 drill 8 L120 D1, 2 operations, tip Z -20 to 60
 ; T2 tap M8 L110 D1, 1 operation, tip Z -15 to 60
 ; T3 end mill 10 D10 L100 D1, 3 operations, tip Z 0 to 55.704
