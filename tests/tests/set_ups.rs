@@ -163,6 +163,18 @@ fn the_travel_counts_from_where_the_part_is_clamped() {
 }
 
 #[test]
+fn a_set_up_that_does_not_begin_is_an_error() {
+    let control = control::by_name("haas").expect("a control");
+    let cl = format!("UNITS/MM\n{FIRST}FINI\n");
+    for (begins, text) in [("begins = \"OP21\"", "no operation is called `OP21`"), ("frames = [3]", "its frames")] {
+        let keys = format!("{KEYS}[set_ups.2]\nwork_offset = \"G55\"\n{begins}\n");
+        let (_, found) = posted::<SpinnerU5620>(&config::<SpinnerU5620>(control, "auto", &keys), control, &cl)
+            .expect_err("it does not begin");
+        assert!(found.contains("set-up 2 of the configuration does not begin") && found.contains(text), "{found}");
+    }
+}
+
+#[test]
 fn without_a_table_a_second_frame_is_refused_with_one_to_paste() {
     let control = control::by_name("heidenhain").expect("a control");
     let cl = format!("UNITS/MM\n{FIRST}{SECOND}FINI\n");

@@ -18,6 +18,7 @@ use crate::motion::{
     StretchModes, extent, hole_extent,
 };
 use crate::program::{CutterSide, Event, Location, Spindle, ToolCall, Units};
+use crate::set_up::FurtherSetUp;
 
 /// Largest number of different tools of a program; bounds the memory and the header.
 const MOST_TOOLS: usize = 1000;
@@ -103,6 +104,8 @@ pub(crate) struct Survey {
     pub(crate) course: Course,
     /// In every feed motion the tool axis points down: the frame of the part is probably upside down.
     pub(crate) upside_down: bool,
+    /// Further set-ups that begin.
+    pub(crate) set_ups: BTreeSet<u32>,
     /// Mode of each stretch.
     pub(crate) modes: StretchModes,
     /// Numbers of the operations to be posted, `None` for all; a sentence if they do not exist.
@@ -159,6 +162,11 @@ impl Survey {
         let mut survey = Self { course, modes, file: FileFacts::of(&reader), ..pass.surveyor.finish() };
         let found = reader.diagnostics().iter().cloned();
         survey.diagnostics = found.chain(std::mem::take(&mut survey.diagnostics)).collect();
+        if survey.diagnostics.iter().all(|diagnostic| diagnostic.severity != Severity::Error) {
+            let end = Location { line: reader.lines().max(1), column: 1 };
+            let missing = policy.set_up.set_ups.iter().find(|(number, _)| !survey.set_ups.contains(number));
+            survey.diagnostics.extend(missing.map(|(&number, set_up)| set_up_missing(number, set_up, end)));
+        }
         let errors = survey.diagnostics.iter().filter(|diagnostic| diagnostic.severity == Severity::Error);
         survey.first_error = errors.map(|error| error.location).min();
         survey.tools.sort_by_key(|tool| tool.call.number);
@@ -290,7 +298,10 @@ impl Surveyor {
             Event::Operation(name) => self.selection.name(name),
             Event::Tool(call) => self.call_tool(at, call),
             Event::Spindle(Spindle::On { .. }) => self.spindle = true,
-            Event::SetUp(number) => self.first_set_up = number == 1,
+            Event::SetUp(number) => {
+                self.first_set_up = number == 1;
+                self.survey.set_ups.insert(number);
+            }
             Event::Compensation(asked) => {
                 self.compensates = asked.side != CutterSide::Off;
                 self.note_compensation();
@@ -404,6 +415,22 @@ impl Surveyor {
             }
             tool.spindle_assumed |= cuts && !self.spindle;
         }
+    }
+}
+
+/// The error that a set-up of the configuration does not begin: its frames would count as those of the first.
+fn set_up_missing(number: u32, set_up: &FurtherSetUp, location: Location) -> Diagnostic {
+    let begins = match &set_up.begins {
+        Some(name) => format!("no operation is called `{name}`"),
+        None => "the CL data does not state its frames".to_owned(),
+    };
+    Diagnostic {
+        severity: Severity::Error,
+        location,
+        length: 1,
+        count: 1,
+        text: format!("set-up {number} of the configuration does not begin: {begins}"),
+        help: Some("correct `begins` or `frames`, or remove the set-up".to_owned()),
     }
 }
 
