@@ -133,7 +133,9 @@ fn what_is_wrong_between_two_set_ups_is_found() {
     assert_ne!(offset, program);
     let stop = program.replacen("\nM0\n", "\n", 1);
     assert_ne!(stop, program);
-    for (what, edited) in [("the work offset of the first set-up", offset), ("no stop", stop)] {
+    let park = program.replacen("\nG0 C0\n", "\n", 1);
+    assert_ne!(park, program);
+    for (what, edited) in [("the work offset of the first set-up", offset), ("no stop", stop), ("not parked", park)] {
         assert!(!findings::<SpinnerU5620>(&config, control, &cl, &edited).is_empty(), "{what}");
     }
     // The second set-up with the origin, or the rotation, of the first.

@@ -129,7 +129,9 @@ impl<R: Read> Comparison<'_, R> {
         let position = self.rules.policy().links.retract_mm;
         let there = (block.values[index] - position).abs() <= 0.6 * self.rules.rounding().unit_mm;
         if block.written != 1 << index || !there {
-            if phase.is_retracted() && parking::moves_linear(&self.rules, block) {
+            let parks =
+                matches!(phase, Phase::Retracted(retracted) if retracted.parks) || self.progress.next().is_none();
+            if phase.is_retracted() && parks && parking::moves_linear(&self.rules, block) {
                 let spindle = self.spindle_may_be(block, phase.is_stopped());
                 let context = ModalContext { dry: true, ..ModalContext::default() };
                 let fault = self.rules.fault_at_retract(&block.state, false, spindle, context);
@@ -177,8 +179,23 @@ impl<R: Read> Comparison<'_, R> {
         if matches!(self.progress.next(), Some(ExpectedItem { action: ExpectedAction::Home, .. })) {
             self.progress.take();
             retracted.parks = true;
+            (self.home, self.parked) = (true, 0);
         }
         Ok(Some(Phase::Retracted(retracted)))
+    }
+
+    /// GOHOME is over: every axis with a parking position must be there.
+    fn is_parked(&mut self, current: &Current<'_>) {
+        if std::mem::take(&mut self.home) {
+            self.parking_positions(current);
+        }
+    }
+
+    fn parking_positions(&mut self, current: &Current<'_>) {
+        let missing: Vec<char> = parking::missing(&self.rules, self.parked, current.block).collect();
+        for letter in missing {
+            self.found(current, &format!("{letter} is not at its parking position"));
+        }
     }
 
     /// The cuts before the last retract do not go on: it was no rewind.
@@ -561,6 +578,7 @@ impl<R: Read> Comparison<'_, R> {
 
     pub(super) fn tool_change(&mut self, phase: &mut Phase, current: &Current<'_>) -> io::Result<Phase> {
         let tool = current.block.state.tool;
+        self.is_parked(current);
         if self.progress.next().is_none_or(|item| item.required.tool != tool) {
             self.find_again(phase, |item| item.required.tool == tool, current)?;
         }
@@ -649,6 +667,7 @@ impl<R: Read> Comparison<'_, R> {
             _ => self.found(current, "stop without STOP or OPSTOP in the CL data"),
         }
         self.cuts_have_ended(current);
+        self.is_parked(current);
         if phase.is_at_part() {
             let fault = self.functions.end_of_cuts(&self.rules);
             self.found_any(current, fault);
@@ -689,10 +708,7 @@ impl<R: Read> Comparison<'_, R> {
         }
         self.is_complete(phase, current);
         self.cuts_have_ended(current);
-        let missing: Vec<char> = parking::missing(&self.rules, self.parked, current.block).collect();
-        for letter in missing {
-            self.found(current, &format!("{letter} is not at its parking position"));
-        }
+        self.parking_positions(current);
         Ok(Phase::Ended)
     }
 }

@@ -55,6 +55,8 @@ struct Comparison<'a, R> {
     functions: FunctionState,
     /// Axes at their parking positions: bits.
     parked: u16,
+    /// GOHOME has begun, and the axes have to be parked.
+    home: bool,
 }
 
 /// Words and modes after the last block.
@@ -108,6 +110,7 @@ impl<'a, R: Read> Checker<'a, R> {
             start: StartState::default(),
             functions: FunctionState::default(),
             parked: 0,
+            home: false,
         };
         Self { comparison, phase: Phase::Unknown { stopped: false }, before: State::default() }
     }

@@ -125,6 +125,10 @@ impl Machine {
                 self.length(command)?;
             }
             Meaning::LengthWithTipControl(vectors) => {
+                // On Fanuc P states it in the same block, or else a parameter of the machine decides.
+                if !command.meanings.iter().any(|meaning| matches!(meaning, Meaning::Interpolation(_))) {
+                    self.state.interpolation = None;
+                }
                 self.length(command)?;
                 self.begin_tip_control(vectors);
             }

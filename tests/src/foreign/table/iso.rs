@@ -269,12 +269,13 @@ impl Reader<'_> {
             _ => None,
         });
         if begins.is_some() && self.options.control == Fanuc {
-            let path = match self.take('P').map(|number| whole(number.value)).transpose()? {
-                None | Some(0) => Interpolation::RotaryAxes,
-                Some(1) => Interpolation::Vector,
+            match self.take('P').map(|number| whole(number.value)).transpose()? {
+                // A parameter of the machine decides.
+                None => {}
+                Some(0) => self.command.code(Meaning::Interpolation(Interpolation::RotaryAxes))?,
+                Some(1) => self.command.code(Meaning::Interpolation(Interpolation::Vector))?,
                 Some(_) => return Err("a form of tip control that is unknown here".to_owned()),
-            };
-            self.command.code(Meaning::Interpolation(path))?;
+            }
         }
         let ends = self.command.has(Meaning::LengthOff) || self.command.has(Meaning::LengthOn);
         let vectors = matches!(self.state.tip_control, Some(TipControl::On { vectors: true, .. })) && !ends;
