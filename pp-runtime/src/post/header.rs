@@ -267,7 +267,7 @@ impl Header<'_> {
                 "MACHINE {}, CONTROL {}, MODE {}",
                 self.machine.name(),
                 self.job.control.spellings().title,
-                self.modes()
+                modes(config, self.survey)
             ),
             format!("UNITS {}, WORK OFFSET {}", self.units.name(), work_offset(self.job.control, config)),
             format!("PART ORIGIN {} from the reference point of the table", self.point(config.set_up.part_origin)),
@@ -307,16 +307,6 @@ impl Header<'_> {
             encoder.comment(line.as_bytes())?;
         }
         encoder.start()
-    }
-
-    /// The mode of the configuration, and those of the stretches where it is chosen for each.
-    fn modes(&self) -> String {
-        let mode = self.job.config.motion.mode;
-        let used: Vec<&str> = self.survey.modes.used().map(StretchMode::name).collect();
-        match mode.of_all() {
-            Some(_) => mode.name().to_owned(),
-            None => format!("{} ({})", mode.name(), used.join(", ")),
-        }
     }
 
     /// Whether rotary axes move in cuts.
@@ -492,6 +482,16 @@ impl Header<'_> {
             lines.push(format!("T{number} posted with L = {length}: {who}"));
         }
         lines
+    }
+}
+
+/// The mode of the configuration, and those of the stretches where it is chosen for each.
+pub(crate) fn modes(config: &Config, survey: &Survey) -> String {
+    let mode = config.motion.mode;
+    let used: Vec<&str> = survey.modes.used().map(StretchMode::name).collect();
+    match mode.of_all() {
+        Some(_) => mode.name().to_owned(),
+        None => format!("{} ({})", mode.name(), used.join(", ")),
     }
 }
 

@@ -88,6 +88,8 @@ pub struct Report {
     pub lines: u64,
     /// Number of stretches in which the tool axis is held, and in which it turns.
     pub stretches: Stretches,
+    /// Mode of the words, and those of the stretches in mode `auto`.
+    pub modes: String,
     /// Settings of the set-up that differ from the plain case, one sentence each.
     pub set_up: Vec<String>,
     /// How the CL data was read: CAM system, arcs, frames, words that were ignored. One sentence each.
@@ -120,6 +122,7 @@ impl Report {
             tools: survey.tools.iter().map(|tool| tool.call.number).collect(),
             lines: survey.file.lines,
             stretches: survey.stretches,
+            modes: header::modes(job.config, survey),
             set_up: header::set_up(job.control, job.config, survey),
             reading: header::reading(job.config, survey),
             assumptions: header::assumptions(machine, job.control, job.config, survey),
@@ -156,7 +159,7 @@ impl Report {
         lines.extend(self.set_up.iter().cloned());
         lines.extend(self.reading.iter().cloned());
         lines.extend((!self.course.is_empty()).then(|| self.course.clone()));
-        lines.extend((!self.course.is_empty()).then(|| self.stretches.summary()));
+        lines.extend((!self.course.is_empty()).then(|| format!("{}; mode {}", self.stretches.summary(), self.modes)));
         lines.extend(self.assumptions.iter().map(|assumption| format!("assumed: {assumption}")));
         lines.extend(self.unchecked.iter().cloned());
         if self.statistics.deviations > 0 {
