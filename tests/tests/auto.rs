@@ -222,8 +222,10 @@ fn vertical_operations_are_at_zero() {
             let after_tilted = |operation: &str| angles("", &(tilted.to_owned() + operation));
             let [first, second] = after_tilted(&vertical)[..] else { panic!("two positions") };
             assert!((first.abs() - 90.0).abs() < 1e-3 && second.abs() < 1e-9, "{mode} {control}: {first} {second}");
-            let previous = angles("course = { singular = \"previous\" }", &(tilted.to_owned() + &vertical));
-            assert_eq!(previous.last(), previous.first(), "{mode} {control}");
+            for keys in ["singular = \"previous\"", "singular = \"shortest\""] {
+                let previous = angles(keys, &(tilted.to_owned() + &vertical));
+                assert_eq!(previous.last(), previous.first(), "{mode} {control} {keys}");
+            }
             let [.., begin] = after_tilted(tilting)[..] else { panic!("a position") };
             assert!((begin.abs() - 90.0).abs() < 1e-3, "{mode} {control}: {begin}");
         }

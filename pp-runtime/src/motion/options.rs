@@ -59,6 +59,11 @@ options! {
         /// Mode "auto": largest number of tool axes of an operation of fixed tool axes without holes, arcs and cutter
         /// compensation that gets a plane for each; one of more is written under tip control.
         auto_planes: u32 = 8, key("auto_planes", Whole(1..=MOST_PLANES));
+        /// Angle of the first rotary axis where the tool axis is parallel to it in all cuts from one motion in the air to
+        /// the next (vertical operations of a machine with a C table): "zero", so that X and Y are read as on the drawing, or
+        /// the "previous" one, which is also the "shortest" travel. A cut that rotates the tool axis away from there decides
+        /// the angle itself.
+        singular: Singular = Singular::Zero, key("singular", OneOf(&Singular::NAMES));
         /// Tip control, in mode `tcp`.
         tip: TipOptions = TipOptions::default(), keys();
         /// Motion between cuts.
@@ -106,10 +111,6 @@ options! {
         ///
         /// `true`: at or above zero.
         prefer: Option<(char, bool)> = None, key("course.prefer", Preference);
-        /// Angle of the first rotary axis where the tool axis is parallel to it in all cuts from one motion in the air to
-        /// the next (vertical operations of a machine with a C table): "zero", so that X and Y are read as on the drawing,
-        /// or the "previous" one. A cut that rotates the tool axis away from there decides the angle itself.
-        singular: Singular = Singular::Zero, key("course.singular", OneOf(&Singular::NAMES));
         /// Choose motion by motion, without look-ahead.
         greedy: bool = false, key("course.greedy", YesNo);
         /// Within this angle of the direction that leaves the first rotary axis free, the tool axis is moved to that
@@ -148,10 +149,13 @@ pub enum Singular {
     Zero,
     /// The one in which it is.
     Previous,
+    /// The one with the least travel. That is the previous one: a free axis that rotates early rotates no less.
+    Shortest,
 }
 
 impl Singular {
-    const NAMES: [(&'static str, Self); 2] = [("zero", Self::Zero), ("previous", Self::Previous)];
+    const NAMES: [(&'static str, Self); 3] =
+        [("zero", Self::Zero), ("previous", Self::Previous), ("shortest", Self::Shortest)];
 }
 
 /// Names of the branches.

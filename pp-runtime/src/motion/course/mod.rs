@@ -156,9 +156,9 @@ impl Navigator {
     #[must_use]
     pub fn new(machine: Box<dyn AnyMachine>, policy: Policy<'_>) -> Self {
         let placer = Placer::new(machine, policy, Units::Millimetres);
-        let zeroed = match policy.options.course.singular {
+        let zeroed = match policy.options.singular {
             Singular::Zero => placer.rotaries().first().filter(|_| placer.rotaries().len() == 2).copied(),
-            Singular::Previous => None,
+            Singular::Previous | Singular::Shortest => None,
         };
         let run = |greedy| SearchRun { search: CourseSearch::new(placer.metric(), zeroed, greedy), ended: false };
         Self {
