@@ -121,19 +121,12 @@ enum Content {
     Rotating,
 }
 
-/// Whether tip control and planes can be used.
-#[derive(Debug, Clone, Copy)]
-struct Usable {
-    tip: bool,
-    plane: bool,
-}
-
 /// Chooses the modes in the first pass.
 #[derive(Debug)]
 pub struct ModeFinder {
     modes: StretchModes,
-    /// Whether tip control and planes can be used; `None` where nothing is to be chosen.
-    usable: Option<Usable>,
+    /// Modes to choose among; `None` where nothing is to be chosen.
+    usable: Option<UsableModes>,
     most_planes: usize,
     operation: OperationContent,
     /// Number of the present stretch, and its content.
@@ -180,7 +173,7 @@ impl ModeFinder {
         let mode = policy.options.mode;
         Self {
             modes: StretchModes { runs: mode.of_all().map(|mode| (0, mode)).into_iter().collect() },
-            usable: (mode == Mode::Auto).then_some(Usable { tip: usable.tip, plane: usable.plane }),
+            usable: (mode == Mode::Auto).then(|| usable.clone()),
             most_planes: policy.options.auto_planes as usize,
             operation: OperationContent::default(),
             stretch: (0, Content::Rapids),
@@ -245,7 +238,7 @@ impl ModeFinder {
     /// Chooses the modes of the stretches of the operation that has ended.
     fn end_operation(&mut self) {
         let operation = std::mem::take(&mut self.operation);
-        let Some(usable) = self.usable else { return };
+        let Some(usable) = &self.usable else { return };
         let or_axes = |usable: bool, mode: StretchMode| if usable { mode } else { StretchMode::Axes };
         let (tip, plane) = (or_axes(usable.tip, StretchMode::Tcp), or_axes(usable.plane, StretchMode::Plane));
         let rotates = operation.has(Content::Rotating);

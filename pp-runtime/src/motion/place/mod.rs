@@ -273,8 +273,8 @@ impl Placer {
         self.linear.mask
     }
 
-    /// Whether every rotary axis is at zero, or whole turns from it, and Z is the retract axis: words without a plane are those of a plane that is
-    /// not tilted.
+    /// Whether every rotary axis is at zero, or whole turns from it, and Z is the retract axis: words without a plane
+    /// are those of a plane that is not tilted.
     pub(crate) fn is_plain(&self, place: &AxisPosition) -> bool {
         let mut rotary = self.rotary.axes.iter();
         rotary.all(|axis| place.words[axis.index] % self.rotary.scale.units_per_turn == 0)

@@ -1,18 +1,18 @@
 //! Travel of the linear axes, compared after rounding.
 //!
 //! Limits are machine coordinates: `M = machine_zero + q + g`, where `q` is the axis value and `g` the share of the
-//! gauge length along the axis; in a further set-up `q` counts from the part zero of the first. Without `machine_zero` only the span of `q + g` over the program is compared with the
-//! travel.
+//! gauge length along the axis; in a further set-up `q` counts from the part zero of the first. Without `machine_zero`
+//! only the span of `q + g` over the program is compared with the travel.
 
-use crate::kinematics::{AnyMachine, AxisKind, Limits, Side};
 use nalgebra::Vector3;
 
+use crate::kinematics::{AnyMachine, AxisKind, Limits, Side};
+use crate::motion::fault::Fault;
 use crate::motion::options::Policy;
 use crate::motion::step::MAX_AXES;
 
 use super::chain::rotaries;
 use super::datum::along_axes;
-use crate::motion::fault::Fault;
 
 /// Allowance for the noise of floating-point sums, so that limits remain inclusive.
 const NOISE_MM: f64 = 1e-6;
