@@ -207,6 +207,7 @@ fn state_difference(block: &Block, executed: &Executed, unit: f64, supplies: u8)
         (tilt, "tilted plane"),
         (feed, "F"),
         (tip, "tip control"),
+        (one.dynamic_offset == other.dynamic_offset, "dynamic work offset"),
     ];
     checks.into_iter().find(|(same, _)| !same).map(|(_, what)| format!("different {what}"))
 }

@@ -51,6 +51,18 @@ pub fn part_and_mode(golden: &Path) -> (&Path, Mode) {
     }
 }
 
+/// Configuration with which a golden program was posted; its folder is that of the part, or of a mode in it.
+///
+/// # Panics
+/// If the path is not that of a golden program.
+#[must_use]
+pub fn config_of(path: &Path, machine: &str) -> (String, Mode) {
+    let (part, mode) = part_and_mode(path);
+    let name = part.file_name().expect("a name").to_string_lossy().into_owned();
+    let name = if name == "works" && machine != "lola-xoyzba" { "table".to_owned() } else { name };
+    (fs::read_to_string(part.join(format!("{name}.toml"))).unwrap_or_default(), mode)
+}
+
 /// A command that runs the binary of a machine. The first call builds all binaries that are out of date.
 ///
 /// # Panics

@@ -372,6 +372,23 @@ attacks! {
     the_work_offset_after_traori_is_required: [
         (&["siemens"], &[Tcp], "", &[(Text("TRAORI", 0), DeleteEvery("G54"))]),
     ];
+    the_way_over_the_approach_point_of_tip_control_is_required: [
+        (&["fanuc"], &[Tcp], "", &[
+            (Text("G53.1", 0), Delete(2)), (Text("G53.1", 0), Delete(1)), (Text("G68.2", 0), Delete(2)), (Text("G68.2", 0), Delete(4)),
+            (Text("G43.4", 0), DeleteWithBefore), (Text("G43.4", 0), Replace("G0 ", "G0 A0. B0. C0. ")),
+        ]),
+        (&["haas"], &[Tcp], "", &[
+            (Text("G254", 0), Delete(1)), (Text("G254", 0), Delete(2)), (Text("G255", 2), Delete(1)), (Text("G254", 0), Delete(3)),
+        ]),
+        (&["siemens"], &[Tcp], "", &[
+            (Text("CYCLE800(0", 0), Delete(1)), (Text("CYCLE800(0", 0), Delete(2)), (Text("CYCLE800(0", 0), Delete(3)),
+            (Text("TRAORI", 0), Delete(1)),
+        ]),
+        (HEIDENHAIN, &[Tcp], "", &[(Text("PLANE SPATIAL", 0), Delete(1)), (Text("PLANE SPATIAL", 0), Delete(2))]),
+    ];
+    tip_control_is_ended_in_the_block_of_the_retract: [
+        (&["fanuc", "haas"], &[Tcp], "", &[(Text("G49 G53", 1), Replace("G49 ", ""))]),
+    ];
     the_dwell_after_spindle_start_is_required: [
         (&["linuxcnc", "fanuc", "haas", "siemens"], ALL, "spindle_dwell = 2.0\n", &[(Dwell, Delete(1))]),
         (HEIDENHAIN, ALL, "spindle_dwell = 2.0\n", &[(Dwell, DeleteWithBefore)]),

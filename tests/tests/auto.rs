@@ -79,14 +79,21 @@ fn posted_in<M: Machine>(mode: &str, control: &str, keys: &str, operation: &str)
     Ok(text)
 }
 
-/// Frames that a Heidenhain program switches on: `P` plane, `T` tip control.
+/// Frames in which a Heidenhain program goes down: `P` plane, `T` tip control. A plane in which X and Y come over the approach
+/// point of tip control is not one of them.
 fn frames(program: &str) -> String {
-    let frame = |line: &str| match line {
-        _ if line.contains("PLANE SPATIAL") => Some('P'),
-        _ if line.contains("FUNCTION TCPM F") => Some('T'),
-        _ => None,
-    };
-    program.lines().filter_map(frame).collect()
+    let (mut frames, mut tilted) = (String::new(), false);
+    for line in program.lines() {
+        if line.contains("PLANE SPATIAL") || line.contains("PLANE RESET") {
+            tilted = line.contains("PLANE SPATIAL");
+        } else if line.contains("FUNCTION TCPM F") {
+            frames.push('T');
+        } else if tilted && line.contains(" Z") {
+            frames.push('P');
+            tilted = false;
+        }
+    }
+    frames
 }
 
 #[test]

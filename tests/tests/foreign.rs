@@ -7,11 +7,11 @@ use std::fs;
 use std::path::Path;
 
 use machines::{Dmu70e, LolaXoyzba, MultiProDesk, SpinnerU5620};
-use pp_runtime::config::{Mode, starting_point};
+use pp_runtime::config::starting_point;
 use pp_runtime::control;
 use pp_runtime::kinematics::Machine;
 use tests::agreement::{self, Compared};
-use tests::binaries::{golden_programs, part_and_mode};
+use tests::binaries::{config_of, golden_programs};
 use tests::foreign::{Control, Effect, Options, Trace, run};
 
 /// Machine and control in the name of a golden program.
@@ -26,14 +26,6 @@ fn traced(path: &Path) -> (String, Trace) {
     let (_, control) = names(path);
     let trace = run(&text, &Options::of(control)).unwrap_or_else(|refused| panic!("{}: {refused}", path.display()));
     (text, trace)
-}
-
-/// Configuration with which a golden program was posted; its folder is that of the part, or of a mode in it.
-fn config_of(path: &Path, machine: &str) -> (String, Mode) {
-    let (part, mode) = part_and_mode(path);
-    let name = part.file_name().expect("a name").to_string_lossy().into_owned();
-    let name = if name == "works" && machine != "lola-xoyzba" { "table".to_owned() } else { name };
-    (fs::read_to_string(part.join(format!("{name}.toml"))).unwrap_or_default(), mode)
 }
 
 /// Compares every motion of a program and returns their number.

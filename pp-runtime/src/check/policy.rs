@@ -256,6 +256,8 @@ pub struct ShopBlocks {
     pub length_guard_mm: Option<f64>,
     /// The guard is needed only where words are positions of axes that have rotated.
     pub guards_rotated_axes_only: bool,
+    /// Such words lead to tip control as well.
+    pub guards_tip_control: bool,
     /// Smoothing in cuts.
     pub smoothing: Option<SmoothingLevel>,
     /// Tolerance of smoothing for rotary axes, where the program states it.

@@ -226,7 +226,10 @@ RAPID
 GOTO/103.88313,19.35737,22.15070
 ";
     let program = posted_right::<Tables>("haas", Mode::Tcp, set_up, data);
-    assert!(program.contains("M09\nG00 X103.825 Y19.224 Z16.575\nG49\n"), "{program}");
+    assert!(program.contains("M09\nG00 X103.825 Y19.224 Z16.575\nG49 G53"), "{program}");
+    // Alone, G49 may move the tool by its length.
+    let alone = program.replace("Z16.575\nG49 G53", "Z16.575\nG49\nG53");
+    assert_told::<Tables>("haas", Mode::Tcp, set_up, data, &alone);
 }
 
 /// At the pole the tool axis is at its end to the digits of the CL data while the table has some of its turn left.
@@ -273,7 +276,7 @@ GOTO/-20.726,47.908,-27.552
 GOTO/-10.032,64.619,5.538
 ";
     let program = posted_right::<HeadTable>("heidenhain", Mode::Tcp, "", data);
-    assert!(program.contains("Z-25.34\n48 L X-28.937 Y+48.782 R0 FMAX\n"), "{program}");
+    assert!(program.contains("Z-25.34\n49 L X-28.937 Y+48.782 R0 FMAX\n"), "{program}");
 }
 
 /// RETRCT ends in the clearance plane; seen from the rounded place 0.4 µm below it that plane is 2.9 µm away along the tool.

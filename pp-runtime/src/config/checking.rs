@@ -66,7 +66,7 @@ impl Config {
                 Operations::Range(first, last) => OperationSelection::Range(*first, *last),
                 Operations::From(name) => OperationSelection::From(name.clone()),
             }),
-            shop: self.shop_blocks(machine),
+            shop: self.shop_blocks(machine, control::abilities(control, self.demands()).enters_tip_control_by_axes()),
         })
     }
 
@@ -172,20 +172,24 @@ impl Config {
         }
     }
 
-    fn shop_blocks(&self, machine: &dyn AnyMachine) -> ShopBlocks {
+    fn shop_blocks(&self, machine: &dyn AnyMachine, enters_by_axes: bool) -> ShopBlocks {
         let control = &self.control;
         let rotary_head =
             machine.axes().iter().any(|axis| axis.kind == AxisKind::Rotary && !axis.held && axis.side == Side::Tool);
-        // Without tip control or tilted plane a rotary axis in the head makes the words depend on the length.
-        let guarded = self
-            .motion
-            .guards
-            .length_guard
-            .unwrap_or(rotary_head && matches!(self.motion.mode, Mode::Auto | Mode::Axes));
+        // A rotary axis in the head makes axis positions depend on the length.
+        let guarded = self.motion.guards.length_guard.unwrap_or(
+            rotary_head
+                && match self.motion.mode {
+                    Mode::Auto | Mode::Axes => true,
+                    Mode::Tcp => enters_by_axes,
+                    Mode::Plane => false,
+                },
+        );
         ShopBlocks {
             own_safety: control.safety.is_some(),
             length_guard_mm: (guarded && self.set_up.length_mode == LengthMode::Tip)
                 .then_some(self.motion.guards.length_tolerance_mm),
+            guards_tip_control: enters_by_axes,
             guards_rotated_axes_only: self.motion.guards.length_guard.is_none() && self.motion.mode == Mode::Auto,
             smoothing: match control.smoothing {
                 Smoothing::None => None,

@@ -3,13 +3,15 @@
 
 use crate::kinematics::{AnyMachine, Axis, AxisKind, Side};
 use crate::motion::{
-    self, Abilities, CutterRadius, CycleAbilities, Mode, PathNorm, PlaneAbility, Registers, TipAbility, UsableModes,
+    self, Abilities, CutterRadius, CycleAbilities, Mode, PathNorm, PlaneAbility, Registers, TipAbility, TipStart,
+    UsableModes,
 };
 use crate::program::{Coolant, Pressure, Units};
 use crate::set_up::LengthMode;
 
 use super::dialects::{
-    ArcCentre, Control, CycleCodes, CycleForm, LengthCall, RadiusGuard, Spellings, ThreadCodes, coolant_index,
+    ArcCentre, Control, CycleCodes, CycleForm, LengthCall, RadiusGuard, Spellings, ThreadCodes, TipControlCodes,
+    coolant_index,
 };
 use super::options::{ControlFunction, Demands, Smoothing};
 
@@ -92,6 +94,11 @@ fn unsupported(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
     let known = [
         (ControlFunction::TipControl, "tip_control", codes.tip.is_some() || options.tip_control.is_some()),
         (ControlFunction::Planes, "planes", codes.plane.is_some()),
+        (
+            ControlFunction::DynamicOffset,
+            "dynamic_offset",
+            codes.tip.as_ref().is_some_and(|tip| tip.dynamic_offset.is_some()),
+        ),
     ];
     for (_, name, _) in known.iter().filter(|(function, _, can)| {
         !can && options.functions.as_ref().is_some_and(|installed| installed.contains(function))
@@ -127,13 +134,27 @@ fn tip_ability(control: &dyn Control, demands: Demands<'_>) -> Option<TipAbility
     if !demands.options.has(ControlFunction::TipControl) {
         return None;
     }
+    let configured = demands.options.tip_control.is_some();
+    let start = |tip: &TipControlCodes| match tip.with_length {
+        _ if configured => TipStart::Configured,
+        None => TipStart::Alone,
+        Some(_) => TipStart::WithMotion {
+            dynamic_offset: tip.dynamic_offset.is_some() && demands.options.has(ControlFunction::DynamicOffset),
+        },
+    };
     let own = control.spellings().tip.as_ref().map(|tip| TipAbility {
+        start: start(tip),
         frame_is_parameter: tip.frame_is_set,
         rotates_axis_in_plane: tip.turns_in_plane,
-        takes_vectors: tip.vectors.is_some() && demands.options.tip_control.is_none(),
+        takes_vectors: tip.vectors.is_some() && !configured,
     });
-    let plain = TipAbility { frame_is_parameter: false, rotates_axis_in_plane: false, takes_vectors: false };
-    own.or_else(|| demands.options.tip_control.is_some().then_some(plain))
+    let plain = TipAbility {
+        start: TipStart::Configured,
+        frame_is_parameter: false,
+        rotates_axis_in_plane: false,
+        takes_vectors: false,
+    };
+    own.or_else(|| configured.then_some(plain))
 }
 
 /// Reasons why tools cannot be called by their names.

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use super::options::Demands;
 use super::options::{ControlOptions, ProgramBlocks};
-use crate::kinematics::{AnyMachine, AxisKind};
-use crate::motion::{StretchMode, StretchModes, TcpWords, ToolPosture, Wrap};
+use crate::kinematics::{AnyMachine, Axis, AxisKind, Side};
+use crate::motion::{Abilities, StretchMode, StretchModes, TcpWords, TipStart, ToolPosture, Wrap};
 use crate::program::Units;
 
 /// The data of a job that the encoder reads.
@@ -27,8 +27,10 @@ pub struct Layout {
     pub shortest_path: bool,
     /// Stretches of the program are under tip control.
     pub tip_control: bool,
-    /// Stretches of the program are in tilted planes.
+    /// The program has tilted planes: for stretches, or where tip control begins.
     pub planes: bool,
+    /// The program has a dynamic work offset where tip control begins.
+    pub dynamic_offset: bool,
     /// Motion of the tool axis under tip control.
     pub posture: ToolPosture,
     /// Under tip control blocks hold the tool axis as a vector instead of rotary words.
@@ -44,16 +46,21 @@ pub struct Layout {
 }
 
 impl Layout {
-    /// The layout of a job for a machine; `modes`: of the stretches of its program.
+    /// The layout of a job for a machine; `abilities`: those of its control, `modes`: of the stretches of its program.
     #[must_use]
     pub fn new(
         machine: &dyn AnyMachine,
         demands: Demands<'_>,
+        abilities: &Abilities,
         modes: &StretchModes,
         units: Units,
         name: &[u8],
     ) -> Self {
         let linear = demands.formats.linear(units);
+        let start = abilities.tip.filter(|_| turns_table(machine) && modes.has(StretchMode::Tcp)).map(|tip| tip.start);
+        let dynamic_offset = start == Some(TipStart::WithMotion { dynamic_offset: true });
+        let enters_by_plane = abilities.plane.is_some()
+            && matches!(start, Some(TipStart::Alone | TipStart::WithMotion { dynamic_offset: false }));
         let decimals = |kind: AxisKind| if kind == AxisKind::Linear { linear } else { demands.formats.rotary };
         Self {
             axes: machine.axes().iter().map(|axis| (axis.letter, decimals(axis.kind))).collect(),
@@ -64,7 +71,8 @@ impl Layout {
             name: name.to_vec(),
             shortest_path: demands.motion.rotaries.wrap.values().any(|wrap| *wrap != Wrap::Sign),
             tip_control: modes.has(StretchMode::Tcp),
-            planes: modes.has(StretchMode::Plane),
+            planes: modes.has(StretchMode::Plane) || enters_by_plane,
+            dynamic_offset,
             posture: demands.motion.tip.tool_posture,
             vectors: demands.motion.tip.tcp_words == TcpWords::Vectors,
             rigid: demands.motion.cycles.rigid,
@@ -73,6 +81,12 @@ impl Layout {
             program: demands.options.program.clone(),
         }
     }
+}
+
+/// Whether rotary axes of the table are solved.
+fn turns_table(machine: &dyn AnyMachine) -> bool {
+    let of_table = |axis: &Axis| axis.kind == AxisKind::Rotary && !axis.held && axis.side == Side::Workpiece;
+    machine.axes().iter().any(of_table)
 }
 
 /// Tools that are called by name.

@@ -74,8 +74,8 @@ options! {
         path_norm: Option<PathNorm> = None, key("control.path_norm", OneOf(&PATH_NORMS), "\"xyz+deg\"");
         /// Whole numbers end with a decimal point.
         point: Option<bool> = None, key("control.point", YesNo, "true");
-        /// Functions of the control that are installed: "tip_control", "planes"; both are options at many makers. Without
-        /// this key it has those that it can have.
+        /// Functions of the control that are installed: "tip_control", "planes", "dynamic_offset" (Haas: G254). All are
+        /// options at many makers. Without this key it has those that it can have.
         functions: Option<Vec<ControlFunction>> = None,
             key("control.functions", ListOf(OneOf(&ControlFunction::NAMES)), "[\"tip_control\", \"planes\"]");
         /// Codes that switch tip control on and off in mode "tcp".
@@ -124,10 +124,13 @@ pub enum ControlFunction {
     TipControl,
     /// Tilted work planes.
     Planes,
+    /// Dynamic work offset: the zero of the words follows the table.
+    DynamicOffset,
 }
 
 impl ControlFunction {
-    const NAMES: [(&'static str, Self); 2] = [("tip_control", Self::TipControl), ("planes", Self::Planes)];
+    const NAMES: [(&'static str, Self); 3] =
+        [("tip_control", Self::TipControl), ("planes", Self::Planes), ("dynamic_offset", Self::DynamicOffset)];
 }
 
 impl ControlOptions {

@@ -30,7 +30,7 @@ pub use options::{
     Retract, Rewind, RotaryOptions, Singular, StretchMode, TcpFrame, TcpWords, TipOptions, ToolPosture, Transition,
     Wrap,
 };
-pub use place::{PlaneAbility, PlaneAngles, PoseRule, TipAbility, UsableModes, unsuited};
+pub use place::{PlaneAbility, PlaneAngles, PoseRule, TipAbility, TipStart, UsableModes, unsuited};
 pub(crate) use plan::hole_extent;
 pub use plan::{
     Abilities, ChordedArcs, CutterRadius, FastestRotation, MovingAxes, OperationTime, Planner, ProofProgram, Registers,

@@ -44,6 +44,7 @@ pub(super) fn run<M: Machine>(config: &Config, events: &[Event<'_>]) -> Run {
     let layout = Layout::new(
         &M::default(),
         config.demands(),
+        &crate::control::abilities(&LinuxCnc, config.demands()),
         &crate::motion::StretchModes::all(config.motion.mode.of_all().unwrap_or_default()),
         units,
         b"",

@@ -61,8 +61,9 @@ pub(crate) fn assumptions(
         list.push("points of the CL data are coordinates from the part zero".to_owned());
     }
     // A control that takes tip coordinates in the frame of the part needs no part origin: the work offset holds it.
-    let known = !survey.modes.has(StretchMode::Axes)
-        && config.motion.tip.tcp_frame.is_none_or(|frame| frame == TcpFrame::TableAtZero);
+    let by_axes = control::abilities(control, config.demands()).enters_tip_control_by_axes();
+    let positions = survey.modes.has(StretchMode::Axes) || survey.modes.has(StretchMode::Tcp) && by_axes;
+    let known = !positions && config.motion.tip.tcp_frame.is_none_or(|frame| frame == TcpFrame::TableAtZero);
     if !known && rotaries(machine, Side::Workpiece).next().is_some() && !config.is_given("part_origin") {
         list.push("part_origin 0, 0, 0: the part zero is the reference point of the table".to_owned());
     }

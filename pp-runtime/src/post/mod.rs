@@ -291,8 +291,8 @@ pub fn post_for(
         report.course = course_text(&course, job.config);
     }
     let units = job.config.output_units.unwrap_or_else(|| survey.file.units.unwrap_or(Units::Millimetres));
-    let layout = Layout::new(machine, job.config.demands(), &survey.modes, units, &survey.name);
     let abilities = control::abilities(job.control, job.config.demands());
+    let layout = Layout::new(machine, job.config.demands(), &abilities, &survey.modes, units, &survey.name);
     let pass = PlanningPass { job, survey: &survey, usable: &usable, machine, units, abilities: &abilities };
     let moving = if job.config.motion.rotaries.clamp.is_empty() {
         MovingAxes::default()

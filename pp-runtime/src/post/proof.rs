@@ -67,7 +67,8 @@ pub fn prove(machine: &dyn AnyMachine, proof: &Proof<'_>) -> Result<Vec<u8>, Str
         .map_err(|invalid| format!("the dimensions of {} are not valid: {invalid}", machine.name()))?;
     let abilities = control::abilities(proof.control, config.demands());
     let mut out = Vec::new();
-    let layout = Layout::new(&*machine, config.demands(), &StretchModes::all(StretchMode::Axes), units, b"PROOF");
+    let layout =
+        Layout::new(&*machine, config.demands(), &abilities, &StretchModes::all(StretchMode::Axes), units, b"PROOF");
     let mapped = MappedEncoder::new(Encoder::new(proof.control, &layout, &mut out), None);
     let mut planner = Planner::new(machine.clone(), config.policy(), units, &abilities, false, mapped);
     let sweeps = ProofProgram::new(&mut planner).sweeps().map_err(sentence)?;

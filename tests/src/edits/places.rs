@@ -94,6 +94,7 @@ fn mode(state: &State) -> String {
         (Some(TipControl::On { vectors: true, .. }), _) => "vectors",
         (Some(TipControl::On { .. }), _) => "tip",
         (_, Some(_)) => "plane",
+        _ if state.dynamic_offset => "moved zero",
         _ => "axes",
     };
     let mut mode = frame.to_owned();

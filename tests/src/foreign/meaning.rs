@@ -54,6 +54,8 @@ pub enum Meaning {
     Return(ReturnLevel),
     /// The block defines a tilted plane.
     Tilt,
+    /// G254, G255: the zero of the words follows the table, which turns.
+    DynamicOffset(bool),
     /// The rotary axes turn to the tilted plane: G53.1, G253.
     Orient,
     /// Tilted plane off.
@@ -134,6 +136,8 @@ pub enum Group {
     Return,
     /// `State::tilt`.
     Tilt,
+    /// `State::dynamic_offset`.
+    DynamicOffset,
     /// `State::tip_control`.
     TipControl,
     /// `State::interpolation`.
@@ -175,6 +179,7 @@ impl Meaning {
             Self::ExactStop | Self::Continuous | Self::Smoothing => Group::Path,
             Self::Return(_) => Group::Return,
             Self::Tilt | Self::Orient | Self::TiltOff | Self::TiltOffTurning => Group::Tilt,
+            Self::DynamicOffset(_) => Group::DynamicOffset,
             Self::TipControl(_) => Group::TipControl,
             Self::Interpolation(_) => Group::Interpolation,
             Self::VectorFrame(_) => Group::VectorFrame,

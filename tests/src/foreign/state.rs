@@ -299,6 +299,8 @@ pub struct State {
     pub vector: Option<[f64; 3]>,
     /// Tilted plane; `Some(None)` after it has been switched off.
     pub tilt: Option<Option<TiltedPlane>>,
+    /// The zero of the words follows the table (G254).
+    pub dynamic_offset: bool,
     /// Canned cycle that is defined or called modally.
     pub cycle: Option<Cycle>,
     /// Return level of canned cycles.

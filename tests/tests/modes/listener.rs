@@ -20,6 +20,8 @@ pub(crate) struct ProgramState {
     pub(crate) vector: Option<[f64; 3]>,
     /// Words at the start of tip control, mm and degrees; `None` without tip control.
     pub(crate) start: Option<[f64; 9]>,
+    /// The zero of the words has moved with the table.
+    pub(crate) moved_zero: bool,
     /// Number of feed blocks.
     pub(crate) feeds: usize,
     /// Number of feed blocks that move a rotary axis with a feed per minute.
@@ -96,7 +98,7 @@ impl<M: Machine> Sink for Listener<M> {
                 self.take(words);
             }
             Step::Machine { .. } | Step::Restart { .. } | Step::Tool { .. } => {
-                let framed = self.state.plane.is_some() || self.state.start.is_some();
+                let framed = self.state.plane.is_some() || self.state.start.is_some() || self.state.moved_zero;
                 let machine = matches!(step, Step::Machine { .. });
                 assert!(!framed || machine && self.state.plane.is_some(), "{step:?} under tip control");
             }
@@ -107,6 +109,10 @@ impl<M: Machine> Sink for Listener<M> {
             Step::Plane { angles, .. } => {
                 assert_eq!(self.state.plane, None);
                 self.state.plane = Some(angles.map(|angle| angle.value()));
+            }
+            Step::DynamicOffset { on } => {
+                assert!(self.state.plane.is_none() && self.state.start.is_none() && self.state.moved_zero != *on);
+                self.state.moved_zero = *on;
             }
             Step::PlaneOff => {
                 assert!(self.state.plane.is_some());

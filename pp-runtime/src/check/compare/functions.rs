@@ -115,8 +115,12 @@ impl FunctionState {
     pub(super) fn start(&self, rules: &Rules<'_>, required: &Required, block: &Block) -> Vec<String> {
         let policy = rules.policy();
         // Where the program chooses the meaning of its words, the length matters in positions of rotated axes only.
-        let matters = !policy.shop.guards_rotated_axes_only
-            || rules.meaning() == LinearMeaning::AxisPositions && !rules.are_at_zero(block);
+        let positions = match rules.meaning() {
+            LinearMeaning::AxisPositions => true,
+            LinearMeaning::TipCoordinates => policy.shop.guards_tip_control,
+            LinearMeaning::PlaneCoordinates => false,
+        };
+        let matters = !policy.shop.guards_rotated_axes_only || positions && !rules.are_at_zero(block);
         let guard = match (policy.shop.length_guard_mm, required.gauge_length_mm, required.tool) {
             (Some(_), Some(length), Some(tool))
                 if matters && guarded(rules, required).is_some() && self.guard.is_none() =>

@@ -5,8 +5,8 @@ use std::io::{self, Read};
 use super::super::expect::{ClMotion, ExpectedAction, ExpectedItem};
 use super::super::geometry::{PathShape, Segment, ToolPose, angle_between};
 use super::super::policy::LinearMeaning;
-use super::super::read::{Action, Block, Length, OwnPlace, stated};
-use super::super::rules::{ModalContext, fault_at_end, tool_name};
+use super::super::read::{Action, Block, Length, OwnPlace, TipControl, stated};
+use super::super::rules::{FrameUse, ModalContext, fault_at_end, tool_name};
 use super::functions::place_of_line;
 use super::phase::{Cutting, Phase, Retracted, RetractedLength, RewindPoint};
 use super::{Comparison, Current, StartState, parking, retract};
@@ -73,10 +73,8 @@ impl<R: Read> Comparison<'_, R> {
             return;
         }
         let facts = *self.rules.facts();
-        // Tip control is switched off with the length before the retract, as the manuals have it.
-        let length_moves = facts.length_moves && self.rules.meaning() != LinearMeaning::TipCoordinates;
         let changed = matches!(length, Some(Length::Register(_))) && length != block.state.length;
-        if length_moves && changed && block.action != Action::Machine {
+        if facts.length_moves && changed && block.action != Action::Machine {
             self.found(
                 current,
                 "length compensation is switched off before the machine has retracted: the tool may move by its length",
@@ -101,7 +99,8 @@ impl<R: Read> Comparison<'_, R> {
     /// The control positions the rotary axes to a tilted plane: to the pose in which they are.
     pub(super) fn orient(&mut self, current: &Current<'_>) {
         let state = &current.block.state;
-        let (LinearMeaning::PlaneCoordinates, Some(tilt)) = (self.rules.meaning(), &state.tilt) else {
+        let expected = self.rules.meaning() == LinearMeaning::PlaneCoordinates || self.rules.may_have_tip_control();
+        let Some(tilt) = state.tilt.filter(|_| expected) else {
             self.found(current, "the control positions the rotary axes to a tilted plane where none is expected");
             return;
         };
@@ -268,17 +267,27 @@ impl<R: Read> Comparison<'_, R> {
         let block = current.block;
         let words = self.rules.words();
         let (retract, rotary) = (1 << words.retract(), words.rotary_bits());
-        // Under tip control all linear axes move down together; in a plane its own Z comes last.
-        let last = match self.rules.meaning() {
-            LinearMeaning::AxisPositions => retract,
-            LinearMeaning::TipCoordinates => words.linear_bits(),
-            LinearMeaning::PlaneCoordinates => words.xyz()[2].map_or(retract, |z| 1 << z),
+        // In a plane its own Z comes last. Under tip control the words of the other axes may change with it.
+        let (last, with_last) = match self.rules.meaning() {
+            LinearMeaning::AxisPositions => (retract, retract),
+            LinearMeaning::TipCoordinates => (retract, words.linear_bits()),
+            LinearMeaning::PlaneCoordinates => {
+                let z = words.xyz()[2].map_or(retract, |z| 1 << z);
+                (z, z)
+            }
         };
         // A word that moves nothing may be in any block.
         let moved = self.rules.all_moved(&self.previous.words, self.previous.known, block);
         let step = match if moved == 0 { block.written } else { moved } {
-            written if written & !rotary == 0 => 1,
-            written if written & !last == 0 => 3,
+            // A plane call may leave a rotary axis in another revolution: its word is written again.
+            written if written & !rotary == 0 => {
+                if moved == 0 {
+                    retracted.step.max(1)
+                } else {
+                    1
+                }
+            }
+            written if written & !with_last == 0 && written & last != 0 => 3,
             written if written & (rotary | last) == 0 => 2,
             _ => 0,
         };
@@ -304,7 +313,16 @@ impl<R: Read> Comparison<'_, R> {
                 "order of the approach: expected rotary axes first, then the other linear axes, the retract axis last",
             );
         }
-        if step > 1
+        let across = step == 2 && block.written & !rotary != 0;
+        let before_tip_control =
+            across && block.state.tip_control == TipControl::Off && self.rules.may_have_tip_control();
+        if across {
+            retracted.before_tip_control = before_tip_control;
+            retracted.across = self.rules.across(&self.previous.words, block);
+        }
+        let enters_tip_control = step == 3 && self.rules.meaning() == LinearMeaning::TipCoordinates;
+        if (across || step == 3)
+            && !enters_tip_control
             && retracted.meaning.replace(self.rules.meaning()).is_some_and(|before| before != self.rules.meaning())
         {
             self.found(
@@ -312,11 +330,16 @@ impl<R: Read> Comparison<'_, R> {
                 "tip control or a tilted plane is switched after linear axes have moved in the approach",
             );
         }
-        self.moves_once(retracted, current);
+        self.moves_once(retracted, enters_tip_control, current);
         let finished = retracted.rewind.and_then(|rewind| rewind.finished).map(|finished| finished.required);
         if let Some(required) = self.progress.next().map(|item| item.required).or(finished) {
             let context = ModalContext { dry: retracted.rewind.is_none(), ..ModalContext::default() };
-            let fault = self.rules.fault_at_approach(block, &required, (step > 1, step == 3), context);
+            let frame = match step {
+                2 if before_tip_control => FrameUse::BeforeTipControl,
+                2 | 3 if across || step == 3 => FrameUse::AsMeant,
+                _ => FrameUse::Without,
+            };
+            let fault = self.rules.fault_at_approach(block, &required, (frame, step == 3), context);
             self.found_state(current, fault);
         }
         retracted.stopped = false;
@@ -328,16 +351,36 @@ impl<R: Read> Comparison<'_, R> {
                 return Ok(Some(Phase::Cutting(Cutting::default())));
             }
             let end = self.rules.pose(block);
+            if enters_tip_control {
+                self.is_over_approach_point(retracted, current, &end);
+            }
             self.compare_plane(current, &end);
             return Ok(Some(Phase::Cutting(self.arrive(retracted, current, &end))));
         }
         Ok(None)
     }
 
+    /// Under tip control the words of all axes change with the position of the retract axis, and a rapid need not be straight:
+    /// the other axes must have arrived before.
+    fn is_over_approach_point(&mut self, retracted: &Retracted, current: &Current<'_>, end: &ToolPose) {
+        let (rules, before) = (&self.rules, &self.previous.words);
+        let over = retracted.across.is_some_and(|at| rules.moves_retract_axis_alone(&at, before, current.block, end));
+        if !over {
+            self.found(
+                current,
+                "linear axes move together with the retract axis: they must be over the approach point before",
+            );
+        }
+    }
+
     /// Each axis moves once in an approach; one that takes the shorter way may do so in steps.
-    fn moves_once(&mut self, retracted: &mut Retracted, current: &Current<'_>) {
+    fn moves_once(&mut self, retracted: &mut Retracted, enters_tip_control: bool, current: &Current<'_>) {
         let block = current.block;
-        let (before, moved) = retracted.approach;
+        let (before, mut moved) = retracted.approach;
+        if enters_tip_control && retracted.before_tip_control {
+            // Under tip control the same position has other words.
+            moved &= self.rules.words().rotary_bits();
+        }
         let steps = !self.rules.policy().words.rollover.is_empty();
         let rotary = self.rules.words().rotary_bits();
         let (unit_mm, unit_rad) = (self.rules.rounding().unit_mm, self.rules.rounding().unit_rad);

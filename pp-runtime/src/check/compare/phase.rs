@@ -62,6 +62,10 @@ pub(super) struct Retracted {
     pub(crate) meaning: Option<LinearMeaning>,
     /// Words of the approach so far, and their bits.
     pub(crate) approach: ([f64; MAX_AXES], u16),
+    /// Its second step came before tip control.
+    pub(crate) before_tip_control: bool,
+    /// Axis values across the retract axis after its second step, where they do not depend on the retract axis.
+    pub(crate) across: Option<[f64; MAX_AXES]>,
     pub(crate) rewind: Option<RewindPoint>,
     pub(crate) perhaps_retract: Option<Box<ExpectedItem>>,
     /// The program has stopped with the spindle off, and no approach has begun since.

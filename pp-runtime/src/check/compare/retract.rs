@@ -49,6 +49,10 @@ pub(super) fn rest(
 /// Whether a pose is at a distance along a tool axis that is known to its rounding.
 pub(super) fn is_at_distance(rules: &Rules<'_>, end: &ToolPose, out: &ToolPose, distance_mm: f64) -> bool {
     let rounding = rules.rounding();
-    let largest = BOTH * rounding.tip_mm + distance_mm.abs() * rounding.axis_rad;
-    (end.tip - out.tip).norm() <= largest && angle_between(&end.axis, &out.axis) <= rules.axis_allowance(&out.axis)
+    // The rounding of the axis moves the far end across it.
+    let (off, near) = (end.tip - out.tip, BOTH * rounding.tip_mm);
+    let along = off.dot(&out.axis).abs();
+    along <= near
+        && off.norm() <= near + distance_mm.abs() * rounding.axis_rad
+        && angle_between(&end.axis, &out.axis) <= rules.axis_allowance(&out.axis)
 }

@@ -71,6 +71,7 @@ impl Line<'_> {
             Means::TiltedPlane(form) => draft.plane_form = Some(form),
             Means::Orient => draft.tilt = Some(TiltCode::Orient),
             Means::TiltOff => draft.tilt = Some(TiltCode::Off),
+            Means::DynamicOffset(on) => draft.dynamic_offset = Some(on),
             Means::Offset => draft.work_offset = Some(WorkOffset::Code(code)),
             Means::FurtherOffset => draft.offset_with_p = true,
             Means::Return { initial } => draft.to_initial = Some(initial),

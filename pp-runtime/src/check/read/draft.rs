@@ -35,6 +35,7 @@ pub(super) mod group {
     pub(in super::super) const WINDOW: u32 = 23;
     pub(in super::super) const POSTURE: u32 = 24;
     pub(in super::super) const FRAME: u32 = 25;
+    pub(in super::super) const DYNAMIC_OFFSET: u32 = 26;
     /// Any M code.
     pub(in super::super) const MISCELLANEOUS: u32 = 30;
     /// Whatever may stand beside anything.
@@ -179,6 +180,7 @@ pub(super) struct Draft {
     pub(crate) in_plane: Option<bool>,
     pub(crate) in_workpiece: Option<bool>,
     pub(crate) tilt: Option<TiltCode>,
+    pub(crate) dynamic_offset: Option<bool>,
     pub(crate) to_initial: Option<bool>,
     pub(crate) shortest: Option<bool>,
     pub(crate) spindle: Option<Option<Rotation>>,

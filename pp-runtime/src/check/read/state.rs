@@ -249,6 +249,8 @@ pub struct State {
     pub vector: Option<Vector3<f64>>,
     /// Tilted plane.
     pub tilt: Option<Tilt>,
+    /// Dynamic work offset: the zero of the words has moved with the table.
+    pub dynamic_offset: bool,
     /// G98: cycles return to the level before them; G99: to their own level. `None` where neither has been programmed since
     /// the complete state.
     pub to_initial: Option<bool>,
@@ -266,6 +268,21 @@ pub struct State {
     pub clamped: u16,
     /// Axes of which it is known whether they are clamped: bits by position.
     pub clamps_known: u16,
+}
+
+/// Frame in which linear words count.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct WordsFrame {
+    tip_control: TipControl,
+    tilt: Option<Tilt>,
+    dynamic_offset: bool,
+}
+
+impl State {
+    /// Frame in which linear words count.
+    pub(super) fn frame(&self) -> WordsFrame {
+        WordsFrame { tip_control: self.tip_control, tilt: self.tilt, dynamic_offset: self.dynamic_offset }
+    }
 }
 
 impl Default for State {
@@ -292,6 +309,7 @@ impl Default for State {
             in_workpiece: None,
             vector: None,
             tilt: None,
+            dynamic_offset: false,
             to_initial: None,
             shortest: false,
             shortest_stated: false,

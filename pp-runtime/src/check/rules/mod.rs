@@ -21,7 +21,7 @@ use super::policy::{CheckPolicy, LinearMeaning};
 use super::read::{Block, Facts, MAX_AXES, OwnPlace, State, TipControl, WorkOffset};
 pub(super) use feed::{FeedLaw, Stroke};
 pub(super) use fit::{Arrival, BOTH, BlockPath, SHARE, chord, sweep};
-pub(super) use state::{ModalContext, StateFault, fault_at_end, tool_name};
+pub(super) use state::{FrameUse, ModalContext, StateFault, fault_at_end, tool_name};
 pub(super) use words::Words;
 
 /// Tool axes of CL data are rounded to seven digits: near the pole they are put there, rad.
@@ -300,6 +300,33 @@ impl<'a> Rules<'a> {
             Some(tip(&values) - here)
         });
         matches!(steps, [Some(x), Some(y), Some(z)] if x.cross(&y).dot(&z) < 0.0)
+    }
+
+    /// Axis values of the linear axes other than the retract axis after a block of an approach; `None` if they depend on its
+    /// position. `before`: the words before the block.
+    pub(super) fn across(&self, before: &[f64; MAX_AXES], block: &Block) -> Option<[f64; MAX_AXES]> {
+        let rotary = if block.state.vector.is_some() { before } else { &block.values };
+        self.words.across(&block.values, rotary, &block.state, self.rounding.plane_rad)
+    }
+
+    /// Whether a block of an approach moves the retract axis alone, but for rounding, and for that of the angles of a plane.
+    /// `across`: the other axes before it.
+    pub(super) fn moves_retract_axis_alone(
+        &self,
+        across: &[f64; MAX_AXES],
+        before: &[f64; MAX_AXES],
+        block: &Block,
+        end: &ToolPose,
+    ) -> bool {
+        let rotary = if block.state.vector.is_some() { before } else { &block.values };
+        let allowed_mm = 2.0 * self.rounding.unit_mm + 2.0 * self.rounding.plane_rad * end.tip.norm();
+        let same = |there: [f64; MAX_AXES]| across.iter().zip(there).all(|(at, end)| (at - end).abs() <= allowed_mm);
+        self.words.across_at(&block.values, rotary, &block.state).is_some_and(same)
+    }
+
+    /// Whether stretches may be under tip control.
+    pub(super) fn may_have_tip_control(&self) -> bool {
+        self.policy.words.linear.is_none_or(|meaning| meaning == LinearMeaning::TipCoordinates)
     }
 
     /// Whether a rapid must not rotate rotary axes at the part.

@@ -17,6 +17,17 @@ pub(crate) struct StateFault {
     pub(crate) called: Option<Location>,
 }
 
+/// Frame that the linear words of a block need.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum FrameUse {
+    /// None: no tip control, no plane.
+    Without,
+    /// That of their meaning.
+    AsMeant,
+    /// Any in which tip control is off: the axes across the retract axis come first to the place where it begins.
+    BeforeTipControl,
+}
+
 /// Circumstances of a block on which its modal state depends, besides the CL data.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct ModalContext {
@@ -48,7 +59,7 @@ impl Rules<'_> {
         let side = if offset_path && self.is_mirrored(block) { required.side.across() } else { required.side };
         self.everywhere(state, side, context)
             .or_else(|| if block.action == Action::Rapid { inverse_time(state) } else { None })
-            .or_else(|| self.frame(block, true))
+            .or_else(|| self.frame(block, FrameUse::AsMeant))
             .or_else(|| self.offsets(state, required, true))
             .or_else(|| if offset_path { self.radius_register(state, required) } else { None })
             .or_else(|| if offset_path { self.radius_delta(state, required) } else { None })
@@ -61,14 +72,15 @@ impl Rules<'_> {
         &self,
         block: &Block,
         required: &Required,
-        (framed, last): (bool, bool),
+        (frame, last): (FrameUse, bool),
         context: ModalContext,
     ) -> Option<StateFault> {
         let state = &block.state;
+        let framed = frame != FrameUse::Without;
         let found = self
             .everywhere(state, Side::None, context)
             .or_else(|| inverse_time(state))
-            .or_else(|| self.frame(block, framed))
+            .or_else(|| self.frame(block, frame))
             .or_else(|| {
                 // Rotary axes rotate before the work offset is selected again that tip control may have cancelled.
                 let cancelled = self.facts.tip_control_may_cancel_offset && state.work_offset.is_none();
@@ -93,7 +105,7 @@ impl Rules<'_> {
         let found = self
             .everywhere(state, Side::None, context)
             .or_else(|| inverse_time(state))
-            .or_else(|| self.frame(block, true))
+            .or_else(|| self.frame(block, FrameUse::AsMeant))
             .or_else(|| required.and_then(|required| self.offsets(state, required, true)))
             .or_else(|| if context.dry { coolant(state, 0) } else { None });
         match required {
@@ -118,6 +130,7 @@ impl Rules<'_> {
             .everywhere(state, Side::None, context)
             .or_else(|| inverse_time(state))
             .or(tip_control)
+            .or_else(|| moved_zero(state))
             .or_else(|| if tilts { None } else { tilted(state) })
             .or(length)
             .or_else(|| spindle(state, spindle_on))
@@ -138,7 +151,7 @@ impl Rules<'_> {
         let state = &State { work_offset, ..block.state };
         let found = self
             .everywhere(state, Side::None, context)
-            .or_else(|| self.frame(block, false))
+            .or_else(|| self.frame(block, FrameUse::Without))
             .or_else(|| last.and_then(|last| self.offsets(state, last, false)))
             .or_else(|| spindle(state, spindle_on))
             .or_else(|| coolant(state, 0));
@@ -206,10 +219,21 @@ impl Rules<'_> {
         None
     }
 
-    /// Tip control and tilted plane; `framed`: as the linear words require.
-    fn frame(&self, block: &Block, framed: bool) -> Option<String> {
+    /// Tip control, tilted plane and dynamic work offset, as the linear words require.
+    fn frame(&self, block: &Block, frame: FrameUse) -> Option<String> {
         use LinearMeaning::{PlaneCoordinates, TipCoordinates};
-        let state = &block.state;
+        let (state, framed) = (&block.state, frame == FrameUse::AsMeant);
+        if frame == FrameUse::BeforeTipControl {
+            return state
+                .tilt
+                .filter(|tilt| !tilt.oriented)
+                .map(|_| "a tilted plane is active, but the rotary axes have not been positioned to it".to_owned());
+        }
+        if state.dynamic_offset {
+            return Some(
+                "the dynamic work offset (G254) is active, which belongs to the way to tip control only".to_owned(),
+            );
+        }
         let tip_control = state.tip_control != TipControl::Off;
         let tilted = state.tilt.is_some();
         match (self.meaning, framed) {
@@ -325,7 +349,7 @@ impl From<String> for StateFault {
 
 /// At a stop with a retract, and at the end code.
 pub(crate) fn fault_at_end(state: &State) -> Option<String> {
-    spindle(state, None).or_else(|| coolant(state, 0)).or_else(|| tilted(state))
+    spindle(state, None).or_else(|| coolant(state, 0)).or_else(|| tilted(state)).or_else(|| moved_zero(state))
 }
 
 fn shown<T: Display>(value: Option<T>) -> String {
@@ -334,6 +358,10 @@ fn shown<T: Display>(value: Option<T>) -> String {
 
 fn tilted(state: &State) -> Option<String> {
     state.tilt.map(|_| "a tilted plane is still active at the retract position".to_owned())
+}
+
+fn moved_zero(state: &State) -> Option<String> {
+    state.dynamic_offset.then(|| "the dynamic work offset (G254) is still active".to_owned())
 }
 
 fn inverse_time(state: &State) -> Option<String> {

@@ -196,6 +196,10 @@ impl Words {
     /// Tip and tool axis on the workpiece.
     pub(crate) fn place(&self, words: &[f64; MAX_AXES], state: &State) -> ToolPose {
         match (&state.tip_control, &state.tilt) {
+            (TipControl::Off, None) if state.dynamic_offset => {
+                let values = self.with_moved_zero(words).unwrap_or_else(|| self.values(words));
+                self.chain.place(&values)
+            }
             (TipControl::Off, None) => self.chain.place(&self.values(words)),
             (TipControl::On { start }, _) => {
                 let values = self.values(words);
@@ -243,12 +247,26 @@ impl Words {
 
     /// The same with the rotary words that the control has chosen.
     pub(crate) fn axes_with_rotary(&self, words: &[f64; MAX_AXES], state: &State) -> Option<[f64; MAX_AXES]> {
-        let mut values = self.values(words);
-        if state.tip_control == TipControl::Off && state.tilt.is_none() {
-            return Some(values);
+        let values = self.values(words);
+        match (state.tip_control, state.tilt) {
+            (TipControl::Off, None) if state.dynamic_offset => self.with_moved_zero(words),
+            (TipControl::Off, None) => Some(values),
+            _ => self.axes_at(self.place(words, state).tip, values),
         }
+    }
+
+    /// Axis values of words that count from a zero that has moved with the table.
+    fn with_moved_zero(&self, words: &[f64; MAX_AXES]) -> Option<[f64; MAX_AXES]> {
+        let mut values = self.axes_at(self.program_point(&[0.0; MAX_AXES]), self.values(words))?;
+        for &index in &self.axes.linear {
+            values[index] += words[index];
+        }
+        Some(values)
+    }
+
+    /// Axis values that put the tip at a point of the workpiece, with the rotary axes of others.
+    fn axes_at(&self, tip: Vector3<f64>, mut values: [f64; MAX_AXES]) -> Option<[f64; MAX_AXES]> {
         let [x, y, z] = self.linear_three()?;
-        let tip = self.place(words, state).tip;
         for index in [x, y, z] {
             values[index] = 0.0;
         }
@@ -265,6 +283,37 @@ impl Words {
 
     fn linear_three(&self) -> Option<[usize; 3]> {
         self.axes.linear[..].try_into().ok()
+    }
+
+    /// Axis values of the linear axes other than the retract axis after a block; the others are 0.
+    pub(crate) fn across_at(
+        &self,
+        words: &[f64; MAX_AXES],
+        rotary: &[f64; MAX_AXES],
+        state: &State,
+    ) -> Option<[f64; MAX_AXES]> {
+        let values = self.axes_with_rotary(&self.with_rotary(*words, rotary), state)?;
+        let counts = |index: usize| index != self.axes.retract && self.axes.linear_bits & (1 << index) != 0;
+        Some(std::array::from_fn(|index| if counts(index) { values[index] } else { 0.0 }))
+    }
+
+    /// Axis values of the linear axes other than the retract axis after a block, if they do not depend on the word of that
+    /// axis; the others are 0. `rotary`: words of the rotary axes.
+    pub(crate) fn across(
+        &self,
+        words: &[f64; MAX_AXES],
+        rotary: &[f64; MAX_AXES],
+        state: &State,
+        allowed_rad: f64,
+    ) -> Option<[f64; MAX_AXES]> {
+        let at = |height: f64| {
+            let mut words = *words;
+            words[self.axes.retract] = height;
+            self.across_at(&words, rotary, state)
+        };
+        let (low, high) = (at(0.0)?, at(1.0)?);
+        let steady = low.iter().zip(&high).all(|(low, high)| (low - high).abs() <= allowed_rad);
+        steady.then_some(low)
     }
 
     /// Words with the rotary ones of others.

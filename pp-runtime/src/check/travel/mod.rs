@@ -117,7 +117,8 @@ impl Travel {
     pub(super) fn at_end(&mut self, rules: &Rules<'_>, block: &Block, findings: &mut Findings<'_>) {
         let words = rules.words();
         let solved = words.linear_bits() | words.rotary_bits();
-        let direct = block.state.tip_control == TipControl::Off && block.state.tilt.is_none();
+        let direct =
+            block.state.tip_control == TipControl::Off && block.state.tilt.is_none() && !block.state.dynamic_offset;
         if !self.is_limited() || !(direct || block.known & solved == solved) {
             return;
         }

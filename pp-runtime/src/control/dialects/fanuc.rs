@@ -9,7 +9,10 @@
 //! `G43` takes their sum, and so does the guard. Both are in the unit of the program. `#3000` stops with an alarm of at
 //! most 26 characters.
 //!
-//! `G43.4 H` starts tip control in the block that moves to the first point. Parameter 19696#5 selects the frame of its
+//! `G43.4 H` starts tip control in the block that moves to the first point, which is one of length compensation only
+//! (A-79348E, p. 16): never with rotary words, never alone. X and Y are over this point before it: over a tilted table in
+//! `G68.2`, which `G69` ends, as in Autodesk's public post for Fanuc (`writeInitialPositioning`), and the rotary words are
+//! written again after it. `G49` ends tip control in the block of `G53`, as B-63844EN, p. 204, has it for `G43`. Parameter 19696#5 selects the frame of its
 //! coordinates. P of `G43.4` and `G43.5` belongs to tool posture control, an option: 0 rotates the rotary axes evenly, 1 the
 //! tool axis in a plane; without P parameter 19604#0 decides (A-79294E/05, p. 3 and 11). `G68.2` takes Euler angles about Z, the new X and the new Z, and `G53.1` rotates the axes. Of several
 //! poses it takes the one that rotates the master axis least (B-63784EN, tool axis direction control), so the axes are
@@ -71,9 +74,10 @@ static SPELLINGS: Spellings = Spellings {
     tip: Some(TipControlCodes {
         on: &[],
         with_length: Some("G43.4 H{offset} P{posture}"),
-        off: &["G49"],
+        off: &[],
         reset: &[],
-        cancels_length: true,
+        may_cancel_offset: false,
+        dynamic_offset: None,
         posture: ["0", "1"],
         posture_setting: ["parameter 19604#0 must be 0", "parameter 19604#0 must be 1"],
         vectors: Some(ToolAxisWords {
@@ -85,7 +89,8 @@ static SPELLINGS: Spellings = Spellings {
         }),
         frame_is_set: true,
         turns_in_plane: true,
-        note: "G43.4 and G49 must move nothing by themselves (parameter 5006#6 = 1)",
+        note: "G43.4 must move only the axes of its block (parameter 5006#6 = 1), and G49 G53 straight to the machine \
+               position",
     }),
     plane: Some(TiltedPlaneCodes {
         on: &["G68.2 X0. Y0. Z0. I{first} J{second} K{third}", "G53.1"],

@@ -10,7 +10,11 @@
 //! F of `G93` is at most 9999.99, as in Autodesk's public posts for Haas (`setMultiAxisFeedrate`); the page of G93 of Haas
 //! states no limit.
 //!
-//! `G234 H` switches on tip control, with coordinates in the frame of the table with its rotary axes at zero. `G268`
+//! `G234 H` switches on tip control, with coordinates in the frame of the table with its rotary axes at zero. Before it
+//! `G254` moves the zero of the words with the table, whose axes stay those of the machine: X and Y come over the approach
+//! point, `G255` ends it, and the block of `G234` moves Z alone (`prepositionDWO` in Autodesk's public post for Haas; `G254`
+//! is an option, the entry of B in the work offset is 0: UMC manual, p. 56, and the page of G254). `G49` ends tip control in
+//! the block of `G53`. `G268`
 //! tilts a plane, with the length offset active before it, and `G253` rotates the axes; `Q123` is the order of its
 //! angles.
 
@@ -71,15 +75,16 @@ static SPELLINGS: Spellings = Spellings {
     tip: Some(TipControlCodes {
         on: &[],
         with_length: Some("G234 H{offset}"),
-        off: &["G49"],
+        off: &[],
         reset: &[],
-        cancels_length: true,
+        may_cancel_offset: false,
+        dynamic_offset: Some(["G254", "G255"]),
         posture: ["", ""],
         posture_setting: ["", ""],
         vectors: None,
         frame_is_set: false,
         turns_in_plane: false,
-        note: "G234 and G49 must move nothing by themselves",
+        note: "G234 must move only the axes of its block, and G49 G53 straight to the machine position",
     }),
     plane: Some(TiltedPlaneCodes {
         on: &["G268 X0. Y0. Z0. I{first} J{second} K{third} Q123", "G253"],

@@ -19,6 +19,8 @@
 //! written there again.
 //!
 //! `FUNCTION TCPM` switches on tip control, with coordinates in the frame of the table with its rotary axes at zero.
+//! Where the table is tilted, X and Y come over the first point in a `PLANE` before it, as in Autodesk's public post for the
+//! TNC, which moves its zero there with cycle 7; the coordinates of the point are the same position.
 //! `PLANE SPATIAL` rotates about X, then Y, then Z of the frame that it tilts (SPC·SPB·SPA as a product). SEQ is the
 //! sign of the master axis, the first one from the tool. Both are switched off before a tool call and before M91.
 //!
@@ -198,7 +200,8 @@ static SPELLINGS: Spellings = Spellings {
         with_length: None,
         off: &["FUNCTION RESET TCPM"],
         reset: &["FUNCTION RESET TCPM"],
-        cancels_length: false,
+        may_cancel_offset: false,
+        dynamic_offset: None,
         posture: ["AXIS", "VECTOR"],
         posture_setting: ["", ""],
         vectors: Some(ToolAxisWords {

@@ -15,6 +15,9 @@
 //! `G41` offsets the path by the whole radius of the active edge. Where the path is that of the tool centre a guard reads
 //! `$P_TOOLR`, the active radius with wear (System Variables 6FC5397-6AP40-3BA1, 03/2013), in the unit of the program.
 //!
+//! Where the table is tilted, X and Y come over the first point in `CYCLE800`, which ends before `TRAORI`, as in Autodesk's
+//! public post for the 840D; the work offset that `TRAFOOF` may have cleared comes before it.
+//!
 //! `TRAORI` switches on tip control, with coordinates in the frame of the table with its rotary axes at zero; after it
 //! the work offset is called again. `CYCLE800` in mode 57 rotates about X, the new Y and the new Z. Its direction -1 or
 //! 1 takes the pose with the lower or the higher value of the axis that is the direction reference of the swivel data
@@ -123,7 +126,8 @@ static SPELLINGS: Spellings = Spellings {
         with_length: None,
         off: &["TRAFOOF"],
         reset: &[],
-        cancels_length: false,
+        may_cancel_offset: true,
+        dynamic_offset: None,
         posture: ["ORIMKS ORIAXES", "ORIWKS ORIVECT"],
         posture_setting: ["", ""],
         // In ORIMKS they would be components in the machine frame.

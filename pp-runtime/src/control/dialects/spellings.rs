@@ -249,12 +249,15 @@ pub struct TipControlCodes {
     pub on: &'static [&'static str],
     /// Code instead of that of the length offset, which switches on both.
     pub with_length: Option<&'static str>,
-    /// Blocks that switch it off.
+    /// Blocks that switch it off; empty if the code that cancels the length offset does, in the block of machine
+    /// coordinates after it.
     pub off: &'static [&'static str],
     /// Blocks of a restart point in addition to those of `safety`.
     pub reset: &'static [&'static str],
-    /// Switching it off also cancels the length offset, which must be called again.
-    pub cancels_length: bool,
+    /// Switching it off may cancel the work offset.
+    pub may_cancel_offset: bool,
+    /// Dynamic work offset on and off: the zero of the words follows the table, without tip control.
+    pub dynamic_offset: Option<[&'static str; 2]>,
     /// Value of `{posture}`: the tool axis follows the rotary axes, or rotates in the plane of its start and end.
     pub posture: [&'static str; 2],
     /// Setting of the control that has the effect of `posture`, where the block may do without `{posture}`; empty where it

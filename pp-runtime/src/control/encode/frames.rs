@@ -13,8 +13,8 @@ use super::modal_writer::ModalWriter;
 /// Writes the blocks that change the frame: those of the configuration, or those of the control.
 #[derive(Debug)]
 pub(crate) struct FrameWriter {
-    /// The program has stretches under tip control, and in tilted planes.
-    uses: [bool; 2],
+    /// The program uses tip control, tilted planes, and a dynamic work offset.
+    uses: [bool; 3],
     tip_control: Option<[String; 2]>,
     safety: Option<Vec<String>>,
     tool_change: Option<Vec<String>>,
@@ -23,7 +23,7 @@ pub(crate) struct FrameWriter {
 impl FrameWriter {
     pub(crate) fn new(layout: &Layout) -> Self {
         Self {
-            uses: [layout.tip_control, layout.planes],
+            uses: [layout.tip_control, layout.planes, layout.dynamic_offset],
             tip_control: layout.options.tip_control.clone(),
             safety: layout.options.safety.clone(),
             tool_change: layout.options.tool_change.clone(),
@@ -43,12 +43,7 @@ impl FrameWriter {
             out.smooth(false)?;
         }
         out.fill_all(if on { tip.on } else { tip.off })?;
-        if let LengthState::On(register) = out.modal().length()
-            && !on
-            && tip.cancels_length
-        {
-            out.modal().set_length(LengthState::Pending(register));
-        }
+        out.set_offset_lost(!on && tip.may_cancel_offset);
         Ok(())
     }
 
@@ -56,6 +51,7 @@ impl FrameWriter {
     pub(crate) fn tilt(&self, angles: [Decimal; 3], pose: Option<bool>, out: &mut ModalWriter<'_>) -> io::Result<()> {
         let Some(plane) = &out.codes().plane else { return Ok(()) };
         out.select_xy_plane()?;
+        out.restate_offset()?;
         if plane.length_first {
             out.call_length_now()?;
         }
@@ -80,11 +76,20 @@ impl FrameWriter {
         Ok(())
     }
 
+    /// Switches the dynamic work offset on or off.
+    pub(crate) fn dynamic_offset(&self, on: bool, out: &mut ModalWriter<'_>) -> io::Result<()> {
+        let Some(codes) = out.codes().tip.as_ref().and_then(|tip| tip.dynamic_offset) else { return Ok(()) };
+        out.block(codes[usize::from(!on)])?;
+        out.modal().forget(After::FrameChange);
+        Ok(())
+    }
+
     /// Writes the blocks of a restart point, the first one with this block number.
     pub(crate) fn restart(&self, number: u32, out: &mut ModalWriter<'_>) -> io::Result<()> {
         out.smooth(false)?;
         out.modal().forget(After::Anything);
         out.set_tip_control(false);
+        out.set_offset_lost(false);
         out.writer_mut().number_next(number);
         if let Some(safety) = &self.safety {
             return out.fill_all(safety);
@@ -99,9 +104,12 @@ impl FrameWriter {
         Ok(())
     }
 
-    /// Cancels the tip control and the tilted planes that the program uses, which `safety` does not cancel.
+    /// Cancels the frames that the program uses and `safety` does not cancel.
     fn reset(&self, out: &mut ModalWriter<'_>) -> io::Result<()> {
-        let (codes, [tip_control, planes]) = (out.codes(), self.uses);
+        let (codes, [tip_control, planes, dynamic_offset]) = (out.codes(), self.uses);
+        if dynamic_offset {
+            self.dynamic_offset(false, out)?;
+        }
         if tip_control {
             match (&self.tip_control, &codes.tip) {
                 (Some([_, off]), _) => out.block(off)?,

@@ -188,6 +188,7 @@ impl<'a> Encoder<'a> {
             Step::TipControl { on } => self.frames.tip_control(on, out),
             Step::Plane { angles, pose } => self.frames.tilt(angles, pose, out),
             Step::PlaneOff => self.frames.tilt_off(out),
+            Step::DynamicOffset { on } => self.frames.dynamic_offset(on, out),
             Step::LengthGuard { label, tool, offset, length, tolerance } => self.length_guard(&LengthGuard {
                 label,
                 tool,

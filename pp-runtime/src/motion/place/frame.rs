@@ -25,9 +25,25 @@ use crate::set_up::ProgramZero;
 use super::tilted_plane::{PlaneAbility, TiltedPlane};
 use crate::motion::fault::Fault;
 
+/// How tip control (TCP) is switched on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum TipStart {
+    /// By a block of its own, which moves nothing.
+    Alone,
+    /// With the first motion.
+    WithMotion {
+        /// The control has a dynamic work offset: the zero of its words follows the table, whose axes are not rotated.
+        dynamic_offset: bool,
+    },
+    /// By codes of the configuration; it is not known whether they move anything.
+    Configured,
+}
+
 /// Abilities of the tip control (TCP) of a control.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct TipAbility {
+    /// How it is switched on.
+    pub start: TipStart,
     /// A parameter of the machine selects the frame of its coordinates.
     pub frame_is_parameter: bool,
     /// It can rotate the tool axis in the plane of the tool axes at both ends of a block.
@@ -170,6 +186,24 @@ impl WordFrame {
         Some(tilt)
     }
 
+    /// Map to words X Y Z in the tilted plane of an orientation, and that plane; the frame of the words stays as it is.
+    pub(crate) fn plane_map(
+        &self,
+        ability: &PlaneAbility,
+        orientation: &Matrix3<f64>,
+    ) -> Option<(WordMap, TiltedPlane)> {
+        let mut frame = self.clone();
+        let tilt = frame.tilt(ability, orientation)?;
+        let LinearWords::Fixed(map) = frame.meaning else { return None };
+        Some((map, tilt))
+    }
+
+    /// Map to words X Y Z in the directions of the machine, from a zero that has moved with the table.
+    pub(crate) fn moved_zero_map(&self, machine: &dyn AnyMachine, axes: &AxisValues) -> WordMap {
+        let rotation = self.signs * table(machine, axes).0;
+        WordMap { rotation, shift_mm: rotation * self.zero_mm }
+    }
+
     /// Map from the workpiece frame to the words; `None` if the words are axis values.
     #[inline]
     pub(crate) fn map(&self, machine: &dyn AnyMachine, axes: &AxisValues) -> Option<WordMap> {
@@ -196,7 +230,7 @@ impl WordFrame {
 
 /// Rotation and displacement of the part by the rotary axes of the table: a point `p` of the workpiece is at
 /// `rotation · p + moved_mm`, measured from the part zero with all axes at zero.
-fn table(machine: &dyn AnyMachine, axes: &AxisValues) -> (Matrix3<f64>, Vector3<f64>) {
+pub(crate) fn table(machine: &dyn AnyMachine, axes: &AxisValues) -> (Matrix3<f64>, Vector3<f64>) {
     let (mut rotation, mut moved_mm) = (Matrix3::identity(), Vector3::zeros());
     for (index, axis) in machine.axes().iter().enumerate() {
         if axis.kind == AxisKind::Rotary && axis.side == Side::Workpiece {

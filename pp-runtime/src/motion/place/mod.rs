@@ -6,6 +6,7 @@
 mod axes;
 mod chain;
 mod datum;
+mod entry;
 mod frame;
 mod linearise;
 mod refusal;
@@ -28,7 +29,8 @@ use crate::nc::whole_units;
 use crate::program::Units;
 use crate::set_up::LengthMode;
 
-pub use frame::TipAbility;
+pub(crate) use entry::TipEntry;
+pub use frame::{TipAbility, TipStart};
 pub(crate) use linearise::{Linearised, PathTolerance};
 pub(crate) use refusal::limits_text;
 pub use suited::{UsableModes, unsuited};
@@ -239,8 +241,8 @@ impl Placer {
         self.head
     }
 
-    /// Reason why the words depend on the tool length; `None` if they do not. `axes`: stretches of the program have axis
-    /// positions.
+    /// Reason why the words depend on the tool length; `None` if they do not. `axes`: the program has axis positions, in
+    /// stretches or on the way to tip control.
     pub(crate) fn needs_gauge_length(&self, axes: bool) -> Option<&'static str> {
         if self.head {
             axes.then_some("this machine rotates the tool about its head")

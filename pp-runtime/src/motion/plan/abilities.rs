@@ -3,7 +3,7 @@
 use crate::motion::options::PathNorm;
 
 use crate::motion::place::PlaneAbility;
-use crate::motion::place::TipAbility;
+use crate::motion::place::{TipAbility, TipStart};
 use crate::motion::step::CycleAbilities;
 
 /// Abilities of a control; the planner uses no function for which the control has no code.
@@ -45,6 +45,14 @@ pub struct Abilities {
     pub tip: Option<TipAbility>,
     /// Tilted planes, if the control has them.
     pub plane: Option<PlaneAbility>,
+}
+
+impl Abilities {
+    /// Whether X and Y may come as axis positions over the approach point of tip control.
+    #[must_use]
+    pub fn enters_tip_control_by_axes(&self) -> bool {
+        self.tip.is_some_and(|tip| tip.start != TipStart::Alone)
+    }
 }
 
 /// Radius that cutter compensation takes.

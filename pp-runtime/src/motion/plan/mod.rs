@@ -311,7 +311,9 @@ impl<'a, S: Sink> Planner<'a, S> {
 
     /// Reason why the words of the program depend on tool lengths; `None` if they do not.
     fn needs_gauge_length(&self) -> Option<&'static str> {
-        self.mover.placer().needs_gauge_length(self.modes.modes().has(StretchMode::Axes))
+        let modes = self.modes.modes();
+        let enters = modes.has(StretchMode::Tcp) && self.abilities.enters_tip_control_by_axes();
+        self.mover.placer().needs_gauge_length(modes.has(StretchMode::Axes) || enters)
     }
 
     /// Whether the control has arcs in the plane perpendicular to X, Y or Z here.

@@ -130,6 +130,11 @@ pub enum Step<'a> {
     },
     /// Tilted plane off.
     PlaneOff,
+    /// Dynamic work offset on or off: while it is on, the zero of the words has moved with the table.
+    DynamicOffset {
+        /// On from here.
+        on: bool,
+    },
     /// Stop if the radius of the tool, which must be wear only, is larger than wear.
     RadiusGuard {
         /// Number of the tool.
@@ -221,6 +226,7 @@ impl Step<'_> {
             Self::Length { .. } => "length-offset",
             Self::TipControl { .. } => "tip-control",
             Self::Plane { .. } | Self::PlaneOff => "plane",
+            Self::DynamicOffset { .. } => "dynamic-offset",
             Self::LengthGuard { .. } => "length-guard",
             Self::RadiusGuard { .. } => "radius-guard",
             Self::Spindle { .. } | Self::SpindleOff => "spindle",

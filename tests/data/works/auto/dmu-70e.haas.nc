@@ -24,7 +24,8 @@ O00001 (NONAME)
 (LINEAR WORDS under tip control are tip coordinates in a frame fixed to the)
 (table, aligned with the machine axes when its rotary axes are at zero;)
 (rotary axes move evenly)
-(MODE tcp: G234 and G49 must move nothing by themselves)
+(MODE tcp: G234 must move only the axes of its block, and G49 G53 straight to)
+(the machine position)
 (LINEAR WORDS in planes are tip coordinates in the tilted plane, from the)
 (same zero)
 (MODE plane: G43 H must move nothing by itself, G268 must rotate about X,)
@@ -41,6 +42,7 @@ O00001 (NONAME)
 (ASSUMED approach distance 50 mm along the tool axis)
 (OPERATION ARCS)
 N1 G21 G17 G40 G49 G80 G90 G94 G54
+G255
 G269
 M09
 G53 G00 Z0.
@@ -69,6 +71,7 @@ M01
 G49 G53 G00 Z0.
 (OPERATION TILTED)
 N2 G21 G17 G40 G49 G80 G90 G94 G54
+G255
 G269
 M09
 G53 G00 Z0.
@@ -93,6 +96,7 @@ G49 G53 G00 Z0.
 G269
 (OPERATION HOLES)
 N3 G21 G17 G40 G49 G80 G90 G94 G54
+G255
 G269
 M09
 G53 G00 Z0.
@@ -129,6 +133,7 @@ M00
 G49 G53 G00 Z0.
 (OPERATION SWARF)
 N4 G21 G17 G40 G49 G80 G90 G94 G54
+G255
 G269
 M09
 G53 G00 Z0.
@@ -137,6 +142,9 @@ T3
 G49 G53 G00 Z0.
 S4000 M03
 G00 B36.784 C-9.687
+G254
+G00 X28.414 Y6.68
+G255
 G00 G234 H1 X39.651 Y-16.764 Z22.013
 M08
 G01 X27.632 Y-11.683 Z-5. B36.784 C-9.687 F300.
@@ -161,9 +169,11 @@ X-20.203 Y22.178 B36.784 C145.563
 X-23.633 Y17.949 B36.431 C155.881
 X-25.871 Y15.189 B36.784 C162.813
 G00 X-48.376 Y28.403 Z49.027
-G49
-G53 G00 Z0.
+G49 G53 G00 Z0.
 G00 B36.784 C-197.187
+G254
+G00 X28.414 Y6.68
+G255
 G00 G234 H1 X-48.376 Y28.403 Z49.027
 G01 X-25.871 Y15.189 Z-5. B36.784 C-197.187 F900.
 X-27.892 Y10.133 B36.431 C-186.869
@@ -197,10 +207,10 @@ X25.693 Y15.488 B36.784 C44.313
 G00 X36.869 Y22.224 Z22.013
 M09
 X59.22 Y35.698 Z76.04
-G49
-G53 G00 Z0.
+G49 G53 G00 Z0.
 (OPERATION THREAD)
 N5 G21 G17 G40 G49 G80 G90 G94 G54
+G255
 G269
 M09
 G53 G00 Z0.

@@ -23,7 +23,8 @@ O00001 (NONAME)
 (LINEAR WORDS under tip control are tip coordinates in a frame fixed to the)
 (table, aligned with the machine axes when its rotary axes are at zero;)
 (rotary axes move evenly)
-(MODE tcp: G234 and G49 must move nothing by themselves)
+(MODE tcp: G234 must move only the axes of its block, and G49 G53 straight to)
+(the machine position)
 (LINEAR WORDS in planes are tip coordinates in the tilted plane, from the)
 (same zero)
 (MODE plane: G43 H must move nothing by itself, G268 must rotate about X,)
@@ -45,6 +46,7 @@ G53 G00 Z0.
 T1 M06
 T2
 G49 G53 G00 Z0.
+IF [ABS[#2001 + #2201 - 110] GT 0.01] THEN #3000= 101 (T1 IS NOT 110 LONG)
 S4000 M03
 G00 A0. B0.
 X12. Y0.
@@ -71,6 +73,7 @@ G269
 M09
 G53 G00 Z0.
 (T1 stays in the spindle)
+IF [ABS[#2001 + #2201 - 110] GT 0.01] THEN #3000= 101 (T1 IS NOT 110 LONG)
 S4000 M03
 G00 A-15.799 B19.629
 G43 H1
@@ -97,6 +100,7 @@ G53 G00 Z0.
 T2 M06
 T1
 G49 G53 G00 Z0.
+IF [ABS[#2002 + #2202 - 130] GT 0.01] THEN #3000= 101 (T2 IS NOT 130 LONG)
 S2500 M03
 G00 A-15.799 B19.629
 G43 H2
@@ -133,8 +137,10 @@ G53 G00 Z0.
 T1 M06
 T3
 G49 G53 G00 Z0.
+IF [ABS[#2001 + #2201 - 110] GT 0.01] THEN #3000= 101 (T1 IS NOT 110 LONG)
 S4000 M03
 G00 A9.752 B23.985
+X83.72 Y-35.396
 G00 G234 H1 X39.651 Y-16.764 Z22.013
 M08
 G01 X27.632 Y-11.683 Z-5. A9.752 B23.985 F300.
@@ -165,8 +171,7 @@ X25.693 Y15.488 A-12.977 B22.475
 G00 X36.869 Y22.224 Z22.013
 M09
 X59.22 Y35.698 Z76.04
-G49
-G53 G00 Z0.
+G49 G53 G00 Z0.
 (OPERATION THREAD)
 N5 G21 G17 G40 G49 G80 G90 G94 G54
 G269
@@ -175,6 +180,7 @@ G53 G00 Z0.
 T3 M06
 T1
 G49 G53 G00 Z0.
+IF [ABS[#2003 + #2203 - 95] GT 0.01] THEN #3000= 101 (T3 IS NOT 95 LONG)
 S500 M03
 G00 A0. B0.
 X-30. Y20.

@@ -23,7 +23,8 @@ O00001 (NONAME)
 (LINEAR WORDS under tip control are tip coordinates in a frame fixed to the)
 (table, aligned with the machine axes when its rotary axes are at zero;)
 (rotary axes move evenly)
-(MODE tcp: G234 and G49 must move nothing by themselves)
+(MODE tcp: G234 must move only the axes of its block, and G49 G53 straight to)
+(the machine position)
 (LINEAR WORDS in planes are tip coordinates in the tilted plane, from the)
 (same zero)
 (MODE plane: G43 H must move nothing by itself, G268 must rotate about X,)
@@ -40,6 +41,7 @@ O00001 (NONAME)
 (ASSUMED approach distance 50 mm along the tool axis)
 (OPERATION ARCS)
 N1 G21 G17 G40 G49 G80 G90 G94 G54
+G255
 G269
 M09
 G53 G00 Z0.
@@ -68,6 +70,7 @@ M01
 G49 G53 G00 Z0.
 (OPERATION TILTED)
 N2 G21 G17 G40 G49 G80 G90 G94 G54
+G255
 G269
 M09
 G53 G00 Z0.
@@ -92,6 +95,7 @@ G49 G53 G00 Z0.
 G269
 (OPERATION HOLES)
 N3 G21 G17 G40 G49 G80 G90 G94 G54
+G255
 G269
 M09
 G53 G00 Z0.
@@ -128,6 +132,7 @@ M00
 G49 G53 G00 Z0.
 (OPERATION SWARF)
 N4 G21 G17 G40 G49 G80 G90 G94 G54
+G255
 G269
 M09
 G53 G00 Z0.
@@ -136,6 +141,9 @@ T3
 G49 G53 G00 Z0.
 S4000 M03
 G00 B25.783 C-22.918
+G254
+G00 X29.188 Y0.
+G255
 G00 G234 H1 X39.651 Y-16.764 Z22.013
 M08
 G01 X27.632 Y-11.683 Z-5. B25.783 C-22.918 F300.
@@ -162,9 +170,11 @@ X-25.871 Y15.189 B25.783 C149.582
 X-27.891 Y10.136 B25.54 C160.026
 X-29.211 Y6.834 B25.783 C166.832
 G00 X-54.623 Y12.78 Z49.027
-G49
-G53 G00 Z0.
+G49 G53 G00 Z0.
 G00 B25.783 C-193.168
+G254
+G00 X29.188 Y0.
+G255
 G00 G234 H1 X-54.623 Y12.78 Z49.027
 G01 X-29.211 Y6.834 Z-5. B25.783 C-193.168 F900.
 X-29.642 Y1.409 B25.54 C-182.724
@@ -196,10 +206,10 @@ X25.693 Y15.488 B25.783 C31.082
 G00 X36.869 Y22.224 Z22.013
 M09
 X59.22 Y35.698 Z76.04
-G49
-G53 G00 Z0.
+G49 G53 G00 Z0.
 (OPERATION THREAD)
 N5 G21 G17 G40 G49 G80 G90 G94 G54
+G255
 G269
 M09
 G53 G00 Z0.

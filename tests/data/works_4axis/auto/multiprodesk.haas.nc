@@ -22,7 +22,8 @@ O00001 (NONAME)
 (LINEAR WORDS under tip control are tip coordinates in a frame fixed to the)
 (table, aligned with the machine axes when its rotary axes are at zero;)
 (rotary axes move evenly)
-(MODE tcp: G234 and G49 must move nothing by themselves)
+(MODE tcp: G234 must move only the axes of its block, and G49 G53 straight to)
+(the machine position)
 (LINEAR WORDS in planes are tip coordinates in the tilted plane, from the)
 (same zero)
 (MODE plane: G43 H must move nothing by itself, G268 must rotate about X,)
@@ -39,6 +40,7 @@ O00001 (NONAME)
 (ASSUMED approach distance 50 mm along the tool axis)
 (OPERATION ARCS)
 N1 G21 G17 G40 G49 G80 G90 G94 G54
+G255
 G269
 M09
 G53 G00 Z0.
@@ -67,6 +69,7 @@ M01
 G49 G53 G00 Z0.
 (OPERATION TILTED)
 N2 G21 G17 G40 G49 G80 G90 G94 G54
+G255
 G269
 M09
 G53 G00 Z0.
@@ -91,6 +94,7 @@ G49 G53 G00 Z0.
 G269
 (OPERATION HOLES)
 N3 G21 G17 G40 G49 G80 G90 G94 G54
+G255
 G269
 M09
 G53 G00 Z0.
@@ -127,6 +131,7 @@ M00
 G49 G53 G00 Z0.
 (OPERATION SWARF)
 N4 G21 G17 G40 G49 G80 G90 G94 G54
+G255
 G269
 M09
 G53 G00 Z0.
@@ -135,6 +140,9 @@ T3
 G49 G53 G00 Z0.
 S4000 M03
 G00 A34.377
+G254
+G00 X-10. Y0.
+G255
 G00 G234 H1 X-10. Y-31.055 Z45.394
 M08
 G01 Y-14.116 Z20.633 A34.377 F300.
@@ -165,10 +173,10 @@ X9.2 Y18.972 Z-16.281 A-130.634
 G00 Y41.738 Z-35.818
 M09
 Y87.271 Z-74.891
-G49
-G53 G00 Z0.
+G49 G53 G00 Z0.
 (OPERATION THREAD)
 N5 G21 G17 G40 G49 G80 G90 G94 G54
+G255
 G269
 M09
 G53 G00 Z0.

@@ -21,7 +21,8 @@ O00001 (NONAME)
 (shortest path to an angle beyond 360)
 (LINEAR WORDS are tip coordinates in a frame fixed to the table, aligned with)
 (the machine axes when its rotary axes are at zero; rotary axes move evenly)
-(MODE tcp: G234 and G49 must move nothing by themselves)
+(MODE tcp: G234 must move only the axes of its block, and G49 G53 straight to)
+(the machine position)
 (linear limits not checked: no travel declared [Y X Z])
 (the entries of A in G54 must be zero)
 (T1 D10 R0 L110 H1, 3 operations, tip Z -35.818 to 45.394)
@@ -32,6 +33,7 @@ O00001 (NONAME)
 (ASSUMED approach distance 50 mm along the tool axis)
 (OPERATION ARCS)
 N1 G21 G17 G40 G49 G80 G90 G94 G54
+G255
 M09
 G53 G00 Z0.
 T1 M06
@@ -39,6 +41,7 @@ T2
 G49 G53 G00 Z0.
 S4000 M03
 G00 A0.
+X12. Y0.
 G00 G234 H1 X12. Y0. Z20.
 M08
 Z2. A0.
@@ -52,18 +55,21 @@ X8. Y20. I-8. J0.
 G01 Z20.
 M09
 G00 Z80.
-G49
-G53 G00 Z0.
+G49 G53 G00 Z0.
 M05
 M01
 G49 G53 G00 Z0.
 (OPERATION TILTED)
 N2 G21 G17 G40 G49 G80 G90 G94 G54
+G255
 M09
 G53 G00 Z0.
 (T1 stays in the spindle)
 S4000 M03
 G00 A-25.
+G254
+G00 X-11. Y3.717
+G255
 G00 G234 H1 X-11. Y15.742 Z24.963
 M08
 G01 Y2.218 Z-4.039 A-25. F300.
@@ -109,10 +115,10 @@ Y2.218 Z-4.039
 Y15.742 Z24.963
 M09
 G00 Y41.099 Z79.342
-G49
-G53 G00 Z0.
+G49 G53 G00 Z0.
 (OPERATION HOLES)
 N3 G21 G17 G40 G49 G80 G90 G94 G54
+G255
 M09
 G53 G00 Z0.
 T2 M06
@@ -120,6 +126,9 @@ T1
 G49 G53 G00 Z0.
 S2500 M03
 G00 A-25.
+G254
+G00 X-8. Y-6.283
+G255
 G00 G234 H2 X-8. Y4.566 Z24.658
 M08
 Y4.565 A-25.
@@ -176,13 +185,13 @@ Y5.721 Z-1.259
 G00 Y15.441 Z19.586
 M09
 Y40.798 Z73.965
-G49
-G53 G00 Z0.
+G49 G53 G00 Z0.
 M05
 M00
 G49 G53 G00 Z0.
 (OPERATION SWARF)
 N4 G21 G17 G40 G49 G80 G90 G94 G54
+G255
 M09
 G53 G00 Z0.
 T1 M06
@@ -190,6 +199,9 @@ T3
 G49 G53 G00 Z0.
 S4000 M03
 G00 A34.377
+G254
+G00 X-10. Y0.
+G255
 G00 G234 H1 X-10. Y-31.055 Z45.394
 M08
 G01 Y-14.116 Z20.633 A34.377 F300.
@@ -220,8 +232,7 @@ X9.2 Y18.972 Z-16.281 A-130.634
 G00 Y41.738 Z-35.818
 M09
 Y87.271 Z-74.891
-G49
-G53 G00 Z0.
+G49 G53 G00 Z0.
 M05
 M30
 %

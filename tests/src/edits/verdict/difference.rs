@@ -144,7 +144,8 @@ fn other_state(was: &Event<'_>, is: &Event<'_>) -> Option<Difference> {
     let process = (spindle, coolant, speed, tool) != now || after[0] != after[1];
     let [frame, frame_now] = [was, is].map(|event| {
         let state = &event.block.state;
-        (state.plane, state.feed_mode, side(state), state.length, state.work_offset, state.tilted_plane().is_some())
+        let frame = (state.tilted_plane().is_some(), state.dynamic_offset);
+        (state.plane, state.feed_mode, side(state), state.length, state.work_offset, frame)
     });
     worst([
         soft(process, "spindle or coolant where nothing is cut"),
@@ -366,6 +367,7 @@ pub(super) fn state_difference(was: &Event<'_>, is: &Event<'_>, allowed: Allowed
         hard(old.units != new.units, "the unit"),
         hard(tip.0 != tip.1, "tip control"),
         hard(!machine && tilt_differs(old.tilted_plane(), new.tilted_plane()), "the tilted plane"),
+        hard(old.dynamic_offset != new.dynamic_offset, "the dynamic work offset"),
         hard(tip.0 && old.interpolation != new.interpolation, "the interpolation of the tool axis"),
         hard(tip.0 && old.vector_frame != new.vector_frame, "the frame of vectors"),
         soft(old.tip_control != new.tip_control, "the start of tip control"),

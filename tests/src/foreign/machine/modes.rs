@@ -130,14 +130,14 @@ impl Machine {
                     self.state.interpolation = None;
                 }
                 self.length(command)?;
-                self.begin_tip_control(vectors);
+                self.begin_tip_control(vectors)?;
             }
             Meaning::TipControl(true) if self.control == Control::Heidenhain && state.under_tip_control() => {
                 return Err("tip control while it is on".to_owned());
             }
             Meaning::TipControl(true) => {
                 state.offset_cleared |= siemens;
-                self.begin_tip_control(false);
+                self.begin_tip_control(false)?;
             }
             Meaning::TipControl(false) => {
                 state.tip_control = Some(TipControl::Off);
@@ -159,6 +159,7 @@ impl Machine {
             Meaning::Tilt => state.tilt = Some(command.tilt.take()),
             Meaning::TiltOff | Meaning::TiltOffTurning => state.tilt = Some(None),
             Meaning::Smoothing => smooth(state, command),
+            Meaning::DynamicOffset(on) => state.dynamic_offset = on,
             Meaning::Orient => {
                 let plane = state.tilted_plane().ok_or("no tilted plane to turn to")?;
                 state.tilt = Some(Some(TiltedPlane { oriented: true, ..plane }));
@@ -197,10 +198,14 @@ impl Machine {
         Ok(())
     }
 
-    fn begin_tip_control(&mut self, vectors: bool) {
+    fn begin_tip_control(&mut self, vectors: bool) -> Result<(), String> {
+        if self.state.dynamic_offset {
+            return Err("tip control while the dynamic work offset is on".to_owned());
+        }
         let mut start = self.state.position;
         start.retain(is_rotary);
         self.state.tip_control = Some(TipControl::On { start, vectors });
+        Ok(())
     }
 
     /// `CC X+.. Y+..`: the other components are no longer known.
@@ -254,6 +259,7 @@ impl Machine {
         let begun = tips.1 && before.tip_control != state.tip_control && !active;
         if (before.work_offset, before.units) != (state.work_offset, state.units)
             || before.tilted_plane() != state.tilted_plane()
+            || before.dynamic_offset != state.dynamic_offset
             || tips.0 != tips.1
             || begun && meanings.iter().any(|meaning| matches!(meaning, Meaning::TipControl(_)))
         {

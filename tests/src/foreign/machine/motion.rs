@@ -173,7 +173,8 @@ impl Machine {
     fn forget_machine(&mut self) {
         let position = self.state.position;
         self.state.machine.retain(|letter| !position.contains(letter));
-        if self.state.under_tip_control() || self.state.tilted_plane().is_some() {
+        let moved_zero = self.state.dynamic_offset;
+        if self.state.under_tip_control() || self.state.tilted_plane().is_some() || moved_zero {
             self.state.machine.retain(is_rotary);
         }
     }

@@ -90,6 +90,8 @@ static G: &[Row] = &[
     (1870, &[Haas], Meaning::Smoothing),
     (2340, &[Haas], Meaning::LengthWithTipControl(false)),
     (2530, &[Haas], Meaning::Orient),
+    (2540, &[Haas], Meaning::DynamicOffset(true)),
+    (2550, &[Haas], Meaning::DynamicOffset(false)),
     (2680, &[Haas], Meaning::Tilt),
     (2690, &[Haas], Meaning::TiltOff),
 ];

@@ -6,6 +6,7 @@ use super::{Language, Means, Pattern, Plane, Row, Smoother, iso, sorted};
 
 const G: &str = "Haas 96-8000 (mill operator's manual), G codes; haascnc.com, page of the code";
 const UMC: &str = "Haas UMC manual; haascnc.com, page of the code";
+const DYNAMIC: &str = "Haas UMC manual, p. 56; haascnc.com, page of G254";
 const M: &str = "Haas 96-8000 (mill operator's manual), M codes; haascnc.com, page of the code";
 
 const OWN: &[Row] = &[
@@ -14,6 +15,8 @@ const OWN: &[Row] = &[
     Row::new("G84", Means::Hole(Pattern::Tap { left: false }), group::MOTION, G).needs("R"),
     Row::new("G154", Means::FurtherOffset, group::OFFSET, G).needs("P"),
     Row::new("G187", Means::Smoothing(Smoother::Level), group::SMOOTHING, G).takes("PE"),
+    Row::new("G254", Means::DynamicOffset(true), group::DYNAMIC_OFFSET, DYNAMIC),
+    Row::new("G255", Means::DynamicOffset(false), group::DYNAMIC_OFFSET, DYNAMIC),
     Row::new("G234", Means::Length(LengthCode::TipControl), group::LENGTH, UMC).needs("H"),
     Row::new("G253", Means::Orient, group::TILT, UMC),
     Row::new("G268", Means::TiltedPlane(Plane::Haas), group::TILT, UMC).takes("IJK").needs("Q"),

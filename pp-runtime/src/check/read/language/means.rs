@@ -25,6 +25,8 @@ pub(in super::super) enum Means {
     TiltedPlane(Plane),
     Orient,
     TiltOff,
+    /// The zero of the words follows the table.
+    DynamicOffset(bool),
     /// The code itself names the work offset.
     Offset,
     /// P names the work offset.
@@ -215,6 +217,8 @@ impl Means {
             Self::Length(LengthCode::TipVector) => "tip control with tool vectors",
             Self::TiltedPlane(Plane::Euler) => "tilted plane by angles about Z, X, Z",
             Self::TiltedPlane(Plane::Haas) => "tilted plane by angles about fixed axes",
+            Self::DynamicOffset(true) => "dynamic work offset on: the zero of the words follows the table",
+            Self::DynamicOffset(false) => "dynamic work offset off",
             Self::Orient => "rotary axes into the tilted plane",
             Self::TiltOff => "tilted plane off",
             Self::Offset => "work offset",
@@ -278,6 +282,7 @@ impl Means {
             Self::TiltedPlane(_) => ["work offset", "tilted plane", "none"],
             Self::Orient => ["tilted plane", "tilted plane", "rotary axes"],
             Self::TiltOff => ["none", "tilted plane", "none"],
+            Self::DynamicOffset(_) => ["rotary positions, work offset", "dynamic work offset", "none: X Y Z unknown"],
             Self::Offset | Self::FurtherOffset => ["none", "work offset", "none"],
             Self::Return { .. } => ["none", "return level of cycles", "none"],
             Self::Path(_) => ["none", "path mode", "none"],

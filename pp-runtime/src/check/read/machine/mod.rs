@@ -48,7 +48,7 @@ pub(super) struct Interpreter {
     frames: Frames,
 }
 
-/// Tip control and tilted plane, as bits: a line of the user may leave either on.
+/// Tip control, tilted plane and dynamic work offset, as bits: a line of the user may leave any of them on.
 #[derive(Debug, Clone, Copy, Default)]
 struct Frames {
     /// Those of which it is unknown whether they are on.
@@ -62,6 +62,7 @@ struct Frames {
 impl Frames {
     const TIP_CONTROL: u8 = 1;
     const PLANE: u8 = 2;
+    const DYNAMIC_OFFSET: u8 = 4;
 
     /// The program has switched one on or off.
     fn programmed(&mut self, frame: u8, on: bool) {
@@ -72,7 +73,7 @@ impl Frames {
 
     /// A line of the user may have switched either.
     fn lose(&mut self) {
-        self.unknown = Self::TIP_CONTROL | Self::PLANE;
+        self.unknown = Self::TIP_CONTROL | Self::PLANE | Self::DYNAMIC_OFFSET & self.used;
         self.stated = 0;
     }
 

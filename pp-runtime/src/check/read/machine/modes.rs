@@ -11,8 +11,11 @@ impl Interpreter {
     pub(super) fn set_state(&mut self, draft: &Draft, faults: &mut Vec<Fault>) {
         let state = &mut self.state;
         let (before_length, before) = (state.length, (state.work_offset, state.units));
-        let reframes = draft.tilt.is_some() || draft.tip_control.is_some() || draft.length.is_some();
-        let frames = if reframes { Some((state.tilt, state.tip_control)) } else { None };
+        let reframes = draft.tilt.is_some()
+            || draft.tip_control.is_some()
+            || draft.length.is_some()
+            || draft.dynamic_offset.is_some();
+        let frames = if reframes { Some(state.frame()) } else { None };
         state.units = draft.units.or(state.units);
         // An operation can be entered at its complete state: F and the return level are not of what was before.
         if draft.restart || draft.units.is_some() {
@@ -83,8 +86,8 @@ impl Interpreter {
             // The length lies along Z, whatever the plane.
             self.known &= !self.linear[2].map_or(0, |z| 1 << z);
         }
-        if (now.work_offset, now.units) != before || frames.is_some_and(|frames| frames != (now.tilt, now.tip_control))
-        {
+        let reframed = frames.is_some_and(|frames| frames != now.frame());
+        if (now.work_offset, now.units) != before || reframed {
             self.known &= !self.mask(false);
         }
     }
@@ -151,6 +154,16 @@ impl Interpreter {
                 fault(faults, 0, "the components of the tool axis are those of no unit vector");
             }
             state.vector = nalgebra::Vector3::from(draft.vector).try_normalize(0.0);
+        }
+        if let Some(on) = draft.dynamic_offset {
+            state.dynamic_offset = on;
+            self.frames.programmed(Frames::DYNAMIC_OFFSET, on);
+        }
+        if state.dynamic_offset && tip == Some(true) {
+            fault(faults, 0, "tip control is switched on while the dynamic work offset is active");
+        }
+        if state.dynamic_offset && matches!(draft.tilt, Some(TiltCode::On { .. })) {
+            fault(faults, 0, "a plane is tilted while the dynamic work offset is active");
         }
         if draft.tilt.is_some_and(|tilt| tilt != TiltCode::Orient) {
             self.frames.programmed(Frames::PLANE, matches!(draft.tilt, Some(TiltCode::On { .. })));

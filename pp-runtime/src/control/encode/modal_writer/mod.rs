@@ -27,6 +27,7 @@ struct Address {
     /// Letters before the number: `X`, `C1=`.
     word: String,
     decimals: u32,
+    linear: bool,
 }
 
 /// Writes blocks in the codes of a control, and leaves out words that are in force.
@@ -47,6 +48,8 @@ pub(crate) struct ModalWriter<'a> {
     tip_length_code: Option<&'static str>,
     /// Tip control is on, or comes on with the next length offset.
     tip_control: bool,
+    /// Tip control may have cancelled the work offset.
+    offset_lost: bool,
     /// Side of cutter compensation from the next feed block on, true for left; `None`: off.
     side: Option<bool>,
     modal: ModalState,
@@ -62,7 +65,8 @@ fn addresses(control: &dyn Control, layout: &Layout) -> Vec<Address> {
         .map(|(index, letter, decimals)| {
             let name = layout.options.axes.get(&letter).cloned().unwrap_or_else(|| letter.to_string());
             // The configuration was refused if the control permits no axis of this name.
-            Address { index, word: control.axis_word(&name).unwrap_or(name), decimals }
+            let word = control.axis_word(&name).unwrap_or(name);
+            Address { index, word, decimals, linear: "XYZUVW".contains(letter) }
         })
         .collect()
 }
@@ -123,6 +127,7 @@ impl<'a> ModalWriter<'a> {
             vectors,
             tip_length_code: tip_length_code(codes, layout, vectors),
             tip_control: false,
+            offset_lost: false,
             side: None,
             modal: ModalState::default(),
             values: values(control, layout, numerals),
@@ -154,6 +159,16 @@ impl<'a> ModalWriter<'a> {
     /// Notes that tip control is on, or off.
     pub(crate) fn set_tip_control(&mut self, on: bool) {
         self.tip_control = on;
+    }
+
+    /// Notes that the work offset may have been cancelled, or is in force.
+    pub(crate) fn set_offset_lost(&mut self, lost: bool) {
+        self.offset_lost = lost;
+    }
+
+    /// Writes the work offset, if it may have been cancelled.
+    pub(crate) fn restate_offset(&mut self) -> io::Result<()> {
+        if std::mem::take(&mut self.offset_lost) { self.fill("{work_offset}") } else { Ok(()) }
     }
 
     /// A number in the form of axis words.

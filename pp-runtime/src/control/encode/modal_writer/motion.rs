@@ -42,6 +42,9 @@ impl ModalWriter<'_> {
         if !self.any_changes(words) {
             return Ok(());
         }
+        if self.offset_lost && self.axes.iter().any(|axis| axis.linear && words.has(axis.index)) {
+            self.restate_offset()?;
+        }
         self.call_length_alone(words)?;
         let along = self.along_vector(words);
         self.motion(along.map_or(self.codes.rapid, |(code, _)| code));

@@ -66,6 +66,7 @@ fn posted(control: &dyn Control, config: &Config, events: &[Event<'_>]) -> Vec<S
     let layout = Layout::new(
         &Xyz::default(),
         config.demands(),
+        &crate::control::abilities(control, config.demands()),
         &crate::motion::StretchModes::all(crate::motion::StretchMode::Axes),
         Units::Millimetres,
         b"",

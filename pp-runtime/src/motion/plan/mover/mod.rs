@@ -23,8 +23,8 @@ use crate::motion::plan::output::Output;
 use crate::motion::plan::position::Position;
 use crate::motion::rotary::{Rollover, RotaryTarget};
 use crate::motion::source::HELD;
+use crate::motion::step::{AxisWords, MAX_AXES, Sink, Step};
 use crate::motion::step::{BlockReason, ReachedPosition};
-use crate::motion::step::{MAX_AXES, Sink, Step};
 
 /// Moves the machine.
 pub(crate) struct Mover<'a, S> {
@@ -332,6 +332,20 @@ impl<'a, S: Sink> Mover<'a, S> {
     /// Writes a rapid of the axes in the mask; the others have not arrived.
     pub(crate) fn rapid_alone(&mut self, to: &AxisPosition, mask: u16) -> Planned {
         self.rapid_words(to, mask, ReachedPosition { pose: None, mask, ..self.placer.state_at(to) }, None)
+    }
+
+    /// Writes the words of axes again that are at a place.
+    pub(crate) fn restate(&mut self, at: &AxisPosition, mask: u16) -> Planned {
+        let words = self.speller.spell(&self.placer.written(at), self.placer.words(at, mask));
+        let reached = ReachedPosition { pose: None, mask, ..self.placer.state_at(at) };
+        Ok(self.output.move_step(&Step::Rapid { words }, reached, None)?)
+    }
+
+    /// Writes a rapid of linear axes to their positions at a place, in words of another frame; the others have not arrived.
+    pub(crate) fn rapid_across(&mut self, to: &AxisPosition, words: AxisWords) -> Planned {
+        self.output.times_mut().rapid(self.placer.least_minutes_of(self.position.place(), to, words.mask));
+        let reached = ReachedPosition { pose: None, mask: words.mask, ..self.placer.state_at(to) };
+        Ok(self.output.move_step(&Step::Rapid { words }, reached, None)?)
     }
 
     /// Writes a rapid of the linear axes to a place; the caller sets the position.

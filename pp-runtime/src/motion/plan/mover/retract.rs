@@ -4,7 +4,7 @@ use crate::kinematics::AxisKind;
 use crate::motion::options::StretchMode;
 
 use crate::motion::fault::{Fault, Planned};
-use crate::motion::place::AxisPosition;
+use crate::motion::place::{AxisPosition, TipEntry};
 use crate::motion::plan::mover::Mover;
 use crate::motion::step::{AxisWords, Sink, Step};
 
@@ -72,20 +72,35 @@ impl<S: Sink> Mover<'_, S> {
     pub(crate) fn approach_from_retract(&mut self, above: &AxisPosition, frame: Option<Step<'static>>) -> Planned {
         self.check_below_retract(above)?;
         let (linear, rotary) = (self.placer.linear_mask(), self.placer.rotary_mask());
-        let plane = self.placer.mode() == StretchMode::Plane;
+        let entry = match self.placer.mode() {
+            StretchMode::Tcp => self.placer.tip_entry(above, self.abilities.tip, self.abilities.plane)?,
+            StretchMode::Axes | StretchMode::Plane => None,
+        };
+        let by_plane = entry.is_some_and(|entry| entry.is_in_plane());
+        let plane = self.placer.mode() == StretchMode::Plane || by_plane;
         self.clamps.open(&self.position.place().words, &above.words, plane, &mut self.output)?;
         self.rapid_alone(above, rotary)?;
+        if let Some(TipEntry { words, frame: of_words }) = entry {
+            let [on, off] = of_words.map_or([None; 2], |steps| steps.map(Some));
+            on.map_or(Ok(()), |on| self.output.step(&on))?;
+            self.rapid_across(above, words)?;
+            off.map_or(Ok(()), |off| self.output.step(&off))?;
+            if by_plane {
+                // The control may have positioned the rotary axes in another revolution.
+                self.restate(above, rotary)?;
+            }
+        }
         if let Some(frame) = frame {
             self.output.step(&frame)?;
             self.position.enter_frame();
         }
         self.clamps.close(&mut self.output)?;
-        let last = match self.placer.mode() {
-            StretchMode::Axes => 1 << self.placer.retract_axis(),
+        let last = match (self.placer.mode(), entry) {
+            (StretchMode::Axes, _) | (StretchMode::Tcp, None) => 1 << self.placer.retract_axis(),
             // Along the tool axis of the plane.
-            StretchMode::Plane => 1 << self.placer.frame_letters()[2],
-            // All linear axes together: the tip goes straight to the approach point for any tilt of the table.
-            StretchMode::Tcp => linear,
+            (StretchMode::Plane, _) => 1 << self.placer.frame_letters()[2],
+            // The others have arrived; in words of the tip they change as well.
+            (StretchMode::Tcp, Some(_)) => linear,
         };
         self.rapid_alone(above, linear & !last)?;
         self.rapid(above, last)
