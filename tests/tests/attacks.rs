@@ -365,8 +365,8 @@ attacks! {
     ];
     another_position_of_the_plane_is_found: [
         (HEIDENHAIN, &[Plane], "", &[
-            (Text("SEQ+ TABLE", 0), Replace("SEQ+", "SEQ-")),
-            (Text("TABLE ROT", 0), Replace("TABLE ROT", "COORD ROT")), (Text("TABLE ROT", 1), Replace("TABLE ROT", "COORD ROT")),
+            (Text("SEQ+ COORD", 0), Replace("SEQ+", "SEQ-")),
+            (Text("COORD ROT", 0), Replace("COORD ROT", "TABLE ROT")), (Text("COORD ROT", 1), Replace("COORD ROT", "TABLE ROT")),
         ]),
     ];
     the_work_offset_after_traori_is_required: [

@@ -151,6 +151,21 @@ fn noise() -> String {
 }
 
 #[test]
+fn x_of_a_plane_is_that_of_the_part() {
+    // Tilted about Y by 45 degrees: the angle about Y alone, and Y of the points as in the drawing.
+    let operation = face(45.0);
+    for (control, plane) in [
+        ("heidenhain", "PLANE SPATIAL SPA+0 SPB+45 SPC+0 TURN MB MAX FMAX SEQ+ COORD ROT"),
+        ("fanuc", "G68.2 X0. Y0. Z0. I90. J45. K-90."),
+        ("haas", "G268 X0. Y0. Z0. I0. J45. K0. Q123"),
+        ("siemens", "CYCLE800(0,\"\",0,57,0,0,0,0,45"),
+    ] {
+        let program = posted_in::<SpinnerU5620>("plane", control, "", &operation).expect("it can be posted");
+        assert!(program.contains(plane), "{control}\n{program}");
+    }
+}
+
+#[test]
 fn a_key_sets_how_many_planes_an_operation_may_have() {
     let operation = face(10.0) + &face(20.0) + &face(30.0);
     let frames_of = |keys| frames(&posted::<SpinnerU5620>("heidenhain", keys, &operation).expect("it can be posted"));

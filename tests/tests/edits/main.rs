@@ -170,7 +170,7 @@ fn is_matter_of_taste(posted: &Posted, edit: &Edit) -> bool {
     let parameter =
         options.control == Control::Heidenhain && edit.before.split(" | ").any(|line| line.starts_with("  Q"));
     // Words of a plane in another order.
-    let plane = edit.before.contains("TABLE ROT") && !edit.after.contains("TABLE ROT");
+    let plane = edit.before.contains("COORD ROT") && !edit.after.contains("COORD ROT");
     // A label of a guard, to which the control does not get unless it stops.
     let label = edit.before.contains("LBL \"");
     parameter || label || plane || semicolon || ends || shop || off || unit || own || tool

@@ -97,15 +97,21 @@ impl<R: Read> Comparison<'_, R> {
     }
 
     /// The control positions the rotary axes to a tilted plane: to the pose in which they are.
-    pub(super) fn orient(&mut self, current: &Current<'_>) {
+    pub(super) fn orient(&mut self, phase: &mut Phase, current: &Current<'_>) {
+        if let Phase::Retracted(retracted) = phase {
+            retracted.since_plane = Some(0);
+        }
         let state = &current.block.state;
         let expected = self.rules.meaning() == LinearMeaning::PlaneCoordinates || self.rules.may_have_tip_control();
         let Some(tilt) = state.tilt.filter(|_| expected) else {
             self.found(current, "the control positions the rotary axes to a tilted plane where none is expected");
             return;
         };
-        if tilt.coordinate_rotation {
-            self.found(current, "the control rotates the coordinates instead of the table (COORD ROT)");
+        if tilt.rotates_table {
+            self.found(
+                current,
+                "the control may rotate the table so that X of the plane is its X (COORD ROT is missing)",
+            );
         }
         let rotary = self.rules.words().rotary_bits();
         let known = self.previous.known & rotary == rotary;
@@ -331,6 +337,15 @@ impl<R: Read> Comparison<'_, R> {
             );
         }
         self.moves_once(retracted, enters_tip_control, current);
+        if let Some(since) = &mut retracted.since_plane {
+            *since |= block.written & rotary;
+            if enters_tip_control && *since != rotary {
+                self.found(
+                    current,
+                    "the plane call may have left a rotary axis in another revolution or pose: its word is missing before tip control",
+                );
+            }
+        }
         let finished = retracted.rewind.and_then(|rewind| rewind.finished).map(|finished| finished.required);
         if let Some(required) = self.progress.next().map(|item| item.required).or(finished) {
             let context = ModalContext { dry: retracted.rewind.is_none(), ..ModalContext::default() };
@@ -401,15 +416,11 @@ impl<R: Read> Comparison<'_, R> {
     /// In a tilted plane the rotary axes are where the plane requires them.
     fn compare_plane(&mut self, current: &Current<'_>, end: &ToolPose) {
         let block = current.block;
-        let Some(tilt) = &block.state.tilt else { return };
-        let (words, rounding) = (self.rules.words(), *self.rules.rounding());
-        // X of the plane is where the rotary axes have it, or the part would be rotated about the tool.
-        let twist = words.twist(&block.values, &tilt.rotation);
-        let axis = words.tool_axis_at(&block.values);
-        if twist > 2.0 * rounding.axis_rad {
-            let twist = twist.to_degrees();
-            self.found(current, &format!("the tilted plane is rotated by {twist:.4}° against that of the rotary axes"));
+        if block.state.tilt.is_none() {
+            return;
         }
+        let (words, rounding) = (self.rules.words(), *self.rules.rounding());
+        let axis = words.tool_axis_at(&block.values);
         let off = angle_between(&axis, &end.axis);
         if off > self.rules.axis_allowance(&end.axis) {
             let off = off.to_degrees();

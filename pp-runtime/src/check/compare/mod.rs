@@ -205,8 +205,8 @@ impl<R: Read> Comparison<'_, R> {
                 self.found(current, "the control positions the rotary axes to a tilted plane where none is expected");
                 None
             }
-            (Task::Orient, _) => {
-                self.orient(current);
+            (Task::Orient, phase) => {
+                self.orient(phase, current);
                 None
             }
             _ => None,

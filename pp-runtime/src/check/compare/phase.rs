@@ -62,6 +62,8 @@ pub(super) struct Retracted {
     pub(crate) meaning: Option<LinearMeaning>,
     /// Words of the approach so far, and their bits.
     pub(crate) approach: ([f64; MAX_AXES], u16),
+    /// Rotary words since the control has positioned the axes to a plane: bits.
+    pub(crate) since_plane: Option<u16>,
     /// Its second step came before tip control.
     pub(crate) before_tip_control: bool,
     /// Axis values across the retract axis after its second step, where they do not depend on the retract axis.

@@ -80,18 +80,6 @@ impl Chain {
         (axis, rates)
     }
 
-    /// Rotation of the tool on the workpiece from its orientation with all axes at zero.
-    pub(crate) fn rotation(&self, values: &[f64; MAX_AXES]) -> Matrix3<f64> {
-        let rotated = |unit: Vector3<f64>| {
-            let rotary = self.links.iter().zip(values).rev().filter(|(link, _)| link.rotary);
-            rotary.fold(unit, |vector, (link, value)| {
-                let (sine, cosine) = value.sin_cos();
-                link.rotated(vector, sine, cosine)
-            })
-        };
-        Matrix3::from_columns(&[rotated(Vector3::x()), rotated(Vector3::y()), rotated(Vector3::z())])
-    }
-
     /// Point on the workpiece of a point in the frame of the machine, mm: rotated by the rotary axes of the table.
     pub(crate) fn onto_workpiece(&self, point: Vector3<f64>, values: &[f64; MAX_AXES]) -> Vector3<f64> {
         let mut point = point;

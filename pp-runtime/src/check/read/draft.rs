@@ -87,7 +87,7 @@ pub(super) enum TiltCode {
         origin: Vector3<f64>,
         oriented: bool,
         pose: Option<bool>,
-        coordinate_rotation: bool,
+        rotates_table: bool,
     },
     /// The rotary axes follow.
     Orient,

@@ -139,8 +139,8 @@ pub struct Tilt {
     pub oriented: bool,
     /// Pose of the rotary axes that the program selects: SEQ or _DIR, `true` for plus.
     pub pose: Option<bool>,
-    /// COORD ROT: the control rotates the coordinates in the plane, not the table.
-    pub coordinate_rotation: bool,
+    /// Without COORD ROT: a rotary axis that is parallel to the tool may rotate, and not the coordinates.
+    pub rotates_table: bool,
 }
 
 /// Smoothing of the path by the control.

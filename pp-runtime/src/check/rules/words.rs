@@ -6,7 +6,7 @@
 
 use nalgebra::{Matrix2, Matrix3, Matrix3x2, Vector3};
 
-use super::super::geometry::{Chain, ToolPose, angle_between};
+use super::super::geometry::{Chain, ToolPose};
 use super::super::policy::{CheckPolicy, TipFrame};
 use super::super::read::{MAX_AXES, State, TipControl};
 use crate::kinematics::{AnyMachine, AxisKind};
@@ -358,18 +358,6 @@ impl Words {
             }
         }
         None
-    }
-
-    /// Angle between the axes of a plane and those of the linear words, as the rotary axes have them, rad.
-    pub(crate) fn twist(&self, words: &[f64; MAX_AXES], rotation: &Matrix3<f64>) -> f64 {
-        let current = self.chain.rotation(&self.values(words));
-        let off = self.axes.xyz.iter().flatten().map(|index| {
-            let mut unit = [0.0; MAX_AXES];
-            unit[*index] = 1.0;
-            let tilted = self.chain.at_zero(&self.out_of_plane(&unit, rotation, &Vector3::zeros()));
-            angle_between(&(current * self.chain.at_zero(&unit)), &tilted)
-        });
-        off.fold(0.0, f64::max)
     }
 
     /// Words in a tilted plane as words outside it.

@@ -1,7 +1,7 @@
 //! The motion that CL data programs between two points: a straight tip path, and a tool axis that rotates evenly in the
 //! plane of the tool axes at both ends.
 
-use nalgebra::{Rotation3, UnitVector3, Vector3};
+use nalgebra::{UnitVector3, Vector3};
 
 use crate::kinematics::{Pose, REACH_TOLERANCE};
 
@@ -11,13 +11,6 @@ pub(crate) const SAME_AXIS: f64 = 1e-6;
 /// Angle between two unit vectors, rad; equally exact for small and large angles.
 pub(crate) fn angle_between(a: &Vector3<f64>, b: &Vector3<f64>) -> f64 {
     a.cross(b).norm().atan2(a.dot(b))
-}
-
-/// Smallest rotation that takes `a` to `b`; the two must not be opposite. Uses no arc cosine: the cosine of two axes
-/// that differ by rounding only may exceed 1.
-pub(crate) fn rotation_between(a: &UnitVector3<f64>, b: &UnitVector3<f64>) -> Rotation3<f64> {
-    let normal = UnitVector3::try_new(a.cross(b), 0.0);
-    normal.map_or_else(Rotation3::identity, |normal| Rotation3::from_axis_angle(&normal, angle_between(a, b)))
 }
 
 /// Straight path from one pose to another, with evenly rotating tool axis.
@@ -85,21 +78,6 @@ mod tests {
             (segment.angle() - std::f64::consts::FRAC_PI_2).abs() < 1e-12
                 && (segment.length() - 80_f64.sqrt()).abs() < 1e-12
         );
-    }
-
-    #[test]
-    fn a_rotation_takes_one_axis_to_another_however_near_they_are() {
-        for tilt in [1.0, 30.0, 55.5, 89.0] {
-            for off in [0.0, 1e-17, 1.2e-16, 1e-12, 1e-9, 1e-4, 0.5, 3.0] {
-                for step in 0..100 {
-                    let (sine, cosine) = (tilt + f64::from(step) * 0.01_f64).to_radians().sin_cos();
-                    let a = UnitVector3::new_unchecked(Vector3::new(0.0, -sine, cosine));
-                    let b = UnitVector3::new_normalize(Vector3::new(off * 0.7, off - sine, cosine));
-                    let rotated = rotation_between(&a, &b) * a.into_inner();
-                    assert!((rotated - b.into_inner()).norm() < 1e-15 * 4.0, "{tilt} {off}: {rotated}");
-                }
-            }
-        }
     }
 
     #[test]

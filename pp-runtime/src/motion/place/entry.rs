@@ -13,7 +13,7 @@ use crate::motion::step::{AxisWords, MAX_AXES, Step};
 use crate::nc::whole_units;
 
 use super::frame::{TipAbility, TipStart, WordMap, no_plane, orientation, table};
-use super::tilted_plane::PlaneAbility;
+use super::tilted_plane::{PlaneAbility, plane_across};
 use super::{AxisPosition, Placer, too_large};
 
 /// Largest difference between two directions that count as parallel: rounding of the arithmetic of angles.
@@ -59,8 +59,8 @@ impl Placer {
             }
             (TipStart::Configured, _) | (_, None) => before(self.axis_words_across(above)?, None),
             (_, Some(ability)) => {
-                let orientation = orientation(&*self.machine, &above.axes);
-                let (map, tilt) = self.frame.plane_map(&ability, &orientation).ok_or_else(no_plane)?;
+                let plane = plane_across(&above.pose.axis);
+                let (map, tilt) = self.frame.plane_map(&ability, &plane).ok_or_else(no_plane)?;
                 let pose = self.pose_of_plane(above, ability.pose);
                 let on = Step::Plane { angles: tilt.words, pose };
                 before(self.mapped_words_across(above, &map)?, Some([on, Step::PlaneOff]))

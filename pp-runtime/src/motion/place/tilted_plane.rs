@@ -4,7 +4,7 @@
 //! angles are written in the resolution of the control, and all later coordinates are in the plane as the *control*
 //! computes it: in the orientation of the rounded angles.
 
-use nalgebra::{Matrix3, Rotation3, Vector3};
+use nalgebra::{Matrix3, Rotation3, UnitVector3, Vector3};
 
 use crate::nc::Decimal;
 
@@ -12,6 +12,9 @@ use crate::motion::geometry::angle_between;
 
 /// Largest difference of the angle of the second rotary axis, rad, at which two poses of a plane count as one.
 const SAME_POSE: f64 = 1e-9;
+
+/// Angle to the normal within which X does not give the direction of a plane, rad.
+const ALONG_NORMAL: f64 = std::f64::consts::PI / 180.0;
 
 /// Convention of the three angles by which a control describes the orientation of a plane.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -69,6 +72,15 @@ impl PlaneAngles {
             }
         }
     }
+}
+
+/// Orientation of the plane across a tool axis whose X is that of the workpiece, projected into it; Y where X is within
+/// [`ALONG_NORMAL`] of the normal. A plane about Y is then an angle about Y alone.
+pub(crate) fn plane_across(axis: &UnitVector3<f64>) -> Matrix3<f64> {
+    let normal = axis.into_inner();
+    let along = |direction: Vector3<f64>| (direction - normal * normal.dot(&direction)).normalize();
+    let x = if normal.x.abs() > ALONG_NORMAL.cos() { along(Vector3::y()) } else { along(Vector3::x()) };
+    Matrix3::from_columns(&[x, normal.cross(&x), normal])
 }
 
 /// Rule by which a control chooses between the two poses of a plane.
@@ -220,5 +232,23 @@ mod tests {
         assert_eq!(PoseRule::Side.choose(0.5, &[1.5]), Some(false));
         assert_eq!(PoseRule::Side.choose(0.5, &[-0.2]), Some(true));
         assert_eq!(PoseRule::Side.choose(0.5, &[]), None);
+    }
+
+    #[test]
+    fn x_of_a_plane_is_x_of_the_workpiece_in_it() {
+        let axis = |x: f64, y: f64, z: f64| UnitVector3::new_normalize(Vector3::new(x, y, z));
+        for (x, y, z) in [(0.0, 0.0, 1.0), (0.3, 0.0, 0.9), (-0.4, 0.7, 0.2), (0.9, -0.4, -0.1), (1.0, 0.02, 0.0)] {
+            let axis = axis(x, y, z);
+            let plane = plane_across(&axis);
+            assert!((plane.transpose() * plane - Matrix3::identity()).norm() < 1e-12 && plane.determinant() > 0.0);
+            assert!((plane.column(2) - axis.into_inner()).norm() < 1e-15);
+            // In the plane, and no nearer direction to X of the workpiece is in it.
+            assert!(plane[(0, 1)].abs() < 1e-12 && plane[(0, 0)] > 0.0, "{plane}");
+        }
+        // Seen along X, Y is to the right and Z is up.
+        for x in [1.0, -1.0] {
+            let plane = plane_across(&axis(x, 0.01, 0.005));
+            assert!(plane[(1, 0)] > 0.999 && plane[(2, 1)] * x > 0.999, "{plane}");
+        }
     }
 }

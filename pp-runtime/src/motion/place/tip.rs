@@ -2,17 +2,16 @@
 
 use std::f64::consts::TAU;
 
-use nalgebra::{Matrix3, Point3, UnitVector3, Vector3};
+use nalgebra::{Matrix3, Point3, Vector3};
 
 use crate::kinematics::AxisValues;
 use crate::nc::whole_units;
 
-use super::frame::{WordMap, no_plane, orientation};
+use super::frame::{WordMap, no_plane};
 use super::refusal;
-use super::tilted_plane::{PlaneAbility, PoseRule, TiltedPlane};
+use super::tilted_plane::{PlaneAbility, PoseRule, TiltedPlane, plane_across};
 use super::{AxisPosition, Placer, too_large};
 use crate::motion::fault::Fault;
-use crate::motion::geometry::rotation_between;
 
 /// Largest deviation of a map from an orthogonal one: rounding of the arithmetic of angles.
 const ORTHOGONAL: f64 = 1e-9;
@@ -94,11 +93,8 @@ impl Placer {
         place: AxisPosition,
         ability: &PlaneAbility,
     ) -> Result<(AxisPosition, TiltedPlane), Fault> {
-        let reached = orientation(&*self.machine, &place.axes);
         // The rotary angles are rounded here, and the control computes its own: the plane is that of the tool axis.
-        let rounded = UnitVector3::new_normalize(reached * self.machine.tool_axis().into_inner());
-        let correction = rotation_between(&rounded, &place.pose.axis);
-        let tilt = self.frame.tilt(ability, &(correction * reached)).ok_or_else(no_plane)?;
+        let tilt = self.frame.tilt(ability, &plane_across(&place.pose.axis)).ok_or_else(no_plane)?;
         Ok((self.solve_linear_in_travel(place)?, tilt))
     }
 

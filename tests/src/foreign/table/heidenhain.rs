@@ -179,7 +179,7 @@ fn tool_call(command: &mut Command, tokens: &[Token]) -> Result<(), String> {
     }
 }
 
-/// `PLANE SPATIAL SPA+45 SPB+0 SPC+90 TURN MB MAX FMAX SEQ- TABLE ROT`, `PLANE RESET STAY`.
+/// `PLANE SPATIAL SPA+45 SPB+0 SPC+90 TURN MB MAX FMAX SEQ- COORD ROT`, `PLANE RESET STAY`.
 fn plane(command: &mut Command, tokens: &[Token]) -> Result<(), String> {
     let names: Vec<&str> = tokens.iter().map(|token| if let Token::Name(name) = token { name } else { "" }).collect();
     if matches!(names[..], ["RESET", "TURN" | "MOVE", ..]) {
@@ -202,7 +202,7 @@ fn plane(command: &mut Command, tokens: &[Token]) -> Result<(), String> {
         None => 0,
     };
     let turn: Vec<&str> = names.iter().skip(4).copied().filter(|name| !name.starts_with("SEQ")).collect();
-    if names.first() != Some(&"SPATIAL") || turn != ["TURN", "MB", "MAX", "FMAX", "TABLE", "ROT"] {
+    if names.first() != Some(&"SPATIAL") || turn != ["TURN", "MB", "MAX", "FMAX", "COORD", "ROT"] {
         return Err("a tilted plane in a form that is unknown here".to_owned());
     }
     command.tilt = Some(TiltedPlane { rotation: geometry::fixed(angles), origin: [0.0; 3], oriented: true, solution });

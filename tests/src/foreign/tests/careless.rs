@@ -52,11 +52,11 @@ fn a_plane_reset_may_move_rotary_axes() {
 #[test]
 fn the_sign_that_chooses_the_rotary_axes_is_part_of_the_plane() {
     let solution = |control, block: &str| state(control, block).tilted_plane().expect("a plane").solution;
-    let spatial = |sign: &str| format!("PLANE SPATIAL SPA+0 SPB+45 SPC+0 TURN MB MAX FMAX {sign}TABLE ROT");
+    let spatial = |sign: &str| format!("PLANE SPATIAL SPA+0 SPB+45 SPC+0 TURN MB MAX FMAX {sign}COORD ROT");
     assert_eq!(["SEQ+ ", "SEQ- ", ""].map(|sign| solution(Heidenhain, &spatial(sign))), [1, -1, 0]);
     let swivel = |direction| format!("CYCLE800(0,\"\",0,57,0,0,0,0,45,0,0,0,0,{direction},0)");
     assert_eq!([1, -1, 0].map(|direction| solution(Siemens, &swivel(direction))), [1, -1, 0]);
-    is_refused(Heidenhain, &spatial("").replace("TABLE", "COORD"));
+    is_refused(Heidenhain, &spatial("").replace("COORD", "TABLE"));
 }
 
 #[test]

@@ -91,7 +91,7 @@ const ROWS: &[Row] = &[
         state.tilted_plane().is_some_and(|plane| plane.oriented)
     }),
     (Siemens, "CYCLE800()", |state| state.tilt == Some(None)),
-    (Heidenhain, "PLANE SPATIAL SPA+0 SPB+45 SPC+0 TURN MB MAX FMAX SEQ+ TABLE ROT", |state| {
+    (Heidenhain, "PLANE SPATIAL SPA+0 SPB+45 SPC+0 TURN MB MAX FMAX SEQ+ COORD ROT", |state| {
         state.tilted_plane().is_some_and(|plane| plane.oriented)
     }),
     (Heidenhain, "PLANE RESET STAY", |state| state.tilt == Some(None)),

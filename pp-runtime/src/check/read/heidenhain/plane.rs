@@ -35,7 +35,7 @@ pub(super) fn reset(line: &mut Line<'_>) -> bool {
     words(line, positioning).is_some_and(|words| words.pose.is_none() && words.coordinate_rotation.is_none())
 }
 
-/// `PLANE SPATIAL SPA+45 SPB+0 SPC+90 TURN MB MAX FMAX SEQ- TABLE ROT`.
+/// `PLANE SPATIAL SPA+45 SPB+0 SPC+90 TURN MB MAX FMAX SEQ- COORD ROT`.
 pub(super) fn spatial(line: &mut Line<'_>) -> bool {
     let mut angles = [0.0; 3];
     for (angle, name) in angles.iter_mut().zip([b"SPA", b"SPB", b"SPC"]) {
@@ -53,7 +53,7 @@ pub(super) fn spatial(line: &mut Line<'_>) -> bool {
         origin: nalgebra::Vector3::zeros(),
         oriented: positioning != Positioning::Stay,
         pose: words.pose,
-        coordinate_rotation: words.coordinate_rotation == Some(true),
+        rotates_table: words.coordinate_rotation != Some(true),
     });
     if positioning == Positioning::Move {
         line.fault(0, "PLANE with MOVE moves the linear axes as well, by a distance that depends on the control");

@@ -214,9 +214,8 @@ impl Reading<'_, '_> {
         };
         match rotation.filter(|_| others == 0 && all) {
             Some(rotation) => {
-                let (pose, coordinate_rotation, oriented) = (None, false, false);
-                draft.tilt =
-                    Some(TiltCode::On { rotation, origin: origin.into(), oriented, pose, coordinate_rotation });
+                let (pose, rotates_table, oriented) = (None, false, false);
+                draft.tilt = Some(TiltCode::On { rotation, origin: origin.into(), oriented, pose, rotates_table });
             }
             None => self.line.fault(0, "unknown form of tilted plane"),
         }

@@ -171,9 +171,9 @@ impl Interpreter {
         match draft.tilt {
             None | Some(TiltCode::Orient) => {}
             Some(TiltCode::Off | TiltCode::Zero) => state.tilt = None,
-            Some(TiltCode::On { rotation, origin, oriented, pose, coordinate_rotation }) => {
+            Some(TiltCode::On { rotation, origin, oriented, pose, rotates_table }) => {
                 let unit = state.units.map_or(1.0, |units| units.in_mm());
-                state.tilt = Some(Tilt { rotation, origin: origin * unit, oriented, pose, coordinate_rotation });
+                state.tilt = Some(Tilt { rotation, origin: origin * unit, oriented, pose, rotates_table });
             }
         }
         match (draft.tilt, &mut state.tilt) {

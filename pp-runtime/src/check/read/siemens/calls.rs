@@ -234,7 +234,7 @@ fn swivel(line: &mut Line<'_>, numbers: &Numbers) {
         _ => return line.fault(0, format!("_DIR of CYCLE800 is {direction}, expected -1, 0 or 1")),
     };
     let oriented = pose.is_some();
-    let tilt = TiltCode::On { rotation, origin, oriented, pose, coordinate_rotation: false };
+    let tilt = TiltCode::On { rotation, origin, oriented, pose, rotates_table: false };
     if line.draft.tilt.replace(tilt).is_some() {
         line.fault(0, "two planes in one block");
     }

@@ -47,12 +47,12 @@ fn the_end_of_a_plane_may_rotate_the_axes_to_zero() {
 }
 
 #[test]
-fn a_plane_has_its_pose_and_its_rotation_of_coordinates() {
+fn a_plane_has_its_pose_and_its_rotation_of_the_table() {
     let plane =
         |words: &str| tilt(&last(Family::Heidenhain, &format!("{TNC}2 PLANE SPATIAL SPA+45 SPB+0 SPC+90 {words}\n")));
     let (table, coord) = (plane("TURN MB MAX FMAX SEQ- TABLE ROT"), plane("TURN MB50 F500 SEQ+ COORD ROT"));
-    assert_eq!((table.pose, table.coordinate_rotation), (Some(false), false));
-    assert_eq!((coord.pose, coord.coordinate_rotation), (Some(true), true));
+    assert_eq!((table.pose, table.rotates_table), (Some(false), true));
+    assert_eq!((coord.pose, coord.rotates_table), (Some(true), false));
     assert_eq!(plane("TURN MB MAX FMAX").pose, None);
     for words in [
         "TURN MB FMAX",
