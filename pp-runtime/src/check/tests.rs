@@ -260,7 +260,7 @@ GOTO/75.21182,-13.12891,54.11004
 ";
     let (found, program) = posted::<HeadTable>("linuxcnc", Mode::Axes, set_up, data).expect("it can be posted");
     assert_eq!(found, [""; 0]);
-    assert!(program.contains("\nX-126.814 Y22.324 C-1605.7805 F24965.3\nG94\n"), "{program}");
+    assert!(program.contains("\nX-126.814 Y22.324 B-0.0066 C-1605.7805 F2266.43\nG94\n"), "{program}");
 }
 
 /// The points of two holes put their levels a fraction of a unit apart: the tool is lifted by the last digit of a word.

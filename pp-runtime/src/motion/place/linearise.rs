@@ -5,10 +5,13 @@
 //! [`Machine::motion`](crate::kinematics::Machine::motion) certifies every piece, for the words as they are written:
 //! the tolerance is reduced by their rounding.
 //!
-//! The longest piece from the start that certifies is taken, then the longest from its end, and so on. The search is a
-//! bisection on the path parameter; because deviations grow with the square of the length, the last deviation predicts
-//! the next length to try. Points in between are *poses* of the path, inverted; a number of pieces computed beforehand
-//! would be a guess, because axes are not linear in the pose.
+//! A motion has equal pieces, as few as certify: a control moves evenly through blocks of one length, and is slowed by a
+//! remainder. Because deviations grow with the square of the length, the worst deviation of one number of pieces predicts
+//! the next number to try. Points in between are *poses* of the path, inverted.
+//!
+//! Where the axes rotate far more in one part of a motion than in the others, near a pole, equal pieces would be many times
+//! as many as needed: more than [`MOST_TIMES`] the number of longest pieces, one after the other. There the lengths are
+//! powers of two of the whole, as long as certifies, and neighbours differ by a factor of two at most.
 //!
 //! A piece whose tip and tool axis move by less than half a unit of the words and that does not certify is a rotation
 //! on the spot: of the rotary axis whose angle is free at the pole. Its rotary values are stepped from one end to the
@@ -34,6 +37,15 @@ const LENGTH_ACCURACY: f64 = 0.01;
 
 /// Factor on the length that would use the whole tolerance, for the next try.
 const AIM: f64 = 0.993;
+
+/// Equal pieces, in numbers of the longest pieces, above which the pieces have different lengths.
+const MOST_TIMES: u32 = 2;
+
+/// Equal pieces up to this number need no comparison with the longest pieces.
+const FEW: u32 = 4;
+
+/// Largest number of pieces of one motion.
+const MOST_PIECES: u32 = 100_000;
 
 /// Largest number of tries for one piece: bisection from the whole motion to the last bit takes fewer.
 const MAX_TRIES: usize = 120;
@@ -96,8 +108,18 @@ struct CuttingPath {
     resolution: f64,
     /// Parameter at the end of the last piece.
     at: f64,
-    /// Length of the last piece, in the parameter.
-    stride: f64,
+    pieces: Pieces,
+}
+
+/// Lengths of the pieces of a path.
+#[derive(Debug, Clone, Copy)]
+enum Pieces {
+    /// Not known yet; the share of the tolerance that the whole path uses.
+    Unknown { share: f64 },
+    /// Equal, this many, of which some are done.
+    Equal { count: u32, done: u32 },
+    /// Powers of two of the whole; length of the last one, in the parameter.
+    Graded { last: f64 },
 }
 
 /// A rotation of the rotary axes while the tool stays in place.
@@ -109,6 +131,15 @@ struct SpotRotation {
     resolution: f64,
     at: f64,
     stride: f64,
+}
+
+/// The next part of a path with pieces of graded lengths.
+struct GradedPart {
+    /// In the parameter.
+    length: f64,
+    end: AxisPosition,
+    /// It certifies as one piece; otherwise it is to be a rotation on the spot.
+    certified: bool,
 }
 
 /// Result of a search for the longest piece.
@@ -135,10 +166,12 @@ impl Linearised {
             let piece = match self.rest {
                 Remaining::Nothing => return Ok(None),
                 Remaining::Whole => {
-                    if let Some(whole) = self.rest_in_one(&certifier) {
+                    let whole = certifier.certify(&self.from, &self.to);
+                    if whole.share <= 1.0 {
+                        self.rest = Remaining::Nothing;
                         return Ok(Some(whole));
                     }
-                    self.rest = Remaining::Path(certifier.path(&self.from, &self.to)?);
+                    self.rest = Remaining::Path(certifier.path(&self.from, &self.to, whole.share)?);
                     continue;
                 }
                 Remaining::Path(path) => self.along(&certifier, path)?,
@@ -151,37 +184,32 @@ impl Linearised {
         }
     }
 
-    /// The whole rest of the motion as one piece, if that certifies.
-    #[inline]
-    fn rest_in_one(&mut self, certifier: &Certifier<'_>) -> Option<CertifiedPiece> {
-        let piece = certifier.certify(&self.from, &self.to);
-        (piece.share <= 1.0).then(|| {
-            self.rest = Remaining::Nothing;
-            piece
-        })
-    }
-
     /// The next piece along the path; `None` if a rotation on the spot must come first.
-    fn along(&mut self, certifier: &Certifier<'_>, path: CuttingPath) -> Result<Option<CertifiedPiece>, Fault> {
-        // At the start the whole motion has been tried already.
-        if path.at > 0.0
-            && let Some(piece) = self.rest_in_one(certifier)
-        {
-            return Ok(Some(piece));
+    fn along(&mut self, certifier: &Certifier<'_>, mut path: CuttingPath) -> Result<Option<CertifiedPiece>, Fault> {
+        if let Pieces::Unknown { share } = path.pieces {
+            path.pieces = certifier.pieces(&path, (&self.from, &self.to), share)?;
         }
-        let (from, to) = (self.from, self.to);
-        let found = longest(path.at, path.stride, path.resolution, |parameter| {
-            let place = certifier.between(&path, (&from, &to), parameter)?;
-            Ok(certifier.certify(&from, &place))
-        })?;
-        let until = found.until;
-        if found.piece.is_some() {
-            self.rest = Remaining::Path(CuttingPath { stride: until - path.at, at: until, ..path });
-        } else {
-            let target = if until < 1.0 { certifier.between(&path, (&from, &to), until)? } else { to };
-            self.rest = Remaining::Spot(certifier.spot(&from, &target), CuttingPath { at: until, ..path });
-        }
-        Ok(found.piece)
+        let (until, place) = match path.pieces {
+            Pieces::Equal { count, done } => {
+                path.pieces = Pieces::Equal { count, done: done + 1 };
+                let until = f64::from(done + 1) / f64::from(count);
+                (until, certifier.point(&path, (&self.from, &self.to), until)?)
+            }
+            Pieces::Unknown { .. } | Pieces::Graded { .. } => {
+                let part = certifier.graded(&path, (&self.from, &self.to))?;
+                path.pieces = Pieces::Graded { last: part.length };
+                if !part.certified {
+                    path.at += part.length;
+                    self.rest = Remaining::Spot(certifier.spot(&self.from, &part.end), path);
+                    return Ok(None);
+                }
+                (path.at + part.length, part.end)
+            }
+        };
+        let piece = certifier.certify(&self.from, &place);
+        path.at = until;
+        self.rest = if until < 1.0 { Remaining::Path(path) } else { Remaining::Nothing };
+        Ok(Some(piece))
     }
 
     /// The next piece of a rotation on the spot.
@@ -299,9 +327,9 @@ impl Certifier<'_> {
         2.0 * (0.5 * self.placer.rotary.scale.angle(1) * self.placer.rotary.axes.len() as f64 + deviation)
     }
 
-    /// The path between two positions.
+    /// The path between two positions; `share` of the tolerance is used by one piece.
     #[cold]
-    fn path(&self, from: &AxisPosition, to: &AxisPosition) -> Result<CuttingPath, Fault> {
+    fn path(&self, from: &AxisPosition, to: &AxisPosition, share: f64) -> Result<CuttingPath, Fault> {
         let rounding = self.placer.largest_rounding();
         if rounding >= self.allowed.tip_mm {
             return Err(Fault::new(format_args!(
@@ -327,7 +355,132 @@ impl Certifier<'_> {
             (false, true) => Some(from.branch),
             _ => (from.branch == to.branch).then_some(from.branch),
         };
-        Ok(CuttingPath { segment, branch, resolution, at: 0.0, stride: 0.5 })
+        Ok(CuttingPath { segment, branch, resolution, at: 0.0, pieces: Pieces::Unknown { share } })
+    }
+
+    /// The lengths of the pieces of a path.
+    #[cold]
+    fn pieces(
+        &self,
+        path: &CuttingPath,
+        (from, to): (&AxisPosition, &AxisPosition),
+        share: f64,
+    ) -> Result<Pieces, Fault> {
+        let predicted =
+            |count: u32, share: f64| (f64::from(count) * share.sqrt()).ceil().min(f64::from(MOST_PIECES)) as u32;
+        let (mut count, mut most) = (if share.is_finite() { predicted(1, share).max(2) } else { 2 }, None);
+        // The largest number that is known to be too small.
+        let mut too_few = 1;
+        let mut equal = None;
+        while equal.is_none_or(|enough| count < enough) && count > too_few {
+            if count > FEW {
+                let most = match most {
+                    Some(most) => most,
+                    None => {
+                        *most.insert(self.least(path, (from, to))?.map_or(0, |least| least.saturating_mul(MOST_TIMES)))
+                    }
+                };
+                if count > most {
+                    // Fewer may still certify.
+                    if most <= too_few {
+                        break;
+                    }
+                    count = most;
+                }
+            }
+            let worst = self.worst_of_equal(path, (from, to), count)?;
+            if worst <= 1.0 {
+                equal = Some(count);
+                count = predicted(count, worst).max(too_few + 1).min(count - 1);
+            } else {
+                too_few = count;
+                let next = if worst.is_finite() { predicted(count, worst) } else { count.saturating_mul(2) };
+                count = equal.map_or(next.max(count + 1), |enough: u32| next.clamp(count + 1, enough));
+            }
+        }
+        Ok(equal.map_or(Pieces::Graded { last: 1.0 }, |count| Pieces::Equal { count, done: 0 }))
+    }
+
+    /// Largest share of the tolerance that one of `count` equal pieces uses.
+    fn worst_of_equal(
+        &self,
+        path: &CuttingPath,
+        (from, to): (&AxisPosition, &AxisPosition),
+        count: u32,
+    ) -> Result<f64, Fault> {
+        let (mut last, mut path, mut worst) = (*from, *path, 0.0_f64);
+        for done in 1..=count {
+            let until = f64::from(done) / f64::from(count);
+            let place = self.point(&path, (&last, to), until)?;
+            worst = worst.max(self.certify(&last, &place).share);
+            if worst.is_infinite() {
+                break;
+            }
+            (last, path.at) = (place, until);
+        }
+        Ok(worst)
+    }
+
+    /// Number of the longest pieces, one after the other; `None` if one does not certify however short it is.
+    fn least(&self, path: &CuttingPath, (from, to): (&AxisPosition, &AxisPosition)) -> Result<Option<u32>, Fault> {
+        let (mut last, mut path, mut stride) = (*from, *path, 0.5);
+        for count in 1..MOST_PIECES {
+            if path.at > 0.0 && self.certify(&last, to).share <= 1.0 {
+                return Ok(Some(count));
+            }
+            let found = longest(path.at, stride, path.resolution, |parameter| {
+                let place = self.between(&path, (&last, to), parameter)?;
+                Ok(self.certify(&last, &place))
+            })?;
+            let Some(piece) = found.piece else { return Ok(None) };
+            (last, stride, path.at) = (piece.place, found.until - path.at, found.until);
+        }
+        Ok(None)
+    }
+
+    /// The next piece of graded lengths, or a part that is to be a rotation on the spot.
+    fn graded(&self, path: &CuttingPath, (from, to): (&AxisPosition, &AxisPosition)) -> Result<GradedPart, Fault> {
+        let last = if let Pieces::Graded { last } = path.pieces { last } else { 1.0 };
+        let mut length = (2.0 * last).min(1.0);
+        loop {
+            let fits = path.at + length <= 1.0 && (path.at / length).fract() == 0.0;
+            if fits {
+                let end = self.point(path, (from, to), path.at + length)?;
+                let shortest = length <= path.resolution;
+                let certified = self.certify(from, &end).share <= 1.0;
+                if shortest || certified && self.grades(path, (&end, to), path.at + length, 0.5 * length)? {
+                    return Ok(GradedPart { length, end, certified });
+                }
+            }
+            length *= 0.5;
+        }
+    }
+
+    /// Whether a piece of this length may begin at a parameter, and the pieces after it need not be shorter by more than a
+    /// factor of two from one to the next.
+    fn grades(
+        &self,
+        path: &CuttingPath,
+        (from, to): (&AxisPosition, &AxisPosition),
+        at: f64,
+        length: f64,
+    ) -> Result<bool, Fault> {
+        if at >= 1.0 || length <= path.resolution {
+            return Ok(true);
+        }
+        let path = CuttingPath { at, ..*path };
+        let place = self.point(&path, (from, to), at + length)?;
+        Ok(self.certify(from, &place).share <= 1.0 && self.grades(&path, (&place, to), at + length, 0.5 * length)?)
+    }
+
+    /// Position at a parameter of the path, which may be its end.
+    fn point(
+        &self,
+        path: &CuttingPath,
+        (from, to): (&AxisPosition, &AxisPosition),
+        parameter: f64,
+    ) -> Result<AxisPosition, Fault> {
+        if parameter < 1.0 { self.between(path, (from, to), parameter) } else { Ok(*to) }
     }
 
     /// Rotary words of a solution, in the turn nearest to the axis values `near`.
