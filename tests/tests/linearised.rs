@@ -52,6 +52,18 @@ fn past(offset_rad: f64) -> Vec<Pose> {
     vec![pose(-0.1), pose(0.6)]
 }
 
+/// Around a steep wall in steps of 8 degrees, the tilt of the tool growing evenly: between two points the great circle is
+/// less tilted than both.
+fn wall() -> Vec<Pose> {
+    let pose = |step: u32| {
+        let ((sine, cosine), (up, across)) =
+            ((8.0 * f64::from(step)).to_radians().sin_cos(), (40.0 - 0.05 * f64::from(step)).to_radians().sin_cos());
+        let axis = Vector3::new(across * cosine, across * sine, up);
+        Pose { tip: Point3::new(30.0 * cosine, 30.0 * sine, 5.0), axis: unit(axis) }
+    };
+    (0..30).map(pose).collect()
+}
+
 /// Path outwards along the blade of an impeller; the side tilt of the tool increases.
 fn swirl() -> Vec<Pose> {
     let pose = |step: usize| {
@@ -97,6 +109,8 @@ struct Found {
     spots: usize,
     /// Motions with pieces of different lengths.
     graded: usize,
+    /// Blocks that end at the points of the CL data.
+    points: Vec<usize>,
 }
 
 fn config<M: Machine>(part_origin: [f64; 3]) -> Config {
@@ -275,6 +289,7 @@ impl<M: Machine> Checker<M> {
             }
             before = place;
             index += 1;
+            found.points.push(place);
         }
         assert_eq!(index, poses.len(), "{}: a block ends at every point", M::NAME);
         found
@@ -324,6 +339,14 @@ fn posted<M: Machine>(config: &Config, poses: &[Pose]) -> (Report, String) {
     (report, String::from_utf8(out).expect("ASCII"))
 }
 
+/// How often an axis changes its direction.
+fn reversals(blocks: &[&Vec<f64>], axis: usize) -> usize {
+    let steps = blocks.windows(2).map(|pair| pair[1][axis] - pair[0][axis]);
+    // Less than a unit of the words is rounding.
+    let steps: Vec<f64> = steps.filter(|step| step.abs() > 2e-6).collect();
+    steps.windows(2).filter(|pair| pair[0] * pair[1] < 0.0).count()
+}
+
 fn check<M: Machine>(name: &str, poses: &[Pose], limits: &[(char, f64, f64)]) -> Found {
     let poses = as_written(poses);
     let mut config = config::<M>(PART);
@@ -335,7 +358,16 @@ fn check<M: Machine>(name: &str, poses: &[Pose], limits: &[(char, f64, f64)]) ->
     let mut machine = M::default();
     machine.set_up(Vector3::from(PART), LENGTH);
     let oracle = Oracle::of(&machine);
-    let found = Checker { machine, oracle, config }.check(&poses, &printed::<M>(&text));
+    let rotary = oracle.rotary();
+    let blocks = printed::<M>(&text);
+    let found = Checker { machine, oracle, config }.check(&poses, &blocks);
+    let at_points: Vec<&Vec<f64>> = found.points.iter().map(|&place| &blocks[place]).collect();
+    let from_first: Vec<&Vec<f64>> = blocks[found.points[0]..].iter().collect();
+    if poses.iter().all(|pose| pose.axis.z.acos() > 0.15) {
+        for axis in rotary {
+            assert_eq!(reversals(&from_first, axis), reversals(&at_points, axis), "{name} {}: axis {axis}", M::NAME);
+        }
+    }
     assert_eq!(report.statistics.inserted as usize, found.inserted, "{name} {}", M::NAME);
     println!("{name} {}: {found:?}", M::NAME);
     found
@@ -363,6 +395,9 @@ linearised! {
     spinner_near_the_pole: SpinnerU5620, traverse(0.6, 25), [BOTH_SIDES];
     spinner_farther_from_the_pole: SpinnerU5620, traverse(6.0, 24), [];
     spinner_on_the_swirl: SpinnerU5620, swirl(), [];
+    spinner_around_a_steep_wall: SpinnerU5620, wall(), [];
+    dmu_around_a_steep_wall: Dmu70e, wall(), [];
+    trunnion_around_a_steep_wall: Trunnion, wall(), [];
     dmu_across_the_pole: Dmu70e, traverse(0.0, 24), [];
     dmu_near_the_pole: Dmu70e, traverse(0.6, 25), [];
     dmu_farther_from_the_pole: Dmu70e, traverse(6.0, 24), [];

@@ -126,7 +126,7 @@ impl Digits {
 pub struct Tolerances {
     /// Of the tip from its path, mm.
     pub path_mm: f64,
-    /// Of the tool axis from its even rotation, rad.
+    /// Of the tool axis from its great circle, rad.
     pub axis_path_rad: f64,
     /// Angle to the pole within which a tool axis may be put at the pole, rad.
     pub pole_rad: f64,

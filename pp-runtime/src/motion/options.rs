@@ -42,7 +42,8 @@ options! {
         /// Largest deviation of arcs and chords from the arcs and curves of the CL data, and of the tip from its line
         /// while a rotary axis moves.
         tolerance_mm: f64 = 0.01, key("tolerance", Measure::length(Bound::Positive).unless(beyond_words));
-        /// Largest angle of the tool axis from its even rotation between two points.
+        /// Largest angle of the tool axis from the great circle between two points. The rotary axes go evenly where they keep
+        /// to it, else by points on the great circle.
         axis_tolerance_path_rad: f64 = 0.1_f64.to_radians(),
             key("axis_tolerance_path", Measure::angle(Bound::Positive).unless(beyond_axis_words));
         /// Dwell after the start of the spindle, seconds.

@@ -297,7 +297,7 @@ impl Header<'_> {
             rotaries(self.machine, Side::Workpiece).chain(rotaries(self.machine, Side::Tool)).next().is_some();
         let tolerances = (has_rotaries && self.rotates_in_cuts()).then(|| {
             format!(
-                "WHILE A ROTARY AXIS MOVES the tip stays within {} of its line at feed, the tool axis within {} deg",
+                "WHILE A ROTARY AXIS MOVES the tip stays within {} of its line at feed, the tool axis within {} deg of its great circle",
                 self.length(config.motion.tolerance_mm),
                 (config.motion.axis_tolerance_path_rad.to_degrees() * 1e6).round() / 1e6
             )
@@ -333,8 +333,7 @@ impl Header<'_> {
     /// Box around all cuts, widened in X and Y by the radius of each tool, mm.
     fn around_cuts(&self) -> Option<Stock> {
         let boxes = self.survey.tools.iter().filter_map(|tool| {
-            let given = self.job.config.set_up.tools.get(&tool.call.number).and_then(|given| given.diameter_mm);
-            let radius = given.or(tool.call.diameter_mm).unwrap_or(0.0) / 2.0;
+            let radius = tool.radius_mm(self.job.config).unwrap_or(0.0);
             let [lower, upper] = tool.cuts_mm?;
             let margin = [radius, radius, 0.0];
             Some((std::array::from_fn(|i| lower[i] - margin[i]), std::array::from_fn(|i| upper[i] + margin[i])))

@@ -103,6 +103,10 @@ pub struct Report {
     pub unchecked: Vec<String>,
     /// Tool numbers in ascending order.
     pub tools: Vec<u32>,
+    /// Largest known radius of a tool, mm.
+    pub largest_radius_mm: Option<f64>,
+    /// `tolerance`, mm.
+    pub tolerance_mm: f64,
 }
 
 /// A count with its noun: `1 tool`, `2 tools`, `2 stretches`.
@@ -120,6 +124,8 @@ impl Report {
     fn of(machine: &dyn AnyMachine, job: &Job<'_>, survey: &Survey) -> Self {
         let mut report = Self {
             tools: survey.tools.iter().map(|tool| tool.call.number).collect(),
+            largest_radius_mm: survey.tools.iter().filter_map(|tool| tool.radius_mm(job.config)).reduce(f64::max),
+            tolerance_mm: job.config.motion.tolerance_mm,
             lines: survey.file.lines,
             stretches: survey.stretches,
             modes: header::modes(job.config, survey),
@@ -180,11 +186,12 @@ impl Report {
         if statistics.largest_tip_bound_mm > 0.0 {
             lines.push(format!(
                 "linearised: {} inserted; while a rotary axis moves at feed, the tip deviates from its line by at most \
-                 {:.4} mm, the tool axis from its even rotation by at most {:.4}°",
+                 {:.4} mm, the tool axis from its great circle by at most {:.4}°",
                 counted(statistics.inserted, "block"),
                 statistics.largest_tip_bound_mm,
                 statistics.largest_axis_bound_rad.to_degrees(),
             ));
+            lines.extend(self.surface_text());
         }
         lines.extend(arcs_text(statistics));
         if statistics.cycles > 0 {
@@ -197,6 +204,27 @@ impl Report {
     fn fault(&mut self, diagnostic: Diagnostic) {
         self.failed |= diagnostic.severity == Severity::Error;
         self.diagnostics.push(diagnostic);
+    }
+}
+
+impl Report {
+    /// How far the surface of a tool is off where its axis leaves the great circle: the tip is held.
+    fn surface_text(&self) -> Option<String> {
+        let angle = self.statistics.largest_axis_bound_rad;
+        let per_mm = format!("the flank of a tool is off by at most {:.2} µm per mm of its length there", angle * 1e3);
+        let Some(radius) = self.largest_radius_mm.filter(|_| angle > 0.0) else {
+            return (angle > 0.0).then_some(per_mm);
+        };
+        let off = radius * angle;
+        let mut text = format!("{per_mm}, a ball of R{radius} by at most {off:.4} mm");
+        if off > self.tolerance_mm {
+            let kept = ((self.tolerance_mm / radius).to_degrees() * 1e3).floor() / 1e3;
+            text += &format!(
+                "; warning: that is more than `tolerance` = {} mm, which `axis_tolerance_path = {kept}` keeps",
+                self.tolerance_mm
+            );
+        }
+        Some(text)
     }
 }
 

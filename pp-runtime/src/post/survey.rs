@@ -10,7 +10,7 @@ use std::ops::RangeInclusive;
 use nalgebra::UnitVector3;
 
 use crate::cl::{ArcVote, ClReader, Dialect, ReadingOptions};
-use crate::config::{list, nearest};
+use crate::config::{Config, list, nearest};
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::{AnyMachine, Pose};
 use crate::motion::{
@@ -511,6 +511,14 @@ impl OperationSelection {
             None if self.names.is_empty() => "none has a name".to_owned(),
             None => format!("its operations are {}", list(names().take(MOST_LISTED), '`')),
         }
+    }
+}
+
+impl ToolUse {
+    /// Radius of the tool, from the configuration or the CL data, mm.
+    pub(super) fn radius_mm(&self, config: &Config) -> Option<f64> {
+        let given = config.set_up.tools.get(&self.call.number).and_then(|given| given.diameter_mm);
+        given.or(self.call.diameter_mm).map(|diameter| diameter / 2.0)
     }
 }
 

@@ -11,7 +11,7 @@
 ; AXIS Z+ moves the tool along +Z, as in ISO 841
 ; AXIS B+ rotates the tool right-handed about +Y, as in ISO 841
 ; AXIS A+ rotates the tool right-handed about +X, as in ISO 841
-; WHILE A ROTARY AXIS MOVES the tip stays within 0.0004 of its line at feed, the tool axis within 0.1 deg
+; WHILE A ROTARY AXIS MOVES the tip stays within 0.0004 of its line at feed, the tool axis within 0.1 deg of its great circle
 ; ROTARY WORDS are absolute and go beyond 360: the axes must not be modulo axes (MD30310 = 0)
 ; linear limits not checked: no travel declared (X Y Z)
 ; T12 D0.375 R0 L4.75 D1, 1 operation, tip Z -0.2227 to 2.8269

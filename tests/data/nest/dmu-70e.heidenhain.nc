@@ -17,7 +17,7 @@
 16 ; AXIS X+ moves the tool along +X, as in ISO 841
 17 ; AXIS Y+ moves the tool along +Y, as in ISO 841
 18 ; AXIS Z+ moves the tool along +Z, as in ISO 841
-19 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg
+19 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg of its great circle
 20 ; ROTARY WORDS are absolute and go beyond 360: M127 is in force, so the axes do not take the shortest path
 21 ; linear limits not checked: no travel declared (X Y Z)
 22 ; valid only for part origin X0 Y0 Z0 from the reference point of the table; do not touch off again

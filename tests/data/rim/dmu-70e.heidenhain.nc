@@ -12,7 +12,7 @@
 11 ; AXIS X+ moves the tool along +X, as in ISO 841
 12 ; AXIS Y+ moves the tool along +Y, as in ISO 841
 13 ; AXIS Z+ moves the tool along +Z, as in ISO 841
-14 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg
+14 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg of its great circle
 15 ; ROTARY WORDS are absolute and go beyond 360: M127 is in force, so the axes do not take the shortest path
 16 ; linear limits not checked: no travel declared (X Y Z)
 17 ; valid only for part origin X0 Y0 Z0 from the reference point of the table; do not touch off again

@@ -146,7 +146,8 @@ impl<R: Read> Comparison<'_, R> {
                 continue;
             }
             let arrival = self.progress.arrival(cutting.here, chords);
-            let share = self.rules.share_done(&segment, &motion, block, end, &arrival);
+            let words = &self.previous.words;
+            let share = self.rules.share_done(&segment, &motion, block, (words, end), &arrival);
             let share = share.or_else(|| if in_hole { self.stops_over_hole(&segment, &motion, end) } else { None });
             if let Some(share) = share {
                 let feed = self.rules.feed_of(&motion);
@@ -184,7 +185,10 @@ impl<R: Read> Comparison<'_, R> {
         let block = current.block;
         let on = part.segment.at(part.share);
         if !part.rapid || part.share >= 1.0 {
-            self.tally.deviation((end.tip - on.tip).norm(), angle_between(&end.axis, &on.axis));
+            // Points of an even rotation of the rotary axes are not on the great circle.
+            let angle = angle_between(&end.axis, &on.axis);
+            let on_circle = angle <= BOTH * self.rules.axis_allowance(&on.axis);
+            self.tally.deviation((end.tip - on.tip).norm(), if on_circle { angle } else { 0.0 });
         }
         self.compare_state(current, &part.required);
         let stopped = if part.rapid { None } else { self.functions.cut_after_thread() };
@@ -274,7 +278,7 @@ impl<R: Read> Comparison<'_, R> {
         if deviation.axis_rad > largest && !policy.links.rewinds_in_cut {
             let (axis, largest) = (deviation.axis_rad.to_degrees(), largest.to_degrees());
             let text = format!(
-                "within this block the tool axis deviates from its even rotation by {axis:.4}°, allowed {largest:.4}°"
+                "within this block the tool axis deviates from its great circle by {axis:.4}°, allowed {largest:.4}°"
             );
             self.found(current, &text);
         }

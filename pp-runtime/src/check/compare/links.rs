@@ -561,12 +561,17 @@ impl<R: Read> Comparison<'_, R> {
             let along = (end.tip - pose.tip).dot(&axis);
             (along, ToolPose { tip: pose.tip + axis * along, axis })
         });
+        let tip_mm = self.rules.rounding().tip_mm;
+        // The tool comes back from as far as it was led out, or by a new approach to the same point.
+        let led_out = rewind.out.map(|out| (out.tip - pose.tip).dot(&pose.axis));
+        let approach_mm = self.rules.policy().links.approach_mm;
         if let Some(out) = rewind.out {
             over[0].1 = out;
         }
-        let tip_mm = self.rules.rounding().tip_mm;
         let at = |(along, above): &&(f64, ToolPose)| {
-            *along >= -tip_mm && retract::is_at_distance(&self.rules, end, above, *along)
+            let near = |height: f64| (along - height).abs() <= 4.0 * tip_mm;
+            let far = led_out.map_or(*along >= -tip_mm, |led_out| near(led_out) || near(approach_mm));
+            far && retract::is_at_distance(&self.rules, end, above, *along)
         };
         over.iter().find(at).map(|(_, above)| *above)
     }

@@ -134,7 +134,12 @@ impl Line<'_> {
         let draft = &*self.draft;
         let smooths = draft.groups & (1 << group::SMOOTHING) != 0;
         let switches = self.facts().form == Form::Keywords && draft.groups & (1 << group::TIP) != 0;
+        let swivels = self.facts().form == Form::Keywords && draft.groups & (1 << group::TILT) != 0;
         let found = [
+            (
+                swivels && !draft.is_alone(group::TILT),
+                "a plane is tilted or reset in a block with other codes or words: it needs a block of its own",
+            ),
             (
                 smooths && !draft.is_alone(group::SMOOTHING),
                 "smoothing is switched in a block with other codes or words: it needs a block of its own",

@@ -6,7 +6,7 @@ use super::super::expect::ClMotion;
 use super::super::geometry::{PathShape, Segment, ToolPose, angle_between};
 use super::super::policy::RapidForm;
 use super::super::read::{Action, ArcMove, Block, MAX_AXES, TipControl};
-use super::Rules;
+use super::{AXIS_NOISE, Rules};
 
 /// Points of a block that are compared besides its ends, and one more for each of these angles that it rotates, rad.
 const POINTS: f64 = 3.0;
@@ -94,7 +94,7 @@ impl Rules<'_> {
         segment: &Segment,
         motion: &ClMotion,
         block: &Block,
-        end: &ToolPose,
+        (before, end): (&[f64; MAX_AXES], &ToolPose),
         arrival: &Arrival,
     ) -> Option<f64> {
         let rounding = &self.rounding;
@@ -132,14 +132,57 @@ impl Rules<'_> {
         let rewinds = links.rewinds_in_cut
             && !self.needs_no_block(segment, arrival.here, arrival.chords)
             && arrival.here.is_some_and(|here| (here.tip - end.tip).norm() <= 2.0 * rounding.tip_mm);
-        let unmoved = rewinds.then_some(along);
+        let elsewhere = || self.evenly_done(segment, block, (before, end), along).or(rewinds.then_some(along));
         if !(along - SHARE..=1.0 + SHARE).contains(&share) && !self.is_just_before(segment, share, along, axis) {
-            return unmoved;
+            return elsewhere();
         }
         let on = segment.at(share.clamp(0.0, 1.0));
         let near = (end.tip - on.tip).norm() <= BOTH * polar * rounding.tip_mm
             && angle_between(&end.axis, &on.axis) <= BOTH * axis;
-        if near { Some(share.clamp(along, 1.0)) } else { unmoved }
+        if near { Some(share.clamp(along, 1.0)) } else { elsewhere() }
+    }
+
+    /// Share of a motion that is done where the rotary axes rotate evenly from the words before a block to the end of the
+    /// motion, and the tip is on its line.
+    fn evenly_done(
+        &self,
+        segment: &Segment,
+        block: &Block,
+        (before, end): (&[f64; MAX_AXES], &ToolPose),
+        along: f64,
+    ) -> Option<f64> {
+        let line = matches!(segment.shape, PathShape::Line) && block.action == Action::Feed;
+        if !line || self.policy.words.axis_in_plane || block.state.vector.is_some() {
+            return None;
+        }
+        let target = self.words.rotated_to(before, &segment.to.axis)?;
+        let change = |index: usize| target[index] - before[index];
+        let widest = self.words.rotary().max_by(|a, b| change(*a).abs().total_cmp(&change(*b).abs()))?;
+        // Rounding of the words before the block, at its end, and at the end of the motion.
+        let rounded = 2.0 * self.rounding.unit_rad + AXIS_NOISE;
+        if change(widest).abs() <= rounded {
+            return None;
+        }
+        let part = (block.values[widest] - before[widest]) / change(widest);
+        let even = |index: usize| (block.values[index] - before[index] - change(index) * part).abs() <= rounded;
+        let done = along + (1.0 - along) * part;
+        if !(0.0..1.0).contains(&part) || !self.words.rotary().all(even) {
+            return None;
+        }
+        let unsure_mm = (1.0 - along) * segment.length() * rounded / change(widest).abs();
+        let tip_mm = BOTH * self.rounding.tip_mm;
+        let off = (end.tip - segment.at(done).tip).norm();
+        if off > tip_mm + unsure_mm {
+            return None;
+        }
+        // The tip may show the share more exactly.
+        let by_tip = segment.share(end, along, self.rounding.tip_mm, 0.0).clamp(along, 1.0);
+        if unsure_mm <= tip_mm {
+            Some(done)
+        } else {
+            let near = (end.tip - segment.at(by_tip).tip).norm() <= tip_mm;
+            near.then_some(by_tip)
+        }
     }
 
     /// Share of a motion at which a pose is.

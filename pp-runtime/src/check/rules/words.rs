@@ -16,6 +16,9 @@ use crate::set_up::{LengthMode, ProgramZero};
 const NEWTON_STEPS: u32 = 30;
 const ROTATED_TO: f64 = 1e-9;
 
+/// Distance from a tool axis that is not reached, rad.
+const UNREACHED: f64 = 0.1;
+
 /// Damping: a rotary axis that rotates the tool by less than a thousandth of its own angle is left alone.
 const DAMPED: f64 = 1e-8;
 
@@ -352,6 +355,10 @@ impl Words {
             let jacobian = Matrix3x2::from_columns(&columns);
             let normal = jacobian.tr_mul(&jacobian) + Matrix2::identity() * DAMPED;
             let step = normal.try_inverse()? * jacobian.tr_mul(&off);
+            if step.norm() < ROTATED_TO {
+                // One rotary axis may not reach the axis: this is the nearest.
+                return (off.norm() < UNREACHED).then_some(words);
+            }
             words[first] += step.x;
             if let Some(second) = second {
                 words[second] += step.y;

@@ -184,7 +184,7 @@ pub(crate) struct SetUpArgs {
     /// Largest deviation from arcs and curves, and of the tip from its line while a rotary axis moves, mm
     #[arg(long = "tolerance", value_name = "MM", value_parser = tolerance)]
     pub(crate) tolerance_mm: Option<f64>,
-    /// Largest deviation of the tool axis from its even rotation between two points, degrees
+    /// Largest deviation of the tool axis from its great circle between two points, degrees
     #[arg(long = "axis-tolerance-path", value_name = "DEG", value_parser = axis_tolerance)]
     axis_tolerance_path_rad: Option<f64>,
     /// Allow LINTOL of the CL data to be wider than the tolerance

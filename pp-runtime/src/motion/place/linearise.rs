@@ -9,6 +9,10 @@
 //! remainder. Because deviations grow with the square of the length, the worst deviation of one number of pieces predicts
 //! the next number to try. Points in between are *poses* of the path, inverted.
 //!
+//! [`RotationLaw`] selects the points in between. Where the rotary axes go evenly from end to end, as under tip control, no
+//! axis reverses that does not in the CL data; the tool axis leaves its great circle, by no more than its tolerance for the
+//! whole motion. Otherwise, and where it would leave it by more, the points are on the great circle.
+//!
 //! Where the axes rotate far more in one part of a motion than in the others, near a pole, equal pieces would be many times
 //! as many as needed: more than [`MOST_TIMES`] the number of longest pieces, one after the other. There the lengths are
 //! powers of two of the whole, as long as certifies, and neighbours differ by a factor of two at most.
@@ -50,6 +54,13 @@ const MOST_PIECES: u32 = 100_000;
 /// Largest number of tries for one piece: bisection from the whole motion to the last bit takes fewer.
 const MAX_TRIES: usize = 120;
 
+/// Largest rotation of an axis in a motion that is even, rad: a wider one, near a pole, goes by the great circle.
+const LARGEST_EVEN: f64 = std::f64::consts::FRAC_PI_4;
+
+/// Sine of the angle to a pole below which the rotary axes do not go evenly: there the first one rotates far for a small
+/// rotation of the tool.
+const NEAR_POLE: f64 = 0.035;
+
 /// Cosine of the largest angle between the tool axes of one block; the great circle of a larger angle is ill
 /// conditioned.
 const MIN_AXIS_COSINE: f64 = -0.5;
@@ -61,6 +72,15 @@ pub(crate) struct PathTolerance {
     pub(crate) tip_mm: f64,
     /// Deviation of the tool axis.
     pub(crate) axis_rad: f64,
+}
+
+/// Motion of the rotary axes between the ends of a motion of the CL data.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum RotationLaw {
+    /// Even, where the tool axis keeps to its tolerance so.
+    Even,
+    /// As the tool axis rotates evenly in the plane of its ends.
+    GreatCircle,
 }
 
 /// A piece with its certified deviation.
@@ -78,6 +98,7 @@ pub(crate) struct CertifiedPiece {
 #[derive(Debug, Clone)]
 pub(crate) struct Linearised {
     tolerance: PathTolerance,
+    law: RotationLaw,
     /// Position at the end of the last piece.
     from: AxisPosition,
     to: AxisPosition,
@@ -104,6 +125,8 @@ struct CuttingPath {
     segment: PathSegment,
     /// The branch of both ends; `None` if they are on different branches.
     branch: Option<Branch>,
+    /// The rotary axes go evenly; largest deviation of the tool axis from its great circle, rad.
+    even_rad: Option<f64>,
     /// Smallest step of the parameter: half a unit of the words.
     resolution: f64,
     /// Parameter at the end of the last piece.
@@ -152,8 +175,8 @@ struct LongestPiece {
 
 impl Linearised {
     /// Starts the motion from one position to another.
-    pub(crate) fn new(from: &AxisPosition, to: &AxisPosition, tolerance: PathTolerance) -> Self {
-        Self { tolerance, from: *from, to: *to, rest: Remaining::Whole }
+    pub(crate) fn new(from: &AxisPosition, to: &AxisPosition, tolerance: PathTolerance, law: RotationLaw) -> Self {
+        Self { tolerance, law, from: *from, to: *to, rest: Remaining::Whole }
     }
 
     /// The next piece; `None` after the last.
@@ -171,7 +194,7 @@ impl Linearised {
                         self.rest = Remaining::Nothing;
                         return Ok(Some(whole));
                     }
-                    self.rest = Remaining::Path(certifier.path(&self.from, &self.to, whole.share)?);
+                    self.rest = Remaining::Path(certifier.path(&self.from, &self.to, self.law, &whole)?);
                     continue;
                 }
                 Remaining::Path(path) => self.along(&certifier, path)?,
@@ -206,7 +229,8 @@ impl Linearised {
                 (path.at + part.length, part.end)
             }
         };
-        let piece = certifier.certify(&self.from, &place);
+        let mut piece = certifier.certify(&self.from, &place);
+        piece.bound.axis = path.even_rad.unwrap_or(piece.bound.axis);
         path.at = until;
         self.rest = if until < 1.0 { Remaining::Path(path) } else { Remaining::Nothing };
         Ok(Some(piece))
@@ -327,9 +351,15 @@ impl Certifier<'_> {
         2.0 * (0.5 * self.placer.rotary.scale.angle(1) * self.placer.rotary.axes.len() as f64 + deviation)
     }
 
-    /// The path between two positions; `share` of the tolerance is used by one piece.
+    /// The path between two positions; `whole` is that motion as one piece.
     #[cold]
-    fn path(&self, from: &AxisPosition, to: &AxisPosition, share: f64) -> Result<CuttingPath, Fault> {
+    fn path(
+        &self,
+        from: &AxisPosition,
+        to: &AxisPosition,
+        law: RotationLaw,
+        whole: &CertifiedPiece,
+    ) -> Result<CuttingPath, Fault> {
         let rounding = self.placer.largest_rounding();
         if rounding >= self.allowed.tip_mm {
             return Err(Fault::new(format_args!(
@@ -355,7 +385,22 @@ impl Certifier<'_> {
             (false, true) => Some(from.branch),
             _ => (from.branch == to.branch).then_some(from.branch),
         };
-        Ok(CuttingPath { segment, branch, resolution, at: 0.0, pieces: Pieces::Unknown { share } })
+        let at_pole = |place: &AxisPosition| {
+            self.placer.poles.axes.iter().any(|pole| place.pose.axis.cross(pole).norm() < NEAR_POLE)
+        };
+        let pole = at_pole(from) || at_pole(to);
+        let wide = self.placer.rotary_travel(&from.words, &to.words) > LARGEST_EVEN;
+        let usual = branch.is_some() && !pole && !wide && self.placer.rotary.grid.is_empty();
+        let even = law == RotationLaw::Even && usual;
+        let even_rad = Some(whole.bound.axis).filter(|axis| even && *axis <= self.allowed.axis_rad);
+        Ok(CuttingPath {
+            segment,
+            branch,
+            even_rad,
+            resolution,
+            at: 0.0,
+            pieces: Pieces::Unknown { share: whole.share },
+        })
     }
 
     /// The lengths of the pieces of a path.
@@ -507,6 +552,9 @@ impl Certifier<'_> {
         let pose = path.segment.at(parameter);
         let mut guess = from.axes;
         let share = (parameter - path.at) / (1.0 - path.at);
+        if path.even_rad.is_some() {
+            return self.evenly(from, to, share, &pose);
+        }
         for (value, end) in guess.as_mut().iter_mut().zip(to.axes) {
             *value += (end - *value) * share;
         }
@@ -529,6 +577,19 @@ impl Certifier<'_> {
             *value = 0.5 * (*value + end);
         }
         self.nearest_turn(&pose, from, solution, &middle).map_err(in_between)
+    }
+
+    /// Position at a share of the even rotation of the rotary axes from one position to another, with the tip of a pose.
+    fn evenly(&self, from: &AxisPosition, to: &AxisPosition, share: f64, pose: &Pose) -> Result<AxisPosition, Fault> {
+        let mut words = from.words;
+        for rotary in &self.placer.rotary.axes {
+            let change = (to.words[rotary.index] - words[rotary.index]) as f64;
+            words[rotary.index] += (change * share).round() as i64;
+        }
+        let mut place = self.placer.position_at(pose, from, &words);
+        place.pose.axis = self.placer.machine.forward_kinematics(&place.axes).axis;
+        place.deviation_rad = 0.0;
+        self.placer.solve_linear(place)
     }
 
     /// Position of a solution, in the turn nearest to the axis values `near`.
@@ -631,7 +692,7 @@ mod tests {
     }
 
     fn pieces(placer: &Placer, from: &AxisPosition, to: &AxisPosition) -> Result<Vec<CertifiedPiece>, Fault> {
-        let mut pieces = Linearised::new(from, to, TOLERANCE);
+        let mut pieces = Linearised::new(from, to, TOLERANCE, RotationLaw::GreatCircle);
         let mut list = Vec::new();
         while let Some(piece) = pieces.next(placer)? {
             list.push(piece);

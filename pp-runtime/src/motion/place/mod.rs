@@ -31,7 +31,7 @@ use crate::set_up::LengthMode;
 
 pub(crate) use entry::TipEntry;
 pub use frame::{TipAbility, TipStart};
-pub(crate) use linearise::{Linearised, PathTolerance};
+pub(crate) use linearise::{Linearised, PathTolerance, RotationLaw};
 pub(crate) use refusal::limits_text;
 pub use suited::{UsableModes, unsuited};
 pub use tilted_plane::{PlaneAbility, PlaneAngles, PoseRule};

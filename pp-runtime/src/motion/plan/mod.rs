@@ -355,6 +355,9 @@ impl<'a, S: Sink> Planner<'a, S> {
     fn apply_course_changes(&mut self, motion: &Move, index: MotionIndex) -> Result<Option<RotaryTarget>, ItemError> {
         let (from, sense, mut planned) = (self.mover.position().pose(), self.course.take_sense(), None);
         while let Some(CourseChange { action, words, .. }) = self.course.change(index.motion) {
+            if !matches!(action, CourseAction::EndWith) {
+                self.mover.begin_motion(false);
+            }
             match action {
                 CourseAction::EndWith => planned = Some(RotaryTarget { words, sense }),
                 CourseAction::Rewind => rewind::rewind(self, motion, words)?,
@@ -435,15 +438,18 @@ impl<S: Sink> Stage for Planner<'_, S> {
             ItemAction::Line { motion, index, next, part } => {
                 let why = if part == LinePart::Whole { BlockReason::Record } else { BlockReason::Curve };
                 self.mover.output_mut().serve(at, why);
+                self.mover.begin_motion(part == LinePart::Whole);
                 let suits = if part == LinePart::CurveStart { self.cutter.check_curve() } else { Ok(()) };
                 suits.map_err(ItemError::from).and_then(|()| self.line(MotionAndNext { motion, next }, index))
             }
             ItemAction::Arc { arc, index } => {
                 self.mover.output_mut().serve(at, BlockReason::Record);
+                self.mover.begin_motion(false);
                 arcs::arc(self, arc, index)
             }
             ItemAction::Hole { hole, index } => {
                 self.mover.output_mut().serve(at, BlockReason::Hole);
+                self.mover.begin_motion(false);
                 hole::hole(self, hole, index)
             }
             ItemAction::Record { event, between } => {

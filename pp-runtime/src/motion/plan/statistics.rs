@@ -31,7 +31,7 @@ pub struct Statistics {
     pub chorded: ChordedArcs,
     /// Largest certified distance of the tip from its straight line in feed blocks with rotation.
     pub largest_tip_bound_mm: f64,
-    /// Largest certified angle of the tool axis from its even rotation in these blocks.
+    /// Largest certified angle of the tool axis from its great circle in these blocks.
     pub largest_axis_bound_rad: f64,
 }
 

@@ -93,7 +93,7 @@ fn the_header_states_the_set_up_that_the_program_is_valid_for() {
         "(MACHINE Cb, CONTROL LinuxCNC, MODE auto [axes])",
         "(UNITS mm, WORK OFFSET G54)",
         "(PART ORIGIN X1 Y2 Z50.25 from the reference point of the table)",
-        "(WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg)",
+        "(WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg of its great circle)",
         "(AXIS C+ rotates the table left-handed about +Z, as in ISO 841)",
         "(AXIS X+ moves the tool along +X, as in ISO 841)",
         "(linear limits not checked: no machine_zero [X Y Z])",

@@ -17,7 +17,7 @@
 16 ; AXIS Z+ moves the tool along +Z, as in ISO 841
 17 ; AXIS B+ rotates the tool right-handed about +Y, as in ISO 841
 18 ; AXIS A+ rotates the tool right-handed about +X, as in ISO 841
-19 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg
+19 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg of its great circle
 20 ; ROTARY WORDS are absolute and go beyond 360: M127 is in force, so the axes do not take the shortest path
 21 ; LINEAR WORDS under tip control are tip coordinates in a frame fixed to the table, aligned with the machine axes when its rotary axes are at zero; rotary axes move evenly
 22 ; LINEAR WORDS in planes are tip coordinates in the tilted plane, from the same zero

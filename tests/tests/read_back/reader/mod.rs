@@ -110,6 +110,8 @@ pub(crate) struct Reader<'a, M: Machine> {
     pub(crate) reached: Option<(Point3<f64>, Axes)>,
     /// The present motion, if it is split over several blocks.
     pub(crate) split: Option<SplitMotion>,
+    /// Axis values at its start, and at its inserted points that are not on the great circle.
+    pub(crate) uneven: Vec<Vec<f64>>,
     /// Distance by which the last motions have retracted the tool along its axis, mm.
     pub(crate) retracted_mm: f64,
     pub(crate) parked: BTreeSet<char>,
@@ -138,6 +140,7 @@ impl<'a, M: Machine> Reader<'a, M> {
             next: 0,
             reached: None,
             split: None,
+            uneven: Vec::new(),
             retracted_mm: 0.0,
             parked,
             edge: 0.5,

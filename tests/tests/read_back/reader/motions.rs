@@ -93,7 +93,6 @@ impl<M: Machine> Reader<'_, M> {
 
     /// Checks a block of a motion that rotates an axis; returns whether the block ends before the GOTO.
     pub(super) fn piece(&mut self, line: usize, before: &[f64], values: &[f64], written: Feed, rotates: bool) -> bool {
-        let goto = &self.cl.points[self.next];
         let Some((tip, _)) = self.reached else { return false };
         let begun = self.split.unwrap_or_else(|| {
             let axis = self.oracle.forward(before).axis.into_inner();
@@ -102,6 +101,10 @@ impl<M: Machine> Reader<'_, M> {
         if !rotates && self.split.is_none() {
             return false;
         }
+        if self.split.is_none() {
+            self.uneven = vec![before.to_vec()];
+        }
+        let goto = &self.cl.points[self.next];
         let ends = ((&begun.tip, &begun.axis), (&goto.tip, &goto.axis));
         let off = deviation_from(&self.oracle, before, values, BLOCK_POINTS, ends.0, ends.1);
         let (tip_tolerance, axis_tolerance) = if self.set_up.coarse { (1.0, 10.0) } else { TOLERANCE };
@@ -125,6 +128,7 @@ impl<M: Machine> Reader<'_, M> {
         let axis_off = angle_between(&pose.axis, &goto.axis).to_degrees();
         if (pose.tip - goto.tip).norm() <= 2.0 * allowance && axis_off <= 2.0 * ROTARY_UNIT {
             if self.split.is_some() {
+                self.check_even_rotation(line, values);
                 self.split = Some(split);
                 let whole = (goto.tip - begun.tip).norm() / goto.feed_mm_per_min;
                 let time_off = (split.minutes - whole).abs();
@@ -135,9 +139,29 @@ impl<M: Machine> Reader<'_, M> {
         let missed = distance_to_line(&pose.tip, &begun.tip, &goto.tip);
         assert!(missed <= allowance, "line {line}: the inserted point is {missed} mm off its line");
         let axis_off = angle_to_arc(&pose.axis, &begun.axis, &goto.axis).to_degrees();
-        assert!(axis_off <= 3.0 * ROTARY_UNIT, "line {line}: the tool axis of the inserted point is {axis_off}° off");
+        if axis_off > 3.0 * ROTARY_UNIT {
+            self.uneven.push(values.to_vec());
+        }
         self.split = Some(split);
         true
+    }
+
+    /// Points off the great circle are those of an even rotation of the rotary axes from end to end.
+    fn check_even_rotation(&self, line: usize, end: &[f64]) {
+        let [start, points @ ..] = &self.uneven[..] else { return };
+        let rotary = self.oracle.rotary();
+        let change = |index: usize| end[index] - start[index];
+        let Some(&widest) = rotary.iter().max_by(|a, b| change(**a).abs().total_cmp(&change(**b).abs())) else {
+            return;
+        };
+        for point in points {
+            let part = (point[widest] - start[widest]) / change(widest);
+            assert!((0.0..=1.0).contains(&part), "line {line}: an axis goes beyond the end of its rotation");
+            for &index in &rotary {
+                let off = (point[index] - start[index] - change(index) * part).to_degrees().abs();
+                assert!(off <= 2.0 * ROTARY_UNIT, "line {line}: a rotary axis is {off}° off its even rotation");
+            }
+        }
     }
 
     pub(super) fn machine_motion(&mut self, line: usize, motion: &Motion) {

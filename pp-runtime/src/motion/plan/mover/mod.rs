@@ -9,13 +9,13 @@ mod retract;
 use std::io;
 
 use crate::kinematics::{AnyMachine, Pose};
-use crate::motion::options::{Policy, Rapid, StretchMode};
+use crate::motion::options::{Policy, Rapid, StretchMode, ToolPosture};
 use crate::program::Move;
 use crate::program::Units;
 
 use crate::motion::fault::{Fault, Planned};
 use crate::motion::place::{AxisPosition, Placer};
-use crate::motion::place::{Linearised, PathTolerance};
+use crate::motion::place::{Linearised, PathTolerance, RotationLaw};
 use crate::motion::plan::abilities::Abilities;
 use crate::motion::plan::clamps::{Clamps, MovingAxes};
 use crate::motion::plan::feed::{FeedMotion, Feeds, Pace};
@@ -36,6 +36,8 @@ pub(crate) struct Mover<'a, S> {
     clamps: Clamps,
     /// Tolerances of feed motions.
     tolerance: PathTolerance,
+    /// Motion of the rotary axes in the motion at hand.
+    law: RotationLaw,
     position: Position,
     output: Output<S>,
     /// Safety lines so far.
@@ -59,6 +61,7 @@ impl<'a, S: Sink> Mover<'a, S> {
                 tip_mm: policy.options.tolerance_mm,
                 axis_rad: policy.options.axis_tolerance_path_rad,
             },
+            law: RotationLaw::GreatCircle,
             position: Position::new(placer.zero()),
             policy,
             abilities,
@@ -82,6 +85,12 @@ impl<'a, S: Sink> Mover<'a, S> {
     /// Tolerances of feed motions.
     pub(crate) fn tolerance(&self) -> PathTolerance {
         self.tolerance
+    }
+
+    /// A motion begins: from end to end of its record, or a part of a record.
+    pub(crate) fn begin_motion(&mut self, whole: bool) {
+        let even = whole && self.policy.options.tip.tool_posture == ToolPosture::Axes;
+        self.law = if even { RotationLaw::Even } else { RotationLaw::GreatCircle };
     }
 
     /// LINTOL: largest deviation of the tip from its path, mm.
@@ -253,7 +262,7 @@ impl<'a, S: Sink> Mover<'a, S> {
 
     /// Writes a feed motion with rotation of an axis in as many blocks as keep tip and tool axis within tolerance.
     pub(crate) fn feed_in_pieces(&mut self, place: &AxisPosition, rate: f64, tolerance: PathTolerance) -> Planned {
-        let mut pieces = Linearised::new(self.here(), place, tolerance);
+        let mut pieces = Linearised::new(self.here(), place, tolerance, self.law);
         let mut blocks = 0;
         while let Some(piece) = pieces.next(&self.placer)? {
             self.placer.check_travel(&piece.place)?;
