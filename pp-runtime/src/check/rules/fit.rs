@@ -2,6 +2,8 @@
 
 use std::f64::consts::FRAC_PI_2;
 
+use nalgebra::Vector3;
+
 use super::super::expect::ClMotion;
 use super::super::geometry::{PathShape, Segment, ToolPose, angle_between};
 use super::super::policy::RapidForm;
@@ -24,6 +26,9 @@ const SAME_REVOLUTION: f64 = std::f64::consts::PI;
 /// the distances of start and end from it differ by up to twice that, and three words are off by up to √3/2 units. Other
 /// angles count with their chords; a full circle ends where it began, wherever its pole is.
 const POLE: f64 = 1.64;
+
+/// A step of the rotary axes to the end of a motion below which its square is far below a unit of rotary words, rad.
+const LAST_STEP: f64 = 1e-4;
 
 /// Shares that differ by rounding.
 pub(crate) const SHARE: f64 = 1e-9;
@@ -155,7 +160,7 @@ impl Rules<'_> {
         if !line || self.policy.words.axis_in_plane || block.state.vector.is_some() {
             return None;
         }
-        let target = self.words.rotated_to(before, &segment.to.axis)?;
+        let target = self.end_of_even_rotation(before, &segment.to.axis)?;
         let change = |index: usize| target[index] - before[index];
         let widest = self.words.rotary().max_by(|a, b| change(*a).abs().total_cmp(&change(*b).abs()))?;
         // Rounding of the words before the block, at its end, and at the end of the motion.
@@ -183,6 +188,17 @@ impl Rules<'_> {
             let near = (end.tip - segment.at(by_tip).tip).norm() <= tip_mm;
             near.then_some(by_tip)
         }
+    }
+
+    /// Words with a tool axis, nearest to other words; those of the last call, where they are still near.
+    fn end_of_even_rotation(&self, words: &[f64; MAX_AXES], axis: &Vector3<f64>) -> Option<[f64; MAX_AXES]> {
+        let near = |end: &[f64; MAX_AXES]| self.words.rotary_travel(words, end) < FRAC_PI_2;
+        if let Some((_, end)) = self.even_end.get().filter(|(of, end)| of == axis && near(end)) {
+            return Some(end);
+        }
+        let end = self.words.rotated_to(words, axis, LAST_STEP)?;
+        self.even_end.set(Some((*axis, end)));
+        Some(end)
     }
 
     /// Share of a motion at which a pose is.

@@ -8,6 +8,7 @@ mod fit;
 mod state;
 mod words;
 
+use std::cell::Cell;
 use std::f64::consts::TAU;
 
 use nalgebra::Vector3;
@@ -71,6 +72,8 @@ pub(super) struct Rules<'a> {
     pole: Option<Vector3<f64>>,
     /// Outside tip control and planes the machine retract leads along the tool axis.
     retracts_along_tool: bool,
+    /// The last even rotation: tool axis at its end, and the words there.
+    even_end: Cell<Option<(Vector3<f64>, [f64; MAX_AXES])>>,
 }
 
 impl<'a> Rules<'a> {
@@ -95,6 +98,7 @@ impl<'a> Rules<'a> {
             }),
             pole: first_rotary.map(|index| machine.joint(index).direction.into_inner()),
             retracts_along_tool: retracts_along_tool(&*machine),
+            even_end: Cell::new(None),
             meaning: policy.words.linear.unwrap_or(LinearMeaning::AxisPositions),
             framed: false,
             machine,

@@ -340,8 +340,14 @@ impl Words {
     /// Words nearest to `words` whose rotary axes give the tool this axis on the workpiece.
     ///
     /// Newton's method with the smallest step (normal equations, damped by [`DAMPED`]): near the pole, where a rotary axis
-    /// hardly rotates the tool, that axis is left alone. `None` if it does not converge.
-    pub(crate) fn rotated_to(&self, words: &[f64; MAX_AXES], axis: &Vector3<f64>) -> Option<[f64; MAX_AXES]> {
+    /// hardly rotates the tool, that axis is left alone. A step below `last_step_rad` is the last: the error after it is of
+    /// the order of its square. `None` if it does not converge.
+    pub(crate) fn rotated_to(
+        &self,
+        words: &[f64; MAX_AXES],
+        axis: &Vector3<f64>,
+        last_step_rad: f64,
+    ) -> Option<[f64; MAX_AXES]> {
         let mut words = *words;
         for _ in 0..NEWTON_STEPS {
             let (current, rates) = self.chain.axis_rates(&self.values(&words));
@@ -362,6 +368,9 @@ impl Words {
             words[first] += step.x;
             if let Some(second) = second {
                 words[second] += step.y;
+            }
+            if step.norm() < last_step_rad {
+                return Some(words);
             }
         }
         None

@@ -75,7 +75,7 @@ impl Travel {
         let path: BlockPath<'_> = rules.path(from, block);
         let at = |share: f64, near: &PathPoint| {
             let here = words.with_rotary(path.at(share), &near.words);
-            let here = words.rotated_to(&here, &rotation.at(share).axis)?;
+            let here = words.rotated_to(&here, &rotation.at(share).axis, 0.0)?;
             let step = words.rotary_travel(&here, &near.words);
             let values = words.axes_with_rotary(&here, state).filter(|_| step <= LARGEST_ROTATION)?;
             Some(PathPoint { share, words: here, values })
@@ -147,7 +147,7 @@ impl Travel {
             let mut start = *from;
             start[first] += TAU * (f64::from(seed % SEEDS) / f64::from(SEEDS) - 0.5);
             start[second] += TAU * (f64::from(seed / SEEDS) / f64::from(SEEDS) - 0.5);
-            let there = words.rotated_to(&start, axis)?;
+            let there = words.rotated_to(&start, axis, 0.0)?;
             let turns = |index: usize| {
                 let off = there[index] - from[index];
                 off - (off / TAU).round() * TAU
