@@ -61,7 +61,9 @@ pub(crate) fn assumptions(
         list.push("points of the CL data are coordinates from the part zero".to_owned());
     }
     // A control that takes tip coordinates in the frame of the part needs no part origin: the work offset holds it.
-    let by_axes = control::abilities(control, config.demands()).enters_tip_control_by_axes();
+    // Where X and Y come as axis positions over the approach point of tip control, it is needed as well.
+    let abilities = control::abilities(control, config.demands());
+    let by_axes = abilities.enters_tip_control_by_axes() || abilities.plane.is_none();
     let positions = survey.modes.has(StretchMode::Axes) || survey.modes.has(StretchMode::Tcp) && by_axes;
     let known = !positions && config.motion.tip.tcp_frame.is_none_or(|frame| frame == TcpFrame::TableAtZero);
     if !known && rotaries(machine, Side::Workpiece).next().is_some() && !config.is_given("part_origin") {

@@ -4,7 +4,7 @@
 //! 2. out along the tool axis, then the retract axis to its machine position;
 //! 3. tool, length offset, spindle, dwell;
 //! 4. rotary axes alone, between their clamps;
-//! 5. the other linear axes;
+//! 5. the other linear axes, before tip control where their words under it would move the retract axis;
 //! 6. the retract axis down to the approach point;
 //! 7. coolant on;
 //! 8. along the tool axis to the first point.
