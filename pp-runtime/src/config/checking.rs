@@ -7,9 +7,10 @@ use crate::check::policy::{
 use crate::check::read::{Effect, Family, OwnPlace, coolant};
 use crate::cl::ReadingOptions;
 use crate::control::{self, Control, LineEffect, Smoothing};
-use crate::kinematics::{AnyMachine, AxisKind, Machine, Side};
+use crate::kinematics::{AnyMachine, Machine, Side};
 use crate::motion::{
     CutterPath, Mode, Operations, PathNorm, Rapid, Rewind, TcpFrame, TcpWords, ToolPosture, Transition, Wrap,
+    rotaries_of,
 };
 use crate::program::Units;
 use crate::set_up::LengthMode;
@@ -174,8 +175,7 @@ impl Config {
 
     fn shop_blocks(&self, machine: &dyn AnyMachine, enters_by_axes: bool) -> ShopBlocks {
         let control = &self.control;
-        let rotary_head =
-            machine.axes().iter().any(|axis| axis.kind == AxisKind::Rotary && !axis.held && axis.side == Side::Tool);
+        let rotary_head = rotaries_of(machine.axes(), Side::Tool).next().is_some();
         // A rotary axis in the head makes axis positions depend on the length.
         let guarded = self.motion.guards.length_guard.unwrap_or(
             rotary_head

@@ -1,10 +1,10 @@
 //! Fit of a configuration to a control: settings that the control does not support, and the functions that the planner
 //! may use (the [`Abilities`] of `motion`).
 
-use crate::kinematics::{AnyMachine, Axis, AxisKind, Side};
+use crate::kinematics::{AnyMachine, Side};
 use crate::motion::{
     self, Abilities, CutterRadius, CycleAbilities, Mode, PathNorm, PlaneAbility, Registers, TipAbility, TipStart,
-    UsableModes,
+    UsableModes, rotaries_of,
 };
 use crate::program::{Coolant, Pressure, Units};
 use crate::set_up::LengthMode;
@@ -179,8 +179,8 @@ fn unsuited_names(machine: &dyn AnyMachine, codes: &Spellings, demands: Demands<
         }
     }
     // The guard of a control whose registers are rows reads the row of this number.
-    let head = |axis: &Axis| axis.kind == AxisKind::Rotary && !axis.held && axis.side == Side::Tool;
-    let needed = matches!(demands.motion.mode, Mode::Auto | Mode::Axes) && machine.axes().iter().any(head);
+    let head = rotaries_of(machine.axes(), Side::Tool).next().is_some();
+    let needed = matches!(demands.motion.mode, Mode::Auto | Mode::Axes) && head;
     if codes.length.registers == Registers::Rows && demands.motion.guards.length_guard.unwrap_or(needed) {
         faults.push(format!(
             "the length guard of {title} reads the row of the tool number: set `length_guard = false` with `control.tool_names`"

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use super::options::Demands;
 use super::options::{ControlOptions, ProgramBlocks};
-use crate::kinematics::{AnyMachine, Axis, AxisKind, Side};
-use crate::motion::{Abilities, StretchMode, StretchModes, TcpWords, TipStart, ToolPosture, Wrap};
+use crate::kinematics::{AnyMachine, AxisKind, Side};
+use crate::motion::{Abilities, StretchMode, StretchModes, TcpWords, TipStart, ToolPosture, Wrap, rotaries_of};
 use crate::program::Units;
 
 /// The data of a job that the encoder reads.
@@ -57,7 +57,8 @@ impl Layout {
         name: &[u8],
     ) -> Self {
         let linear = demands.formats.linear(units);
-        let start = abilities.tip.filter(|_| turns_table(machine) && modes.has(StretchMode::Tcp)).map(|tip| tip.start);
+        let table = rotaries_of(machine.axes(), Side::Workpiece).next().is_some();
+        let start = abilities.tip.filter(|_| table && modes.has(StretchMode::Tcp)).map(|tip| tip.start);
         let dynamic_offset = start == Some(TipStart::WithMotion { dynamic_offset: true });
         let enters_by_plane = abilities.plane.is_some()
             && matches!(start, Some(TipStart::Alone | TipStart::WithMotion { dynamic_offset: false }));
@@ -81,12 +82,6 @@ impl Layout {
             program: demands.options.program.clone(),
         }
     }
-}
-
-/// Whether rotary axes of the table are solved.
-fn turns_table(machine: &dyn AnyMachine) -> bool {
-    let of_table = |axis: &Axis| axis.kind == AxisKind::Rotary && !axis.held && axis.side == Side::Workpiece;
-    machine.axes().iter().any(of_table)
 }
 
 /// Tools that are called by name.

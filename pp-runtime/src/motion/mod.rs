@@ -30,6 +30,7 @@ pub use options::{
     Retract, Rewind, RotaryOptions, Singular, StretchMode, TcpFrame, TcpWords, TipOptions, ToolPosture, Transition,
     Wrap,
 };
+pub(crate) use place::rotaries_of;
 pub use place::{PlaneAbility, PlaneAngles, PoseRule, TipAbility, TipStart, UsableModes, unsuited};
 pub(crate) use plan::hole_extent;
 pub use plan::{

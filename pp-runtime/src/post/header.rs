@@ -8,7 +8,7 @@ use crate::cl::{ArcVote, Dialect, Insert};
 use crate::config::Config;
 use crate::control::{self, Control, Encoder, LengthGuard};
 use crate::kinematics::{AnyMachine, Axis, AxisKind, Side, Sign};
-use crate::motion::{CutterPath, CutterRadius, StretchMode, StretchModes, TcpFrame, ToolPosture, Wrap};
+use crate::motion::{CutterPath, CutterRadius, StretchMode, StretchModes, TcpFrame, ToolPosture, Wrap, rotaries_of};
 use crate::nc::{Decimal, write_decimal};
 use crate::program::Rotation;
 use crate::program::Units;
@@ -32,7 +32,7 @@ pub(crate) struct Header<'a> {
 }
 
 fn rotaries(machine: &dyn AnyMachine, side: Side) -> impl Iterator<Item = &'static Axis> {
-    machine.axes().iter().filter(move |axis| axis.kind == AxisKind::Rotary && !axis.held && axis.side == side)
+    rotaries_of(machine.axes(), side).map(|index| &machine.axes()[index])
 }
 
 /// Name of the work offset of the first set-up, as the control writes it.
@@ -299,7 +299,8 @@ impl Header<'_> {
             rotaries(self.machine, Side::Workpiece).chain(rotaries(self.machine, Side::Tool)).next().is_some();
         let tolerances = (has_rotaries && self.rotates_in_cuts()).then(|| {
             format!(
-                "WHILE A ROTARY AXIS MOVES the tip stays within {} of its line at feed, the tool axis within {} deg of its great circle",
+                "WHILE A ROTARY AXIS MOVES the tip stays within {} of its line at feed, the tool axis within {} deg of \
+                 its great circle",
                 self.length(config.motion.tolerance_mm),
                 (config.motion.axis_tolerance_path_rad.to_degrees() * 1e6).round() / 1e6
             )

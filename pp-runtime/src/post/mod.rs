@@ -205,9 +205,7 @@ impl Report {
         self.failed |= diagnostic.severity == Severity::Error;
         self.diagnostics.push(diagnostic);
     }
-}
 
-impl Report {
     /// How far the surface of a tool is off where its axis leaves the great circle: the tip is held.
     fn surface_text(&self) -> Option<String> {
         let angle = self.statistics.largest_axis_bound_rad;

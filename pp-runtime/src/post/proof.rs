@@ -11,9 +11,9 @@ use nalgebra::Point3;
 use crate::config::Config;
 use crate::control::{self, Control, Encoder, Layout};
 use crate::diag::Diagnostic;
-use crate::kinematics::{AnyMachine, AxisKind, Side};
+use crate::kinematics::{AnyMachine, Side};
 use crate::motion::{Mode, StretchMode, StretchModes};
-use crate::motion::{Planner, PlanningError, ProofProgram, Sweep};
+use crate::motion::{Planner, PlanningError, ProofProgram, Sweep, rotaries_of};
 use crate::program::ToolCall;
 use crate::program::Units;
 
@@ -44,8 +44,7 @@ pub struct Proof<'a> {
 /// A sentence that names what is missing in the set-up, or the position that cannot be reached.
 pub fn prove(machine: &dyn AnyMachine, proof: &Proof<'_>) -> Result<Vec<u8>, String> {
     let given = proof.config;
-    let table =
-        machine.axes().iter().any(|axis| axis.kind == AxisKind::Rotary && !axis.held && axis.side == Side::Workpiece);
+    let table = rotaries_of(machine.axes(), Side::Workpiece).next().is_some();
     if proof.point_mm.is_none() && table && !given.is_given("part_origin") {
         return Err(
             "the tip would be on the table, at its reference point: set `part_origin` in the configuration, or give a \

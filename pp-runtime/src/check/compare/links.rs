@@ -286,13 +286,8 @@ impl<R: Read> Comparison<'_, R> {
         let moved = self.rules.all_moved(&self.previous.words, self.previous.known, block);
         let step = match if moved == 0 { block.written } else { moved } {
             // A plane call may leave a rotary axis in another revolution: its word is written again.
-            written if written & !rotary == 0 => {
-                if moved == 0 {
-                    retracted.step.max(1)
-                } else {
-                    1
-                }
-            }
+            written if written & !rotary == 0 && moved == 0 => retracted.step.max(1),
+            written if written & !rotary == 0 => 1,
             written if written & !with_last == 0 && written & last != 0 => 3,
             written if written & (rotary | last) == 0 => 2,
             _ => 0,
@@ -349,10 +344,10 @@ impl<R: Read> Comparison<'_, R> {
         let finished = retracted.rewind.and_then(|rewind| rewind.finished).map(|finished| finished.required);
         if let Some(required) = self.progress.next().map(|item| item.required).or(finished) {
             let context = ModalContext { dry: retracted.rewind.is_none(), ..ModalContext::default() };
-            let frame = match step {
-                2 if before_tip_control => FrameUse::BeforeTipControl,
-                2 | 3 if across || step == 3 => FrameUse::AsMeant,
-                _ => FrameUse::Without,
+            let frame = match before_tip_control {
+                true => FrameUse::BeforeTipControl,
+                false if across || step == 3 => FrameUse::AsMeant,
+                false => FrameUse::Without,
             };
             let fault = self.rules.fault_at_approach(block, &required, (frame, step == 3), context);
             self.found_state(current, fault);

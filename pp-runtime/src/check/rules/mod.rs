@@ -309,8 +309,7 @@ impl<'a> Rules<'a> {
     /// Axis values of the linear axes other than the retract axis after a block of an approach; `None` if they depend on its
     /// position. `before`: the words before the block.
     pub(super) fn across(&self, before: &[f64; MAX_AXES], block: &Block) -> Option<[f64; MAX_AXES]> {
-        let rotary = if block.state.vector.is_some() { before } else { &block.values };
-        self.words.across(&block.values, rotary, &block.state, self.rounding.plane_rad)
+        self.words.across(&block.values, rotary_words(before, block), &block.state, self.rounding.plane_rad)
     }
 
     /// Whether a block of an approach moves the retract axis alone, but for rounding, and for that of the angles of a plane.
@@ -322,10 +321,9 @@ impl<'a> Rules<'a> {
         block: &Block,
         end: &ToolPose,
     ) -> bool {
-        let rotary = if block.state.vector.is_some() { before } else { &block.values };
         let allowed_mm = 2.0 * self.rounding.unit_mm + 2.0 * self.rounding.plane_rad * end.tip.norm();
         let same = |there: [f64; MAX_AXES]| across.iter().zip(there).all(|(at, end)| (at - end).abs() <= allowed_mm);
-        self.words.across_at(&block.values, rotary, &block.state).is_some_and(same)
+        self.words.across_at(&block.values, rotary_words(before, block), &block.state).is_some_and(same)
     }
 
     /// Whether stretches may be under tip control.
@@ -337,6 +335,11 @@ impl<'a> Rules<'a> {
     pub(super) fn retracts_between(&self) -> bool {
         !self.policy.links.direct
     }
+}
+
+/// Words with those of the rotary axes after a block; where it gives the tool axis by its components, those before it.
+fn rotary_words<'w>(before: &'w [f64; MAX_AXES], block: &'w Block) -> &'w [f64; MAX_AXES] {
+    if block.state.vector.is_some() { before } else { &block.values }
 }
 
 /// Distance of a rotary axis from a position, rad; without limits it may be whole revolutions away.

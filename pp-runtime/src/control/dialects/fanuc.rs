@@ -12,10 +12,12 @@
 //! `G43.4 H` starts tip control in the block that moves to the first point, which is one of length compensation only
 //! (A-79348E, p. 16): never with rotary words, never alone. X and Y are over this point before it: over a tilted table in
 //! `G68.2`, which `G69` ends, as in Autodesk's public post for Fanuc (`writeInitialPositioning`), and the rotary words are
-//! written again after it. `G49` ends tip control in the block of `G53`, as B-63844EN, p. 204, has it for `G43`. Parameter 19696#5 selects the frame of its
-//! coordinates. P of `G43.4` and `G43.5` belongs to tool posture control, an option: 0 rotates the rotary axes evenly, 1 the
-//! tool axis in a plane; without P parameter 19604#0 decides (A-79294E/05, p. 3 and 11). `G68.2` takes Euler angles about Z, the new X and the new Z, and `G53.1` rotates the axes. Of several
-//! poses it takes the one that rotates the master axis least (B-63784EN, tool axis direction control), so the axes are
+//! written again after it. `G49` ends tip control in the block of `G53`, as B-63844EN, p. 204, has it for `G43`. Parameter
+//! 19696#5 selects the frame of its coordinates. P of `G43.4` and `G43.5` belongs to tool posture control, an option: 0
+//! rotates the rotary axes evenly, 1 the tool axis in a plane; without P parameter 19604#0 decides (A-79294E/05, p. 3 and
+//! 11).
+//!
+//! `G68.2` takes Euler angles about Z, the new X and the new Z, and `G53.1` rotates the axes. Of several poses it takes the one that rotates the master axis least (B-63784EN, tool axis direction control), so the axes are
 //! rotated to the planned pose before it.
 
 use crate::motion::{CycleAbilities, PlaneAngles, PoseRule};

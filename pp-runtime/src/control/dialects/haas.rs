@@ -14,8 +14,9 @@
 //! `G254` moves the zero of the words with the table, whose axes stay those of the machine: X and Y come over the approach
 //! point, `G255` ends it, and the block of `G234` moves Z alone (`prepositionDWO` in Autodesk's public post for Haas; `G254`
 //! is an option, the entry of B in the work offset is 0: UMC manual, p. 56, and the page of G254). `G49` ends tip control in
-//! the block of `G53`. `G268`
-//! tilts a plane, with the length offset active before it, and `G253` rotates the axes; `Q123` is the order of its
+//! the block of `G53`.
+//!
+//! `G268` tilts a plane, with the length offset active before it, and `G253` rotates the axes; `Q123` is the order of its
 //! angles.
 
 use crate::motion::{CycleAbilities, PlaneAngles, PoseRule};

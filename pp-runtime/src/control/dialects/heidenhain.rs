@@ -23,7 +23,8 @@
 //! TNC, which moves its zero there with cycle 7; the coordinates of the point are the same position.
 //! `PLANE SPATIAL` rotates about X, then Y, then Z of the frame that it tilts (SPC·SPB·SPA as a product). SEQ is the
 //! sign of the master axis, the first one from the tool. `COORD ROT`: where a rotary axis is parallel to the tool, the
-//! coordinates are rotated and not the axis (TNC7 user's manual 81762x-17, COORD ROT and TABLE ROT). Both are switched off before a tool call and before M91.
+//! coordinates are rotated and not the axis (TNC7 user's manual 81762x-17, COORD ROT and TABLE ROT). Both are switched
+//! off before a tool call and before M91.
 //!
 //! A position with M99 calls the cycle that was defined last. Each cycle moves from the set-up clearance Q200 above the
 //! surface Q203 down by Q201, and afterwards at rapid to Q204 above the surface. Cycle 200 is used without pecking.

@@ -137,8 +137,6 @@ struct CuttingPath {
 /// Lengths of the pieces of a path.
 #[derive(Debug, Clone, Copy)]
 enum Pieces {
-    /// Not known yet; the share of the tolerance that the whole path uses.
-    Unknown { share: f64 },
     /// Equal, this many, of which some are done.
     Equal { count: u32, done: u32 },
     /// Powers of two of the whole; length of the last one, in the parameter.
@@ -160,9 +158,8 @@ struct SpotRotation {
 struct GradedPart {
     /// In the parameter.
     length: f64,
-    end: AxisPosition,
-    /// It certifies as one piece; otherwise it is to be a rotation on the spot.
-    certified: bool,
+    /// A part that does not certify is to be a rotation on the spot.
+    piece: CertifiedPiece,
 }
 
 /// Result of a search for the longest piece.
@@ -209,30 +206,26 @@ impl Linearised {
 
     /// The next piece along the path; `None` if a rotation on the spot must come first.
     fn along(&mut self, certifier: &Certifier<'_>, mut path: CuttingPath) -> Result<Option<CertifiedPiece>, Fault> {
-        if let Pieces::Unknown { share } = path.pieces {
-            path.pieces = certifier.pieces(&path, (&self.from, &self.to), share)?;
-        }
-        let (until, place) = match path.pieces {
+        let ends = (&self.from, &self.to);
+        let mut piece = match path.pieces {
             Pieces::Equal { count, done } => {
-                path.pieces = Pieces::Equal { count, done: done + 1 };
                 let until = f64::from(done + 1) / f64::from(count);
-                (until, certifier.point(&path, (&self.from, &self.to), until)?)
+                let piece = certifier.certify(&self.from, &certifier.point(&path, ends, until)?);
+                (path.at, path.pieces) = (until, Pieces::Equal { count, done: done + 1 });
+                piece
             }
-            Pieces::Unknown { .. } | Pieces::Graded { .. } => {
-                let part = certifier.graded(&path, (&self.from, &self.to))?;
-                path.pieces = Pieces::Graded { last: part.length };
-                if !part.certified {
-                    path.at += part.length;
-                    self.rest = Remaining::Spot(certifier.spot(&self.from, &part.end), path);
+            Pieces::Graded { last } => {
+                let GradedPart { length, piece } = certifier.graded(&path, ends, last)?;
+                (path.at, path.pieces) = (path.at + length, Pieces::Graded { last: length });
+                if piece.share > 1.0 {
+                    self.rest = Remaining::Spot(certifier.spot(&self.from, &piece.place), path);
                     return Ok(None);
                 }
-                (path.at + part.length, part.end)
+                piece
             }
         };
-        let mut piece = certifier.certify(&self.from, &place);
         piece.bound.axis = path.even_rad.unwrap_or(piece.bound.axis);
-        path.at = until;
-        self.rest = if until < 1.0 { Remaining::Path(path) } else { Remaining::Nothing };
+        self.rest = if path.at < 1.0 { Remaining::Path(path) } else { Remaining::Nothing };
         Ok(Some(piece))
     }
 
@@ -385,22 +378,17 @@ impl Certifier<'_> {
             (false, true) => Some(from.branch),
             _ => (from.branch == to.branch).then_some(from.branch),
         };
-        let at_pole = |place: &AxisPosition| {
+        let near_pole = |place: &AxisPosition| {
             self.placer.poles.axes.iter().any(|pole| place.pose.axis.cross(pole).norm() < NEAR_POLE)
         };
-        let pole = at_pole(from) || at_pole(to);
         let wide = self.placer.rotary_travel(&from.words, &to.words) > LARGEST_EVEN;
-        let usual = branch.is_some() && !pole && !wide && self.placer.rotary.grid.is_empty();
-        let even = law == RotationLaw::Even && usual;
+        let even = law == RotationLaw::Even
+            && branch.is_some()
+            && !(near_pole(from) || near_pole(to) || wide)
+            && self.placer.rotary.grid.is_empty();
         let even_rad = Some(whole.bound.axis).filter(|axis| even && *axis <= self.allowed.axis_rad);
-        Ok(CuttingPath {
-            segment,
-            branch,
-            even_rad,
-            resolution,
-            at: 0.0,
-            pieces: Pieces::Unknown { share: whole.share },
-        })
+        let path = CuttingPath { segment, branch, even_rad, resolution, at: 0.0, pieces: Pieces::Graded { last: 1.0 } };
+        Ok(CuttingPath { pieces: self.pieces(&path, (from, to), whole.share)?, ..path })
     }
 
     /// The lengths of the pieces of a path.
@@ -484,17 +472,21 @@ impl Certifier<'_> {
     }
 
     /// The next piece of graded lengths, or a part that is to be a rotation on the spot.
-    fn graded(&self, path: &CuttingPath, (from, to): (&AxisPosition, &AxisPosition)) -> Result<GradedPart, Fault> {
-        let last = if let Pieces::Graded { last } = path.pieces { last } else { 1.0 };
+    fn graded(
+        &self,
+        path: &CuttingPath,
+        (from, to): (&AxisPosition, &AxisPosition),
+        last: f64,
+    ) -> Result<GradedPart, Fault> {
         let mut length = (2.0 * last).min(1.0);
         loop {
             let fits = path.at + length <= 1.0 && (path.at / length).fract() == 0.0;
             if fits {
-                let end = self.point(path, (from, to), path.at + length)?;
+                let piece = self.certify(from, &self.point(path, (from, to), path.at + length)?);
                 let shortest = length <= path.resolution;
-                let certified = self.certify(from, &end).share <= 1.0;
-                if shortest || certified && self.grades(path, (&end, to), path.at + length, 0.5 * length)? {
-                    return Ok(GradedPart { length, end, certified });
+                let after = (&piece.place, to);
+                if shortest || piece.share <= 1.0 && self.grades(path, after, path.at + length, 0.5 * length)? {
+                    return Ok(GradedPart { length, piece });
                 }
             }
             length *= 0.5;
@@ -550,11 +542,11 @@ impl Certifier<'_> {
         parameter: f64,
     ) -> Result<AxisPosition, Fault> {
         let pose = path.segment.at(parameter);
-        let mut guess = from.axes;
         let share = (parameter - path.at) / (1.0 - path.at);
         if path.even_rad.is_some() {
             return self.evenly(from, to, share, &pose);
         }
+        let mut guess = from.axes;
         for (value, end) in guess.as_mut().iter_mut().zip(to.axes) {
             *value += (end - *value) * share;
         }
@@ -579,14 +571,19 @@ impl Certifier<'_> {
         self.nearest_turn(&pose, from, solution, &middle).map_err(in_between)
     }
 
-    /// Position at a share of the even rotation of the rotary axes from one position to another, with the tip of a pose.
-    fn evenly(&self, from: &AxisPosition, to: &AxisPosition, share: f64, pose: &Pose) -> Result<AxisPosition, Fault> {
+    /// Words whose rotary ones are at a share of the way from one position to another.
+    fn words_between(&self, from: &AxisPosition, to: &AxisPosition, share: f64) -> [i64; MAX_AXES] {
         let mut words = from.words;
         for rotary in &self.placer.rotary.axes {
             let change = (to.words[rotary.index] - words[rotary.index]) as f64;
             words[rotary.index] += (change * share).round() as i64;
         }
-        let mut place = self.placer.position_at(pose, from, &words);
+        words
+    }
+
+    /// Position at a share of the even rotation of the rotary axes from one position to another, with the tip of a pose.
+    fn evenly(&self, from: &AxisPosition, to: &AxisPosition, share: f64, pose: &Pose) -> Result<AxisPosition, Fault> {
+        let mut place = self.placer.position_at(pose, from, &self.words_between(from, to, share));
         place.pose.axis = self.placer.machine.forward_kinematics(&place.axes).axis;
         place.deviation_rad = 0.0;
         self.placer.solve_linear(place)
@@ -623,11 +620,7 @@ impl Certifier<'_> {
 
     /// Position at a parameter of a rotation on the spot.
     fn rotated(&self, spot: &SpotRotation, parameter: f64) -> Result<AxisPosition, Fault> {
-        let mut words = spot.start.words;
-        for rotary in &self.placer.rotary.axes {
-            let change = (spot.target.words[rotary.index] - words[rotary.index]) as f64;
-            words[rotary.index] += (change * parameter).round() as i64;
-        }
+        let words = self.words_between(&spot.start, &spot.target, parameter);
         let tip = spot.start.pose.tip + (spot.target.pose.tip - spot.start.pose.tip) * parameter;
         let pose = Pose { tip, axis: spot.target.pose.axis };
         let mut place = self.placer.position_at(&pose, &spot.start, &words);

@@ -346,13 +346,17 @@ impl<'a, S: Sink> Mover<'a, S> {
     /// Writes the words of axes again that are at a place.
     pub(crate) fn restate(&mut self, at: &AxisPosition, mask: u16) -> Planned {
         let words = self.speller.spell(&self.placer.written(at), self.placer.words(at, mask));
-        let reached = ReachedPosition { pose: None, mask, ..self.placer.state_at(at) };
-        Ok(self.output.move_step(&Step::Rapid { words }, reached, None)?)
+        self.rapid_partly(at, words)
     }
 
     /// Writes a rapid of linear axes to their positions at a place, in words of another frame; the others have not arrived.
     pub(crate) fn rapid_across(&mut self, to: &AxisPosition, words: AxisWords) -> Planned {
         self.output.times_mut().rapid(self.placer.least_minutes_of(self.position.place(), to, words.mask));
+        self.rapid_partly(to, words)
+    }
+
+    /// Writes a rapid of the axes of these words; the others have not arrived.
+    fn rapid_partly(&mut self, to: &AxisPosition, words: AxisWords) -> Planned {
         let reached = ReachedPosition { pose: None, mask: words.mask, ..self.placer.state_at(to) };
         Ok(self.output.move_step(&Step::Rapid { words }, reached, None)?)
     }

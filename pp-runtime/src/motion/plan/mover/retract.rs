@@ -81,10 +81,13 @@ impl<S: Sink> Mover<'_, S> {
         self.clamps.open(&self.position.place().words, &above.words, plane, &mut self.output)?;
         self.rapid_alone(above, rotary)?;
         if let Some(TipEntry { words, frame: of_words }) = entry {
-            let [on, off] = of_words.map_or([None; 2], |steps| steps.map(Some));
-            on.map_or(Ok(()), |on| self.output.step(&on))?;
+            if let Some([on, _]) = of_words {
+                self.output.step(&on)?;
+            }
             self.rapid_across(above, words)?;
-            off.map_or(Ok(()), |off| self.output.step(&off))?;
+            if let Some([_, off]) = of_words {
+                self.output.step(&off)?;
+            }
             if by_plane {
                 // The control may have positioned the rotary axes in another revolution.
                 self.restate(above, rotary)?;
