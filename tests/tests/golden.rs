@@ -15,6 +15,7 @@
 //! | `plate` | Creo in inches: circles, a list of points, GODLTA, chip breaking |
 //! | `nest` | SolidWorks CAM: full circles, two CSYS, INSERT as a comment |
 //! | `mixed` | a whole job in mode `auto`: two set-ups, vertical, tilted and simultaneous operations |
+//! | `passes` | mode `auto`: one-way passes, and links between them |
 //! | `works`, `works_4axis` | arcs, a helix, 3+2, every cycle, simultaneous motion, a rewind, a thread, stops; in each mode |
 //! | `pads` | a set-up with tool lengths, part origin, retract along the axis, limits, parking |
 
@@ -78,6 +79,9 @@ const MODES: &[(&str, &[&str], &str)] = &[
 /// rewind.
 const MIXED: (&str, &str) = ("tests/data/mixed/mixed.cls", "tests/data/mixed/mixed.toml");
 
+/// One-way passes with a rotating tool axis, linked as in the CL data.
+const PASSES: (&str, &str) = ("tests/data/passes/passes.cls", "tests/data/passes/passes.toml");
+
 /// One golden program.
 struct Golden {
     cl: &'static str,
@@ -126,8 +130,8 @@ fn goldens() -> Vec<Golden> {
             controls.iter().map(move |&control| Golden { cl, config, machine, control, mode })
         })
     });
-    let mixed = ["spinner-u5-620", "dmu-70e"].into_iter().flat_map(|machine| {
-        let (cl, config) = MIXED;
+    let jobs = [MIXED, PASSES].into_iter().flat_map(|job| [(job, "spinner-u5-620"), (job, "dmu-70e")]);
+    let auto = jobs.flat_map(|((cl, config), machine)| {
         let posted = move |&control: &&'static str| Golden {
             cl,
             config: Some(config),
@@ -137,7 +141,7 @@ fn goldens() -> Vec<Golden> {
         };
         ["linuxcnc", "fanuc", "siemens", "heidenhain", "haas"].iter().map(posted)
     });
-    linuxcnc.chain(others).chain(works).chain(mixed).collect()
+    linuxcnc.chain(others).chain(works).chain(auto).collect()
 }
 
 fn posted(cl: &str, config: Option<&str>, machine: &str) -> String {

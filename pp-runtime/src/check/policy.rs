@@ -154,6 +154,8 @@ pub struct LinkPolicy {
     pub rapid: RapidForm,
     /// Feed of rapids that are feed motions, mm/min.
     pub rapid_feed_mm_per_min: Option<f64>,
+    /// Rapids that rotate the tool may lead along the path of the CL data, without a retract.
+    pub follows_links: bool,
     /// Operations follow each other without a retract.
     pub direct: bool,
     /// Largest rotation of a rotary axis in a rapid at the part, rad.

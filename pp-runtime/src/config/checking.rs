@@ -9,7 +9,7 @@ use crate::cl::ReadingOptions;
 use crate::control::{self, Control, LineEffect, Smoothing};
 use crate::kinematics::{AnyMachine, Machine, Side};
 use crate::motion::{
-    CutterPath, Mode, Operations, PathNorm, Rapid, Rewind, TcpFrame, TcpWords, ToolPosture, Transition, Wrap,
+    CutterPath, Links, Mode, Operations, PathNorm, Rapid, Rewind, TcpFrame, TcpWords, ToolPosture, Transition, Wrap,
     rotaries_of,
 };
 use crate::program::Units;
@@ -130,6 +130,7 @@ impl Config {
                 Rapid::Feed => RapidForm::Feed,
             },
             rapid_feed_mm_per_min: motion.rapids.rapid_feed_mm_per_min,
+            follows_links: motion.rapids.links == Links::Follow,
             direct: motion.rapids.transition == Transition::Direct,
             index_angle_rad: motion.rapids.index_angle_rad,
             retract_mm: motion.retract.position_mm(),

@@ -10,8 +10,8 @@ use crate::program::{Coolant, Pressure, Units};
 use crate::set_up::LengthMode;
 
 use super::dialects::{
-    ArcCentre, Control, CycleCodes, CycleForm, LengthCall, RadiusGuard, Spellings, ThreadCodes, TipControlCodes,
-    coolant_index,
+    ArcCentre, Control, CycleCodes, CycleForm, LengthCall, LinearRapids, RadiusGuard, Spellings, ThreadCodes,
+    TipControlCodes, coolant_index,
 };
 use super::options::{ControlFunction, Demands, Smoothing};
 
@@ -238,6 +238,7 @@ pub fn abilities(control: &dyn Control, demands: Demands<'_>) -> Abilities {
         air: has(Coolant::Air),
         length_call_may_move: codes.length.call == LengthCall::WithZ,
         registers: codes.length.registers,
+        linear_rapids: demands.options.linear_rapids.unwrap_or(codes.linear_rapids != LinearRapids::No),
         path_norm: demands.options.path_norm.unwrap_or(codes.path_norm),
         largest_inverse_time: demands.motion.feed.largest_inverse_time.unwrap_or(codes.largest_inverse_time),
         feed_per_inch: codes.feed_per_inch,

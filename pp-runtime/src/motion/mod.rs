@@ -26,7 +26,7 @@ pub use geometry::{ArcPlane, Circle};
 pub use modes::{ModeFinder, StretchModes};
 pub use options::{
     Approach, ArcForm, ArcOptions, ArcOutput, ClampCodes, CourseOptions, CutterPath, CycleOptions, CycleOutput,
-    Defaults, FeedLimits, GuardOptions, Mode, MotionOptions, Operations, PathNorm, Policy, Rapid, RapidOptions,
+    Defaults, FeedLimits, GuardOptions, Links, Mode, MotionOptions, Operations, PathNorm, Policy, Rapid, RapidOptions,
     Retract, Rewind, RotaryOptions, Singular, StretchMode, TcpFrame, TcpWords, TipOptions, ToolPosture, Transition,
     Wrap,
 };

@@ -15,7 +15,7 @@
 use nalgebra::UnitVector3;
 
 use crate::motion::geometry::angle_between;
-use crate::motion::options::{Mode, Policy, StretchMode};
+use crate::motion::options::{Policy, StretchMode};
 use crate::motion::place::UsableModes;
 use crate::motion::source::{Begins, HELD, ItemAction, MotionIndex, ProgramItem};
 use crate::program::{CutterSide, Event};
@@ -23,21 +23,36 @@ use crate::program::{CutterSide, Event};
 /// The mode of each stretch of a program, in its order.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct StretchModes {
-    /// First stretch of each run of stretches of one mode.
-    runs: Vec<(u64, StretchMode)>,
+    runs: Vec<Run>,
+}
+
+/// Stretches of one kind, one after the other.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Run {
+    /// Number of the first one.
+    first: u64,
+    kind: StretchKind,
+}
+
+/// Kind of a stretch.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct StretchKind {
+    mode: StretchMode,
+    /// The tool axis rotates at feed; of rapids only, in the next stretch that cuts.
+    rotates: bool,
 }
 
 impl StretchModes {
-    /// One mode for the whole program.
+    /// One mode for the whole program, in which no tool axis is known to rotate.
     #[must_use]
     pub fn all(mode: StretchMode) -> Self {
-        Self { runs: vec![(0, mode)] }
+        Self { runs: vec![Run { first: 0, kind: StretchKind { mode, rotates: false } }] }
     }
 
     /// Whether a stretch has this mode.
     #[must_use]
     pub fn has(&self, mode: StretchMode) -> bool {
-        self.runs.iter().any(|(_, of)| *of == mode)
+        self.runs.iter().any(|run| run.kind.mode == mode)
     }
 
     /// The modes that stretches have.
@@ -45,10 +60,10 @@ impl StretchModes {
         [StretchMode::Axes, StretchMode::Plane, StretchMode::Tcp].into_iter().filter(|mode| self.has(*mode))
     }
 
-    /// Adds a stretch, or several of one mode.
-    fn add(&mut self, first: u64, mode: StretchMode) {
-        if self.runs.last().is_none_or(|(_, last)| *last != mode) {
-            self.runs.push((first, mode));
+    /// Adds a stretch, or several of one kind.
+    fn add(&mut self, first: u64, kind: StretchKind) {
+        if self.runs.last().is_none_or(|last| last.kind != kind) {
+            self.runs.push(Run { first, kind });
         }
     }
 }
@@ -61,24 +76,38 @@ pub(crate) struct ModeFollower {
     run: usize,
     /// First stretch of the next run.
     next: u64,
+    /// Number of the present stretch.
+    stretch: u64,
+    /// In the stretch before it the tool axis rotates at feed.
+    rotated_before: bool,
     /// Mode in which the machine is.
     entered: StretchMode,
 }
 
 impl ModeFollower {
     pub(crate) fn new(modes: StretchModes) -> Self {
-        let mut follower = Self { entered: StretchMode::Axes, run: 0, next: 0, modes };
+        let start = Self { entered: StretchMode::Axes, run: 0, next: 0, stretch: 0, rotated_before: false, modes };
+        let mut follower = start;
         follower.entered = follower.mode();
         follower.next = follower.first_of(1);
         follower
     }
 
     fn first_of(&self, run: usize) -> u64 {
-        self.modes.runs.get(run).map_or(u64::MAX, |(first, _)| *first)
+        self.modes.runs.get(run).map_or(u64::MAX, |run| run.first)
     }
 
     fn mode(&self) -> StretchMode {
-        self.modes.runs.get(self.run).map_or(StretchMode::Axes, |(_, mode)| *mode)
+        self.modes.runs.get(self.run).map_or(StretchMode::Axes, |run| run.kind.mode)
+    }
+
+    fn rotates(&self) -> bool {
+        self.modes.runs.get(self.run).is_some_and(|run| run.kind.rotates)
+    }
+
+    /// Whether the tool axis rotates at feed in the present stretch and in the one before it.
+    pub(crate) fn keeps_rotating(&self) -> bool {
+        self.rotated_before && self.rotates()
     }
 
     /// The modes of all stretches.
@@ -89,6 +118,10 @@ impl ModeFollower {
     /// A stretch begins, or goes on.
     #[inline]
     pub(crate) fn reach(&mut self, stretch: u64) {
+        if stretch == self.stretch {
+            return;
+        }
+        (self.rotated_before, self.stretch) = (self.rotates(), stretch);
         while stretch >= self.next {
             self.run += 1;
             self.next = self.first_of(self.run + 1);
@@ -108,6 +141,15 @@ impl ModeFollower {
     }
 }
 
+/// Choice of the mode.
+#[derive(Debug)]
+enum ModeChoice {
+    /// One mode for all stretches.
+    Fixed(StretchMode),
+    /// Among these, by the content of a stretch.
+    Auto(UsableModes),
+}
+
 /// Content of a stretch, which decides its mode.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Content {
@@ -125,8 +167,7 @@ enum Content {
 #[derive(Debug)]
 pub struct ModeFinder {
     modes: StretchModes,
-    /// Modes to choose among; `None` where nothing is to be chosen.
-    usable: Option<UsableModes>,
+    choice: ModeChoice,
     most_planes: usize,
     operation: OperationContent,
     /// Number of the present stretch, and its content.
@@ -166,14 +207,49 @@ impl OperationContent {
     }
 }
 
+/// Modes of the contents of one operation.
+#[derive(Debug, Clone, Copy)]
+struct ModesOfContents {
+    rotating: StretchMode,
+    held: StretchMode,
+    /// Holes, and an operation without cuts.
+    holes: StretchMode,
+}
+
+impl ModesOfContents {
+    fn of(self, content: Content) -> StretchMode {
+        match content {
+            Content::Rotating => self.rotating,
+            Content::Held => self.held,
+            Content::Holes | Content::Rapids => self.holes,
+        }
+    }
+}
+
+impl ModeChoice {
+    fn modes(&self, operation: &OperationContent, most_planes: usize) -> ModesOfContents {
+        let usable = match self {
+            Self::Fixed(mode) => return ModesOfContents { rotating: *mode, held: *mode, holes: *mode },
+            Self::Auto(usable) => usable,
+        };
+        let or_axes = |usable: bool, mode: StretchMode| if usable { mode } else { StretchMode::Axes };
+        let (tip, plane) = (or_axes(usable.tip, StretchMode::Tcp), or_axes(usable.plane, StretchMode::Plane));
+        let few = operation.needs_plane || operation.directions.len() <= most_planes;
+        let in_plane = !operation.has(Content::Rotating) && (few || !usable.tip);
+        ModesOfContents { rotating: tip, held: if in_plane { plane } else { tip }, holes: plane }
+    }
+}
+
 impl ModeFinder {
     /// Chooses among the usable modes, unless the policy has one mode for all stretches.
     #[must_use]
     pub fn new(policy: Policy<'_>, usable: &UsableModes) -> Self {
-        let mode = policy.options.mode;
         Self {
-            modes: StretchModes { runs: mode.of_all().map(|mode| (0, mode)).into_iter().collect() },
-            usable: (mode == Mode::Auto).then(|| usable.clone()),
+            modes: StretchModes::default(),
+            choice: match policy.options.mode.of_all() {
+                Some(mode) => ModeChoice::Fixed(mode),
+                None => ModeChoice::Auto(usable.clone()),
+            },
             most_planes: policy.options.auto_planes as usize,
             operation: OperationContent::default(),
             stretch: (0, Content::Rapids),
@@ -183,9 +259,6 @@ impl ModeFinder {
 
     /// Takes the next item.
     pub fn follow(&mut self, item: &ProgramItem<'_>) {
-        if self.usable.is_none() {
-            return;
-        }
         match item.action {
             ItemAction::Line { motion, index, .. } => {
                 self.begin(index);
@@ -238,24 +311,16 @@ impl ModeFinder {
     /// Chooses the modes of the stretches of the operation that has ended.
     fn end_operation(&mut self) {
         let operation = std::mem::take(&mut self.operation);
-        let Some(usable) = &self.usable else { return };
-        let or_axes = |usable: bool, mode: StretchMode| if usable { mode } else { StretchMode::Axes };
-        let (tip, plane) = (or_axes(usable.tip, StretchMode::Tcp), or_axes(usable.plane, StretchMode::Plane));
-        let rotates = operation.has(Content::Rotating);
-        let few = operation.needs_plane || operation.directions.len() <= self.most_planes;
-        let mode = |content: Content| match content {
-            Content::Rapids => None,
-            Content::Rotating => Some(tip),
-            Content::Holes => Some(plane),
-            Content::Held if rotates => Some(tip),
-            Content::Held if few || !usable.tip => Some(plane),
-            Content::Held => Some(tip),
+        let modes = self.choice.modes(&operation, self.most_planes);
+        let kind = |content: Content| {
+            (content != Content::Rapids)
+                .then(|| StretchKind { mode: modes.of(content), rotates: content == Content::Rotating })
         };
-        // Rapids have the mode of the cuts after them, or else of those before.
-        let last = operation.runs.iter().rev().find_map(|(_, content)| mode(*content)).unwrap_or(plane);
-        for (index, (first, content)) in operation.runs.iter().enumerate() {
-            let mut from_here = operation.runs[index..].iter();
-            let chosen = mode(*content).or_else(|| from_here.find_map(|(_, content)| mode(*content))).unwrap_or(last);
+        // Rapids are of the kind of the cuts after them, or else of those before.
+        let without_cuts = StretchKind { mode: modes.of(Content::Rapids), rotates: false };
+        let last = operation.runs.iter().rev().find_map(|(_, content)| kind(*content)).unwrap_or(without_cuts);
+        for (index, (first, _)) in operation.runs.iter().enumerate() {
+            let chosen = operation.runs[index..].iter().find_map(|(_, content)| kind(*content)).unwrap_or(last);
             self.modes.add(*first, chosen);
         }
     }
@@ -263,10 +328,8 @@ impl ModeFinder {
     /// The modes of all stretches.
     #[must_use]
     pub fn finish(mut self) -> StretchModes {
-        if self.usable.is_some() {
-            self.operation.add(self.stretch);
-            self.end_operation();
-        }
+        self.operation.add(self.stretch);
+        self.end_operation();
         self.modes
     }
 }

@@ -22,7 +22,7 @@ use keys::{PARK, Preference};
 pub use cutting::{
     ArcForm, ArcOptions, ArcOutput, CutterPath, CycleOptions, CycleOutput, Defaults, FeedLimits, PathNorm,
 };
-pub use links::{Approach, Rapid, RapidOptions, Retract, Rewind, Transition};
+pub use links::{Approach, Links, Rapid, RapidOptions, Retract, Rewind, Transition};
 pub use words::{ClampCodes, Mode, RotaryOptions, StretchMode, TcpFrame, TcpWords, TipOptions, ToolPosture, Wrap};
 
 /// All that planning reads of a job.

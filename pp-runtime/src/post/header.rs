@@ -6,9 +6,11 @@ use std::io;
 
 use crate::cl::{ArcVote, Dialect, Insert};
 use crate::config::Config;
-use crate::control::{self, Control, Encoder, LengthGuard};
+use crate::control::{self, Control, Encoder, LengthGuard, LinearRapids};
 use crate::kinematics::{AnyMachine, Axis, AxisKind, Side, Sign};
-use crate::motion::{CutterPath, CutterRadius, StretchMode, StretchModes, TcpFrame, ToolPosture, Wrap, rotaries_of};
+use crate::motion::{
+    CutterPath, CutterRadius, Links, StretchMode, StretchModes, TcpFrame, ToolPosture, Wrap, rotaries_of,
+};
 use crate::nc::{Decimal, write_decimal};
 use crate::program::Rotation;
 use crate::program::Units;
@@ -77,6 +79,11 @@ pub(crate) fn assumptions(
     }
     if !config.is_given("approach.distance") {
         list.push(format!("approach distance {} mm along the tool axis", config.motion.approach.distance_mm));
+    }
+    let links = survey.stretches.linked > 0 && config.motion.rapids.links == Links::Follow;
+    let delivered = control.spellings().linear_rapids == LinearRapids::AsDelivered;
+    if links && delivered && config.control.linear_rapids.is_none() {
+        list.push("all axes of a rapid arrive together, as the control is delivered".to_owned());
     }
     for tool in survey.tools.iter().filter(|tool| tool.spindle_assumed) {
         let number = tool.call.number;

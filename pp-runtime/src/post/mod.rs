@@ -197,7 +197,12 @@ impl Report {
         if statistics.cycles > 0 {
             lines.push(format!("holes made with canned cycles: {}", statistics.cycles));
         }
-        lines.push("rapids are not linearised".to_owned());
+        lines.push(match statistics.links {
+            0 => "rapids are not linearised".to_owned(),
+            links => {
+                format!("links on the path of the CL data, within tolerance: {links}; other rapids are not linearised")
+            }
+        });
         lines
     }
 

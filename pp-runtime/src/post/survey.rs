@@ -120,6 +120,8 @@ pub struct Stretches {
     pub held: u64,
     /// The tool axis turns at feed.
     pub turning: u64,
+    /// The same, and in the stretch before it in its operation as well: a link may lead from one to the other.
+    pub linked: u64,
 }
 
 impl Stretches {
@@ -227,6 +229,8 @@ struct Surveyor {
     stretch: u64,
     cuts: bool,
     turning: bool,
+    /// It turns in the stretch before, in the same operation.
+    turned_before: bool,
     /// In the first set-up: the blank is in its coordinates.
     first_set_up: bool,
     /// Number of feed motions.
@@ -251,6 +255,7 @@ impl Surveyor {
             stretch: 0,
             cuts: false,
             turning: false,
+            turned_before: false,
             first_set_up: true,
             feeds: 0,
             feeds_down: 0,
@@ -371,14 +376,21 @@ impl Surveyor {
     fn end_stretch(&mut self) {
         let stretches = &mut self.survey.stretches;
         match (std::mem::take(&mut self.cuts), std::mem::take(&mut self.turning)) {
-            (true, true) => stretches.turning += 1,
-            (true, false) => stretches.held += 1,
+            (true, true) => {
+                stretches.turning += 1;
+                stretches.linked += u64::from(std::mem::replace(&mut self.turned_before, true));
+            }
+            (true, false) => {
+                stretches.held += 1;
+                self.turned_before = false;
+            }
             (false, _) => {}
         }
     }
 
     fn begin_operation(&mut self, number: u64) {
         self.survey.operations = number;
+        self.turned_before = false;
         self.selection.begin(number);
         let call = self.call.filter(|_| self.selection.holds(number));
         self.tool = call.and_then(|call| {

@@ -178,12 +178,15 @@ impl File<'_> {
         match rapid {
             0 => self.put("", "rapid = \"split\""),
             1 => self.put("", "rapid = \"feed\"\nrapid_feed = 8000.0"),
+            2 => self.put("", "rapid_feed = 5000.0"),
             _ => {}
         }
+        self.one_of(0.2, "", "links", &["\"safe\"", "\"follow\""]);
+        self.one_of(0.2, "control", "linear_rapids", &["true", "false"]);
         self.one_of(0.15, "", "transition", &["\"direct\""]);
         self.one_of(0.15, "", "stop_retract", &["false"]);
         self.one_of(0.3, "", "spindle_dwell", &["1.0", "2.5"]);
-        self.one_of(0.1, "", "index_angle", &["0.0", "10.0", "45.0"]);
+        self.one_of(0.1, "", "index_angle", &["0.0", "10.0", "45.0", "360.0"]);
         self.one_of(0.2, "", "reorient_speed", &["720.0", "3600.0"]);
         if kind.head || self.random.chance(0.7) {
             let distance = self.between(20.0, 120.0);

@@ -11,7 +11,7 @@ use super::super::expect::{ClMotion, ExpectedAction, ExpectedItem, Required};
 use super::super::geometry::{PathShape, Segment, ToolPose, angle_between};
 use super::super::policy::RapidForm;
 use super::super::read::{Action, Block, CycleMove, MAX_AXES, Side};
-use super::super::rules::{BOTH, ModalContext, Rules, StateFault};
+use super::super::rules::{BOTH, LinkForm, ModalContext, Rules, StateFault};
 use super::hole::{CycleComparison, is_over, pose_at, words_at};
 use super::phase::{Cutting, FinishedMotion, Leaving, Phase, RapidSteps, RetractedLength, RewindPoint};
 use super::{Comparison, Current, Findings, Previous, retract};
@@ -199,25 +199,22 @@ impl<R: Read> Comparison<'_, R> {
         }
         let at_feed = block.action != Action::Rapid;
         let known = self.rules.is_known(block, self.previous.known);
-        // The motion down from the approach point is a rapid if it is one in the CL data.
-        let approaches = part.starts || self.progress.is_approached() || self.rotates(block);
-        let rapids_at_feed = self.rules.policy().links.rapid == RapidForm::Feed;
-        let expects_feed = !part.rapid || (rapids_at_feed && !approaches && (at_feed || !self.is_in_thread()));
+        let RapidRules { expects_feed, follows_path, link } = self.rapid_rules(cutting, current, part);
         if at_feed != expects_feed {
             let text = match at_feed {
                 true => "this motion is a rapid in the CL data and is programmed at feed",
                 false => "this motion is a feed motion in the CL data and is programmed as a rapid",
             };
             self.found(current, text);
-        } else if !at_feed {
-            self.rotates_at_part(current);
-        } else {
+        } else if at_feed {
             let fault = self.functions.smoothing(&block.state, &self.rules, false);
             self.found_any(current, fault);
         }
-        if at_feed && expects_feed && known && !self.progress.is_lost() {
+        if at_feed == expects_feed && follows_path && known && !self.progress.is_lost() {
             self.compare_path(current, part);
-            self.compare_feed(current, part);
+            if at_feed {
+                self.compare_feed(current, part);
+            }
         }
         self.end_rapid_steps(cutting, current);
         // The machine retracts along the axis that it has: tool axes of the CL data that it cannot tell apart are one.
@@ -229,13 +226,53 @@ impl<R: Read> Comparison<'_, R> {
             required: part.required,
             feed: part.feed,
             at_feed,
+            link,
             rotated_rad: 0.0,
         });
         if part.share >= 1.0 {
             self.progress.pass();
-        } else if part.rapid {
+        } else if part.rapid && part.share <= 0.0 {
+            // The corner of a rapid in two blocks.
             self.progress.begin_at(*end);
         }
+    }
+
+    /// Whether a block at the part must be a feed motion, and keep to the path of the CL data; reports a rapid that rotates the
+    /// rotary axes without a retract, if it is no link.
+    fn rapid_rules(&mut self, cutting: &mut Cutting, current: &Current<'_>, part: &Part) -> RapidRules {
+        if !part.rapid {
+            return RapidRules { expects_feed: true, follows_path: true, link: false };
+        }
+        let (block, known) = (current.block, self.previous.known);
+        let at_feed = block.action != Action::Rapid;
+        let from = cutting.rapid_from.take();
+        let in_pieces = from.is_some();
+        let from = from.unwrap_or_else(|| Box::new(self.previous.words));
+        let rotates = self.rules.rotates(&from, known, block);
+        let ends = part.share >= 1.0;
+        if !ends {
+            cutting.rapid_from = Some(from);
+        }
+        // The motion down from the approach point is a rapid if it is one in the CL data.
+        if part.starts || self.progress.is_approached() {
+            if rotates {
+                self.rotates_at_part(current);
+            }
+            return RapidRules { expects_feed: false, follows_path: false, link: false };
+        }
+        let (form, all_at_feed) = (self.rules.link_form(), self.rules.policy().links.rapid == RapidForm::Feed);
+        if rotates && (form == LinkForm::None || form == LinkForm::Feed && !at_feed) {
+            self.rotates_at_part(current);
+        }
+        let link = in_pieces || !ends || rotates;
+        let expects_feed = match form {
+            // What the axes cannot follow is one rapid.
+            LinkForm::OneRapid if rotates => all_at_feed && at_feed,
+            LinkForm::Feed if !all_at_feed => at_feed && link,
+            _ => all_at_feed && (at_feed || !self.is_in_thread()),
+        };
+        let follows_path = at_feed || form == LinkForm::Rapids && link;
+        RapidRules { expects_feed, follows_path, link }
     }
 
     fn compare_state(&mut self, current: &Current<'_>, required: &Required) {
@@ -256,7 +293,7 @@ impl<R: Read> Comparison<'_, R> {
 
     /// Reports a rapid that rotates the rotary axes at the part.
     fn rotates_at_part(&mut self, current: &Current<'_>) {
-        if self.rules.retracts_between() && self.rotates(current.block) {
+        if self.rules.link_form() != LinkForm::OneRapid {
             self.found(current, "this rapid rotates the rotary axes near the part: the retract before it is missing");
         }
     }
@@ -370,10 +407,10 @@ impl<R: Read> Comparison<'_, R> {
         let Some(finished) = cutting.finished.as_mut().filter(|_| rules.is_known(block, self.previous.known)) else {
             return false;
         };
-        let FinishedMotion { segment, required, feed, at_feed, .. } = &*finished;
+        let FinishedMotion { segment, required, feed, at_feed, link, .. } = &*finished;
         let same_kind = match block.action {
             Action::Feed | Action::Arc(_) => *at_feed,
-            Action::Rapid => !(*at_feed || rules.retracts_between() && self.rotates(block)),
+            Action::Rapid => !*at_feed && (*link || rules.link_form() == LinkForm::OneRapid || !self.rotates(block)),
             _ => false,
         };
         let before = &self.previous.words;
@@ -556,7 +593,9 @@ impl<R: Read> Comparison<'_, R> {
         if lifts {
             self.compare_state(current, &required);
             if current.block.action == Action::Rapid {
-                self.rotates_at_part(current);
+                if self.rotates(current.block) {
+                    self.rotates_at_part(current);
+                }
                 let at_feed = self.rules.policy().links.rapid == RapidForm::Feed;
                 if at_feed && !self.is_in_thread() && !self.progress.is_approached() {
                     self.found(current, "this motion to the next hole is programmed as a rapid, expected at feed");
@@ -697,6 +736,16 @@ struct Part {
     share: f64,
     at: Location,
     required: Required,
+}
+
+/// Rules of a block at the part that carries out a rapid of the CL data.
+struct RapidRules {
+    /// It is a feed motion.
+    expects_feed: bool,
+    /// It keeps to the path of the CL data.
+    follows_path: bool,
+    /// It rotates the tool, without a retract.
+    link: bool,
 }
 
 /// Whether the last step of a rapid is between its start and some words, on the line of both, apart from one unit.

@@ -36,6 +36,8 @@ pub(super) struct Cutting {
     pub(crate) retract: RetractedLength,
     /// Way back to the point at which the rotary axes were rewound.
     pub(crate) back: Option<Box<Segment>>,
+    /// Words before the rapid of which the last block was a part.
+    pub(crate) rapid_from: Option<Box<[f64; MAX_AXES]>>,
     /// The rapid of which the last block was a step.
     pub(crate) steps: Option<Box<RapidSteps>>,
     /// The motion that the last block has ended.
@@ -112,6 +114,8 @@ pub(super) struct FinishedMotion {
     pub(crate) feed: Option<Feed>,
     /// It was run at feed.
     pub(crate) at_feed: bool,
+    /// It was a rapid that rotates the tool, without a retract.
+    pub(crate) link: bool,
     /// Rotation of rotary axes since, the tool axis being at its end, rad.
     pub(crate) rotated_rad: f64,
 }

@@ -131,8 +131,13 @@ impl Rules<'_> {
             return Some(1.0);
         }
         let links = &self.policy.links;
-        if motion.rapid && links.rapid != RapidForm::Feed {
-            return self.corner(segment, end, arrival);
+        if motion.rapid
+            && let Some(corner) = self.corner(segment, end, arrival)
+        {
+            return Some(corner);
+        }
+        if motion.rapid && !self.may_be_in_pieces(block) {
+            return None;
         }
         let rewinds = links.rewinds_in_cut
             && !self.needs_no_block(segment, arrival.here, arrival.chords)
@@ -156,7 +161,7 @@ impl Rules<'_> {
         (before, end): (&[f64; MAX_AXES], &ToolPose),
         along: f64,
     ) -> Option<f64> {
-        let line = matches!(segment.shape, PathShape::Line) && block.action == Action::Feed;
+        let line = matches!(segment.shape, PathShape::Line) && matches!(block.action, Action::Feed | Action::Rapid);
         if !line || self.policy.words.axis_in_plane || block.state.vector.is_some() {
             return None;
         }
@@ -243,9 +248,10 @@ impl Rules<'_> {
         // The control itself rotates the tool axis evenly.
         let evenly = block.state.tip_control != TipControl::Off
             && (block.state.vector.is_some() || self.policy.words.axis_in_plane)
-            && block.action == Action::Feed;
+            && matches!(block.action, Action::Feed | Action::Rapid);
         let rotated = if evenly { 0.0 } else { self.words.rotary_travel(&path.before, &block.values) };
-        if block.action == Action::Feed && rotated <= 0.0 && matches!(segment.shape, PathShape::Line) {
+        let straight = matches!(block.action, Action::Feed | Action::Rapid);
+        if straight && rotated <= 0.0 && matches!(segment.shape, PathShape::Line) {
             return None;
         }
         let sweep = sweep(block);

@@ -18,8 +18,8 @@ use crate::program::{Feed, Units};
 
 use super::expect::{ClMotion, Required};
 use super::geometry::{ToolPose, angle_between};
-use super::policy::{CheckPolicy, LinearMeaning};
-use super::read::{Block, Facts, MAX_AXES, OwnPlace, State, TipControl, WorkOffset};
+use super::policy::{CheckPolicy, LinearMeaning, RapidForm};
+use super::read::{Action, Block, Facts, MAX_AXES, OwnPlace, State, TipControl, WorkOffset};
 pub(super) use feed::{FeedLaw, Stroke};
 pub(super) use fit::{Arrival, BOTH, BlockPath, SHARE, chord, sweep};
 pub(super) use state::{FrameUse, ModalContext, StateFault, fault_at_end, tool_name};
@@ -331,10 +331,40 @@ impl<'a> Rules<'a> {
         self.policy.words.linear.is_none_or(|meaning| meaning == LinearMeaning::TipCoordinates)
     }
 
-    /// Whether a rapid must not rotate rotary axes at the part.
-    pub(super) fn retracts_between(&self) -> bool {
-        !self.policy.links.direct
+    /// Form of the rapids of the CL data that rotate the tool at the part.
+    pub(super) fn link_form(&self) -> LinkForm {
+        let links = &self.policy.links;
+        match links.rapid_feed_mm_per_min {
+            _ if links.direct => LinkForm::OneRapid,
+            _ if !links.follows_links => LinkForm::None,
+            Some(_) if links.rapid == RapidForm::Feed => LinkForm::Feed,
+            _ if self.rapids_are_interpolated() => LinkForm::Rapids,
+            Some(_) => LinkForm::Feed,
+            None => LinkForm::None,
+        }
     }
+
+    /// Whether a block may be a piece of a rapid of the CL data.
+    fn may_be_in_pieces(&self, block: &Block) -> bool {
+        let at_feed = block.action == Action::Feed;
+        let form = self.link_form();
+        self.policy.links.rapid == RapidForm::Feed
+            || form == LinkForm::Feed && at_feed
+            || form == LinkForm::Rapids && block.action == Action::Rapid
+    }
+}
+
+/// Form of a rapid of the CL data that rotates the tool at the part by more than the index angle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum LinkForm {
+    /// There is none: the machine retracts.
+    None,
+    /// One rapid, whatever its path.
+    OneRapid,
+    /// Rapids whose axes arrive together, on the path of the CL data.
+    Rapids,
+    /// Feed motions on the path of the CL data.
+    Feed,
 }
 
 /// Words with those of the rotary axes after a block; where it gives the tool axis by its components, those before it.

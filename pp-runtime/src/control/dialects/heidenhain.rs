@@ -6,6 +6,9 @@
 //! tenths of an inch. A `~` at the end of a line continues it in the next line, so no comment holds one. A dwell of
 //! cycle 9 is at most 3600 s (TNC 640 user's manual, 19.3).
 //!
+//! `L .. FMAX` is a straight line in which all axes of the block move together (iTNC 530 ISO manual 60642x-03, p. 211: G00
+//! straight line at rapid traverse; the axes of one block move simultaneously).
+//!
 //! Length guard: `FN 18` reads the length (ID50 NR1) and the oversize (NR4) of the tool from the tool table, whose sum
 //! `TOOL CALL` takes; always in millimetres, whatever the unit of the program. `QL` parameters are local to this
 //! program. `FN 14` stops with an error number, so the message is a comment before it.
@@ -39,8 +42,8 @@ use crate::nc::{Formats, Numerals};
 
 use super::control::{Control, LengthGuard, numbered};
 use super::spellings::{
-    ArcCentre, ArcCodes, CommentStyle, CycleDefinitions, CycleForm, HoleCycles, LengthCall, LengthCodes, Spellings,
-    TiltedPlaneCodes, TipControlCodes, ToolAxisWords, printable,
+    ArcCentre, ArcCodes, CommentStyle, CycleDefinitions, CycleForm, HoleCycles, LengthCall, LengthCodes, LinearRapids,
+    Spellings, TiltedPlaneCodes, TipControlCodes, ToolAxisWords, printable,
 };
 
 /// The Heidenhain dialect.
@@ -130,6 +133,7 @@ static SPELLINGS: Spellings = Spellings {
     offset_title: "datum row ",
     inverse_time: None,
     largest_inverse_time: f64::INFINITY,
+    linear_rapids: LinearRapids::AsDelivered,
     path_norm: PathNorm::XyzDegrees,
     feed_per_inch: 10.0,
     rapid: "L",

@@ -8,8 +8,8 @@ use crate::motion::{CycleAbilities, PathNorm, Registers};
 use crate::nc::{Formats, Numerals};
 
 use super::spellings::{
-    ArcCentre, ArcCodes, CommentStyle, CycleCodes, CycleForm, HoleCycles, LengthCall, LengthCodes, Spellings,
-    ThreadCodes, ascii_in_brackets,
+    ArcCentre, ArcCodes, CommentStyle, CycleCodes, CycleForm, HoleCycles, LengthCall, LengthCodes, LinearRapids,
+    Spellings, ThreadCodes, ascii_in_brackets,
 };
 
 impl Spellings {
@@ -34,6 +34,7 @@ impl Spellings {
         offset_title: "",
         inverse_time: Some("G93"),
         largest_inverse_time: f64::INFINITY,
+        linear_rapids: LinearRapids::No,
         path_norm: PathNorm::G93Minutes,
         feed_per_inch: 1.0,
         rapid: "G0",

@@ -4,14 +4,14 @@
 //! nothing, `G4 P` is in seconds, `G93` needs an F in every G1 block, and F in `G94` applies to the path of X Y Z
 //! wherever one of them moves. `#5403` is the length of the tool in the spindle in the tool table, whatever H is in
 //! force, in the unit of the machine and not of the program. `G64` without P would round corners without bound at high
-//! speed. Tip control is only switched by codes of the configuration; there is no tilted plane.
+//! speed. The axes of a rapid arrive together (handbook, node 53). Tip control is only switched by codes of the configuration; there is no tilted plane.
 
 use crate::motion::CycleAbilities;
 
 use super::control::{Control, LengthGuard, numbered};
 use super::spellings::{
-    ArcCodes, CommentStyle, CycleCodes, CycleForm, HoleCycles, LengthCall, LengthCodes, Spellings, ThreadCodes,
-    ascii_in_brackets,
+    ArcCodes, CommentStyle, CycleCodes, CycleForm, HoleCycles, LengthCall, LengthCodes, LinearRapids, Spellings,
+    ThreadCodes, ascii_in_brackets,
 };
 
 /// The LinuxCNC dialect.
@@ -25,6 +25,7 @@ static SPELLINGS: Spellings = Spellings {
     // 254 bytes, less two brackets and the "- " before a text that would be a command.
     comment: CommentStyle { marks: ["(", ")"], length: 250, byte: ascii_in_brackets },
     end: "M2",
+    linear_rapids: LinearRapids::Always,
     safety: &["{units} G17 G40 G49 G80 G90 G94 {work_offset} G64 P{path_tolerance}"],
     arcs: ArcCodes {
         // If the radii differ by more, the interpreter of version 2.9 also compares their ratio.

@@ -16,7 +16,7 @@ pub use control::{Control, LengthGuard, RadiusGuard};
 pub(crate) use spellings::coolant_index;
 pub use spellings::{
     ArcCentre, ArcCodes, CommentStyle, CycleCodes, CycleDefinitions, CycleForm, HoleCycles, LengthCall, LengthCodes,
-    Spellings, ThreadCodes, TiltedPlaneCodes, TipControlCodes, ToolAxisWords,
+    LinearRapids, Spellings, ThreadCodes, TiltedPlaneCodes, TipControlCodes, ToolAxisWords,
 };
 
 /// Declares the list of controls and the public name of each.

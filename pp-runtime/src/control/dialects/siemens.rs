@@ -23,6 +23,9 @@
 //! 1 takes the pose with the lower or the higher value of the axis that is the direction reference of the swivel data
 //! (828D operating manual, 10.6).
 //!
+//! The axes of a rapid arrive together: RTLION is the default, MD20730, and always in force under `TRAORI` (SINUMERIK ONE
+//! programming manual NC programming 12/2019, p. 181).
+//!
 //! `CYCLE832(S_TOL,S_TOLM,S_OTOL)`: units of S_TOLM 1 finish, 2 semi-finish, 3 rough; tens 1 where S_OTOL is the tolerance of
 //! the rotary axes, degrees. S_OTOL is always programmed, 1 without such a tolerance (SINUMERIK ONE programming manual NC
 //! programming 12/2019, p. 1108).
@@ -41,7 +44,7 @@ use crate::nc::Formats;
 
 use super::control::{Control, LengthGuard, RadiusGuard, numbered};
 use super::spellings::{
-    ArcCodes, CommentStyle, CycleDefinitions, CycleForm, HoleCycles, LengthCall, LengthCodes, Spellings,
+    ArcCodes, CommentStyle, CycleDefinitions, CycleForm, HoleCycles, LengthCall, LengthCodes, LinearRapids, Spellings,
     TiltedPlaneCodes, TipControlCodes, ToolAxisWords, printable,
 };
 
@@ -57,6 +60,7 @@ static SPELLINGS: Spellings = Spellings {
     comment: CommentStyle { marks: ["; ", ""], length: 200, byte: printable },
     operation: Some(["MSG(\"", "\")"]),
     units: ["G710", "G700"],
+    linear_rapids: LinearRapids::AsDelivered,
     safety: &["TRAFOOF", "CYCLE800()", "{units} G17 G40 G64 G90 G94 {work_offset}"],
     arcs: ArcCodes {
         // In another plane the tool length applies at once along X or Y, unless SD42940 keeps it along Z

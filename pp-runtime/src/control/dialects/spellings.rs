@@ -49,6 +49,8 @@ pub struct Spellings {
     pub inverse_time: Option<&'static str>,
     /// Largest F of inverse-time feed.
     pub largest_inverse_time: f64,
+    /// Whether all axes of a rapid arrive together.
+    pub linear_rapids: LinearRapids,
     /// Path to which F applies where a rotary axis moves.
     pub path_norm: PathNorm,
     /// Number of units of F in one inch, in an inch program.
@@ -322,6 +324,17 @@ pub enum LengthCall {
     WithZ,
     /// The tool call, which includes it.
     WithTool,
+}
+
+/// Whether all axes of a rapid arrive together, as those of a feed motion do.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LinearRapids {
+    /// Each axis moves at its own speed.
+    No,
+    /// Together, as the control is delivered.
+    AsDelivered,
+    /// Always.
+    Always,
 }
 
 /// Index of a kind of coolant in [`Spellings::coolant`] and in the configuration, which has the pressures after the kinds.

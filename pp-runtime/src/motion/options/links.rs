@@ -10,12 +10,18 @@ options! {
     pub struct RapidOptions {
         /// Transition between operations: "safe" (retract, rotate, approach) or "direct" (as in the CL data).
         transition: Transition = Transition::Safe, key("transition", OneOf(&Transition::NAMES));
-        /// Rapids in which a rotary axis rotates by more than this are replaced by the safe sequence.
+        /// Rapids in which a rotary axis rotates by more than this are replaced by the safe sequence, if they are no links.
         index_angle_rad: f64 = 1_f64.to_radians(), key("index_angle", Measure::angle(Bound::NotNegative));
+        /// Links, the rapids inside an operation that rotate the tool between cuts that rotate it as well: "follow" (as in the
+        /// CL data, where every block keeps tip and tool axis on their path within tolerance: as rapids whose axes arrive
+        /// together, `control.linear_rapids`, or at `rapid_feed`; by the safe sequence where neither is possible) or "safe"
+        /// (always by the safe sequence).
+        links: Links = Links::Follow, key("links", OneOf(&Links::NAMES));
         /// Rapids inside an operation: "direct" (one block), "split" (two blocks, along the tool axis and across it: out
         /// first, in last) or "feed" (a feed motion at `rapid_feed`, on a certified path).
         rapid: Rapid = Rapid::Direct, key("rapid", OneOf(&Rapid::NAMES));
-        /// Feed of a rapid that is written as a feed motion.
+        /// Feed of rapids that are written as feed motions: all with `rapid = "feed"`, else links where the axes of a rapid do
+        /// not arrive together.
         rapid_feed_mm_per_min: Option<f64> = None, also("rapid_feed", Measure::length(Bound::Positive), "10000.0");
         /// Speed of rotary axes where only the direction of the tool changes.
         reorient_rad_per_min: f64 = 1800_f64.to_radians(), key("reorient_speed", Measure::angle(Bound::Positive));
@@ -64,6 +70,19 @@ pub enum Rapid {
 
 impl Rapid {
     const NAMES: [(&'static str, Self); 3] = [("direct", Self::Direct), ("split", Self::Split), ("feed", Self::Feed)];
+}
+
+/// Rapids inside an operation that rotate a rotary axis by more than the index angle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Links {
+    /// On the path of the CL data where every block is certified to keep to it, else by the safe sequence.
+    Follow,
+    /// By the safe sequence.
+    Safe,
+}
+
+impl Links {
+    const NAMES: [(&'static str, Self); 2] = [("follow", Self::Follow), ("safe", Self::Safe)];
 }
 
 /// Motion from one operation to the next.

@@ -216,6 +216,17 @@ impl Placer {
         self.travel.check(&place.axes)
     }
 
+    /// Tries motions that are not in the program yet. Returns whether they are possible; no travel counts as needed for those
+    /// that are not.
+    pub(crate) fn attempt(&mut self, motions: impl FnOnce(&mut Self) -> Result<bool, Fault>) -> bool {
+        let needed = self.travel.needed();
+        let possible = motions(self).unwrap_or(false);
+        if !possible {
+            self.travel.take_back(&needed);
+        }
+        possible
+    }
+
     /// Linear axes whose limits could not be compared: letter and reason.
     pub(crate) fn unchecked_axes(&self) -> Vec<(char, &'static str)> {
         self.travel.axes().iter().filter_map(|axis| axis.unchecked_reason().map(|why| (axis.letter(), why))).collect()
@@ -381,12 +392,31 @@ impl Placer {
     /// Whether a block rotates rotary axes by more than `angle_rad` although its tool vector does not change, so that
     /// the block cannot program the rotation: about the tool axis, or by whole revolutions. At the pole a control that
     /// moves the tool axis in the plane of its ends needs no such rotation.
-    pub(crate) fn rotation_is_unprogrammable(&self, from: &AxisPosition, to: &AxisPosition, angle_rad: f64) -> bool {
+    fn rotation_is_unprogrammable(&self, from: &AxisPosition, to: &AxisPosition, angle_rad: f64) -> bool {
         let all = self.linear.mask | self.rotary.mask;
         self.writes_vectors()
             && !(to.at_pole && self.frame.rotates_axis_in_plane())
             && self.rotary_travel(&from.words, &to.words) > angle_rad
             && self.words(from, all).vector == self.words(to, all).vector
+    }
+
+    /// Refuses a rotation by more than `angle_rad` that a block with tool vectors cannot express: the control would continue
+    /// with the rotary axes at other angles.
+    pub(crate) fn check_hidden_rotation(
+        &self,
+        from: &AxisPosition,
+        to: &AxisPosition,
+        angle_rad: f64,
+    ) -> Result<(), Fault> {
+        if !self.rotation_is_unprogrammable(from, to, angle_rad) {
+            return Ok(());
+        }
+        let (letter, turn) = self.largest_rotation(&from.words, &to.words).unwrap_or_default();
+        Err(Fault::new(format_args!(
+            "{letter} has to rotate by {:.3}° here while the tool axis stays, which tool vectors cannot express",
+            turn.to_degrees()
+        ))
+        .help("set `tcp_words = \"angles\"`"))
     }
 
     /// Position of a pose, reached from the position `from`, which also gives the values of the held axes. `planned`:

@@ -102,6 +102,18 @@ impl TravelCheck {
         Ok(())
     }
 
+    /// The travel that each axis has needed so far.
+    pub(crate) fn needed(&self) -> [Option<(f64, f64)>; MAX_AXES] {
+        std::array::from_fn(|index| self.axes.iter().find(|axis| axis.index == index)?.span)
+    }
+
+    /// Takes back points that were compared, but are not in the program.
+    pub(crate) fn take_back(&mut self, needed: &[Option<(f64, f64)>; MAX_AXES]) {
+        for axis in &mut self.axes {
+            axis.span = needed[axis.index];
+        }
+    }
+
     /// Whether the travel of at least one axis is declared.
     pub(crate) fn limited(&self) -> bool {
         self.axes.iter().any(LinearTravel::limited)

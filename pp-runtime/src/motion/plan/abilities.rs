@@ -23,6 +23,8 @@ pub struct Abilities {
     pub length_call_may_move: bool,
     /// Numbering of the length offset registers.
     pub registers: Registers,
+    /// All axes of a rapid arrive together, so it leads along the path of a feed motion.
+    pub linear_rapids: bool,
     /// Path length that F refers to in a block in which a rotary axis moves.
     pub path_norm: PathNorm,
     /// Largest F of inverse-time feed.

@@ -18,6 +18,7 @@ mod mover;
 mod output;
 mod position;
 mod proof;
+mod rapid;
 mod records;
 mod rewind;
 mod selection;
@@ -34,7 +35,7 @@ use std::ops::RangeInclusive;
 use crate::diag::Diagnostic;
 use crate::kinematics::{AnyMachine, Pose};
 use crate::motion::modes::{ModeFollower, StretchModes};
-use crate::motion::options::{Policy, StretchMode, Transition};
+use crate::motion::options::{Policy, StretchMode};
 use crate::motion::place::UsableModes;
 use crate::program::Units;
 use crate::program::{self, Coolant, Location, Move};
@@ -332,19 +333,12 @@ impl<'a, S: Sink> Planner<'a, S> {
             return self.index(ahead, planned);
         }
         let place = self.mover.place(&motion.pose, !motion.rapid, planned)?;
-        let before = self.mover.position().pose();
         if motion.rapid {
-            if self.policy.options.rapids.transition == Transition::Safe && self.mover.indexes(&place)
-                || self.mover.leaves_plane(&place)
-            {
-                return self.index(ahead, planned);
-            }
-            self.mover.watch_plunge(&before, &motion.pose);
-            self.mover.rapid_as_configured(motion, &place)?;
-        } else {
-            self.mover.feed_to(&place, self.rate(motion.feed)?)?;
-            self.mover.position_mut().note_cut(&motion.pose);
+            return self.rapid(ahead, &place, planned);
         }
+        let before = self.mover.position().pose();
+        self.mover.feed_to(&place, self.rate(motion.feed)?)?;
+        self.mover.position_mut().note_cut(&motion.pose);
         self.mover.position_mut().follow(&before, &motion.pose);
         self.mover.arrive(place);
         Ok(())

@@ -13,6 +13,8 @@ pub struct Statistics {
     pub largest_deviation_rad: f64,
     /// Safe sequences.
     pub sequences: u64,
+    /// Links on the path of the CL data: rapids that rotate the tool.
+    pub links: u64,
     /// Blocks in inverse time.
     pub inverse_time: u64,
     /// Motions whose tool axis was so near the pole that it was moved there, while the first rotary axis kept its angle.

@@ -63,14 +63,13 @@ impl<M: Machine> Reader<'_, M> {
             .filter(|(letter, _)| "ABC".contains(*letter))
             .map(|(letter, word)| (motion.position.get(letter).expect("a position") - word).abs())
             .fold(0.0, f64::max);
-        if rapid {
-            assert!(
-                rotation <= INDEX_ANGLE + 1e-9,
-                "line {line}: a rapid rotates an axis by {rotation}° without a retract"
-            );
-        } else {
+        // A link: a rapid that rotates the tool, in blocks along its path.
+        let away = || angle_between(&self.oracle.forward(values).axis, &goto.axis).to_degrees() > 2.0 * ROTARY_UNIT;
+        let link = rapid && (self.split.is_some() || rotation > INDEX_ANGLE + 1e-9 || rotation > 0.0 && away());
+        if !rapid || link {
             assert!(rotation <= LARGEST_ROTATION, "line {line}: a cut rotates an axis by {rotation}°");
-            let written = motion.feed.unwrap_or_else(|| panic!("line {line}: no F"));
+            let written = motion.feed;
+            assert!(rapid || written.is_some(), "line {line}: no F");
             let before = self.values(&before, self.scale).expect("every word is known in the cut");
             if self.piece(line, &before, values, written, rotation > 0.0) {
                 let reached = self.oracle.forward(values).tip;
@@ -79,7 +78,9 @@ impl<M: Machine> Reader<'_, M> {
                 self.stage = Stage::Cutting;
                 return;
             }
-            if self.split.take().is_none() {
+            if self.split.take().is_none()
+                && let Some(written) = written
+            {
                 check_feed(line, written, feed, (tip - from).norm(), rotation, self.scale);
             }
         }
@@ -91,8 +92,16 @@ impl<M: Machine> Reader<'_, M> {
         self.pass_repeated();
     }
 
-    /// Checks a block of a motion that rotates an axis; returns whether the block ends before the GOTO.
-    pub(super) fn piece(&mut self, line: usize, before: &[f64], values: &[f64], written: Feed, rotates: bool) -> bool {
+    /// Checks a block of a motion that rotates an axis, with its feed if it is no rapid; returns whether the block ends before
+    /// the GOTO.
+    pub(super) fn piece(
+        &mut self,
+        line: usize,
+        before: &[f64],
+        values: &[f64],
+        written: Option<Feed>,
+        rotates: bool,
+    ) -> bool {
         let Some((tip, _)) = self.reached else { return false };
         let begun = self.split.unwrap_or_else(|| {
             let axis = self.oracle.forward(before).axis.into_inner();
@@ -113,10 +122,12 @@ impl<M: Machine> Reader<'_, M> {
         let pose = self.oracle.forward(values);
         let allowance = 0.5 * self.unit * 3_f64.sqrt() + NOISE;
         let length = (pose.tip - self.oracle.forward(before).tip).norm();
-        let (minutes, exact) = match written {
-            Feed::InverseTime(word) => (1.0 / word, length / goto.feed_mm_per_min),
-            Feed::PerMinute(word) => (length / (word * self.scale), length / goto.feed_mm_per_min),
-            Feed::PerRevolution(_) => panic!("line {line}: G95"),
+        let exact = length / goto.feed_mm_per_min;
+        let minutes = match written {
+            Some(Feed::InverseTime(word)) => 1.0 / word,
+            Some(Feed::PerMinute(word)) => length / (word * self.scale),
+            Some(Feed::PerRevolution(_)) => panic!("line {line}: G95"),
+            None => exact,
         };
         let still = length < self.unit + 2.0 * allowance;
         let time_off = (minutes - exact).abs();
@@ -132,7 +143,8 @@ impl<M: Machine> Reader<'_, M> {
                 self.split = Some(split);
                 let whole = (goto.tip - begun.tip).norm() / goto.feed_mm_per_min;
                 let time_off = (split.minutes - whole).abs();
-                assert!(split.still || time_off <= 2.0 * SIX_DIGITS * whole, "line {line}: {split:?} for {whole} min");
+                let timed = written.is_some() && !split.still;
+                assert!(!timed || time_off <= 2.0 * SIX_DIGITS * whole, "line {line}: {split:?} for {whole} min");
             }
             return false;
         }

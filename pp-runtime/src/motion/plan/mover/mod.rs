@@ -4,6 +4,7 @@
 //! The [`Planner`](crate::motion::plan::Planner) decides the next motion. Decided here are rounding, linearisation, feed,
 //! rollover, limits, clamps, and the frame of the control.
 
+mod link;
 mod retract;
 
 use std::io;
@@ -396,18 +397,9 @@ impl<'a, S: Sink> Mover<'a, S> {
         Ok(())
     }
 
-    /// Refuses a rotation that a block with tool vectors cannot express: the control would continue with the rotary axes at
-    /// other angles.
+    /// Refuses a rotation that a block with tool vectors cannot express.
     fn check_hidden_rotation(&self, to: &AxisPosition) -> Result<(), Fault> {
-        if !self.placer.rotation_is_unprogrammable(self.here(), to, self.policy.options.axis_tolerance_path_rad) {
-            return Ok(());
-        }
-        let (letter, turn) = self.placer.largest_rotation(&self.here().words, &to.words).unwrap_or_default();
-        Err(Fault::new(format_args!(
-            "{letter} has to rotate by {:.3}° here while the tool axis stays, which tool vectors cannot express",
-            turn.to_degrees()
-        ))
-        .help("set `tcp_words = \"angles\"`"))
+        self.placer.check_hidden_rotation(self.here(), to, self.policy.options.axis_tolerance_path_rad)
     }
 
     /// Adds a remark, once in an operation, where a rapid goes deeper than the lowest cut.

@@ -1,0 +1,84 @@
+//! Rapids inside an operation.
+//!
+//! A rapid that rotates the tool between cuts that rotate it as well is a *link*. The CAM system has verified its path, not
+//! that of axes each of which moves at its own speed. So it is written only where every block keeps tip and tool axis on
+//! their path, within the tolerance of cuts: as rapids whose axes arrive together, or at `rapid_feed`. Elsewhere the safe
+//! sequence leads to its end, and where the tool axis is held before or after the rapid: there the rotary axes are indexed,
+//! and clamped.
+
+use crate::kinematics::Pose;
+use crate::motion::fault::Planned;
+use crate::motion::options::{Links, Rapid, Transition};
+use crate::motion::place::AxisPosition;
+use crate::motion::plan::{MotionAndNext, Planner};
+use crate::motion::rotary::RotaryTarget;
+use crate::motion::step::Sink;
+
+/// Path of a rapid.
+#[derive(Debug, Clone, Copy)]
+enum RapidPath {
+    /// By `rapid`.
+    AsConfigured,
+    /// That of the CL data, in certified pieces.
+    Certified(LinkForm),
+    /// The safe sequence.
+    Sequence,
+}
+
+/// Blocks of a link.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum LinkForm {
+    /// Rapids.
+    Rapid,
+    /// Feed motions, mm/min.
+    Feed(f64),
+}
+
+impl<S: Sink> Planner<'_, S> {
+    /// A rapid to a place.
+    pub(crate) fn rapid(
+        &mut self,
+        ahead: MotionAndNext<'_>,
+        place: &AxisPosition,
+        planned: Option<RotaryTarget>,
+    ) -> Planned {
+        let motion = ahead.motion;
+        let path = self.path_of_rapid(&motion.pose, place);
+        if matches!(path, RapidPath::Sequence) {
+            return self.index(ahead, planned);
+        }
+        let before = self.mover.position().pose();
+        self.mover.watch_plunge(&before, &motion.pose);
+        match path {
+            RapidPath::Certified(form) => self.mover.link(place, form)?,
+            RapidPath::AsConfigured | RapidPath::Sequence => self.mover.rapid_as_configured(motion, place)?,
+        }
+        self.mover.position_mut().follow(&before, &motion.pose);
+        self.mover.arrive(*place);
+        Ok(())
+    }
+
+    fn path_of_rapid(&mut self, pose: &Pose, place: &AxisPosition) -> RapidPath {
+        if self.mover.leaves_plane(place) {
+            return RapidPath::Sequence;
+        }
+        let rapids = &self.policy.options.rapids;
+        let (far, at_feed) = (self.mover.indexes(place), rapids.rapid == Rapid::Feed);
+        if !(far || at_feed && self.mover.rotates(place)) {
+            return RapidPath::AsConfigured;
+        }
+        let safe = rapids.transition == Transition::Safe;
+        let form = match rapids.rapid_feed_mm_per_min.map(LinkForm::Feed) {
+            _ if far && safe && (rapids.links == Links::Safe || !self.modes.keeps_rotating()) => None,
+            feed if at_feed => feed,
+            _ if !safe => None,
+            _ if self.abilities.linear_rapids => Some(LinkForm::Rapid),
+            feed => feed,
+        };
+        match form {
+            Some(form) if self.mover.follows(pose, place) => RapidPath::Certified(form),
+            _ if safe => RapidPath::Sequence,
+            _ => RapidPath::AsConfigured,
+        }
+    }
+}

@@ -1,0 +1,81 @@
+%
+O00001 (NONAME)
+(PROGRAM without name)
+(CL FILE passes.cls)
+(MACHINE SpinnerU5620, CONTROL Haas, MODE auto [tcp])
+(UNITS mm, WORK OFFSET G54)
+(PART ORIGIN X0 Y0 Z50 from the reference point of the table)
+(PROGRAMMED POINT tool tip)
+(TOLERANCE 0.01 for arcs and curves)
+(CL data of NX, recognised from the file)
+(AXIS C+ rotates the table left-handed about +Z, as in ISO 841)
+(AXIS B+ rotates the table left-handed about +Y, as in ISO 841)
+(AXIS X+ moves the tool along +X, as in ISO 841)
+(AXIS Y+ moves the tool along +Y, as in ISO 841)
+(AXIS Z+ moves the tool along +Z, as in ISO 841)
+(WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the)
+(tool axis within 0.1 deg of its great circle)
+(ROTARY WORDS are absolute and go beyond 360: the axes must not take the)
+(shortest path to an angle beyond 360)
+(LINEAR WORDS are tip coordinates in a frame fixed to the table, aligned with)
+(the machine axes when its rotary axes are at zero; rotary axes move evenly)
+(MODE tcp: G234 must move only the axes of its block, and G49 G53 straight to)
+(the machine position)
+(linear limits not checked: no travel declared [X Y Z])
+(the entries of C and B in G54 must be zero)
+(T4 ball 8 D8 L130 H4, 1 operation, tip Z 3 to 23.126)
+(ASSUMED work offset G54)
+(ASSUMED retract to machine coordinate 0 mm)
+(ASSUMED approach distance 50 mm along the tool axis)
+(OPERATION PASSES)
+N1 G21 G17 G40 G49 G80 G90 G94 G54
+G255
+M09
+G53 G00 Z0.
+T4 M06
+G49 G53 G00 Z0.
+S8000 M03
+G00 B25. C0.
+G254
+G00 X25.076 Y0.
+G255
+G00 G234 H4 X38.452 Y0. Z23.126
+M08
+G01 X30. Z5. B25. C0. F600.
+X29.672 Y3.119 B25.876 C6.216 F1200.
+X29.344 Y6.237 B27. C12.
+X28.375 Y9.22 B27.87 C18.198
+X27.406 Y12.202 B29. C24.
+X25.838 Y14.918 B29.864 C30.182
+X24.271 Y17.634 B31. C36.
+G00 X32.604 Y23.688 Z22.143
+G01 X34.223 Y17.766 Z22.063 B29.137 C28.006 F8000.
+X35.842 Y11.844 Z21.982 B27.802 C19.173
+X37.461 Y5.922 Z21.901 B27.073 C9.717
+X39.08 Y0. Z21.82 B27. C0.
+X30. Z4. F600.
+X29.672 Y3.119 B27.87 C6.198 F1200.
+X29.344 Y6.237 B29. C12.
+X28.375 Y9.22 B29.864 C18.182
+X27.406 Y12.202 B31. C24.
+X25.838 Y14.918 B31.859 C30.168
+X24.271 Y17.634 B33. C36.
+G00 X33.083 Y24.036 Z20.773
+G01 X34.736 Y18.027 Z20.703 B31.098 C27.937 F8000.
+X36.39 Y12.018 Z20.633 B29.75 C19.082
+X38.043 Y6.009 Z20.563 B29.035 C9.653
+X39.696 Y0. Z20.492 B29. C0.
+X30. Z3. F600.
+X29.672 Y3.119 B29.864 C6.182 F1200.
+X29.344 Y6.237 B31. C12.
+X28.375 Y9.22 B31.859 C18.168
+X27.406 Y12.202 B33. C24.
+X25.838 Y14.918 B33.854 C30.156
+X24.271 Y17.634 B35. C36.
+G00 X33.551 Y24.376 Z19.383
+M09
+X45.23 Y32.862 Z40.
+G49 G53 G00 Z0.
+M05
+M30
+%
