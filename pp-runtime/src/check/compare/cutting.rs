@@ -11,11 +11,11 @@ use super::super::expect::{ClMotion, ExpectedAction, ExpectedItem, Required};
 use super::super::geometry::{PathShape, Segment, ToolPose, angle_between};
 use super::super::policy::RapidForm;
 use super::super::read::{Action, Block, CycleMove, MAX_AXES, Side};
-use super::super::rules::{BOTH, LinkForm, ModalContext, Rules, StateFault};
+use super::super::rules::{BOTH, LinkForm, ModalContext, StateFault};
 use super::hole::{CycleComparison, is_over, pose_at, words_at};
 use super::phase::{Cutting, FinishedMotion, Leaving, Phase, RapidSteps, RetractedLength, RewindPoint};
+use super::rapid::{RapidPart, RapidRules, is_on_line, rollover_travel};
 use super::{Comparison, Current, Findings, Previous, retract};
-use crate::kinematics::Axis;
 use crate::program::{Drilling, Feed, Location};
 
 impl<R: Read> Comparison<'_, R> {
@@ -199,7 +199,7 @@ impl<R: Read> Comparison<'_, R> {
         }
         let at_feed = block.action != Action::Rapid;
         let known = self.rules.is_known(block, self.previous.known);
-        let RapidRules { expects_feed, follows_path, link } = self.rapid_rules(cutting, current, part);
+        let RapidRules { expects_feed, follows_path, link, .. } = self.rapid_rules(cutting, current, part);
         if at_feed != expects_feed {
             let text = match at_feed {
                 true => "this motion is a rapid in the CL data and is programmed at feed",
@@ -237,42 +237,28 @@ impl<R: Read> Comparison<'_, R> {
         }
     }
 
-    /// Whether a block at the part must be a feed motion, and keep to the path of the CL data; reports a rapid that rotates the
-    /// rotary axes without a retract, if it is no link.
+    /// Rules of a block that carries out a part of a motion.
     fn rapid_rules(&mut self, cutting: &mut Cutting, current: &Current<'_>, part: &Part) -> RapidRules {
         if !part.rapid {
-            return RapidRules { expects_feed: true, follows_path: true, link: false };
+            return RapidRules::CUT;
         }
-        let (block, known) = (current.block, self.previous.known);
-        let at_feed = block.action != Action::Rapid;
-        let from = cutting.rapid_from.take();
-        let in_pieces = from.is_some();
-        let from = from.unwrap_or_else(|| Box::new(self.previous.words));
-        let rotates = self.rules.rotates(&from, known, block);
-        let ends = part.share >= 1.0;
-        if !ends {
+        let begun = cutting.rapid_from.take();
+        let rapid = RapidPart {
+            begun: begun.is_some(),
+            ends: part.share >= 1.0,
+            // The motion down from the approach point is a rapid if it is one in the CL data.
+            approaches: part.starts || self.progress.is_approached(),
+            in_thread: self.is_in_thread(),
+        };
+        let from = begun.unwrap_or_else(|| Box::new(self.previous.words));
+        let rules = RapidRules::of(&self.rules, (&from, self.previous.known), current.block, rapid);
+        if !rapid.ends {
             cutting.rapid_from = Some(from);
         }
-        // The motion down from the approach point is a rapid if it is one in the CL data.
-        if part.starts || self.progress.is_approached() {
-            if rotates {
-                self.rotates_at_part(current);
-            }
-            return RapidRules { expects_feed: false, follows_path: false, link: false };
-        }
-        let (form, all_at_feed) = (self.rules.link_form(), self.rules.policy().links.rapid == RapidForm::Feed);
-        if rotates && (form == LinkForm::None || form == LinkForm::Feed && !at_feed) {
+        if rules.lacks_retract {
             self.rotates_at_part(current);
         }
-        let link = in_pieces || !ends || rotates;
-        let expects_feed = match form {
-            // What the axes cannot follow is one rapid.
-            LinkForm::OneRapid if rotates => all_at_feed && at_feed,
-            LinkForm::Feed if !all_at_feed => at_feed && link,
-            _ => all_at_feed && (at_feed || !self.is_in_thread()),
-        };
-        let follows_path = at_feed || form == LinkForm::Rapids && link;
-        RapidRules { expects_feed, follows_path, link }
+        rules
     }
 
     fn compare_state(&mut self, current: &Current<'_>, required: &Required) {
@@ -459,7 +445,7 @@ impl<R: Read> Comparison<'_, R> {
     fn is_step_of_rapid(&mut self, cutting: &mut Cutting, current: &Current<'_>, required: &Required) -> bool {
         let (before, block) = (self.previous.words, current.block);
         let direct = block.action == Action::Rapid && self.rules.policy().links.direct;
-        if !direct || self.rollover_travel(&before, &block.values) <= self.rules.rounding().unit_rad {
+        if !direct || rollover_travel(&self.rules, &before, &block.values) <= self.rules.rounding().unit_rad {
             return false;
         }
         if cutting.steps.as_ref().is_some_and(|steps| !is_on_line(&self.rules, steps, &block.values)) {
@@ -477,23 +463,15 @@ impl<R: Read> Comparison<'_, R> {
         let end = &current.block.values;
         if !is_on_line(&self.rules, &steps, end) {
             self.found(current, "the intermediate points of this rapid are not on its path");
-        } else if self.rollover_travel(&steps.start, end) < PI - self.rules.rounding().unit_rad {
+        } else if rollover_travel(&self.rules, &steps.start, end) < PI - self.rules.rounding().unit_rad {
             self.found(current, "this rapid is split into steps, but no rotary axis moves by 180° or more");
         }
-    }
-
-    /// Largest rotation of an axis that takes the shorter way, rad.
-    fn rollover_travel(&self, from: &[f64; MAX_AXES], to: &[f64; MAX_AXES]) -> f64 {
-        let rollover = &self.rules.policy().words.rollover;
-        let rolls = |(_, axis): &(usize, &Axis)| rollover.contains_key(&axis.letter);
-        let travel = |(index, _): (usize, &Axis)| (to[index] - from[index]).abs();
-        self.rules.axes().iter().enumerate().filter(rolls).map(travel).fold(0.0, f64::max)
     }
 
     /// A block that carries out nothing: reports it and looks among the motions ahead for the place at which the program
     /// continues. The items between are lost.
     fn resume(&mut self, cutting: &mut Cutting, current: &Current<'_>, end: &ToolPose) -> io::Result<()> {
-        (cutting.back, cutting.steps) = (None, None);
+        (cutting.back, cutting.steps, cutting.rapid_from) = (None, None, None);
         cutting.retract = RetractedLength::starting(*end, 0.0);
         let (tip, axis) = (self.rules.rounding().tip_mm, self.rules.rounding().axis_rad);
         let continues = self.progress.find(|item| {
@@ -736,29 +714,4 @@ struct Part {
     share: f64,
     at: Location,
     required: Required,
-}
-
-/// Rules of a block at the part that carries out a rapid of the CL data.
-struct RapidRules {
-    /// It is a feed motion.
-    expects_feed: bool,
-    /// It keeps to the path of the CL data.
-    follows_path: bool,
-    /// It rotates the tool, without a retract.
-    link: bool,
-}
-
-/// Whether the last step of a rapid is between its start and some words, on the line of both, apart from one unit.
-fn is_on_line(rules: &Rules<'_>, steps: &RapidSteps, to: &[f64; MAX_AXES]) -> bool {
-    let RapidSteps { start, last } = steps;
-    let travel = |index: usize| to[index] - start[index];
-    let farthest = rules.words().rotary().max_by(|a, b| travel(*a).abs().total_cmp(&travel(*b).abs()));
-    let Some(farthest) = farthest.filter(|index| travel(*index).abs() > 0.0) else { return false };
-    let share = (last[farthest] - start[farthest]) / travel(farthest);
-    let rotary = rules.words().rotary_bits();
-    (0.0..=1.0).contains(&share)
-        && (0..MAX_AXES).all(|index| {
-            let unit = if rotary & (1 << index) != 0 { rules.rounding().unit_rad } else { rules.rounding().unit_mm };
-            (start[index] + share * travel(index) - last[index]).abs() <= 1.01 * unit
-        })
 }

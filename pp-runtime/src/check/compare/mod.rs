@@ -16,6 +16,7 @@ mod links;
 mod parking;
 mod phase;
 mod progress;
+mod rapid;
 mod retract;
 
 use std::io::{self, Read};
