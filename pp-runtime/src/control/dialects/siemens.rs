@@ -36,8 +36,9 @@
 //! DTS, FRF, VARI (1 retract out of the hole, 0 chip breaking), _AXN, _MDEP, _VRT (retract distance), _DTD (dwell at
 //! the bottom), _DIS1 (distance above the last depth after a retract). `CYCLE85` adds DPR, DTB, FFR, RFF. `CYCLE84`
 //! adds DPR, DTB, SDAC (sense of rotation after the cycle), MPIT, PIT (negative: left-hand), POSS, SST, SST1, _AXN,
-//! _PITA (1 mm, 3 inches). `CYCLE83` divides the depth that is left for the last two steps equally between them, so it
-//! is only used for whole steps.
+//! _PITA (1 mm, 3 inches). No public page was found on how `CYCLE83` divides a depth that is no
+//! multiple of the step (from memory: the last two steps share the rest equally): in any case there are as many steps as in the
+//! CL data, and none is longer.
 
 use crate::motion::{CycleAbilities, PlaneAngles, PoseRule, Registers};
 use crate::nc::Formats;
@@ -78,7 +79,6 @@ static SPELLINGS: Spellings = Spellings {
             peck_dwell: true,
             returns_to_any_level: true,
             programs_gap: true,
-            whole_steps_only: true,
             ..CycleAbilities::CODES
         },
         form: CycleForm::Definitions(CycleDefinitions {

@@ -238,9 +238,8 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         {
             let depth = cycle.surface - cycle.bottom;
             let as_many = steps(self.hole)?.count() as i64 == (depth + step - 1) / step;
-            let whole = !can.whole_steps_only || depth % step == 0;
             let in_hole = gap > 0 && gap <= step + cycle.clearance - cycle.surface;
-            return Ok((!(as_many && whole && in_hole)).then_some("the cycle of this control drills in other steps"));
+            return Ok((!(as_many && in_hole)).then_some("the cycle of this control drills in other steps"));
         }
         Ok(None)
     }

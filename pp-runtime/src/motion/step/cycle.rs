@@ -29,9 +29,6 @@ pub struct CycleAbilities {
     pub returns_to_any_level: bool,
     /// The retract between two steps, and the gap left by the rapid that follows it, are parameters of the cycle.
     pub programs_gap: bool,
-    /// The control divides the rest of the depth equally between the last two steps, so only a depth of whole steps is
-    /// drilled as programmed.
-    pub whole_steps_only: bool,
     /// The spindle is off after tapping.
     pub tap_stops_spindle: bool,
     /// Tapping takes an F word.
@@ -55,7 +52,6 @@ impl CycleAbilities {
         longest_dwell_ms: u32::MAX,
         returns_to_any_level: false,
         programs_gap: false,
-        whole_steps_only: false,
         tap_stops_spindle: false,
         tap_uses_feed: false,
         pitch_decimals: 6,
