@@ -146,7 +146,7 @@ fn posted<M: Machine>(data: &[u8], operations: usize, config: &str, control: &st
     let operations = Some(Operations::Range(1, Some(operations as u64)));
     let mut set_up = set_up;
     set_up.output_units = output_units;
-    set_up.motion.operations = operations;
+    set_up.motion.selected = operations;
     let mut program = Vec::new();
     let job = post::Job { cl_name: "part.cls", config: &set_up, control, units: None };
     let report = post::<M>(&job, &mut Cursor::new(data), &mut program).expect("memory can be written");

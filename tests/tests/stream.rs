@@ -71,7 +71,7 @@ impl Golden {
                 Mode::Tcp => 4,
                 Mode::Plane => 3,
             };
-            config.motion.operations = Some(Operations::Range(1, Some(last)));
+            config.motion.selected = Some(Operations::Range(1, Some(last)));
         }
         config
     }

@@ -37,6 +37,23 @@ pub struct CheckPolicy {
     pub selection: Option<OperationSelection>,
     /// Blocks of the shop and functions of the control in the program.
     pub shop: ShopBlocks,
+    /// Rules of single operations.
+    pub operations: Vec<OperationRule>,
+}
+
+impl CheckPolicy {
+    /// Meaning of all linear words of the program; `None` where the program decides with each approach, or operations differ.
+    #[must_use]
+    pub fn linear_of_all(&self) -> Option<LinearMeaning> {
+        self.words.linear.filter(|_| self.operations.iter().all(|rule| rule.linear.is_none()))
+    }
+
+    /// Largest tolerance of the path, of all operations, mm.
+    #[must_use]
+    pub fn largest_path_mm(&self) -> f64 {
+        let own = self.operations.iter().filter_map(|rule| rule.path_mm);
+        own.fold(self.tolerances.path_mm, f64::max)
+    }
 }
 
 /// Meaning of linear words.
@@ -48,6 +65,16 @@ pub enum LinearMeaning {
     TipCoordinates,
     /// Coordinates of the tip in a tilted plane.
     PlaneCoordinates,
+}
+
+impl LinearMeaning {
+    pub(super) const fn name(self) -> &'static str {
+        match self {
+            Self::AxisPositions => "axis positions",
+            Self::TipCoordinates => "tip coordinates under tip control",
+            Self::PlaneCoordinates => "coordinates in a tilted plane",
+        }
+    }
 }
 
 /// Frame of the coordinates of the tip under tip control.
@@ -73,7 +100,7 @@ pub enum RolloverRule {
 /// Meaning of words.
 #[derive(Debug, Clone, PartialEq)]
 pub struct WordPolicy {
-    /// Meaning of linear words; without it the program decides with each approach.
+    /// Meaning of linear words, where an operation has no rule; without it the program decides with each approach.
     pub linear: Option<LinearMeaning>,
     /// Frame of the tip under tip control.
     pub tip_frame: TipFrame,
@@ -236,6 +263,32 @@ pub enum OperationSelection {
     Range(u64, Option<u64>),
     /// From the operation of this name.
     From(String),
+}
+
+/// What a rule is for.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum RuledOperation {
+    /// The operation of this number, counted from 1.
+    Number(u64),
+    /// Operations of this name, in any letter case.
+    Name(String),
+    /// Operations whose names are like this one: `*` is any text, `?` one character.
+    Like(String),
+}
+
+/// Rule of single operations; what it leaves open is as in the whole program.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OperationRule {
+    /// The operations.
+    pub of: RuledOperation,
+    /// Meaning of linear words; `Some(None)`: the program decides.
+    pub linear: Option<Option<LinearMeaning>>,
+    /// Smoothing in cuts; `Some(None)`: off.
+    pub smoothing: Option<Option<SmoothingLevel>>,
+    /// Largest deviation of the tip from its path, mm.
+    pub path_mm: Option<f64>,
+    /// Largest feed of the tip in feed motions, mm/min.
+    pub largest_feed_mm_per_min: Option<f64>,
 }
 
 /// Smoothing that the program switches on for cuts.

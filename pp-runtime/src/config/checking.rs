@@ -1,16 +1,17 @@
 //! The policy of a check, from a configuration and its control.
 
 use crate::check::policy::{
-    CheckPolicy, Digits, FeedPath, FeedPolicy, LinearMeaning, LinkPolicy, OperationSelection, RapidForm, RolloverRule,
-    ShopBlocks, ShopLine, SmoothingLevel, StateDefaults, TipFrame, Tolerances, WordPolicy,
+    CheckPolicy, Digits, FeedPath, FeedPolicy, LinearMeaning, LinkPolicy, OperationRule, OperationSelection, RapidForm,
+    RolloverRule, RuledOperation, ShopBlocks, ShopLine, SmoothingLevel, StateDefaults, TipFrame, Tolerances,
+    WordPolicy,
 };
 use crate::check::read::{Effect, Family, OwnPlace, coolant};
 use crate::cl::ReadingOptions;
-use crate::control::{self, Control, LineEffect, Smoothing};
+use crate::control::{self, Control, LineEffect};
 use crate::kinematics::{AnyMachine, Machine, Side};
 use crate::motion::{
-    CutterPath, Links, Mode, Operations, PathNorm, Rapid, Rewind, TcpFrame, TcpWords, ToolPosture, Transition, Wrap,
-    rotaries_of,
+    CutterPath, Links, Mode, OperationChoice, OperationEntry, Operations, PathNorm, Rapid, Rewind, Smoothing,
+    StretchMode, TcpFrame, TcpWords, ToolPosture, Transition, Wrap, rotaries_of,
 };
 use crate::program::Units;
 use crate::set_up::LengthMode;
@@ -63,11 +64,12 @@ impl Config {
             links: self.link_policy(),
             feed: self.feed_policy(),
             defaults: self.state_defaults(),
-            selection: self.motion.operations.as_ref().map(|operations| match operations {
+            selection: self.motion.selected.as_ref().map(|operations| match operations {
                 Operations::Range(first, last) => OperationSelection::Range(*first, *last),
                 Operations::From(name) => OperationSelection::From(name.clone()),
             }),
             shop: self.shop_blocks(machine, control::abilities(control, self.demands()).enters_tip_control_by_axes()),
+            operations: self.motion.operations.entries.iter().map(rule).collect(),
         })
     }
 
@@ -78,12 +80,7 @@ impl Config {
             Wrap::Sign => RolloverRule::Sign,
         };
         WordPolicy {
-            linear: match self.motion.mode {
-                Mode::Auto => None,
-                Mode::Axes => Some(LinearMeaning::AxisPositions),
-                Mode::Tcp => Some(LinearMeaning::TipCoordinates),
-                Mode::Plane => Some(LinearMeaning::PlaneCoordinates),
-            },
+            linear: meaning(self.motion.mode),
             tip_frame: match tip.tcp_frame {
                 None | Some(TcpFrame::TableAtZero) => TipFrame::TableAtZero,
                 Some(TcpFrame::TableAtStart) => TipFrame::TableAtStart,
@@ -180,10 +177,10 @@ impl Config {
         // A rotary axis in the head makes axis positions depend on the length.
         let guarded = self.motion.guards.length_guard.unwrap_or(
             rotary_head
-                && match self.motion.mode {
-                    Mode::Auto | Mode::Axes => true,
-                    Mode::Tcp => enters_by_axes,
-                    Mode::Plane => false,
+                && match self.motion.mode_of_all() {
+                    None | Some(StretchMode::Axes) => true,
+                    Some(StretchMode::Tcp) => enters_by_axes,
+                    Some(StretchMode::Plane) => false,
                 },
         );
         ShopBlocks {
@@ -191,13 +188,8 @@ impl Config {
             length_guard_mm: (guarded && self.set_up.length_mode == LengthMode::Tip)
                 .then_some(self.motion.guards.length_tolerance_mm),
             guards_tip_control: enters_by_axes,
-            guards_rotated_axes_only: self.motion.guards.length_guard.is_none() && self.motion.mode == Mode::Auto,
-            smoothing: match control.smoothing {
-                Smoothing::None => None,
-                Smoothing::Rough => Some(SmoothingLevel::Rough),
-                Smoothing::Medium => Some(SmoothingLevel::Medium),
-                Smoothing::Finish => Some(SmoothingLevel::Finish),
-            },
+            guards_rotated_axes_only: self.motion.guards.length_guard.is_none() && self.motion.mode_of_all().is_none(),
+            smoothing: smoothing_level(control.smoothing),
             smoothing_angle_rad: control.smoothing_angle_rad,
             compensated_centre: self.motion.compensation == Some(CutterPath::Centre),
             largest_wear_mm: self.motion.largest_wear_mm,
@@ -240,6 +232,40 @@ impl Config {
         self.cl.auxfun.iter().for_each(|code| add(&format!("M{code}"), OwnPlace::Insert, None));
         self.cl.prefun.iter().for_each(|code| add(&format!("G{code}"), OwnPlace::Insert, None));
         lines
+    }
+}
+
+/// Meaning of linear words in a mode; `None` where the program decides.
+fn meaning(mode: Mode) -> Option<LinearMeaning> {
+    match mode {
+        Mode::Auto => None,
+        Mode::Axes => Some(LinearMeaning::AxisPositions),
+        Mode::Tcp => Some(LinearMeaning::TipCoordinates),
+        Mode::Plane => Some(LinearMeaning::PlaneCoordinates),
+    }
+}
+
+fn smoothing_level(smoothing: Smoothing) -> Option<SmoothingLevel> {
+    match smoothing {
+        Smoothing::None => None,
+        Smoothing::Rough => Some(SmoothingLevel::Rough),
+        Smoothing::Medium => Some(SmoothingLevel::Medium),
+        Smoothing::Finish => Some(SmoothingLevel::Finish),
+    }
+}
+
+/// The rule of an entry of `[operations]`. The angle of a free axis is none: the cut is the same at every angle.
+fn rule(OperationEntry { of, settings }: &OperationEntry) -> OperationRule {
+    OperationRule {
+        of: match of {
+            OperationChoice::Number(number) => RuledOperation::Number(*number),
+            OperationChoice::Name(name) => RuledOperation::Name(name.clone()),
+            OperationChoice::Pattern(pattern) => RuledOperation::Like(pattern.clone()),
+        },
+        linear: settings.mode.map(meaning),
+        smoothing: settings.smoothing.map(smoothing_level),
+        path_mm: settings.tolerance_mm,
+        largest_feed_mm_per_min: settings.largest_feed_mm_per_min,
     }
 }
 

@@ -22,12 +22,13 @@ use crate::motion::{self, Policy};
 use crate::nc;
 use crate::set_up::SetUp;
 
-pub use crate::control::{ProgramBlocks, Smoothing};
+pub use crate::control::ProgramBlocks;
 pub(crate) use crate::keys::{list, nearest};
 pub use crate::motion::{
     Approach, ArcForm, ArcOptions, ArcOutput, ClampCodes, CourseOptions, CutterPath, CycleOptions, CycleOutput,
-    Defaults, FeedLimits, GuardOptions, Mode, Operations, PathNorm, Rapid, RapidOptions, Retract, Rewind,
-    RotaryOptions, TcpFrame, TcpWords, TipOptions, ToolPosture, Transition, Wrap,
+    Defaults, FeedLimits, GuardOptions, Mode, OperationChoice, OperationEntry, OperationSettings, OperationTable,
+    Operations, PathNorm, Rapid, RapidOptions, Retract, Rewind, RotaryOptions, Singular, Smoothing, TcpFrame, TcpWords,
+    TipOptions, ToolPosture, Transition, Wrap,
 };
 pub use crate::nc::Formats;
 pub use crate::program::Units;

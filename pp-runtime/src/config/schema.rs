@@ -59,7 +59,8 @@ mod tests {
             let mut path = table.split('.').filter(|part| !part.is_empty()).chain([key]);
             let found = path.try_fold(&schema, |schema, part| {
                 let numbered = || schema.get("patternProperties")?.get("^[1-9][0-9]*$");
-                schema.get("properties").and_then(|keys| keys.get(part)).or_else(numbered)
+                let named = || schema.get("additionalProperties").filter(|any| any.is_object());
+                schema.get("properties").and_then(|keys| keys.get(part)).or_else(numbered).or_else(named)
             });
             let found = found.unwrap_or_else(|| panic!("`{key}` of [{table}] is missing"));
             assert!(found.as_object().is_some_and(|schema| !schema.is_empty()), "`{key}` of [{table}] may be anything");

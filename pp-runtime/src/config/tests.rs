@@ -1,3 +1,4 @@
+mod operations;
 mod set_up;
 
 use std::collections::BTreeMap;
@@ -90,6 +91,9 @@ fn every_example_of_the_printed_file_is_accepted() {
     assert_eq!(config.set_up.tools[&12].rotation, Some(Rotation::Clockwise));
     assert_eq!(config.set_up.machine_zero.len(), 3);
     assert_eq!(config.motion.park.len(), 2);
+    let operations: Vec<String> = config.motion.operations.entries.iter().map(|entry| entry.of.shown()).collect();
+    assert_eq!(operations, ["[operations.3]", "[operations.\"FINISH*\"]"]);
+    assert_eq!(config.motion.operations.entries[1].settings.tolerance_mm, Some(0.02));
     assert_eq!(config.motion.retract.distance_mm, Some(100.0));
     assert_eq!(config.control.program.line_numbers, Some(Config::LINE_NUMBER_STEP));
     assert!(!config.file_units_assumed);

@@ -3,8 +3,8 @@
 
 use crate::kinematics::{AnyMachine, Side};
 use crate::motion::{
-    self, Abilities, CutterRadius, CycleAbilities, Mode, PathNorm, PlaneAbility, Registers, TipAbility, TipStart,
-    UsableModes, rotaries_of,
+    self, Abilities, CutterRadius, CycleAbilities, PathNorm, PlaneAbility, Registers, Smoothing, StretchMode,
+    TipAbility, TipStart, UsableModes, rotaries_of,
 };
 use crate::program::{Coolant, Pressure, Units};
 use crate::set_up::LengthMode;
@@ -13,7 +13,7 @@ use super::dialects::{
     ArcCentre, Control, CycleCodes, CycleForm, LengthCall, LinearRapids, RadiusGuard, Spellings, ThreadCodes,
     TipControlCodes, coolant_index,
 };
-use super::options::{ControlFunction, Demands, Smoothing};
+use super::options::{ControlFunction, Demands};
 
 /// Largest number of characters of a tool name.
 const LONGEST_TOOL_NAME: usize = 32;
@@ -86,7 +86,8 @@ fn unsupported(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
     }
     let mut smoothing = codes.smoothing.iter().chain(&codes.smoothing_with_angle).copied().flatten();
     let stated = smoothing.any(|block| block.contains("{angle}"));
-    if options.smoothing != Smoothing::None && options.smoothing_angle_rad.is_some() && !stated {
+    let smooths = options.smoothing != Smoothing::None || demands.motion.operations.smooths();
+    if smooths && options.smoothing_angle_rad.is_some() && !stated {
         faults.push(format!(
             "smoothing of {title} has no tolerance for rotary axes: leave `control.smoothing_angle` out"
         ));
@@ -180,7 +181,7 @@ fn unsuited_names(machine: &dyn AnyMachine, codes: &Spellings, demands: Demands<
     }
     // The guard of a control whose registers are rows reads the row of this number.
     let head = rotaries_of(machine.axes(), Side::Tool).next().is_some();
-    let needed = matches!(demands.motion.mode, Mode::Auto | Mode::Axes) && head;
+    let needed = demands.motion.mode_of_all().is_none_or(|mode| mode == StretchMode::Axes) && head;
     if codes.length.registers == Registers::Rows && demands.motion.guards.length_guard.unwrap_or(needed) {
         faults.push(format!(
             "the length guard of {title} reads the row of the tool number: set `length_guard = false` with `control.tool_names`"
@@ -248,6 +249,7 @@ pub fn abilities(control: &dyn Control, demands: Demands<'_>) -> Abilities {
         arc_planes: codes.arcs.planes.map(|plane| plane.is_some()),
         vectors_take_arc_words: vectors_take_arc_words(codes),
         arc_radius_tolerance_mm: codes.arcs.radius_tolerance_mm,
+        smooths: !codes.smoothing[0].is_empty(),
         tip: tip_ability(control, demands),
         plane: codes.plane.as_ref().filter(|_| demands.options.has(ControlFunction::Planes)).map(|plane| {
             PlaneAbility {

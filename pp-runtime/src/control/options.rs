@@ -8,7 +8,7 @@ use crate::keys::{
     AxisSet, Bound, KeyKind, KeyReader, KeyScope, ListOf, Measure, OneLine, OneOf, PerAxis, Printed, TomlValue, Whole,
     YesNo, list, nearest, options,
 };
-use crate::motion::{self, PathNorm, Policy};
+use crate::motion::{self, PathNorm, Policy, Smoothing};
 use crate::nc::Formats;
 use crate::set_up::SetUp;
 
@@ -138,25 +138,6 @@ impl ControlOptions {
     pub(crate) fn has(&self, function: ControlFunction) -> bool {
         self.functions.as_ref().is_none_or(|installed| installed.contains(&function))
     }
-}
-
-/// Smoothing of the path by the control.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Smoothing {
-    /// No smoothing code in the program.
-    #[default]
-    None,
-    /// Speed first.
-    Rough,
-    /// Between the two.
-    Medium,
-    /// Surface first.
-    Finish,
-}
-
-impl Smoothing {
-    const NAMES: [(&'static str, Self); 4] =
-        [("none", Self::None), ("rough", Self::Rough), ("medium", Self::Medium), ("finish", Self::Finish)];
 }
 
 /// Effect of a line or a word that the user brought into the program, for the check.

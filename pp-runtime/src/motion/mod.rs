@@ -26,9 +26,9 @@ pub use geometry::{ArcPlane, Circle};
 pub use modes::{ModeFinder, StretchModes};
 pub use options::{
     Approach, ArcForm, ArcOptions, ArcOutput, ClampCodes, CourseOptions, CutterPath, CycleOptions, CycleOutput,
-    Defaults, FeedLimits, GuardOptions, Links, Mode, MotionOptions, Operations, PathNorm, Policy, Rapid, RapidOptions,
-    Retract, Rewind, RotaryOptions, Singular, StretchMode, TcpFrame, TcpWords, TipOptions, ToolPosture, Transition,
-    Wrap,
+    Defaults, FeedLimits, GuardOptions, Links, Mode, MotionOptions, OperationChoice, OperationEntry, OperationSettings,
+    OperationTable, Operations, PathNorm, Policy, Rapid, RapidOptions, Retract, Rewind, RotaryOptions, Singular,
+    Smoothing, StretchMode, TcpFrame, TcpWords, TipOptions, ToolPosture, Transition, Wrap,
 };
 pub(crate) use place::rotaries_of;
 pub use place::{PlaneAbility, PlaneAngles, PoseRule, TipAbility, TipStart, UsableModes, unsuited};
@@ -38,7 +38,9 @@ pub use plan::{
     Statistics, Sweep, Times,
 };
 pub use rotary::Cost;
-pub use source::{Begins, ItemAction, LinePart, MotionIndex, Next, ProgramItem, Source, Stage};
+pub use source::{
+    Begins, Chosen, ChosenSettings, ItemAction, LinePart, MotionIndex, Next, OperationStart, ProgramItem, Source, Stage,
+};
 pub use step::{
     AxisWords, BlockReason, CannedCycle, CannedKind, CycleAbilities, DiscardSteps, FeedWord, MAX_AXES, Provenance,
     ReachedPosition, Sink, Step, VECTOR_DECIMALS,

@@ -9,13 +9,15 @@
 //! | is held, in an operation with holes, arcs or CUTCOM, or with few tool axes | plane |
 //! | is held, in an operation with more tool axes than `auto_planes` | tip control |
 //!
+//! An operation may have a mode of its own in the configuration; then nothing is chosen for it.
+//!
 //! Where control or machine have no tip control or no planes, the words are axis positions. No plane is called that is not
 //! tilted while the rotary axes are at zero, so a vertical operation has no code of a frame.
 
 use nalgebra::UnitVector3;
 
 use crate::motion::geometry::angle_between;
-use crate::motion::options::{Policy, StretchMode};
+use crate::motion::options::{Mode, Policy, StretchMode};
 use crate::motion::place::UsableModes;
 use crate::motion::source::{Begins, HELD, ItemAction, MotionIndex, ProgramItem};
 use crate::program::{CutterSide, Event};
@@ -141,15 +143,6 @@ impl ModeFollower {
     }
 }
 
-/// Choice of the mode.
-#[derive(Debug)]
-enum ModeChoice {
-    /// One mode for all stretches.
-    Fixed(StretchMode),
-    /// Among these, by the content of a stretch.
-    Auto(UsableModes),
-}
-
 /// Content of a stretch, which decides its mode.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Content {
@@ -167,7 +160,12 @@ enum Content {
 #[derive(Debug)]
 pub struct ModeFinder {
     modes: StretchModes,
-    choice: ModeChoice,
+    /// Modes that mode `auto` chooses from.
+    usable: UsableModes,
+    /// Mode of operations without one of their own.
+    usual: Mode,
+    /// Mode of the operation that comes.
+    mode_ahead: Mode,
     most_planes: usize,
     operation: OperationContent,
     /// Number of the present stretch, and its content.
@@ -179,6 +177,8 @@ pub struct ModeFinder {
 /// Content of the present operation.
 #[derive(Debug, Default)]
 struct OperationContent {
+    /// The mode that is set for it; `None`: its content decides.
+    mode: Option<StretchMode>,
     /// First stretch of each run of stretches of the same content.
     runs: Vec<(u64, Content)>,
     /// It has holes, arcs or cutter compensation.
@@ -226,30 +226,28 @@ impl ModesOfContents {
     }
 }
 
-impl ModeChoice {
-    fn modes(&self, operation: &OperationContent, most_planes: usize) -> ModesOfContents {
-        let usable = match self {
-            Self::Fixed(mode) => return ModesOfContents { rotating: *mode, held: *mode, holes: *mode },
-            Self::Auto(usable) => usable,
-        };
+impl ModesOfContents {
+    fn chosen(operation: &OperationContent, usable: &UsableModes, most_planes: usize) -> Self {
+        if let Some(mode) = operation.mode {
+            return Self { rotating: mode, held: mode, holes: mode };
+        }
         let or_axes = |usable: bool, mode: StretchMode| if usable { mode } else { StretchMode::Axes };
         let (tip, plane) = (or_axes(usable.tip, StretchMode::Tcp), or_axes(usable.plane, StretchMode::Plane));
         let few = operation.needs_plane || operation.directions.len() <= most_planes;
         let in_plane = !operation.has(Content::Rotating) && (few || !usable.tip);
-        ModesOfContents { rotating: tip, held: if in_plane { plane } else { tip }, holes: plane }
+        Self { rotating: tip, held: if in_plane { plane } else { tip }, holes: plane }
     }
 }
 
 impl ModeFinder {
-    /// Chooses among the usable modes, unless the policy has one mode for all stretches.
+    /// Chooses among the usable modes, unless the policy has one mode for all stretches. An operation may have its own.
     #[must_use]
     pub fn new(policy: Policy<'_>, usable: &UsableModes) -> Self {
         Self {
             modes: StretchModes::default(),
-            choice: match policy.options.mode.of_all() {
-                Some(mode) => ModeChoice::Fixed(mode),
-                None => ModeChoice::Auto(usable.clone()),
-            },
+            usable: usable.clone(),
+            usual: policy.options.mode,
+            mode_ahead: policy.options.mode,
             most_planes: policy.options.auto_planes as usize,
             operation: OperationContent::default(),
             stretch: (0, Content::Rapids),
@@ -276,6 +274,9 @@ impl ModeFinder {
                 self.cut(&hole.top.axis, Content::Holes);
                 self.operation.needs_plane = true;
             }
+            ItemAction::Operation(start) => {
+                self.mode_ahead = start.chosen.mode.map_or(self.usual, |mode| mode.value);
+            }
             ItemAction::Record { event: Event::Compensation(compensation), between } => {
                 let on = compensation.side != CutterSide::Off;
                 self.operation.needs_plane |= on && !between;
@@ -297,6 +298,7 @@ impl ModeFinder {
         if index.begins != Begins::Nothing {
             self.end_operation();
             self.operation.needs_plane = std::mem::take(&mut self.compensation_ahead);
+            self.operation.mode = self.mode_ahead.of_all();
         }
     }
 
@@ -311,7 +313,7 @@ impl ModeFinder {
     /// Chooses the modes of the stretches of the operation that has ended.
     fn end_operation(&mut self) {
         let operation = std::mem::take(&mut self.operation);
-        let modes = self.choice.modes(&operation, self.most_planes);
+        let modes = ModesOfContents::chosen(&operation, &self.usable, self.most_planes);
         let kind = |content: Content| {
             (content != Content::Rapids)
                 .then(|| StretchKind { mode: modes.of(content), rotates: content == Content::Rotating })

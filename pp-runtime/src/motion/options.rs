@@ -7,6 +7,7 @@
 mod cutting;
 mod keys;
 mod links;
+mod operations;
 mod words;
 
 use std::collections::BTreeMap;
@@ -18,11 +19,13 @@ use crate::nc::Formats;
 use crate::set_up::SetUp;
 
 use keys::{PARK, Preference};
+use operations::OperationsTable;
 
 pub use cutting::{
     ArcForm, ArcOptions, ArcOutput, CutterPath, CycleOptions, CycleOutput, Defaults, FeedLimits, PathNorm,
 };
 pub use links::{Approach, Links, Rapid, RapidOptions, Retract, Rewind, Transition};
+pub use operations::{OperationChoice, OperationEntry, OperationSettings, OperationTable, Smoothing};
 pub use words::{ClampCodes, Mode, RotaryOptions, StretchMode, TcpFrame, TcpWords, TipOptions, ToolPosture, Wrap};
 
 /// All that planning reads of a job.
@@ -96,7 +99,11 @@ options! {
         /// Words and clamps of rotary axes.
         rotaries: RotaryOptions = RotaryOptions::default(), keys();
         /// Operations that are posted; all without it.
-        operations: Option<Operations> = None;
+        selected: Option<Operations> = None;
+        /// Settings of single operations that differ from those of the whole program: by number (as in `--ops`), by the name
+        /// of TOOL PATH, or by a pattern with `*` and `?`; letter case is ignored. A number counts before a name, a name
+        /// before a pattern. `largest_feed` is the largest feed of the tip in feed motions.
+        operations: OperationTable = OperationTable::default(), key("operations", OperationsTable);
         /// Dry run: distance by which every point is moved out along the tool axis, mm; the spindle stays off.
         lift_mm: Option<f64> = None;
     }
@@ -155,14 +162,30 @@ pub enum Singular {
 }
 
 impl Singular {
-    const NAMES: [(&'static str, Self); 3] =
+    pub(crate) const NAMES: [(&'static str, Self); 3] =
         [("zero", Self::Zero), ("previous", Self::Previous), ("shortest", Self::Shortest)];
+
+    /// `zero`, `previous` or `shortest`.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Zero => "zero",
+            Self::Previous => "previous",
+            Self::Shortest => "shortest",
+        }
+    }
 }
 
 /// Names of the branches.
 pub(crate) const START_BRANCHES: [(&str, Branch); 2] = [("first", Branch::First), ("second", Branch::Second)];
 
 impl MotionOptions {
+    /// Mode of every stretch; `None` where it is chosen for each, or an operation has its own.
+    #[must_use]
+    pub fn mode_of_all(&self) -> Option<StretchMode> {
+        self.mode.of_all().filter(|_| !self.operations.sets_mode())
+    }
+
     /// Chord tolerances, mm: below the range words are too coarse, above it the path is no longer followed.
     pub(crate) const TOLERANCE: RangeInclusive<f64> = 0.0001..=1.0;
 

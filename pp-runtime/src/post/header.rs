@@ -17,8 +17,8 @@ use crate::program::Units;
 use crate::set_up::ClPoint;
 use crate::set_up::{LengthMode, ProgramZero, Stock};
 
-use super::Job;
 use super::survey::{Survey, ToolUse};
+use super::{Job, operations};
 
 /// Smallest thickness of a blank that is written, mm.
 const MIN_BLANK_MM: f64 = 0.1;
@@ -129,6 +129,7 @@ pub(crate) fn set_up(control: &dyn Control, config: &Config, survey: &Survey) ->
              offset, spindle"
         ));
     }
+    list.extend(operations::settings(config, &survey.settings));
     for (&number, further) in &config.set_up.set_ups {
         let begins = match &further.begins {
             Some(name) => format!("from operation {name}"),
@@ -499,7 +500,7 @@ impl Header<'_> {
 pub(crate) fn modes(config: &Config, survey: &Survey) -> String {
     let mode = config.motion.mode;
     let used: Vec<&str> = survey.modes.used().map(StretchMode::name).collect();
-    match mode.of_all() {
+    match config.motion.mode_of_all() {
         Some(_) => mode.name().to_owned(),
         None => format!("{} ({})", mode.name(), used.join(", ")),
     }

@@ -12,6 +12,7 @@
 
 mod header;
 mod line_map;
+mod operations;
 mod proof;
 mod survey;
 mod time;

@@ -12,7 +12,7 @@ use crate::config::Config;
 use crate::control::{self, Control, Encoder, Layout};
 use crate::diag::Diagnostic;
 use crate::kinematics::{AnyMachine, Side};
-use crate::motion::{Mode, StretchMode, StretchModes};
+use crate::motion::{Mode, OperationTable, StretchMode, StretchModes};
 use crate::motion::{Planner, PlanningError, ProofProgram, Sweep, rotaries_of};
 use crate::program::ToolCall;
 use crate::program::Units;
@@ -58,6 +58,7 @@ pub fn prove(machine: &dyn AnyMachine, proof: &Proof<'_>) -> Result<Vec<u8>, Str
     let mut config = given.clone();
     config.motion.lift_mm = Some(0.0);
     config.motion.mode = Mode::Axes;
+    config.motion.operations = OperationTable::default();
     config.motion.rapids.reorient_rad_per_min = slow;
     let units = config.output_units.unwrap_or(Units::Millimetres);
     let machine = config

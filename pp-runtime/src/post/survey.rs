@@ -10,24 +10,20 @@ use std::ops::RangeInclusive;
 use nalgebra::UnitVector3;
 
 use crate::cl::{ArcVote, ClReader, Dialect, ReadingOptions};
-use crate::config::{Config, list, nearest};
+use crate::config::Config;
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::{AnyMachine, Pose};
 use crate::motion::{
-    Begins, Course, ItemAction, ModeFinder, MotionIndex, Navigator, Operations, Policy, ProgramItem, Source, Stage,
-    StretchModes, extent, hole_extent,
+    Begins, Course, ItemAction, ModeFinder, MotionIndex, Navigator, OperationSettings, OperationStart, Operations,
+    Policy, ProgramItem, Source, Stage, StretchModes, extent, hole_extent,
 };
 use crate::program::{CutterSide, Event, Location, Spindle, ToolCall, Units};
 use crate::set_up::FurtherSetUp;
 
+use super::operations::{OperationNames, OperationSelection};
+
 /// Largest number of different tools of a program; bounds the memory and the header.
 const MOST_TOOLS: usize = 1000;
-
-/// Largest number of operation names that are kept for a message.
-const MOST_NAMES: usize = 1000;
-
-/// Largest number of operation names that a message lists.
-const MOST_LISTED: usize = 10;
 
 /// Largest number of tool changes that are known in advance, for the next tool at a tool change; bounds the memory.
 const MOST_CHANGES: usize = 10_000;
@@ -108,6 +104,10 @@ pub(crate) struct Survey {
     pub(crate) set_ups: BTreeSet<u32>,
     /// Mode of each stretch.
     pub(crate) modes: StretchModes,
+    /// Settings of operations, each with the names of those that have them.
+    pub(crate) settings: Vec<(OperationSettings, OperationNames)>,
+    /// Names of all operations, where the configuration has settings of operations.
+    pub(crate) names: OperationNames,
     /// Numbers of the operations to be posted, `None` for all; a sentence if they do not exist.
     pub(crate) selected: Option<Result<RangeInclusive<u64>, String>>,
 }
@@ -143,7 +143,7 @@ impl Survey {
     ) -> io::Result<Self> {
         let mut reader = ClReader::new(input, options);
         let mut source = Source::new(machine, policy);
-        let surveyor = Surveyor::new(policy.options.operations.clone(), machine.tool_axis());
+        let surveyor = Surveyor::new(policy.options.selected.clone(), machine.tool_axis());
         let mut pass = FirstPass { surveyor, modes, navigator };
         loop {
             // Matched by reference: moving an event costs as much as reading it.
@@ -168,6 +168,8 @@ impl Survey {
             let end = Location { line: reader.lines().max(1), column: 1 };
             let missing = policy.set_up.set_ups.iter().find(|(number, _)| !survey.set_ups.contains(number));
             survey.diagnostics.extend(missing.map(|(&number, set_up)| set_up_missing(number, set_up, end)));
+            let unused = source.unused_settings().map(|entry| survey.names.unused(entry, survey.operations, end));
+            survey.diagnostics.extend(unused.collect::<Vec<_>>());
         }
         let errors = survey.diagnostics.iter().filter(|diagnostic| diagnostic.severity == Severity::Error);
         survey.first_error = errors.map(|error| error.location).min();
@@ -243,7 +245,7 @@ impl Surveyor {
     fn new(select: Option<Operations>, tool_axis: UnitVector3<f64>) -> Self {
         Self {
             survey: Survey::default(),
-            selection: OperationSelection { select, ..OperationSelection::default() },
+            selection: OperationSelection::of(select),
             tool_axis,
             called_so_far: BTreeMap::new(),
             call: None,
@@ -286,11 +288,29 @@ impl Surveyor {
                 self.moved(false, over, &hole.top);
                 self.moved(true, inside, &hole.top);
             }
+            ItemAction::Operation(start) => {
+                self.survey.names.add(start);
+                self.note_settings(start);
+            }
             ItemAction::Record { event, between } => {
                 self.record(item.at, event);
                 self.between |= between;
             }
         }
+    }
+
+    /// Notes the settings of the operation that begins.
+    fn note_settings(&mut self, start: &OperationStart<'_>) {
+        let settings = start.chosen.values();
+        if settings == OperationSettings::default() {
+            return;
+        }
+        let known = &mut self.survey.settings;
+        let index = known.iter().position(|(known, _)| *known == settings).unwrap_or_else(|| {
+            known.push((settings, OperationNames::default()));
+            known.len() - 1
+        });
+        known[index].1.add(start);
     }
 
     fn record(&mut self, at: Location, event: &Event<'_>) {
@@ -454,75 +474,6 @@ fn too_many_tools(location: Location) -> Diagnostic {
         count: 1,
         text: format!("the CL data calls more than {MOST_TOOLS} different tools"),
         help: Some("check the tool numbers in the CAM system; if the file holds several programs, post each from a file of its own".to_owned()),
-    }
-}
-
-/// The selected operations (`--ops`, `--from-op`), and whether the CL data has them.
-#[derive(Debug, Default)]
-struct OperationSelection {
-    select: Option<Operations>,
-    /// The next operation has the selected name.
-    named: bool,
-    /// Number of the first operation of that name.
-    first: Option<u64>,
-    /// Other names of operations, for the message.
-    names: Vec<String>,
-}
-
-impl OperationSelection {
-    /// Takes the name of a TOOL PATH record.
-    fn name(&mut self, name: &[u8]) {
-        let Some(Operations::From(wanted)) = &self.select else { return };
-        let name = String::from_utf8_lossy(name).trim().to_owned();
-        let found = name.eq_ignore_ascii_case(wanted.trim());
-        if !found && self.names.len() < MOST_NAMES {
-            self.names.push(name);
-        }
-        self.named |= found;
-    }
-
-    /// Notes that the operation of this number begins.
-    fn begin(&mut self, number: u64) {
-        if std::mem::take(&mut self.named) {
-            self.first.get_or_insert(number);
-        }
-    }
-
-    /// Whether the operation that has just begun is selected.
-    fn holds(&self, number: u64) -> bool {
-        match &self.select {
-            None => true,
-            Some(Operations::Range(first, last)) => number >= *first && last.is_none_or(|last| number <= last),
-            Some(Operations::From(_)) => self.first.is_some(),
-        }
-    }
-
-    /// Numbers of the selected operations, of `operations` in all; `None` for all, a sentence if they do not exist.
-    fn numbers(&self, operations: u64) -> Option<Result<RangeInclusive<u64>, String>> {
-        Some(match self.select.as_ref()? {
-            Operations::Range(first, last) => {
-                let last = last.unwrap_or(operations).max(*first);
-                if last > operations {
-                    let count = super::counted(operations, "operation");
-                    Err(format!("the CL data has {count}: there is no operation {last}"))
-                } else {
-                    Ok(*first..=last)
-                }
-            }
-            Operations::From(name) => match self.first {
-                Some(first) => Ok(first..=operations),
-                None => Err(format!("no operation of the CL data is called `{name}`: {}", self.known_names(name))),
-            },
-        })
-    }
-
-    fn known_names(&self, name: &str) -> String {
-        let names = || self.names.iter().map(String::as_str);
-        match nearest(name, names()) {
-            Some(near) => format!("did you mean `{near}`?"),
-            None if self.names.is_empty() => "none has a name".to_owned(),
-            None => format!("its operations are {}", list(names().take(MOST_LISTED), '`')),
-        }
     }
 }
 

@@ -156,7 +156,7 @@ fn posted<M: Machine>(case: &Case<'_>, control: &'static dyn Control) -> Result<
     let mut config = config.map_err(|faults| faults[0].text.clone())?;
     config.motion.mode = case.mode;
     if let Some((first, last)) = case.operations {
-        config.motion.operations = Some(Operations::Range(first, Some(last)));
+        config.motion.selected = Some(Operations::Range(first, Some(last)));
     }
     if let Some(fault) = control::unfit(&M::default(), control, config.demands()).into_iter().next() {
         return Err(fault);

@@ -207,7 +207,7 @@ impl<R: Read> Comparison<'_, R> {
             };
             self.found(current, text);
         } else if at_feed {
-            let fault = self.functions.smoothing(&block.state, &self.rules, false);
+            let fault = self.functions.smoothing(&block.state, &self.rules, part.required.smoothing);
             self.found_any(current, fault);
         }
         if at_feed == expects_feed && follows_path && known && !self.progress.is_lost() {
@@ -355,7 +355,10 @@ impl<R: Read> Comparison<'_, R> {
         if block.action == Action::Rapid || !at_end {
             return false;
         }
-        let smoothing = self.functions.smoothing(&block.state, &self.rules, false);
+        let goes_on = self.progress.next().filter(|_| self.progress.motion().is_some_and(|motion| !motion.starts));
+        let required = goes_on.map(|item| item.required).or(cutting.finished.as_ref().map(|motion| motion.required));
+        let expected = required.and_then(|required| required.smoothing);
+        let smoothing = self.functions.smoothing(&block.state, &self.rules, expected);
         self.found_any(current, smoothing);
         let (before, known) = (self.previous.words, self.previous.known);
         let rotary = self.rules.words().rotary_bits();
@@ -586,7 +589,7 @@ impl<R: Read> Comparison<'_, R> {
                 let stroke = self.rules.stroke(before, current.block, (length, f64::INFINITY), feed, &required);
                 let fault = self.rules.law().wrong(&stroke, &current.block.state);
                 self.found_any(current, fault);
-                let fault = self.functions.smoothing(&current.block.state, &self.rules, false);
+                let fault = self.functions.smoothing(&current.block.state, &self.rules, required.smoothing);
                 self.found_any(current, fault);
             }
         }
@@ -625,7 +628,7 @@ impl<R: Read> Comparison<'_, R> {
             let stopped = self.functions.cut_after_thread();
             self.found_any(current, stopped);
         }
-        let fault = self.functions.smoothing(&block.state, &self.rules, true);
+        let fault = self.functions.smoothing(&block.state, &self.rules, None);
         self.found_any(current, fault);
         let (hole, spindle) = (expected.hole, required.spindle);
         let comparison = CycleComparison { rules: &self.rules, block, cycle, hole: &hole, spindle };

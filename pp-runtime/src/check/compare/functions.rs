@@ -175,14 +175,18 @@ impl FunctionState {
             .then(|| "the control has switched the spindle off after the thread: M3 or M4 is missing".to_owned())
     }
 
-    /// What is wrong with smoothing and path mode in a cut; `cycle`: of a cycle of the control.
-    pub(super) fn smoothing(&mut self, state: &State, rules: &Rules<'_>, cycle: bool) -> Option<String> {
+    /// What is wrong with smoothing and path mode in a cut; `expected`: its smoothing, off in a cycle of the control.
+    pub(super) fn smoothing(
+        &mut self,
+        state: &State,
+        rules: &Rules<'_>,
+        expected: Option<SmoothingLevel>,
+    ) -> Option<String> {
         let mode = self.path_mode(state, rules);
         if mode.is_some() {
             return mode;
         }
         let policy = rules.policy();
-        let expected = policy.shop.smoothing.filter(|_| !cycle);
         match (expected, state.smoothing) {
             (None, Smoothing::Off) => None,
             (None, Smoothing::On { .. }) => Some("smoothing is on, expected off".to_owned()),

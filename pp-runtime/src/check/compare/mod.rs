@@ -104,7 +104,7 @@ impl<'a, R: Read> Checker<'a, R> {
         let expect = Expect::new(rules.machine(), reader, policy, rules.rounding().unit_mm);
         let comparison = Comparison {
             progress: ClProgress::new(expect),
-            tally: Tally::new(policy.tolerances.path_mm, travel.is_limited()),
+            tally: Tally::new(policy.largest_path_mm(), travel.is_limited()),
             travel,
             rules,
             previous: Previous::default(),

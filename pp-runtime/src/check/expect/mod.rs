@@ -2,10 +2,11 @@
 //!
 //! Events come from a reader of the check's own. `placement` has the part as it is mounted, `modal` the modal state of the
 //! CL data: tool, register, speed, sense of rotation and coolant of each motion, where an operation begins, what is
-//! posted at all. Arcs and pieces of curves stay what they are; `hole` has the motions of a hole.
+//! posted at all; `operations` has the rules of single operations. Arcs and pieces of curves stay what they are; `hole` has the motions of a hole.
 
 mod hole;
 mod modal;
+mod operations;
 mod placement;
 
 use std::collections::VecDeque;
@@ -17,7 +18,7 @@ use crate::kinematics::{AnyMachine, AxisKind, Side as ChainSide};
 use crate::program::{Clearance, Event, Feed, Location, Rotation, Units};
 
 use super::geometry::{PathShape, ToolPose};
-use super::policy::CheckPolicy;
+use super::policy::{CheckPolicy, LinearMeaning, SmoothingLevel};
 use super::read::Side;
 pub(super) use hole::{ExpectedHole, SAME_LEVEL};
 use modal::ClState;
@@ -51,6 +52,10 @@ pub(super) struct Required {
     pub(crate) radius_mm: Option<f64>,
     /// Largest deviation of chords from the path, mm.
     pub(crate) tolerance_mm: f64,
+    /// Meaning of linear words in the operation; `None`: the program decides.
+    pub(crate) linear: Option<LinearMeaning>,
+    /// Smoothing in the cuts of the operation.
+    pub(crate) smoothing: Option<SmoothingLevel>,
     /// Geometry that the tool leaves before rotary axes rotate.
     pub(crate) clearance: Option<Clearance>,
 }
@@ -155,7 +160,7 @@ impl<'a, R: Read> Expect<'a, R> {
     /// First error of the CL data.
     pub(super) fn fault(&self) -> Option<Diagnostic> {
         let errors = self.reader.diagnostics().iter().filter(|found| found.severity == Severity::Error);
-        errors.min_by_key(|found| found.location).cloned()
+        errors.chain(self.state.fault()).min_by_key(|found| found.location).cloned()
     }
 
     fn read(&mut self) -> io::Result<()> {

@@ -7,11 +7,13 @@ use super::super::geometry::{ArcPath, PathShape, bezier, tool_pose};
 use super::super::policy::{CheckPolicy, OperationSelection};
 use super::super::read::{LengthRegisters, Side, coolant};
 use super::hole::{ExpectedHole, HoleStep, unfolded};
+use super::operations::{self, RulesInForce};
 use super::{ClMotion, ExpectedAction, ExpectedItem, Required, SpindleState};
+use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::Pose;
 use crate::program::{
-    Arc, Clearance, Compensation, Coolant, CutterSide, Dwell, Event, Hole, Location, Move, Pressure, Rotation, Spindle,
-    Spline, ToolCall,
+    Arc, Clearance, Compensation, Coolant, CutterSide, Drilling, Dwell, Event, Feed, Hole, Location, Move, Pressure,
+    Rotation, Spindle, Spline, ToolCall,
 };
 
 /// A line is perpendicular to the tool within this height, mm, or half a unit of coarser words: points of CL data are
@@ -31,6 +33,14 @@ pub(super) struct ClState<'a> {
     coolant: Coolant,
     compensation: CompensationRequest,
     operation: Operation,
+    /// Name of the last operation that has one, and the record of the name where no motion has come since.
+    named: (String, Option<Location>),
+    /// Rules of the operation.
+    rules: RulesInForce,
+    /// Tolerance of the CL data (LINTOL), mm.
+    stated_mm: Option<f64>,
+    /// Rules that contradict each other.
+    fault: Option<Diagnostic>,
     /// Pose after the last motion.
     here: Option<Pose>,
     /// An arc needs a line to its start.
@@ -113,6 +123,8 @@ impl<'a> ClState<'a> {
             radius_register: 0,
             radius_mm: None,
             tolerance_mm: policy.tolerances.path_mm,
+            linear: policy.words.linear,
+            smoothing: policy.shop.smoothing,
             clearance: policy.links.clearance,
         };
         let operation = Operation {
@@ -134,6 +146,10 @@ impl<'a> ClState<'a> {
             coolant: Coolant::Off,
             compensation: CompensationRequest::default(),
             operation,
+            named: (String::new(), None),
+            rules: RulesInForce::default(),
+            stated_mm: None,
+            fault: None,
             here: None,
             fresh_arc: true,
             hole: None,
@@ -158,7 +174,7 @@ impl<'a> ClState<'a> {
             Event::Arc(arc) => self.arc(at, &arc),
             Event::Spline(spline) => self.spline(at, &spline),
             Event::Hole(hole) => self.hole(at, &hole),
-            Event::Operation(name) => self.begin_operation(name),
+            Event::Operation(name) => self.begin_operation(at, name),
             Event::Tool(call) => self.tool(Some(at), &call),
             Event::Spindle(spindle) => self.request_spindle(spindle),
             Event::Coolant(coolant) => self.coolant = coolant,
@@ -180,9 +196,8 @@ impl<'a> ClState<'a> {
                 self.required.clearance = self.policy.links.clearance;
             }
             Event::Tolerance(stated) => {
-                let tolerances = &self.policy.tolerances;
-                let allowed = |stated: &f64| tolerances.stated_may_be_larger || *stated <= tolerances.path_mm;
-                self.required.tolerance_mm = stated.filter(allowed).unwrap_or(tolerances.path_mm);
+                self.stated_mm = stated;
+                self.take_tolerance();
             }
             // Nothing in a program follows from these.
             Event::From(_)
@@ -233,10 +248,13 @@ impl<'a> ClState<'a> {
         self.hole = None;
     }
 
-    fn begin_operation(&mut self, name: &[u8]) {
+    fn begin_operation(&mut self, at: Location, name: &[u8]) {
         self.begin();
+        let name = String::from_utf8_lossy(name);
+        if !self.policy.operations.is_empty() {
+            self.named = (name.clone().into_owned(), Some(at));
+        }
         if let Some(OperationSelection::From(selected)) = &self.policy.selection {
-            let name = String::from_utf8_lossy(name);
             self.operation.named |= name.trim().eq_ignore_ascii_case(selected.trim());
         }
     }
@@ -355,12 +373,71 @@ impl<'a> ClState<'a> {
             operation.starts = false;
             operation.called = false;
             operation.changed = false;
+            self.take_rules(at);
         }
-        operation.position_known = true;
+        self.operation.position_known = true;
         self.required.spindle = self.spindle_state();
         self.required.coolant = self.coolant_bits();
         let to = tool_pose(&motion.pose);
-        self.push(at, ExpectedAction::Motion(ClMotion { to, shape, rapid: motion.rapid, feed: motion.feed, starts }));
+        let feed = motion.feed.map(|feed| if self.in_thread() { feed } else { self.capped(feed) });
+        self.push(at, ExpectedAction::Motion(ClMotion { to, shape, rapid: motion.rapid, feed, starts }));
+    }
+
+    /// Takes the rules of the operation that begins.
+    fn take_rules(&mut self, first_motion: Location) {
+        if self.policy.operations.is_empty() {
+            return;
+        }
+        let (name, named_at) = &mut self.named;
+        let at = named_at.take().unwrap_or(first_motion);
+        self.rules = match operations::in_force(&self.policy.operations, self.operation.number, name) {
+            Ok(rules) => rules,
+            Err(property) => {
+                self.fault.get_or_insert_with(|| contradiction(at, property));
+                RulesInForce::default()
+            }
+        };
+        self.required.linear = self.rules.linear.unwrap_or(self.policy.words.linear);
+        self.required.smoothing = self.rules.smoothing.unwrap_or(self.policy.shop.smoothing);
+        self.take_tolerance();
+    }
+
+    /// Tolerance of the operation, or of LINTOL.
+    fn take_tolerance(&mut self) {
+        let tolerances = &self.policy.tolerances;
+        let largest = self.rules.path_mm.unwrap_or(tolerances.path_mm);
+        let allowed = |stated: &f64| tolerances.stated_may_be_larger || *stated <= largest;
+        self.required.tolerance_mm = self.stated_mm.filter(allowed).unwrap_or(largest);
+    }
+
+    /// A feed, at most the largest of the operation.
+    fn capped(&self, feed: Feed) -> Feed {
+        let Some(largest) = self.rules.largest_feed_mm_per_min else { return feed };
+        let speed = self.required.spindle.map(|(speed, _)| speed);
+        match (feed, speed) {
+            (Feed::PerMinute(rate), _) => Feed::PerMinute(rate.min(largest)),
+            (Feed::PerRevolution(rate), Some(speed)) if rate * speed > largest => Feed::PerMinute(largest),
+            (Feed::PerRevolution(_), _) => feed,
+        }
+    }
+
+    /// The hole whose motions are being added, at its feed.
+    fn expected_hole(&self) -> Option<ExpectedHole> {
+        let mut expected = self.hole?;
+        if !self.in_thread() {
+            expected.hole.feed = expected.hole.feed.map(|feed| self.capped(feed));
+        }
+        Some(expected)
+    }
+
+    /// Whether the motion is one of a thread, whose feed follows from its pitch.
+    fn in_thread(&self) -> bool {
+        self.hole.is_some_and(|hole| matches!(hole.hole.drilling, Drilling::Tap { .. }))
+    }
+
+    /// The first rules that contradict each other.
+    pub(super) fn fault(&self) -> Option<&Diagnostic> {
+        self.fault.as_ref()
     }
 
     fn spindle_state(&self) -> Option<SpindleState> {
@@ -429,10 +506,22 @@ impl<'a> ClState<'a> {
             self.items.push_back(ExpectedItem {
                 at,
                 required: self.required,
-                hole: self.hole,
+                hole: self.expected_hole(),
                 requested_spindle: self.spindle.in_operation,
                 action,
             });
         }
+    }
+}
+
+/// The fault that two rules of the same kind differ.
+fn contradiction(location: Location, property: &str) -> Diagnostic {
+    Diagnostic {
+        severity: Severity::Error,
+        location,
+        length: 1,
+        count: 1,
+        text: format!("entries of `[operations]` have different values of `{property}` for this operation"),
+        help: Some("give this operation an entry by its number".to_owned()),
     }
 }

@@ -106,7 +106,7 @@ impl FeedLaw {
             unit_rad: units.1,
             decimals: policy.digits.feed,
             digits: policy.digits.inverse_time,
-            along_tip: policy.words.linear == Some(LinearMeaning::TipCoordinates),
+            along_tip: policy.linear_of_all() == Some(LinearMeaning::TipCoordinates),
             per_mm: in_tenths / program.in_mm(),
         }
     }

@@ -99,7 +99,7 @@ impl<'a> Rules<'a> {
             pole: first_rotary.map(|index| machine.joint(index).direction.into_inner()),
             retracts_along_tool: retracts_along_tool(&*machine),
             even_end: Cell::new(None),
-            meaning: policy.words.linear.unwrap_or(LinearMeaning::AxisPositions),
+            meaning: policy.linear_of_all().unwrap_or(LinearMeaning::AxisPositions),
             framed: false,
             machine,
         }
@@ -151,7 +151,7 @@ impl<'a> Rules<'a> {
     /// does not.
     pub(super) fn follow_frame(&mut self, state: &State) {
         self.framed = state.tip_control != TipControl::Off || state.tilt.is_some();
-        if self.policy.words.linear.is_none() {
+        if self.policy.linear_of_all().is_none() {
             self.meaning = match (state.tip_control, &state.tilt) {
                 (TipControl::On { .. }, _) => LinearMeaning::TipCoordinates,
                 (TipControl::Off, Some(_)) => LinearMeaning::PlaneCoordinates,
@@ -328,7 +328,7 @@ impl<'a> Rules<'a> {
 
     /// Whether stretches may be under tip control.
     pub(super) fn may_have_tip_control(&self) -> bool {
-        self.policy.words.linear.is_none_or(|meaning| meaning == LinearMeaning::TipCoordinates)
+        self.policy.linear_of_all().is_none_or(|meaning| meaning == LinearMeaning::TipCoordinates)
     }
 
     /// Form of the rapids of the CL data that rotate the tool at the part.
@@ -396,7 +396,7 @@ impl Rounding {
             plane_rad: 1.5 * decimals(policy.digits.rotary.min(3)).to_radians(),
             in_plane: false,
         };
-        outside.for_words(policy.words.linear.unwrap_or(LinearMeaning::AxisPositions))
+        outside.for_words(policy.linear_of_all().unwrap_or(LinearMeaning::AxisPositions))
     }
 
     /// The allowance for words of a meaning.

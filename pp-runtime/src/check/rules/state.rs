@@ -60,6 +60,7 @@ impl Rules<'_> {
         self.everywhere(state, side, context)
             .or_else(|| if block.action == Action::Rapid { inverse_time(state) } else { None })
             .or_else(|| self.frame(block, FrameUse::AsMeant))
+            .or_else(|| self.meaning_of_operation(block, required))
             .or_else(|| self.offsets(state, required, true))
             .or_else(|| if offset_path { self.radius_register(state, required) } else { None })
             .or_else(|| if offset_path { self.radius_delta(state, required) } else { None })
@@ -264,10 +265,23 @@ impl Rules<'_> {
         }
     }
 
+    /// Meaning of linear words, where the operation has its own.
+    fn meaning_of_operation(&self, block: &Block, required: &Required) -> Option<String> {
+        let expected = required.linear?;
+        // With the rotary axes at zero axis positions are coordinates in a plane that is not tilted.
+        let untilted = expected == LinearMeaning::PlaneCoordinates
+            && self.meaning == LinearMeaning::AxisPositions
+            && self.are_at_zero(block);
+        (self.meaning != expected && !untilted).then(|| {
+            format!("linear words are {}, expected {} in this operation", self.meaning.name(), expected.name())
+        })
+    }
+
     /// Whether every rotary axis is known to be at zero, or whole revolutions from it.
     pub(crate) fn are_at_zero(&self, block: &Block) -> bool {
         let bits = self.words.rotary_bits();
-        let zero = |index: usize| apart(block.values[index], 0.0) <= 0.5 * self.rounding.unit_rad;
+        let values = self.words.values(&block.values);
+        let zero = |index: usize| apart(values[index], 0.0) <= 0.5 * self.rounding.unit_rad;
         block.known & bits == bits && self.words.rotary().all(zero)
     }
 

@@ -81,7 +81,7 @@ impl Travel {
         Self {
             axes: rules.axes().iter().enumerate().filter_map(limited).collect(),
             rotated: None,
-            path_tolerance_mm: rules.policy().tolerances.path_mm,
+            path_tolerance_mm: rules.policy().largest_path_mm(),
         }
     }
 

@@ -284,7 +284,7 @@ impl SetUpArgs {
             };
             config.motion.course.prefer = Some(CourseOptions::preference(machine.axes(), text).ok_or_else(help)?);
         }
-        config.motion.operations = self.from_op.clone().map(Operations::From).or_else(|| self.ops.clone());
+        config.motion.selected = self.from_op.clone().map(Operations::From).or_else(|| self.ops.clone());
         let mode_named = |mode: &String| Mode::NAMES.iter().find(|(name, _)| name == mode).map(|(_, mode)| *mode);
         if let Some(mode) = self.mode.as_ref().and_then(mode_named) {
             config.motion.mode = mode;

@@ -213,6 +213,10 @@ impl<'a> Encoder<'a> {
                 out.values().work_offset = self.control.work_offset(word).unwrap_or_else(|| word.to_owned());
                 Ok(())
             }
+            Step::Smoothing { level } => {
+                out.set_smoothing(level);
+                Ok(())
+            }
             Step::Raw { text } => out.raw(text),
         }
     }

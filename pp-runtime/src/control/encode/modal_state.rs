@@ -68,15 +68,37 @@ pub(crate) struct ModalState {
     plane: Option<&'static str>,
     /// Cycle that a position calls, where its definition survives other motions.
     cycle: Option<CannedCycle>,
-    /// Smoothing is on.
-    smooths: bool,
+    smoothing: SmoothingState,
+}
+
+/// Smoothing of the path by the control.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) enum SmoothingState {
+    #[default]
+    Off,
+    /// On, at this level.
+    On(usize),
+    /// It was on before a block that may have switched it off.
+    Unknown,
+}
+
+impl SmoothingState {
+    const fn forgotten(self) -> Self {
+        match self {
+            Self::Off => Self::Off,
+            Self::On(_) | Self::Unknown => Self::Unknown,
+        }
+    }
 }
 
 impl ModalState {
     /// Sets to unknown all state that an event may have changed.
     pub(crate) fn forget(&mut self, after: After<'_>) {
         match after {
-            After::Anything => *self = Self { coolant: self.coolant, ..Self::default() },
+            After::Anything => {
+                let smoothing = self.smoothing.forgotten();
+                *self = Self { coolant: self.coolant, smoothing, ..Self::default() };
+            }
             After::ToolChange => {
                 self.forget(After::FrameChange);
                 self.length = LengthState::Unknown;
@@ -236,11 +258,12 @@ impl ModalState {
         self.cycle = Some(cycle);
     }
 
-    pub(crate) fn smooths(&self) -> bool {
-        self.smooths
+    #[inline]
+    pub(crate) fn smoothing(&self) -> SmoothingState {
+        self.smoothing
     }
 
-    pub(crate) fn set_smoothing(&mut self, on: bool) {
-        self.smooths = on;
+    pub(crate) fn set_smoothing(&mut self, smoothing: SmoothingState) {
+        self.smoothing = smoothing;
     }
 }

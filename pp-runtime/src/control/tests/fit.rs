@@ -3,7 +3,7 @@
 use super::*;
 use crate::config::sample::Sample;
 use crate::config::{Config, starting_point};
-use crate::motion::{PathNorm, TcpWords};
+use crate::motion::{PathNorm, Smoothing, TcpWords};
 use crate::set_up::FurtherSetUp;
 
 fn further(offset: &str) -> FurtherSetUp {

@@ -134,6 +134,8 @@ pub struct Navigator {
     park: BTreeMap<char, f64>,
     start_branch: Option<Branch>,
     searches: [SearchRun; 2],
+    /// Angle of a free first rotary axis in operations without one of their own.
+    singular: Singular,
     /// Number of the present motion.
     motion: u64,
     /// Pose at the end of the last motion.
@@ -156,13 +158,15 @@ impl Navigator {
     #[must_use]
     pub fn new(machine: Box<dyn AnyMachine>, policy: Policy<'_>) -> Self {
         let placer = Placer::new(machine, policy, Units::Millimetres);
-        let zeroed = match policy.options.singular {
-            Singular::Zero => placer.rotaries().first().filter(|_| placer.rotaries().len() == 2).copied(),
-            Singular::Previous | Singular::Shortest => None,
+        let free = placer.rotaries().first().filter(|_| placer.rotaries().len() == 2).copied();
+        let zeroes = policy.options.singular == Singular::Zero;
+        let run = |greedy| {
+            let search = CourseSearch::new(placer.metric(), free, zeroes, greedy);
+            SearchRun { search, ended: false }
         };
-        let run = |greedy| SearchRun { search: CourseSearch::new(placer.metric(), zeroed, greedy), ended: false };
         Self {
             searches: [run(false), run(true)],
+            singular: policy.options.singular,
             finder: StateFinder::new(placer),
             greedy: policy.options.course.greedy,
             prefer: policy.options.course.prefer,
@@ -336,6 +340,10 @@ impl Stage for Navigator {
             ItemAction::Arc { arc, index } => self.move_to(&arc.end, index, false),
             // A rapid leads to the hole.
             ItemAction::Hole { hole, index } => self.move_to(&hole.top, index, true),
+            ItemAction::Operation(start) => {
+                let singular = start.chosen.singular.map_or(self.singular, |singular| singular.value);
+                self.searches.iter_mut().for_each(|run| run.search.set_zeroes(singular == Singular::Zero));
+            }
             ItemAction::Record { event, .. } => self.record(event),
         }
         Ok(())

@@ -133,15 +133,18 @@ pub(crate) struct CourseSearch {
     history: History,
     /// Only the cheapest survivor is kept: the search is made motion by motion.
     greedy: bool,
-    /// The first rotary axis, if it is at zero where it is free from one motion in the air to the next.
-    zeroed: Option<Rotary>,
+    /// The first rotary axis, where another can follow the tool axis.
+    free: Option<Rotary>,
+    /// It is at zero where it is free from one motion in the air to the next.
+    zeroes: bool,
 }
 
 impl CourseSearch {
-    pub(crate) fn new(metric: RotaryMetric, zeroed: Option<Rotary>, greedy: bool) -> Self {
+    pub(crate) fn new(metric: RotaryMetric, free: Option<Rotary>, zeroes: bool, greedy: bool) -> Self {
         Self {
             metric,
-            zeroed,
+            free,
+            zeroes,
             layer: Vec::new(),
             survivors: vec![Survivor {
                 state: RotaryState { branch: Branch::First, words: [0; 2] },
@@ -154,6 +157,16 @@ impl CourseSearch {
             predecessors: Vec::new(),
             history: History::default(),
             greedy,
+        }
+    }
+
+    /// Sets whether a free axis is at zero from the next motion on.
+    pub(crate) fn set_zeroes(&mut self, zeroes: bool) {
+        if zeroes != self.zeroes {
+            self.leave_zeroed();
+            self.zeroes = zeroes;
+            // The next stretch does not decide about this one any more.
+            self.survivors.iter_mut().for_each(|survivor| (survivor.air, survivor.zeroable) = (None, false));
         }
     }
 
@@ -181,7 +194,7 @@ impl CourseSearch {
 
     /// A stretch at the pole ends in the air: the free axis was at zero in it, or whole turns from zero.
     fn leave_zeroed(&mut self) {
-        let Some(first) = self.zeroed else { return };
+        let Some(first) = self.free.filter(|_| self.zeroes) else { return };
         for index in 0..self.survivors.len() {
             let Survivor { state, cost, last_change, air: Some(air), zeroable: true } = self.survivors[index] else {
                 continue;
@@ -452,7 +465,7 @@ mod tests {
         let rotary = Rotary { index: 0, lower: Some(-400), upper: Some(400), rest_deg: 0.0 };
         let metric = RotaryMetric::new(&[rotary], [None; 2], AngleScale { units_per_degree: 1.0, units_per_turn: 360 });
         // Motion by motion one course is kept, and another, reached by a rewind, is abandoned.
-        let mut search = CourseSearch::new(metric, None, true);
+        let mut search = CourseSearch::new(metric, None, false, true);
         search.restart([10, 0]);
         let states = [10, -350].map(|word| RotaryState { branch: Branch::First, words: [word, 0] });
         assert!(search.free(0, &states, None, |_| true));

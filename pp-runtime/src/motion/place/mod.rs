@@ -138,7 +138,7 @@ impl Placer {
             chain,
             machine,
         };
-        placer.set_mode(options.mode.of_all().unwrap_or_default());
+        placer.set_mode(options.mode_of_all().unwrap_or_default());
         placer
     }
 

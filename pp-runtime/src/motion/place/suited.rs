@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use crate::kinematics::{AnyMachine, AxisKind, Side};
-use crate::motion::options::{Mode, Policy, StretchMode, TcpFrame, TcpWords, ToolPosture};
+use crate::motion::options::{Policy, StretchMode, TcpFrame, TcpWords, ToolPosture};
 use crate::set_up::LengthMode;
 
 use super::chain::rotaries;
@@ -48,12 +48,10 @@ impl UsableModes {
         plane: Option<PlaneAbility>,
     ) -> Self {
         let rotates = rotaries(machine.axes(), Side::Workpiece).chain(rotaries(machine.axes(), Side::Tool)).next();
-        if rotates.is_none() {
-            return Self::default();
-        }
         let faults = |mode| Faults { machine, policy, control, mode, list: Vec::new() }.find(tip, plane);
         let [tip, plane] = [StretchMode::Tcp, StretchMode::Plane].map(faults);
-        let usable = |faults: &[Unsuited]| !faults.iter().any(|fault| matches!(fault, Unsuited::Absent(_)));
+        let absent = |fault: &Unsuited| matches!(fault, Unsuited::Absent(_));
+        let usable = |faults: &[Unsuited]| rotates.is_some() && !faults.iter().any(absent);
         Self {
             tip: usable(&tip),
             plane: usable(&plane),
@@ -72,7 +70,7 @@ impl UsableModes {
 }
 
 /// Reasons why a machine, its control and a configuration do not suit the configured mode, one sentence each. Mode `auto`
-/// suits all of them; what a stretch of it needs is known with the CL data.
+/// suits all of them, and so does a mode for some operations: what a stretch needs is known with the CL data.
 #[must_use]
 pub fn unsuited(
     machine: &dyn AnyMachine,
@@ -81,7 +79,7 @@ pub fn unsuited(
     tip: Option<TipAbility>,
     plane: Option<PlaneAbility>,
 ) -> Vec<String> {
-    let Some(mode) = Mode::of_all(policy.options.mode) else { return Vec::new() };
+    let Some(mode) = policy.options.mode_of_all() else { return Vec::new() };
     let Ok(machine) = policy.set_up.machine_for(machine) else { return Vec::new() };
     let faults = Faults { machine: &*machine, policy, control, mode, list: Vec::new() };
     faults.find(tip, plane).into_iter().map(Unsuited::text).collect()

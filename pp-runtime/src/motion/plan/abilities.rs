@@ -43,6 +43,8 @@ pub struct Abilities {
     pub vectors_take_arc_words: bool,
     /// Largest difference between the distances of both ends of an arc from its centre.
     pub arc_radius_tolerance_mm: f64,
+    /// Smoothing has levels, with codes that switch it on and off.
+    pub smooths: bool,
     /// Tip control, if the control has it.
     pub tip: Option<TipAbility>,
     /// Tilted planes, if the control has them.

@@ -12,7 +12,7 @@
 
 use nalgebra::Vector3;
 
-use crate::motion::options::{ArcOutput, CutterPath, Mode, Policy, StretchMode};
+use crate::motion::options::{ArcOutput, CutterPath, Policy, StretchMode};
 use crate::program::{Arc, Compensation, CutterSide, Event, Move};
 
 use crate::motion::fault::{Fault, Planned};
@@ -183,7 +183,7 @@ fn check_set_up(policy: Policy<'_>, xy: bool) -> Result<(), Fault> {
                  holds the radius); or output CL data without CUTCOM",
         ));
     }
-    if policy.options.mode == Mode::Tcp {
+    if policy.options.mode_of_all() == Some(StretchMode::Tcp) {
         return Err(under_tip_control());
     }
     if !xy {

@@ -91,7 +91,7 @@ impl Feeds {
             feed_decimals: policy.formats.feed,
             inverse_time_digits: policy.formats.inverse_time,
             path_norm: abilities.path_norm,
-            along_tip: policy.options.mode.of_all().unwrap_or_default() != StretchMode::Axes,
+            along_tip: policy.options.mode_of_all().unwrap_or_default() != StretchMode::Axes,
             feed_per_unit: if units == Units::Inches { abilities.feed_per_inch } else { 1.0 },
             feed_bound: 10_f64.powi(policy.formats.feed_whole as i32),
             reorient_rad_per_min: policy.options.rapids.reorient_rad_per_min,

@@ -12,7 +12,7 @@ use crate::program::{Drilling, Feed as Programmed, Hole, Move, Rotation};
 
 use crate::motion::fault::{Fault, Planned};
 use crate::motion::place::AxisPosition;
-use crate::motion::plan::feed::{FeedMotion, Feeds};
+use crate::motion::plan::feed::FeedMotion;
 use crate::motion::plan::{MotionAndNext, Planner, records};
 use crate::motion::source::{Begins, MotionIndex, Next};
 use crate::motion::step::BlockReason;
@@ -312,10 +312,12 @@ impl<S: Sink> HoleRun<'_, '_, S> {
     fn feed(&self, kind: CannedKind, over: &AxisPosition) -> Result<Decimal, Fault> {
         let (hole, feeds) = (self.hole, self.planner.mover.feeds());
         let per_minute = match kind {
-            CannedKind::Tap { pitch, speed, .. } => pitch.value() * feeds.unit_mm() * speed.value(),
+            CannedKind::Tap { pitch, speed, .. } => {
+                self.planner.thread_feed(pitch.value() * feeds.unit_mm() * speed.value())?
+            }
             CannedKind::Drill | CannedKind::Peck { .. } | CannedKind::ChipBreak { .. } | CannedKind::Ream => {
                 let feed = hole.feed.ok_or_else(|| Fault::new("a hole without feed"))?;
-                Feeds::per_minute(feed, self.planner.spindle.speed())?
+                self.planner.rate(Some(feed))?
             }
         };
         let length = hole.clearance_mm + hole.depth_mm;

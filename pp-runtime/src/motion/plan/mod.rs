@@ -15,6 +15,7 @@ mod hole;
 mod lead_out;
 mod machining_time;
 mod mover;
+mod operation;
 mod output;
 mod position;
 mod proof;
@@ -60,6 +61,7 @@ use coolant::CoolantState;
 use cutter::CutterCompensation;
 use feed::Feeds;
 use mover::Mover;
+use operation::FeedCap;
 use output::Output;
 use selection::Selection;
 use spindle::SpindleState;
@@ -81,6 +83,8 @@ pub struct Planner<'a, S> {
     selection: Selection,
     modes: ModeFollower,
     usable: UsableModes,
+    /// Largest feed of the operation, where one is set.
+    feed_cap: Option<FeedCap>,
 }
 
 /// A motion, and the next one where the approach depends on it.
@@ -113,8 +117,9 @@ impl<'a, S: Sink> Planner<'a, S> {
             course: CourseFollower::default(),
             cutter: CutterCompensation::default(),
             selection: Selection::default(),
-            modes: ModeFollower::new(StretchModes::all(policy.options.mode.of_all().unwrap_or_default())),
+            modes: ModeFollower::new(StretchModes::all(policy.options.mode_of_all().unwrap_or_default())),
             usable: UsableModes::default(),
+            feed_cap: None,
         }
     }
 
@@ -289,7 +294,14 @@ impl<'a, S: Sink> Planner<'a, S> {
     #[inline]
     fn rate(&self, feed: Option<program::Feed>) -> Result<f64, Fault> {
         let feed = feed.ok_or_else(|| Fault::new("a feed motion without feed"))?;
-        Feeds::per_minute(feed, self.spindle.speed())
+        let feed = Feeds::per_minute(feed, self.spindle.speed())?;
+        Ok(self.feed_cap.as_ref().map_or(feed, |cap| cap.caps(feed)))
+    }
+
+    /// Feed of a thread, mm/min, which follows from its pitch.
+    fn thread_feed(&self, feed: f64) -> Result<f64, Fault> {
+        self.feed_cap.as_ref().map_or(Ok(()), |cap| cap.check_thread(feed))?;
+        Ok(feed)
     }
 
     /// A motion inside an operation.
@@ -445,6 +457,10 @@ impl<S: Sink> Stage for Planner<'_, S> {
                 self.mover.output_mut().serve(at, BlockReason::Hole);
                 self.mover.begin_motion(false);
                 hole::hole(self, hole, index)
+            }
+            ItemAction::Operation(start) => {
+                self.mover.output_mut().serve(at, BlockReason::Record);
+                operation::begin(self, start)
             }
             ItemAction::Record { event, between } => {
                 self.mover.output_mut().serve(at, BlockReason::Record);

@@ -89,8 +89,9 @@ impl<S: Sink> Output<S> {
 
     #[inline]
     fn emit(&mut self, step: &Step<'_>, reason: BlockReason, reached: Option<ReachedPosition<'_>>) -> io::Result<()> {
-        // The next restart point needs the work offset, even where the steps around it are not written.
-        if self.shown || matches!(step, Step::WorkOffset { .. }) {
+        // The next restart point needs the work offset, and its cuts their smoothing, even where the steps around it are not
+        // written.
+        if self.shown || matches!(step, Step::WorkOffset { .. } | Step::Smoothing { .. }) {
             self.sink.step(step, &Provenance { at: self.at, reason, reached })
         } else {
             Ok(())

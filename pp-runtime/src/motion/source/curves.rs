@@ -16,7 +16,9 @@ const MAX_CHORDS: f64 = 1e6;
 /// The chord tolerance in force.
 #[derive(Debug, Clone)]
 pub(crate) struct Curves {
-    /// Tolerance of the configuration.
+    /// Tolerance of the configuration for the whole program.
+    whole_program_mm: f64,
+    /// That for the operation.
     configured_mm: f64,
     /// Tolerance of LINTOL.
     stated_mm: Option<f64>,
@@ -26,12 +28,24 @@ pub(crate) struct Curves {
 
 impl Curves {
     pub(crate) fn new(policy: Policy<'_>) -> Self {
-        Self { configured_mm: policy.options.tolerance_mm, stated_mm: None, may_widen: policy.options.allow_lintol }
+        let configured_mm = policy.options.tolerance_mm;
+        let may_widen = policy.options.allow_lintol;
+        Self { whole_program_mm: configured_mm, configured_mm, stated_mm: None, may_widen }
     }
 
     /// The tolerance in force, mm.
     pub(crate) fn tolerance(&self) -> f64 {
-        self.stated_mm.unwrap_or(self.configured_mm)
+        self.stated_mm.filter(|stated| self.may_state(*stated)).unwrap_or(self.configured_mm)
+    }
+
+    /// Whether LINTOL may state a tolerance.
+    fn may_state(&self, stated_mm: f64) -> bool {
+        self.may_widen || stated_mm <= self.configured_mm
+    }
+
+    /// Sets the tolerance of the configuration for an operation, mm; `None`: that for the whole program.
+    pub(crate) fn configure(&mut self, tolerance_mm: Option<f64>) {
+        self.configured_mm = tolerance_mm.unwrap_or(self.whole_program_mm);
     }
 
     /// Takes the tolerance of LINTOL, mm.
@@ -39,9 +53,9 @@ impl Curves {
     /// # Errors
     /// A warning if it is wider than allowed: then the tolerance of the configuration stays in force.
     pub(crate) fn state_tolerance(&mut self, tolerance: Option<f64>) -> Result<(), Fault> {
-        self.stated_mm = tolerance.filter(|stated| self.may_widen || *stated <= self.configured_mm);
+        self.stated_mm = tolerance;
         match tolerance {
-            Some(stated) if self.stated_mm.is_none() => Err(Fault::new(format_args!(
+            Some(stated) if !self.may_state(stated) => Err(Fault::new(format_args!(
                 "LINTOL/{stated} mm exceeds the tolerance of {} mm in the configuration, which stays in force",
                 self.configured_mm
             ))

@@ -3,7 +3,8 @@
 //! ```text
 //! event → setting     `part_rotation` (how the part lies on the table) and the lift of a dry run applied
 //!       → curves      splines become chords; an arc after an interruption gets a line to its start
-//!       → operations  assumed tool called; a rapid before the first tool becomes FROM; motions numbered
+//!       → operations  assumed tool called; a rapid before the first tool becomes FROM; motions numbered; the settings of
+//!                     each operation found
 //!       → lookahead   the first motion of an operation, and a rapid, wait for the motion after them
 //!       → item
 //! ```
@@ -16,12 +17,13 @@ mod curves;
 mod lookahead;
 mod operations;
 mod setting;
+mod settings;
 #[cfg(test)]
 mod tests;
 
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::AnyMachine;
-use crate::motion::options::Policy;
+use crate::motion::options::{OperationChoice, Policy};
 use crate::program::{Arc, Event, Hole, Location, Move, Spline, ToolCall};
 
 use crate::motion::fault::Fault;
@@ -30,10 +32,12 @@ pub use lookahead::Next;
 pub(crate) use operations::HELD;
 pub use operations::{Begins, MotionIndex};
 pub(crate) use setting::Setting;
+pub use settings::{Chosen, ChosenSettings, OperationStart};
 
 use curves::Curves;
 use lookahead::Lookahead;
 use operations::MotionCounter;
+use settings::SettingsFinder;
 
 /// One action of the program, with the CL record that programs it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -72,6 +76,8 @@ pub enum ItemAction<'e> {
         /// Number of the motion, its operation and its stretch.
         index: MotionIndex,
     },
+    /// An operation begins with the next motion; only where the configuration has settings of operations.
+    Operation(&'e OperationStart<'e>),
     /// Any record that is not a motion.
     Record {
         /// The event, never a motion; of LINTOL the tolerance that is then in force.
@@ -114,6 +120,7 @@ pub trait Stage {
 pub struct Source {
     setting: Setting,
     operations: MotionCounter,
+    settings: SettingsFinder,
     curves: Curves,
     lookahead: Lookahead,
 }
@@ -125,6 +132,7 @@ impl Source {
         Self {
             setting: Setting::new(policy),
             operations: MotionCounter::new(machine, policy),
+            settings: SettingsFinder::new(&policy.options.operations),
             curves: Curves::new(policy),
             lookahead: Lookahead::default(),
         }
@@ -136,7 +144,7 @@ impl Source {
     /// Those of the stage, and a curve that cannot be cut into chords.
     #[inline]
     pub fn event<S: Stage>(&mut self, at: Location, event: &Event<'_>, to: &mut S) -> Result<(), S::Stop> {
-        let Self { setting, operations, curves, lookahead } = self;
+        let Self { setting, operations, settings, curves, lookahead } = self;
         let set = setting.event(event);
         let event = set.as_ref().unwrap_or(event);
         if let Event::Move(motion) = event
@@ -144,13 +152,18 @@ impl Source {
         {
             return lookahead.line(at, motion, index, LinePart::Whole, to);
         }
-        Expansion { at, operations, curves, lookahead }.event(event, to)
+        Expansion { at, operations, settings, curves, lookahead }.event(event, to)
     }
 
     /// Whether the first motion of an operation is held back until the next motion.
     #[must_use]
     pub fn awaits_second_motion(&self) -> bool {
         self.lookahead.awaits_second_motion()
+    }
+
+    /// Entries of the settings of operations that are for no operation so far.
+    pub fn unused_settings(&self) -> impl Iterator<Item = &OperationChoice> {
+        self.settings.unused()
     }
 
     /// Hands on the items that are still held back: there is no next motion.
@@ -166,6 +179,7 @@ impl Source {
 struct Expansion<'s> {
     at: Location,
     operations: &'s mut MotionCounter,
+    settings: &'s mut SettingsFinder,
     curves: &'s mut Curves,
     lookahead: &'s mut Lookahead,
 }
@@ -192,6 +206,7 @@ impl Expansion<'_> {
             Event::Hole(hole) => {
                 self.call_assumed_tool(to)?;
                 let index = self.operations.hole(hole);
+                self.begin(index, to)?;
                 self.lookahead.hole(self.at, hole, index, to)
             }
             Event::Tolerance(stated) => {
@@ -204,7 +219,8 @@ impl Expansion<'_> {
                 self.operations.call_tool();
                 self.boundary(event, to)
             }
-            Event::Operation(_) => {
+            Event::Operation(name) => {
+                self.settings.name(self.at, name);
                 self.operations.name();
                 self.boundary(event, to)
             }
@@ -243,7 +259,29 @@ impl Expansion<'_> {
             return self.record(&Event::From(motion.pose), to);
         }
         let index = self.operations.line(motion);
+        self.begin(index, to)?;
         self.lookahead.line(self.at, motion, index, part, to)
+    }
+
+    /// Hands on the settings of an operation before the motion that begins it. No motion is held back then.
+    fn begin<S: Stage>(&mut self, index: MotionIndex, to: &mut S) -> Result<(), S::Stop> {
+        if index.begins == Begins::Nothing || !self.settings.has_entries() {
+            return Ok(());
+        }
+        self.take_tolerance(index.operation);
+        let at = self.settings.begins_at(self.at);
+        match self.settings.begin(index.operation, self.curves.tolerance()) {
+            Ok(start) => to.take(&ProgramItem { at, action: ItemAction::Operation(&start) }),
+            Err(fault) => Err(fault.at(at, Severity::Error).into()),
+        }
+    }
+
+    /// Takes the tolerance of the operation of a number.
+    fn take_tolerance(&mut self, operation: u64) {
+        // Settings that contradict each other are reported where the operation begins.
+        if let Ok(chosen) = self.settings.chosen(operation) {
+            self.curves.configure(chosen.tolerance_mm.map(|tolerance| tolerance.value));
+        }
     }
 
     /// Hands on a curve, chord by chord.
@@ -284,6 +322,10 @@ impl Expansion<'_> {
     }
 
     fn boundary<S: Stage>(&mut self, event: &Event<'_>, to: &mut S) -> Result<(), S::Stop> {
+        if self.settings.has_entries() {
+            // LINTOL may come before the first motion.
+            self.take_tolerance(self.operations.next_operation());
+        }
         self.lookahead.boundary(self.at, event, to)
     }
 }

@@ -92,6 +92,11 @@ impl MotionCounter {
         self.begins != Begins::Nothing
     }
 
+    /// Number of the next operation.
+    pub(crate) fn next_operation(&self) -> u64 {
+        self.operation + 1
+    }
+
     /// Counts TOOL PATH.
     pub(crate) fn name(&mut self) {
         self.begins = match self.begins {

@@ -63,6 +63,9 @@ impl Stage for Seen {
                 self.indices.push(index);
                 format!("hole at {}", x(&hole.top))
             }
+            ItemAction::Operation(start) => {
+                format!("operation {} {} within {}", start.number, start.name, start.tolerance_mm)
+            }
             ItemAction::Record { event: Event::Message(text), .. } => String::from_utf8_lossy(text).into_owned(),
             ItemAction::Record { event: Event::Tool(call), .. } => format!("T{}", call.number),
             ItemAction::Record { event: Event::From(pose), .. } => format!("from {}", x(pose)),

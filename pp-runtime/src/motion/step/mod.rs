@@ -9,6 +9,7 @@ use crate::nc::Decimal;
 use crate::program::{Coolant, Rotation};
 
 use crate::motion::geometry::Circle;
+use crate::motion::options::Smoothing;
 
 pub use crate::kinematics::MAX_AXES;
 pub use cycle::{CannedCycle, CannedKind, CycleAbilities};
@@ -202,6 +203,11 @@ pub enum Step<'a> {
         /// Word of the offset.
         word: &'a str,
     },
+    /// Smoothing of the following cuts; nothing is written before the next of them.
+    Smoothing {
+        /// That of the operation; `None`: that of the configuration for the whole program.
+        level: Option<Smoothing>,
+    },
     /// Block written unchanged; after it the state of the machine is unknown.
     Raw {
         /// Text of the block.
@@ -237,6 +243,7 @@ impl Step<'_> {
             Self::Operation { .. } => "operation",
             Self::Message { .. } => "message",
             Self::WorkOffset { .. } => "work-offset",
+            Self::Smoothing { .. } => "smoothing",
             Self::Raw { .. } => "insert",
         }
     }

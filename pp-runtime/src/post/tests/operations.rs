@@ -56,7 +56,7 @@ fn an_operation_that_is_posted_alone_moves_as_it_does_in_the_whole_program() {
     for (first, last) in [(1, 1), (1, 2), (2, 2), (2, 3), (3, 4), (4, 4)] {
         let operations = Some(Operations::Range(first, Some(last)));
         let mut config = Config::default();
-        config.motion.operations = operations;
+        config.motion.selected = operations;
         let (text, report) = posted::<Cb>(&config, FOUR);
         assert!(!report.failed && text.ends_with("M5\nM2\n"), "{report:?}\n{text}");
         assert!(text.contains(&format!("only operations {first} to {last} of 4")), "{text}");
@@ -79,7 +79,7 @@ fn without_transitions_an_operation_that_is_posted_alone_is_entered_and_left_saf
     let operations = Some(Operations::Range(2, Some(2)));
     let transition = crate::motion::Transition::Direct;
     let mut config = Config::default();
-    config.motion.operations = operations;
+    config.motion.selected = operations;
     config.motion.rapids.transition = transition;
     let (text, report) = posted::<Cb>(&config, FOUR);
     assert!(!report.failed, "{report:?}");
@@ -95,7 +95,7 @@ fn records_between_operations_belong_to_the_operation_they_refer_to() {
     let some = |first, last| {
         let operations = Some(Operations::Range(first, Some(last)));
         let mut config = Config::default();
-        config.motion.operations = operations;
+        config.motion.selected = operations;
         posted::<Cb>(&config, FOUR).0
     };
     let second = some(2, 2);
@@ -110,7 +110,7 @@ fn records_between_operations_belong_to_the_operation_they_refer_to() {
 fn operations_are_found_by_name_and_a_missing_one_is_reported() {
     let post = |operations| {
         let mut config = Config::default();
-        config.motion.operations = Some(operations);
+        config.motion.selected = Some(operations);
         let job = Job { cl_name: "a", config: &config, control: &LinuxCnc, units: None };
         let mut out = Vec::new();
         post::<Cb>(&job, &mut Cursor::new(FOUR.as_bytes()), &mut out).map(|_| String::from_utf8(out).expect("ASCII"))
@@ -140,7 +140,7 @@ fn clamps_hold_the_axes_of_an_operation_that_does_not_turn_them() {
 #[test]
 fn the_last_operation_that_is_posted_is_left_along_the_tool() {
     let mut config = Config::default();
-    config.motion.operations = Some(Operations::Range(1, Some(1)));
+    config.motion.selected = Some(Operations::Range(1, Some(1)));
     config.motion.rapids.transition = crate::motion::Transition::Direct;
     config.motion.retract.distance_mm = Some(12.0);
     let (text, report) = posted::<Cb>(&config, FOUR);
@@ -153,7 +153,7 @@ fn a_rapid_before_the_first_tool_is_no_operation() {
     let early = FOUR.replace("TOOL PATH/ROUGH", "RAPID\nGOTO/0,0,90,0,0,1\nTOOL PATH/ROUGH");
     let operations = Some(Operations::Range(4, None));
     let mut config = Config::default();
-    config.motion.operations = operations;
+    config.motion.selected = operations;
     let (text, report) = posted::<Cb>(&config, &early);
     assert!(!report.failed && report.set_up[0].contains("4 to 4 of 4"), "{report:?}");
     assert!(text.contains("(OPERATION CHAMFER)\nN4 "), "{text}");
@@ -190,7 +190,7 @@ fn clamps_of_some_operations_are_open_where_these_turn_an_axis() {
     config.motion.rapids.transition = crate::motion::Transition::Direct;
     config.motion.retract.distance_mm = Some(50.0);
     for operations in [None, Some(Operations::Range(2, Some(3)))] {
-        config.motion.operations = operations;
+        config.motion.selected = operations;
         let (text, report) = posted::<Cb>(&config, TURNS_THEN_HOLDS);
         assert!(!report.failed, "{report:?}");
         let (mut on, mut here, mut turns) = (None, None, 0);

@@ -10,12 +10,11 @@ use std::io::{self, Write};
 
 use crate::control::dialects::{Control, Spellings, ToolAxisWords};
 use crate::control::layout::Layout;
-use crate::control::options::Smoothing;
-use crate::motion::{AxisWords, ToolPosture, VECTOR_DECIMALS};
+use crate::motion::{AxisWords, Smoothing, ToolPosture, VECTOR_DECIMALS};
 use crate::nc::{Decimal, Numbering, Numerals, Writer};
 use crate::program::Units;
 
-use super::modal_state::{After, LengthState, ModalState};
+use super::modal_state::{After, LengthState, ModalState, SmoothingState};
 use super::text::program_name;
 use super::values::{Values, text};
 
@@ -41,6 +40,8 @@ pub(crate) struct ModalWriter<'a> {
     numerals: Numerals,
     /// Every block holds every word.
     every_word: bool,
+    /// Smoothing of the configuration, and that of the cuts that come.
+    usual_smoothing: Smoothing,
     smoothing: Smoothing,
     /// Words for the tool axis as a vector, where it is written instead of rotary words.
     vectors: Option<&'static ToolAxisWords>,
@@ -123,6 +124,7 @@ impl<'a> ModalWriter<'a> {
             z: layout.axes.iter().position(|&(letter, _)| letter == 'Z'),
             numerals,
             every_word: layout.options.every_word,
+            usual_smoothing: layout.options.smoothing,
             smoothing: layout.options.smoothing,
             vectors,
             tip_length_code: tip_length_code(codes, layout, vectors),
@@ -332,22 +334,46 @@ impl<'a> ModalWriter<'a> {
         Ok(())
     }
 
-    /// Switches smoothing on or off, if the configuration uses it.
-    pub(crate) fn smooth(&mut self, on: bool) -> io::Result<()> {
-        let level = match self.smoothing {
-            Smoothing::None => return Ok(()),
-            Smoothing::Rough => 0,
-            Smoothing::Medium => 1,
-            Smoothing::Finish => 2,
+    /// Sets the smoothing of the cuts that come; `None`: that of the configuration.
+    pub(crate) fn set_smoothing(&mut self, level: Option<Smoothing>) {
+        self.smoothing = level.unwrap_or(self.usual_smoothing);
+    }
+
+    /// Switches smoothing on or off, where that of the cuts differs from the one in force. `cuts`: a cut comes. Where it is
+    /// unknown, the next cut decides.
+    #[inline]
+    pub(crate) fn smooth(&mut self, cuts: bool) -> io::Result<()> {
+        let wanted = match self.smoothing.level() {
+            Some(level) if cuts => SmoothingState::On(level),
+            _ => SmoothingState::Off,
         };
-        if self.modal.smooths() != on {
-            let codes = self.codes;
-            let angled = self.values.angle_deg.is_some() && !codes.smoothing_with_angle[level].is_empty();
-            let begins = if angled { codes.smoothing_with_angle } else { codes.smoothing };
-            self.fill_all(if on { begins[level] } else { codes.smoothing_off })?;
-            self.modal.set_smoothing(on);
-            self.modal.forget(After::Smoothing);
+        let before = self.modal.smoothing();
+        let waits = before == SmoothingState::Unknown && !cuts;
+        if before == wanted || waits { Ok(()) } else { self.switch_smoothing(before, wanted) }
+    }
+
+    #[cold]
+    fn switch_smoothing(&mut self, before: SmoothingState, after: SmoothingState) -> io::Result<()> {
+        let codes = self.codes;
+        let begins = |state| match state {
+            SmoothingState::On(level) if self.values.angle_deg.is_some() => {
+                let angled = codes.smoothing_with_angle[level];
+                if angled.is_empty() { codes.smoothing[level] } else { angled }
+            }
+            SmoothingState::On(level) => codes.smoothing[level],
+            SmoothingState::Off | SmoothingState::Unknown => &[],
+        };
+        let [on_before, on] = [before, after].map(begins);
+        self.modal.set_smoothing(after);
+        if on_before == on && before != SmoothingState::Unknown {
+            // The control has one level.
+            return Ok(());
         }
+        if on.is_empty() || !on_before.is_empty() {
+            self.fill_all(codes.smoothing_off)?;
+        }
+        self.fill_all(on)?;
+        self.modal.forget(After::Smoothing);
         Ok(())
     }
 }

@@ -4,6 +4,7 @@ use super::*;
 use crate::config::Config;
 use crate::control::{Control, Encoder, Haas, Heidenhain, Layout, Siemens};
 use crate::kinematics::machines::{Cb, Mirrored, Xyz};
+use crate::motion::Mode;
 use crate::motion::tests::{Run, config, feed, plan, pose, rapid, run, spindle, tool};
 use crate::program::Units;
 use crate::program::{Arc, Feed};
