@@ -244,6 +244,7 @@ fn every_posted_program_passes_its_check() {
     let mut tally: BTreeMap<String, [usize; 4]> = BTreeMap::new();
     let mut reasons: BTreeMap<String, (usize, String)> = BTreeMap::new();
     let mut wrong: BTreeMap<String, (usize, u64)> = BTreeMap::new();
+    let mut with_settings = 0;
     for seed in first..first + count as u64 {
         let case = Case::of(seed);
         if count == 1 {
@@ -259,7 +260,10 @@ fn every_posted_program_passes_its_check() {
                 reasons.entry(fault_kind(&reason)).or_insert_with(|| (0, format!("{seed}: {reason}"))).0 += 1;
                 1
             }
-            Outcome::Passed(_) => 2,
+            Outcome::Passed(_) => {
+                with_settings += usize::from(case.set_up.contains("[operations."));
+                2
+            }
             Outcome::Wrong(text, _) => {
                 println!("seed {seed}, {}: {text}", case.name());
                 wrong.entry(fault_kind(&text)).or_insert((0, seed)).0 += 1;
@@ -269,6 +273,7 @@ fn every_posted_program_passes_its_check() {
         tally.entry(case.name()).or_default()[outcome] += 1;
     }
     if environment_number("PP_RANDOM_PROGRAMS").is_some() {
+        println!("{with_settings} programs with settings of operations pass");
         print_summary(&tally, &reasons);
     }
     wrong.iter().for_each(|(text, (count, seed))| println!("wrong: {count} programs, for example seed {seed}: {text}"));
@@ -276,6 +281,7 @@ fn every_posted_program_passes_its_check() {
     assert!(wrong.is_empty(), "{} kinds of fault\n{}", wrong.len(), shown.join("\n=====\n"));
     let passed: usize = tally.values().map(|[_, _, passed, _]| passed).sum();
     assert!(passed * 2 >= count, "only {passed} of {count} programs are posted");
+    assert!(with_settings * 20 >= count, "only {with_settings} of {count} have settings of operations");
 }
 
 /// Prints the outcomes of all programs.

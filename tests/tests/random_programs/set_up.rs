@@ -51,6 +51,7 @@ pub(crate) fn set_up(random: &mut Random, kind: &MachineKind, control: &str, mod
     file.course(kind);
     file.words(kind, control);
     file.tip_control(kind, control, mode);
+    file.operations(kind, control, mode);
     let compensation = mode != Mode::Tcp && (mode == Mode::Plane || !kind.head) && file.random.chance(0.4);
     if compensation {
         let path = ["centre", "contour"][file.random.below(2)];
@@ -276,6 +277,47 @@ impl File<'_> {
         }
         let smoothings: &[&str] = if control == "linuxcnc" { &["\"none\""] } else { &["\"finish\"", "\"rough\""] };
         self.one_of(0.2, "control", "smoothing", smoothings);
+    }
+
+    /// Settings of single operations, from random numbers of their own.
+    fn operations(&mut self, kind: &MachineKind, control: &str, mode: Mode) {
+        let mut random = Random::new(!self.random.clone().bits());
+        if !random.chance(0.3) {
+            return;
+        }
+        let mut modes = vec!["\"auto\"", "\"axes\""];
+        modes.extend((!kind.rotaries.is_empty()).then_some("\"tcp\""));
+        modes.extend((!kind.rotaries.is_empty() && control != "linuxcnc").then_some("\"plane\""));
+        let smoothing: &[&str] = match control {
+            "linuxcnc" => &["\"none\""],
+            _ => &["\"none\"", "\"rough\"", "\"medium\"", "\"finish\""],
+        };
+        let keys: [(&str, &[&str]); 5] = [
+            ("mode", &modes),
+            ("smoothing", smoothing),
+            ("singular", &["\"zero\"", "\"previous\""]),
+            ("tolerance", &["0.003", "0.03", "0.2"]),
+            ("largest_feed", &["150.0", "333.3", "900.0"]),
+        ];
+        // Two patterns for the same operation could contradict each other.
+        for section in ["operations.1", "operations.\"op_*\""] {
+            for (key, values) in keys {
+                let value = values[random.below(values.len())];
+                if random.chance(0.35) {
+                    self.put(section, format!("{key} = {value}"));
+                }
+            }
+        }
+        let has_mode = |lines: &Vec<String>| lines.iter().any(|line| line.starts_with("mode"));
+        if mode == Mode::Axes && self.sections.values().any(has_mode) {
+            self.put("", "tcp_confirmed = true");
+            if control == "fanuc" && kind.table {
+                self.put("", "tcp_frame = \"table_at_zero\"");
+            }
+            if control == "linuxcnc" {
+                self.put("control", "tip_control = [\"M428\", \"M429\"]");
+            }
+        }
     }
 
     /// Keys for tip control and tilted planes.

@@ -1,0 +1,436 @@
+//! Settings of single operations (`[operations]`): each changes the blocks of its operations alone, the check accepts the
+//! program, and refuses one that was posted with other settings.
+
+use std::io::Cursor;
+
+use machines::SpinnerU5620;
+use pp_runtime::check::check;
+use pp_runtime::config::{Config, starting_point};
+use pp_runtime::control::{self, Control};
+use pp_runtime::diag::{Diagnostic, Severity};
+use pp_runtime::post::{Job, Report, post};
+
+/// A tilted face, a blade with a curve, and holes with a thread: three operations with names, the second with a stop in it.
+const CL: &str = "UNITS/MM
+TOOL PATH/ROUGH FACE,TOOL,D10
+LOADTL/1,LENGTH,100
+SPINDL/RPM,6000,CLW
+RAPID
+GOTO/0,0,30,0.5,0,0.8660254
+FEDRAT/MMPM,800
+GOTO/0,0,20
+GOTO/0,20,20
+RAPID
+GOTO/0,20,80
+TOOL PATH/Finish Blade,TOOL,D10
+RAPID
+GOTO/30,0,40,0.5,0,0.8660254
+FEDRAT/MMPM,600
+GOTO/30,0,20
+GOTO/30,20,20,0.2588190,0,0.9659258
+RAPID
+GOTO/30,20,80
+STOP
+RAPID
+GOTO/30,0,80,0.5,0,0.8660254
+FEDRAT/MMPM,600
+GOTO/30,0,22
+GOTO/30,22,22,0.2588190,0,0.9659258
+RAPID
+GOTO/30,22,90
+TOOL PATH/BOSS,TOOL,D8
+LOADTL/2,LENGTH,110
+SPINDL/RPM,500,CLW
+RAPID
+GOTO/0,0,60,0,0,1
+CYCLE/DRILL,RAPTO,3,FEDTO,-8,RTRCTO,10,MMPM,200
+GOTO/0,0,10
+CYCLE/OFF
+FEDRAT/MMPM,400
+GOTO/0,5,30
+GOTO/0,9,30
+RAPID
+GOTO/0,9,80
+FINI
+";
+
+/// Names of the operations, as in the program.
+const NAMES: [&str; 3] = ["ROUGH FACE", "FINISH BLADE", "BOSS"];
+
+const KEYS: &str = "mode = 'axes'\ntcp_confirmed = true\n[retract]\ndistance = 40.0\n";
+
+/// `keys`: keys of the file, then its sections.
+fn config(control: &'static dyn Control, keys: &str) -> Config {
+    let (top, sections) = keys.split_at(keys.find('[').unwrap_or(keys.len()));
+    let name = control.spellings().name;
+    let frame = if name == "fanuc" { "tcp_frame = 'table_at_zero'\n" } else { "" };
+    let codes = if name == "linuxcnc" { "[control]\ntip_control = ['M428', 'M429']\n" } else { "" };
+    let text = format!("{frame}{top}{KEYS}{codes}{sections}");
+    let read = starting_point(control).read_over(&SpinnerU5620::default(), &text);
+    read.unwrap_or_else(|faults| panic!("{text}: {faults:?}"))
+}
+
+fn post_with(config: &Config, control: &'static dyn Control, cl: &str) -> (String, Report) {
+    let job = Job { cl_name: "part.cls", config, control, units: None };
+    let mut program = Vec::new();
+    let report = post::<SpinnerU5620>(&job, &mut Cursor::new(cl), &mut program).expect("it can run");
+    (String::from_utf8(program).expect("ASCII"), report)
+}
+
+/// The program, which passes its check.
+fn posted(config: &Config, control: &'static dyn Control, cl: &str) -> String {
+    let (program, report) = post_with(config, control, cl);
+    assert!(!report.failed, "{program}\n{:?}", report.diagnostics);
+    let found = findings(config, control, cl, &program);
+    assert!(found.is_empty(), "{program}\n{found:?}");
+    program
+}
+
+fn findings(config: &Config, control: &'static dyn Control, cl: &str, program: &str) -> Vec<String> {
+    let policy = config.check_policy::<SpinnerU5620>(control, None).expect("it can be checked");
+    let checked = check::<SpinnerU5620>(&policy, Cursor::new(cl), program.as_bytes()).expect("it can be read");
+    let fault = checked.fault.map(|fault| fault.text);
+    checked.outcome.findings.into_iter().map(|finding| finding.text).chain(fault).collect()
+}
+
+/// Faults of the CL data with this configuration: line, severity, text and help.
+fn faults(control: &'static dyn Control, keys: &str) -> Vec<Diagnostic> {
+    post_with(&config(control, keys), control, CL).1.diagnostics
+}
+
+/// Blocks of each operation, without numbers and without those of its safety line.
+fn by_operation(program: &str) -> [Vec<String>; 3] {
+    let mut operations: [Vec<String>; 3] = Default::default();
+    let (mut present, mut safety) = (None, false);
+    for line in program.lines() {
+        let text = line.to_uppercase();
+        let begins = |name: &&str| text.contains(*name) && !line.contains("operation");
+        let found = NAMES.iter().position(begins);
+        present = found.or(present);
+        // It cancels what is on anywhere in the program.
+        safety = match line.trim_start_matches(|c: char| c.is_ascii_digit()).trim() {
+            "M9" | "M09" => false,
+            text => safety || found.is_some() || text.ends_with("M0") || text.ends_with("M00"),
+        };
+        if let Some(index) = present.filter(|_| !safety) {
+            operations[index].push(line.trim_start_matches(|c: char| c.is_ascii_digit()).trim_start().to_owned());
+        }
+    }
+    assert!(operations.iter().all(|blocks| blocks.len() > 5), "{program}");
+    operations
+}
+
+/// Posts with and without settings; only these operations differ, and each check refuses the program of the other.
+fn differs(
+    control: &'static dyn Control,
+    (base, keys): (&str, &str),
+    expected: [bool; 3],
+    refused: [bool; 2],
+) -> [String; 2] {
+    let name = format!("{}: {keys}", control.spellings().name);
+    let [plain, own] = [base.to_owned(), format!("{base}{keys}")].map(|keys| config(control, &keys));
+    let [without, with] = [&plain, &own].map(|config| posted(config, control, CL));
+    let [one, other] = [&without, &with].map(|program| by_operation(program));
+    let differ: Vec<bool> = one.iter().zip(&other).map(|(one, other)| one != other).collect();
+    assert_eq!(differ, expected, "{name}\n{one:#?}\n{other:#?}");
+    let found = [findings(&own, control, CL, &without), findings(&plain, control, CL, &with)];
+    assert_eq!([!found[0].is_empty(), !found[1].is_empty()], refused, "{name}\n{without}\n{with}\n{found:?}");
+    [without, with]
+}
+
+const BLADE_ALONE: [bool; 3] = [false, true, false];
+
+/// Words that a fine tolerance needs; how far the tool axis leaves its great circle does not decide.
+const FINE: &str = "axis_tolerance_path = 5.0\n[formats]\nlinear_mm = 4\n";
+
+const BOTH: [bool; 2] = [true; 2];
+
+#[test]
+fn an_operation_has_a_mode_of_its_own() {
+    for control in control::CONTROLS {
+        differs(*control, ("", "[operations.'finish*']\nmode = 'tcp'\n"), BLADE_ALONE, BOTH);
+        differs(
+            *control,
+            ("", "[operations.2]\nmode = 'tcp'\n[operations.'FINISH BLADE']\nmode = 'axes'\n"),
+            BLADE_ALONE,
+            BOTH,
+        );
+        if control.spellings().plane.is_some() {
+            differs(*control, ("", "[operations.1]\nmode = 'plane'\n"), [true, false, false], BOTH);
+            // At zero a plane has no code.
+            differs(*control, ("", "[operations.boss]\nmode = 'plane'\n"), [false; 3], [false; 2]);
+        }
+    }
+}
+
+#[test]
+fn an_operation_may_leave_the_mode_of_the_program_to_its_content() {
+    for control in control::CONTROLS.iter().filter(|control| control.spellings().plane.is_some()) {
+        let text = "[operations.'*']\nmode = 'auto'\n";
+        let [_, chosen] = differs(*control, ("", text), [true, true, false], [false, true]);
+        let mut auto = config(*control, "");
+        auto.motion.mode = pp_runtime::config::Mode::Auto;
+        assert_eq!(by_operation(&posted(&auto, *control, CL)), by_operation(&chosen));
+    }
+}
+
+#[test]
+fn smoothing_is_that_of_the_operation() {
+    for control in control::CONTROLS.iter().filter(|control| !control.spellings().smoothing[0].is_empty()) {
+        let finish = "[operations.'Finish Blade']\nsmoothing = 'finish'\n";
+        let [without, with] = differs(*control, ("", finish), BLADE_ALONE, BOTH);
+        let code = control.spellings().smoothing_off[0];
+        assert!(!without.contains(code) && with.contains(code), "{with}");
+        // Off in one operation of a program that smooths.
+        let rough = if control.spellings().name == "linuxcnc" { "" } else { "[control]\nsmoothing = 'rough'\n" };
+        differs(*control, (rough, "[operations.2]\nsmoothing = 'none'\n"), BLADE_ALONE, BOTH);
+        // Another level, where the control has levels.
+        let levels = control.spellings().smoothing[0] != control.spellings().smoothing[2];
+        let expected = [false, levels, false];
+        differs(*control, (rough, "[operations.2]\nsmoothing = 'finish'\n"), expected, [levels; 2]);
+    }
+}
+
+#[test]
+fn a_level_of_smoothing_changes_between_operations_without_a_retract() {
+    for control in control::CONTROLS.iter().filter(|control| !control.spellings().smoothing[0].is_empty()) {
+        let cl = "UNITS/MM\nLOADTL/1,LENGTH,100\nSPINDL/RPM,6000,CLW\nTOOL PATH/ONE,TOOL,T\nRAPID\nGOTO/0,0,30,0,0,1\n\
+                  FEDRAT/MMPM,300\nGOTO/0,0,20\nGOTO/9,0,20\nTOOL PATH/TWO,TOOL,T\nGOTO/9,9,20\nTOOL PATH/THREE,TOOL,T\n\
+                  GOTO/0,9,20\nFINI\n";
+        let keys = "[operations.'one']\nsmoothing = 'rough'\n[operations.2]\nsmoothing = 'finish'\n";
+        let mut config = config(*control, keys);
+        config.motion.rapids.transition = pp_runtime::config::Transition::Direct;
+        let program = posted(&config, *control, cl);
+        let off = control.spellings().smoothing_off[0];
+        let switched = program.lines().filter(|line| line.ends_with(off) || line.contains("CYCL DEF 32.0")).count();
+        assert!(switched >= 1, "{program}");
+        let blocks: Vec<&str> = program.lines().filter(|line| line.contains("Y9")).collect();
+        assert!(blocks.len() <= 3, "no retract between them: {program}");
+    }
+}
+
+#[test]
+fn smoothing_that_is_on_before_a_copied_block_is_off_in_the_next_operation() {
+    let control = control::by_name("haas").expect("a control");
+    let mut config = config(control, "[cl]\nauxfun = [77]\n[operations.1]\nsmoothing = 'rough'\n");
+    config.control.effects.insert("M77".to_owned(), pp_runtime::control::LineEffect::None);
+    let cl = CL.replace("GOTO/0,20,20\n", "GOTO/0,20,20\nAUXFUN/77\n");
+    let program = posted(&config, control, &cl);
+    let [before, after] = [program.find("M77"), program.find("\nG187\n")].map(|at| at.expect("both"));
+    assert!(before < after, "{program}");
+}
+
+#[test]
+fn the_path_keeps_to_the_tolerance_of_the_operation() {
+    for control in control::CONTROLS {
+        let [without, with] =
+            differs(*control, (FINE, "[operations.'*blade']\ntolerance = 0.003\n"), BLADE_ALONE, [true, false]);
+        assert!(with.lines().count() > without.lines().count() + 5, "{with}");
+        let [without, with] =
+            differs(*control, (FINE, "[operations.'*blade']\ntolerance = 0.8\n"), BLADE_ALONE, [false, true]);
+        assert!(with.lines().count() < without.lines().count(), "{with}");
+    }
+}
+
+#[test]
+fn lintol_narrows_the_tolerance_of_its_operation() {
+    let control = control::by_name("siemens").expect("a control");
+    let stated = |tolerance: &str| {
+        CL.replace(
+            "TOOL PATH/Finish Blade,TOOL,D10\n",
+            &format!("TOOL PATH/Finish Blade,TOOL,D10\nLINTOL/{tolerance}\n"),
+        )
+    };
+    let keys = "[operations.2]\ntolerance = 0.8\n[operations.3]\ntolerance = 0.8\n";
+    let config = config(control, keys);
+    // Wider than `tolerance`, narrower than that of the operation.
+    let cl = stated("0.3");
+    let (program, report) = post_with(&config, control, &cl);
+    assert!(report.diagnostics.is_empty(), "{:?}", report.diagnostics);
+    let found = findings(&config, control, &cl, &program);
+    assert!(found.is_empty(), "{program}\n{found:?}");
+    assert!(!findings(&config, control, &stated("0.001"), &program).is_empty(), "{program}");
+    let (_, report) = post_with(&config, control, &stated("0.9"));
+    assert_eq!(
+        report.diagnostics[0].text,
+        "LINTOL/0.9 mm exceeds the tolerance of 0.8 mm in the configuration, which stays in force"
+    );
+}
+
+#[test]
+fn no_feed_motion_of_the_operation_is_faster_than_its_largest_feed() {
+    for control in control::CONTROLS {
+        differs(*control, ("", "[operations.'*blade']\nlargest_feed = 450.0\n"), BLADE_ALONE, BOTH);
+        // A cycle, and a motion.
+        let drill = "[operations.'Boss']\nlargest_feed = 150.0\n";
+        let [_, with] = differs(*control, ("", drill), [false, false, true], BOTH);
+        assert!(!with.contains("F200") && !with.contains("F400"), "{with}");
+        // Above all feeds it changes nothing.
+        differs(*control, ("", "[operations.'*']\nlargest_feed = 5000.0\n"), [false; 3], [false; 2]);
+    }
+}
+
+#[test]
+fn the_largest_feed_counts_in_inches_of_the_file() {
+    let control = control::by_name("fanuc").expect("a control");
+    let config = |keys: &str| {
+        let keys = format!("units = 'in'\n{}{keys}", KEYS.replace("40.0", "2.0"));
+        starting_point(control).read_over(&SpinnerU5620::default(), &keys).expect("valid keys")
+    };
+    assert_eq!(
+        config("[operations.1]\nlargest_feed = 20.0\n").motion.operations.entries[0].settings.largest_feed_mm_per_min,
+        Some(508.0)
+    );
+}
+
+#[test]
+fn a_thread_that_is_faster_than_the_largest_feed_is_refused() {
+    let control = control::by_name("fanuc").expect("a control");
+    let cl =
+        CL.replace("CYCLE/DRILL,RAPTO,3,FEDTO,-8,RTRCTO,10,MMPM,200", "CYCLE/TAP,RAPTO,5,FEDTO,-8,RTRCTO,10,MMPR,1");
+    let keys = |feed: u32| config(control, &format!("[operations.'*']\nlargest_feed = {feed}\n"));
+    posted(&keys(500), control, &cl);
+    let (_, report) = post_with(&keys(499), control, &cl);
+    let fault = report.diagnostics.iter().find(|fault| fault.severity == Severity::Error).expect("refused");
+    assert_eq!(
+        fault.text,
+        "`[operations.\"*\"] largest_feed` is 499 mm/min, but pitch and spindle speed of this thread give 500 mm/min"
+    );
+}
+
+#[test]
+fn a_free_axis_is_where_the_operation_has_it() {
+    // A vertical operation after one that leaves C at another angle.
+    let cl = CL.replace("0.5,0,0.8660254", "0.3,0.4,0.8660254").replace("0.2588190,0,", "0,0.2588190,");
+    for control in control::CONTROLS {
+        let [zero, previous] = ["", "[operations.boss]\nsingular = 'previous'\n"].map(|keys| config(*control, keys));
+        let [at_zero, stays] = [&zero, &previous].map(|config| posted(config, *control, &cl));
+        let [one, other] = [&at_zero, &stays].map(|program| by_operation(program));
+        assert_eq!((&one[0], &one[1]), (&other[0], &other[1]));
+        assert_ne!(one[2], other[2], "{stays}");
+        // The same the other way round.
+        let back = config(*control, "singular = 'previous'\n[operations.boss]\nsingular = 'zero'\n");
+        assert_eq!(by_operation(&posted(&back, *control, &cl))[2], one[2]);
+        // The cut is the same at every angle: the check accepts both.
+        assert!(findings(&previous, *control, &cl, &at_zero).is_empty());
+    }
+}
+
+#[test]
+fn a_free_axis_at_zero_in_the_next_operation_stays_in_this_one() {
+    let last = "TOOL PATH/LAST,TOOL,T\nRAPID\nGOTO/40,0,60,0,0,1\nFEDRAT/MMPM,400\nGOTO/40,0,30\nGOTO/40,9,30\nFINI\n";
+    let cl = CL.replace("0.5,0,0.8660254", "0.3,0.4,0.8660254").replace("0.2588190,0,", "0,0.2588190,");
+    let control = control::by_name("haas").expect("a control");
+    let config = config(control, "[operations.boss]\nsingular = 'previous'\n");
+    let alone = by_operation(&posted(&config, control, &cl));
+    let program = posted(&config, control, &cl.replace("FINI\n", last));
+    let (boss, last) = program.split_at(program.find("LAST").expect("its comment"));
+    let approach = alone[2].iter().find(|block| block.contains(" C")).expect("its angle");
+    assert!(boss.contains(approach.as_str()) && !approach.ends_with(" C0."), "{approach}\n{program}");
+    assert!(last.contains(" C0."), "{program}");
+}
+
+#[test]
+fn what_machine_or_control_cannot_do_is_refused_where_the_operation_begins() {
+    let linuxcnc = control::by_name("linuxcnc").expect("a control");
+    let first = |keys: &str| {
+        let fault = faults(linuxcnc, keys).into_iter().find(|fault| fault.severity == Severity::Error);
+        let fault = fault.unwrap_or_else(|| panic!("{keys} is not refused"));
+        (fault.location.line, fault.text)
+    };
+    let (line, text) = first("[operations.'finish*']\nsmoothing = 'finish'\n");
+    assert_eq!(
+        (line, text.as_str()),
+        (12, "`[operations.\"finish*\"] smoothing = \"finish\"`: this control has no smoothing levels")
+    );
+    let (line, text) = first("[operations.1]\nmode = 'plane'\n");
+    assert_eq!(line, 2);
+    assert!(
+        text.starts_with("`[operations.1] mode = \"plane\"`: mode plane: LinuxCNC has no tilted work plane"),
+        "{text}"
+    );
+    // The operation after the stop has no name of its own.
+    let (line, text) = first("[operations.3]\nmode = 'plane'\n");
+    assert_eq!(line, 22);
+    assert!(text.starts_with("`[operations.3] mode"), "{text}");
+    // A tool axis that rotates cannot be in a plane.
+    let siemens = control::by_name("siemens").expect("a control");
+    let fault = faults(siemens, "[operations.2]\nmode = 'plane'\n").remove(0);
+    assert_eq!((fault.location.line, fault.severity), (17, Severity::Error), "{fault:?}");
+}
+
+#[test]
+fn entries_that_contradict_each_other_are_refused_with_both_names() {
+    let control = control::by_name("haas").expect("a control");
+    let keys = "[operations.'finish*']\nlargest_feed = 300\n[operations.'*blade']\nlargest_feed = 400\n";
+    let fault = faults(control, keys).remove(0);
+    assert_eq!(
+        (fault.location.line, fault.text.as_str()),
+        (
+            12,
+            "[operations.\"finish*\"] and [operations.\"*blade\"] set different values of `largest_feed` for operation 2 \
+             (Finish Blade)"
+        )
+    );
+    // The check refuses them as well.
+    let program = posted(&config(control, ""), control, CL);
+    let found = findings(&config(control, keys), control, CL, &program);
+    assert!(found.iter().any(|text| text.contains("different values of `largest_feed`")), "{found:?}");
+    // A name decides for both operations of that name.
+    let keys = format!("{keys}[operations.'finish blade']\nlargest_feed = 350\n");
+    posted(&config(control, &keys), control, CL);
+}
+
+#[test]
+fn an_entry_for_no_operation_is_reported_with_the_operations_there_are() {
+    let control = control::by_name("siemens").expect("a control");
+    let only = |keys: &str| {
+        let mut found = faults(control, keys);
+        assert_eq!(found.len(), 1, "{found:?}");
+        let fault = found.remove(0);
+        (fault.severity, fault.text, fault.help.unwrap_or_default())
+    };
+    let all = "1 ROUGH FACE, 2 Finish Blade, 3 Finish Blade, 4 BOSS";
+    let (severity, text, help) = only("[operations.5]\nmode = 'tcp'\n");
+    assert_eq!(severity, Severity::Error);
+    assert_eq!(text, "`[operations.5]` of the configuration is for no operation of the CL data");
+    assert_eq!(help, format!("the operations are {all}"));
+    let (severity, _, help) = only("[operations.'finish blad']\nmode = 'tcp'\n");
+    assert_eq!((severity, help), (Severity::Error, format!("did you mean `Finish Blade`? The operations are {all}")));
+    // A pattern may serve several programs.
+    let (severity, text, help) = only("[operations.'SEMI*']\nmode = 'tcp'\n");
+    assert_eq!(severity, Severity::Warning);
+    assert_eq!(text, "`[operations.\"SEMI*\"]` of the configuration is for no operation of the CL data");
+    assert_eq!(help, format!("the operations are {all}"));
+    let (program, report) = post_with(&config(control, "[operations.'SEMI*']\nmode = 'tcp'\n"), control, CL);
+    assert!(!report.failed, "{program}");
+}
+
+#[test]
+fn the_header_and_the_summary_state_the_settings_that_differ() {
+    let control = control::by_name("siemens").expect("a control");
+    let keys = "[operations.'finish*']\nmode = 'axes'\nsmoothing = 'finish'\ntolerance = 0.02\n[operations.4]\nmode = 'plane'\n\
+                singular = 'previous'\nlargest_feed = 300\n[operations.1]\nmode = 'axes'\n";
+    let (program, report) = post_with(&config(control, keys), control, CL);
+    for line in [
+        "operations 2 Finish Blade, 3 Finish Blade: smoothing finish, tolerance 0.02 mm",
+        "operation 4 BOSS: mode plane, singular previous, feed at most 300 mm/min",
+    ] {
+        assert!(report.summary().iter().any(|found| found == line), "{:?}", report.summary());
+        assert!(program.contains(line), "{program}");
+    }
+    assert!(!program.contains("operation 1 "), "{program}");
+}
+
+#[test]
+fn settings_hold_for_an_operation_that_is_posted_alone() {
+    let control = control::by_name("haas").expect("a control");
+    let keys = "[operations.1]\nsmoothing = 'rough'\n[operations.2]\nsmoothing = 'finish'\nlargest_feed = 222.0\n";
+    for (first, last) in [(1, 1), (2, 2), (2, 3), (3, 4)] {
+        let mut config = config(control, keys);
+        config.motion.selected = Some(pp_runtime::config::Operations::Range(first, Some(last)));
+        let program = posted(&config, control, CL);
+        let levels = [program.contains("G187 P1"), program.contains("G187 P3")];
+        assert_eq!(levels, [first == 1, first <= 2 && last >= 2], "{program}");
+    }
+}
