@@ -27,13 +27,18 @@ pub fn can_be_simulated() -> bool {
 }
 
 fn has(programs: &[&str]) -> bool {
-    let required = std::env::var_os("PP_REQUIRE_LINUXCNC").is_some_and(|value| value == "1");
     let missing = programs.iter().find(|program| !on_path(program));
     if let Some(missing) = missing {
-        assert!(!required, "PP_REQUIRE_LINUXCNC=1, but {missing} is not installed: install linuxcnc-uspace");
-        println!("skipped: {missing} is not installed (package linuxcnc-uspace)");
+        absent(&format!("{missing} of the package linuxcnc-uspace"));
     }
     missing.is_none()
+}
+
+/// Prints that a test is skipped because something is not there; fails if `PP_REQUIRE_LINUXCNC=1` requires it.
+fn absent(what: &str) {
+    let required = std::env::var_os("PP_REQUIRE_LINUXCNC").is_some_and(|value| value == "1");
+    assert!(!required, "PP_REQUIRE_LINUXCNC=1, but there is not {what}");
+    println!("skipped: there is not {what}");
 }
 
 /// Whether a program is in a folder of `PATH`.

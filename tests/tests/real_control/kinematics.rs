@@ -21,7 +21,7 @@ use pp_runtime::nalgebra;
 use pp_runtime::post::{Job, post};
 use tests::block::distance_to_line;
 use tests::linuxcnc::can_be_simulated;
-use tests::linuxcnc::simulation::{Control, MarkKinematics, Reached, Simulation};
+use tests::linuxcnc::simulation::{Control, Kinematics, MarkKinematics, Reached, Simulation, Tool};
 use tests::oracle::angle_between;
 
 use super::sweep::{cl_data, passes};
@@ -72,17 +72,20 @@ const LENGTH: f64 = 87.25;
 /// Machine coordinate of the zero position: X Y Z of G54, mm.
 const WORK_OFFSET: [f64; 3] = [-35.0, 20.5, -390.0];
 
+/// Acceleration of the axes, mm/s² and deg/s²: so high that a test need not wait.
+const ACCELERATION: f64 = 1e8;
+
 /// Rounding of a word with three decimals, mm.
 const ROUNDED: f64 = 0.5e-3;
 
 /// Tolerance of a tip, mm: three rounded words, and the six decimals of the sampler.
-const TIP: f64 = ROUNDED * 1.733 + 2e-6;
+pub(crate) const TIP: f64 = ROUNDED * 1.733 + 2e-6;
 
 /// Tolerance of a joint that is computed from a rounded tip against a rounded word, mm.
 const JOINT: f64 = TIP + ROUNDED;
 
 /// Tolerance of a tool axis, rad: two angles with four decimals.
-const AXIS: f64 = 0.5e-4 * 1.4143 / 57.295 + 1e-8;
+pub(crate) const AXIS: f64 = 0.5e-4 * 1.4143 / 57.295 + 1e-8;
 
 /// Largest distance, mm, and angle, rad, between a point and the block that goes there: the rounding of its words.
 const PARTNER: (f64, f64) = (TIP, 2e-6);
@@ -119,7 +122,15 @@ fn control<M: Machine>(kinematics: &'static str, letters: &'static str) -> Contr
         }
     };
     let travel = letters.chars().map(travel).collect();
-    Control { kinematics, letters, pins, work_offset: WORK_OFFSET, travel, tool: (1, LENGTH) }
+    Control {
+        kinematics: Kinematics::Module(kinematics, pins),
+        letters,
+        work_offsets: vec![WORK_OFFSET],
+        travel,
+        tools: vec![Tool { number: 1, length: LENGTH, diameter: 10.0 }],
+        acceleration: ACCELERATION,
+        feed_override: 100,
+    }
 }
 
 /// Blocks of a program that are compared, and the positions of the control after them.
@@ -243,11 +254,11 @@ fn larger(one: f64, other: f64) -> f64 {
     if one.is_nan() || other.is_nan() { f64::NAN } else { one.max(other) }
 }
 
-fn largest(differences: impl Iterator<Item = f64>) -> f64 {
+pub(crate) fn largest(differences: impl Iterator<Item = f64>) -> f64 {
     differences.fold(0.0, larger)
 }
 
-fn largest_difference(one: &[f64], other: &[f64]) -> f64 {
+pub(crate) fn largest_difference(one: &[f64], other: &[f64]) -> f64 {
     largest(one.iter().zip(other).map(|(one, other)| (one - other).abs()))
 }
 

@@ -3,5 +3,6 @@
 //! Without LinuxCNC these tests print that they are skipped, and pass; with `PP_REQUIRE_LINUXCNC=1` they fail.
 
 mod interpreter;
+mod job;
 mod kinematics;
 mod sweep;

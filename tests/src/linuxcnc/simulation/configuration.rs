@@ -9,14 +9,13 @@ use std::fs;
 use std::io;
 use std::path::Path;
 
+use super::component::{self, Table};
+
 /// Cycle of the servo thread, ns.
 const SERVO_PERIOD: u32 = 1_000_000;
 
 /// Speed of every axis, mm/s and deg/s: high, so that a test need not wait.
 const SPEED: f64 = 1e5;
-
-/// Acceleration of every axis, mm/s² and deg/s².
-const ACCELERATION: f64 = 1e8;
 
 /// Travel limit of a coordinate without a joint, mm and degrees.
 const UNLIMITED: f64 = 1e5;
@@ -46,21 +45,46 @@ pub(super) fn switch(kinematics: u32) -> String {
     format!("M68 E1 Q{kinematics}\n{PLANNED}M66 E0 L0\n")
 }
 
+/// How many times faster than commanded the spindle turns, so that a thread is cut while a test waits.
+pub const SPINDLE_SCALE: f64 = 4.0;
+
+/// Kinematics of a machine, switched between joints as axes and tip control.
+#[derive(Debug, Clone)]
+pub enum Kinematics {
+    /// A module of LinuxCNC, which must be switchable and have a pin `tool-offset`; its other pins and their values.
+    Module(&'static str, Vec<(&'static str, f64)>),
+    /// A component compiled for one machine, with joints X Y Z B C.
+    Component(Table),
+}
+
+/// A tool of the tool table, mm.
+#[derive(Debug, Clone, Copy)]
+pub struct Tool {
+    /// Number of the tool and of its pocket.
+    pub number: u32,
+    /// Length.
+    pub length: f64,
+    /// Diameter.
+    pub diameter: f64,
+}
+
 /// A machine on the simulated control. mm and degrees.
 #[derive(Debug, Clone)]
 pub struct Control {
-    /// Kinematics module; it must be switchable and have a pin `tool-offset`.
-    pub kinematics: &'static str,
+    /// Its kinematics.
+    pub kinematics: Kinematics,
     /// Axis letters in the order of the joints.
     pub letters: &'static str,
-    /// Pins of the module and their values.
-    pub pins: Vec<(&'static str, f64)>,
-    /// X Y Z of G54, mm.
-    pub work_offset: [f64; 3],
+    /// X Y Z of G54, G55 and so on, mm.
+    pub work_offsets: Vec<[f64; 3]>,
     /// Travel of each joint, lower and upper limit, in the order of the letters.
     pub travel: Vec<[f64; 2]>,
-    /// Number of the only tool, and its length, mm.
-    pub tool: (u32, f64),
+    /// The tool table.
+    pub tools: Vec<Tool>,
+    /// Acceleration of every axis, mm/s² and deg/s².
+    pub acceleration: f64,
+    /// Feed override, percent.
+    pub feed_override: u32,
 }
 
 impl Control {
@@ -69,9 +93,12 @@ impl Control {
         let write = |name: &str, text: String| fs::write(folder.join(name), text);
         write("machine.ini", self.ini(port))?;
         write("machine.hal", self.hal())?;
-        write("tool.tbl", format!("T{0} P{0} Z{1} D10\n", self.tool.0, self.tool.1))?;
-        let [x, y, z] = self.work_offset;
-        write("params.var", format!("5220 1\n5221 {x}\n5222 {y}\n5223 {z}\n"))?;
+        let tool = |tool: &Tool| format!("T{0} P{0} Z{1} D{2}\n", tool.number, tool.length, tool.diameter);
+        write("tool.tbl", self.tools.iter().map(tool).collect())?;
+        write("params.var", self.parameters())?;
+        if let Kinematics::Component(table) = &self.kinematics {
+            component::compile(table, folder)?;
+        }
         for (name, kinematics) in [("m428", 1), ("m429", 0)] {
             // The joints lag the axes by some servo cycles, and the switch uses their momentary positions. At the
             // accelerations of a real machine the error is negligible; at this one it would be tenths of a degree.
@@ -81,10 +108,33 @@ impl Control {
         Ok(())
     }
 
+    /// Work offsets as interpreter parameters: G54 has 5221 to 5229, G55 5241 to 5249, and so on.
+    fn parameters(&self) -> String {
+        let mut parameters = "5220 1\n".to_owned();
+        for (system, offset) in self.work_offsets.iter().enumerate() {
+            for (axis, value) in offset.iter().enumerate() {
+                let _ = writeln!(parameters, "{} {value}", 5221 + 20 * system + axis);
+            }
+        }
+        parameters
+    }
+
+    /// Name of the kinematics module.
+    fn module(&self) -> &'static str {
+        match self.kinematics {
+            Kinematics::Module(module, _) => module,
+            Kinematics::Component(_) => component::MODULE,
+        }
+    }
+
     fn ini(&self, port: u16) -> String {
+        let arguments = match self.kinematics {
+            Kinematics::Module(..) => " sparm=identityfirst",
+            Kinematics::Component(_) => "",
+        };
         let mut ini = format!(
             "[EMC]\nVERSION=1.1\nMACHINE=simulated\nDEBUG=0\n\
-             [DISPLAY]\nDISPLAY=linuxcncrsh --port {port}\n\
+             [DISPLAY]\nDISPLAY=linuxcncrsh --port {port}\nMAX_FEED_OVERRIDE=100\n\
              [RS274NGC]\nPARAMETER_FILE=params.var\nSUBROUTINE_PATH=.\n\
              REMAP=M428 modalgroup=10 ngc=m428\nREMAP=M429 modalgroup=10 ngc=m429\n\
              [EMCMOT]\nEMCMOT=motmod\nSERVO_PERIOD={SERVO_PERIOD}\nCOMM_TIMEOUT=10\n\
@@ -93,16 +143,17 @@ impl Control {
              [EMCIO]\nEMCIO=io\nCYCLE_TIME=0.01\nTOOL_TABLE=tool.tbl\n\
              [TRAJ]\nCOORDINATES={letters}\nLINEAR_UNITS=mm\nANGULAR_UNITS=degree\n\
              DEFAULT_LINEAR_VELOCITY={SPEED}\nMAX_LINEAR_VELOCITY={SPEED}\n\
-             DEFAULT_LINEAR_ACCELERATION={ACCELERATION}\nMAX_LINEAR_ACCELERATION={ACCELERATION}\n\
+             DEFAULT_LINEAR_ACCELERATION={acceleration}\nMAX_LINEAR_ACCELERATION={acceleration}\n\
              DEFAULT_ANGULAR_VELOCITY={SPEED}\nMAX_ANGULAR_VELOCITY={SPEED}\n\
-             [KINS]\nKINEMATICS={kinematics} sparm=identityfirst\nJOINTS={joints}\n",
+             [KINS]\nKINEMATICS={kinematics}{arguments}\nJOINTS={joints}\n",
             letters = self.letters,
-            kinematics = self.kinematics,
+            acceleration = self.acceleration,
+            kinematics = self.module(),
             joints = self.letters.len(),
         );
         for (joint, (letter, [least, most])) in self.letters.chars().zip(&self.travel).enumerate() {
             let kind = if "ABC".contains(letter) { "ANGULAR" } else { "LINEAR" };
-            let speeds = format!("MAX_VELOCITY={SPEED}\nMAX_ACCELERATION={ACCELERATION}\n");
+            let speeds = format!("MAX_VELOCITY={SPEED}\nMAX_ACCELERATION={}\n", self.acceleration);
             let _ = write!(
                 ini,
                 "[AXIS_{letter}]\nMIN_LIMIT=-{UNLIMITED}\nMAX_LIMIT={UNLIMITED}\n{speeds}\
@@ -118,21 +169,25 @@ impl Control {
         let mut hal = format!(
             "loadrt [KINS]KINEMATICS\n\
              loadrt motmod servo_period_nsec={SERVO_PERIOD} num_joints={joints} num_dio=1 num_aio=3\n\
-             loadrt timedelay\n\
+             loadrt timedelay\nloadrt sim_spindle\n\
              loadrt sampler depth=16000 cfg=fb{}\n\
              addf motion-command-handler servo-thread\naddf motion-controller servo-thread\n\
-             addf timedelay.0 servo-thread\naddf sampler.0 servo-thread\n\
+             addf sim-spindle.0 servo-thread\naddf timedelay.0 servo-thread\naddf sampler.0 servo-thread\n\
              net still motion.in-position timedelay.0.in\n\
              net settled timedelay.0.out motion.digital-in-00 sampler.0.pin.1\n\
              setp timedelay.0.on-delay {SETTLING}\nsetp timedelay.0.off-delay 0\n\
              net enable iocontrol.0.user-enable-out iocontrol.0.emc-enable-in\n\
              net prepare iocontrol.0.tool-prepare iocontrol.0.tool-prepared\n\
              net change iocontrol.0.tool-change iocontrol.0.tool-changed\n\
+             setp sim-spindle.0.scale {SPINDLE_SCALE}\nsetp spindle.0.at-speed 1\n\
+             net speed spindle.0.speed-out-rps sim-spindle.0.velocity-cmd\n\
+             net turned sim-spindle.0.position-fb spindle.0.revs\n\
+             net index sim-spindle.0.index-enable spindle.0.index-enable\n\
              net length motion.tooloffset.z {}.tool-offset\n\
              net wanted motion.analog-out-01 motion.switchkins-type\n\
              net mark motion.analog-out-00 sampler.0.pin.0\n",
             "f".repeat(2 * joints),
-            self.kinematics,
+            self.module(),
         );
         for (joint, letter) in self.letters.to_ascii_lowercase().chars().enumerate() {
             let (here, there) = (joint + 2, joint + 2 + joints);
@@ -142,8 +197,10 @@ impl Control {
                  net axis{letter} axis.{letter}.pos-cmd sampler.0.pin.{there}\n"
             );
         }
-        for (pin, value) in &self.pins {
-            let _ = writeln!(hal, "setp {}.{pin} {value}", self.kinematics);
+        if let Kinematics::Module(module, pins) = &self.kinematics {
+            for (pin, value) in pins {
+                let _ = writeln!(hal, "setp {module}.{pin} {value}");
+            }
         }
         let _ = writeln!(hal, "loadusr halsampler -t {SAMPLES}");
         hal

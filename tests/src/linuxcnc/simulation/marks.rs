@@ -30,6 +30,8 @@ pub struct Reached {
     pub joints: Vec<f64>,
     /// Axes by the control's own kinematics, mm and degrees: tip position, with the tool length added to Z.
     pub axes: Vec<f64>,
+    /// Joints in every servo cycle since the position before, mm and degrees.
+    pub way: Vec<Vec<f64>>,
 }
 
 /// The program with a mark after each of `lines`, numbered from `first`.
@@ -66,8 +68,8 @@ struct Sample {
 pub(super) struct Samples {
     file: File,
     rest: String,
-    /// The first sample of each mark, by mark.
-    seen: Vec<Option<Sample>>,
+    /// The samples of each mark, by mark.
+    seen: Vec<Vec<Sample>>,
 }
 
 impl Samples {
@@ -87,24 +89,24 @@ impl Samples {
         let lines: String = self.rest.drain(..whole).collect();
         for sample in lines.lines().filter_map(sample) {
             if self.seen.len() <= sample.mark {
-                self.seen.resize(sample.mark + 1, None);
+                self.seen.resize(sample.mark + 1, Vec::new());
             }
-            let mark = sample.mark;
-            self.seen[mark].get_or_insert(sample);
+            self.seen[sample.mark].push(sample);
         }
         Ok(())
     }
 
-    /// Position reached at a mark.
+    /// Position reached at a mark after the first, number 0.
     pub(super) fn reached(&self, mark: usize, line: usize) -> Result<Reached, String> {
-        let Some(Some(sample)) = self.seen.get(mark) else {
+        let Some(sample) = self.seen.get(mark).and_then(|samples| samples.first()) else {
             return Err(format!("line {line}: the sampler has missed mark {mark}"));
         };
         if !sample.settled {
             return Err(format!("line {line}: the joints have not settled: {sample:?}"));
         }
-        let (joints, axes) = sample.values.split_at(sample.values.len() / 2);
-        Ok(Reached { line, joints: joints.to_vec(), axes: axes.to_vec() })
+        let joints = sample.values.len() / 2;
+        let way = self.seen[mark - 1].iter().map(|sample| sample.values[..joints].to_vec()).collect();
+        Ok(Reached { line, joints: sample.values[..joints].to_vec(), axes: sample.values[joints..].to_vec(), way })
     }
 }
 
@@ -144,7 +146,8 @@ mod tests {
         };
         assert_eq!(write("1 0.0 1 5.0 6.0\n2 0.0 0 5.0 6.0\n3 1.0 1 7.0 8.", &mut samples), 1);
         assert_eq!(write("0\noverrun\n4 1.0 1 7.0 9.0\n5 3.0 0 1.0 1.0\n", &mut samples), 4);
-        assert_eq!(samples.reached(1, 12), Ok(Reached { line: 12, joints: vec![7.0], axes: vec![8.0] }));
+        let way = vec![vec![5.0], vec![5.0]];
+        assert_eq!(samples.reached(1, 12), Ok(Reached { line: 12, joints: vec![7.0], axes: vec![8.0], way }));
         assert!(samples.reached(2, 13).is_err_and(|message| message.contains("missed")));
         assert!(samples.reached(3, 14).is_err_and(|message| message.contains("settled")));
     }

@@ -4,6 +4,7 @@
 //! computer runs one LinuxCNC at a time: a second test waits. The control runs in real time, without real-time
 //! priority.
 
+mod component;
 mod configuration;
 mod marks;
 mod shell;
@@ -18,7 +19,8 @@ use std::time::{Duration, Instant};
 
 use tempfile::TempDir;
 
-pub use configuration::Control;
+pub use component::{Rotation, Table, can_be_loaded};
+pub use configuration::{Control, Kinematics, SPINDLE_SCALE, Tool};
 pub use marks::{MarkKinematics, Reached};
 use marks::{Samples, marked};
 use shell::Shell;
@@ -60,17 +62,18 @@ impl Simulation {
         let alone = alone().map_err(|error| format!("cannot wait for the control: {error}"))?;
         let folder = TempDir::new().map_err(|error| error.to_string())?;
         let port = free_port().map_err(|error| error.to_string())?;
-        let process = control.write(folder.path(), port).and_then(|()| launch(folder.path()));
+        let own = matches!(control.kinematics, Kinematics::Component(_));
+        let process = control.write(folder.path(), port).and_then(|()| launch(folder.path(), own));
         let process = process.map_err(|error| format!("LinuxCNC cannot be started: {error}"))?;
         let joints = control.letters.len();
         let mut simulation = Self { process, shell: None, samples: None, folder, joints, mark: 1, _alone: alone };
-        match simulation.switch_on(port) {
+        match simulation.switch_on(port, control.feed_override) {
             Ok(()) => Ok(simulation),
             Err(error) => Err(simulation.report(&error.to_string())),
         }
     }
 
-    fn switch_on(&mut self, port: u16) -> io::Result<()> {
+    fn switch_on(&mut self, port: u16, feed_override: u32) -> io::Result<()> {
         let deadline = Instant::now() + START;
         let mut shell = loop {
             match Shell::connect(port) {
@@ -91,6 +94,7 @@ impl Simulation {
             }
             sleep(Duration::from_millis(20));
         }
+        shell.command(&format!("set feed_override {feed_override}"))?;
         self.shell = Some(shell);
         self.samples = Some(Samples::open(&self.folder.path().join(configuration::SAMPLES))?);
         Ok(())
@@ -135,8 +139,11 @@ impl Simulation {
                 marks = samples.marks();
                 deadline = Instant::now() + STANDSTILL;
             }
-            if marks >= end && shell.ask("get program_status")? == "PROGRAM_STATUS IDLE" {
-                return Ok(());
+            match shell.ask("get program_status")?.as_str() {
+                "PROGRAM_STATUS IDLE" if marks >= end => return Ok(()),
+                // M0: the operator presses the button.
+                "PROGRAM_STATUS PAUSED" => shell.command("set resume")?,
+                _ => {}
             }
             if Instant::now() > deadline {
                 let seconds = STANDSTILL.as_secs();
@@ -203,13 +210,17 @@ fn free_port() -> io::Result<u16> {
     Ok(TcpListener::bind((Ipv4Addr::LOCALHOST, 0))?.local_addr()?.port())
 }
 
-/// Starts LinuxCNC in a folder that holds its configuration.
-fn launch(folder: &Path) -> io::Result<Child> {
+/// Starts LinuxCNC in a folder that holds its configuration. `own`: and its kinematics.
+fn launch(folder: &Path, own: bool) -> io::Result<Child> {
     let log = File::create(folder.join("log"))?;
     // As root the real-time part runs as the user `nobody`, which must be able to create its socket.
     Command::new("chmod").arg("a+rwx").arg(folder).status()?;
     let mut command = Command::new("timeout");
-    command.args(["--kill-after=20", LIFETIME, "linuxcnc", "-r"]).arg(folder.join("machine.ini"));
+    command.args(["--kill-after=20", LIFETIME]);
+    if own {
+        component::in_place(&mut command, folder);
+    }
+    command.args(["linuxcnc", "-r"]).arg(folder.join("machine.ini"));
     command.current_dir(folder).env("HOME", folder).env_remove("DISPLAY");
     if is_root()? {
         command.env("RTAPI_UID", "65534").env("RTAPI_FIFO_PATH", folder.join("rtapi_fifo"));

@@ -1,0 +1,82 @@
+//! Kinematics of a machine that LinuxCNC has no module for: `table.c`, compiled for that machine.
+//!
+//! LinuxCNC loads modules from its own folder only. In a mount namespace of its own it sees the component there, in place
+//! of `userkins`, the module that it has for kinematics of one's own; nobody else does.
+
+use std::io;
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+use super::super::absent;
+
+/// The module whose place the component takes.
+pub(super) const MODULE: &str = "userkins";
+
+/// The component's file in the folder of the configuration.
+const FILE: &str = "component.so";
+
+/// Folder of the modules.
+const MODULES: &str = "/usr/lib/linuxcnc/modules";
+
+/// A rotation of the table, right-handed.
+#[derive(Debug, Clone, Copy)]
+pub struct Rotation {
+    /// Direction in which a positive angle turns the tool about the workpiece, unit vector.
+    pub direction: [f64; 3],
+    /// A point of the centre line in machine coordinates, mm.
+    pub point: [f64; 3],
+}
+
+/// A table of two rotary axes: C carries the workpiece, B carries C.
+#[derive(Debug, Clone, Copy)]
+pub struct Table {
+    /// Rotation by B.
+    pub b: Rotation,
+    /// Rotation by C, with B at zero.
+    pub c: Rotation,
+}
+
+/// Whether a component can be compiled and put in place; if not, prints that the test is skipped.
+///
+/// # Panics
+/// If it cannot, and `PP_REQUIRE_LINUXCNC=1` requires it.
+#[must_use]
+pub fn can_be_loaded() -> bool {
+    let runs = |program: &str, argument: &[&str]| {
+        let output = Command::new(program).args(argument).stdout(Stdio::null()).stderr(Stdio::null()).status();
+        output.is_ok_and(|status| status.success())
+    };
+    let missing = if !runs("cc", &["--version"]) {
+        "a C compiler, `cc`"
+    } else if !runs("unshare", &["--mount", "true"]) {
+        "the permission for a mount namespace, `unshare --mount`"
+    } else {
+        return true;
+    };
+    absent(missing);
+    false
+}
+
+/// Compiles the component into a folder.
+pub(super) fn compile(table: &Table, folder: &Path) -> io::Result<()> {
+    let source = folder.join("table.c");
+    std::fs::write(&source, include_str!("table.c"))?;
+    let mut command = Command::new("cc");
+    command.args(["-shared", "-fPIC", "-O2", "-Wall", "-Wextra", "-Werror"]);
+    for (letter, rotation) in [('B', &table.b), ('C', &table.c)] {
+        let numbers = |[x, y, z]: [f64; 3]| format!("{{{x:?}, {y:?}, {z:?}}}");
+        command.arg(format!("-D{letter}_DIRECTION={}", numbers(rotation.direction)));
+        command.arg(format!("-D{letter}_POINT={}", numbers(rotation.point)));
+    }
+    let output = command.arg("-o").arg(folder.join(FILE)).arg(source).arg("-lm").output()?;
+    if output.status.success() {
+        return Ok(());
+    }
+    Err(io::Error::other(String::from_utf8_lossy(&output.stderr).into_owned()))
+}
+
+/// The beginning of a command that sees the component of a folder in place of the module.
+pub(super) fn in_place(command: &mut Command, folder: &Path) {
+    let script = format!("mount --bind \"$0\" {MODULES}/{MODULE}.so && exec \"$@\"");
+    command.args(["unshare", "--mount", "sh", "-c", &script]).arg(folder.join(FILE));
+}
