@@ -6,7 +6,10 @@ use super::permitted::Permitted;
 use crate::cl::record::CycleState;
 use crate::cl::text::{ClFault, Span};
 use crate::kinematics::Pose;
-use crate::nalgebra::Point3;
+use crate::nalgebra::{Point3, UnitVector3};
+
+/// Largest difference of two tool axes that are the same: that of their digits.
+const SAME_AXIS: f64 = 1e-6;
 
 /// The cycle that is active, or that CYCLE/ON can resume.
 #[derive(Debug, Default)]
@@ -16,8 +19,20 @@ pub(crate) struct CycleInForce {
     definition: Option<HoleDefinition>,
     /// CYCLE/INIT (true) or CYCLE/CLEAR (false) for the next cycle.
     initial: Option<bool>,
-    /// Position of the tool when the cycle began or was resumed.
+    /// Position of the tool when the cycle began or was resumed; with another tool axis, the point as high above the hole
+    /// with which that axis began.
     before: Option<Point3<f64>>,
+    /// The holes of the cycle so far.
+    made: Option<HolesMade>,
+}
+
+/// Holes that a cycle has made, for an initial level that counts along the axis of each hole.
+#[derive(Debug, Clone, Copy)]
+struct HolesMade {
+    /// Tool axis of the last hole.
+    axis: UnitVector3<f64>,
+    /// Initial level above the first hole, mm.
+    first_mm: f64,
 }
 
 impl CycleInForce {
@@ -63,7 +78,7 @@ impl CycleInForce {
         at: Span,
     ) -> Result<(), ClFault> {
         self.active = true;
-        self.before = before;
+        (self.before, self.made) = (before, None);
         if definition.return_level == ReturnLevel::Initial && before.is_none() {
             return Err(ClFault::new(
                 "CYCLE",
@@ -98,26 +113,34 @@ impl CycleInForce {
         (self.definition, self.initial) = (None, None);
     }
 
-    /// Level to which the tool returns after a hole, mm above its top.
-    pub(crate) fn return_level(&self, cycle: &HoleDefinition, top: &Pose, at: Span) -> Result<f64, ClFault> {
+    /// Level to which the tool returns after a hole, mm above its top. The initial level is a plane across the tool axis; with
+    /// another tool axis it is as high above the first hole there as it was above the first hole of the cycle.
+    pub(crate) fn return_level(&mut self, cycle: &HoleDefinition, top: &Pose, at: Span) -> Result<f64, ClFault> {
         match cycle.return_level {
             ReturnLevel::Clearance => Ok(cycle.clearance_mm),
             ReturnLevel::Level(level) => Ok(level),
-            ReturnLevel::Initial => {
-                let before = self.before.unwrap_or(top.tip);
-                let level = (before - top.tip).dot(&top.axis);
-                if level < cycle.clearance_mm - ARC_TOLERANCE_MM {
-                    return Err(ClFault::new(
-                        "CYCLE",
-                        at,
-                        format!(
-                            "the level before the cycle lies {level:.4} mm above this hole, below its clearance level"
-                        ),
-                        "retract further before the cycle, or program a return level",
-                    ));
-                }
-                Ok(level.max(cycle.clearance_mm))
-            }
+            ReturnLevel::Initial => self.initial_level(cycle.clearance_mm, top, at),
         }
+    }
+
+    fn initial_level(&mut self, clearance_mm: f64, top: &Pose, at: Span) -> Result<f64, ClFault> {
+        let axis = top.axis;
+        if let Some(HolesMade { axis: last, first_mm }) = self.made
+            && (axis.into_inner() - last.into_inner()).norm() > SAME_AXIS
+        {
+            self.before = Some(top.tip + axis.into_inner() * first_mm);
+        }
+        let before = self.before.unwrap_or(top.tip);
+        let level = (before - top.tip).dot(&axis);
+        if level < clearance_mm - ARC_TOLERANCE_MM {
+            return Err(ClFault::new(
+                "CYCLE",
+                at,
+                format!("the level before the cycle lies {level:.4} mm above this hole, below its clearance level"),
+                "retract further before the cycle, or program a return level",
+            ));
+        }
+        self.made = Some(HolesMade { axis, first_mm: self.made.map_or(level, |made| made.first_mm) });
+        Ok(level.max(clearance_mm))
     }
 }

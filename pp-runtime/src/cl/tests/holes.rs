@@ -70,6 +70,24 @@ fn solidworks_counts_fedto_down_and_states_the_return_level() {
 }
 
 #[test]
+fn the_level_before_a_cycle_counts_along_the_axis_of_each_hole() {
+    let returns = |points: &str| -> Vec<String> {
+        let text = format!(
+            "{NX}MULTAX/ON\nRAPID\nGOTO/60,0,0,1,0,0\nCYCLE/DRILL,RAPTO,3,FEDTO,-5,RTRCTO,AUTO,MMPM,100\n{points}CYCLE/OFF\n"
+        );
+        let holes = events_without_places(&text, mm()).into_iter().filter(|event| event.starts_with("hole"));
+        holes
+            .map(|hole| hole.split(" to ").nth(1).and_then(|rest| rest.split(' ').next()).expect("a level").to_owned())
+            .collect()
+    };
+    let around = "GOTO/40,0,0,1,0,0\nGOTO/0,40,0,0,1,0\nGOTO/-40,0,0,-1,0,0\nGOTO/0,-40,0,0,-1,0\n";
+    assert_eq!(returns(around), ["20", "20", "20", "20"]);
+    // One plane for all holes along the same axis, whatever their height.
+    let stepped = "GOTO/40,0,0,1,0,0\nGOTO/45,9,0,1,0,0\nGOTO/0,40,0,0,1,0\nGOTO/9,50,0,0,1,0\nGOTO/30,0,0,1,0,0\n";
+    assert_eq!(returns(stepped), ["20", "15", "20", "10", "20"]);
+}
+
+#[test]
 fn a_cycle_that_would_not_make_the_hole_is_refused() {
     let nx = |cycle: &str| {
         let found = errors(&format!("{NX}CYCLE/{cycle}\nGOTO/1,0,0\nGOTO/2,0,0\nCYCLE/OFF\n"));
