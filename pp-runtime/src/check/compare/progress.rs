@@ -224,7 +224,7 @@ impl<'a, R: Read> ClProgress<'a, R> {
     }
 
     /// Point of the approach to a motion ahead: above it by the approach distance, or the point itself where the next motion
-    /// leads straight down from it.
+    /// leads straight down from it and not into a hole.
     pub(super) fn approach_point(&self, index: usize, first: &ClMotion, approach_mm: f64) -> ToolPose {
         let next = (index + 1..).map_while(|index| self.get(index)).find_map(|item| match &item.action {
             ExpectedAction::Motion(motion) => Some((!motion.starts).then_some(motion)),
@@ -239,7 +239,8 @@ impl<'a, R: Read> ClProgress<'a, R> {
             line && along < 0.0 && across <= ON_LINE && (next.to.axis - first.to.axis).norm() <= SAME_AXIS
         });
         if first.rapid && below {
-            return first.to;
+            let hole = self.get(index).and_then(|item| item.hole);
+            return hole.and_then(|expected| expected.approach_point(&first.to, approach_mm)).unwrap_or(first.to);
         }
         ToolPose { tip: first.to.tip + first.to.axis * approach_mm, axis: first.to.axis }
     }

@@ -1,6 +1,6 @@
 //! The motions of a hole, level by level.
 
-use super::super::geometry::angle_between;
+use super::super::geometry::{ToolPose, angle_between, tool_pose};
 use crate::kinematics::Pose;
 use crate::program::{Drilling, Dwell, Hole, Move};
 
@@ -19,6 +19,17 @@ pub(crate) struct ExpectedHole {
     /// Number of the hole: its motions have the same number.
     pub(crate) number: u64,
     pub(crate) hole: Hole,
+}
+
+impl ExpectedHole {
+    /// Where an approach ends whose first motion leads to `to`, the clearance level: on the return level, and not below the
+    /// approach distance; `None` if the motion leads elsewhere.
+    pub(crate) fn approach_point(&self, to: &ToolPose, approach_mm: f64) -> Option<ToolPose> {
+        let hole = &self.hole;
+        let level = hole.return_mm.max(hole.clearance_mm + approach_mm);
+        let leads_over = (to.tip - tool_pose(&hole.level(hole.clearance_mm)).tip).norm() <= SAME_LEVEL;
+        leads_over.then(|| tool_pose(&hole.level(level)))
+    }
 }
 
 /// One step of a hole by motions.

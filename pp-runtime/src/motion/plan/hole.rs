@@ -81,7 +81,8 @@ impl<S: Sink> HoleRun<'_, '_, S> {
     fn run(&mut self, index: MotionIndex) -> Planned {
         let over = self.hole.rapid_to_clearance();
         let bottom = Move { pose: self.hole.level(-self.hole.depth_mm), rapid: false, feed: self.hole.feed };
-        let ahead = MotionAndNext { motion: &over, next: Next::Motion(bottom.pose) };
+        let above = Some(self.hole.level(self.approach_level()));
+        let ahead = MotionAndNext { motion: &over, next: Next::Motion(bottom.pose), above };
         if index.begins == Begins::Nothing {
             self.reach(ahead, index)?;
         } else {
@@ -105,6 +106,12 @@ impl<S: Sink> HoleRun<'_, '_, S> {
             }
             Err(_) => self.run_by_motions(),
         }
+    }
+
+    /// Level at which the safe sequence ends, mm above the top: the return level, and not below the approach distance.
+    fn approach_level(&self) -> f64 {
+        let hole = self.hole;
+        hole.return_mm.max(hole.clearance_mm + self.planner.policy.options.approach.distance_mm)
     }
 
     /// Rotates the rotary axes for the hole; a tool below the clearance level is lifted to it.
@@ -133,7 +140,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
 
     /// A motion along the hole, without rotation.
     fn go(&mut self, motion: &Move) -> Planned {
-        self.planner.go(MotionAndNext { motion, next: Next::None }, None)
+        self.planner.go(MotionAndNext::new(motion, Next::None), None)
     }
 
     /// A rapid to a level of the hole.

@@ -92,6 +92,15 @@ pub struct Planner<'a, S> {
 pub(crate) struct MotionAndNext<'m> {
     motion: &'m Move,
     next: Next,
+    /// Where the safe sequence ends, if it does not lead to the end of the motion: above a hole.
+    above: Option<Pose>,
+}
+
+impl<'m> MotionAndNext<'m> {
+    /// A motion to which a safe sequence leads as to any other.
+    pub(crate) fn new(motion: &'m Move, next: Next) -> Self {
+        Self { motion, next, above: None }
+    }
 }
 
 impl<'a, S: Sink> Planner<'a, S> {
@@ -446,7 +455,7 @@ impl<S: Sink> Stage for Planner<'_, S> {
                 self.mover.output_mut().serve(at, why);
                 self.mover.begin_motion(part == LinePart::Whole);
                 let suits = if part == LinePart::CurveStart { self.cutter.check_curve() } else { Ok(()) };
-                suits.map_err(ItemError::from).and_then(|()| self.line(MotionAndNext { motion, next }, index))
+                suits.map_err(ItemError::from).and_then(|()| self.line(MotionAndNext::new(motion, next), index))
             }
             ItemAction::Arc { arc, index } => {
                 self.mover.output_mut().serve(at, BlockReason::Record);

@@ -228,7 +228,7 @@ impl<S: Sink> Planner<'_, S> {
         let here = *self.mover.here();
         let words = self.mover.placer().rotary_words_of(&here.words);
         let back = Move { pose: here.pose, ..*cut };
-        self.index(MotionAndNext { motion: &back, next: Next::None }, Some(RotaryTarget { words, sense: None }))
+        self.index(MotionAndNext::new(&back, Next::None), Some(RotaryTarget { words, sense: None }))
     }
 
     /// Whether an operation may continue from the end of the last one.
@@ -250,7 +250,7 @@ impl<S: Sink> Planner<'_, S> {
 
     /// Steps 4 to 8.
     fn approach(&mut self, ahead: MotionAndNext<'_>, planned: Option<RotaryTarget>) -> Planned {
-        let first = ahead.motion;
+        let first = &Move { pose: ahead.above.unwrap_or(ahead.motion.pose), ..*ahead.motion };
         self.mover.begin_approach();
         let place = self.mover.place(&first.pose, false, planned)?;
         let (place, frame) = self.mover.framed_at(place)?;
