@@ -42,19 +42,27 @@ pub struct Table {
 /// If it cannot, and `PP_REQUIRE_LINUXCNC=1` requires it.
 #[must_use]
 pub fn can_be_loaded() -> bool {
-    let runs = |program: &str, argument: &[&str]| {
-        let output = Command::new(program).args(argument).stdout(Stdio::null()).stderr(Stdio::null()).status();
+    let runs = |program: &str, arguments: &[&str]| {
+        let output = Command::new(program).args(arguments).stdout(Stdio::null()).stderr(Stdio::null()).status();
         output.is_ok_and(|status| status.success())
     };
     let missing = if !runs("cc", &["--version"]) {
         "a C compiler, `cc`"
-    } else if !runs("unshare", &["--mount", "true"]) {
-        "the permission for a mount namespace, `unshare --mount`"
+    } else if !runs("unshare", &[&namespace()[..], &["true"]].concat()) {
+        "the permission for a mount namespace (unshare --mount)"
     } else {
         return true;
     };
     absent(missing);
     false
+}
+
+/// Arguments of `unshare` for a mount namespace; who is not root has the right to mount in a user namespace of their own.
+fn namespace() -> Vec<&'static str> {
+    match super::is_root() {
+        Ok(true) => vec!["--mount"],
+        Ok(false) | Err(_) => vec!["--map-current-user", "--keep-caps", "--mount"],
+    }
 }
 
 /// Compiles the component into a folder.
@@ -78,5 +86,5 @@ pub(super) fn compile(table: &Table, folder: &Path) -> io::Result<()> {
 /// The beginning of a command that sees the component of a folder in place of the module.
 pub(super) fn in_place(command: &mut Command, folder: &Path) {
     let script = format!("mount --bind \"$0\" {MODULES}/{MODULE}.so && exec \"$@\"");
-    command.args(["unshare", "--mount", "sh", "-c", &script]).arg(folder.join(FILE));
+    command.arg("unshare").args(namespace()).args(["sh", "-c", &script]).arg(folder.join(FILE));
 }

@@ -276,3 +276,19 @@ impl Element {
         if y < 0.0 { ends } else { (point - on_circle).norm() }
     }
 }
+
+#[test]
+fn an_axis_that_moves_at_a_switch_is_found() {
+    let end = Pose { tip: Point3::origin(), axis: Vector3::z_axis() };
+    let line = |moved| Line {
+        number: 7,
+        text: "M428".to_owned(),
+        motion: "G0".to_owned(),
+        way: Vec::new(),
+        end,
+        moved,
+        operation: "BLADE".to_owned(),
+    };
+    assert_eq!(compare(&[line(0.0)], &[]).1, Vec::<String>::new());
+    assert_eq!(compare(&[line(0.0), line(0.01)], &[]).1, ["line 7: 0.01 at the switch"]);
+}
