@@ -257,7 +257,7 @@ mod tests {
             ("größe?", "größe1", true),
         ];
         for (pattern, text, expected) in cases {
-            assert_eq!(matches(pattern, &text), expected, "{pattern} {text}");
+            assert_eq!(matches(pattern, text), expected, "{pattern} {text}");
         }
     }
 
