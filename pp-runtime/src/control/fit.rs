@@ -250,6 +250,7 @@ pub fn abilities(control: &dyn Control, demands: Demands<'_>) -> Abilities {
         vectors_take_arc_words: vectors_take_arc_words(codes),
         arc_radius_tolerance_mm: codes.arcs.radius_tolerance_mm,
         smooths: !codes.smoothing[0].is_empty(),
+        helix_by_angle: codes.arcs.centre == ArcCentre::Pole,
         tip: tip_ability(control, demands),
         plane: codes.plane.as_ref().filter(|_| demands.options.has(ControlFunction::Planes)).map(|plane| {
             PlaneAbility {

@@ -65,6 +65,17 @@ pub struct Circle {
     pub rise: i64,
 }
 
+impl Circle {
+    /// Distance, in units, of the end of an arc that is programmed by its angle from the end of its words; `offset`: the
+    /// same at its start.
+    pub(crate) fn drift(&self, offset: [f64; 2], end: [i64; 2]) -> [f64; 2] {
+        let (sine, cosine) = if self.clockwise { -self.sweep_rad } else { self.sweep_rad }.sin_cos();
+        let from_centre = |point: [i64; 2], axis: usize| (point[axis] - self.centre[axis]) as f64;
+        let [x, y] = [0, 1].map(|axis| from_centre(self.start, axis) + offset[axis]);
+        [x * cosine - y * sine - from_centre(end, 0), x * sine + y * cosine - from_centre(end, 1)]
+    }
+}
+
 /// The circle of the CL data in its plane.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct NominalCircle {

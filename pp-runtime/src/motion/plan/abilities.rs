@@ -45,6 +45,8 @@ pub struct Abilities {
     pub arc_radius_tolerance_mm: f64,
     /// Smoothing has levels, with codes that switch it on and off.
     pub smooths: bool,
+    /// A helix is programmed by its angle: it ends where its rounded centre leads.
+    pub helix_by_angle: bool,
     /// Tip control, if the control has it.
     pub tip: Option<TipAbility>,
     /// Tilted planes, if the control has them.

@@ -31,6 +31,10 @@ const MOST_REVOLUTIONS: f64 = 1e6;
 /// Largest displacement of an end in its plane by rounding, units: half the diagonal of a square.
 const ROUNDED: f64 = 0.7072;
 
+/// Largest distance, in units, between the end of an arc by its angles and the end of its words: more than rounding of
+/// one centre explains is an accumulation over pieces, which the next motion would begin with.
+const MOST_DRIFT: f64 = 2.0;
+
 /// Excess over whole revolutions that is rounding of arithmetic, revolutions.
 const WHOLE: f64 = 1e-9;
 
@@ -209,15 +213,25 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
 
     /// Whether all pieces stay within tolerance.
     fn can_be_written(&mut self, in_program: &ArcInProgram, cuts: Cuts) -> Result<bool, Fault> {
-        let mut from = *self.planner.mover.here();
+        let (mut from, mut drift) = (*self.planner.mover.here(), [0.0; 2]);
         for piece in 1..=cuts.pieces {
             let to = self.piece_end(cuts.end(piece))?;
-            if self.circle(in_program, cuts.share(piece), &from, &to).is_none() {
+            let Some(circle) = self.circle(in_program, cuts.share(piece), (&from, drift), &to) else {
                 return Ok(false);
-            }
+            };
+            drift = self.drift(&circle, drift, &to);
             from = to;
         }
-        Ok(true)
+        Ok(drift[0].hypot(drift[1]) <= MOST_DRIFT)
+    }
+
+    /// Distance between the end of a piece and the end of its words, in units.
+    fn drift(&self, circle: &Circle, before: [f64; 2], to: &AxisPosition) -> [f64; 2] {
+        if circle.rise == 0 || !self.planner.abilities.helix_by_angle {
+            return [0.0; 2];
+        }
+        let (to, [first, second, _]) = (self.planner.mover.placer().written(to), circle.plane.axes());
+        circle.drift(before, [to[circle.chain[first]], to[circle.chain[second]]])
     }
 
     /// The place at a part of the arc, with the rotary axes at their present angles.
@@ -226,8 +240,15 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         self.planner.mover.shifted(self.round.tip(part), &here)
     }
 
-    /// The words of one piece, `share` of the arc, if they stay within tolerance.
-    fn circle(&self, in_program: &ArcInProgram, share: f64, from: &AxisPosition, to: &AxisPosition) -> Option<Circle> {
+    /// The words of one piece, `share` of the arc, if they stay within tolerance. `drift`: distance of its start from the
+    /// start of its words, in units.
+    fn circle(
+        &self,
+        in_program: &ArcInProgram,
+        share: f64,
+        (from, drift): (&AxisPosition, [f64; 2]),
+        to: &AxisPosition,
+    ) -> Option<Circle> {
         let (placer, tolerance) = (self.planner.mover.placer(), self.planner.mover.tolerance().tip_mm);
         let (from, to) = (placer.written(from), placer.written(to));
         let ArcInProgram { plane, chain, nominal, lean_mm } = *in_program;
@@ -243,7 +264,8 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         let height = |deviation: CircleDeviation| {
             lean_mm + 0.5 * unit + self.round.slope().abs() * (2.0 * deviation.centre_mm + ROUNDED * unit)
         };
-        let within = |deviation: CircleDeviation| deviation.plane_mm.hypot(height(deviation)) <= tolerance;
+        let drifted = unit * drift[0].hypot(drift[1]);
+        let within = |deviation: CircleDeviation| deviation.plane_mm.hypot(height(deviation)) + drifted <= tolerance;
         if !within(fit.deviation)
             || placer.too_large([fit.centre[0] - start[0], fit.centre[1] - start[1]], [first, second])
         {
@@ -285,6 +307,7 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
             BlockReason::Record
         });
         let mask = in_program.chain.iter().fold(0, |mask, axis| mask | 1 << axis);
+        let mut drift = [0.0; 2];
         for piece in 1..=cuts.pieces {
             let share = cuts.share(piece);
             let length = self.round.length() * share;
@@ -293,10 +316,11 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
             let motion = FeedMotion::linear(length, axis_time_min);
             let pace = mover.feeds().pace(rate, motion)?;
             let to = self.piece_end(cuts.end(piece))?;
-            let circle = self.circle(in_program, share, self.planner.mover.here(), &to);
+            let circle = self.circle(in_program, share, (self.planner.mover.here(), drift), &to);
             let (Some(circle), FeedWord::PerMinute(feed)) = (circle, pace.feed) else {
                 return Err(Fault::new("an arc within tolerance cannot be written").into());
             };
+            drift = self.drift(&circle, drift, &to);
             let mover = &mut self.planner.mover;
             mover.output_mut().feed(&pace, None);
             let words = AxisWords { vector: None, ..mover.placer().words(&to, mask) };
