@@ -18,6 +18,9 @@ use super::rapid::{RapidPart, RapidRules, is_on_line, rollover_travel};
 use super::{Comparison, Current, Findings, Previous, retract};
 use crate::program::{Drilling, Feed, Location};
 
+/// Largest number of motions ahead without a block that are looked through for the one that a block begins.
+const MOST_NEEDLESS: usize = 16;
+
 impl<R: Read> Comparison<'_, R> {
     /// A block at the part without an approach.
     pub(super) fn astray(&mut self, phase: &mut Phase, current: &Current<'_>) -> io::Result<Option<Phase>> {
@@ -83,6 +86,17 @@ impl<R: Read> Comparison<'_, R> {
         Ok(None)
     }
 
+    /// Number of motions ahead that need no block; the item after them is known.
+    fn needless_ahead(&mut self, here: Option<ToolPose>) -> io::Result<usize> {
+        let mut count = 0;
+        self.progress.fill(2)?;
+        while count < MOST_NEEDLESS && self.is_needless(count, here) {
+            count += 1;
+            self.progress.fill(count + 1)?;
+        }
+        Ok(count)
+    }
+
     /// Whether the words of a block are those before it.
     fn stays(&self, block: &Block) -> bool {
         let Previous { words, known, .. } = &self.previous;
@@ -115,6 +129,7 @@ impl<R: Read> Comparison<'_, R> {
             self.pass_over(Some(&mut cutting.perhaps_retract));
             self.progress.fill(2)?;
         }
+        self.needless_ahead(cutting.here)?;
         if self.is_rest(cutting, current.block, end) {
             return Ok(true);
         }
@@ -392,7 +407,7 @@ impl<R: Read> Comparison<'_, R> {
     /// Whether a block is the rest of a finished motion: a step of one unit, or near the pole a rotation of the rotary axes, by
     /// half a revolution at most, where the tool axis is at its end already.
     fn is_rest(&self, cutting: &mut Cutting, block: &Block, end: &ToolPose) -> bool {
-        let rules = &self.rules;
+        let (rules, here) = (&self.rules, cutting.here);
         let Some(finished) = cutting.finished.as_mut().filter(|_| rules.is_known(block, self.previous.known)) else {
             return false;
         };
@@ -416,10 +431,15 @@ impl<R: Read> Comparison<'_, R> {
         let begins_next = || match self.progress.next().map(|item| &item.action) {
             Some(ExpectedAction::Dwell { .. }) => self.rotates(block),
             Some(ExpectedAction::Motion(_)) if changes() && self.rotates(block) => true,
-            Some(ExpectedAction::Motion(next)) => {
-                off(&next.to) < off(&segment.to)
-                    && rules.is_at(end, &next.to)
-                    && rules.moved(before, self.previous.known, block) == 0
+            // Before that motion there may be others that need no block.
+            Some(ExpectedAction::Motion(_)) => {
+                let needless = (0..MOST_NEEDLESS).take_while(|index| self.is_needless(*index, here)).count();
+                let mut motions = (0..=needless).filter_map(|index| match &self.progress.get(index)?.action {
+                    ExpectedAction::Motion(motion) => Some(&motion.to),
+                    _ => None,
+                });
+                rules.moved(before, self.previous.known, block) == 0
+                    && motions.any(|to| off(to) < off(&segment.to) && rules.is_at(end, to))
             }
             _ => false,
         };
