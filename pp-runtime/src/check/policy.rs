@@ -237,7 +237,7 @@ pub struct FeedPolicy {
     pub shortest_block_s: f64,
     /// Speed of rotary axes where the tip rests, rad/min.
     pub reorient_rad_per_min: f64,
-    /// All axes of a rapid under tip control arrive together, if that is not as the control is delivered.
+    /// All axes of a rapid arrive together, if that is not as the control is delivered.
     pub rapids_interpolated: Option<bool>,
 }
 

@@ -86,7 +86,8 @@ options! {
         /// Without it a setting of the control decides (Fanuc: parameter 19604#0), which must be the same.
         posture_word: bool = true, key("control.posture_word", YesNo);
         /// Rapids are interpolated: all axes arrive together (Fanuc: parameter 1401#1; Siemens: RTLION). Links and the check
-        /// of travel limits use this. Without it as the control is delivered: together on LinuxCNC, Siemens and Heidenhain.
+        /// of travel limits and clearance geometry use this. Without it as the control is delivered: together on LinuxCNC,
+        /// Siemens and Heidenhain.
         linear_rapids: Option<bool> = None, key("control.linear_rapids", YesNo, "true");
         /// Write every word in every block, modal words included.
         every_word: bool = false, key("control.every_word", YesNo);

@@ -9,6 +9,7 @@
 //! between cuts. A block that carries out nothing is reported, and the place at which the program continues is looked for
 //! among the motions ahead.
 
+mod clear;
 mod cutting;
 mod functions;
 mod hole;
@@ -66,6 +67,8 @@ struct Previous {
     words: [f64; MAX_AXES],
     /// Axes whose words are known: bits.
     known: u16,
+    /// Those whose words have had the same meaning since: bits.
+    same_meaning: u16,
     /// Chords of the arcs by their angle since the words gave the position in their plane, in diameters.
     chords: f64,
     /// Plane of the last arc of the operation.
@@ -191,6 +194,7 @@ impl<R: Read> Comparison<'_, R> {
         let moved = self.rules.moved(&self.previous.words, self.previous.known, block);
         let fault = self.functions.clamps(block, moved, &self.rules, at_part);
         self.found_any(current, fault);
+        let keep_out = self.keep_out(phase, block);
         let next = match (task, &mut *phase) {
             (Task::MachineCoordinates, phase) => self.machine_coordinates(phase, current)?,
             (Task::ReferencePoint, phase) => {
@@ -212,6 +216,9 @@ impl<R: Read> Comparison<'_, R> {
             }
             _ => None,
         };
+        if let Some(keep_out) = keep_out {
+            self.stays_out(&keep_out, current);
+        }
         self.follow_arcs(block);
         if matches!(block.action, Action::Machine | Action::Reference) {
             self.travel.machine_block(&self.rules, block);
@@ -220,12 +227,14 @@ impl<R: Read> Comparison<'_, R> {
             let before = (&self.previous.words, self.previous.known);
             self.travel.block(&self.rules, before, block, findings);
         }
-        (self.previous.words, self.previous.known) = (block.values, block.known);
+        self.previous.words = block.values;
+        (self.previous.known, self.previous.same_meaning) = (block.known, block.known);
         Ok(next)
     }
 
     /// A block that moves nothing.
     fn standing(&mut self, task: Task, phase: &mut Phase, current: &Current<'_>) -> io::Result<Option<Phase>> {
+        self.previous.same_meaning &= current.block.known;
         match (task, &current.block.action) {
             (Task::ToolChange, _) => self.tool_change(phase, current).map(Some),
             (Task::Dwell, Action::Dwell(seconds)) => self.dwell(phase, *seconds, current).map(|()| None),

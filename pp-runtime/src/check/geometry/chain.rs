@@ -35,6 +35,43 @@ pub(crate) struct ToolPose {
     pub(crate) axis: Vector3<f64>,
 }
 
+/// Tip positions of a box of axis values.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct TipRegion {
+    /// Tip in the middle of the box, mm.
+    pub(crate) tip: Vector3<f64>,
+    /// Its change with each axis value, mm per mm or rad.
+    rates: [Vector3<f64>; MAX_AXES],
+    /// Half the edges of the box, mm and rad.
+    by: [f64; MAX_AXES],
+    /// Largest distance of a tip from the position that the rates give, mm.
+    pub(crate) bend_mm: f64,
+    /// Share of each axis in it, mm; a motion of two axes counts for both.
+    bends_mm: [f64; MAX_AXES],
+}
+
+impl TipRegion {
+    /// Largest distance of a tip from the middle along a unit vector, against it, mm.
+    pub(crate) fn extent_mm(&self, direction: &Vector3<f64>) -> f64 {
+        let along = self.rates.iter().zip(&self.by).map(|(rate, by)| rate.dot(direction).abs() * by);
+        along.sum::<f64>() + self.bend_mm
+    }
+
+    /// The axis whose motion in the box moves the tip farthest.
+    pub(crate) fn widest(&self) -> usize {
+        largest(|index| self.rates[index].norm() * self.by[index])
+    }
+
+    /// The axis whose motion in the box bends the path of the tip most.
+    pub(crate) fn most_bent(&self) -> usize {
+        largest(|index| self.bends_mm[index])
+    }
+}
+
+fn largest(value: impl Fn(usize) -> f64) -> usize {
+    (0..MAX_AXES).max_by(|a, b| value(*a).total_cmp(&value(*b))).unwrap_or(0)
+}
+
 impl Chain {
     pub(crate) fn of(machine: &dyn AnyMachine) -> Self {
         let link = |index: usize| {
@@ -62,6 +99,35 @@ impl Chain {
             }
         }
         ToolPose { tip, axis }
+    }
+
+    /// Tip positions of the axis values around `values`, each by `by` or less on its own, mm and rad.
+    ///
+    /// A rotation by `δ` about `n` moves `a + L`, `a` the arm and `L` what the axes nearer the tool add, by `δ·n×a` and, apart
+    /// from that, by `|δ|·|n×L| + δ²/2·(|n×a| + |n×L|)` at most.
+    pub(crate) fn around(&self, values: &[f64; MAX_AXES], by: &[f64; MAX_AXES]) -> TipRegion {
+        let (mut tip, mut rates) = (Vector3::zeros(), [Vector3::zeros(); MAX_AXES]);
+        let (mut bend_mm, mut bends_mm) = (0.0, [0.0; MAX_AXES]);
+        for (index, (link, value)) in self.links.iter().zip(values).enumerate().rev() {
+            if !link.rotary {
+                (tip, rates[index]) = (tip + link.direction * *value, link.direction);
+                continue;
+            }
+            let (sine, cosine) = value.sin_cos();
+            let arm = link.rotated(tip - link.point, sine, cosine);
+            let angle = by[index];
+            let mut across_mm = 0.0;
+            for nearer in index + 1..MAX_AXES {
+                rates[nearer] = link.rotated(rates[nearer], sine, cosine);
+                let added_mm = by[nearer] * link.direction.cross(&rates[nearer]).norm();
+                across_mm += added_mm;
+                bends_mm[nearer] += angle * added_mm;
+            }
+            (tip, rates[index]) = (link.point + arm, link.direction.cross(&arm));
+            bends_mm[index] = angle * across_mm + 0.5 * angle * angle * (rates[index].norm() + across_mm);
+            bend_mm += bends_mm[index];
+        }
+        TipRegion { tip, rates, by: *by, bend_mm, bends_mm }
     }
 
     /// Tool axis, and how it changes with each axis value, 1/rad.
@@ -169,6 +235,41 @@ mod tests {
                     assert!(((moved(1e-5) - moved(-1e-5)) / 2e-5 - rate).norm() < 1e-9, "{index} of {values:?}");
                 }
             }
+        }
+    }
+
+    #[test]
+    fn no_tip_of_a_box_of_axis_values_is_outside_its_region() {
+        let mut machine = Head::default();
+        Machine::set_up(&mut machine, Vector3::new(3.0, -4.0, 25.0), 120.0);
+        for chain in [Chain::of(&machine), Chain::of(&Cb::default())] {
+            let mut tightest = 0.0_f64;
+            for turn in 0..60 {
+                let at = 0.37 * f64::from(turn);
+                let rotary: Vec<bool> = chain.links.iter().map(|link| link.rotary).collect();
+                let scaled = |index: usize, value: f64| match rotary.get(index) {
+                    Some(true) => 0.01 * value,
+                    Some(false) => value,
+                    None => 0.0,
+                };
+                let values: [f64; MAX_AXES] =
+                    std::array::from_fn(|index| scaled(index, 100.0 * (at + index as f64).sin()));
+                let by: [f64; MAX_AXES] =
+                    std::array::from_fn(|index| scaled(index, 30.0 * (at + 2.0 * index as f64).cos().abs()));
+                let region = chain.around(&values, &by);
+                assert!((region.tip - chain.place(&values).tip).norm() < 1e-12);
+                for corner in 0..3_usize.pow(5) {
+                    let step = |index: usize| (corner / 3_usize.pow(index as u32)) as f64 % 3.0;
+                    let moved: [f64; MAX_AXES] = std::array::from_fn(|index| {
+                        values[index] + by[index] * if index < 5 { step(index).floor() - 1.0 } else { 0.0 }
+                    });
+                    let off = chain.place(&moved).tip - region.tip;
+                    let bound = region.extent_mm(&off.normalize());
+                    assert!(off.norm() < 1e-9 || off.norm() <= bound + 1e-9, "{turn} {corner}: {} {bound}", off.norm());
+                    tightest = tightest.max(off.norm() / bound);
+                }
+            }
+            assert!(tightest > 0.7, "{tightest}");
         }
     }
 

@@ -1,12 +1,12 @@
-//! Geometry of a check: the chain of the machine as matrices, the path of a motion, the retract out of the clearance
-//! geometry, and extrema along a path.
+//! Geometry of a check: the chain of the machine as matrices, the path of a motion, the clearance geometry,
+//! and extrema along a path.
 
 mod chain;
 mod clearance;
 mod extrema;
 mod path;
 
-pub(super) use chain::{Chain, ToolPose};
-pub(super) use clearance::distance_out;
+pub(super) use chain::{Chain, TipRegion, ToolPose};
+pub(super) use clearance::{depth_of_box, depth_of_line, distance_out, size};
 pub(super) use extrema::{Extent, PathPoint, Search};
 pub(super) use path::{ArcPath, PathShape, Segment, angle_between, bezier, tool_pose};

@@ -133,7 +133,7 @@ impl<'a> Rules<'a> {
         &self.rounding
     }
 
-    /// Whether all axes of a rapid under tip control arrive together.
+    /// Whether all axes of a rapid arrive together.
     pub(super) fn rapids_are_interpolated(&self) -> bool {
         self.policy.feed.rapids_interpolated.unwrap_or(self.facts.rapids_interpolated)
     }

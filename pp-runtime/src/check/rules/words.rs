@@ -123,6 +123,11 @@ impl Words {
         self.axes.retract
     }
 
+    /// Sense of the retract axis that leads away from the part: 1 or -1.
+    pub(crate) fn outwards(&self) -> f64 {
+        self.gauge_share[self.axes.retract].signum()
+    }
+
     /// Positions of the solved rotary axes.
     pub(crate) fn rotary(&self) -> impl Iterator<Item = usize> + use<> {
         let bits = self.axes.rotary_bits;
@@ -330,6 +335,11 @@ impl Words {
     pub(crate) fn rotary_travel(&self, from: &[f64; MAX_AXES], to: &[f64; MAX_AXES]) -> f64 {
         let is_rotary = |index: &usize| self.axes.rotary_bits & (1 << index) != 0;
         (0..MAX_AXES).filter(is_rotary).map(|index| (to[index] - from[index]).abs()).fold(0.0, f64::max)
+    }
+
+    /// The chain with the part and the tool at hand.
+    pub(crate) fn chain(&self) -> &Chain {
+        &self.chain
     }
 
     /// Tool axis on the workpiece of known rotary words.

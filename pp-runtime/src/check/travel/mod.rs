@@ -8,8 +8,7 @@
 //! plane. It does not hold for arcs, nor under tip control, where linear axes follow the rotary ones: `within` finds the
 //! extreme of each axis there, and `rapid` those of a rapid under tip control whose axes do not arrive together.
 //!
-//! The tip in a rapid that rotates rotary axes at the part is not judged: with `transition = "safe"` there is none beyond
-//! the index angle, and `"direct"` relies on the CL data.
+//! The tip in a rapid is not judged here: `compare/clear` compares it with the clearance geometry.
 
 mod rapid;
 mod within;

@@ -1,0 +1,106 @@
+//! Rapids and the clearance geometry.
+//!
+//! A control that does not interpolate rapids moves each axis of the machine at its own speed, and the axes arrive in any
+//! order. The tip may then be at every point of the box of the axis values between the ends of a block, rotary axes included.
+//! That box is bounded as a whole, not sampled, and compared with the geometry in force, in the part as it is mounted. A
+//! finding is
+//! - a rapid at the part whose tip may be in the geometry, although the straight line from end to end is outside it. A line
+//!   that leads into it is what the CL data asks for, or the retract along the tool axis, whose length is compared;
+//! - the last block of an approach, if the tip may be deeper in the geometry than on its last part along the retract axis. It
+//!   comes from the retract position, which is above at an unknown height; the other axes are where they were before it.
+//!
+//! A block that moves a single linear axis of the machine is a line in any case. Not judged, because the position before them
+//! is unknown or has another meaning, or nothing is near: steps at the retract position; an approach after a tool change, in
+//! a tilted plane or under tip control, for which the order of the approach is compared; the motion from hole to hole of a
+//! cycle of the control; rapids to a tool axis by its components, for which the control chooses the angles.
+
+use std::io::Read;
+
+use super::super::geometry::{depth_of_box, depth_of_line, size};
+use super::super::policy::LinearMeaning;
+use super::super::read::{Action, Block, MAX_AXES};
+use super::{Comparison, Current, Phase};
+use crate::program::Clearance;
+
+/// Axis values that differ by less are the same, mm and rad.
+const SAME: f64 = 1e-9;
+
+/// Geometry that a rapid must stay out of.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct KeepOut {
+    clearance: Clearance,
+    /// The rapid is a block of an approach.
+    approaches: bool,
+}
+
+impl<R: Read> Comparison<'_, R> {
+    /// Geometry that a block must stay out of; `None` where it cannot run into it.
+    pub(super) fn keep_out(&self, phase: &Phase, block: &Block) -> Option<KeepOut> {
+        if block.action != Action::Rapid || self.rules.rapids_are_interpolated() {
+            return None;
+        }
+        let (clearance, approaches) = match phase {
+            Phase::Retracted(_) => (self.progress.next()?.required.clearance, true),
+            Phase::Cutting(_) => (self.clearance().copied(), false),
+            Phase::Unknown { .. } | Phase::Leaving(_) | Phase::Ended => return None,
+        };
+        Some(KeepOut { clearance: clearance?, approaches })
+    }
+
+    /// Reports a rapid that may lead the tip into the geometry.
+    pub(super) fn stays_out(&mut self, keep_out: &KeepOut, current: &Current<'_>) {
+        let KeepOut { clearance, approaches } = keep_out;
+        let Some([from, to]) = self.ends_of_rapid(keep_out, current.block) else { return };
+        let (words, rounding) = (self.rules.words(), self.rules.rounding());
+        let chain = words.chain();
+        let [start, end] = [&from, &to].map(|values| chain.place(values).tip);
+        let accuracy_mm = 4.0 * rounding.tip_mm + 2.0 * (end - start).norm() * rounding.axis_rad;
+        let deepest = |allowed_mm: f64| depth_of_box(clearance, chain, [&from, &to], allowed_mm, accuracy_mm);
+        if deepest(0.0).is_none() {
+            return;
+        }
+        let straight_from = if *approaches { chain.place(&above(&to, &from, words.retract())).tip } else { start };
+        let straight_mm = depth_of_line(clearance, &straight_from, &end);
+        let asked_for = !approaches && straight_mm > accuracy_mm;
+        if let Some(depth_mm) = deepest(straight_mm.max(0.0)).filter(|_| !asked_for) {
+            let remedy = match approaches {
+                true => "the retract axis must come down last",
+                false => "post it with `rapid = \"feed\"`, or state `[control] linear_rapids`",
+            };
+            let text = format!(
+                "if each axis of this rapid moves on its own, the tip may be {depth_mm:.3} mm deep in the clearance \
+                 geometry: {remedy}"
+            );
+            self.found(current, &text);
+        }
+    }
+
+    /// Axis values before and after a rapid that need not be straight. Before an approach the retract axis is as far out as
+    /// leads out of the geometry.
+    fn ends_of_rapid(&self, keep_out: &KeepOut, block: &Block) -> Option<[[f64; MAX_AXES]; 2]> {
+        let words = self.rules.words();
+        let (retract, solved) = (words.retract(), words.linear_bits() | words.rotary_bits());
+        let needed = if keep_out.approaches { solved & !(1 << retract) } else { solved };
+        let comes_down = self.rules.meaning() == LinearMeaning::AxisPositions && block.written & (1 << retract) != 0;
+        if keep_out.approaches && !comes_down
+            || self.previous.same_meaning & needed != needed
+            || block.known & solved != solved
+        {
+            return None;
+        }
+        let to = words.axes(&block.values, &block.state)?;
+        let mut from = words.axes(&self.previous.words, &block.state)?;
+        if keep_out.approaches {
+            let out_mm = size(&keep_out.clearance) + words.chain().place(&to).tip.norm();
+            from[retract] = to[retract] + words.outwards() * out_mm;
+        }
+        let moved = |index: &usize| (from[*index] - to[*index]).abs() > SAME;
+        let straight = (0..MAX_AXES).filter(moved).count() < 2 && !words.rotary().any(|index| moved(&index));
+        (!straight).then_some([from, to])
+    }
+}
+
+/// Axis values of a position, one axis at its value of another.
+fn above(position: &[f64; MAX_AXES], other: &[f64; MAX_AXES], axis: usize) -> [f64; MAX_AXES] {
+    std::array::from_fn(|index| if index == axis { other[index] } else { position[index] })
+}
