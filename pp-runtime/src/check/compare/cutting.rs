@@ -192,7 +192,7 @@ impl<R: Read> Comparison<'_, R> {
     fn stops_over_hole(&self, segment: &Segment, motion: &ClMotion, end: &ToolPose) -> Option<f64> {
         let rounding = self.rules.rounding();
         let near = motion.rapid && segment.distance(end, 0.0) <= BOTH * rounding.tip_mm;
-        (near && segment.axis_distance(&end.axis) <= BOTH * rounding.axis_rad).then_some(0.0)
+        (near && segment.axis_arc().distance(&end.axis) <= BOTH * rounding.axis_rad).then_some(0.0)
     }
 
     /// A block that carries out a part of a motion: its state, its path, its feed.
@@ -327,7 +327,7 @@ impl<R: Read> Comparison<'_, R> {
         let length = match segment.shape {
             PathShape::Line => (part.share - along) * segment.length(),
             _ if matches!(block.action, Action::Arc(_)) => (part.share - along) * segment.length(),
-            _ => (segment.at(part.share).tip - segment.at(along).tip).norm(),
+            _ => (segment.tip_at(part.share) - segment.tip_at(along)).norm(),
         };
         let stroke =
             self.rules.stroke(&self.previous.words, block, (length, segment.length()), part.feed, &part.required);

@@ -14,6 +14,9 @@ use crate::program::Arc;
 /// Angle below which the chord of an arc of axes is the arc, rad.
 const NARROW: f64 = 1e-7;
 
+/// Relative difference of angles that is rounding.
+const SAME_ANGLE: f64 = 1e-9;
+
 /// A motion whose square is shorter than this has no direction, mm².
 const POINT: f64 = 1e-18;
 
@@ -47,6 +50,15 @@ pub(crate) struct Segment {
     pub(crate) from: ToolPose,
     pub(crate) to: ToolPose,
     pub(crate) shape: PathShape,
+}
+
+/// The axes of a motion that rotates the tool evenly: part of a great circle.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum AxisArc {
+    /// Shorter than [`NARROW`]; `half`: half its angle, rad.
+    Narrow { middle: Vector3<f64>, half: f64 },
+    /// `sides`: towards the arc from each of its ends, perpendicular to the axis there.
+    Wide { from: Vector3<f64>, to: Vector3<f64>, normal: Vector3<f64>, sides: [Vector3<f64>; 2] },
 }
 
 pub(crate) fn tool_pose(pose: &Pose) -> ToolPose {
@@ -126,12 +138,17 @@ impl Segment {
         if share >= 1.0 {
             return self.to;
         }
-        let tip = match &self.shape {
+        ToolPose { tip: self.tip_at(share), axis: self.axis_at(share) }
+    }
+
+    /// Tip at a share.
+    pub(crate) fn tip_at(&self, share: f64) -> Vector3<f64> {
+        match &self.shape {
+            _ if share >= 1.0 => self.to.tip,
             PathShape::Line => self.from.tip + (self.to.tip - self.from.tip) * share,
             PathShape::Arc(round) => round.at(share),
             PathShape::Cubic(points) => cubic(points, share),
-        };
-        ToolPose { tip, axis: self.axis_at(share) }
+        }
     }
 
     fn axis_at(&self, share: f64) -> Vector3<f64> {
@@ -178,10 +195,14 @@ impl Segment {
         match &self.shape {
             PathShape::Line => {
                 let line = self.to.tip - self.from.tip;
-                let turn = self.turn();
                 let weight = per_rad * per_rad;
                 let along = (pose.tip - self.from.tip).dot(&line);
-                let turned = turn * angle_between(&pose.axis, &self.from.axis);
+                let (turn, turned) = if weight > 0.0 {
+                    let turn = self.turn();
+                    (turn, turn * angle_between(&pose.axis, &self.from.axis))
+                } else {
+                    (0.0, 0.0)
+                };
                 let whole = line.norm_squared() + weight * turn * turn;
                 if whole > POINT { (along + weight * turned) / whole } else { 1.0 }
             }
@@ -193,22 +214,46 @@ impl Segment {
     /// How far a tip is from the motion, mm.
     pub(crate) fn distance(&self, pose: &ToolPose, after: f64) -> f64 {
         let share = self.share(pose, after, 0.0, 0.0).clamp(0.0, 1.0);
-        (pose.tip - self.at(share).tip).norm()
+        (pose.tip - self.tip_at(share)).norm()
     }
 
-    /// How far an axis is from the arc between the axes of both ends, rad.
-    pub(crate) fn axis_distance(&self, axis: &Vector3<f64>) -> f64 {
-        let (a, b) = (&self.from.axis, &self.to.axis);
-        let normal = a.cross(b);
+    /// The arc between the axes of both ends.
+    pub(crate) fn axis_arc(&self) -> AxisArc {
+        let (from, to) = (self.from.axis, self.to.axis);
+        let normal = from.cross(&to);
         let sine = normal.norm();
         if sine < NARROW {
-            return angle_between(axis, &self.axis_at(0.5)) - 0.5 * self.turn();
+            return AxisArc::Narrow { middle: self.axis_at(0.5), half: 0.5 * self.turn() };
         }
         let normal = normal / sine;
-        let (before, behind) = (normal.cross(a).dot(axis) < 0.0, b.cross(&normal).dot(axis) < 0.0);
-        match (before, behind) {
-            (false, false) => normal.dot(axis).abs().min(1.0).asin(),
-            _ => angle_between(axis, a).min(angle_between(axis, b)),
+        AxisArc::Wide { from, to, normal, sides: [normal.cross(&from), to.cross(&normal)] }
+    }
+}
+
+impl AxisArc {
+    /// Whether the angle between an axis and the arc is at most `angle`, rad. Chords and sines, which are no larger than their
+    /// angles, exclude most.
+    pub(crate) fn is_within(&self, axis: &Vector3<f64>, angle: f64) -> bool {
+        let far = match self {
+            Self::Narrow { .. } => false,
+            Self::Wide { from, to, normal, sides } => {
+                let least = angle * (1.0 + SAME_ANGLE);
+                let beside = sides.iter().any(|side| side.dot(axis) < 0.0);
+                let chord = |end: &Vector3<f64>| (axis - end).norm();
+                if beside { chord(from).min(chord(to)) > least } else { normal.dot(axis).abs() > least }
+            }
+        };
+        !far && self.distance(axis) <= angle
+    }
+
+    /// Angle between an axis and the arc, rad.
+    pub(crate) fn distance(&self, axis: &Vector3<f64>) -> f64 {
+        match self {
+            Self::Narrow { middle, half } => angle_between(axis, middle) - half,
+            Self::Wide { from, to, sides, .. } if sides.iter().any(|side| side.dot(axis) < 0.0) => {
+                angle_between(axis, from).min(angle_between(axis, to))
+            }
+            Self::Wide { normal, .. } => normal.dot(axis).abs().min(1.0).asin(),
         }
     }
 }

@@ -109,7 +109,8 @@ impl Rules<'_> {
             return Some(1.0);
         }
         let past_pole = self.pole.is_some_and(|pole| {
-            segment.axis_distance(&pole).min(segment.axis_distance(&-pole)) <= self.policy.tolerances.pole_rad
+            let arc = segment.axis_arc();
+            [pole, -pole].iter().any(|pole| arc.is_within(pole, self.policy.tolerances.pole_rad))
         });
         let axis = if past_pole { rounding.pole_rad } else { rounding.axis_rad };
         let share = match (&block.action, &segment.shape) {
@@ -181,7 +182,7 @@ impl Rules<'_> {
         }
         let unsure_mm = (1.0 - along) * segment.length() * rounded / change(widest).abs();
         let tip_mm = BOTH * self.rounding.tip_mm;
-        let off = (end.tip - segment.at(done).tip).norm();
+        let off = (end.tip - segment.tip_at(done)).norm();
         if off > tip_mm + unsure_mm {
             return None;
         }
@@ -190,7 +191,7 @@ impl Rules<'_> {
         if unsure_mm <= tip_mm {
             Some(done)
         } else {
-            let near = (end.tip - segment.at(by_tip).tip).norm() <= tip_mm;
+            let near = (end.tip - segment.tip_at(by_tip)).norm() <= tip_mm;
             near.then_some(by_tip)
         }
     }
@@ -222,7 +223,7 @@ impl Rules<'_> {
             && rest * segment.length() <= 4.0 * self.rounding.tip_mm
             && rest * segment.turn() <= 4.0 * self.rounding.axis_rad;
         near && segment.distance(end, 0.0) <= BOTH * self.rounding.tip_mm
-            && segment.axis_distance(&end.axis) <= BOTH * self.axis_allowance(&segment.to.axis)
+            && segment.axis_arc().distance(&end.axis) <= BOTH * self.axis_allowance(&segment.to.axis)
     }
 
     /// Rounding may put an end a little before that of the last block, which rounding has put a little forward.
@@ -256,6 +257,7 @@ impl Rules<'_> {
         }
         let sweep = sweep(block);
         let count = points(rotated + sweep);
+        let axes = (rotated > 0.0).then(|| segment.axis_arc());
         let mut found = Deviation::default();
         let mut point = 1.0;
         while point <= count {
@@ -267,12 +269,12 @@ impl Rules<'_> {
                     let near = arc.share_near(&on.tip, done).clamp(0.0, 1.0);
                     // In the other sense about the same centre, or some other turn.
                     let strays = (near - done).abs() > arc.share_of(FRAC_PI_2);
-                    (on.tip - segment.at(if strays { done.clamp(0.0, 1.0) } else { near }).tip).norm()
+                    (on.tip - segment.tip_at(if strays { done.clamp(0.0, 1.0) } else { near })).norm()
                 }
                 _ => segment.distance(&on, along),
             });
-            if rotated > 0.0 {
-                found.axis_rad = found.axis_rad.max(segment.axis_distance(&on.axis));
+            if let Some(axes) = &axes {
+                found.axis_rad = found.axis_rad.max(axes.distance(&on.axis));
             }
             point += 1.0;
         }
