@@ -5,7 +5,8 @@
 //! That box is bounded as a whole, not sampled, and compared with the geometry in force, in the part as it is mounted. A
 //! finding is
 //! - a rapid at the part whose tip may be in the geometry, although the straight line from end to end is outside it. A line
-//!   that leads into it is what the CL data asks for, or the retract along the tool axis, whose length is compared;
+//!   that leads into it is what the CL data asks for, and so is one along the tool axis, or it is the retract, whose length is
+//!   compared; with `transition = "direct"` all are as in the CL data;
 //! - the last block of an approach, if the tip may be deeper in the geometry than on its last part along the retract axis. It
 //!   comes from the retract position, which is above at an unknown height; the other axes are where they were before it.
 //!
@@ -16,7 +17,7 @@
 
 use std::io::Read;
 
-use super::super::geometry::{depth_of_box, depth_of_line, size};
+use super::super::geometry::{angle_between, depth_of_box, depth_of_line, size};
 use super::super::policy::LinearMeaning;
 use super::super::read::{Action, Block, MAX_AXES};
 use super::{Comparison, Current, Phase};
@@ -36,7 +37,8 @@ pub(super) struct KeepOut {
 impl<R: Read> Comparison<'_, R> {
     /// Geometry that a block must stay out of; `None` where it cannot run into it.
     pub(super) fn keep_out(&self, phase: &Phase, block: &Block) -> Option<KeepOut> {
-        if block.action != Action::Rapid || self.rules.rapids_are_interpolated() {
+        let as_in_cl_data = self.rules.policy().links.direct;
+        if block.action != Action::Rapid || as_in_cl_data || self.rules.rapids_are_interpolated() {
             return None;
         }
         let (clearance, approaches) = match phase {
@@ -53,10 +55,15 @@ impl<R: Read> Comparison<'_, R> {
         let Some([from, to]) = self.ends_of_rapid(keep_out, current.block) else { return };
         let (words, rounding) = (self.rules.words(), self.rules.rounding());
         let chain = words.chain();
-        let [start, end] = [&from, &to].map(|values| chain.place(values).tip);
+        let ends = [&from, &to].map(|values| chain.place(values));
+        let [start, end] = [ends[0].tip, ends[1].tip];
         let accuracy_mm = 4.0 * rounding.tip_mm + 2.0 * (end - start).norm() * rounding.axis_rad;
         let deepest = |allowed_mm: f64| depth_of_box(clearance, chain, [&from, &to], allowed_mm, accuracy_mm);
-        if deepest(0.0).is_none() {
+        let step = end - start;
+        let across_mm = (step - ends[1].axis * step.dot(&ends[1].axis)).norm();
+        let holds_axis = angle_between(&ends[0].axis, &ends[1].axis) <= 2.0 * rounding.axis_rad;
+        let along_axis = !approaches && holds_axis && across_mm <= accuracy_mm;
+        if along_axis || deepest(0.0).is_none() {
             return;
         }
         let straight_from = if *approaches { chain.place(&above(&to, &from, words.retract())).tip } else { start };

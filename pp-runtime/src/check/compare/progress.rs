@@ -238,9 +238,12 @@ impl<'a, R: Read> ClProgress<'a, R> {
             let line = matches!(next.shape, PathShape::Line);
             line && along < 0.0 && across <= ON_LINE && (next.to.axis - first.to.axis).norm() <= SAME_AXIS
         });
+        let hole = self.get(index).and_then(|item| item.hole).filter(|_| first.rapid);
+        if let Some(above) = hole.and_then(|expected| expected.approach_point(&first.to, approach_mm)) {
+            return above;
+        }
         if first.rapid && below {
-            let hole = self.get(index).and_then(|item| item.hole);
-            return hole.and_then(|expected| expected.approach_point(&first.to, approach_mm)).unwrap_or(first.to);
+            return first.to;
         }
         ToolPose { tip: first.to.tip + first.to.axis * approach_mm, axis: first.to.axis }
     }

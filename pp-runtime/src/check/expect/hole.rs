@@ -22,12 +22,15 @@ pub(crate) struct ExpectedHole {
 }
 
 impl ExpectedHole {
-    /// Where an approach ends whose first motion leads to `to`, the clearance level: on the return level, and not below the
-    /// approach distance; `None` if the motion leads elsewhere.
+    /// Where an approach ends whose first motion leads to `to`, over the hole: on the return level, and not below the approach
+    /// distance; `None` if the motion leads elsewhere.
     pub(crate) fn approach_point(&self, to: &ToolPose, approach_mm: f64) -> Option<ToolPose> {
         let hole = &self.hole;
         let level = hole.return_mm.max(hole.clearance_mm + approach_mm);
-        let leads_over = (to.tip - tool_pose(&hole.level(hole.clearance_mm)).tip).norm() <= SAME_LEVEL;
+        let clearance = tool_pose(&hole.level(hole.clearance_mm));
+        let height = (to.tip - clearance.tip).dot(&clearance.axis);
+        let leads_over =
+            height >= -SAME_LEVEL && (to.tip - clearance.tip - clearance.axis * height).norm() <= SAME_LEVEL;
         leads_over.then(|| tool_pose(&hole.level(level)))
     }
 }

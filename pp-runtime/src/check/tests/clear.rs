@@ -14,9 +14,14 @@ fn data(motions: &str) -> String {
     )
 }
 
-/// Findings about clearance geometry: CL line and depth, mm.
+/// Findings about clearance geometry in a program that was posted for rapids whose axes arrive together: CL line and
+/// depth, mm.
 fn deep<M: Machine>(control: &str, mode: Mode, set_up: &str, data: &str) -> Vec<(String, f64)> {
-    let (found, program) = posted::<M>(control, mode, set_up, data).expect("it can be posted");
+    let stated = set_up.contains("linear_rapids");
+    let together = if stated { set_up.to_owned() } else { format!("{set_up}control.linear_rapids = true\n") };
+    let together = together.replace("linear_rapids = false", "linear_rapids = true");
+    let (_, program) = posted::<M>(control, mode, &together, data).expect("it can be posted");
+    let found = again::<M>(control, mode, set_up, data, &program);
     found.iter().map(|text| deep_in(text).unwrap_or_else(|| panic!("{text}\n{program}"))).collect()
 }
 
@@ -143,5 +148,23 @@ fn a_retract_that_ends_in_the_geometry_is_found() {
         let rest: f64 = retract.split('Z').nth(1).and_then(|value| value.parse().ok()).expect("Z");
         let wrong = program.replace(retract, &format!("{short}Z{:.1}", rest - 5.0));
         assert_told::<HeadTable>(control, Mode::Axes, BOX, data, &wrong);
+    }
+}
+
+/// What the axes could get into so is left by the safe sequence: as posted, each program passes.
+#[test]
+fn a_program_is_posted_so_that_no_rapid_may_get_into_the_geometry() {
+    let round = data("RAPID\nGOTO/0,110,0\n");
+    let above = data("RAPID\nGOTO/110,0,20\nRAPID\nGOTO/0,110,20\n");
+    let sequences = |control: &str, set_up: &str, data: &str| {
+        let program = posted_right::<Mill>(control, Mode::Axes, set_up, data);
+        program.lines().filter(|line| line.contains("G53")).count()
+    };
+    for set_up in [BOX, CYLINDER] {
+        for control in ["fanuc", "haas"] {
+            let straight = sequences(control, set_up, &above);
+            assert_eq!(sequences(control, set_up, &round), straight + 1, "{control}");
+            assert_eq!(sequences(control, &format!("{set_up}control.linear_rapids = true\n"), &round), straight);
+        }
     }
 }

@@ -29,6 +29,57 @@ pub(crate) fn distance_to_clear(clearance: &Clearance, tip: &Point3<f64>, axis: 
     }
 }
 
+/// Whether the straight line between two points leads into the clearance geometry, deeper than `graze_mm`.
+pub(crate) fn line_enters(clearance: &Clearance, from: &Point3<f64>, to: &Point3<f64>, graze_mm: f64) -> bool {
+    let by = to - from;
+    let inside = |first: f64, last: f64| first <= last && first <= 1.0 && last >= 0.0;
+    let between = |i: usize, lower: f64, upper: f64| span(from[i], by[i], lower + graze_mm, upper - graze_mm);
+    let all = |spans: &[Option<(f64, f64)>]| {
+        let spans = spans.iter().copied().collect::<Option<Vec<_>>>();
+        spans.is_some_and(|spans| {
+            let first = spans.iter().fold(f64::NEG_INFINITY, |first, span| first.max(span.0));
+            inside(first, spans.iter().fold(f64::INFINITY, |last, span| last.min(span.1)))
+        })
+    };
+    match *clearance {
+        Clearance::Plane(plane) => {
+            let height = |point: &Point3<f64>| point.coords.dot(&plane.normal) - plane.distance_mm;
+            height(from).min(height(to)) < -graze_mm
+        }
+        Clearance::Box { lower, upper } => all(&[0, 1, 2].map(|i| between(i, lower[i], upper[i]))),
+        Clearance::Cylinder { centre: [x, y], radius_mm, lower_z_mm, upper_z_mm } => {
+            let start = Vector3::new(from.x - x, from.y - y, 0.0);
+            let across = Vector3::new(by.x, by.y, 0.0);
+            let radius = (radius_mm - graze_mm).max(0.0);
+            let round = crossing(across.norm_squared(), start.dot(&across), start.norm_squared() - radius * radius);
+            all(&[round, between(2, lower_z_mm, upper_z_mm)])
+        }
+    }
+}
+
+/// Whether a plane separates points from the clearance geometry, each by `margin_mm` at least: then the convex hull of the
+/// points is outside. `false` also where no plane that touches a face is such a plane.
+pub(crate) fn is_separated(clearance: &Clearance, points: &[Point3<f64>], margin_mm: f64) -> bool {
+    let above = |normal: Vector3<f64>, face_mm: f64| {
+        points.iter().all(|point| point.coords.dot(&normal) - face_mm >= margin_mm)
+    };
+    match *clearance {
+        Clearance::Plane(plane) => above(plane.normal.into_inner(), plane.distance_mm),
+        Clearance::Box { lower, upper } => (0..3).any(|i| {
+            let normal = Vector3::ith(i, 1.0);
+            above(normal, upper[i]) || above(-normal, -lower[i])
+        }),
+        Clearance::Cylinder { centre: [x, y], radius_mm, lower_z_mm, upper_z_mm } => {
+            let centre = Vector3::new(x, y, 0.0);
+            let sum: Vector3<f64> = points.iter().map(|point| point.coords - centre).sum();
+            let aside = Vector3::new(sum.x, sum.y, 0.0).try_normalize(1e-9);
+            above(Vector3::z(), upper_z_mm)
+                || above(-Vector3::z(), -lower_z_mm)
+                || aside.is_some_and(|normal| above(normal, radius_mm + centre.dot(&normal)))
+        }
+    }
+}
+
 /// First and last parameter `t` at which `from + t * by` is between two values.
 fn span(from: f64, by: f64, lower: f64, upper: f64) -> Option<(f64, f64)> {
     if by.abs() < 1e-12 {
@@ -120,6 +171,24 @@ mod tests {
                 prop_assert!(!inside(&clearance, &at(distance + 0.5 * f64::from(step))));
             }
             prop_assert!(distance <= 1e-9 || inside(&clearance, &at(distance - 1e-6)));
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn a_line_enters_where_a_point_of_it_is_inside(
+            from in proptest::array::uniform3(-25.0..25.0_f64),
+            to in proptest::array::uniform3(-25.0..25.0_f64),
+            cylinder in proptest::bool::ANY,
+        ) {
+            let clearance = if cylinder { CYLINDER } else { BOX };
+            let (from, to) = (Point3::from(from), Point3::from(to));
+            let points: Vec<Point3<f64>> = (0..=400).map(|step| from + (to - from) * (f64::from(step) / 400.0)).collect();
+            let enters = points.iter().any(|point| inside(&clearance, point));
+            // Between two points less than 0.2 mm apart a line may cut a corner.
+            prop_assert!(!enters || line_enters(&clearance, &from, &to, 0.0));
+            prop_assert!(enters || !line_enters(&clearance, &from, &to, 0.2));
+            prop_assert!(!enters || !is_separated(&clearance, &[from, to], 0.0));
         }
     }
 }

@@ -8,5 +8,5 @@ mod path_segment;
 pub(crate) use arc::{ArcGeometry, extent};
 pub use circle::{ArcPlane, Circle};
 pub(crate) use circle::{CircleDeviation, NominalCircle, WordGrid};
-pub(crate) use clearance::distance_to_clear;
+pub(crate) use clearance::{distance_to_clear, is_separated, line_enters};
 pub(crate) use path_segment::{PathSegment, SAME_AXIS, angle_between};

@@ -6,6 +6,7 @@
 mod axes;
 mod chain;
 mod datum;
+mod dog_leg;
 mod entry;
 mod frame;
 mod linearise;

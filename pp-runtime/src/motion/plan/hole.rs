@@ -114,7 +114,8 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         hole.return_mm.max(hole.clearance_mm + self.planner.policy.options.approach.distance_mm)
     }
 
-    /// Rotates the rotary axes for the hole; a tool below the clearance level is lifted to it.
+    /// Rotates the rotary axes for the hole, or leads the tool round the clearance geometry; one below the clearance level is
+    /// lifted to it.
     fn reach(&mut self, ahead: MotionAndNext<'_>, index: MotionIndex) -> Planned {
         let over = ahead.motion;
         self.planner.stop_spindle()?;
@@ -122,7 +123,8 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         self.planner.reach_stretch(over, index)?;
         let planned = self.planner.apply_course_changes(over, index)?;
         let place = self.planner.mover.place(&over.pose, false, planned)?;
-        if self.planner.mover.rotates(&place) || self.planner.modes.changes() {
+        let strays = self.planner.may_enter_clearance(&place);
+        if self.planner.mover.rotates(&place) || self.planner.modes.changes() || strays {
             return self.planner.go(ahead, planned);
         }
         let lift = self.hole.clearance_mm - self.height();

@@ -5,14 +5,24 @@
 //! their path, within the tolerance of cuts: as rapids whose axes arrive together, or at `rapid_feed`. Elsewhere the safe
 //! sequence leads to its end, and where the tool axis is held before or after the rapid: there the rotary axes are indexed,
 //! and clamped.
+//!
+//! Where each axis of a rapid moves at its own speed, the tip may leave its line. If it could get into the clearance geometry
+//! so, which its line does not enter, the safe sequence leads to its end as well.
 
 use crate::kinematics::Pose;
 use crate::motion::fault::Planned;
+use crate::motion::geometry::{SAME_AXIS, is_separated, line_enters};
 use crate::motion::options::{Links, Rapid, Transition};
 use crate::motion::place::AxisPosition;
 use crate::motion::plan::{MotionAndNext, Planner};
 use crate::motion::rotary::RotaryTarget;
 use crate::motion::step::Sink;
+
+/// Depth in the clearance geometry, in units of the words, that is their rounding.
+const GRAZE: f64 = 2.0;
+
+/// Largest distance from its axis of a motion along the tool axis, in units of the words.
+const ALONG: f64 = 2.0;
 
 /// Path of a rapid.
 #[derive(Debug, Clone, Copy)]
@@ -58,16 +68,40 @@ impl<S: Sink> Planner<'_, S> {
         Ok(())
     }
 
+    /// Whether a rapid to a place, whose axes each move at their own speed, may lead the tip into the clearance geometry although
+    /// its line is outside and not along the tool axis.
+    pub(crate) fn may_enter_clearance(&self, place: &AxisPosition) -> bool {
+        let rapids = &self.policy.options.rapids;
+        let as_in_cl_data = rapids.transition == Transition::Direct || rapids.rapid == Rapid::Feed;
+        let strays = !as_in_cl_data && !self.abilities.linear_rapids;
+        let Some(clearance) = self.clearance.in_force().filter(|_| strays) else { return false };
+        let (placer, here) = (self.mover.placer(), self.mover.here());
+        let (axis, step) = (place.pose.axis.into_inner(), place.pose.tip - here.pose.tip);
+        let across = (step - axis * step.dot(&axis)).norm();
+        let holds_axis = (here.pose.axis.into_inner() - axis).norm() <= SAME_AXIS;
+        let graze_mm = GRAZE * placer.unit_mm();
+        if holds_axis && across <= ALONG * placer.unit_mm()
+            || line_enters(clearance, &here.pose.tip, &place.pose.tip, graze_mm)
+        {
+            return false;
+        }
+        let dog_leg = placer.dog_leg(here, place);
+        dog_leg.is_some_and(|dog_leg| !is_separated(clearance, &dog_leg.corners, dog_leg.beyond_mm - graze_mm))
+    }
+
     fn path_of_rapid(&mut self, pose: &Pose, place: &AxisPosition) -> RapidPath {
         if self.mover.leaves_plane(place) {
             return RapidPath::Sequence;
         }
         let rapids = &self.policy.options.rapids;
         let (far, at_feed) = (self.mover.indexes(place), rapids.rapid == Rapid::Feed);
-        if !(far || at_feed && self.mover.rotates(place)) {
-            return RapidPath::AsConfigured;
-        }
         let safe = rapids.transition == Transition::Safe;
+        if !(far || at_feed && self.mover.rotates(place)) {
+            return match self.may_enter_clearance(place) {
+                true => RapidPath::Sequence,
+                false => RapidPath::AsConfigured,
+            };
+        }
         let form = match rapids.rapid_feed_mm_per_min.map(LinkForm::Feed) {
             _ if far && safe && (rapids.links == Links::Safe || !self.modes.keeps_rotating()) => None,
             feed if at_feed => feed,
