@@ -60,6 +60,9 @@ impl<R: Read> Comparison<'_, R> {
             let required = self.progress.next().map(|item| item.required);
             let fault = self.functions.guard(guard, block.state.length, &self.rules, required.as_ref());
             self.found_any(current, fault);
+            if matches!(phase, Phase::Retracted(retracted) if retracted.step >= 2) {
+                self.found(current, "the length guard comes after linear axes have moved in the approach");
+            }
         }
         if let Some(largest_mm) = block.radius_guard_mm {
             let fault = self.functions.radius_guard(largest_mm, block.state.length);
@@ -319,7 +322,9 @@ impl<R: Read> Comparison<'_, R> {
             across && block.state.tip_control == TipControl::Off && self.rules.may_have_tip_control();
         if across {
             retracted.before_tip_control = before_tip_control;
-            retracted.across = self.rules.across(&self.previous.words, block);
+            let others = self.rules.words().linear_bits() & !retract;
+            let known = block.known & others == others;
+            retracted.across = if known { self.rules.across(&self.previous.words, block) } else { None };
         }
         let enters_tip_control = step == 3 && self.rules.meaning() == LinearMeaning::TipCoordinates;
         if (across || step == 3)

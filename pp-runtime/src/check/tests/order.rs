@@ -55,3 +55,52 @@ fn under_tip_control_a_safety_line_before_the_retract_is_found() {
         assert_told::<Tables>(control, Mode::Tcp, set_up, TWO_OPERATIONS, &without);
     }
 }
+
+/// The guard stops the program before an axis has moved to a position that depends on the length.
+#[test]
+fn a_length_guard_after_the_first_linear_axes_is_found() {
+    let set_up = "retract.distance = 20\nlength_guard = true\ntools = { 1 = { length = 100 }, 2 = { length = 90 } }\n";
+    for control in ["fanuc", "haas"] {
+        let program = posted_right::<HeadTable>(control, Mode::Axes, set_up, TWO_OPERATIONS);
+        let guard = program.lines().find(|line| line.starts_with("IF [")).expect("a guard");
+        let (before, after) = program.split_once(&format!("{guard}\n")).expect("the guard");
+        let down = after.find("\nG43").expect("the retract axis") + 1;
+        let late = format!("{before}{}{guard}\n{}", &after[..down], &after[down..]);
+        let found = again::<HeadTable>(control, Mode::Axes, set_up, TWO_OPERATIONS, &late);
+        assert!(found.iter().any(|text| text.contains("the length guard comes after")), "{found:?}\n{late}");
+    }
+}
+
+/// Under tip control over a tilted table a word of X alone moves the retract axis, too.
+#[test]
+fn the_block_that_enters_tip_control_is_one_block() {
+    let data = "UNITS/MM\nLOADTL/1,LENGTH,100\nSPINDL/RPM,2000,CLW\nFEDRAT/300,MMPM\nRAPID\nGOTO/0,8,50,0.5,0.1,0.8602325\n\
+                GOTO/10,5,0\nGOTO/20,0,0,0.6,0,0.8\nGOTO/20,0,50\n";
+    let tip = "retract.distance = 20\ncontrol.tip_control = [\"M428\", \"M429\"]\n";
+    for (control, set_up) in [("linuxcnc", tip), ("fanuc", "retract.distance = 20\ntcp_frame = \"table_at_zero\"\n")] {
+        let program = posted_right::<Tables>(control, Mode::Tcp, set_up, data);
+        let enters = match control {
+            "linuxcnc" => program.lines().skip_while(|line| *line != "M428").nth(1),
+            _ => program.lines().find(|line| line.starts_with("G0 G43.4")),
+        };
+        let enters = enters.expect("the block that enters tip control");
+        let y = enters.find(" Y").expect("Y");
+        let apart = program.replace(enters, &format!("{}\n{}", &enters[..y], &enters[y + 1..]));
+        assert_told::<Tables>(control, Mode::Tcp, set_up, data, &apart);
+    }
+}
+
+/// A word that comes with the retract axis only: where the other axes are is unknown before.
+#[test]
+fn an_axis_of_unknown_position_does_not_move_with_the_retract_axis() {
+    let set_up = "retract.distance = 20\ntools = { 1 = { length = 100 }, 2 = { length = 90 } }\n";
+    for (control, mode) in [("siemens", Mode::Tcp), ("heidenhain", Mode::Tcp)] {
+        let program = posted_right::<HeadTable>(control, mode, set_up, TWO_OPERATIONS);
+        let (start, rest) = program.split_at(program.find("SECOND").expect("the second operation"));
+        let across = rest.lines().find(|line| line.contains(" Y9") || line.contains("Y+9")).expect("X and Y");
+        let down = rest.lines().skip_while(|line| *line != across).nth(1).expect("Z");
+        let y = if control == "siemens" { " Y9" } else { " Y+9" };
+        let late = rest.replace(across, &across.replace(y, "")).replace(down, &format!("{down}{y}"));
+        assert_told::<HeadTable>(control, mode, set_up, TWO_OPERATIONS, &format!("{start}{late}"));
+    }
+}
