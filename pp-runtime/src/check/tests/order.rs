@@ -94,13 +94,14 @@ fn the_block_that_enters_tip_control_is_one_block() {
 #[test]
 fn an_axis_of_unknown_position_does_not_move_with_the_retract_axis() {
     let set_up = "retract.distance = 20\ntools = { 1 = { length = 100 }, 2 = { length = 90 } }\n";
+    let data = TWO_OPERATIONS.replace(",9,", ",0,");
     for (control, mode) in [("siemens", Mode::Tcp), ("heidenhain", Mode::Tcp)] {
-        let program = posted_right::<HeadTable>(control, mode, set_up, TWO_OPERATIONS);
+        let program = posted_right::<HeadTable>(control, mode, set_up, &data);
         let (start, rest) = program.split_at(program.find("SECOND").expect("the second operation"));
-        let across = rest.lines().find(|line| line.contains(" Y9") || line.contains("Y+9")).expect("X and Y");
+        let across = rest.lines().find(|line| line.contains(" Y0") || line.contains("Y+0")).expect("X and Y");
         let down = rest.lines().skip_while(|line| *line != across).nth(1).expect("Z");
-        let y = if control == "siemens" { " Y9" } else { " Y+9" };
+        let y = if control == "siemens" { " Y0" } else { " Y+0" };
         let late = rest.replace(across, &across.replace(y, "")).replace(down, &format!("{down}{y}"));
-        assert_told::<HeadTable>(control, mode, set_up, TWO_OPERATIONS, &format!("{start}{late}"));
+        assert_told::<HeadTable>(control, mode, set_up, &data, &format!("{start}{late}"));
     }
 }
