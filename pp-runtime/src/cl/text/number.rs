@@ -12,9 +12,6 @@ const POWERS_OF_TEN: [f64; 23] = [
     1e21, 1e22,
 ];
 
-/// Powers of ten as integers.
-const TENS: [u64; 9] = [1, 10, 100, 1000, 10_000, 100_000, 1_000_000, 10_000_000, 100_000_000];
-
 /// Largest mantissa up to which every integer is exact in binary64.
 const LARGEST_EXACT_MANTISSA: u64 = 1 << 53;
 
@@ -64,41 +61,13 @@ pub(crate) fn number_at_start(text: &[u8]) -> Option<(f64, usize)> {
 }
 
 /// Appends the digits at the start of `text` to `mantissa`; returns their count.
-#[inline]
 fn digits_of(text: &[u8], mantissa: &mut u64) -> usize {
     let mut count = 0;
-    while let Some((eight, _)) = text[count..].split_first_chunk::<8>() {
-        let (digits, value) = digits_of_eight(u64::from_le_bytes(*eight));
-        *mantissa = mantissa.wrapping_mul(TENS[digits]).wrapping_add(value);
-        count += digits;
-        if digits < 8 {
-            return count;
-        }
-    }
-    for digit in text[count..].iter().map(|byte| byte.wrapping_sub(b'0')).take_while(|digit| *digit < 10) {
+    for digit in text.iter().map(|byte| byte.wrapping_sub(b'0')).take_while(|digit| *digit < 10) {
         *mantissa = mantissa.wrapping_mul(10).wrapping_add(u64::from(digit));
         count += 1;
     }
     count
-}
-
-/// Count and value of the digits at the start of eight bytes, the first in the lowest byte.
-///
-/// All bytes at once: those that are no digit get their highest bit set. The digits are moved to the upper end, where zeros
-/// come before them, and added in pairs, in fours and in eight.
-#[inline]
-fn digits_of_eight(bytes: u64) -> (usize, u64) {
-    const EACH: u64 = 0x0101_0101_0101_0101;
-    let values = bytes ^ (EACH * 0x30);
-    let others = (values | (values & (EACH * 0x7f)).wrapping_add(EACH * 0x76)) & (EACH * 0x80);
-    let digits = (others.trailing_zeros() / 8) as usize;
-    if digits == 0 {
-        return (0, 0);
-    }
-    let ones = values << (64 - 8 * digits);
-    let pairs = (ones.wrapping_mul(10) + (ones >> 8)) & 0x00ff_00ff_00ff_00ff;
-    let fours = (pairs.wrapping_mul(100) + (pairs >> 16)) & 0x0000_ffff_0000_ffff;
-    (digits, (fours.wrapping_mul(10_000) + (fours >> 32)) & 0xffff_ffff)
 }
 
 /// Returns the number in `text`; `None` if a byte does not belong to it.
@@ -179,25 +148,6 @@ mod tests {
     fn reading_stops_after_the_number() {
         assert_eq!(prefix(b"12.5,3"), Some((12.5, 4)));
         assert_eq!(prefix(b"900CCLW"), Some((900.0, 3)));
-    }
-
-    #[test]
-    fn eight_bytes_are_read_as_digit_by_digit() {
-        let by_digits = |bytes: &[u8; 8]| {
-            let digits: Vec<u64> =
-                bytes.iter().take_while(|byte| byte.is_ascii_digit()).map(|byte| u64::from(byte - b'0')).collect();
-            (digits.len(), digits.iter().fold(0, |sum, digit| 10 * sum + digit))
-        };
-        // Every byte at every place, after and before digits.
-        for byte in 0..=u8::MAX {
-            for place in 0..8 {
-                for digits in [*b"12345678", *b"90000001", *b"00000000", *b"99999999"] {
-                    let mut bytes = digits;
-                    bytes[place] = byte;
-                    assert_eq!(super::digits_of_eight(u64::from_le_bytes(bytes)), by_digits(&bytes), "{bytes:?}");
-                }
-            }
-        }
     }
 
     proptest! {
