@@ -215,22 +215,28 @@ impl<S: Sink> HoleRun<'_, '_, S> {
             Err(why) => return Ok(Err(why)),
         };
         let mut at_level = |height: f64| self.planner.mover.shifted(hole.level(height).tip, &here);
-        let places = [at_level(hole.clearance_mm)?, at_level(-hole.depth_mm)?, at_level(hole.return_mm)?];
-        let surface = at_level(0.0)?;
-        let placer = self.planner.mover.placer();
-        let surface = placer.written(&surface);
-        let [clearance, bottom, back] = places.map(|place| placer.written(&place));
+        let [over, bottom, surface] = [at_level(hole.clearance_mm)?, at_level(-hole.depth_mm)?, at_level(0.0)?];
+        let mut back = at_level(hole.return_mm)?;
         let [x, y, z] = chain;
-        if [x, y].iter().any(|&axis| clearance[axis] != bottom[axis]) {
+        let same = |a: &AxisPosition, b: &AxisPosition| [x, y].iter().all(|&axis| a.words[axis] == b.words[axis]);
+        if !same(&over, &back) {
+            // The cycle keeps its X and Y: it returns along Z of the program, which is the tool axis at the rounded angles.
+            let way_back = map.row(2).transpose() * (hole.return_mm - hole.clearance_mm);
+            let reached = self.planner.mover.shifted(hole.level(hole.clearance_mm).tip + way_back, &here)?;
+            back = AxisPosition { pose: back.pose, ..reached };
+        }
+        if !same(&over, &bottom) || !same(&over, &back) {
             return Ok(Err("the rounded words of the hole are not parallel to Z"));
         }
+        let placer = self.planner.mover.placer();
+        let clearance = placer.written(&over);
         let words = AxisWords { units: clearance, mask: 1 << x | 1 << y, vector: None };
-        let [surface, clearance, bottom, back] = [surface, clearance, bottom, back].map(|written| written[z]);
+        let [surface, clearance, bottom, level] = [surface, over, bottom, back].map(|place| placer.written(&place)[z]);
         let dwell = hole.dwell.map(|dwell| self.planner.spindle.seconds(dwell)).transpose()?;
-        let feed = self.feed(kind, &places[0])?;
-        let cycle = CannedCycle { kind, words, z, surface, clearance, bottom, back, dwell, feed };
+        let feed = self.feed(kind, &over)?;
+        let cycle = CannedCycle { kind, words, z, surface, clearance, bottom, back: level, dwell, feed };
         let mismatch = self.mismatch(&cycle)?;
-        Ok(mismatch.map_or(Ok((cycle, places[2])), Err))
+        Ok(mismatch.map_or(Ok((cycle, back)), Err))
     }
 
     /// Difference between a cycle as the control executes it and the hole.
