@@ -182,10 +182,10 @@ impl<R: Read> Comparison<'_, R> {
 
     /// Whether a block has the feed of a motion.
     fn has_feed_of(&self, block: &Block, segment: &Segment, motion: &ClMotion, required: &Required) -> bool {
-        let stroke = || {
-            self.rules.stroke(&self.previous.words, block, (segment.length(), segment.length()), motion.feed, required)
-        };
-        block.action != Action::Feed || motion.rapid || self.rules.law().wrong(&stroke(), &block.state).is_none()
+        let (length, feed) = (segment.length(), self.rules.feed_of(motion));
+        let stroke = || self.rules.stroke(&self.previous.words, block, (length, length), feed, required);
+        let fault = || self.rules.feed_fault(&stroke(), &block.state, segment.turn() > 0.0);
+        block.action != Action::Feed || fault().is_none()
     }
 
     /// A rapid down to a hole may stop on its way: a cycle of the control returns to where it began.
@@ -331,16 +331,8 @@ impl<R: Read> Comparison<'_, R> {
         };
         let stroke =
             self.rules.stroke(&self.previous.words, block, (length, segment.length()), part.feed, &part.required);
-        let law = self.rules.law();
-        let wrong = match block.state.vector {
-            // The rotation of the rotary axes is the control's own.
-            Some(_) if law.is_still(&stroke) && segment.turn() > 0.0 => law.wrong_on_the_spot(&block.state),
-            Some(_) if law.needs_axes() => law.wrong_within(&stroke, &block.state, segment.turn() > 0.0),
-            _ => law.wrong(&stroke, &block.state),
-        };
-        if let Some(text) = wrong {
-            self.found(current, &text);
-        }
+        let fault = self.rules.feed_fault(&stroke, &block.state, segment.turn() > 0.0);
+        self.found_any(current, fault);
     }
 
     /// Whether a block is the next rapid, and the retract before it no rewind: the cut was done.
@@ -447,7 +439,7 @@ impl<R: Read> Comparison<'_, R> {
             let stays = (rules.pose_from(before, block).tip - end.tip).norm() < 0.5 * rules.rounding().unit_mm;
             let longest = if stays { 0.0 } else { f64::INFINITY };
             let stroke = rules.stroke(before, block, (0.0, longest), *feed, required);
-            !at_feed || rules.law().wrong(&stroke, &block.state).is_none()
+            !at_feed || rules.feed_fault(&stroke, &block.state, segment.turn() > 0.0).is_none()
         };
         let is_rest = same_kind
             && rotated_rad <= PI + rules.rounding().unit_rad

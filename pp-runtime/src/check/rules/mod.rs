@@ -294,6 +294,17 @@ impl<'a> Rules<'a> {
         Stroke { length_mm, longest_mm, change, feed, speed_rev_per_min: required.spindle.map(|(speed, _)| speed) }
     }
 
+    /// What is wrong with F of a block. `rotates`: its motion rotates the tool axis. With a tool vector the rotation of the
+    /// rotary axes is the control's own.
+    pub(super) fn feed_fault(&self, stroke: &Stroke, state: &State, rotates: bool) -> Option<String> {
+        let law = &self.law;
+        match state.vector {
+            Some(_) if rotates && law.is_still(stroke) => law.wrong_on_the_spot(state),
+            Some(_) if law.needs_axes() => law.wrong_within(stroke, state, rotates),
+            _ => law.wrong(stroke, state),
+        }
+    }
+
     /// Whether the words of the block mirror the plane of the path: left of the words is right of the path.
     fn is_mirrored(&self, block: &Block) -> bool {
         let tip = |values: &[f64; MAX_AXES]| self.words.place(values, &block.state).tip;

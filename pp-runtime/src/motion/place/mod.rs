@@ -345,6 +345,13 @@ impl Placer {
         (length(self.linear.mask), length(self.rotary.mask).to_degrees())
     }
 
+    /// Whether the linear words of a position are coordinates of the tip, and those of another: the control moves no tip.
+    #[inline]
+    pub(crate) fn tip_rests(&self, from: &AxisPosition, to: &AxisPosition) -> bool {
+        let same = |index: usize| self.linear.mask & (1 << index) == 0 || from.words[index] == to.words[index];
+        self.frame.counts_tip() && (0..self.chain.len()).all(same)
+    }
+
     /// Shortest time of a block at the largest speeds of its axes, min; axes of unknown speed do not count.
     #[inline]
     pub(crate) fn least_minutes(&self, from: &AxisPosition, to: &AxisPosition) -> Option<f64> {

@@ -232,7 +232,7 @@ impl<'a, S: Sink> Mover<'a, S> {
         let (linear_mm, rotary_degrees) =
             if self.feeds.counts_path() { self.placer.path_lengths(from, to) } else { (0.0, 0.0) };
         let motion = FeedMotion {
-            length_mm: (to.pose.tip - from.pose.tip).norm(),
+            length_mm: if self.placer.tip_rests(from, to) { 0.0 } else { (to.pose.tip - from.pose.tip).norm() },
             rotation_rad: self.placer.rotary_travel(&from.words, &to.words),
             orthogonal: self.placer.keeps_path_length(),
             linear_mm,
