@@ -304,8 +304,7 @@ pub fn post_for(
     let mut text = ClText::new(job, input)?;
     let ready = job.config.set_up.machine_for(machine);
     let usable = control::usable_modes(ready.as_deref().unwrap_or(machine), job.control, job.config.demands());
-    let modes = ModeFinder::new(job.config.policy(), &usable);
-    let mut survey = text.survey(machine, ready.as_deref().ok(), modes)?;
+    let mut survey = text.survey(machine, ready.as_deref().ok(), &usable)?;
     if let (Some(Err(missing)), None) = (&survey.selected, survey.first_error) {
         // Errors of the CL data are reported first: they may be why operations are missing.
         return Err(PostError::Operations(missing.clone()));
@@ -360,10 +359,11 @@ impl<'a> ClText<'a> {
         &mut self,
         machine: &dyn AnyMachine,
         ready: Option<&dyn AnyMachine>,
-        modes: ModeFinder,
+        usable: &UsableModes,
     ) -> Result<Survey, PostError> {
         let policy = self.job.config.policy();
-        let navigator = ready.map(|ready| Navigator::new(ready.to_boxed(), policy));
+        let modes = ModeFinder::new(policy, usable);
+        let navigator = ready.map(|ready| Navigator::new(ready.to_boxed(), policy).with_modes(usable));
         let options = self.options();
         // The tool axis may depend on dimensions: that of the set-up, where it is valid.
         Survey::take(ready.unwrap_or(machine), &mut *self.input, options, policy, (modes, navigator))

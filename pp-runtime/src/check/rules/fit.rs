@@ -8,7 +8,7 @@ use super::super::expect::ClMotion;
 use super::super::geometry::{PathShape, Segment, ToolPose, angle_between};
 use super::super::policy::RapidForm;
 use super::super::read::{Action, ArcMove, Block, MAX_AXES, TipControl};
-use super::{AXIS_NOISE, Rules};
+use super::{AT_POLE, AXIS_NOISE, Rules};
 
 /// Points of a block that are compared besides its ends, and one more for each of these angles that it rotates, rad.
 const POINTS: f64 = 3.0;
@@ -112,7 +112,11 @@ impl Rules<'_> {
             let arc = segment.axis_arc();
             [pole, -pole].iter().any(|pole| arc.is_within(pole, self.policy.tolerances.pole_rad))
         });
-        let axis = if past_pole { rounding.pole_rad } else { rounding.axis_rad };
+        let axis = match past_pole {
+            _ if self.leads_through_pole(segment, block, end) => rounding.pole_rad + self.largest_bend_rad(),
+            true => rounding.pole_rad,
+            false => rounding.axis_rad,
+        };
         let share = match (&block.action, &segment.shape) {
             (Action::Arc(arc), PathShape::Arc(path)) => {
                 path.share_near(&end.tip, along + path.share_of(arc.sweep.abs()))
@@ -151,6 +155,18 @@ impl Rules<'_> {
         let near = (end.tip - on.tip).norm() <= BOTH * polar * rounding.tip_mm
             && angle_between(&end.axis, &on.axis) <= BOTH * axis;
         if near { Some(share.clamp(along, 1.0)) } else { elsewhere() }
+    }
+
+    /// Largest angle between a motion and a pole through which its blocks may lead, rad.
+    fn largest_bend_rad(&self) -> f64 {
+        self.policy.tolerances.axis_path_rad.min(AT_POLE)
+    }
+
+    /// Whether a block with a tool vector leads the tool axis to a pole that its motion passes closely: only there the rotary
+    /// angles that the control finds do not depend on its interpolation.
+    fn leads_through_pole(&self, segment: &Segment, block: &Block, end: &ToolPose) -> bool {
+        let at_pole = self.pole.is_some_and(|pole| pole.cross(&end.axis).norm() <= self.rounding.axis_rad);
+        block.state.vector.is_some() && at_pole && segment.axis_arc().is_within(&end.axis, self.largest_bend_rad())
     }
 
     /// Share of a motion that is done where the rotary axes rotate evenly from the words before a block to the end of the

@@ -25,6 +25,10 @@ pub(super) use fit::{Arrival, BOTH, BlockPath, SHARE, chord, sweep};
 pub(super) use state::{FrameUse, ModalContext, StateFault, fault_at_end, tool_name};
 pub(super) use words::Words;
 
+/// Distance of a tool axis from the pole, rad, below which a control that finds the rotary angles may leave the first axis
+/// where it is, and take the other position with the same tool axis.
+pub(super) const AT_POLE: f64 = 3e-4;
+
 /// Tool axes of CL data are rounded to seven digits: near the pole they are put there, rad.
 const AXIS_NOISE: f64 = 2e-6;
 
@@ -253,6 +257,11 @@ impl<'a> Rules<'a> {
     /// Whether a tool axis may be put at the pole.
     pub(super) fn is_near_pole(&self, axis: &Vector3<f64>) -> bool {
         self.pole.is_some_and(|pole| pole.cross(axis).norm() <= self.policy.tolerances.pole_rad)
+    }
+
+    /// Angle between a tool axis and the nearest pole, rad; infinite without a pole.
+    pub(super) fn off_pole_rad(&self, axis: &Vector3<f64>) -> f64 {
+        self.pole.map_or(f64::INFINITY, |pole| angle_between(&pole, axis).min(angle_between(&-pole, axis)))
     }
 
     /// Whether a block rotates a rotary axis by more than the index angle.

@@ -8,7 +8,7 @@ use std::f64::consts::{PI, TAU};
 
 use super::super::geometry::{PathPoint, PathShape, Search, Segment};
 use super::super::read::PoseSelector;
-use super::super::rules::BlockPath;
+use super::super::rules::{AT_POLE, BlockPath};
 use super::{Action, Block, Extent, Findings, MAX_AXES, Rules, TipControl, ToolPose, Travel, Vector3, sweep};
 
 /// Largest distance between points of a block, rad: of the rotary axes, of which two may add up, and of an arc; unless
@@ -20,6 +20,9 @@ const MOST_STEPS: f64 = 2000.0;
 /// Largest step of rotary axes that a control rotates by itself, rad, and the distance of two equal positions.
 const LARGEST_ROTATION: f64 = 4.0 * ROTATION_STEP;
 const SAME_POSITION: f64 = 1e-3;
+
+/// Largest step of the tool axis, in distances from the pole: a longer one might lead past it to the other position.
+const STEP_PAST_POLE: f64 = 0.5;
 
 /// Number of values of each rotary axis from which another position is looked for.
 const SEEDS: u32 = 9;
@@ -73,9 +76,15 @@ impl Travel {
         let end = words.place(&block.values, state).axis;
         let rotation = Segment { from: pose(words.tool_axis_at(&from)), to: pose(end), shape: PathShape::Line };
         let path: BlockPath<'_> = rules.path(from, block);
+        let off_pole = |axis: &Vector3<f64>| rules.off_pole_rad(axis).max(AT_POLE);
         let at = |share: f64, near: &PathPoint| {
+            let axis = rotation.at(share).axis;
+            let farther = off_pole(&axis).max(off_pole(&rotation.at(near.share).axis));
+            if (share - near.share).abs() * rotation.turn() > STEP_PAST_POLE * farther {
+                return None;
+            }
             let here = words.with_rotary(path.at(share), &near.words);
-            let here = words.rotated_to(&here, &rotation.at(share).axis, 0.0)?;
+            let here = words.rotated_to(&here, &axis, 0.0)?;
             let step = words.rotary_travel(&here, &near.words);
             let values = words.axes_with_rotary(&here, state).filter(|_| step <= LARGEST_ROTATION)?;
             Some(PathPoint { share, words: here, values })

@@ -26,12 +26,12 @@ use nalgebra::UnitVector3;
 
 use crate::diag::Diagnostic;
 use crate::kinematics::{AnyMachine, Branch, Pose};
-use crate::motion::options::{Policy, Singular};
+use crate::motion::options::{Mode, Policy, Singular, StretchMode};
 use crate::program::Event;
 use crate::program::Units;
 
 use crate::motion::geometry::PathSegment;
-use crate::motion::place::Placer;
+use crate::motion::place::{Placer, UsableModes};
 use crate::motion::rotary::{Cost, RotaryWords, RotationSense};
 use crate::motion::source::{Begins, ItemAction, MotionIndex, ProgramItem, Stage};
 
@@ -136,6 +136,10 @@ pub struct Navigator {
     searches: [SearchRun; 2],
     /// Angle of a free first rotary axis in operations without one of their own.
     singular: Singular,
+    /// Mode of operations without one of their own.
+    mode: Mode,
+    /// Control and machine have tip control.
+    has_tip_control: bool,
     /// Number of the present motion.
     motion: u64,
     /// Pose at the end of the last motion.
@@ -167,6 +171,8 @@ impl Navigator {
         Self {
             searches: [run(false), run(true)],
             singular: policy.options.singular,
+            mode: policy.options.mode,
+            has_tip_control: false,
             finder: StateFinder::new(placer),
             greedy: policy.options.course.greedy,
             prefer: policy.options.course.prefer,
@@ -181,6 +187,22 @@ impl Navigator {
             near: Vec::new(),
             second_words: Vec::new(),
         }
+    }
+
+    /// The same navigator for a program with the usable modes: where tool vectors are written, the control finds the
+    /// rotary angles.
+    #[must_use]
+    pub fn with_modes(mut self, usable: &UsableModes) -> Self {
+        self.has_tip_control = usable.tip;
+        self.set_mode(self.mode);
+        self
+    }
+
+    /// Sets the mode of the motions that come. Mode `auto` has tip control where the tool axis rotates at feed.
+    fn set_mode(&mut self, mode: Mode) {
+        let tip = self.has_tip_control && mode.of_all().is_none_or(|mode| mode == StretchMode::Tcp);
+        let by_control = self.finder.lead_through_poles(tip);
+        self.searches.iter_mut().for_each(|run| run.search.set_by_control(by_control));
     }
 
     fn record(&mut self, event: &Event<'_>) {
@@ -343,6 +365,7 @@ impl Stage for Navigator {
             ItemAction::Operation(start) => {
                 let singular = start.chosen.singular.map_or(self.singular, |singular| singular.value);
                 self.searches.iter_mut().for_each(|run| run.search.set_zeroes(singular == Singular::Zero));
+                self.set_mode(start.chosen.mode.map_or(self.mode, |mode| mode.value));
             }
             ItemAction::Record { event, .. } => self.record(event),
         }
@@ -364,7 +387,7 @@ fn cut(
     // Between opposite tool axes the path is undefined, and is not split.
     let segment = PathSegment::new(from, to);
     let (mut here, mut done) = (*from, 0.0);
-    let mut passing = finder.passing(from, to);
+    let mut passing = finder.placer().passing(&from.axis, &to.axis).map(|(part, ..)| part);
     let (mut near, mut split) = (Vec::new(), Vec::new());
     for _ in 0..MAX_CROSSINGS {
         let merged = finder.merged(states) || finder.merged(search.layer());

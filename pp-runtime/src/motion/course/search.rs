@@ -12,6 +12,9 @@ use crate::motion::rotary::{Cost, Rotary, RotaryMetric, RotaryWords, RotationSen
 /// Number of changes above which chains are compacted for the first time; then at twice the number that was left.
 const COMPACT_ABOVE: usize = 4096;
 
+/// Largest difference, in units, of words that count as the same after a path through the pole.
+pub(crate) const SAME_WORD: i64 = 2;
+
 /// Branch and rotary words of a pose.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct RotaryState {
@@ -137,6 +140,8 @@ pub(crate) struct CourseSearch {
     free: Option<Rotary>,
     /// It is at zero where it is free from one motion in the air to the next.
     zeroes: bool,
+    /// The control finds the rotary angles: where an axis is free it takes the nearest.
+    by_control: bool,
 }
 
 impl CourseSearch {
@@ -157,7 +162,13 @@ impl CourseSearch {
             predecessors: Vec::new(),
             history: History::default(),
             greedy,
+            by_control: false,
         }
+    }
+
+    /// Sets whether the control finds the rotary angles of the cuts that come.
+    pub(crate) fn set_by_control(&mut self, by_control: bool) {
+        self.by_control = by_control;
     }
 
     /// Sets whether a free axis is at zero from the next motion on.
@@ -428,7 +439,9 @@ impl CourseSearch {
                 let rotation = self.metric.cost(&from.state.words, exit);
                 from.cost.plus(rotation).plus(self.metric.cost(exit, &state.words))
             };
-            let from = self.survivors.iter().filter(|from| self.metric.short(&[0, from.state.words[1]], &[0, exit[1]]));
+            let from = self.survivors.iter().filter(|from| {
+                self.metric.short(&[0, from.state.words[1]], &[0, exit[1]]) && self.is_taken(from, exit, exits)
+            });
             let Some(from) = from.min_by_key(|from| cost(from)) else { continue };
             let cost = cost(from);
             let mut last_change = from.last_change;
@@ -442,6 +455,14 @@ impl CourseSearch {
             self.next.push(Survivor { state: *state, cost, last_change, air: None, zeroable: false });
         }
         self.finish_layer(states)
+    }
+
+    /// Whether an axis that is free at the pole leaves it with the words `exit`: a control that finds the angles itself
+    /// takes the nearest ones. A motion in the air can rotate the axis before.
+    fn is_taken(&self, from: &Survivor, exit: &RotaryWords, exits: &[Option<RotaryWords>]) -> bool {
+        let rotation = |exit: &RotaryWords| self.metric.change(0, from.state.words[0], exit[0]).abs();
+        let nearest = || exits.iter().flatten().map(rotation).min();
+        !self.by_control || from.air.is_some() || nearest().is_none_or(|nearest| rotation(exit) <= nearest + SAME_WORD)
     }
 
     /// Returns the cost of the cheapest course, and its changes.

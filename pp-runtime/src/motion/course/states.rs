@@ -4,7 +4,7 @@ use nalgebra::{Point3, UnitVector3, Vector3};
 
 use crate::kinematics::{AxisValues, Branch, Pose, Solution};
 
-use crate::motion::course::search::RotaryState;
+use crate::motion::course::search::{RotaryState, SAME_WORD};
 use crate::motion::geometry::{PathSegment, angle_between};
 use crate::motion::place::Placer;
 use crate::motion::rotary::Rotary;
@@ -12,9 +12,6 @@ use crate::motion::rotary::{MAX_TURNS, RotaryWords};
 
 /// Distance from the pole, rad, at which the direction of a path to the pole is evaluated.
 const NEAR_POLE: f64 = 1e-8;
-
-/// Largest difference, in units, of words that count as the same after a path through the pole.
-const SAME_WORD: i64 = 2;
 
 /// Largest number of halvings of a block in the test of continuity: from 180° down to the smallest distance from a pole
 /// at which the axes still move.
@@ -24,11 +21,20 @@ const MAX_HALVINGS: u32 = 30;
 #[derive(Debug)]
 pub(crate) struct StateFinder {
     placer: Placer,
+    /// Largest angle between a pole and a path that is led through it, rad; `None` if none is.
+    largest_bend_rad: Option<f64>,
 }
 
 impl StateFinder {
     pub(crate) fn new(placer: Placer) -> Self {
-        Self { placer }
+        Self { placer, largest_bend_rad: None }
+    }
+
+    /// Sets whether paths that pass a pole closely are led through it, where blocks contain tool vectors and an axis has
+    /// limits; `tip`: under tip control. Returns whether they are.
+    pub(crate) fn lead_through_poles(&mut self, tip: bool) -> bool {
+        self.largest_bend_rad = self.placer.largest_bend().filter(|_| tip);
+        self.largest_bend_rad.is_some()
     }
 
     /// Converts poses to words.
@@ -92,8 +98,22 @@ impl StateFinder {
         out.dedup();
     }
 
-    /// Fraction of the path between two poses at which the tool axis is at a pole, and this pole.
+    /// Fraction of the path between two poses at which the tool axis is at a pole or is to be led through it, and this
+    /// pole.
     pub(crate) fn pole_between(&self, from: &Pose, to: &Pose) -> Option<(f64, UnitVector3<f64>)> {
+        self.pole_touched(from, to).or_else(|| self.pole_to_cross(from, to))
+    }
+
+    /// Pole that the path passes closely where blocks contain tool vectors and an axis is limited: there the control
+    /// finds the rotary angles, and whether it rotates the first axis by nearly 180° or takes the other branch depends
+    /// on its interpolation. Through the pole the axis takes the nearest angle.
+    fn pole_to_cross(&self, from: &Pose, to: &Pose) -> Option<(f64, UnitVector3<f64>)> {
+        let largest = self.largest_bend_rad?;
+        let (part, pole, angle) = self.placer.passing(&from.axis, &to.axis)?;
+        (angle <= largest).then_some((part, pole))
+    }
+
+    fn pole_touched(&self, from: &Pose, to: &Pose) -> Option<(f64, UnitVector3<f64>)> {
         let (a, b) = (from.axis.into_inner(), to.axis.into_inner());
         let normal = a.cross(&b);
         let sine = normal.norm();
@@ -106,23 +126,6 @@ impl StateFinder {
                 && a.cross(&p).dot(&normal) > 0.0
                 && p.cross(&b).dot(&normal) > 0.0;
             touches.then(|| (angle_between(&a, &p) / angle_between(&a, &b), *pole))
-        })
-    }
-
-    /// Fraction of the path at which the tool axis is nearest to a pole, if the path passes the pole: the directions
-    /// from the pole to its ends are more than 120° apart.
-    pub(crate) fn passing(&self, from: &Pose, to: &Pose) -> Option<f64> {
-        let (a, b) = (from.axis.into_inner(), to.axis.into_inner());
-        let normal = a.cross(&b).try_normalize(1e-12)?;
-        self.placer.poles().iter().find_map(|pole| {
-            let p = pole.into_inner();
-            let from_pole = |axis: &Vector3<f64>| axis - p * p.dot(axis);
-            let (before, after) = (from_pole(&a), from_pole(&b));
-            if before.dot(&after) > -0.5 * before.norm() * after.norm() {
-                return None;
-            }
-            let nearest = p - normal * p.dot(&normal);
-            Some(angle_between(&a, &nearest) / angle_between(&a, &b)).filter(|part| *part > 0.0 && *part < 1.0)
         })
     }
 

@@ -15,6 +15,7 @@ mod rotary_angles;
 mod suited;
 mod tilted_plane;
 mod tip;
+mod tool_vectors;
 mod travel;
 
 use std::collections::BTreeMap;
@@ -23,7 +24,7 @@ use nalgebra::{Point3, UnitVector3, Vector3};
 
 use crate::kinematics::{AnyMachine, Axis, AxisKind, AxisValues, Branch, Limits, Pose, Side};
 use crate::motion::fault::Fault;
-use crate::motion::options::{Policy, StretchMode, TcpWords};
+use crate::motion::options::{Policy, StretchMode};
 use crate::motion::rotary::{AngleScale, OutOfLimits, Rotary, RotaryMetric, RotaryTarget, RotaryWords, choose};
 use crate::motion::step::{AxisWords, MAX_AXES, ReachedPosition, VECTOR_DECIMALS};
 use crate::nc::whole_units;
@@ -88,6 +89,8 @@ pub(crate) struct Placer {
     gauge_line: bool,
     /// Under tip control blocks contain the tool axis as a vector instead of rotary words.
     vectors: bool,
+    /// Largest angle between a pole and a path that is led through it; `None` if none is.
+    largest_bend_rad: Option<f64>,
 }
 
 fn too_large(letter: char) -> Fault {
@@ -133,7 +136,8 @@ impl Placer {
             datum,
             head,
             gauge_line: policy.set_up.length_mode == LengthMode::Gauge,
-            vectors: options.tip.tcp_words == TcpWords::Vectors,
+            vectors: tool_vectors::has_vectors(policy),
+            largest_bend_rad: tool_vectors::largest_bend(policy, rotary.limited),
             rotary,
             held: machine.held(),
             chain,
@@ -152,11 +156,6 @@ impl Placer {
     /// Sets the mode of the stretch that begins.
     pub(crate) fn set_mode(&mut self, mode: StretchMode) {
         self.frame.set_mode(mode);
-    }
-
-    /// Whether blocks contain the tool axis as a vector instead of rotary words.
-    pub(crate) fn writes_vectors(&self) -> bool {
-        self.vectors && self.mode() == StretchMode::Tcp
     }
 
     /// The machine with the current tool.
@@ -395,36 +394,6 @@ impl Placer {
         let unit = 10_f64.powi(VECTOR_DECIMALS.cast_signed());
         let vector = axis.map(|axis| axis.map(|component| (component * unit).round() as i64).into());
         AxisWords { units, mask: mask & !self.rotary.mask, vector }
-    }
-
-    /// Whether a block rotates rotary axes by more than `angle_rad` although its tool vector does not change, so that
-    /// the block cannot program the rotation: about the tool axis, or by whole revolutions. At the pole a control that
-    /// moves the tool axis in the plane of its ends needs no such rotation.
-    fn rotation_is_unprogrammable(&self, from: &AxisPosition, to: &AxisPosition, angle_rad: f64) -> bool {
-        let all = self.linear.mask | self.rotary.mask;
-        self.writes_vectors()
-            && !(to.at_pole && self.frame.rotates_axis_in_plane())
-            && self.rotary_travel(&from.words, &to.words) > angle_rad
-            && self.words(from, all).vector == self.words(to, all).vector
-    }
-
-    /// Refuses a rotation by more than `angle_rad` that a block with tool vectors cannot express: the control would continue
-    /// with the rotary axes at other angles.
-    pub(crate) fn check_hidden_rotation(
-        &self,
-        from: &AxisPosition,
-        to: &AxisPosition,
-        angle_rad: f64,
-    ) -> Result<(), Fault> {
-        if !self.rotation_is_unprogrammable(from, to, angle_rad) {
-            return Ok(());
-        }
-        let (letter, turn) = self.largest_rotation(&from.words, &to.words).unwrap_or_default();
-        Err(Fault::new(format_args!(
-            "{letter} has to rotate by {:.3}° here while the tool axis stays, which tool vectors cannot express",
-            turn.to_degrees()
-        ))
-        .help("set `tcp_words = \"angles\"`"))
     }
 
     /// Position of a pose, reached from the position `from`, which also gives the values of the held axes. `planned`:

@@ -371,15 +371,18 @@ impl<'a, S: Sink> Planner<'a, S> {
         let (from, sense, mut planned) = (self.mover.position().pose(), self.course.take_sense(), None);
         while let Some(CourseChange { action, words, .. }) = self.course.change(index.motion) {
             if !matches!(action, CourseAction::EndWith) {
-                self.mover.begin_motion(false);
+                self.mover.divide_motion();
             }
             match action {
                 CourseAction::EndWith => planned = Some(RotaryTarget { words, sense }),
                 CourseAction::Rewind => rewind::rewind(self, motion, words)?,
+                // The block that leaves the pole has the next tool vector, and rotates the axis.
+                CourseAction::RotateAtPole if self.mover.placer().writes_vectors() => {}
                 CourseAction::RotateAtPole => self.cut_to(motion, self.mover.position().pose(), words)?,
                 CourseAction::SplitAt(part) => {
                     let Some(path) = PathSegment::new(&from, &motion.pose) else { continue };
-                    self.cut_to(motion, path.at(part), words)?;
+                    let pose = self.mover.bend(path.at(part), &words);
+                    self.cut_to(motion, pose, words)?;
                 }
             }
         }

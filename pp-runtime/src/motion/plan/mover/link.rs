@@ -17,6 +17,7 @@ impl<S: Sink> Mover<'_, S> {
             if placer.place(pose, &start, false, None)?.words != place.words {
                 return Ok(false);
             }
+            placer.check_passed_pole(&start, place)?;
             let mut here = start;
             while let Some(piece) = pieces.next(placer)? {
                 placer.check_travel(&piece.place)?;

@@ -22,7 +22,7 @@ use crate::motion::plan::clamps::{Clamps, MovingAxes};
 use crate::motion::plan::feed::{FeedMotion, Feeds, Pace};
 use crate::motion::plan::output::Output;
 use crate::motion::plan::position::Position;
-use crate::motion::rotary::{Rollover, RotaryTarget};
+use crate::motion::rotary::{Rollover, RotaryTarget, RotaryWords};
 use crate::motion::source::HELD;
 use crate::motion::step::{AxisWords, MAX_AXES, Sink, Step};
 use crate::motion::step::{BlockReason, ReachedPosition};
@@ -39,6 +39,8 @@ pub(crate) struct Mover<'a, S> {
     tolerance: PathTolerance,
     /// Motion of the rotary axes in the motion at hand.
     law: RotationLaw,
+    /// Angle by which the motion at hand is bent to lead it through a pole, rad.
+    bent_rad: f64,
     position: Position,
     output: Output<S>,
     /// Safety lines so far.
@@ -63,6 +65,7 @@ impl<'a, S: Sink> Mover<'a, S> {
                 axis_rad: policy.options.axis_tolerance_path_rad,
             },
             law: RotationLaw::GreatCircle,
+            bent_rad: 0.0,
             position: Position::new(placer.zero()),
             policy,
             abilities,
@@ -92,6 +95,19 @@ impl<'a, S: Sink> Mover<'a, S> {
     pub(crate) fn begin_motion(&mut self, whole: bool) {
         let even = whole && self.policy.options.tip.tool_posture == ToolPosture::Axes;
         self.law = if even { RotationLaw::Even } else { RotationLaw::GreatCircle };
+        self.bent_rad = 0.0;
+    }
+
+    /// The motion at hand is divided, by a change of its course.
+    pub(crate) fn divide_motion(&mut self) {
+        self.law = RotationLaw::GreatCircle;
+    }
+
+    /// A pose of the motion at hand, led to the pole where its rotary words have the tool axis there.
+    pub(crate) fn bend(&mut self, pose: Pose, words: &RotaryWords) -> Pose {
+        let Some((pole, angle)) = self.placer.bend(&pose, words) else { return pose };
+        self.bent_rad = self.bent_rad.max(angle);
+        Pose { axis: pole, ..pose }
     }
 
     /// LINTOL: largest deviation of the tip from its path, mm.
@@ -251,7 +267,9 @@ impl<'a, S: Sink> Mover<'a, S> {
         if self.leaves_plane(place) {
             return Err(rotation_in_plane_mode().into());
         }
-        self.feed_in_pieces(place, rate, self.tolerance)
+        self.placer.check_passed_pole(self.here(), place)?;
+        let axis_rad = self.tolerance.axis_rad - self.bent_rad;
+        self.feed_in_pieces(place, rate, PathTolerance { axis_rad, ..self.tolerance })
     }
 
     /// Writes a feed motion in one block.
