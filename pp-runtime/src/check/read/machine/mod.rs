@@ -280,6 +280,10 @@ impl Interpreter {
             self.motion(draft, block)
         };
         let alone = matches!(block.action, Action::End | Action::Stop | Action::OptionalStop | Action::Dwell(_));
+        let stops = matches!(block.action, Action::End | Action::Stop | Action::OptionalStop | Action::ToolChange);
+        if stops && self.facts.motion_codes_execute {
+            self.code_alone(draft, &mut block.faults);
+        }
         let others = draft.written != 0 || draft.reference || draft.machine;
         if (alone || block.action == Action::ToolChange) && others {
             fault(&mut block.faults, 0, "axis words in a block with another function");

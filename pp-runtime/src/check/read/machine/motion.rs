@@ -76,7 +76,7 @@ impl Interpreter {
     }
 
     /// A motion code without axis words where it is executed all the same.
-    fn code_alone(&self, draft: &Draft, faults: &mut Vec<Fault>) {
+    pub(super) fn code_alone(&self, draft: &Draft, faults: &mut Vec<Fault>) {
         match draft.code {
             Some(Code::Feed) if self.state.feed.is_none() => fault(faults, 0, "G1 while no F is in force"),
             Some(Code::Clockwise | Code::CounterClockwise) if draft.centre_written == 0 => {

@@ -113,6 +113,7 @@ fn a_code_that_acts_in_its_block_alone_has_no_other_beside_it() {
         refused(family, &[&format!("{dwell} G53"), &format!("G28 {dwell}")], "another code of its group");
     }
     refused(Family::LinuxCnc, &["G0 G28 Z0."], "reference motion");
+    refused(Family::LinuxCnc, &["G3 M0", "G2 M1", "M30 G3"], "an arc without its words");
     accepted(Family::Fanuc, &["G0 G28 Z0."]);
 }
 
