@@ -88,8 +88,8 @@ pub(crate) struct ModeFollower {
 
 impl ModeFollower {
     pub(crate) fn new(modes: StretchModes) -> Self {
-        let start = Self { entered: StretchMode::Axes, run: 0, next: 0, stretch: 0, rotated_before: false, modes };
-        let mut follower = start;
+        let mut follower =
+            Self { entered: StretchMode::Axes, run: 0, next: 0, stretch: 0, rotated_before: false, modes };
         follower.entered = follower.mode();
         follower.next = follower.first_of(1);
         follower
@@ -224,9 +224,7 @@ impl ModesOfContents {
             Content::Holes | Content::Rapids => self.holes,
         }
     }
-}
 
-impl ModesOfContents {
     fn chosen(operation: &OperationContent, usable: &UsableModes, most_planes: usize) -> Self {
         if let Some(mode) = operation.mode {
             return Self { rotating: mode, held: mode, holes: mode };

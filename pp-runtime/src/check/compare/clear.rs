@@ -20,7 +20,8 @@ use std::io::Read;
 use super::super::geometry::{angle_between, depth_of_box, depth_of_line, size};
 use super::super::policy::LinearMeaning;
 use super::super::read::{Action, Block, MAX_AXES};
-use super::{Comparison, Current, Phase};
+use super::super::rules::Rules;
+use super::{Comparison, Phase, Previous};
 use crate::program::Clearance;
 
 /// Axis values that differ by less are the same, mm and rad.
@@ -34,71 +35,67 @@ pub(super) struct KeepOut {
     approaches: bool,
 }
 
-impl<R: Read> Comparison<'_, R> {
+impl KeepOut {
     /// Geometry that a block must stay out of; `None` where it cannot run into it.
-    pub(super) fn keep_out(&self, phase: &Phase, block: &Block) -> Option<KeepOut> {
-        let as_in_cl_data = self.rules.policy().links.direct;
-        if block.action != Action::Rapid || as_in_cl_data || self.rules.rapids_are_interpolated() {
+    pub(super) fn of<R: Read>(comparison: &Comparison<'_, R>, phase: &Phase, block: &Block) -> Option<Self> {
+        let rules = &comparison.rules;
+        if block.action != Action::Rapid || rules.policy().links.direct || rules.rapids_are_interpolated() {
             return None;
         }
         let (clearance, approaches) = match phase {
-            Phase::Retracted(_) => (self.progress.next()?.required.clearance, true),
-            Phase::Cutting(_) => (self.clearance().copied(), false),
+            Phase::Retracted(_) => (comparison.progress.next()?.required.clearance, true),
+            Phase::Cutting(_) => (comparison.clearance().copied(), false),
             Phase::Unknown { .. } | Phase::Leaving(_) | Phase::Ended => return None,
         };
-        Some(KeepOut { clearance: clearance?, approaches })
+        Some(Self { clearance: clearance?, approaches })
     }
 
-    /// Reports a rapid that may lead the tip into the geometry.
-    pub(super) fn stays_out(&mut self, keep_out: &KeepOut, current: &Current<'_>) {
-        let KeepOut { clearance, approaches } = keep_out;
-        let Some([from, to]) = self.ends_of_rapid(keep_out, current.block) else { return };
-        let (words, rounding) = (self.rules.words(), self.rules.rounding());
+    /// What is wrong with a rapid that may lead the tip into the geometry.
+    pub(super) fn fault(&self, rules: &Rules<'_>, previous: &Previous, block: &Block) -> Option<String> {
+        let Self { clearance, approaches } = self;
+        let [from, to] = self.ends_of_rapid(rules, previous, block)?;
+        let (words, rounding) = (rules.words(), rules.rounding());
         let chain = words.chain();
         let ends = [&from, &to].map(|values| chain.place(values));
         let [start, end] = [ends[0].tip, ends[1].tip];
-        let accuracy_mm = 4.0 * rounding.tip_mm + 2.0 * (end - start).norm() * rounding.axis_rad;
-        let deepest = |allowed_mm: f64| depth_of_box(clearance, chain, [&from, &to], allowed_mm, accuracy_mm);
         let step = end - start;
+        let accuracy_mm = 4.0 * rounding.tip_mm + 2.0 * step.norm() * rounding.axis_rad;
+        let deepest = |allowed_mm: f64| depth_of_box(clearance, chain, [&from, &to], allowed_mm, accuracy_mm);
         let across_mm = (step - ends[1].axis * step.dot(&ends[1].axis)).norm();
         let holds_axis = angle_between(&ends[0].axis, &ends[1].axis) <= 2.0 * rounding.axis_rad;
         let along_axis = !approaches && holds_axis && across_mm <= accuracy_mm;
         if along_axis || deepest(0.0).is_none() {
-            return;
+            return None;
         }
         let straight_from = if *approaches { chain.place(&above(&to, &from, words.retract())).tip } else { start };
         let straight_mm = depth_of_line(clearance, &straight_from, &end);
         let asked_for = !approaches && straight_mm > accuracy_mm;
-        if let Some(depth_mm) = deepest(straight_mm.max(0.0)).filter(|_| !asked_for) {
-            let remedy = match approaches {
-                true => "the retract axis must come down last",
-                false => "post it with `rapid = \"feed\"`, or state `[control] linear_rapids`",
-            };
-            let text = format!(
-                "if each axis of this rapid moves on its own, the tip may be {depth_mm:.3} mm deep in the clearance \
-                 geometry: {remedy}"
-            );
-            self.found(current, &text);
-        }
+        let depth_mm = deepest(straight_mm.max(0.0)).filter(|_| !asked_for)?;
+        let remedy = match approaches {
+            true => "the retract axis must come down last",
+            false => "post it with `rapid = \"feed\"`, or state `[control] linear_rapids`",
+        };
+        Some(format!(
+            "if each axis of this rapid moves on its own, the tip may be {depth_mm:.3} mm deep in the clearance geometry: \
+             {remedy}"
+        ))
     }
 
     /// Axis values before and after a rapid that need not be straight. Before an approach the retract axis is as far out as
     /// leads out of the geometry.
-    fn ends_of_rapid(&self, keep_out: &KeepOut, block: &Block) -> Option<[[f64; MAX_AXES]; 2]> {
-        let words = self.rules.words();
+    fn ends_of_rapid(&self, rules: &Rules<'_>, previous: &Previous, block: &Block) -> Option<[[f64; MAX_AXES]; 2]> {
+        let words = rules.words();
         let (retract, solved) = (words.retract(), words.linear_bits() | words.rotary_bits());
-        let needed = if keep_out.approaches { solved & !(1 << retract) } else { solved };
-        let comes_down = self.rules.meaning() == LinearMeaning::AxisPositions && block.written & (1 << retract) != 0;
-        if keep_out.approaches && !comes_down
-            || self.previous.same_meaning & needed != needed
-            || block.known & solved != solved
+        let needed = if self.approaches { solved & !(1 << retract) } else { solved };
+        let comes_down = rules.meaning() == LinearMeaning::AxisPositions && block.written & (1 << retract) != 0;
+        if self.approaches && !comes_down || previous.same_meaning & needed != needed || block.known & solved != solved
         {
             return None;
         }
         let to = words.axes(&block.values, &block.state)?;
-        let mut from = words.axes(&self.previous.words, &block.state)?;
-        if keep_out.approaches {
-            let out_mm = size(&keep_out.clearance) + words.chain().place(&to).tip.norm();
+        let mut from = words.axes(&previous.words, &block.state)?;
+        if self.approaches {
+            let out_mm = size(&self.clearance) + words.chain().place(&to).tip.norm();
             from[retract] = to[retract] + words.outwards() * out_mm;
         }
         let moved = |index: &usize| (from[*index] - to[*index]).abs() > SAME;

@@ -86,15 +86,15 @@ impl<R: Read> Comparison<'_, R> {
         Ok(None)
     }
 
-    /// Number of motions ahead that need no block; the item after them is known.
-    fn needless_ahead(&mut self, here: Option<ToolPose>) -> io::Result<usize> {
+    /// Reads ahead over motions that need no block, to the item after them.
+    fn read_over_needless(&mut self, here: Option<ToolPose>) -> io::Result<()> {
         let mut count = 0;
         self.progress.fill(2)?;
         while count < MOST_NEEDLESS && self.is_needless(count, here) {
             count += 1;
             self.progress.fill(count + 1)?;
         }
-        Ok(count)
+        Ok(())
     }
 
     /// Whether the words of a block are those before it.
@@ -129,7 +129,7 @@ impl<R: Read> Comparison<'_, R> {
             self.pass_over(Some(&mut cutting.perhaps_retract));
             self.progress.fill(2)?;
         }
-        self.needless_ahead(cutting.here)?;
+        self.read_over_needless(cutting.here)?;
         if self.is_rest(cutting, current.block, end) {
             return Ok(true);
         }

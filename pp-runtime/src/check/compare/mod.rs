@@ -34,6 +34,7 @@ use super::travel::{Findings, Travel};
 use crate::cl::ClReader;
 use crate::kinematics::AnyMachine;
 use crate::program::{Location, Units};
+use clear::KeepOut;
 use functions::FunctionState;
 use phase::{Phase, Task};
 use progress::ClProgress;
@@ -194,7 +195,7 @@ impl<R: Read> Comparison<'_, R> {
         let moved = self.rules.moved(&self.previous.words, self.previous.known, block);
         let fault = self.functions.clamps(block, moved, &self.rules, at_part);
         self.found_any(current, fault);
-        let keep_out = self.keep_out(phase, block);
+        let keep_out = KeepOut::of(self, phase, block);
         let next = match (task, &mut *phase) {
             (Task::MachineCoordinates, phase) => self.machine_coordinates(phase, current)?,
             (Task::ReferencePoint, phase) => {
@@ -216,9 +217,8 @@ impl<R: Read> Comparison<'_, R> {
             }
             _ => None,
         };
-        if let Some(keep_out) = keep_out {
-            self.stays_out(&keep_out, current);
-        }
+        let entered = keep_out.and_then(|keep_out| keep_out.fault(&self.rules, &self.previous, block));
+        self.found_any(current, entered);
         self.follow_arcs(block);
         if matches!(block.action, Action::Machine | Action::Reference) {
             self.travel.machine_block(&self.rules, block);

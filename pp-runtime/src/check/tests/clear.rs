@@ -91,7 +91,7 @@ fn a_rotary_axis_that_swings_the_part_into_the_tip_is_found_at_every_share_of_it
     assert_eq!(deep::<Tables>("fanuc", Mode::Axes, &set_up, &high), []);
 }
 
-/// Two operations: the second begins beside the geometry, below its top.
+/// Two operations: the second begins next to the geometry, below its top.
 fn two_operations() -> String {
     let first = data("");
     let second = "TOOL PATH/SECOND,TOOL,T1\nLOADTL/1,LENGTH,100.0\nGOTO/0,100,0\nGOTO/0,100,-5\nRAPID\nGOTO/0,100,40\n";

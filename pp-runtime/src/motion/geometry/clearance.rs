@@ -32,27 +32,20 @@ pub(crate) fn distance_to_clear(clearance: &Clearance, tip: &Point3<f64>, axis: 
 /// Whether the straight line between two points leads into the clearance geometry, deeper than `graze_mm`.
 pub(crate) fn line_enters(clearance: &Clearance, from: &Point3<f64>, to: &Point3<f64>, graze_mm: f64) -> bool {
     let by = to - from;
-    let inside = |first: f64, last: f64| first <= last && first <= 1.0 && last >= 0.0;
     let between = |i: usize, lower: f64, upper: f64| span(from[i], by[i], lower + graze_mm, upper - graze_mm);
-    let all = |spans: &[Option<(f64, f64)>]| {
-        let spans = spans.iter().copied().collect::<Option<Vec<_>>>();
-        spans.is_some_and(|spans| {
-            let first = spans.iter().fold(f64::NEG_INFINITY, |first, span| first.max(span.0));
-            inside(first, spans.iter().fold(f64::INFINITY, |last, span| last.min(span.1)))
-        })
-    };
+    let inside = |spans: &[Option<(f64, f64)>]| common(spans).is_some_and(|(first, last)| first <= 1.0 && last >= 0.0);
     match *clearance {
         Clearance::Plane(plane) => {
             let height = |point: &Point3<f64>| point.coords.dot(&plane.normal) - plane.distance_mm;
             height(from).min(height(to)) < -graze_mm
         }
-        Clearance::Box { lower, upper } => all(&[0, 1, 2].map(|i| between(i, lower[i], upper[i]))),
+        Clearance::Box { lower, upper } => inside(&[0, 1, 2].map(|i| between(i, lower[i], upper[i]))),
         Clearance::Cylinder { centre: [x, y], radius_mm, lower_z_mm, upper_z_mm } => {
             let start = Vector3::new(from.x - x, from.y - y, 0.0);
             let across = Vector3::new(by.x, by.y, 0.0);
             let radius = (radius_mm - graze_mm).max(0.0);
             let round = crossing(across.norm_squared(), start.dot(&across), start.norm_squared() - radius * radius);
-            all(&[round, between(2, lower_z_mm, upper_z_mm)])
+            inside(&[round, between(2, lower_z_mm, upper_z_mm)])
         }
     }
 }
@@ -100,12 +93,17 @@ fn crossing(a: f64, b: f64, c: f64) -> Option<(f64, f64)> {
 
 /// Largest parameter that is inside all spans and not negative; 0 if there is none.
 fn last_inside(spans: &[Option<(f64, f64)>]) -> f64 {
+    common(spans).map_or(0.0, |(_, last)| last.max(0.0))
+}
+
+/// First and last parameter that is inside all spans.
+fn common(spans: &[Option<(f64, f64)>]) -> Option<(f64, f64)> {
     let mut inside = (f64::NEG_INFINITY, f64::INFINITY);
     for span in spans {
-        let Some((first, last)) = span else { return 0.0 };
-        inside = (inside.0.max(*first), inside.1.min(*last));
+        let (first, last) = (*span)?;
+        inside = (inside.0.max(first), inside.1.min(last));
     }
-    if inside.0 <= inside.1 { inside.1.max(0.0) } else { 0.0 }
+    Some(inside).filter(|(first, last)| first <= last)
 }
 
 #[cfg(test)]

@@ -43,11 +43,8 @@ impl Placer {
             self.machine.forward_kinematics(&axes).tip
         };
         let corners: Vec<Point3<f64>> = (0..1 << moved.len()).map(corner).collect();
-        let farthest = corners
-            .iter()
-            .map(|tip| tip.coords.norm())
-            .fold(FARTHEST_CENTRE_MM, |sum, tip| sum.max(FARTHEST_CENTRE_MM + tip));
+        let farthest = corners.iter().map(|tip| tip.coords.norm()).fold(0.0, f64::max);
         let bent: f64 = rotary().map(|&index| (to.axes[index] - from.axes[index]).powi(2) / 8.0).sum();
-        Some(DogLeg { corners, beyond_mm: farthest * bent })
+        Some(DogLeg { corners, beyond_mm: (FARTHEST_CENTRE_MM + farthest) * bent })
     }
 }

@@ -147,7 +147,7 @@ impl OperationChoice {
 fn matches(pattern: &str, text: &str) -> bool {
     let (pattern, text): (Vec<char>, Vec<char>) = (pattern.chars().collect(), text.chars().collect());
     let (mut at, mut read) = (0, 0);
-    // The last star, and the first character after the text that it stands for.
+    // The last star, and the first character after the text that it matches.
     let mut star: Option<(usize, usize)> = None;
     while read < text.len() {
         match pattern.get(at) {

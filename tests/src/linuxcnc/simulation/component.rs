@@ -1,7 +1,7 @@
 //! Kinematics of a machine that LinuxCNC has no module for: `table.c`, compiled for that machine.
 //!
 //! LinuxCNC loads modules from its own folder only. In a mount namespace of its own it sees the component there, in place
-//! of `userkins`, the module that it has for kinematics of one's own; nobody else does.
+//! of `userkins`, the module that it has for kinematics of one's own; no other program sees it.
 
 use std::io;
 use std::path::Path;

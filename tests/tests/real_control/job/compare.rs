@@ -34,7 +34,7 @@ const MILLING: f64 = 800.0;
 /// Tolerance of a tool axis between two points, rad: the largest angle from the great circle that the program states.
 const SWING: f64 = 0.1 / 57.295 + AXIS;
 
-/// Radius by which the tool is beside a compensated path, mm: that of tool 3.
+/// Radius by which the tool is offset from a compensated path, mm: that of tool 3.
 const RADIUS: f64 = 5.0;
 
 /// Points of a compensated line or arc that are compared.
@@ -166,13 +166,13 @@ impl Comparison {
         let line = lines[made];
         let name = format!("{}, line {}, hole at {}", operation.name, line.number, mouth.tip);
         let inside = || line.way.iter().filter(|at| height(at) < clear - TIP);
-        let beside = largest(inside().map(|at| (at.tip - mouth.tip - mouth.axis.into_inner() * height(at)).norm()));
+        let off = largest(inside().map(|at| (at.tip - mouth.tip - mouth.axis.into_inner() * height(at)).norm()));
         let inclined = largest(inside().map(|at| angle_between(&at.axis, &mouth.axis)));
         let lowest = inside().map(height).fold(f64::INFINITY, f64::min);
         // The tool turns between two servo cycles; with the spindle it reverses in some.
         let in_a_cycle = f64::from(FEED_OVERRIDE) / 100.0 * DRILLING * CYCLE;
         let (above, below) = if thread { (0.0, REVERSAL * TAPPING * SPINDLE_SCALE * CYCLE) } else { (in_a_cycle, 0.0) };
-        self.expect(beside <= TIP, || format!("{name}: {beside} beside its axis"));
+        self.expect(off <= TIP, || format!("{name}: {off} off its axis"));
         self.expect(inclined <= AXIS, || format!("{name}: inclined by {inclined}"));
         self.expect(lowest <= bottom + above + TIP && lowest >= bottom - below - TIP, || {
             format!("{name}: bottom at {lowest}, not {bottom}")
@@ -198,7 +198,7 @@ impl Comparison {
             let Goal::Feed { to, centre, .. } = goal else { continue };
             let element = Element::new(before, &to, centre, heading);
             heading = element.heading(1.0);
-            // In an inside corner the tool begins where the two lines beside the path meet.
+            // In an inside corner the tool begins where the two offset lines meet.
             let angle = turn.take().map_or(0.0, |into| angle_between(&into, &element.heading(0.0)));
             let corner = CORNER / element.length();
             let first = if angle > 0.0 { RADIUS * (angle / 2.0).tan() / element.length() + corner } else { 0.0 };
@@ -212,7 +212,7 @@ impl Comparison {
             }));
             self.compared.compensated += 1;
             let name = format!("{}, line {}", operation.name, line.number);
-            self.expect(off <= ARC, || format!("{name}: {off} beside the compensated path"));
+            self.expect(off <= ARC, || format!("{name}: {off} off the compensated path"));
             let inclined = largest(line.way.iter().map(|pose| angle_between(&pose.axis, &before.axis)));
             self.expect(inclined <= AXIS, || format!("{name}: inclined by {inclined}"));
         }
