@@ -148,6 +148,10 @@ impl Line<'_> {
                 switches && !draft.is_alone(group::TIP),
                 "tip control is switched in a block with other codes or words: it needs a block of its own",
             ),
+            (
+                draft.rigid && draft.hole.is_none() && !draft.is_alone(group::RIGID),
+                "M29 in a block with other codes or words than its S and its thread",
+            ),
             (draft.coolant_on != 0 && draft.coolant_off != 0, "coolant is switched on and off in one block"),
             (draft.dwells && draft.code.is_some(), "a motion code in a block with a dwell"),
             (

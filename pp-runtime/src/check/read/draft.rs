@@ -237,7 +237,11 @@ impl Draft {
     /// Whether the block has nothing but codes of a group and their words.
     pub(super) fn is_alone(&self, own: u32) -> bool {
         let words = self.letters & !(self.takes | letters("N"));
-        self.groups & !(1 << own | 1 << group::FREE) == 0 && self.written == 0 && words == 0 && self.define.is_none()
+        let miscellaneous = u32::from(self.rigid) << group::MISCELLANEOUS;
+        self.groups & !(1 << own | 1 << group::FREE | miscellaneous) == 0
+            && self.written == 0
+            && words == 0
+            && self.define.is_none()
     }
 
     /// Takes the word of an axis; `false` if it stands there already.

@@ -84,6 +84,10 @@ pub(super) fn clear(control: Control, command: &Command) -> Result<(), String> {
         return Err("reference points in a block with another code".to_owned());
     }
     let cycle = command.meanings.iter().any(|meaning| matches!(meaning, Meaning::Cycle(_)));
+    let moves_or_feeds = command.has_axes() || command.words.iter().any(|word| word.address == Address::Feed);
+    if command.has(Meaning::RigidTapping) && !cycle && (moves_or_feeds || command.meanings.len() > 1) {
+        return Err("M29 in a block with other codes or words than its S and its thread".to_owned());
+    }
     if cycle && command.has(Meaning::Continuous) {
         return Err("P of a cycle and of G64 in one block".to_owned());
     }

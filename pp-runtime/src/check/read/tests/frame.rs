@@ -166,6 +166,10 @@ fn m29_is_followed_by_its_thread() {
         format!("M29 S500\nM77\n{thread}"),
         format!("M29 S500\n{}", thread.replace("G84", "G81")),
         "M29 S500\nM30\n".to_owned(),
+        format!("M29 S500 G80\n{thread}"),
+        format!("M29 S500 X5.\n{thread}"),
+        format!("M29 S500 G90\n{thread}"),
+        format!("M29 S500 F100.\n{thread}"),
         "M29 S500\n%\n".to_owned(),
     ] {
         assert!(!program(&text).is_empty(), "{text}");
