@@ -363,6 +363,16 @@ attacks! {
     shortest_path_where_words_count_on_is_found: [
         (HEIDENHAIN, ALL, "", &[(Text("M127", 0), DeleteEvery("M127")), (Cut, Before("M126")), (Text("M127", 0), Line("M126"))]),
     ];
+    a_lost_or_another_guard_of_rotary_positions_is_found: [
+        (&["siemens"], &[Plane, Tcp], "", &[
+            (Text("IF ABS(SIN", 0), Delete(5)), (Text("IF ABS(SIN", 0), Replace(">0.0009", ">0.9")),
+            (Text("IF ABS(SIN", 0), Replace("/2))", "+40)/2))")), (Text("IF ABS(SIN", 0), Replace("-", "-1")),
+        ]),
+        (HEIDENHAIN, &[Plane, Tcp], "", &[
+            (Text("FN 20: WAIT FOR SYNC", 0), Delete(8)), (Text("IF +QL3", 0), Replace("0.0009", "0.9")),
+            (Text("QL3 =", 0), Replace("-", "+")), (Text("QL3 =", 0), Replace("QL2 ", "QL2 - 1 ")),
+        ]),
+    ];
     another_position_of_the_plane_is_found: [
         (HEIDENHAIN, &[Plane], "", &[
             (Text("SEQ+ COORD", 0), Replace("SEQ+", "SEQ-")),

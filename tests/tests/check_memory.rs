@@ -219,13 +219,23 @@ fn beginnings(program: &[u8]) -> Vec<usize> {
     begins
 }
 
-/// Blocks without their numbers.
+/// Blocks without their numbers, and without those of labels, each of which occurs in one place only.
 fn without_numbers(control: &str, program: &[u8]) -> Vec<lexer::Content> {
     let control = Foreign::by_name(control).expect("a control");
     let lines = lexer::joined(control, std::str::from_utf8(program).expect("ASCII"));
     let content =
         |(_, text): (usize, String)| lexer::line(control, &text).unwrap_or_else(|why| panic!("{why}: {text}")).content;
-    lines.into_iter().map(content).collect()
+    let unlabelled = |content: lexer::Content| match content {
+        lexer::Content::Condition(text) if text.contains("LBL \"") => {
+            let (before, label) = text.split_once("LBL \"").expect("a label");
+            lexer::Content::Condition(format!(
+                "{before}LBL {}",
+                label.trim_end_matches(|last: char| last == '"' || last.is_ascii_digit())
+            ))
+        }
+        other => other,
+    };
+    lines.into_iter().map(content).map(unlabelled).collect()
 }
 
 /// Checks that a program a hundred times as long passes and takes no more memory.

@@ -313,6 +313,8 @@ pub struct ShopBlocks {
     pub guards_rotated_axes_only: bool,
     /// Such words lead to tip control as well.
     pub guards_tip_control: bool,
+    /// Rotary positions are compared after each plane call, where the control can.
+    pub guards_planes: bool,
     /// Smoothing in cuts.
     pub smoothing: Option<SmoothingLevel>,
     /// Tolerance of smoothing for rotary axes, where the program states it.

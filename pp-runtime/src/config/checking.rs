@@ -189,6 +189,7 @@ impl Config {
                 .then_some(self.motion.guards.length_tolerance_mm),
             guards_tip_control: enters_by_axes,
             guards_rotated_axes_only: self.motion.guards.length_guard.is_none() && self.motion.mode_of_all().is_none(),
+            guards_planes: self.motion.guards.plane_guard,
             smoothing: smoothing_level(control.smoothing),
             smoothing_angle_rad: control.smoothing_angle_rad,
             compensated_centre: self.motion.compensation == Some(CutterPath::Centre),

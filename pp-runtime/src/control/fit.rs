@@ -260,5 +260,6 @@ pub fn abilities(control: &dyn Control, demands: Demands<'_>) -> Abilities {
                 ends_after_retract: plane.cancelled_after_retract,
             }
         }),
+        guards_planes: demands.motion.guards.plane_guard && control.compares_rotary_positions(),
     }
 }

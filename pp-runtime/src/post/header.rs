@@ -545,7 +545,10 @@ fn mode_lines(control: &dyn Control, config: &Config, modes: &StretchModes) -> V
     }
     if modes.has(StretchMode::Plane) {
         let words = "tip coordinates in the tilted plane, from the same zero";
-        add(StretchMode::Plane, words, &[codes.plane.as_ref().map_or("", |plane| plane.note)]);
+        let compared = config.motion.guards.plane_guard && control.compares_rotary_positions();
+        let compared =
+            if compared { "" } else { "no block of this program compares the rotary axes after a plane call" };
+        add(StretchMode::Plane, words, &[codes.plane.as_ref().map_or("", |plane| plane.note), compared]);
     }
     if mixed && modes.has(StretchMode::Axes) {
         add(StretchMode::Axes, "positions of the axes", &[]);

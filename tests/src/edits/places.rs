@@ -121,6 +121,7 @@ pub fn name_of(effect: &Effect) -> &'static str {
         Effect::Coolant { .. } => "coolant",
         Effect::ToolChange(_) => "tool",
         Effect::Guard { .. } => "guard",
+        Effect::PlaneGuard { .. } => "plane guard",
         Effect::Dwell(_) => "dwell",
         Effect::Stop => "stop",
         Effect::OptionalStop => "optional stop",

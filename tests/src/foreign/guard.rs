@@ -1,15 +1,19 @@
-//! Length guards: lines that stop the program unless the control's tool length is the one posted.
+//! Guards: lines that stop the program unless the control's tool length is the one posted, or its rotary axes are where a
+//! plane needs them.
 //!
 //! | control | form |
 //! |---|---|
 //! | LinuxCNC | `o1 if [..]`, `(abort, ..)`, `o1 endif` |
 //! | Fanuc, Haas | `IF [ABS[#..+#..-L] GT t] THEN #3000=101 (..)` |
 //! | Siemens | `IF ABS($P_TOOLL[1]-L)>t`, or `IF ABS($P_TOOLR)>t` for a radius; a message, M0, M30, `ENDIF` |
+//! | | or `IF ABS(SIN(($AA_IW[B]-30)/2))+..>t` for positions |
 //! | Heidenhain | `FN 18` twice, `FN 1`, `FN 12` twice, `LBL "OFF1"`, a comment, `FN 14`, `LBL "FITS1"` |
+//! | | `FN 20`, `FN 18` for each axis, `QL3 = ABS ( SIN ( ( QL1 - 30 ) / 2 ) ) + ..`, `FN 12`, a comment, `FN 14`, `LBL` |
 //!
 //! A guard is whole, or refused: a program whose guard lacks a line, or compares something else, does something unknown.
 
 use super::Control;
+use super::axes::{Axes, is_rotary};
 use super::lexer::{Content, Number, Token};
 use super::trace::Effect;
 
@@ -39,6 +43,10 @@ enum Due {
     /// `FN 12: IF +QL1 LT +low GOTO LBL "OFF1"`, then the same for the higher length.
     Low,
     High(f64, String),
+    /// `FN 18: SYSREAD QL1 = ID270 NR1 IDX5`, then what reads or compares more.
+    Position(Vec<char>),
+    /// `FN 12: IF +QL3 LT +0.0009 GOTO LBL "PLANE1"`.
+    Jump,
 }
 
 /// What became of a line.
@@ -110,6 +118,8 @@ impl Open {
             (Some(Due::Abort), Content::Comment(text)) => text.starts_with("abort,"),
             (Some(Due::Block(code)), Content::Block(tokens)) => is_m(tokens, code),
             (Some(Due::Low), Content::Condition(text)) => self.low(text).is_some(),
+            (Some(Due::Position(read)), Content::Condition(text)) => self.position(text, read).is_some(),
+            (Some(Due::Jump), Content::Condition(text)) => self.jump(text).is_some(),
             (Some(Due::High(low, label)), Content::Condition(text)) => self.high(text, low, &label).is_some(),
             _ => false,
         };
@@ -140,6 +150,63 @@ impl Open {
         ];
         Some(())
     }
+
+    /// `FN 18: SYSREAD QL2 = ID270 NR1 IDX6`, or the sum of the axes that have been read.
+    fn position(&mut self, text: &str, mut read: Vec<char>) -> Option<()> {
+        let next = format!("FN 18: SYSREAD QL{} = ID270 NR1 IDX", read.len() + 1);
+        if let Some(index) = text.strip_prefix(&next).filter(|_| read.len() < 2) {
+            let letter = *ORDER.get(index.parse::<usize>().ok()?.checked_sub(1)?)?;
+            (is_rotary(letter) && !read.contains(&letter)).then_some(())?;
+            read.push(letter);
+            self.due.push(Due::Position(read));
+            return Some(());
+        }
+        let mut axes = Axes::default();
+        let terms: Vec<&str> = text.strip_prefix("QL3 = ")?.split(" + ABS ").collect();
+        (terms.len() == read.len()).then_some(())?;
+        for (place, (term, letter)) in terms.iter().zip(read).enumerate() {
+            let start = format!("( SIN ( ( QL{} ", place + 1);
+            let compared = term.trim_start_matches("ABS ").strip_prefix(&start)?.strip_suffix(" ) / 2 ) )")?;
+            axes.set(letter, subtracted(&compared.replace(' ', ""))?);
+        }
+        self.effect = Effect::PlaneGuard { axes, largest: f64::NAN };
+        self.due.push(Due::Jump);
+        Some(())
+    }
+
+    fn jump(&mut self, text: &str) -> Option<()> {
+        let (largest, label) = text.strip_prefix("FN 12: IF +QL3 LT ")?.split_once(" GOTO LBL \"")?;
+        let Effect::PlaneGuard { largest: allowed, .. } = &mut self.effect else { return None };
+        *allowed = number(largest)?;
+        let label = label.strip_suffix('"')?;
+        self.due =
+            vec![Due::Line(format!("LBL \"{label}\"")), Due::Line("FN 14: ERROR = 101".to_owned()), Due::Comment];
+        Some(())
+    }
+}
+
+/// Axes in the order in which the control numbers them.
+const ORDER: [char; 9] = ['X', 'Y', 'Z', 'A', 'B', 'C', 'U', 'V', 'W'];
+
+/// 30 of `-30`, -20 of `+20`.
+fn subtracted(text: &str) -> Option<f64> {
+    let sign = if text.starts_with('-') { 1.0 } else { -1.0 };
+    let digits = text.strip_prefix(['-', '+'])?;
+    digits.starts_with(|first: char| first.is_ascii_digit()).then(|| number(digits))?.map(|value| sign * value)
+}
+
+/// `ABS(SIN(($AA_IW[B]-30)/2))+ABS(SIN(($AA_IW[C]+20)/2))>0.0009`.
+fn positions(text: &str) -> Option<Effect> {
+    let (sum, largest) = text.split_once('>')?;
+    let mut axes = Axes::default();
+    for term in sum.split("+ABS(") {
+        let term = term.trim_start_matches("ABS(").strip_prefix("SIN(($AA_IW[")?.strip_suffix(")/2))")?;
+        let (name, compared) = term.split_once(']')?;
+        let letter = name.chars().next().filter(|letter| is_rotary(*letter))?;
+        let whole = name[1..].bytes().all(|digit| digit.is_ascii_digit()) && !axes.contains(letter);
+        axes.set(letter, whole.then(|| subtracted(compared))??);
+    }
+    Some(Effect::PlaneGuard { axes, largest: number(largest)? })
 }
 
 /// Register of the length in `#10001` (Fanuc), `#2001` (Haas), or the tool of `ID50 NR1 IDX1`.
@@ -189,7 +256,9 @@ fn alarm(control: Control, text: &str) -> Option<(Effect, Vec<Due>)> {
 }
 
 fn siemens(text: &str) -> Option<(Effect, Vec<Due>)> {
-    let effect = if let Some(allowed) = text.strip_prefix("IF ABS($P_TOOLR)>") {
+    let effect = if let Some(positions) = text.strip_prefix("IF ").and_then(positions) {
+        positions
+    } else if let Some(allowed) = text.strip_prefix("IF ABS($P_TOOLR)>") {
         // A radius that is compared with nothing.
         Effect::Guard { length: 0.0, tolerance: number(allowed)? }
     } else {
@@ -202,6 +271,9 @@ fn siemens(text: &str) -> Option<(Effect, Vec<Due>)> {
 
 /// `FN 18: SYSREAD QL1 = ID50 NR1 IDX5` reads the length of tool 5; its wear and their sum follow.
 fn heidenhain(text: &str) -> Option<(Effect, Vec<Due>)> {
+    if text == "FN 20: WAIT FOR SYNC" {
+        return Some((Effect::Modal, vec![Due::Position(Vec::new())]));
+    }
     // Either may be read first.
     let [length, wear] = ["FN 18: SYSREAD QL1 = ID50 NR1 IDX", "FN 18: SYSREAD QL2 = ID50 NR4 IDX"];
     let (tool, other) = match (text.strip_prefix(length), text.strip_prefix(wear)) {

@@ -253,7 +253,9 @@ impl Run<'_> {
             }
             Outcome::Complete(line, effect, register) => {
                 if self.reached {
-                    self.machine.guard(register)?;
+                    if matches!(effect, Effect::Guard { .. }) {
+                        self.machine.guard(register)?;
+                    }
                     self.push(line, None, effect, Axes::default(), false);
                 }
                 return Ok(());

@@ -56,6 +56,13 @@ pub enum Effect {
         /// Difference allowed.
         tolerance: f64,
     },
+    /// The program stops unless the sum of |sin(d/2)| is at most this: d the differences of the rotary axes from these words.
+    PlaneGuard {
+        /// Words.
+        axes: Axes,
+        /// Largest sum.
+        largest: f64,
+    },
     /// A wait, s.
     Dwell(f64),
     /// M0.

@@ -8,8 +8,9 @@ use super::super::policy::LinearMeaning;
 use super::super::read::{Action, Block, Length, OwnPlace, TipControl, stated};
 use super::super::rules::{FrameUse, ModalContext, fault_at_end, tool_name};
 use super::functions::place_of_line;
+
 use super::phase::{Cutting, Phase, Retracted, RetractedLength, RewindPoint};
-use super::{Comparison, Current, StartState, parking, retract};
+use super::{Comparison, Current, StartState, parking, plane_guard, retract};
 use crate::program::Clearance;
 
 /// Dwells are written to three decimals, s.
@@ -39,7 +40,7 @@ impl<R: Read> Comparison<'_, R> {
     }
 
     /// Changes of state that must not happen at the part.
-    pub(super) fn before_task(&mut self, phase: &Phase, current: &Current<'_>) {
+    pub(super) fn before_task(&mut self, phase: &mut Phase, current: &Current<'_>) {
         let block = current.block;
         if let Some(own) = block.own {
             self.functions.line(own.place);
@@ -66,6 +67,10 @@ impl<R: Read> Comparison<'_, R> {
         }
         if let Some(largest_mm) = block.radius_guard_mm {
             let fault = self.functions.radius_guard(largest_mm, block.state.length);
+            self.found_any(current, fault);
+        }
+        if let Some(guard) = &block.plane_guard {
+            let fault = plane_guard::fault(guard, phase, &self.rules, &self.previous);
             self.found_any(current, fault);
         }
         let fault = self.functions.spindle(block, &self.rules);
@@ -103,6 +108,7 @@ impl<R: Read> Comparison<'_, R> {
     pub(super) fn orient(&mut self, phase: &mut Phase, current: &Current<'_>) {
         if let Phase::Retracted(retracted) = phase {
             retracted.since_plane = Some(0);
+            retracted.plane_guard_due = self.rules.policy().shop.guards_planes && self.rules.facts().plane_guard;
         }
         let state = &current.block.state;
         let expected = self.rules.meaning() == LinearMeaning::PlaneCoordinates || self.rules.may_have_tip_control();
@@ -274,6 +280,10 @@ impl<R: Read> Comparison<'_, R> {
         self.progress.fill(8)?;
         self.take_back_in_approach(retracted, current.block);
         let block = current.block;
+        if std::mem::take(&mut retracted.plane_guard_due) {
+            let missing = plane_guard::missing(&self.rules, &self.previous);
+            self.found_any(current, missing);
+        }
         let words = self.rules.words();
         let (retract, rotary) = (1 << words.retract(), words.rotary_bits());
         // In a plane its own Z comes last. Under tip control the words of the other axes may change with it.

@@ -16,6 +16,7 @@ mod hole;
 mod links;
 mod parking;
 mod phase;
+mod plane_guard;
 mod progress;
 mod rapid;
 mod retract;

@@ -40,6 +40,25 @@ pub struct Guard {
     pub stops: bool,
 }
 
+/// A guard of rotary positions: the program stops where the sum of |sin(d/2)| over the differences d of its axes is larger.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct PlaneGuard {
+    /// Axis by its position in the chain, and the position with which it compares, rad.
+    pub positions: [Option<(usize, f64)>; 2],
+    /// Largest permitted sum.
+    pub largest: f64,
+}
+
+impl PlaneGuard {
+    /// Adds an axis; `None` if it is there, or if there are two.
+    pub(crate) fn compare(&mut self, axis: usize, position_rad: f64) -> Option<()> {
+        let other = |position: &Option<(usize, f64)>| position.is_none_or(|(known, _)| known != axis);
+        let free = self.positions.iter().all(other).then(|| self.positions.iter_mut().find(|at| at.is_none()))??;
+        *free = Some((axis, position_rad));
+        Some(())
+    }
+}
+
 /// Declared effect of a line or a word of the user.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Effect {
@@ -264,6 +283,8 @@ pub struct Block {
     /// Largest radius of the active edge that a guard of the radius allows, which ends with this block, mm; it stops the
     /// program.
     pub radius_guard_mm: Option<f64>,
+    /// A guard of rotary positions that ends with this block.
+    pub plane_guard: Option<PlaneGuard>,
     /// The block is a line that the user brought in.
     pub own: Option<OwnLine>,
     /// What is wrong with it.
@@ -287,6 +308,7 @@ impl Default for Block {
             stated: 0,
             guard: None,
             radius_guard_mm: None,
+            plane_guard: None,
             own: None,
             faults: Vec::new(),
             frame_faults: 0,

@@ -77,6 +77,8 @@ pub(crate) struct Facts {
     pub(crate) radius_delta: bool,
     /// Cutter compensation takes the radius of the active edge, which a guard compares.
     pub(crate) radius_guard: bool,
+    /// A guard can compare the positions of rotary axes after a plane call.
+    pub(crate) plane_guard: bool,
     /// The control has switched the spindle off after a thread that is in step with it.
     pub(crate) tap_stops_spindle: bool,
     /// A length guard compares in mm, whatever the unit of the program.
@@ -159,6 +161,7 @@ const ISO: Facts = Facts {
     radius_registers: true,
     radius_delta: false,
     radius_guard: false,
+    plane_guard: false,
     // Rigid tapping: Fanuc B-63944EN/02 (2004), Haas 96-8000 (from memory).
     tap_stops_spindle: true,
     guard_in_mm: false,
@@ -255,6 +258,7 @@ impl Family {
                 length_moves: false,
                 radius_registers: false,
                 radius_guard: true,
+                plane_guard: true,
                 tap_stops_spindle: false,
                 rapids_interpolated: true,
                 tool_axis_interpolation: true,
@@ -278,6 +282,7 @@ impl Family {
                 length_off_at_machine_coordinates: false,
                 radius_registers: false,
                 radius_delta: true,
+                plane_guard: true,
                 guard_in_mm: true,
                 feed_in_tenths_of_inch: true,
                 feed_counts_degrees: true,

@@ -133,6 +133,17 @@ impl<'a> Cursor<'a> {
         self.number()
     }
 
+    /// Takes the sign of a subtraction and a number without a sign: 30 of `- 30`, -20 of `+ 20`.
+    pub(super) fn subtracted(&mut self) -> Option<f64> {
+        self.blanks();
+        let minus = self.take(b'-');
+        (minus || self.take(b'+')).then_some(())?;
+        self.blanks();
+        self.peek().filter(|byte| byte.is_ascii_digit() || *byte == b'.')?;
+        let value = self.number()?.value;
+        Some(if minus { value } else { -value })
+    }
+
     /// Takes a letter and the number behind it, blanks between them or not.
     pub(super) fn letter_and_number(&mut self) -> Option<(u8, Number)> {
         let letter = self.peek().filter(u8::is_ascii_alphabetic)?;

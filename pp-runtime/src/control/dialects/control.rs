@@ -58,6 +58,17 @@ pub trait Control: Sync {
     fn radius_guard(&self, _guard: &RadiusGuard) -> Vec<String> {
         Vec::new()
     }
+
+    /// Blocks that stop the program with a message if a rotary axis is not at its position, apart from whole turns, after the
+    /// control has tilted a plane. Empty if the control cannot compare them.
+    fn plane_guard(&self, _guard: &PlaneGuard) -> Vec<String> {
+        Vec::new()
+    }
+
+    /// Whether [`plane_guard`](Self::plane_guard) has blocks.
+    fn compares_rotary_positions(&self) -> bool {
+        !self.plane_guard(&PlaneGuard { label: 1, axes: vec![("C".to_owned(), 0.0)] }).is_empty()
+    }
 }
 
 /// Radius of a tool that must be wear only, because the path is that of the tool centre.
@@ -76,6 +87,32 @@ impl RadiusGuard {
     pub(crate) fn in_program(&self) -> f64 {
         let places = if self.units == Units::Inches { 1e5 } else { 1e4 };
         (self.largest_wear_mm / self.units.in_mm() * places).round() / places
+    }
+}
+
+/// Positions of rotary axes, to be compared after the control has tilted a plane.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlaneGuard {
+    /// Number that occurs once among the plane guards of the program, for labels.
+    pub label: u32,
+    /// Name of each axis in the control, and its position, degrees.
+    pub axes: Vec<(String, f64)>,
+}
+
+impl PlaneGuard {
+    /// Largest sum of |sin(d/2)| over the differences d of all axes: 0.1 degrees for one axis alone. The control computes the
+    /// positions from rounded angles; another solution is farther away.
+    pub(crate) const LARGEST: f64 = 0.0009;
+
+    /// `B30 C-20.5`.
+    pub(crate) fn positions(&self) -> String {
+        let words: Vec<String> = self.axes.iter().map(|(name, degrees)| format!("{name}{degrees}")).collect();
+        words.join(" ")
+    }
+
+    /// A number with the sign of its subtraction: `-30`, `+20.5`.
+    pub(crate) fn subtracted(degrees: f64) -> String {
+        format!("{}{}", if degrees < 0.0 { '+' } else { '-' }, degrees.abs())
     }
 }
 

@@ -13,6 +13,11 @@
 //! `TOOL CALL` takes; always in millimetres, whatever the unit of the program. `QL` parameters are local to this
 //! program. `FN 14` stops with an error number, so the message is a comment before it.
 //!
+//! Plane guard: `FN 18` reads the positions of the rotary axes in the active coordinate system (ID270 NR1, IDX4 to IDX6 for A
+//! B C: TNC 426/430 Technical Manual, p. 7-30). `FN 20: WAIT FOR
+//! SYNC` comes before it, so that the look-ahead has not passed the call (TNC 640 user's manual, FN 20; from memory). The sine
+//! of half the difference is zero at whole turns as well.
+//!
 //! `TOOL CALL "NAME"` and `TOOL DEF "NAME"` take the name of the tool table, as Autodesk's public post writes them
 //! (`toolAsName`): at most 32 capitals, digits and some signs (TNC 640 ISO manual 1/2015, p. 170).
 //!
@@ -40,7 +45,7 @@
 use crate::motion::{CycleAbilities, PathNorm, PlaneAngles, PoseRule, Registers};
 use crate::nc::{Formats, Numerals};
 
-use super::control::{Control, LengthGuard, numbered};
+use super::control::{Control, LengthGuard, PlaneGuard, numbered};
 use super::spellings::{
     ArcCentre, ArcCodes, CommentStyle, CycleDefinitions, CycleForm, HoleCycles, LengthCall, LengthCodes, LinearRapids,
     Spellings, TiltedPlaneCodes, TipControlCodes, ToolAxisWords, printable,
@@ -236,6 +241,16 @@ static SPELLINGS: Spellings = Spellings {
     rotary_note: "M127 is in force, so the axes do not take the shortest path",
 };
 
+/// Axes in the order of their numbers.
+const AXES: &str = "XYZABCUVW";
+
+/// `- 30`, `+ 20.5`.
+fn spaced(degrees: f64) -> String {
+    let text = PlaneGuard::subtracted(degrees);
+    let (sign, number) = text.split_at(1);
+    format!("{sign} {number}")
+}
+
 fn commented(byte: u8) -> u8 {
     if byte == b'~' { b'-' } else { printable(byte) }
 }
@@ -274,6 +289,25 @@ impl Control for Heidenhain {
             "FN 14: ERROR = 100".to_owned(),
             format!("LBL \"FITS{label}\""),
         ]
+    }
+
+    fn plane_guard(&self, guard: &PlaneGuard) -> Vec<String> {
+        let PlaneGuard { label, axes } = guard;
+        let mut lines = vec!["FN 20: WAIT FOR SYNC".to_owned()];
+        let mut sum = Vec::new();
+        for (number, (name, degrees)) in (1..).zip(axes) {
+            let Some(index) = AXES.find(name.as_str()) else { return Vec::new() };
+            lines.push(format!("FN 18: SYSREAD QL{number} = ID270 NR1 IDX{}", index + 1));
+            sum.push(format!("ABS ( SIN ( ( QL{number} {} ) / 2 ) )", spaced(*degrees)));
+        }
+        lines.extend([
+            format!("QL3 = {}", sum.join(" + ")),
+            format!("FN 12: IF +QL3 LT +{} GOTO LBL \"PLANE{label}\"", PlaneGuard::LARGEST),
+            format!("; after the plane call the axes are not at {}", guard.positions()),
+            "FN 14: ERROR = 101".to_owned(),
+            format!("LBL \"PLANE{label}\""),
+        ]);
+        lines
     }
 
     fn message(&self, byte: u8) -> u8 {

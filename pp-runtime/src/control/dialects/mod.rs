@@ -12,7 +12,7 @@ mod linuxcnc;
 mod siemens;
 mod spellings;
 
-pub use control::{Control, LengthGuard, RadiusGuard};
+pub use control::{Control, LengthGuard, PlaneGuard, RadiusGuard};
 pub(crate) use spellings::coolant_index;
 pub use spellings::{
     ArcCentre, ArcCodes, CommentStyle, CycleCodes, CycleDefinitions, CycleForm, HoleCycles, LengthCall, LengthCodes,

@@ -9,6 +9,10 @@
 //! G2, 7.3). `M0` stops with the message displayed, and `M30` after it ends the program. Alarms of `SETAL` would need
 //! alarm texts in the machine.
 //!
+//! Plane guard: `$AA_IW[B]` is the position of an axis in the workpiece coordinate system, in which the rotary words are, too;
+//! reading it stops the look-ahead, as for all variables of the main run, `$A` (Programming Guide Advanced 04.00, 15.2.37,
+//! p. 15-558). `SIN` is in degrees; the sine of half the difference is zero at whole turns as well.
+//!
 //! `T="NAME"` calls a tool by its name in the tool management (Fundamentals 05/2017; a name has at most 32 characters, from
 //! memory).
 //!
@@ -43,7 +47,7 @@
 use crate::motion::{CycleAbilities, PlaneAngles, PoseRule, Registers};
 use crate::nc::Formats;
 
-use super::control::{Control, LengthGuard, RadiusGuard, numbered};
+use super::control::{Control, LengthGuard, PlaneGuard, RadiusGuard, numbered};
 use super::spellings::{
     ArcCodes, CommentStyle, CycleDefinitions, CycleForm, HoleCycles, LengthCall, LengthCodes, LinearRapids, Spellings,
     TiltedPlaneCodes, TipControlCodes, ToolAxisWords, printable,
@@ -202,6 +206,20 @@ impl Control for Siemens {
         vec![
             format!("IF ABS($P_TOOLR)>{}", guard.in_program()),
             format!("MSG(\"T{tool} follows the path of its centre: the radius in the tool data must be wear only\")"),
+            "M0".to_owned(),
+            "M30".to_owned(),
+            "ENDIF".to_owned(),
+        ]
+    }
+
+    fn plane_guard(&self, guard: &PlaneGuard) -> Vec<String> {
+        let sine = |(name, degrees): &(String, f64)| {
+            format!("ABS(SIN(($AA_IW[{name}]{})/2))", PlaneGuard::subtracted(*degrees))
+        };
+        let sum: Vec<String> = guard.axes.iter().map(sine).collect();
+        vec![
+            format!("IF {}>{}", sum.join("+"), PlaneGuard::LARGEST),
+            format!("MSG(\"After the plane call the axes are not at {}\")", guard.positions()),
             "M0".to_owned(),
             "M30".to_owned(),
             "ENDIF".to_owned(),

@@ -21,7 +21,7 @@ use crate::nc::{Decimal, WrittenLine};
 use crate::program::Units;
 use crate::set_up::Stock;
 
-use super::dialects::{Control, LengthGuard, RadiusGuard, Spellings};
+use super::dialects::{Control, LengthGuard, PlaneGuard, RadiusGuard, Spellings};
 use super::layout::Layout;
 use super::options::ProgramBlocks;
 
@@ -189,16 +189,18 @@ impl<'a> Encoder<'a> {
             Step::Plane { angles, pose } => self.frames.tilt(angles, pose, out),
             Step::PlaneOff => self.frames.tilt_off(out),
             Step::DynamicOffset { on } => self.frames.dynamic_offset(on, out),
-            Step::LengthGuard { label, tool, offset, length, tolerance } => self.length_guard(&LengthGuard {
-                label,
-                tool,
-                offset,
-                length_mm: length,
-                tolerance_mm: tolerance,
-                units: self.units,
-            }),
+            Step::LengthGuard { label, tool, offset, length, tolerance } => {
+                let units = self.units;
+                let guard = LengthGuard { label, tool, offset, length_mm: length, tolerance_mm: tolerance, units };
+                self.lines(&self.control.length_guard(&guard))
+            }
             Step::RadiusGuard { tool, wear } => {
-                self.radius_guard(&RadiusGuard { tool, largest_wear_mm: wear, units: self.units })
+                let guard = RadiusGuard { tool, largest_wear_mm: wear, units: self.units };
+                self.lines(&self.control.radius_guard(&guard))
+            }
+            Step::PlaneGuard { label, ref words } => {
+                let guard = PlaneGuard { label, axes: out.positions(words) };
+                self.lines(&self.control.plane_guard(&guard))
             }
             Step::Spindle { speed, rotation } => self.spindle_coolant.spindle(speed, rotation, out),
             Step::Code { text } => out.block(text),
@@ -255,14 +257,8 @@ impl<'a> Encoder<'a> {
         }
     }
 
-    fn length_guard(&mut self, guard: &LengthGuard) -> io::Result<()> {
-        let blocks = self.control.length_guard(guard);
-        blocks.iter().try_for_each(|block| self.out.writer_mut().line(block.as_bytes()))
-    }
-
-    fn radius_guard(&mut self, guard: &RadiusGuard) -> io::Result<()> {
-        let blocks = self.control.radius_guard(guard);
-        blocks.iter().try_for_each(|block| self.out.writer_mut().line(block.as_bytes()))
+    fn lines(&mut self, lines: &[String]) -> io::Result<()> {
+        lines.iter().try_for_each(|line| self.out.writer_mut().line(line.as_bytes()))
     }
 
     fn stop(&mut self, optional: bool) -> io::Result<()> {

@@ -44,6 +44,9 @@ use datum::Datum;
 use frame::WordFrame;
 use travel::TravelCheck;
 
+/// Rotation of the tool axis with a rotary axis below which the tool axis does not fix its position, rad per rad.
+const LEAST_RATE: f64 = 0.02;
+
 /// Position of all axes: pose, axis values, and the words that move the machine there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct AxisPosition {
@@ -296,6 +299,17 @@ impl Placer {
 
     pub(crate) fn rotary_mask(&self) -> u16 {
         self.rotary.mask
+    }
+
+    /// Rotary axes whose positions follow from the tool axis, apart from rounding: bits.
+    pub(crate) fn directing_axes(&self, at: &AxisPosition) -> u16 {
+        let directs = |index: usize| {
+            let mut change = AxisValues::default();
+            change[index] = 1.0;
+            self.machine.rates(&at.axes, &change).1.norm() > LEAST_RATE
+        };
+        let directing = self.rotary.axes.iter().filter(|axis| directs(axis.index));
+        directing.fold(0, |mask, axis| mask | 1 << axis.index)
     }
 
     /// Size of one unit of a linear word, mm.

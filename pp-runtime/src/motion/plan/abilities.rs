@@ -51,6 +51,8 @@ pub struct Abilities {
     pub tip: Option<TipAbility>,
     /// Tilted planes, if the control has them.
     pub plane: Option<PlaneAbility>,
+    /// A program can stop where the control has tilted a plane with the rotary axes elsewhere.
+    pub guards_planes: bool,
 }
 
 impl Abilities {

@@ -157,6 +157,14 @@ pub enum Step<'a> {
         /// Largest difference allowed, mm.
         tolerance: f64,
     },
+    /// Comparison of rotary axes with their positions, apart from whole turns, after the control has tilted a plane; the
+    /// program stops where they differ. Writes nothing where a control cannot compare.
+    PlaneGuard {
+        /// Label that is unique among these steps.
+        label: u32,
+        /// Positions.
+        words: AxisWords,
+    },
     /// Spindle on.
     Spindle {
         /// rev/min.
@@ -235,6 +243,7 @@ impl Step<'_> {
             Self::DynamicOffset { .. } => "dynamic-offset",
             Self::LengthGuard { .. } => "length-guard",
             Self::RadiusGuard { .. } => "radius-guard",
+            Self::PlaneGuard { .. } => "plane-guard",
             Self::Spindle { .. } | Self::SpindleOff => "spindle",
             Self::Code { .. } => "code",
             Self::Dwell { .. } => "dwell",

@@ -91,6 +91,11 @@ D1
 S5000 M3
 G0 B45 C0
 CYCLE800(0,"",0,57,0,0,0,0,45,0,0,0,0,1,0)
+IF ABS(SIN(($AA_IW[B]-45)/2))+ABS(SIN(($AA_IW[C]-0)/2))>0.0009
+MSG("After the plane call the axes are not at B45 C0")
+M0
+M30
+ENDIF
 G0 X-20 Y-20
 Z52
 M8
@@ -117,6 +122,11 @@ D1
 S5000 M3
 G0 B30 C-90
 CYCLE800(0,"",0,57,0,0,0,30.000012,0,0,0,0,0,1,0)
+IF ABS(SIN(($AA_IW[B]-30)/2))+ABS(SIN(($AA_IW[C]+90)/2))>0.0009
+MSG("After the plane call the axes are not at B30 C-90")
+M0
+M30
+ENDIF
 G0 X-20 Y-20
 Z52
 M8
@@ -146,6 +156,11 @@ D1
 S8000 M3
 G0 B40 C0
 CYCLE800(0,"",0,57,0,0,0,0,40.000033,0,0,0,0,1,0)
+IF ABS(SIN(($AA_IW[B]-40)/2))+ABS(SIN(($AA_IW[C]-0)/2))>0.0009
+MSG("After the plane call the axes are not at B40 C0")
+M0
+M30
+ENDIF
 G0 X12.723 Y0
 CYCLE800()
 G0 B40 C0
@@ -194,6 +209,11 @@ D1
 G0 B34.8577 C-200
 G54
 CYCLE800(0,"",0,57,0,0,0,-13.399319,-32.484545,0,0,0,0,1,0)
+IF ABS(SIN(($AA_IW[B]-34.8577)/2))+ABS(SIN(($AA_IW[C]+200)/2))>0.0009
+MSG("After the plane call the axes are not at B34.8577 C-200")
+M0
+M30
+ENDIF
 G0 X-12.599 Y5.588
 CYCLE800()
 G0 B34.8577 C-200
@@ -306,6 +326,11 @@ D1
 S5000 M3
 G0 B20 C90
 CYCLE800(0,"",0,57,0,0,0,-19.999985,0,0,0,0,0,1,0)
+IF ABS(SIN(($AA_IW[B]-20)/2))+ABS(SIN(($AA_IW[C]-90)/2))>0.0009
+MSG("After the plane call the axes are not at B20 C90")
+M0
+M30
+ENDIF
 G0 X20 Y-20
 Z52
 M8

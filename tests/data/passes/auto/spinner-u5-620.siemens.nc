@@ -34,6 +34,11 @@ D1
 S8000 M3
 G0 B25 C0
 CYCLE800(0,"",0,57,0,0,0,0,24.999981,0,0,0,0,1,0)
+IF ABS(SIN(($AA_IW[B]-25)/2))+ABS(SIN(($AA_IW[C]-0)/2))>0.0009
+MSG("After the plane call the axes are not at B25 C0")
+M0
+M30
+ENDIF
 G0 X25.076 Y0
 CYCLE800()
 G0 B25 C0

@@ -67,6 +67,11 @@ D1
 S4000 M3
 G0 A-25
 CYCLE800(0,"",0,57,0,0,0,-25.000002,0,0,0,0,0,1,0)
+IF ABS(SIN(($AA_IW[A]+25)/2))>0.0009
+MSG("After the plane call the axes are not at A-25")
+M0
+M30
+ENDIF
 G0 X-11 Y3.717
 Z29.277
 M8
@@ -94,6 +99,11 @@ D1
 S2500 M3
 G0 A-25
 CYCLE800(0,"",0,57,0,0,0,-25.000002,0,0,0,0,0,1,0)
+IF ABS(SIN(($AA_IW[A]+25)/2))>0.0009
+MSG("After the plane call the axes are not at A-25")
+M0
+M30
+ENDIF
 G0 X-8 Y-6.283
 Z24.277
 M8
@@ -141,6 +151,11 @@ D1
 S4000 M3
 G0 A34.3775
 CYCLE800(0,"",0,57,0,0,0,34.377469,0,0,0,0,0,1,0)
+IF ABS(SIN(($AA_IW[A]-34.3775)/2))>0.0009
+MSG("After the plane call the axes are not at A34.3775")
+M0
+M30
+ENDIF
 G0 X-10 Y0
 CYCLE800()
 G0 A34.3775

@@ -63,6 +63,11 @@ D1
 S4000 M3
 G0 A-25
 CYCLE800(0,"",0,57,0,0,0,-25.000002,0,0,0,0,0,1,0)
+IF ABS(SIN(($AA_IW[A]+25)/2))>0.0009
+MSG("After the plane call the axes are not at A-25")
+M0
+M30
+ENDIF
 G0 X-11 Y3.717
 Z29.277
 M8
@@ -90,6 +95,11 @@ D1
 S2500 M3
 G0 A-25
 CYCLE800(0,"",0,57,0,0,0,-25.000002,0,0,0,0,0,1,0)
+IF ABS(SIN(($AA_IW[A]+25)/2))>0.0009
+MSG("After the plane call the axes are not at A-25")
+M0
+M30
+ENDIF
 G0 X-8 Y-6.283
 Z24.277
 M8

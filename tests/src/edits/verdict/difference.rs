@@ -80,6 +80,11 @@ pub(super) fn difference(was: &Event<'_>, is: &Event<'_>, allowed: Allowed) -> O
                 "tool or length offset at a guard",
             ),
         ]),
+        (Effect::PlaneGuard { axes, largest }, Effect::PlaneGuard { axes: axes_now, largest: now }) => worst([
+            hard(!same_turned(axes, axes_now), "the positions of a guard"),
+            hard(*now > largest + 1e-9, "the limit of a guard"),
+            soft(*now < largest - 1e-9, "a guard that is stricter"),
+        ]),
         (Effect::ToolChange(one), Effect::ToolChange(other)) => hard(one != other, "the tool"),
         (Effect::Shop(one), Effect::Shop(other)) => hard(one != other, "the code of the shop"),
         (Effect::Stop | Effect::OptionalStop | Effect::End, _) => None,
@@ -90,6 +95,13 @@ pub(super) fn difference(was: &Event<'_>, is: &Event<'_>, allowed: Allowed) -> O
         ]),
     };
     worst([own, preselected, shop_difference(was, is, allowed), other_state(was, is)])
+}
+
+/// Whether rotary words are the same apart from whole turns.
+fn same_turned(one: &Axes, other: &Axes) -> bool {
+    let apart = |letter: char| Some(((one.get(letter)? - other.get(letter)?) / 360.0).fract().abs());
+    one.len() == other.len()
+        && one.letters().all(|letter| apart(letter).is_some_and(|turns| turns.min(1.0 - turns) < 1e-6))
 }
 
 /// Clamps where their axis moves and in cuts, and supplies in cuts.

@@ -16,7 +16,7 @@ pub(super) fn line(text: &str) -> Result<Line, String> {
     } else if rest.starts_with("END PGM ") {
         inches(rest)?;
         Content::Mark(Mark::End)
-    } else if rest.starts_with("FN ") || rest.starts_with("LBL ") {
+    } else if ["FN ", "LBL ", "QL"].iter().any(|start| rest.starts_with(start)) {
         Content::Condition(rest.to_owned())
     } else {
         let block = rest.split(';').next().unwrap_or_default();

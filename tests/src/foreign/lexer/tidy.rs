@@ -58,7 +58,7 @@ fn free_form(control: Control, text: &str) -> bool {
         Control::Fanuc | Control::Haas => text.starts_with(['I', 'O']),
         Control::Siemens => text.starts_with("IF ") || text.starts_with("%_N_"),
         Control::Heidenhain => text.split_once(' ').is_some_and(|(_, rest)| {
-            ["FN ", "LBL ", "BEGIN PGM ", "END PGM ", "BLK FORM "].iter().any(|start| rest.starts_with(start))
+            ["FN ", "LBL ", "QL3 ", "BEGIN PGM ", "END PGM ", "BLK FORM "].iter().any(|start| rest.starts_with(start))
         }),
     }
 }

@@ -1,6 +1,6 @@
 //! Length guards are whole, or refused.
 
-use super::super::{Control, Effect, Options, run};
+use super::super::{Axes, Control, Effect, Options, run};
 use super::{program, trace};
 
 const GUARD: Effect = Effect::Guard { length: 9.5, tolerance: 0.01 };
@@ -34,6 +34,56 @@ fn guard(control: Control) -> Vec<&'static str> {
 
 fn is_refused(control: Control, lines: &[&str]) -> bool {
     run(&program(control, &lines.join("\n")), &Options::of(control)).is_err()
+}
+
+/// Lines of a guard of B at 30 and C at -20.5 degrees.
+fn plane_guard(control: Control) -> Vec<&'static str> {
+    match control {
+        Control::Siemens => vec![
+            "IF ABS(SIN(($AA_IW[B]-30)/2))+ABS(SIN(($AA_IW[C]+20.5)/2))>0.0009",
+            "MSG(\"no\")",
+            "M0",
+            "M30",
+            "ENDIF",
+        ],
+        Control::Heidenhain => vec![
+            "FN 20: WAIT FOR SYNC",
+            "FN 18: SYSREAD QL1 = ID270 NR1 IDX5",
+            "FN 18: SYSREAD QL2 = ID270 NR1 IDX6",
+            "QL3 = ABS ( SIN ( ( QL1 - 30 ) / 2 ) ) + ABS ( SIN ( ( QL2 + 20.5 ) / 2 ) )",
+            "FN 12: IF +QL3 LT +0.0009 GOTO LBL \"PLANE1\"",
+            "; no",
+            "FN 14: ERROR = 101",
+            "LBL \"PLANE1\"",
+        ],
+        _ => Vec::new(),
+    }
+}
+
+#[test]
+fn a_guard_of_rotary_positions_is_whole_or_refused() {
+    for control in [Control::Siemens, Control::Heidenhain] {
+        let whole = plane_guard(control);
+        let mut axes = Axes::default();
+        (axes.set('B', 30.0), axes.set('C', -20.5));
+        let wanted = Effect::PlaneGuard { axes, largest: 0.0009 };
+        let found = trace(control, &whole.join("\n"));
+        assert!(found.blocks.iter().any(|block| block.effect == wanted), "{control:?}: {:?}", found.blocks);
+        for left_out in 0..whole.len() {
+            let mut lines = whole.clone();
+            // One axis alone is a guard as well.
+            if !lines.remove(left_out).contains("IDX6") {
+                assert!(is_refused(control, &lines), "{control:?} without {:?}", whole[left_out]);
+            }
+        }
+        for (from, to) in
+            [("SIN", "COS"), ("/ 2", "/ 3"), ("/2", "/3"), ("QL2 +", "QL1 +"), ("ID270", "ID240"), ("[B]", "[X]")]
+        {
+            let text = whole.join("\n");
+            let other = text.replacen(from, to, 1);
+            assert!(other == text || is_refused(control, &other.lines().collect::<Vec<_>>()), "{control:?}: {other}");
+        }
+    }
 }
 
 #[test]

@@ -11,11 +11,16 @@ use super::super::text::{Cursor, whole};
 /// Bounds and lengths are rounded to this, mm.
 const ROUNDED: f64 = 1e4;
 
+/// Length and oversize of a tool; either may be read first.
+const READ: [&[u8]; 2] = [b"FN18:SYSREADQL1=ID50NR1IDX", b"FN18:SYSREADQL2=ID50NR4IDX"];
+
 /// How far a guard has come.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct LengthGuard {
     /// Lines of it that have come.
     lines: u8,
+    /// What is read second, of [`READ`].
+    second: usize,
     tool: u32,
     low: f64,
     high: f64,
@@ -25,7 +30,7 @@ pub(super) struct LengthGuard {
 
 /// Name of a label.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-struct Label {
+pub(super) struct Label {
     name: [u8; 24],
     length: usize,
 }
@@ -63,10 +68,12 @@ impl LengthGuard {
     fn next(&mut self, at: &mut Cursor<'_>) -> Option<()> {
         let correct = match self.lines {
             0 => {
-                self.tool = at.literal(b"FN18:SYSREADQL1=ID50NR1IDX").then(|| at.number())?.and_then(whole)?;
+                let first = READ.iter().position(|text| at.literal(text))?;
+                self.second = 1 - first;
+                self.tool = at.number().and_then(whole)?;
                 true
             }
-            1 => at.literal(b"FN18:SYSREADQL2=ID50NR4IDX") && at.number().and_then(whole) == Some(self.tool),
+            1 => at.literal(READ[self.second]) && at.number().and_then(whole) == Some(self.tool),
             2 => at.literal(b"FN1:QL1=+QL1++QL2"),
             3 => {
                 (self.low, self.off) = jump(at)?;
@@ -92,7 +99,7 @@ fn jump(at: &mut Cursor<'_>) -> Option<(f64, Label)> {
 }
 
 /// `"OFF1"`.
-fn label(at: &mut Cursor<'_>) -> Option<Label> {
+pub(super) fn label(at: &mut Cursor<'_>) -> Option<Label> {
     at.blanks();
     at.take(b'"').then_some(())?;
     let rest = at.rest();

@@ -11,11 +11,13 @@
 mod cycles;
 mod guard;
 mod plane;
+mod plane_guard;
 mod round;
 mod words;
 
 use self::cycles::Sequence;
 use self::guard::LengthGuard;
+use self::plane_guard::PlaneGuardLines;
 use super::block::{FeedMode, Side, WorkPlane};
 use super::draft::Code;
 use super::language::{Means, Statement};
@@ -31,6 +33,7 @@ pub(super) struct Heidenhain {
     /// CC, as written.
     pole: [Option<f64>; 3],
     guard: LengthGuard,
+    plane_guard: PlaneGuardLines,
     /// A cycle of several lines.
     sequence: Sequence,
     began: bool,
@@ -87,12 +90,15 @@ impl Heidenhain {
         if self.guard.is_open() {
             return self.guard.line(line);
         }
+        if self.plane_guard.is_open() {
+            return self.plane_guard.line(line);
+        }
         let row = line.language().words.iter().find(|row| {
             matches!(row.means, Means::Statement(_)) && !row.spelling.starts_with("FN") && line.at.words(row.spelling)
         });
         let named = row.map(|row| (row.spelling, row.means));
         let Some((spelling, Means::Statement(statement))) = named else {
-            return self.guard.line(line) || words::codes(line);
+            return self.guard.line(line) || self.plane_guard.line(line) || words::codes(line);
         };
         match statement {
             Statement::Line => {

@@ -55,6 +55,8 @@ const WORDS: &[Row] = &[
     Row::word("FN 18:", Means::Statement(Statement::Guard), Q),
     Row::word("FN 1:", Means::Statement(Statement::Guard), Q),
     Row::word("FN 12:", Means::Statement(Statement::Guard), Q),
+    Row::word("FN 20:", Means::Statement(Statement::Guard), Q),
+    Row::word("QL3 =", Means::Statement(Statement::Guard), Q),
     Row::word("FN 14:", Means::Statement(Statement::Guard), Q),
     Row::word("LBL", Means::Statement(Statement::Guard), Q),
     Row::word("BEGIN PGM", Means::Statement(Statement::Begin), TNC),

@@ -350,7 +350,7 @@ impl Statement {
         match self {
             Self::ProgramNumber => "program number, before the first block only",
             Self::ProgramMark => "begins a program, and ends it where it occurs again",
-            Self::Guard => "length guard, only as a complete sequence",
+            Self::Guard => "guard of a length, a radius or rotary positions, only as a complete sequence",
             Self::Message => "message or alarm, the program goes on",
             Self::Comment => "comment",
             Self::BlockDelete => "optional block, only before a block that does nothing",
@@ -375,7 +375,7 @@ impl Statement {
 
     fn effect(self) -> [&'static str; 3] {
         match self {
-            Self::Guard => ["length of a tool", "none", "none"],
+            Self::Guard => ["tool data, rotary positions", "none", "none"],
             Self::Begin => ["none", "unit, feed mode, compensation", "none"],
             Self::ProgramMark | Self::EndOfProgram => ["none", "end", "none"],
             Self::Line => ["F, offsets, frame", "position", "written axes"],

@@ -157,6 +157,7 @@ impl Interpreter {
         block.restart = draft.restart || draft.units.is_some();
         block.guard = draft.guard;
         block.radius_guard_mm = draft.radius_guard_mm;
+        block.plane_guard = draft.plane_guard;
         block.action = Action::Nothing;
         block.written = draft.written;
         if draft.only_moves {

@@ -1,13 +1,14 @@
-//! The length guard: `IF ABS($P_TOOLL[1]-L)>tol`, `MSG("..")`, `M0`, `M30`, `ENDIF`, each a line; and that of the radius,
-//! which begins with `IF ABS($P_TOOLR)>tol`.
+//! Guards: `IF ABS($P_TOOLL[1]-L)>tol`, `MSG("..")`, `M0`, `M30`, `ENDIF`, each a line. That of the radius begins with
+//! `IF ABS($P_TOOLR)>tol`, that of rotary positions with `IF ABS(SIN(($AA_IW[B]-30)/2))+ABS(SIN(($AA_IW[C]+20)/2))>t`; SIN is
+//! in degrees, and reading `$AA_IW` stops the look-ahead.
 
-use super::super::block::{Guard, LengthSource};
+use super::super::block::{Guard, LengthSource, PlaneGuard};
 use super::super::line::Line;
 use super::super::text::Cursor;
 
 /// The guard that has begun.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct LengthGuard {
+pub(super) struct Guards {
     open: Option<Open>,
 }
 
@@ -16,18 +17,19 @@ pub(super) struct LengthGuard {
 enum Open {
     Length(Guard),
     Radius { largest_mm: f64, stops: bool },
+    Plane { guard: PlaneGuard, stops: bool },
 }
 
 impl Open {
     fn stop(&mut self) {
         match self {
             Self::Length(guard) => guard.stops = true,
-            Self::Radius { stops, .. } => *stops = true,
+            Self::Radius { stops, .. } | Self::Plane { stops, .. } => *stops = true,
         }
     }
 }
 
-impl LengthGuard {
+impl Guards {
     /// A line of a guard: whether it is a block. `None` if it is none of a guard.
     #[inline]
     pub(super) fn line(&mut self, line: &mut Line<'_>) -> Option<bool> {
@@ -38,9 +40,13 @@ impl LengthGuard {
             return None;
         }
         let unit = if line.facts().guard_in_mm { 1.0 } else { line.unit() };
-        self.open = condition(&mut line.at, unit);
+        self.open = positions(line).or_else(|| condition(&mut line.at, unit));
         if self.open.is_none() {
-            line.fault(0, "unknown condition: the check reads `IF ABS($P_TOOLL[1]-L)>t` and `IF ABS($P_TOOLR)>t`");
+            line.fault(
+                0,
+                "unknown condition: the check reads `IF ABS($P_TOOLL[1]-L)>t`, `IF ABS($P_TOOLR)>t` and \
+                 `IF ABS(SIN(($AA_IW[B]-30)/2))>t`",
+            );
             return Some(true);
         }
         Some(false)
@@ -59,18 +65,49 @@ impl LengthGuard {
                 }
                 Open::Radius { largest_mm, stops: true } => line.draft.radius_guard_mm = Some(largest_mm),
                 Open::Radius { .. } => line.fault(0, "the guard of the tool radius does not stop the program"),
+                Open::Plane { guard, stops: true } => line.draft.plane_guard = Some(guard),
+                Open::Plane { .. } => line.fault(0, "the guard of the rotary positions does not stop the program"),
             }
             return true;
         }
         if (at.word(b"M0") || at.word(b"M30")) && at.ended() {
             guard.stop();
             self.open = Some(guard);
-        } else if !(message(at) && at.ended()) {
+        } else if at.peek() != Some(b';') && !(message(at) && at.ended()) {
             line.fault(0, "this block is executed only under a condition");
             return true;
         }
         false
     }
+}
+
+/// `ABS(SIN(($AA_IW[B]-30)/2))+..>t`, and nothing after it; takes nothing if it is something else.
+fn positions(line: &mut Line<'_>) -> Option<Open> {
+    let start = line.at;
+    let open = compared(line);
+    if open.is_none() {
+        line.at = start;
+    }
+    open
+}
+
+fn compared(line: &mut Line<'_>) -> Option<Open> {
+    let mut guard = PlaneGuard::default();
+    loop {
+        line.at.literal(b"ABS(SIN(($AA_IW[").then_some(())?;
+        let name = line.at.name().to_ascii_uppercase();
+        let index = line.axis(&name)?;
+        let rotary = line.machine().axis(index).rotary && line.at.literal(b"]");
+        let degrees = rotary.then(|| line.at.subtracted())??;
+        guard.compare(index, degrees.to_radians())?;
+        line.at.literal(b")/2))").then_some(())?;
+        if line.at.literal(b">") {
+            break;
+        }
+        line.at.literal(b"+").then_some(())?;
+    }
+    guard.largest = line.at.spaced_number()?.value;
+    (line.at.ended() && guard.largest > 0.0).then_some(Open::Plane { guard, stops: false })
 }
 
 /// `ABS($P_TOOLL[1]-L)>tol` or `ABS($P_TOOLR)>tol`, and nothing after it.

@@ -9,7 +9,7 @@
 mod calls;
 mod guard;
 
-use self::guard::LengthGuard;
+use self::guard::Guards;
 use super::block::PathMode;
 use super::draft::{Cycle, Draft, LengthCode, group};
 use super::language::{Address, Means, PathCode, Statement, letters};
@@ -19,7 +19,7 @@ use super::text::{Cursor, Number, shown, whole};
 /// What is remembered from one line to the next.
 #[derive(Debug, Default)]
 pub(super) struct Siemens {
-    guard: LengthGuard,
+    guard: Guards,
     /// MCALL is in force.
     called: Option<Cycle>,
     began: bool,

@@ -125,6 +125,85 @@ fn a_guard_that_is_not_complete_or_does_not_stop_is_a_fault() {
     }
 }
 
+const SIEMENS_PLANE: &str = "G710\nIF ABS(SIN(($AA_IW[C]-30)/2))+ABS(SIN(($AA_IW[B]+20.5)/2))>0.0009\nMSG(\"no\")\nM0\nM30\n\
+    ENDIF\n";
+const TNC_PLANE: &str = "0 FN 20: WAIT FOR SYNC\n1 FN 18: SYSREAD QL1 = ID270 NR1 IDX6\n2 FN 18: SYSREAD QL2 = ID270 NR1 IDX5\n\
+    3 QL3 = ABS ( SIN ( ( QL1 - 30 ) / 2 ) ) + ABS ( SIN ( ( QL2 + 20.5 ) / 2 ) )\n\
+    4 FN 12: IF +QL3 LT +0.0009 GOTO LBL \"PLANE3\"\n5 ; no\n6 FN 14: ERROR = 101\n7 LBL \"PLANE3\"\n";
+
+#[test]
+fn a_guard_of_rotary_positions_has_its_axes_and_positions() {
+    for (family, text) in [(Family::Siemens, SIEMENS_PLANE), (Family::Heidenhain, TNC_PLANE)] {
+        assert_eq!(faults(family, text), [""; 0], "{family:?}");
+        let guards: Vec<_> = read(family, text).into_iter().filter_map(|block| block.plane_guard).collect();
+        assert_eq!(guards.len(), 1, "{family:?}");
+        // C is the first axis of the chain, B the second.
+        let positions = [Some((0, 30_f64.to_radians())), Some((1, -20.5_f64.to_radians()))];
+        assert_eq!((guards[0].positions, guards[0].largest), (positions, 0.0009), "{family:?}");
+    }
+}
+
+#[test]
+fn a_guard_of_rotary_positions_that_is_not_complete_is_a_fault() {
+    let wrong: &[Changes] = &[
+        (
+            Family::Siemens,
+            SIEMENS_PLANE,
+            &[
+                ("M0\nM30\n", ""),
+                ("[C]", "[X]"),
+                ("[B]", "[C]"),
+                ("[B]", "[Q]"),
+                ("/2", "/3"),
+                ("SIN", "COS"),
+                ("ABS", "POT"),
+                ("-30", "*30"),
+                ("-30", "-R1"),
+                ("-30", "--30"),
+                (">", "<"),
+                (">0.0009", ">0"),
+                ("))+A", "))-A"),
+                ("_IW", "_IM"),
+                ("ENDIF", "ENDIF M8"),
+            ],
+        ),
+        (
+            Family::Heidenhain,
+            TNC_PLANE,
+            &[
+                ("0 FN 20: WAIT FOR SYNC", "0 M8"),
+                ("QL1 = ID270", "QL1 = ID240"),
+                ("NR1 IDX6", "NR2 IDX6"),
+                ("IDX6", "IDX1"),
+                ("IDX6", "IDX12"),
+                ("QL3 =", "QL4 ="),
+                ("QL1 - 30", "QL2 - 30"),
+                ("QL1 - 30", "QL1 * 30"),
+                ("/ 2", "/ 3"),
+                (") + ABS ( SIN ( ( QL2 + 20.5 ) / 2 ) )", ")"),
+                ("LT +0.0009", "LT +QL1"),
+                ("LT", "GT"),
+                ("7 LBL \"PLANE3\"", "7 LBL \"PLANE4\""),
+                ("6 FN 14: ERROR = 101", "6 M8"),
+            ],
+        ),
+    ];
+    for (family, text, changes) in wrong {
+        for (from, to) in *changes {
+            let changed = text.replacen(from, to, 1);
+            assert_ne!(changed, *text, "{from}");
+            let changed = format!("{changed}{}", if *family == Family::Heidenhain { "8 M8\n" } else { "M8\n" });
+            assert!(!faults(*family, &changed).is_empty(), "{family:?}: {to}\n{changed}");
+        }
+    }
+}
+
+#[test]
+fn a_comment_in_a_guard_does_nothing() {
+    let text = SIEMENS_GUARD.replace("MSG", "; MSG");
+    assert_eq!((guards(Family::Siemens, &text).len(), faults(Family::Siemens, &text)), (1, Vec::new()));
+}
+
 #[test]
 fn a_jump_over_an_alarm_leads_to_the_block_after_it() {
     let text = "G21\nIF [ABS[#11001-101.5] LT 0.01] GOTO 5\n#3000=1 (LENGTH)\nN5 G0 X5.\n";

@@ -269,6 +269,13 @@ impl<'a> ModalWriter<'a> {
         }
     }
 
+    /// Name and position of each axis of some words, degrees.
+    pub(crate) fn positions(&self, words: &AxisWords) -> Vec<(String, f64)> {
+        let position = |address: &Address| words.units[address.index] as f64 / 10_f64.powi(address.decimals as i32);
+        let rotary = self.axes.iter().filter(|address| words.has(address.index));
+        rotary.map(|address| (address.word.trim_end_matches('=').to_owned(), position(address))).collect()
+    }
+
     /// Writes a word in the number format of axes, whether it is in force or not.
     pub(crate) fn word(&mut self, prefix: &str, number: Decimal) {
         self.writer.word(prefix, number, self.numerals);

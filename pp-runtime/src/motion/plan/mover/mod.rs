@@ -45,6 +45,8 @@ pub(crate) struct Mover<'a, S> {
     output: Output<S>,
     /// Safety lines so far.
     restarts: u32,
+    /// Guards of tilted planes so far.
+    plane_guards: u32,
 }
 
 impl<'a, S: Sink> Mover<'a, S> {
@@ -72,6 +74,7 @@ impl<'a, S: Sink> Mover<'a, S> {
             placer,
             output,
             restarts: 0,
+            plane_guards: 0,
         }
     }
 

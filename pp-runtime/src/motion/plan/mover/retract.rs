@@ -83,6 +83,7 @@ impl<S: Sink> Mover<'_, S> {
         if let Some(TipEntry { words, frame: of_words }) = entry {
             if let Some([on, _]) = of_words {
                 self.output.step(&on)?;
+                self.guard_plane(&on, above)?;
             }
             self.rapid_across(above, words)?;
             if let Some([_, off]) = of_words {
@@ -95,6 +96,7 @@ impl<S: Sink> Mover<'_, S> {
         }
         if let Some(frame) = frame {
             self.output.step(&frame)?;
+            self.guard_plane(&frame, above)?;
             self.position.enter_frame();
         }
         self.clamps.close(&mut self.output)?;
@@ -107,6 +109,17 @@ impl<S: Sink> Mover<'_, S> {
         };
         self.rapid_alone(above, linear & !last)?;
         self.rapid(above, last)
+    }
+
+    /// Compares the rotary axes with their positions after a tilted plane, whose call may choose another solution.
+    fn guard_plane(&mut self, frame: &Step<'_>, at: &AxisPosition) -> Planned {
+        let mask = self.placer.directing_axes(at);
+        if self.abilities.guards_planes && mask != 0 && matches!(frame, Step::Plane { .. }) {
+            self.plane_guards += 1;
+            let words = AxisWords { units: at.words, mask, vector: None };
+            self.output.step(&Step::PlaneGuard { label: self.plane_guards, words })?;
+        }
+        Ok(())
     }
 
     fn check_below_retract(&self, above: &AxisPosition) -> Result<(), Fault> {
