@@ -160,7 +160,7 @@ fn wrong(posted: &Posted, edit: &Edit, original: &str) -> Option<String> {
     let [was, is] = [original, edited.as_str()].map(calls);
     if was == is {
         // The calls hold no guard that lets the program pass, and every offset of the work and of the machine is zero.
-        let elsewhere = edit.after.to_lowercase().contains("g53");
+        let elsewhere = [&edit.before, &edit.after].iter().any(|text| text.to_lowercase().contains("g53"));
         let unseen = elsewhere
             || matches!(&foreign, Verdict::Harmful(why) if why.contains("guard") || why.contains("machine") || why.contains("work offset"));
         if matches!(foreign, Verdict::Harmful(_)) && !unseen {

@@ -60,8 +60,9 @@ impl<R: Read> Comparison<'_, R> {
         // Where rapids of the CL data are feed motions, or it asks for coolant, a dry rapid at the part is none of them.
         let wet = self.progress.next().is_some_and(|item| item.required.coolant != 0);
         let dry = wet && block.state.coolant == Some(0);
+        let asked_for = rapids_at_feed && self.ends_rapid(&end);
         if rapid
-            && (dry || rapids_at_feed)
+            && (dry || rapids_at_feed && !asked_for)
             && !self.progress.is_approached()
             && let Some(leaving) = self.retract(cutting, current, &end)?
         {
@@ -84,6 +85,11 @@ impl<R: Read> Comparison<'_, R> {
         }
         cutting.here = Some(end);
         Ok(None)
+    }
+
+    /// Whether a pose is the end of the next motion, a rapid.
+    fn ends_rapid(&self, end: &ToolPose) -> bool {
+        self.progress.motion().is_some_and(|motion| motion.rapid && self.rules.is_at(end, &motion.to))
     }
 
     /// Reads ahead over motions that need no block, to the item after them.

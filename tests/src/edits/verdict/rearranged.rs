@@ -3,7 +3,7 @@
 use super::difference::Difference::Hard;
 use super::difference::{difference, is_near, is_short, is_turned_already, state_difference};
 use super::{Allowed, Event, Verdict};
-use crate::foreign::axes::is_rotary;
+use crate::foreign::axes::{Axes, is_rotary};
 use crate::foreign::state::State;
 use crate::foreign::trace::Arc;
 use crate::foreign::{Effect, Executed};
@@ -31,7 +31,9 @@ pub(super) fn rearranged(was: &[Event<'_>], is: &[Event<'_>], index: usize, allo
     if in_parts(&|whole, parts| is_split(whole, parts, allowed)) {
         return undecided("a rapid in X and Y in two blocks");
     }
-    let waits = |extra: &Event<'_>| matches!(extra.block.effect, Effect::Dwell(_) | Effect::Guard { .. });
+    let waits = |extra: &Event<'_>| {
+        matches!(extra.block.effect, Effect::Dwell(_) | Effect::Guard { .. } | Effect::PlaneGuard { .. })
+    };
     if is.get(index).is_some_and(waits) && added() {
         return undecided("a wait is added");
     }
@@ -89,6 +91,9 @@ pub(super) fn rearranged(was: &[Event<'_>], is: &[Event<'_>], index: usize, allo
     }
     if is_turned_before_tip_control(was, is, index, allowed) && all_agree(&was[index + 1..], &is[index + 1..]) {
         return undecided("a rotary axis that is free under tip control");
+    }
+    if is.get(index).is_some() && is_to_and_fro(is, index, allowed) && added() {
+        return undecided("a rapid to and fro on the line of another");
     }
     let moved = both_ways(&|one, other| {
         let Some((first, one)) = one[index..].split_first() else { return false };
@@ -281,6 +286,56 @@ fn is_split(whole: &Event<'_>, parts: &[Event<'_>], allowed: Allowed) -> bool {
         && whole.block.words.letters().all(|letter| ends_as(&parts[1], letter))
 }
 
+/// Whether a rapid begins on the line of a rapid near it, and ends on that rapid.
+fn is_to_and_fro(events: &[Event<'_>], index: usize, allowed: Allowed) -> bool {
+    let this = &events[index];
+    let [from, here] = [&this.before.position, &this.block.state.position];
+    let near = index.saturating_sub(2)..(index + 4).min(events.len());
+    let ends = |other: usize| {
+        let event = &events[other];
+        let [start, end] = [event.before.position, event.block.state.position];
+        match event.block.effect {
+            Effect::Rapid => Some((start, end)),
+            // Down to the reference plane of the cycle.
+            Effect::Hole(hole) => {
+                let mut above = end;
+                above.set('Z', start.get('Z')?);
+                let mut below = end;
+                below.set('Z', hole.cycle.reference);
+                Some((above, below))
+            }
+            _ => None,
+        }
+    };
+    this.block.effect == Effect::Rapid
+        && near.filter(|other| *other != index).filter_map(ends).any(|(start, end)| {
+            let share = |at: &Axes| share_on_line(&start, at, &end, allowed);
+            share(here).is_some_and(|share| (0.0..=1.0).contains(&share)) && share(from).is_some()
+        })
+}
+
+/// Share of a straight motion at which a position is, before its start and beyond its end as well; `None` if it is not on
+/// its line. The rotary axes need not be even.
+fn share_on_line(from: &Axes, here: &Axes, to: &Axes, allowed: Allowed) -> Option<f64> {
+    let mut ratio = 0.0;
+    let mut longest = 0.0_f64;
+    let mut moved = Vec::new();
+    for letter in here.letters() {
+        let [from, here, to] = [from.get(letter)?, here.get(letter)?, to.get(letter)?];
+        moved.push((letter, from, here, to));
+        let travel = (to - from).abs() * if is_rotary(letter) { 1e-6 } else { 1.0 };
+        if travel > longest {
+            longest = travel;
+            ratio = (here - from) / (to - from);
+        }
+    }
+    let is_on = |(letter, from, here, to): &(char, f64, f64, f64)| {
+        let off = (from + ratio * (to - from) - here).abs();
+        off <= if is_rotary(*letter) { allowed.rotary_deg } else { allowed.linear }
+    };
+    (longest > 0.0 && moved.iter().all(is_on)).then_some(ratio)
+}
+
 /// Whether a straight motion ends on the straight line between the positions before it and after the next motion.
 fn on_the_line(events: &[Event<'_>], index: usize, allowed: Allowed) -> bool {
     let Some(next) = events.get(index + 1) else { return false };
@@ -291,23 +346,5 @@ fn on_the_line(events: &[Event<'_>], index: usize, allowed: Allowed) -> bool {
         return false;
     }
     let [from, here, to] = [&this.before.position, &this.block.state.position, &next.block.state.position];
-    let mut ratio = 0.0;
-    let mut longest = 0.0_f64;
-    let mut moved = Vec::new();
-    for letter in here.letters() {
-        let [Some(from), Some(here), Some(to)] = [from, here, to].map(|axes| axes.get(letter)) else { return false };
-        moved.push((letter, from, here, to));
-        // The rotary axes need not be even.
-        let travel = (to - from).abs() * if is_rotary(letter) { 1e-6 } else { 1.0 };
-        if travel > longest {
-            longest = travel;
-            ratio = (here - from) / (to - from);
-        }
-    }
-    longest > 0.0
-        && (0.0..=1.0).contains(&ratio)
-        && moved.iter().all(|(letter, from, here, to)| {
-            let off = (from + ratio * (to - from) - here).abs();
-            off <= if is_rotary(*letter) { allowed.rotary_deg } else { allowed.linear }
-        })
+    share_on_line(from, here, to, allowed).is_some_and(|share| (0.0..=1.0).contains(&share))
 }

@@ -8,7 +8,7 @@
 //! - On LinuxCNC a length compensation that shares a block, M3 without S, a block that does nothing.
 
 use super::super::Control;
-use super::super::axes::Axes;
+use super::super::axes::{Axes, is_rotary};
 use super::super::meaning::{Address, Command, Meaning, Word};
 use super::super::state::{Compensation, Distance, FeedMode, Length, Spindle};
 use super::super::trace::Effect;
@@ -25,6 +25,10 @@ pub(super) fn block(machine: &Machine, command: &Command) -> Result<(), String> 
     let tips = machine.state.under_tip_control() || command.meanings.iter().any(begins);
     if vector > 0 && (vector < 3 || !tips) {
         return Err("a tool vector without all its components, or without tip control".to_owned());
+    }
+    let rotary = |word: &Word| matches!(word.address, Address::Axis(letter) if is_rotary(letter));
+    if machine.state.vector.is_some() && tips && vector == 0 && command.words.iter().any(rotary) {
+        return Err("a rotary word where the tool axis is given by its components".to_owned());
     }
     if command.has(Meaning::Orient) && command.meanings.len() + command.words.len() > 1 {
         return Err("the rotary axes turn to a plane in a block with other words".to_owned());

@@ -46,8 +46,8 @@ pub(super) fn of_letters(machine: &mut Machine, command: &mut Command) -> Result
     let dwell_s = command.take(Address::Seconds);
     // G81 and G85 have no wait.
     let waits = !matches!(letters.code, 81 | 85);
-    if letters.code == 82 && dwell_s.is_none() && letters.dwell_s <= 0.0 {
-        return Err("G82 without P".to_owned());
+    if matches!(letters.code, 82 | 89) && dwell_s.is_none() && letters.dwell_s <= 0.0 {
+        return Err("G82 or G89 without P".to_owned());
     }
     if !waits && dwell_s.is_some() && machine.control == super::super::Control::LinuxCnc {
         return Err("P in a cycle without a wait".to_owned());
