@@ -8,9 +8,7 @@ use crate::cl::{ArcVote, Dialect, Insert};
 use crate::config::Config;
 use crate::control::{self, Control, Encoder, LengthGuard, LinearRapids};
 use crate::kinematics::{AnyMachine, Axis, AxisKind, Side, Sign};
-use crate::motion::{
-    CutterPath, CutterRadius, Links, StretchMode, StretchModes, TcpFrame, ToolPosture, Wrap, rotaries_of,
-};
+use crate::motion::{CutterPath, Links, StretchMode, StretchModes, TcpFrame, ToolPosture, Wrap, rotaries_of};
 use crate::nc::{Decimal, write_decimal};
 use crate::program::Rotation;
 use crate::program::Units;
@@ -292,15 +290,11 @@ impl Header<'_> {
         lines.extend(set_up(self.job.control, config, self.survey));
         lines.extend(config.motion.compensation.map(|path| match path {
             CutterPath::Centre => {
-                let abilities = control::abilities(self.job.control, config.demands());
-                let what = match abilities.cutter_radius {
-                    CutterRadius::Register => "D must hold wear only",
-                    CutterRadius::WithDelta { .. } => "the tool call takes the radius off (DR)",
-                    CutterRadius::OfTool { .. } => "the radius in the tool data must be wear only",
-                };
-                format!("CUTTER COMPENSATION of the centre path: {what}")
+                format!("CUTTER COMPENSATION of the centre path: {}", self.job.control.spellings().radius_data[1])
             }
-            CutterPath::Contour => "CUTTER COMPENSATION of the contour: D must hold the radius".to_owned(),
+            CutterPath::Contour => {
+                format!("CUTTER COMPENSATION of the contour: {}", self.job.control.spellings().radius_data[0])
+            }
         }));
         lines.extend(reading(config, self.survey));
         let has_rotaries =
@@ -364,10 +358,13 @@ impl Header<'_> {
         lines.extend(mode_lines(self.job.control, config, &self.survey.modes));
         lines.extend(unchecked_limits(&self.unchecked));
         if self.survey.modes.has(StretchMode::Axes) && rotaries(self.machine, Side::Workpiece).next().is_some() {
-            lines.push(format!(
-                "valid only for part origin {} from the reference point of the table; do not touch off again",
-                self.point(config.set_up.part_origin)
-            ));
+            for (number, part) in config.set_up.clampings() {
+                let which = if config.set_up.set_ups.is_empty() { String::new() } else { format!("SET-UP {number}: ") };
+                lines.push(format!(
+                    "{which}valid only for part origin {} from the reference point of the table; do not touch off again",
+                    self.point(part.part_origin)
+                ));
+            }
         }
         lines.extend(rotary_entries(self.machine, self.job.control, config));
         lines.extend(self.survey.tools.iter().flat_map(|tool| self.tool_lines(tool)));
@@ -389,7 +386,7 @@ impl Header<'_> {
             true => format!("{shortest} is active, so these axes must not be displayed within one revolution"),
             false => codes.rotary_note.to_owned(),
         };
-        Some(format!("ROTARY WORDS{of} are absolute and go beyond 360: {note}"))
+        Some(format!("ROTARY WORDS{of} are absolute and may go below 0 and beyond 360: {note}"))
     }
 
     /// A point in the unit of the program.
@@ -458,7 +455,7 @@ impl Header<'_> {
             text += &format!(" {name}");
         }
         if let Some(diameter) = given.and_then(|given| given.diameter_mm).or(tool.call.diameter_mm) {
-            text += &format!(" D{}", self.length(diameter));
+            text += &format!(" DIA {}", self.length(diameter));
         }
         if let Some(radius) = tool.call.corner_radius_mm {
             text += &format!(" R{}", self.length(radius));
@@ -538,10 +535,15 @@ fn mode_lines(control: &dyn Control, config: &Config, modes: &StretchModes) -> V
         };
         let words = format!("tip coordinates in a frame {frame}; {posture}");
         let tip = codes.tip.as_ref();
+        let frame = tip.map_or("", |tip| match config.motion.tip.tcp_frame {
+            None | Some(TcpFrame::TableAtZero) => tip.frame_settings[0],
+            Some(TcpFrame::TableAtStart) => tip.frame_settings[1],
+            Some(TcpFrame::NotTurning) => tip.frame_settings[2],
+        });
         let setting = tip.filter(|_| !config.control.posture_word);
         let setting =
             setting.map(|tip| tip.posture_setting[usize::from(config.motion.tip.tool_posture == ToolPosture::Plane)]);
-        add(StretchMode::Tcp, &words, &[tip.map_or("", |tip| tip.note), setting.unwrap_or("")]);
+        add(StretchMode::Tcp, &words, &[tip.map_or("", |tip| tip.note), frame, setting.unwrap_or("")]);
     }
     if modes.has(StretchMode::Plane) {
         let words = "tip coordinates in the tilted plane, from the same zero";

@@ -4,7 +4,7 @@
 3 ; PROGRAM COIL
 4 ; CL FILE coil.cls
 5 ; MACHINE MultiProDesk, CONTROL Heidenhain TNC, MODE axes
-6 ; UNITS mm, WORK OFFSET datum row 2
+6 ; UNITS mm, WORK OFFSET preset 2
 7 ; PART ORIGIN X35 Y4.5 Z62 from the reference point of the table
 8 ; PROGRAMMED POINT tool tip
 9 ; TOLERANCE 0.01 for arcs and curves
@@ -15,10 +15,10 @@
 14 ; AXIS X+ moves the tool along +X, as in ISO 841
 15 ; AXIS Z+ moves the tool along +Z, as in ISO 841
 16 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg of its great circle
-17 ; ROTARY WORDS are absolute and go beyond 360: M127 is in force, so the axes do not take the shortest path
+17 ; ROTARY WORDS are absolute and may go below 0 and beyond 360: M127 is in force, so the axes do not take the shortest path
 18 ; valid only for part origin X35 Y4.5 Z62 from the reference point of the table; do not touch off again
-19 ; the entries of A in datum row 2 must be zero
-20 ; T4 D4 R2 L92.3, 1 operation, tip Z -18.388 to 47.342
+19 ; the entries of A in preset 2 must be zero
+20 ; T4 DIA 4 R2 L92.3, 1 operation, tip Z -18.388 to 47.342
 21 * - COIL
 22 M129
 23 PLANE RESET STAY

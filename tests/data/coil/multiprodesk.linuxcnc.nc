@@ -11,10 +11,10 @@
 (AXIS X+ moves the tool along +X, as in ISO 841)
 (AXIS Z+ moves the tool along +Z, as in ISO 841)
 (WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg of its great circle)
-(ROTARY WORDS are absolute and go beyond 360: the axes must not be wrapped [WRAPPED_ROTARY = 0])
+(ROTARY WORDS are absolute and may go below 0 and beyond 360: the axes must not be wrapped [WRAPPED_ROTARY = 0])
 (valid only for part origin X35 Y4.5 Z62 from the reference point of the table; do not touch off again)
 (the entries of A in G55 must be zero)
-(T4 D4 R2 L92.3 H4, 1 operation, tip Z -18.388 to 47.342)
+(T4 DIA 4 R2 L92.3 H4, 1 operation, tip Z -18.388 to 47.342)
 (OPERATION COIL)
 N1 G21 G17 G40 G49 G80 G90 G94 G55 G64 P0.01
 M9

@@ -4,7 +4,7 @@
 3 ; PROGRAM FACETS
 4 ; CL FILE facets.aptsource
 5 ; MACHINE Dmu70e, CONTROL Heidenhain TNC, MODE axes
-6 ; UNITS mm, WORK OFFSET datum row 1
+6 ; UNITS mm, WORK OFFSET preset 1
 7 ; PART ORIGIN X0 Y0 Z0 from the reference point of the table
 8 ; PROGRAMMED POINT tool tip
 9 ; TOLERANCE 0.01 for arcs and curves
@@ -16,14 +16,14 @@
 15 ; AXIS Y+ moves the tool along +Y, as in ISO 841
 16 ; AXIS Z+ moves the tool along +Z, as in ISO 841
 17 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg of its great circle
-18 ; ROTARY WORDS are absolute and go beyond 360: M127 is in force, so the axes do not take the shortest path
+18 ; ROTARY WORDS are absolute and may go below 0 and beyond 360: M127 is in force, so the axes do not take the shortest path
 19 ; linear limits not checked: no travel declared (X Y Z)
 20 ; valid only for part origin X0 Y0 Z0 from the reference point of the table; do not touch off again
-21 ; the entries of C and B in datum row 1 must be zero
-22 ; T5 D16 R0 L132.5, 3 operations, tip Z -13.517 to 58.514
-23 ; T6 D6 R0 L97.25, 1 operation, tip Z -4.281 to 61.011
+21 ; the entries of C and B in preset 1 must be zero
+22 ; T5 DIA 16 R0 L132.5, 3 operations, tip Z -13.517 to 58.514
+23 ; T6 DIA 6 R0 L97.25, 1 operation, tip Z -4.281 to 61.011
 24 ; ASSUMED part_origin 0, 0, 0: the part zero is the reference point of the table
-25 ; ASSUMED work offset datum row 1
+25 ; ASSUMED work offset preset 1
 26 ; ASSUMED retract to machine coordinate 0 mm
 27 ; ASSUMED approach distance 50 mm along the tool axis
 28 M129

@@ -4,7 +4,7 @@
 3 ; PROGRAM NEST
 4 ; CL FILE nest.apt
 5 ; MACHINE Dmu70e, CONTROL Heidenhain TNC, MODE axes
-6 ; UNITS mm, WORK OFFSET datum row 1
+6 ; UNITS mm, WORK OFFSET preset 1
 7 ; PART ORIGIN X0 Y0 Z0 from the reference point of the table
 8 ; PROGRAMMED POINT tool tip
 9 ; TOLERANCE 0.01 for arcs and curves
@@ -18,14 +18,14 @@
 17 ; AXIS Y+ moves the tool along +Y, as in ISO 841
 18 ; AXIS Z+ moves the tool along +Z, as in ISO 841
 19 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg of its great circle
-20 ; ROTARY WORDS are absolute and go beyond 360: M127 is in force, so the axes do not take the shortest path
+20 ; ROTARY WORDS are absolute and may go below 0 and beyond 360: M127 is in force, so the axes do not take the shortest path
 21 ; linear limits not checked: no travel declared (X Y Z)
 22 ; valid only for part origin X0 Y0 Z0 from the reference point of the table; do not touch off again
-23 ; the entries of C and B in datum row 1 must be zero
-24 ; T4 D10 R0 L120, 2 operations, tip Z -15 to 60
+23 ; the entries of C and B in preset 1 must be zero
+24 ; T4 DIA 10 R0 L120, 2 operations, tip Z -15 to 60
 25 ; ASSUMED points of the CL data are coordinates from the part zero
 26 ; ASSUMED part_origin 0, 0, 0: the part zero is the reference point of the table
-27 ; ASSUMED work offset datum row 1
+27 ; ASSUMED work offset preset 1
 28 ; ASSUMED retract to machine coordinate 0 mm
 29 ; ASSUMED approach distance 50 mm along the tool axis
 30 ; [HOLDER=H1] 10MM END MILL

@@ -4,7 +4,7 @@
 3 ; PROGRAM PLATE
 4 ; CL FILE plate.ncl
 5 ; MACHINE Dmu70e, CONTROL Heidenhain TNC, MODE axes
-6 ; UNITS in, WORK OFFSET datum row 1
+6 ; UNITS in, WORK OFFSET preset 1
 7 ; PART ORIGIN X0 Y0 Z0 from the reference point of the table
 8 ; PROGRAMMED POINT tool tip
 9 ; TOLERANCE 0.001 for arcs and curves
@@ -17,13 +17,13 @@
 16 ; AXIS Y+ moves the tool along +Y, as in ISO 841
 17 ; AXIS Z+ moves the tool along +Z, as in ISO 841
 18 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.001 of its line at feed, the tool axis within 0.1 deg of its great circle
-19 ; ROTARY WORDS are absolute and go beyond 360: M127 is in force, so the axes do not take the shortest path
+19 ; ROTARY WORDS are absolute and may go below 0 and beyond 360: M127 is in force, so the axes do not take the shortest path
 20 ; linear limits not checked: no travel declared (X Y Z)
 21 ; valid only for part origin X0 Y0 Z0 from the reference point of the table; do not touch off again
-22 ; the entries of C and B in datum row 1 must be zero
-23 ; T3 D0.25 L4, 1 operation, tip Z -0.4 to 1
+22 ; the entries of C and B in preset 1 must be zero
+23 ; T3 DIA 0.25 L4, 1 operation, tip Z -0.4 to 1
 24 ; ASSUMED part_origin 0, 0, 0: the part zero is the reference point of the table
-25 ; ASSUMED work offset datum row 1
+25 ; ASSUMED work offset preset 1
 26 ; ASSUMED retract to machine coordinate 0 mm
 27 ; ASSUMED approach distance 50 mm along the tool axis
 28 M129

@@ -4,7 +4,7 @@
 3 ; PROGRAM without name
 4 ; CL FILE pocket.cls
 5 ; MACHINE SpinnerU5620, CONTROL Heidenhain TNC, MODE axes
-6 ; UNITS mm, WORK OFFSET datum row 1
+6 ; UNITS mm, WORK OFFSET preset 1
 7 ; PART ORIGIN X0 Y0 Z0 from the reference point of the table
 8 ; PROGRAMMED POINT tool tip
 9 ; TOLERANCE 0.05 for arcs and curves
@@ -17,15 +17,15 @@
 16 ; AXIS Y+ moves the tool along +Y, as in ISO 841
 17 ; AXIS Z+ moves the tool along +Z, as in ISO 841
 18 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.05 of its line at feed, the tool axis within 0.1 deg of its great circle
-19 ; ROTARY WORDS are absolute and go beyond 360: M127 is in force, so the axes do not take the shortest path
+19 ; ROTARY WORDS are absolute and may go below 0 and beyond 360: M127 is in force, so the axes do not take the shortest path
 20 ; linear limits not checked: no travel declared (X Y Z)
 21 ; valid only for part origin X0 Y0 Z0 from the reference point of the table; do not touch off again
-22 ; the entries of C and B in datum row 1 must be zero
-23 ; T1 D10 R0 L110, 1 operation, tip Z -2 to 20
-24 ; T2 D5 L130, 2 operations, tip Z -15 to 60
+22 ; the entries of C and B in preset 1 must be zero
+23 ; T1 DIA 10 R0 L110, 1 operation, tip Z -2 to 20
+24 ; T2 DIA 5 L130, 2 operations, tip Z -15 to 60
 25 ; ASSUMED unit of the CL data is mm, as given; the CL file states none
 26 ; ASSUMED part_origin 0, 0, 0: the part zero is the reference point of the table
-27 ; ASSUMED work offset datum row 1
+27 ; ASSUMED work offset preset 1
 28 ; ASSUMED retract to machine coordinate 0 mm
 29 ; ASSUMED approach distance 50 mm along the tool axis
 30 * - POCKET

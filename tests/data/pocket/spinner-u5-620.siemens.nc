@@ -13,12 +13,12 @@
 ; AXIS Y+ moves the tool along +Y, as in ISO 841
 ; AXIS Z+ moves the tool along +Z, as in ISO 841
 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.05 of its line at feed, the tool axis within 0.1 deg of its great circle
-; ROTARY WORDS are absolute and go beyond 360: the axes must not be modulo axes (MD30310 = 0)
+; ROTARY WORDS are absolute and may go below 0 and beyond 360: the axes must not be modulo axes (MD30310 = 0)
 ; linear limits not checked: no travel declared (X Y Z)
 ; valid only for part origin X0 Y0 Z0 from the reference point of the table; do not touch off again
 ; the entries of C and B in G54 must be zero
-; T1 D10 R0 L110 D1, 1 operation, tip Z -2 to 20
-; T2 D5 L130 D1, 2 operations, tip Z -15 to 60
+; T1 DIA 10 R0 L110 D1, 1 operation, tip Z -2 to 20
+; T2 DIA 5 L130 D1, 2 operations, tip Z -15 to 60
 ; ASSUMED unit of the CL data is mm, as given; the CL file states none
 ; ASSUMED part_origin 0, 0, 0: the part zero is the reference point of the table
 ; ASSUMED work offset G54

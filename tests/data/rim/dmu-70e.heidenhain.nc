@@ -2,7 +2,7 @@
 1 ; PROGRAM RIM
 2 ; CL FILE rim.ncl
 3 ; MACHINE Dmu70e, CONTROL Heidenhain TNC, MODE axes
-4 ; UNITS mm, WORK OFFSET datum row 1
+4 ; UNITS mm, WORK OFFSET preset 1
 5 ; PART ORIGIN X0 Y0 Z0 from the reference point of the table
 6 ; PROGRAMMED POINT tool tip
 7 ; TOLERANCE 0.01 for arcs and curves
@@ -13,13 +13,13 @@
 12 ; AXIS Y+ moves the tool along +Y, as in ISO 841
 13 ; AXIS Z+ moves the tool along +Z, as in ISO 841
 14 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg of its great circle
-15 ; ROTARY WORDS are absolute and go beyond 360: M127 is in force, so the axes do not take the shortest path
+15 ; ROTARY WORDS are absolute and may go below 0 and beyond 360: M127 is in force, so the axes do not take the shortest path
 16 ; linear limits not checked: no travel declared (X Y Z)
 17 ; valid only for part origin X0 Y0 Z0 from the reference point of the table; do not touch off again
-18 ; the entries of C and B in datum row 1 must be zero
-19 ; T7 D8 L84.3, 1 operation, tip Z -4.2 to 54.606
+18 ; the entries of C and B in preset 1 must be zero
+19 ; T7 DIA 8 L84.3, 1 operation, tip Z -4.2 to 54.606
 20 ; ASSUMED part_origin 0, 0, 0: the part zero is the reference point of the table
-21 ; ASSUMED work offset datum row 1
+21 ; ASSUMED work offset preset 1
 22 ; ASSUMED retract to machine coordinate 0 mm
 23 ; ASSUMED approach distance 50 mm along the tool axis
 24 M129

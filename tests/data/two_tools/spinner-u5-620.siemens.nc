@@ -12,12 +12,12 @@
 ; AXIS Y+ moves the tool along +Y, as in ISO 841
 ; AXIS Z+ moves the tool along +Z, as in ISO 841
 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg of its great circle
-; ROTARY WORDS are absolute and go beyond 360: the axes must not be modulo axes (MD30310 = 0)
+; ROTARY WORDS are absolute and may go below 0 and beyond 360: the axes must not be modulo axes (MD30310 = 0)
 ; linear limits not checked: no travel declared (X Y Z)
 ; valid only for part origin X0 Y0 Z0 from the reference point of the table; do not touch off again
 ; the entries of C and B in G54 must be zero
-; T1 D20 R0 L120 D1, 1 operation, tip Z -26 to 49.301
-; T2 D8 R0 L95 D1, 1 operation, tip Z -3.759 to 52.623
+; T1 DIA 20 R0 L120 D1, 1 operation, tip Z -26 to 49.301
+; T2 DIA 8 R0 L95 D1, 1 operation, tip Z -3.759 to 52.623
 ; ASSUMED part_origin 0, 0, 0: the part zero is the reference point of the table
 ; ASSUMED work offset G54
 ; ASSUMED retract to machine coordinate 0 mm

@@ -14,13 +14,13 @@
 ; AXIS Y+ moves the tool along +Y, as in ISO 841
 ; AXIS Z+ moves the tool along +Z, as in ISO 841
 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg of its great circle
-; ROTARY WORDS are absolute and go beyond 360: the axes must not be modulo axes (MD30310 = 0)
+; ROTARY WORDS are absolute and may go below 0 and beyond 360: the axes must not be modulo axes (MD30310 = 0)
 ; linear limits not checked: no travel declared (X Y Z)
 ; valid only for part origin X10 Y-20 Z35 from the reference point of the table; do not touch off again
 ; the entries of C and B in G54 must be zero
-; T1 D10 R0 L110 D1, 3 operations, tip Z -7.398 to 36.793
-; T2 D5 L130 D1, 1 operation, tip Z -15.078 to 28.689
-; T3 D6 L95 D1, 1 operation, tip Z -10 to 25
+; T1 DIA 10 R0 L110 D1, 3 operations, tip Z -7.398 to 36.793
+; T2 DIA 5 L130 D1, 1 operation, tip Z -15.078 to 28.689
+; T3 DIA 6 L95 D1, 1 operation, tip Z -10 to 25
 ; ASSUMED unit of the CL data is mm, as given; the CL file states none
 ; ASSUMED work offset G54
 ; ASSUMED retract to machine coordinate 0 mm

@@ -14,13 +14,13 @@
 ; AXIS B+ rotates the tool right-handed about +Y, as in ISO 841
 ; AXIS A+ rotates the tool right-handed about +X, as in ISO 841
 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg of its great circle
-; ROTARY WORDS are absolute and go beyond 360: the axes must not be modulo axes (MD30310 = 0)
+; ROTARY WORDS are absolute and may go below 0 and beyond 360: the axes must not be modulo axes (MD30310 = 0)
 ; linear limits not checked: no travel declared (X Y Z)
-; T1 D10 R0 L110 D1, 3 operations, tip Z -7.398 to 36.793
+; T1 DIA 10 R0 L110 D1, 3 operations, tip Z -7.398 to 36.793
 ; T1 posted with L = 110: D1 must hold exactly this
-; T2 D5 L130 D1, 1 operation, tip Z -15.078 to 28.689
+; T2 DIA 5 L130 D1, 1 operation, tip Z -15.078 to 28.689
 ; T2 posted with L = 130: D1 must hold exactly this
-; T3 D6 L95 D1, 1 operation, tip Z -10 to 25
+; T3 DIA 6 L95 D1, 1 operation, tip Z -10 to 25
 ; T3 posted with L = 95: D1 must hold exactly this
 ; ASSUMED unit of the CL data is mm, as given; the CL file states none
 ; ASSUMED work offset G54

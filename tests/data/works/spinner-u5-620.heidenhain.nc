@@ -4,7 +4,7 @@
 3 ; PROGRAM without name
 4 ; CL FILE works.cls
 5 ; MACHINE SpinnerU5620, CONTROL Heidenhain TNC, MODE axes
-6 ; UNITS mm, WORK OFFSET datum row 1
+6 ; UNITS mm, WORK OFFSET preset 1
 7 ; PART ORIGIN X10 Y-20 Z35 from the reference point of the table
 8 ; PROGRAMMED POINT tool tip
 9 ; TOLERANCE 0.01 for arcs and curves
@@ -18,15 +18,15 @@
 17 ; AXIS Y+ moves the tool along +Y, as in ISO 841
 18 ; AXIS Z+ moves the tool along +Z, as in ISO 841
 19 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg of its great circle
-20 ; ROTARY WORDS are absolute and go beyond 360: M127 is in force, so the axes do not take the shortest path
+20 ; ROTARY WORDS are absolute and may go below 0 and beyond 360: M127 is in force, so the axes do not take the shortest path
 21 ; linear limits not checked: no travel declared (X Y Z)
 22 ; valid only for part origin X10 Y-20 Z35 from the reference point of the table; do not touch off again
-23 ; the entries of C and B in datum row 1 must be zero
-24 ; T1 D10 R0 L110, 3 operations, tip Z -7.398 to 36.793
-25 ; T2 D5 L130, 1 operation, tip Z -15.078 to 28.689
-26 ; T3 D6 L95, 1 operation, tip Z -10 to 25
+23 ; the entries of C and B in preset 1 must be zero
+24 ; T1 DIA 10 R0 L110, 3 operations, tip Z -7.398 to 36.793
+25 ; T2 DIA 5 L130, 1 operation, tip Z -15.078 to 28.689
+26 ; T3 DIA 6 L95, 1 operation, tip Z -10 to 25
 27 ; ASSUMED unit of the CL data is mm, as given; the CL file states none
-28 ; ASSUMED work offset datum row 1
+28 ; ASSUMED work offset preset 1
 29 ; ASSUMED retract to machine coordinate 0 mm
 30 ; ASSUMED approach distance 50 mm along the tool axis
 31 * - ARCS

@@ -179,8 +179,10 @@ fn allowed(config: &Config, control: foreign::Control, set_up: &str, text: &str,
     let inches = text.contains("G20 ") || text.contains("G700 ") || text.contains(" INCH\n");
     let in_mm = if inches { 25.4 } else { 1.0 };
     let path = set_up.lines().find_map(|line| line.strip_prefix("axis_tolerance_path = ")?.parse().ok());
+    let of_operations = config.motion.operations.entries.iter().filter_map(|entry| entry.settings.tolerance_mm);
+    let tolerance_mm = of_operations.fold(config.motion.tolerance_mm, f64::max);
     Allowed {
-        linear: 2.0 * config.motion.tolerance_mm / in_mm + 4.0 * unit,
+        linear: 2.0 * tolerance_mm / in_mm + 4.0 * unit,
         unit,
         rotary_deg: 2.0 * path.unwrap_or(0.1_f64) + 0.05,
         wraps: set_up.contains("[wrap]"),

@@ -268,7 +268,12 @@ impl Run<'_> {
                 }
                 self.trace.comments.push((line, text));
             }
-            Content::Mark(mark) => self.mark(mark)?,
+            Content::Mark(mark) => {
+                if self.options.careless && mark == Mark::Remark && self.reached {
+                    self.parts.next("")?;
+                }
+                self.mark(mark)?;
+            }
             Content::Block(_) if control == Control::LinuxCnc && text.to_ascii_lowercase().contains("(abort,") => {
                 return Err("the program stops here (abort)".to_owned());
             }

@@ -311,7 +311,7 @@ pub struct State {
     pub smoothing: Option<[Option<f64>; SMOOTHING]>,
     /// How rotary axes reach their words.
     pub rotary_path: Option<RotaryPath>,
-    /// TRAORI has been programmed after the work offset, which it may clear.
+    /// TRAORI, or TRAFOOF under tip control, has been programmed after the work offset, which it may clear.
     pub offset_cleared: bool,
     /// Register or tool of the last length guard, where it names one.
     pub guarded: Option<u32>,

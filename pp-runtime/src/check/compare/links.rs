@@ -13,6 +13,9 @@ use super::phase::{Cutting, Phase, Retracted, RetractedLength, RewindPoint};
 use super::{Comparison, Current, StartState, parking, plane_guard, retract};
 use crate::program::Clearance;
 
+/// Largest angle between the tool axis and the normal of its plane, rad: rounding of both.
+const IN_PLANE: f64 = 5e-4;
+
 /// Dwells are written to three decimals, s.
 const DWELL_ROUNDING: f64 = 6e-4;
 
@@ -124,6 +127,11 @@ impl<R: Read> Comparison<'_, R> {
         }
         let rotary = self.rules.words().rotary_bits();
         let known = self.previous.known & rotary == rotary;
+        let words = self.rules.words();
+        let [axis, normal] = [words.tool_axis_at(&self.previous.words), words.place(&self.previous.words, state).axis];
+        if known && angle_between(&axis, &normal) > IN_PLANE {
+            self.found(current, "the plane call rotates the rotary axes: they are not where the plane has them");
+        }
         if let Some(higher) = tilt.pose.filter(|_| known)
             && self.travel.selects_other_pose(&self.rules, &self.previous.words, higher)
         {
@@ -701,6 +709,7 @@ impl<R: Read> Comparison<'_, R> {
             && (expected - seconds).abs() <= DWELL_ROUNDING
         {
             let (tool, called) = (current.block.state.tool, required.tool);
+            let spindle = [required.spindle, self.progress.requested_spindle()];
             self.progress.take();
             if tool != called {
                 let (tool, called) = (tool_name(tool), tool_name(called));
@@ -708,6 +717,10 @@ impl<R: Read> Comparison<'_, R> {
                     current,
                     &format!("dwell with {tool} in the spindle, in the CL data it comes after {called}"),
                 );
+            }
+            let runs = |spindle: &_| self.rules.spindle_is(&current.block.state, *spindle);
+            if matches!(phase, Phase::Cutting(_)) && !spindle.iter().any(runs) {
+                self.found(current, "dwell with the spindle at another speed or sense than in the CL data");
             }
             return Ok(());
         }

@@ -141,7 +141,8 @@ impl Travel {
         }
     }
 
-    /// The nearest other position of the rotary axes with the same tool axis, within their limits.
+    /// The nearest other position of the rotary axes with the same tool axis, within their limits; `different`: one that is not
+    /// whole turns away, within limits or not.
     fn other_position(
         &self,
         rules: &Rules<'_>,
@@ -162,7 +163,8 @@ impl Travel {
                 off - (off / TAU).round() * TAU
             };
             let other = words.rotary().any(|index| turns(index).abs() > SAME_POSITION);
-            (!self.rotary_outside(&words.values(&there)) && (other || !different)).then_some(there)
+            let suits = if different { other } else { !self.rotary_outside(&words.values(&there)) };
+            suits.then_some(there)
         });
         let distance = |there: &[f64; MAX_AXES]| words.rotary_travel(from, there);
         found.min_by(|a, b| distance(a).total_cmp(&distance(b)))

@@ -26,6 +26,9 @@ fn origin_is_subtracted_trans_added_and_tracut_turns_points_and_axes() {
     assert!(errors("$$-> A\nROTABL/90,CLW\nGOTO/0,0,0\n")[0].contains("this form of ROTABL is refused"));
 }
 
+/// What the operator is told before the stop between two set-ups.
+const CLAMPED: &str = "message NEXT SET-UP: CLAMP THE PART AGAIN, THEN START";
+
 /// Two frames: the origin of the second is at (10, 0, 0) of the first, its X is the model's Y.
 const TWO_FRAMES: &str = "MSYS/1,0,0,1,0,0,0,1,0\nGOTO/1,2,3\nMSYS/11,0,0,0,1,0,-1,0,0\nGOTO/1,2,3,.6,0,.8\n";
 
@@ -34,7 +37,7 @@ fn a_second_frame_is_mapped_into_the_first_or_begins_a_set_up() {
     let found = events_without_places(TWO_FRAMES, ReadingOptions { frames: Frames::Main, ..mm() });
     assert_eq!(found[1..], ["SafeSequence", "feed 8 1 3 axis 0 0.6 0.8 None"]);
     let found = events_without_places(TWO_FRAMES, with_set_up(&[2], None));
-    assert_eq!(found[1..], ["Home", "Stop", "SetUp(2)", "feed 1 2 3 axis 0.6 0 0.8 None"]);
+    assert_eq!(found[1..], ["Home", CLAMPED, "Stop", "SetUp(2)", "feed 1 2 3 axis 0.6 0 0.8 None"]);
     // The first frame again, then the second under its own number.
     let back = format!("{TWO_FRAMES}MSYS/1,0,0,1,0,0,0,1,0\nGOTO/1,2,3,0,0,1\nMSYS/11,0,0,0,1,0,-1,0,0\nGOTO/0,0,0\n");
     let found = events_without_places(&back, ReadingOptions { frames: Frames::Main, ..mm() });

@@ -9,11 +9,14 @@
 //! `G43` takes their sum, and so does the guard. Both are in the unit of the program. `#3000` stops with an alarm of at
 //! most 26 characters.
 //!
+//! D is a radius where parameter 5004#2 is 0, and a diameter where it is 1 (from memory).
+//!
 //! `G43.4 H` starts tip control in the block that moves to the first point, which is one of length compensation only
 //! (A-79348E, p. 16): never with rotary words, never alone. X and Y are over this point before it: over a tilted table in
 //! `G68.2`, which `G69` ends, as in Autodesk's public post for Fanuc (`writeInitialPositioning`), and the rotary words are
 //! written again after it. `G49` ends tip control in the block of `G53`, as B-63844EN, p. 204, has it for `G43`. Parameter
-//! 19696#5 selects the frame of its coordinates. P of `G43.4` and `G43.5` belongs to tool posture control, an option: 0
+//! 19696#5 selects the frame of its coordinates: 0 that of the table at the angle that it has at `G43.4`, 1 one that does not
+//! rotate (B-63783EN, p. 1116; A-79348E, p. 19). P of `G43.4` and `G43.5` belongs to tool posture control, an option: 0
 //! rotates the rotary axes evenly, 1 the tool axis in a plane; without P parameter 19604#0 decides (A-79294E/05, p. 3 and
 //! 11).
 //!
@@ -51,6 +54,10 @@ static SPELLINGS: Spellings = Spellings {
     opening: &["%", "O{number} ({name})"],
     closing: &["%"],
     number_digits: 4,
+    radius_data: [
+        "D must hold the radius of the tool where parameter 5004#2 is 0, its diameter where it is 1",
+        "D must hold wear only",
+    ],
     arcs: ArcCodes {
         // Parameter 3410 is 0.01 mm or more on machines in use; rounded words differ by less than this value.
         radius_tolerance_mm: 0.002,
@@ -90,6 +97,11 @@ static SPELLINGS: Spellings = Spellings {
             posture: ["0", "1"],
         }),
         frame_is_set: true,
+        frame_settings: [
+            "no manual names a parameter for this frame, so prove it at the first G43.4 over a tilted table",
+            "parameter 19696#5 = 0",
+            "parameter 19696#5 = 1",
+        ],
         turns_in_plane: true,
         note: "G43.4 must move only the axes of its block (parameter 5006#6 = 1), and G49 G53 straight to the machine \
                position",

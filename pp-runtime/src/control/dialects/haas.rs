@@ -10,6 +10,9 @@
 //! F of `G93` is at most 9999.99, as in Autodesk's public posts for Haas (`setMultiAxisFeedrate`); the page of G93 of Haas
 //! states no limit.
 //!
+//! D is a radius or a diameter, as setting 40 states (mill manual, setting 40; from memory). `;` is the end of a block, so no
+//! comment holds one.
+//!
 //! `G234 H` switches on tip control, with coordinates in the frame of the table with its rotary axes at zero. Before it
 //! `G254` moves the zero of the words with the table, whose axes stay those of the machine: X and Y come over the approach
 //! point, `G255` ends it, and the block of `G234` moves Z alone (`prepositionDWO` in Autodesk's public post for Haas; `G254`
@@ -46,7 +49,7 @@ static SPELLINGS: Spellings = Spellings {
     },
     numerals: Numerals { point: true, plus: false },
     line_length: 254,
-    comment: CommentStyle { marks: ["(", ")"], length: 76, byte: ascii_in_brackets },
+    comment: CommentStyle { marks: ["(", ")"], length: 76, byte: commented },
     opening: &["%", "O{number} ({name})"],
     closing: &["%"],
     number_digits: 5,
@@ -63,6 +66,10 @@ static SPELLINGS: Spellings = Spellings {
         },
         form: CycleForm::Codes(CycleCodes::ISO),
     }),
+    radius_data: [
+        "D must hold the radius of the tool where setting 40 is RADIUS, its diameter where it is DIAMETER",
+        "D must hold wear only",
+    ],
     machine: ["G53 G00", ""],
     tool_change: &["T{tool} M06", "T{next}"],
     spindle: ["S{speed} M03", "S{speed} M04"],
@@ -84,6 +91,7 @@ static SPELLINGS: Spellings = Spellings {
         posture_setting: ["", ""],
         vectors: None,
         frame_is_set: false,
+        frame_settings: [""; 3],
         turns_in_plane: false,
         note: "G234 must move only the axes of its block, and G49 G53 straight to the machine position",
     }),
@@ -103,6 +111,10 @@ static SPELLINGS: Spellings = Spellings {
     rotary_note: "the axes must not take the shortest path to an angle beyond 360",
     ..Spellings::ISO
 };
+
+fn commented(byte: u8) -> u8 {
+    if byte == b';' { b',' } else { ascii_in_brackets(byte) }
+}
 
 impl Control for Haas {
     fn spellings(&self) -> &'static Spellings {

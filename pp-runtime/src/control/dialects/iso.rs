@@ -45,6 +45,7 @@ impl Spellings {
         motion_modal: true,
         no_compensation: "",
         compensation: ["G41 D{radius}", "G42 D{radius}", "G40"],
+        radius_data: ["D must hold the radius of the tool", "D must hold wear only"],
         machine: ["G53 G0", ""],
         tool_change: &["T{tool} M6", "T{next}"],
         tool_name: None,

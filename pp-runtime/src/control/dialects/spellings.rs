@@ -71,6 +71,9 @@ pub struct Spellings {
     pub no_compensation: &'static str,
     /// Cutter compensation left, right and off, as templates.
     pub compensation: [&'static str; 3],
+    /// What the radius data of the control must hold for a path of the contour, and for one of the tool centre; for the
+    /// header.
+    pub radius_data: [&'static str; 2],
     /// Codes before and after the words of a rapid in machine coordinates.
     pub machine: [&'static str; 2],
     /// Tool change, and preselection of the next tool.
@@ -269,6 +272,8 @@ pub struct TipControlCodes {
     pub vectors: Option<ToolAxisWords>,
     /// A machine parameter selects the frame of its coordinates.
     pub frame_is_set: bool,
+    /// Settings for a frame of the table at zero, of the table at the start, and one that does not rotate; for the header.
+    pub frame_settings: [&'static str; 3],
     /// It can rotate the tool axis in the plane of its start and end.
     pub turns_in_plane: bool,
     /// Condition on the machine, printed in the program header; empty if there is none.

@@ -61,7 +61,7 @@ fn only_axes_that_do_not_roll_over_have_words_beyond_a_revolution() {
         let text = String::from_utf8(out).expect("ASCII");
         text.lines().find_map(|line| Some(line[line.find("ROTARY WORDS")?..].to_owned()))
     };
-    let counts = "are absolute and go beyond 360";
+    let counts = "are absolute and may go below 0 and beyond 360";
     let none = line(&Heidenhain, "", Wrap::Positive).expect("a line");
     assert_eq!(none, format!("ROTARY WORDS {counts}: M127 is in force, so the axes do not take the shortest path"));
     let both = [Wrap::Positive, Wrap::Sign].map(|wrap| line(&Heidenhain, "BC", wrap));
@@ -98,7 +98,7 @@ fn the_header_states_the_set_up_that_the_program_is_valid_for() {
         "(AXIS X+ moves the tool along +X, as in ISO 841)",
         "(linear limits not checked: no machine_zero [X Y Z])",
         "(valid only for part origin X1 Y2 Z50.25 from the reference point of the table; do not touch off again)",
-        "(T1 END MILL D10 R0.5 L80 H21, 2 operations, tip Z -3 to 20)",
+        "(T1 END MILL DIA 10 R0.5 L80 H21, 2 operations, tip Z -3 to 20)",
         "(ASSUMED work offset G54)",
     ] {
         assert!(text.lines().any(|found| found == line), "missing {line} in\n{text}");

@@ -6,7 +6,7 @@
 ; PROGRAMMED POINT tool tip
 ; TOLERANCE 0.01 for arcs and curves
 ; set-up 2, frame 2 of the CL data: work offset G55, part origin X5 Y0 Z60 mm, part rotation 0, 0, 90 degrees
-; CUTTER COMPENSATION of the contour: D must hold the radius
+; CUTTER COMPENSATION of the contour: the cutting edge must hold the radius of the tool
 ; CL data of NX, recognised from the file
 ; 3 arcs, sense by form, confirmed by 3 of 3 neighbouring lines
 ; 2 frames, each transformed into the first of its set-up
@@ -16,7 +16,7 @@
 ; AXIS Y+ moves the tool along +Y, as in ISO 841
 ; AXIS Z+ moves the tool along +Z, as in ISO 841
 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg of its great circle
-; ROTARY WORDS are absolute and go beyond 360: the axes must not be modulo axes (MD30310 = 0)
+; ROTARY WORDS are absolute and may go below 0 and beyond 360: the axes must not be modulo axes (MD30310 = 0)
 ; LINEAR WORDS under tip control are tip coordinates in a frame fixed to the table, aligned with the machine axes when its rotary axes are at zero; rotary axes move evenly
 ; LINEAR WORDS in planes are tip coordinates in the tilted plane, from the same zero
 ; MODE plane: the direction reference of the swivel data must be the rotary axis nearest the tool
@@ -24,8 +24,8 @@
 ; the entries of C and B in G54 and G55 must be zero
 ; T1 drill 8 L120 D1, 2 operations, tip Z -20 to 60
 ; T2 tap M8 L110 D1, 1 operation, tip Z -15 to 60
-; T3 end mill 10 D10 L100 D1, 3 operations, tip Z 0 to 55.704
-; T4 ball 6 D6 L130 D1, 1 operation, tip Z 10 to 60.963
+; T3 end mill 10 DIA 10 L100 D1, 3 operations, tip Z 0 to 55.704
+; T4 ball 6 DIA 6 L130 D1, 1 operation, tip Z 10 to 60.963
 ; ASSUMED retract to machine coordinate 0 mm
 ; ASSUMED approach distance 50 mm along the tool axis
 MSG("DRILL")
@@ -121,7 +121,7 @@ SUPA G0 Z0 D0
 D1
 S5000 M3
 G0 B42.9414 C-74.4577
-CYCLE800(0,"",0,57,0,0,0,30.000012,0,0,0,0,0,1,0)
+CYCLE800(0,"",0,57,0,0,0,30,0,0,0,0,0,1,0)
 IF ABS(SIN(($AA_IW[B]-42.9414)/2))+ABS(SIN(($AA_IW[C]+74.4577)/2))>0.0009
 MSG("After the plane call the axes are not at B42.9414 C-74.4577")
 M0
@@ -155,7 +155,7 @@ SUPA G0 Z0 D0
 D1
 S8000 M3
 G0 B57.8533 C21.3442
-CYCLE800(0,"",0,57,0,0,0,0,40.000033,0,0,0,0,1,0)
+CYCLE800(0,"",0,57,0,0,0,0,40,0,0,0,0,1,0)
 IF ABS(SIN(($AA_IW[B]-57.8533)/2))+ABS(SIN(($AA_IW[C]-21.3442)/2))>0.0009
 MSG("After the plane call the axes are not at B57.8533 C21.3442")
 M0
@@ -205,7 +205,7 @@ SUPA G0 Z0 D0
 D1
 G0 B46.5981 C-198.0637
 G54
-CYCLE800(0,"",0,57,0,0,0,-20.060237,-26.098708,0,0,0,0,1,0)
+CYCLE800(0,"",0,57,0,0,0,-20.0602,-26.0987,0,0,0,0,1,0)
 IF ABS(SIN(($AA_IW[B]-46.5981)/2))+ABS(SIN(($AA_IW[C]+198.0637)/2))>0.0009
 MSG("After the plane call the axes are not at B46.5981 C-198.0637")
 M0
@@ -287,6 +287,7 @@ SUPA G0 Z0 D0
 MSG("BACK_DRILL")
 D1
 G0 B0 C0
+; NEXT SET-UP: CLAMP THE PART AGAIN, THEN START
 SUPA G0 Z0 D0
 M5
 M0
@@ -325,7 +326,7 @@ SUPA G0 Z0 D0
 D1
 S5000 M3
 G0 B28.4317 C100.1559
-CYCLE800(0,"",0,57,0,0,0,-19.999985,0,0,0,0,0,1,0)
+CYCLE800(0,"",0,57,0,0,0,-20,0,0,0,0,0,1,0)
 IF ABS(SIN(($AA_IW[B]-28.4317)/2))+ABS(SIN(($AA_IW[C]-100.1559)/2))>0.0009
 MSG("After the plane call the axes are not at B28.4317 C100.1559")
 M0

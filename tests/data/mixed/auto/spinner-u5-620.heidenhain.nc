@@ -4,13 +4,13 @@
 3 ; PROGRAM without name
 4 ; CL FILE mixed.cls
 5 ; MACHINE SpinnerU5620, CONTROL Heidenhain TNC, MODE auto (plane, tcp)
-6 ; UNITS mm, WORK OFFSET datum row 1
+6 ; UNITS mm, WORK OFFSET preset 1
 7 ; PART ORIGIN X0 Y0 Z50 from the reference point of the table
 8 ; PROGRAMMED POINT tool tip
 9 ; TOLERANCE 0.01 for arcs and curves
 10 ; BLANK is the box around all cuts, without [stock] in the configuration
-11 ; set-up 2, frame 2 of the CL data: work offset datum row 2, part origin X5 Y0 Z60 mm, part rotation 0, 0, 90 degrees
-12 ; CUTTER COMPENSATION of the contour: D must hold the radius
+11 ; set-up 2, frame 2 of the CL data: work offset preset 2, part origin X5 Y0 Z60 mm, part rotation 0, 0, 90 degrees
+12 ; CUTTER COMPENSATION of the contour: R and DR of the tool table must hold the radius of the tool
 13 ; CL data of NX, recognised from the file
 14 ; 3 arcs, sense by form, confirmed by 3 of 3 neighbouring lines
 15 ; 2 frames, each transformed into the first of its set-up
@@ -20,16 +20,16 @@
 19 ; AXIS Y+ moves the tool along +Y, as in ISO 841
 20 ; AXIS Z+ moves the tool along +Z, as in ISO 841
 21 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg of its great circle
-22 ; ROTARY WORDS are absolute and go beyond 360: M127 is in force, so the axes do not take the shortest path
+22 ; ROTARY WORDS are absolute and may go below 0 and beyond 360: M127 is in force, so the axes do not take the shortest path
 23 ; LINEAR WORDS under tip control are tip coordinates in a frame fixed to the table, aligned with the machine axes when its rotary axes are at zero; rotary axes move evenly
 24 ; LINEAR WORDS in planes are tip coordinates in the tilted plane, from the same zero
 25 ; MODE plane: the master axis of SEQ must be the rotary axis nearest the tool
 26 ; linear limits not checked: no travel declared (X Y Z)
-27 ; the entries of C and B in datum row 1 and datum row 2 must be zero
+27 ; the entries of C and B in preset 1 and preset 2 must be zero
 28 ; T1 drill 8 L120, 2 operations, tip Z -20 to 60
 29 ; T2 tap M8 L110, 1 operation, tip Z -15 to 60
-30 ; T3 end mill 10 D10 L100, 3 operations, tip Z 0 to 55.704
-31 ; T4 ball 6 D6 L130, 1 operation, tip Z 10 to 60.963
+30 ; T3 end mill 10 DIA 10 L100, 3 operations, tip Z 0 to 55.704
+31 ; T4 ball 6 DIA 6 L130, 1 operation, tip Z 10 to 60.963
 32 ; ASSUMED retract to machine coordinate 0 mm
 33 ; ASSUMED approach distance 50 mm along the tool axis
 34 * - DRILL
@@ -315,26 +315,27 @@
 296 L Z+0 R0 FMAX M91
 297 * - BACK_DRILL
 298 L B+0 C+0 R0 FMAX
-299 L Z+0 R0 FMAX M91
-300 M5
-301 M0
-302 M129
-303 PLANE RESET STAY
-304 M127
-305 CYCL DEF 247 DATUM SETTING ~
+299 ; NEXT SET-UP: CLAMP THE PART AGAIN, THEN START
+300 L Z+0 R0 FMAX M91
+301 M5
+302 M0
+303 M129
+304 PLANE RESET STAY
+305 M127
+306 CYCL DEF 247 DATUM SETTING ~
   Q339=+2 ;DATUM NUMBER
-306 FUNCTION RESET TCPM
-307 M9
-308 L Z+0 R0 FMAX M91
-309 TOOL CALL 1 Z S3000
-310 TOOL DEF 3
-311 L Z+0 R0 FMAX M91
-312 M3
-313 L B+0 C+0 R0 FMAX
-314 L X+10 Y+10 R0 FMAX
-315 L Z+50 R0 FMAX
-316 M8
-317 CYCL DEF 200 DRILLING ~
+307 FUNCTION RESET TCPM
+308 M9
+309 L Z+0 R0 FMAX M91
+310 TOOL CALL 1 Z S3000
+311 TOOL DEF 3
+312 L Z+0 R0 FMAX M91
+313 M3
+314 L B+0 C+0 R0 FMAX
+315 L X+10 Y+10 R0 FMAX
+316 L Z+50 R0 FMAX
+317 M8
+318 CYCL DEF 200 DRILLING ~
   Q200=+3 ;SET-UP CLEARANCE ~
   Q201=-20 ;DEPTH ~
   Q206=+200 ;FEED RATE FOR PLNGNG ~
@@ -343,50 +344,50 @@
   Q203=+0 ;SURFACE COORDINATE ~
   Q204=+10 ;2ND SET-UP CLEARANCE ~
   Q211=+0 ;DWELL TIME AT DEPTH
-318 L X+10 Y+10 R0 FMAX M99
-319 L Y+30 R0 FMAX M99
-320 L Z+60 R0 FMAX
-321 M9
-322 * - BACK_FACE
-323 M129
-324 PLANE RESET STAY
-325 M127
-326 CYCL DEF 247 DATUM SETTING ~
+319 L X+10 Y+10 R0 FMAX M99
+320 L Y+30 R0 FMAX M99
+321 L Z+60 R0 FMAX
+322 M9
+323 * - BACK_FACE
+324 M129
+325 PLANE RESET STAY
+326 M127
+327 CYCL DEF 247 DATUM SETTING ~
   Q339=+2 ;DATUM NUMBER
-327 FUNCTION RESET TCPM
-328 M9
-329 L Z+0 R0 FMAX M91
-330 TOOL CALL 3 Z S5000
-331 TOOL DEF 1
-332 L Z+0 R0 FMAX M91
-333 M3
-334 L B+20 C+90 R0 FMAX
-335 PLANE SPATIAL SPA-20 SPB+0 SPC+0 TURN MB MAX FMAX SEQ+ COORD ROT
-336 FN 20: WAIT FOR SYNC
-337 FN 18: SYSREAD QL1 = ID270 NR1 IDX5
-338 FN 18: SYSREAD QL2 = ID270 NR1 IDX6
-339 QL3 = ABS ( SIN ( ( QL1 - 20 ) / 2 ) ) + ABS ( SIN ( ( QL2 - 90 ) / 2 ) )
-340 FN 12: IF +QL3 LT +0.0009 GOTO LBL "PLANE5"
-341 ; after the plane call the axes are not at B20 C90
-342 FN 14: ERROR = 101
-343 LBL "PLANE5"
-344 L X+20 Y-20 R0 FMAX
-345 L Z+52 R0 FMAX
-346 M8
-347 L Z+24 R0 FMAX
-348 L Z+20 R0 F300
-349 L X+10 Y-10 F800
-350 L X+0
-351 CC X+0 Y+0
-352 C X+0 Y+10 DR-
-353 L X+10
-354 L X+20 Y+20
-355 L Z+62 R0 FMAX
-356 M9
-357 L Z+71.13 R0 FMAX
-358 PLANE RESET STAY
-359 L Z+0 R0 FMAX M91
-360 M5
-361 L B+0 C+0 R0 FMAX
-362 M30
-363 END PGM NONAME MM
+328 FUNCTION RESET TCPM
+329 M9
+330 L Z+0 R0 FMAX M91
+331 TOOL CALL 3 Z S5000
+332 TOOL DEF 1
+333 L Z+0 R0 FMAX M91
+334 M3
+335 L B+20 C+90 R0 FMAX
+336 PLANE SPATIAL SPA-20 SPB+0 SPC+0 TURN MB MAX FMAX SEQ+ COORD ROT
+337 FN 20: WAIT FOR SYNC
+338 FN 18: SYSREAD QL1 = ID270 NR1 IDX5
+339 FN 18: SYSREAD QL2 = ID270 NR1 IDX6
+340 QL3 = ABS ( SIN ( ( QL1 - 20 ) / 2 ) ) + ABS ( SIN ( ( QL2 - 90 ) / 2 ) )
+341 FN 12: IF +QL3 LT +0.0009 GOTO LBL "PLANE5"
+342 ; after the plane call the axes are not at B20 C90
+343 FN 14: ERROR = 101
+344 LBL "PLANE5"
+345 L X+20 Y-20 R0 FMAX
+346 L Z+52 R0 FMAX
+347 M8
+348 L Z+24 R0 FMAX
+349 L Z+20 R0 F300
+350 L X+10 Y-10 F800
+351 L X+0
+352 CC X+0 Y+0
+353 C X+0 Y+10 DR-
+354 L X+10
+355 L X+20 Y+20
+356 L Z+62 R0 FMAX
+357 M9
+358 L Z+71.13 R0 FMAX
+359 PLANE RESET STAY
+360 L Z+0 R0 FMAX M91
+361 M5
+362 L B+0 C+0 R0 FMAX
+363 M30
+364 END PGM NONAME MM

@@ -6,7 +6,7 @@
 (PROGRAMMED POINT tool tip)
 (TOLERANCE 0.01 for arcs and curves)
 (set-up 2, frame 2 of the CL data: work offset G55, part origin X5 Y0 Z60 mm, part rotation 0, 0, 90 degrees)
-(CUTTER COMPENSATION of the contour: D must hold the radius)
+(CUTTER COMPENSATION of the contour: the tool table must hold the diameter of the tool)
 (CL data of NX, recognised from the file)
 (3 arcs, sense by form, confirmed by 3 of 3 neighbouring lines)
 (2 frames, each transformed into the first of its set-up)
@@ -16,14 +16,15 @@
 (AXIS Y+ moves the tool along +Y, as in ISO 841)
 (AXIS Z+ moves the tool along +Z, as in ISO 841)
 (WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg of its great circle)
-(ROTARY WORDS are absolute and go beyond 360: the axes must not be wrapped [WRAPPED_ROTARY = 0])
+(ROTARY WORDS are absolute and may go below 0 and beyond 360: the axes must not be wrapped [WRAPPED_ROTARY = 0])
 (linear limits not checked: no travel declared [X Y Z])
-(valid only for part origin X0 Y0 Z50 from the reference point of the table; do not touch off again)
+(SET-UP 1: valid only for part origin X0 Y0 Z50 from the reference point of the table; do not touch off again)
+(SET-UP 2: valid only for part origin X5 Y0 Z60 from the reference point of the table; do not touch off again)
 (the entries of C and B in G54 and G55 must be zero)
 (T1 drill 8 L120 H1, 2 operations, tip Z -20 to 60)
 (T2 tap M8 L110 H2, 1 operation, tip Z -15 to 60)
-(T3 end mill 10 D10 L100 H3, 3 operations, tip Z 0 to 55.704)
-(T4 ball 6 D6 L130 H4, 1 operation, tip Z 10 to 60.963)
+(T3 end mill 10 DIA 10 L100 H3, 3 operations, tip Z 0 to 55.704)
+(T4 ball 6 DIA 6 L130 H4, 1 operation, tip Z 10 to 60.963)
 (ASSUMED retract to machine coordinate 0 mm)
 (ASSUMED approach distance 50 mm along the tool axis)
 (OPERATION DRILL)
@@ -324,6 +325,7 @@ M9
 (OPERATION BACK_DRILL)
 G53 G0 Z0
 G0 B0 C0
+(NEXT SET-UP: CLAMP THE PART AGAIN, THEN START)
 G53 G0 Z0
 M5
 M0

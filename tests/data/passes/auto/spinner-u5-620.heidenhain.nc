@@ -4,7 +4,7 @@
 3 ; PROGRAM without name
 4 ; CL FILE passes.cls
 5 ; MACHINE SpinnerU5620, CONTROL Heidenhain TNC, MODE auto (tcp)
-6 ; UNITS mm, WORK OFFSET datum row 1
+6 ; UNITS mm, WORK OFFSET preset 1
 7 ; PART ORIGIN X0 Y0 Z50 from the reference point of the table
 8 ; PROGRAMMED POINT tool tip
 9 ; TOLERANCE 0.01 for arcs and curves
@@ -16,12 +16,12 @@
 15 ; AXIS Y+ moves the tool along +Y, as in ISO 841
 16 ; AXIS Z+ moves the tool along +Z, as in ISO 841
 17 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg of its great circle
-18 ; ROTARY WORDS are absolute and go beyond 360: M127 is in force, so the axes do not take the shortest path
+18 ; ROTARY WORDS are absolute and may go below 0 and beyond 360: M127 is in force, so the axes do not take the shortest path
 19 ; LINEAR WORDS are tip coordinates in a frame fixed to the table, aligned with the machine axes when its rotary axes are at zero; rotary axes move evenly
 20 ; linear limits not checked: no travel declared (X Y Z)
-21 ; the entries of C and B in datum row 1 must be zero
-22 ; T4 ball 8 D8 L130, 1 operation, tip Z 3 to 23.126
-23 ; ASSUMED work offset datum row 1
+21 ; the entries of C and B in preset 1 must be zero
+22 ; T4 ball 8 DIA 8 L130, 1 operation, tip Z 3 to 23.126
+23 ; ASSUMED work offset preset 1
 24 ; ASSUMED retract to machine coordinate 0 mm
 25 ; ASSUMED approach distance 50 mm along the tool axis
 26 ; ASSUMED all axes of a rapid arrive together, as the control is delivered

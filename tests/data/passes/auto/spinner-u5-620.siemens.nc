@@ -12,11 +12,11 @@
 ; AXIS Y+ moves the tool along +Y, as in ISO 841
 ; AXIS Z+ moves the tool along +Z, as in ISO 841
 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg of its great circle
-; ROTARY WORDS are absolute and go beyond 360: the axes must not be modulo axes (MD30310 = 0)
+; ROTARY WORDS are absolute and may go below 0 and beyond 360: the axes must not be modulo axes (MD30310 = 0)
 ; LINEAR WORDS are tip coordinates in a frame fixed to the table, aligned with the machine axes when its rotary axes are at zero; rotary axes move evenly
 ; linear limits not checked: no travel declared (X Y Z)
 ; the entries of C and B in G54 must be zero
-; T4 ball 8 D8 L130 D1, 1 operation, tip Z 3 to 23.126
+; T4 ball 8 DIA 8 L130 D1, 1 operation, tip Z 3 to 23.126
 ; ASSUMED work offset G54
 ; ASSUMED retract to machine coordinate 0 mm
 ; ASSUMED approach distance 50 mm along the tool axis
@@ -33,7 +33,7 @@ SUPA G0 Z0 D0
 D1
 S8000 M3
 G0 B25 C0
-CYCLE800(0,"",0,57,0,0,0,0,24.999981,0,0,0,0,1,0)
+CYCLE800(0,"",0,57,0,0,0,0,25,0,0,0,0,1,0)
 IF ABS(SIN(($AA_IW[B]-25)/2))+ABS(SIN(($AA_IW[C]-0)/2))>0.0009
 MSG("After the plane call the axes are not at B25 C0")
 M0

@@ -14,15 +14,15 @@
 ; AXIS Y+ moves the tool along +Y, as in ISO 841
 ; AXIS Z+ moves the tool along +Z, as in ISO 841
 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg of its great circle
-; ROTARY WORDS are absolute and go beyond 360: the axes must not be modulo axes (MD30310 = 0)
+; ROTARY WORDS are absolute and may go below 0 and beyond 360: the axes must not be modulo axes (MD30310 = 0)
 ; LINEAR WORDS under tip control are tip coordinates in a frame fixed to the table, aligned with the machine axes when its rotary axes are at zero; rotary axes move evenly
 ; LINEAR WORDS in planes are tip coordinates in the tilted plane, from the same zero
 ; MODE plane: the direction reference of the swivel data must be the rotary axis nearest the tool
 ; linear limits not checked: no travel declared (X Y Z)
 ; the entries of C and B in G54 must be zero
-; T1 D10 R0 L110 D1, 3 operations, tip Z -7.398 to 36.793
-; T2 D5 L130 D1, 1 operation, tip Z -15.078 to 28.689
-; T3 D6 L95 D1, 1 operation, tip Z -10 to 25
+; T1 DIA 10 R0 L110 D1, 3 operations, tip Z -7.398 to 36.793
+; T2 DIA 5 L130 D1, 1 operation, tip Z -15.078 to 28.689
+; T3 DIA 6 L95 D1, 1 operation, tip Z -10 to 25
 ; ASSUMED unit of the CL data is mm, as given; the CL file states none
 ; ASSUMED work offset G54
 ; ASSUMED retract to machine coordinate 0 mm
@@ -67,7 +67,7 @@ SUPA G0 Z0 D0
 D1
 S4000 M3
 G0 B35.6477 C52.9156
-CYCLE800(0,"",0,57,0,0,0,-16.720461,18.858755,0,0,0,0,1,0)
+CYCLE800(0,"",0,57,0,0,0,-16.7205,18.8588,0,0,0,0,1,0)
 IF ABS(SIN(($AA_IW[B]-35.6477)/2))+ABS(SIN(($AA_IW[C]-52.9156)/2))>0.0009
 MSG("After the plane call the axes are not at B35.6477 C52.9156")
 M0
@@ -99,7 +99,7 @@ SUPA G0 Z0 D0
 D1
 S2500 M3
 G0 B35.6477 C52.9156
-CYCLE800(0,"",0,57,0,0,0,-16.720461,18.858755,0,0,0,0,1,0)
+CYCLE800(0,"",0,57,0,0,0,-16.7205,18.8588,0,0,0,0,1,0)
 IF ABS(SIN(($AA_IW[B]-35.6477)/2))+ABS(SIN(($AA_IW[C]-52.9156)/2))>0.0009
 MSG("After the plane call the axes are not at B35.6477 C52.9156")
 M0
@@ -151,7 +151,7 @@ SUPA G0 Z0 D0
 D1
 S4000 M3
 G0 B36.7844 C-9.6874
-CYCLE800(0,"",0,57,0,0,0,10.653445,23.617556,0,0,0,0,1,0)
+CYCLE800(0,"",0,57,0,0,0,10.6534,23.6176,0,0,0,0,1,0)
 IF ABS(SIN(($AA_IW[B]-36.7844)/2))+ABS(SIN(($AA_IW[C]+9.6874)/2))>0.0009
 MSG("After the plane call the axes are not at B36.7844 C-9.6874")
 M0
@@ -192,7 +192,7 @@ SUPA G0 Z0 D0
 D1
 G0 B36.7844 C-197.1874
 G54
-CYCLE800(0,"",0,57,0,0,0,-13.743342,-22.030085,0,0,0,0,1,0)
+CYCLE800(0,"",0,57,0,0,0,-13.7433,-22.0301,0,0,0,0,1,0)
 IF ABS(SIN(($AA_IW[B]-36.7844)/2))+ABS(SIN(($AA_IW[C]+197.1874)/2))>0.0009
 MSG("After the plane call the axes are not at B36.7844 C-197.1874")
 M0

@@ -4,7 +4,7 @@
 3 ; PROGRAM without name
 4 ; CL FILE works.cls
 5 ; MACHINE LolaXoyzba, CONTROL Heidenhain TNC, MODE auto (plane, tcp)
-6 ; UNITS mm, WORK OFFSET datum row 1
+6 ; UNITS mm, WORK OFFSET preset 1
 7 ; PART ORIGIN X10 Y-20 Z35 from the reference point of the table
 8 ; PROGRAMMED POINT tool tip
 9 ; TOLERANCE 0.01 for arcs and curves
@@ -18,16 +18,16 @@
 17 ; AXIS B+ rotates the tool right-handed about +Y, as in ISO 841
 18 ; AXIS A+ rotates the tool right-handed about +X, as in ISO 841
 19 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg of its great circle
-20 ; ROTARY WORDS are absolute and go beyond 360: M127 is in force, so the axes do not take the shortest path
+20 ; ROTARY WORDS are absolute and may go below 0 and beyond 360: M127 is in force, so the axes do not take the shortest path
 21 ; LINEAR WORDS under tip control are tip coordinates in a frame fixed to the table, aligned with the machine axes when its rotary axes are at zero; rotary axes move evenly
 22 ; LINEAR WORDS in planes are tip coordinates in the tilted plane, from the same zero
 23 ; MODE plane: the master axis of SEQ must be the rotary axis nearest the tool
 24 ; linear limits not checked: no travel declared (X Y Z)
-25 ; T1 D10 R0 L110, 3 operations, tip Z -7.398 to 36.793
-26 ; T2 D5 L130, 1 operation, tip Z -15.078 to 28.689
-27 ; T3 D6 L95, 1 operation, tip Z -10 to 25
+25 ; T1 DIA 10 R0 L110, 3 operations, tip Z -7.398 to 36.793
+26 ; T2 DIA 5 L130, 1 operation, tip Z -15.078 to 28.689
+27 ; T3 DIA 6 L95, 1 operation, tip Z -10 to 25
 28 ; ASSUMED unit of the CL data is mm, as given; the CL file states none
-29 ; ASSUMED work offset datum row 1
+29 ; ASSUMED work offset preset 1
 30 ; ASSUMED retract to machine coordinate 0 mm
 31 ; ASSUMED approach distance 50 mm along the tool axis
 32 * - ARCS

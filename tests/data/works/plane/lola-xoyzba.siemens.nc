@@ -16,8 +16,8 @@
 ; LINEAR WORDS are tip coordinates in the tilted plane, from the same zero
 ; MODE plane: the direction reference of the swivel data must be the rotary axis nearest the tool
 ; linear limits not checked: no travel declared (X Y Z)
-; T1 D10 R0 L110 D1, 2 operations, tip Z -7.398 to 36.793
-; T2 D5 L130 D1, 1 operation, tip Z -15.078 to 28.689
+; T1 DIA 10 R0 L110 D1, 2 operations, tip Z -7.398 to 36.793
+; T2 DIA 5 L130 D1, 1 operation, tip Z -15.078 to 28.689
 ; ASSUMED unit of the CL data is mm, as given; the CL file states none
 ; ASSUMED work offset G54
 ; ASSUMED retract to machine coordinate 0 mm
@@ -62,7 +62,7 @@ SUPA G0 Z0 D0
 D1
 S4000 M3
 G0 A-15.7987 B19.6289
-CYCLE800(0,"",0,57,0,0,0,-16.720461,18.858755,0,0,0,0,1,0)
+CYCLE800(0,"",0,57,0,0,0,-16.7205,18.8588,0,0,0,0,1,0)
 IF ABS(SIN(($AA_IW[A]+15.7987)/2))+ABS(SIN(($AA_IW[B]-19.6289)/2))>0.0009
 MSG("After the plane call the axes are not at A-15.7987 B19.6289")
 M0
@@ -94,7 +94,7 @@ SUPA G0 Z0 D0
 D1
 S2500 M3
 G0 A-15.7987 B19.6289
-CYCLE800(0,"",0,57,0,0,0,-16.720461,18.858755,0,0,0,0,1,0)
+CYCLE800(0,"",0,57,0,0,0,-16.7205,18.8588,0,0,0,0,1,0)
 IF ABS(SIN(($AA_IW[A]+15.7987)/2))+ABS(SIN(($AA_IW[B]-19.6289)/2))>0.0009
 MSG("After the plane call the axes are not at A-15.7987 B19.6289")
 M0

@@ -4,7 +4,7 @@
 3 ; PROGRAM without name
 4 ; CL FILE works.cls
 5 ; MACHINE SpinnerU5620, CONTROL Heidenhain TNC, MODE plane
-6 ; UNITS mm, WORK OFFSET datum row 1
+6 ; UNITS mm, WORK OFFSET preset 1
 7 ; PART ORIGIN X10 Y-20 Z35 from the reference point of the table
 8 ; PROGRAMMED POINT tool tip
 9 ; TOLERANCE 0.01 for arcs and curves
@@ -20,11 +20,11 @@
 19 ; LINEAR WORDS are tip coordinates in the tilted plane, from the same zero
 20 ; MODE plane: the master axis of SEQ must be the rotary axis nearest the tool
 21 ; linear limits not checked: no travel declared (X Y Z)
-22 ; the entries of C and B in datum row 1 must be zero
-23 ; T1 D10 R0 L110, 2 operations, tip Z -7.398 to 36.793
-24 ; T2 D5 L130, 1 operation, tip Z -15.078 to 28.689
+22 ; the entries of C and B in preset 1 must be zero
+23 ; T1 DIA 10 R0 L110, 2 operations, tip Z -7.398 to 36.793
+24 ; T2 DIA 5 L130, 1 operation, tip Z -15.078 to 28.689
 25 ; ASSUMED unit of the CL data is mm, as given; the CL file states none
-26 ; ASSUMED work offset datum row 1
+26 ; ASSUMED work offset preset 1
 27 ; ASSUMED retract to machine coordinate 0 mm
 28 ; ASSUMED approach distance 50 mm along the tool axis
 29 * - ARCS

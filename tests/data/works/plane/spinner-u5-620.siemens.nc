@@ -17,8 +17,8 @@
 ; MODE plane: the direction reference of the swivel data must be the rotary axis nearest the tool
 ; linear limits not checked: no travel declared (X Y Z)
 ; the entries of C and B in G54 must be zero
-; T1 D10 R0 L110 D1, 2 operations, tip Z -7.398 to 36.793
-; T2 D5 L130 D1, 1 operation, tip Z -15.078 to 28.689
+; T1 DIA 10 R0 L110 D1, 2 operations, tip Z -7.398 to 36.793
+; T2 DIA 5 L130 D1, 1 operation, tip Z -15.078 to 28.689
 ; ASSUMED unit of the CL data is mm, as given; the CL file states none
 ; ASSUMED work offset G54
 ; ASSUMED retract to machine coordinate 0 mm
@@ -63,7 +63,7 @@ SUPA G0 Z0 D0
 D1
 S4000 M3
 G0 B25 C40.107
-CYCLE800(0,"",0,57,0,0,0,-16.720461,18.858755,0,0,0,0,1,0)
+CYCLE800(0,"",0,57,0,0,0,-16.7205,18.8588,0,0,0,0,1,0)
 IF ABS(SIN(($AA_IW[B]-25)/2))+ABS(SIN(($AA_IW[C]-40.107)/2))>0.0009
 MSG("After the plane call the axes are not at B25 C40.107")
 M0
@@ -95,7 +95,7 @@ SUPA G0 Z0 D0
 D1
 S2500 M3
 G0 B25 C40.107
-CYCLE800(0,"",0,57,0,0,0,-16.720461,18.858755,0,0,0,0,1,0)
+CYCLE800(0,"",0,57,0,0,0,-16.7205,18.8588,0,0,0,0,1,0)
 IF ABS(SIN(($AA_IW[B]-25)/2))+ABS(SIN(($AA_IW[C]-40.107)/2))>0.0009
 MSG("After the plane call the axes are not at B25 C40.107")
 M0

@@ -14,12 +14,12 @@
 ; AXIS Y+ moves the tool along +Y, as in ISO 841
 ; AXIS Z+ moves the tool along +Z, as in ISO 841
 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg of its great circle
-; ROTARY WORDS are absolute and go beyond 360: the axes must not be modulo axes (MD30310 = 0)
+; ROTARY WORDS are absolute and may go below 0 and beyond 360: the axes must not be modulo axes (MD30310 = 0)
 ; LINEAR WORDS are tip coordinates in a frame fixed to the table, aligned with the machine axes when its rotary axes are at zero; rotary axes move evenly
 ; linear limits not checked: no travel declared (X Y Z)
 ; the entries of C and B in G54 must be zero
-; T1 D10 R0 L110 D1, 3 operations, tip Z -7.398 to 36.793
-; T2 D5 L130 D1, 1 operation, tip Z -15.078 to 28.689
+; T1 DIA 10 R0 L110 D1, 3 operations, tip Z -7.398 to 36.793
+; T2 DIA 5 L130 D1, 1 operation, tip Z -15.078 to 28.689
 ; ASSUMED unit of the CL data is mm, as given; the CL file states none
 ; ASSUMED work offset G54
 ; ASSUMED retract to machine coordinate 0 mm
@@ -68,7 +68,7 @@ SUPA G0 Z0 D0
 D1
 S4000 M3
 G0 B25 C40.107
-CYCLE800(0,"",0,57,0,0,0,-16.720461,18.858755,0,0,0,0,1,0)
+CYCLE800(0,"",0,57,0,0,0,-16.7205,18.8588,0,0,0,0,1,0)
 IF ABS(SIN(($AA_IW[B]-25)/2))+ABS(SIN(($AA_IW[C]-40.107)/2))>0.0009
 MSG("After the plane call the axes are not at B25 C40.107")
 M0
@@ -140,7 +140,7 @@ SUPA G0 Z0 D0
 D1
 S2500 M3
 G0 B25 C40.107
-CYCLE800(0,"",0,57,0,0,0,-16.720461,18.858755,0,0,0,0,1,0)
+CYCLE800(0,"",0,57,0,0,0,-16.7205,18.8588,0,0,0,0,1,0)
 IF ABS(SIN(($AA_IW[B]-25)/2))+ABS(SIN(($AA_IW[C]-40.107)/2))>0.0009
 MSG("After the plane call the axes are not at B25 C40.107")
 M0
@@ -225,7 +225,7 @@ SUPA G0 Z0 D0
 D1
 S4000 M3
 G0 B25.7831 C-22.9183
-CYCLE800(0,"",0,57,0,0,0,10.653445,23.617556,0,0,0,0,1,0)
+CYCLE800(0,"",0,57,0,0,0,10.6534,23.6176,0,0,0,0,1,0)
 IF ABS(SIN(($AA_IW[B]-25.7831)/2))+ABS(SIN(($AA_IW[C]+22.9183)/2))>0.0009
 MSG("After the plane call the axes are not at B25.7831 C-22.9183")
 M0
@@ -268,7 +268,7 @@ SUPA G0 Z0 D0
 D1
 G0 B25.7831 C-193.1683
 G54
-CYCLE800(0,"",0,57,0,0,0,-6.279896,-25.057533,0,0,0,0,1,0)
+CYCLE800(0,"",0,57,0,0,0,-6.2799,-25.0575,0,0,0,0,1,0)
 IF ABS(SIN(($AA_IW[B]-25.7831)/2))+ABS(SIN(($AA_IW[C]+193.1683)/2))>0.0009
 MSG("After the plane call the axes are not at B25.7831 C-193.1683")
 M0

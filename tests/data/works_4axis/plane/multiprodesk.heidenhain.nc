@@ -4,7 +4,7 @@
 3 ; PROGRAM without name
 4 ; CL FILE works_4axis.cls
 5 ; MACHINE MultiProDesk, CONTROL Heidenhain TNC, MODE plane
-6 ; UNITS mm, WORK OFFSET datum row 1
+6 ; UNITS mm, WORK OFFSET preset 1
 7 ; PART ORIGIN X10 Y-20 Z35 from the reference point of the table
 8 ; PROGRAMMED POINT tool tip
 9 ; TOLERANCE 0.01 for arcs and curves
@@ -19,11 +19,11 @@
 18 ; LINEAR WORDS are tip coordinates in the tilted plane, from the same zero
 19 ; MODE plane: the master axis of SEQ must be the rotary axis nearest the tool
 20 ; linear limits not checked: no travel declared (Y X Z)
-21 ; the entries of A in datum row 1 must be zero
-22 ; T1 D10 R0 L110, 2 operations, tip Z -4.039 to 24.963
-23 ; T2 D5 L130, 1 operation, tip Z -8.509 to 29.729
+21 ; the entries of A in preset 1 must be zero
+22 ; T1 DIA 10 R0 L110, 2 operations, tip Z -4.039 to 24.963
+23 ; T2 DIA 5 L130, 1 operation, tip Z -8.509 to 29.729
 24 ; ASSUMED unit of the CL data is mm, as given; the CL file states none
-25 ; ASSUMED work offset datum row 1
+25 ; ASSUMED work offset preset 1
 26 ; ASSUMED retract to machine coordinate 0 mm
 27 ; ASSUMED approach distance 50 mm along the tool axis
 28 * - ARCS

@@ -16,8 +16,8 @@
 ; MODE plane: the direction reference of the swivel data must be the rotary axis nearest the tool
 ; linear limits not checked: no travel declared (Y X Z)
 ; the entries of A in G54 must be zero
-; T1 D10 R0 L110 D1, 2 operations, tip Z -4.039 to 24.963
-; T2 D5 L130 D1, 1 operation, tip Z -8.509 to 29.729
+; T1 DIA 10 R0 L110 D1, 2 operations, tip Z -4.039 to 24.963
+; T2 DIA 5 L130 D1, 1 operation, tip Z -8.509 to 29.729
 ; ASSUMED unit of the CL data is mm, as given; the CL file states none
 ; ASSUMED work offset G54
 ; ASSUMED retract to machine coordinate 0 mm
@@ -62,7 +62,7 @@ SUPA G0 Z0 D0
 D1
 S4000 M3
 G0 A-25
-CYCLE800(0,"",0,57,0,0,0,-25.000002,0,0,0,0,0,1,0)
+CYCLE800(0,"",0,57,0,0,0,-25,0,0,0,0,0,1,0)
 IF ABS(SIN(($AA_IW[A]+25)/2))>0.0009
 MSG("After the plane call the axes are not at A-25")
 M0
@@ -94,7 +94,7 @@ SUPA G0 Z0 D0
 D1
 S2500 M3
 G0 A-25
-CYCLE800(0,"",0,57,0,0,0,-25.000002,0,0,0,0,0,1,0)
+CYCLE800(0,"",0,57,0,0,0,-25,0,0,0,0,0,1,0)
 IF ABS(SIN(($AA_IW[A]+25)/2))>0.0009
 MSG("After the plane call the axes are not at A-25")
 M0

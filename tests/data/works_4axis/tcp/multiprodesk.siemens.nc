@@ -13,12 +13,12 @@
 ; AXIS X+ moves the tool along +X, as in ISO 841
 ; AXIS Z+ moves the tool along +Z, as in ISO 841
 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg of its great circle
-; ROTARY WORDS are absolute and go beyond 360: the axes must not be modulo axes (MD30310 = 0)
+; ROTARY WORDS are absolute and may go below 0 and beyond 360: the axes must not be modulo axes (MD30310 = 0)
 ; LINEAR WORDS are tip coordinates in a frame fixed to the table, aligned with the machine axes when its rotary axes are at zero; rotary axes move evenly
 ; linear limits not checked: no travel declared (Y X Z)
 ; the entries of A in G54 must be zero
-; T1 D10 R0 L110 D1, 3 operations, tip Z -35.818 to 45.394
-; T2 D5 L130 D1, 1 operation, tip Z -8.509 to 29.729
+; T1 DIA 10 R0 L110 D1, 3 operations, tip Z -35.818 to 45.394
+; T2 DIA 5 L130 D1, 1 operation, tip Z -8.509 to 29.729
 ; ASSUMED unit of the CL data is mm, as given; the CL file states none
 ; ASSUMED work offset G54
 ; ASSUMED retract to machine coordinate 0 mm
@@ -67,7 +67,7 @@ SUPA G0 Z0 D0
 D1
 S4000 M3
 G0 A-25
-CYCLE800(0,"",0,57,0,0,0,-25.000002,0,0,0,0,0,1,0)
+CYCLE800(0,"",0,57,0,0,0,-25,0,0,0,0,0,1,0)
 IF ABS(SIN(($AA_IW[A]+25)/2))>0.0009
 MSG("After the plane call the axes are not at A-25")
 M0
@@ -139,7 +139,7 @@ SUPA G0 Z0 D0
 D1
 S2500 M3
 G0 A-25
-CYCLE800(0,"",0,57,0,0,0,-25.000002,0,0,0,0,0,1,0)
+CYCLE800(0,"",0,57,0,0,0,-25,0,0,0,0,0,1,0)
 IF ABS(SIN(($AA_IW[A]+25)/2))>0.0009
 MSG("After the plane call the axes are not at A-25")
 M0
@@ -224,7 +224,7 @@ SUPA G0 Z0 D0
 D1
 S4000 M3
 G0 A34.3775
-CYCLE800(0,"",0,57,0,0,0,34.377469,0,0,0,0,0,1,0)
+CYCLE800(0,"",0,57,0,0,0,34.3775,0,0,0,0,0,1,0)
 IF ABS(SIN(($AA_IW[A]-34.3775)/2))>0.0009
 MSG("After the plane call the axes are not at A34.3775")
 M0

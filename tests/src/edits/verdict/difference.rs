@@ -230,6 +230,7 @@ fn moved(was: &Event<'_>, is: &Event<'_>, allowed: Allowed) -> Option<Difference
     let (old, new) = (&was.block.state, &is.block.state);
     let cuts = was.block.effect.cuts();
     let machine = was.block.effect == Effect::Machine;
+    let linear = !is.block.words.letters().all(is_rotary);
     let free = is_free(was, is, allowed);
     let place = |letter: char| {
         let of = |state: &State| if machine { state.machine.get(letter) } else { state.position.get(letter) };
@@ -396,7 +397,7 @@ pub(super) fn state_difference(was: &Event<'_>, is: &Event<'_>, allowed: Allowed
     let words = worst([
         frame,
         hard(old.work_offset != new.work_offset, "the work offset"),
-        hard(old.offset_cleared != new.offset_cleared, "the work offset after TRAORI"),
+        hard(!machine && linear && old.offset_cleared != new.offset_cleared, "the work offset after TRAORI or TRAFOOF"),
         hard(levels && length(old) != length(new), "the length offset"),
         soft(linear && old.length != new.length, "the length offset where it does not matter"),
         hard(rotary && old.rotary_path != new.rotary_path, "shortest path"),

@@ -173,9 +173,10 @@ fn is_rotated_before(events: &[Event<'_>], index: usize) -> bool {
 /// Whether only rotary axes rotate under tip control, and the tool axis is where it was.
 fn rotates_freely(event: &Event<'_>, allowed: Allowed) -> bool {
     let axes = [event.before, &event.block.state].map(|state| allowed.tool_axis.and_then(|axis| axis(&state.position)));
+    let [from, to] = [&event.before.position, &event.block.state.position];
     event.before.under_tip_control()
         && !event.block.words.is_empty()
-        && event.block.words.letters().all(is_rotary)
+        && event.block.words.letters().all(|letter| is_rotary(letter) || from.get(letter) == to.get(letter))
         && is_near(axes)
 }
 
@@ -286,7 +287,7 @@ fn is_split(whole: &Event<'_>, parts: &[Event<'_>], allowed: Allowed) -> bool {
         && whole.block.words.letters().all(|letter| ends_as(&parts[1], letter))
 }
 
-/// Whether a rapid begins on the line of a rapid near it, and ends on that rapid.
+/// Whether a rapid begins on the line of a rapid near it, and ends on that rapid; or a feed motion on one at the same feed.
 fn is_to_and_fro(events: &[Event<'_>], index: usize, allowed: Allowed) -> bool {
     let this = &events[index];
     let [from, here] = [&this.before.position, &this.block.state.position];
@@ -295,7 +296,10 @@ fn is_to_and_fro(events: &[Event<'_>], index: usize, allowed: Allowed) -> bool {
         let event = &events[other];
         let [start, end] = [event.before.position, event.block.state.position];
         match event.block.effect {
-            Effect::Rapid => Some((start, end)),
+            Effect::Rapid => (this.block.effect == Effect::Rapid).then_some((start, end)),
+            Effect::Feed => {
+                (this.block.effect == Effect::Feed && this.block.feed() == event.block.feed()).then_some((start, end))
+            }
             // Down to the reference plane of the cycle.
             Effect::Hole(hole) => {
                 let mut above = end;
@@ -307,7 +311,7 @@ fn is_to_and_fro(events: &[Event<'_>], index: usize, allowed: Allowed) -> bool {
             _ => None,
         }
     };
-    this.block.effect == Effect::Rapid
+    matches!(this.block.effect, Effect::Rapid | Effect::Feed)
         && near.filter(|other| *other != index).filter_map(ends).any(|(start, end)| {
             let share = |at: &Axes| share_on_line(&start, at, &end, allowed);
             share(here).is_some_and(|share| (0.0..=1.0).contains(&share)) && share(from).is_some()

@@ -140,6 +140,7 @@ impl Machine {
                 self.begin_tip_control(false)?;
             }
             Meaning::TipControl(false) => {
+                state.offset_cleared |= siemens && state.under_tip_control();
                 state.tip_control = Some(TipControl::Off);
                 state.vector = None;
             }

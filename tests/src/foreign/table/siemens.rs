@@ -169,19 +169,15 @@ fn call(
 fn swivel(number: impl Fn(usize) -> Option<f64>) -> Option<TiltedPlane> {
     let vector = |first: usize| Some([number(first)?, number(first + 1)?, number(first + 2)?]);
     let zero = |value: f64| value.abs() < 1e-9;
-    if !zero(number(0)?) || !zero(number(2)?) {
+    let direction = number(13)?;
+    if !zero(number(0)?) || !zero(number(2)?) || ![-1.0, 0.0, 1.0].iter().any(|known| zero(direction - known)) {
         return None;
     }
     let rotation = geometry::axis_by_axis(number(3)? as u32, vector(7)?)?;
     let shifted = geometry::rotated(&rotation, vector(10)?);
     let before = vector(4)?;
     let origin = [0, 1, 2].map(|index| before[index] + shifted[index]);
-    Some(TiltedPlane {
-        rotation,
-        origin,
-        oriented: !zero(number(13)?),
-        solution: number(13)?.signum() as i8 * i8::from(!zero(number(13)?)),
-    })
+    Some(TiltedPlane { rotation, origin, oriented: !zero(direction), solution: direction.round() as i8 })
 }
 
 /// CYCLE81 to CYCLE85 (RTP, RFP, SDIS, DP, DPR, ..): return level, surface, clearance, bottom. A depth by DPR is unknown

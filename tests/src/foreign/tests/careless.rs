@@ -151,7 +151,11 @@ fn codes_beside_other_words_are_executed() {
 
 #[test]
 fn traori_clears_the_work_offset() {
-    assert!(state(Siemens, "TRAORI").offset_cleared);
+    assert!(
+        state(Siemens, "TRAORI").offset_cleared
+            && state(Siemens, "TRAORI\nG54\nTRAFOOF").offset_cleared
+            && !state(Siemens, "TRAFOOF").offset_cleared
+    );
     assert!(!state(Siemens, "TRAORI\nG54").offset_cleared);
 }
 

@@ -94,6 +94,7 @@ impl RecordInterpreter {
         self.coordinates.map_frame();
         self.path.change_frame();
         self.emit(here, Event::Home);
+        self.emit(here, Event::Message(b"NEXT SET-UP: CLAMP THE PART AGAIN, THEN START"));
         self.emit(here, Event::Stop);
         self.emit(here, Event::SetUp(number));
     }

@@ -116,7 +116,7 @@ impl<S: Sink> Mover<'_, S> {
         let mask = self.placer.directing_axes(at);
         if self.abilities.guards_planes && mask != 0 && matches!(frame, Step::Plane { .. }) {
             self.plane_guards += 1;
-            let words = AxisWords { units: at.words, mask, vector: None };
+            let words = self.placer.words(at, mask);
             self.output.step(&Step::PlaneGuard { label: self.plane_guards, words })?;
         }
         Ok(())
