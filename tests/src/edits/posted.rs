@@ -186,6 +186,7 @@ fn allowed(config: &Config, control: foreign::Control, set_up: &str, text: &str,
         unit,
         rotary_deg: 2.0 * path.unwrap_or(0.1_f64) + 0.05,
         wraps: set_up.contains("[wrap]"),
+        signs_turn: set_up.contains("\"sign\""),
         tool_axis: (config.motion.tip.tcp_frame != Some(TcpFrame::NotTurning)).then_some(tool_axis),
         starts_continuous: matches!(
             control,

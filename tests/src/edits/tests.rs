@@ -9,6 +9,7 @@ const ALLOWED: Allowed = Allowed {
     unit: 0.001,
     rotary_deg: 0.25,
     wraps: false,
+    signs_turn: false,
     tool_axis: None,
     starts_continuous: false,
     clamped: [Some('B'), None],

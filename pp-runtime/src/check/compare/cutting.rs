@@ -190,7 +190,7 @@ impl<R: Read> Comparison<'_, R> {
     fn has_feed_of(&self, block: &Block, segment: &Segment, motion: &ClMotion, required: &Required) -> bool {
         let (length, feed) = (segment.length(), self.rules.feed_of(motion));
         let stroke = || self.rules.stroke(&self.previous.words, block, (length, length), feed, required);
-        let fault = || self.rules.feed_fault(&stroke(), &block.state, segment.turn() > 0.0);
+        let fault = || self.rules.feed_fault(&stroke(), &block.state, turned(segment, [0.0, 1.0]));
         block.action != Action::Feed || fault().is_none()
     }
 
@@ -337,7 +337,7 @@ impl<R: Read> Comparison<'_, R> {
         };
         let stroke =
             self.rules.stroke(&self.previous.words, block, (length, segment.length()), part.feed, &part.required);
-        let fault = self.rules.feed_fault(&stroke, &block.state, segment.turn() > 0.0);
+        let fault = self.rules.feed_fault(&stroke, &block.state, turned(segment, [along, part.share]));
         self.found_any(current, fault);
     }
 
@@ -445,7 +445,7 @@ impl<R: Read> Comparison<'_, R> {
             let stays = (rules.pose_from(before, block).tip - end.tip).norm() < 0.5 * rules.rounding().unit_mm;
             let longest = if stays { 0.0 } else { f64::INFINITY };
             let stroke = rules.stroke(before, block, (0.0, longest), *feed, required);
-            !at_feed || rules.feed_fault(&stroke, &block.state, segment.turn() > 0.0).is_none()
+            !at_feed || rules.feed_fault(&stroke, &block.state, turned(segment, [0.0, 1.0])).is_none()
         };
         let is_rest = same_kind
             && rotated_rad <= PI + rules.rounding().unit_rad
@@ -735,4 +735,9 @@ struct Part {
     share: f64,
     at: Location,
     required: Required,
+}
+
+/// Poses at two shares of a segment, if it rotates the tool axis.
+fn turned(segment: &Segment, shares: [f64; 2]) -> Option<[ToolPose; 2]> {
+    (segment.turn() > 0.0).then(|| shares.map(|share| segment.at(share)))
 }

@@ -27,7 +27,7 @@ use super::Checked;
 use super::expect::{Expect, ExpectedAction, ExpectedItem};
 use super::geometry::ToolPose;
 use super::policy::CheckPolicy;
-use super::read::{Action, ArcMove, Block, Length, MAX_AXES, State, WorkPlane};
+use super::read::{Action, ArcMove, Block, Length, MAX_AXES, State, TipControl, WorkPlane};
 use super::report::{Shown, Tally};
 use super::rules::{ModalContext, Rules, StateFault, chord};
 use super::stream::{ExecutedBlock, Observer};
@@ -196,6 +196,10 @@ impl<R: Read> Comparison<'_, R> {
         let moved = self.rules.moved(&self.previous.words, self.previous.known, block);
         let fault = self.functions.clamps(block, moved, &self.rules, at_part);
         self.found_any(current, fault);
+        let linear = block.written & self.rules.words().linear_bits() != 0;
+        if block.action != Action::Machine && (linear || block.state.tip_control != TipControl::Off) {
+            self.parked = 0;
+        }
         let keep_out = KeepOut::of(self, phase, block);
         let next = match (task, &mut *phase) {
             (Task::MachineCoordinates, phase) => self.machine_coordinates(phase, current)?,

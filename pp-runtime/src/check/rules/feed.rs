@@ -15,6 +15,9 @@ const NOISE: f64 = 1e-9;
 /// Share of the slowest axis that a tool axis rotated by rounding may cost.
 const NEARLY: f64 = 0.99;
 
+/// How much farther an axis may move that the control rotates from one tool axis to another.
+const ASTRAY: f64 = 2.0;
+
 /// Time written for a block without a motion, minutes.
 const NOTHING: f64 = 1e-3;
 
@@ -266,15 +269,30 @@ impl FeedLaw {
     }
 
     /// Where axis speeds may hold a block back, and the motion of the axes is unknown: at most the feed of the tip, and
-    /// unless rotary axes rotate no less than the slowest linear axis.
-    pub(crate) fn wrong_within(&self, stroke: &Stroke, state: &State, rotates: bool) -> Option<String> {
+    /// unless rotary axes rotate no less than the slowest linear axis. `changes`: how the axes may move where they rotate; they
+    /// may move [`ASTRAY`] times as far, on the way from end to end.
+    pub(crate) fn wrong_within(
+        &self,
+        stroke: &Stroke,
+        state: &State,
+        changes: Option<Vec<[f64; MAX_AXES]>>,
+    ) -> Option<String> {
         let programmed = Self::programmed(stroke)?;
         let still = Stroke { change: [0.0; MAX_AXES], ..*stroke };
         let extent = self.extent(&still, 0.0);
         let (mode, (low, most)) = (self.mode(&extent), self.bounds(programmed, &still, &extent));
         let linear = self.speeds.iter().enumerate().filter(|(index, _)| self.linear_bits & (1 << index) != 0);
         let slowest = linear.filter_map(|(_, speed)| *speed).fold(f64::INFINITY, f64::min);
-        let least = if rotates { 0.0 } else { NEARLY * low.min(slowest * self.per_mm) };
+        let held_back = |change: &[f64; MAX_AXES]| {
+            let stroke = Stroke { change: change.map(|change| ASTRAY * change), ..*stroke };
+            let held = Extent { least_min: self.extent(&stroke, 1.0).least_min, ..extent };
+            self.bounds(programmed, &stroke, &held).0
+        };
+        let least = match changes {
+            None => NEARLY * low.min(slowest * self.per_mm),
+            Some(changes) if changes.is_empty() => 0.0,
+            Some(changes) => NEARLY * changes.iter().map(held_back).fold(low, f64::min),
+        };
         let feed = state.feed.unwrap_or(0.0);
         let low = least * (1.0 - NOISE) - self.step(mode, most);
         let high = most * (1.0 + NOISE) + self.step(mode, most);

@@ -303,15 +303,22 @@ impl<'a> Rules<'a> {
         Stroke { length_mm, longest_mm, change, feed, speed_rev_per_min: required.spindle.map(|(speed, _)| speed) }
     }
 
-    /// What is wrong with F of a block. `rotates`: its motion rotates the tool axis. With a tool vector the rotation of the
-    /// rotary axes is the control's own.
-    pub(super) fn feed_fault(&self, stroke: &Stroke, state: &State, rotates: bool) -> Option<String> {
+    /// What is wrong with F of a block. `ends`: those of a motion that rotates the tool axis. With a tool vector the rotation of
+    /// the rotary axes is the control's own.
+    pub(super) fn feed_fault(&self, stroke: &Stroke, state: &State, ends: Option<[ToolPose; 2]>) -> Option<String> {
         let law = &self.law;
-        match state.vector {
-            Some(_) if rotates && law.is_still(stroke) => law.wrong_on_the_spot(state),
-            Some(_) if law.needs_axes() => law.wrong_within(stroke, state, rotates),
+        match (state.vector, ends) {
+            (Some(_), Some(_)) if law.is_still(stroke) => law.wrong_on_the_spot(state),
+            (Some(_), _) if law.needs_axes() => law.wrong_within(stroke, state, ends.map(|ends| self.changes(&ends))),
             _ => law.wrong(stroke, state),
         }
+    }
+
+    /// How the axes may move between two poses; none near a pole, where the rotary axes rotate by much more than the tool axis.
+    fn changes(&self, ends: &[ToolPose; 2]) -> Vec<[f64; MAX_AXES]> {
+        let turn = angle_between(&ends[0].axis, &ends[1].axis);
+        let far = ends.iter().all(|end| self.off_pole_rad(&end.axis) > 2.0 * turn);
+        if far { self.words.changes(ends) } else { Vec::new() }
     }
 
     /// Whether the words of the block mirror the plane of the path: left of the words is right of the path.

@@ -289,6 +289,22 @@ impl Words {
         Some(values)
     }
 
+    /// How the axes move from one pose to another in the positions that reach them; empty where none was found. The poses are
+    /// so near to each other that the rotary axes hardly stray.
+    pub(crate) fn changes(&self, [from, to]: &[ToolPose; 2]) -> Vec<[f64; MAX_AXES]> {
+        let change = |seed: [f64; 2]| {
+            let mut words = [0.0; MAX_AXES];
+            self.rotary().zip(seed).for_each(|(index, value)| words[index] = value);
+            let start = self.rotated_to(&words, &from.axis, 0.0)?;
+            let end = self.rotated_to(&start, &to.axis, 0.0)?;
+            let [start, end] =
+                [(start, from), (end, to)].map(|(words, pose)| self.axes_at(pose.tip, self.values(&words)));
+            let (start, end) = (start?, end?);
+            Some(std::array::from_fn(|index| end[index] - start[index]))
+        };
+        [[0.6, 0.6], [0.6, -0.6], [-2.5, 0.6], [-2.5, -0.6]].into_iter().filter_map(change).collect()
+    }
+
     fn linear_three(&self) -> Option<[usize; 3]> {
         self.axes.linear[..].try_into().ok()
     }

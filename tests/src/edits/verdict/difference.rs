@@ -230,7 +230,6 @@ fn moved(was: &Event<'_>, is: &Event<'_>, allowed: Allowed) -> Option<Difference
     let (old, new) = (&was.block.state, &is.block.state);
     let cuts = was.block.effect.cuts();
     let machine = was.block.effect == Effect::Machine;
-    let linear = !is.block.words.letters().all(is_rotary);
     let free = is_free(was, is, allowed);
     let place = |letter: char| {
         let of = |state: &State| if machine { state.machine.get(letter) } else { state.position.get(letter) };
@@ -245,6 +244,10 @@ fn moved(was: &Event<'_>, is: &Event<'_>, allowed: Allowed) -> Option<Difference
                 let starts = cuts && from[0] && !from[1];
                 if is_rotary(letter) && free {
                     return soft((one - other).abs() > 1e-9, "a rotary axis that is free at the pole");
+                }
+                let mirrored = allowed.signs_turn && is_rotary(letter) && (one + other).abs() <= largest;
+                if mirrored && (one - other).abs() > largest {
+                    return soft(true, "the direction in which a rotary axis rotates");
                 }
                 let whole = ((one - other) / 360.0).round();
                 let rolled = if allowed.wraps && is_rotary(letter) { 360.0 * whole } else { 0.0 };
@@ -397,7 +400,7 @@ pub(super) fn state_difference(was: &Event<'_>, is: &Event<'_>, allowed: Allowed
     let words = worst([
         frame,
         hard(old.work_offset != new.work_offset, "the work offset"),
-        hard(!machine && linear && old.offset_cleared != new.offset_cleared, "the work offset after TRAORI or TRAFOOF"),
+        hard(linear && old.offset_cleared != new.offset_cleared, "the work offset after TRAORI or TRAFOOF"),
         hard(levels && length(old) != length(new), "the length offset"),
         soft(linear && old.length != new.length, "the length offset where it does not matter"),
         hard(rotary && old.rotary_path != new.rotary_path, "shortest path"),

@@ -30,6 +30,8 @@ pub struct Allowed {
     pub rotary_deg: f64,
     /// Rotary axes may roll over, so that whole revolutions make no difference.
     pub wraps: bool,
+    /// The sign of a rotary word may be the direction of its rotation.
+    pub signs_turn: bool,
     /// Where words under tip control are coordinates of the tip on the workpiece: the tool axis, which decides whether a
     /// rotary axis is free.
     pub tool_axis: Option<ToolAxis>,
