@@ -65,7 +65,8 @@ fn a_guard_of_rotary_positions_is_whole_or_refused() {
     for control in [Control::Siemens, Control::Heidenhain] {
         let whole = plane_guard(control);
         let mut axes = Axes::default();
-        (axes.set('B', 30.0), axes.set('C', -20.5));
+        axes.set('B', 30.0);
+        axes.set('C', -20.5);
         let wanted = Effect::PlaneGuard { axes, largest: 0.0009 };
         let found = trace(control, &whole.join("\n"));
         assert!(found.blocks.iter().any(|block| block.effect == wanted), "{control:?}: {:?}", found.blocks);
