@@ -92,9 +92,12 @@ pub(super) fn rearranged(was: &[Event<'_>], is: &[Event<'_>], index: usize, allo
     if is_turned_before_tip_control(was, is, index, allowed) && all_agree(&was[index + 1..], &is[index + 1..]) {
         return undecided("a rotary axis that is free under tip control");
     }
-    let inner = |events: &[Event<'_>]| index < events.len() && on_the_line(events, index, allowed);
+    let inner = |events: &[Event<'_>]| {
+        events.get(index).is_some_and(|event| event.block.effect == Effect::Rapid)
+            && on_the_line(events, index, allowed)
+    };
     if inner(was) && inner(is) && all_agree(&was[index + 1..], &is[index + 1..]) {
-        return undecided("another point on a line");
+        return undecided("a rapid to another point on its line");
     }
     if is.get(index).is_some() && is_to_and_fro(is, index, allowed) && added() {
         return undecided("a rapid to and fro on the line of another");
