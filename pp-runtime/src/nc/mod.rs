@@ -8,5 +8,5 @@ mod number;
 mod writer;
 
 pub use formats::Formats;
-pub use number::{Decimal, Numerals, Overflow, whole_units, write_decimal, write_number};
+pub use number::{Decimal, Numerals, Overflow, rounded, whole_units, write_decimal, write_number};
 pub use writer::{Numbering, Writer, WrittenLine};

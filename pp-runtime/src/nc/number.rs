@@ -39,15 +39,27 @@ fn power_of_ten(exponent: u32) -> f64 {
     EXACT[exponent.min(22) as usize]
 }
 
+/// The nearest whole number, halves away from zero; the nearest `i64` to a value beyond them, and 0 for NaN.
+///
+/// Where the processor has no instruction for it, `f64::round` is a call.
+#[inline]
+#[must_use]
+pub fn rounded(value: f64) -> i64 {
+    let whole = value as i64;
+    // Exact: both have the same sign and magnitude.
+    let rest = value - whole as f64;
+    whole.saturating_add(i64::from(rest >= 0.5)).saturating_sub(i64::from(rest <= -0.5))
+}
+
 /// The nearest whole number of units, halves away from zero; `per_unit` is the number of units in 1.
 ///
 /// # Errors
 /// [`Overflow`] for a value that is not finite or too large.
 #[inline]
 pub fn whole_units(value: f64, per_unit: f64) -> Result<i64, Overflow> {
-    let units = (value * per_unit).round();
+    let units = value * per_unit;
     // A NaN fails the comparison, too.
-    if units.abs() <= LARGEST { Ok(units as i64) } else { Err(Overflow) }
+    if units.abs() <= LARGEST { Ok(rounded(units)) } else { Err(Overflow) }
 }
 
 impl Decimal {
@@ -215,6 +227,11 @@ mod tests {
     }
 
     proptest! {
+        #[test]
+        fn whole_numbers_are_the_nearest(value in prop_oneof![-1e19..1e19_f64, -1e6..1e6_f64, -3.0..3.0_f64]) {
+            prop_assert_eq!(rounded(value), value.round() as i64);
+        }
+
         #[test]
         fn written_units_read_back_as_the_same_decimal(units in -LARGEST as i64..=LARGEST as i64, decimals in 0_u32..=9) {
             let written = text(Decimal { units, decimals });

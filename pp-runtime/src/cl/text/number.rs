@@ -18,36 +18,51 @@ const LARGEST_EXACT_MANTISSA: u64 = 1 << 53;
 /// Number of decimal digits that always fit a `u64`.
 const DIGITS_OF_U64: usize = 19;
 
+/// Number of decimal digits whose mantissa is always exact in binary64.
+const EXACT_DIGITS: usize = 15;
+
 /// Returns the number at the start of `text` and the count of its bytes; `None` if no number starts there.
 ///
 /// A number too large for binary64 is returned as an infinity, which the caller must refuse.
+#[inline]
 pub(crate) fn number_at_start(text: &[u8]) -> Option<(f64, usize)> {
-    let mut at = 0;
-    let negative = text.first() == Some(&b'-');
-    if negative || text.first() == Some(&b'+') {
-        at = 1;
-    }
-    let whole = at;
+    let sign = text.first().copied();
+    let whole = usize::from(matches!(sign, Some(b'-' | b'+')));
     // Wraps beyond 19 digits; a number with more is not computed from it.
-    let mut mantissa = 0_u64;
+    let (mut at, mut mantissa) = (whole, 0_u64);
     at += digits_of(&text[at..], &mut mantissa);
-    let mut digits = at - whole;
-    let mut exponent = 0_i64;
+    let (mut digits, mut decimals) = (at - whole, 0);
     if text.get(at) == Some(&b'.') {
         at += 1;
-        let fraction = at;
-        at += digits_of(&text[at..], &mut mantissa);
-        digits += at - fraction;
-        exponent = -i64::try_from(at - fraction).ok()?;
+        decimals = digits_of(&text[at..], &mut mantissa);
+        (at, digits) = (at + decimals, digits + decimals);
     }
     if digits == 0 {
         return None;
     }
-    let mantissa_end = at;
+    let magnitude = if digits <= EXACT_DIGITS && !matches!(text.get(at), Some(b'E' | b'e' | b'D' | b'd')) {
+        mantissa.cast_signed() as f64 / POWERS_OF_TEN[decimals]
+    } else {
+        let (magnitude, end) = long_number(text, whole, at, (mantissa, digits, decimals))?;
+        at = end;
+        magnitude
+    };
+    Some((if sign == Some(b'-') { -magnitude } else { magnitude }, at))
+}
+
+/// Magnitude of a number with an exponent or with many digits, and its end. Its digits begin at `start` and end at `at`.
+#[cold]
+fn long_number(
+    text: &[u8],
+    start: usize,
+    at: usize,
+    (mantissa, digits, decimals): (u64, usize, usize),
+) -> Option<(f64, usize)> {
+    let (mut end, mut exponent) = (at, -i64::try_from(decimals).ok()?);
     if matches!(text.get(at), Some(b'E' | b'e' | b'D' | b'd')) {
         let (power, used) = integer(&text[at + 1..])?;
         exponent = exponent.saturating_add(power);
-        at += 1 + used;
+        end = at + 1 + used;
     }
     let magnitude = match usize::try_from(exponent.unsigned_abs()) {
         Ok(power) if digits <= DIGITS_OF_U64 && mantissa < LARGEST_EXACT_MANTISSA && power < POWERS_OF_TEN.len() => {
@@ -55,15 +70,20 @@ pub(crate) fn number_at_start(text: &[u8]) -> Option<(f64, usize)> {
             let mantissa = mantissa as f64;
             if exponent < 0 { mantissa / POWERS_OF_TEN[power] } else { mantissa * POWERS_OF_TEN[power] }
         }
-        _ => rounded_by_library(&text[whole..at], mantissa_end - whole)?,
+        _ => rounded_by_library(&text[start..end], at - start)?,
     };
-    Some((if negative { -magnitude } else { magnitude }, at))
+    Some((magnitude, end))
 }
 
 /// Appends the digits at the start of `text` to `mantissa`; returns their count.
+#[inline]
 fn digits_of(text: &[u8], mantissa: &mut u64) -> usize {
     let mut count = 0;
-    for digit in text.iter().map(|byte| byte.wrapping_sub(b'0')).take_while(|digit| *digit < 10) {
+    for byte in text {
+        let digit = byte.wrapping_sub(b'0');
+        if digit > 9 {
+            break;
+        }
         *mantissa = mantissa.wrapping_mul(10).wrapping_add(u64::from(digit));
         count += 1;
     }

@@ -286,13 +286,23 @@ impl Navigator {
             self.searches.iter_mut().for_each(|run| run.ended = true);
             return;
         }
+        let steady = !air && pole.is_none() && self.is_away_from_poles(&pose);
         for run in 0..self.searches.len() {
+            if steady && !self.searches[run].ended && self.searches[run].search.follow(self.motion, &self.states) {
+                continue;
+            }
             if !self.searches[run].ended && !self.step(run, (&pose, pole.as_ref()), air, begins) {
                 self.searches[run].ended = true;
             }
         }
         self.here = Some(pose);
         self.pole = pole;
+    }
+
+    /// Whether a cut from the last pose to this one passes no pole.
+    fn is_away_from_poles(&self, pose: &Pose) -> bool {
+        let Some(from) = self.here.filter(|_| self.pole.is_none()) else { return false };
+        self.finder.pole_between(&from, pose).is_none()
     }
 
     /// Takes one motion in one search. Returns false if no state of the pose can be reached.

@@ -36,6 +36,14 @@ struct Survivor {
     zeroable: bool,
 }
 
+impl Survivor {
+    /// The course to a state without a change.
+    fn followed(&self, metric: &RotaryMetric, state: &RotaryState) -> Self {
+        let cost = self.cost.plus(metric.cost(&self.state.words, &state.words));
+        Self { state: *state, cost, last_change: self.last_change, air: None, zeroable: false }
+    }
+}
+
 /// Index of a change in the history; `None` before the first change that is not final.
 type HistoryIndex = Option<u32>;
 
@@ -337,6 +345,52 @@ impl CourseSearch {
         self.finish_layer(&[]);
     }
 
+    /// Takes a cut in which every state of the last pose rotates by less than 90° to the state of its branch and turn, so that
+    /// no other state of the branch leads there. Returns false, and changes nothing, elsewhere.
+    ///
+    /// The result is that of [`cut`](Self::cut): where the branches are merged, all states are of the first one.
+    pub(crate) fn follow(&mut self, motion: u64, states: &[RotaryState]) -> bool {
+        if !self.rotates_plainly(states) {
+            return false;
+        }
+        if self.greedy && self.survivors.len() == 1 {
+            // The others would be reached by a rewind.
+            let survivor = &mut self.survivors[0];
+            let Some(index) = self.layer.iter().position(|last| *last == survivor.state) else { return false };
+            *survivor = survivor.followed(&self.metric, &states[index]);
+            self.layer.copy_from_slice(states);
+            return true;
+        }
+        self.collect_predecessors();
+        let same = |(source, last): (&Predecessor, &RotaryState)| source.from.state == *last;
+        if self.predecessors.len() != states.len() || !self.predecessors.iter().zip(&self.layer).all(same) {
+            return false;
+        }
+        self.next.clear();
+        for (Predecessor { from, rewound }, state) in self.predecessors.iter().zip(states) {
+            let mut survivor = from.followed(&self.metric, state);
+            if *rewound {
+                let words = from.state.words;
+                survivor.last_change = self.history.push(from.last_change, motion, CourseAction::Rewind, words);
+            }
+            self.next.push(survivor);
+        }
+        self.finish_layer(states)
+    }
+
+    /// Whether the states are those of the last pose, each rotated by less than 90°.
+    fn rotates_plainly(&self, states: &[RotaryState]) -> bool {
+        // All turns of a branch rotate alike.
+        let mut plain = None;
+        states.len() == self.layer.len()
+            && self.layer.iter().zip(states).all(|(last, state)| {
+                let change = [0, 1].map(|axis| state.words[axis] - last.words[axis]);
+                let known = plain == Some(change);
+                plain = Some(change);
+                last.branch == state.branch && (known || self.metric.plain(&last.words, &state.words))
+            })
+    }
+
     /// Takes a cut. Returns false, and changes nothing, if no state can be reached. `via`: fraction of the path at
     /// which it is split.
     pub(crate) fn cut(
@@ -381,11 +435,21 @@ impl CourseSearch {
             self.predecessors.extend(self.survivors.iter().map(|&from| Predecessor { from, rewound: false }));
             return;
         }
+        // The cheapest rewind begins where fewest have been made; whoever has made no more needs none.
+        let rewindable = || self.survivors.iter().filter(|survivor| Some(survivor.cost.rewinds) == fewest);
+        let mut place = 0;
         for state in &self.layer {
-            let alive = self.survivors.iter().find(|survivor| survivor.state == *state);
+            // Survivors are in the order of their layer.
+            let is_it = |survivor: &&Survivor| survivor.state == *state;
+            let alive = self.survivors.get(place).filter(is_it).or_else(|| self.survivors.iter().find(is_it));
+            place += usize::from(alive.is_some());
+            if let Some(&from) = alive.filter(|survivor| Some(survivor.cost.rewinds) == fewest) {
+                self.predecessors.push(Predecessor { from, rewound: false });
+                continue;
+            }
             let rewound =
                 |from: &Survivor| from.cost.plus(self.metric.cost(&from.state.words, &state.words)).plus(Cost::REWIND);
-            let other = self.survivors.iter().map(|from| (rewound(from), from)).min_by_key(|(cost, _)| *cost);
+            let other = rewindable().map(|from| (rewound(from), from)).min_by_key(|(cost, _)| *cost);
             match (alive, other) {
                 (Some(&from), Some((cost, _))) if from.cost <= cost => {
                     self.predecessors.push(Predecessor { from, rewound: false });

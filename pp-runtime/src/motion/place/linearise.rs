@@ -32,6 +32,7 @@ use crate::motion::fault::Fault;
 use crate::motion::geometry::PathSegment;
 use crate::motion::rotary::{OutOfLimits, Rotary};
 use crate::motion::step::MAX_AXES;
+use crate::nc::rounded;
 
 /// Share of the tolerance from which on a piece is long enough.
 const LONG_ENOUGH: f64 = 0.97;
@@ -576,7 +577,7 @@ impl Certifier<'_> {
         let mut words = from.words;
         for rotary in &self.placer.rotary.axes {
             let change = (to.words[rotary.index] - words[rotary.index]) as f64;
-            words[rotary.index] += (change * share).round() as i64;
+            words[rotary.index] += rounded(change * share);
         }
         words
     }

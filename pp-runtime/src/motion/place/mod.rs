@@ -27,7 +27,7 @@ use crate::motion::fault::Fault;
 use crate::motion::options::{Policy, StretchMode};
 use crate::motion::rotary::{AngleScale, OutOfLimits, Rotary, RotaryMetric, RotaryTarget, RotaryWords, choose};
 use crate::motion::step::{AxisWords, MAX_AXES, ReachedPosition, VECTOR_DECIMALS};
-use crate::nc::whole_units;
+use crate::nc::{rounded, whole_units};
 use crate::program::Units;
 use crate::set_up::LengthMode;
 
@@ -406,7 +406,7 @@ impl Placer {
         }
         let axis = self.frame.map(&*self.machine, &place.axes).map(|map| map.rotation * place.pose.axis.into_inner());
         let unit = 10_f64.powi(VECTOR_DECIMALS.cast_signed());
-        let vector = axis.map(|axis| axis.map(|component| (component * unit).round() as i64).into());
+        let vector = axis.map(|axis| axis.map(|component| rounded(component * unit)).into());
         AxisWords { units, mask: mask & !self.rotary.mask, vector }
     }
 

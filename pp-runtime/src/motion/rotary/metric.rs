@@ -1,6 +1,7 @@
 //! Travel and time of the rotary axes between two positions, and their cost.
 
 use super::nearest_turn::{AngleScale, Rotary};
+use crate::nc::rounded;
 
 /// Words of the solved rotary axes in the order of the chain; 0 for an axis that the machine does not have.
 pub(crate) type RotaryWords = [i64; 2];
@@ -106,7 +107,7 @@ impl RotaryMetric {
     /// Cost of these signed travels.
     pub(crate) fn cost_of(&self, changes: [i64; 2]) -> Cost {
         let travel = changes.map(i64::unsigned_abs);
-        let time_ns = (0..2).map(|axis| (travel[axis] as f64 * self.ns_per_unit[axis]).round() as u64).max();
+        let time_ns = (0..2).map(|axis| rounded(travel[axis] as f64 * self.ns_per_unit[axis]).unsigned_abs()).max();
         Cost { time_ns: time_ns.unwrap_or(0), travel_units: travel[0] + travel[1], ..Cost::default() }
     }
 

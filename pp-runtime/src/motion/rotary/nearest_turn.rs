@@ -6,6 +6,7 @@
 use crate::kinematics::{AxisValues, Solution};
 
 use crate::motion::step::MAX_AXES;
+use crate::nc::rounded;
 
 /// Most turns of one axis that are tried for one pose, nearest to zero first. Of an axis with a wider range the turns
 /// at its ends and those near the current course are tried in addition.
@@ -61,7 +62,7 @@ impl AngleScale {
 
     /// The word nearest to an angle, rad.
     pub(crate) fn word(self, angle_rad: f64) -> i64 {
-        (angle_rad.to_degrees() * self.units_per_degree).round() as i64
+        rounded(angle_rad.to_degrees() * self.units_per_degree)
     }
 
     /// Angle of a word or of a difference of words, rad.
@@ -78,7 +79,7 @@ impl AngleScale {
 impl Rotary {
     /// The word nearest to an axis value, rad.
     pub(crate) fn word(self, angle_rad: f64, scale: AngleScale) -> i64 {
-        ((angle_rad.to_degrees() - self.rest_deg) * scale.units_per_degree).round() as i64
+        rounded((angle_rad.to_degrees() - self.rest_deg) * scale.units_per_degree)
     }
 
     /// Axis value of a word, rad.
@@ -131,7 +132,12 @@ impl Rotary {
     /// for an endless axis only the one nearest to zero. `turn`: units in one revolution.
     pub(crate) fn turns(self, word: i64, turn: i64, most: i64) -> impl Iterator<Item = i64> {
         let nearest = self.without_limits().nearest(word, 0, turn).unwrap_or(word);
-        let count = if self.endless() { 1 } else { most };
+        // Beyond the farthest turn inside the limits there is none.
+        let farthest = match (self.lower, self.upper) {
+            (Some(lower), Some(upper)) => ((upper - nearest) / turn).max((nearest - lower) / turn).max(0),
+            _ => 0,
+        };
+        let count = most.min(2 * farthest + 1);
         let step_towards_zero = if nearest > 0 { -turn } else { turn };
         // The nearest, one turn towards zero and past it, one turn away, two turns towards zero, ...
         let all = (0..count)
