@@ -560,4 +560,56 @@ mod tests {
         assert!(search.history.nodes.len() < COMPACT_ABOVE, "{}", search.history.nodes.len());
         assert_eq!(search.finish().0.rewinds, 0);
     }
+
+    /// States of a pose with both branches of a C-B table, turns inside ±`limit` degrees.
+    fn states_of(first: i64, second: i64, limit: i64) -> Vec<RotaryState> {
+        let branches = [(Branch::First, [first, second]), (Branch::Second, [first + 180, -second])];
+        let turns = |(branch, [first, second]): (Branch, [i64; 2])| {
+            let inside = (-6..=6).map(move |turn| first.rem_euclid(360) + 360 * turn).filter(move |a| a.abs() <= limit);
+            let mut turns: Vec<i64> = inside.collect();
+            turns.sort_by_key(|word| (word.abs(), -word));
+            turns.into_iter().map(move |word| RotaryState { branch, words: [word, second] })
+        };
+        branches.into_iter().filter(|(_, [_, second])| *second > -40).flat_map(turns).collect()
+    }
+
+    #[test]
+    fn a_cut_that_is_followed_ends_as_one_that_is_searched() {
+        let axes = [0, 1].map(|index| Rotary { index, lower: Some(-900), upper: Some(900), rest_deg: 0.0 });
+        let scale = AngleScale { units_per_degree: 1.0, units_per_turn: 360 };
+        let metric = RotaryMetric::new(&axes, [Some(3.0), Some(5.0)], scale);
+        let mut random = 1_u64;
+        let mut next = |range: i64| {
+            random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (random >> 33) as i64 % range
+        };
+        let (mut followed, mut rewinds) = (0, 0);
+        for run in 0..400 {
+            let (limit, greedy) = (200 + next(700), run % 2 == 1);
+            let search = || CourseSearch::new(metric, None, false, greedy);
+            let (mut short, mut long) = (search(), search());
+            let (mut first, mut second) = (next(360), 20 + next(60));
+            let start = states_of(first, second, limit);
+            assert!(short.free(0, &start, None, |_| true) && long.free(0, &start, None, |_| true));
+            for motion in 1..60 {
+                first += next(40) - if run % 3 == 0 { 5 } else { 20 };
+                second = (second + next(11) - 5).clamp(10, 80);
+                let states = states_of(first, second, limit);
+                let linked = |from: &RotaryState, to: &RotaryState| {
+                    from.branch == to.branch && metric.short(&from.words, &to.words)
+                };
+                let goes_on = short.follow(motion, &states);
+                followed += usize::from(goes_on);
+                let reached = long.cut(motion, &states, None, linked);
+                assert_eq!(goes_on || short.cut(motion, &states, None, linked), reached, "run {run}, motion {motion}");
+                if !reached {
+                    break;
+                }
+            }
+            let (short, long) = (short.finish(), long.finish());
+            rewinds += long.0.rewinds;
+            assert_eq!(short, long, "run {run}");
+        }
+        assert!(followed > 5000 && rewinds > 20, "{followed} followed, {rewinds} rewinds");
+    }
 }
