@@ -10,8 +10,8 @@ use crate::program::{Coolant, Pressure, Units};
 use crate::set_up::LengthMode;
 
 use super::dialects::{
-    ArcCentre, Control, CycleCodes, CycleForm, LengthCall, LinearRapids, RadiusGuard, Spellings, ThreadCodes,
-    TipControlCodes, coolant_index,
+    ArcCentre, Control, CycleCodes, CycleForm, LengthCall, LinearRapids, PlaneGuard, RadiusGuard, Spellings,
+    ThreadCodes, TipControlCodes, coolant_index,
 };
 use super::options::{ControlFunction, Demands};
 
@@ -25,6 +25,7 @@ pub fn unfit(machine: &dyn AnyMachine, control: &dyn Control, demands: Demands<'
     let Abilities { tip, plane, .. } = abilities(control, demands);
     let mut faults = unsupported(control, demands);
     faults.extend(unsuited_names(machine, control.spellings(), demands));
+    faults.extend(unreadable_axis(control, demands));
     faults.append(&mut motion::unsuited(machine, demands.policy(), control.spellings().title, tip, plane));
     faults
 }
@@ -156,6 +157,19 @@ fn tip_ability(control: &dyn Control, demands: Demands<'_>) -> Option<TipAbility
         takes_vectors: false,
     };
     own.or_else(|| configured.then_some(plain))
+}
+
+/// A renamed rotary axis whose position the guard of planes cannot read.
+fn unreadable_axis(control: &dyn Control, demands: Demands<'_>) -> Option<String> {
+    let mut renamed = demands.options.axes.iter().filter(|(letter, _)| "ABC".contains(**letter));
+    let is_unreadable = |(_, name): &(&char, &String)| {
+        let guard = PlaneGuard { label: 1, axes: vec![((*name).clone(), 0.0)] };
+        let guards = control.compares_rotary_positions() && control.axis_word(name).is_some();
+        guards && control.plane_guard(&guard).is_empty()
+    };
+    let (_, name) = renamed.find(is_unreadable).filter(|_| demands.motion.guards.plane_guard)?;
+    let title = control.spellings().title;
+    Some(format!("{title} cannot read the position of an axis named {name}: set `plane_guard = false`"))
 }
 
 /// Reasons why tools cannot be called by their names.

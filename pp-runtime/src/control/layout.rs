@@ -60,8 +60,7 @@ impl Layout {
         let table = rotaries_of(machine.axes(), Side::Workpiece).next().is_some();
         let start = abilities.tip.filter(|_| table && modes.has(StretchMode::Tcp)).map(|tip| tip.start);
         let dynamic_offset = start == Some(TipStart::WithMotion { dynamic_offset: true });
-        let enters_by_plane = abilities.plane.is_some()
-            && matches!(start, Some(TipStart::Alone | TipStart::WithMotion { dynamic_offset: false }));
+        let enters_by_plane = abilities.plane.is_some() && start.is_some_and(TipStart::is_over_tilted_table);
         let decimals = |kind: AxisKind| if kind == AxisKind::Linear { linear } else { demands.formats.rotary };
         Self {
             axes: machine.axes().iter().map(|axis| (axis.letter, decimals(axis.kind))).collect(),

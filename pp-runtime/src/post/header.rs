@@ -8,7 +8,7 @@ use crate::cl::{ArcVote, Dialect, Insert};
 use crate::config::Config;
 use crate::control::{self, Control, Encoder, LengthGuard, LinearRapids};
 use crate::kinematics::{AnyMachine, Axis, AxisKind, Side, Sign};
-use crate::motion::{CutterPath, Links, StretchMode, StretchModes, TcpFrame, ToolPosture, Wrap, rotaries_of};
+use crate::motion::{CutterPath, Links, StretchMode, StretchModes, TcpFrame, TipStart, ToolPosture, Wrap, rotaries_of};
 use crate::nc::{Decimal, write_decimal};
 use crate::program::Rotation;
 use crate::program::Units;
@@ -355,7 +355,7 @@ impl Header<'_> {
         let mut lines: Vec<String> = (0..self.machine.axes().len()).map(|index| self.axis_line(index)).collect();
         lines.extend(tolerances);
         lines.extend(self.rotary_words());
-        lines.extend(mode_lines(self.job.control, config, &self.survey.modes));
+        lines.extend(mode_lines(self.machine, self.job.control, config, &self.survey.modes));
         lines.extend(unchecked_limits(&self.unchecked));
         if self.survey.modes.has(StretchMode::Axes) && rotaries(self.machine, Side::Workpiece).next().is_some() {
             for (number, part) in config.set_up.clampings() {
@@ -504,8 +504,13 @@ pub(crate) fn modes(config: &Config, survey: &Survey) -> String {
 }
 
 /// Meaning of the linear words under tip control and in planes, and required settings of the control.
-fn mode_lines(control: &dyn Control, config: &Config, modes: &StretchModes) -> Vec<String> {
+fn mode_lines(machine: &dyn AnyMachine, control: &dyn Control, config: &Config, modes: &StretchModes) -> Vec<String> {
     let codes = control.spellings();
+    let table = rotaries(machine, Side::Workpiece).next().is_some();
+    let compared = match config.motion.guards.plane_guard && control.compares_rotary_positions() {
+        true => "",
+        false => "no block of this program compares the rotary axes after a plane call",
+    };
     let mixed = modes.used().count() > 1;
     let mut lines = Vec::new();
     let mut add = |mode: StretchMode, words: &str, notes: &[&str]| {
@@ -535,7 +540,10 @@ fn mode_lines(control: &dyn Control, config: &Config, modes: &StretchModes) -> V
         };
         let words = format!("tip coordinates in a frame {frame}; {posture}");
         let tip = codes.tip.as_ref();
-        let frame = tip.map_or("", |tip| match config.motion.tip.tcp_frame {
+        let abilities = control::abilities(control, config.demands());
+        let start = abilities.tip.filter(|_| table && abilities.plane.is_some()).map(|tip| tip.start);
+        let calls = start.is_some_and(TipStart::is_over_tilted_table);
+        let frame = tip.filter(|_| table).map_or("", |tip| match config.motion.tip.tcp_frame {
             None | Some(TcpFrame::TableAtZero) => tip.frame_settings[0],
             Some(TcpFrame::TableAtStart) => tip.frame_settings[1],
             Some(TcpFrame::NotTurning) => tip.frame_settings[2],
@@ -543,13 +551,14 @@ fn mode_lines(control: &dyn Control, config: &Config, modes: &StretchModes) -> V
         let setting = tip.filter(|_| !config.control.posture_word);
         let setting =
             setting.map(|tip| tip.posture_setting[usize::from(config.motion.tip.tool_posture == ToolPosture::Plane)]);
-        add(StretchMode::Tcp, &words, &[tip.map_or("", |tip| tip.note), frame, setting.unwrap_or("")]);
+        add(
+            StretchMode::Tcp,
+            &words,
+            &[tip.map_or("", |tip| tip.note), frame, setting.unwrap_or(""), if calls { compared } else { "" }],
+        );
     }
     if modes.has(StretchMode::Plane) {
         let words = "tip coordinates in the tilted plane, from the same zero";
-        let compared = config.motion.guards.plane_guard && control.compares_rotary_positions();
-        let compared =
-            if compared { "" } else { "no block of this program compares the rotary axes after a plane call" };
         add(StretchMode::Plane, words, &[codes.plane.as_ref().map_or("", |plane| plane.note), compared]);
     }
     if mixed && modes.has(StretchMode::Axes) {

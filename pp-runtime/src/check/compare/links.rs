@@ -8,12 +8,11 @@ use super::super::policy::LinearMeaning;
 use super::super::read::{Action, Block, Length, OwnPlace, TipControl, stated};
 use super::super::rules::{FrameUse, ModalContext, fault_at_end, tool_name};
 use super::functions::place_of_line;
-
 use super::phase::{Cutting, Phase, Retracted, RetractedLength, RewindPoint};
 use super::{Comparison, Current, StartState, parking, plane_guard, retract};
 use crate::program::Clearance;
 
-/// Largest angle between the tool axis and the normal of its plane, rad: rounding of both.
+/// Largest angle between the tool axis and the normal of its plane where words have many decimals, rad.
 const IN_PLANE: f64 = 5e-4;
 
 /// Dwells are written to three decimals, s.
@@ -129,7 +128,7 @@ impl<R: Read> Comparison<'_, R> {
         let known = self.previous.known & rotary == rotary;
         let words = self.rules.words();
         let [axis, normal] = [words.tool_axis_at(&self.previous.words), words.place(&self.previous.words, state).axis];
-        if known && angle_between(&axis, &normal) > IN_PLANE {
+        if known && angle_between(&axis, &normal) > IN_PLANE.max(self.rules.rounding().of_plane_rad()) {
             self.found(current, "the plane call rotates the rotary axes: they are not where the plane has them");
         }
         if let Some(higher) = tilt.pose.filter(|_| known)
@@ -719,8 +718,9 @@ impl<R: Read> Comparison<'_, R> {
                 );
             }
             let runs = |spindle: &_| self.rules.spindle_is(&current.block.state, *spindle);
-            if matches!(phase, Phase::Cutting(_)) && !spindle.iter().any(runs) {
-                self.found(current, "dwell with the spindle at another speed or sense than in the CL data");
+            let dry = self.rules.policy().links.dry_lift_mm.is_some();
+            if matches!(phase, Phase::Cutting(_)) && !dry && !spindle.iter().any(runs) {
+                self.found(current, "dwell with the spindle off, or at another speed or sense than in the CL data");
             }
             return Ok(());
         }

@@ -2,7 +2,7 @@
 
 use super::Previous;
 use super::phase::Phase;
-use crate::check::read::PlaneGuard;
+use crate::check::read::RotaryGuard;
 use crate::check::rules::Rules;
 
 /// Largest sum of |sin(d/2)| over the differences d: 0.1 degrees of one axis.
@@ -15,9 +15,17 @@ const SAME: f64 = 1e-6;
 const FIXES: f64 = 0.03;
 
 /// What is wrong with a guard, which is no longer due.
-pub(super) fn fault(guard: &PlaneGuard, phase: &mut Phase, rules: &Rules<'_>, previous: &Previous) -> Option<String> {
-    let Phase::Retracted(retracted) = phase else {
-        return Some("rotary positions are compared while the tool is at the part: the look-ahead stops".to_owned());
+pub(super) fn fault(guard: &RotaryGuard, phase: &mut Phase, rules: &Rules<'_>, previous: &Previous) -> Option<String> {
+    let retracted = match phase {
+        Phase::Retracted(retracted) => retracted,
+        Phase::Cutting(_) | Phase::Leaving(_) => {
+            return Some(
+                "rotary positions are compared with the tool at the part: the look-ahead stops there".to_owned(),
+            );
+        }
+        Phase::Unknown { .. } | Phase::Ended => {
+            return Some("rotary positions are compared, and no plane call comes before".to_owned());
+        }
     };
     retracted.plane_guard_due = false;
     if guard.largest > LARGEST * 1.01 {
@@ -46,7 +54,8 @@ pub(super) fn missing(rules: &Rules<'_>, previous: &Previous) -> Option<String> 
 fn uncompared(compared: u16, rules: &Rules<'_>, previous: &Previous) -> Option<String> {
     let words = rules.words();
     let (_, rates) = words.chain().axis_rates(&words.values(&previous.words));
-    let due = |index: &usize| compared & (1 << index) == 0 && rates[*index].norm() > FIXES;
+    let fixes = rules.rounding().fixes_rotaries(2.0 * LARGEST)?.max(FIXES);
+    let due = |index: &usize| compared & (1 << index) == 0 && rates[*index].norm() > fixes;
     let index = words.rotary().find(due).filter(|_| previous.known & words.rotary_bits() == words.rotary_bits())?;
     let letter = rules.axes()[index].letter;
     Some(format!("the position of {letter} is not compared after the plane call: the control may have chosen another"))

@@ -42,14 +42,14 @@ pub struct Guard {
 
 /// A guard of rotary positions: the program stops where the sum of |sin(d/2)| over the differences d of its axes is larger.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct PlaneGuard {
+pub struct RotaryGuard {
     /// Axis by its position in the chain, and the position with which it compares, rad.
     pub positions: [Option<(usize, f64)>; 2],
     /// Largest permitted sum.
     pub largest: f64,
 }
 
-impl PlaneGuard {
+impl RotaryGuard {
     /// Adds an axis; `None` if it is there, or if there are two.
     pub(crate) fn compare(&mut self, axis: usize, position_rad: f64) -> Option<()> {
         let other = |position: &Option<(usize, f64)>| position.is_none_or(|(known, _)| known != axis);
@@ -284,7 +284,7 @@ pub struct Block {
     /// program.
     pub radius_guard_mm: Option<f64>,
     /// A guard of rotary positions that ends with this block.
-    pub plane_guard: Option<PlaneGuard>,
+    pub plane_guard: Option<RotaryGuard>,
     /// The block is a line that the user brought in.
     pub own: Option<OwnLine>,
     /// What is wrong with it.

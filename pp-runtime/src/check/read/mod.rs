@@ -26,7 +26,7 @@ use std::io::{self, BufRead, BufReader, Read};
 
 pub use block::{
     Action, ArcMove, Block, CycleKind, CycleMove, Effect, Fault, FeedMode, Guard, Length, LengthSource, MAX_AXES,
-    OwnLine, OwnPlace, PathMode, PlaneGuard, Side, Smoothing, State, Tilt, TipControl, WorkOffset, WorkPlane, coolant,
+    OwnLine, OwnPlace, PathMode, RotaryGuard, Side, Smoothing, State, Tilt, TipControl, WorkOffset, WorkPlane, coolant,
     stated,
 };
 pub(crate) use facts::{Facts, GuardSource, LengthRegisters, PoseSelector, SmoothingWords};

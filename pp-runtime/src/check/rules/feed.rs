@@ -15,8 +15,8 @@ const NOISE: f64 = 1e-9;
 /// Share of the slowest axis that a tool axis rotated by rounding may cost.
 const NEARLY: f64 = 0.99;
 
-/// How much farther an axis may move that the control rotates from one tool axis to another.
-const ASTRAY: f64 = 2.0;
+/// Factor by which an axis may move farther within a block than its ends are apart, where the control finds the angles.
+const EXCURSION: f64 = 2.0;
 
 /// Time written for a block without a motion, minutes.
 const NOTHING: f64 = 1e-3;
@@ -268,9 +268,10 @@ impl FeedLaw {
         })
     }
 
-    /// Where axis speeds may hold a block back, and the motion of the axes is unknown: at most the feed of the tip, and
-    /// unless rotary axes rotate no less than the slowest linear axis. `changes`: how the axes may move where they rotate; they
-    /// may move [`ASTRAY`] times as far, on the way from end to end.
+    /// Where axis speeds may hold a block back, and the control finds the rotary angles: F is at most the feed of the tip.
+    ///
+    /// `changes`: `None` where the tool axis is held; then the block is no slower than the slowest linear axis. Else how far the
+    /// axes move in each position that they may have; empty where that is unknown, and any lower F is right.
     pub(crate) fn wrong_within(
         &self,
         stroke: &Stroke,
@@ -284,7 +285,7 @@ impl FeedLaw {
         let linear = self.speeds.iter().enumerate().filter(|(index, _)| self.linear_bits & (1 << index) != 0);
         let slowest = linear.filter_map(|(_, speed)| *speed).fold(f64::INFINITY, f64::min);
         let held_back = |change: &[f64; MAX_AXES]| {
-            let stroke = Stroke { change: change.map(|change| ASTRAY * change), ..*stroke };
+            let stroke = Stroke { change: change.map(|change| EXCURSION * change), ..*stroke };
             let held = Extent { least_min: self.extent(&stroke, 1.0).least_min, ..extent };
             self.bounds(programmed, &stroke, &held).0
         };

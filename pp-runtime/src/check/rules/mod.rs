@@ -426,6 +426,17 @@ impl Rounding {
         outside.for_words(policy.linear_of_all().unwrap_or(LinearMeaning::AxisPositions))
     }
 
+    /// Largest angle between the rounded tool axis and the normal of the rounded plane, rad.
+    pub(crate) fn of_plane_rad(&self) -> f64 {
+        self.axis_rad + 2.0 * self.plane_rad
+    }
+
+    /// Whether words are fine enough for a rotary position to be compared, and the rotation of the tool axis with an axis from
+    /// which on rounded angles of a plane fix that position, rad per rad. `largest_rad`: difference that a guard allows.
+    pub(crate) fn fixes_rotaries(&self, largest_rad: f64) -> Option<f64> {
+        (self.unit_rad <= 0.4 * largest_rad).then(|| 2.0 * self.plane_rad / largest_rad)
+    }
+
     /// The allowance for words of a meaning.
     fn for_words(self, meaning: LinearMeaning) -> Self {
         let in_plane = meaning == LinearMeaning::PlaneCoordinates;

@@ -289,8 +289,8 @@ impl Words {
         Some(values)
     }
 
-    /// How the axes move from one pose to another in the positions that reach them; empty where none was found. The poses are
-    /// so near to each other that the rotary axes hardly stray.
+    /// Changes of the axis values from one pose to another, for each position that was found; the poses are nearer to each other
+    /// than to a pole.
     pub(crate) fn changes(&self, [from, to]: &[ToolPose; 2]) -> Vec<[f64; MAX_AXES]> {
         let change = |seed: [f64; 2]| {
             let mut words = [0.0; MAX_AXES];

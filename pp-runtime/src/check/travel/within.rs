@@ -141,8 +141,8 @@ impl Travel {
         }
     }
 
-    /// The nearest other position of the rotary axes with the same tool axis, within their limits; `different`: one that is not
-    /// whole turns away, within limits or not.
+    /// The nearest other position of the rotary axes with the same tool axis: within their limits; or, if `different`, one that is
+    /// not whole turns away, wherever the limits are.
     fn other_position(
         &self,
         rules: &Rules<'_>,

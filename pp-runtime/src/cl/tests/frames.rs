@@ -26,7 +26,7 @@ fn origin_is_subtracted_trans_added_and_tracut_turns_points_and_axes() {
     assert!(errors("$$-> A\nROTABL/90,CLW\nGOTO/0,0,0\n")[0].contains("this form of ROTABL is refused"));
 }
 
-/// What the operator is told before the stop between two set-ups.
+/// Message to the operator before the stop between two set-ups.
 const CLAMPED: &str = "message NEXT SET-UP: CLAMP THE PART AGAIN, THEN START";
 
 /// Two frames: the origin of the second is at (10, 0, 0) of the first, its X is the model's Y.

@@ -14,9 +14,8 @@
 //! program. `FN 14` stops with an error number, so the message is a comment before it.
 //!
 //! Plane guard: `FN 18` reads the positions of the rotary axes in the active coordinate system (ID270 NR1, IDX4 to IDX6 for A
-//! B C: TNC 426/430 Technical Manual, p. 7-30). `FN 20: WAIT FOR
-//! SYNC` comes before it, so that the look-ahead has not passed the call (TNC 640 user's manual, FN 20; from memory). The sine
-//! of half the difference is zero at whole turns as well.
+//! B C: TNC 426/430 Technical Manual, p. 7-30). `FN 20: WAIT FOR SYNC` is before it, so that the look-ahead has not passed the
+//! call (TNC 640 user's manual, FN 20; from memory). The sine of half the difference is zero at whole turns as well.
 //!
 //! `TOOL CALL "NAME"` and `TOOL DEF "NAME"` take the name of the tool table, as Autodesk's public post writes them
 //! (`toolAsName`): at most 32 capitals, digits and some signs (TNC 640 ISO manual 1/2015, p. 170).
@@ -247,7 +246,7 @@ static SPELLINGS: Spellings = Spellings {
 };
 
 /// Axes in the order of their numbers.
-const AXES: &str = "XYZABCUVW";
+const AXES: [&str; 9] = ["X", "Y", "Z", "A", "B", "C", "U", "V", "W"];
 
 /// `- 30`, `+ 20.5`.
 fn spaced(degrees: f64) -> String {
@@ -301,7 +300,8 @@ impl Control for Heidenhain {
         let mut lines = vec!["FN 20: WAIT FOR SYNC".to_owned()];
         let mut sum = Vec::new();
         for (number, (name, degrees)) in (1..).zip(axes) {
-            let Some(index) = AXES.find(name.as_str()) else { return Vec::new() };
+            let index = AXES.iter().position(|axis| axis == name);
+            let Some(index) = index else { return Vec::new() };
             lines.push(format!("FN 18: SYSREAD QL{number} = ID270 NR1 IDX{}", index + 1));
             sum.push(format!("ABS ( SIN ( ( QL{number} {} ) / 2 ) )", spaced(*degrees)));
         }

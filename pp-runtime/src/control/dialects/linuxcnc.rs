@@ -4,8 +4,8 @@
 //! nothing, `G4 P` is in seconds, `G93` needs an F in every G1 block, and F in `G94` applies to the path of X Y Z
 //! wherever one of them moves. `#5403` is the length of the tool in the spindle in the tool table, whatever H is in
 //! force, in the unit of the machine and not of the program. `G64` without P would round corners without bound at high
-//! speed. The axes of a rapid arrive together (handbook, node 53). `G41 D` offsets the path by half the diameter in the tool table
-//! (handbook, nodes 85 and 86). Tip control is only switched by codes of the configuration; there is no tilted plane.
+//! speed. The axes of a rapid arrive together (handbook, node 53). `G41 D` offsets the path by half the diameter in the tool
+//! table (handbook, nodes 85 and 86). Tip control is only switched by codes of the configuration; there is no tilted plane.
 
 use crate::motion::CycleAbilities;
 

@@ -71,8 +71,8 @@ pub struct Spellings {
     pub no_compensation: &'static str,
     /// Cutter compensation left, right and off, as templates.
     pub compensation: [&'static str; 3],
-    /// What the radius data of the control must hold for a path of the contour, and for one of the tool centre; for the
-    /// header.
+    /// Required content of the radius data of the control for a path of the contour, and for one of the tool centre; printed in
+    /// the program header.
     pub radius_data: [&'static str; 2],
     /// Codes before and after the words of a rapid in machine coordinates.
     pub machine: [&'static str; 2],

@@ -59,7 +59,7 @@ impl Placer {
             }
             (TipStart::Configured, _) | (_, None) => before(self.axis_words_across(above)?, None),
             (_, Some(ability)) => {
-                let plane = plane_across(&above.pose.axis);
+                let plane = plane_across(&self.axis_of_plane(above)?);
                 let (map, tilt) = self.frame.plane_map(&ability, &plane).ok_or_else(no_plane)?;
                 let pose = self.pose_of_plane(above, ability.pose);
                 let on = Step::Plane { angles: tilt.words, pose };

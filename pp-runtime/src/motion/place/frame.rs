@@ -39,6 +39,14 @@ pub enum TipStart {
     Configured,
 }
 
+impl TipStart {
+    /// Whether X and Y come over a tilted table in a plane of the control, where it has planes.
+    #[must_use]
+    pub fn is_over_tilted_table(self) -> bool {
+        matches!(self, Self::Alone | Self::WithMotion { dynamic_offset: false })
+    }
+}
+
 /// Abilities of the tip control (TCP) of a control.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct TipAbility {

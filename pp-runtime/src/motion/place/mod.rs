@@ -47,6 +47,9 @@ use travel::TravelCheck;
 /// Rotation of the tool axis with a rotary axis below which the tool axis does not fix its position, rad per rad.
 const LEAST_RATE: f64 = 0.02;
 
+/// Difference of a rotary position that a guard allows, degrees.
+const GUARDED_DEG: f64 = 0.1;
+
 /// Position of all axes: pose, axis values, and the words that move the machine there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct AxisPosition {
@@ -301,12 +304,18 @@ impl Placer {
         self.rotary.mask
     }
 
-    /// Rotary axes whose positions follow from the tool axis, apart from rounding: bits.
-    pub(crate) fn directing_axes(&self, at: &AxisPosition) -> u16 {
+    /// Rotary axes whose positions follow from the rounded angles of a plane, within a part of what a guard allows: bits.
+    /// `decimals`: those of the angles, degrees.
+    pub(crate) fn directing_axes(&self, at: &AxisPosition, decimals: u32) -> u16 {
+        // Three angles, each rounded by half a unit.
+        let least_rate = LEAST_RATE.max(10_f64.powi(-decimals.cast_signed()) / (0.5 * GUARDED_DEG));
+        if self.rotary.scale.degrees(1) > 0.2 * GUARDED_DEG {
+            return 0;
+        }
         let directs = |index: usize| {
             let mut change = AxisValues::default();
             change[index] = 1.0;
-            self.machine.rates(&at.axes, &change).1.norm() > LEAST_RATE
+            self.machine.rates(&at.axes, &change).1.norm() > least_rate
         };
         let directing = self.rotary.axes.iter().filter(|axis| directs(axis.index));
         directing.fold(0, |mask, axis| mask | 1 << axis.index)

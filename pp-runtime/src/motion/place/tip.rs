@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use nalgebra::{Matrix3, Point3, Vector3};
+use nalgebra::{Matrix3, Point3, UnitVector3, Vector3};
 
 use crate::kinematics::AxisValues;
 use crate::nc::whole_units;
@@ -12,6 +12,7 @@ use super::refusal;
 use super::tilted_plane::{PlaneAbility, PoseRule, TiltedPlane, plane_across};
 use super::{AxisPosition, Placer, too_large};
 use crate::motion::fault::Fault;
+use crate::motion::geometry::angle_between;
 
 /// Largest deviation of a map from an orthogonal one: rounding of the arithmetic of angles.
 const ORTHOGONAL: f64 = 1e-9;
@@ -94,8 +95,25 @@ impl Placer {
         ability: &PlaneAbility,
     ) -> Result<(AxisPosition, TiltedPlane), Fault> {
         // The rotary angles are rounded here, and the control computes its own: the plane is that of the tool axis.
-        let tilt = self.frame.tilt(ability, &plane_across(&place.pose.axis)).ok_or_else(no_plane)?;
+        let tilt = self.frame.tilt(ability, &plane_across(&self.axis_of_plane(&place)?)).ok_or_else(no_plane)?;
         Ok((self.solve_linear_in_travel(place)?, tilt))
+    }
+
+    /// The tool axis that a plane at a position has; refused where indexed axes cannot take it: the control would rotate them
+    /// off their steps.
+    pub(crate) fn axis_of_plane(&self, place: &AxisPosition) -> Result<UnitVector3<f64>, Fault> {
+        let axis = place.pose.axis;
+        if self.rotary.grid.is_empty() {
+            return Ok(axis);
+        }
+        let off = angle_between(&self.machine.forward_kinematics(&place.axes).axis, &axis);
+        if off <= 2.0 * self.rotary.scale.angle(1) {
+            return Ok(axis);
+        }
+        let degrees = off.to_degrees();
+        let text = format_args!("the steps of the indexed axes are {degrees:.4}° off the tool axis of this plane");
+        Err(Fault::new(text)
+            .help("move the tool axis of the operation to a step in CAM, or post it with `mode = \"axes\"`"))
     }
 
     /// Which of the possible poses of a plane this position is, according to a rule: see [`PoseRule::choose`].

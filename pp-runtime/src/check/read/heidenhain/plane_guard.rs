@@ -4,21 +4,21 @@
 //! `QL3 = ABS ( SIN ( ( QL1 - 30 ) / 2 ) ) + ABS ( SIN ( ( QL2 + 20 ) / 2 ) )`, `FN 12: IF +QL3 LT +0.0009 GOTO LBL "PLANE1"`, a
 //! comment, `FN 14: ERROR = 101`, `LBL "PLANE1"`.
 
-use super::super::block::PlaneGuard;
+use super::super::block::RotaryGuard;
 use super::super::line::Line;
 use super::super::text::{Cursor, whole};
 use super::guard::{Label, label};
 
-/// Axes in the order of their numbers in `ID270`.
+/// Axes in the order of their numbers in `ID270`; the check states them itself.
 const AXES: &[u8; 9] = b"XYZABCUVW";
 
-/// How far a guard has come.
+/// Progress of a guard.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct PlaneGuardLines {
     due: Due,
     /// The axes whose positions have been read, by QL number.
     axes: [Option<usize>; 2],
-    guard: PlaneGuard,
+    guard: RotaryGuard,
     passed: Label,
 }
 

@@ -2,7 +2,7 @@
 //! `IF ABS($P_TOOLR)>tol`, that of rotary positions with `IF ABS(SIN(($AA_IW[B]-30)/2))+ABS(SIN(($AA_IW[C]+20)/2))>t`; SIN is
 //! in degrees, and reading `$AA_IW` stops the look-ahead.
 
-use super::super::block::{Guard, LengthSource, PlaneGuard};
+use super::super::block::{Guard, LengthSource, RotaryGuard};
 use super::super::line::Line;
 use super::super::text::Cursor;
 
@@ -17,7 +17,7 @@ pub(super) struct Guards {
 enum Open {
     Length(Guard),
     Radius { largest_mm: f64, stops: bool },
-    Plane { guard: PlaneGuard, stops: bool },
+    Plane { guard: RotaryGuard, stops: bool },
 }
 
 impl Open {
@@ -92,7 +92,7 @@ fn positions(line: &mut Line<'_>) -> Option<Open> {
 }
 
 fn compared(line: &mut Line<'_>) -> Option<Open> {
-    let mut guard = PlaneGuard::default();
+    let mut guard = RotaryGuard::default();
     loop {
         line.at.literal(b"ABS(SIN(($AA_IW[").then_some(())?;
         let name = line.at.name().to_ascii_uppercase();

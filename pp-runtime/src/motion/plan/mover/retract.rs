@@ -113,8 +113,9 @@ impl<S: Sink> Mover<'_, S> {
 
     /// Compares the rotary axes with their positions after a tilted plane, whose call may choose another solution.
     fn guard_plane(&mut self, frame: &Step<'_>, at: &AxisPosition) -> Planned {
-        let mask = self.placer.directing_axes(at);
-        if self.abilities.guards_planes && mask != 0 && matches!(frame, Step::Plane { .. }) {
+        let Some(ability) = self.abilities.plane.filter(|_| matches!(frame, Step::Plane { .. })) else { return Ok(()) };
+        let mask = self.placer.directing_axes(at, ability.decimals);
+        if self.abilities.guards_planes && mask != 0 {
             self.plane_guards += 1;
             let words = self.placer.words(at, mask);
             self.output.step(&Step::PlaneGuard { label: self.plane_guards, words })?;
