@@ -277,7 +277,7 @@ impl<R: Read> Comparison<'_, R> {
     /// after a stop.
     fn spindle_may_be(&self, block: &Block, stopped: bool) -> Option<super::super::expect::SpindleState> {
         block.state.spindle.flatten().filter(|_| !stopped)?;
-        let requested = self.progress.requested_spindle();
+        let requested = self.progress.requested_spindle().flatten();
         let in_cut = self.progress.last().and_then(|required| required.spindle);
         if self.rules.spindle_is(&block.state, requested) { requested } else { in_cut }
     }
@@ -708,7 +708,8 @@ impl<R: Read> Comparison<'_, R> {
             && (expected - seconds).abs() <= DWELL_ROUNDING
         {
             let (tool, called) = (current.block.state.tool, required.tool);
-            let spindle = [required.spindle, self.progress.requested_spindle()];
+            let spindles = std::iter::once(required.spindle).chain(self.progress.requested_spindle());
+            let runs = spindles.into_iter().any(|spindle| self.rules.spindle_is(&current.block.state, spindle));
             self.progress.take();
             if tool != called {
                 let (tool, called) = (tool_name(tool), tool_name(called));
@@ -717,9 +718,8 @@ impl<R: Read> Comparison<'_, R> {
                     &format!("dwell with {tool} in the spindle, in the CL data it comes after {called}"),
                 );
             }
-            let runs = |spindle: &_| self.rules.spindle_is(&current.block.state, *spindle);
             let dry = self.rules.policy().links.dry_lift_mm.is_some();
-            if matches!(phase, Phase::Cutting(_)) && !dry && !spindle.iter().any(runs) {
+            if matches!(phase, Phase::Cutting(_)) && !dry && !runs {
                 self.found(current, "dwell with the spindle off, or at another speed or sense than in the CL data");
             }
             return Ok(());

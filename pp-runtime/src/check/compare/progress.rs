@@ -94,7 +94,7 @@ impl<'a, R: Read> ClProgress<'a, R> {
     }
 
     /// Spindle state that the last SPINDL before the next item requests.
-    pub(super) fn requested_spindle(&self) -> Option<SpindleState> {
+    pub(super) fn requested_spindle(&self) -> Option<Option<SpindleState>> {
         self.expect.requested_spindle()
     }
 

@@ -79,7 +79,7 @@ pub(super) struct ExpectedItem {
     /// The hole of the motion, which a cycle of the control may make.
     pub(crate) hole: Option<ExpectedHole>,
     /// Spindle state that the last SPINDL before it requests, if that is after a motion of its operation.
-    requested_spindle: Option<SpindleState>,
+    requested_spindle: Option<Option<SpindleState>>,
     pub(crate) action: ExpectedAction,
 }
 
@@ -153,7 +153,7 @@ impl<'a, R: Read> Expect<'a, R> {
     }
 
     /// Spindle state that the last SPINDL before the next item requests.
-    pub(super) fn requested_spindle(&self) -> Option<SpindleState> {
+    pub(super) fn requested_spindle(&self) -> Option<Option<SpindleState>> {
         self.queue.front().map_or(self.state.requested_spindle(), |item| item.requested_spindle)
     }
 

@@ -58,8 +58,8 @@ struct SpindleRecords {
     now: SpindleRecord,
     /// Since the end of the last operation.
     in_start: SpindleRecord,
-    /// State that the last SPINDL after a motion of its operation requests.
-    in_operation: Option<SpindleState>,
+    /// State that the last SPINDL after a motion of its operation requests; `None` before the first.
+    in_operation: Option<Option<SpindleState>>,
 }
 
 /// Speed and sense of rotation as far as they are requested, and OFF.
@@ -163,8 +163,8 @@ impl<'a> ClState<'a> {
         &mut self.items
     }
 
-    /// Spindle state that the last SPINDL after a motion of its operation requests.
-    pub(super) fn requested_spindle(&self) -> Option<SpindleState> {
+    /// Spindle state that the last SPINDL after a motion of its operation requests; `None` before the first.
+    pub(super) fn requested_spindle(&self) -> Option<Option<SpindleState>> {
         self.spindle.in_operation
     }
 
@@ -264,7 +264,7 @@ impl<'a> ClState<'a> {
         if self.operation.starts {
             self.spindle.in_start.take(spindle);
         } else {
-            self.spindle.in_operation = self.spindle_state();
+            self.spindle.in_operation = Some(self.spindle_state());
         }
     }
 

@@ -105,3 +105,21 @@ fn an_axis_of_unknown_position_does_not_move_with_the_retract_axis() {
         assert_told::<HeadTable>(control, mode, set_up, &data, &format!("{start}{late}"));
     }
 }
+
+#[test]
+fn a_dwell_in_a_cut_has_the_spindle_of_the_cl_data() {
+    let dwells =
+        |before: &str| TWO_OPERATIONS.replacen("GOTO/20,0,0\n", &format!("GOTO/20,0,0\n{before}DELAY/1.5\n"), 1);
+    let dwell = "G4 P1500\n";
+    let around =
+        |program: &str, before: &str, after: &str| program.replacen(dwell, &format!("{before}{dwell}{after}"), 1);
+    let data = dwells("");
+    let program = posted_right::<Mill>("fanuc", Mode::Axes, "retract.distance = 20\n", &data);
+    assert!(program.contains(dwell), "{program}");
+    for (before, after) in [("M5\n", "S2000 M3\n"), ("S500 M3\n", "S2000 M3\n"), ("S2000 M4\n", "S2000 M3\n")] {
+        let changed = around(&program, before, after);
+        assert_told::<Mill>("fanuc", Mode::Axes, "retract.distance = 20\n", &data, &changed);
+    }
+    // Both are right: before SPINDL the cut, after it the request.
+    posted_right::<Mill>("fanuc", Mode::Axes, "retract.distance = 20\n", &dwells("SPINDL/RPM,900,CLW\n"));
+}
