@@ -105,8 +105,7 @@ impl Travel {
             return;
         }
         self.rotated = Some(last.words);
-        match self.rotary_outside(&last.values).then(|| self.other_position(rules, &last.words, &end, false)).flatten()
-        {
+        match self.rotary_outside(&last.values).then(|| self.position_within(rules, &last.words, &end)).flatten() {
             Some(other) => self.rotated = Some(other),
             None => self.judge(words, &extent, [&values, &last.values], "within this block ", findings),
         }
@@ -130,7 +129,9 @@ impl Travel {
             // Without a pose of this sign the control stops.
             PoseSelector::Sign => value.abs() > SAME_POSITION && (value > 0.0) != higher,
             PoseSelector::Higher => {
-                let other = self.other_position(rules, here, &words.tool_axis_at(here), true);
+                let other = nearest_position(rules, here, &words.tool_axis_at(here), |there| {
+                    words.rotary().any(|index| principal(there[index] - here[index]).abs() > SAME_POSITION)
+                });
                 let other = other.map(|other| principal(words.values(&other)[master]));
                 other.is_some_and(|other| {
                     PI - other.abs() > SAME_POSITION
@@ -141,33 +142,15 @@ impl Travel {
         }
     }
 
-    /// The nearest other position of the rotary axes with the same tool axis: within their limits; or, if `different`, one that is
-    /// not whole turns away, wherever the limits are.
-    fn other_position(
+    /// The nearest position of the rotary axes within their limits with this tool axis.
+    fn position_within(
         &self,
         rules: &Rules<'_>,
         from: &[f64; MAX_AXES],
         axis: &Vector3<f64>,
-        different: bool,
     ) -> Option<[f64; MAX_AXES]> {
-        let words = rules.words();
-        let mut rotary = words.rotary();
-        let (first, second) = (rotary.next()?, rotary.next()?);
-        let found = (0..SEEDS * SEEDS).filter_map(|seed| {
-            let mut start = *from;
-            start[first] += TAU * (f64::from(seed % SEEDS) / f64::from(SEEDS) - 0.5);
-            start[second] += TAU * (f64::from(seed / SEEDS) / f64::from(SEEDS) - 0.5);
-            let there = words.rotated_to(&start, axis, 0.0)?;
-            let turns = |index: usize| {
-                let off = there[index] - from[index];
-                off - (off / TAU).round() * TAU
-            };
-            let other = words.rotary().any(|index| turns(index).abs() > SAME_POSITION);
-            let suits = if different { other } else { !self.rotary_outside(&words.values(&there)) };
-            suits.then_some(there)
-        });
-        let distance = |there: &[f64; MAX_AXES]| words.rotary_travel(from, there);
-        found.min_by(|a, b| distance(a).total_cmp(&distance(b)))
+        let within = |there: &[f64; MAX_AXES]| !self.rotary_outside(&rules.words().values(there));
+        nearest_position(rules, from, axis, within)
     }
 
     /// A block whose axes arrive together; `angle`: largest rotation of a rotary axis, `sweep`: angle of the arc, rad.
@@ -200,6 +183,26 @@ impl Travel {
         let extent = search.extent;
         self.judge(words, &extent, [&first.values, &last.values], "within this block ", findings);
     }
+}
+
+/// The nearest position of the rotary axes that has this tool axis and suits.
+fn nearest_position(
+    rules: &Rules<'_>,
+    from: &[f64; MAX_AXES],
+    axis: &Vector3<f64>,
+    suits: impl Fn(&[f64; MAX_AXES]) -> bool,
+) -> Option<[f64; MAX_AXES]> {
+    let words = rules.words();
+    let mut rotary = words.rotary();
+    let (first, second) = (rotary.next()?, rotary.next()?);
+    let found = (0..SEEDS * SEEDS).filter_map(|seed| {
+        let mut start = *from;
+        start[first] += TAU * (f64::from(seed % SEEDS) / f64::from(SEEDS) - 0.5);
+        start[second] += TAU * (f64::from(seed / SEEDS) / f64::from(SEEDS) - 0.5);
+        words.rotated_to(&start, axis, 0.0).filter(&suits)
+    });
+    let distance = |there: &[f64; MAX_AXES]| words.rotary_travel(from, there);
+    found.min_by(|a, b| distance(a).total_cmp(&distance(b)))
 }
 
 /// Step of the share in a block that rotates by `angle` and goes round by `sweep`, rad.
