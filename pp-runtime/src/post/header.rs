@@ -507,7 +507,8 @@ pub(crate) fn modes(config: &Config, survey: &Survey) -> String {
 fn mode_lines(machine: &dyn AnyMachine, control: &dyn Control, config: &Config, modes: &StretchModes) -> Vec<String> {
     let codes = control.spellings();
     let table = rotaries(machine, Side::Workpiece).next().is_some();
-    let compared = match config.motion.guards.plane_guard && control.compares_rotary_positions() {
+    let abilities = control::abilities(control, config.demands());
+    let compared = match abilities.guards_planes {
         true => "",
         false => "no block of this program compares the rotary axes after a plane call",
     };
@@ -540,7 +541,6 @@ fn mode_lines(machine: &dyn AnyMachine, control: &dyn Control, config: &Config, 
         };
         let words = format!("tip coordinates in a frame {frame}; {posture}");
         let tip = codes.tip.as_ref();
-        let abilities = control::abilities(control, config.demands());
         let start = abilities.tip.filter(|_| table && abilities.plane.is_some()).map(|tip| tip.start);
         let calls = start.is_some_and(TipStart::is_over_tilted_table);
         let frame = tip.filter(|_| table).map_or("", |tip| match config.motion.tip.tcp_frame {

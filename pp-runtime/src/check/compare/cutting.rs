@@ -60,9 +60,8 @@ impl<R: Read> Comparison<'_, R> {
         // Where rapids of the CL data are feed motions, or it asks for coolant, a dry rapid at the part is none of them.
         let wet = self.progress.next().is_some_and(|item| item.required.coolant != 0);
         let dry = wet && block.state.coolant == Some(0);
-        let asked_for = rapids_at_feed && self.ends_rapid(&end);
         if rapid
-            && (dry || rapids_at_feed && !asked_for)
+            && (dry || rapids_at_feed && !self.ends_rapid(&end))
             && !self.progress.is_approached()
             && let Some(leaving) = self.retract(cutting, current, &end)?
         {
@@ -190,7 +189,7 @@ impl<R: Read> Comparison<'_, R> {
     fn has_feed_of(&self, block: &Block, segment: &Segment, motion: &ClMotion, required: &Required) -> bool {
         let (length, feed) = (segment.length(), self.rules.feed_of(motion));
         let stroke = || self.rules.stroke(&self.previous.words, block, (length, length), feed, required);
-        let fault = || self.rules.feed_fault(&stroke(), &block.state, turned(segment, [0.0, 1.0]));
+        let fault = || self.rules.feed_fault(&stroke(), &block.state, segment, [0.0, 1.0]);
         block.action != Action::Feed || fault().is_none()
     }
 
@@ -337,7 +336,7 @@ impl<R: Read> Comparison<'_, R> {
         };
         let stroke =
             self.rules.stroke(&self.previous.words, block, (length, segment.length()), part.feed, &part.required);
-        let fault = self.rules.feed_fault(&stroke, &block.state, turned(segment, [along, part.share]));
+        let fault = self.rules.feed_fault(&stroke, &block.state, segment, [along, part.share]);
         self.found_any(current, fault);
     }
 
@@ -445,7 +444,7 @@ impl<R: Read> Comparison<'_, R> {
             let stays = (rules.pose_from(before, block).tip - end.tip).norm() < 0.5 * rules.rounding().unit_mm;
             let longest = if stays { 0.0 } else { f64::INFINITY };
             let stroke = rules.stroke(before, block, (0.0, longest), *feed, required);
-            !at_feed || rules.feed_fault(&stroke, &block.state, turned(segment, [0.0, 1.0])).is_none()
+            !at_feed || rules.feed_fault(&stroke, &block.state, segment, [0.0, 1.0]).is_none()
         };
         let is_rest = same_kind
             && rotated_rad <= PI + rules.rounding().unit_rad
@@ -735,9 +734,4 @@ struct Part {
     share: f64,
     at: Location,
     required: Required,
-}
-
-/// Poses at two shares of a segment, if it rotates the tool axis.
-fn turned(segment: &Segment, shares: [f64; 2]) -> Option<[ToolPose; 2]> {
-    (segment.turn() > 0.0).then(|| shares.map(|share| segment.at(share)))
 }

@@ -271,17 +271,28 @@ impl FeedLaw {
     /// Where axis speeds may hold a block back, and the control finds the rotary angles: F is at most the feed of the tip.
     ///
     /// `changes`: `None` where the tool axis is held; then the block is no slower than the slowest linear axis. Else how far the
-    /// axes move in each position that they may have; empty where that is unknown, and any lower F is right.
+    /// axes move in each position that they may have; empty where that is unknown, and any lower F is right. Asked only for an F
+    /// that needs it.
     pub(crate) fn wrong_within(
         &self,
         stroke: &Stroke,
         state: &State,
-        changes: Option<Vec<[f64; MAX_AXES]>>,
+        changes: impl FnOnce() -> Option<Vec<[f64; MAX_AXES]>>,
     ) -> Option<String> {
         let programmed = Self::programmed(stroke)?;
         let still = Stroke { change: [0.0; MAX_AXES], ..*stroke };
         let extent = self.extent(&still, 0.0);
         let (mode, (low, most)) = (self.mode(&extent), self.bounds(programmed, &still, &extent));
+        let feed = state.feed.unwrap_or(0.0);
+        let high = most * (1.0 + NOISE) + self.step(mode, most);
+        let suits = |least: f64| {
+            let low = least * (1.0 - NOISE) - self.step(mode, most);
+            state.feed_mode == Some(mode) && feed > 0.0 && (low..=high).contains(&feed)
+        };
+        // The least F is not above this.
+        if suits(NEARLY * low) {
+            return None;
+        }
         let linear = self.speeds.iter().enumerate().filter(|(index, _)| self.linear_bits & (1 << index) != 0);
         let slowest = linear.filter_map(|(_, speed)| *speed).fold(f64::INFINITY, f64::min);
         let held_back = |change: &[f64; MAX_AXES]| {
@@ -289,16 +300,12 @@ impl FeedLaw {
             let held = Extent { least_min: self.extent(&stroke, 1.0).least_min, ..extent };
             self.bounds(programmed, &stroke, &held).0
         };
-        let least = match changes {
+        let least = match changes() {
             None => NEARLY * low.min(slowest * self.per_mm),
             Some(changes) if changes.is_empty() => 0.0,
             Some(changes) => NEARLY * changes.iter().map(held_back).fold(low, f64::min),
         };
-        let feed = state.feed.unwrap_or(0.0);
-        let low = least * (1.0 - NOISE) - self.step(mode, most);
-        let high = most * (1.0 + NOISE) + self.step(mode, most);
-        (state.feed_mode != Some(mode) || feed <= 0.0 || !(low..=high).contains(&feed))
-            .then(|| format!("F is {feed} per minute, allowed at most {most:.6}, at least {least:.6}"))
+        (!suits(least)).then(|| format!("F is {feed} per minute, allowed at most {most:.6}, at least {least:.6}"))
     }
 
     /// What is wrong with F; `None` if it is right.

@@ -17,7 +17,7 @@ use crate::kinematics::{AnyMachine, Axis, AxisKind, Side};
 use crate::program::{Feed, Units};
 
 use super::expect::{ClMotion, Required};
-use super::geometry::{ToolPose, angle_between};
+use super::geometry::{Segment, ToolPose, angle_between};
 use super::policy::{CheckPolicy, LinearMeaning, RapidForm};
 use super::read::{Action, Block, Facts, MAX_AXES, OwnPlace, State, TipControl, WorkOffset};
 pub(super) use feed::{FeedLaw, Stroke};
@@ -303,14 +303,25 @@ impl<'a> Rules<'a> {
         Stroke { length_mm, longest_mm, change, feed, speed_rev_per_min: required.spindle.map(|(speed, _)| speed) }
     }
 
-    /// What is wrong with F of a block. `ends`: those of a motion that rotates the tool axis. With a tool vector the rotation of
-    /// the rotary axes is the control's own.
-    pub(super) fn feed_fault(&self, stroke: &Stroke, state: &State, ends: Option<[ToolPose; 2]>) -> Option<String> {
+    /// What is wrong with F of a block that goes from one share of a motion to another. With a tool vector the rotation of the
+    /// rotary axes is the control's own.
+    pub(super) fn feed_fault(
+        &self,
+        stroke: &Stroke,
+        state: &State,
+        segment: &Segment,
+        shares: [f64; 2],
+    ) -> Option<String> {
         let law = &self.law;
-        match (state.vector, ends) {
-            (Some(_), Some(_)) if law.is_still(stroke) => law.wrong_on_the_spot(state),
-            (Some(_), _) if law.needs_axes() => law.wrong_within(stroke, state, ends.map(|ends| self.changes(&ends))),
-            _ => law.wrong(stroke, state),
+        if state.vector.is_none() {
+            return law.wrong(stroke, state);
+        }
+        let rotates = segment.turn() > 0.0;
+        let changes = || rotates.then(|| self.changes(&shares.map(|share| segment.at(share))));
+        match rotates && law.is_still(stroke) {
+            true => law.wrong_on_the_spot(state),
+            false if law.needs_axes() => law.wrong_within(stroke, state, changes),
+            false => law.wrong(stroke, state),
         }
     }
 

@@ -168,6 +168,12 @@ static SPELLINGS: Spellings = Spellings {
     ..Spellings::ISO
 };
 
+/// Blocks that stop the program with a message if a condition holds.
+fn stops_if(condition: &str, message: &str) -> Vec<String> {
+    let [condition, message] = [format!("IF {condition}"), format!("MSG(\"{message}\")")];
+    vec![condition, message, "M0".to_owned(), "M30".to_owned(), "ENDIF".to_owned()]
+}
+
 impl Control for Siemens {
     fn spellings(&self) -> &'static Spellings {
         &SPELLINGS
@@ -194,24 +200,18 @@ impl Control for Siemens {
 
     fn length_guard(&self, guard: &LengthGuard) -> Vec<String> {
         let [length, tolerance] = guard.in_program();
-        vec![
-            format!("IF ABS($P_TOOLL[1]-{length})>{tolerance}"),
-            format!("MSG(\"T{} was posted with L = {length}: the length in the tool data differs\")", guard.tool),
-            "M0".to_owned(),
-            "M30".to_owned(),
-            "ENDIF".to_owned(),
-        ]
+        stops_if(
+            &format!("ABS($P_TOOLL[1]-{length})>{tolerance}"),
+            &format!("T{} was posted with L = {length}: the length in the tool data differs", guard.tool),
+        )
     }
 
     fn radius_guard(&self, guard: &RadiusGuard) -> Vec<String> {
         let RadiusGuard { tool, .. } = guard;
-        vec![
-            format!("IF ABS($P_TOOLR)>{}", guard.in_program()),
-            format!("MSG(\"T{tool} follows the path of its centre: the radius in the tool data must be wear only\")"),
-            "M0".to_owned(),
-            "M30".to_owned(),
-            "ENDIF".to_owned(),
-        ]
+        stops_if(
+            &format!("ABS($P_TOOLR)>{}", guard.in_program()),
+            &format!("T{tool} follows the path of its centre: the radius in the tool data must be wear only"),
+        )
     }
 
     fn plane_guard(&self, guard: &PlaneGuard) -> Vec<String> {
@@ -219,13 +219,10 @@ impl Control for Siemens {
             format!("ABS(SIN(($AA_IW[{name}]{})/2))", PlaneGuard::subtracted(*degrees))
         };
         let sum: Vec<String> = guard.axes.iter().map(sine).collect();
-        vec![
-            format!("IF {}>{}", sum.join("+"), PlaneGuard::LARGEST),
-            format!("MSG(\"After the plane call the axes are not at {}\")", guard.positions()),
-            "M0".to_owned(),
-            "M30".to_owned(),
-            "ENDIF".to_owned(),
-        ]
+        stops_if(
+            &format!("{}>{}", sum.join("+"), PlaneGuard::LARGEST),
+            &format!("After the plane call the axes are not at {}", guard.positions()),
+        )
     }
 
     fn message(&self, byte: u8) -> u8 {
