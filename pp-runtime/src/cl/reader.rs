@@ -6,8 +6,8 @@ use super::diagnostics::Faults;
 use super::dialect::Dialect;
 use super::meaning::{ArcVote, QueuedEvent, ReadingOptions, RecordInterpreter, StatedFrame, TextUse};
 use super::record::{
-    CatiaMatrix, Record, SubprogramRecord, comment_dialect, is_goto, is_list, joined_record, parse, plain_goto,
-    read_comment, record_dialect,
+    CatiaMatrix, Point, Record, SubprogramRecord, comment_dialect, joined_record, next_goto, parse, read_comment,
+    record_dialect,
 };
 use super::subprogram::{KeptStatement, Subprograms, subprogram_fault};
 use super::text::{Beginning, ClFault, LONGEST_STATEMENT, Lexer, Span, Statement, StatementKind};
@@ -78,15 +78,16 @@ impl<R: Read> ClReader<R> {
             match self.progress {
                 Progress::Unread => self.begin()?,
                 Progress::Reading if self.subprograms.is_running() => self.run_kept(),
-                Progress::Reading => match self.lexer.next()? {
-                    // Nearly every statement: a GOTO whose event needs no queue.
-                    Some(statement) if self.is_plain_goto(&statement) => {
-                        if let Some(found) = self.read_goto(&statement) {
+                Progress::Reading => match self.next_goto() {
+                    Some((statement, point)) => {
+                        if let Some(found) = self.go_straight(&statement, &point) {
                             return Ok(Some(found));
                         }
                     }
-                    Some(statement) => self.read(&statement),
-                    None => self.finish(),
+                    None => match self.lexer.next()? {
+                        Some(statement) => self.read(&statement),
+                        None => self.finish(),
+                    },
                 },
                 Progress::Done => return Ok(None),
             }
@@ -203,28 +204,19 @@ impl<R: Read> ClReader<R> {
         Ok(())
     }
 
-    fn is_plain_goto(&self, statement: &Statement) -> bool {
-        statement.kind == StatementKind::Code
-            && self.interpreter.is_straight()
-            && !self.matrix.is_open()
-            && !self.subprograms.is_open()
-            && is_goto(self.lexer.text(statement))
+    /// Nearly every statement: a GOTO on a line of its own, while no arc, curve or cycle is open and no event is queued.
+    #[inline]
+    fn next_goto(&mut self) -> Option<(Statement, Point)> {
+        let straight = self.interpreter.is_straight() && !self.matrix.is_open() && !self.subprograms.is_open();
+        if straight { next_goto(&mut self.lexer) } else { None }
     }
 
-    /// Reads a GOTO while no arc, curve or cycle is open and no event is queued: the same result as `read`, without a
-    /// queue.
-    fn read_goto(&mut self, statement: &Statement) -> Option<(Location, Event<'static>)> {
+    /// Motion to the point of such a GOTO: the same result as that of `read`, without a queue.
+    fn go_straight(&mut self, statement: &Statement, point: &Point) -> Option<(Location, Event<'static>)> {
         self.records += 1;
         let here = self.lexer.locate(statement, 0).0;
-        match plain_goto(self.lexer.text(statement)).and_then(|point| self.interpreter.straight(&point, here)) {
-            Ok(motion) if !self.faults.failed() => Some((here, Event::Move(motion))),
-            Ok(_) => None,
-            Err(fault) if is_list(&fault) => {
-                self.statement = Some(*statement);
-                self.kept = None;
-                self.read_record(statement, here);
-                None
-            }
+        match self.interpreter.straight(point, here) {
+            Ok(motion) => (!self.faults.failed()).then_some((here, Event::Move(motion))),
             Err(fault) => {
                 self.faults.add(fault, statement, &self.lexer);
                 None

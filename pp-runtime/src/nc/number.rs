@@ -108,56 +108,85 @@ impl Decimal {
     }
 }
 
-/// Writes a number: no zeros after the last digit, no point without decimals, no `-0`.
+/// Room for a number: at most a sign, 19 digits and a point, and what [`put_short`] writes after them.
+pub(super) const NUMBER_ROOM: usize = 24;
+
+/// Puts a number at the start of `room` in the number format of a control; returns the count of its bytes.
 #[inline]
-pub fn write_decimal(out: &mut Vec<u8>, number: Decimal) {
-    let mut digits = [0_u8; 40];
-    let mut start = digits.len();
-    let mut rest = number.units.unsigned_abs();
-    let mut decimals = number.decimals;
-    while decimals > 0 && rest.is_multiple_of(10) {
-        if rest == 0 {
-            decimals = 0;
-            break;
+pub(super) fn put_number(room: &mut [u8; NUMBER_ROOM], number: Decimal, numerals: Numerals) -> usize {
+    let sign = number.units < 0 || numerals.plus;
+    room[0] = if number.units < 0 { b'-' } else { b'+' };
+    let units = number.units.unsigned_abs();
+    match (u32::try_from(units), number.decimals) {
+        (Ok(units @ ..=99_999_999), decimals @ ..=7) => put_short(room, sign.into(), units, decimals, numerals.point),
+        _ => put_long(room, sign.into(), units, number.decimals, numerals.point),
+    }
+}
+
+/// Puts a number of at most eight digits at `start`, at most 1; all digits are found at once, in the bytes of an integer.
+#[inline]
+fn put_short(room: &mut [u8; NUMBER_ROOM], start: usize, units: u32, decimals: u32, point: bool) -> usize {
+    const ZEROS: u64 = 0x3030_3030_3030_3030;
+    let digits = eight_digits(units);
+    let whole_bytes = 8 - decimals;
+    // Zeros before the first digit are left out, but for the last before the point.
+    let left_out = (digits.trailing_zeros() / 8).min(whole_bytes - 1);
+    let whole = ((digits | ZEROS) >> (8 * left_out)).to_le_bytes();
+    let fraction = ((digits | ZEROS) >> (8 * whole_bytes % 64)).to_le_bytes();
+    let at = start + (whole_bytes - left_out) as usize;
+    room[start..start + 8].copy_from_slice(&whole);
+    room[at] = b'.';
+    room[at + 1..at + 9].copy_from_slice(&fraction);
+    match decimals.saturating_sub(digits.leading_zeros() / 8) {
+        0 => at + usize::from(point),
+        written => at + 1 + written as usize,
+    }
+}
+
+/// The digits of a number below 10^8 as numbers, the first in the lowest byte: the quotient of each half, quarter and eighth
+/// is put below its remainder. The factors are reciprocals, exact in these ranges.
+#[inline]
+fn eight_digits(number: u32) -> u64 {
+    let halves = u64::from(number / 10_000) | u64::from(number % 10_000) << 32;
+    let hundreds = ((halves * 10_486) >> 20) & 0x0000_007F_0000_007F;
+    let quarters = hundreds | (halves - 100 * hundreds) << 16;
+    let tens = ((quarters * 103) >> 10) & 0x000F_000F_000F_000F;
+    tens | (quarters - 10 * tens) << 8
+}
+
+/// Puts any number at `start`.
+#[cold]
+fn put_long(room: &mut [u8; NUMBER_ROOM], start: usize, units: u64, decimals: u32, point: bool) -> usize {
+    let per_one = 10_u64.pow(decimals);
+    let (mut whole, mut fraction) = (units / per_one, units % per_one);
+    let decimals = decimals as usize;
+    let at = start + whole.checked_ilog10().unwrap_or(0) as usize + 1;
+    let mut digits = |from: usize, to: usize, number: &mut u64| {
+        for byte in room[from..to].iter_mut().rev() {
+            *byte = b'0' + (*number % 10) as u8;
+            *number /= 10;
         }
-        rest /= 10;
-        decimals -= 1;
+    };
+    digits(start, at, &mut whole);
+    digits(at + 1, at + 1 + decimals, &mut fraction);
+    room[at] = b'.';
+    let zeros = room[at + 1..at + 1 + decimals].iter().rev().take_while(|byte| **byte == b'0').count();
+    match decimals - zeros {
+        0 => at + usize::from(point),
+        written => at + 1 + written,
     }
-    if decimals > 0 {
-        for _ in 0..decimals {
-            start -= 1;
-            digits[start] = b'0' + (rest % 10) as u8;
-            rest /= 10;
-        }
-        start -= 1;
-        digits[start] = b'.';
-    }
-    loop {
-        start -= 1;
-        digits[start] = b'0' + (rest % 10) as u8;
-        rest /= 10;
-        if rest == 0 {
-            break;
-        }
-    }
-    if number.units < 0 {
-        start -= 1;
-        digits[start] = b'-';
-    }
-    out.extend_from_slice(&digits[start..]);
 }
 
 /// Writes a number in the number format of a control.
-#[inline]
 pub fn write_number(out: &mut Vec<u8>, number: Decimal, numerals: Numerals) {
-    if numerals.plus && number.units >= 0 {
-        out.push(b'+');
-    }
-    let start = out.len();
-    write_decimal(out, number);
-    if numerals.point && !out[start..].contains(&b'.') {
-        out.push(b'.');
-    }
+    let mut room = [0; NUMBER_ROOM];
+    let end = put_number(&mut room, number, numerals);
+    out.extend_from_slice(&room[..end]);
+}
+
+/// Writes a number: no zeros after the last digit, no point without decimals, no `-0`.
+pub fn write_decimal(out: &mut Vec<u8>, number: Decimal) {
+    write_number(out, number, Numerals::default());
 }
 
 #[cfg(test)]

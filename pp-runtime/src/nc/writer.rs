@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use super::number::{Decimal, Numerals, write_decimal, write_number};
+use super::number::{Decimal, NUMBER_ROOM, Numerals, put_number};
 
 /// Number of bytes collected before they are written to the output.
 const PIECE: usize = 64 * 1024;
@@ -34,7 +34,10 @@ pub struct WrittenLine {
 /// Writes blocks word by word; a block without words writes no line.
 pub struct Writer<'a> {
     out: &'a mut dyn Write,
+    /// Written blocks, then room.
     buffer: Vec<u8>,
+    /// End of the text in the buffer.
+    end: usize,
     /// Start of the current block in the buffer.
     block: usize,
     numbering: Numbering,
@@ -71,7 +74,8 @@ impl<'a> Writer<'a> {
     pub fn new(out: &'a mut dyn Write, numbering: Numbering) -> Self {
         Self {
             out,
-            buffer: Vec::with_capacity(PIECE + 4096),
+            buffer: vec![0; PIECE + 4096],
+            end: 0,
             block: 0,
             numbering,
             next_number: if let Numbering::Step(step) = numbering { step } else { 0 },
@@ -87,12 +91,38 @@ impl<'a> Writer<'a> {
         self.single_number = Some(number);
     }
 
-    /// Writes a blank after a word, or the number at the beginning of a block.
-    fn separate(&mut self) {
-        if self.buffer.len() > self.block {
-            self.buffer.push(b' ');
-            return;
+    #[inline]
+    fn append(&mut self, text: &[u8]) {
+        self.make_room(text.len());
+        let room = &mut self.buffer[self.end..];
+        match text {
+            // Nearly always one letter, and then no call.
+            [letter] => room[0] = *letter,
+            text => room[..text.len()].copy_from_slice(text),
         }
+        self.end += text.len();
+    }
+
+    /// Makes room for so many bytes after the text.
+    #[inline]
+    fn make_room(&mut self, bytes: usize) {
+        if self.buffer.len() - self.end < bytes {
+            self.grow(bytes);
+        }
+    }
+
+    #[cold]
+    fn grow(&mut self, bytes: usize) {
+        self.buffer.resize(self.end + bytes + PIECE, 0);
+    }
+
+    /// Writes a blank after a word, or the number at the beginning of a block.
+    #[inline]
+    fn separate(&mut self) {
+        if self.end > self.block { self.append(b" ") } else { self.begin_block() }
+    }
+
+    fn begin_block(&mut self) {
         match self.numbering {
             Numbering::Step(step) => {
                 let number = self.next_number;
@@ -117,24 +147,32 @@ impl<'a> Writer<'a> {
 
     fn number(&mut self, prefix: &str, number: u32) {
         self.number = Some(number);
-        self.buffer.extend_from_slice(prefix.as_bytes());
-        write_decimal(&mut self.buffer, Decimal { units: number.into(), decimals: 0 });
-        self.buffer.push(b' ');
+        self.put_word(prefix, Decimal { units: number.into(), decimals: 0 }, Numerals::default());
+        self.append(b" ");
     }
 
     /// Writes a code with a fixed number: `G1`, `M30`.
     pub fn code(&mut self, code: &str) {
         if !code.is_empty() {
             self.separate();
-            self.buffer.extend_from_slice(code.as_bytes());
+            self.append(code.as_bytes());
         }
     }
 
     /// Writes a word: `X` or `C1=`, and its number.
+    #[inline]
     pub fn word(&mut self, prefix: &str, number: Decimal, numerals: Numerals) {
         self.separate();
-        self.buffer.extend_from_slice(prefix.as_bytes());
-        write_number(&mut self.buffer, number, numerals);
+        self.put_word(prefix, number, numerals);
+    }
+
+    #[inline]
+    fn put_word(&mut self, prefix: &str, number: Decimal, numerals: Numerals) {
+        self.append(prefix.as_bytes());
+        self.make_room(NUMBER_ROOM);
+        if let Some(room) = self.buffer[self.end..].first_chunk_mut() {
+            self.end += put_number(room, number, numerals);
+        }
     }
 
     /// Ends the block; a block without words writes no line.
@@ -143,7 +181,7 @@ impl<'a> Writer<'a> {
     /// Errors of the output.
     #[inline]
     pub fn end(&mut self) -> io::Result<()> {
-        if self.buffer.len() > self.block {
+        if self.end > self.block {
             self.blocks += 1;
             self.finish_line()?;
         }
@@ -158,22 +196,22 @@ impl<'a> Writer<'a> {
         if self.numbering == Numbering::EveryLine {
             self.number_line();
         }
-        self.buffer.extend_from_slice(text);
+        self.append(text);
         self.finish_line()
     }
 
     #[inline]
     fn finish_line(&mut self) -> io::Result<()> {
-        self.buffer.push(b'\n');
+        self.append(b"\n");
         let number = self.number.take();
         if let Some(journal) = &mut self.journal {
-            journal.add(&self.buffer[self.block..], number);
+            journal.add(&self.buffer[self.block..self.end], number);
         }
-        if self.buffer.len() >= PIECE {
-            self.out.write_all(&self.buffer)?;
-            self.buffer.clear();
+        if self.end >= PIECE {
+            self.out.write_all(&self.buffer[..self.end])?;
+            self.end = 0;
         }
-        self.block = self.buffer.len();
+        self.block = self.end;
         Ok(())
     }
 
@@ -197,9 +235,8 @@ impl<'a> Writer<'a> {
     /// # Errors
     /// Errors of the output.
     pub fn finish(&mut self) -> io::Result<()> {
-        self.out.write_all(&self.buffer)?;
-        self.buffer.clear();
-        self.block = 0;
+        self.out.write_all(&self.buffer[..self.end])?;
+        (self.end, self.block) = (0, 0);
         self.out.flush()
     }
 }

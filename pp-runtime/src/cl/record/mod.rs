@@ -40,7 +40,7 @@ pub use self::words::{list, not_inert};
 pub use super::text::Span;
 
 pub(crate) use self::comment::{CatiaMatrix, comment_dialect, read_comment};
-pub(crate) use self::parse::{is_goto, is_list, joined_record, parse, plain_goto, record_dialect};
+pub(crate) use self::parse::{joined_record, next_goto, parse, record_dialect};
 pub(crate) use self::words::nearest_word;
 
 use std::fmt::{self, Display, Formatter};

@@ -3,11 +3,13 @@
 //! A statement is `MAJOR[/argument,argument..]`. The major word is looked up in `words`, and the function of its row
 //! reads all arguments. An argument that is not understood is refused, never passed over.
 
+use std::io::Read;
+
 use super::Record;
 use super::values::Point;
 use super::words::{GOTO, Handling, look_up};
 use crate::cl::dialect::Dialect;
-use crate::cl::text::{Args, ClFault, Help, Span, quoted, skip_blanks};
+use crate::cl::text::{Args, ClFault, Help, Lexer, Span, Statement, quoted, skip_blanks};
 use crate::diag::Severity;
 
 /// Largest number of bytes of an unknown word that its message shows.
@@ -86,22 +88,10 @@ pub(crate) fn record_dialect(text: &[u8]) -> Dialect {
     }
 }
 
-/// Whether the record is a GOTO, which [`plain_goto`] can read.
+/// Reads a GOTO on a line of its own: its statement and point. `None`: any other line, which has not been read.
 #[inline]
-pub(crate) fn is_goto(text: &[u8]) -> bool {
-    let name = GOTO.name.as_bytes();
-    text.len() > name.len() && text[..name.len()].eq_ignore_ascii_case(name) && matches!(text[name.len()], b'/' | b' ')
-}
-
-/// Reads a GOTO with one point.
-#[inline]
-pub(crate) fn plain_goto(text: &[u8]) -> Result<Point, ClFault> {
-    Point::parse(&mut Args::after_slash(&GOTO, text, GOTO.name.len())?)
-}
-
-/// Whether `plain_goto` refused a GOTO because it is a list of points.
-pub(crate) fn is_list(fault: &ClFault) -> bool {
-    fault.kind == "second slash"
+pub(crate) fn next_goto<R: Read>(lexer: &mut Lexer<R>) -> Option<(Statement, Point)> {
+    lexer.next_numbers(GOTO.name.as_bytes(), |numbers| Point::of(numbers.numbers, numbers.count, numbers.at))
 }
 
 /// Place of the major word; it may contain `-` and `_`. TOOL PATH is one word with a blank inside.

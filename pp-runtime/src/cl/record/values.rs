@@ -21,13 +21,18 @@ impl Point {
     pub(crate) fn parse(args: &mut Args<'_>) -> Result<Point, ClFault> {
         let mut numbers = [0.0; 6];
         let found = args.numbers(&mut numbers)?;
-        let [x, y, z, i, j, k] = numbers;
-        let axis = match found {
+        Point::of(numbers, found, args.all()).ok_or_else(|| args.wrong_count("3 or 6 numbers", found))
+    }
+
+    /// Point of the first `count` numbers, which must be 3 or 6.
+    #[inline]
+    pub(crate) fn of([x, y, z, i, j, k]: [f64; 6], count: usize, at: Span) -> Option<Point> {
+        let axis = match count {
             3 => None,
             6 => Some([i, j, k]),
-            found => return Err(args.wrong_count("3 or 6 numbers", found)),
+            _ => return None,
         };
-        Ok(Point { tip: [x, y, z], axis, at: args.all() })
+        Some(Point { tip: [x, y, z], axis, at })
     }
 }
 

@@ -67,11 +67,33 @@ fn the_size_of_the_reads_does_not_matter() {
 
 #[test]
 fn statements_across_the_end_of_the_buffer_are_whole() {
-    let line = "GOTO/1.5,2.5,3.5,0,0,1 $$ some comment\n";
-    let found = events(&line.repeat(20_000));
-    assert_eq!(found.len(), 20_000);
-    for (index, event) in found.iter().enumerate() {
-        assert_eq!(*event, format!("{}:1 feed 1.5 2.5 3.5 axis 0 0 1 None", index + 1));
+    for line in ["GOTO/1.5,2.5,3.5,0,0,1 $$ some comment\n", "GOTO/1.5,2.5,3.5,0,0,1\n", "GOTO/1.5,2.5,3.5,0,0,1  \r\n"]
+    {
+        let found = events(&line.repeat(25_000));
+        assert_eq!(found.len(), 25_000);
+        for (index, event) in found.iter().enumerate() {
+            assert_eq!(*event, format!("{}:1 feed 1.5 2.5 3.5 axis 0 0 1 None", index + 1));
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(3000))]
+    /// A limit of columns beyond every line changes nothing, but then no line is read in one pass.
+    #[test]
+    fn a_line_read_in_one_pass_has_the_meaning_it_has_else(
+        lines in prop::collection::vec(
+            "(GOTO|goto| GOTO|GOTO |GOTO/1,2,3 )?/? ?(-?[0-9]{0,7}[.]?[0-9]{0,9}[, \\t/]){1,7}[0-9.]{1,4}([ $]|E1|D2|,|x)?", 1..6
+        ),
+        end in prop::sample::select(vec!["\n", "\r\n", "\r", "$$ A\n", "\n\nGOTO/1,2,3\n"]),
+        size in prop::sample::select(vec![1_usize, 5, 64, 4096]),
+    ) {
+        let text: String = lines.iter().flat_map(|line| [line, end]).collect();
+        let options = ReadingOptions { columns: Some(4096), ..MM.into() };
+        let (found, expected) =
+            (read_from(InPieces { bytes: text.as_bytes(), size }, MM), read_from(text.as_bytes(), options));
+        prop_assert_eq!(found.events, expected.events);
+        prop_assert_eq!(found.diagnostics, expected.diagnostics);
     }
 }
 

@@ -10,6 +10,9 @@
 //! A statement on one line is a slice of the read buffer; a joined one is copied to a second buffer, with a list of the
 //! lines that its pieces come from. Both buffers are reused. Nothing is interpreted here.
 
+use super::args::skip_blanks;
+use super::fault::Span;
+use super::number::short_number;
 use crate::program::Location;
 use memchr::{memchr, memchr2};
 use std::io::{self, Read};
@@ -46,6 +49,14 @@ pub(crate) struct Statement {
     line: u64,
     /// Index of the line's first byte in the read buffer; meaningless for a joined statement.
     line_start: usize,
+}
+
+/// Numbers of a statement that has no other arguments.
+pub(crate) struct ShortNumbers {
+    pub(crate) numbers: [f64; 6],
+    pub(crate) count: usize,
+    /// Place of the numbers in the statement.
+    pub(crate) at: Span,
 }
 
 /// Place in the file of the bytes of a joined statement from `offset` on.
@@ -133,6 +144,47 @@ impl<R: Read> Lexer<R> {
                 return Ok(Some(statement));
             }
         }
+    }
+
+    /// Reads the next line in one pass, if it is `word`, a slash, and short numbers between commas of which `make` makes a
+    /// value; any other line is left to [`next`](Self::next). Nearly every line of a file is such a GOTO.
+    #[inline]
+    pub(crate) fn next_numbers<T>(
+        &mut self,
+        word: &[u8],
+        make: impl FnOnce(ShortNumbers) -> Option<T>,
+    ) -> Option<(Statement, T)> {
+        let line = &self.buffer[self.start..];
+        let slash = skip_blanks(line, word.len());
+        if !line.starts_with(word) || line.get(slash) != Some(&b'/') || self.columns < usize::MAX {
+            return None;
+        }
+        let first = skip_blanks(line, slash + 1);
+        let (mut numbers, mut count, mut at) = ([0.0; 6], 0, first);
+        let (end, next) = loop {
+            // At the end of the buffer there may be no such bytes.
+            let (number, used) = short_number(line.get(at..)?.first_chunk()?)?;
+            *numbers.get_mut(count)? = number;
+            count += 1;
+            let end = at + used;
+            at = skip_blanks(line, end);
+            match line.get(at)? {
+                b',' => at = skip_blanks(line, at + 1),
+                b'\n' => break (end, at + 1),
+                b'\r' if line.get(at + 1) == Some(&b'\n') => break (end, at + 2),
+                _ => return None,
+            }
+        };
+        // After the end of what has been read there are bytes of earlier reads.
+        if self.start + next > self.end {
+            return None;
+        }
+        let made = make(ShortNumbers { numbers, count, at: Span { start: first, end } })?;
+        self.line += 1;
+        let line = PhysicalLine { start: self.start, end: self.start + end, too_long: false };
+        self.start += next;
+        self.after_cr = false;
+        Some((self.on_one_line(line, StatementKind::Code), made))
     }
 
     /// Bytes of the statement returned last.

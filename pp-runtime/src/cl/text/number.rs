@@ -21,6 +21,79 @@ const DIGITS_OF_U64: usize = 19;
 /// Number of decimal digits whose mantissa is always exact in binary64.
 const EXACT_DIGITS: usize = 15;
 
+/// Bytes that [`short_number`] may look at.
+pub(crate) const SHORT_NUMBER: usize = 24;
+
+/// Returns the number at the start of `text` and the count of its bytes, if it has at most six digits before its point, at
+/// most seven after it, and no exponent: nearly every number of a real file. The bytes after it may be anything.
+#[inline]
+pub(crate) fn short_number(text: &[u8; SHORT_NUMBER]) -> Option<(f64, usize)> {
+    let signed = usize::from(text[0] == b'-');
+    let whole = digits_in(u64_at(text, 0) >> (8 * signed));
+    // The byte after six digits and a sign has been read.
+    if whole.count > 6 {
+        return None;
+    }
+    let mut end = signed + whole.count;
+    let mut fraction = Digits { digits: 0, count: 0 };
+    if text[end] == b'.' {
+        fraction = digits_in(u64_at(text, end + 1));
+        end += 1 + fraction.count;
+    }
+    let count = whole.count + fraction.count;
+    // After eight digits more may come.
+    if count == 0 || fraction.count == 8 || matches!(text[end], b'E' | b'e' | b'D' | b'd') {
+        return None;
+    }
+    let mantissa = if count <= 8 {
+        value_of(whole.digits | fraction.digits << (8 * whole.count), count)
+    } else {
+        let whole = value_of(whole.digits, whole.count);
+        whole * WHOLE_POWERS_OF_TEN[fraction.count] + value_of(fraction.digits, fraction.count)
+    };
+    let magnitude = mantissa as f64 / POWERS_OF_TEN[fraction.count];
+    Some((if signed == 1 { -magnitude } else { magnitude }, end))
+}
+
+/// Powers of ten by which digits are moved before those of a fraction.
+const WHOLE_POWERS_OF_TEN: [i64; 9] = [1, 10, 100, 1_000, 10_000, 100_000, 1_000_000, 10_000_000, 100_000_000];
+
+/// Eight bytes from `at` on, the first in the lowest byte.
+#[inline]
+fn u64_at(text: &[u8; SHORT_NUMBER], at: usize) -> u64 {
+    text[at..].first_chunk().map_or(0, |bytes| u64::from_le_bytes(*bytes))
+}
+
+/// Decimal digits, one in each byte, the first in the lowest; zero after them.
+struct Digits {
+    digits: u64,
+    count: usize,
+}
+
+/// The digits with which eight bytes begin.
+#[inline]
+fn digits_in(bytes: u64) -> Digits {
+    const HIGH_BITS: u64 = 0x8080_8080_8080_8080;
+    let digits = bytes ^ 0x3030_3030_3030_3030;
+    // The high bit of a byte is set where it is no digit; after the first such byte the sum may carry.
+    let others = (digits.wrapping_add(0x7676_7676_7676_7676) | digits) & HIGH_BITS;
+    // All bits below that of the first other byte, of which those of its own byte are left out.
+    let before = (others ^ others.wrapping_sub(1)) >> 8;
+    Digits { digits: digits & before, count: (others.trailing_zeros() / 8) as usize }
+}
+
+/// Value of the first `count` digits, 1 to 8: they are summed in pairs, fours and eights.
+#[inline]
+fn value_of(digits: u64, count: usize) -> i64 {
+    const PAIRS: u64 = 0x0000_00FF_0000_00FF;
+    // The last digit in the highest byte, zeros before the first.
+    let digits = digits << (8 * (8 - count) % 64);
+    let pairs = digits.wrapping_mul(10).wrapping_add(digits >> 8);
+    let first_and_third = (pairs & PAIRS).wrapping_mul(100 + (1_000_000 << 32));
+    let second_and_fourth = ((pairs >> 16) & PAIRS).wrapping_mul(1 + (10_000 << 32));
+    (first_and_third.wrapping_add(second_and_fourth) >> 32).cast_signed()
+}
+
 /// Returns the number at the start of `text` and the count of its bytes; `None` if no number starts there.
 ///
 /// A number too large for binary64 is returned as an infinity, which the caller must refuse.
@@ -123,7 +196,7 @@ fn rounded_by_library(text: &[u8], letter: usize) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::{number_at_start as prefix, whole_number as whole};
+    use super::{SHORT_NUMBER, number_at_start as prefix, short_number, whole_number as whole};
     use proptest::prelude::*;
 
     #[test]
@@ -146,6 +219,38 @@ mod tests {
             assert_eq!(whole(text.as_bytes()).map(f64::to_bits), Some(value.to_bits()), "{text}");
         }
         assert_eq!(whole(b"-0.0").map(f64::to_bits), Some((-0.0_f64).to_bits()));
+    }
+
+    #[test]
+    fn short_numbers_are_read_as_any_number() {
+        for text in [
+            "0",
+            "-0.0",
+            "7.",
+            ".5",
+            "-.5",
+            "999999.9999999",
+            "-999999.9999999",
+            "0.1234567",
+            "12,",
+            "1.2.3",
+            "3-4",
+            "1 2",
+            "48.1234\r",
+        ] {
+            assert_eq!(short(text.as_bytes()), prefix(text.as_bytes()), "{text}");
+        }
+        for text in ["", "-", ".", "-.", "+1", "1234567", "0.12345678", "1E5", "1.5D2", "x", "/"] {
+            assert_eq!(short(text.as_bytes()), None, "{text}");
+        }
+    }
+
+    /// The number at the start of `text`, which may be shorter than the bytes that are looked at.
+    fn short(text: &[u8]) -> Option<(f64, usize)> {
+        let mut room = [b','; SHORT_NUMBER];
+        let bytes = text.len().min(SHORT_NUMBER);
+        room[..bytes].copy_from_slice(&text[..bytes]);
+        short_number(&room)
     }
 
     #[test]
@@ -180,6 +285,21 @@ mod tests {
             prop_assert_eq!(whole(text.as_bytes()).map(f64::to_bits), Some(expected.to_bits()));
             let fortran = text.replace(['e', 'E'], "D");
             prop_assert_eq!(whole(fortran.as_bytes()).map(f64::to_bits), Some(expected.to_bits()));
+        }
+
+        #[test]
+        fn random_short_numbers_read_as_any_number(
+            text in "-?[0-9]{0,7}(\\.[0-9]{0,8})?[ -~]{0,6}"
+        ) {
+            if let Some((value, used)) = short(text.as_bytes()) {
+                let (expected, end) = prefix(text.as_bytes()).unwrap();
+                prop_assert_eq!((value.to_bits(), used), (expected.to_bits(), end));
+            }
+        }
+
+        #[test]
+        fn numbers_of_real_files_are_short(text in "-?[0-9]{1,6}\\.[0-9]{0,7}[,\r\n$ ]") {
+            prop_assert!(short(text.as_bytes()).is_some());
         }
     }
 }
