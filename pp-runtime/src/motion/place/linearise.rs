@@ -95,6 +95,14 @@ pub(crate) struct CertifiedPiece {
     share: f64,
 }
 
+/// Certified deviation of a block.
+struct Certificate {
+    /// Largest deviation from the motion of the CL data, rounding of the words included.
+    bound: MotionBound,
+    /// Share of the tolerance that it uses.
+    share: f64,
+}
+
 /// The pieces of one motion, one after the other.
 #[derive(Debug, Clone)]
 pub(crate) struct Linearised {
@@ -175,6 +183,17 @@ impl Linearised {
     /// Starts the motion from one position to another.
     pub(crate) fn new(from: &AxisPosition, to: &AxisPosition, tolerance: PathTolerance, law: RotationLaw) -> Self {
         Self { tolerance, law, from: *from, to: *to, rest: Remaining::Whole }
+    }
+
+    /// Deviation of the whole motion in one block, if that certifies.
+    #[inline]
+    pub(crate) fn in_one_block(
+        placer: &Placer,
+        (from, to): (&AxisPosition, &AxisPosition),
+        allowed: PathTolerance,
+    ) -> Option<MotionBound> {
+        let certificate = Certifier { placer, allowed }.certificate(from, to);
+        (certificate.share <= 1.0).then_some(certificate.bound)
     }
 
     /// The next piece; `None` after the last.
@@ -297,9 +316,15 @@ struct Certifier<'p> {
 }
 
 impl Certifier<'_> {
+    /// One block as a piece.
+    fn certify(&self, from: &AxisPosition, to: &AxisPosition) -> CertifiedPiece {
+        let Certificate { bound, share } = self.certificate(from, to);
+        CertifiedPiece { place: *to, bound, share }
+    }
+
     /// Certified deviation of one block.
     #[inline]
-    fn certify(&self, from: &AxisPosition, to: &AxisPosition) -> CertifiedPiece {
+    fn certificate(&self, from: &AxisPosition, to: &AxisPosition) -> Certificate {
         let mut bound = self.placer.frame.bound(self.placer.machine.motion(&from.axes, &to.axes));
         let (tip_off, axis_off) = (from.rounding_mm.max(to.rounding_mm), self.axis_off(from).max(self.axis_off(to)));
         if bound.tip > self.allowed.tip_mm - tip_off && bound.axis <= self.allowed.axis_rad - axis_off {
@@ -308,8 +333,7 @@ impl Certifier<'_> {
         let share = (bound.tip / (self.allowed.tip_mm - tip_off)).max(bound.axis / (self.allowed.axis_rad - axis_off));
         let roomy = self.allowed.tip_mm > tip_off && self.allowed.axis_rad > axis_off;
         let narrow = from.pose.axis.dot(&to.pose.axis) > MIN_AXIS_COSINE && !self.placer.rolls_over(from, to);
-        CertifiedPiece {
-            place: *to,
+        Certificate {
             bound: MotionBound { tip: bound.tip + tip_off, axis: bound.axis + axis_off },
             share: if roomy && narrow && share.is_finite() { share } else { f64::INFINITY },
         }
@@ -587,7 +611,7 @@ impl Certifier<'_> {
         let mut place = self.placer.position_at(pose, from, &self.words_between(from, to, share));
         place.pose.axis = self.placer.machine.forward_kinematics(&place.axes).axis;
         place.deviation_rad = 0.0;
-        self.placer.solve_linear(place)
+        self.placer.solved(place)
     }
 
     /// Position of a solution, in the turn nearest to the axis values `near`.
@@ -609,7 +633,7 @@ impl Certifier<'_> {
         place.deviation_rad = solution.deviation;
         place.branch = solution.branch;
         self.placer.hold_indexed(&mut place, from, self.allowed)?;
-        self.placer.solve_linear(place)
+        self.placer.solved(place)
     }
 
     fn spot(&self, start: &AxisPosition, target: &AxisPosition) -> SpotRotation {
@@ -627,7 +651,7 @@ impl Certifier<'_> {
         let mut place = self.placer.position_at(&pose, &spot.start, &words);
         let reached = self.placer.machine.forward_kinematics(&place.axes).axis;
         place.deviation_rad = (reached.into_inner() - pose.axis.into_inner()).norm();
-        self.placer.solve_linear(place)
+        self.placer.solved(place)
     }
 
     /// The fault that a rotation on the spot does not certify.
@@ -681,7 +705,7 @@ mod tests {
         let axis = placer.machine.forward_kinematics(&axes).axis;
         let words = place.words;
         placer
-            .solve_linear(placer.position_at(&Pose { tip: Point3::from(tip), axis }, &place, &words))
+            .solved(placer.position_at(&Pose { tip: Point3::from(tip), axis }, &place, &words))
             .expect("a place")
     }
 

@@ -250,7 +250,7 @@ impl Placer {
         from: &AxisPosition,
         words: &RotaryWords,
     ) -> Result<AxisPosition, Fault> {
-        self.solve_linear(self.position_at(pose, from, &self.all_words(words)))
+        self.solved(self.position_at(pose, from, &self.all_words(words)))
     }
 
     /// Whether the tool side has solved rotary axes, so that the tool length moves the linear axes.
@@ -436,27 +436,34 @@ impl Placer {
         if !self.rotary.grid.is_empty() {
             self.snap_to_index(&mut place, from, feed)?;
         }
-        self.solve_linear_in_travel(place)
+        self.solve_linear_in_travel(&mut place)?;
+        Ok(place)
     }
 
     /// Position of another tip at the rotary angles of `at`.
     pub(crate) fn shifted(&mut self, tip: Point3<f64>, at: &AxisPosition) -> Result<AxisPosition, Fault> {
         let mut place = *at;
         place.pose.tip = tip;
-        self.solve_linear_in_travel(place)
+        self.solve_linear_in_travel(&mut place)?;
+        Ok(place)
     }
 
     /// The same as [`Placer::solve_linear`], and compares the travel.
     #[inline]
-    fn solve_linear_in_travel(&mut self, place: AxisPosition) -> Result<AxisPosition, Fault> {
-        let place = self.solve_linear(place)?;
-        self.travel.check(&place.axes)?;
+    fn solve_linear_in_travel(&mut self, place: &mut AxisPosition) -> Result<(), Fault> {
+        self.solve_linear(place)?;
+        self.travel.check(&place.axes)
+    }
+
+    /// A position whose rotary angles are known, with its linear axes: see [`Placer::solve_linear`].
+    pub(crate) fn solved(&self, mut place: AxisPosition) -> Result<AxisPosition, Fault> {
+        self.solve_linear(&mut place)?;
         Ok(place)
     }
 
     /// Computes the linear axes and words of a position whose rotary angles are known; the travel is not compared.
     #[inline]
-    pub(crate) fn solve_linear(&self, mut place: AxisPosition) -> Result<AxisPosition, Fault> {
+    pub(crate) fn solve_linear(&self, place: &mut AxisPosition) -> Result<(), Fault> {
         let Some(axes) = self.machine.linear_axes(&place.pose.tip, &place.axes) else {
             return Err(refusal::unreachable(self, &place.pose, &place.axes));
         };
@@ -483,7 +490,7 @@ impl Placer {
             return Err(too_large(self.chain[index].letter));
         }
         place.rounding_mm = if self.linear.orthogonal { squares.sqrt() } else { sum };
-        Ok(place)
+        Ok(())
     }
 
     /// Whether offsets along two axes have more digits than their words allow.

@@ -62,7 +62,7 @@ impl Placer {
     }
 
     /// Computes the linear axes and words of a position whose words are coordinates of the tip.
-    pub(crate) fn solve_tip(&self, mut place: AxisPosition, map: &WordMap) -> Result<AxisPosition, Fault> {
+    pub(crate) fn solve_tip(&self, place: &mut AxisPosition, map: &WordMap) -> Result<(), Fault> {
         let mut written = map.words(&place.pose.tip);
         let letters = self.frame.letters();
         for (index, value) in letters.into_iter().zip(written.iter_mut()) {
@@ -76,27 +76,29 @@ impl Placer {
         let axes = self.machine.linear_axes(&reached, &place.axes);
         place.axes = axes.ok_or_else(|| refusal::unreachable(self, &place.pose, &place.axes))?;
         place.rounding_mm = (reached - place.pose.tip).norm();
-        Ok(place)
+        Ok(())
     }
 
     /// Position in the frame of tip control, which may depend on the rotary angles at which tip control begins.
-    pub(crate) fn in_tip_frame(&mut self, place: AxisPosition) -> Result<AxisPosition, Fault> {
+    pub(crate) fn in_tip_frame(&mut self, mut place: AxisPosition) -> Result<AxisPosition, Fault> {
         if !self.frame.is_set_at_angles() {
             return Ok(place);
         }
         self.frame.start(&*self.machine, &place.axes);
-        self.solve_linear_in_travel(place)
+        self.solve_linear_in_travel(&mut place)?;
+        Ok(place)
     }
 
     /// Position in the tilted plane whose Z is its tool axis, and that plane in the words of the control.
     pub(crate) fn tilted(
         &mut self,
-        place: AxisPosition,
+        mut place: AxisPosition,
         ability: &PlaneAbility,
     ) -> Result<(AxisPosition, TiltedPlane), Fault> {
         // The rotary angles are rounded here, and the control computes its own: the plane is that of the tool axis.
         let tilt = self.frame.tilt(ability, &plane_across(&self.axis_of_plane(&place)?)).ok_or_else(no_plane)?;
-        Ok((self.solve_linear_in_travel(place)?, tilt))
+        self.solve_linear_in_travel(&mut place)?;
+        Ok((place, tilt))
     }
 
     /// The tool axis that a plane at a position has; refused where indexed axes cannot take it: the control would rotate them

@@ -151,7 +151,7 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
             position.note_cut(&Pose { tip: self.round.tip(part), ..arc.end });
         }
         position.forget_lead_out();
-        self.planner.mover.arrive(end);
+        self.planner.mover.arrive(&end);
         Ok(())
     }
 
@@ -325,7 +325,7 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
             mover.output_mut().feed(&pace, None);
             let words = AxisWords { vector: None, ..mover.placer().words(&to, mask) };
             mover.write_motion(&Step::Arc { words, circle: &circle, feed }, &to)?;
-            mover.position_mut().go_to(to);
+            mover.position_mut().go_to(&to);
         }
         Ok(())
     }
@@ -340,7 +340,7 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
             let place = self.planner.mover.place(&pose, true, planned.filter(|_| index == chords))?;
             let rate = self.planner.rate(self.arc.feed)?;
             self.planner.mover.feed_to(&place, rate)?;
-            self.planner.mover.position_mut().go_to(place);
+            self.planner.mover.position_mut().go_to(&place);
         }
         Ok(())
     }

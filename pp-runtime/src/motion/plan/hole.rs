@@ -389,7 +389,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         position.note_cut(&bottom);
         position.forget_lead_out();
         position.follow(&bottom, &back.pose);
-        mover.arrive(back);
+        mover.arrive(&back);
         Ok(())
     }
 }

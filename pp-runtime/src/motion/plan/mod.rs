@@ -361,7 +361,7 @@ impl<'a, S: Sink> Planner<'a, S> {
         self.mover.feed_to(&place, self.rate(motion.feed)?)?;
         self.mover.position_mut().note_cut(&motion.pose);
         self.mover.position_mut().follow(&before, &motion.pose);
-        self.mover.arrive(place);
+        self.mover.arrive(&place);
         Ok(())
     }
 
@@ -399,7 +399,7 @@ impl<'a, S: Sink> Planner<'a, S> {
         self.mover.output_mut().statistics_mut().inserted += u64::from(turned);
         self.mover.output_mut().set_reason(BlockReason::Course);
         self.mover.feed_to(&place, self.rate(motion.feed)?)?;
-        self.mover.pass(&pose, place);
+        self.mover.pass(&pose, &place);
         self.mover.output_mut().set_reason(BlockReason::Record);
         Ok(())
     }

@@ -90,8 +90,8 @@ impl Position {
 
     /// A motion of the CL data has ended here.
     #[inline]
-    pub(crate) fn arrive(&mut self, place: AxisPosition) {
-        self.place = place;
+    pub(crate) fn arrive(&mut self, place: &AxisPosition) {
+        self.place = *place;
         self.moved = true;
         self.known = true;
         self.retracted = false;
@@ -99,8 +99,8 @@ impl Position {
 
     /// A block within a motion, or between two motions, has ended here.
     #[inline]
-    pub(crate) fn go_to(&mut self, place: AxisPosition) {
-        self.place = place;
+    pub(crate) fn go_to(&mut self, place: &AxisPosition) {
+        self.place = *place;
     }
 
     /// The rotary axes are parked here; the next rotation begins here.

@@ -154,7 +154,7 @@ impl<'p, 'a, S: Sink> ProofProgram<'p, 'a, S> {
         let place = mover.placer().with_rotary_words(&mover.position().pose(), mover.here(), words)?;
         let swinging = PathTolerance { axis_rad: f64::INFINITY, ..mover.tolerance() };
         mover.feed_in_pieces(&place, FEED, swinging)?;
-        mover.position_mut().go_to(place);
+        mover.position_mut().go_to(&place);
         Ok(())
     }
 
@@ -168,7 +168,7 @@ impl<'p, 'a, S: Sink> ProofProgram<'p, 'a, S> {
         mover.output_mut().cancel_inverse_time()?;
         mover.rapid_linear(&out)?;
         mover.position_mut().follow(&here.pose, &out.pose);
-        mover.position_mut().go_to(out);
+        mover.position_mut().go_to(&out);
         Ok(())
     }
 }

@@ -64,7 +64,7 @@ impl<S: Sink> Planner<'_, S> {
             RapidPath::AsConfigured | RapidPath::Sequence => self.mover.rapid_as_configured(motion, place)?,
         }
         self.mover.position_mut().follow(&before, &motion.pose);
-        self.mover.arrive(*place);
+        self.mover.arrive(place);
         Ok(())
     }
 

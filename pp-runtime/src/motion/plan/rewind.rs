@@ -59,9 +59,9 @@ fn rewind_out_of_part<S: Sink>(planner: &mut Planner<'_, S>, motion: &Move, word
     planner.mover.approach_from_retract(&above, frame)?;
     planner.apply_coolant()?;
     planner.mover.position_mut().forget_retract();
-    planner.mover.position_mut().go_to(above);
+    planner.mover.position_mut().go_to(&above);
     planner.mover.feed_block(&turned, planner.rate(motion.feed)?)?;
-    planner.mover.position_mut().go_to(turned);
+    planner.mover.position_mut().go_to(&turned);
     planner.mover.position_mut().forget_lead_out();
     Ok(())
 }
@@ -73,7 +73,7 @@ fn rewind_in_place<S: Sink>(planner: &mut Planner<'_, S>, motion: &Move, words: 
     planner.mover.note_rotation(&turned);
     let swinging = PathTolerance { axis_rad: f64::INFINITY, ..planner.mover.tolerance() };
     planner.mover.feed_in_pieces(&turned, planner.rate(motion.feed)?, swinging)?;
-    planner.mover.position_mut().go_to(turned);
+    planner.mover.position_mut().go_to(&turned);
     Ok(())
 }
 

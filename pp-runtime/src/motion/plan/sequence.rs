@@ -55,7 +55,7 @@ impl<S: Sink> Planner<'_, S> {
                     .shifted(here.pose.tip + here.pose.axis.into_inner() * distance, &here)
                     .map_err(|fault| fault.context(format_args!("the retract {what} {distance} mm")))?;
                 self.mover.rapid_linear(&out)?;
-                self.mover.position_mut().go_to(out);
+                self.mover.position_mut().go_to(&out);
             }
             Some(_) => {}
             None if self.mover.retracts_along_tool() => {}
@@ -209,7 +209,7 @@ impl<S: Sink> Planner<'_, S> {
             self.mover.position_mut().note_cut(&first.pose);
         }
         self.mover.position_mut().follow(&before, &first.pose);
-        self.mover.arrive(place);
+        self.mover.arrive(&place);
         Ok(())
     }
 
@@ -267,7 +267,7 @@ impl<S: Sink> Planner<'_, S> {
         self.mover.approach_from_retract(&above, frame)?;
         self.mover.output_mut().statistics_mut().sequences += 1;
         self.apply_coolant()?;
-        self.mover.position_mut().go_to(above);
+        self.mover.position_mut().go_to(&above);
         self.mover.output_mut().set_reason(BlockReason::Record);
         if place.words != above.words {
             if first.rapid {
@@ -280,7 +280,7 @@ impl<S: Sink> Planner<'_, S> {
             self.mover.position_mut().note_cut(&first.pose);
         }
         self.mover.position_mut().forget_lead_out();
-        self.mover.arrive(place);
+        self.mover.arrive(&place);
         Ok(())
     }
 

@@ -47,7 +47,7 @@ impl<S: Sink> Mover<'_, S> {
             let inserted = (piece.place.words != place.words).then_some(BlockReason::Tolerance);
             let reached = self.placer.state_at(&piece.place);
             self.rapid_words(&piece.place, self.block_axes(), reached, inserted)?;
-            self.position.go_to(piece.place);
+            self.position.go_to(&piece.place);
         }
         Ok(())
     }

@@ -284,20 +284,33 @@ impl<'a, S: Sink> Mover<'a, S> {
 
     /// Writes a feed motion with rotation of an axis in as many blocks as keep tip and tool axis within tolerance.
     pub(crate) fn feed_in_pieces(&mut self, place: &AxisPosition, rate: f64, tolerance: PathTolerance) -> Planned {
+        let to_axis_tolerance = tolerance.axis_rad.is_finite();
+        // Nearly every motion: nothing is copied.
+        if let Some(bound) = Linearised::in_one_block(&self.placer, (self.here(), place), tolerance) {
+            self.feed_piece(place, rate, None)?;
+            self.output.statistics_mut().certified(&bound, to_axis_tolerance);
+            return Ok(());
+        }
         let mut pieces = Linearised::new(self.here(), place, tolerance, self.law);
         let mut blocks = 0;
         while let Some(piece) = pieces.next(&self.placer)? {
-            self.placer.check_travel(&piece.place)?;
-            self.placer.check_between(self.position.place(), &piece.place)?;
-            let pace = self.pace(rate, &piece.place)?;
             blocks += u64::from(piece.place.words != self.here().words);
             let inserted = (piece.place.words != place.words).then_some(BlockReason::Tolerance);
-            self.write_feed(&piece.place, &pace, inserted)?;
-            self.position.go_to(piece.place);
-            self.output.statistics_mut().certified(&piece.bound, tolerance.axis_rad.is_finite());
+            self.feed_piece(&piece.place, rate, inserted)?;
+            self.position.go_to(&piece.place);
+            self.output.statistics_mut().certified(&piece.bound, to_axis_tolerance);
         }
         self.output.statistics_mut().inserted += blocks.max(1) - 1;
         Ok(())
+    }
+
+    /// Writes a certified piece of a feed motion.
+    #[inline]
+    fn feed_piece(&mut self, place: &AxisPosition, rate: f64, inserted: Option<BlockReason>) -> Planned {
+        self.placer.check_travel(place)?;
+        self.placer.check_between(self.position.place(), place)?;
+        let pace = self.pace(rate, place)?;
+        self.write_feed(place, &pace, inserted)
     }
 
     #[inline]
@@ -351,7 +364,7 @@ impl<'a, S: Sink> Mover<'a, S> {
         self.output.cancel_inverse_time()?;
         let reached = self.placer.state_at(&corner);
         self.rapid_words(&corner, self.block_axes(), reached, Some(BlockReason::Corner))?;
-        self.position.go_to(corner);
+        self.position.go_to(&corner);
         Ok(())
     }
 
@@ -434,17 +447,17 @@ impl<'a, S: Sink> Mover<'a, S> {
     }
 
     /// Sets the position after a cut to a place that is not in the CL data.
-    pub(crate) fn pass(&mut self, pose: &Pose, place: AxisPosition) {
+    pub(crate) fn pass(&mut self, pose: &Pose, place: &AxisPosition) {
         self.position.note_cut(pose);
-        self.output.count_deviation(&place);
+        self.output.count_deviation(place);
         self.position.go_to(place);
     }
 
     /// Sets the position after a motion of the CL data.
     #[inline]
-    pub(crate) fn arrive(&mut self, place: AxisPosition) {
+    pub(crate) fn arrive(&mut self, place: &AxisPosition) {
         self.output.statistics_mut().motions += 1;
-        self.output.count_deviation(&place);
+        self.output.count_deviation(place);
         self.position.arrive(place);
     }
 }
