@@ -94,12 +94,7 @@ impl<'a> Writer<'a> {
     #[inline]
     fn append(&mut self, text: &[u8]) {
         self.make_room(text.len());
-        let room = &mut self.buffer[self.end..];
-        match text {
-            // Nearly always one letter, and then no call.
-            [letter] => room[0] = *letter,
-            text => room[..text.len()].copy_from_slice(text),
-        }
+        self.buffer[self.end..self.end + text.len()].copy_from_slice(text);
         self.end += text.len();
     }
 
@@ -147,7 +142,7 @@ impl<'a> Writer<'a> {
 
     fn number(&mut self, prefix: &str, number: u32) {
         self.number = Some(number);
-        self.put_word(prefix, Decimal { units: number.into(), decimals: 0 }, Numerals::default());
+        self.put_word(false, prefix, Decimal { units: number.into(), decimals: 0 }, Numerals::default());
         self.append(b" ");
     }
 
@@ -162,16 +157,26 @@ impl<'a> Writer<'a> {
     /// Writes a word: `X` or `C1=`, and its number.
     #[inline]
     pub fn word(&mut self, prefix: &str, number: Decimal, numerals: Numerals) {
-        self.separate();
-        self.put_word(prefix, number, numerals);
+        let first = self.end == self.block;
+        if first {
+            self.begin_block();
+        }
+        self.put_word(!first, prefix, number, numerals);
     }
 
     #[inline]
-    fn put_word(&mut self, prefix: &str, number: Decimal, numerals: Numerals) {
-        self.append(prefix.as_bytes());
-        self.make_room(NUMBER_ROOM);
-        if let Some(room) = self.buffer[self.end..].first_chunk_mut() {
-            self.end += put_number(room, number, numerals);
+    fn put_word(&mut self, blank: bool, prefix: &str, number: Decimal, numerals: Numerals) {
+        self.make_room(1 + prefix.len() + NUMBER_ROOM);
+        let room = &mut self.buffer[self.end..];
+        room[0] = b' ';
+        let (start, end) = (usize::from(blank), usize::from(blank) + prefix.len());
+        match prefix.as_bytes() {
+            // Nearly always one letter, and then no call.
+            [letter] => room[start] = *letter,
+            letters => room[start..end].copy_from_slice(letters),
+        }
+        if let Some(room) = room[end..].first_chunk_mut() {
+            self.end += end + put_number(room, number, numerals);
         }
     }
 

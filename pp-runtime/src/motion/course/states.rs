@@ -21,13 +21,18 @@ const MAX_HALVINGS: u32 = 30;
 #[derive(Debug)]
 pub(crate) struct StateFinder {
     placer: Placer,
+    /// The two rotary axes, where each has one turn at most inside its limits.
+    single_turns: Option<[Rotary; 2]>,
     /// Largest angle between a pole and a path that is led through it, rad; `None` if none is.
     largest_bend_rad: Option<f64>,
 }
 
 impl StateFinder {
     pub(crate) fn new(placer: Placer) -> Self {
-        Self { placer, largest_bend_rad: None }
+        let single_turns = <[Rotary; 2]>::try_from(placer.rotaries())
+            .ok()
+            .filter(|rotaries| rotaries.iter().all(|rotary| rotary.has_one_turn(placer.scale().units_per_turn)));
+        Self { placer, single_turns, largest_bend_rad: None }
     }
 
     /// Sets whether paths that pass a pole closely are led through it, where blocks contain tool vectors and an axis has
@@ -47,7 +52,17 @@ impl StateFinder {
     /// axis with more than [`MAX_TURNS`] turns those next to these words and at its ends are added.
     pub(crate) fn states(&self, pose: &Pose, near: &[RotaryWords], out: &mut Vec<RotaryState>) {
         out.clear();
+        let scale = self.placer.scale();
         for solution in self.placer.machine().inverse_kinematics(pose, self.placer.held()).iter() {
+            if let Some([first, second]) = self.single_turns {
+                let word = |rotary: Rotary| {
+                    rotary.only_turn(rotary.word(solution.axes[rotary.index], scale), scale.units_per_turn)
+                };
+                if let (Some(first), Some(second)) = (word(first), word(second)) {
+                    out.push(RotaryState { branch: solution.branch, words: [first, second] });
+                }
+                continue;
+            }
             let start = out.len();
             let turns = |rotary: &Rotary| {
                 rotary.turns(

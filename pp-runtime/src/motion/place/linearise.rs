@@ -704,9 +704,7 @@ mod tests {
         let axes = [c.to_radians(), b.to_radians(), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
         let axis = placer.machine.forward_kinematics(&axes).axis;
         let words = place.words;
-        placer
-            .solved(placer.position_at(&Pose { tip: Point3::from(tip), axis }, &place, &words))
-            .expect("a place")
+        placer.solved(placer.position_at(&Pose { tip: Point3::from(tip), axis }, &place, &words)).expect("a place")
     }
 
     fn pieces(placer: &Placer, from: &AxisPosition, to: &AxisPosition) -> Result<Vec<CertifiedPiece>, Fault> {

@@ -145,6 +145,23 @@ impl Rotary {
         all.filter(move |&word| self.contains(word))
     }
 
+    /// Whether at most one word of a revolution is inside the limits, or taken: of an endless axis the one nearest to zero.
+    pub(crate) fn has_one_turn(self, turn: i64) -> bool {
+        self.lower.zip(self.upper).is_none_or(|(lower, upper)| upper - lower < turn)
+    }
+
+    /// The only one of [`turns`](Self::turns), where [`has_one_turn`](Self::has_one_turn); `None` if it is outside.
+    #[inline]
+    pub(crate) fn only_turn(self, word: i64, turn: i64) -> Option<i64> {
+        match self.lower.zip(self.upper) {
+            Some((lower, upper)) => Some(lower + (word - lower).rem_euclid(turn)).filter(|word| *word <= upper),
+            None => {
+                let above = word.rem_euclid(turn);
+                Some(if 2 * above > turn { above - turn } else { above })
+            }
+        }
+    }
+
     /// The word inside the limits that equals `word` modulo one revolution and is nearest to `previous`; at equal
     /// distance the one of smaller absolute value, then the positive one. `turn`: units in one revolution.
     pub(crate) fn nearest(self, word: i64, previous: i64, turn: i64) -> Result<i64, OutOfLimits> {
@@ -292,6 +309,20 @@ mod tests {
     }
 
     proptest! {
+        #[test]
+        fn the_only_turn_is_the_first_of_the_turns(
+            word in -9_000_000_i64..9_000_000,
+            halves in any::<bool>(),
+            limits in proptest::option::of((-4_000_000_i64..4_000_000, 0_i64..3_600_000)),
+        ) {
+            let word = if halves { word / 1_800_000 * 1_800_000 } else { word };
+            let (lower, upper) = limits.map(|(lower, span)| (lower, lower + span)).unzip();
+            let rotary = Rotary { index: 0, lower, upper, rest_deg: 0.0 };
+            prop_assert!(rotary.has_one_turn(SCALE.units_per_turn));
+            let turns: Vec<i64> = rotary.turns(word, SCALE.units_per_turn, MAX_TURNS).collect();
+            prop_assert_eq!(Vec::from_iter(rotary.only_turn(word, SCALE.units_per_turn)), turns);
+        }
+
         #[test]
         fn the_chooser_agrees_with_trying_every_turn(
             angles in proptest::collection::vec((-1800_i64..=1800, -1800_i64..=1800), 1..=2),
