@@ -53,3 +53,5 @@ pub mod post;
 pub mod program;
 #[cfg(feature = "std")]
 pub mod set_up;
+#[cfg(feature = "std")]
+mod view;

@@ -198,6 +198,20 @@ impl Tally {
         self.outcome.path_mm = self.outcome.path_mm.max(tip_mm);
     }
 
+    /// Largest deviation of the tip since the last call, mm; `None` if none has been measured.
+    pub(super) fn take_deviation(&mut self, (tip_mm, path_mm): (f64, f64)) -> Option<f64> {
+        let Outcome { tip_mm: tip, path_mm: path, .. } = &mut self.outcome;
+        let found = tip.max(*path);
+        (*tip, *path) = (tip.max(tip_mm), path.max(path_mm));
+        (found >= 0.0).then_some(found)
+    }
+
+    /// Puts the deviations of the tip aside, for [`take_deviation`](Self::take_deviation).
+    pub(super) fn put_aside_deviations(&mut self) -> (f64, f64) {
+        let Outcome { tip_mm, path_mm, .. } = &mut self.outcome;
+        (std::mem::replace(tip_mm, -1.0), std::mem::replace(path_mm, -1.0))
+    }
+
     /// Adds a finding about a point outside the limits of an axis.
     pub(super) fn outside_limits(&mut self, at: Location, shown: Shown<'_>, text: &str) {
         self.outcome.outside_limits += 1;

@@ -5,11 +5,11 @@
 
 use nalgebra::{Point3, UnitVector3, Vector3};
 
-use crate::kinematics::{AxisValues, Pose};
+use crate::kinematics::{AnyMachine, AxisValues, Pose};
 use crate::program::Location;
 
 use super::geometry::{PathShape, Segment, ToolPose};
-use super::read::{Action, ArcMove, Block, MAX_AXES, State};
+use super::read::{Action, ArcMove, Block, CycleKind, CycleMove, FeedMode, MAX_AXES, State};
 use super::rules::{BlockPath, Rules};
 
 /// Receives the blocks of a program in the order in which they are executed.
@@ -32,11 +32,16 @@ pub struct ExecutedBlock<'b> {
     pub before: &'b State,
     /// Record of the CL data that was next, or the last one.
     pub record: Location,
+    /// Number of the operation of that record, from 1; 0 before the first.
+    pub operation: u64,
     /// Number of findings about it.
     pub findings: u64,
-    from: [f64; MAX_AXES],
-    known: u16,
-    rules: &'b Rules<'b>,
+    /// Largest deviation of the tip from the path of the CL data, mm; `None` where it is not measured.
+    pub deviation_mm: Option<f64>,
+    /// Words before the block, and the bits of those that are known.
+    pub(super) from: [f64; MAX_AXES],
+    pub(super) known: u16,
+    pub(super) rules: &'b Rules<'b>,
 }
 
 /// A part of a block in which the axes move at feed or at rapid: an arc, or a straight line of the words.
@@ -52,21 +57,50 @@ pub struct Leg<'b> {
     rules: &'b Rules<'b>,
 }
 
-impl<'b> ExecutedBlock<'b> {
-    /// `from`: words before the block, and the bits of those that are known.
-    pub(super) fn new(
-        (block, before): (&'b Block, &'b State),
-        (record, findings): (Location, u64),
-        (from, known): ([f64; MAX_AXES], u16),
-        rules: &'b Rules<'b>,
-    ) -> Self {
-        Self { block, before, record, findings, from, known, rules }
-    }
-
+impl ExecutedBlock<'_> {
     /// Position of the part zero from the reference point of the table in the set-up of the block, mm.
     #[must_use]
     pub fn part_origin(&self) -> Vector3<f64> {
         self.rules.words().part_origin()
+    }
+
+    /// Number of the set-up.
+    #[must_use]
+    pub fn set_up(&self) -> u32 {
+        self.rules.set_up()
+    }
+
+    /// The machine with the part and the tool of the block.
+    #[must_use]
+    pub fn machine(&self) -> &dyn AnyMachine {
+        self.rules.machine()
+    }
+
+    /// Machine coordinate of a linear axis less its value and its `machine_zero`, mm: the share of the gauge length, and the
+    /// place of the part zero in a further set-up.
+    #[must_use]
+    pub fn offset_mm(&self, axis: usize) -> f64 {
+        self.rules.words().gauge_of(axis)
+    }
+
+    /// Axis values after the block as far as its words give them, and the bits of these axes, mm and rad.
+    #[must_use]
+    pub fn known_values(&self) -> (AxisValues, u16) {
+        let (block, words) = (self.block, self.rules.words());
+        let solved = words.linear_bits() | words.rotary_bits();
+        let values = words.values(&block.values);
+        let given = if block.state.has_frame() { words.rotary_bits() } else { solved };
+        match words.axes(&block.values, &block.state) {
+            Some(values) if block.known & solved == solved => (values, !0),
+            _ => (values, block.known & given | !solved),
+        }
+    }
+
+    /// Tool axis in the tilted plane after the block.
+    #[must_use]
+    pub fn plane_axis(&self) -> Option<UnitVector3<f64>> {
+        let block = self.block;
+        block.state.tilt.map(|_| UnitVector3::new_normalize(self.rules.pose(block).axis))
     }
 
     /// The parts of the block, in order; none where nothing moves, where the start is unknown, and for machine coordinates.
@@ -74,43 +108,63 @@ impl<'b> ExecutedBlock<'b> {
     /// A cycle has its rapid over the hole and down to the clearance level, the feed to the bottom, and the way out; its
     /// pecks are the control's own.
     #[must_use]
-    pub fn legs(&self) -> Vec<Leg<'b>> {
-        let block = self.block;
-        if !self.rules.is_known(block, self.known & block.known) {
+    pub fn legs(&self) -> Vec<Leg<'_>> {
+        if !self.rules.is_known(self.block, self.known & self.block.known) {
             return Vec::new();
         }
-        let leg = |action: Action, from: [f64; MAX_AXES], to: [f64; MAX_AXES]| Leg {
+        let axis = self.block.state.vector.map(|_| self.rules.words().place(&self.from, self.before).axis);
+        self.legs_of(self.from, self.block.values, axis)
+    }
+
+    /// The same from a known position of the axes, mm and rad: it is where the axes are whose words are unknown, or counted in
+    /// another frame before the block.
+    #[must_use]
+    pub fn legs_from(&self, position: &AxisValues) -> Vec<Leg<'_>> {
+        let (block, words) = (self.block, self.rules.words());
+        let Some(here) = words.words_at(position, &block.state) else { return Vec::new() };
+        let same = if self.before.frame() == block.state.frame() { self.known } else { 0 };
+        let or_here = |known: u16, stated: &[f64; MAX_AXES]| {
+            std::array::from_fn(|index| if known & (1 << index) == 0 { here[index] } else { stated[index] })
+        };
+        let axis = block.state.vector.map(|_| words.chain().place(position).axis);
+        self.legs_of(or_here(same & block.known, &self.from), or_here(block.known, &block.values), axis)
+    }
+
+    fn legs_of(&self, from: [f64; MAX_AXES], to: [f64; MAX_AXES], axis: Option<Vector3<f64>>) -> Vec<Leg<'_>> {
+        let block = self.block;
+        let leg = |action: Action, state: State, from: [f64; MAX_AXES], to: [f64; MAX_AXES]| Leg {
             rapid: action == Action::Rapid,
             together: action != Action::Rapid || self.rules.rapids_are_interpolated(),
-            block: Block { action, values: to, faults: Vec::new(), ..block.clone() },
+            block: Block { action, state, values: to, faults: Vec::new(), ..block.clone() },
             from,
-            axis: block.state.vector.map(|_| self.rules.words().place(&self.from, self.before).axis),
+            axis,
             rules: self.rules,
         };
         match block.action {
-            Action::Rapid | Action::Feed | Action::Arc(_) => vec![leg(block.action, self.from, block.values)],
+            Action::Rapid | Action::Feed | Action::Arc(_) => vec![leg(block.action, block.state, from, to)],
             Action::Cycle(cycle) => {
                 let normal = block.state.plane.and_then(|plane| self.rules.words().xyz()[plane.axes()[2]]);
                 let Some(normal) = normal else { return Vec::new() };
                 let at = |level: f64| {
-                    let mut words = block.values;
+                    let mut words = to;
                     words[normal] = level;
                     words
                 };
-                let over = at(self.from[normal].max(cycle.reference));
+                let over = at(from[normal].max(cycle.reference));
                 let (start, bottom, back) = (at(cycle.reference), at(cycle.bottom), at(cycle.back_to));
                 let out = if cycle.retracts_at_feed() { Action::Feed } else { Action::Rapid };
                 let legs = [
-                    (Action::Rapid, self.from, over),
+                    (Action::Rapid, from, over),
                     (Action::Rapid, over, start),
                     (Action::Feed, start, bottom),
                     (out, bottom, start),
                     (Action::Rapid, start, back),
                 ];
+                let state = cycle_state(&cycle, &block.state);
                 let moves = |(_, from, to): &(Action, [f64; MAX_AXES], [f64; MAX_AXES])| {
                     from.iter().zip(to).any(|(from, to)| (from - to).abs() > 0.0)
                 };
-                legs.into_iter().filter(moves).map(|(action, from, to)| leg(action, from, to)).collect()
+                legs.into_iter().filter(moves).map(|(action, from, to)| leg(action, state, from, to)).collect()
             }
             Action::Nothing
             | Action::Machine
@@ -122,6 +176,17 @@ impl<'b> ExecutedBlock<'b> {
             | Action::OptionalStop
             | Action::End => Vec::new(),
         }
+    }
+}
+
+/// The state of a cycle: its own feed, and in a thread the feed that follows from its pitch.
+fn cycle_state(cycle: &CycleMove, state: &State) -> State {
+    match cycle.kind {
+        CycleKind::Tap(pitch_mm) => {
+            let feed = Some(pitch_mm.abs() / state.units.unwrap_or_default().in_mm());
+            State { feed, feed_mode: Some(FeedMode::PerRevolution), ..*state }
+        }
+        _ => State { feed: cycle.feed.or(state.feed), ..*state },
     }
 }
 
@@ -147,6 +212,15 @@ impl Leg<'_> {
             Segment { from, to, shape: PathShape::Line }.at(share)
         });
         Pose { tip: Point3::from(pose.tip), axis: UnitVector3::new_normalize(pose.axis) }
+    }
+
+    /// Time at the F in force, min; `None` at rapid and without F. `length_mm`: length of the tip path.
+    #[must_use]
+    pub fn minutes(&self, length_mm: f64) -> Option<f64> {
+        let words = self.rules.words();
+        let axes = |at: &[f64; MAX_AXES]| words.axes(at, &self.block.state).unwrap_or_else(|| words.values(at));
+        let ends = [axes(&self.from), axes(&self.block.values)];
+        if self.rapid { None } else { self.rules.minutes([&ends[0], &ends[1]], length_mm, &self.block.state) }
     }
 
     /// Angle of an arc about the normal of its plane, rad; 0 for a straight line.

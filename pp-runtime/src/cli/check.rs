@@ -11,7 +11,7 @@ use crate::kinematics::AnyMachine;
 
 use super::args::{CheckArgs, MessageFormat};
 use super::cl_source::ClSource;
-use super::inputs::{open_cl_data, read_config};
+use super::inputs::{open_cl_data, read_config, show_progress};
 use super::messages::Messages;
 use super::outcome::{Failure, Status, Streams, is_standard, print};
 
@@ -43,9 +43,11 @@ pub(crate) fn run(machine: &dyn AnyMachine, args: &CheckArgs, streams: &mut Stre
     let policy = config
         .check_policy_for(machine, args.set_up.control(), None)
         .map_err(|error| Failure::Argument(error.to_string()))?;
+    show_progress(&mut source, streams.terminal, &args.set_up, 1);
     let checked =
         check_for(machine, &policy, &mut source, &mut program).map_err(|error| failure(error, &name, &args.program))?;
     drop(program);
+    source.hide_progress();
     if let Some(what) = source.changed_since_opened() {
         return Err(Failure::Changed(name, what));
     }

@@ -12,9 +12,6 @@ use tempfile::NamedTempFile;
 /// Size in bytes above which a progress bar is shown on a terminal.
 const LONG_INPUT_BYTES: u64 = 8 << 20;
 
-/// The text is read once for the survey and once for the program.
-const PASSES: u64 = 2;
-
 /// CL data, open for reading.
 pub(crate) struct ClSource {
     file: File,
@@ -79,12 +76,12 @@ impl ClSource {
         &self.name
     }
 
-    /// Shows a progress bar from now on if the input is long.
-    pub(crate) fn show_progress(&mut self) {
+    /// Shows a progress bar from now on if the input is long. `passes`: how often it will be read.
+    pub(crate) fn show_progress(&mut self, passes: u64) {
         let length = self.file.metadata().map_or(0, |metadata| metadata.len());
         if length > LONG_INPUT_BYTES {
-            let style = ProgressStyle::with_template("{bar:40} {percent}% {binary_bytes_per_sec} {eta}");
-            self.progress = ProgressBar::new(length * PASSES);
+            let style = ProgressStyle::with_template("{bar:40} {percent}% {binary_bytes_per_sec} {eta} left");
+            self.progress = ProgressBar::new(length * passes);
             self.progress.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
         }
     }

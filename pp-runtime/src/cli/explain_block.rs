@@ -111,7 +111,8 @@ pub(crate) fn run(
     let mut repeated = Vec::new();
     let mut messages = Messages::new(&mut repeated, format);
     let written = run.write(machine, &mut source, &mut program, Some(&mut search), &mut messages)?;
-    if written.is_err() {
+    let rejected = written.summary.is_err();
+    if rejected {
         // If standard error is closed, the messages are lost.
         let _ = streams.errors.write_all(&repeated);
     }
@@ -147,7 +148,7 @@ pub(crate) fn run(
     if more > 0 {
         Messages::new(streams.errors, format).note(&format!("{more} more blocks have this number"));
     }
-    Ok(if written.is_err() { Status::Rejected } else { Status::Done })
+    Ok(if rejected { Status::Rejected } else { Status::Done })
 }
 
 /// The explanation of a block as text. `record`: file, line and text of its CL record.

@@ -9,8 +9,8 @@ use crate::config::{self, Config};
 use crate::control::{self, Control};
 use crate::kinematics::AnyMachine;
 
-use super::args::SetUpArgs;
-use super::cl_source::ClSource;
+use super::args::{MessageFormat, SetUpArgs};
+use super::cl_source::{ClSource, same_file};
 use super::messages::Messages;
 use super::outcome::{Failure, is_standard};
 
@@ -61,6 +61,29 @@ pub(crate) fn read_config_file(
 pub(crate) fn open_cl_data(path: &Path, input: &mut dyn Read) -> Result<ClSource, Failure> {
     let source = if is_standard(path) { ClSource::spool(input, "<stdin>") } else { ClSource::open(path) };
     source.map_err(|error| Failure::unreadable(path, error))
+}
+
+/// Times that the CL data is read to post it: survey, rehearsal where axes have clamps, program.
+pub(crate) fn posting_passes(config: &Config) -> u64 {
+    if config.motion.rotaries.clamp.is_empty() { 2 } else { 3 }
+}
+
+/// Shows the progress of a run that reads the CL data so often, on a terminal.
+pub(crate) fn show_progress(source: &mut ClSource, terminal: bool, args: &SetUpArgs, passes: u64) {
+    if terminal && !args.quiet && args.message_format == MessageFormat::Human {
+        source.show_progress(passes);
+    }
+}
+
+/// Refuses an output file that would replace an input file or another output file. Each path with what it holds.
+pub(crate) fn refuse_overwriting(read: &[(&Path, &str)], written: &[(&Path, &str)]) -> Result<(), Failure> {
+    for (index, (path, _)) in written.iter().enumerate() {
+        let others = read.iter().chain(&written[..index]);
+        if let Some((other, what)) = others.into_iter().find(|(other, _)| same_file(path, other)) {
+            return Err(Failure::Overwrites(path.display().to_string(), format!("the {what} {}", other.display())));
+        }
+    }
+    Ok(())
 }
 
 /// Name of the CL data in the header: the file without its folder, so that the program does not depend on where it was

@@ -19,6 +19,7 @@ mod posting;
 mod self_check;
 #[cfg(test)]
 mod tests;
+mod view;
 
 use std::ffi::OsString;
 use std::io::{self, IsTerminal as _};
@@ -61,12 +62,14 @@ fn execute(machine: &dyn AnyMachine, args: &[OsString], mut streams: Streams<'_>
     let format = match &command {
         Command::Post(args) => args.set_up.message_format,
         Command::Check(args) => args.format(),
+        Command::View(args) => args.set_up.message_format,
         Command::ExplainBlock(args) => args.set_up.message_format,
         Command::Config(_) | Command::Explain(_) => MessageFormat::Human,
     };
     let result = match command {
         Command::Post(args) => posting::run(machine, &args, &mut streams, post),
         Command::Check(args) => check::run(machine, &args, &mut streams),
+        Command::View(args) => view::run(machine, &args, &mut streams, post),
         Command::ExplainBlock(args) => explain_block::run(machine, &args, &mut streams, post),
         Command::Config(args) => {
             let config = config::starting_point(args.control());

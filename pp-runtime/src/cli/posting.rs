@@ -1,25 +1,26 @@
 //! `post IN.cls -o OUT`: posts CL data, checks the program, and gives program and map their final names, or rejects
 //! both.
 
-use std::io::{BufWriter, Seek as _, Write};
+use std::io::{self, BufWriter, Seek as _, Write};
 use std::path::Path;
 
-use crate::check::Checked;
+use crate::check::{CheckPolicy, Checked};
 use crate::config::Config;
 use crate::control::{self, Control};
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::AnyMachine;
-use crate::post::{Job, LineMap, PostError, Report};
+use crate::post::{Job, LineMap, LineOrigin, PostError, Report};
 
-use super::args::{MessageFormat, PostArgs};
+use super::args::{PostArgs, SetUpArgs};
 use super::check;
 use super::cl_source::{ClSource, same_file};
-use super::inputs::{cl_name, open_cl_data, read_config};
+use super::inputs::{self, cl_name, open_cl_data, posting_passes, read_config, show_progress};
 use super::map::{EndBuffer, MapFile, MapWriter};
 use super::messages::{Messages, headline};
 use super::outcome::{Failure, Status, Streams, is_standard};
 use super::output_file::{OutputFile, Rejected, rejected_path};
 use super::self_check::{self, CheckedOutput, SelfCheck};
+use super::view::PageFile;
 
 /// Writer of a program.
 pub(crate) type ProgramSink<'a> = BufWriter<&'a mut dyn Write>;
@@ -28,8 +29,40 @@ pub(crate) type ProgramSink<'a> = BufWriter<&'a mut dyn Write>;
 pub(crate) type PostFn<'a> =
     &'a dyn Fn(&Job<'_>, &mut ClSource, &mut ProgramSink<'_>, Option<&mut dyn LineMap>) -> Result<Report, PostError>;
 
-/// Lines of the summary, or the reason why the program is rejected.
-type SummaryOrReason = Result<Vec<String>, String>;
+/// A posted program.
+pub(crate) struct Written {
+    pub(crate) report: Report,
+    /// Lines of the summary, or the reason why the program is rejected.
+    pub(crate) summary: Result<Vec<String>, String>,
+}
+
+/// Copies what is written.
+struct Copied<'a> {
+    out: &'a mut dyn Write,
+    copy: &'a mut Vec<u8>,
+}
+
+impl Write for Copied<'_> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        let count = self.out.write(bytes)?;
+        self.copy.extend_from_slice(&bytes[..count]);
+        Ok(count)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.out.flush()
+    }
+}
+
+/// Hands lines to two maps.
+struct BothMaps<'a>(Option<&'a mut dyn LineMap>, &'a mut dyn LineMap);
+
+impl LineMap for BothMaps<'_> {
+    fn line(&mut self, origin: &LineOrigin<'_>) -> io::Result<()> {
+        self.0.as_mut().map_or(Ok(()), |map| map.line(origin))?;
+        self.1.line(origin)
+    }
+}
 
 pub(crate) fn run(
     machine: &dyn AnyMachine,
@@ -47,9 +80,8 @@ pub(crate) fn run(
         false => Some(OutputFile::create(&args.output).map_err(unwritable)?),
     };
     let mut map_file = args.map.as_deref().map(MapFile::create).transpose()?;
-    if streams.terminal && args.set_up.message_format == MessageFormat::Human {
-        source.show_progress();
-    }
+    let mut page = args.view.as_deref().map(PageFile::create).transpose()?;
+    show_progress(&mut source, streams.terminal, &args.set_up, posting_passes(&config));
     let out = match &mut target {
         Some(target) => target.writer(),
         None => &mut *streams.output,
@@ -58,15 +90,23 @@ pub(crate) fn run(
     let run =
         PostRun { input: &args.input, output: &args.output, no_check: args.no_check, config: &config, control, post };
     let mut map = map_file.as_mut().map(|file| file.begin(machine, &cl_name(&args.input), control)).transpose()?;
-    let written =
-        run.write(machine, &mut source, out, map.as_mut().map(|map| map as &mut dyn LineMap), &mut messages)?;
+    let written = match &mut page {
+        None => run.write(machine, &mut source, out, map.as_mut().map(|map| map as &mut dyn LineMap), &mut messages)?,
+        Some(page) => {
+            let mut copied = Copied { out, copy: &mut page.posted.text };
+            let mut both = BothMaps(map.as_mut().map(|map| map as &mut dyn LineMap), &mut page.posted.reasons);
+            run.write(machine, &mut source, &mut copied, Some(&mut both), &mut messages)?
+        }
+    };
     let ended = map.map_or(Ok(()), MapWriter::end);
-    let summary = match written {
+    let mut write_page = || page.take().map_or(Ok(()), |page| page.finish(machine, &run, &mut source, &written));
+    let summary = match &written.summary {
         Ok(summary) => summary,
         Err(reason) => {
-            reject(args, target, &reason, &mut messages)?;
+            reject(args, target, reason, &mut messages)?;
             // The map of an earlier program must not be taken for that of this one.
             map_file.map_or(Ok(()), |file| file.clear())?;
+            write_page()?;
             return Ok(Status::Rejected);
         }
     };
@@ -80,6 +120,7 @@ pub(crate) fn run(
         }
     }
     map_file.map_or(Ok(()), MapFile::finish)?;
+    write_page()?;
     messages.note("done");
     Ok(Status::Done)
 }
@@ -96,6 +137,12 @@ pub(crate) struct PostRun<'a> {
 }
 
 impl PostRun<'_> {
+    /// Policy of the check.
+    pub(crate) fn policy(&self, machine: &dyn AnyMachine) -> Result<CheckPolicy, Failure> {
+        let policy = self.config.check_policy_for(machine, self.control, None);
+        policy.map_err(|error| Failure::Argument(error.to_string()))
+    }
+
     /// Posts, checks, and ends the program: with its end code, or with comments that state why it was rejected.
     pub(crate) fn write(
         &self,
@@ -104,7 +151,7 @@ impl PostRun<'_> {
         out: &mut dyn Write,
         line_map: Option<&mut dyn LineMap>,
         messages: &mut Messages<'_>,
-    ) -> Result<SummaryOrReason, Failure> {
+    ) -> Result<Written, Failure> {
         let Self { output, config, control, .. } = *self;
         let name = source.name().to_owned();
         let unreadable = |error| Failure::Unreadable(name.clone(), error);
@@ -112,11 +159,7 @@ impl PostRun<'_> {
         let (closing, counted) = (1 + control.spellings().closing.len(), control.spellings().numbers_every_line);
         let check = match self.no_check {
             true => None,
-            false => {
-                let policy = config.check_policy_for(machine, control, None);
-                let policy = policy.map_err(|error| Failure::Argument(error.to_string()))?;
-                Some(SelfCheck::start(machine, policy, source).map_err(unreadable)?)
-            }
+            false => Some(SelfCheck::start(machine, self.policy(machine)?, source).map_err(unreadable)?),
         };
         let mut output_with_check = CheckedOutput::new(out, check, closing);
         let mut map = line_map.map(EndBuffer::new);
@@ -131,7 +174,7 @@ impl PostRun<'_> {
         if let Some(reason) = error_of(&report, &name) {
             output_with_check.close().map_err(unwritable)?;
             end_map(map, 0)?;
-            return Ok(Err(reason));
+            return Ok(Written { report, summary: Err(reason) });
         }
         let checked =
             output_with_check.finish_check().transpose().map_err(|error| check::failure(error, &name, output))?;
@@ -139,7 +182,7 @@ impl PostRun<'_> {
             let lines = [format!("ERROR: {reason}"), "the program ends here: do not run it".to_owned()];
             let lines: Vec<Vec<u8>> = lines.iter().flat_map(|line| comments(control, line)).collect();
             output_with_check.close_with(&lines).map_err(unwritable)?;
-            return Ok(Err(reason));
+            return Ok(Written { report, summary: Err(reason) });
         }
         let verdict = verdict(checked.as_ref());
         let footer = if config.control.program.checked { comments(control, &verdict) } else { Vec::new() };
@@ -149,7 +192,7 @@ impl PostRun<'_> {
         let mut summary: Vec<String> = config.file_units_assumed.then(|| assumed.to_owned()).into_iter().collect();
         summary.append(&mut report.summary());
         summary.push(verdict);
-        Ok(Ok(summary))
+        Ok(Written { report, summary: Ok(summary) })
     }
 
     /// Posts the CL data.
@@ -221,29 +264,25 @@ fn reject(
 
 /// Refuses an output file that would replace an input file or another output file.
 fn refuse_overwriting(args: &PostArgs) -> Result<(), Failure> {
-    let output = Some(&args.output).filter(|path| !is_standard(path));
+    let output = Some(args.output.as_path()).filter(|path| !is_standard(path));
     // Standard output may be redirected to a file.
-    if let Some(map) = args.map.as_ref().filter(|map| output.is_none() && same_file(map, Path::new(STANDARD_OUTPUT))) {
+    let besides = [args.map.as_deref(), args.view.as_deref()];
+    let onto_standard = |path: &&Path| output.is_none() && same_file(path, Path::new(STANDARD_OUTPUT));
+    if let Some(path) = besides.into_iter().flatten().find(onto_standard) {
         let what = "the program on standard output".to_owned();
-        return Err(Failure::Overwrites(map.display().to_string(), what));
+        return Err(Failure::Overwrites(path.display().to_string(), what));
     }
-    let rejected = output.map(|path| rejected_path(path));
-    let read = [
-        (Some(&args.input).filter(|path| !is_standard(path)), "CL data"),
-        (args.set_up.config.as_ref(), "configuration"),
-    ];
-    let written = [(output, "program"), (rejected.as_ref(), "rejected program")];
-    let programs = written.into_iter().filter_map(|(path, _)| path).flat_map(|path| read.map(|read| (path, read)));
-    let maps = args.map.iter().flat_map(|path| read.into_iter().chain(written).map(move |other| (path, other)));
-    for (path, (other, what)) in programs.chain(maps) {
-        if let Some(other) = other
-            && same_file(path, other)
-        {
-            let what = format!("the {what} {}", other.display());
-            return Err(Failure::Overwrites(path.display().to_string(), what));
-        }
-    }
-    Ok(())
+    let rejected = output.map(rejected_path);
+    let [map, page] = besides;
+    let written = [(output, "program"), (rejected.as_deref(), "rejected program"), (map, "map"), (page, "page")];
+    let written: Vec<(&Path, &str)> = written.into_iter().filter_map(|(path, what)| Some((path?, what))).collect();
+    inputs::refuse_overwriting(&read_files(&args.input, &args.set_up), &written)
+}
+
+/// Input files of a run that posts, with what they hold.
+pub(crate) fn read_files<'a>(input: &'a Path, set_up: &'a SetUpArgs) -> Vec<(&'a Path, &'static str)> {
+    let input = Some((input, "CL data")).filter(|(path, _)| !is_standard(path));
+    input.into_iter().chain(set_up.config.as_deref().map(|path| (path, "configuration"))).collect()
 }
 
 /// Path of standard output, on systems that have one.

@@ -156,11 +156,24 @@ impl<'a, R: Read> Checker<'a, R> {
     /// Compares one block and shows it to an observer.
     pub(super) fn observed(&mut self, block: &Block, text: &[u8], observer: &mut dyn Observer) -> io::Result<()> {
         let Previous { words: from, known, .. } = self.comparison.previous;
-        let (record, count) = (self.comparison.progress.location(), self.comparison.tally.count());
+        let (progress, tally) = (&self.comparison.progress, &mut self.comparison.tally);
+        let (record, operation, count) = (progress.location(), progress.operation(), tally.count());
+        let largest = tally.put_aside_deviations();
         self.block(block, text)?;
-        let findings = self.comparison.tally.count() - count;
-        let states = (block, &self.before);
-        observer.executed(&ExecutedBlock::new(states, (record, findings), (from, known), &self.comparison.rules));
+        let tally = &mut self.comparison.tally;
+        let findings = tally.count() - count;
+        let deviation_mm = tally.take_deviation(largest);
+        observer.executed(&ExecutedBlock {
+            block,
+            before: &self.before,
+            record,
+            operation,
+            findings,
+            deviation_mm,
+            from,
+            known,
+            rules: &self.comparison.rules,
+        });
         self.before = block.state;
         Ok(())
     }

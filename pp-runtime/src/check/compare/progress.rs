@@ -71,6 +71,12 @@ impl<'a, R: Read> ClProgress<'a, R> {
         next.or(self.last.map(|(at, _)| at)).unwrap_or_default()
     }
 
+    /// Number of the operation of the next item, or of the last motion; 0 before the first.
+    pub(super) fn operation(&self) -> u64 {
+        let next = self.next().map(|item| item.required.operation);
+        next.or(self.last().map(|required| required.operation)).unwrap_or_default()
+    }
+
     /// State of the last motion.
     pub(super) fn last(&self) -> Option<&Required> {
         self.last.as_ref().map(|(_, required)| required)

@@ -45,6 +45,8 @@ pub(super) struct Required {
     pub(crate) coolant: u8,
     /// Number of the set-up.
     pub(crate) set_up: u32,
+    /// Number of the operation, from 1.
+    pub(crate) operation: u64,
     pub(crate) side: Side,
     /// Register of the tool radius, on controls with registers of their own for it.
     pub(crate) radius_register: u32,

@@ -119,6 +119,7 @@ impl<'a> ClState<'a> {
             spindle: None,
             coolant: 0,
             set_up: 1,
+            operation: 0,
             side: Side::None,
             radius_register: 0,
             radius_mm: None,
@@ -373,6 +374,7 @@ impl<'a> ClState<'a> {
             operation.starts = false;
             operation.called = false;
             operation.changed = false;
+            self.required.operation = operation.number;
             self.take_rules(at);
         }
         self.operation.position_known = true;

@@ -272,15 +272,20 @@ pub struct State {
 
 /// Frame in which linear words count.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct WordsFrame {
+pub(in crate::check) struct WordsFrame {
     tip_control: TipControl,
     tilt: Option<Tilt>,
     dynamic_offset: bool,
 }
 
 impl State {
+    /// Linear words count in a frame: the positions of the axes follow from all words together.
+    pub(crate) fn has_frame(&self) -> bool {
+        self.tip_control != TipControl::Off || self.tilt.is_some() || self.dynamic_offset
+    }
+
     /// Frame in which linear words count.
-    pub(super) fn frame(&self) -> WordsFrame {
+    pub(in crate::check) fn frame(&self) -> WordsFrame {
         WordsFrame { tip_control: self.tip_control, tilt: self.tilt, dynamic_offset: self.dynamic_offset }
     }
 }

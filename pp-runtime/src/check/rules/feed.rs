@@ -213,6 +213,25 @@ impl FeedLaw {
         }
     }
 
+    /// Time of a motion at the F in force, min; `None` without one.
+    pub(crate) fn minutes(&self, stroke: &Stroke, state: &State) -> Option<f64> {
+        let feed = state.feed.filter(|feed| *feed > 0.0)?;
+        let extent = self.extent(stroke, 0.0);
+        let minutes = match state.feed_mode? {
+            FeedMode::InverseTime if self.path == FeedPath::InverseSeconds => 1.0 / (60.0 * feed),
+            FeedMode::InverseTime => 1.0 / feed,
+            FeedMode::PerMinute => {
+                let (counted, is_length) = self.counted(&extent);
+                counted * if is_length { self.per_mm } else { 1.0 } / feed
+            }
+            FeedMode::PerRevolution => {
+                let length = stroke.length_mm / state.units.unwrap_or_default().in_mm();
+                length / (feed * state.speed.filter(|speed| *speed > 0.0)?)
+            }
+        };
+        Some(minutes)
+    }
+
     /// Largest error of a rounded F.
     fn step(&self, mode: FeedMode, value: f64) -> f64 {
         match mode {

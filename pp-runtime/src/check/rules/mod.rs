@@ -61,6 +61,8 @@ pub(super) struct Rules<'a> {
     facts: Facts,
     machine: Box<dyn AnyMachine>,
     words: Words,
+    /// Number of the set-up.
+    set_up: u32,
     /// Meaning of linear words since the last approach.
     meaning: LinearMeaning,
     /// Since then tip control is on, or a plane is tilted.
@@ -92,6 +94,7 @@ impl<'a> Rules<'a> {
             policy,
             facts,
             words,
+            set_up: 1,
             law,
             rounding,
             units,
@@ -206,9 +209,23 @@ impl<'a> Rules<'a> {
 
     /// Clamps the part of a set-up.
     pub(super) fn set_part(&mut self, set_up: u32) {
+        self.set_up = set_up;
         if let Some(part) = self.policy.set_up.clamping(set_up) {
             self.words.set_part(&mut *self.machine, part.part_origin.into());
         }
+    }
+
+    /// Number of the set-up.
+    pub(super) fn set_up(&self) -> u32 {
+        self.set_up
+    }
+
+    /// Time of a feed block from one position of the axes to another, as its F programs it, min; `None` without one.
+    /// `length_mm`: its tip path.
+    pub(super) fn minutes(&self, [from, to]: [&[f64; MAX_AXES]; 2], length_mm: f64, state: &State) -> Option<f64> {
+        let change = std::array::from_fn(|index| to[index] - from[index]);
+        let (longest_mm, feed, speed_rev_per_min) = (length_mm, None, None);
+        self.law.minutes(&Stroke { length_mm, longest_mm, change, feed, speed_rev_per_min }, state)
     }
 
     /// Axes whose position must be known for tip and tool axis: bits.

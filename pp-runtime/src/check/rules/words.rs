@@ -263,6 +263,31 @@ impl Words {
         }
     }
 
+    /// Words that have these axis values in a state; `None` where the linear axes are not solvable.
+    pub(crate) fn words_at(&self, values: &[f64; MAX_AXES], state: &State) -> Option<[f64; MAX_AXES]> {
+        let mut words = *values;
+        for index in self.rotary() {
+            words[index] = values[index] - self.offset_rad[index];
+        }
+        let linear = self.linear_three()?;
+        linear.iter().for_each(|&index| words[index] = 0.0);
+        let at = |words: &[f64; MAX_AXES]| {
+            let values = self.axes_with_rotary(words, state)?;
+            Some(Vector3::from(linear.map(|index| values[index])))
+        };
+        let zero = at(&words)?;
+        let column = |index: usize| {
+            let mut moved = words;
+            moved[index] = 1.0;
+            Some(at(&moved)? - zero)
+        };
+        let columns = [column(linear[0])?, column(linear[1])?, column(linear[2])?];
+        let off = Vector3::from(linear.map(|index| values[index])) - zero;
+        let solved = Matrix3::from_columns(&columns).try_inverse()? * off;
+        linear.iter().zip(solved.iter()).for_each(|(&index, value)| words[index] = *value);
+        Some(words)
+    }
+
     /// Axis values of words that count from a zero that has moved with the table.
     fn with_moved_zero(&self, words: &[f64; MAX_AXES]) -> Option<[f64; MAX_AXES]> {
         let mut values = self.axes_at(self.program_point(&[0.0; MAX_AXES]), self.values(words))?;

@@ -17,7 +17,7 @@ use crate::motion::{CourseOptions, Mode, Operations};
 pub(crate) use values::{BlockName, MessageFormat};
 use values::{
     BranchName, DialectName, FramesName, FromName, InsertName, SenseName, UnitsName, axis_tolerance, block_name,
-    control_name, control_named, control_names, inert, lift, map_file, operations, point, pole_tolerance, tolerance,
+    control_name, control_named, control_names, file_name, inert, lift, operations, point, pole_tolerance, tolerance,
 };
 
 /// Command line of a machine's postprocessor.
@@ -35,6 +35,8 @@ pub(crate) enum Command {
     Post(Box<PostArgs>),
     /// Compare a program with its CL data: path, feed, modal state and safe sequences
     Check(Box<CheckArgs>),
+    /// Write a page that shows a program: path, machine in motion, plots, text and findings
+    View(Box<ViewArgs>),
     /// Explain a block of the program: its CL record, why it was written, and the position of the machine after it
     ExplainBlock(Box<ExplainBlockArgs>),
     /// Print a configuration file with all keys and their defaults
@@ -121,8 +123,11 @@ pub(crate) struct PostArgs {
     #[arg(short, long, value_name = "OUT", default_value = "-")]
     pub(crate) output: PathBuf,
     /// Also write a map: for each line of the program its CL record, its reason, and the machine position after it
-    #[arg(long, value_name = "FILE.json", value_parser = map_file)]
+    #[arg(long, value_name = "FILE.json", value_parser = file_name)]
     pub(crate) map: Option<PathBuf>,
+    /// Also write a page that shows the program, as `view` does
+    #[arg(long, value_name = "OUT.html", value_parser = file_name)]
+    pub(crate) view: Option<PathBuf>,
     /// Do not check the program against the CL data
     #[arg(long)]
     pub(crate) no_check: bool,
@@ -153,6 +158,32 @@ impl CheckArgs {
     }
 }
 
+/// Arguments of `view`.
+#[derive(Debug, Args)]
+pub(crate) struct ViewArgs {
+    /// CL file; `-` is standard input
+    #[arg(value_name = "IN.cls")]
+    pub(crate) input: PathBuf,
+    /// NC program to show, posted earlier or edited; without it the CL data is posted
+    #[arg(value_name = "OUT.nc", value_parser = file_name)]
+    pub(crate) program: Option<PathBuf>,
+    /// Page to write; `-` is standard output; without it IN.html next to the CL file
+    #[arg(short, long, value_name = "OUT.html", required_if_eq("input", "-"))]
+    output: Option<PathBuf>,
+    /// Open the page in the browser
+    #[arg(long)]
+    pub(crate) open: bool,
+    #[command(flatten)]
+    pub(crate) set_up: SetUpArgs,
+}
+
+impl ViewArgs {
+    /// Path of the page.
+    pub(crate) fn output(&self) -> PathBuf {
+        self.output.clone().unwrap_or_else(|| self.input.with_extension("html"))
+    }
+}
+
 /// Arguments of `explain-block`.
 #[derive(Debug, Args)]
 pub(crate) struct ExplainBlockArgs {
@@ -166,7 +197,7 @@ pub(crate) struct ExplainBlockArgs {
     pub(crate) set_up: SetUpArgs,
 }
 
-/// Options that determine the program, for `post`, `check` and `explain-block` alike.
+/// Options that determine the program, for all commands that post or check.
 #[derive(Debug, Args)]
 pub(crate) struct SetUpArgs {
     /// Control that will run the program
@@ -241,6 +272,9 @@ pub(crate) struct SetUpArgs {
     /// Write block numbers
     #[arg(long)]
     pub(crate) line_numbers: bool,
+    /// Show no progress
+    #[arg(long)]
+    pub(crate) quiet: bool,
     /// Format of the messages
     #[arg(long, value_enum, default_value_t)]
     pub(crate) message_format: MessageFormat,

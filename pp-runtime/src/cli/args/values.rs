@@ -224,8 +224,8 @@ pub(crate) enum BlockName {
     Line(u64),
 }
 
-/// Parses the name of the map file.
-pub(crate) fn map_file(text: &str) -> Result<PathBuf, String> {
+/// Parses the name of a file that is written besides the program.
+pub(crate) fn file_name(text: &str) -> Result<PathBuf, String> {
     if text == "-" { Err("expected the name of a file".to_owned()) } else { Ok(text.into()) }
 }
 

@@ -1,0 +1,204 @@
+//! `view IN.cls [OUT.nc]`: a page that shows the program as the check's reader understands it; `post --view` writes the page
+//! of the program that it posts.
+//!
+//! Without OUT.nc the CL data is posted to memory. With it the CL data is posted, too: lines that are equal have the reasons
+//! of the posted ones. A program with findings is shown, and the exit status is that of `check`.
+
+use std::fs;
+use std::io::{self, BufWriter, Seek as _, Write};
+use std::path::{Path, PathBuf};
+
+use crate::kinematics::AnyMachine;
+use crate::view::{Reasons, Titles, ViewedProgram, write_page};
+
+use super::args::{SetUpArgs, ViewArgs};
+use super::check;
+use super::cl_source::ClSource;
+use super::inputs::{cl_name, open_cl_data, posting_passes, read_config, refuse_overwriting, show_progress};
+use super::messages::{Messages, headline};
+use super::outcome::{Failure, Status, Streams, is_standard};
+use super::output_file::OutputFile;
+use super::posting::{PostFn, PostRun, Written, read_files};
+
+/// Name of the program in memory, in messages.
+const IN_MEMORY: &str = "the program in memory";
+
+/// Times that the CL data is read to show a program.
+const VIEWING_PASSES: u64 = 2;
+
+/// Writes what is shown of a program.
+pub(crate) type Show<'a> = &'a dyn Fn(&ViewedProgram<'_>, &mut dyn Write) -> io::Result<()>;
+
+/// A program to be shown.
+pub(crate) struct Request<'a> {
+    pub(crate) input: &'a Path,
+    /// `None`: the CL data is posted.
+    pub(crate) program: Option<&'a Path>,
+    pub(crate) output: &'a Path,
+    /// What the output file holds.
+    pub(crate) what: &'static str,
+    pub(crate) set_up: &'a SetUpArgs,
+}
+
+/// A program in memory, and why its lines are there.
+#[derive(Default)]
+pub(crate) struct Posted {
+    pub(crate) text: Vec<u8>,
+    pub(crate) reasons: Reasons,
+}
+
+pub(crate) fn run(
+    machine: &dyn AnyMachine,
+    args: &ViewArgs,
+    streams: &mut Streams<'_>,
+    post: PostFn<'_>,
+) -> Result<Status, Failure> {
+    let output = args.output();
+    if args.open && is_standard(&output) {
+        return Err(Failure::Argument("--open needs a file: give `-o OUT.html`".to_owned()));
+    }
+    let request = Request {
+        input: &args.input,
+        program: args.program.as_deref(),
+        output: &output,
+        what: "page",
+        set_up: &args.set_up,
+    };
+    let status = show(machine, &request, streams, post, &write_page)?;
+    if args.open {
+        open::that_detached(&output).map_err(|error| {
+            Failure::Argument(format!("{} is written, but no browser could be opened: {error}", output.display()))
+        })?;
+    }
+    Ok(status)
+}
+
+/// Posts or reads a program, executes it, and writes what is shown of it.
+pub(crate) fn show(
+    machine: &dyn AnyMachine,
+    request: &Request<'_>,
+    streams: &mut Streams<'_>,
+    post: PostFn<'_>,
+    write: Show<'_>,
+) -> Result<Status, Failure> {
+    let Request { input, program, output, what, set_up } = *request;
+    let mut messages = Messages::new(streams.errors, set_up.message_format);
+    let config = read_config(machine, set_up, &mut messages)?;
+    let mut read = read_files(input, set_up);
+    read.extend(program.map(|program| (program, "program")));
+    let is_file = !is_standard(output);
+    refuse_overwriting(&read, &if is_file { vec![(output, what)] } else { Vec::new() })?;
+    let mut source = open_cl_data(input, streams.input)?;
+    let unwritable = |error| Failure::unwritable(output, error);
+    let mut target = is_file.then(|| OutputFile::create(output)).transpose().map_err(unwritable)?;
+    let given = program.map(|path| fs::read(path).map_err(|error| Failure::unreadable(path, error))).transpose()?;
+    show_progress(&mut source, streams.terminal, set_up, posting_passes(&config));
+    let in_memory = Path::new(IN_MEMORY);
+    // The comment about the check is a part of the program.
+    let (no_check, control) = (!config.control.program.checked, set_up.control());
+    let run = PostRun { input, output: in_memory, no_check, config: &config, control, post };
+    let mut posted = Posted::default();
+    let written = run.write(machine, &mut source, &mut posted.text, Some(&mut posted.reasons), &mut messages)?;
+    let rejected = given.is_none() && written.summary.is_err();
+    if let Some(text) = given {
+        posted = Posted { reasons: posted.reasons.carried_over(&posted.text, &text), text };
+    }
+    show_progress(&mut source, streams.terminal, set_up, VIEWING_PASSES);
+    let policy = run.policy(machine)?;
+    let shown = execute(machine, &run, program, &policy, &mut source, &posted, &written)?;
+    source.hide_progress();
+    let name = source.name().to_owned();
+    if let Some(what) = source.changed_since_opened() {
+        return Err(Failure::Changed(name, what));
+    }
+    let checked = shown.checked();
+    if !rejected {
+        let program = program.map(Path::to_string_lossy);
+        check::report(checked, &name, &mut source, program.as_deref(), &mut messages)
+            .map_err(|error| Failure::Unreadable(name.clone(), error))?;
+    }
+    messages.note(&checked.outcome.summary());
+    let out = match &mut target {
+        Some(target) => target.writer(),
+        None => &mut *streams.output,
+    };
+    let mut out = BufWriter::new(out);
+    write(&shown, &mut out).and_then(|()| out.flush()).map_err(unwritable)?;
+    drop(out);
+    target.map_or(Ok(false), |target| target.finish(|_| false)).map_err(unwritable)?;
+    if is_file {
+        messages.note(&format!("{what}: {}", output.display()));
+    }
+    let passed = !rejected && checked.fault.is_none() && checked.outcome.passed();
+    Ok(if passed { Status::Done } else { Status::Rejected })
+}
+
+/// Executes a program that is in memory. `program`: its path, if it was not posted in this run.
+fn execute<'p>(
+    machine: &dyn AnyMachine,
+    run: &PostRun<'_>,
+    program: Option<&Path>,
+    policy: &'p crate::check::CheckPolicy,
+    source: &mut ClSource,
+    posted: &'p Posted,
+    written: &Written,
+) -> Result<ViewedProgram<'p>, Failure> {
+    let (name, cl) = (source.name().to_owned(), cl_name(run.input).into_owned());
+    let report = &written.report;
+    let titles = Titles {
+        program: program
+            .map_or_else(|| stem(run), |path| path.file_name().unwrap_or_default().to_string_lossy().into()),
+        control: run.control.spellings().name,
+        summary: match (program, &written.summary) {
+            // What the planner counts is not this program.
+            (Some(_), _) => report.set_up.iter().chain(&report.reading).chain(&report.assumptions).cloned().collect(),
+            (None, Ok(_)) => report.summary(),
+            (None, Err(reason)) => vec![format!("rejected: {reason}")],
+        },
+        warnings: report.diagnostics.iter().map(|found| headline(&cl, found)).collect(),
+        cl,
+    };
+    source.rewind().map_err(|error| Failure::Unreadable(name.clone(), error))?;
+    ViewedProgram::execute(machine, policy, source, &posted.text, &posted.reasons, titles)
+        .map_err(|error| check::failure(error, &name, run.output))
+}
+
+/// Name of a program that is posted in this run: its file, or that of the CL data without its ending.
+fn stem(run: &PostRun<'_>) -> String {
+    let posted = run.output;
+    let path = if is_standard(posted) || posted == Path::new(IN_MEMORY) { run.input } else { posted };
+    let name = if path == run.input { path.file_stem() } else { path.file_name() };
+    if is_standard(path) { "program".to_owned() } else { name.unwrap_or_default().to_string_lossy().into_owned() }
+}
+
+/// The page of a program that is being posted.
+pub(crate) struct PageFile {
+    path: PathBuf,
+    target: OutputFile,
+    pub(crate) posted: Posted,
+}
+
+impl PageFile {
+    pub(crate) fn create(path: &Path) -> Result<Self, Failure> {
+        let target = OutputFile::create(path).map_err(|error| Failure::unwritable(path, error))?;
+        Ok(Self { path: path.to_owned(), target, posted: Posted::default() })
+    }
+
+    /// Writes the page, of a rejected program as well.
+    pub(crate) fn finish(
+        self,
+        machine: &dyn AnyMachine,
+        run: &PostRun<'_>,
+        source: &mut ClSource,
+        written: &Written,
+    ) -> Result<(), Failure> {
+        let Self { path, mut target, posted } = self;
+        let unwritable = |error| Failure::unwritable(&path, error);
+        let policy = run.policy(machine)?;
+        let program = execute(machine, run, None, &policy, source, &posted, written)?;
+        let mut out = BufWriter::new(target.writer());
+        write_page(&program, &mut out).and_then(|()| out.flush()).map_err(unwritable)?;
+        drop(out);
+        target.finish(|_| false).map(drop).map_err(unwritable)
+    }
+}

@@ -1,0 +1,77 @@
+//! What the CL data has and a program shows at most as numbers: tools and names of operations.
+
+use std::collections::BTreeMap;
+use std::io::{self, Read};
+
+use crate::cl::{ClReader, ReadingOptions};
+use crate::program::{Event, ToolCall};
+
+/// Tools by number, and operations by the record of their first motion.
+#[derive(Debug, Default)]
+pub(crate) struct ClFacts {
+    pub(crate) tools: BTreeMap<u32, ClTool>,
+    /// In the order of the CL data: line of the first motion, and name.
+    operations: Vec<(u64, String)>,
+}
+
+/// A tool of the CL data.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct ClTool {
+    pub(crate) call: ToolCall,
+    /// It makes holes.
+    pub(crate) drills: bool,
+    /// It moves at feed otherwise.
+    pub(crate) mills: bool,
+}
+
+impl ClFacts {
+    pub(crate) fn read(input: impl Read, options: ReadingOptions) -> io::Result<Self> {
+        let mut reader = ClReader::new(input, options);
+        let (mut facts, mut name, mut tool) = (Self::default(), None, None);
+        while let Some((at, event)) = reader.next_event()? {
+            match event {
+                Event::Operation(bytes) => name = Some(String::from_utf8_lossy(bytes).trim().to_owned()),
+                Event::Tool(call) => {
+                    let known = &mut facts.tools.entry(call.number).or_default().call;
+                    *known = ToolCall {
+                        number: call.number,
+                        length_mm: call.length_mm.or(known.length_mm),
+                        length_offset: call.length_offset.or(known.length_offset),
+                        diameter_mm: call.diameter_mm.or(known.diameter_mm),
+                        corner_radius_mm: call.corner_radius_mm.or(known.corner_radius_mm),
+                    };
+                    tool = Some(call.number);
+                }
+                Event::Move(_) | Event::Arc(_) | Event::Spline(_) | Event::Hole(_) => {
+                    facts.operations.extend(name.take().map(|name| (at.line, name)));
+                    if let Some(tool) = tool.and_then(|tool| facts.tools.get_mut(&tool)) {
+                        tool.drills |= matches!(event, Event::Hole(_));
+                        tool.mills |= match event {
+                            Event::Move(motion) => !motion.rapid,
+                            Event::Arc(_) | Event::Spline(_) => true,
+                            _ => false,
+                        };
+                    }
+                }
+                _ => {}
+            }
+        }
+        Ok(facts)
+    }
+
+    /// Names of operations, from the lines of their first records; empty where an operation has none.
+    pub(crate) fn names(&self, cl_lines: impl Iterator<Item = u64>) -> Vec<String> {
+        let mut at = 0;
+        let named = cl_lines.map(|line| {
+            // Records of a subprogram are where it is defined, so the lines need not ascend.
+            let ahead = &self.operations[at..];
+            let found = ahead.iter().position(|(first, _)| *first == line);
+            let found = found.or_else(|| ahead.iter().rposition(|(first, _)| *first < line));
+            found.map_or_else(String::new, |found| {
+                at += found + 1;
+                self.operations[at - 1].1.clone()
+            })
+        });
+        named.collect()
+    }
+}

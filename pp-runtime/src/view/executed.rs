@@ -1,0 +1,464 @@
+//! The executed program as points: ends of motions, as the check's reader understands the written text.
+//!
+//! A point has the axis values, tip and tool axis, and belongs to a line of the program. Arcs, tool vectors and rotations are
+//! divided until a straight motion of the axes and a straight line of the tip both keep to the path within the tolerance.
+//!
+//! The position of the machine is followed in machine coordinates. A block whose words are not all known, such as the
+//! approach after a retract to a machine position, begins where the machine is. Where that is unknown, too, there is no
+//! point; the next point begins a new path.
+
+use std::f64::consts::{FRAC_PI_3, TAU};
+
+use crate::check::read::{Action, MAX_AXES, State, TipControl};
+use crate::check::{CheckPolicy, ExecutedBlock, Observer};
+use crate::kinematics::{AnyMachine, Axis, AxisKind, AxisValues, Pose};
+use crate::set_up::SetUp;
+
+/// Largest number of halvings of a motion: 4096 chords.
+const MOST_HALVINGS: u32 = 12;
+
+/// Largest deviation of a rapid from the straight motions that show it, mm, where the tolerance is finer.
+const RAPID_MM: f64 = 0.2;
+
+/// Points nearer to each other are one, mm: an arc ends within the rounding of its words.
+const SAME_POINT_MM: f64 = 5e-3;
+
+/// How the tool comes to a point.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum PointKind {
+    /// A path begins: nothing is known of the motion to this point.
+    Start,
+    /// At rapid.
+    Rapid,
+    /// At feed.
+    Feed,
+    /// The tool waits.
+    Dwell,
+}
+
+impl PointKind {
+    /// All kinds with their names.
+    pub(crate) const NAMES: [&'static str; 4] = ["start", "rapid", "feed", "dwell"];
+}
+
+/// One point of the executed program. Lengths in mm, angles in rad.
+#[derive(Debug, Clone)]
+pub(crate) struct Point {
+    pub(crate) axes: AxisValues,
+    /// On the workpiece.
+    pub(crate) pose: Pose,
+    /// Line of the program.
+    pub(crate) line: u64,
+    /// Line of the CL data.
+    pub(crate) cl_line: u64,
+    pub(crate) kind: PointKind,
+    /// Index in [`Executed::operations`].
+    pub(crate) operation: usize,
+    /// Index in [`Executed::placements`].
+    pub(crate) placement: usize,
+    /// Programmed feed of the tip, mm/min; 0 at rapid.
+    pub(crate) feed: f64,
+    /// Time of the motion to this point; `None` for a rapid of an axis of unknown speed.
+    pub(crate) seconds: Option<f64>,
+    /// Deviation of the tip from the path of the CL data, where the check measures it.
+    pub(crate) deviation_mm: Option<f64>,
+}
+
+/// The machine with a tool and a clamping of the part.
+#[derive(Debug, Clone)]
+pub(crate) struct Placement {
+    pub(crate) set_up: u32,
+    /// 0 without a tool.
+    pub(crate) tool: u32,
+    pub(crate) machine: Box<dyn AnyMachine>,
+    /// Machine coordinate of each linear axis less its value and its `machine_zero`, mm.
+    pub(crate) offsets_mm: [f64; MAX_AXES],
+}
+
+/// One operation as it is executed.
+#[derive(Debug, Clone)]
+pub(crate) struct Operation {
+    /// Number in the CL data, from 1.
+    pub(crate) number: u64,
+    /// Record of its first block.
+    pub(crate) cl_line: u64,
+    /// Tool and meaning of the linear words of its first cut.
+    pub(crate) tool: u32,
+    pub(crate) mode: &'static str,
+    pub(crate) set_up: u32,
+    pub(crate) first_point: usize,
+    cuts: bool,
+}
+
+/// The executed program.
+#[derive(Debug, Default)]
+pub(crate) struct Executed {
+    pub(crate) points: Vec<Point>,
+    pub(crate) placements: Vec<Placement>,
+    pub(crate) operations: Vec<Operation>,
+}
+
+/// Collects the points of a program while it is checked.
+pub(crate) struct Collector<'a> {
+    set_up: &'a SetUp,
+    axes: &'static [Axis],
+    /// Largest speeds of the axes, mm/min and rad/min.
+    speeds: Vec<Option<f64>>,
+    tolerance_mm: f64,
+    /// Machine coordinates less `machine_zero` of linear axes, mm; values of the others. `None`: unknown.
+    coordinates: [Option<f64>; MAX_AXES],
+    /// Index of the placement.
+    placement: usize,
+    /// The last point is where the machine is.
+    joined: bool,
+    executed: Executed,
+}
+
+/// A position on the way of a block.
+#[derive(Debug, Clone, Copy)]
+struct Place {
+    axes: AxisValues,
+    pose: Pose,
+}
+
+/// Positions of a motion at shares of it, 0 to 1; the second argument is a position before it.
+type Motion<'m> = &'m dyn Fn(f64, &Place) -> Place;
+
+impl Observer for Collector<'_> {
+    fn executed(&mut self, executed: &ExecutedBlock<'_>) {
+        self.follow_operation(executed);
+        match executed.block.action {
+            Action::Nothing | Action::ToolChange | Action::Stop | Action::OptionalStop | Action::End => {}
+            Action::Dwell(seconds) => self.wait(executed, seconds),
+            Action::Machine => {
+                self.follow_placement(executed, false);
+                self.go_to_machine_position(executed);
+            }
+            Action::Reference => {
+                self.joined = false;
+                self.forget(executed.block.written);
+            }
+            Action::Orient => {
+                self.follow_placement(executed, false);
+                self.orient(executed);
+            }
+            Action::Rapid | Action::Feed | Action::Arc(_) | Action::Cycle(_) => {
+                self.follow_placement(executed, true);
+                self.on_path(executed);
+            }
+        }
+    }
+}
+
+impl<'a> Collector<'a> {
+    pub(crate) fn new(machine: &dyn AnyMachine, policy: &'a CheckPolicy) -> Self {
+        let (axes, held) = (machine.axes(), machine.held());
+        let moves = |index: usize| axes.get(index).is_some_and(|axis| !axis.held);
+        Self {
+            set_up: &policy.set_up,
+            axes,
+            speeds: policy.set_up.travel(axes).speeds,
+            tolerance_mm: policy.tolerances.path_mm,
+            coordinates: std::array::from_fn(|index| (!moves(index)).then_some(held[index])),
+            placement: 0,
+            joined: false,
+            executed: Executed::default(),
+        }
+    }
+
+    pub(crate) fn finish(self) -> Executed {
+        self.executed
+    }
+
+    fn placed(&self) -> &Placement {
+        &self.executed.placements[self.placement]
+    }
+
+    /// Machine coordinate of an axis less its value and its `machine_zero`, mm; 0 for rotary and held axes.
+    fn offset_mm(&self, index: usize) -> f64 {
+        let linear = self.axes.get(index).is_some_and(|axis| axis.kind == AxisKind::Linear && !axis.held);
+        if linear { self.placed().offsets_mm[index] } else { 0.0 }
+    }
+
+    /// Takes tool and part of a block. Until the tool has changed in the program, a motion to a machine position still
+    /// carries the one before. `at_part`: the words of the block count with the tool.
+    fn follow_placement(&mut self, executed: &ExecutedBlock<'_>, at_part: bool) {
+        let (machine, tool) = (executed.machine(), executed.block.state.tool.unwrap_or(0));
+        let set_up = executed.set_up();
+        let is_same = |placement: &Placement| {
+            let same = |index: usize| placement.machine.joint(index) == machine.joint(index);
+            (placement.tool, placement.set_up) == (tool, set_up) && (!at_part || (0..self.axes.len()).all(same))
+        };
+        let placements = &self.executed.placements;
+        if placements.get(self.placement).is_some_and(is_same) {
+            return;
+        }
+        self.placement = placements.iter().position(is_same).unwrap_or(placements.len());
+        self.joined = false;
+        if self.placement == self.executed.placements.len() {
+            let offsets_mm = std::array::from_fn(|index| executed.offset_mm(index));
+            let machine = machine.to_boxed();
+            self.executed.placements.push(Placement { set_up, tool, machine, offsets_mm });
+        }
+    }
+
+    /// Axis values of the machine, if all are known.
+    fn position(&self) -> Option<AxisValues> {
+        let mut values = [0.0; MAX_AXES];
+        for (index, value) in values.iter_mut().enumerate() {
+            *value = self.coordinates[index]? - self.offset_mm(index);
+        }
+        Some(values)
+    }
+
+    fn arrive(&mut self, values: &AxisValues, known: u16) {
+        for (index, value) in values.iter().enumerate().filter(|(index, _)| known & (1 << index) != 0) {
+            self.coordinates[index] = Some(value + self.offset_mm(index));
+        }
+    }
+
+    fn forget(&mut self, axes: u16) {
+        let forgotten = self.coordinates.iter_mut().enumerate().filter(|(index, _)| axes & (1 << index) != 0);
+        forgotten.for_each(|(_, coordinate)| *coordinate = None);
+    }
+
+    /// To words that are machine coordinates.
+    fn go_to_machine_position(&mut self, executed: &ExecutedBlock<'_>) {
+        let (from, block) = (self.position(), executed.block);
+        for (index, axis) in self.axes.iter().enumerate().filter(|(index, _)| block.written & (1 << index) != 0) {
+            let zero_mm = match axis.kind {
+                AxisKind::Linear => self.set_up.machine_zero.get(&axis.letter).copied(),
+                AxisKind::Rotary => Some(0.0),
+            };
+            self.coordinates[index] = zero_mm.map(|zero_mm| block.values[index] - zero_mm);
+        }
+        self.by_axes(executed, from);
+    }
+
+    /// The control rotates the rotary axes into a plane, or back.
+    fn orient(&mut self, executed: &ExecutedBlock<'_>) {
+        let from = self.position();
+        let (values, known) = executed.known_values();
+        let rotary = self.rotary();
+        self.arrive(&values, known & rotary);
+        if known & rotary != rotary {
+            self.forget(rotary);
+            if let (Some(from), Some(axis)) = (from, executed.plane_axis()) {
+                let tip = self.placed().machine.forward_kinematics(&from).tip;
+                let chosen = nearest_solution(&*self.placed().machine, &Pose { tip, axis }, &from);
+                chosen.into_iter().for_each(|values| self.arrive(&values, rotary));
+            }
+        }
+        self.by_axes(executed, from);
+    }
+
+    fn rotary(&self) -> u16 {
+        let rotary = self.axes.iter().enumerate().filter(|(_, axis)| axis.kind == AxisKind::Rotary);
+        rotary.fold(0, |bits, (index, _)| bits | 1 << index)
+    }
+
+    /// A rapid of the axes from a position to where the machine is now.
+    fn by_axes(&mut self, executed: &ExecutedBlock<'_>, from: Option<AxisValues>) {
+        let (Some(from), Some(to)) = (from, self.position()) else {
+            self.joined = false;
+            return;
+        };
+        let machine = self.placed().machine.to_boxed();
+        let at = |share: f64, _: &Place| {
+            let axes = std::array::from_fn(|index| from[index] + (to[index] - from[index]) * share);
+            Place { axes, pose: machine.forward_kinematics(&axes) }
+        };
+        let first = Place { axes: from, pose: machine.forward_kinematics(&from) };
+        self.trace(executed, PointKind::Rapid, first, 1, &at, |_| None);
+    }
+
+    /// To words that are positions, or coordinates of the tip.
+    fn on_path(&mut self, executed: &ExecutedBlock<'_>) {
+        let position = self.position();
+        let legs = position.map_or_else(|| executed.legs(), |position| executed.legs_from(&position));
+        if legs.is_empty() {
+            let (values, known) = executed.known_values();
+            if executed.block.state.has_frame() {
+                // The linear axes follow from all words together.
+                self.forget(!self.rotary());
+            }
+            self.arrive(&values, known);
+            self.joined = false;
+            if let Some(axes) = self.position() {
+                let place = Place { axes, pose: self.placed().machine.forward_kinematics(&axes) };
+                self.begin_at(executed, &place);
+            }
+            return;
+        }
+        let machine = self.placed().machine.to_boxed();
+        for leg in &legs {
+            let at = |share: f64, near: &Place| {
+                let pose = leg.pose(share);
+                let axes = leg.axis_values(share).or_else(|| nearest_solution(&*machine, &pose, &near.axes));
+                Place { axes: axes.unwrap_or(near.axes), pose }
+            };
+            let start = Place { axes: position.unwrap_or_else(|| machine.held()), pose: leg.pose(0.0) };
+            let start = at(0.0, &start);
+            let kind = if leg.rapid { PointKind::Rapid } else { PointKind::Feed };
+            let pieces = (leg.sweep().abs() / FRAC_PI_3).ceil().max(1.0) as u32;
+            self.trace(executed, kind, start, pieces, &at, |length_mm| leg.minutes(length_mm));
+        }
+    }
+
+    /// Begins a path, unless the last point is where the machine is.
+    fn begin_at(&mut self, executed: &ExecutedBlock<'_>, place: &Place) {
+        let continues = |last: &Point| (last.pose.tip - place.pose.tip).norm() < SAME_POINT_MM;
+        if !self.joined || !self.executed.points.last().is_some_and(continues) {
+            self.push(executed, PointKind::Start, place, (0.0, Some(0.0)));
+        }
+        self.joined = true;
+    }
+
+    /// Adds the points of a motion. `minutes`: its time at feed, from the length of the tip path.
+    fn trace(
+        &mut self,
+        executed: &ExecutedBlock<'_>,
+        kind: PointKind,
+        start: Place,
+        pieces: u32,
+        at: Motion<'_>,
+        minutes: impl Fn(f64) -> Option<f64>,
+    ) {
+        self.begin_at(executed, &start);
+        let tolerance_mm = if kind == PointKind::Feed { self.tolerance_mm } else { self.tolerance_mm.max(RAPID_MM) };
+        let (mut places, mut before) = (Vec::new(), (0.0, start));
+        for piece in 1..=pieces {
+            let share = f64::from(piece) / f64::from(pieces);
+            let end = (share, at(share, &before.1));
+            self.divide(at, before, end, (tolerance_mm, MOST_HALVINGS), &mut places);
+            before = end;
+        }
+        let moves = |(from, to): (&f64, &f64)| (from - to).abs() > 0.0;
+        if kind == PointKind::Rapid && !start.axes.iter().zip(&before.1.axes).any(moves) {
+            return;
+        }
+        let tips = std::iter::once(&start).chain(places.iter().map(|(_, place)| place)).map(|place| place.pose.tip);
+        let lengths_mm = tips.clone().zip(tips.skip(1)).map(|(from, to)| (to - from).norm());
+        let length_mm: f64 = lengths_mm.sum();
+        let minutes = match kind {
+            PointKind::Feed => minutes(length_mm),
+            PointKind::Start | PointKind::Rapid | PointKind::Dwell => self.rapid_minutes(&start.axes, &before.1.axes),
+        };
+        let feed = match (kind, minutes) {
+            (PointKind::Feed, Some(minutes)) if minutes > 0.0 => length_mm / minutes,
+            _ => 0.0,
+        };
+        let mut share_before = 0.0;
+        for (share, place) in &places {
+            let seconds = minutes.map(|minutes| 60.0 * minutes * (share - share_before));
+            self.push(executed, kind, place, (feed, seconds));
+            share_before = *share;
+        }
+        self.arrive(&before.1.axes, !0);
+    }
+
+    /// Divides a motion until it is straight within the tolerance, and adds the ends of the pieces.
+    fn divide(
+        &self,
+        at: Motion<'_>,
+        from: (f64, Place),
+        to: (f64, Place),
+        (tolerance_mm, halvings): (f64, u32),
+        places: &mut Vec<(f64, Place)>,
+    ) {
+        let share = f64::midpoint(from.0, to.0);
+        let middle = at(share, &from.1);
+        let axes: AxisValues = std::array::from_fn(|index| f64::midpoint(from.1.axes[index], to.1.axes[index]));
+        let chord = nalgebra::center(&from.1.pose.tip, &to.1.pose.tip);
+        let drawn = self.placed().machine.forward_kinematics(&axes).tip;
+        let bends = [chord, drawn].iter().any(|tip| (tip - middle.pose.tip).norm() > tolerance_mm);
+        if bends && halvings > 0 {
+            self.divide(at, from, (share, middle), (tolerance_mm, halvings - 1), places);
+            self.divide(at, (share, middle), to, (tolerance_mm, halvings - 1), places);
+        } else {
+            places.push(to);
+        }
+    }
+
+    /// Time of a rapid, in which the slowest axis decides.
+    fn rapid_minutes(&self, from: &AxisValues, to: &AxisValues) -> Option<f64> {
+        let moved = (0..self.axes.len()).map(|index| (index, (to[index] - from[index]).abs()));
+        let mut moved = moved.filter(|(_, change)| *change > 0.0);
+        moved.try_fold(0.0_f64, |slowest, (index, change)| Some(slowest.max(change / self.speeds[index]?)))
+    }
+
+    fn wait(&mut self, executed: &ExecutedBlock<'_>, seconds: f64) {
+        if let Some(last) = self.executed.points.last().filter(|_| self.joined) {
+            let place = Place { axes: last.axes, pose: last.pose };
+            self.push(executed, PointKind::Dwell, &place, (0.0, Some(seconds)));
+        }
+    }
+
+    fn push(
+        &mut self,
+        executed: &ExecutedBlock<'_>,
+        kind: PointKind,
+        place: &Place,
+        (feed, seconds): (f64, Option<f64>),
+    ) {
+        let operation = self.operation(executed, kind);
+        self.executed.points.push(Point {
+            axes: place.axes,
+            pose: place.pose,
+            line: executed.block.line,
+            cl_line: executed.record.line,
+            kind,
+            operation,
+            placement: self.placement,
+            feed,
+            seconds,
+            deviation_mm: executed.deviation_mm.filter(|_| kind != PointKind::Start),
+        });
+    }
+
+    /// Begins an operation with its first block.
+    fn follow_operation(&mut self, executed: &ExecutedBlock<'_>) {
+        let (number, cl_line, first_point) = (executed.operation, executed.record.line, self.executed.points.len());
+        let operations = &mut self.executed.operations;
+        if number > 0 && operations.last().is_none_or(|last| last.number != number) {
+            let (set_up, tool) = (executed.set_up(), 0);
+            operations.push(Operation { number, cl_line, tool, mode: "", set_up, first_point, cuts: false });
+        }
+    }
+
+    /// Index of the operation of a point. Its tool and its mode are those of its first cut.
+    fn operation(&mut self, executed: &ExecutedBlock<'_>, kind: PointKind) -> usize {
+        let state = &executed.block.state;
+        let Some(operation) = self.executed.operations.last_mut() else { return 0 };
+        if !operation.cuts {
+            operation.cuts = kind == PointKind::Feed;
+            (operation.tool, operation.mode, operation.set_up) =
+                (state.tool.unwrap_or(0), mode(state), executed.set_up());
+        }
+        self.executed.operations.len() - 1
+    }
+}
+
+/// Mode of the words in a state, as the configuration names it.
+fn mode(state: &State) -> &'static str {
+    match (&state.tip_control, &state.tilt) {
+        (TipControl::On { .. }, _) => "tcp",
+        (TipControl::Off, Some(_)) => "plane",
+        (TipControl::Off, None) => "axes",
+    }
+}
+
+/// The solution for a pose that rotates the rotary axes least from a position; whole revolutions are added.
+fn nearest_solution(machine: &dyn AnyMachine, pose: &Pose, near: &AxisValues) -> Option<AxisValues> {
+    let rotary: Vec<usize> =
+        (0..machine.axes().len()).filter(|index| machine.axes()[*index].kind == AxisKind::Rotary).collect();
+    let unwound = |mut values: AxisValues| {
+        for &index in rotary.iter().filter(|index| !machine.axes()[**index].held) {
+            values[index] += ((near[index] - values[index]) / TAU).round() * TAU;
+        }
+        values
+    };
+    let rotation = |values: &AxisValues| rotary.iter().map(|&index| (values[index] - near[index]).abs()).sum::<f64>();
+    let solutions = machine.inverse_kinematics(pose, near);
+    solutions.iter().map(|solution| unwound(solution.axes)).min_by(|a, b| rotation(a).total_cmp(&rotation(b)))
+}

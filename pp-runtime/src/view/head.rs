@@ -1,0 +1,329 @@
+//! The head of the page's data: machine, tools, operations, set-ups, findings. Lengths in mm, angles in degrees, times in
+//! seconds, feeds and speeds per minute.
+
+use std::collections::BTreeMap;
+use std::f64::consts::FRAC_PI_2;
+
+use serde::Serialize;
+
+use crate::check::Finding;
+use crate::kinematics::{AxisKind, Side};
+
+use super::ViewedProgram;
+use super::cl_facts::ClTool;
+use super::columns::Column;
+use super::executed::{Placement as ExecutedPlacement, PointKind};
+
+/// Version of the data.
+const FORMAT: u32 = 1;
+
+/// Chords of the corner radius in the profile of a tool.
+const CORNER_CHORDS: u32 = 12;
+
+/// Steps of a number in the head: twelve significant figures suffice for 1 km in nm.
+const STEPS: f64 = 1e9;
+
+/// The head of the data.
+#[derive(Debug, Serialize)]
+pub(crate) struct Head<'a> {
+    format: u32,
+    compressed: bool,
+    program: &'a str,
+    cl: &'a str,
+    control: &'a str,
+    machine: Machine,
+    pub(crate) tools: Vec<Tool>,
+    pub(crate) operations: Vec<Operation>,
+    pub(crate) set_ups: Vec<SetUp>,
+    placements: Vec<Placement>,
+    findings: Vec<PageFinding<'a>>,
+    warnings: &'a [String],
+    summary: Vec<String>,
+    tolerance_mm: f64,
+    points: usize,
+    columns: Vec<Column>,
+    reasons: &'a [&'static str],
+    reason_texts: &'a [&'static str],
+    kinds: &'a [&'static str],
+    seconds: f64,
+}
+
+/// The machine as a chain of joints, from the workpiece to the tool.
+#[derive(Debug, Serialize)]
+struct Machine {
+    name: &'static str,
+    joints: Vec<Joint>,
+    tool_axis: [f64; 3],
+    /// Number of joints on the side of the workpiece.
+    frame_after: usize,
+}
+
+/// One joint; its point is that of the first placement.
+#[derive(Debug, Serialize)]
+struct Joint {
+    letter: char,
+    rotary: bool,
+    held: bool,
+    direction: [f64; 3],
+    point: [f64; 3],
+    sign: f64,
+    /// Of a linear axis in machine coordinates.
+    min: Option<f64>,
+    max: Option<f64>,
+    speed: Option<f64>,
+}
+
+/// Points of the joints for a tool and a set-up.
+#[derive(Debug, Serialize)]
+struct Placement {
+    set_up: usize,
+    tool: u32,
+    points: Vec<[f64; 3]>,
+    /// Machine coordinate of each axis less its value; null where the machine zero is unknown.
+    zero: Vec<Option<f64>>,
+}
+
+/// A tool that moves.
+#[derive(Debug, Clone, Serialize)]
+pub(crate) struct Tool {
+    pub(crate) number: u32,
+    pub(crate) name: String,
+    pub(crate) kind: &'static str,
+    pub(crate) diameter: Option<f64>,
+    pub(crate) corner_radius: Option<f64>,
+    pub(crate) length: Option<f64>,
+    flute_length: Option<f64>,
+    taper: Option<f64>,
+    pub(crate) gauge_length: Option<f64>,
+    /// Heights above the tip and radii.
+    profile: Option<Vec<[f64; 2]>>,
+    first_point: usize,
+    points: usize,
+    pub(crate) seconds: f64,
+}
+
+/// An operation.
+#[derive(Debug, Clone, Serialize)]
+pub(crate) struct Operation {
+    pub(crate) name: String,
+    pub(crate) number: u64,
+    pub(crate) tool: u32,
+    /// Index in the set-ups.
+    pub(crate) set_up: usize,
+    pub(crate) mode: &'static str,
+    first_point: usize,
+    points: usize,
+    pub(crate) seconds: f64,
+}
+
+/// A clamping of the part.
+#[derive(Debug, Clone, Serialize)]
+pub(crate) struct SetUp {
+    pub(crate) name: String,
+    pub(crate) work_offset: String,
+    pub(crate) part_origin: [f64; 3],
+    first_point: usize,
+}
+
+/// A finding of the check.
+#[derive(Debug, Serialize)]
+struct PageFinding<'a> {
+    line: u64,
+    last_line: u64,
+    cl_line: u64,
+    text: &'a str,
+    help: Option<&'a str>,
+    /// Point of its first line, or the next one.
+    point: Option<usize>,
+}
+
+/// A number without the noise of sums.
+fn tidy(value: f64) -> f64 {
+    (value * STEPS).round() / STEPS + 0.0
+}
+
+fn vector(vector: impl Into<[f64; 3]>) -> [f64; 3] {
+    vector.into().map(tidy)
+}
+
+impl<'a> Head<'a> {
+    pub(crate) fn of(program: &'a ViewedProgram<'a>, columns: Vec<Column>) -> Self {
+        let executed = &program.executed;
+        let seconds = |range: &dyn Fn(usize) -> bool| {
+            let points = executed.points.iter().enumerate().filter(|(index, _)| range(*index));
+            points.filter_map(|(_, point)| point.seconds).sum::<f64>()
+        };
+        let ends =
+            |index: usize| executed.operations.get(index + 1).map_or(executed.points.len(), |next| next.first_point);
+        let names = program.facts.names(executed.operations.iter().map(|operation| operation.cl_line));
+        let operations = executed.operations.iter().zip(names).enumerate().map(|(index, (operation, name))| {
+            let (first_point, end) = (operation.first_point, ends(index));
+            Operation {
+                name: if name.is_empty() { format!("operation {}", operation.number) } else { name },
+                number: operation.number,
+                tool: operation.tool,
+                set_up: program.set_up_index(operation.set_up),
+                mode: operation.mode,
+                first_point,
+                points: end - first_point,
+                seconds: tidy(seconds(&|point| (first_point..end).contains(&point))),
+            }
+        });
+        Self {
+            format: FORMAT,
+            compressed: true,
+            program: &program.titles.program,
+            cl: &program.titles.cl,
+            control: program.titles.control,
+            machine: machine(program),
+            tools: tools(program),
+            operations: operations.collect(),
+            set_ups: set_ups(program),
+            placements: executed.placements.iter().map(|placement| placement_of(program, placement)).collect(),
+            findings: program.checked.outcome.findings.iter().map(|found| finding(program, found)).collect(),
+            warnings: &program.titles.warnings,
+            summary: program.summary(),
+            tolerance_mm: program.policy.tolerances.path_mm,
+            points: executed.points.len(),
+            columns,
+            reasons: &program.reasons.names,
+            reason_texts: &program.reasons.texts,
+            kinds: &PointKind::NAMES,
+            seconds: tidy(seconds(&|_| true)),
+        }
+    }
+}
+
+fn machine(program: &ViewedProgram<'_>) -> Machine {
+    let first = program.first_machine();
+    let travel = program.policy.set_up.travel(first.axes());
+    let joint = |index: usize| {
+        let (axis, joint) = (&first.axes()[index], first.joint(index));
+        let shown = |value: f64| tidy(if axis.kind == AxisKind::Rotary { value.to_degrees() } else { value });
+        Joint {
+            letter: axis.letter,
+            rotary: axis.kind == AxisKind::Rotary,
+            held: axis.held,
+            direction: joint.direction.into_inner().into(),
+            point: vector(joint.point),
+            sign: joint.sign,
+            min: travel.limits[index].map(|limits| shown(limits.lower)),
+            max: travel.limits[index].map(|limits| shown(limits.upper)),
+            speed: travel.speeds[index].map(shown),
+        }
+    };
+    Machine {
+        name: first.name(),
+        joints: (0..first.axes().len()).map(joint).collect(),
+        tool_axis: first.tool_axis().into_inner().into(),
+        frame_after: first.axes().iter().filter(|axis| axis.side == Side::Workpiece).count(),
+    }
+}
+
+fn placement_of(program: &ViewedProgram<'_>, placement: &ExecutedPlacement) -> Placement {
+    let machine = &placement.machine;
+    let zero = machine.axes().iter().enumerate().map(|(index, axis)| match axis.kind {
+        AxisKind::Rotary => Some(0.0),
+        AxisKind::Linear => {
+            let zero_mm = program.policy.set_up.machine_zero.get(&axis.letter)?;
+            Some(tidy(zero_mm + placement.offsets_mm[index]))
+        }
+    });
+    Placement {
+        set_up: program.set_up_index(placement.set_up),
+        tool: placement.tool,
+        points: (0..machine.axes().len()).map(|index| vector(machine.joint(index).point)).collect(),
+        zero: zero.collect(),
+    }
+}
+
+fn tools(program: &ViewedProgram<'_>) -> Vec<Tool> {
+    let executed = &program.executed;
+    // First point, number of points, seconds.
+    let mut used: BTreeMap<u32, (usize, usize, f64)> = BTreeMap::new();
+    for (index, point) in executed.points.iter().enumerate() {
+        let tool = executed.placements[point.placement].tool;
+        let (_, points, seconds) = used.entry(tool).or_insert((index, 0, 0.0));
+        *points += 1;
+        *seconds += point.seconds.unwrap_or(0.0);
+    }
+    let tool = |(number, (first_point, points, seconds)): (u32, (usize, usize, f64))| {
+        let given = program.policy.set_up.tools.get(&number);
+        let cl = program.facts.tools.get(&number).copied().unwrap_or_default();
+        let diameter = given.and_then(|given| given.diameter_mm).or(cl.call.diameter_mm);
+        let corner_radius = cl.call.corner_radius_mm;
+        let gauge_length = given.and_then(|given| given.length_mm).or(cl.call.length_mm);
+        Tool {
+            number,
+            name: given.and_then(|given| given.name.clone()).unwrap_or_default(),
+            kind: kind(&cl, diameter),
+            diameter,
+            corner_radius,
+            length: gauge_length,
+            flute_length: None,
+            taper: None,
+            gauge_length,
+            profile: diameter.map(|diameter| profile(diameter / 2.0, corner_radius.unwrap_or(0.0), gauge_length)),
+            first_point,
+            points,
+            seconds: tidy(seconds),
+        }
+    };
+    used.into_iter().map(tool).collect()
+}
+
+/// Kind of a tool, from its use and its shape.
+fn kind(tool: &ClTool, diameter: Option<f64>) -> &'static str {
+    let radius = diameter.map(|diameter| diameter / 2.0);
+    match (tool.call.corner_radius_mm, radius) {
+        _ if tool.drills && !tool.mills => "drill",
+        (Some(corner), Some(radius)) if corner >= radius && radius > 0.0 => "ball",
+        (Some(corner), Some(_)) if corner > 0.0 => "bull nose",
+        (Some(_), Some(_)) => "flat",
+        _ => "unknown",
+    }
+}
+
+/// Profile of a tool from its tip up, mm: the corner in chords, then the shank up to the gauge line, or four diameters.
+fn profile(radius: f64, corner_radius: f64, gauge_length: Option<f64>) -> Vec<[f64; 2]> {
+    let corner = corner_radius.min(radius);
+    let flat = radius - corner;
+    let mut points = vec![[0.0, 0.0]];
+    if corner <= 0.0 {
+        points.push([0.0, radius]);
+    } else {
+        points.extend((0..=CORNER_CHORDS).map(|chord| {
+            let (sine, cosine) = (FRAC_PI_2 * f64::from(chord) / f64::from(CORNER_CHORDS)).sin_cos();
+            [tidy(corner * (1.0 - cosine)), tidy(flat + corner * sine)]
+        }));
+    }
+    let top = gauge_length.unwrap_or(8.0 * radius).max(corner);
+    points.push([top, radius]);
+    points
+}
+
+fn set_ups(program: &ViewedProgram<'_>) -> Vec<SetUp> {
+    let executed = &program.executed;
+    let first_point = |number: u32| {
+        let is_in = |placement: usize| executed.placements[placement].set_up == number;
+        executed.points.iter().position(|point| is_in(point.placement)).unwrap_or(executed.points.len())
+    };
+    let set_up = |(number, clamping): (u32, crate::set_up::Clamping<'_>)| SetUp {
+        name: format!("set-up {number}"),
+        work_offset: clamping.work_offset.to_owned(),
+        part_origin: vector(clamping.part_origin),
+        first_point: first_point(number),
+    };
+    program.policy.set_up.clampings().map(set_up).collect()
+}
+
+fn finding<'a>(program: &ViewedProgram<'_>, found: &'a Finding) -> PageFinding<'a> {
+    PageFinding {
+        line: found.line,
+        last_line: found.last_line,
+        cl_line: found.location.line,
+        text: &found.text,
+        help: found.help.as_deref(),
+        point: program.executed.points.iter().position(|point| point.line >= found.line),
+    }
+}

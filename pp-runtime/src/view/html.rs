@@ -1,0 +1,70 @@
+//! The page: one HTML file with its data, its style and its script.
+//!
+//! Its content security policy permits the script by its digest, and nothing from a network. Text is escaped, data is in
+//! base64, and in JSON every `<` is written as an escape.
+
+use std::fmt::{self, Display, Formatter};
+use std::io::{self, Write};
+
+use base64::Engine as _;
+use base64::prelude::BASE64_STANDARD;
+use sha2::{Digest as _, Sha256};
+
+use super::head::Head;
+use super::{ViewedProgram, columns, summary};
+
+/// The script of the page, from `page/`.
+const SCRIPT: &str = "";
+
+/// Its style.
+const STYLE: &str = "";
+
+/// Text between tags and in attributes.
+pub(crate) struct Escaped<T>(pub(crate) T);
+
+impl<T: Display> Display for Escaped<T> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        self.0.to_string().chars().try_for_each(|character| match character {
+            '&' => f.write_str("&amp;"),
+            '<' => f.write_str("&lt;"),
+            '>' => f.write_str("&gt;"),
+            '"' => f.write_str("&quot;"),
+            '\'' => f.write_str("&#39;"),
+            character => write!(f, "{character}"),
+        })
+    }
+}
+
+/// Writes the page of a program.
+///
+/// # Errors
+/// Errors of the output.
+pub(crate) fn write_page(program: &ViewedProgram<'_>, out: &mut dyn Write) -> io::Result<()> {
+    let (list, numbers) = program.columns()?;
+    let head = Head::of(program, list);
+    let json = serde_json::to_string(&head)?.replace('<', "\\u003c");
+    let title = format!("{} on {}", program.titles.program, program.machine.name());
+    begin(&title, STYLE, Some(SCRIPT), out)?;
+    out.write_all(b"<main id=\"summary\">\n")?;
+    summary::write(program, &head, out)?;
+    out.write_all(b"</main>\n<div id=\"app\"></div>\n")?;
+    writeln!(out, "<script type=\"application/json\" id=\"program-head\">{json}</script>")?;
+    writeln!(out, "<script type=\"text/plain\" id=\"program-columns\">{numbers}</script>")?;
+    let text = columns::packed(program.text)?;
+    writeln!(out, "<script type=\"text/plain\" id=\"program-text\">{text}</script>")?;
+    writeln!(out, "<script>{SCRIPT}</script>\n</body></html>")
+}
+
+/// Begins a document. Only `script` may run in it.
+pub(crate) fn begin(title: &str, style: &str, script: Option<&str>, out: &mut dyn Write) -> io::Result<()> {
+    let digest = |script: &str| format!("; script-src 'sha256-{}'", BASE64_STANDARD.encode(Sha256::digest(script)));
+    writeln!(
+        out,
+        "<!doctype html><html lang=\"en\"><head><meta charset=\"utf-8\">\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+         <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'{}; style-src 'unsafe-inline'; img-src data:\">\n\
+         <title>{}</title>\n<style>{style}</style></head>\n<body>",
+        script.map(digest).unwrap_or_default(),
+        Escaped(title)
+    )
+}

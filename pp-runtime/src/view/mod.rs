@@ -1,0 +1,140 @@
+//! A program as people look at it: the page (`view`), the set-up sheet (`report`), and pictures.
+//!
+//! What is shown is the program as the check's reader understands its text, not what the planner meant: `executed` collects
+//! its points while it is checked. `cl_facts` has what only the CL data states, `reasons` why a line is there.
+//!
+//! The page is one file: `html` writes it, with the data of `head` and `columns` and the script of `page/`; `summary` is the
+//! part of it that is readable without a script. Text from outside reaches it as escaped text only.
+
+mod cl_facts;
+mod columns;
+mod executed;
+mod head;
+mod html;
+mod reasons;
+mod summary;
+
+use std::io::{self, SeekFrom};
+
+use crate::check::{CheckError, CheckPolicy, Checked, check_observed};
+use crate::cl::ReadSeek;
+use crate::kinematics::{AnyMachine, AxisKind};
+
+use cl_facts::ClFacts;
+use columns::{Column, Columns};
+use executed::{Collector, Executed};
+
+pub(crate) use html::write_page;
+pub(crate) use reasons::Reasons;
+
+/// Step of linear axes and tips, mm.
+const LENGTH_STEP: f64 = 1e-5;
+
+/// Step of rotary axes, degrees.
+const ANGLE_STEP: f64 = 1e-5;
+
+/// Step of the components of tool axes.
+const DIRECTION_STEP: f64 = 1e-6;
+
+/// Names and texts that are shown with a program.
+pub(crate) struct Titles {
+    /// Name of the program.
+    pub(crate) program: String,
+    /// Name of the CL data.
+    pub(crate) cl: String,
+    /// Name of the control.
+    pub(crate) control: &'static str,
+    /// Lines of the summary of `post`.
+    pub(crate) summary: Vec<String>,
+    /// Warnings about the CL data.
+    pub(crate) warnings: Vec<String>,
+}
+
+/// An executed program with all that is shown of it.
+pub(crate) struct ViewedProgram<'a> {
+    titles: Titles,
+    text: &'a [u8],
+    policy: &'a CheckPolicy,
+    /// The machine of the set-up.
+    machine: Box<dyn AnyMachine>,
+    executed: Executed,
+    facts: ClFacts,
+    checked: Checked,
+    reasons: &'a Reasons,
+}
+
+impl<'a> ViewedProgram<'a> {
+    /// Executes a program, and compares it with its CL data.
+    ///
+    /// # Errors
+    /// Those of a check.
+    pub(crate) fn execute(
+        machine: &dyn AnyMachine,
+        policy: &'a CheckPolicy,
+        cl: &mut dyn ReadSeek,
+        text: &'a [u8],
+        reasons: &'a Reasons,
+        titles: Titles,
+    ) -> Result<Self, CheckError> {
+        let start = cl.stream_position().map_err(CheckError::Input)?;
+        let facts = ClFacts::read(&mut *cl, policy.reading.clone()).map_err(CheckError::Input)?;
+        cl.seek(SeekFrom::Start(start)).map_err(CheckError::Input)?;
+        let mut collector = Collector::new(machine, policy);
+        let checked = check_observed(machine, policy, cl, &mut &*text, &mut collector)?;
+        let machine =
+            policy.set_up.machine_for(machine).map_err(|invalid| CheckError::Impossible(invalid.to_string()))?;
+        Ok(Self { titles, text, policy, machine, executed: collector.finish(), facts, checked, reasons })
+    }
+
+    /// Result of the check.
+    pub(crate) fn checked(&self) -> &Checked {
+        &self.checked
+    }
+
+    /// Lines of the summary, with the figures of the check.
+    fn summary(&self) -> Vec<String> {
+        self.titles.summary.iter().cloned().chain([self.checked.outcome.summary()]).collect()
+    }
+
+    /// The machine with its first tool.
+    fn first_machine(&self) -> &dyn AnyMachine {
+        self.executed.placements.first().map_or(&*self.machine, |placement| &*placement.machine)
+    }
+
+    /// Position of a set-up in the list of set-ups.
+    fn set_up_index(&self, number: u32) -> usize {
+        self.policy.set_up.clampings().position(|(other, _)| other == number).unwrap_or(0)
+    }
+
+    /// The points as columns.
+    fn columns(&self) -> io::Result<(Vec<Column>, String)> {
+        let (points, mut columns) = (&self.executed.points, Columns::default());
+        for (index, axis) in self.machine.axes().iter().enumerate() {
+            let name = format!("axis.{}", axis.letter);
+            match axis.kind {
+                AxisKind::Linear => columns.quantised(name, LENGTH_STEP, points.iter().map(|point| point.axes[index])),
+                AxisKind::Rotary => {
+                    columns.quantised(name, ANGLE_STEP, points.iter().map(|point| point.axes[index].to_degrees()));
+                }
+            }
+        }
+        for (index, letter) in ["x", "y", "z"].into_iter().enumerate() {
+            let values = points.iter().map(|point| point.pose.tip[index]);
+            columns.quantised(format!("tip.{letter}"), LENGTH_STEP, values);
+        }
+        for (index, letter) in ["i", "j", "k"].into_iter().enumerate() {
+            let values = points.iter().map(|point| point.pose.axis[index]);
+            columns.quantised(format!("tool.{letter}"), DIRECTION_STEP, values);
+        }
+        columns.quantised("line", 1.0, points.iter().map(|point| point.line as f64));
+        columns.quantised("cl_line", 1.0, points.iter().map(|point| point.cl_line as f64));
+        columns.small("kind", points.iter().map(|point| point.kind as u8));
+        columns.small("reason", points.iter().map(|point| self.reasons.of(point.line)));
+        columns.indices("operation", points.iter().map(|point| point.operation));
+        columns.indices("placement", points.iter().map(|point| point.placement));
+        columns.floats("feed", points.iter().map(|point| Some(point.feed)));
+        columns.floats("seconds", points.iter().map(|point| point.seconds));
+        columns.floats("error", points.iter().map(|point| point.deviation_mm.map(|deviation| deviation * 1e3)));
+        columns.encoded()
+    }
+}

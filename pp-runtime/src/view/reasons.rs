@@ -1,0 +1,61 @@
+//! Why the lines of a program are there, from the line map of a run that posts it.
+
+use std::io;
+
+use crate::post::{LineMap, LineOrigin};
+
+/// Reason of a line that is not known: written by hand, or posted otherwise.
+pub(crate) const UNKNOWN: u8 = u8::MAX;
+
+/// Number of posted lines ahead among which an edited line is looked for.
+const LOOKAHEAD: usize = 400;
+
+/// Reasons by line.
+#[derive(Debug, Default)]
+pub(crate) struct Reasons {
+    /// Names as in `post --map`, in the order of their first lines, and their sentences.
+    pub(crate) names: Vec<&'static str>,
+    pub(crate) texts: Vec<&'static str>,
+    /// Index of the name for each line.
+    lines: Vec<u8>,
+}
+
+impl LineMap for Reasons {
+    fn line(&mut self, origin: &LineOrigin<'_>) -> io::Result<()> {
+        let name = origin.why.name();
+        let index = self.names.iter().position(|known| *known == name).unwrap_or_else(|| {
+            self.names.push(name);
+            self.texts.push(origin.why.text());
+            self.names.len() - 1
+        });
+        // Lines are mapped in order, all of them.
+        self.lines.push(u8::try_from(index).unwrap_or(UNKNOWN));
+        Ok(())
+    }
+}
+
+impl Reasons {
+    /// Index of the reason of a line, from 1.
+    pub(crate) fn of(&self, line: u64) -> u8 {
+        let index = usize::try_from(line).ok().and_then(|line| line.checked_sub(1));
+        index.and_then(|index| self.lines.get(index)).copied().unwrap_or(UNKNOWN)
+    }
+
+    /// The reasons of the lines of another text that are equal to posted ones, in order.
+    pub(crate) fn carried_over(self, posted: &[u8], given: &[u8]) -> Self {
+        let posted: Vec<&[u8]> = lines(posted).collect();
+        let mut next = 0;
+        let of_line = |line: &[u8]| {
+            let ahead = &posted[next..posted.len().min(next + LOOKAHEAD)];
+            let Some(found) = ahead.iter().position(|other| *other == line) else { return UNKNOWN };
+            next += found + 1;
+            self.lines.get(next - 1).copied().unwrap_or(UNKNOWN)
+        };
+        Self { lines: lines(given).map(of_line).collect(), ..self }
+    }
+}
+
+/// Lines of a program, without the blanks at their ends.
+fn lines(text: &[u8]) -> impl Iterator<Item = &[u8]> {
+    text.split(|byte| *byte == b'\n').map(<[u8]>::trim_ascii_end)
+}
