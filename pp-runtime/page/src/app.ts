@@ -109,9 +109,12 @@ export class App {
       this.colouring,
       theme,
     );
-    this.viewport.append(this.viewTools(), this.hoverCard.root);
+    this.viewport.append(this.viewTools(), this.restTools(), this.hoverCard.root);
     this.position = new PositionPanel(program, this.timeline, this.stage);
-    this.display = new DisplayPanel(this.colourings, this.stage, { colour: (name) => this.setColouring(name) });
+    this.display = new DisplayPanel(this.colourings, this.stage, {
+      colour: (name) => this.setColouring(name),
+      hold: (fixed) => this.setFixed(fixed),
+    });
     const events = { seek: (point: number) => this.jump(point), selectLine: (line: number) => this.select(line) };
     this.findings = new FindingsPanel(program, events);
     this.operations = new OperationsPanel(program, events, theme);
@@ -123,6 +126,7 @@ export class App {
     this.theme.onChange(() => this.restyle());
     this.display.showColouring(this.colouring, theme);
     this.openSheet(program.head.findings.length > 0 ? "findings" : "now");
+    this.showChoices();
     this.update();
     this.stage.look("iso", false);
     this.fitFirst();
@@ -138,7 +142,7 @@ export class App {
 
   setFixed(fixed: Fixed): void {
     this.stage.setFixed(fixed);
-    this.display.update();
+    this.showChoices();
   }
 
   /** Goes to a line of the program, or to the nearest block after it. */
@@ -156,12 +160,12 @@ export class App {
     this.timeline.seek(point);
   }
 
-  /** The whole machine is what a reader wants to see first; the path must not become a dot in it. */
+  /** Table, head and tool are what a reader wants to see first; the path must not become a dot in them. */
   private fitFirst(): void {
-    const machine = this.stage.machineBox();
+    const core = this.stage.coreBox();
     const path = this.stage.pathBox();
-    const ratio = machine.max.distanceTo(machine.min) / Math.max(path.max.distanceTo(path.min), 1e-6);
-    this.stage.fit(ratio < 9);
+    const ratio = core.max.distanceTo(core.min) / Math.max(path.max.distanceTo(path.min), 1e-6);
+    this.stage.view.fit(ratio < 12 ? core : path);
   }
 
   private exactPointOfLine(line: number): number | null {
@@ -269,6 +273,26 @@ export class App {
     return views;
   }
 
+  /** What is at rest: the bed, as one stands before the machine, or the part, in whose coordinates the path is. */
+  private restTools(): HTMLElement {
+    const group = element("div", { class: "rest-tools", role: "group", "aria-label": "At rest" });
+    for (const [fixed, label] of [["machine", "Machine"], ["part", "Part"]] as [Fixed, string][]) {
+      const made = button({ label, press: () => this.setFixed(fixed) });
+      made.title = `${label} at rest (B)`;
+      made.dataset.fixed = fixed;
+      group.append(made);
+    }
+    return group;
+  }
+
+  /** Shows the choices of the display as they are now. */
+  private showChoices(): void {
+    this.display.update();
+    for (const each of this.viewport.querySelectorAll<HTMLElement>("[data-fixed]")) {
+      each.setAttribute("aria-pressed", String(each.dataset.fixed === this.stage.fixed));
+    }
+  }
+
   private fillSide(side: HTMLElement): void {
     const contents: Record<Sheet, HTMLElement[]> = {
       now: [this.position.root, element("section", { class: "panel", "aria-label": "Block" }, element("h2", {}, "Block"), this.blockCard.root)],
@@ -322,7 +346,7 @@ export class App {
     const cycle = <Value>(values: Value[], now: Value): Value => values[(values.indexOf(now) + 1) % values.length];
     const updated = (change: () => void) => (): void => {
       change();
-      this.display.update();
+      this.showChoices();
     };
     return [
       {
@@ -373,7 +397,7 @@ export class App {
           { keys: ["Shift+c"], label: "previous colouring", run: () => this.nextColouring(-1) },
           { keys: ["a"], label: "tool axis ticks", run: () => stage.layers.toggle("ticks") },
           { keys: ["l"], label: "axis arrows", run: () => stage.layers.toggle("arrows") },
-          { keys: ["b"], label: "part or bed at rest", run: updated(() => stage.setFixed(cycle(["part", "machine"], stage.fixed))) },
+          { keys: ["b"], label: "part or bed at rest", run: () => this.setFixed(cycle(["part", "machine"], stage.fixed)) },
           { keys: ["m"], label: "bodies: solid, clear, off", run: updated(() => stage.setMachineStyle(cycle(["solid", "ghost", "off"], stage.machineStyle))) },
           { keys: ["h"], label: "path: all, done, operation", run: updated(() => stage.setExtent(cycle(["whole", "done", "operation"], stage.extent))) },
           { keys: ["d"], label: "light or dark", run: () => this.theme.toggle() },

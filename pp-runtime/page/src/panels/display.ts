@@ -9,6 +9,7 @@ import type { Stage } from "../scene/stage.ts";
 
 export interface DisplayEvents {
   colour: (name: string) => void;
+  hold: (fixed: Fixed) => void;
 }
 
 export class DisplayPanel {
@@ -31,7 +32,7 @@ export class DisplayPanel {
       this.legend,
       this.choice<PathExtent>("Shown (H)", "extent", [["whole", "all"], ["done", "done"], ["operation", "operation"]], () => stage.extent, (value) => stage.setExtent(value)),
       element("h2", {}, "Machine"),
-      this.choice<Fixed>("At rest (B)", "fixed", [["part", "part"], ["machine", "bed"]], () => stage.fixed, (value) => stage.setFixed(value)),
+      this.choice<Fixed>("At rest (B)", "fixed", [["machine", "machine"], ["part", "part"]], () => stage.fixed, events.hold),
       this.choice<MachineStyle>("Bodies (M)", "style", [["solid", "solid"], ["ghost", "clear"], ["off", "off"]], () => stage.machineStyle, (value) => stage.setMachineStyle(value)),
       element("h2", {}, "Layers"),
       this.layerList,

@@ -213,9 +213,9 @@ export class Plots {
 
   private chartSize(last: boolean): { width: number; height: number } {
     const count = this.tabs[this.tab].curves.length;
-    const room = this.stack.clientHeight - 22;
-    const height = Math.max(Math.floor(room / count), 54);
-    return { width: Math.max(this.stack.clientWidth - 132, 120), height: height + (last ? 20 : 0) };
+    const room = this.stack.clientHeight - 21 - count;
+    const height = Math.max(Math.floor(room / count), 36);
+    return { width: Math.max(this.stack.clientWidth - 168, 120), height: height + (last ? 20 : 0) };
   }
 
   private resize(): void {
@@ -230,7 +230,7 @@ export class Plots {
     const name = element("span", { class: "chart-name" }, curve.title);
     const colour = cssColour(categoryColour(curve.colour, this.theme));
     name.style.setProperty("--sample", colour);
-    const row = element("div", { class: "chart-row" }, element("div", { class: "chart-head" }, name, readout, element("span", { class: "chart-limits" }, limits)), host);
+    const row = element("div", { class: "chart-row" }, element("div", { class: "chart-head" }, element("div", { class: "chart-title" }, name, readout), element("span", { class: "chart-limits" }, limits)), host);
     this.stack.append(row);
     const [min, max] = this.zoom ?? this.whole();
     const grid = { stroke: styleColour("--grid"), width: 1 };

@@ -20,7 +20,8 @@ export type Shape =
   | { shape: "box"; centre: Triple; along: Triple; across: Triple; size: Triple }
   | { shape: "line"; from: Triple; to: Triple };
 
-export type Role = "body" | "rail" | "stop" | "mark" | "centre-line";
+/** `carriage`, `rail` and `stop` are of a slide, `mark` is a line on a disc. */
+export type Role = "body" | "carriage" | "rail" | "stop" | "mark" | "centre-line";
 
 export interface Body {
   link: number;
@@ -229,22 +230,23 @@ class Builder {
     const skip = vertical ? (stack.side === "head" ? 0.26 * u : 0.1 * u) : stack.side === "head" && stack.reachMm > 0.35 * u ? 0.3 * u : 0;
     const carriage = add(stack.anchor, scale(out, skip + 0.09 * u));
     const side = stack.side;
-    this.body(moving, side, "body", this.box(carriage, along, across, [0.7 * u, 0.62 * u, 0.18 * u]));
-    if (skip > 0.12 * u) this.strut(moving, side, stack.anchor, carriage, 0.2 * u);
+    this.body(moving, side, "carriage", this.box(carriage, along, across, [0.7 * u, 0.62 * u, 0.18 * u]));
+    if (skip > 0.12 * u) this.strut(moving, side, stack.anchor, carriage, 0.2 * u, "carriage");
 
     const { min, max, low, high } = this.input.travel[index];
     const [from, to] = [min ?? low, max ?? high];
     const middle = (sense * (from + to)) / 2;
     const travel = Math.max(to - from, 0) + 0.7 * u;
-    const depth = skip + 0.22 * u;
+    const depth = skip + 0.18 * u;
     for (const offset of [-0.22 * u, 0.22 * u]) {
       const centre = add(add(stack.anchor, scale(out, depth)), add(scale(across, offset), scale(along, middle)));
-      this.body(fixed, this.sideOf(fixed, side), "rail", this.box(centre, along, across, [travel, 0.07 * u, 0.08 * u]));
+      const half = scale(along, travel / 2);
+      this.body(fixed, this.sideOf(fixed, side), "rail", { shape: "line", from: subtract(centre, half), to: add(centre, half) });
       for (const [limit, end] of [[min, from], [max, to]] as [number | null, number][]) {
         if (limit === null) continue;
         const outside = end === to ? 0.38 * u : -0.38 * u;
         const stop = add(centre, scale(along, sense * (end + outside) - middle));
-        this.body(fixed, this.sideOf(fixed, side), "stop", this.box(stop, along, across, [0.05 * u, 0.12 * u, 0.16 * u]));
+        this.body(fixed, this.sideOf(fixed, side), "stop", this.box(stop, along, across, [0.04 * u, 0.1 * u, 0.12 * u]));
       }
     }
     this.arrows.push({
@@ -294,13 +296,13 @@ class Builder {
     this.strut(link, side, corner, to, 0.11 * this.unitMm);
   }
 
-  private strut(link: number, side: Side, from: Triple, to: Triple, thick: number): void {
+  private strut(link: number, side: Side, from: Triple, to: Triple, thick: number, role: Role = "body"): void {
     const span = subtract(to, from);
     const distance = length(span);
     if (distance < 0.2 * thick) return;
     const along = scale(span, 1 / distance);
     const across = perpendicularUnit(along, this.up);
-    this.body(link, side, "body", this.box(scale(add(from, to), 0.5), along, across, [distance + thick, thick, thick]));
+    this.body(link, side, role, this.box(scale(add(from, to), 0.5), along, across, [distance + thick, thick, thick]));
   }
 
   private body(link: number, side: Side, role: Role, shape: Shape): void {

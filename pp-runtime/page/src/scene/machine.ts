@@ -5,6 +5,7 @@
  */
 
 import {
+  Box3,
   BoxGeometry,
   BufferAttribute,
   BufferGeometry,
@@ -57,6 +58,8 @@ export class MachineScene {
   private readonly links: Group[] = [];
   /** Bodies of each link, so that they can be replaced without touching the chain. */
   private readonly bodies: Record<Side, Group[]> = { table: [], head: [], bed: [] };
+  /** Slides of each link, on both sides: shown while the bed is at rest. */
+  private readonly slides: Group[] = [];
   private readonly centreLines: Group[] = [];
   private readonly arrows: Group[] = [];
   private readonly solid: Record<Side, MeshLambertMaterial>;
@@ -66,7 +69,7 @@ export class MachineScene {
   private readonly centre = new LineDashedMaterial({ dashSize: 1, gapSize: 1 });
   private points: Triple[] = [];
   private axes: number[];
-  private fixed: Fixed = "part";
+  private fixed: Fixed = "machine";
 
   constructor(readonly machine: Machine) {
     const bySide = <T>(make: () => T): Record<Side, T> => ({ table: make(), head: make(), bed: make() });
@@ -86,6 +89,7 @@ export class MachineScene {
     for (const link of this.links) {
       link.matrixAutoUpdate = false;
       for (const side of SIDES) this.bodies[side].push(this.child(link));
+      this.slides.push(this.child(link));
       this.centreLines.push(this.child(link));
       this.arrows.push(this.child(link));
     }
@@ -96,7 +100,7 @@ export class MachineScene {
   /** Builds the bodies for one set-up and one tool. */
   build(input: Omit<LayoutInput, "machine">, tool: Tool): void {
     this.points = input.points;
-    for (const group of [...SIDES.flatMap((side) => this.bodies[side]), ...this.centreLines, ...this.arrows]) empty(group);
+    for (const group of [...SIDES.flatMap((side) => this.bodies[side]), ...this.slides, ...this.centreLines, ...this.arrows]) empty(group);
     this.labels = [];
     const layout = layOut({ machine: this.machine, ...input });
     this.unitMm = layout.unitMm;
@@ -165,6 +169,17 @@ export class MachineScene {
     for (const group of this.bodies[side]) group.visible = visible;
   }
 
+  showSlides(visible: boolean): void {
+    for (const group of this.slides) group.visible = visible;
+  }
+
+  /** Box around workpiece side, tool side and tool, without slides and machine frame, in the world as it is now. */
+  coreBox(): Box3 {
+    const box = new Box3();
+    for (const group of [...this.bodies.table, ...this.bodies.head, this.tool.object]) box.expandByObject(group, true);
+    return box;
+  }
+
   showCentreLines(visible: boolean): void {
     for (const group of this.centreLines) group.visible = visible;
   }
@@ -198,9 +213,10 @@ export class MachineScene {
     const { shape, side, link } = body;
     if (shape.shape === "line") {
       const centreLine = body.role === "centre-line";
-      const line = new Line(lineGeometry([shape.from, shape.to]), centreLine ? this.centre : this.arrowLine[side]);
+      const material = centreLine ? this.centre : body.role === "rail" ? this.edge[side] : this.arrowLine[side];
+      const line = new Line(lineGeometry([shape.from, shape.to]), material);
       if (centreLine) line.computeLineDistances();
-      (centreLine ? this.centreLines : this.bodies[side])[link].add(line);
+      (centreLine ? this.centreLines : body.role === "rail" ? this.slides : this.bodies[side])[link].add(line);
       return;
     }
     const mesh = new Mesh(
@@ -219,7 +235,8 @@ export class MachineScene {
     }
     mesh.position.set(...shape.centre);
     mesh.add(new LineSegments(new EdgesGeometry(mesh.geometry, 25), this.edge[side]));
-    this.bodies[side][link].add(mesh);
+    const slide = body.role === "carriage" || body.role === "rail" || body.role === "stop";
+    (slide ? this.slides : this.bodies[side])[link].add(mesh);
   }
 
   private addArrow(arrow: Arrow): void {

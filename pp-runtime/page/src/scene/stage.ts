@@ -27,7 +27,7 @@ export class Stage {
   readonly view: View;
   readonly layers = new Layers();
   readonly machine: MachineScene;
-  fixed: Fixed = "part";
+  fixed: Fixed = "machine";
   machineStyle: MachineStyle = "ghost";
   extent: PathExtent = "whole";
   private readonly path: Path;
@@ -52,7 +52,7 @@ export class Stage {
     private theme: Theme,
   ) {
     const ratio = Math.min(devicePixelRatio, 2);
-    this.view = new View(container);
+    this.view = new View(container, program.count);
     this.machine = new MachineScene(program.head.machine);
     this.view.scene.add(this.machine.workpiece);
     this.path = new Path(program, colouring, theme);
@@ -122,6 +122,11 @@ export class Stage {
   setFixed(fixed: Fixed): void {
     this.fixed = fixed;
     this.machine.hold(fixed);
+    for (const name of ["bed", "slides"]) {
+      const layer = this.layers.get(name);
+      if (layer) layer.apply(layer.visible);
+    }
+    this.layers.get("arrows")?.apply(this.layers.get("arrows")?.visible ?? true);
     this.view.request();
   }
 
@@ -142,6 +147,11 @@ export class Stage {
   /** The box around the path of this set-up, in the world as it is now. */
   pathBox(): Box3 {
     return this.cuttingBox.clone().applyMatrix4(this.machine.workpiece.matrixWorld);
+  }
+
+  /** The box around path, table, head and tool. */
+  coreBox(): Box3 {
+    return this.machine.coreBox().union(this.pathBox());
   }
 
   /** The box around everything. */
@@ -264,7 +274,9 @@ export class Stage {
     });
     if (frame_after > 0) layer("table", "Table side", "sample-table", true, null, (on) => this.machine.showSide("table", on));
     if (frame_after < joints) layer("head", "Head side", "sample-head", true, null, (on) => this.machine.showSide("head", on));
-    layer("bed", "Machine frame", "sample-bed", true, null, (on) => this.machine.showSide("bed", on));
+    // With the part at rest frame and slides would swing about it: they are shown with the bed at rest.
+    layer("slides", "Slides (bed at rest)", null, true, null, (on) => this.machine.showSlides(on && this.fixed === "machine"));
+    layer("bed", "Frame (bed at rest)", "sample-bed", true, null, (on) => this.machine.showSide("bed", on && this.fixed === "machine"));
     layer("centre-lines", "Centre lines", "sample-centre", true, null, (on) => this.machine.showCentreLines(on));
     layer("arrows", "Axis arrows", null, true, "L", (on) => {
       const shown = on && this.machineStyle !== "off";

@@ -24,6 +24,9 @@ export const STANDARD_VIEWS = {
   bottom: { label: "Bottom", key: "7", eye: [0, 0, -1], up: [0, -1, 0] },
 } as const;
 
+/** From this number of legs on lines are not smoothed where there is no graphics card: it takes three times as long. */
+const MOST_SMOOTH_LEGS = 20_000;
+
 export type StandardView = keyof typeof STANDARD_VIEWS;
 
 export class View {
@@ -36,8 +39,11 @@ export class View {
   private width = 1;
   private height = 1;
 
-  constructor(readonly container: HTMLElement) {
-    this.renderer = new WebGLRenderer({ antialias: true, powerPreference: "high-performance" });
+  constructor(
+    readonly container: HTMLElement,
+    legs: number,
+  ) {
+    this.renderer = new WebGLRenderer({ antialias: legs < MOST_SMOOTH_LEGS || !drawsInSoftware(), powerPreference: "high-performance" });
     const canvas = this.renderer.domElement;
     canvas.setAttribute("role", "img");
     canvas.setAttribute("aria-label", "Tool path and machine in 3-D. Drag to orbit; press ? for the keys.");
@@ -211,4 +217,14 @@ export class View {
     for (const prepare of this.beforeFrame) prepare();
     this.renderer.render(this.scene, this.camera);
   }
+}
+
+/** Whether the browser draws without a graphics card, as far as it tells. */
+function drawsInSoftware(): boolean {
+  const gl = document.createElement("canvas").getContext("webgl2");
+  const info = gl?.getExtension("WEBGL_debug_renderer_info");
+  if (!gl || !info) return false;
+  const name = String(gl.getParameter(info.UNMASKED_RENDERER_WEBGL));
+  gl.getExtension("WEBGL_lose_context")?.loseContext();
+  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
 }
