@@ -63,6 +63,7 @@ fn execute(machine: &dyn AnyMachine, args: &[OsString], mut streams: Streams<'_>
         Command::Post(args) => args.set_up.message_format,
         Command::Check(args) => args.format(),
         Command::View(args) => args.set_up.message_format,
+        Command::Report(args) => args.set_up.message_format,
         Command::ExplainBlock(args) => args.set_up.message_format,
         Command::Config(_) | Command::Explain(_) => MessageFormat::Human,
     };
@@ -70,6 +71,7 @@ fn execute(machine: &dyn AnyMachine, args: &[OsString], mut streams: Streams<'_>
         Command::Post(args) => posting::run(machine, &args, &mut streams, post),
         Command::Check(args) => check::run(machine, &args, &mut streams),
         Command::View(args) => view::run(machine, &args, &mut streams, post),
+        Command::Report(args) => view::report(machine, &args, &mut streams, post),
         Command::ExplainBlock(args) => explain_block::run(machine, &args, &mut streams, post),
         Command::Config(args) => {
             let config = config::starting_point(args.control());

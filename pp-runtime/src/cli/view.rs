@@ -1,5 +1,5 @@
 //! `view IN.cls [OUT.nc]`: a page that shows the program as the check's reader understands it; `post --view` writes the page
-//! of the program that it posts.
+//! of the program that it posts. `report IN.cls`: a set-up sheet of the posted program.
 //!
 //! Without OUT.nc the CL data is posted to memory. With it the CL data is posted, too: lines that are equal have the reasons
 //! of the posted ones. A program with findings is shown, and the exit status is that of `check`.
@@ -8,10 +8,11 @@ use std::fs;
 use std::io::{self, BufWriter, Seek as _, Write};
 use std::path::{Path, PathBuf};
 
+use crate::check::CheckPolicy;
 use crate::kinematics::AnyMachine;
-use crate::view::{Reasons, Titles, ViewedProgram, write_page};
+use crate::view::{Reasons, Titles, ViewedProgram, path_and_axes, write_page, write_report};
 
-use super::args::{SetUpArgs, ViewArgs};
+use super::args::{ReportArgs, ReportFile, SetUpArgs, ViewArgs};
 use super::check;
 use super::cl_source::ClSource;
 use super::inputs::{cl_name, open_cl_data, posting_passes, read_config, refuse_overwriting, show_progress};
@@ -26,18 +27,20 @@ const IN_MEMORY: &str = "the program in memory";
 /// Times that the CL data is read to show a program.
 const VIEWING_PASSES: u64 = 2;
 
-/// Writes what is shown of a program.
-pub(crate) type Show<'a> = &'a dyn Fn(&ViewedProgram<'_>, &mut dyn Write) -> io::Result<()>;
-
 /// A program to be shown.
-pub(crate) struct Request<'a> {
-    pub(crate) input: &'a Path,
+struct Request<'a> {
+    input: &'a Path,
     /// `None`: the CL data is posted.
-    pub(crate) program: Option<&'a Path>,
-    pub(crate) output: &'a Path,
-    /// What the output file holds.
-    pub(crate) what: &'static str,
-    pub(crate) set_up: &'a SetUpArgs,
+    program: Option<&'a Path>,
+    set_up: &'a SetUpArgs,
+}
+
+/// A file that shows a program.
+struct Output<'a> {
+    path: &'a Path,
+    /// What it holds.
+    what: &'static str,
+    write: &'a dyn Fn(&ViewedProgram<'_>, &mut dyn Write) -> io::Result<()>,
 }
 
 /// A program in memory, and why its lines are there.
@@ -47,50 +50,75 @@ pub(crate) struct Posted {
     pub(crate) reasons: Reasons,
 }
 
+/// `view`.
 pub(crate) fn run(
     machine: &dyn AnyMachine,
     args: &ViewArgs,
     streams: &mut Streams<'_>,
     post: PostFn<'_>,
 ) -> Result<Status, Failure> {
-    let output = args.output();
-    if args.open && is_standard(&output) {
+    let page = match (&args.output, &args.svg) {
+        (Some(output), _) => Some(output.clone()),
+        (None, Some(_)) if !args.open => None,
+        (None, _) if is_standard(&args.input) => {
+            return Err(Failure::Argument("CL data from standard input has no name: give `-o OUT.html`".to_owned()));
+        }
+        (None, _) => Some(args.input.with_extension("html")),
+    };
+    if args.open && page.as_deref().is_some_and(is_standard) {
         return Err(Failure::Argument("--open needs a file: give `-o OUT.html`".to_owned()));
     }
-    let request = Request {
-        input: &args.input,
-        program: args.program.as_deref(),
-        output: &output,
-        what: "page",
-        set_up: &args.set_up,
-    };
-    let status = show(machine, &request, streams, post, &write_page)?;
-    if args.open {
-        open::that_detached(&output).map_err(|error| {
-            Failure::Argument(format!("{} is written, but no browser could be opened: {error}", output.display()))
+    let svg = |program: &ViewedProgram<'_>, out: &mut dyn Write| out.write_all(path_and_axes(program)?.as_bytes());
+    let outputs: Vec<Output<'_>> = page
+        .iter()
+        .map(|path| Output { path, what: "page", write: &write_page })
+        .chain(args.svg.iter().map(|path| Output { path, what: "pictures", write: &svg }))
+        .collect();
+    let request = Request { input: &args.input, program: args.program.as_deref(), set_up: &args.set_up };
+    let status = show(machine, &request, streams, post, &outputs)?;
+    if let Some(page) = page.filter(|_| args.open) {
+        open::that_detached(&page).map_err(|error| {
+            Failure::Argument(format!("{} is written, but no browser could be opened: {error}", page.display()))
         })?;
     }
     Ok(status)
 }
 
+/// `report`.
+pub(crate) fn report(
+    machine: &dyn AnyMachine,
+    args: &ReportArgs,
+    streams: &mut Streams<'_>,
+    post: PostFn<'_>,
+) -> Result<Status, Failure> {
+    let ReportFile { path, form } = &args.output;
+    let write = |program: &ViewedProgram<'_>, out: &mut dyn Write| write_report(program, *form, args.jog, out);
+    let request = Request { input: &args.input, program: None, set_up: &args.set_up };
+    show(machine, &request, streams, post, &[Output { path, what: "set-up sheet", write: &write }])
+}
+
 /// Posts or reads a program, executes it, and writes what is shown of it.
-pub(crate) fn show(
+fn show(
     machine: &dyn AnyMachine,
     request: &Request<'_>,
     streams: &mut Streams<'_>,
     post: PostFn<'_>,
-    write: Show<'_>,
+    outputs: &[Output<'_>],
 ) -> Result<Status, Failure> {
-    let Request { input, program, output, what, set_up } = *request;
+    let Request { input, program, set_up } = *request;
     let mut messages = Messages::new(streams.errors, set_up.message_format);
     let config = read_config(machine, set_up, &mut messages)?;
     let mut read = read_files(input, set_up);
     read.extend(program.map(|program| (program, "program")));
-    let is_file = !is_standard(output);
-    refuse_overwriting(&read, &if is_file { vec![(output, what)] } else { Vec::new() })?;
+    let files: Vec<(&Path, &str)> =
+        outputs.iter().filter(|output| !is_standard(output.path)).map(|output| (output.path, output.what)).collect();
+    refuse_overwriting(&read, &files)?;
     let mut source = open_cl_data(input, streams.input)?;
-    let unwritable = |error| Failure::unwritable(output, error);
-    let mut target = is_file.then(|| OutputFile::create(output)).transpose().map_err(unwritable)?;
+    let create = |output: &Output<'_>| -> Result<Option<OutputFile>, Failure> {
+        let file = (!is_standard(output.path)).then(|| OutputFile::create(output.path));
+        file.transpose().map_err(|error| Failure::unwritable(output.path, error))
+    };
+    let targets = outputs.iter().map(create).collect::<Result<Vec<_>, _>>()?;
     let given = program.map(|path| fs::read(path).map_err(|error| Failure::unreadable(path, error))).transpose()?;
     show_progress(&mut source, streams.terminal, set_up, posting_passes(&config));
     let in_memory = Path::new(IN_MEMORY);
@@ -118,19 +146,28 @@ pub(crate) fn show(
             .map_err(|error| Failure::Unreadable(name.clone(), error))?;
     }
     messages.note(&checked.outcome.summary());
-    let out = match &mut target {
-        Some(target) => target.writer(),
-        None => &mut *streams.output,
-    };
-    let mut out = BufWriter::new(out);
-    write(&shown, &mut out).and_then(|()| out.flush()).map_err(unwritable)?;
-    drop(out);
-    target.map_or(Ok(false), |target| target.finish(|_| false)).map_err(unwritable)?;
-    if is_file {
-        messages.note(&format!("{what}: {}", output.display()));
+    for (output, target) in outputs.iter().zip(targets) {
+        let unwritable = |error| Failure::unwritable(output.path, error);
+        let Some(mut target) = target else {
+            let mut out = BufWriter::new(&mut *streams.output);
+            (output.write)(&shown, &mut out).and_then(|()| out.flush()).map_err(unwritable)?;
+            continue;
+        };
+        write_to(&mut target, &shown, output.write).and_then(|()| target.finish(|_| false)).map_err(unwritable)?;
+        messages.note(&format!("{}: {}", output.what, output.path.display()));
     }
-    let passed = !rejected && checked.fault.is_none() && checked.outcome.passed();
-    Ok(if passed { Status::Done } else { Status::Rejected })
+    Ok(if !rejected && shown.passed() { Status::Done } else { Status::Rejected })
+}
+
+/// Writes a file that shows a program.
+fn write_to(
+    target: &mut OutputFile,
+    shown: &ViewedProgram<'_>,
+    write: impl Fn(&ViewedProgram<'_>, &mut dyn Write) -> io::Result<()>,
+) -> io::Result<()> {
+    let mut out = BufWriter::new(target.writer());
+    write(shown, &mut out)?;
+    out.flush()
 }
 
 /// Executes a program that is in memory. `program`: its path, if it was not posted in this run.
@@ -138,7 +175,7 @@ fn execute<'p>(
     machine: &dyn AnyMachine,
     run: &PostRun<'_>,
     program: Option<&Path>,
-    policy: &'p crate::check::CheckPolicy,
+    policy: &'p CheckPolicy,
     source: &mut ClSource,
     posted: &'p Posted,
     written: &Written,
@@ -152,7 +189,7 @@ fn execute<'p>(
         summary: match (program, &written.summary) {
             // What the planner counts is not this program.
             (Some(_), _) => report.set_up.iter().chain(&report.reading).chain(&report.assumptions).cloned().collect(),
-            (None, Ok(_)) => report.summary(),
+            (None, Ok(_)) => report.summary_without_times(),
             (None, Err(reason)) => vec![format!("rejected: {reason}")],
         },
         warnings: report.diagnostics.iter().map(|found| headline(&cl, found)).collect(),
@@ -196,9 +233,7 @@ impl PageFile {
         let unwritable = |error| Failure::unwritable(&path, error);
         let policy = run.policy(machine)?;
         let program = execute(machine, run, None, &policy, source, &posted, written)?;
-        let mut out = BufWriter::new(target.writer());
-        write_page(&program, &mut out).and_then(|()| out.flush()).map_err(unwritable)?;
-        drop(out);
+        write_to(&mut target, &program, write_page).map_err(unwritable)?;
         target.finish(|_| false).map(drop).map_err(unwritable)
     }
 }

@@ -13,7 +13,7 @@ use crate::nc::{Decimal, write_decimal};
 use crate::program::Rotation;
 use crate::program::Units;
 use crate::set_up::ClPoint;
-use crate::set_up::{LengthMode, ProgramZero, Stock};
+use crate::set_up::{LengthMode, ProgramZero, Stock, part_angles};
 
 use super::survey::{Survey, ToolUse};
 use super::{Job, operations};
@@ -139,13 +139,13 @@ pub(crate) fn set_up(control: &dyn Control, config: &Config, survey: &Survey) ->
         let offset = offset_name(control, further.work_offset.as_deref().unwrap_or_default());
         let [x, y, z] = further.part_origin;
         let mut line = format!("set-up {number}, {begins}: work offset {offset}, part origin X{x} Y{y} Z{z} mm");
-        let [rx, ry, rz] = further.part_angles();
+        let [rx, ry, rz] = part_angles(&further.part_rotation);
         if [rx, ry, rz].iter().any(|angle| angle.abs() > 0.0) {
             line += &format!(", part rotation {rx}, {ry}, {rz} degrees");
         }
         list.push(line);
     }
-    let [x, y, z] = config.set_up.part_angles();
+    let [x, y, z] = part_angles(&config.set_up.part_rotation);
     if [x, y, z].iter().any(|angle| angle.abs() > 0.0) {
         list.push(format!(
             "part rotation {x}, {y}, {z}: the CL data is rotated by these degrees about X, then Y, then Z of the table"

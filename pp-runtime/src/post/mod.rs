@@ -40,6 +40,7 @@ pub use line_map::{LineMap, LineOrigin};
 pub use proof::{Proof, prove};
 pub use survey::Stretches;
 use survey::Survey;
+pub(crate) use time::duration;
 
 /// A posting job: set-up, control and name of the CL file.
 #[derive(Clone, Copy)]
@@ -154,6 +155,15 @@ impl Report {
     /// The summary that is shown after posting, line by line.
     #[must_use]
     pub fn summary(&self) -> Vec<String> {
+        self.summary_with(&time::lines(&self.times))
+    }
+
+    /// The same without machining times, for a document that has those of the executed program.
+    pub(crate) fn summary_without_times(&self) -> Vec<String> {
+        self.summary_with(&time::speeds(&self.times))
+    }
+
+    fn summary_with(&self, times: &[String]) -> Vec<String> {
         let mut lines = vec![format!(
             "{}, {}, {}, {}, {} with inverse-time feed",
             counted(self.statistics.motions, "motion"),
@@ -162,7 +172,7 @@ impl Report {
             counted(self.statistics.sequences, "safe sequence"),
             counted(self.statistics.inverse_time, "block"),
         )];
-        lines.extend(time::lines(&self.times));
+        lines.extend_from_slice(times);
         lines.extend(self.set_up.iter().cloned());
         lines.extend(self.reading.iter().cloned());
         lines.extend((!self.course.is_empty()).then(|| self.course.clone()));

@@ -6,7 +6,7 @@ use crate::motion::{OperationTime, Times};
 const MOST_LISTED: usize = 20;
 
 /// A time in readable units: `1 h 02 min`, `12 min 05 s`, `3.2 s`.
-fn duration(minutes: f64) -> String {
+pub(crate) fn duration(minutes: f64) -> String {
     let seconds = minutes * 60.0;
     if seconds < 60.0 {
         return format!("{seconds:.1} s");
@@ -18,8 +18,14 @@ fn duration(minutes: f64) -> String {
     }
 }
 
-/// The lines about machining times: total, operations, fastest rotary axis in a cut, blocks slowed down.
+/// The lines about machining times: total and operations, then those of [`speeds`].
 pub(crate) fn lines(times: &Times) -> Vec<String> {
+    let mut lines = totals(times);
+    lines.append(&mut speeds(times));
+    lines
+}
+
+fn totals(times: &Times) -> Vec<String> {
     if times.total_min() <= 0.0 {
         return Vec::new();
     }
@@ -38,6 +44,15 @@ pub(crate) fn lines(times: &Times) -> Vec<String> {
         lines.extend(times.operations.iter().take(MOST_LISTED).map(of_operation));
         let more = times.operations.len().saturating_sub(MOST_LISTED) as u64 + times.unlisted_operations;
         lines.extend((more > 0).then(|| format!("  and {more} more operations")));
+    }
+    lines
+}
+
+/// The lines about fastest rotary axis in a cut, and about blocks slowed down.
+pub(crate) fn speeds(times: &Times) -> Vec<String> {
+    let mut lines = Vec::new();
+    if times.total_min() <= 0.0 {
+        return lines;
     }
     if let Some(fastest) = times.fastest {
         lines.push(format!(

@@ -22,6 +22,7 @@ use keys::{
 use part_rotation::PartRotation;
 
 pub use machine::AxisBounds;
+pub(crate) use part_rotation::angles as part_angles;
 
 /// The point of the tool that the CL data programs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -109,13 +110,6 @@ pub struct Clamping<'a> {
     pub work_offset: &'a str,
 }
 
-impl FurtherSetUp {
-    /// The angles of `part_rotation`, degrees.
-    pub(crate) fn part_angles(&self) -> [f64; 3] {
-        part_rotation::angles(&self.part_rotation)
-    }
-}
-
 impl SetUp {
     /// The part in the set-up of a number, counted from 1; `None` if there is no such set-up.
     #[must_use]
@@ -175,13 +169,6 @@ pub(crate) const COOLANTS: [(&str, Coolant); 4] =
 
 /// Largest number of a tool or of its offset register.
 pub(crate) const LARGEST_TOOL: u32 = 99_999;
-
-impl SetUp {
-    /// `part_rotation` as `[rx, ry, rz]` in degrees, rounded to nine decimals.
-    pub(crate) fn part_angles(&self) -> [f64; 3] {
-        part_rotation::angles(&self.part_rotation)
-    }
-}
 
 /// Box around the blank, mm, for the graphics of the control.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -12,7 +12,7 @@ use crate::kinematics::{AxisKind, Side};
 use super::ViewedProgram;
 use super::cl_facts::ClTool;
 use super::columns::Column;
-use super::executed::{Placement as ExecutedPlacement, PointKind};
+use super::executed::{Operation as ExecutedOperation, Placement as ExecutedPlacement, PointKind};
 
 /// Version of the data.
 const FORMAT: u32 = 1;
@@ -32,9 +32,9 @@ pub(crate) struct Head<'a> {
     cl: &'a str,
     control: &'a str,
     machine: Machine,
-    pub(crate) tools: Vec<Tool>,
-    pub(crate) operations: Vec<Operation>,
-    pub(crate) set_ups: Vec<SetUp>,
+    tools: Vec<Tool>,
+    operations: Vec<Operation>,
+    set_ups: Vec<SetUp>,
     placements: Vec<Placement>,
     findings: Vec<PageFinding<'a>>,
     warnings: &'a [String],
@@ -91,7 +91,7 @@ pub(crate) struct Tool {
     pub(crate) kind: &'static str,
     pub(crate) diameter: Option<f64>,
     pub(crate) corner_radius: Option<f64>,
-    pub(crate) length: Option<f64>,
+    length: Option<f64>,
     flute_length: Option<f64>,
     taper: Option<f64>,
     pub(crate) gauge_length: Option<f64>,
@@ -117,11 +117,11 @@ pub(crate) struct Operation {
 }
 
 /// A clamping of the part.
-#[derive(Debug, Clone, Serialize)]
-pub(crate) struct SetUp {
-    pub(crate) name: String,
-    pub(crate) work_offset: String,
-    pub(crate) part_origin: [f64; 3],
+#[derive(Debug, Serialize)]
+struct SetUp {
+    name: String,
+    work_offset: String,
+    part_origin: [f64; 3],
     first_point: usize,
 }
 
@@ -149,26 +149,7 @@ fn vector(vector: impl Into<[f64; 3]>) -> [f64; 3] {
 impl<'a> Head<'a> {
     pub(crate) fn of(program: &'a ViewedProgram<'a>, columns: Vec<Column>) -> Self {
         let executed = &program.executed;
-        let seconds = |range: &dyn Fn(usize) -> bool| {
-            let points = executed.points.iter().enumerate().filter(|(index, _)| range(*index));
-            points.filter_map(|(_, point)| point.seconds).sum::<f64>()
-        };
-        let ends =
-            |index: usize| executed.operations.get(index + 1).map_or(executed.points.len(), |next| next.first_point);
-        let names = program.facts.names(executed.operations.iter().map(|operation| operation.cl_line));
-        let operations = executed.operations.iter().zip(names).enumerate().map(|(index, (operation, name))| {
-            let (first_point, end) = (operation.first_point, ends(index));
-            Operation {
-                name: if name.is_empty() { format!("operation {}", operation.number) } else { name },
-                number: operation.number,
-                tool: operation.tool,
-                set_up: program.set_up_index(operation.set_up),
-                mode: operation.mode,
-                first_point,
-                points: end - first_point,
-                seconds: tidy(seconds(&|point| (first_point..end).contains(&point))),
-            }
-        });
+        let seconds: f64 = executed.points.iter().filter_map(|point| point.seconds).sum();
         Self {
             format: FORMAT,
             compressed: true,
@@ -177,7 +158,7 @@ impl<'a> Head<'a> {
             control: program.titles.control,
             machine: machine(program),
             tools: tools(program),
-            operations: operations.collect(),
+            operations: operations(program),
             set_ups: set_ups(program),
             placements: executed.placements.iter().map(|placement| placement_of(program, placement)).collect(),
             findings: program.checked.outcome.findings.iter().map(|found| finding(program, found)).collect(),
@@ -189,9 +170,30 @@ impl<'a> Head<'a> {
             reasons: &program.reasons.names,
             reason_texts: &program.reasons.texts,
             kinds: &PointKind::NAMES,
-            seconds: tidy(seconds(&|_| true)),
+            seconds: tidy(seconds),
         }
     }
+}
+
+/// Operations in the order in which they are executed.
+pub(crate) fn operations(program: &ViewedProgram<'_>) -> Vec<Operation> {
+    let executed = &program.executed;
+    let names = program.facts.names(executed.operations.iter().map(|operation| operation.cl_line));
+    let ends = executed.operations.iter().skip(1).map(|next| next.first_point).chain([executed.points.len()]);
+    let operation = |((operation, name), end): ((&ExecutedOperation, String), usize)| {
+        let points = &executed.points[operation.first_point..end];
+        Operation {
+            name: if name.is_empty() { format!("operation {}", operation.number) } else { name },
+            number: operation.number,
+            tool: operation.tool,
+            set_up: program.set_up_index(operation.set_up),
+            mode: operation.mode,
+            first_point: operation.first_point,
+            points: points.len(),
+            seconds: tidy(points.iter().filter_map(|point| point.seconds).sum()),
+        }
+    };
+    executed.operations.iter().zip(names).zip(ends).map(operation).collect()
 }
 
 fn machine(program: &ViewedProgram<'_>) -> Machine {
@@ -237,7 +239,8 @@ fn placement_of(program: &ViewedProgram<'_>, placement: &ExecutedPlacement) -> P
     }
 }
 
-fn tools(program: &ViewedProgram<'_>) -> Vec<Tool> {
+/// Tools in the order of their numbers.
+pub(crate) fn tools(program: &ViewedProgram<'_>) -> Vec<Tool> {
     let executed = &program.executed;
     // First point, number of points, seconds.
     let mut used: BTreeMap<u32, (usize, usize, f64)> = BTreeMap::new();

@@ -11,13 +11,14 @@ use base64::prelude::BASE64_STANDARD;
 use sha2::{Digest as _, Sha256};
 
 use super::head::Head;
-use super::{ViewedProgram, columns, summary};
+use super::sheet::Sheet;
+use super::{ViewedProgram, columns, report};
 
 /// The script of the page, from `page/`.
-const SCRIPT: &str = "";
+const SCRIPT: &str = include_str!("../../page/dist/page.js");
 
 /// Its style.
-const STYLE: &str = "";
+const STYLE: &str = include_str!("../../page/dist/page.css");
 
 /// Text between tags and in attributes.
 pub(crate) struct Escaped<T>(pub(crate) T);
@@ -43,15 +44,16 @@ pub(crate) fn write_page(program: &ViewedProgram<'_>, out: &mut dyn Write) -> io
     let (list, numbers) = program.columns()?;
     let head = Head::of(program, list);
     let json = serde_json::to_string(&head)?.replace('<', "\\u003c");
-    let title = format!("{} on {}", program.titles.program, program.machine.name());
-    begin(&title, STYLE, Some(SCRIPT), out)?;
+    let sheet = Sheet::of(program, false);
+    begin(&sheet.title(), STYLE, Some(SCRIPT), out)?;
     out.write_all(b"<main id=\"summary\">\n")?;
-    summary::write(program, &head, out)?;
+    report::html(&sheet.overview(program)?, out)?;
     out.write_all(b"</main>\n<div id=\"app\"></div>\n")?;
     writeln!(out, "<script type=\"application/json\" id=\"program-head\">{json}</script>")?;
     writeln!(out, "<script type=\"text/plain\" id=\"program-columns\">{numbers}</script>")?;
-    let text = columns::packed(program.text)?;
-    writeln!(out, "<script type=\"text/plain\" id=\"program-text\">{text}</script>")?;
+    for (id, text) in [("program-text", program.text), ("cl-text", &program.cl_text)] {
+        writeln!(out, "<script type=\"text/plain\" id=\"{id}\">{}</script>", columns::packed(text)?)?;
+    }
     writeln!(out, "<script>{SCRIPT}</script>\n</body></html>")
 }
 

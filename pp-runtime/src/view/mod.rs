@@ -3,18 +3,23 @@
 //! What is shown is the program as the check's reader understands its text, not what the planner meant: `executed` collects
 //! its points while it is checked. `cl_facts` has what only the CL data states, `reasons` why a line is there.
 //!
-//! The page is one file: `html` writes it, with the data of `head` and `columns` and the script of `page/`; `summary` is the
-//! part of it that is readable without a script. Text from outside reaches it as escaped text only.
+//! The page is one file: `html` writes it, with the data of `head` and `columns` and the script of `page/`. `sheet` has the
+//! facts that are readable without a script, in the page and in the set-up sheet (`report`), `picture` the drawings. Text from
+//! outside reaches a document as escaped text only.
 
 mod cl_facts;
 mod columns;
 mod executed;
 mod head;
 mod html;
+mod picture;
 mod reasons;
-mod summary;
+mod report;
+mod sheet;
 
 use std::io::{self, SeekFrom};
+
+use nalgebra::Point3;
 
 use crate::check::{CheckError, CheckPolicy, Checked, check_observed};
 use crate::cl::ReadSeek;
@@ -22,10 +27,12 @@ use crate::kinematics::{AnyMachine, AxisKind};
 
 use cl_facts::ClFacts;
 use columns::{Column, Columns};
-use executed::{Collector, Executed};
+use executed::{Collector, Executed, Point};
 
 pub(crate) use html::write_page;
+pub(crate) use picture::path_and_axes;
 pub(crate) use reasons::Reasons;
+pub(crate) use report::{ReportForm, write_report};
 
 /// Step of linear axes and tips, mm.
 const LENGTH_STEP: f64 = 1e-5;
@@ -59,6 +66,8 @@ pub(crate) struct ViewedProgram<'a> {
     machine: Box<dyn AnyMachine>,
     executed: Executed,
     facts: ClFacts,
+    /// Text of the CL data.
+    cl_text: Vec<u8>,
     checked: Checked,
     reasons: &'a Reasons,
 }
@@ -77,13 +86,20 @@ impl<'a> ViewedProgram<'a> {
         titles: Titles,
     ) -> Result<Self, CheckError> {
         let start = cl.stream_position().map_err(CheckError::Input)?;
-        let facts = ClFacts::read(&mut *cl, policy.reading.clone()).map_err(CheckError::Input)?;
+        let mut cl_text = Vec::new();
+        cl.read_to_end(&mut cl_text).map_err(CheckError::Input)?;
+        let facts = ClFacts::read(&*cl_text, policy.reading.clone()).map_err(CheckError::Input)?;
         cl.seek(SeekFrom::Start(start)).map_err(CheckError::Input)?;
         let mut collector = Collector::new(machine, policy);
         let checked = check_observed(machine, policy, cl, &mut &*text, &mut collector)?;
         let machine =
             policy.set_up.machine_for(machine).map_err(|invalid| CheckError::Impossible(invalid.to_string()))?;
-        Ok(Self { titles, text, policy, machine, executed: collector.finish(), facts, checked, reasons })
+        Ok(Self { titles, text, policy, machine, executed: collector.finish(), facts, cl_text, checked, reasons })
+    }
+
+    /// Whether the program does what the CL data asks for.
+    pub(crate) fn passed(&self) -> bool {
+        self.checked.fault.is_none() && self.checked.outcome.passed()
     }
 
     /// Result of the check.
@@ -104,6 +120,37 @@ impl<'a> ViewedProgram<'a> {
     /// Position of a set-up in the list of set-ups.
     fn set_up_index(&self, number: u32) -> usize {
         self.policy.set_up.clampings().position(|(other, _)| other == number).unwrap_or(0)
+    }
+
+    /// Whether machine coordinates of an axis are known; else its values are shown.
+    fn has_coordinates(&self, index: usize) -> bool {
+        let axis = &self.machine.axes()[index];
+        axis.kind == AxisKind::Rotary || self.policy.set_up.machine_zero.contains_key(&axis.letter)
+    }
+
+    /// Position of an axis at each point, mm and rad: machine coordinates of a linear axis, where they are known.
+    fn coordinates(&self, index: usize) -> Vec<f64> {
+        let axis = &self.machine.axes()[index];
+        let linear = axis.kind == AxisKind::Linear && self.has_coordinates(index);
+        let zero_mm = self.policy.set_up.machine_zero.get(&axis.letter).copied().unwrap_or(0.0);
+        let at = |point: &Point| {
+            let offset_mm = self.executed.placements[point.placement].offsets_mm[index];
+            point.axes[index] + if linear { zero_mm + offset_mm } else { 0.0 }
+        };
+        self.executed.points.iter().map(at).collect()
+    }
+
+    /// Corners of the blank in the coordinates of a set-up: that of the configuration in the first, or a box around all cuts.
+    fn part_corners(&self, set_up: u32, cuts: &[&Point]) -> Option<[Point3<f64>; 2]> {
+        if let Some(stock) = self.policy.set_up.stock.filter(|_| set_up == 1) {
+            return Some([stock.lower.into(), stock.upper.into()]);
+        }
+        let first = cuts.first()?.pose.tip;
+        let corners = cuts.iter().fold([first; 2], |[low, high], point| {
+            let tip = &point.pose.tip;
+            [low.inf(tip), high.sup(tip)]
+        });
+        Some(corners)
     }
 
     /// The points as columns.

@@ -14,10 +14,11 @@ use crate::control::{CONTROLS, Control};
 use crate::kinematics::AnyMachine;
 use crate::motion::{CourseOptions, Mode, Operations};
 
-pub(crate) use values::{BlockName, MessageFormat};
+pub(crate) use values::{BlockName, MessageFormat, ReportFile};
 use values::{
     BranchName, DialectName, FramesName, FromName, InsertName, SenseName, UnitsName, axis_tolerance, block_name,
-    control_name, control_named, control_names, file_name, inert, lift, operations, point, pole_tolerance, tolerance,
+    control_name, control_named, control_names, file_name, inert, lift, operations, point, pole_tolerance, report_file,
+    tolerance,
 };
 
 /// Command line of a machine's postprocessor.
@@ -37,6 +38,8 @@ pub(crate) enum Command {
     Check(Box<CheckArgs>),
     /// Write a page that shows a program: path, machine in motion, plots, text and findings
     View(Box<ViewArgs>),
+    /// Write a set-up sheet: part on the table, tools, work offsets, travel, times and checks
+    Report(Box<ReportArgs>),
     /// Explain a block of the program: its CL record, why it was written, and the position of the machine after it
     ExplainBlock(Box<ExplainBlockArgs>),
     /// Print a configuration file with all keys and their defaults
@@ -168,8 +171,11 @@ pub(crate) struct ViewArgs {
     #[arg(value_name = "OUT.nc", value_parser = file_name)]
     pub(crate) program: Option<PathBuf>,
     /// Page to write; `-` is standard output; without it IN.html next to the CL file
-    #[arg(short, long, value_name = "OUT.html", required_if_eq("input", "-"))]
-    output: Option<PathBuf>,
+    #[arg(short, long, value_name = "OUT.html")]
+    pub(crate) output: Option<PathBuf>,
+    /// Draw the path in three views and the axes over time; the page is written only with -o
+    #[arg(long, value_name = "FILE.svg", value_parser = file_name)]
+    pub(crate) svg: Option<PathBuf>,
     /// Open the page in the browser
     #[arg(long)]
     pub(crate) open: bool,
@@ -177,11 +183,20 @@ pub(crate) struct ViewArgs {
     pub(crate) set_up: SetUpArgs,
 }
 
-impl ViewArgs {
-    /// Path of the page.
-    pub(crate) fn output(&self) -> PathBuf {
-        self.output.clone().unwrap_or_else(|| self.input.with_extension("html"))
-    }
+/// Arguments of `report`.
+#[derive(Debug, Args)]
+pub(crate) struct ReportArgs {
+    /// CL file; `-` is standard input
+    #[arg(value_name = "IN.cls")]
+    pub(crate) input: PathBuf,
+    /// Sheet to write, as HTML, Markdown or JSON by its extension
+    #[arg(short, long, value_name = "OUT.{html,md,json}", value_parser = report_file)]
+    pub(crate) output: ReportFile,
+    /// Add the jog sheet: in which direction each axis must move
+    #[arg(long)]
+    pub(crate) jog: bool,
+    #[command(flatten)]
+    pub(crate) set_up: SetUpArgs,
 }
 
 /// Arguments of `explain-block`.

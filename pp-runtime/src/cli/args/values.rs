@@ -11,6 +11,7 @@ use crate::control::{self, CONTROLS, Control};
 use crate::kinematics::Branch;
 use crate::motion::{MotionOptions, Operations};
 use crate::program::Units;
+use crate::view::ReportForm;
 
 /// The control of a name that the parser has accepted.
 pub(crate) fn control_named(name: &str) -> &'static dyn Control {
@@ -227,6 +228,22 @@ pub(crate) enum BlockName {
 /// Parses the name of a file that is written besides the program.
 pub(crate) fn file_name(text: &str) -> Result<PathBuf, String> {
     if text == "-" { Err("expected the name of a file".to_owned()) } else { Ok(text.into()) }
+}
+
+/// A set-up sheet to write.
+#[derive(Debug, Clone)]
+pub(crate) struct ReportFile {
+    pub(crate) path: PathBuf,
+    pub(crate) form: ReportForm,
+}
+
+/// Parses the name of a set-up sheet.
+pub(crate) fn report_file(text: &str) -> Result<ReportFile, String> {
+    let path = file_name(text)?;
+    let extension = path.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
+    let form = ReportForm::EXTENSIONS.into_iter().find(|(name, _)| *name == extension).map(|(_, form)| form);
+    let form = form.ok_or_else(|| "expected a name that ends with .html, .md or .json".to_owned())?;
+    Ok(ReportFile { path, form })
 }
 
 /// Parses a block: `N1230` (block number) or `57` (line).

@@ -1,0 +1,362 @@
+//! Pictures without a script: the path in three views, the axes over time, the part on the table.
+//!
+//! Views are parallel projections along the axes of the workpiece, with one scale for both directions.
+
+use std::io;
+
+use nalgebra::{Point3, Vector3};
+use plotters::coord::types::RangedCoordf64;
+use plotters::prelude::*;
+
+use crate::kinematics::{AxisKind, Side};
+
+use super::ViewedProgram;
+use super::executed::{Point, PointKind};
+
+/// Width of a picture; it is shown at half of it, so that lines are fine.
+const WIDTH: u32 = 2000;
+
+/// Height of a view, and of the plot of one axis.
+const VIEW_HEIGHT: u32 = 760;
+const PLOT_HEIGHT: u32 = 260;
+
+/// Heights of text.
+const TITLE: u32 = 30;
+const LABEL: u32 = 22;
+
+/// Largest number of points of a line; more would not be seen.
+const MOST_POINTS: usize = 8000;
+
+/// First distance between a line and the points left out of it.
+const FINEST: f64 = 0.25;
+
+/// Share of a view that stays free on each side.
+const MARGIN: f64 = 0.06;
+
+/// Smallest extent of a view, mm.
+const SMALLEST_MM: f64 = 1.0;
+
+/// Length of an arrow of an axis, as a share of the view.
+const ARROW: f64 = 0.12;
+
+const FEED: RGBColor = RGBColor(0x0b, 0x5c, 0xad);
+const RAPID: RGBColor = RGBColor(0xd9, 0x7b, 0x1c);
+const LIMIT: RGBColor = RGBColor(0xc6, 0x28, 0x28);
+const CENTRE_LINE: RGBColor = RGBColor(0x2e, 0x7d, 0x32);
+const PART: RGBColor = RGBColor(0x60, 0x60, 0x60);
+
+/// Drawing area of an SVG.
+type Area<'a> = DrawingArea<SVGBackend<'a>, plotters::coord::Shift>;
+
+/// Chart with numbers along both axes.
+type Chart<'a, 'b> = ChartContext<'b, SVGBackend<'a>, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
+
+/// Projections: title, names of the two directions, and the directions.
+const VIEWS: [(&str, [&str; 2], [usize; 2]); 3] = [
+    ("from above", ["X", "Y"], [0, 1]),
+    ("from the front", ["X", "Z"], [0, 2]),
+    ("from the right", ["Y", "Z"], [1, 2]),
+];
+
+fn failed(error: impl std::fmt::Display) -> io::Error {
+    io::Error::other(format!("picture: {error}"))
+}
+
+/// Draws an SVG of this height.
+fn svg(height: u32, draw: impl FnOnce(&Area<'_>) -> io::Result<()>) -> io::Result<String> {
+    let mut text = String::new();
+    {
+        let area = SVGBackend::with_string(&mut text, (WIDTH, height)).into_drawing_area();
+        area.fill(&WHITE).map_err(failed)?;
+        draw(&area)?;
+        area.present().map_err(failed)?;
+    }
+    Ok(text)
+}
+
+/// The path in three views, and the axes over time.
+pub(crate) fn path_and_axes(program: &ViewedProgram<'_>) -> io::Result<String> {
+    let plots = plot_heights(program);
+    svg(VIEW_HEIGHT + plots, |area| {
+        let (views, axes) = area.split_vertically(VIEW_HEIGHT);
+        draw_path(program, &views)?;
+        draw_axes(program, &axes)
+    })
+}
+
+/// The path in three views.
+pub(crate) fn path(program: &ViewedProgram<'_>) -> io::Result<String> {
+    svg(VIEW_HEIGHT, |area| draw_path(program, area))
+}
+
+/// The axes over time.
+pub(crate) fn axes(program: &ViewedProgram<'_>) -> io::Result<String> {
+    svg(plot_heights(program), |area| draw_axes(program, area))
+}
+
+/// The part of a set-up on the table, from above and from the front.
+pub(crate) fn part_on_table(program: &ViewedProgram<'_>, set_up: u32) -> io::Result<String> {
+    svg(VIEW_HEIGHT, |area| {
+        let areas = area.split_evenly((1, 2));
+        areas.iter().zip(&VIEWS[..2]).try_for_each(|(area, view)| draw_table(program, set_up, area, *view))
+    })
+}
+
+/// Positions to be drawn: runs of one kind, each from the end of the one before.
+fn runs<'p>(points: &'p [Point], shown: &dyn Fn(&Point) -> bool) -> Vec<(PointKind, Vec<&'p Point>)> {
+    let mut runs: Vec<(PointKind, Vec<&Point>)> = Vec::new();
+    let mut last: Option<&Point> = None;
+    for point in points.iter().filter(|point| shown(point)) {
+        match (runs.last_mut(), last) {
+            _ if point.kind == PointKind::Start => {}
+            (Some((kind, run)), Some(last))
+                if *kind == point.kind && run.last().is_some_and(|end| std::ptr::eq(*end, last)) =>
+            {
+                run.push(point);
+            }
+            (_, Some(last)) => runs.push((point.kind, vec![last, point])),
+            (_, None) => {}
+        }
+        last = Some(point);
+    }
+    runs
+}
+
+/// Smallest and largest coordinates, with a margin, in the ratio of an area.
+fn ranges(points: impl Iterator<Item = [f64; 2]>, (width, height): (u32, u32)) -> [std::ops::Range<f64>; 2] {
+    let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+    for point in points {
+        for index in 0..2 {
+            (low[index], high[index]) = (low[index].min(point[index]), high[index].max(point[index]));
+        }
+    }
+    if low[0] > high[0] {
+        (low, high) = ([0.0; 2], [0.0; 2]);
+    }
+    let extent = [0, 1].map(|index| (high[index] - low[index]).max(SMALLEST_MM) * (1.0 + 2.0 * MARGIN));
+    let scale = (extent[0] / f64::from(width)).max(extent[1] / f64::from(height));
+    [(0, width), (1, height)].map(|(index, pixels)| {
+        let (middle, half) = (f64::midpoint(low[index], high[index]), 0.5 * scale * f64::from(pixels));
+        middle - half..middle + half
+    })
+}
+
+/// Leaves points out that are near to the line without them; as many as needed.
+fn simplified(points: &[(f64, f64)], finest: f64) -> Vec<(f64, f64)> {
+    let mut distance = finest;
+    loop {
+        let mut kept = vec![false; points.len()];
+        let mut open = vec![(0, points.len().saturating_sub(1))];
+        if let (Some(first), Some(last)) = (kept.first().copied(), kept.len().checked_sub(1)) {
+            (kept[0], kept[last]) = (!first, true);
+        }
+        while let Some((from, to)) = open.pop() {
+            let off = |index: usize| off_line(points[index], points[from], points[to]);
+            let farthest = (from + 1..to).max_by(|a, b| off(*a).total_cmp(&off(*b)));
+            if let Some(farthest) = farthest.filter(|index| off(*index) > distance) {
+                kept[farthest] = true;
+                open.extend([(from, farthest), (farthest, to)]);
+            }
+        }
+        let line: Vec<_> = points.iter().zip(&kept).filter(|(_, kept)| **kept).map(|(point, _)| *point).collect();
+        if line.len() <= MOST_POINTS {
+            return line;
+        }
+        distance *= 2.0;
+    }
+}
+
+/// Distance of a point from a line between two points.
+fn off_line(point: (f64, f64), from: (f64, f64), to: (f64, f64)) -> f64 {
+    let (x, y) = (to.0 - from.0, to.1 - from.1);
+    let (a, b) = (point.0 - from.0, point.1 - from.1);
+    let square = x * x + y * y;
+    let share = if square > 0.0 { ((a * x + b * y) / square).clamp(0.0, 1.0) } else { 0.0 };
+    (a - share * x).hypot(b - share * y)
+}
+
+fn draw_path(program: &ViewedProgram<'_>, area: &Area<'_>) -> io::Result<()> {
+    let runs = runs(&program.executed.points, &|_| true);
+    for (area, (title, names, directions)) in area.split_evenly((1, 3)).iter().zip(VIEWS) {
+        let at = |point: &Point| directions.map(|index| point.pose.tip[index]);
+        let cuts = runs.iter().filter(|(kind, _)| *kind == PointKind::Feed).flat_map(|(_, run)| run);
+        let mut chart = view(area, title, names, cuts.map(|point| at(point)))?;
+        for kind in [PointKind::Rapid, PointKind::Feed] {
+            for (_, run) in runs.iter().filter(|(of, _)| *of == kind) {
+                let line = run.iter().map(|point| at(point).into());
+                draw_line(&mut chart, line.collect(), if kind == PointKind::Feed { FEED } else { RAPID })?;
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Begins a view whose range holds these points.
+fn view<'a, 'b>(
+    area: &'b Area<'a>,
+    title: &str,
+    names: [&str; 2],
+    points: impl Iterator<Item = [f64; 2]>,
+) -> io::Result<Chart<'a, 'b>> {
+    let (margin, labels) = (12, 70);
+    let (width, height) = area.dim_in_pixel();
+    let inside = (width.saturating_sub(2 * margin + labels), height.saturating_sub(2 * margin + labels + 2 * TITLE));
+    let [across, up] = ranges(points, inside);
+    let mut chart = ChartBuilder::on(area)
+        .caption(title, ("sans-serif", TITLE))
+        .margin(margin)
+        .x_label_area_size(labels)
+        .y_label_area_size(labels)
+        .build_cartesian_2d(across, up)
+        .map_err(failed)?;
+    chart
+        .configure_mesh()
+        .x_desc(format!("{} mm", names[0]))
+        .y_desc(format!("{} mm", names[1]))
+        .label_style(("sans-serif", LABEL))
+        .axis_desc_style(("sans-serif", LABEL))
+        .light_line_style(TRANSPARENT)
+        .x_labels(6)
+        .y_labels(6)
+        .draw()
+        .map_err(failed)?;
+    Ok(chart)
+}
+
+fn draw_line(chart: &mut Chart<'_, '_>, points: Vec<(f64, f64)>, colour: RGBColor) -> io::Result<()> {
+    let across = chart.x_range();
+    let (pixels, _) = chart.plotting_area().dim_in_pixel();
+    let pixel = (across.end - across.start) / f64::from(pixels.max(1));
+    let line = simplified(&points, FINEST * pixel);
+    chart.draw_series(LineSeries::new(line, colour.stroke_width(2))).map(drop).map_err(failed)
+}
+
+fn plot_heights(program: &ViewedProgram<'_>) -> u32 {
+    let moved = program.machine.axes().iter().filter(|axis| !axis.held).count();
+    PLOT_HEIGHT * u32::try_from(moved).unwrap_or(1)
+}
+
+fn draw_axes(program: &ViewedProgram<'_>, area: &Area<'_>) -> io::Result<()> {
+    let axes = program.machine.axes();
+    let moved: Vec<usize> = (0..axes.len()).filter(|index| !axes[*index].held).collect();
+    let limits = program.policy.set_up.travel(axes).limits;
+    let mut elapsed = 0.0;
+    let times: Vec<f64> = program
+        .executed
+        .points
+        .iter()
+        .map(|point| {
+            elapsed += point.seconds.unwrap_or(0.0);
+            elapsed
+        })
+        .collect();
+    for (area, index) in area.split_evenly((moved.len(), 1)).iter().zip(moved) {
+        let axis = &axes[index];
+        let (unit, scale) = if axis.kind == AxisKind::Rotary { ("°", 1_f64.to_degrees()) } else { ("mm", 1.0) };
+        let coordinates = program.coordinates(index);
+        let values = || coordinates.iter().map(|value| value * scale);
+        let (low, high) =
+            values().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
+        let (low, high) = if low > high { (0.0, 0.0) } else { (low, high) };
+        let room = (0.08 * (high - low)).max(0.5);
+        let mut chart = ChartBuilder::on(area)
+            .margin(10)
+            .x_label_area_size(44)
+            .y_label_area_size(110)
+            .build_cartesian_2d(0.0..elapsed.max(1.0), low - room..high + room)
+            .map_err(failed)?;
+        chart
+            .configure_mesh()
+            .x_desc("s")
+            .y_desc(format!("{} {unit}", axis.letter))
+            .label_style(("sans-serif", LABEL))
+            .axis_desc_style(("sans-serif", LABEL))
+            .light_line_style(TRANSPARENT)
+            .y_labels(5)
+            .draw()
+            .map_err(failed)?;
+        let span = (elapsed.max(1.0), high - low + 2.0 * room);
+        let (width, height) = chart.plotting_area().dim_in_pixel();
+        // In pixels, in which both directions count alike.
+        let pixels = (f64::from(width) / span.0, f64::from(height) / span.1);
+        let line: Vec<_> =
+            times.iter().zip(values()).map(|(time, value)| (time * pixels.0, value * pixels.1)).collect();
+        let line = simplified(&line, FINEST).into_iter().map(|(time, value)| (time / pixels.0, value / pixels.1));
+        chart.draw_series(LineSeries::new(line, FEED.stroke_width(2))).map_err(failed)?;
+        if let Some(limits) = limits[index].filter(|_| program.has_coordinates(index)) {
+            for limit in [limits.lower, limits.upper].map(|limit| limit * scale) {
+                if (low - room..=high + room).contains(&limit) {
+                    let ends = [(0.0, limit), (elapsed.max(1.0), limit)];
+                    chart.draw_series(LineSeries::new(ends, LIMIT.stroke_width(3))).map_err(failed)?;
+                }
+            }
+        }
+    }
+    Ok(())
+}
+
+/// One view of the table: its reference point, the centre lines of its rotary axes, the part with its zero, and the path.
+fn draw_table(
+    program: &ViewedProgram<'_>,
+    set_up: u32,
+    area: &Area<'_>,
+    (title, names, directions): (&str, [&str; 2], [usize; 2]),
+) -> io::Result<()> {
+    let executed = &program.executed;
+    let Some(clamping) = program.policy.set_up.clamping(set_up) else { return Ok(()) };
+    let origin = Vector3::from(clamping.part_origin);
+    let on_table = |point: &Point3<f64>| {
+        let point = point + origin;
+        directions.map(|index| point[index])
+    };
+    let is_shown = |point: &Point| executed.placements[point.placement].set_up == set_up;
+    let runs = runs(&executed.points, &is_shown);
+    let cuts: Vec<&Point> =
+        runs.iter().filter(|(kind, _)| *kind == PointKind::Feed).flat_map(|(_, run)| run.iter().copied()).collect();
+    let corners = program.part_corners(set_up, &cuts);
+    let part: Vec<[f64; 2]> = corners.iter().flatten().map(&on_table).collect();
+    let zero = on_table(&Point3::origin());
+    let reference = [0.0, 0.0];
+    let title = format!("set-up {set_up} {title}; 0 is the reference point of the table");
+    let mut chart = view(area, &title, names, part.iter().copied().chain([zero, reference]))?;
+    let size = (chart.x_range().end - chart.x_range().start) * ARROW;
+    if let [low, high] = part[..] {
+        let box_of = Rectangle::new([low.into(), high.into()], PART.mix(0.18).filled());
+        chart.draw_series([box_of]).map_err(failed)?;
+    }
+    for (_, run) in runs.iter().filter(|(kind, _)| *kind == PointKind::Feed) {
+        draw_line(&mut chart, run.iter().map(|point| on_table(&point.pose.tip).into()).collect(), FEED)?;
+    }
+    let placement = executed.placements.iter().find(|placement| placement.set_up == set_up);
+    let machine = placement.map_or(&*program.machine, |placement| &*placement.machine);
+    for (index, axis) in machine.axes().iter().enumerate() {
+        if axis.kind != AxisKind::Rotary || axis.side != Side::Workpiece {
+            continue;
+        }
+        let joint = machine.joint(index);
+        let point = on_table(&joint.point);
+        let along = directions.map(|index| joint.direction[index]);
+        let (x, y) = (point[0], point[1]);
+        let (dx, dy) = (along[0] * 4.0 * size, along[1] * 4.0 * size);
+        if dx.hypot(dy) < size {
+            chart.draw_series([Circle::new((x, y), 14, CENTRE_LINE.stroke_width(3))]).map_err(failed)?;
+        } else {
+            let line = [(x - dx, y - dy), (x + dx, y + dy)];
+            chart.draw_series(DashedLineSeries::new(line, 24, 10, CENTRE_LINE.stroke_width(3))).map_err(failed)?;
+        }
+        label(&mut chart, (x, y), &axis.letter.to_string(), CENTRE_LINE)?;
+    }
+    chart.draw_series([Cross::new((0.0, 0.0), 16, BLACK.stroke_width(3))]).map_err(failed)?;
+    for (index, name) in names.into_iter().enumerate() {
+        let mut end = zero;
+        end[index] += size;
+        chart.draw_series(LineSeries::new([zero.into(), end.into()], LIMIT.stroke_width(4))).map_err(failed)?;
+        label(&mut chart, end.into(), name, LIMIT)?;
+    }
+    Ok(())
+}
+
+fn label(chart: &mut Chart<'_, '_>, at: (f64, f64), text: &str, colour: RGBColor) -> io::Result<()> {
+    let style = ("sans-serif", TITLE).into_font().color(&colour);
+    chart.draw_series([Text::new(text.to_owned(), at, style)]).map(drop).map_err(failed)
+}

@@ -1,0 +1,332 @@
+//! Facts about a program as lists and tables: for the summary of the page and for the set-up sheet.
+
+use std::io;
+
+use serde::Serialize;
+
+use crate::kinematics::AxisKind;
+use crate::post::duration;
+use crate::set_up::{Clamping, part_angles};
+
+use super::head::{Operation, Tool, operations, tools};
+use super::{ViewedProgram, picture};
+
+/// The facts of a sheet; lengths in mm, angles in degrees, times in seconds.
+#[derive(Debug, Serialize)]
+pub(crate) struct Sheet<'a> {
+    pub(crate) program: &'a str,
+    cl: &'a str,
+    machine: &'a str,
+    control: &'a str,
+    seconds: f64,
+    set_ups: Vec<SetUp>,
+    tools: Vec<UsedTool>,
+    check: Check<'a>,
+    warnings: &'a [String],
+    summary: Vec<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    jog_sheet: Option<&'a [&'static str]>,
+}
+
+/// A clamping of the part and what is done in it.
+#[derive(Debug, Serialize)]
+struct SetUp {
+    number: u32,
+    work_offset: String,
+    part_origin: [f64; 3],
+    part_rotation: [f64; 3],
+    seconds: f64,
+    operations: Vec<Operation>,
+    axes: Vec<AxisExtremes>,
+}
+
+/// Lowest and highest position of an axis.
+#[derive(Debug, Serialize)]
+struct AxisExtremes {
+    letter: char,
+    unit: &'static str,
+    /// Of the machine; otherwise from the zero position, in which the tip is on the part zero.
+    machine_coordinates: bool,
+    lowest: f64,
+    highest: f64,
+    limits: Option<[f64; 2]>,
+}
+
+/// A tool with its operations.
+#[derive(Debug, Serialize)]
+struct UsedTool {
+    #[serde(flatten)]
+    tool: Tool,
+    operations: Vec<u64>,
+}
+
+/// Result of the check.
+#[derive(Debug, Serialize)]
+struct Check<'a> {
+    passed: bool,
+    figures: String,
+    findings: Vec<Found<'a>>,
+}
+
+#[derive(Debug, Serialize)]
+struct Found<'a> {
+    line: u64,
+    cl_line: u64,
+    text: &'a str,
+    help: Option<&'a str>,
+}
+
+/// A part of a document.
+pub(crate) struct Section {
+    pub(crate) title: String,
+    /// It begins a page when printed.
+    pub(crate) page: bool,
+    pub(crate) body: Vec<Body>,
+}
+
+/// What a section holds.
+pub(crate) enum Body {
+    /// A list.
+    Lines(Vec<String>),
+    /// A table: titles of the columns, and rows.
+    Table(Vec<&'static str>, Vec<Vec<String>>),
+    /// A picture: its SVG, and what it shows.
+    Picture(String, String),
+    /// Text whose columns are aligned.
+    Aligned(Vec<String>),
+}
+
+/// A number with at most three decimals.
+fn short(value: f64) -> String {
+    let text = format!("{value:.3}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" { "0".to_owned() } else { text.to_owned() }
+}
+
+fn or_unknown(value: Option<f64>) -> String {
+    value.map_or_else(|| "unknown".to_owned(), short)
+}
+
+fn time(seconds: f64) -> String {
+    duration(seconds / 60.0)
+}
+
+impl<'a> Sheet<'a> {
+    pub(crate) fn of(program: &'a ViewedProgram<'a>, jog_sheet: bool) -> Self {
+        let operations = operations(program);
+        let used = |tool: Tool| {
+            let of_tool = operations.iter().filter(|operation| operation.tool == tool.number);
+            UsedTool { operations: of_tool.map(|operation| operation.number).collect(), tool }
+        };
+        let outcome = &program.checked.outcome;
+        let set_ups: Vec<SetUp> = program
+            .policy
+            .set_up
+            .clampings()
+            .map(|(number, clamping)| set_up(program, number, &clamping, &operations))
+            .collect();
+        Self {
+            program: &program.titles.program,
+            cl: &program.titles.cl,
+            machine: program.machine.name(),
+            control: program.titles.control,
+            seconds: set_ups.iter().map(|set_up| set_up.seconds).sum(),
+            tools: tools(program).into_iter().filter(|tool| tool.number > 0).map(used).collect(),
+            set_ups,
+            check: Check {
+                passed: program.passed(),
+                figures: outcome.summary(),
+                findings: outcome
+                    .findings
+                    .iter()
+                    .map(|found| Found {
+                        line: found.line,
+                        cl_line: found.location.line,
+                        text: &found.text,
+                        help: found.help.as_deref(),
+                    })
+                    .collect(),
+            },
+            warnings: &program.titles.warnings,
+            summary: program.titles.summary.clone(),
+            jog_sheet: jog_sheet.then(|| program.machine.explanation().jog_sheet.text),
+        }
+    }
+
+    /// The title of a document about the program.
+    pub(crate) fn title(&self) -> String {
+        format!("{} on {}", self.program, self.machine)
+    }
+
+    /// The whole program: times, operations, tools, extremes, check.
+    pub(crate) fn overview(&self, program: &ViewedProgram<'_>) -> io::Result<Vec<Section>> {
+        let mut sections = vec![self.heading()];
+        for set_up in &self.set_ups {
+            let mut body = vec![Body::Lines(vec![set_up.placed()]), set_up.operations(), self.tools_of(set_up)];
+            body.push(set_up.extremes());
+            sections.push(Section { title: set_up.title(), page: false, body });
+        }
+        sections.extend(self.results());
+        let pictures = vec![
+            Body::Picture(picture::path(program)?, "the path in three views: feed blue, rapid orange".to_owned()),
+            Body::Picture(picture::axes(program)?, "the axes over time, limits red".to_owned()),
+        ];
+        sections.push(Section { title: "Pictures".to_owned(), page: false, body: pictures });
+        Ok(sections)
+    }
+
+    /// The set-up sheet: one page for each set-up, then the results.
+    pub(crate) fn set_up_sheet(&self, program: &ViewedProgram<'_>, pictures: bool) -> io::Result<Vec<Section>> {
+        let mut sections = vec![self.heading()];
+        for (index, set_up) in self.set_ups.iter().enumerate() {
+            let mut body = vec![Body::Lines(vec![set_up.placed()])];
+            if pictures {
+                let text = "part on the table: zero red, cuts blue, centre lines of the rotary axes green".to_owned();
+                body.push(Body::Picture(picture::part_on_table(program, set_up.number)?, text));
+            }
+            body.extend([self.tools_of(set_up), set_up.operations(), set_up.extremes()]);
+            sections.push(Section { title: set_up.title(), page: index > 0, body });
+        }
+        sections.extend(self.results());
+        sections.extend(self.jog_sheet.map(|lines| Section {
+            title: "Jog sheet".to_owned(),
+            page: true,
+            body: vec![Body::Aligned(lines.iter().map(|line| (*line).to_owned()).collect())],
+        }));
+        Ok(sections)
+    }
+
+    fn heading(&self) -> Section {
+        let lines = vec![
+            format!("machine {}, control {}", self.machine, self.control),
+            format!("CL data {}", self.cl),
+            format!("machining time {}", time(self.seconds)),
+            self.check.figures.clone(),
+        ];
+        Section { title: self.title(), page: false, body: vec![Body::Lines(lines)] }
+    }
+
+    fn tools_of(&self, set_up: &SetUp) -> Body {
+        let columns = vec!["tool", "name", "kind", "diameter mm", "corner mm", "gauge length mm", "operations", "time"];
+        let of = |number: u32| set_up.operations.iter().filter(move |operation| operation.tool == number);
+        let row = |used: &UsedTool| {
+            let tool = &used.tool;
+            let mut operations = of(tool.number).map(|operation| operation.number.to_string()).peekable();
+            operations.peek()?;
+            Some(vec![
+                format!("T{}", tool.number),
+                tool.name.clone(),
+                tool.kind.to_owned(),
+                or_unknown(tool.diameter),
+                or_unknown(tool.corner_radius),
+                or_unknown(tool.gauge_length),
+                operations.collect::<Vec<_>>().join(", "),
+                time(of(tool.number).map(|operation| operation.seconds).sum()),
+            ])
+        };
+        Body::Table(columns, self.tools.iter().filter_map(row).collect())
+    }
+
+    fn results(&self) -> Vec<Section> {
+        let found = |found: &Found<'_>| {
+            let help = found.help.map_or_else(String::new, |help| format!("; {help}"));
+            format!("line {} (CL line {}): {}{help}", found.line, found.cl_line, found.text)
+        };
+        let findings = match self.check.findings.is_empty() {
+            true => vec![self.check.figures.clone()],
+            false => self.check.findings.iter().map(found).collect(),
+        };
+        let section = |title: &str, lines: Vec<String>| Section {
+            title: title.to_owned(),
+            page: false,
+            body: vec![Body::Lines(lines)],
+        };
+        let mut sections = vec![section("Check", findings)];
+        if !self.warnings.is_empty() {
+            sections.push(section("Warnings", self.warnings.to_vec()));
+        }
+        if !self.summary.is_empty() {
+            sections.push(section("Summary", self.summary.clone()));
+        }
+        sections
+    }
+}
+
+impl SetUp {
+    fn title(&self) -> String {
+        format!("Set-up {}", self.number)
+    }
+
+    fn placed(&self) -> String {
+        let [x, y, z] = self.part_origin.map(short);
+        let origin = format!("part zero at X{x} Y{y} Z{z} mm from the reference point of the table");
+        let rotated = self.part_rotation.iter().any(|angle| angle.abs() > 0.0);
+        let [a, b, c] = self.part_rotation.map(short);
+        let rotation = if rotated { format!(", rotated by {a}°, {b}°, {c}° about X, Y, Z") } else { String::new() };
+        format!("work offset {}; {origin}{rotation}", self.work_offset)
+    }
+
+    fn operations(&self) -> Body {
+        let row = |operation: &Operation| {
+            vec![
+                operation.number.to_string(),
+                operation.name.clone(),
+                format!("T{}", operation.tool),
+                operation.mode.to_owned(),
+                time(operation.seconds),
+            ]
+        };
+        Body::Table(vec!["operation", "name", "tool", "mode", "time"], self.operations.iter().map(row).collect())
+    }
+
+    fn extremes(&self) -> Body {
+        let row = |axis: &AxisExtremes| {
+            let limits = axis
+                .limits
+                .map_or_else(|| "none".to_owned(), |[lower, upper]| format!("{} to {}", short(lower), short(upper)));
+            let counted = if axis.machine_coordinates { "machine" } else { "from the zero position" };
+            vec![
+                format!("{} {}", axis.letter, axis.unit),
+                short(axis.lowest),
+                short(axis.highest),
+                limits,
+                counted.to_owned(),
+            ]
+        };
+        Body::Table(vec!["axis", "lowest", "highest", "limits", "coordinates"], self.axes.iter().map(row).collect())
+    }
+}
+
+fn set_up(program: &ViewedProgram<'_>, number: u32, clamping: &Clamping<'_>, operations: &[Operation]) -> SetUp {
+    let (executed, axes) = (&program.executed, program.machine.axes());
+    let index = program.set_up_index(number);
+    let operations: Vec<Operation> = operations.iter().filter(|operation| operation.set_up == index).cloned().collect();
+    let limits = program.policy.set_up.travel(axes).limits;
+    let extremes = |index: usize| {
+        let axis = &axes[index];
+        let rotary = axis.kind == AxisKind::Rotary;
+        let shown = |value: f64| if rotary { value.to_degrees() } else { value };
+        let coordinates = program.coordinates(index);
+        let here = executed.points.iter().zip(coordinates);
+        let here = here.filter(|(point, _)| executed.placements[point.placement].set_up == number);
+        let (lowest, highest) =
+            here.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), (_, value)| (low.min(value), high.max(value)));
+        (lowest <= highest).then(|| AxisExtremes {
+            letter: axis.letter,
+            unit: if rotary { "°" } else { "mm" },
+            machine_coordinates: program.has_coordinates(index),
+            lowest: shown(lowest),
+            highest: shown(highest),
+            limits: limits[index].map(|limits| [limits.lower, limits.upper].map(shown)),
+        })
+    };
+    SetUp {
+        number,
+        work_offset: clamping.work_offset.to_owned(),
+        part_origin: clamping.part_origin,
+        part_rotation: part_angles(&clamping.part_rotation),
+        seconds: operations.iter().map(|operation| operation.seconds).sum(),
+        operations,
+        axes: (0..axes.len()).filter(|index| !axes[*index].held).filter_map(extremes).collect(),
+    }
+}
