@@ -37,7 +37,7 @@ export function scaleColour(share: number, theme: Theme): Rgb {
 /** OKLCh to sRGB; chroma is reduced until the colour exists in sRGB. */
 export function fromOklch(lightness: number, chroma: number, hueDegrees: number): Rgb {
   const hue = (hueDegrees * Math.PI) / 180;
-  for (let c = chroma; ; c -= 0.004) {
+  for (let c = chroma; ; c -= 0.001) {
     const linear = linearOfOklab(lightness, c * Math.cos(hue), c * Math.sin(hue));
     if (c <= 0 || linear.every((value) => value >= -1e-6 && value <= 1 + 1e-6)) {
       return linear.map((value) => gamma(Math.min(Math.max(value, 0), 1))) as Rgb;

@@ -62,10 +62,15 @@ export interface Token {
   kind: "number" | "code" | "comment" | "word";
 }
 
+/** Controls on which text in parentheses is a comment; on the others parentheses are of expressions. */
+const PARENTHESES = ["linuxcnc", "fanuc", "haas"];
+
 /** Parts of a program line: block number, G and M codes, comments, other words. */
-export function tokens(line: string): Token[] {
+export function tokens(line: string, control: string): Token[] {
   const parts: Token[] = [];
-  const pattern = /(\([^)]*\)?|;.*$)|(^\s*(?:\/\s*)?(?:N\d+|\d+(?=\s)))|(\b[GM]\d+(?:\.\d+)?)|([^(;GMN]+|.)/gi;
+  const pattern = PARENTHESES.includes(control)
+    ? /(\([^)]*\)?|;.*$)|(^\s*\/?\s*N\d+)|(\b[GM]\d+(?:\.\d+)?)|([^(;GM]+|.)/gi
+    : /(;.*$)|(^\s*\/?\s*(?:N\d+|\d+(?=\s)))|(\b[GM]\d+(?:\.\d+)?)|([^;GM]+|.)/gi;
   for (const match of line.matchAll(pattern)) {
     const kind = match[1] ? "comment" : match[2] ? "number" : match[3] ? "code" : "word";
     const last = parts.at(-1);

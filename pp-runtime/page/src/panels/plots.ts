@@ -264,7 +264,7 @@ export class Plots {
             gap: 2,
             values: (_, splits) => splits.map((value) => this.xText(value)),
           },
-          { stroke: text, grid, ticks: { show: false }, font, size: 54, gap: 4, space: 22, values: (_, splits) => splits.map(formatValue) },
+          { stroke: text, grid, ticks: { show: false }, font, size: 54, gap: 4, space: 15, values: (_, splits) => splits.map(formatValue) },
         ],
         series: [
           {},

@@ -43,6 +43,7 @@ export class TextPane {
   private readonly marks = new Map<number, Set<LineMark>>();
   private readonly findingTexts = new Map<number, string>();
   private readonly digits: number;
+  private readonly control: string;
   private matches: number[] = [];
   private current = 0;
   private hovered = 0;
@@ -53,6 +54,7 @@ export class TextPane {
     program: Program,
     private readonly events: TextPaneEvents,
   ) {
+    this.control = program.head.control;
     this.digits = String(lines.count).length;
     this.collectMarks(program);
     this.spacer.style.height = `${this.heightPx}px`;
@@ -156,7 +158,7 @@ export class TextPane {
     const text = element("span", { class: "code" });
     const source = this.lines.line(line);
     const wanted = this.searchField.value;
-    for (const token of tokens(source)) {
+    for (const token of tokens(source, this.control)) {
       text.append(token.kind === "word" ? highlighted(token.text, wanted) : element("span", { class: `token-${token.kind}` }, highlighted(token.text, wanted)));
     }
     const finding = this.findingTexts.get(line);

@@ -27,7 +27,7 @@ import {
 } from "three";
 import type { Machine, Tool, Triple } from "../data/contract.ts";
 import { jointMatrix, jointValue, type Matrix } from "../kinematics/chain.ts";
-import { add, cross, scale } from "../kinematics/vector.ts";
+import { add, cross, scale, subtract, unit } from "../kinematics/vector.ts";
 import { styleColour } from "../theme.ts";
 import { layOut, type Arrow, type Body, type LayoutInput, type Side } from "./layout.ts";
 import { ToolBody } from "./tool.ts";
@@ -188,10 +188,6 @@ export class MachineScene {
     for (const group of this.arrows) group.visible = visible;
   }
 
-  get arrowsShown(): boolean {
-    return this.arrows[0].visible;
-  }
-
   restyle(): void {
     for (const side of SIDES) {
       this.solid[side].color.set(styleColour(`--${side}-body`));
@@ -247,14 +243,16 @@ export class MachineScene {
     const end = places[places.length - 1];
     const before = places[places.length - 2];
     if (!arrow.held) {
-      const heading = new Vector3(end[0] - before[0], end[1] - before[1], end[2] - before[2]).normalize();
       const cone = new Mesh(new ConeGeometry(0.045 * this.unitMm, 0.15 * this.unitMm, 16), this.arrowHead[side]);
-      cone.quaternion.copy(new Quaternion().setFromUnitVectors(new Vector3(0, 1, 0), heading));
+      cone.quaternion.copy(new Quaternion().setFromUnitVectors(new Vector3(0, 1, 0), new Vector3(...unit(subtract(end, before)))));
       cone.position.set(...end);
       group.add(new Line(lineGeometry(places), this.arrowLine[side]), cone);
     }
     const label = new Group();
-    label.position.set(...(arrow.held ? places[0] : add(end, scale([end[0] - before[0], end[1] - before[1], end[2] - before[2]], 0))));
+    // Past the head of the arrow, so that it does not cover it.
+    const past = 0.14 * this.unitMm;
+    const heading = unit(subtract(end, before));
+    label.position.set(...(arrow.held ? places[0] : add(end, scale(heading, past))));
     group.add(label);
     const part = side === "table" ? "workpiece side" : "tool side";
     this.labels.push({

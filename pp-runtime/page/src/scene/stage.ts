@@ -28,7 +28,7 @@ export class Stage {
   readonly layers = new Layers();
   readonly machine: MachineScene;
   fixed: Fixed = "machine";
-  machineStyle: MachineStyle = "ghost";
+  machineStyle: MachineStyle = "solid";
   extent: PathExtent = "whole";
   private readonly path: Path;
   private readonly marks: PathMarks[] = [];
@@ -126,15 +126,14 @@ export class Stage {
       const layer = this.layers.get(name);
       if (layer) layer.apply(layer.visible);
     }
-    this.layers.get("arrows")?.apply(this.layers.get("arrows")?.visible ?? true);
     this.view.request();
   }
 
   setMachineStyle(style: MachineStyle): void {
     this.machineStyle = style;
     this.machine.setStyle(style);
-    this.labels.show(style !== "off" && this.machine.arrowsShown);
-    this.machine.showArrows(style !== "off" && (this.layers.get("arrows")?.visible ?? true));
+    const arrows = this.layers.get("arrows");
+    arrows?.apply(arrows.visible);
     this.view.request();
   }
 
