@@ -195,16 +195,15 @@ export class App {
     this.placeHoverCard();
   }
 
-  /** The card is near the pointer, within the view, and only while the pointer is on the path. */
+  /** The card is in the lower corner that the pointer is not near, and only while the pointer is on the path. */
   private placeHoverCard(): void {
     const card = this.hoverCard.root;
     card.hidden = this.hoverPlace === null || this.hover.point === null;
     if (this.hoverPlace === null || card.hidden) return;
     const { width, height } = this.stage.view.size;
-    const { x, y } = this.hoverPlace;
-    const left = x + 18 + card.offsetWidth > width ? x - 18 - card.offsetWidth : x + 18;
-    const top = Math.min(Math.max(y - 20, 8), height - card.offsetHeight - 8);
-    card.style.transform = `translate(${Math.max(left, 8).toFixed(0)}px, ${Math.max(top, 8).toFixed(0)}px)`;
+    const left = this.hoverPlace.x < width / 2 ? width - card.offsetWidth - 8 : 8;
+    const top = height - card.offsetHeight - 8;
+    card.style.transform = `translate(${left.toFixed(0)}px, ${Math.max(top, 8).toFixed(0)}px)`;
   }
 
   private restyle(): void {

@@ -13,9 +13,6 @@ import type { Timeline } from "../timeline.ts";
 /** What is along the x axis. */
 export type PlotAxis = "time" | "block";
 
-/** Above this number of values in sight a step has less than a pixel: they are joined by straight lines. */
-const MOST_STEPS = 4000;
-
 /** A limit of the points `first` to `last`. */
 interface Limit {
   value: number;
@@ -236,8 +233,6 @@ export class Plots {
     const grid = { stroke: styleColour("--grid"), width: 1 };
     const text = styleColour("--muted");
     const font = "11px system-ui, sans-serif";
-    const stepped = uPlot.paths.stepped?.({ align: -1 });
-    const straight = uPlot.paths.linear?.();
     const plot = new uPlot(
       {
         ...this.chartSize(last),
@@ -272,10 +267,6 @@ export class Plots {
             stroke: colour,
             width: 1.25,
             points: { show: false },
-            paths: (self, series, first, end) => {
-              const draw = curve.stepped && end - first < MOST_STEPS && stepped ? stepped : straight;
-              return draw ? draw(self, series, first, end) : null;
-            },
           },
         ],
         hooks: {
@@ -285,7 +276,7 @@ export class Plots {
           setSelect: [(self) => this.selected(self)],
         },
       },
-      [this.xValues as unknown as number[], plottable(curve.values) as number[]],
+      (curve.stepped ? steps(this.xValues, curve.values) : [this.xValues, plottable(curve.values)]) as uPlot.AlignedData,
       host,
     );
     const now = element("div", { class: "now" });
@@ -446,6 +437,18 @@ function beyond(value: number, limit: Limit, point: number): boolean {
 function plottable(values: Float64Array): ArrayLike<number | null> {
   if (!values.some((value) => Number.isNaN(value))) return values;
   return Array.from(values, (value) => (Number.isNaN(value) ? null : value));
+}
+
+/** Each value from the end of the leg before to the end of its own: two places for one point. */
+function steps(x: Float64Array, values: Float64Array): [Float64Array, ArrayLike<number | null>] {
+  const xs = new Float64Array(2 * x.length);
+  const ys = new Float64Array(2 * x.length);
+  for (let i = 0; i < x.length; i += 1) {
+    xs[2 * i] = x[Math.max(i - 1, 0)];
+    xs[2 * i + 1] = x[i];
+    ys[2 * i] = ys[2 * i + 1] = values[i];
+  }
+  return [xs, plottable(ys)];
 }
 
 function tabsOf(program: Program): Tab[] {

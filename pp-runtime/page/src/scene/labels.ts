@@ -13,7 +13,6 @@ interface Label {
 export class Labels {
   private readonly layer = element("div", { class: "labels", "aria-hidden": "true" });
   private labels: Label[] = [];
-  private visible = true;
 
   constructor(private readonly view: View) {
     view.container.append(this.layer);
@@ -28,20 +27,22 @@ export class Labels {
     this.layer.replaceChildren(...this.labels.map((label) => label.node));
   }
 
-  show(visible: boolean): void {
-    this.visible = visible;
-    this.layer.hidden = !visible;
-  }
-
   private place(): void {
-    if (!this.visible) return;
     const { width, height } = this.view.size;
     const place = new Vector3();
     for (const { object, node } of this.labels) {
+      node.hidden = !isShown(object);
+      if (node.hidden) continue;
       object.getWorldPosition(place).project(this.view.camera);
       const x = ((place.x + 1) * width) / 2;
       const y = ((1 - place.y) * height) / 2;
       node.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px) translate(-50%, -50%)`;
     }
   }
+}
+
+/** Whether an object and all that contains it are visible. */
+function isShown(object: Object3D): boolean {
+  for (let at: Object3D | null = object; at; at = at.parent) if (!at.visible) return false;
+  return true;
 }

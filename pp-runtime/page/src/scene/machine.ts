@@ -62,6 +62,7 @@ export class MachineScene {
   private readonly slides: Group[] = [];
   private readonly centreLines: Group[] = [];
   private readonly arrows: Group[] = [];
+  private readonly slideArrows: Group[] = [];
   private readonly solid: Record<Side, MeshLambertMaterial>;
   private readonly edge: Record<Side, LineBasicMaterial>;
   private readonly arrowLine: Record<Side, LineBasicMaterial>;
@@ -92,6 +93,7 @@ export class MachineScene {
       this.slides.push(this.child(link));
       this.centreLines.push(this.child(link));
       this.arrows.push(this.child(link));
+      this.slideArrows.push(this.child(link));
     }
     this.tool = new ToolBody(machine.tool_axis);
     this.links.at(-1)?.add(this.tool.object);
@@ -100,7 +102,9 @@ export class MachineScene {
   /** Builds the bodies for one set-up and one tool. */
   build(input: Omit<LayoutInput, "machine">, tool: Tool): void {
     this.points = input.points;
-    for (const group of [...SIDES.flatMap((side) => this.bodies[side]), ...this.slides, ...this.centreLines, ...this.arrows]) empty(group);
+    for (const group of [...SIDES.flatMap((side) => this.bodies[side]), ...this.slides, ...this.centreLines, ...this.arrows, ...this.slideArrows]) {
+      empty(group);
+    }
     this.labels = [];
     const layout = layOut({ machine: this.machine, ...input });
     this.unitMm = layout.unitMm;
@@ -184,8 +188,10 @@ export class MachineScene {
     for (const group of this.centreLines) group.visible = visible;
   }
 
-  showArrows(visible: boolean): void {
-    for (const group of this.arrows) group.visible = visible;
+  /** Arrows of rotary axes, and of slides. */
+  showArrows(rotary: boolean, slides: boolean): void {
+    for (const group of this.arrows) group.visible = rotary;
+    for (const group of this.slideArrows) group.visible = slides;
   }
 
   restyle(): void {
@@ -237,7 +243,7 @@ export class MachineScene {
 
   private addArrow(arrow: Arrow): void {
     const joint = this.machine.joints[arrow.joint];
-    const group = this.arrows[arrow.link];
+    const group = (joint.rotary ? this.arrows : this.slideArrows)[arrow.link];
     const { path, side } = arrow;
     const places = path.kind === "straight" ? straight(path) : arc(path);
     const end = places[places.length - 1];

@@ -122,7 +122,7 @@ export class Stage {
   setFixed(fixed: Fixed): void {
     this.fixed = fixed;
     this.machine.hold(fixed);
-    for (const name of ["bed", "slides"]) {
+    for (const name of ["bed", "slides", "arrows"]) {
       const layer = this.layers.get(name);
       if (layer) layer.apply(layer.visible);
     }
@@ -274,13 +274,16 @@ export class Stage {
     if (frame_after > 0) layer("table", "Table side", "sample-table", true, null, (on) => this.machine.showSide("table", on));
     if (frame_after < joints) layer("head", "Head side", "sample-head", true, null, (on) => this.machine.showSide("head", on));
     // With the part at rest frame and slides would swing about it: they are shown with the bed at rest.
-    layer("slides", "Slides (bed at rest)", null, true, null, (on) => this.machine.showSlides(on && this.fixed === "machine"));
+    layer("slides", "Slides (bed at rest)", null, true, null, (on) => {
+      this.machine.showSlides(on && this.fixed === "machine");
+      const arrows = this.layers.get("arrows");
+      arrows?.apply(arrows.visible);
+    });
     layer("bed", "Frame (bed at rest)", "sample-bed", true, null, (on) => this.machine.showSide("bed", on && this.fixed === "machine"));
     layer("centre-lines", "Centre lines", "sample-centre", true, null, (on) => this.machine.showCentreLines(on));
     layer("arrows", "Axis arrows", null, true, "L", (on) => {
       const shown = on && this.machineStyle !== "off";
-      this.machine.showArrows(shown);
-      this.labels.show(shown);
+      this.machine.showArrows(shown, shown && this.fixed === "machine" && (this.layers.get("slides")?.visible ?? true));
     });
     layer("origin", "Workpiece origin", null, true, null, (on) => {
       this.origin.object.visible = on;
