@@ -18,6 +18,17 @@ machine! {
 }
 
 machine! {
+    /// A nutating head with an inclined slide, a held quill and a held rotary axis of the table.
+    pub struct Inclined;
+    chain: A X | Y V W C B;
+    axes = { V: Rx(30 deg) * Z, B: Rx(45 deg) * Y };
+    d = { C: (0, 0, 210), B: (0, 25, 180), A: (10, -20, -30) };
+    hold = { W: 25, A: 15 };
+    limits = { B: -10..190 };
+    speeds = { X: 12000, Y: 12000, V: 8000, C: 3600, B: 3600 };
+}
+
+machine! {
     /// A head that nutates about an axis inclined by 45°.
     pub struct NutatingHead;
     chain: X | Y Z C B;

@@ -13,6 +13,8 @@
 //! - [`foreign`]: an interpreter for programs of all five controls that shares no code with the postprocessor.
 //! - [`agreement`]: compares the product's own reader with the foreign interpreter, on the same program.
 //! - [`linuxcnc`]: a real control: its interpreter alone, and the whole control, simulated.
+//! - [`golden`]: golden programs with all that their check needs.
+//! - [`page`]: the data of a page, decoded, and its machine multiplied out.
 //! - [`binaries`]: the machines' binaries, built and run.
 //!
 //! Nothing here depends on how a machine solves its equations. NaN fails a check; it never passes one.
@@ -25,9 +27,11 @@ pub mod damage;
 pub mod edits;
 pub mod foreign;
 pub mod further;
+pub mod golden;
 pub mod heap;
 pub mod linuxcnc;
 pub mod oracle;
+pub mod page;
 pub mod random;
 mod subject;
 

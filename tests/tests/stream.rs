@@ -3,19 +3,15 @@
 //! Axis values of a leg give its pose, by the oracle; a leg begins where the one before it has ended; each block that moves
 //! is executed once; and a finding is about the block that causes it.
 
-use std::fs;
 use std::io::Cursor;
-use std::path::Path;
 
-use machines::{Dmu70e, LolaXoyzba, MultiProDesk, SpinnerU5620};
 use pp_runtime::check::read::{Action, State};
-use pp_runtime::check::{Checked, ExecutedBlock, check_observed};
-use pp_runtime::config::{Config, Mode, Operations, starting_point};
-use pp_runtime::control::{self, Control};
 use pp_runtime::kinematics::{Machine, Pose};
 use pp_runtime::post;
-use tests::binaries::{golden_programs, part_and_mode, workspace};
+use tests::binaries::golden_programs;
+use tests::golden::Golden;
 use tests::oracle::{Oracle, angle_between};
+use tests::with_machine;
 
 /// Largest distance of one tip from another that should be the same, mm: an axis value is solved for, and added up.
 const SAME_TIP_MM: f64 = 1e-6;
@@ -28,88 +24,6 @@ const PLANE_AXIS_RAD: f64 = 2e-5;
 
 /// Largest distance of the end of an arc from its end words, mm: ends and centre are rounded to a thousandth.
 const ARC_END_MM: f64 = 2e-3;
-
-/// A golden program with all that its check needs.
-struct Golden {
-    name: String,
-    machine: String,
-    control: &'static dyn Control,
-    mode: Mode,
-    keys: String,
-    cl: String,
-    program: String,
-}
-
-impl Golden {
-    fn read(path: &Path) -> Self {
-        let name = path.file_stem().expect("a name").to_string_lossy().into_owned();
-        let (machine, control) = name.split_once('.').expect("machine and control");
-        let (folder, mode) = part_and_mode(path);
-        let part = folder.file_name().expect("a name").to_string_lossy().into_owned();
-        let keys = if part == "works" && machine != "lola-xoyzba" { "table" } else { &part };
-        let endings = ["cls", "ncl", "apt", "aptsource"].map(|ending| folder.join(format!("{part}.{ending}")));
-        let sample = workspace().join(format!("examples/cl/{part}.cls"));
-        let cl = endings.into_iter().chain([sample]).find(|file| file.is_file()).expect("CL data");
-        Self {
-            name: format!("{part} {name} {}", mode.name()),
-            machine: machine.to_owned(),
-            control: control::by_name(control).expect("a control"),
-            mode,
-            keys: fs::read_to_string(folder.join(format!("{keys}.toml"))).unwrap_or_default(),
-            cl: fs::read_to_string(cl).expect("ASCII"),
-            program: fs::read_to_string(path).expect("ASCII"),
-        }
-    }
-
-    fn config<M: Machine>(&self) -> Config {
-        let config = starting_point(self.control).read_over(&M::default(), &self.keys);
-        let mut config = config.unwrap_or_else(|faults| panic!("{}: {faults:?}", self.name));
-        config.motion.mode = self.mode;
-        if self.name.starts_with("works") {
-            let last = match self.mode {
-                Mode::Axes | Mode::Auto => 5,
-                Mode::Tcp => 4,
-                Mode::Plane => 3,
-            };
-            config.motion.selected = Some(Operations::Range(1, Some(last)));
-        }
-        config
-    }
-
-    fn observed<M: Machine>(&self, program: &str, mut see: impl FnMut(&ExecutedBlock<'_>)) -> Checked {
-        let policy = self.config::<M>().check_policy::<M>(self.control, None).expect("it can be checked");
-        let (mut cl, mut program) = (Cursor::new(&self.cl), program.as_bytes());
-        check_observed(&M::default(), &policy, &mut cl, &mut program, &mut see).expect("it can be read")
-    }
-
-    /// Length of a tool, mm: of the configuration, or else of the CL data.
-    fn length_mm(&self, config: &Config, tool: Option<u32>) -> f64 {
-        let Some(tool) = tool else { return 0.0 };
-        if let Some(length) = config.set_up.tools.get(&tool).and_then(|tool| tool.length_mm) {
-            return length;
-        }
-        let numbers = self.cl.lines().find_map(|line| {
-            let line = line.replace(' ', "");
-            let call = line.strip_prefix("LOADTL/")?.strip_prefix(&format!("{tool},LENGTH,"))?.to_owned();
-            call.trim().parse::<f64>().ok()
-        });
-        let inches = self.cl.replace(' ', "").contains("UNITS/IN");
-        numbers.map_or(0.0, |length| if inches { 25.4 * length } else { length })
-    }
-}
-
-/// Calls a generic function for the machine of a golden program.
-macro_rules! with_machine {
-    ($golden:expr, $function:ident) => {
-        match &*$golden.machine {
-            "dmu-70e" => $function::<Dmu70e>($golden),
-            "lola-xoyzba" => $function::<LolaXoyzba>($golden),
-            "multiprodesk" => $function::<MultiProDesk>($golden),
-            "spinner-u5-620" => $function::<SpinnerU5620>($golden),
-            name => panic!("{name} is no machine"),
-        }
-    };
-}
 
 fn apart(one: &Pose, other: &Pose) -> (f64, f64) {
     ((one.tip - other.tip).norm(), angle_between(&one.axis.into_inner(), &other.axis.into_inner()))

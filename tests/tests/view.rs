@@ -1,0 +1,184 @@
+//! `view` and `report`: the data of the page compared with the check's reader, with the oracle's matrices and with the CL data;
+//! text from outside, edited programs, sizes, and the set-up sheets.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use nalgebra::Vector3;
+use pp_runtime::kinematics::{AxisKind, Machine};
+use tests::binaries::{binary, golden_programs, workspace};
+use tests::golden::Golden;
+use tests::oracle::angle_between;
+use tests::page::Page;
+use tests::with_machine;
+
+/// Largest distance between two tips that are the same: steps of 1e-5 mm and 1e-5 degrees, 500 mm from a centre line.
+const SAME_TIP_MM: f64 = 4e-4;
+
+/// The same for tool axes, rad: in tilted planes the rotary axes are rounded to a thousandth of a degree.
+const SAME_AXIS_RAD: f64 = 3e-5;
+
+/// Largest distance of a posted tip from the point of its record, mm: rounded words.
+const RECORD_MM: f64 = 2e-3;
+
+/// The samples on the machines of the papers, with the example configurations, and a machine with inclined and held axes.
+const SAMPLES: [(&str, &str, &str); 4] = [
+    ("spinner-u5-620", "siemens", "two_tools.cls"),
+    ("multiprodesk", "fanuc", "concave_4axis.cls"),
+    ("lola-xoyzba", "linuxcnc", "convex.cls"),
+    ("dmu-70e", "heidenhain", "two_tools.cls"),
+];
+
+fn config_arg(machine: &str, control: &str) -> String {
+    format!("examples/config/{machine}-{control}.toml")
+}
+
+/// Runs a command in the workspace; its output file is `folder/name`.
+fn run(mut command: Command, args: &[&str], output: &Path) -> Output {
+    command.current_dir(workspace()).args(args).arg("-o").arg(output);
+    command.output().expect("the binary runs")
+}
+
+fn read(output: &Output, path: &Path) -> String {
+    fs::read_to_string(path).unwrap_or_else(|_| panic!("{}", String::from_utf8_lossy(&output.stderr)))
+}
+
+/// The page that a command writes with status 0.
+fn page(command: Command, args: &[&str]) -> Page {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("page.html");
+    let output = run(command, args, &path);
+    assert!(output.status.success(), "{args:?}: {}", String::from_utf8_lossy(&output.stderr));
+    Page::decoded(&read(&output, &path))
+}
+
+fn sample((machine, control, part): (&str, &str, &str)) -> Page {
+    let (cl, config) = (format!("examples/cl/{part}"), config_arg(machine, control));
+    page(binary(machine), &["view", &cl, "--control", control, "--config", &config])
+}
+
+fn inclined() -> Page {
+    page(Command::new(env!("CARGO_BIN_EXE_inclined")), &["view", "examples/cl/convex.cls"])
+}
+
+/// The machine of the head leads the tool to tip and tool axis of every point.
+fn assert_chain(name: &str, page: &Page) {
+    for point in 0..page.points() {
+        let ((tip, axis), line) = (page.multiplied(point), page.at("line", point));
+        let (off_mm, off_rad) = ((tip - page.tip(point)).norm(), angle_between(&axis, &page.tool_axis(point)));
+        assert!(off_mm < SAME_TIP_MM && off_rad < SAME_AXIS_RAD, "{name}, line {line}: {off_mm} mm, {off_rad} rad");
+    }
+}
+
+/// Blocks that end the motion of a record end on its point; number of them.
+fn assert_records(name: &str, page: &Page) -> usize {
+    let lines: Vec<&str> = page.cl.lines().collect();
+    let last_of_line =
+        |point: &usize| *point + 1 == page.points() || page.at("line", *point) < page.at("line", point + 1);
+    let mut compared = 0;
+    for point in (0..page.points()).filter(last_of_line) {
+        let record = lines.get(page.at("cl_line", point) as usize - 1).copied().unwrap_or_default();
+        let Some(numbers) = record.strip_prefix("GOTO/") else { continue };
+        if page.reason(point) != Some("record") || page.kind(point) != "feed" {
+            continue;
+        }
+        let numbers: Vec<f64> = numbers.split(',').take(3).map(|text| text.trim().parse().expect("a number")).collect();
+        let off_mm = (page.tip(point) - Vector3::from_column_slice(&numbers)).norm();
+        assert!(off_mm < RECORD_MM, "{name}, CL line {}: {off_mm} mm off {record}", page.at("cl_line", point));
+        compared += 1;
+    }
+    compared
+}
+
+#[test]
+fn the_machine_of_the_page_leads_the_tool_to_the_points_of_the_cl_data() {
+    let mut compared = 0;
+    for given in SAMPLES {
+        let page = sample(given);
+        assert_chain(given.0, &page);
+        compared += assert_records(given.0, &page);
+    }
+    let page = inclined();
+    assert_chain("inclined", &page);
+    compared += assert_records("inclined", &page);
+    assert!(compared > 2500, "{compared}");
+}
+
+/// Values of the page at the end of each line are those of the check's reader; number of lines.
+fn agrees<M: Machine>(golden: &Golden) -> usize {
+    let folder = tempfile::tempdir().expect("a folder");
+    let write = |name: &str, text: &str| -> PathBuf {
+        let path = folder.path().join(name);
+        fs::write(&path, text).expect("it can be written");
+        path
+    };
+    let [cl, program, config] = [("part.cls", &golden.cl), ("part.nc", &golden.program), ("part.toml", &golden.keys)]
+        .map(|(name, text)| write(name, text));
+    let mut args: Vec<String> =
+        ["view", "--control", golden.control.spellings().name, "--mode", golden.mode.name()].map(str::to_owned).into();
+    args.extend(["--config".to_owned(), config.display().to_string()]);
+    args.extend(golden.last_operation().into_iter().flat_map(|last| ["--ops".to_owned(), format!("1..{last}")]));
+    args.extend([&cl, &program].map(|path| path.display().to_string()));
+    let page = page(binary(&golden.machine), &args.iter().map(String::as_str).collect::<Vec<_>>());
+    assert_eq!(page.program, golden.program);
+    assert_chain(&golden.name, &page);
+    let ends: BTreeMap<u64, usize> = (0..page.points()).map(|point| (page.at("line", point) as u64, point)).collect();
+    let mut compared = 0;
+    golden.observed::<M>(&golden.program, |executed| {
+        let legs = executed.legs();
+        let Some(values) = legs.last().and_then(|leg| leg.axis_values(1.0)) else { return };
+        let line = executed.block.line;
+        let Some(point) = ends.get(&line) else { return };
+        for ((shown, value), axis) in page.axes(*point).iter().zip(values).zip(M::AXES) {
+            let value = if axis.kind == AxisKind::Rotary { value.to_degrees() } else { value };
+            assert!((shown - value).abs() < 1e-4, "{}, line {line}, {}: {shown} for {value}", golden.name, axis.letter);
+        }
+        compared += 1;
+    });
+    compared
+}
+
+#[test]
+fn axis_values_of_the_page_are_those_of_the_checks_reader_in_every_mode_of_every_control() {
+    let (mut programs, mut compared) = (0, 0);
+    for path in golden_programs() {
+        let golden = &Golden::read(&path);
+        let count = with_machine!(golden, agrees);
+        assert!(count > 5, "{}: {count} blocks", golden.name);
+        (programs, compared) = (programs + 1, compared + count);
+    }
+    assert!(programs >= 110 && compared > 7_000, "{programs} programs, {compared} blocks");
+}
+
+#[test]
+fn text_from_outside_is_text_in_the_page() {
+    let evil = "</script><img src=x onerror=alert(1)>";
+    let folder = tempfile::tempdir().expect("a folder");
+    let [cl, config, html, sheet] = ["a.cls", "a.toml", "a.html", "b.html"].map(|name| folder.path().join(name));
+    let record = format!(
+        "PARTNO {evil}\nUNITS/MM\nTOOL PATH/{evil},TOOL,A\nPPRINT {evil}\nLOADTL/1,LENGTH,100\nSPINDL/RPM,1000,CLW\n\
+         FEDRAT/100\nGOTO/0,0,0,0,0,1\nGOTO/10,0,0\nEND-OF-PATH\n"
+    );
+    fs::write(&cl, record).expect("it can be written");
+    fs::write(&config, format!("[tools]\n1 = {{ name = \"{evil}\" }}\n")).expect("it can be written");
+    let [cl, config] = [&cl, &config].map(|path| path.display().to_string());
+    for (command, path) in [("view", &html), ("report", &sheet)] {
+        let output = run(binary("dmu-70e"), &[command, &cl, "--config", &config], path);
+        let text = read(&output, path);
+        let without_script = text.rsplit_once("<script>").map_or(&*text, |(before, _)| before);
+        assert!(!without_script.contains("<img") && text.contains("&lt;img src=x onerror=alert(1)&gt;"), "{command}");
+    }
+    let text = fs::read_to_string(&html).expect("the page");
+    // Five elements and the style: the text has opened and closed none.
+    assert_eq!(text.matches("<script").count(), 5);
+    assert_eq!(text.matches("</script").count(), 5);
+    let page = Page::decoded(&text);
+    assert_eq!(page.head["tools"][0]["name"], evil);
+    assert!(
+        page.head["operations"][0]["name"].as_str().is_some_and(|name| name.contains(evil)),
+        "{}",
+        page.head["operations"]
+    );
+}
