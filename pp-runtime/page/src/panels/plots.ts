@@ -156,6 +156,7 @@ export class Plots {
     for (const { plot } of this.charts) plot.setScale("x", { min, max });
     this.zooming = false;
     this.update();
+    this.showHover();
   }
 
   private toggleLimits(): void {
@@ -212,7 +213,7 @@ export class Plots {
     const count = this.tabs[this.tab].curves.length;
     const room = this.stack.clientHeight - 21 - count;
     const height = Math.max(Math.floor(room / count), 36);
-    return { width: Math.max(this.stack.clientWidth - 168, 120), height: height + (last ? 20 : 0) };
+    return { width: Math.max(this.stack.clientWidth - 178, 120), height: height + (last ? 20 : 0) };
   }
 
   private resize(): void {
@@ -246,7 +247,7 @@ export class Plots {
         },
         scales: {
           x: { time: false, min, max, auto: false },
-          y: { range: () => this.yRange(curve) },
+          y: { range: (_, smallest: number | null, largest: number | null) => this.yRange(curve, smallest, largest) },
         },
         axes: [
           {
@@ -266,6 +267,7 @@ export class Plots {
           {
             stroke: colour,
             width: 1.25,
+            pxAlign: 0,
             points: { show: false },
           },
         ],
@@ -309,14 +311,9 @@ export class Plots {
     this.charts.push({ plot, curve, readout });
   }
 
-  private yRange(curve: Curve): [number, number] {
-    let low = Number.POSITIVE_INFINITY;
-    let high = Number.NEGATIVE_INFINITY;
-    for (const value of curve.values) {
-      if (value < low) low = value;
-      if (value > high) high = value;
-    }
-    if (low > high) [low, high] = [0, 1];
+  /** Range of the values in sight, with the limits that are near. */
+  private yRange(curve: Curve, smallest: number | null, largest: number | null): [number, number] {
+    let [low, high] = [smallest ?? 0, largest ?? 1];
     if (curve.fromZero) low = Math.min(low, 0);
     for (const limit of curve.limits) {
       // A limit that is near is always in sight, one that is far away where it is asked for.

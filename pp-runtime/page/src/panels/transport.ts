@@ -53,8 +53,10 @@ export class Transport {
       this.time,
     );
     this.scrub.addEventListener("input", () => {
+      // Pausing puts the slider back to where the program is: the wanted time is read first.
+      const wantedS = Number(this.scrub.value);
       timeline.pause();
-      timeline.seekTime(Number(this.scrub.value));
+      timeline.seekTime(wantedS);
     });
     this.pace.addEventListener("change", () => timeline.setPace(Number(this.pace.value)));
     timeline.onChange(() => this.update());
