@@ -261,7 +261,9 @@ class Builder {
         length: 0.5 * u,
       },
     });
-    stack.anchor = add(stack.anchor, scale(out, depth + 0.04 * u));
+    // What carries an upright slide of the head is behind it: the spindle goes past it.
+    const clear = vertical && stack.side === "head" ? 0.42 * u : 0.04 * u;
+    stack.anchor = add(stack.anchor, scale(out, depth + clear));
     stack.centre = stack.anchor;
     stack.reachMm = 0.35 * u;
   }

@@ -5,13 +5,9 @@ import {
   BufferAttribute,
   BufferGeometry,
   Color,
-  DataTexture,
   GLSL3,
   LineSegments,
-  NearestFilter,
-  RGBAFormat,
   ShaderMaterial,
-  SRGBColorSpace,
   Vector3,
 } from "three";
 import { TABLE_SIZE, type Colouring } from "../colour/colouring.ts";
@@ -22,34 +18,30 @@ import { styleColour } from "../theme.ts";
 /** How much of the path is drawn. */
 export type PathExtent = "whole" | "done" | "operation";
 
+// Colours are those of the screen as they are: nothing is lit. A leg that is not shown is moved out of sight.
 const VERTEX = /* glsl */ `
-  in float share;
+  in vec4 colour;
   in float leg;
   in float travelled;
-  uniform sampler2D table;
-  uniform vec3 unknown;
   uniform vec2 range;
   uniform float dash;
-  out vec3 colour;
+  out vec3 shade;
   out float along;
-  out float shown;
   void main() {
     gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
-    float size = float(${TABLE_SIZE});
-    colour = share < 0.0 ? unknown : texture(table, vec2((share * (size - 1.0) + 0.5) / size, 0.5)).rgb;
-    along = abs(travelled) / dash * (travelled < 0.0 ? 1.0 : 0.0);
-    shown = leg >= range.x && leg <= range.y ? 1.0 : 0.0;
+    if (leg < range.x || leg > range.y) gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
+    shade = colour.rgb;
+    along = travelled / dash;
   }
 `;
 
 const FRAGMENT = /* glsl */ `
-  in vec3 colour;
+  in vec3 shade;
   in float along;
-  in float shown;
   out vec4 fragment;
   void main() {
-    if (shown < 0.5 || fract(along) > 0.55) discard;
-    fragment = linearToOutputTexel(vec4(colour, 1.0));
+    if (fract(along) > 0.55) discard;
+    fragment = vec4(shade, 1.0);
   }
 `;
 
@@ -57,8 +49,8 @@ export class Path {
   readonly object: LineSegments<BufferGeometry, ShaderMaterial>;
   /** Point of each drawn leg, in order. */
   private readonly legs: Uint32Array;
-  private readonly table: DataTexture;
   private colouring: Colouring;
+  private shares = new Float32Array(0);
 
   constructor(
     private readonly program: Program,
@@ -69,17 +61,11 @@ export class Path {
     for (let i = 0; i < program.count; i += 1) if (!program.isStart(i)) drawn.push(i);
     this.legs = Uint32Array.from(drawn);
     this.colouring = colouring;
-    this.table = new DataTexture(new Uint8Array(4 * TABLE_SIZE), TABLE_SIZE, 1, RGBAFormat);
-    this.table.colorSpace = SRGBColorSpace;
-    this.table.magFilter = NearestFilter;
-    this.table.minFilter = NearestFilter;
     const material = new ShaderMaterial({
       glslVersion: GLSL3,
       vertexShader: VERTEX,
       fragmentShader: FRAGMENT,
       uniforms: {
-        table: { value: this.table },
-        unknown: { value: new Color() },
         range: { value: [0, program.count] },
         dash: { value: this.dashMm() },
       },
@@ -92,24 +78,25 @@ export class Path {
 
   colour(colouring: Colouring, theme: Theme): void {
     this.colouring = colouring;
-    const shares = colouring.shares();
-    const attribute = this.object.geometry.getAttribute("share") as BufferAttribute;
-    this.legs.forEach((point, leg) => {
-      attribute.array[2 * leg] = shares[point];
-      attribute.array[2 * leg + 1] = shares[point];
-    });
-    attribute.needsUpdate = true;
+    this.shares = colouring.shares();
     this.restyle(theme);
   }
 
   restyle(theme: Theme): void {
-    const bytes = this.table.image.data as Uint8Array;
-    this.colouring.table(theme).forEach((colour, i) => {
-      for (let channel = 0; channel < 3; channel += 1) bytes[4 * i + channel] = Math.round(colour[channel] * 255);
-      bytes[4 * i + 3] = 255;
+    const table = this.colouring.table(theme).map((colour) => colour.map((value) => Math.round(value * 255)));
+    const unknown = new Color(styleColour("--path-unknown")).convertLinearToSRGB().toArray().map((value) => Math.round(value * 255));
+    const attribute = this.object.geometry.getAttribute("colour") as BufferAttribute;
+    const bytes = attribute.array;
+    this.legs.forEach((point, leg) => {
+      const share = this.shares[point];
+      const shade = share < 0 ? unknown : table[Math.min(Math.floor(share * TABLE_SIZE), TABLE_SIZE - 1)];
+      for (let at = 8 * leg; at < 8 * leg + 8; at += 4) {
+        bytes[at] = shade[0];
+        bytes[at + 1] = shade[1];
+        bytes[at + 2] = shade[2];
+      }
     });
-    this.table.needsUpdate = true;
-    (this.object.material.uniforms.unknown.value as Color).set(styleColour("--path-unknown"));
+    attribute.needsUpdate = true;
   }
 
   /** Shows the legs to the points `first` to `last` only. */
@@ -141,7 +128,7 @@ export class Path {
     const { program, legs } = this;
     const positions = new Float32Array(6 * legs.length);
     const leg = new Float32Array(2 * legs.length);
-    // Distance travelled, negative in rapid motion, where the line is dashed.
+    // Distance travelled in rapid motion, where the line is dashed; 0 elsewhere.
     const travelled = new Float32Array(2 * legs.length);
     let sum = 0;
     for (let i = 0; i < legs.length; i += 1) {
@@ -156,16 +143,16 @@ export class Path {
       }
       leg[2 * i] = leg[2 * i + 1] = point;
       if (program.isRapid(point)) {
-        travelled[2 * i] = -sum - 1e-6;
+        travelled[2 * i] = sum;
         sum += Math.sqrt(square);
-        travelled[2 * i + 1] = -sum - 1e-6;
+        travelled[2 * i + 1] = sum;
       } else {
         sum = 0;
       }
     }
     const geometry = new BufferGeometry();
     geometry.setAttribute("position", new BufferAttribute(positions, 3));
-    geometry.setAttribute("share", new BufferAttribute(new Float32Array(2 * legs.length), 1));
+    geometry.setAttribute("colour", new BufferAttribute(new Uint8Array(8 * legs.length), 4, true));
     geometry.setAttribute("leg", new BufferAttribute(leg, 1));
     geometry.setAttribute("travelled", new BufferAttribute(travelled, 1));
     return geometry;
