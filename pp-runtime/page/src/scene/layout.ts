@@ -89,6 +89,8 @@ class Builder {
   private readonly up: Triple;
   /** Away from the usual point of view: there discs, columns and rails hide nothing. */
   private readonly back: Triple;
+  /** The same, and to the left where an axis has no end at the back. */
+  private readonly far: Triple;
   private readonly unitMm: number;
   private readonly partCentre: Triple;
   private readonly partRadius: number;
@@ -96,7 +98,8 @@ class Builder {
   constructor(private readonly input: LayoutInput) {
     const { machine, box, gaugeMm } = input;
     this.up = unit(machine.tool_axis);
-    this.back = perpendicularUnit(this.up, [-0.3, 1, 0]);
+    this.back = perpendicularUnit(this.up, [0, 1, 0]);
+    this.far = perpendicularUnit(this.up, [-0.3, 1, 0]);
     const diagonal = subtract(box.max, box.min);
     this.partCentre = scale(add(box.min, box.max), 0.5);
     this.partRadius = Math.max(length(diagonal) / 2, 1);
@@ -157,7 +160,7 @@ class Builder {
     const point = this.input.points[index];
     const onLine = (place: Triple): Triple => add(point, scale(axis, dot(subtract(place, point), axis)));
     const upright = Math.abs(dot(axis, stack.outward)) > 0.9;
-    const wanted = upright ? stack.outward : add(this.back, scale(stack.outward, 0.6));
+    const wanted = upright ? stack.outward : add(this.far, scale(stack.outward, 0.6));
     const out = dot(axis, wanted) >= 0 ? axis : scale(axis, -1);
 
     let radius = 0.42 * u;
