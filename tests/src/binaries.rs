@@ -8,6 +8,20 @@ use std::sync::OnceLock;
 
 use pp_runtime::config::Mode;
 
+/// The samples on the machines of the papers, with their example configurations: machine, control, CL file.
+pub const SAMPLES: [(&str, &str, &str); 4] = [
+    ("spinner-u5-620", "siemens", "two_tools.cls"),
+    ("multiprodesk", "fanuc", "concave_4axis.cls"),
+    ("lola-xoyzba", "linuxcnc", "convex.cls"),
+    ("dmu-70e", "heidenhain", "two_tools.cls"),
+];
+
+/// Path of an example configuration, in the workspace.
+#[must_use]
+pub fn example_config(machine: &str, control: &str) -> String {
+    format!("examples/config/{machine}-{control}.toml")
+}
+
 /// The folder of the workspace.
 #[must_use]
 pub fn workspace() -> PathBuf {

@@ -127,6 +127,19 @@ impl Page {
         Vector3::from_iterator(["tool.i", "tool.j", "tool.k"].map(|name| self.at(name, point)))
     }
 
+    /// Point of the CL data that a feed block ends on; `None` where the block is an inserted one, or its record no GOTO.
+    ///
+    /// # Panics
+    /// If the CL data is not understood.
+    #[must_use]
+    pub fn record_of(&self, point: usize) -> Option<Vector3<f64>> {
+        let ends = point + 1 == self.points() || self.at("line", point) < self.at("line", point + 1);
+        let is_record = self.kind(point) == "feed" && self.reason(point) == Some("record");
+        let record = self.cl.lines().nth(self.at("cl_line", point) as usize - 1)?.strip_prefix("GOTO/")?;
+        let numbers = record.split(',').take(3).map(|text| text.trim().parse().expect("a number"));
+        (ends && is_record).then(|| Vector3::from_iterator(numbers))
+    }
+
     /// Axis values at a point in the order of the joints, mm and degrees.
     ///
     /// # Panics

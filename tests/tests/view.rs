@@ -6,9 +6,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-use nalgebra::Vector3;
 use pp_runtime::kinematics::{AxisKind, Machine};
-use tests::binaries::{binary, golden_programs, workspace};
+use tests::binaries::{SAMPLES, binary, example_config, golden_programs, workspace};
 use tests::golden::Golden;
 use tests::oracle::angle_between;
 use tests::page::Page;
@@ -22,18 +21,6 @@ const SAME_AXIS_RAD: f64 = 3e-5;
 
 /// Largest distance of a posted tip from the point of its record, mm: rounded words.
 const RECORD_MM: f64 = 2e-3;
-
-/// The samples on the machines of the papers, with the example configurations, and a machine with inclined and held axes.
-const SAMPLES: [(&str, &str, &str); 4] = [
-    ("spinner-u5-620", "siemens", "two_tools.cls"),
-    ("multiprodesk", "fanuc", "concave_4axis.cls"),
-    ("lola-xoyzba", "linuxcnc", "convex.cls"),
-    ("dmu-70e", "heidenhain", "two_tools.cls"),
-];
-
-fn config_arg(machine: &str, control: &str) -> String {
-    format!("examples/config/{machine}-{control}.toml")
-}
 
 /// Runs a command in the workspace; its output file is `folder/name`.
 fn run(mut command: Command, args: &[&str], output: &Path) -> Output {
@@ -55,7 +42,7 @@ fn page(command: Command, args: &[&str]) -> Page {
 }
 
 fn sample((machine, control, part): (&str, &str, &str)) -> Page {
-    let (cl, config) = (format!("examples/cl/{part}"), config_arg(machine, control));
+    let (cl, config) = (format!("examples/cl/{part}"), example_config(machine, control));
     page(binary(machine), &["view", &cl, "--control", control, "--config", &config])
 }
 
@@ -74,22 +61,12 @@ fn assert_chain(name: &str, page: &Page) {
 
 /// Blocks that end the motion of a record end on its point; number of them.
 fn assert_records(name: &str, page: &Page) -> usize {
-    let lines: Vec<&str> = page.cl.lines().collect();
-    let last_of_line =
-        |point: &usize| *point + 1 == page.points() || page.at("line", *point) < page.at("line", point + 1);
-    let mut compared = 0;
-    for point in (0..page.points()).filter(last_of_line) {
-        let record = lines.get(page.at("cl_line", point) as usize - 1).copied().unwrap_or_default();
-        let Some(numbers) = record.strip_prefix("GOTO/") else { continue };
-        if page.reason(point) != Some("record") || page.kind(point) != "feed" {
-            continue;
-        }
-        let numbers: Vec<f64> = numbers.split(',').take(3).map(|text| text.trim().parse().expect("a number")).collect();
-        let off_mm = (page.tip(point) - Vector3::from_column_slice(&numbers)).norm();
-        assert!(off_mm < RECORD_MM, "{name}, CL line {}: {off_mm} mm off {record}", page.at("cl_line", point));
-        compared += 1;
-    }
-    compared
+    let recorded = (0..page.points()).filter_map(|point| Some((point, page.record_of(point)?)));
+    let compared = recorded.map(|(point, record)| {
+        let off_mm = (page.tip(point) - record).norm();
+        assert!(off_mm < RECORD_MM, "{name}, CL line {}: {off_mm} mm off", page.at("cl_line", point));
+    });
+    compared.count()
 }
 
 #[test]

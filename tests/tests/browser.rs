@@ -1,0 +1,303 @@
+//! The page in a browser: Debian's Chromium, driven through its WebDriver.
+//!
+//! The tip and the joints of the machine are read from the matrices of the drawn scene and compared with the CL data and with
+//! the axis values of the check's reader (which `view.rs` compares with those of the page). Without Chromium the tests skip.
+//!
+//! `PP_SCREENSHOTS=FOLDER` keeps a picture of each sample's page.
+
+use std::io::{BufRead as _, BufReader};
+use std::path::Path;
+use std::process::{Child, Command, Stdio};
+use std::time::{Duration, Instant};
+use std::{env, fs};
+
+use fantoccini::wd::WebDriverCompatibleCommand;
+use fantoccini::{Client, ClientBuilder, Locator};
+use hyper_util::client::legacy::connect::HttpConnector;
+use nalgebra::Vector3;
+use serde_json::{Value, json};
+use tempfile::TempDir;
+use tests::binaries::{SAMPLES, binary, example_config, workspace};
+use tests::page::{Page, number};
+use url::{ParseError, Url};
+
+/// Largest distance of a drawn tip from the point of the program, mm, and of a drawn joint from its value, mm and degrees.
+const SAME: f64 = 1e-3;
+
+/// Largest distance of a drawn tip from the point of the CL data, mm: words are rounded.
+const RECORD_MM: f64 = 2e-3;
+
+/// Longest time for the page to be drawn; software rendering on a busy computer is slow.
+const PATIENCE: Duration = Duration::from_secs(60);
+
+/// Points of a page that are looked at.
+const LOOKS: usize = 15;
+
+/// Modes with the controls that have them, and the operations that can be posted.
+const MODES: [(&str, &[&str], &str); 3] = [
+    ("axes", &["linuxcnc", "fanuc", "haas", "siemens", "heidenhain"], "1..5"),
+    ("tcp", &["fanuc", "haas", "siemens", "heidenhain"], "1..4"),
+    ("plane", &["fanuc", "haas", "siemens", "heidenhain"], "1..3"),
+];
+
+/// Switches of the browser: no network, no state of another run, and a renderer that needs no graphics card.
+const SWITCHES: [&str; 9] = [
+    "--headless=new",
+    "--no-sandbox",
+    "--enable-unsafe-swiftshader",
+    "--use-angle=swiftshader",
+    "--disable-gpu-sandbox",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+    "--no-first-run",
+];
+
+/// Whether Chromium and its driver are installed. Prints that tests are skipped; fails if `PP_REQUIRE_CHROMIUM=1`.
+fn is_installed() -> bool {
+    let runs = |name: &str| {
+        Command::new(name)
+            .arg("--version")
+            .stdout(Stdio::null())
+            .stderr(Stdio::null())
+            .status()
+            .is_ok_and(|status| status.success())
+    };
+    let missing: Vec<&str> = ["chromium", "chromedriver"].into_iter().filter(|name| !runs(name)).collect();
+    if missing.is_empty() {
+        return true;
+    }
+    let required = env::var_os("PP_REQUIRE_CHROMIUM").is_some_and(|value| value == "1");
+    assert!(!required, "PP_REQUIRE_CHROMIUM=1, but there is no {}", missing.join(" and no "));
+    println!("skipped: {} not installed", missing.join(" and "));
+    false
+}
+
+/// A running driver; the browser ends with it.
+struct Driver(Child);
+
+impl Drop for Driver {
+    fn drop(&mut self) {
+        // It may have ended on its own.
+        let _ = self.0.kill();
+        let _ = self.0.wait();
+    }
+}
+
+/// A session of the browser.
+struct Browser {
+    client: Client,
+    folder: TempDir,
+    _driver: Driver,
+}
+
+/// Messages of the console since the last call.
+#[derive(Debug)]
+struct ConsoleLog;
+
+impl WebDriverCompatibleCommand for ConsoleLog {
+    fn endpoint(&self, base: &Url, session: Option<&str>) -> Result<Url, ParseError> {
+        base.join(&format!("session/{}/se/log", session.unwrap_or_default()))
+    }
+
+    fn method_and_body(&self, _: &Url) -> (http::Method, Option<String>) {
+        (http::Method::POST, Some(json!({ "type": "browser" }).to_string()))
+    }
+}
+
+impl Browser {
+    async fn start() -> Self {
+        let folder = tempfile::tempdir().expect("a folder");
+        let mut driver = Command::new("chromedriver");
+        driver.arg("--port=0").stdout(Stdio::piped()).stderr(Stdio::null());
+        let mut driver = Driver(driver.spawn().expect("chromedriver runs"));
+        let mut lines = BufReader::new(driver.0.stdout.take().expect("its output")).lines();
+        let port = lines.find_map(|line| {
+            let line = line.expect("text");
+            line.split_once("successfully on port ").map(|(_, port)| port.trim_end_matches('.').to_owned())
+        });
+        // The driver must be able to write on.
+        std::thread::spawn(move || lines.for_each(drop));
+        let mut arguments: Vec<String> = SWITCHES.map(str::to_owned).into();
+        arguments.push(format!("--user-data-dir={}", folder.path().join("profile").display()));
+        arguments.push("--window-size=1400,900".to_owned());
+        let capabilities = json!({
+            "goog:chromeOptions": { "args": arguments },
+            "goog:loggingPrefs": { "browser": "ALL" },
+        });
+        let Value::Object(capabilities) = capabilities else { unreachable!("an object") };
+        let address = format!("http://localhost:{}", port.expect("chromedriver names its port"));
+        let client = ClientBuilder::new(HttpConnector::new()).capabilities(capabilities).connect(&address).await;
+        Self { client: client.expect("a session"), folder, _driver: driver }
+    }
+
+    async fn script(&self, script: &str) -> Value {
+        self.client.execute(script, Vec::new()).await.unwrap_or_else(|error| panic!("{script}: {error}"))
+    }
+
+    async fn state(&self) -> Value {
+        self.script("return window.ppView.state()").await
+    }
+
+    /// Waits until an expression is true.
+    async fn wait(&self, condition: &str) {
+        let begun = Instant::now();
+        while self.script(&format!("return !!({condition})")).await != true {
+            assert!(begun.elapsed() < PATIENCE, "{condition} does not become true; {}", self.console().await);
+            tokio::time::sleep(Duration::from_millis(50)).await;
+        }
+    }
+
+    async fn console(&self) -> Value {
+        self.client.issue_cmd(ConsoleLog).await.expect("the log of the console")
+    }
+
+    /// Writes a page with a command, and opens it.
+    async fn open(&self, mut command: Command, args: &[&str]) -> Page {
+        let path = self.folder.path().join("page.html");
+        let output = command.current_dir(workspace()).args(args).arg("-o").arg(&path).output().expect("it runs");
+        assert!(output.status.success(), "{args:?}: {}", String::from_utf8_lossy(&output.stderr));
+        self.client.goto(&format!("file://{}", path.display())).await.expect("the page opens");
+        self.wait("window.ppView && window.ppView.ready").await;
+        Page::decoded(&fs::read_to_string(&path).expect("the page"))
+    }
+
+    /// The drawn machine at points of the program: tip and joints. Number of points at the end of a record's motion.
+    async fn look(&self, name: &str, page: &Page) -> usize {
+        let mut records = 0;
+        for look in 0..LOOKS {
+            let point = look * (page.points() - 1) / (LOOKS - 1);
+            self.script(&format!("window.ppView.seek({point})")).await;
+            let state = self.state().await;
+            let drawn = Vector3::from_fn(|row, _| number(&state["toolTip"][row]));
+            let off_mm = (drawn - page.tip(point)).norm();
+            assert!(off_mm < SAME, "{name}, point {point}: the tip is drawn {off_mm} mm off");
+            for (joint, value) in page.axes(point).into_iter().enumerate() {
+                let drawn = number(&state["joints"][joint]);
+                assert!(
+                    (drawn - value).abs() < SAME,
+                    "{name}, point {point}: joint {joint} is drawn at {drawn}, not {value}"
+                );
+            }
+            assert_eq!(number(&state["line"]), page.at("line", point), "{name}, point {point}");
+            if let Some(record) = page.record_of(point) {
+                let off_mm = (drawn - record).norm();
+                assert!(off_mm < RECORD_MM, "{name}, point {point}: {off_mm} mm off the CL data");
+                records += 1;
+            }
+        }
+        let messages = self.console().await;
+        let errors: Vec<&Value> =
+            messages.as_array().expect("a list").iter().filter(|message| message["level"] == "SEVERE").collect();
+        assert!(errors.is_empty(), "{name}: {errors:?}");
+        records
+    }
+
+    /// Plays, scrubs, clicks a block and changes the colours, as a user does.
+    async fn use_page(&self, name: &str, page: &Page) {
+        self.script("window.ppView.seek(0)").await;
+        let play = self.client.find(Locator::Css("#play")).await.expect("a button");
+        play.click().await.expect("it can be pressed");
+        self.wait("window.ppView.state().playing && window.ppView.state().position > 0").await;
+        play.click().await.expect("it can be pressed");
+        self.wait("!window.ppView.state().playing").await;
+        self.script(
+            "const scrub = document.querySelector('#scrub');
+             scrub.value = String((Number(scrub.min) + Number(scrub.max)) / 2);
+             scrub.dispatchEvent(new Event('input', { bubbles: true }));",
+        )
+        .await;
+        let last = page.points() - 1;
+        self.wait(&format!("window.ppView.state().point > 0 && window.ppView.state().point < {last}")).await;
+        let middle = page.at("line", page.points() / 2);
+        self.script(&format!("window.ppView.seek({})", page.points() / 2)).await;
+        let line = self.script("return window.ppView.state().line").await;
+        assert_eq!(number(&line), middle, "{name}");
+        // Another block in view, with a point of its own.
+        let visible = self
+            .script(
+                "const box = document.querySelector('#program').getBoundingClientRect();
+                 return [...document.querySelectorAll('#program [data-line]')].filter(line => {
+                     const at = line.getBoundingClientRect();
+                     return at.top >= box.top + 4 && at.bottom <= box.bottom - 4;
+                 }).map(line => Number(line.dataset.line))",
+            )
+            .await;
+        let lines = page.columns["line"].iter().filter(|line| **line != middle);
+        let wanted = lines
+            .copied()
+            .find(|line| visible.as_array().is_some_and(|list| list.iter().any(|seen| number(seen) == *line)));
+        let wanted = wanted.unwrap_or_else(|| panic!("{name}: no block to click among {visible}"));
+        let row = self.client.find(Locator::Css(&format!("#program [data-line=\"{wanted}\"]"))).await.expect("a line");
+        row.click().await.expect("it can be clicked");
+        self.wait(&format!("window.ppView.state().line === {wanted}")).await;
+        let colourings = self.script("return window.ppView.colourings").await;
+        let colourings: Vec<&str> = colourings.as_array().expect("names").iter().filter_map(Value::as_str).collect();
+        assert!(colourings.len() >= 5, "{name}: {colourings:?}");
+        for colouring in colourings {
+            let select = format!(
+                "const select = document.querySelector('#colouring');
+                 select.value = '{colouring}';
+                 select.dispatchEvent(new Event('change', {{ bubbles: true }}));"
+            );
+            self.script(&select).await;
+            self.wait(&format!("window.ppView.state().colouring === '{colouring}'")).await;
+        }
+        self.script("window.ppView.setColouring('motion')").await;
+    }
+
+    /// Keeps a picture of the page, if that is asked for.
+    async fn keep_picture(&self, name: &str, page: &Page) {
+        let Some(folder) = env::var_os("PP_SCREENSHOTS") else { return };
+        self.script(&format!("window.ppView.seek({})", page.points() / 2)).await;
+        tokio::time::sleep(Duration::from_millis(1500)).await;
+        let png = self.client.screenshot().await.expect("a picture");
+        fs::write(Path::new(&folder).join(format!("{name}.png")), png).expect("it can be written");
+    }
+}
+
+/// Runs a test in a browser, if there is one.
+fn in_browser(test: impl AsyncFnOnce(&Browser)) {
+    if !is_installed() {
+        return;
+    }
+    let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().expect("a runtime");
+    runtime.block_on(async {
+        let browser = Browser::start().await;
+        test(&browser).await;
+        browser.client.clone().close().await.expect("the session ends");
+    });
+}
+
+#[test]
+fn the_page_of_each_sample_is_drawn_as_the_cl_data_says_and_can_be_used() {
+    in_browser(async |browser| {
+        let mut records = 0;
+        for (machine, control, part) in SAMPLES {
+            let (cl, config) = (format!("examples/cl/{part}"), example_config(machine, control));
+            let page = browser.open(binary(machine), &["view", &cl, "--control", control, "--config", &config]).await;
+            records += browser.look(machine, &page).await;
+            browser.use_page(machine, &page).await;
+            browser.keep_picture(machine, &page).await;
+        }
+        let inclined = Command::new(env!("CARGO_BIN_EXE_inclined"));
+        let page = browser.open(inclined, &["view", "examples/cl/convex.cls"]).await;
+        records += browser.look("inclined", &page).await;
+        browser.use_page("inclined", &page).await;
+        assert!(records > 15, "{records}");
+    });
+}
+
+#[test]
+fn programs_of_each_control_are_drawn_in_each_mode() {
+    in_browser(async |browser| {
+        for (mode, controls, operations) in MODES {
+            for control in controls {
+                let args = ["view", "tests/data/works/works.cls", "--config", "tests/data/works/table.toml"];
+                let more = ["--control", control, "--mode", mode, "--ops", operations];
+                let page = browser.open(binary("dmu-70e"), &[&args[..], &more[..]].concat()).await;
+                browser.look(&format!("{control}, {mode}"), &page).await;
+            }
+        }
+    });
+}
