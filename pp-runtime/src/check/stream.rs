@@ -96,6 +96,19 @@ impl ExecutedBlock<'_> {
         }
     }
 
+    /// Whether the position is unknown after the block although it moves no axis: a stop, a tool change, a declared effect. A
+    /// change of the frame of the words is none, since it leaves the rotary axes known.
+    #[must_use]
+    pub fn loses_position(&self) -> bool {
+        let rotary = self.rules.words().rotary_bits();
+        let axes = if rotary == 0 { !0 } else { rotary };
+        match self.block.action {
+            Action::Stop | Action::OptionalStop | Action::ToolChange => true,
+            Action::Nothing | Action::Dwell(_) => self.known & axes != 0 && self.block.known & axes == 0,
+            _ => false,
+        }
+    }
+
     /// Tool axis in the tilted plane after the block.
     #[must_use]
     pub fn plane_axis(&self) -> Option<UnitVector3<f64>> {

@@ -20,7 +20,7 @@ use super::messages::{Messages, headline};
 use super::outcome::{Failure, Status, Streams, is_standard};
 use super::output_file::{OutputFile, Rejected, rejected_path};
 use super::self_check::{self, CheckedOutput, SelfCheck};
-use super::view::PageFile;
+use super::view::{PageFile, VIEWING_PASSES};
 
 /// Writer of a program.
 pub(crate) type ProgramSink<'a> = BufWriter<&'a mut dyn Write>;
@@ -99,14 +99,22 @@ pub(crate) fn run(
         }
     };
     let ended = map.map_or(Ok(()), MapWriter::end);
-    let mut write_page = || page.take().map_or(Ok(()), |page| page.finish(machine, &run, &mut source, &written));
+    page.as_ref().map_or(Ok(()), PageFile::clear)?;
+    let mut write_page = |messages: &mut Messages<'_>| {
+        let Some(page) = page.take() else { return Ok(()) };
+        show_progress(&mut source, streams.terminal, &args.set_up, VIEWING_PASSES);
+        let path = page.finish(machine, &run, &mut source, &written)?;
+        source.hide_progress();
+        messages.note(&format!("page: {}", path.display()));
+        Ok(())
+    };
     let summary = match &written.summary {
         Ok(summary) => summary,
         Err(reason) => {
             reject(args, target, reason, &mut messages)?;
             // The map of an earlier program must not be taken for that of this one.
             map_file.map_or(Ok(()), |file| file.clear())?;
-            write_page()?;
+            write_page(&mut messages)?;
             return Ok(Status::Rejected);
         }
     };
@@ -120,7 +128,7 @@ pub(crate) fn run(
         }
     }
     map_file.map_or(Ok(()), MapFile::finish)?;
-    write_page()?;
+    write_page(&mut messages)?;
     messages.note("done");
     Ok(Status::Done)
 }

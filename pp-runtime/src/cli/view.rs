@@ -25,7 +25,7 @@ use super::posting::{PostFn, PostRun, Written, read_files};
 const IN_MEMORY: &str = "the program in memory";
 
 /// Times that the CL data is read to show a program.
-const VIEWING_PASSES: u64 = 2;
+pub(crate) const VIEWING_PASSES: u64 = 2;
 
 /// A program to be shown.
 struct Request<'a> {
@@ -126,7 +126,11 @@ fn show(
     let (no_check, control) = (!config.control.program.checked, set_up.control());
     let run = PostRun { input, output: in_memory, no_check, config: &config, control, post };
     let mut posted = Posted::default();
-    let written = run.write(machine, &mut source, &mut posted.text, Some(&mut posted.reasons), &mut messages)?;
+    // Of a program that is given only its own faults count; those of the CL data come with it.
+    let mut nobody = io::sink();
+    let mut unheard = Messages::new(&mut nobody, set_up.message_format);
+    let heard = if given.is_some() { &mut unheard } else { &mut messages };
+    let written = run.write(machine, &mut source, &mut posted.text, Some(&mut posted.reasons), heard)?;
     let rejected = given.is_none() && written.summary.is_err();
     if let Some(text) = given {
         posted = Posted { reasons: posted.reasons.carried_over(&posted.text, &text), text };
@@ -221,6 +225,14 @@ impl PageFile {
         Ok(Self { path: path.to_owned(), target, posted: Posted::default() })
     }
 
+    /// Removes the page of an earlier program: it must not be taken for that of this one.
+    pub(crate) fn clear(&self) -> Result<(), Failure> {
+        match fs::remove_file(&self.path) {
+            Err(error) if error.kind() != io::ErrorKind::NotFound => Err(Failure::unwritable(&self.path, error)),
+            _ => Ok(()),
+        }
+    }
+
     /// Writes the page, of a rejected program as well.
     pub(crate) fn finish(
         self,
@@ -228,12 +240,16 @@ impl PageFile {
         run: &PostRun<'_>,
         source: &mut ClSource,
         written: &Written,
-    ) -> Result<(), Failure> {
+    ) -> Result<PathBuf, Failure> {
         let Self { path, mut target, posted } = self;
         let unwritable = |error| Failure::unwritable(&path, error);
         let policy = run.policy(machine)?;
         let program = execute(machine, run, None, &policy, source, &posted, written)?;
+        if let Some(what) = source.changed_since_opened() {
+            return Err(Failure::Changed(source.name().to_owned(), what));
+        }
         write_to(&mut target, &program, write_page).map_err(unwritable)?;
-        target.finish(|_| false).map(drop).map_err(unwritable)
+        target.finish(|_| false).map_err(unwritable)?;
+        Ok(path)
     }
 }

@@ -96,6 +96,15 @@ pub(crate) struct Executed {
     pub(crate) points: Vec<Point>,
     pub(crate) placements: Vec<Placement>,
     pub(crate) operations: Vec<Operation>,
+    /// In some rapids each axis moves on its own: their path is unknown, and drawn straight.
+    pub(crate) rapids_apart: bool,
+}
+
+impl Executed {
+    /// Whether the time of a motion is unknown.
+    pub(crate) fn lacks_times(&self) -> bool {
+        self.points.iter().any(|point| point.seconds.is_none())
+    }
 }
 
 /// Collects the points of a program while it is checked.
@@ -111,6 +120,8 @@ pub(crate) struct Collector<'a> {
     placement: usize,
     /// The last point is where the machine is.
     joined: bool,
+    /// Dwells at an unknown position, s: they are times of the next point.
+    waited: f64,
     executed: Executed,
 }
 
@@ -127,6 +138,10 @@ type Motion<'m> = &'m dyn Fn(f64, &Place) -> Place;
 impl Observer for Collector<'_> {
     fn executed(&mut self, executed: &ExecutedBlock<'_>) {
         self.follow_operation(executed);
+        if executed.loses_position() {
+            self.forget(!0);
+            self.joined = false;
+        }
         match executed.block.action {
             Action::Nothing | Action::ToolChange | Action::Stop | Action::OptionalStop | Action::End => {}
             Action::Dwell(seconds) => self.wait(executed, seconds),
@@ -162,6 +177,7 @@ impl<'a> Collector<'a> {
             coordinates: std::array::from_fn(|index| (!moves(index)).then_some(held[index])),
             placement: 0,
             joined: false,
+            waited: 0.0,
             executed: Executed::default(),
         }
     }
@@ -219,7 +235,8 @@ impl<'a> Collector<'a> {
 
     fn forget(&mut self, axes: u16) {
         let forgotten = self.coordinates.iter_mut().enumerate().filter(|(index, _)| axes & (1 << index) != 0);
-        forgotten.for_each(|(_, coordinate)| *coordinate = None);
+        let moves = |index: usize| self.axes.get(index).is_some_and(|axis| !axis.held);
+        forgotten.filter(|(index, _)| moves(*index)).for_each(|(_, coordinate)| *coordinate = None);
     }
 
     /// To words that are machine coordinates.
@@ -252,9 +269,13 @@ impl<'a> Collector<'a> {
         self.by_axes(executed, from);
     }
 
+    fn rotary_axes(&self) -> impl Iterator<Item = usize> + use<> {
+        let axes = self.axes;
+        (0..axes.len()).filter(move |index| axes[*index].kind == AxisKind::Rotary)
+    }
+
     fn rotary(&self) -> u16 {
-        let rotary = self.axes.iter().enumerate().filter(|(_, axis)| axis.kind == AxisKind::Rotary);
-        rotary.fold(0, |bits, (index, _)| bits | 1 << index)
+        self.rotary_axes().fold(0, |bits, index| bits | 1 << index)
     }
 
     /// A rapid of the axes from a position to where the machine is now.
@@ -269,7 +290,7 @@ impl<'a> Collector<'a> {
             Place { axes, pose: machine.forward_kinematics(&axes) }
         };
         let first = Place { axes: from, pose: machine.forward_kinematics(&from) };
-        self.trace(executed, PointKind::Rapid, first, 1, &at, |_| None);
+        self.trace(executed, PointKind::Rapid, first, 0.0, &at, |_| None);
     }
 
     /// To words that are positions, or coordinates of the tip.
@@ -300,8 +321,8 @@ impl<'a> Collector<'a> {
             let start = Place { axes: position.unwrap_or_else(|| machine.held()), pose: leg.pose(0.0) };
             let start = at(0.0, &start);
             let kind = if leg.rapid { PointKind::Rapid } else { PointKind::Feed };
-            let pieces = (leg.sweep().abs() / FRAC_PI_3).ceil().max(1.0) as u32;
-            self.trace(executed, kind, start, pieces, &at, |length_mm| leg.minutes(length_mm));
+            self.executed.rapids_apart |= leg.rapid && !leg.together;
+            self.trace(executed, kind, start, leg.sweep().abs(), &at, |length_mm| leg.minutes(length_mm));
         }
     }
 
@@ -309,24 +330,29 @@ impl<'a> Collector<'a> {
     fn begin_at(&mut self, executed: &ExecutedBlock<'_>, place: &Place) {
         let continues = |last: &Point| (last.pose.tip - place.pose.tip).norm() < SAME_POINT_MM;
         if !self.joined || !self.executed.points.last().is_some_and(continues) {
-            self.push(executed, PointKind::Start, place, (0.0, Some(0.0)));
+            let waited = std::mem::take(&mut self.waited);
+            self.push(executed, PointKind::Start, place, (0.0, Some(waited)));
         }
         self.joined = true;
     }
 
-    /// Adds the points of a motion. `minutes`: its time at feed, from the length of the tip path.
+    /// Adds the points of a motion. `sweep`: angle of an arc, rad; `minutes`: time at feed, from the length of the tip path.
     fn trace(
         &mut self,
         executed: &ExecutedBlock<'_>,
         kind: PointKind,
         start: Place,
-        pieces: u32,
+        sweep: f64,
         at: Motion<'_>,
         minutes: impl Fn(f64) -> Option<f64>,
     ) {
         self.begin_at(executed, &start);
         let tolerance_mm = if kind == PointKind::Feed { self.tolerance_mm } else { self.tolerance_mm.max(RAPID_MM) };
         let (mut places, mut before) = (Vec::new(), (0.0, start));
+        // The middle of whole revolutions is at their ends.
+        let end = at(1.0, &start).axes;
+        let rotated = self.rotary_axes().map(|index| (end[index] - start.axes[index]).abs()).fold(sweep, f64::max);
+        let pieces = (rotated / FRAC_PI_3).ceil().max(1.0) as u32;
         for piece in 1..=pieces {
             let share = f64::from(piece) / f64::from(pieces);
             let end = (share, at(share, &before.1));
@@ -388,10 +414,12 @@ impl<'a> Collector<'a> {
     }
 
     fn wait(&mut self, executed: &ExecutedBlock<'_>, seconds: f64) {
-        if let Some(last) = self.executed.points.last().filter(|_| self.joined) {
-            let place = Place { axes: last.axes, pose: last.pose };
-            self.push(executed, PointKind::Dwell, &place, (0.0, Some(seconds)));
-        }
+        let Some(last) = self.executed.points.last().filter(|_| self.joined) else {
+            self.waited += seconds;
+            return;
+        };
+        let place = Place { axes: last.axes, pose: last.pose };
+        self.push(executed, PointKind::Dwell, &place, (0.0, Some(seconds)));
     }
 
     fn push(

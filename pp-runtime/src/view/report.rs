@@ -93,8 +93,22 @@ pub(crate) fn html(sections: &[Section], out: &mut dyn Write) -> io::Result<()> 
 
 /// Text with the characters that Markdown would read taken literally.
 fn literal(text: &str) -> String {
-    let marks = |character: char| r"\`*_[]<>|#&".contains(character);
-    text.chars().flat_map(|character| marks(character).then_some('\\').into_iter().chain([character])).collect()
+    let number = text.chars().take_while(char::is_ascii_digit).count();
+    // Marks of a list are read at the start of a text only.
+    let lists = |(index, character): (usize, char)| match character {
+        '+' | '-' | '~' => index == 0,
+        '.' | ')' => index > 0 && index == number,
+        _ => false,
+    };
+    let mut written = String::with_capacity(text.len());
+    for (index, character) in text.chars().enumerate() {
+        if r"\`*_[]<>|#&".contains(character) || lists((index, character)) {
+            written.push('\\');
+        }
+        // A line end would end a heading or a row.
+        written.push(if character.is_control() { ' ' } else { character });
+    }
+    written
 }
 
 fn markdown(sections: &[Section], out: &mut dyn Write) -> io::Result<()> {

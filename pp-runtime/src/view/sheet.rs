@@ -8,6 +8,7 @@ use crate::kinematics::AxisKind;
 use crate::post::duration;
 use crate::set_up::{Clamping, part_angles};
 
+use super::executed::Executed;
 use super::head::{Operation, Tool, operations, tools};
 use super::{ViewedProgram, picture};
 
@@ -19,6 +20,8 @@ pub(crate) struct Sheet<'a> {
     machine: &'a str,
     control: &'a str,
     seconds: f64,
+    /// The time of some rapids is unknown, and not counted.
+    lacks_times: bool,
     set_ups: Vec<SetUp>,
     tools: Vec<UsedTool>,
     check: Check<'a>,
@@ -49,7 +52,10 @@ struct AxisExtremes {
     machine_coordinates: bool,
     lowest: f64,
     highest: f64,
+    /// Of the coordinates.
     limits: Option<[f64; 2]>,
+    /// The axis has limits, perhaps of coordinates that are unknown.
+    has_limits: bool,
 }
 
 /// A tool with its operations.
@@ -131,6 +137,7 @@ impl<'a> Sheet<'a> {
             machine: program.machine.name(),
             control: program.titles.control,
             seconds: set_ups.iter().map(|set_up| set_up.seconds).sum(),
+            lacks_times: program.executed.lacks_times(),
             tools: tools(program).into_iter().filter(|tool| tool.number > 0).map(used).collect(),
             set_ups,
             check: Check {
@@ -168,7 +175,7 @@ impl<'a> Sheet<'a> {
         }
         sections.extend(self.results());
         let pictures = vec![
-            Body::Picture(picture::path(program)?, "the path in three views: feed blue, rapid orange".to_owned()),
+            Body::Picture(picture::path(program)?, path_caption(&program.executed)),
             Body::Picture(picture::axes(program)?, "the axes over time, limits red".to_owned()),
         ];
         sections.push(Section { title: "Pictures".to_owned(), page: false, body: pictures });
@@ -200,10 +207,15 @@ impl<'a> Sheet<'a> {
         let lines = vec![
             format!("machine {}, control {}", self.machine, self.control),
             format!("CL data {}", self.cl),
-            format!("machining time {}", time(self.seconds)),
+            format!("machining time {}{}", time(self.seconds), self.uncounted()),
             self.check.figures.clone(),
         ];
         Section { title: self.title(), page: false, body: vec![Body::Lines(lines)] }
+    }
+
+    /// Motions whose time is unknown.
+    fn uncounted(&self) -> &'static str {
+        if self.lacks_times { " without the rapids of axes without a speed in `speeds`" } else { "" }
     }
 
     fn tools_of(&self, set_up: &SetUp) -> Body {
@@ -281,9 +293,11 @@ impl SetUp {
 
     fn extremes(&self) -> Body {
         let row = |axis: &AxisExtremes| {
-            let limits = axis
-                .limits
-                .map_or_else(|| "none".to_owned(), |[lower, upper]| format!("{} to {}", short(lower), short(upper)));
+            let limits = match axis.limits {
+                Some([lower, upper]) => format!("{} to {}", short(lower), short(upper)),
+                None if axis.has_limits => "machine coordinates, not comparable without `machine_zero`".to_owned(),
+                None => "none".to_owned(),
+            };
             let counted = if axis.machine_coordinates { "machine" } else { "from the zero position" };
             vec![
                 format!("{} {}", axis.letter, axis.unit),
@@ -294,6 +308,15 @@ impl SetUp {
             ]
         };
         Body::Table(vec!["axis", "lowest", "highest", "limits", "coordinates"], self.axes.iter().map(row).collect())
+    }
+}
+
+/// What the picture of the path shows.
+fn path_caption(executed: &Executed) -> String {
+    let text = "the path in three views: feed blue, rapid orange";
+    match executed.rapids_apart {
+        true => format!("{text}; in rapids each axis moves on its own: their path is not the line drawn"),
+        false => text.to_owned(),
     }
 }
 
@@ -315,9 +338,12 @@ fn set_up(program: &ViewedProgram<'_>, number: u32, clamping: &Clamping<'_>, ope
             letter: axis.letter,
             unit: if rotary { "°" } else { "mm" },
             machine_coordinates: program.has_coordinates(index),
+            has_limits: limits[index].is_some(),
             lowest: shown(lowest),
             highest: shown(highest),
-            limits: limits[index].map(|limits| [limits.lower, limits.upper].map(shown)),
+            limits: limits[index]
+                .filter(|_| program.has_coordinates(index))
+                .map(|limits| [limits.lower, limits.upper].map(shown)),
         })
     };
     SetUp {
