@@ -3,11 +3,13 @@
 import { colourings, type Colouring } from "./colour/colouring.ts";
 import type { PageData } from "./data/document.ts";
 import type { Triple } from "./data/contract.ts";
+import { Undrawn } from "./data/undrawn.ts";
 import { button, element, icon } from "./dom.ts";
 import { Keyboard, type CommandGroup } from "./keyboard.ts";
 import { BlockCard } from "./panels/block_card.ts";
 import { DisplayPanel } from "./panels/display.ts";
 import { FindingsPanel, OperationsPanel } from "./panels/lists.ts";
+import { MachinePanel } from "./panels/machine_facts.ts";
 import { Plots } from "./panels/plots.ts";
 import { PositionPanel } from "./panels/position.ts";
 import { TextPane } from "./panels/text_pane.ts";
@@ -21,10 +23,10 @@ import { ThemeSwitch } from "./theme.ts";
 import { Timeline } from "./timeline.ts";
 
 /** Sheets of the side panel. */
-const SHEETS = ["now", "display", "findings", "operations"] as const;
+const SHEETS = ["now", "machine", "display", "findings", "operations"] as const;
 type Sheet = (typeof SHEETS)[number];
 
-const SHEET_LABELS: Record<Sheet, string> = { now: "Position", display: "Display", findings: "Findings", operations: "Operations" };
+const SHEET_LABELS: Record<Sheet, string> = { now: "Position", machine: "Machine", display: "Display", findings: "Findings", operations: "Operations" };
 
 const VIEW_ICONS: Record<string, string> = {
   fit: "M3 7V3h4M13 3h4v4M17 13v4h-4M7 17H3v-4M7 7h6v6H7z",
@@ -43,6 +45,7 @@ export class App {
   private readonly text: TextPane;
   private readonly plots: Plots;
   private readonly position: PositionPanel;
+  private readonly machine: MachinePanel;
   private readonly display: DisplayPanel;
   private readonly findings: FindingsPanel;
   private readonly operations: OperationsPanel;
@@ -62,6 +65,7 @@ export class App {
   ) {
     const { program, programText, clText } = data;
     const { theme } = this.theme;
+    const undrawn = new Undrawn(program, programText);
     this.timeline = new Timeline(program);
     this.colourings = colourings(program);
     this.colouring = this.colourings[0];
@@ -72,8 +76,8 @@ export class App {
     });
     this.plots = new Plots(program, this.timeline, this.hover, theme);
     this.transport = new Transport(program, this.timeline, theme);
-    this.blockCard = new BlockCard(program, programText, clText, false);
-    this.hoverCard = new BlockCard(program, programText, clText, true);
+    this.blockCard = new BlockCard(program, programText, clText, undrawn, false);
+    this.hoverCard = new BlockCard(program, programText, clText, undrawn, true);
     this.hoverCard.root.classList.add("hover-card");
     this.hoverCard.root.hidden = true;
 
@@ -111,6 +115,7 @@ export class App {
     );
     this.viewport.append(this.viewTools(), this.restTools(), this.hoverCard.root);
     this.position = new PositionPanel(program, this.timeline, this.stage);
+    this.machine = new MachinePanel(program, undrawn);
     this.display = new DisplayPanel(this.colourings, this.stage, {
       colour: (name) => this.setColouring(name),
       hold: (fixed) => this.setFixed(fixed),
@@ -178,6 +183,7 @@ export class App {
     const { program } = this.data;
     this.stage.seek(position);
     this.position.update();
+    this.machine.update(position);
     this.plots.update();
     if (point !== this.shownPoint) {
       this.shownPoint = point;
@@ -224,9 +230,10 @@ export class App {
     const badge = element(
       "button",
       { type: "button", class: found > 0 ? "badge bad" : "badge good" },
-      found > 0 ? `${found} finding${found > 1 ? "s" : ""}` : "check passed",
+      found > 0 ? `${found} finding${found > 1 ? "s" : ""}` : "agrees with the CL data",
     );
-    badge.addEventListener("click", () => this.openSheet("findings"));
+    badge.title = "for the machine of the tab Machine: signs and centre lines must be compared with the real one";
+    badge.addEventListener("click", () => this.openSheet(found > 0 ? "findings" : "machine"));
     const warnings = head.warnings.length;
     const warning = element("button", { type: "button", class: "badge warn" }, `${warnings} warning${warnings > 1 ? "s" : ""}`);
     warning.addEventListener("click", () => this.openSheet("findings"));
@@ -295,6 +302,7 @@ export class App {
   private fillSide(side: HTMLElement): void {
     const contents: Record<Sheet, HTMLElement[]> = {
       now: [this.position.root, element("section", { class: "panel", "aria-label": "Block" }, element("h2", {}, "Block"), this.blockCard.root)],
+      machine: [this.machine.root],
       display: [this.display.root],
       findings: [this.findings.root],
       operations: [this.operations.root],

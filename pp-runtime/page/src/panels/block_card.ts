@@ -2,6 +2,7 @@
 
 import type { Lines } from "../data/lines.ts";
 import type { Program } from "../data/program.ts";
+import { linesText, NOT_DRAWN, type Undrawn } from "../data/undrawn.ts";
 import { element, fill } from "../dom.ts";
 import { axisUnit, fixed, formatTime, formatValue } from "../format.ts";
 
@@ -12,6 +13,7 @@ export class BlockCard {
     private readonly program: Program,
     private readonly programText: Lines,
     private readonly clText: Lines | null,
+    private readonly undrawn: Undrawn,
     /** The short form has no times and no operation. */
     private readonly short: boolean,
   ) {
@@ -29,8 +31,10 @@ export class BlockCard {
     const reason = program.reasonText(point);
     if (reason !== null) facts.push(["Why", reason]);
     const motion = program.isStart(point) ? "first known position" : program.kindText(point);
+    const hidden = this.undrawn.before(point);
     const feed = program.isRapid(point) || program.isStart(point) ? "" : `, ${formatValue(program.feed[point])} mm/min`;
     facts.push(["Motion", motion + feed]);
+    if (hidden.length > 0) facts.push(["Before", `${linesText(hidden)} ${NOT_DRAWN}`]);
     if (this.short) {
       const axes = program.head.machine.joints.map((joint, i) => `${joint.letter} ${fixed(program.axes[i][point], 3)}${joint.rotary ? "°" : ""}`);
       facts.push(["Axes", axes.join("  ")]);

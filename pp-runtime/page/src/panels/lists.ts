@@ -24,7 +24,7 @@ export class FindingsPanel {
     const { findings, warnings } = program.head;
     this.root.append(element("h2", {}, findings.length === 0 ? "Findings" : `Findings (${findings.length})`));
     if (findings.length === 0) {
-      this.root.append(element("p", { class: "good" }, "The check found nothing: the program does what its CL data programs."));
+      this.root.append(element("p", { class: "good" }, "The check found nothing: the program agrees with its CL data, for the machine of the tab Machine."));
     } else {
       this.root.append(element("ol", { class: "entries" }, ...findings.map((_, i) => element("li", {}, this.finding(i)))));
     }

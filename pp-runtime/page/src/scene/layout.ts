@@ -67,6 +67,11 @@ export function visibleSense(machine: Machine, joint: number): 1 | -1 {
   return joint < machine.frame_after ? (sign === 1 ? -1 : 1) : sign;
 }
 
+/** Direction in which the body of a linear joint moves, or right-handed axis about which that of a rotary one turns, while its value grows. */
+export function bodyMotion(machine: Machine, joint: number): Triple {
+  return scale(machine.joints[joint].direction, visibleSense(machine, joint));
+}
+
 /** The state of a stack of bodies that grows from the workpiece or from the tool towards the bed. */
 interface Stack {
   side: Side;
@@ -197,7 +202,6 @@ class Builder {
       to: add(add(base, scale(out, 0.35 * u)), scale(axis, 0)),
     });
 
-    const sense = visibleSense(this.input.machine, index);
     this.arrows.push({
       joint: index,
       link: fixed,
@@ -206,7 +210,7 @@ class Builder {
       path: {
         kind: "arc",
         centre: disc,
-        axis: scale(axis, sense),
+        axis: bodyMotion(this.input.machine, index),
         from: start,
         radius: radius * 1.14,
         sweepRad: 0.9,
@@ -259,8 +263,8 @@ class Builder {
       held: joint.held,
       path: {
         kind: "straight",
-        from: add(add(carriage, scale(along, sense * 0.38 * u)), scale(across, 0)),
-        direction: scale(along, sense),
+        from: add(carriage, scale(bodyMotion(this.input.machine, index), 0.38 * u)),
+        direction: bodyMotion(this.input.machine, index),
         length: 0.5 * u,
       },
     });
