@@ -71,7 +71,7 @@ export class App {
     this.colouring = this.colourings[0];
 
     this.text = new TextPane(programText, program, {
-      select: (line) => this.select(line),
+      select: (line) => (undrawn.has(line) ? this.showLine(line) : this.select(line)),
       hover: (line) => this.hover.set(line === null ? null : this.exactPointOfLine(line)),
     });
     this.plots = new Plots(program, this.timeline, this.hover, theme);
@@ -120,7 +120,7 @@ export class App {
       colour: (name) => this.setColouring(name),
       hold: (fixed) => this.setFixed(fixed),
     });
-    const events = { seek: (point: number) => this.jump(point), selectLine: (line: number) => this.select(line) };
+    const events = { seek: (point: number) => this.jump(point), showLine: (line: number) => this.showLine(line) };
     this.findings = new FindingsPanel(program, events);
     this.operations = new OperationsPanel(program, events, theme);
     this.fillSide(side);
@@ -156,6 +156,16 @@ export class App {
     if (point !== null) this.jump(point);
   }
 
+  /** Goes to a line of the program that may have no point: the position is then the last one before it. */
+  showLine(line: number): void {
+    const { program } = this.data;
+    const exact = this.exactPointOfLine(line);
+    this.jump(exact ?? program.pointBefore(line));
+    if (exact !== null) return;
+    this.text.setCurrent(line);
+    this.blockCard.showLine(line);
+  }
+
   drawnTip(): Triple {
     return this.stage.machine.drawnTip();
   }
@@ -185,7 +195,7 @@ export class App {
     this.position.update();
     this.machine.update(position);
     this.plots.update();
-    if (point !== this.shownPoint) {
+    if (point !== this.shownPoint || this.text.currentLine !== program.line[point]) {
       this.shownPoint = point;
       this.text.setCurrent(program.line[point]);
       this.operations.update(point);
@@ -415,8 +425,8 @@ export class App {
         title: "Text and plots",
         commands: [
           { keys: ["/"], label: "search; :120 is line 120", run: () => this.text.searchField.focus() },
-          { keys: ["n"], label: "next finding", run: () => this.findings.step(1, timeline.point) },
-          { keys: ["Shift+n"], label: "previous finding", run: () => this.findings.step(-1, timeline.point) },
+          { keys: ["n"], label: "next finding", run: () => this.findings.step(1, this.text.currentLine) },
+          { keys: ["Shift+n"], label: "previous finding", run: () => this.findings.step(-1, this.text.currentLine) },
           { keys: ["p"], label: "next plots", run: () => this.plots.nextTab() },
           { keys: ["x"], label: "plots over time or blocks", run: () => this.plots.toggleAxis() },
           { keys: ["["], label: "plots: zoom in", run: () => this.plots.zoomBy(0.5) },

@@ -71,6 +71,20 @@ test("a line without a block leads to the next block, a line past the end to non
   assert.deepEqual([1, 5, 6, 11, 12].map((line) => p.pointOfLine(line)), [0, 2, 3, 5, null]);
 });
 
+test("the point before a line is that of the nearest line at or before it", () => {
+  const p = program(six);
+  assert.deepEqual([1, 4, 5, 8, 11, 99].map((line) => p.pointBefore(line)), [0, 0, 2, 2, 5, 5]);
+});
+
+test("a finding is marked over all its lines, one without a point where the program is before it", () => {
+  const p = program({ ...six, line: [4, 5, 5, 9, 5, 11] });
+  const finding = (line: number, last_line: number): { first: number; last: number }[] =>
+    p.findingStretches({ line, last_line, cl_line: 1, text: "", help: null, point: null });
+  assert.deepEqual(finding(4, 5), [{ first: 0, last: 2 }, { first: 4, last: 4 }]);
+  assert.deepEqual(finding(9, 9), [{ first: 3, last: 3 }]);
+  assert.deepEqual(finding(6, 8), [{ first: 2, last: 2 }]);
+});
+
 test("axis values are linear between points, and held where the motion is not known", () => {
   const p = program(six);
   assert.deepEqual(p.axesBetween(1.25), [12.5, 1.25]);

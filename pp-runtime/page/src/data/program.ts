@@ -5,7 +5,7 @@
  * point: 12.25 is a quarter of the leg from point 12 to point 13.
  */
 
-import type { Head, Placement, SetUp, Tool, Triple } from "./contract.ts";
+import type { Finding, Head, Placement, SetUp, Tool, Triple } from "./contract.ts";
 import { poleMeasure } from "../kinematics/chain.ts";
 
 /** Sine of the angle from the pole below which a rotating leg counts as near the pole: 1°. */
@@ -85,6 +85,7 @@ export class Program {
   readonly speeds: Float64Array[];
   readonly stretches: Stretch[];
 
+  private readonly findingRuns = new Map<Finding, { first: number; last: number }[]>();
   private readonly startKind: number;
   private readonly rapidKind: number;
 
@@ -191,6 +192,36 @@ export class Program {
       if (candidate > line && (best < 0 || candidate < this.line[this.blockFirst[best]])) best = block;
     }
     return best < 0 ? null : this.blockLast(best);
+  }
+
+  /** Last point of the nearest line that is not after a line of the program; 0 before the first. */
+  pointBefore(line: number): number {
+    let best = -1;
+    for (let block = 0; block < this.blocks; block += 1) {
+      const candidate = this.line[this.blockFirst[block]];
+      if (candidate <= line && (best < 0 || candidate > this.line[this.blockFirst[best]])) best = block;
+    }
+    return best < 0 ? 0 : this.blockLast(best);
+  }
+
+  /** Runs of points on the lines of a finding; without any the last point before them. */
+  findingStretches(finding: Finding): { first: number; last: number }[] {
+    const known = this.findingRuns.get(finding);
+    if (known) return known;
+    const runs: { first: number; last: number }[] = [];
+    for (let block = 0; block < this.blocks; block += 1) {
+      const line = this.line[this.blockFirst[block]];
+      if (line < finding.line || line > finding.last_line) continue;
+      const open = runs.at(-1);
+      if (open && open.last === this.blockFirst[block] - 1) open.last = this.blockLast(block);
+      else runs.push({ first: this.blockFirst[block], last: this.blockLast(block) });
+    }
+    if (runs.length === 0) {
+      const point = this.pointBefore(finding.line);
+      runs.push({ first: point, last: point });
+    }
+    this.findingRuns.set(finding, runs);
+    return runs;
   }
 
   placementAt(point: number): Placement {

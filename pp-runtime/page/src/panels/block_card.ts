@@ -54,7 +54,18 @@ export class BlockCard {
     }
     const list = element("dl", { class: "facts" });
     for (const [name, value] of facts) list.append(element("dt", {}, name), element("dd", {}, value));
-    for (const finding of program.head.findings) {
+    this.fill(line, list);
+  }
+
+  /** A line of the program without a point of its own. */
+  showLine(line: number): void {
+    const list = element("dl", { class: "facts" });
+    list.append(element("dt", {}, "Motion"), element("dd", {}, this.undrawn.has(line) ? NOT_DRAWN : "none; the position is the last one before this line"));
+    this.fill(line, list);
+  }
+
+  private fill(line: number, list: HTMLElement): void {
+    for (const finding of this.program.head.findings) {
       if (line < finding.line || line > finding.last_line) continue;
       list.append(element("dt", { class: "bad" }, "Finding"), element("dd", {}, finding.text));
     }

@@ -8,7 +8,8 @@ import { MARKS } from "../scene/marks.ts";
 
 export interface ListEvents {
   seek: (point: number) => void;
-  selectLine: (line: number) => void;
+  /** Goes to a line, which may have no point. */
+  showLine: (line: number) => void;
 }
 
 /** Longest list of marks of one kind. */
@@ -28,23 +29,21 @@ export class FindingsPanel {
     } else {
       this.root.append(element("ol", { class: "entries" }, ...findings.map((_, i) => element("li", {}, this.finding(i)))));
     }
-    for (const kind of ["rewind", "retract", "pole"] as MarkKind[]) this.addMarks(kind);
     if (warnings.length > 0) {
       this.root.append(
         element("h2", {}, `Warnings (${warnings.length})`),
         element("ul", { class: "warnings" }, ...warnings.map((text) => element("li", {}, text))),
       );
     }
+    for (const kind of ["rewind", "retract", "pole"] as MarkKind[]) this.addMarks(kind);
   }
 
-  /** Goes to the next or previous finding after a point. */
-  step(by: 1 | -1, point: number): void {
-    const { findings } = this.program.head;
-    const places = findings.map((finding) => finding.point ?? this.program.pointOfLine(finding.line)).filter((place) => place !== null);
-    places.sort((a, b) => a - b);
-    const next = by === 1 ? places.find((place) => place > point) : places.findLast((place) => place < point);
-    const place = next ?? (by === 1 ? places[0] : places.at(-1));
-    if (place !== undefined) this.events.seek(place);
+  /** Goes to the next or previous finding, seen from a line. */
+  step(by: 1 | -1, from: number): void {
+    const lines = this.program.head.findings.map((finding) => finding.line).sort((a, b) => a - b);
+    const next = by === 1 ? lines.find((line) => line > from) : lines.findLast((line) => line < from);
+    const line = next ?? (by === 1 ? lines[0] : lines.at(-1));
+    if (line !== undefined) this.events.showLine(line);
   }
 
   private finding(index: number): HTMLElement {
@@ -57,10 +56,7 @@ export class FindingsPanel {
       element("span", { class: "text" }, finding.text),
     );
     if (finding.help !== null) entry.append(element("span", { class: "help" }, finding.help));
-    entry.addEventListener("click", () => {
-      if (finding.point !== null) this.events.seek(finding.point);
-      else this.events.selectLine(finding.line);
-    });
+    entry.addEventListener("click", () => this.events.showLine(finding.line));
     return entry;
   }
 

@@ -362,8 +362,16 @@ export class Plots {
     }
     ctx.fillStyle = styleColour(MARKS.finding.colour);
     for (const finding of program.head.findings) {
-      if (finding.point === null) continue;
-      ctx.fillRect(place(this.xValues[finding.point]) - devicePixelRatio, bbox.top, 2 * devicePixelRatio, bbox.height);
+      for (const { first, last } of program.findingStretches(finding)) {
+        const left = place(this.xValues[Math.max(first - 1, 0)]);
+        const wide = Math.max(place(this.xValues[last]) - left, 2 * devicePixelRatio);
+        if (left + wide < from || left > to) continue;
+        ctx.globalAlpha = 0.22;
+        ctx.fillRect(left, bbox.top, wide, bbox.height);
+        ctx.globalAlpha = 1;
+        ctx.fillRect(left, bbox.top, 2 * devicePixelRatio, bbox.height);
+        ctx.fillRect(left, bbox.top, wide, 3 * devicePixelRatio);
+      }
     }
     ctx.restore();
   }

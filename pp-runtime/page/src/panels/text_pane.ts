@@ -1,5 +1,6 @@
 /** The program text: only the lines in sight are elements, so its length does not matter. */
 
+import type { Finding } from "../data/contract.ts";
 import { tokens, type Lines } from "../data/lines.ts";
 import { lowerBound, type MarkKind, type Program } from "../data/program.ts";
 import { element } from "../dom.ts";
@@ -11,8 +12,6 @@ const LINE_PX = 20;
 
 /** Tallest element that every browser can scroll, px. */
 const TALLEST_PX = 8_000_000;
-
-type LineMark = MarkKind | "finding";
 
 export interface TextPaneEvents {
   select: (line: number) => void;
@@ -40,8 +39,9 @@ export class TextPane {
   private readonly spacer = element("div", { class: "spacer" });
   private readonly rows = element("div", { class: "rows", role: "presentation" });
   private readonly ruler = element("canvas", { class: "ruler", "aria-hidden": "true" });
-  private readonly marks = new Map<number, Set<LineMark>>();
-  private readonly findingTexts = new Map<number, string>();
+  private readonly marks = new Map<number, Set<MarkKind>>();
+  private readonly findings: Finding[];
+  private readonly insertedTexts = new Map<number, string>();
   private readonly digits: number;
   private readonly control: string;
   private matches: number[] = [];
@@ -55,6 +55,7 @@ export class TextPane {
     private readonly events: TextPaneEvents,
   ) {
     this.control = program.head.control;
+    this.findings = program.head.findings;
     this.digits = String(lines.count).length;
     this.collectMarks(program);
     this.spacer.style.height = `${this.heightPx}px`;
@@ -84,6 +85,10 @@ export class TextPane {
     this.reveal(line);
     this.render();
     this.drawRuler();
+  }
+
+  get currentLine(): number {
+    return this.current;
   }
 
   setHover(line: number | null): void {
@@ -153,7 +158,7 @@ export class TextPane {
     if (line === this.current) row.setAttribute("aria-current", "true");
     if (line === this.hovered) row.classList.add("hovered");
     const gutter = element("span", { class: "gutter" });
-    for (const kind of this.marks.get(line) ?? []) gutter.append(element("span", { class: `mark mark-${kind}`, title: MARKS[kind].label }));
+    for (const kind of this.marks.get(line) ?? []) gutter.append(element("span", { class: `mark mark-${kind}`, title: kind === "inserted" ? (this.insertedTexts.get(line) ?? MARKS.inserted.label) : MARKS[kind].label }));
     const number = element("span", { class: "line-number" }, String(line).padStart(this.digits));
     const text = element("span", { class: "code" });
     const source = this.lines.line(line);
@@ -161,29 +166,28 @@ export class TextPane {
     for (const token of tokens(source, this.control)) {
       text.append(token.kind === "word" ? highlighted(token.text, wanted) : element("span", { class: `token-${token.kind}` }, highlighted(token.text, wanted)));
     }
-    const finding = this.findingTexts.get(line);
-    if (finding) row.title = finding;
-    if (finding) row.classList.add("has-finding");
+    const found = this.findings.filter((finding) => line >= finding.line && line <= finding.last_line);
+    if (found.length > 0) {
+      row.title = found.map((finding) => finding.text).join("\n");
+      row.classList.add("has-finding");
+      if (found.some((finding) => finding.line === line)) gutter.prepend(element("span", { class: "mark mark-finding", title: MARKS.finding.label }));
+    }
     row.append(gutter, number, text);
     return row;
   }
 
   private collectMarks(program: Program): void {
-    const mark = (line: number, kind: LineMark): void => {
+    const mark = (line: number, kind: MarkKind): void => {
       const set = this.marks.get(line) ?? new Set();
       set.add(kind);
       this.marks.set(line, set);
     };
-    for (const finding of program.head.findings) {
-      // A finding over many lines is marked at its first and last.
-      for (const line of new Set([finding.line, finding.last_line])) {
-        mark(line, "finding");
-        const before = this.findingTexts.get(line);
-        this.findingTexts.set(line, before ? `${before}\n${finding.text}` : finding.text);
-      }
-    }
     for (const { kind, first, last } of program.stretches) {
-      for (let block = program.block[first]; block <= program.block[last]; block += 1) mark(program.line[program.blockFirst[block]], kind);
+      for (let block = program.block[first]; block <= program.block[last]; block += 1) {
+        const line = program.line[program.blockFirst[block]];
+        mark(line, kind);
+        if (kind === "inserted") this.insertedTexts.set(line, `inserted block: ${program.reasonText(program.blockFirst[block]) ?? "reason unknown"}`);
+      }
     }
   }
 
@@ -198,11 +202,15 @@ export class TextPane {
     if (!context) return;
     context.scale(ratio, ratio);
     const y = (line: number): number => ((line - 0.5) / this.lines.count) * height;
-    const order: LineMark[] = ["pole", "retract", "rewind", "finding"];
+    const order: MarkKind[] = ["pole", "retract", "rewind"];
     for (const kind of order) {
       context.fillStyle = styleColour(MARKS[kind].colour);
-      const size = kind === "finding" ? 4 : 2;
-      for (const [line, kinds] of this.marks) if (kinds.has(kind)) context.fillRect(kind === "finding" ? 0 : 2, y(line) - size / 2, width, size);
+      for (const [line, kinds] of this.marks) if (kinds.has(kind)) context.fillRect(2, y(line) - 1, width, 2);
+    }
+    context.fillStyle = styleColour(MARKS.finding.colour);
+    for (const { line, last_line } of this.findings) {
+      const top = y(line - 0.5);
+      context.fillRect(0, top, width, Math.max(y(last_line + 0.5) - top, 4));
     }
     context.fillStyle = styleColour("--accent");
     context.fillRect(0, y(this.current) - 1, width, 2.5);

@@ -104,9 +104,17 @@ export class Transport {
       context.fillStyle = cssColour(categoryColour(i, this.theme));
       context.fillRect(from, height - 4, Math.max(to - from - 1, 1), 4);
     });
-    for (const kind of ["pole", "retract", "rewind", "finding"] as const) {
+    for (const kind of ["pole", "retract", "rewind"] as const) {
       context.fillStyle = styleColour(MARKS[kind].colour);
-      for (const point of markedPoints(program, kind)) context.fillRect(x(point) - 1, kind === "finding" ? 0 : 2, 2, kind === "finding" ? height - 5 : height - 7);
+      for (const point of markedPoints(program, kind)) context.fillRect(x(point) - 1, 2, 2, height - 7);
+    }
+    context.fillStyle = styleColour(MARKS.finding.colour);
+    for (const finding of program.head.findings) {
+      for (const { first, last } of program.findingStretches(finding)) {
+        const from = x(first - 1);
+        const wide = Math.max(x(last) - from, 3);
+        context.fillRect(Math.min(from, width - wide), 0, wide, height - 5);
+      }
     }
   }
 }
