@@ -100,6 +100,12 @@ impl Page {
         self.columns[column][point]
     }
 
+    /// Line of the program of a point.
+    #[must_use]
+    pub fn line(&self, point: usize) -> u64 {
+        self.at("line", point) as u64
+    }
+
     /// Name of the kind of a point.
     ///
     /// # Panics
@@ -133,7 +139,7 @@ impl Page {
     /// If the CL data is not understood.
     #[must_use]
     pub fn record_of(&self, point: usize) -> Option<Vector3<f64>> {
-        let ends = point + 1 == self.points() || self.at("line", point) < self.at("line", point + 1);
+        let ends = point + 1 == self.points() || self.line(point) < self.line(point + 1);
         let is_record = self.kind(point) == "feed" && self.reason(point) == Some("record");
         let record = self.cl.lines().nth(self.at("cl_line", point) as usize - 1)?.strip_prefix("GOTO/")?;
         let numbers = record.split(',').take(3).map(|text| text.trim().parse().expect("a number"));

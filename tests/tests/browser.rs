@@ -179,7 +179,7 @@ impl Browser {
                     "{name}, point {point}: joint {joint} is drawn at {drawn}, not {value}"
                 );
             }
-            assert_eq!(number(&state["line"]), page.at("line", point), "{name}, point {point}");
+            assert_eq!(state["line"].as_u64(), Some(page.line(point)), "{name}, point {point}");
             if let Some(record) = page.record_of(point) {
                 let off_mm = (drawn - record).norm();
                 assert!(off_mm < RECORD_MM, "{name}, point {point}: {off_mm} mm off the CL data");
@@ -209,10 +209,10 @@ impl Browser {
         .await;
         let last = page.points() - 1;
         self.wait(&format!("window.ppView.state().point > 0 && window.ppView.state().point < {last}")).await;
-        let middle = page.at("line", page.points() / 2);
+        let middle = page.line(page.points() / 2);
         self.script(&format!("window.ppView.seek({})", page.points() / 2)).await;
         let line = self.script("return window.ppView.state().line").await;
-        assert_eq!(number(&line), middle, "{name}");
+        assert_eq!(line.as_u64(), Some(middle), "{name}");
         // Another block in view, with a point of its own.
         let visible = self
             .script(
@@ -223,10 +223,9 @@ impl Browser {
                  }).map(line => Number(line.dataset.line))",
             )
             .await;
-        let lines = page.columns["line"].iter().filter(|line| **line != middle);
-        let wanted = lines
-            .copied()
-            .find(|line| visible.as_array().is_some_and(|list| list.iter().any(|seen| number(seen) == *line)));
+        let is_visible =
+            |line: &u64| visible.as_array().is_some_and(|list| list.iter().any(|seen| seen.as_u64() == Some(*line)));
+        let wanted = (0..page.points()).map(|point| page.line(point)).find(|line| *line != middle && is_visible(line));
         let wanted = wanted.unwrap_or_else(|| panic!("{name}: no block to click among {visible}"));
         let row = self.client.find(Locator::Css(&format!("#program [data-line=\"{wanted}\"]"))).await.expect("a line");
         row.click().await.expect("it can be clicked");

@@ -6,6 +6,7 @@
 use std::io::Cursor;
 
 use pp_runtime::check::read::{Action, State};
+use pp_runtime::config::Mode;
 use pp_runtime::kinematics::{Machine, Pose};
 use pp_runtime::post;
 use tests::binaries::golden_programs;

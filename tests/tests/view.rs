@@ -2,6 +2,7 @@
 //! text from outside, edited programs, sizes, and the set-up sheets.
 
 use std::collections::BTreeMap;
+use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -53,7 +54,7 @@ fn inclined() -> Page {
 /// The machine of the head leads the tool to tip and tool axis of every point.
 fn assert_chain(name: &str, page: &Page) {
     for point in 0..page.points() {
-        let ((tip, axis), line) = (page.multiplied(point), page.at("line", point));
+        let ((tip, axis), line) = (page.multiplied(point), page.line(point));
         let (off_mm, off_rad) = ((tip - page.tip(point)).norm(), angle_between(&axis, &page.tool_axis(point)));
         assert!(off_mm < SAME_TIP_MM && off_rad < SAME_AXIS_RAD, "{name}, line {line}: {off_mm} mm, {off_rad} rad");
     }
@@ -101,7 +102,7 @@ fn agrees<M: Machine>(golden: &Golden) -> usize {
     let page = page(binary(&golden.machine), &args.iter().map(String::as_str).collect::<Vec<_>>());
     assert_eq!(page.program, golden.program);
     assert_chain(&golden.name, &page);
-    let ends: BTreeMap<u64, usize> = (0..page.points()).map(|point| (page.at("line", point) as u64, point)).collect();
+    let ends: BTreeMap<u64, usize> = (0..page.points()).map(|point| (page.line(point), point)).collect();
     let mut compared = 0;
     golden.observed::<M>(&golden.program, |executed| {
         let legs = executed.legs();
@@ -158,4 +159,117 @@ fn text_from_outside_is_text_in_the_page() {
         "{}",
         page.head["operations"]
     );
+}
+
+#[test]
+fn an_edited_program_shows_its_edits_and_its_findings() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let [program, html] = ["part.ngc", "page.html"].map(|name| folder.path().join(name));
+    let (cl, config) = ("examples/cl/convex.cls", example_config("lola-xoyzba", "linuxcnc"));
+    let set_up = [cl, "--config", &config];
+    assert!(run(binary("lola-xoyzba"), &[&["post"], &set_up[..]].concat(), &program).status.success());
+    let posted = fs::read_to_string(&program).expect("a program");
+    // The sign of one word, in the middle of a cut.
+    let (line, wrong) = posted
+        .lines()
+        .enumerate()
+        .skip(200)
+        .find_map(|(index, line)| line.contains(" B-").then(|| (index as u64 + 1, line.replace(" B-", " B"))))
+        .expect("a negative B");
+    let edited: String = posted
+        .lines()
+        .enumerate()
+        .map(|(index, text)| if index as u64 + 1 == line { format!("{wrong}\n") } else { format!("{text}\n") })
+        .collect();
+    fs::write(&program, &edited).expect("it can be written");
+    let given = program.display().to_string();
+    let output = run(binary("lola-xoyzba"), &["view", cl, &given, "--config", &config], &html);
+    assert_eq!(output.status.code(), Some(1), "{}", String::from_utf8_lossy(&output.stderr));
+    let page = Page::decoded(&read(&output, &html));
+    assert_eq!(page.program, edited);
+    let found = page.head["findings"].as_array().expect("a list");
+    let found =
+        found.iter().find(|found| found["line"] == line).unwrap_or_else(|| panic!("{:?}", page.head["findings"]));
+    let point = found["point"].as_u64().expect("a point") as usize;
+    assert_eq!(page.line(point), line);
+    let before = (0..point).rfind(|before| page.line(*before) < line).expect("a point before");
+    assert!(page.at("axis.B", point) > 0.0 && page.at("axis.B", before) < 0.0, "{}", page.at("axis.B", point));
+    // Lines that were not edited keep their reasons; the edited one has none.
+    for point in 0..page.points() {
+        assert_eq!(page.reason(point).is_none(), page.line(point) == line, "point {point}");
+    }
+}
+
+/// Largest page of 100 000 blocks, bytes.
+const LARGEST_PAGE: u64 = 10_000_000;
+
+#[test]
+fn a_page_of_100_000_blocks_is_below_10_mb() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let [cl, html] = ["blade.cls", "page.html"].map(|name| folder.path().join(name));
+    let mut text =
+        "TOOL PATH/BLADE,TOOL,BALL_6\nTLDATA/MILL,6.0000,3.0000,75.0000,0.0000,0.0000\nMSYS/0,0,0,1,0,0,0,1,0\n\
+         LOAD/TOOL,1\nSPINDL/RPM,12000,CLW\nFEDRAT/MMPM,1800\n"
+            .to_owned();
+    for point in 0..100_000 {
+        let turn = 0.004 * f64::from(point);
+        let (swing, tilt) = (2.4 * (0.21 * turn).sin(), 0.55 + 0.25 * (0.37 * turn).sin());
+        let [x, y, z] = [48.0 * turn.cos(), 36.0 * (1.3 * turn).sin(), 20.0 + 9.0 * (0.7 * turn).sin()];
+        let [i, j, k] = [tilt.sin() * swing.cos(), tilt.sin() * swing.sin(), tilt.cos()];
+        writeln!(text, "GOTO/{x:.4},{y:.4},{z:.4},{i:.7},{j:.7},{k:.7}").expect("memory");
+    }
+    text += "END-OF-PATH\n";
+    fs::write(&cl, text).expect("it can be written");
+    let output = run(binary("spinner-u5-620"), &["view", &cl.display().to_string(), "--units", "mm"], &html);
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let bytes = fs::metadata(&html).expect("a page").len();
+    assert!(bytes < LARGEST_PAGE, "{bytes} bytes");
+    assert!(Page::decoded(&read(&output, &html)).points() > 100_000);
+}
+
+/// Set-up sheets that are kept: machine, control, CL file, configuration.
+const SHEETS: [(&str, &str, &str, &str); 2] = [
+    ("dmu-70e", "heidenhain", "examples/cl/two_tools.cls", "examples/config/dmu-70e-heidenhain.toml"),
+    ("spinner-u5-620", "fanuc", "tests/data/mixed/mixed.cls", "tests/data/mixed/mixed.toml"),
+];
+
+#[test]
+fn set_up_sheets_are_those_that_were_read() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut differ = Vec::new();
+    for (machine, control, cl, config) in SHEETS {
+        for form in ["html", "md", "json"] {
+            let name = format!("{machine}.{control}.{form}");
+            let sheet = folder.path().join(&name);
+            let output =
+                run(binary(machine), &["report", cl, "--control", control, "--config", config, "--jog"], &sheet);
+            assert!(output.status.success(), "{name}: {}", String::from_utf8_lossy(&output.stderr));
+            let (kept, sheet) = (workspace().join("tests/data/sheets").join(&name), read(&output, &sheet));
+            if std::env::var_os("PP_BLESS").is_some() {
+                fs::write(&kept, sheet).expect("it can be written");
+            } else if fs::read_to_string(&kept).ok().as_ref() != Some(&sheet) {
+                differ.push(name);
+            }
+        }
+    }
+    assert!(differ.is_empty(), "{differ:?} differ: PP_BLESS=1 rewrites them; read them before they are committed");
+}
+
+#[test]
+fn a_sheet_has_a_page_for_each_set_up_with_its_own_tools_and_operations() {
+    let sheet = fs::read_to_string(workspace().join("tests/data/sheets/spinner-u5-620.fanuc.html")).expect("a sheet");
+    let pages: Vec<&str> = sheet.split("<section class=\"page\">").collect();
+    // Two set-ups, and the jog sheet.
+    assert_eq!(pages.len(), 3);
+    assert!(pages[0].contains("Set-up 1") && pages[1].contains("Set-up 2") && pages[2].contains("Jog sheet"));
+    let json = fs::read_to_string(workspace().join("tests/data/sheets/spinner-u5-620.fanuc.json")).expect("a sheet");
+    let json: serde_json::Value = serde_json::from_str(&json).expect("JSON");
+    let set_ups = json["set_ups"].as_array().expect("a list");
+    assert_ne!(set_ups[0]["work_offset"], set_ups[1]["work_offset"]);
+    for (set_up, page) in set_ups.iter().zip(&pages) {
+        for operation in set_up["operations"].as_array().expect("a list") {
+            let name = operation["name"].as_str().expect("a name");
+            assert!(page.contains(&format!("<td>{name}</td>")), "{name}");
+        }
+    }
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::io::{self, Read};
 
 use crate::cl::{ClReader, ReadingOptions};
-use crate::program::{Event, ToolCall};
+use crate::program::{Drilling, Event, ToolCall};
 
 /// Tools by number, and operations by the record of their first motion.
 #[derive(Debug, Default)]
@@ -20,6 +20,8 @@ pub(crate) struct ClTool {
     pub(crate) call: ToolCall,
     /// It makes holes.
     pub(crate) drills: bool,
+    /// It cuts threads in holes.
+    pub(crate) taps: bool,
     /// It moves at feed otherwise.
     pub(crate) mills: bool,
 }
@@ -46,6 +48,8 @@ impl ClFacts {
                     facts.operations.extend(name.take().map(|name| (at.line, name)));
                     if let Some(tool) = tool.and_then(|tool| facts.tools.get_mut(&tool)) {
                         tool.drills |= matches!(event, Event::Hole(_));
+                        tool.taps |=
+                            matches!(event, Event::Hole(hole) if matches!(hole.drilling, Drilling::Tap { .. }));
                         tool.mills |= match event {
                             Event::Move(motion) => !motion.rapid,
                             Event::Arc(_) | Event::Spline(_) => true,

@@ -14,6 +14,11 @@ const LARGEST: f64 = (1 << 30) as f64;
 /// Finest steps of a column are multiplied by this until all values are small enough.
 const COARSER: f64 = 10.0;
 
+/// Bits of a number of 32 bits: its sign, infinity, and those that are kept.
+const SIGN: u32 = 1 << 31;
+const INFINITY: u32 = f32::INFINITY.to_bits();
+const KEPT: u32 = !0 << 9;
+
 /// Description of one column, as the page reads it.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub(crate) struct Column {
@@ -69,10 +74,14 @@ impl Columns {
         }
     }
 
-    /// Values of 32 bits; NaN where unknown.
+    /// Values of 32 bits, rounded to four significant digits; NaN where unknown.
     pub(crate) fn floats(&mut self, name: &str, values: impl Iterator<Item = Option<f64>>) {
         self.begin(name, Form::F32, None);
-        values.for_each(|value| self.bytes.extend((value.unwrap_or(f64::NAN) as f32).to_le_bytes()));
+        for value in values {
+            let bits = value.map_or(f32::NAN, |value| value as f32).to_bits();
+            let rounded = if bits & !SIGN < INFINITY { (bits + (!KEPT >> 1)) & KEPT } else { bits };
+            self.bytes.extend(rounded.to_le_bytes());
+        }
     }
 
     /// Indices of 16 bits; one that does not fit is the largest.
@@ -98,4 +107,81 @@ pub(crate) fn packed(bytes: &[u8]) -> io::Result<String> {
     let mut encoder = DeflateEncoder::new(Vec::new(), Compression::default());
     encoder.write_all(bytes)?;
     Ok(BASE64_STANDARD.encode(encoder.finish()?))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::io::Read as _;
+
+    use flate2::read::DeflateDecoder;
+
+    use super::*;
+
+    /// Bytes of columns, and their descriptions.
+    fn decoded(columns: Columns) -> (Vec<Column>, Vec<u8>) {
+        let (list, text) = columns.encoded().expect("memory");
+        let packed = BASE64_STANDARD.decode(text).expect("base64");
+        let mut bytes = Vec::new();
+        DeflateDecoder::new(&*packed).read_to_end(&mut bytes).expect("DEFLATE");
+        (list, bytes)
+    }
+
+    fn quantised(values: &[f64]) -> (f64, Vec<f64>) {
+        let mut columns = Columns::default();
+        columns.quantised("axis.X", 1e-5, values.iter().copied());
+        let (list, bytes) = decoded(columns);
+        let step = list[0].scale.expect("a step");
+        let mut sum = 0;
+        let read = bytes.chunks_exact(4).map(|bytes| {
+            sum += i32::from_le_bytes(bytes.try_into().expect("four bytes"));
+            f64::from(sum) * step
+        });
+        (step, read.collect())
+    }
+
+    #[test]
+    fn quantised_values_are_off_by_half_a_step_however_many_come_before() {
+        let values: Vec<f64> = (0..5000).map(|index| 900.0 * (f64::from(index) * 0.37).sin()).collect();
+        let (step, read) = quantised(&values);
+        assert!((step - 1e-5).abs() < 1e-18);
+        for (value, read) in values.iter().zip(&read) {
+            assert!((value - read).abs() <= 0.5001 * step, "{value} {read}");
+        }
+    }
+
+    #[test]
+    fn large_values_have_coarser_steps() {
+        let values = [-2.4e6, 2.4e6, -2.4e6];
+        let (step, read) = quantised(&values);
+        assert!((step - 1e-2).abs() < 1e-12, "{step}");
+        assert!(values.iter().zip(&read).all(|(value, read)| (value - read).abs() <= step), "{read:?}");
+    }
+
+    #[test]
+    fn floats_keep_four_digits_and_unknown_is_not_a_number() {
+        let values = [Some(0.0), Some(1800.0), Some(-799.968_3), Some(1.234_567e-7), None];
+        let mut columns = Columns::default();
+        columns.floats("feed", values.into_iter());
+        let (_, bytes) = decoded(columns);
+        let read: Vec<f32> =
+            bytes.chunks_exact(4).map(|bytes| f32::from_le_bytes(bytes.try_into().expect("four bytes"))).collect();
+        for (value, read) in values.iter().zip(&read) {
+            match value {
+                Some(value) => assert!((f64::from(*read) - value).abs() <= 1e-4 * value.abs(), "{value} {read}"),
+                None => assert!(read.is_nan()),
+            }
+        }
+        assert!(read[1].to_bits() == 1800_f32.to_bits());
+    }
+
+    #[test]
+    fn columns_follow_each_other_and_an_index_that_does_not_fit_is_the_largest() {
+        let mut columns = Columns::default();
+        columns.small("kind", [1, 2].into_iter());
+        columns.indices("operation", [3, 70_000].into_iter());
+        let (list, bytes) = decoded(columns);
+        assert_eq!(bytes, [1, 2, 3, 0, 255, 255]);
+        let described = serde_json::to_string(&list).expect("JSON");
+        assert_eq!(described, r#"[{"name":"kind","type":"u8"},{"name":"operation","type":"u16"}]"#);
+    }
 }

@@ -8,6 +8,7 @@
 //! point; the next point begins a new path.
 
 use std::f64::consts::{FRAC_PI_3, TAU};
+use std::sync::Arc;
 
 use crate::check::read::{Action, MAX_AXES, State, TipControl};
 use crate::check::{CheckPolicy, ExecutedBlock, Observer};
@@ -70,7 +71,7 @@ pub(crate) struct Placement {
     pub(crate) set_up: u32,
     /// 0 without a tool.
     pub(crate) tool: u32,
-    pub(crate) machine: Box<dyn AnyMachine>,
+    pub(crate) machine: Arc<dyn AnyMachine>,
     /// Machine coordinate of each linear axis less its value and its `machine_zero`, mm.
     pub(crate) offsets_mm: [f64; MAX_AXES],
 }
@@ -98,13 +99,6 @@ pub(crate) struct Executed {
     pub(crate) operations: Vec<Operation>,
     /// In some rapids each axis moves on its own: their path is unknown, and drawn straight.
     pub(crate) rapids_apart: bool,
-}
-
-impl Executed {
-    /// Whether the time of a motion is unknown.
-    pub(crate) fn lacks_times(&self) -> bool {
-        self.points.iter().any(|point| point.seconds.is_none())
-    }
 }
 
 /// Collects the points of a program while it is checked.
@@ -213,7 +207,7 @@ impl<'a> Collector<'a> {
         self.joined = false;
         if self.placement == self.executed.placements.len() {
             let offsets_mm = std::array::from_fn(|index| executed.offset_mm(index));
-            let machine = machine.to_boxed();
+            let machine = Arc::from(machine.to_boxed());
             self.executed.placements.push(Placement { set_up, tool, machine, offsets_mm });
         }
     }
@@ -284,7 +278,7 @@ impl<'a> Collector<'a> {
             self.joined = false;
             return;
         };
-        let machine = self.placed().machine.to_boxed();
+        let machine = Arc::clone(&self.placed().machine);
         let at = |share: f64, _: &Place| {
             let axes = std::array::from_fn(|index| from[index] + (to[index] - from[index]) * share);
             Place { axes, pose: machine.forward_kinematics(&axes) }
@@ -311,7 +305,7 @@ impl<'a> Collector<'a> {
             }
             return;
         }
-        let machine = self.placed().machine.to_boxed();
+        let machine = Arc::clone(&self.placed().machine);
         for leg in &legs {
             let at = |share: f64, near: &Place| {
                 let pose = leg.pose(share);

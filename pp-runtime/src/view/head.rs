@@ -133,7 +133,7 @@ struct PageFinding<'a> {
     cl_line: u64,
     text: &'a str,
     help: Option<&'a str>,
-    /// Point of its first line, or the next one.
+    /// Last point of its first line, or the next one.
     point: Option<usize>,
 }
 
@@ -279,6 +279,7 @@ pub(crate) fn tools(program: &ViewedProgram<'_>) -> Vec<Tool> {
 fn kind(tool: &ClTool, diameter: Option<f64>) -> &'static str {
     let radius = diameter.map(|diameter| diameter / 2.0);
     match (tool.call.corner_radius_mm, radius) {
+        _ if tool.taps && !tool.mills => "tap",
         _ if tool.drills && !tool.mills => "drill",
         (Some(corner), Some(radius)) if corner >= radius && radius > 0.0 => "ball",
         (Some(corner), Some(_)) if corner > 0.0 => "bull nose",
@@ -321,12 +322,15 @@ fn set_ups(program: &ViewedProgram<'_>) -> Vec<SetUp> {
 }
 
 fn finding<'a>(program: &ViewedProgram<'_>, found: &'a Finding) -> PageFinding<'a> {
+    let points = &program.executed.points;
+    let next = points.partition_point(|point| point.line <= found.line);
+    let of_line = next.checked_sub(1).filter(|last| points[*last].line == found.line);
     PageFinding {
         line: found.line,
         last_line: found.last_line,
         cl_line: found.location.line,
         text: &found.text,
         help: found.help.as_deref(),
-        point: program.executed.points.iter().position(|point| point.line >= found.line),
+        point: of_line.or((next < points.len()).then_some(next)),
     }
 }

@@ -5,6 +5,7 @@
 
 use std::fmt::{self, Display, Formatter};
 use std::io::{self, Write};
+use std::thread;
 
 use base64::Engine as _;
 use base64::prelude::BASE64_STANDARD;
@@ -41,20 +42,25 @@ impl<T: Display> Display for Escaped<T> {
 /// # Errors
 /// Errors of the output.
 pub(crate) fn write_page(program: &ViewedProgram<'_>, out: &mut dyn Write) -> io::Result<()> {
-    let (list, numbers) = program.columns()?;
-    let head = Head::of(program, list);
-    let json = serde_json::to_string(&head)?.replace('<', "\\u003c");
-    let sheet = Sheet::of(program, false);
-    begin(&sheet.title(), STYLE, Some(SCRIPT), out)?;
-    out.write_all(b"<main id=\"summary\">\n")?;
-    report::html(&sheet.overview(program)?, out)?;
-    out.write_all(b"</main>\n<div id=\"app\"></div>\n")?;
-    writeln!(out, "<script type=\"application/json\" id=\"program-head\">{json}</script>")?;
-    writeln!(out, "<script type=\"text/plain\" id=\"program-columns\">{numbers}</script>")?;
-    for (id, text) in [("program-text", program.text), ("cl-text", &program.cl_text)] {
-        writeln!(out, "<script type=\"text/plain\" id=\"{id}\">{}</script>", columns::packed(text)?)?;
-    }
-    writeln!(out, "<script>{SCRIPT}</script>\n</body></html>")
+    thread::scope(|scope| {
+        let texts = [("program-text", program.text), ("cl-text", &program.cl_text)];
+        let texts = texts.map(|(id, text)| (id, scope.spawn(move || columns::packed(text))));
+        let (list, numbers) = program.columns()?;
+        let head = Head::of(program, list);
+        let json = serde_json::to_string(&head)?.replace('<', "\\u003c");
+        let sheet = Sheet::of(program, false);
+        begin(&sheet.title(), STYLE, Some(SCRIPT), out)?;
+        out.write_all(b"<main id=\"summary\">\n")?;
+        report::html(&sheet.overview(program)?, out)?;
+        out.write_all(b"</main>\n<div id=\"app\"></div>\n")?;
+        writeln!(out, "<script type=\"application/json\" id=\"program-head\">{json}</script>")?;
+        writeln!(out, "<script type=\"text/plain\" id=\"program-columns\">{numbers}</script>")?;
+        for (id, text) in texts {
+            let text = text.join().unwrap_or_else(|_| Err(io::Error::other("compression stopped unexpectedly")))?;
+            writeln!(out, "<script type=\"text/plain\" id=\"{id}\">{text}</script>")?;
+        }
+        writeln!(out, "<script>{SCRIPT}</script>\n</body></html>")
+    })
 }
 
 /// Begins a document. Only `script` may run in it.
@@ -69,4 +75,40 @@ pub(crate) fn begin(title: &str, style: &str, script: Option<&str>, out: &mut dy
         script.map(digest).unwrap_or_default(),
         Escaped(title)
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn escaped_text_opens_and_closes_nothing() {
+        let text = Escaped("</script><img src='x' onerror=\"f(1 & 2)\">").to_string();
+        assert_eq!(text, "&lt;/script&gt;&lt;img src=&#39;x&#39; onerror=&quot;f(1 &amp; 2)&quot;&gt;");
+    }
+
+    #[test]
+    fn only_the_script_of_the_page_may_run() {
+        let policy = |script| {
+            let mut out = Vec::new();
+            begin("A <b>", "", script, &mut out).expect("memory");
+            let text = String::from_utf8(out).expect("UTF-8");
+            assert!(text.contains("<title>A &lt;b&gt;</title>"), "{text}");
+            let (_, rest) = text.split_once("content=\"default-src 'none'").expect("a policy");
+            rest.split_once('"').expect("it ends").0.to_owned()
+        };
+        assert_eq!(policy(None), "; style-src 'unsafe-inline'; img-src data:");
+        // The digest of `alert(1)` by `openssl dgst -sha256 -binary | base64`.
+        let digest = "bhHHL3z2vDgxUt0W3dWQOrprscmda2Y5pLsLg4GF+pI=";
+        assert_eq!(
+            policy(Some("alert(1)")),
+            format!("; script-src 'sha256-{digest}'; style-src 'unsafe-inline'; img-src data:")
+        );
+    }
+
+    #[test]
+    fn script_and_style_of_the_page_end_where_their_elements_end() {
+        assert!(!SCRIPT.to_ascii_lowercase().contains("</script") && !SCRIPT.contains("<!--"));
+        assert!(!STYLE.to_ascii_lowercase().contains("</style"));
+    }
 }

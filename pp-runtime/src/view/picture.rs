@@ -145,20 +145,7 @@ fn ranges(points: impl Iterator<Item = [f64; 2]>, (width, height): (u32, u32)) -
 fn simplified(points: &[(f64, f64)], finest: f64) -> Vec<(f64, f64)> {
     let mut distance = finest;
     loop {
-        let mut kept = vec![false; points.len()];
-        let mut open = vec![(0, points.len().saturating_sub(1))];
-        if let (Some(first), Some(last)) = (kept.first().copied(), kept.len().checked_sub(1)) {
-            (kept[0], kept[last]) = (!first, true);
-        }
-        while let Some((from, to)) = open.pop() {
-            let off = |index: usize| off_line(points[index], points[from], points[to]);
-            let farthest = (from + 1..to).max_by(|a, b| off(*a).total_cmp(&off(*b)));
-            if let Some(farthest) = farthest.filter(|index| off(*index) > distance) {
-                kept[farthest] = true;
-                open.extend([(from, farthest), (farthest, to)]);
-            }
-        }
-        let line: Vec<_> = points.iter().zip(&kept).filter(|(_, kept)| **kept).map(|(point, _)| *point).collect();
+        let line = straightened(&spaced(points, distance), distance);
         if line.len() <= MOST_POINTS {
             return line;
         }
@@ -166,13 +153,42 @@ fn simplified(points: &[(f64, f64)], finest: f64) -> Vec<(f64, f64)> {
     }
 }
 
-/// Distance of a point from a line between two points.
+/// Points that are at least this far from the one kept before; the last is kept.
+fn spaced(points: &[(f64, f64)], distance: f64) -> Vec<(f64, f64)> {
+    let mut kept: Vec<(f64, f64)> = Vec::new();
+    let near = |a: &(f64, f64), b: &(f64, f64)| (a.0 - b.0).powi(2) + (a.1 - b.1).powi(2) < distance * distance;
+    for (index, point) in points.iter().enumerate() {
+        if index + 1 == points.len() || !kept.last().is_some_and(|last| near(last, point)) {
+            kept.push(*point);
+        }
+    }
+    kept
+}
+
+/// The line without the points that are nearer to it than a distance (Douglas and Peucker).
+fn straightened(points: &[(f64, f64)], distance: f64) -> Vec<(f64, f64)> {
+    let Some(last) = points.len().checked_sub(1) else { return Vec::new() };
+    let mut kept = vec![false; points.len()];
+    (kept[0], kept[last]) = (true, true);
+    let mut open = vec![(0, last)];
+    while let Some((from, to)) = open.pop() {
+        let off = (from + 1..to).map(|index| (off_line(points[index], points[from], points[to]), index));
+        let farthest = off.max_by(|(a, _), (b, _)| a.total_cmp(b));
+        if let Some((_, farthest)) = farthest.filter(|(square, _)| *square > distance * distance) {
+            kept[farthest] = true;
+            open.extend([(from, farthest), (farthest, to)]);
+        }
+    }
+    points.iter().zip(&kept).filter(|(_, kept)| **kept).map(|(point, _)| *point).collect()
+}
+
+/// Square of the distance of a point from a line between two points.
 fn off_line(point: (f64, f64), from: (f64, f64), to: (f64, f64)) -> f64 {
     let (x, y) = (to.0 - from.0, to.1 - from.1);
     let (a, b) = (point.0 - from.0, point.1 - from.1);
     let square = x * x + y * y;
     let share = if square > 0.0 { ((a * x + b * y) / square).clamp(0.0, 1.0) } else { 0.0 };
-    (a - share * x).hypot(b - share * y)
+    (a - share * x).powi(2) + (b - share * y).powi(2)
 }
 
 fn draw_path(program: &ViewedProgram<'_>, area: &Area<'_>) -> io::Result<()> {

@@ -59,3 +59,41 @@ impl Reasons {
 fn lines(text: &[u8]) -> impl Iterator<Item = &[u8]> {
     text.split(|byte| *byte == b'\n').map(<[u8]>::trim_ascii_end)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::motion::BlockReason;
+
+    fn posted(reasons: &[BlockReason]) -> Reasons {
+        let mut map = Reasons::default();
+        for (index, why) in reasons.iter().enumerate() {
+            let origin = LineOrigin {
+                line: index as u64 + 1,
+                number: None,
+                step: "feed",
+                at: None,
+                why: *why,
+                position_after: None,
+            };
+            map.line(&origin).expect("memory");
+        }
+        map
+    }
+
+    #[test]
+    fn lines_that_are_equal_keep_their_reasons_and_edited_ones_have_none() {
+        use BlockReason::{Head, Record, Tolerance};
+        let map = posted(&[Head, Record, Tolerance, Record]);
+        assert_eq!(map.names, ["head", "record", "tolerance"]);
+        assert_eq!([1, 2, 3, 4, 5].map(|line| map.of(line)), [0, 1, 2, 1, UNKNOWN]);
+        // A line is changed, one is added, and line ends are those of another system.
+        let edited = map.carried_over(b"(A)\nX1\nX2\nX3\n", b"(A)\r\nX1.5\r\nM1\r\nX2\r\nX3\r\n");
+        assert_eq!([1, 2, 3, 4, 5].map(|line| edited.of(line)), [0, UNKNOWN, UNKNOWN, 2, 1]);
+    }
+
+    #[test]
+    fn a_line_without_a_number_has_no_reason() {
+        assert_eq!(posted(&[BlockReason::Head]).of(0), UNKNOWN);
+    }
+}

@@ -20,8 +20,8 @@ pub(crate) struct Sheet<'a> {
     machine: &'a str,
     control: &'a str,
     seconds: f64,
-    /// The time of some rapids is unknown, and not counted.
-    lacks_times: bool,
+    /// There are rapids of axes without a known speed, whose time is not in `seconds`.
+    unknown_speeds: bool,
     set_ups: Vec<SetUp>,
     tools: Vec<UsedTool>,
     check: Check<'a>,
@@ -137,7 +137,7 @@ impl<'a> Sheet<'a> {
             machine: program.machine.name(),
             control: program.titles.control,
             seconds: set_ups.iter().map(|set_up| set_up.seconds).sum(),
-            lacks_times: program.executed.lacks_times(),
+            unknown_speeds: program.executed.points.iter().any(|point| point.seconds.is_none()),
             tools: tools(program).into_iter().filter(|tool| tool.number > 0).map(used).collect(),
             set_ups,
             check: Check {
@@ -204,18 +204,14 @@ impl<'a> Sheet<'a> {
     }
 
     fn heading(&self) -> Section {
+        let without = "; rapids of axes without a speed in `speeds` are not counted";
         let lines = vec![
             format!("machine {}, control {}", self.machine, self.control),
             format!("CL data {}", self.cl),
-            format!("machining time {}{}", time(self.seconds), self.uncounted()),
+            format!("machining time {}{}", time(self.seconds), if self.unknown_speeds { without } else { "" }),
             self.check.figures.clone(),
         ];
         Section { title: self.title(), page: false, body: vec![Body::Lines(lines)] }
-    }
-
-    /// Motions whose time is unknown.
-    fn uncounted(&self) -> &'static str {
-        if self.lacks_times { " without the rapids of axes without a speed in `speeds`" } else { "" }
     }
 
     fn tools_of(&self, set_up: &SetUp) -> Body {
