@@ -82,7 +82,12 @@ test("a finding is marked over all its lines, one without a point where the prog
     p.findingStretches({ line, last_line, cl_line: 1, text: "", help: null, point: null });
   assert.deepEqual(finding(4, 5), [{ first: 0, last: 2 }, { first: 4, last: 4 }]);
   assert.deepEqual(finding(9, 9), [{ first: 3, last: 3 }]);
-  assert.deepEqual(finding(6, 8), [{ first: 2, last: 2 }]);
+  assert.deepEqual(finding(6, 8), [{ first: 3, last: 2 }]);
+});
+
+test("a feed leg without a path error is not compared; a rapid and a start have none", () => {
+  const p = program({ ...six, kind: [0, 2, 2, 0, 1, 2], error: [Number.NaN, Number.NaN, 0, Number.NaN, Number.NaN, 3] });
+  assert.deepEqual([0, 1, 2, 3, 4, 5].map((point) => p.isNotCompared(point)), [false, true, false, false, false, false]);
 });
 
 test("axis values are linear between points, and held where the motion is not known", () => {

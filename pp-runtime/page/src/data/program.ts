@@ -204,7 +204,7 @@ export class Program {
     return best < 0 ? 0 : this.blockLast(best);
   }
 
-  /** Runs of points on the lines of a finding; without any the last point before them. */
+  /** Runs of points on the lines of a finding; without any an empty run after the last point before them. */
   findingStretches(finding: Finding): { first: number; last: number }[] {
     const known = this.findingRuns.get(finding);
     if (known) return known;
@@ -218,7 +218,7 @@ export class Program {
     }
     if (runs.length === 0) {
       const point = this.pointBefore(finding.line);
-      runs.push({ first: point, last: point });
+      runs.push({ first: point + 1, last: point });
     }
     this.findingRuns.set(finding, runs);
     return runs;
@@ -274,6 +274,11 @@ export class Program {
 
   kindText(point: number): string {
     return this.head.kinds[this.kind[point]] ?? "motion";
+  }
+
+  /** Whether the path of the leg to a point is one that the CL data programs, and was not compared with it. */
+  isNotCompared(point: number): boolean {
+    return this.kindText(point) === "feed" && !this.isStart(point) && Number.isNaN(this.errorUm[point]);
   }
 
   private accumulateTime(): [Float64Array, Float64Array] {

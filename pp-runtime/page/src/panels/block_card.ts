@@ -51,6 +51,8 @@ export class BlockCard {
     }
     if (Number.isFinite(program.errorUm[point])) {
       facts.push(["Path error", `${formatValue(program.errorUm[point])} µm of ${formatValue(program.head.tolerance_mm * 1000)}`]);
+    } else if (program.isNotCompared(point)) {
+      facts.push(["Path error", "not compared"]);
     }
     const list = element("dl", { class: "facts" });
     for (const [name, value] of facts) list.append(element("dt", {}, name), element("dd", {}, value));

@@ -10,6 +10,8 @@ import type { Hover } from "../selection.ts";
 import { styleColour } from "../theme.ts";
 import type { Timeline } from "../timeline.ts";
 
+const NOT_COMPARED = "not compared";
+
 /** What is along the x axis. */
 export type PlotAxis = "time" | "block";
 
@@ -114,7 +116,7 @@ export class Plots {
       const before = Math.floor(position);
       const axis = this.program.axes.indexOf(curve.values);
       const value = axis >= 0 ? axes[axis] : curve.values[Math.ceil(position)] ?? curve.values[before];
-      readout.textContent = `${fixed(value, curve.decimals)} ${curve.unit}`;
+      readout.textContent = curve.values === this.program.errorUm && this.program.isNotCompared(Math.ceil(position)) ? NOT_COMPARED : `${fixed(value, curve.decimals)} ${curve.unit}`;
       readout.classList.toggle("outside", curve.limits.some((limit) => beyond(value, limit, Math.ceil(position))));
       this.placeNow(plot);
     }
@@ -223,12 +225,13 @@ export class Plots {
 
   private addChart(curve: Curve, last: boolean): void {
     const readout = element("span", { class: "readout" });
-    const limits = [...new Set(curve.limits.map((limit) => `${limit.label} ${formatValue(limit.value)}`))].slice(0, 4).join(", ");
+    const note = curve.values === this.program.errorUm && this.notCompared().length > 0 ? `; gaps: ${NOT_COMPARED}` : "";
+    const limits = [...new Set(curve.limits.map((limit) => `${limit.label} ${formatValue(limit.value)}`))].slice(0, 4).join(", ") + note;
     const host = element("div", { class: "chart" });
     const name = element("span", { class: "chart-name" }, curve.title);
     const colour = cssColour(categoryColour(curve.colour, this.theme));
     name.style.setProperty("--sample", colour);
-    const row = element("div", { class: "chart-row" }, element("div", { class: "chart-head" }, element("div", { class: "chart-title" }, name, readout), element("span", { class: "chart-limits" }, limits)), host);
+    const row = element("div", { class: "chart-row" }, element("div", { class: "chart-head" }, element("div", { class: "chart-title" }, name, readout), element("span", { class: "chart-limits", title: limits }, limits)), host);
     this.stack.append(row);
     const [min, max] = this.zoom ?? this.whole();
     const grid = { stroke: styleColour("--grid"), width: 1 };
@@ -272,7 +275,12 @@ export class Plots {
           },
         ],
         hooks: {
-          drawClear: [(self) => this.drawMarks(self)],
+          drawClear: [
+            (self) => {
+              this.drawMarks(self);
+              if (curve.values === this.program.errorUm) this.drawNotCompared(self);
+            },
+          ],
           draw: [(self) => this.drawLimits(self, curve)],
           setCursor: [(self) => this.cursorMoved(self)],
           setSelect: [(self) => this.selected(self)],
@@ -372,6 +380,40 @@ export class Plots {
         ctx.fillRect(left, bbox.top, 2 * devicePixelRatio, bbox.height);
         ctx.fillRect(left, bbox.top, wide, 3 * devicePixelRatio);
       }
+    }
+    ctx.restore();
+  }
+
+  /** Runs of feed points whose path error is not known. */
+  private notCompared(): { first: number; last: number }[] {
+    const runs: { first: number; last: number }[] = [];
+    for (let i = 0; i < this.program.count; i += 1) {
+      if (!this.program.isNotCompared(i)) continue;
+      const open = runs.at(-1);
+      if (open && open.last === i - 1) open.last = i;
+      else runs.push({ first: i, last: i });
+    }
+    return runs;
+  }
+
+  /** Grounds the gaps of the path error, with a note where it has room. */
+  private drawNotCompared(plot: uPlot): void {
+    const { ctx, bbox } = plot;
+    const [from, to] = [bbox.left, bbox.left + bbox.width];
+    const limited = (x: number): number => Math.min(Math.max(plot.valToPos(x, "x", true), from), to);
+    ctx.save();
+    ctx.font = `${11 * devicePixelRatio}px system-ui, sans-serif`;
+    ctx.textAlign = "center";
+    ctx.textBaseline = "middle";
+    for (const { first, last } of this.notCompared()) {
+      const left = limited(this.xValues[Math.max(first - 1, 0)]);
+      const wide = limited(this.xValues[last]) - left;
+      if (wide <= 0) continue;
+      ctx.fillStyle = styleColour("--grid");
+      ctx.fillRect(left, bbox.top, wide, bbox.height);
+      if (wide < ctx.measureText(NOT_COMPARED).width + 8 * devicePixelRatio) continue;
+      ctx.fillStyle = styleColour("--muted");
+      ctx.fillText(NOT_COMPARED, left + wide / 2, bbox.top + bbox.height / 2);
     }
     ctx.restore();
   }
