@@ -133,8 +133,7 @@ export class App {
     this.openSheet(program.head.findings.length > 0 ? "findings" : "now");
     this.showChoices();
     this.update();
-    this.stage.look("iso", false);
-    this.fitFirst();
+    this.stage.lookFirst();
   }
 
   setColouring(name: string): void {
@@ -173,14 +172,6 @@ export class App {
   private jump(point: number): void {
     this.timeline.pause();
     this.timeline.seek(point);
-  }
-
-  /** Table, head and tool are what a reader wants to see first; the path must not become a dot in them. */
-  private fitFirst(): void {
-    const core = this.stage.coreBox();
-    const path = this.stage.pathBox();
-    const ratio = core.max.distanceTo(core.min) / Math.max(path.max.distanceTo(path.min), 1e-6);
-    this.stage.view.fit(ratio < 12 ? core : path);
   }
 
   private exactPointOfLine(line: number): number | null {
@@ -279,12 +270,12 @@ export class App {
     views.append(
       button({ label: "Fit the path", icon: icon(VIEW_ICONS.fit), key: "F", press: () => this.stage.fit(false) }),
       button({ label: "Fit the machine", icon: icon(VIEW_ICONS.machine), key: "Shift+F", press: () => this.stage.fit(true) }),
-      button({ label: "Isometric", icon: icon(VIEW_ICONS.iso), key: "1", press: () => this.stage.look("iso", false) }),
+      button({ label: "Isometric", icon: icon(VIEW_ICONS.iso), key: "1", press: () => this.stage.look("iso") }),
       button({ label: "Along the tool axis", icon: icon(VIEW_ICONS.tool), key: "8", press: () => this.stage.lookAlongTool() }),
     );
     for (const name of ["top", "front", "right"] as StandardView[]) {
       const { label, key } = STANDARD_VIEWS[name];
-      views.append(button({ label, key, press: () => this.stage.look(name, false) }));
+      views.append(button({ label, key, press: () => this.stage.look(name) }));
     }
     return views;
   }
@@ -390,7 +381,7 @@ export class App {
           ...(Object.keys(STANDARD_VIEWS) as StandardView[]).map((name) => ({
             keys: [STANDARD_VIEWS[name].key],
             label: STANDARD_VIEWS[name].label.toLowerCase(),
-            run: () => stage.look(name, false),
+            run: () => stage.look(name),
           })),
           { keys: ["8"], label: "along the tool axis", run: () => stage.lookAlongTool() },
           { keys: ["t"], label: "centre on the tool", run: () => stage.centreOnTool() },

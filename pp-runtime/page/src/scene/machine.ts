@@ -184,6 +184,31 @@ export class MachineScene {
     return box;
   }
 
+  /** Places around what is shown: corners of each body, and labels. Without `slides` only what the workpiece and the tool are on. */
+  places(slides: boolean): Vector3[] {
+    const groups = [...this.bodies.table, ...this.bodies.head, this.tool.object];
+    if (slides) groups.push(...this.bodies.bed, ...this.slides, ...this.centreLines, ...this.arrows, ...this.slideArrows);
+    const places: Vector3[] = [];
+    const box = new Box3();
+    for (const group of groups) {
+      group.traverseVisible((child) => {
+        if (!(child instanceof Mesh || child instanceof Line)) {
+          if (this.labels.some((label) => label.object === child)) places.push(new Vector3().setFromMatrixPosition(child.matrixWorld));
+          return;
+        }
+        const geometry = child.geometry as BufferGeometry;
+        if (!geometry.boundingBox) geometry.computeBoundingBox();
+        box.copy(geometry.boundingBox ?? box.makeEmpty());
+        for (const x of [box.min.x, box.max.x]) {
+          for (const y of [box.min.y, box.max.y]) {
+            for (const z of [box.min.z, box.max.z]) places.push(new Vector3(x, y, z).applyMatrix4(child.matrixWorld));
+          }
+        }
+      });
+    }
+    return places;
+  }
+
   showCentreLines(visible: boolean): void {
     for (const group of this.centreLines) group.visible = visible;
   }

@@ -34,6 +34,7 @@ export class Stage {
   private readonly marks: PathMarks[] = [];
   private readonly origin = new OriginTriad();
   private readonly labels: Labels;
+  private readonly corner: CornerTriad;
   private readonly currentBlock: BlockLine;
   private readonly hoverBlock: BlockLine;
   private readonly currentRing: Ring;
@@ -76,7 +77,8 @@ export class Stage {
       this.machine.workpiece.add(marks.object);
     }
     this.labels = new Labels(this.view);
-    new CornerTriad(this.view, this.machine.workpiece);
+    this.corner = new CornerTriad(this.view);
+    this.corner.name(this.fixed);
     this.makeLayers();
     this.machine.setStyle(this.machineStyle);
     this.restyle(theme);
@@ -122,6 +124,7 @@ export class Stage {
   setFixed(fixed: Fixed): void {
     this.fixed = fixed;
     this.machine.hold(fixed);
+    this.corner.name(fixed);
     for (const name of ["bed", "slides", "arrows"]) {
       const layer = this.layers.get(name);
       if (layer) layer.apply(layer.visible);
@@ -148,22 +151,26 @@ export class Stage {
     return this.cuttingBox.clone().applyMatrix4(this.machine.workpiece.matrixWorld);
   }
 
-  /** The box around path, table, head and tool. */
-  coreBox(): Box3 {
-    return this.machine.coreBox().union(this.pathBox());
-  }
-
-  /** The box around everything. */
-  machineBox(): Box3 {
-    return new Box3().setFromObject(this.machine.workpiece, true).union(this.pathBox());
-  }
-
   fit(everything: boolean): void {
-    this.view.fit(everything ? this.machineBox() : this.pathBox());
+    this.view.fit(everything ? this.machinePlaces() : corners(this.pathBox()));
   }
 
-  look(view: StandardView, everything: boolean): void {
-    this.view.look(view, everything ? this.machineBox() : this.pathBox());
+  /** A standard view: of the machine where the bed is at rest, of the path where the part is. */
+  look(view: StandardView): void {
+    this.view.look(view, this.fixed === "machine" && this.machineStyle !== "off" ? this.machinePlaces() : corners(this.pathBox()));
+  }
+
+  /** Table, head, tool and path are what a reader wants to see first; the path must not become a dot in them. */
+  lookFirst(): void {
+    this.look("iso");
+    const core = this.machine.coreBox().union(this.pathBox());
+    const path = this.pathBox();
+    const ratio = core.max.distanceTo(core.min) / Math.max(path.max.distanceTo(path.min), 1e-6);
+    this.view.fit(ratio < 12 ? [...this.machine.places(false), ...corners(path)] : corners(path));
+  }
+
+  private machinePlaces(): Vector3[] {
+    return [...this.machine.places(true), ...corners(this.pathBox())];
   }
 
   /** Looks along the tool axis, from the spindle to the tip. */
@@ -336,6 +343,11 @@ export class Stage {
     });
     canvas.addEventListener("pointerleave", () => this.events.hover(null, 0, 0));
   }
+}
+
+function corners(box: Box3): Vector3[] {
+  const { min, max } = box;
+  return [min.x, max.x].flatMap((x) => [min.y, max.y].flatMap((y) => [min.z, max.z].map((z) => new Vector3(x, y, z))));
 }
 
 function extremes(values: Float64Array, first: number, end: number): [number, number] {

@@ -3,7 +3,7 @@
 import { BufferAttribute, BufferGeometry, Group, LineBasicMaterial, LineSegments, Vector3 } from "three";
 import { element } from "../dom.ts";
 import { styleColour } from "../theme.ts";
-import type { LabelAnchor } from "./machine.ts";
+import type { Fixed, LabelAnchor } from "./machine.ts";
 import type { View } from "./view.ts";
 
 const AXES = ["X", "Y", "Z"] as const;
@@ -36,15 +36,14 @@ export class OriginTriad {
   }
 }
 
-/** The workpiece axes as the reader sees them now, in the corner of the view. */
+/** The axes of what is at rest, the machine or the part, as the reader sees them now: in the corner of the view. */
 export class CornerTriad {
   private readonly lines: SVGLineElement[] = [];
   private readonly texts: SVGTextElement[] = [];
 
-  constructor(
-    private readonly view: View,
-    private readonly workpiece: Group,
-  ) {
+  private readonly caption = element("span");
+
+  constructor(private readonly view: View) {
     const namespace = "http://www.w3.org/2000/svg";
     const svg = document.createElementNS(namespace, "svg");
     svg.setAttribute("viewBox", "-36 -36 72 72");
@@ -58,15 +57,20 @@ export class CornerTriad {
       this.lines[i] = line;
       this.texts[i] = text;
     });
-    view.container.append(element("div", { class: "corner" }, svg));
+    view.container.append(element("div", { class: "corner" }, svg, this.caption));
     view.onFrame(() => this.turn());
+  }
+
+  name(fixed: Fixed): void {
+    this.caption.textContent = fixed;
   }
 
   private turn(): void {
     const right = new Vector3().setFromMatrixColumn(this.view.camera.matrixWorld, 0);
     const up = new Vector3().setFromMatrixColumn(this.view.camera.matrixWorld, 1);
     AXES.forEach((_, i) => {
-      const axis = new Vector3().setFromMatrixColumn(this.workpiece.matrixWorld, i);
+      // What is at rest is the world.
+      const axis = new Vector3().setComponent(i, 1);
       const x = axis.dot(right);
       const y = -axis.dot(up);
       this.lines[i].setAttribute("x2", (22 * x).toFixed(2));

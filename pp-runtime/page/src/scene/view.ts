@@ -27,6 +27,9 @@ export const STANDARD_VIEWS = {
 /** From this number of legs on lines are not smoothed where there is no graphics card: it takes three times as long. */
 const MOST_SMOOTH_LEGS = 20_000;
 
+/** Room around what is fitted, px: at the top for the buttons, elsewhere for labels of half their size. */
+const INSET = { top: 56, bottom: 22, side: 28 };
+
 export type StandardView = keyof typeof STANDARD_VIEWS;
 
 export class View {
@@ -109,20 +112,37 @@ export class View {
     this.request();
   }
 
-  /** Looks at a box from where the camera is, as near as it fits. */
-  fit(box: Box3): void {
-    if (box.isEmpty()) return;
-    const centre = box.getCenter(new Vector3());
+  /** Looks at places from where the camera is, as near as they fit beside the buttons. */
+  fit(places: Vector3[]): void {
+    if (places.length === 0) return;
+    const box = new Box3().setFromPoints(places);
     const radius = Math.max(box.getSize(new Vector3()).length() / 2, 0.5);
-    this.place(centre, radius);
-    this.camera.zoom = this.zoomFor(box);
+    this.place(box.getCenter(new Vector3()), radius);
+    const right = new Vector3().setFromMatrixColumn(this.camera.matrixWorld, 0);
+    const up = new Vector3().setFromMatrixColumn(this.camera.matrixWorld, 1);
+    const extent = (direction: Vector3): [number, number] => {
+      const along = places.map((place) => place.dot(direction));
+      return [along.reduce((low, value) => Math.min(low, value)), along.reduce((high, value) => Math.max(high, value))];
+    };
+    const [left, toRight] = extent(right);
+    const [bottom, top] = extent(up);
+    const wide = Math.max(this.width - 2 * INSET.side, 40);
+    const high = Math.max(this.height - INSET.top - INSET.bottom, 40);
+    this.camera.zoom = Math.min(wide / Math.max(toRight - left, 0.5), high / Math.max(top - bottom, 0.5));
     this.camera.updateProjectionMatrix();
-    this.controls.update();
-    this.request();
+    const { target } = this.controls;
+    const downMm = (INSET.top - INSET.bottom) / 2 / this.camera.zoom;
+    this.centreOn(
+      target
+        .clone()
+        .addScaledVector(right, (left + toRight) / 2 - target.dot(right))
+        .addScaledVector(up, (bottom + top) / 2 - target.dot(up) + downMm),
+    );
   }
 
-  look(view: StandardView, box: Box3): void {
+  look(view: StandardView, places: Vector3[]): void {
     const { eye } = STANDARD_VIEWS[view];
+    const box = new Box3().setFromPoints(places);
     const centre = box.getCenter(new Vector3());
     const distance = Math.max(box.getSize(new Vector3()).length() * 4, 10);
     this.controls.target.copy(centre);
@@ -130,7 +150,7 @@ export class View {
     if (eye[0] === 0 && eye[1] === 0) this.camera.position.y -= 1e-6 * distance;
     this.camera.lookAt(centre);
     this.controls.update();
-    this.fit(box);
+    this.fit(places);
   }
 
   /** Looks at the target from a direction. */
@@ -186,17 +206,6 @@ export class View {
     this.camera.near = -40 * radius;
     this.camera.far = 60 * radius;
     this.camera.updateMatrixWorld();
-  }
-
-  private zoomFor(box: Box3): number {
-    const right = new Vector3().setFromMatrixColumn(this.camera.matrixWorld, 0);
-    const up = new Vector3().setFromMatrixColumn(this.camera.matrixWorld, 1);
-    const half = box.getSize(new Vector3()).multiplyScalar(0.5);
-    const extent = (direction: Vector3): number =>
-      Math.abs(direction.x) * half.x + Math.abs(direction.y) * half.y + Math.abs(direction.z) * half.z;
-    const wide = this.camera.right / Math.max(extent(right), 0.25);
-    const high = this.camera.top / Math.max(extent(up), 0.25);
-    return 0.86 * Math.min(wide, high);
   }
 
   private resize(): void {
