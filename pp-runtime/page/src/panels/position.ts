@@ -1,8 +1,10 @@
 /** The position display: axis values as on the control, their limits, and the tip on the workpiece. */
 
+import type { ClPoints } from "../data/cl_point.ts";
 import { Program } from "../data/program.ts";
-import { element } from "../dom.ts";
+import { element, fill } from "../dom.ts";
 import { axisUnit, fixed, formatValue, toolText } from "../format.ts";
+import { cross, dot, length, subtract } from "../kinematics/vector.ts";
 import type { Stage } from "../scene/stage.ts";
 import type { Timeline } from "../timeline.ts";
 
@@ -19,6 +21,7 @@ export class PositionPanel {
   private placement = -1;
   private readonly tip = element("dd");
   private readonly axis = element("dd");
+  private readonly cl = element("dl", { class: "facts cl-point" });
   private readonly feed = element("dd");
   private readonly tool = element("dd");
 
@@ -26,16 +29,17 @@ export class PositionPanel {
     private readonly program: Program,
     private readonly timeline: Timeline,
     private readonly stage: Stage,
+    private readonly clPoints: ClPoints,
   ) {
     const { joints, frame_after } = program.head.machine;
     this.rows = joints.map((joint, i) => this.row(i, i < frame_after ? "table" : "head", joint.held));
     this.root.append(
-      element("h2", {}, "Axes"),
+      element("h2", {}, "axis values (from the zero position)"),
       element("div", { class: "axes" }, ...this.rows.map((row) => row.row)),
       element(
         "dl",
         { class: "facts" },
-        element("dt", {}, "Tip"),
+        element("dt", {}, "tip on the part"),
         this.tip,
         element("dt", {}, "Tool axis"),
         this.axis,
@@ -44,7 +48,10 @@ export class PositionPanel {
         element("dt", {}, "Tool"),
         this.tool,
       ),
+      this.cl,
     );
+    this.cl.hidden = !clPoints.comparable;
+    fill(this.cl, ...["CL point", "difference", "CL tool axis", "difference"].flatMap((name) => [element("dt", {}, name), element("dd", {}, "–")]));
   }
 
   update(): void {
@@ -69,6 +76,7 @@ export class PositionPanel {
     const point = timeline.point;
     this.tip.textContent = this.stage.machine.drawnTip().map((value) => fixed(value, 3)).join("  ");
     this.axis.textContent = this.stage.machine.drawnToolAxis().map((value) => fixed(value, 4)).join("  ");
+    this.showClPoint();
     this.feed.textContent = program.isStart(point)
       ? "–"
       : program.isRapid(point)
@@ -76,6 +84,28 @@ export class PositionPanel {
         : `${formatValue(program.feed[point])} mm/min`;
     const tool = program.toolAt(Math.floor(timeline.position));
     this.tool.textContent = toolText(tool);
+  }
+
+  /** The point of the CL record, where the position is at it, and how far the drawn tip is from it. */
+  private showClPoint(): void {
+    const { point, position } = this.timeline;
+    const programmed = position === point ? this.clPoints.at(point) : null;
+    // Its room stays, so that what is below does not jump from block to block.
+    this.cl.style.visibility = programmed === null ? "hidden" : "visible";
+    if (programmed === null) return;
+    const { machine } = this.stage;
+    const tolerance = this.program.head.tolerance_mm;
+    const difference = length(subtract(machine.drawnTip(), programmed.tip));
+    const entries: [string, HTMLElement][] = [
+      ["CL point", element("dd", {}, programmed.tip.map((value) => fixed(value, 3)).join("  "))],
+      ["difference", element("dd", difference > tolerance ? { class: "bad" } : {}, `${fixed(difference, 4)} mm of ${formatValue(tolerance)}`)],
+    ];
+    if (programmed.axis !== null) {
+      const drawn = machine.drawnToolAxis();
+      const degrees = (Math.atan2(length(cross(drawn, programmed.axis)), dot(drawn, programmed.axis)) * 180) / Math.PI;
+      entries.push(["CL tool axis", element("dd", {}, programmed.axis.map((value) => fixed(value, 4)).join("  "))], ["difference", element("dd", {}, `${fixed(degrees, 4)}°`)]);
+    }
+    fill(this.cl, ...entries.flatMap(([name, value]) => [element("dt", {}, name), value]));
   }
 
   private row(index: number, side: string, held: boolean): AxisRow {
