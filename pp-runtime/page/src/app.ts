@@ -3,6 +3,7 @@
 import { colourings, type Colouring } from "./colour/colouring.ts";
 import type { PageData } from "./data/document.ts";
 import type { Triple } from "./data/contract.ts";
+import { ClPoints } from "./data/cl_point.ts";
 import { Undrawn } from "./data/undrawn.ts";
 import { button, element, icon } from "./dom.ts";
 import { Keyboard, type CommandGroup } from "./keyboard.ts";
@@ -58,6 +59,7 @@ export class App {
   private readonly grid: HTMLElement;
   private hoverPlace: { x: number; y: number } | null = null;
   private shownPoint = -1;
+  private started = false;
 
   constructor(
     private readonly data: PageData,
@@ -87,7 +89,7 @@ export class App {
     const middle = element("div", { class: "middle" }, this.viewport, this.transport.root);
     this.grid.append(
       this.text.root,
-      splitter("Width of the program text", "column", this.grid, "--text-width", 150, 620),
+      splitter("Width of the program text", "column", this.grid, "--text-width", 150, 900),
       middle,
       side,
       splitter("Height of the plots", "row", this.grid, "--plots-height", 90, 620),
@@ -114,7 +116,7 @@ export class App {
       theme,
     );
     this.viewport.append(this.viewTools(), this.restTools(), this.hoverCard.root);
-    this.position = new PositionPanel(program, this.timeline, this.stage);
+    this.position = new PositionPanel(program, this.timeline, this.stage, new ClPoints(program, clText));
     this.machine = new MachinePanel(program, undrawn);
     this.display = new DisplayPanel(this.colourings, this.stage, {
       colour: (name) => this.setColouring(name),
@@ -133,6 +135,7 @@ export class App {
     this.openSheet(program.head.findings.length > 0 ? "findings" : "now");
     this.showChoices();
     this.update();
+    this.started = true;
     this.stage.lookFirst();
   }
 
@@ -188,7 +191,8 @@ export class App {
     this.plots.update();
     if (point !== this.shownPoint || this.text.currentLine !== program.line[point]) {
       this.shownPoint = point;
-      this.text.setCurrent(program.line[point]);
+      // At first the program is shown from its first line.
+      this.text.setCurrent(program.line[point], this.started);
       this.operations.update(point);
       this.blockCard.show(point);
     }

@@ -26,7 +26,11 @@ export function splitter(
     "aria-valuemin": leastPx,
     "aria-valuemax": mostPx,
   });
-  const sizePx = (): number => Number.parseFloat(getComputedStyle(host).getPropertyValue(property)) || leastPx;
+  const sizePx = (): number => {
+    const sized = direction === "column" ? bar.previousElementSibling : bar.nextElementSibling;
+    const { width, height } = sized?.getBoundingClientRect() ?? { width: leastPx, height: leastPx };
+    return direction === "column" ? width : height;
+  };
   const set = (wanted: number): void => {
     const size = Math.round(Math.min(Math.max(wanted, leastPx), mostPx));
     host.style.setProperty(property, `${size}px`);

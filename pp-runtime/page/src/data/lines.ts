@@ -14,6 +14,11 @@ export class Lines {
     return this.starts.length;
   }
 
+  /** Characters of the longest line. */
+  get longest(): number {
+    return this.starts.reduce((most, start, i) => Math.max(most, (this.starts[i + 1] ?? this.text.length) - start), 0);
+  }
+
   /** Text of a line without its line end; empty outside the text. */
   line(number: number): string {
     if (number < 1 || number > this.count) return "";

@@ -59,6 +59,8 @@ export class TextPane {
     this.digits = String(lines.count).length;
     this.collectMarks(program);
     this.spacer.style.height = `${this.heightPx}px`;
+    // As wide as the longest line, so that the scroll bar does not change with the lines in sight.
+    this.spacer.style.minWidth = `calc(${lines.longest + this.digits}ch + 50px)`;
     this.spacer.append(this.rows);
     this.scroller.append(this.spacer);
     const previous = element("button", { type: "button", class: "small", "aria-label": "Previous match", title: "Previous match (Shift+Enter)" }, "↑");
@@ -78,11 +80,11 @@ export class TextPane {
     }).observe(this.scroller);
   }
 
-  /** Marks the line of the block under way, and brings it into sight. */
-  setCurrent(line: number): void {
+  /** Marks the line of the block under way, and brings it into sight where that is wanted. */
+  setCurrent(line: number, inSight = true): void {
     if (line === this.current) return;
     this.current = line;
-    this.reveal(line);
+    if (inSight) this.reveal(line);
     this.render();
     this.drawRuler();
   }
