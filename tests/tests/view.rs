@@ -11,7 +11,7 @@ use pp_runtime::kinematics::{AxisKind, Machine};
 use tests::binaries::{SAMPLES, binary, example_config, golden_programs, workspace};
 use tests::golden::Golden;
 use tests::oracle::angle_between;
-use tests::page::Page;
+use tests::page::{Page, number};
 use tests::with_machine;
 
 /// Largest distance between two tips that are the same: steps of 1e-5 mm and 1e-5 degrees, 500 mm from a centre line.
@@ -271,5 +271,115 @@ fn a_sheet_has_a_page_for_each_set_up_with_its_own_tools_and_operations() {
             let name = operation["name"].as_str().expect("a name");
             assert!(page.contains(&format!("<td>{name}</td>")), "{name}");
         }
+    }
+}
+
+/// CL data of a short part in a folder of its own.
+fn shop() -> (tempfile::TempDir, String) {
+    let folder = tempfile::tempdir().expect("a folder");
+    let cl = folder.path().join("part.cls");
+    fs::copy(workspace().join("examples/cl/two_tools.cls"), &cl).expect("a copy");
+    let cl = cl.display().to_string();
+    (folder, cl)
+}
+
+/// Names of the files in a folder.
+fn files(folder: &Path) -> Vec<String> {
+    let entries = fs::read_dir(folder).expect("a folder");
+    let mut names: Vec<String> =
+        entries.map(|entry| entry.expect("an entry").file_name().to_string_lossy().into_owned()).collect();
+    names.sort();
+    names
+}
+
+fn dmu(args: &[&str]) -> Output {
+    binary("dmu-70e").args(args).output().expect("it runs")
+}
+
+fn errors(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
+#[test]
+fn a_page_has_the_name_of_its_cl_data_unless_it_is_given_another() {
+    let (folder, cl) = shop();
+    assert!(dmu(&["view", &cl]).status.success());
+    assert_eq!(files(folder.path()), ["part.cls", "part.html"]);
+    let svg = folder.path().join("part.svg").display().to_string();
+    fs::remove_file(folder.path().join("part.html")).expect("it is there");
+    assert!(dmu(&["view", &cl, "--svg", &svg]).status.success());
+    assert_eq!(files(folder.path()), ["part.cls", "part.svg"]);
+    let picture = fs::read_to_string(&svg).expect("a picture");
+    // Three views and an axis below the other; feed and rapid are lines.
+    assert!(picture.starts_with("<svg") && picture.matches("<polyline").count() > 20, "{picture}");
+    let output = dmu(&["view", &cl, "-o", "-"]);
+    assert!(output.status.success() && Page::decoded(&String::from_utf8_lossy(&output.stdout)).points() > 20);
+}
+
+#[test]
+fn inputs_are_not_overwritten_and_a_sheet_needs_a_known_ending() {
+    let (folder, cl) = shop();
+    let program = folder.path().join("part.nc").display().to_string();
+    assert!(dmu(&["post", &cl, "-o", &program]).status.success());
+    for (args, words) in [
+        (vec!["view", &cl, &program, "-o", &program], "would overwrite the program"),
+        (vec!["view", &cl, "-o", &cl], "would overwrite the CL data"),
+        (vec!["post", &cl, "-o", &program, "--view", &program], "would overwrite the program"),
+        (vec!["view", "-"], "give `-o OUT.html`"),
+        (vec!["view", &cl, "-o", "-", "--open"], "--open needs a file"),
+        (vec!["report", &cl, "-o", "sheet.txt"], ".html, .md or .json"),
+    ] {
+        let output = dmu(&args);
+        assert_eq!(output.status.code(), Some(2), "{args:?}");
+        assert!(errors(&output).contains(words), "{args:?}: {}", errors(&output));
+    }
+    assert_eq!(files(folder.path()), ["part.cls", "part.nc"]);
+}
+
+#[test]
+fn a_program_is_the_same_with_a_page_and_a_rejected_one_has_a_page() {
+    let (folder, cl) = shop();
+    let [with, without, html] =
+        ["with.nc", "without.nc", "page.html"].map(|name| folder.path().join(name).display().to_string());
+    assert!(dmu(&["post", &cl, "-o", &without]).status.success());
+    assert!(dmu(&["post", &cl, "-o", &with, "--view", &html]).status.success());
+    let program = fs::read_to_string(&with).expect("a program");
+    assert_eq!(program, fs::read_to_string(&without).expect("a program"));
+    let page = Page::decoded(&fs::read_to_string(&html).expect("a page"));
+    assert_eq!((page.program, page.head["program"].as_str()), (program, Some("with.nc")));
+    // A word that is not understood, after the first cuts.
+    let text =
+        fs::read_to_string(&cl).expect("CL data").replace("TOOL PATH/TILTED_SLOT", "NOWORD/1\nTOOL PATH/TILTED_SLOT");
+    fs::write(&cl, text).expect("it can be written");
+    let output = dmu(&["post", &cl, "-o", &with, "--view", &html]);
+    assert_eq!(output.status.code(), Some(1), "{}", errors(&output));
+    assert_eq!(files(folder.path()), ["page.html", "part.cls", "with.nc.rejected", "without.nc"]);
+    let page = Page::decoded(&fs::read_to_string(&html).expect("a page"));
+    assert!(page.points() > 5 && page.head["summary"][0].as_str().is_some_and(|line| line.starts_with("rejected: ")));
+}
+
+#[test]
+fn the_machine_is_followed_through_its_retracts() {
+    for given in SAMPLES {
+        let page = sample(given);
+        let placement = |point: usize| page.at("placement", point) as usize;
+        let begins = (0..page.points()).filter(|point| page.kind(*point) == "start");
+        let expected = (0..page.points()).filter(|point| *point == 0 || placement(*point) != placement(point - 1));
+        // A path begins with the program and with each tool: nothing between is a gap.
+        assert_eq!(begins.collect::<Vec<_>>(), expected.collect::<Vec<_>>(), "{}", given.0);
+        let joints = page.head["machine"]["joints"].as_array().expect("joints");
+        let z = joints.iter().position(|joint| joint["letter"] == "Z").expect("an axis Z");
+        let mut retracts = 0;
+        for point in 1..page.points() {
+            let text = page.program.lines().nth(page.line(point) as usize - 1).unwrap_or_default();
+            let machine = ["G53 ", "SUPA ", "M91"].iter().any(|word| text.contains(word));
+            if machine && text.contains('Z') {
+                let zero = number(&page.head["placements"][placement(point)]["zero"][z]);
+                let coordinate = page.axes(point)[z] + zero;
+                assert!(coordinate.abs() < 1e-4, "{}, {text}: Z is at {coordinate}", given.0);
+                retracts += 1;
+            }
+        }
+        assert!(retracts > 0, "{}", given.0);
     }
 }
