@@ -40,7 +40,8 @@ export class MachinePanel {
     const line = (i: number): { direction: Joint["direction"]; point: Joint["point"] } => ({ direction: machine.joints[i].direction, point: placement.points[i] });
     for (const { joint, node } of this.centreLines) {
       const next = rotary[rotary.indexOf(joint) + 1];
-      const distance = next === undefined ? "" : `; ${fixed(lineDistance(line(joint), line(next)), 3)} mm from the centre line of ${machine.joints[next].letter}`;
+      // Between table and head are linear axes: only centre lines on one side keep their distance.
+      const distance = next === undefined || bodyOf(machine, joint) !== bodyOf(machine, next) ? "" : `; ${fixed(lineDistance(line(joint), line(next)), 3)} mm from the centre line of ${machine.joints[next].letter}`;
       fill(node, `${centreLineText(machine.joints[joint].direction, placement.points[joint])}${distance}`);
     }
     const setUp = set_ups[placement.set_up];
