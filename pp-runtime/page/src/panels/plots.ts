@@ -225,13 +225,13 @@ export class Plots {
 
   private addChart(curve: Curve, last: boolean): void {
     const readout = element("span", { class: "readout" });
-    const note = curve.values === this.program.errorUm && this.notCompared().length > 0 ? `; gaps: ${NOT_COMPARED}` : "";
-    const limits = [...new Set(curve.limits.map((limit) => `${limit.label} ${formatValue(limit.value)}`))].slice(0, 4).join(", ") + note;
+    const note = curve.values === this.program.errorUm && this.notCompared().length > 0 ? [element("span", { class: "chart-limits" }, `grey: ${NOT_COMPARED}`)] : [];
+    const limits = [...new Set(curve.limits.map((limit) => `${limit.label} ${formatValue(limit.value)}`))].slice(0, 4).join(", ");
     const host = element("div", { class: "chart" });
     const name = element("span", { class: "chart-name" }, curve.title);
     const colour = cssColour(categoryColour(curve.colour, this.theme));
     name.style.setProperty("--sample", colour);
-    const row = element("div", { class: "chart-row" }, element("div", { class: "chart-head" }, element("div", { class: "chart-title" }, name, readout), element("span", { class: "chart-limits", title: limits }, limits)), host);
+    const row = element("div", { class: "chart-row" }, element("div", { class: "chart-head" }, element("div", { class: "chart-title" }, name, readout), element("span", { class: "chart-limits", title: limits }, limits), ...note), host);
     this.stack.append(row);
     const [min, max] = this.zoom ?? this.whole();
     const grid = { stroke: styleColour("--grid"), width: 1 };
