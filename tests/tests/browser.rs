@@ -248,8 +248,13 @@ impl Browser {
     /// Keeps a picture of the page, if that is asked for.
     async fn keep_picture(&self, name: &str, page: &Page) {
         let Some(folder) = env::var_os("PP_SCREENSHOTS") else { return };
-        self.script(&format!("window.ppView.seek({})", page.points() / 2)).await;
-        tokio::time::sleep(Duration::from_millis(1500)).await;
+        let cuts: Vec<usize> = (0..page.points()).filter(|point| page.kind(*point) == "feed").collect();
+        self.script(&format!("window.ppView.seek({})", cuts[cuts.len() / 2])).await;
+        // Two frames: the picture is that of the point.
+        self.client
+            .execute_async("requestAnimationFrame(() => requestAnimationFrame(arguments[0]))", Vec::new())
+            .await
+            .expect("frames are drawn");
         let png = self.client.screenshot().await.expect("a picture");
         fs::write(Path::new(&folder).join(format!("{name}.png")), png).expect("it can be written");
     }

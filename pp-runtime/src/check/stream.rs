@@ -96,14 +96,14 @@ impl ExecutedBlock<'_> {
         }
     }
 
-    /// Whether the position is unknown after the block although it moves no axis: a stop, a tool change, a declared effect. A
-    /// change of the frame of the words is none, since it leaves the rotary axes known.
+    /// Whether the position is unknown after the block although it moves no axis: a stop, a declared effect. A change of the
+    /// frame of the words is none, since it leaves the rotary axes known.
     #[must_use]
     pub fn loses_position(&self) -> bool {
         let rotary = self.rules.words().rotary_bits();
         let axes = if rotary == 0 { !0 } else { rotary };
         match self.block.action {
-            Action::Stop | Action::OptionalStop | Action::ToolChange => true,
+            Action::Stop | Action::OptionalStop => true,
             Action::Nothing | Action::Dwell(_) => self.known & axes != 0 && self.block.known & axes == 0,
             _ => false,
         }

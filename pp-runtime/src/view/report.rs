@@ -93,22 +93,23 @@ pub(crate) fn html(sections: &[Section], out: &mut dyn Write) -> io::Result<()> 
 
 /// Text with the characters that Markdown would read taken literally.
 fn literal(text: &str) -> String {
-    let number = text.chars().take_while(char::is_ascii_digit).count();
-    // Marks of a list are read at the start of a text only.
-    let lists = |(index, character): (usize, char)| match character {
-        '+' | '-' | '~' => index == 0,
-        '.' | ')' => index > 0 && index == number,
-        _ => false,
-    };
     let mut written = String::with_capacity(text.len());
-    for (index, character) in text.chars().enumerate() {
-        if r"\`*_[]<>|#&".contains(character) || lists((index, character)) {
+    for character in text.chars() {
+        if r"\`*_[]<>|#&".contains(character) {
             written.push('\\');
         }
         // A line end would end a heading or a row.
         written.push(if character.is_control() { ' ' } else { character });
     }
     written
+}
+
+/// The same as an item of a list: it begins no list of its own.
+fn literal_item(text: &str) -> String {
+    let number = text.len() - text.trim_start_matches(|character: char| character.is_ascii_digit()).len();
+    let (number, rest) = text.split_at(number);
+    let begins_list = rest.starts_with(['+', '-', '~', '.', ')']);
+    format!("{number}{}{}", if begins_list { "\\" } else { "" }, literal(rest))
 }
 
 fn markdown(sections: &[Section], out: &mut dyn Write) -> io::Result<()> {
@@ -119,7 +120,7 @@ fn markdown(sections: &[Section], out: &mut dyn Write) -> io::Result<()> {
                 out.write_all(b"\n")?;
             }
             match body {
-                Body::Lines(lines) => lines.iter().try_for_each(|line| writeln!(out, "- {}", literal(line)))?,
+                Body::Lines(lines) => lines.iter().try_for_each(|line| writeln!(out, "- {}", literal_item(line)))?,
                 Body::Table(columns, rows) => {
                     writeln!(out, "| {} |\n|{}", columns.join(" | "), " --- |".repeat(columns.len()))?;
                     for row in rows {
