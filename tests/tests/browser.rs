@@ -250,6 +250,8 @@ impl Browser {
         let Some(folder) = env::var_os("PP_SCREENSHOTS") else { return };
         let cuts: Vec<usize> = (0..page.points()).filter(|point| page.kind(*point) == "feed").collect();
         self.script(&format!("window.ppView.seek({})", cuts[cuts.len() / 2])).await;
+        // A click has moved long lines to their middles.
+        self.script("document.querySelectorAll('*').forEach(element => { element.scrollLeft = 0; })").await;
         // Two frames: the picture is that of the point.
         self.client
             .execute_async("requestAnimationFrame(() => requestAnimationFrame(arguments[0]))", Vec::new())

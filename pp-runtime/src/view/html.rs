@@ -5,7 +5,7 @@
 
 use std::fmt::{self, Display, Formatter};
 use std::io::{self, Write};
-use std::thread;
+use std::thread::{self, ScopedJoinHandle};
 
 use base64::Engine as _;
 use base64::prelude::BASE64_STANDARD;
@@ -43,24 +43,29 @@ impl<T: Display> Display for Escaped<T> {
 /// Errors of the output.
 pub(crate) fn write_page(program: &ViewedProgram<'_>, out: &mut dyn Write) -> io::Result<()> {
     thread::scope(|scope| {
+        // Compression takes longest; meanwhile the pictures are drawn.
         let texts = [("program-text", program.text), ("cl-text", &program.cl_text)];
         let texts = texts.map(|(id, text)| (id, scope.spawn(move || columns::packed(text))));
-        let (list, numbers) = program.columns()?;
-        let head = Head::of(program, list);
-        let json = serde_json::to_string(&head)?.replace('<', "\\u003c");
+        let columns = scope.spawn(|| program.columns());
         let sheet = Sheet::of(program, false);
         begin(&sheet.title(), STYLE, Some(SCRIPT), out)?;
         out.write_all(b"<main id=\"summary\">\n")?;
         report::html(&sheet.overview(program)?, out)?;
         out.write_all(b"</main>\n<div id=\"app\"></div>\n")?;
+        let (list, numbers) = joined(columns)?;
+        let json = serde_json::to_string(&Head::of(program, list))?.replace('<', "\\u003c");
         writeln!(out, "<script type=\"application/json\" id=\"program-head\">{json}</script>")?;
         writeln!(out, "<script type=\"text/plain\" id=\"program-columns\">{numbers}</script>")?;
         for (id, text) in texts {
-            let text = text.join().unwrap_or_else(|_| Err(io::Error::other("compression stopped unexpectedly")))?;
-            writeln!(out, "<script type=\"text/plain\" id=\"{id}\">{text}</script>")?;
+            writeln!(out, "<script type=\"text/plain\" id=\"{id}\">{}</script>", joined(text)?)?;
         }
         writeln!(out, "<script>{SCRIPT}</script>\n</body></html>")
     })
+}
+
+/// Result of a thread.
+fn joined<T>(thread: ScopedJoinHandle<'_, io::Result<T>>) -> io::Result<T> {
+    thread.join().unwrap_or_else(|_| Err(io::Error::other("compression stopped unexpectedly")))
 }
 
 /// Begins a document. Only `script` may run in it.
