@@ -28,6 +28,9 @@ use shell::Shell;
 /// Lock file of LinuxCNC: a second LinuxCNC would end the first.
 const RUNNING: &str = "/tmp/linuxcnc.lock";
 
+/// Programs of a LinuxCNC that runs, starts or ends, as the kernel names them. The first starts and ends the others.
+const PROGRAMS: [&str; 4] = ["linuxcnc", "linuxcncsvr", "milltask", "rtapi_app"];
+
 /// Longest wait for another LinuxCNC to end.
 const OTHERS: Duration = Duration::from_secs(360);
 
@@ -184,26 +187,38 @@ impl Drop for Simulation {
         }
         let _ = self.process.kill();
         let _ = self.process.wait();
-        // A killed control does not clean up.
-        let _ = Command::new("halrun").arg("-U").stdin(Stdio::null()).output();
-        let _ = fs::remove_file(RUNNING);
     }
 }
 
 /// Waits until no other LinuxCNC runs, and takes the lock that keeps other tests from starting one.
+///
+/// One that was killed leaves its lock file and shared memory. By the file the next one knows that it has to remove both.
 fn alone() -> io::Result<File> {
     let path = std::env::temp_dir().join("linuxcnc-simulation.lock");
     // Another user may have created it.
     let file = File::open(&path).or_else(|_| File::create(&path))?;
     file.lock()?;
     let deadline = Instant::now() + OTHERS;
-    while Path::new(RUNNING).exists() {
+    while Path::new(RUNNING).exists() && is_running()? {
         if Instant::now() > deadline {
-            return Err(io::Error::other(format!("another LinuxCNC runs, or has left {RUNNING}")));
+            return Err(io::Error::other("another LinuxCNC runs"));
         }
         sleep(Duration::from_millis(200));
     }
     Ok(file)
+}
+
+/// Whether a LinuxCNC runs on this computer.
+fn is_running() -> io::Result<bool> {
+    for process in fs::read_dir("/proc")? {
+        // A process may end meanwhile, and not every entry is a process.
+        let state = fs::read_to_string(process?.path().join("stat")).unwrap_or_default();
+        // Z: it has ended, and nobody has asked how.
+        if PROGRAMS.iter().any(|name| state.contains(&format!("({name}) "))) && !state.contains(") Z ") {
+            return Ok(true);
+        }
+    }
+    Ok(false)
 }
 
 fn free_port() -> io::Result<u16> {
