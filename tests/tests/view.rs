@@ -358,6 +358,19 @@ fn a_program_is_the_same_with_a_page_and_a_rejected_one_has_a_page() {
     assert!(page.points() > 5 && page.head["summary"][0].as_str().is_some_and(|line| line.starts_with("rejected: ")));
 }
 
+#[cfg(unix)]
+#[test]
+fn a_page_replaces_the_target_of_a_link() {
+    let (folder, cl) = shop();
+    let path = |name: &str| folder.path().join(name);
+    fs::write(path("shown.html"), "yesterday").expect("it can be written");
+    std::os::unix::fs::symlink(path("shown.html"), path("page.html")).expect("links work here");
+    let [program, page] = ["out.nc", "page.html"].map(|name| path(name).display().to_string());
+    assert!(dmu(&["post", &cl, "-o", &program, "--view", &page]).status.success());
+    assert!(fs::symlink_metadata(&page).expect("the link is there").is_symlink());
+    assert!(fs::read_to_string(path("shown.html")).expect("a page").starts_with("<!doctype html>"));
+}
+
 #[test]
 fn the_machine_is_followed_through_its_retracts() {
     for given in SAMPLES {

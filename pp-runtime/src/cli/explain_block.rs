@@ -18,6 +18,7 @@ use super::map::{MapEntry, axis_values, branch_number};
 use super::messages::Messages;
 use super::outcome::{Failure, Status, Streams, print};
 use super::posting::{PostFn, PostRun};
+use super::self_check::Checking;
 
 /// Name of the temporary program in messages.
 const TEMPORARY: &str = "a temporary file";
@@ -104,9 +105,8 @@ pub(crate) fn run(
     let mut search = BlockSearch { wanted: args.block, found: Vec::new(), count: 0, lines: 0, numbered };
     let unwritable = |error| Failure::Unwritable(TEMPORARY.to_owned(), error);
     let mut program = tempfile::tempfile().map_err(unwritable)?;
-    // With `[program] checked` the check runs too: the number of lines that it adds is known only after it.
-    let (output, no_check) = (Path::new(TEMPORARY), !config.control.program.checked);
-    let run = PostRun { input: &args.input, output, no_check, config: &config, control, post };
+    let (output, checking) = (Path::new(TEMPORARY), Checking::for_text(&config));
+    let run = PostRun { input: &args.input, output, checking, config: &config, control, post };
     // Messages about the program were written when it was posted; they are repeated only if it was rejected.
     let mut repeated = Vec::new();
     let mut messages = Messages::new(&mut repeated, format);

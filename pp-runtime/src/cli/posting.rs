@@ -10,6 +10,7 @@ use crate::control::{self, Control};
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::AnyMachine;
 use crate::post::{Job, LineMap, LineOrigin, PostError, Report};
+use crate::view::Execution;
 
 use super::args::{PostArgs, SetUpArgs};
 use super::check;
@@ -19,8 +20,8 @@ use super::map::{EndBuffer, MapFile, MapWriter};
 use super::messages::{Messages, headline};
 use super::outcome::{Failure, Status, Streams, is_standard};
 use super::output_file::{OutputFile, Rejected, rejected_path};
-use super::self_check::{self, CheckedOutput, SelfCheck};
-use super::view::{PageFile, VIEWING_PASSES};
+use super::self_check::{self, CheckedOutput, Checking, SelfCheck, SelfChecked};
+use super::view::{PageFile, viewing_passes};
 
 /// Writer of a program.
 pub(crate) type ProgramSink<'a> = BufWriter<&'a mut dyn Write>;
@@ -34,6 +35,8 @@ pub(crate) struct Written {
     pub(crate) report: Report,
     /// Lines of the summary, or the reason why the program is rejected.
     pub(crate) summary: Result<Vec<String>, String>,
+    /// What the check has executed, where the run wants it and the CL data has no errors.
+    pub(crate) execution: Option<Execution>,
 }
 
 /// Copies what is written.
@@ -87,8 +90,12 @@ pub(crate) fn run(
         None => &mut *streams.output,
     };
     let control = args.set_up.control();
-    let run =
-        PostRun { input: &args.input, output: &args.output, no_check: args.no_check, config: &config, control, post };
+    let checking = match (args.no_check, &args.view) {
+        (true, _) => Checking::Off,
+        (false, None) => Checking::Findings,
+        (false, Some(_)) => Checking::Points,
+    };
+    let run = PostRun { input: &args.input, output: &args.output, checking, config: &config, control, post };
     let mut map = map_file.as_mut().map(|file| file.begin(machine, &cl_name(&args.input), control)).transpose()?;
     let written = match &mut page {
         None => run.write(machine, &mut source, out, map.as_mut().map(|map| map as &mut dyn LineMap), &mut messages)?,
@@ -100,10 +107,10 @@ pub(crate) fn run(
     };
     let ended = map.map_or(Ok(()), MapWriter::end);
     page.as_ref().map_or(Ok(()), PageFile::clear)?;
-    let mut write_page = |messages: &mut Messages<'_>| {
+    let mut write_page = |messages: &mut Messages<'_>, written: Written| {
         let Some(page) = page.take() else { return Ok(()) };
-        show_progress(&mut source, streams.terminal, &args.set_up, VIEWING_PASSES);
-        let path = page.finish(machine, &run, &mut source, &written)?;
+        show_progress(&mut source, streams.terminal, &args.set_up, viewing_passes(&written));
+        let path = page.finish(machine, &run, &mut source, written)?;
         source.hide_progress();
         messages.note(&format!("page: {}", path.display()));
         Ok(())
@@ -114,7 +121,7 @@ pub(crate) fn run(
             reject(args, target, reason, &mut messages)?;
             // The map of an earlier program must not be taken for that of this one.
             map_file.map_or(Ok(()), |file| file.clear())?;
-            write_page(&mut messages)?;
+            write_page(&mut messages, written)?;
             return Ok(Status::Rejected);
         }
     };
@@ -128,7 +135,7 @@ pub(crate) fn run(
         }
     }
     map_file.map_or(Ok(()), MapFile::finish)?;
-    write_page(&mut messages)?;
+    write_page(&mut messages, written)?;
     messages.note("done");
     Ok(Status::Done)
 }
@@ -138,7 +145,7 @@ pub(crate) struct PostRun<'a> {
     pub(crate) input: &'a Path,
     /// Path of the program, for messages.
     pub(crate) output: &'a Path,
-    pub(crate) no_check: bool,
+    pub(crate) checking: Checking,
     pub(crate) config: &'a Config,
     pub(crate) control: &'static dyn Control,
     pub(crate) post: PostFn<'a>,
@@ -165,9 +172,12 @@ impl PostRun<'_> {
         let unreadable = |error| Failure::Unreadable(name.clone(), error);
         let unwritable = |error| Failure::unwritable(output, error);
         let (closing, counted) = (1 + control.spellings().closing.len(), control.spellings().numbers_every_line);
-        let check = match self.no_check {
-            true => None,
-            false => Some(SelfCheck::start(machine, self.policy(machine)?, source).map_err(unreadable)?),
+        let check = match self.checking {
+            Checking::Off => None,
+            Checking::Findings | Checking::Points => {
+                let points = self.checking == Checking::Points;
+                Some(SelfCheck::start(machine, self.policy(machine)?, source, points).map_err(unreadable)?)
+            }
         };
         let mut output_with_check = CheckedOutput::new(out, check, closing);
         let mut map = line_map.map(EndBuffer::new);
@@ -182,17 +192,22 @@ impl PostRun<'_> {
         if let Some(reason) = error_of(&report, &name) {
             output_with_check.close().map_err(unwritable)?;
             end_map(map, 0)?;
-            return Ok(Written { report, summary: Err(reason) });
+            return Ok(Written { report, summary: Err(reason), execution: None });
         }
-        let checked =
+        let self_checked =
             output_with_check.finish_check().transpose().map_err(|error| check::failure(error, &name, output))?;
-        if let Some(reason) = self_check::rejection(checked.as_ref(), &name, source, messages) {
+        let checked = self_checked.as_ref().map(SelfChecked::checked);
+        if let Some(reason) = self_check::rejection(checked, &name, source, messages) {
             let lines = [format!("ERROR: {reason}"), "the program ends here: do not run it".to_owned()];
             let lines: Vec<Vec<u8>> = lines.iter().flat_map(|line| comments(control, line)).collect();
             output_with_check.close_with(&lines).map_err(unwritable)?;
-            return Ok(Written { report, summary: Err(reason) });
+            return Ok(Written {
+                report,
+                summary: Err(reason),
+                execution: self_checked.and_then(SelfChecked::execution),
+            });
         }
-        let verdict = verdict(checked.as_ref());
+        let verdict = verdict(checked);
         let footer = if config.control.program.checked { comments(control, &verdict) } else { Vec::new() };
         output_with_check.close_before_end(&footer, counted).map_err(unwritable)?;
         end_map(map, footer.len())?;
@@ -200,7 +215,7 @@ impl PostRun<'_> {
         let mut summary: Vec<String> = config.file_units_assumed.then(|| assumed.to_owned()).into_iter().collect();
         summary.append(&mut report.summary());
         summary.push(verdict);
-        Ok(Written { report, summary: Ok(summary) })
+        Ok(Written { report, summary: Ok(summary), execution: self_checked.and_then(SelfChecked::execution) })
     }
 
     /// Posts the CL data.

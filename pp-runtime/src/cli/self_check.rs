@@ -10,7 +10,9 @@ use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 use std::thread::{self, JoinHandle};
 
 use crate::check::{CheckError, CheckPolicy, Checked, Finding, check_for};
+use crate::config::Config;
 use crate::kinematics::AnyMachine;
+use crate::view::Execution;
 
 use super::check::report;
 use super::cl_source::ClSource;
@@ -22,21 +24,70 @@ const PIECE_BYTES: usize = 1 << 16;
 /// Largest number of pieces in the channel.
 const MOST_PIECES: usize = 16;
 
+/// What a run that posts wants of the check.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Checking {
+    /// No check.
+    Off,
+    /// Its findings.
+    Findings,
+    /// Its findings, and all points that it executes.
+    Points,
+}
+
+impl Checking {
+    /// For the text of a program alone: the comment about the check is a part of it where the configuration wants one.
+    pub(crate) fn for_text(config: &Config) -> Self {
+        if config.control.program.checked { Self::Findings } else { Self::Off }
+    }
+}
+
+/// Result of the check.
+pub(crate) enum SelfChecked {
+    Findings(Checked),
+    Points(Execution),
+}
+
+impl SelfChecked {
+    pub(crate) fn checked(&self) -> &Checked {
+        match self {
+            Self::Findings(checked) => checked,
+            Self::Points(execution) => &execution.checked,
+        }
+    }
+
+    /// All that was executed, where it was kept.
+    pub(crate) fn execution(self) -> Option<Execution> {
+        match self {
+            Self::Findings(_) => None,
+            Self::Points(execution) => Some(execution),
+        }
+    }
+}
+
 /// A running check.
 pub(crate) struct SelfCheck {
     sender: Option<SyncSender<Vec<u8>>>,
     piece: Vec<u8>,
-    thread: JoinHandle<Result<Checked, CheckError>>,
+    thread: JoinHandle<Result<SelfChecked, CheckError>>,
 }
 
 impl SelfCheck {
-    /// Starts the check of a program that is about to be written.
-    pub(crate) fn start(machine: &dyn AnyMachine, policy: CheckPolicy, source: &ClSource) -> io::Result<Self> {
+    /// Starts the check of a program that is about to be written. `points`: all that it executes is kept.
+    pub(crate) fn start(
+        machine: &dyn AnyMachine,
+        policy: CheckPolicy,
+        source: &ClSource,
+        points: bool,
+    ) -> io::Result<Self> {
         let (sender, receiver) = sync_channel(MOST_PIECES);
         let (machine, mut input) = (machine.to_boxed(), source.reopen()?);
         let body = move || {
             let mut program = PieceReader { receiver, piece: Vec::new(), at: 0 };
-            check_for(&*machine, &policy, &mut input, &mut program)
+            match points {
+                false => check_for(&*machine, &policy, &mut input, &mut program).map(SelfChecked::Findings),
+                true => Execution::of(&*machine, &policy, &mut input, &mut program).map(SelfChecked::Points),
+            }
         };
         let thread = thread::Builder::new().name("check".to_owned()).spawn(body)?;
         Ok(Self { sender: Some(sender), piece: Vec::with_capacity(PIECE_BYTES), thread })
@@ -58,7 +109,7 @@ impl SelfCheck {
     }
 
     /// Hands the last piece over and waits for the result.
-    fn finish(mut self) -> Result<Checked, CheckError> {
+    fn finish(mut self) -> Result<SelfChecked, CheckError> {
         self.send();
         drop(self.sender);
         self.thread.join().unwrap_or_else(|_| {
@@ -124,7 +175,7 @@ impl<'a> CheckedOutput<'a> {
     }
 
     /// Result of the check, once everything is written; `None` without a check.
-    pub(crate) fn finish_check(&mut self) -> Option<Result<Checked, CheckError>> {
+    pub(crate) fn finish_check(&mut self) -> Option<Result<SelfChecked, CheckError>> {
         self.check.take().map(SelfCheck::finish)
     }
 

@@ -20,12 +20,16 @@ use super::messages::{Messages, headline};
 use super::outcome::{Failure, Status, Streams, is_standard};
 use super::output_file::OutputFile;
 use super::posting::{PostFn, PostRun, Written, read_files};
+use super::self_check::Checking;
 
 /// Name of the program in memory, in messages.
 const IN_MEMORY: &str = "the program in memory";
 
-/// Times that the CL data is read to show a program.
-pub(crate) const VIEWING_PASSES: u64 = 2;
+/// Times that the CL data is read to show a program: for what only the CL data states, and to execute the program where the
+/// run that posted it has not.
+pub(crate) fn viewing_passes(written: &Written) -> u64 {
+    1 + u64::from(written.execution.is_none())
+}
 
 /// A program to be shown.
 struct Request<'a> {
@@ -122,9 +126,8 @@ fn show(
     let given = program.map(|path| fs::read(path).map_err(|error| Failure::unreadable(path, error))).transpose()?;
     show_progress(&mut source, streams.terminal, set_up, posting_passes(&config));
     let in_memory = Path::new(IN_MEMORY);
-    // The comment about the check is a part of the program.
-    let (no_check, control) = (!config.control.program.checked, set_up.control());
-    let run = PostRun { input, output: in_memory, no_check, config: &config, control, post };
+    let checking = if given.is_some() { Checking::for_text(&config) } else { Checking::Points };
+    let run = PostRun { input, output: in_memory, checking, config: &config, control: set_up.control(), post };
     let mut posted = Posted::default();
     // Of a program that is given only its own faults count; those of the CL data come with it.
     let mut nobody = io::sink();
@@ -135,9 +138,9 @@ fn show(
     if let Some(text) = given {
         posted = Posted { reasons: posted.reasons.carried_over(&posted.text, &text), text };
     }
-    show_progress(&mut source, streams.terminal, set_up, VIEWING_PASSES);
+    show_progress(&mut source, streams.terminal, set_up, viewing_passes(&written));
     let policy = run.policy(machine)?;
-    let shown = execute(machine, &run, program, &policy, &mut source, &posted, &written)?;
+    let shown = viewed(machine, &run, program, &policy, &mut source, &posted, written)?;
     source.hide_progress();
     let name = source.name().to_owned();
     if let Some(what) = source.changed_since_opened() {
@@ -174,23 +177,23 @@ fn write_to(
     out.flush()
 }
 
-/// Executes a program that is in memory. `program`: its path, if it was not posted in this run.
-fn execute<'p>(
+/// What is shown of a program that is in memory. `program`: its path, if it was not posted in this run.
+fn viewed<'p>(
     machine: &dyn AnyMachine,
     run: &PostRun<'_>,
     program: Option<&Path>,
     policy: &'p CheckPolicy,
     source: &mut ClSource,
     posted: &'p Posted,
-    written: &Written,
+    written: Written,
 ) -> Result<ViewedProgram<'p>, Failure> {
     let (name, cl) = (source.name().to_owned(), cl_name(run.input).into_owned());
-    let report = &written.report;
+    let Written { report, summary, execution } = written;
     let titles = Titles {
         program: program
             .map_or_else(|| stem(run), |path| path.file_name().unwrap_or_default().to_string_lossy().into()),
         control: run.control.spellings().name,
-        summary: match (program, &written.summary) {
+        summary: match (program, summary) {
             // What the planner counts is not this program.
             (Some(_), _) => report.set_up.iter().chain(&report.reading).chain(&report.assumptions).cloned().collect(),
             (None, Ok(_)) => report.summary_without_times(),
@@ -200,7 +203,7 @@ fn execute<'p>(
         cl,
     };
     source.rewind().map_err(|error| Failure::Unreadable(name.clone(), error))?;
-    ViewedProgram::execute(machine, policy, source, &posted.text, &posted.reasons, titles)
+    ViewedProgram::new(machine, policy, source, (&posted.text, &posted.reasons), titles, execution)
         .map_err(|error| check::failure(error, &name, run.output))
 }
 
@@ -227,10 +230,7 @@ impl PageFile {
 
     /// Removes the page of an earlier program: it must not be taken for that of this one.
     pub(crate) fn clear(&self) -> Result<(), Failure> {
-        match fs::remove_file(&self.path) {
-            Err(error) if error.kind() != io::ErrorKind::NotFound => Err(Failure::unwritable(&self.path, error)),
-            _ => Ok(()),
-        }
+        self.target.clear().map_err(|error| Failure::unwritable(&self.path, error))
     }
 
     /// Writes the page, of a rejected program as well.
@@ -239,12 +239,12 @@ impl PageFile {
         machine: &dyn AnyMachine,
         run: &PostRun<'_>,
         source: &mut ClSource,
-        written: &Written,
+        written: Written,
     ) -> Result<PathBuf, Failure> {
         let Self { path, mut target, posted } = self;
         let unwritable = |error| Failure::unwritable(&path, error);
         let policy = run.policy(machine)?;
-        let program = execute(machine, run, None, &policy, source, &posted, written)?;
+        let program = viewed(machine, run, None, &policy, source, &posted, written)?;
         if let Some(what) = source.changed_since_opened() {
             return Err(Failure::Changed(source.name().to_owned(), what));
         }

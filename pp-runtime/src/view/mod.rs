@@ -17,7 +17,7 @@ mod reasons;
 mod report;
 mod sheet;
 
-use std::io::{self, SeekFrom};
+use std::io::{self, Read, SeekFrom};
 
 use nalgebra::Point3;
 
@@ -57,6 +57,29 @@ pub(crate) struct Titles {
     pub(crate) warnings: Vec<String>,
 }
 
+/// A program as the check has executed it.
+pub(crate) struct Execution {
+    executed: Executed,
+    pub(crate) checked: Checked,
+}
+
+impl Execution {
+    /// Executes a program, and compares it with its CL data.
+    ///
+    /// # Errors
+    /// Those of a check.
+    pub(crate) fn of(
+        machine: &dyn AnyMachine,
+        policy: &CheckPolicy,
+        cl: &mut dyn ReadSeek,
+        text: &mut dyn Read,
+    ) -> Result<Self, CheckError> {
+        let mut collector = Collector::new(machine, policy);
+        let checked = check_observed(machine, policy, cl, text, &mut collector)?;
+        Ok(Self { executed: collector.finish(), checked })
+    }
+}
+
 /// An executed program with all that is shown of it.
 pub(crate) struct ViewedProgram<'a> {
     titles: Titles,
@@ -73,28 +96,32 @@ pub(crate) struct ViewedProgram<'a> {
 }
 
 impl<'a> ViewedProgram<'a> {
-    /// Executes a program, and compares it with its CL data.
+    /// What is shown of a program. `execution`: as it was executed while it was posted; otherwise it is executed now.
     ///
     /// # Errors
     /// Those of a check.
-    pub(crate) fn execute(
+    pub(crate) fn new(
         machine: &dyn AnyMachine,
         policy: &'a CheckPolicy,
         cl: &mut dyn ReadSeek,
-        text: &'a [u8],
-        reasons: &'a Reasons,
+        (text, reasons): (&'a [u8], &'a Reasons),
         titles: Titles,
+        execution: Option<Execution>,
     ) -> Result<Self, CheckError> {
         let start = cl.stream_position().map_err(CheckError::Input)?;
         let mut cl_text = Vec::new();
         cl.read_to_end(&mut cl_text).map_err(CheckError::Input)?;
         let facts = ClFacts::read(&*cl_text, policy.reading.clone()).map_err(CheckError::Input)?;
-        cl.seek(SeekFrom::Start(start)).map_err(CheckError::Input)?;
-        let mut collector = Collector::new(machine, policy);
-        let checked = check_observed(machine, policy, cl, &mut &*text, &mut collector)?;
+        let Execution { executed, checked } = match execution {
+            Some(execution) => execution,
+            None => {
+                cl.seek(SeekFrom::Start(start)).map_err(CheckError::Input)?;
+                Execution::of(machine, policy, cl, &mut &*text)?
+            }
+        };
         let machine =
             policy.set_up.machine_for(machine).map_err(|invalid| CheckError::Impossible(invalid.to_string()))?;
-        Ok(Self { titles, text, policy, machine, executed: collector.finish(), facts, cl_text, checked, reasons })
+        Ok(Self { titles, text, policy, machine, executed, facts, cl_text, checked, reasons })
     }
 
     /// Whether the program does what the CL data asks for.
