@@ -72,7 +72,7 @@ impl Page {
             let (these, others) = rest.split_at(count * width);
             rest = others;
             let mut sum = 0;
-            let value = |bytes: &[u8]| match (width, column["type"] == "q32") {
+            let mut value = |bytes: &[u8]| match (width, column["type"] == "q32") {
                 (1, _) => f64::from(bytes[0]),
                 (2, _) => f64::from(u16::from_le_bytes([bytes[0], bytes[1]])),
                 (_, false) => f64::from(f32::from_le_bytes(bytes.try_into().expect("four bytes"))),
@@ -81,7 +81,9 @@ impl Page {
                     f64::from(sum) * number(&column["scale"])
                 }
             };
-            columns.insert(name, these.chunks_exact(width).map(value).collect());
+            // A column has the lowest bytes of all its values first.
+            let values = (0..count).map(|index| these.iter().skip(index).step_by(count).copied().collect::<Vec<u8>>());
+            columns.insert(name, values.map(|bytes| value(&bytes)).collect());
         }
         assert!(rest.is_empty(), "{} bytes after the last column", rest.len());
         let text = |id: &str| String::from_utf8_lossy(&unpacked(element(html, id))).into_owned();

@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
 use pp_runtime::kinematics::{AxisKind, Machine};
+use serde_json::Value;
 use tests::binaries::{SAMPLES, binary, example_config, golden_programs, workspace};
 use tests::golden::Golden;
 use tests::oracle::angle_between;
@@ -148,6 +149,14 @@ fn text_from_outside_is_text_in_the_page() {
         let without_script = text.rsplit_once("<script>").map_or(&*text, |(before, _)| before);
         assert!(!without_script.contains("<img") && text.contains("&lt;img src=x onerror=alert(1)&gt;"), "{command}");
     }
+    let [markdown, json] = ["b.md", "b.json"].map(|name| {
+        let path = folder.path().join(name);
+        read(&run(binary("dmu-70e"), &["report", &cl, "--config", &config], &path), &path)
+    });
+    let literal = evil.replace('<', "\\<").replace('>', "\\>");
+    assert!(markdown.contains(&literal) && !markdown.replace("\\<", "").contains('<'), "{markdown}");
+    let sheet: Value = serde_json::from_str(&json).expect("JSON");
+    assert_eq!(sheet["tools"][0]["name"], evil);
     let text = fs::read_to_string(&html).expect("the page");
     // Five elements and the style: the text has opened and closed none.
     assert_eq!(text.matches("<script").count(), 5);

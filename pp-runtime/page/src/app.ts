@@ -118,10 +118,8 @@ export class App {
     this.viewport.append(this.viewTools(), this.restTools(), this.hoverCard.root);
     this.position = new PositionPanel(program, this.timeline, this.stage, new ClPoints(program, clText));
     this.machine = new MachinePanel(program, undrawn);
-    this.display = new DisplayPanel(this.colourings, this.stage, {
-      colour: (name) => this.setColouring(name),
-      hold: (fixed) => this.setFixed(fixed),
-    });
+    const choices = { colour: (name: string) => this.setColouring(name), hold: (fixed: Fixed) => this.setFixed(fixed) };
+    this.display = new DisplayPanel(this.colourings, this.stage, choices, program.head.rapids_apart);
     const events = { seek: (point: number) => this.jump(point), showLine: (line: number) => this.showLine(line) };
     this.findings = new FindingsPanel(program, events);
     this.operations = new OperationsPanel(program, events, theme);

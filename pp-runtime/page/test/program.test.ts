@@ -36,7 +36,7 @@ function program(given: Record<string, number[]>, change: Partial<Head> = {}): P
     findings: [],
     warnings: [],
     summary: [],
-    tolerance_mm: 0.01,
+    tolerance_mm: 0.01, rapids_apart: false,
     points: count,
     columns: [],
     reasons: ["record", "tolerance", "rewind", "lead-out"],

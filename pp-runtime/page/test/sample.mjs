@@ -121,7 +121,7 @@ const ball = (radius, length) => [
   [length, radius * 1.6],
 ];
 const tool = (number, name, diameter, gauge, profile, first, count) => ({
-  number, name, kind: "ball", diameter, corner_radius: diameter / 2, length: gauge, flute_length: gauge * 0.3, taper: null, gauge_length: gauge, profile,
+  number, name, kind: "ball", diameter, corner_radius: diameter / 2, length: gauge, flute_length: gauge * 0.3, gauge_length: gauge, profile,
   first_point: first, points: count, seconds: points.slice(first, first + count).reduce((sum, p) => sum + p.seconds, 0),
 });
 const operation = (number, name, toolNumber, first, count) => ({
@@ -146,7 +146,7 @@ function column(name, type, values, scale) {
     else if (type === "u16") buffer.writeUInt16LE(value, 2 * i);
     else buffer.writeUInt8(value, i);
   });
-  bytes.push(buffer);
+  for (let place = 0; place < size; place += 1) bytes.push(buffer.filter((_, i) => i % size === place));
 }
 machine.joints.forEach((joint, i) => column(`axis.${joint.letter}`, "q32", points.map((p) => p.axes[i]), 1e-5));
 ["x", "y", "z"].forEach((letter, i) => column(`tip.${letter}`, "q32", points.map((p) => p.tip[i]), 1e-5));
@@ -173,7 +173,7 @@ const head = {
     finding(Math.floor(points.length * 0.72), "F 3000 is programmed, the CL data asks for 2400", null),
   ],
   warnings: ["rapids are not linearised"],
-  summary: [`${points.length} points`], tolerance_mm: 0.01, points: points.length, columns,
+  summary: [`${points.length} points`], tolerance_mm: 0.01, rapids_apart: false, points: points.length, columns,
   reasons, reason_texts: reasons.map((name) => `because of ${name}`), kinds, seconds: points.reduce((sum, p) => sum + p.seconds, 0),
 };
 

@@ -114,8 +114,8 @@ impl Outcome {
     pub fn summary(&self) -> String {
         let found = match self.count {
             0 => String::new(),
-            1 => ", 1 finding".to_owned(),
-            count => format!(", {} findings", grouped(count)),
+            1 => ", 1 finding; besides it".to_owned(),
+            count => format!(", {} findings; besides them", grouped(count)),
         };
         let limits = match self.limits_declared {
             true => match self.outside_limits {
@@ -125,8 +125,8 @@ impl Outcome {
             false => "no limits declared".to_owned(),
         };
         format!(
-            "checked: {} motion blocks, largest deviation of tip {} µm, of tool axis {:.4}°, of path {} µm of {} \
-             allowed, {limits}{found}",
+            "checked: {} motion blocks{found}, largest deviation of tip {} µm, of tool axis {:.4}°, of path {} µm of {} \
+             allowed, {limits}",
             grouped(self.blocks),
             short(self.tip_mm * 1e3),
             self.axis_rad.to_degrees(),

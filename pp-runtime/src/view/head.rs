@@ -13,6 +13,7 @@ use super::ViewedProgram;
 use super::cl_facts::ClTool;
 use super::columns::Column;
 use super::executed::{Operation as ExecutedOperation, Placement as ExecutedPlacement, PointKind};
+use super::sheet::Found;
 
 /// Version of the data.
 const FORMAT: u32 = 1;
@@ -40,6 +41,7 @@ pub(crate) struct Head<'a> {
     warnings: &'a [String],
     summary: Vec<String>,
     tolerance_mm: f64,
+    rapids_apart: bool,
     points: usize,
     columns: Vec<Column>,
     reasons: &'a [&'static str],
@@ -93,7 +95,6 @@ pub(crate) struct Tool {
     pub(crate) corner_radius: Option<f64>,
     length: Option<f64>,
     flute_length: Option<f64>,
-    taper: Option<f64>,
     pub(crate) gauge_length: Option<f64>,
     /// Heights above the tip and radii.
     profile: Option<Vec<[f64; 2]>>,
@@ -125,14 +126,12 @@ struct SetUp {
     first_point: usize,
 }
 
-/// A finding of the check.
+/// A finding of the check, and where it is on the page.
 #[derive(Debug, Serialize)]
 struct PageFinding<'a> {
-    line: u64,
+    #[serde(flatten)]
+    found: Found<'a>,
     last_line: u64,
-    cl_line: u64,
-    text: &'a str,
-    help: Option<&'a str>,
     /// Last point of its first line, or the next one.
     point: Option<usize>,
 }
@@ -165,6 +164,7 @@ impl<'a> Head<'a> {
             warnings: &program.titles.warnings,
             summary: program.summary(),
             tolerance_mm: program.policy.tolerances.path_mm,
+            rapids_apart: executed.rapids_apart,
             points: executed.points.len(),
             columns,
             reasons: &program.reasons.names,
@@ -264,7 +264,6 @@ pub(crate) fn tools(program: &ViewedProgram<'_>) -> Vec<Tool> {
             corner_radius,
             length: gauge_length,
             flute_length: None,
-            taper: None,
             gauge_length,
             profile: diameter.map(|diameter| profile(diameter / 2.0, corner_radius.unwrap_or(0.0), gauge_length)),
             first_point,
@@ -326,11 +325,8 @@ fn finding<'a>(program: &ViewedProgram<'_>, found: &'a Finding) -> PageFinding<'
     let next = points.partition_point(|point| point.line <= found.line);
     let of_line = next.checked_sub(1).filter(|last| points[*last].line == found.line);
     PageFinding {
-        line: found.line,
+        found: Found::of(found),
         last_line: found.last_line,
-        cl_line: found.location.line,
-        text: &found.text,
-        help: found.help.as_deref(),
         point: of_line.or((next < points.len()).then_some(next)),
     }
 }

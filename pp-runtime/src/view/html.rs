@@ -21,6 +21,9 @@ const SCRIPT: &str = include_str!("../../page/dist/page.js");
 /// Its style.
 const STYLE: &str = include_str!("../../page/dist/page.css");
 
+/// Rights of a document besides its script: style and pictures of its own, no address and no form.
+const RIGHTS: &str = "style-src 'unsafe-inline'; img-src data:; base-uri 'none'; form-action 'none'";
+
 /// Text between tags and in attributes.
 pub(crate) struct Escaped<T>(pub(crate) T);
 
@@ -75,7 +78,7 @@ pub(crate) fn begin(title: &str, style: &str, script: Option<&str>, out: &mut dy
         out,
         "<!doctype html><html lang=\"en\"><head><meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-         <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'{}; style-src 'unsafe-inline'; img-src data:\">\n\
+         <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'{}; {RIGHTS}\">\n\
          <title>{}</title>\n<style>{style}</style></head>\n<body>",
         script.map(digest).unwrap_or_default(),
         Escaped(title)
@@ -102,13 +105,10 @@ mod tests {
             let (_, rest) = text.split_once("content=\"default-src 'none'").expect("a policy");
             rest.split_once('"').expect("it ends").0.to_owned()
         };
-        assert_eq!(policy(None), "; style-src 'unsafe-inline'; img-src data:");
+        assert_eq!(policy(None), format!("; {RIGHTS}"));
         // The digest of `alert(1)` by `openssl dgst -sha256 -binary | base64`.
         let digest = "bhHHL3z2vDgxUt0W3dWQOrprscmda2Y5pLsLg4GF+pI=";
-        assert_eq!(
-            policy(Some("alert(1)")),
-            format!("; script-src 'sha256-{digest}'; style-src 'unsafe-inline'; img-src data:")
-        );
+        assert_eq!(policy(Some("alert(1)")), format!("; script-src 'sha256-{digest}'; {RIGHTS}"));
     }
 
     #[test]

@@ -144,6 +144,14 @@ impl<'a> ViewedProgram<'a> {
         self.executed.placements.first().map_or(&*self.machine, |placement| &*placement.machine)
     }
 
+    /// Numbers of the set-ups in which the machine moves; of all where it moves in none.
+    fn moving_set_ups(&self) -> impl Iterator<Item = u32> {
+        let placements = &self.executed.placements;
+        let moves =
+            |number: u32| placements.is_empty() || placements.iter().any(|placement| placement.set_up == number);
+        self.policy.set_up.clampings().map(|(number, _)| number).filter(move |number| moves(*number))
+    }
+
     /// Position of a set-up in the list of set-ups.
     fn set_up_index(&self, number: u32) -> usize {
         self.policy.set_up.clampings().position(|(other, _)| other == number).unwrap_or(0)

@@ -2,7 +2,9 @@
 //!
 //! Views are parallel projections along the axes of the workpiece, with one scale for both directions.
 
+use std::collections::HashSet;
 use std::io;
+use std::ops::Range;
 
 use nalgebra::{Point3, Vector3};
 use plotters::coord::types::RangedCoordf64;
@@ -24,7 +26,7 @@ const PLOT_HEIGHT: u32 = 260;
 const TITLE: u32 = 30;
 const LABEL: u32 = 22;
 
-/// Largest number of points of a line; more would not be seen.
+/// Largest number of points of all lines of one colour in a view or a plot; more would not be seen.
 const MOST_POINTS: usize = 8000;
 
 /// First distance between a line and the points left out of it.
@@ -74,19 +76,21 @@ fn svg(height: u32, draw: impl FnOnce(&Area<'_>) -> io::Result<()>) -> io::Resul
     Ok(text)
 }
 
-/// The path in three views, and the axes over time.
+/// The path of each set-up in three views, and the axes over time.
 pub(crate) fn path_and_axes(program: &ViewedProgram<'_>) -> io::Result<String> {
-    let plots = plot_heights(program);
-    svg(VIEW_HEIGHT + plots, |area| {
-        let (views, axes) = area.split_vertically(VIEW_HEIGHT);
-        draw_path(program, &views)?;
+    let set_ups: Vec<u32> = program.moving_set_ups().collect();
+    let views_height = VIEW_HEIGHT * u32::try_from(set_ups.len()).unwrap_or(1);
+    svg(views_height + plot_heights(program), |area| {
+        let (views, axes) = area.split_vertically(views_height);
+        let views = views.split_evenly((set_ups.len(), 1));
+        views.iter().zip(&set_ups).try_for_each(|(area, set_up)| draw_path(program, *set_up, area))?;
         draw_axes(program, &axes)
     })
 }
 
-/// The path in three views.
-pub(crate) fn path(program: &ViewedProgram<'_>) -> io::Result<String> {
-    svg(VIEW_HEIGHT, |area| draw_path(program, area))
+/// The path of a set-up in three views.
+pub(crate) fn path(program: &ViewedProgram<'_>, set_up: u32) -> io::Result<String> {
+    svg(VIEW_HEIGHT, |area| draw_path(program, set_up, area))
 }
 
 /// The axes over time.
@@ -123,7 +127,7 @@ fn runs<'p>(points: &'p [Point], shown: &dyn Fn(&Point) -> bool) -> Vec<(PointKi
 }
 
 /// Smallest and largest coordinates, with a margin, in the ratio of an area.
-fn ranges(points: impl Iterator<Item = [f64; 2]>, (width, height): (u32, u32)) -> [std::ops::Range<f64>; 2] {
+fn ranges(points: impl Iterator<Item = [f64; 2]>, (width, height): (u32, u32)) -> [Range<f64>; 2] {
     let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
     for point in points {
         for index in 0..2 {
@@ -141,16 +145,52 @@ fn ranges(points: impl Iterator<Item = [f64; 2]>, (width, height): (u32, u32)) -
     })
 }
 
-/// Leaves points out that are near to the line without them; as many as needed.
-fn simplified(points: &[(f64, f64)], finest: f64) -> Vec<(f64, f64)> {
+/// Leaves points out that are near to the lines without them; as many as needed. Of straight lines at the same place one stays.
+fn simplified(lines: &[Vec<(f64, f64)>], finest: f64) -> Vec<Vec<(f64, f64)>> {
     let mut distance = finest;
     loop {
-        let line = straightened(&spaced(points, distance), distance);
-        if line.len() <= MOST_POINTS {
-            return line;
+        let place = |point: &(f64, f64)| [point.0, point.1].map(|along| (along / distance).round() as i64);
+        let mut simpler: Vec<Vec<(f64, f64)>> =
+            lines.iter().map(|line| straightened(&spaced(line, distance), distance)).collect();
+        let mut taken = HashSet::new();
+        simpler.retain(|line| line.len() > 2 || taken.insert((line.first().map(place), line.last().map(place))));
+        if simpler.iter().map(Vec::len).sum::<usize>() <= MOST_POINTS {
+            return simpler;
         }
         distance *= 2.0;
     }
+}
+
+/// The parts of a line that are inside a rectangle, by the parameters at which each piece enters and leaves it (Liang and
+/// Barsky).
+fn clipped(line: &[(f64, f64)], [across, up]: &[Range<f64>; 2]) -> Vec<Vec<(f64, f64)>> {
+    let mut parts: Vec<Vec<(f64, f64)>> = Vec::new();
+    let mut joined = false;
+    for (from, to) in line.iter().zip(line.iter().skip(1)) {
+        let (mut enters, mut leaves) = (0.0_f64, 1.0_f64);
+        for (range, start, change) in [(across, from.0, to.0 - from.0), (up, from.1, to.1 - from.1)] {
+            for (over, towards) in [(range.start - start, change), (start - range.end, -change)] {
+                if towards > 0.0 {
+                    enters = enters.max(over / towards);
+                } else if towards < 0.0 {
+                    leaves = leaves.min(over / towards);
+                } else if over > 0.0 {
+                    leaves = f64::NEG_INFINITY;
+                }
+            }
+        }
+        if enters > leaves {
+            joined = false;
+            continue;
+        }
+        let at = |share: f64| (from.0 + share * (to.0 - from.0), from.1 + share * (to.1 - from.1));
+        match parts.last_mut().filter(|_| joined && enters <= 0.0) {
+            Some(part) => part.push(at(leaves)),
+            None => parts.push(vec![at(enters), at(leaves)]),
+        }
+        joined = leaves >= 1.0;
+    }
+    parts
 }
 
 /// Points that are at least this far from the one kept before; the last is kept.
@@ -191,20 +231,37 @@ fn off_line(point: (f64, f64), from: (f64, f64), to: (f64, f64)) -> f64 {
     (a - share * x).powi(2) + (b - share * y).powi(2)
 }
 
-fn draw_path(program: &ViewedProgram<'_>, area: &Area<'_>) -> io::Result<()> {
-    let runs = runs(&program.executed.points, &|_| true);
+fn draw_path(program: &ViewedProgram<'_>, set_up: u32, area: &Area<'_>) -> io::Result<()> {
+    let executed = &program.executed;
+    let runs = runs(&executed.points, &|point| executed.placements[point.placement].set_up == set_up);
     for (area, (title, names, directions)) in area.split_evenly((1, 3)).iter().zip(VIEWS) {
         let at = |point: &Point| directions.map(|index| point.pose.tip[index]);
         let cuts = runs.iter().filter(|(kind, _)| *kind == PointKind::Feed).flat_map(|(_, run)| run);
         let mut chart = view(area, title, names, cuts.map(|point| at(point)))?;
-        for kind in [PointKind::Rapid, PointKind::Feed] {
-            for (_, run) in runs.iter().filter(|(of, _)| *of == kind) {
-                let line = run.iter().map(|point| at(point).into());
-                draw_line(&mut chart, line.collect(), if kind == PointKind::Feed { FEED } else { RAPID })?;
-            }
+        for (kind, colour) in [(PointKind::Rapid, RAPID), (PointKind::Feed, FEED)] {
+            draw_runs(&mut chart, &runs, kind, &|point| at(point).into(), colour)?;
         }
     }
     Ok(())
+}
+
+/// Draws the runs of one kind.
+fn draw_runs(
+    chart: &mut Chart<'_, '_>,
+    runs: &[(PointKind, Vec<&Point>)],
+    kind: PointKind,
+    at: &dyn Fn(&Point) -> (f64, f64),
+    colour: RGBColor,
+) -> io::Result<()> {
+    let frame = [chart.x_range(), chart.y_range()];
+    let (pixels, _) = chart.plotting_area().dim_in_pixel();
+    let pixel = (frame[0].end - frame[0].start) / f64::from(pixels.max(1));
+    let of_kind = runs.iter().filter(|(of, _)| *of == kind);
+    let lines: Vec<Vec<(f64, f64)>> =
+        of_kind.flat_map(|(_, run)| clipped(&run.iter().map(|point| at(point)).collect::<Vec<_>>(), &frame)).collect();
+    simplified(&lines, FINEST * pixel)
+        .into_iter()
+        .try_for_each(|line| chart.draw_series(LineSeries::new(line, colour.stroke_width(2))).map(drop).map_err(failed))
 }
 
 /// Begins a view whose range holds these points.
@@ -237,14 +294,6 @@ fn view<'a, 'b>(
         .draw()
         .map_err(failed)?;
     Ok(chart)
-}
-
-fn draw_line(chart: &mut Chart<'_, '_>, points: Vec<(f64, f64)>, colour: RGBColor) -> io::Result<()> {
-    let across = chart.x_range();
-    let (pixels, _) = chart.plotting_area().dim_in_pixel();
-    let pixel = (across.end - across.start) / f64::from(pixels.max(1));
-    let line = simplified(&points, FINEST * pixel);
-    chart.draw_series(LineSeries::new(line, colour.stroke_width(2))).map(drop).map_err(failed)
 }
 
 fn plot_heights(program: &ViewedProgram<'_>) -> u32 {
@@ -295,10 +344,13 @@ fn draw_axes(program: &ViewedProgram<'_>, area: &Area<'_>) -> io::Result<()> {
         let (width, height) = chart.plotting_area().dim_in_pixel();
         // In pixels, in which both directions count alike.
         let pixels = (f64::from(width) / span.0, f64::from(height) / span.1);
-        let line: Vec<_> =
+        let placed: Vec<_> =
             times.iter().zip(values()).map(|(time, value)| (time * pixels.0, value * pixels.1)).collect();
-        let line = simplified(&line, FINEST).into_iter().map(|(time, value)| (time / pixels.0, value / pixels.1));
-        chart.draw_series(LineSeries::new(line, FEED.stroke_width(2))).map_err(failed)?;
+        let lines: Vec<_> = program.executed.paths().map(|path| placed[path].to_vec()).collect();
+        for line in simplified(&lines, FINEST) {
+            let line = line.into_iter().map(|(time, value)| (time / pixels.0, value / pixels.1));
+            chart.draw_series(LineSeries::new(line, FEED.stroke_width(2))).map_err(failed)?;
+        }
         if let Some(limits) = limits[index].filter(|_| program.has_coordinates(index)) {
             for limit in [limits.lower, limits.upper].map(|limit| limit * scale) {
                 if (low - room..=high + room).contains(&limit) {
@@ -340,9 +392,7 @@ fn draw_table(
         let box_of = Rectangle::new([low.into(), high.into()], PART.mix(0.18).filled());
         chart.draw_series([box_of]).map_err(failed)?;
     }
-    for (_, run) in runs.iter().filter(|(kind, _)| *kind == PointKind::Feed) {
-        draw_line(&mut chart, run.iter().map(|point| on_table(&point.pose.tip).into()).collect(), FEED)?;
-    }
+    draw_runs(&mut chart, &runs, PointKind::Feed, &|point| on_table(&point.pose.tip).into(), FEED)?;
     let placement = executed.placements.iter().find(|placement| placement.set_up == set_up);
     let machine = placement.map_or(&*program.machine, |placement| &*placement.machine);
     for (index, axis) in machine.axes().iter().enumerate() {
@@ -375,4 +425,46 @@ fn draw_table(
 fn label(chart: &mut Chart<'_, '_>, at: (f64, f64), text: &str, colour: RGBColor) -> io::Result<()> {
     let style = ("sans-serif", TITLE).into_font().color(&colour);
     chart.draw_series([Text::new(text.to_owned(), at, style)]).map(drop).map_err(failed)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const FRAME: [Range<f64>; 2] = [0.0..10.0, 0.0..5.0];
+
+    #[test]
+    fn a_line_is_drawn_inside_the_frame_only_and_in_its_own_direction() {
+        // Leaves at the right, and comes back along another line.
+        let parts = clipped(&[(1.0, 1.0), (3.0, 1.0), (23.0, 11.0), (12.0, 4.0), (2.0, 4.0)], &FRAME);
+        assert_eq!(parts, [vec![(1.0, 1.0), (3.0, 1.0), (10.0, 4.5)], vec![(10.0, 4.0), (2.0, 4.0)]]);
+    }
+
+    #[test]
+    fn a_line_through_the_frame_is_drawn_though_its_ends_are_outside() {
+        assert_eq!(clipped(&[(-5.0, 2.0), (15.0, 2.0)], &FRAME), [vec![(0.0, 2.0), (10.0, 2.0)]]);
+        assert!(clipped(&[(-5.0, 6.0), (15.0, 6.0), (15.0, -6.0)], &FRAME).is_empty());
+    }
+
+    #[test]
+    fn lines_have_a_number_of_points_together_that_can_be_drawn_and_cross_at_their_ends() {
+        // A grid: the ends of its lines along Y are on those along X.
+        let grid: Vec<Vec<(f64, f64)>> = (0..=10)
+            .flat_map(|index| {
+                let at = f64::from(index);
+                [vec![(0.0, at), (10.0, at)], vec![(at, 0.0), (at, 10.0)]]
+            })
+            .collect();
+        assert_eq!(simplified(&grid, 0.1).len(), 22);
+        let holes: Vec<Vec<(f64, f64)>> =
+            (0..40_000).map(|index| vec![(f64::from(index % 200), f64::from(index / 200)); 2]).collect();
+        let drawn = simplified(&holes, 0.1);
+        assert!(
+            drawn.iter().map(Vec::len).sum::<usize>() <= MOST_POINTS && drawn.len() > MOST_POINTS / 16,
+            "{}",
+            drawn.len()
+        );
+        let twice = [holes[..9].to_vec(), holes[..9].to_vec()].concat();
+        assert_eq!(simplified(&twice, 0.1).len(), 9);
+    }
 }

@@ -2,13 +2,12 @@
 
 use std::io;
 
+use imara_diff::{Algorithm, Diff, Hunk, InternedInput};
+
 use crate::post::{LineMap, LineOrigin};
 
 /// Reason of a line that is not known: written by hand, or posted otherwise.
 pub(crate) const UNKNOWN: u8 = u8::MAX;
-
-/// Number of posted lines ahead among which an edited line is looked for.
-const LOOKAHEAD: usize = 400;
 
 /// Reasons by line.
 #[derive(Debug, Default)]
@@ -43,15 +42,20 @@ impl Reasons {
 
     /// The reasons of the lines of another text that are equal to posted ones, in order.
     pub(crate) fn carried_over(self, posted: &[u8], given: &[u8]) -> Self {
-        let posted: Vec<&[u8]> = lines(posted).collect();
-        let mut next = 0;
-        let of_line = |line: &[u8]| {
-            let ahead = &posted[next..posted.len().min(next + LOOKAHEAD)];
-            let Some(found) = ahead.iter().position(|other| *other == line) else { return UNKNOWN };
-            next += found + 1;
-            self.lines.get(next - 1).copied().unwrap_or(UNKNOWN)
-        };
-        Self { lines: lines(given).map(of_line).collect(), ..self }
+        let mut input = InternedInput::default();
+        input.update_before(lines(posted));
+        input.update_after(lines(given));
+        let mut reasons = vec![UNKNOWN; input.after.len()];
+        let (mut posted_at, mut given_at) = (0, 0);
+        let ends = (input.before.len() as u32, input.after.len() as u32);
+        let end = Hunk { before: ends.0..ends.0, after: ends.1..ends.1 };
+        for changed in Diff::compute(Algorithm::Histogram, &input).hunks().chain([end]) {
+            for (reason, line) in reasons[given_at..changed.after.start as usize].iter_mut().zip(posted_at..) {
+                *reason = self.lines.get(line).copied().unwrap_or(UNKNOWN);
+            }
+            (posted_at, given_at) = (changed.before.end as usize, changed.after.end as usize);
+        }
+        Self { lines: reasons, ..self }
     }
 }
 
@@ -90,6 +94,14 @@ mod tests {
         // A line is changed, one is added, and line ends are those of another system.
         let edited = map.carried_over(b"(A)\nX1\nX2\nX3\n", b"(A)\r\nX1.5\r\nM1\r\nX2\r\nX3\r\n");
         assert_eq!([1, 2, 3, 4, 5].map(|line| edited.of(line)), [0, UNKNOWN, UNKNOWN, 2, 1]);
+    }
+
+    #[test]
+    fn a_line_added_by_hand_that_occurs_later_as_well_takes_no_reasons_from_others() {
+        use BlockReason::{Head, Record, Tolerance};
+        let map = posted(&[Head, Record, Tolerance, Record, Head]);
+        let edited = map.carried_over(b"(A)\nX1\nX2\nX3\nM9\n", b"(A)\nM9\nX1\nX2\nX3\nM9\n");
+        assert_eq!([1, 2, 3, 4, 5, 6].map(|line| edited.of(line)), [0, UNKNOWN, 1, 2, 1, 0]);
     }
 
     #[test]

@@ -4,6 +4,7 @@ use std::io;
 
 use serde::Serialize;
 
+use crate::check::Finding;
 use crate::kinematics::AxisKind;
 use crate::post::duration;
 use crate::set_up::{Clamping, part_angles};
@@ -74,12 +75,19 @@ struct Check<'a> {
     findings: Vec<Found<'a>>,
 }
 
+/// A finding of the check.
 #[derive(Debug, Serialize)]
-struct Found<'a> {
+pub(crate) struct Found<'a> {
     line: u64,
     cl_line: u64,
     text: &'a str,
     help: Option<&'a str>,
+}
+
+impl<'a> Found<'a> {
+    pub(crate) fn of(finding: &'a Finding) -> Self {
+        Self { line: finding.line, cl_line: finding.location.line, text: &finding.text, help: finding.help.as_deref() }
+    }
 }
 
 /// A part of a document.
@@ -143,16 +151,7 @@ impl<'a> Sheet<'a> {
             check: Check {
                 passed: program.passed(),
                 figures: outcome.summary(),
-                findings: outcome
-                    .findings
-                    .iter()
-                    .map(|found| Found {
-                        line: found.line,
-                        cl_line: found.location.line,
-                        text: &found.text,
-                        help: found.help.as_deref(),
-                    })
-                    .collect(),
+                findings: outcome.findings.iter().map(Found::of).collect(),
             },
             warnings: &program.titles.warnings,
             summary: program.titles.summary.clone(),
@@ -174,10 +173,11 @@ impl<'a> Sheet<'a> {
             sections.push(Section { title: set_up.title(), page: false, body });
         }
         sections.extend(self.results());
-        let pictures = vec![
-            Body::Picture(picture::path(program)?, path_caption(&program.executed)),
-            Body::Picture(picture::axes(program)?, "the axes over time, limits red".to_owned()),
-        ];
+        let paths = program
+            .moving_set_ups()
+            .map(|number| Ok(Body::Picture(picture::path(program, number)?, path_caption(&program.executed, number))));
+        let mut pictures = paths.collect::<io::Result<Vec<_>>>()?;
+        pictures.push(Body::Picture(picture::axes(program)?, "the axes over time, limits red".to_owned()));
         sections.push(Section { title: "Pictures".to_owned(), page: false, body: pictures });
         Ok(sections)
     }
@@ -307,12 +307,12 @@ impl SetUp {
     }
 }
 
-/// What the picture of the path shows.
-fn path_caption(executed: &Executed) -> String {
-    let text = "the path in three views: feed blue, rapid orange";
+/// What the picture of the path in a set-up shows.
+fn path_caption(executed: &Executed, set_up: u32) -> String {
+    let text = format!("the path in set-up {set_up} in three views: feed blue, rapid orange");
     match executed.rapids_apart {
         true => format!("{text}; in rapids each axis moves on its own: their path is not the line drawn"),
-        false => text.to_owned(),
+        false => text,
     }
 }
 

@@ -53,7 +53,6 @@ export interface Tool {
   corner_radius: number | null;
   length: number | null;
   flute_length: number | null;
-  taper: number | null;
   /** `null` where it is unknown: the chain then has gauge length 0. */
   gauge_length: number | null;
   /** Height above the tip and radius, from the tip up; `null` where the shape is unknown. */
@@ -93,7 +92,7 @@ export interface Finding {
   point: number | null;
 }
 
-export type ColumnType = "f32" | "u32" | "u16" | "u8" | "q32";
+export type ColumnType = "f32" | "u16" | "u8" | "q32";
 
 export interface Column {
   name: string;
@@ -117,6 +116,8 @@ export interface Head {
   warnings: string[];
   summary: string[];
   tolerance_mm: number;
+  /** In some rapids each axis moves on its own, so that their path is not the line drawn. */
+  rapids_apart: boolean;
   points: number;
   columns: Column[];
   /** Names of the reasons for a block, and a sentence for each. */

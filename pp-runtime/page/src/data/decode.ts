@@ -1,11 +1,12 @@
-/** Columns of numbers and texts as they are embedded in the page: base64, raw DEFLATE, little endian. */
+/**
+ * Columns of numbers and texts as they are embedded in the page: base64, raw DEFLATE.
+ *
+ * A column has the lowest bytes of all its values, then their next bytes, and so on: equal bytes are neighbours.
+ */
 
 import type { Column, ColumnType, Head } from "./contract.ts";
 
-const BYTES: Record<ColumnType, number> = { f32: 4, u32: 4, u16: 2, u8: 1, q32: 4 };
-
-/** Difference that marks a value as unknown (`q32`). */
-const UNKNOWN = -0x8000_0000;
+const BYTES: Record<ColumnType, number> = { f32: 4, u16: 2, u8: 1, q32: 4 };
 
 /** Bytes of a base64 text; white space in it is skipped. */
 export function bytesOfBase64(text: string): Uint8Array<ArrayBuffer> {
@@ -38,43 +39,45 @@ export function decodeColumns(head: Pick<Head, "columns" | "points">, bytes: Uin
   if (bytes.byteLength !== expected) {
     throw new Error(`the columns have ${bytes.byteLength} bytes, expected ${expected} for ${head.points} points`);
   }
-  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const columns = new Map<string, Float64Array>();
   let offset = 0;
   for (const column of head.columns) {
-    columns.set(column.name, decodeColumn(column, view, offset, head.points));
-    offset += BYTES[column.type] * head.points;
+    const end = offset + BYTES[column.type] * head.points;
+    columns.set(column.name, decodeColumn(column, valueByValue(bytes.subarray(offset, end), head.points), head.points));
+    offset = end;
   }
   return columns;
 }
 
-function decodeColumn(column: Column, view: DataView, start: number, points: number): Float64Array {
+/** The bytes of a column with those of each value together, little endian. */
+function valueByValue(bytes: Uint8Array, points: number): DataView {
+  const width = points > 0 ? bytes.length / points : 0;
+  const values = new Uint8Array(bytes.length);
+  for (let place = 0; place < width; place += 1) {
+    for (let i = 0; i < points; i += 1) values[i * width + place] = bytes[place * points + i];
+  }
+  return new DataView(values.buffer);
+}
+
+function decodeColumn(column: Column, view: DataView, points: number): Float64Array {
   const values = new Float64Array(points);
   switch (column.type) {
     case "f32":
-      for (let i = 0; i < points; i += 1) values[i] = view.getFloat32(start + 4 * i, true);
-      break;
-    case "u32":
-      for (let i = 0; i < points; i += 1) values[i] = view.getUint32(start + 4 * i, true);
+      for (let i = 0; i < points; i += 1) values[i] = view.getFloat32(4 * i, true);
       break;
     case "u16":
-      for (let i = 0; i < points; i += 1) values[i] = view.getUint16(start + 2 * i, true);
+      for (let i = 0; i < points; i += 1) values[i] = view.getUint16(2 * i, true);
       break;
     case "u8":
-      for (let i = 0; i < points; i += 1) values[i] = view.getUint8(start + i);
+      for (let i = 0; i < points; i += 1) values[i] = view.getUint8(i);
       break;
     case "q32": {
       // The sum is an integer, exact in f64; the scale is applied once, so no error builds up.
       const scale = column.scale ?? 1;
       let sum = 0;
       for (let i = 0; i < points; i += 1) {
-        const difference = view.getInt32(start + 4 * i, true);
-        if (difference === UNKNOWN) {
-          values[i] = Number.NaN;
-        } else {
-          sum += difference;
-          values[i] = sum * scale;
-        }
+        sum += view.getInt32(4 * i, true);
+        values[i] = sum * scale;
       }
       break;
     }

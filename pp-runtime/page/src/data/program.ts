@@ -26,7 +26,6 @@ const NO_TOOL: Tool = {
   corner_radius: null,
   length: null,
   flute_length: null,
-  taper: null,
   gauge_length: null,
   profile: null,
   first_point: 0,

@@ -23,6 +23,7 @@ export class DisplayPanel {
     list: Colouring[],
     private readonly stage: Stage,
     events: DisplayEvents,
+    rapidsApart: boolean,
   ) {
     for (const colouring of list) this.select.append(element("option", { value: colouring.name }, colouring.label));
     this.select.addEventListener("change", () => events.colour(this.select.value));
@@ -30,6 +31,7 @@ export class DisplayPanel {
       element("h2", {}, "Path"),
       labelled("Colour", this.select),
       this.legend,
+      rapidsApart ? element("p", { class: "note" }, "In rapids each axis moves on its own: their path is not the line drawn.") : "",
       this.choice<PathExtent>("Shown (H)", "extent", [["whole", "all"], ["done", "done"], ["operation", "operation"]], () => stage.extent, (value) => stage.setExtent(value)),
       element("h2", {}, "Machine"),
       this.choice<Fixed>("At rest (B)", "fixed", [["machine", "machine"], ["part", "part"]], () => stage.fixed, events.hold),
