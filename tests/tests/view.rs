@@ -312,7 +312,14 @@ fn errors(output: &Output) -> String {
 #[test]
 fn a_page_has_the_name_of_its_cl_data_unless_it_is_given_another() {
     let (folder, cl) = shop();
-    assert!(dmu(&["view", &cl]).status.success());
+    let own = folder.path().join("part.html");
+    fs::write(&own, "<!doctype html><p>notes</p>").expect("it can be written");
+    let refused = dmu(&["view", &cl]);
+    assert!(refused.status.code() == Some(2) && errors(&refused).contains("is not a page of this program"));
+    assert_eq!(fs::read_to_string(&own).expect("it is there"), "<!doctype html><p>notes</p>");
+    fs::remove_file(&own).expect("it is there");
+    // The second time its own page is replaced.
+    assert!((0..2).all(|_| dmu(&["view", &cl]).status.success()));
     assert_eq!(files(folder.path()), ["part.cls", "part.html"]);
     let svg = folder.path().join("part.svg").display().to_string();
     fs::remove_file(folder.path().join("part.html")).expect("it is there");

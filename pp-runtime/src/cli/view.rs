@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 
 use crate::check::CheckPolicy;
 use crate::kinematics::AnyMachine;
-use crate::view::{Reasons, Titles, ViewedProgram, path_and_axes, write_page, write_report};
+use crate::view::{Reasons, Titles, ViewedProgram, is_document, path_and_axes, write_page, write_report};
 
 use super::args::{ReportArgs, ReportFile, SetUpArgs, ViewArgs};
 use super::check;
@@ -67,7 +67,7 @@ pub(crate) fn run(
         (None, _) if is_standard(&args.input) => {
             return Err(Failure::Argument("CL data from standard input has no name: give `-o OUT.html`".to_owned()));
         }
-        (None, _) => Some(args.input.with_extension("html")),
+        (None, _) => Some(own_name(&args.input)?),
     };
     if args.open && page.as_deref().is_some_and(is_standard) {
         return Err(Failure::Argument("--open needs a file: give `-o OUT.html`".to_owned()));
@@ -86,6 +86,16 @@ pub(crate) fn run(
         })?;
     }
     Ok(status)
+}
+
+/// Name of a page that is given none: that of the CL data. A file that is no page of ours is not replaced unasked.
+fn own_name(input: &Path) -> Result<PathBuf, Failure> {
+    let path = input.with_extension("html");
+    if path.exists() && !is_document(&path) {
+        let text = format!("{0} exists and is not a page of this program: give `-o OUT.html`", path.display());
+        return Err(Failure::Argument(text));
+    }
+    Ok(path)
 }
 
 /// `report`.

@@ -4,7 +4,9 @@
 //! base64, and in JSON every `<` is written as an escape.
 
 use std::fmt::{self, Display, Formatter};
-use std::io::{self, Write};
+use std::fs::File;
+use std::io::{self, Read as _, Write};
+use std::path::Path;
 use std::thread::{self, ScopedJoinHandle};
 
 use base64::Engine as _;
@@ -23,6 +25,19 @@ const STYLE: &str = include_str!("../../page/dist/page.css");
 
 /// Rights of a document besides its script: style and pictures of its own, no address and no form.
 const RIGHTS: &str = "style-src 'unsafe-inline'; img-src data:; base-uri 'none'; form-action 'none'";
+
+/// The element by which a document is known to be one of ours.
+const GENERATOR: &str = "<meta name=\"generator\" content=\"pp-runtime\">";
+
+/// Bytes at the begin of a document in which that element is.
+const BEGIN_BYTES: u64 = 256;
+
+/// Whether a file is a page or a set-up sheet written earlier.
+pub(crate) fn is_document(path: &Path) -> bool {
+    let mut begin = Vec::new();
+    let read = File::open(path).and_then(|file| file.take(BEGIN_BYTES).read_to_end(&mut begin));
+    read.is_ok() && memchr::memmem::find(&begin, GENERATOR.as_bytes()).is_some()
+}
 
 /// Text between tags and in attributes.
 pub(crate) struct Escaped<T>(pub(crate) T);
@@ -76,7 +91,7 @@ pub(crate) fn begin(title: &str, style: &str, script: Option<&str>, out: &mut dy
     let digest = |script: &str| format!("; script-src 'sha256-{}'", BASE64_STANDARD.encode(Sha256::digest(script)));
     writeln!(
         out,
-        "<!doctype html><html lang=\"en\"><head><meta charset=\"utf-8\">\n\
+        "<!doctype html><html lang=\"en\"><head><meta charset=\"utf-8\">{GENERATOR}\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'{}; {RIGHTS}\">\n\
          <title>{}</title>\n<style>{style}</style></head>\n<body>",

@@ -29,7 +29,7 @@ use cl_facts::ClFacts;
 use columns::{Column, Columns};
 use executed::{Collector, Executed, Point};
 
-pub(crate) use html::write_page;
+pub(crate) use html::{is_document, write_page};
 pub(crate) use picture::path_and_axes;
 pub(crate) use reasons::Reasons;
 pub(crate) use report::{ReportForm, write_report};
