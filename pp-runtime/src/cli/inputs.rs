@@ -1,7 +1,7 @@
 //! Inputs of a run: the configuration, which has to suit the control, and the CL data.
 
 use std::borrow::Cow;
-use std::fs;
+use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 
@@ -13,6 +13,9 @@ use super::args::{MessageFormat, SetUpArgs};
 use super::cl_source::{ClSource, same_file};
 use super::messages::Messages;
 use super::outcome::{Failure, is_standard};
+
+/// Largest configuration, bytes: some ten thousand tools.
+const LARGEST_CONFIG: u64 = 1 << 20;
 
 /// The configuration of a run: defaults of the control, then the file, then the command line; the later takes
 /// precedence.
@@ -44,7 +47,13 @@ pub(crate) fn read_config_file(
     match path {
         None => Ok(start),
         Some(path) => {
-            let bytes = fs::read(path).map_err(|error| Failure::unreadable(path, error))?;
+            let mut bytes = Vec::new();
+            let read = File::open(path).and_then(|file| file.take(LARGEST_CONFIG + 1).read_to_end(&mut bytes));
+            read.map_err(|error| Failure::unreadable(path, error))?;
+            if bytes.len() as u64 > LARGEST_CONFIG {
+                let what = format!("it is larger than {} MiB, the most for a configuration", LARGEST_CONFIG >> 20);
+                return Err(Failure::unreadable(path, io::Error::new(io::ErrorKind::FileTooLarge, what)));
+            }
             let text = String::from_utf8(bytes).map_err(|error| {
                 let kind = io::ErrorKind::InvalidData;
                 Failure::unreadable(path, io::Error::new(kind, error.utf8_error().to_string()))

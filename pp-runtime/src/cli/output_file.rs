@@ -99,13 +99,18 @@ impl OutputFile {
         let removed = self.remove()?;
         let Destination::Renamed(mut file) = self.destination else { return Ok(Rejected { path: None, removed }) };
         let path = rejected_path(&self.path);
-        let mut whole = temporary_next_to(&path)?;
-        whole.write_all(reason)?;
-        whole.write_all(b"\n")?;
-        file.rewind()?;
-        io::copy(file.as_file_mut(), whole.as_file_mut())?;
-        persist(whole, &path)?;
-        Ok(Rejected { path: Some(path), removed })
+        let mut write = || {
+            let mut whole = temporary_next_to(&path)?;
+            whole.write_all(reason)?;
+            whole.write_all(b"\n")?;
+            file.rewind()?;
+            io::copy(file.as_file_mut(), whole.as_file_mut())?;
+            persist(whole, &path)
+        };
+        match write() {
+            Ok(()) => Ok(Rejected { path: Some(path), removed }),
+            Err(error) => Err(io::Error::new(error.kind(), format!("{}: {error}", path.display()))),
+        }
     }
 }
 

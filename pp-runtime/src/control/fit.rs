@@ -18,6 +18,9 @@ use super::options::{ControlFunction, Demands};
 /// Largest number of characters of a tool name.
 const LONGEST_TOOL_NAME: usize = 32;
 
+/// Rounding of an indexing step that is converted from degrees, as a share of it.
+const STEP_NOISE: f64 = 1e-9;
+
 /// Settings that the control does not support, and reasons why machine, control and configuration do not suit the mode.
 /// One sentence each; empty if a program can be written. In mode `auto` a setting may still be missing for a stretch.
 #[must_use]
@@ -26,6 +29,7 @@ pub fn unfit(machine: &dyn AnyMachine, control: &dyn Control, demands: Demands<'
     let mut faults = unsupported(control, demands);
     faults.extend(unsuited_names(machine, control.spellings(), demands));
     faults.extend(unreadable_axis(control, demands));
+    faults.extend(unwritable_steps(demands));
     faults.append(&mut motion::unsuited(machine, demands.policy(), control.spellings().title, tip, plane));
     faults
 }
@@ -35,6 +39,23 @@ pub fn unfit(machine: &dyn AnyMachine, control: &dyn Control, demands: Demands<'
 pub fn usable_modes(machine: &dyn AnyMachine, control: &dyn Control, demands: Demands<'_>) -> UsableModes {
     let Abilities { tip, plane, .. } = abilities(control, demands);
     UsableModes::of(machine, demands.policy(), control.spellings().title, tip, plane)
+}
+
+/// Steps of indexed axes that the rotary words cannot state exactly: multiples of the rounded step would be other angles.
+fn unwritable_steps(demands: Demands<'_>) -> impl Iterator<Item = String> {
+    let policy = demands.policy();
+    let units_per_degree = 10_f64.powf(f64::from(policy.formats.rotary));
+    policy.options.rotaries.grid.iter().filter_map(move |(letter, step)| {
+        let units = step.to_degrees() * units_per_degree;
+        let exact = units.round() >= 1.0 && (units - units.round()).abs() <= STEP_NOISE * units;
+        (!exact).then(|| {
+            let last = 1.0 / units_per_degree;
+            format!(
+                "the indexing step of {letter} is not a multiple of {last} degrees, the last digit of rotary words: correct \
+                 `grid` or `formats.rotary`"
+            )
+        })
+    })
 }
 
 /// Settings of the configuration that the control does not support, one sentence each.

@@ -192,6 +192,13 @@ fn ten_megabytes_of_continued_lines_end_soon_and_in_one_error() {
     assert_eq!(found[1], "2500002:6+3 GOTO needs 3 or 6 numbers, found 2");
 }
 
+#[test]
+fn continued_lines_without_text_make_a_statement_longer_too() {
+    let found = errors(&format!("GOTO/1,$\n{}2,3\nGOTO/4,5\n", "$\n".repeat(100_000)));
+    assert_eq!(found.len(), 2);
+    assert_eq!(found[0], "1:1+1 this statement is longer than 1048576 bytes");
+}
+
 /// Random numbers (xorshift): fast, and the same in every run.
 fn noise(state: &mut u64) -> u64 {
     *state ^= *state << 13;

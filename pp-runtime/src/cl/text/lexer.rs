@@ -261,7 +261,9 @@ impl<R: Read> Lexer<R> {
             let piece = &text[..more.unwrap_or(text.len())];
             self.pieces
                 .push(JoinedPiece { offset: self.joined.len(), location: Location { line: self.line, column: 1 } });
-            if line.too_long || self.joined.len() + piece.len() > LONGEST_STATEMENT {
+            // A line counts with its place too: a statement of lines without text is no shorter.
+            let places = size_of::<JoinedPiece>() * self.pieces.len();
+            if line.too_long || self.joined.len() + piece.len() + places > LONGEST_STATEMENT {
                 kind = StatementKind::TooLong;
                 self.joined.clear();
                 self.pieces.clear();

@@ -22,6 +22,25 @@ fn a_rejected_program_on_standard_output_is_status_1() {
 }
 
 #[test]
+fn a_rejected_program_that_cannot_be_written_is_named() {
+    let shop = Shop::new();
+    fs::create_dir(shop.path("part.ngc.rejected")).expect("a folder");
+    let outcome = shop.post(&[], &fails_in_line_2);
+    assert_eq!(outcome.status, Status::NotRun);
+    assert!(outcome.errors.contains("part.ngc.rejected: "), "{}", outcome.errors);
+}
+
+#[test]
+fn a_configuration_that_is_far_too_large_is_not_read() {
+    let shop = Shop::new();
+    shop.write("large.toml", &"#\n".repeat(600_000));
+    let config = shop.arg("large.toml");
+    let outcome = run_with(&["post", &shop.arg("part.cls"), "-o", "-", "--config", &config], b"", &never);
+    assert_eq!(outcome.status, Status::NotRun);
+    assert!(outcome.errors.contains(&format!("cannot read {config}: it is larger than 1 MiB")), "{}", outcome.errors);
+}
+
+#[test]
 fn unreadable_cl_data_is_status_2() {
     let shop = Shop::new();
     let missing = shop.arg("missing.cls");

@@ -21,6 +21,24 @@ fn nothing_is_written_for_a_configuration_that_the_control_cannot_do() {
 }
 
 #[test]
+fn an_indexing_step_that_the_words_cannot_state_is_refused() {
+    let with = |degrees: f64| {
+        let mut config = Config::default();
+        config.motion.rotaries.grid.insert('C', degrees.to_radians());
+        let job = Job { cl_name: "part.cls", config: &config, control: &LinuxCnc, units: None };
+        post::<Cb>(&job, &mut Cursor::new(PART.as_bytes()), &mut Vec::new())
+    };
+    for degrees in [1e-5, 360.0 / 7.0] {
+        let refused = with(degrees);
+        assert!(
+            matches!(&refused, Err(PostError::Unfit(text)) if text.contains("indexing step of C is not a multiple of")),
+            "{degrees}: {refused:?}"
+        );
+    }
+    assert!([2.5, 0.001, 90.0].into_iter().all(|degrees| with(degrees).is_ok()));
+}
+
+#[test]
 fn an_error_in_the_cl_data_leaves_what_came_before_and_no_end_code() {
     let (text, report) = posted::<Cb>(&Config::default(), &PART.replace("GOTO/25,0,-3", "GOTO/25,0"));
     assert!(report.failed);
