@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use super::options::{Frames, SetUpBegins};
 use crate::cl::record::FrameRecord;
 use crate::cl::text::{ClFault, Span};
-use crate::cl::vector::{cross, distance, dot, length};
+use crate::cl::vector::distance;
 use crate::nalgebra::{UnitVector3, Vector3};
 use crate::program::Location;
 
@@ -19,9 +19,6 @@ const SAME_ORIGIN_MM: f64 = 1e-4;
 
 /// Largest difference of a component of equal axes. CL data has seven decimals.
 const SAME_AXES: f64 = 1e-6;
-
-/// Largest permitted deviation of the axes from right-handed perpendicular unit vectors.
-const PERPENDICULAR: f64 = 1e-3;
 
 /// Largest difference of a component of equal tool axes, by the digits of CL data.
 const SAME_DIRECTION: f64 = 1e-5;
@@ -39,10 +36,7 @@ pub struct StatedFrame {
 
 impl StatedFrame {
     pub(crate) fn new(record: &FrameRecord, unit_mm: f64, location: Location) -> Result<StatedFrame, ClFault> {
-        let [x, y, z] = record.axes;
-        let unit_length = [x, y, z].iter().all(|axis| (length(*axis) - 1.0).abs() <= PERPENDICULAR);
-        let perpendicular = dot(x, y).abs() <= PERPENDICULAR && distance(cross(x, y), z) <= PERPENDICULAR;
-        if !unit_length || !perpendicular {
+        if !record.is_rigid() {
             return Err(ClFault::new(
                 "frame",
                 record.at,

@@ -1,8 +1,9 @@
 //! Comments that are read: frames, the cutter of Creo, and names of the CAM system.
 //!
 //! `$$-> CUTTER / d` and `$$-> CSYS / ..` (Creo) are records written as comments. `$$*CATIA0` is followed by a title
-//! line and three comment lines, each a row of the frame's matrix. Every other comment is only searched for the name of
-//! the CAM system.
+//! line and three comment lines, each a row of the frame's matrix (CATIA, "Syntaxes Interpreted by APT Import"). Three such
+//! rows without `$$*CATIA0` before them are a frame, too, if they are a rigid motion. Every other comment is only searched
+//! for the name of the CAM system.
 
 use super::Record;
 use super::coordinates::{CoordinateRecord, FrameRecord};
@@ -14,47 +15,56 @@ use crate::cl::text::{Args, ClFault, Span, number_at_start, skip_blanks};
 /// Number of comment lines that may come between `$$*CATIA0` and the matrix.
 const TITLE_LINES: u8 = 1;
 
-/// The matrix after `$$*CATIA0`, while it is read.
+/// A matrix of CATIA while it is read.
 #[derive(Debug, Default)]
 pub(crate) struct CatiaMatrix {
-    open: bool,
+    /// `$$*CATIA0` has come: a matrix must follow.
+    labelled: bool,
     titles: u8,
     rows: usize,
     numbers: [f64; 12],
 }
 
 impl CatiaMatrix {
+    /// Whether a statement that is not a row would end a matrix.
     pub(crate) fn is_open(&self) -> bool {
-        self.open
+        self.labelled || self.rows > 0
     }
 
-    /// Ends the matrix at a statement that is not a row; refused if rows have been read, since a frame would be lost.
+    /// Ends the matrix at a statement that is not a row; refused if rows of `$$*CATIA0` have been read, since a frame would
+    /// be lost. One or two rows without it are a comment.
     pub(crate) fn abandon(&mut self) -> Result<(), ClFault> {
-        let begun = self.open && self.rows > 0;
-        self.open = false;
+        let begun = self.labelled && self.rows > 0;
+        (self.labelled, self.rows) = (false, 0);
         if begun { Err(incomplete()) } else { Ok(()) }
     }
 
-    /// Takes the text of one comment line; returns the matrix when its last row is read.
-    fn take(&mut self, text: &[u8]) -> Result<Option<[f64; 12]>, ClFault> {
-        if !self.open {
-            return Ok(None);
-        }
+    /// Takes the text of one comment line; returns the frame when its last row is read.
+    fn take(&mut self, text: &[u8], at: Span) -> Result<Option<FrameRecord>, ClFault> {
         let mut row = [0.0; 4];
         if four_numbers(text, &mut row) {
             self.numbers[4 * self.rows..4 * self.rows + 4].copy_from_slice(&row);
             self.rows += 1;
-            if self.rows == 3 {
-                self.open = false;
-                return Ok(Some(self.numbers));
+            if self.rows < 3 {
+                return Ok(None);
             }
-        } else if self.rows == 0 && self.titles < TITLE_LINES {
+            let frame = FrameRecord::from_rows(&self.numbers, at);
+            if std::mem::take(&mut self.labelled) || frame.is_rigid() {
+                self.rows = 0;
+                return Ok(Some(frame));
+            }
+            // Its last two rows may be the first of a frame.
+            self.numbers.copy_within(4.., 0);
+            self.rows = 2;
+            return Ok(None);
+        }
+        if self.labelled && self.rows == 0 && self.titles < TITLE_LINES {
             self.titles += 1;
-        } else if self.rows == 0 && !begins_with_number(text) {
-            self.open = false;
-        } else {
-            self.open = false;
+        } else if self.labelled && (self.rows > 0 || begins_with_number(text)) {
+            (self.labelled, self.rows) = (false, 0);
             return Err(incomplete());
+        } else {
+            (self.labelled, self.rows) = (false, 0);
         }
         Ok(None)
     }
@@ -81,16 +91,11 @@ pub(crate) fn read_comment(text: &[u8], matrix: &mut CatiaMatrix) -> Result<Reco
     }
     if text.starts_with(b"$$*CATIA") {
         matrix.abandon()?;
-        *matrix = CatiaMatrix { open: true, ..CatiaMatrix::default() };
+        *matrix = CatiaMatrix { labelled: true, ..CatiaMatrix::default() };
         return Ok(Record::Inert);
     }
-    match matrix.take(&text[2..])? {
-        Some(numbers) => {
-            let frame = FrameRecord::from_rows(&numbers, Span { start: 0, end: text.len() });
-            Ok(Record::Coordinates(CoordinateRecord::Frame(frame)))
-        }
-        None => Ok(Record::Inert),
-    }
+    let frame = matrix.take(&text[2..], Span { start: 0, end: text.len() })?;
+    Ok(frame.map_or(Record::Inert, |frame| Record::Coordinates(CoordinateRecord::Frame(frame))))
 }
 
 /// CAM system that a comment identifies.

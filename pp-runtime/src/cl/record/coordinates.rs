@@ -4,8 +4,11 @@ use std::fmt::{self, Display, Formatter};
 
 use super::values::{AxisPlane, ClNumber, ClNumbers, write_on_off};
 use crate::cl::text::{Args, ClFault, Span, quoted};
-use crate::cl::vector::{cross, distance};
+use crate::cl::vector::{cross, distance, dot, length};
 use crate::program::Units;
+
+/// Largest permitted deviation of the axes of a frame from right-handed perpendicular unit vectors.
+const PERPENDICULAR: f64 = 1e-3;
 
 /// Output frame in the model: unit vectors of its axes, and its origin in units of the file.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -29,6 +32,13 @@ impl FrameRecord {
     pub(crate) fn from_rows(n: &[f64; 12], at: Span) -> FrameRecord {
         let column = |i: usize| [n[i], n[4 + i], n[8 + i]];
         FrameRecord { axes: [column(0), column(1), column(2)], origin: column(3), at }
+    }
+
+    /// Whether the axes are perpendicular, right-handed unit vectors.
+    pub(crate) fn is_rigid(&self) -> bool {
+        let [x, y, z] = self.axes;
+        let unit_length = self.axes.iter().all(|axis| (length(*axis) - 1.0).abs() <= PERPENDICULAR);
+        unit_length && dot(x, y).abs() <= PERPENDICULAR && distance(cross(x, y), z) <= PERPENDICULAR
     }
 
     /// Rows of the 3×4 matrix of the frame.

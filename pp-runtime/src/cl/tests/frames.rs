@@ -116,3 +116,39 @@ fn csys_of_solidworks_moves_nothing_and_sets_the_tool_axis() {
     let bare = errors("CSYS/1,0,0,5,0,1,0,5,0,0,1,5\nGOTO/0,0,0\n");
     assert!(bare[0].contains("CSYS without TRNTYP/WORLD,0,0,0"), "{bare:?}");
 }
+
+/// Three rows of a frame of CATIA with this origin.
+fn rows(x: f64) -> String {
+    format!("$$ 1. 0. 0. {x}\n$$ 0. 1. 0. -170.\n$$ 0. 0. 1. 20.\n")
+}
+
+#[test]
+fn a_matrix_of_catia_is_a_frame_without_its_label_too() {
+    let title = "$$     CATIA APT VERSION 1.0\n";
+    let expected = "the frame in line 9 differs from the workpiece frame in line 5";
+    refused(
+        &format!("$$*CATIA0\n$$ P\n{}GOTO/1,2,3\n{}GOTO/1,2,3\n", rows(-220.0), rows(500.0)),
+        &format!("9:1+15 {expected}"),
+    );
+    for begin in
+        ["", title, "$$ 7. 8. 9. 10.\n", "$$ 7. 8. 9. 10.\n$$ 7. 8. 9. 10.\n$$ 7. 8. 9. 10.\n", "$$*CATIA0\n$$ P\n"]
+    {
+        let text = format!("{begin}{}GOTO/1,2,3\n{begin}{}GOTO/1,2,3\n", rows(-220.0), rows(500.0));
+        assert!(errors(&text).concat().contains("differs from the workpiece frame"), "{text}");
+        let mapped = events_without_places(&text, ReadingOptions { frames: Frames::Main, ..mm() });
+        assert_eq!(mapped[1..], ["SafeSequence", "feed 721 2 3 axis 0 0 1 None"], "{text}");
+        let equal = format!("{begin}{}GOTO/1,2,3\n{begin}{}GOTO/1,2,3\n", rows(-220.0), rows(-220.0));
+        assert_eq!(events(&equal).len(), 2, "{equal}");
+    }
+}
+
+#[test]
+fn four_numbers_in_comments_that_are_no_frame_are_a_comment() {
+    let row = "$$ 1. 0. 0. 5.\n";
+    for comment in [row.to_owned(), row.repeat(2), row.repeat(3), row.repeat(4), "$$ 1. 0. 0.\n".repeat(3)] {
+        assert_eq!(events(&format!("{}GOTO/1,2,3\n{comment}GOTO/1,2,3\n", rows(0.0))).len(), 2, "{comment}");
+    }
+    // Rows between which a record comes are none.
+    let apart = "$$ 1. 0. 0. 500.\n$$ 0. 1. 0. -170.\nGOTO/1,2,3\n$$ 0. 0. 1. 20.\n";
+    assert_eq!(events(&format!("{}{apart}", rows(0.0))).len(), 1);
+}
