@@ -12,6 +12,9 @@ use super::words::look_up;
 use crate::cl::dialect::Dialect;
 use crate::cl::text::{Args, ClFault, Span, number_at_start, skip_blanks};
 
+/// Name in the first lines of a file of Pro/ENGINEER and Creo.
+const CREO_NAME: &[u8] = b"Pro/CLfile";
+
 /// Number of comment lines that may come between `$$*CATIA0` and the matrix.
 const TITLE_LINES: u8 = 1;
 
@@ -87,7 +90,7 @@ fn begins_with_number(text: &[u8]) -> bool {
 pub(crate) fn read_comment(text: &[u8], matrix: &mut CatiaMatrix) -> Result<Record<'static>, ClFault> {
     if text.starts_with(b"$$->") {
         matrix.abandon()?;
-        return of_creo(text);
+        return of_creo(text, b"$$->".len());
     }
     if text.starts_with(b"$$*CATIA") {
         matrix.abandon()?;
@@ -100,19 +103,40 @@ pub(crate) fn read_comment(text: &[u8], matrix: &mut CatiaMatrix) -> Result<Reco
 
 /// CAM system that a comment identifies.
 pub(crate) fn comment_dialect(text: &[u8]) -> Dialect {
-    let holds = |name: &[u8]| text.windows(name.len()).any(|bytes| bytes == name);
-    if text.starts_with(b"$$->") || holds(b"Pro/CLfile") {
+    if text.starts_with(b"$$->") || is_named(text, CREO_NAME) {
         Dialect::Creo
-    } else if text.starts_with(b"$$*CATIA") || holds(b"CATIA APT") {
+    } else if text.starts_with(b"$$*CATIA") || is_named(text, b"CATIA APT") {
         Dialect::Catia
     } else {
         Dialect::Generic
     }
 }
 
-/// `$$-> WORD / arguments`.
-fn of_creo(text: &[u8]) -> Result<Record<'static>, ClFault> {
-    let start = skip_blanks(text, b"$$->".len());
+/// Whether a text names a CAM system, in capitals or small letters.
+fn is_named(text: &[u8], name: &[u8]) -> bool {
+    text.windows(name.len()).any(|bytes| bytes.eq_ignore_ascii_case(name))
+}
+
+/// Begin of the text of a REMARK that is a record of Creo, and of such a comment after its `$$`.
+const ARROW: &[u8] = b"->";
+
+/// REMARK: `REMARK -> WORD / ..` is the record that newer versions of Pro/ENGINEER and Creo write as `$$-> WORD / ..`; any
+/// other text has no effect.
+pub(crate) fn remark<'a>(args: &mut Args<'a>) -> Result<Record<'a>, ClFault> {
+    let (text, at) = (args.text(), args.position());
+    args.skip_rest();
+    if text[at..].starts_with(ARROW) { of_creo(text, at + ARROW.len()) } else { Ok(Record::Inert) }
+}
+
+/// CAM system that the text of a REMARK identifies.
+pub(crate) fn remark_dialect(text: &[u8]) -> Dialect {
+    let creo = text[skip_blanks(text, 0)..].starts_with(ARROW) || is_named(text, CREO_NAME);
+    if creo { Dialect::Creo } else { Dialect::Generic }
+}
+
+/// `-> WORD / arguments`; `start` is the byte after the arrow.
+fn of_creo(text: &[u8], start: usize) -> Result<Record<'static>, ClFault> {
+    let start = skip_blanks(text, start);
     let end = start + text[start..].iter().take_while(|byte| byte.is_ascii_alphanumeric() || **byte == b'_').count();
     let Some(row) = look_up(&text[start..end]) else { return Ok(Record::Inert) };
     match row.word.name {

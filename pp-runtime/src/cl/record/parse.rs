@@ -6,6 +6,7 @@
 use std::io::Read;
 
 use super::Record;
+use super::comment::remark_dialect;
 use super::values::Point;
 use super::words::{GOTO, Handling, look_up};
 use crate::cl::dialect::Dialect;
@@ -47,7 +48,7 @@ pub(crate) fn parse<'a>(text: &'a [u8], inert: &[String]) -> Result<Record<'a>, 
             name,
             word_at,
             format!("{name} is refused: {reason}"),
-            format!("have the CAM system output plain motions without {name}"),
+            format!("no option passes over {name}: output the path without it"),
         )),
         Handling::Lathe => Err(ClFault::lathe_record(word_at)),
     }
@@ -77,12 +78,13 @@ pub(crate) fn joined_record(text: &[u8], offset: usize, line: &[u8]) -> Option<C
 /// CAM system that a record identifies.
 pub(crate) fn record_dialect(text: &[u8]) -> Dialect {
     // Nearly every record is a GOTO, which identifies no CAM system.
-    if !matches!(text[0], b'T' | b'U' | b'C' | b't' | b'u' | b'c') {
+    if !matches!(text[0], b'T' | b'U' | b'C' | b'R' | b't' | b'u' | b'c' | b'r') {
         return Dialect::Generic;
     }
     let word_at = major_word(text);
     match look_up(&text[word_at.start..word_at.end]).map(|row| row.word.name) {
         Some("TOOL PATH") => Dialect::Nx,
+        Some("REMARK") => remark_dialect(&text[word_at.end..]),
         Some("UNIT" | "CSYS" | "TRNTYP" | "CSI_") => Dialect::SolidWorks,
         _ => Dialect::Generic,
     }

@@ -10,7 +10,7 @@ use std::io::{self, Write};
 use super::Record::{self, Arc, Coordinates, Cycle, Machine, Motion, Nurbs, Program, Subprogram, Tool};
 use super::values::{Point, Text};
 use super::{ArcRecord, MachineRecord, MotionRecord, NurbsRecord, ProgramRecord, SubprogramRecord, ToolRecord};
-use super::{arc, coordinates, cycle, machine, motion, nurbs, program, spindle, subprogram, tool};
+use super::{arc, comment, coordinates, cycle, machine, motion, nurbs, program, spindle, subprogram, tool};
 use crate::cl::text::{Args, ClFault, MajorWord};
 
 /// Function that reads the arguments of a word.
@@ -56,6 +56,8 @@ const fn row(name: &'static str, handling: Handling, forms: &'static str) -> Row
 use Handling::{Hazard, Inert, Lathe, Read, ReadText, Refused};
 
 const MOVES_COORDINATES: &str = "it changes the coordinates of all points after it";
+const FRAME: &str = "it states a frame, and what its numbers mean for the points after it is not known";
+const NOT_CUT: &str = "the motions between DNTCUT and CUT are not to be made";
 const REDEFINES: &str = "it changes the meaning of other records";
 const MACHINE_AXES: &str = "it commands machine axes, which the postprocessor computes itself";
 const OWN_MEANING: &str = "its meaning depends on the postprocessor that it was written for";
@@ -73,6 +75,7 @@ static TABLE: &[Row] = &[
     row("AUXFUN", Read(|args| program::code(b'M', args).map(Program)), "/n[,NEXT|NOW]; only codes that `[cl] auxfun` allows"),
     row("BREAK", Refused(OWN_MEANING), ""),
     row("CALSUB", Read(|args| subprogram::call(args).map(Subprogram)), "/n"),
+    row("CAMERA", Hazard(FRAME), ""),
     row("CHECK", Inert, ""),
     row("CIRCLE", Read(|args| arc::circle(args).map(Arc)), "/x,y,z,i,j,k[,r[,t,f,d,e][,TIMES,n]] and the GOTO that ends it"),
     row("CLAMP", Hazard(MACHINE_AXES), ""),
@@ -83,6 +86,7 @@ static TABLE: &[Row] = &[
     row("COPY", Hazard(MOVES_COORDINATES), ""),
     row("COUPLE", Lathe, ""),
     row("CSYS", Read(|args| coordinates::setup(args).map(Coordinates)), "/12 numbers, after TRNTYP/WORLD,0,0,0"),
+    row("CUT", Hazard(NOT_CUT), ""),
     row("CUTCOM", Read(|args| machine::compensation(args).map(Machine)), "/LEFT|RIGHT[,n][,XYPLAN]; /ON; /OFF"),
     row("CUTTER", Read(|args| tool::cutter(args).map(|cutter| Tool(ToolRecord::Cutter(cutter)))), "/d[,r[,e,f,a,b,h]]"),
     row("CYCLE", Read(|args| cycle::cycle(args).map(Cycle)), "/DRILL|FACE|CSINK|THRU|DEEP|BRKCHP|BORE|REAM|TAP|..; /OFF; /ON"),
@@ -90,6 +94,7 @@ static TABLE: &[Row] = &[
     row("DELAY", Read(|args| machine::delay(args).map(Machine)), "/seconds; /n,REV"),
     row("DISPLAY", Inert, ""),
     row("DISPLY", Inert, ""),
+    row("DNTCUT", Hazard(NOT_CUT), ""),
     row("END", Read(|_| Ok(Program(ProgramRecord::End))), "records after it are still read"),
     row("END-OF-PATH", Read(|_| Ok(Program(ProgramRecord::EndOfPath))), ""),
     row("ENDSUB", Read(|_| Ok(Subprogram(SubprogramRecord::End))), ""),
@@ -116,7 +121,10 @@ static TABLE: &[Row] = &[
     row("MACHIN", Read(|args| program::machine_name(args).map(Program)), "/name[,..]"),
     row("MATRIX", Hazard(MOVES_COORDINATES), ""),
     row("MCHTOL", Refused(TOLERANCE), ""),
+    row("MCS", Hazard(FRAME), ""),
+    row("MIRROR", Hazard(MOVES_COORDINATES), ""),
     row("MODE", Read(|args| program::mode(args).map(|()| Record::Inert)), "/MILL; /ABSOL"),
+    row("MODSYS", Hazard(FRAME), ""),
     row("MOVARC", Read(|args| arc::move_arc(args).map(Arc)), "/x,y,z,i,j,k,r,ANGLE,degrees and the GOTO that ends it"),
     row("MSYS", Read(|args| coordinates::machine_system(args).map(Coordinates)), "/x,y,z,i1,j1,k1,i2,j2,k2"),
     row("MULTAX", Read(|args| coordinates::multi_axis(args).map(Coordinates)), "[/ON|OFF]"),
@@ -136,7 +144,8 @@ static TABLE: &[Row] = &[
     row("PPTOL", Refused(TOLERANCE), ""),
     row("PREFUN", Read(|args| program::code(b'G', args).map(Program)), "/n; only codes that `[cl] prefun` allows"),
     row("RAPID", Read(|_| Ok(Machine(MachineRecord::Rapid))), "the next motion only"),
-    row("REMARK", Inert, ""),
+    row("REFSYS", Hazard(FRAME), ""),
+    row("REMARK", ReadText(comment::remark), "text; `-> CSYS / ..` and `-> CUTTER / ..` are read"),
     row("RESET", Refused(OWN_MEANING), ""),
     row("RETRCT", Read(|_| Ok(Motion(MotionRecord::Retract))), "along the tool axis to the plane of CLEARP"),
     row("REWIND", Read(|args| program::rewind(args).map(Program)), "[/n]"),
@@ -144,6 +153,7 @@ static TABLE: &[Row] = &[
     row("ROTATE", Hazard(MOVES_COORDINATES), ""),
     row("ROTHED", Hazard(MACHINE_AXES), ""),
     row("SAFETY", Refused(OWN_MEANING), ""),
+    row("SCALE", Hazard(MOVES_COORDINATES), ""),
     row("SELCTL", Read(|args| tool::preselect(args).map(Tool)), "/n"),
     row("SELECT", Read(|args| tool::select(args).map(Tool)), "/TOOL,n"),
     row("SEQNO", Inert, ""),
@@ -284,7 +294,7 @@ mod tests {
 
     #[test]
     fn only_what_moves_nothing_can_be_declared_inert() {
-        for word in ["GOTO", "LOOP", "SYN", "COPY", "TURRET", "", "A/B"] {
+        for word in ["GOTO", "LOOP", "SYN", "COPY", "TURRET", "CAMERA", "DNTCUT", "SCALE", "MCS", "", "A/B"] {
             assert!(not_inert(word).is_some(), "{word}");
         }
         for word in ["AICC", "FIXOFTCO", "BREAK", "PAINT"] {

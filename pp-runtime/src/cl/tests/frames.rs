@@ -152,3 +152,38 @@ fn four_numbers_in_comments_that_are_no_frame_are_a_comment() {
     let apart = "$$ 1. 0. 0. 500.\n$$ 0. 1. 0. -170.\nGOTO/1,2,3\n$$ 0. 0. 1. 20.\n";
     assert_eq!(events(&format!("{}{apart}", rows(0.0))).len(), 1);
 }
+
+/// `-> CSYS` of a frame with this origin, after `$$` or REMARK.
+fn creo_frame(word: &str, x: u32) -> String {
+    format!("{word}-> CSYS / 1,0,0,{x},0,1,0,0,$\n0,0,1,0\nGOTO/1,2,3\n")
+}
+
+#[test]
+fn a_remark_with_an_arrow_is_the_record_that_a_comment_with_one_is() {
+    for word in ["$$", "REMARK ", "remark  "] {
+        let text = format!("{}{}", creo_frame(word, 0), creo_frame(word, 100));
+        assert!(
+            errors(&text).concat().contains("the frame in line 4 differs from the workpiece frame in line 1"),
+            "{text}"
+        );
+        let mapped = events_without_places(&text, ReadingOptions { frames: Frames::Main, ..mm() });
+        assert_eq!(mapped[1..], ["SafeSequence", "feed 101 2 3 axis 0 0 1 None"], "{text}");
+    }
+    let tool = events("LOADTL/1\nREMARK -> CUTTER / 12.5\nGOTO/0,0,0\n");
+    assert!(tool[0].contains("diameter_mm: Some(12.5)"), "{tool:?}");
+    assert!(errors("REMARK -> MFGNO / A\nTRANS/1,2,3\nGOTO/0,0,0\n")[0].contains("TRANS of Creo"));
+    assert!(errors("REMARK Pro/CLFILE Version 15\nTRANS/1,2,3\nGOTO/0,0,0\n")[0].contains("TRANS of Creo"));
+    assert_eq!(events("REMARK CSYS / 1,2\nREMARK\nREMARK/ > A -> CSYS / 1\nGOTO/0,0,0\n").len(), 1);
+    refused("REMARK -> CSYS / 1,2,3\nGOTO/0,0,0\n", "1:18+5 CSYS needs 12 numbers, found 3");
+}
+
+#[test]
+fn a_word_of_a_frame_or_of_motions_that_are_not_cut_is_never_inert() {
+    for word in ["CAMERA", "DNTCUT", "CUT", "SCALE", "MCS", "MIRROR", "MODSYS", "REFSYS"] {
+        let text = format!("{word}/1,0,0,0,0,1,0,0,0,0,1,0\nGOTO/0,0,0\n");
+        let inert = ReadingOptions { inert: vec![word.to_owned()], ..mm() };
+        assert!(errors_with(&text, inert.clone())[0].contains(&format!("{word} is refused: ")), "{word}");
+        let help = read_from(text.as_bytes(), inert).diagnostics[0].help.clone().unwrap();
+        assert!(!help.contains("--inert"), "{help}");
+    }
+}
