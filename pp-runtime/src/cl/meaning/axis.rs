@@ -3,6 +3,9 @@
 //! A GOTO without i, j, k keeps the tool axis in force. Every operation starts with (0, 0, 1). Some CAM systems write
 //! i, j, k only when they change; a first GOTO without them, after an operation that ended with a tilted tool, is
 //! refused: its tool axis would be a guess.
+//!
+//! MULTAX/OFF holds the tool axis: a point that tilts the tool after it contradicts it and is refused. Without i, j, k the
+//! tool keeps its axis in CATIA ("the tool axis is considered as locked", *APT Formats*); elsewhere it is in doubt.
 
 use crate::cl::text::{ClFault, Span};
 use crate::cl::vector;
@@ -24,9 +27,21 @@ enum AxisDoubt {
     None,
     /// The operation before ended with a tilted tool.
     NewOperation,
-    /// MULTAX/OFF from a CAM system for which it means a return to (0, 0, 1).
+    /// MULTAX/OFF after a tilt, from a CAM system of which it is not known what it means for the axis.
     MultaxOff,
 }
+
+/// Tool axis at a MULTAX/OFF that leaves a tilted tool.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum AxisAfterOff {
+    /// The tool keeps its axis.
+    Kept,
+    /// Not known.
+    Unknown,
+}
+
+/// Largest difference of a component of a tool axis from the one that MULTAX/OFF holds, by the digits of CL data.
+const SAME_DIRECTION: f64 = 1e-5;
 
 /// The tool axis in force, in the frame of the file.
 #[derive(Debug)]
@@ -35,6 +50,8 @@ pub(crate) struct ModalAxis {
     doubt: AxisDoubt,
     /// TLAXIS has come since the last motion: its axis holds for an operation that begins now.
     stated: bool,
+    /// MULTAX/OFF is in force: its line, and the tool axis before it.
+    held: Held,
     /// Number of axes that were normalised by more than rounding.
     normalised: u64,
     first_normalised: Location,
@@ -46,11 +63,15 @@ impl Default for ModalAxis {
             axis: Vector3::z_axis(),
             doubt: AxisDoubt::None,
             stated: false,
+            held: None,
             normalised: 0,
             first_normalised: Location::default(),
         }
     }
 }
+
+/// Line of the MULTAX/OFF in force, and the tool axis before it.
+type Held = Option<(u64, UnitVector3<f64>)>;
 
 /// Whether an axis was normalised by more than rounding.
 pub(crate) type Normalised = bool;
@@ -64,7 +85,7 @@ impl ModalAxis {
     ) -> Result<(UnitVector3<f64>, Normalised), ClFault> {
         self.stated = false;
         if let Some(given) = given {
-            let normalised = self.set(given, at)?;
+            let normalised = self.set(given, at, self.held)?;
             return Ok((self.axis, normalised));
         }
         match self.doubt {
@@ -79,14 +100,23 @@ impl ModalAxis {
                 "tool axis",
                 at,
                 "this point has no tool axis i, j, k, and the tool was tilted at MULTAX/OFF",
-                "program i, j, k in this GOTO, or return the tool axis to 0, 0, 1 before MULTAX/OFF",
+                "write i, j, k in this GOTO; if the tool keeps its tilt after MULTAX/OFF, as in CATIA: `--dialect catia`",
             )),
         }
     }
 
-    /// Sets the tool axis of TLAXIS or of the third column of CSYS.
+    /// Sets the tool axis of TLAXIS.
     pub(crate) fn state(&mut self, given: [f64; 3], at: Span, here: Location) -> Result<(), ClFault> {
-        let normalised = self.set(given, at)?;
+        self.state_unless(self.held, given, at, here)
+    }
+
+    /// Sets the tool axis of the third column of CSYS, which MULTAX/OFF does not hold: it is another set-up of the part.
+    pub(crate) fn state_of_set_up(&mut self, given: [f64; 3], at: Span, here: Location) -> Result<(), ClFault> {
+        self.state_unless(None, given, at, here)
+    }
+
+    fn state_unless(&mut self, held: Held, given: [f64; 3], at: Span, here: Location) -> Result<(), ClFault> {
+        let normalised = self.set(given, at, held)?;
         self.stated = true;
         self.count(normalised, here);
         Ok(())
@@ -129,8 +159,17 @@ impl ModalAxis {
         self.axis = Vector3::z_axis();
     }
 
-    /// MULTAX/OFF where it means a return to (0, 0, 1).
-    pub(crate) fn return_to_z(&mut self) {
+    /// MULTAX, MULTAX/ON: points may tilt the tool.
+    pub(crate) fn release(&mut self) {
+        self.held = None;
+    }
+
+    /// MULTAX/OFF.
+    pub(crate) fn hold(&mut self, then: AxisAfterOff, here: Location) {
+        self.held = Some((here.line, self.axis));
+        if then == AxisAfterOff::Kept {
+            return;
+        }
         if self.is_tilted() {
             self.doubt = AxisDoubt::MultaxOff;
         }
@@ -141,7 +180,7 @@ impl ModalAxis {
         self.axis.z < 0.0 || self.axis.x.hypot(self.axis.y) > TILT
     }
 
-    fn set(&mut self, given: [f64; 3], at: Span) -> Result<Normalised, ClFault> {
+    fn set(&mut self, given: [f64; 3], at: Span, held: Held) -> Result<Normalised, ClFault> {
         let length = vector::length(given);
         let excess = (length - 1.0).abs();
         // Finite numbers can overflow to infinity here, not to NaN; neither passes this comparison.
@@ -160,8 +199,28 @@ impl ModalAxis {
             ));
         }
         let [i, j, k] = given;
-        self.axis = UnitVector3::new_unchecked(Vector3::new(i / length, j / length, k / length));
+        let axis = UnitVector3::new_unchecked(Vector3::new(i / length, j / length, k / length));
+        if let Some((line, before)) = held {
+            self.check_held(axis, line, before, at)?;
+        }
+        self.axis = axis;
         self.doubt = AxisDoubt::None;
         Ok(excess > ROUNDING)
+    }
+
+    /// Refuses a tool axis that MULTAX/OFF of this line does not permit. While the axis is in doubt, the point may state that
+    /// it is the one before.
+    #[cold]
+    fn check_held(&self, axis: UnitVector3<f64>, line: u64, before: UnitVector3<f64>, at: Span) -> Result<(), ClFault> {
+        let is = |other: UnitVector3<f64>| (axis.into_inner() - other.into_inner()).amax() <= SAME_DIRECTION;
+        if is(self.axis) || (self.doubt == AxisDoubt::MultaxOff && is(before)) {
+            return Ok(());
+        }
+        Err(ClFault::new(
+            "tool axis",
+            at,
+            format!("MULTAX/OFF of line {line} holds the tool axis, and this record changes it"),
+            "if the points hold, delete that MULTAX/OFF; if MULTAX/OFF holds, i, j, k of the points are wrong",
+        ))
     }
 }

@@ -173,11 +173,34 @@ fn an_axis_stated_by_tlaxis_and_used_is_not_carried_further() {
 }
 
 #[test]
-fn multax_off_keeps_the_axis_but_in_creo_a_tilt_is_in_doubt() {
+fn multax_off_keeps_the_axis_in_catia_and_elsewhere_a_tilt_is_in_doubt() {
     let text = "MULTAX/ON\nGOTO/0,0,0,0,.6,.8\nMULTAX/OFF\nGOTO/1,0,0\n";
-    assert_eq!(events(text)[1], "4:1 feed 1 0 0 axis 0 0.6 0.8 None");
-    let expected = "5:6+5 this point has no tool axis i, j, k, and the tool was tilted at MULTAX/OFF";
-    refused(&format!("$$-> MFGNO / A\n{text}"), expected);
+    assert_eq!(events(&format!("$$*CATIA0\n{text}"))[1], "5:1 feed 1 0 0 axis 0 0.6 0.8 None");
+    let expected = "6+5 this point has no tool axis i, j, k, and the tool was tilted at MULTAX/OFF";
+    refused(text, &format!("4:{expected}"));
+    refused(&format!("$$-> MFGNO / A\n{text}"), &format!("5:{expected}"));
+    // The point may state either.
+    for axis in ["0,0,1", "0,.6,.8"] {
+        assert_eq!(events(&text.replace("1,0,0", &format!("1,0,0,{axis}"))).len(), 2);
+    }
+}
+
+#[test]
+fn a_point_that_tilts_the_tool_after_multax_off_is_refused() {
+    let held = |line| format!("MULTAX/OFF of line {line} holds the tool axis, and this record changes it");
+    refused("MULTAX/OFF\nGOTO/1,0,0\nGOTO/1,0,0,0,.6,.8\n", &format!("3:6+13 {}", held(1)));
+    refused("MULTAX/OFF\nTLAXIS/0,.6,.8\nGOTO/1,0,0\n", &format!("2:8+7 {}", held(1)));
+    refused("GOTO/0,0,0\nMULTAX/OFF\nGODLTA/1,0,0,0,.6,.8\n", &format!("3:8+13 {}", held(2)));
+    // In CATIA the axis that is held is the last one, and another one comes with MULTAX/ON.
+    let tilted = "$$*CATIA0\nMULTAX\nGOTO/0,0,0,0,.6,.8\nMULTAX/OFF\n";
+    refused(&format!("{tilted}GOTO/1,0,0,0,0,1\n"), &format!("5:6+11 {}", held(4)));
+    assert_eq!(events(&format!("{tilted}GOTO/1,0,0,0,.6,.8\nMULTAX\nGOTO/1,0,0,0,0,1\n")).len(), 3);
+    assert_eq!(events("MULTAX/OFF\nGOTO/1,0,0,0,0,1\nMULTAX/ON\nGOTO/1,0,0,0,.6,.8\n").len(), 2);
+    // A new operation does not end it.
+    assert!(errors("MULTAX/OFF\nGOTO/1,0,0\nLOADTL/2\nGOTO/1,0,0,0,.6,.8\n")[0].contains(&held(1)));
+    // CSYS of SolidWorks CAM is a set-up of its own.
+    let csys = "UNIT/MM\nTRNTYP/WORLD,0,0,0\nMULTAX/OFF\nCSYS/1,0,0,0,0,0,1,0,0,-1,0,0\nGOTO/1,2,3\n";
+    assert!(events_without_places(csys, MM).last().unwrap().starts_with("feed 1 2 3 axis 0 1 0"));
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 use super::RecordInterpreter;
 use crate::cl::dialect::Dialect;
+use crate::cl::meaning::axis::AxisAfterOff;
 use crate::cl::meaning::feed::feed_of;
 use crate::cl::meaning::frame::{FrameChange, StatedFrame};
 use crate::cl::record::{
@@ -17,10 +18,15 @@ impl RecordInterpreter {
     pub(crate) fn take_coordinates(&mut self, record: &CoordinateRecord, here: Location) -> Result<(), ClFault> {
         match *record {
             CoordinateRecord::Units(units) => self.take_units(units, here)?,
-            CoordinateRecord::MultiAxis(on) => {
-                if !on && self.dialect() == Dialect::Creo {
-                    self.axis.return_to_z();
-                }
+            CoordinateRecord::MultiAxis(true) => self.axis.release(),
+            CoordinateRecord::MultiAxis(false) => {
+                let then = match self.dialect() {
+                    Dialect::Catia => AxisAfterOff::Kept,
+                    Dialect::Generic | Dialect::Nx | Dialect::Creo | Dialect::SolidWorks | Dialect::Iso => {
+                        AxisAfterOff::Unknown
+                    }
+                };
+                self.axis.hold(then, here);
             }
             CoordinateRecord::ToolAxis { axis, at } => self.axis.state(axis, at, here)?,
             CoordinateRecord::Frame(ref frame) => self.take_frame(frame, here)?,
@@ -108,7 +114,7 @@ impl RecordInterpreter {
             self.begin_operation();
             self.emit(here, Event::SafeSequence);
         }
-        self.axis.state(frame.axes[2], record.at, here)?;
+        self.axis.state_of_set_up(frame.axes[2], record.at, here)?;
         self.coordinates.hold_axis(frame.axes[2]);
         Ok(())
     }
