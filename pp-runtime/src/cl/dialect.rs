@@ -16,16 +16,20 @@ pub enum Dialect {
     SolidWorks,
     /// ISO 4343. No record identifies it, so it must be given (`--dialect iso`).
     Iso,
+    /// The posts *Common ISO 4343 APT* and *CAMplete APT* of Autodesk (Fusion, Inventor CAM, HSMWorks). No record identifies
+    /// them, so they must be given (`--dialect autodesk`).
+    Autodesk,
 }
 
 impl Dialect {
     /// Names, as on the command line.
-    pub const NAMES: [(&'static str, Dialect); 5] = [
+    pub const NAMES: [(&'static str, Dialect); 6] = [
         ("nx", Dialect::Nx),
         ("catia", Dialect::Catia),
         ("creo", Dialect::Creo),
         ("solidworks", Dialect::SolidWorks),
         ("iso", Dialect::Iso),
+        ("autodesk", Dialect::Autodesk),
     ];
 
     /// Name for messages.
@@ -38,6 +42,7 @@ impl Dialect {
             Dialect::Creo => "Creo",
             Dialect::SolidWorks => "SolidWorks CAM",
             Dialect::Iso => "ISO 4343",
+            Dialect::Autodesk => "Autodesk",
         }
     }
 }

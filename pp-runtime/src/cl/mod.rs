@@ -23,7 +23,7 @@ mod tests;
 
 pub use self::dialect::Dialect;
 pub use self::meaning::{
-    ArcVote, CycleArg, FeedLabel, Frames, Insert, ReadingOptions, Sense, SetUpBegins, StatedFrame,
+    ArcVote, CycleArg, FeedLabel, Frames, Insert, ReadingOptions, Sense, SetUpBegins, StatedFrame, ToolArg,
 };
 pub use self::reader::{ClReader, ReadSeek};
 pub use self::record::{Record, list as list_words, not_inert};

@@ -5,7 +5,8 @@
 //! refused: its tool axis would be a guess.
 //!
 //! MULTAX/OFF holds the tool axis: a point that tilts the tool after it contradicts it and is refused. Without i, j, k the
-//! tool keeps its axis in CATIA ("the tool axis is considered as locked", *APT Formats*); elsewhere it is in doubt.
+//! tool keeps its axis in CATIA ("the tool axis is considered as locked", *APT Formats*); it is back at (0, 0, 1) in
+//! the output of Autodesk, whose post writes MULTAX/OFF before sections along Z only; elsewhere it is in doubt.
 
 use crate::cl::text::{ClFault, Span};
 use crate::cl::vector;
@@ -36,6 +37,8 @@ enum AxisDoubt {
 pub(crate) enum AxisAfterOff {
     /// The tool keeps its axis.
     Kept,
+    /// It is back at (0, 0, 1).
+    Upright,
     /// Not known.
     Unknown,
 }
@@ -170,7 +173,7 @@ impl ModalAxis {
         if then == AxisAfterOff::Kept {
             return;
         }
-        if self.is_tilted() {
+        if self.is_tilted() && then == AxisAfterOff::Unknown {
             self.doubt = AxisDoubt::MultaxOff;
         }
         self.axis = Vector3::z_axis();

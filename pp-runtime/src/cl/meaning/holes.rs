@@ -195,7 +195,7 @@ fn depth(cycle: &CycleCall, dialect: Dialect) -> Result<f64, ClFault> {
 fn clearance(cycle: &CycleCall, dialect: Dialect) -> Result<f64, ClFault> {
     let couplet = match dialect {
         Dialect::Nx | Dialect::SolidWorks => false,
-        Dialect::Generic | Dialect::Catia | Dialect::Creo | Dialect::Iso => true,
+        Dialect::Generic | Dialect::Catia | Dialect::Creo | Dialect::Iso | Dialect::Autodesk => true,
     };
     let level = match (cycle.rapto, cycle.clear) {
         (Some(rapto), None) if !couplet => rapto,

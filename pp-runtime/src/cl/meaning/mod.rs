@@ -2,7 +2,7 @@
 //!
 //! `interpret` passes each record to the owners of modal state: `units`, `feed`, `modal_tool`, `axis`, `coordinates`
 //! (with `frame` and `transform`) and `path_state`. `arc`, `nurbs_curve` and `cycle` span several records; `permitted`
-//! lists the records that may come meanwhile. `holes` has the conventions of the CAM systems for CYCLE, `votes` checks
+//! lists the records that may come meanwhile. `holes` has the conventions of the CAM systems for CYCLE, `tool_numbers` those for LOADTL, `votes` checks
 //! the sense of arcs. Events are queued in `event_queue`.
 
 mod arc;
@@ -19,6 +19,7 @@ mod nurbs_curve;
 mod options;
 mod path_state;
 mod permitted;
+mod tool_numbers;
 mod transform;
 mod units;
 mod votes;
@@ -28,4 +29,5 @@ pub use self::frame::StatedFrame;
 pub use self::holes::CycleArg;
 pub(crate) use self::interpret::RecordInterpreter;
 pub use self::options::{FeedLabel, Frames, Insert, ReadingOptions, Sense, SetUpBegins};
+pub use self::tool_numbers::ToolArg;
 pub use self::votes::ArcVote;

@@ -6,6 +6,7 @@ use std::ops::RangeInclusive;
 use serde_json::{Map, Value as Json, json};
 
 use super::holes::CycleArg;
+use super::tool_numbers::ToolArg;
 use crate::cl::dialect::Dialect;
 use crate::cl::record::{ClCycleKind, not_inert};
 use crate::keys::{
@@ -92,7 +93,7 @@ options! {
         /// The same by tool number, where it differs.
         cl_point_of: BTreeMap<u32, ClPoint> = BTreeMap::new();
         /// CAM system of the CL data, if the file does not identify it or identifies it wrongly: "nx", "catia", "creo",
-        /// "solidworks" or "iso".
+        /// "solidworks", "iso" or "autodesk" (posts of Fusion, Inventor CAM, HSMWorks).
         dialect: Option<Dialect> = None, key("cl.dialect", OneOf(&Dialect::NAMES), "\"nx\"");
         /// Number of columns of a line that are read, for cards with sequence numbers after them. Without it all columns
         /// are read.
@@ -118,6 +119,9 @@ options! {
         feed_label: FeedLabel = FeedLabel::Refuse, key("cl.feed_label", OneOf(&FeedLabel::NAMES));
         /// FROM: "reference" (start point, no motion) or "move" (a rapid to this point, as first approach).
         from_move: bool = false, key("cl.from", OneOf(&FROMS));
+        /// Meaning of the numbers after the tool number of LOADTL that have no word before them, in order: "offset" (length
+        /// offset register), "length" (gauge length), "ignored".
+        tool_args: Vec<ToolArg> = Vec::new(), key("cl.loadtl", ToolNumbers);
         /// Meaning of the numbers of a CYCLE that have no word before them, in order: depth, clearance, return, step, dwell,
         /// pitch, feed.
         cycle_args: Vec<(ClCycleKind, Vec<CycleArg>)> = Vec::new(), key("cl.cycle", CycleNumbers);
@@ -195,5 +199,33 @@ impl KeyKind for CycleNumbers {
 
     fn printed(&self, _scope: &KeyScope) -> Option<Printed> {
         Some(Printed::Example("{ TAP = { args = [\"depth\", \"pitch\"] } }".to_owned()))
+    }
+}
+
+/// Kind of key: meaning of the numbers without a word of LOADTL: `args = ["offset"]`.
+#[derive(Debug, Clone, Copy)]
+struct ToolNumbers;
+
+impl KeyKind for ToolNumbers {
+    type Value = Vec<ToolArg>;
+
+    fn read(&self, r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<Self::Value> {
+        let mut table = KeyTable::of(r, "cl.loadtl", Some(value));
+        let args = table.get("args", r).and_then(|args| ListOf(OneOf(&ToolArg::NAMES)).read(r, args));
+        table.close(r);
+        args
+    }
+
+    fn print(&self, _value: &Self::Value) -> String {
+        "{}".to_owned()
+    }
+
+    fn schema(&self, scope: &KeyScope) -> Json {
+        let args = ListOf(OneOf(&ToolArg::NAMES)).schema(scope);
+        json!({ "type": "object", "properties": { "args": args }, "additionalProperties": false })
+    }
+
+    fn printed(&self, _scope: &KeyScope) -> Option<Printed> {
+        Some(Printed::Example("{ args = [\"offset\"] }".to_owned()))
     }
 }

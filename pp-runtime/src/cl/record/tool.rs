@@ -3,7 +3,7 @@
 use std::fmt::{self, Display, Formatter};
 
 use super::values::ClNumber;
-use crate::cl::text::{Args, ClFault, Span, quoted};
+use crate::cl::text::{Arg, Args, ClFault, Span, quoted};
 
 /// Size of a cutter, in units of the file.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -23,12 +23,42 @@ pub struct ToolCallRecord {
     pub length: Option<f64>,
     /// ADJUST or OSETNO: length offset register (H).
     pub offset: Option<u32>,
+    /// IN: magazine. LENGTH beside it is the length of the tool's body.
+    pub magazine: Option<u32>,
+    /// Numbers after the tool number without a word before them, in order.
+    pub numbers: [f64; MOST_TOOL_NUMBERS],
+    /// Count of these numbers.
+    pub count: usize,
+    /// Place of these numbers, for messages.
+    pub at: Span,
+}
+
+/// Largest count of numbers without a word after the tool number.
+pub const MOST_TOOL_NUMBERS: usize = 4;
+
+impl ToolCallRecord {
+    /// A call of this tool without any other word.
+    #[must_use]
+    pub fn new(number: u32) -> Self {
+        let at = Span::default();
+        ToolCallRecord { number, length: None, offset: None, magazine: None, numbers: [0.0; 4], count: 0, at }
+    }
+
+    /// Takes a number without a word before it.
+    fn take_number(&mut self, arg: Arg<'_>, args: &Args<'_>) -> Result<(), ClFault> {
+        let value = arg.number()?;
+        let Some(place) = self.numbers.get_mut(self.count) else { return Err(args.not_understood(arg)) };
+        *place = value;
+        self.at = if self.count == 0 { arg.at } else { Span { end: arg.at.end, ..self.at } };
+        self.count += 1;
+        Ok(())
+    }
 }
 
 /// A record that calls, preselects or describes a tool.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ToolRecord {
-    /// `LOADTL/n[,n..][,LENGTH,l][,OSETNO,o][,ADJUST,h]`, `LOAD/TOOL,n[,..]`.
+    /// `LOADTL/n[,n..][,IN,m][,LENGTH,l][,OSETNO,o][,ADJUST,h][,SPINDL,s][,MILL]`, `LOAD/TOOL,n[,..]`.
     Call(ToolCallRecord),
     /// `SELECT/TOOL,n`, `SELCTL/n`.
     Preselect(u32),
@@ -45,7 +75,10 @@ pub enum ToolRecord {
     },
 }
 
-/// LOADTL: `n[,n..][,LENGTH,l][,OSETNO,o][,ADJUST,h]`.
+/// LOADTL: `n[,n..][,IN,m][,LENGTH,l][,OSETNO,o][,ADJUST,h][,SPINDL,s][,MILL]`.
+///
+/// SPINDL and MILL are words of a table of CATIA (`LOADTL/%n,ADJUST,%h,SPINDL,%s,MILL`; TURN for a turning tool): the speed
+/// has no effect until SPINDL starts the spindle. IN is written by the post *Generative Machining APT* of HSMWorks.
 pub(crate) fn call(args: &mut Args<'_>) -> Result<ToolRecord, ClFault> {
     let first = args.needed()?;
     let number = first.integer()?;
@@ -57,18 +90,18 @@ pub(crate) fn call(args: &mut Args<'_>) -> Result<ToolRecord, ClFault> {
             "number every tool in the CAM system: two tools with number 0 would be the same tool",
         ));
     }
-    let mut tool = ToolCallRecord { number, length: None, offset: None };
+    let mut tool = ToolCallRecord::new(number);
     while let Some(arg) = args.next()? {
         if arg.looks_numeric() {
-            // Some CAM systems repeat the tool number; any other number could be a length or an offset.
-            if arg.integer().ok() != Some(number) {
-                return Err(ClFault::new(
-                    "number after the tool",
-                    arg.at,
-                    format!("{} after tool {number} has no word before it: its meaning is unknown", quoted(arg.text)),
-                    format!("write LENGTH, OSETNO or ADJUST before this number of {}", args.name()),
-                ));
-            }
+            tool.take_number(arg, args)?;
+        } else if arg.is("IN") {
+            tool.magazine = Some(args.needed()?.integer()?);
+        } else if arg.is("SPINDL") {
+            args.needed()?.number()?;
+        } else if arg.is("TURN") {
+            return Err(ClFault::lathe_record(arg.at));
+        } else if arg.is("MILL") {
+            // A milling tool.
         } else if arg.is("LENGTH") {
             let value = args.needed()?;
             let length = value.number()?;
@@ -191,6 +224,12 @@ pub(crate) fn description(args: &mut Args<'_>) -> Result<(), ClFault> {
 impl Display for ToolCallRecord {
     fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
         write!(out, "LOADTL/{}", self.number)?;
+        for value in &self.numbers[..self.count.min(MOST_TOOL_NUMBERS)] {
+            write!(out, ",{}", ClNumber(*value))?;
+        }
+        if let Some(magazine) = self.magazine {
+            write!(out, ",IN,{magazine}")?;
+        }
         if let Some(length) = self.length {
             write!(out, ",LENGTH,{}", ClNumber(length))?;
         }

@@ -141,7 +141,11 @@ fn turning_files_are_refused_as_such() {
 
 #[test]
 fn tool_records_state_what_their_numbers_mean() {
-    refused("LOADTL/5,6\nGOTO/0,0,0\n", "1:10+1 `6` after tool 5 has no word before it: its meaning is unknown");
+    let unknown = "without a word after tool 5, whose meaning is unknown";
+    refused("LOADTL/5,6\nGOTO/0,0,0\n", &format!("1:10+1 LOADTL has 1 number {unknown}"));
+    refused("LOADTL/5,5,6\nGOTO/0,0,0\n", &format!("1:10+3 LOADTL has 2 numbers {unknown}"));
+    refused("LOADTL/5,1,2,3,4,5\nGOTO/0,0,0\n", "1:18+1 LOADTL with `5` is not supported");
+    refused("LOADTL/5,ADJUST,9,TURN\n", "1:19+4 this record belongs to turning: only milling is supported");
     refused("LOADTL/1.5\nGOTO/0,0,0\n", "1:8+3 `1.5` must be a whole number, 0 or more");
     refused("LOADTL/-1\nGOTO/0,0,0\n", "1:8+2 `-1` must be a whole number, 0 or more");
     refused("LOADTL/1,LENGTH,0\nGOTO/0,0,0\n", "1:17+1 the gauge length (LENGTH) must be above 0, found `0`");

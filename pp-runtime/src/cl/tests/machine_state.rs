@@ -62,3 +62,52 @@ fn a_spindle_speed_that_rounds_to_nothing_is_refused() {
     refused("SPINDL/    0.3980,RPM,CLW\nGOTO/0,0,0\n", "1:12+6 a spindle speed of 0.398 rev/min rounds to 0");
     assert_eq!(errors("SPINDL/.5,RPM,CLW\nGOTO/0,0,0\n"), [""; 0]);
 }
+
+/// The tool calls of a file, as their events.
+fn tools(text: &str, options: impl Into<ReadingOptions>) -> Vec<String> {
+    events_without_places(text, options).into_iter().filter(|event| event.starts_with("Tool(")).collect()
+}
+
+#[test]
+fn numbers_after_the_tool_have_the_meaning_of_the_cam_system_or_of_the_configuration() {
+    use crate::cl::{Dialect, ToolArg};
+    let register = |tools: &[String], expected: &str| assert!(tools[0].contains(expected), "{tools:?}");
+    register(&tools("$$*CATIA0\nLOADTL/2,1\nGOTO/0,0,0\n", MM), "number: 2, length_mm: None, length_offset: Some(1)");
+    register(&tools("$$*CATIA0\nLOADTL/2,2\nGOTO/0,0,0\n", MM), "length_offset: None");
+    assert!(errors("$$*CATIA0\nLOADTL/2,0\n")[0].contains("2:10+1 0 is no length offset register for tool 2"));
+    assert!(errors("$$*CATIA0\nLOADTL/2,1.5\n")[0].contains("1.5 is no length offset register for tool 2"));
+    assert!(errors("$$*CATIA0\nLOADTL/2,0,1\n")[0].contains("2 numbers without a word"));
+    let autodesk = ReadingOptions { dialect: Some(Dialect::Autodesk), ..mm() };
+    let four = "LOADTL/3, 0, 35.0, 13\nGOTO/0,0,0\n";
+    register(&tools(four, autodesk), "number: 3, length_mm: None, length_offset: Some(13)");
+    let given = |args: &[ToolArg]| ReadingOptions { tool_args: args.to_vec(), ..mm() };
+    let args = [ToolArg::Ignored, ToolArg::Length, ToolArg::Offset];
+    register(&tools(four, given(&args)), "number: 3, length_mm: Some(35.0), length_offset: Some(13)");
+    // Configured, a repeated number has that meaning, too; a call without numbers needs none.
+    register(&tools("LOADTL/3,3\nGOTO/0,0,0\n", given(&[ToolArg::Length])), "length_mm: Some(3.0)");
+    register(&tools("LOADTL/3\nGOTO/0,0,0\n", given(&args)), "length_mm: None, length_offset: None");
+    assert!(errors_with("LOADTL/3,1\n", given(&args))[0].contains("`[cl.loadtl] args` has 3"));
+    assert!(
+        errors_with("LOADTL/3,4,ADJUST,5\n", given(&[ToolArg::Offset]))[0].contains("4 is no length offset register")
+    );
+    assert!(errors_with("LOADTL/3,4,LENGTH,5\n", given(&[ToolArg::Length]))[0].contains("is stated twice"));
+    for text in ["LOADTL/3,9", "LOADTL/3,0,35,13"] {
+        let help = read_from(text.as_bytes(), MM).diagnostics[0].help.clone().unwrap();
+        assert!(help.contains("[cl.loadtl]") && help.contains("autodesk") == text.contains("35"), "{help}");
+    }
+}
+
+#[test]
+fn words_of_a_tool_call_have_the_meaning_of_their_post() {
+    let catia = tools("LOADTL/3,ADJUST,1,SPINDL,15915.49,MILL\nGOTO/0,0,0\n", MM);
+    assert!(catia[0].contains("number: 3, length_mm: None, length_offset: Some(1)"), "{catia:?}");
+    // With IN the length is that of the body.
+    let Outcome { events, diagnostics } = read_from(&b"LOADTL/4, IN, 0, LENGTH, 100, OSETNO, 14\nGOTO/0,0,0\n"[..], MM);
+    assert!(events[0].contains("number: 4, length_mm: None, length_offset: Some(14)"), "{events:?}");
+    assert_eq!(
+        diagnostics[0].text,
+        "LENGTH of a LOADTL with IN is the length of the body of tool 4, not its gauge length"
+    );
+    assert!(diagnostics.len() == 1 && diagnostics[0].severity == Severity::Warning);
+    assert!(tools("LOADTL/4,LENGTH,100\nGOTO/0,0,0\n", MM)[0].contains("length_mm: Some(100.0)"));
+}

@@ -102,8 +102,12 @@ fn spindle() -> impl Strategy<Value = Spindle> {
 }
 
 fn tool() -> impl Strategy<Value = ToolCallRecord> {
-    (1..100_000_u32, prop::option::of(positive()), prop::option::of(1..1000_u32))
-        .prop_map(|(number, length, offset)| ToolCallRecord { number, length, offset })
+    let numbers = (prop::array::uniform4(positive()), 0..=MOST_TOOL_NUMBERS);
+    let words = (prop::option::of(positive()), prop::option::of(1..1000_u32), prop::option::of(0..9_u32));
+    (1..100_000_u32, words, numbers).prop_map(|(number, (length, offset, magazine), (mut numbers, count))| {
+        numbers[count..].fill(0.0);
+        ToolCallRecord { length, offset, magazine, numbers, count, ..ToolCallRecord::new(number) }
+    })
 }
 
 fn compensation() -> impl Strategy<Value = Record<'static>> {

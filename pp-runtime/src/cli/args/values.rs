@@ -109,6 +109,8 @@ pub(crate) enum DialectName {
     Solidworks,
     /// ISO 4343
     Iso,
+    /// Posts "Common ISO 4343 APT" and "CAMplete APT" of Autodesk (Fusion, Inventor CAM, HSMWorks)
+    Autodesk,
 }
 
 impl From<DialectName> for Dialect {
@@ -119,6 +121,7 @@ impl From<DialectName> for Dialect {
             DialectName::Creo => Self::Creo,
             DialectName::Solidworks => Self::SolidWorks,
             DialectName::Iso => Self::Iso,
+            DialectName::Autodesk => Self::Autodesk,
         }
     }
 }

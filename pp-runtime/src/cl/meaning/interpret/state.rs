@@ -5,6 +5,7 @@ use crate::cl::dialect::Dialect;
 use crate::cl::meaning::axis::AxisAfterOff;
 use crate::cl::meaning::feed::feed_of;
 use crate::cl::meaning::frame::{FrameChange, StatedFrame};
+use crate::cl::meaning::tool_numbers;
 use crate::cl::record::{
     AxisPlane, CoordinateRecord, CutterRecord, FrameRecord, MachineRecord, ToolCallRecord, ToolRecord,
 };
@@ -22,6 +23,7 @@ impl RecordInterpreter {
             CoordinateRecord::MultiAxis(false) => {
                 let then = match self.dialect() {
                     Dialect::Catia => AxisAfterOff::Kept,
+                    Dialect::Autodesk => AxisAfterOff::Upright,
                     Dialect::Generic | Dialect::Nx | Dialect::Creo | Dialect::SolidWorks | Dialect::Iso => {
                         AxisAfterOff::Unknown
                     }
@@ -131,7 +133,12 @@ impl RecordInterpreter {
                 let cutter = self.cutter_in_millimetres(cutter)?;
                 match self.dialect() {
                     Dialect::Creo => self.tool.describe_last(cutter, here),
-                    Dialect::Generic | Dialect::Nx | Dialect::Catia | Dialect::SolidWorks | Dialect::Iso => {
+                    Dialect::Generic
+                    | Dialect::Nx
+                    | Dialect::Catia
+                    | Dialect::SolidWorks
+                    | Dialect::Iso
+                    | Dialect::Autodesk => {
                         self.tool.describe_next(cutter, here);
                     }
                 }
@@ -151,7 +158,19 @@ impl RecordInterpreter {
         Ok(CutterRecord { diameter: cutter.diameter * unit_mm, corner_radius })
     }
 
-    fn call_tool(&mut self, tool: &ToolCallRecord, here: Location) -> Result<(), ClFault> {
+    fn call_tool(&mut self, call: &ToolCallRecord, here: Location) -> Result<(), ClFault> {
+        let tool = &tool_numbers::with_names(call, &self.options, self.dialect())?;
+        if call.length.is_some() && tool.length.is_none() {
+            self.events.warn(ClFault::new(
+                "length of the body",
+                Span::WHOLE,
+                format!(
+                    "LENGTH of a LOADTL with IN is the length of the body of tool {}, not its gauge length",
+                    tool.number
+                ),
+                "it is not used: where the machine needs the gauge length, state it in `[tools.N]`, `length`",
+            ));
+        }
         let length = match tool.length {
             Some(length) => Some(length * self.units.millimetres(Span::WHOLE)?),
             None => None,
