@@ -26,13 +26,15 @@ pub(crate) fn parse<'a>(text: &'a [u8], inert: &[String]) -> Result<Record<'a>, 
         return if declared() { Ok(Record::Inert) } else { Err(unknown(text, word_at)) };
     };
     let name = row.word.name;
+    let passed_over = row.is_note() && declared();
     match row.handling {
         Handling::Read(read) => {
             let mut args = Args::after_slash(&row.word, text, word_at.end)?;
-            let record = read(&mut args)?;
-            args.finish()?;
-            Ok(record)
+            let read = read(&mut args).and_then(|record| args.finish().map(|()| record));
+            // A turning tool is refused all the same.
+            if passed_over && !read.as_ref().is_err_and(ClFault::is_of_lathe) { Ok(Record::Inert) } else { read }
         }
+        Handling::ReadText(_) if passed_over => Ok(Record::Inert),
         Handling::ReadText(read) => read(&mut Args::new(&row.word, text, word_at.end)),
         Handling::Inert => Ok(Record::Inert),
         Handling::Refused(_) if declared() => Ok(Record::Inert),

@@ -3,6 +3,7 @@
 
 use std::fmt::{self, Display, Formatter};
 
+use super::Record;
 use super::values::{Text, write_on_off};
 use crate::cl::text::{Args, ClFault, Span};
 
@@ -61,11 +62,12 @@ impl ProgramRecord<'_> {
 }
 
 /// MACHIN: the name up to the first comma. The other arguments are meant for one particular postprocessor and are
-/// passed over.
-pub(crate) fn machine_name<'a>(args: &mut Args<'a>) -> Result<ProgramRecord<'a>, ClFault> {
-    let arg = args.needed()?;
+/// passed over. Without a name it has no effect.
+pub(crate) fn machine_name<'a>(args: &mut Args<'a>) -> Result<Record<'a>, ClFault> {
+    let name = args.next_place().flatten();
     args.skip_rest();
-    Ok(ProgramRecord::MachineName(Text { bytes: arg.text, at: arg.at }))
+    Ok(name
+        .map_or(Record::Inert, |arg| Record::Program(ProgramRecord::MachineName(Text { bytes: arg.text, at: arg.at }))))
 }
 
 /// TOOL PATH, `/name,TOOL,toolname`. A name may contain commas, so the last `,TOOL,` ends it.

@@ -139,9 +139,9 @@ pub(crate) fn call(args: &mut Args<'_>) -> Result<ToolRecord, ClFault> {
 
 /// CUTTER of APT: `d[,r[,e,f,a,b,h]]`.
 pub(crate) fn cutter(args: &mut Args<'_>) -> Result<CutterRecord, ClFault> {
-    let mut numbers = [0.0; 7];
-    match args.numbers(&mut numbers)? {
-        found @ 1..=7 => cutter_of(numbers[0], (found > 1).then_some(numbers[1]), args.all()),
+    let (numbers, size): ([f64; 2], usize) = args.first_numbers()?;
+    match size + args.numbers_without_effect()? {
+        1..=7 => cutter_of(numbers[0], (size > 1).then_some(numbers[1]), args.all()),
         found => Err(args.wrong_count("1 to 7 numbers", found)),
     }
 }
@@ -160,8 +160,8 @@ pub(crate) fn data(args: &mut Args<'_>) -> Result<ToolRecord, ClFault> {
     if !is_mill && after_word.next()?.is_some_and(|arg| !arg.looks_numeric()) {
         *args = after_word;
     }
-    let mut numbers = [0.0; 2];
-    let found = args.numbers(&mut numbers)?;
+    let (numbers, found): ([f64; 2], usize) = args.first_numbers()?;
+    args.numbers_without_effect()?;
     if found < if is_mill { 2 } else { 1 } {
         return Err(args.wrong_count("at least the diameter and, for MILL, the corner radius", found));
     }
@@ -211,10 +211,11 @@ pub(crate) fn set(args: &mut Args<'_>) -> Result<Option<ToolRecord>, ClFault> {
     Err(args.not_understood(arg))
 }
 
-/// TOOLNO: describes a tool and has no effect; refused for a turning tool.
+/// TOOLNO: describes a tool and has no effect; refused for a turning tool. CATIA leaves places empty for parameters that a
+/// tool does not have.
 pub(crate) fn description(args: &mut Args<'_>) -> Result<(), ClFault> {
-    while let Some(arg) = args.next()? {
-        if arg.is("TURN") {
+    while let Some(place) = args.next_place() {
+        if let Some(arg) = place.filter(|arg| arg.is("TURN")) {
             return Err(ClFault::lathe_record(arg.at));
         }
     }

@@ -118,7 +118,7 @@ static TABLE: &[Row] = &[
     row("LOAD", Read(|args| tool::load(args).map(Tool)), "/TOOL,n[,..] as LOADTL"),
     row("LOADTL", Read(|args| tool::call(args).map(Tool)), "/n[,n..][,IN,m][,LENGTH,l][,OSETNO,o][,ADJUST,h][,SPINDL,s][,MILL]"),
     row("LOOP", Hazard("it may repeat motion"), ""),
-    row("MACHIN", Read(|args| program::machine_name(args).map(Program)), "/name[,..]"),
+    row("MACHIN", Read(program::machine_name), "[/name[,..]]"),
     row("MATRIX", Hazard(MOVES_COORDINATES), ""),
     row("MCHTOL", Refused(TOLERANCE), ""),
     row("MCS", Hazard(FRAME), ""),
@@ -181,6 +181,17 @@ static TABLE: &[Row] = &[
     row("UNLOAD", Refused("it leaves the spindle without a tool"), ""),
 ];
 
+/// Words that are read for notes in the program (names, messages, sizes of cutters). Without them a note is missing, and what
+/// needs the size of a cutter is refused, so they may be declared inert.
+const NOTES: [&str; 6] = ["CUTTER", "MACHIN", "PARTNO", "PPRINT", "TLDATA", "TOOLNO"];
+
+impl Row {
+    /// Whether the word is read for notes only.
+    pub(crate) fn is_note(&self) -> bool {
+        NOTES.contains(&self.word.name)
+    }
+}
+
 /// Prefix of the words with which SolidWorks CAM describes a tool (`CSI_SET_FLUTE_LENGTH/70.`).
 const TOOL_DESCRIPTION: &[u8] = b"CSI_";
 
@@ -204,7 +215,9 @@ pub fn not_inert(word: &str) -> Option<String> {
     if word.is_empty() || !word.bytes().all(|byte| byte.is_ascii_alphanumeric() || matches!(byte, b'-' | b'_' | b' ')) {
         return Some(format!("`{word}` is not a word of CL data"));
     }
-    match look_up(word.as_bytes())?.handling {
+    let row = look_up(word.as_bytes())?;
+    match row.handling {
+        Read(_) | ReadText(_) if row.is_note() => None,
         Read(_) | ReadText(_) => Some(format!("{word} is read, so it cannot be inert")),
         Hazard(reason) => Some(format!("{word} cannot be inert: {reason}")),
         Lathe => Some(format!("{word} cannot be inert: it belongs to turning")),
@@ -222,6 +235,7 @@ pub fn list(out: &mut dyn Write) -> io::Result<()> {
         let glue = if forms.starts_with(['/', ',', '[']) || forms.is_empty() { "" } else { " " };
         handling.is_read().then(|| format!("{name}{glue}{forms}"))
     })?;
+    writeln!(out, "\n`--inert WORD` passes over these, too, which are notes: {}", NOTES.join(" "))?;
     list_section(out, "Inert: no motion and no change of state", |row| match row.handling {
         Inert => Some(row.word.name.to_string()),
         Read(_) | ReadText(_) | Refused(_) | Hazard(_) | Lathe => None,
@@ -297,7 +311,7 @@ mod tests {
         for word in ["GOTO", "LOOP", "SYN", "COPY", "TURRET", "CAMERA", "DNTCUT", "SCALE", "MCS", "", "A/B"] {
             assert!(not_inert(word).is_some(), "{word}");
         }
-        for word in ["AICC", "FIXOFTCO", "BREAK", "PAINT"] {
+        for word in ["AICC", "FIXOFTCO", "BREAK", "PAINT", "TOOLNO", "tldata"] {
             assert_eq!(not_inert(word), None, "{word}");
         }
     }

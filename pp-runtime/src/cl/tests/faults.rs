@@ -52,8 +52,39 @@ fn an_empty_place_is_refused_where_it_is() {
     refused("GOTO/1,,3\n", "1:8+1 an argument is missing at this comma");
     refused("GOTO/1,2,\n", "1:9+1 an argument is missing at this comma");
     refused("GOTO/,2,3\n", "1:6+1 an argument is missing at this comma");
-    refused("TOOLNO/1,,TURN\nGOTO/0,0,0\n", "1:10+1 an argument is missing at this comma");
+    refused("CUTTER/,1\nGOTO/0,0,0\n", "1:8+1 an argument is missing at this comma");
+    refused("CUTTER/20,,3\nGOTO/0,0,0\n", "1:11+1 an argument is missing at this comma");
+    refused("TLDATA/MILL,20,,3\nGOTO/0,0,0\n", "1:16+1 an argument is missing at this comma");
     refused("SPINDL/RPM,,CLW\nGOTO/0,0,0\n", "1:12+1 an argument is missing at this comma");
+}
+
+#[test]
+fn an_empty_place_without_effect_passes() {
+    for text in ["TOOLNO/1, 20.0, 3.0,, 120.0", "TOOLNO/,", "TPRINT/T7 Ball,,T7", "MACHIN/", "MACHIN", "MACHIN/A,,1,"] {
+        assert!(events(&format!("{text}\nGOTO/0,0,0\n")).len() <= 2, "{text}");
+    }
+    for text in ["CUTTER/20,2,,,,,50", "CUTTER/20,2,", "TLDATA/MILL,20,2,,0", "TLDATA/DRILL,,"] {
+        assert_eq!(errors(&format!("{text}\nGOTO/0,0,0\n")).is_empty(), text != "TLDATA/DRILL,,", "{text}");
+    }
+    refused("TOOLNO/1,,TURN\nGOTO/0,0,0\n", "1:11+4 this record belongs to turning: only milling is supported");
+    refused("CUTTER/1,2,3,4,5,6,7,\nGOTO/0,0,0\n", "1:8+14 CUTTER needs 1 to 7 numbers, found 8");
+    refused("CUTTER/1,2,X\nGOTO/0,0,0\n", "1:12+1 `X` is not a number");
+}
+
+#[test]
+fn a_word_of_notes_can_be_declared_inert_but_not_in_a_turning_file() {
+    let inert = |word: &str| ReadingOptions { inert: vec![word.to_owned()], ..mm() };
+    for text in ["TOOLNO", "TLDATA/SPECIAL,1,,X", "CUTTER/,,", "MACHIN/", "PARTNO A", "PPRINT A", "CUTTER"] {
+        let word = text.split(['/', ' ']).next().unwrap();
+        assert_eq!(
+            events_without_places(&format!("{text}\nGOTO/1,2,3\n"), inert(word)),
+            ["feed 1 2 3 axis 0 0 1 None"]
+        );
+    }
+    for text in ["TOOLNO/1,TURN", "TLDATA/TURN,1"] {
+        let found = errors_with(&format!("{text}\nGOTO/0,0,0\n"), inert(&text[..6]));
+        assert!(found[0].contains("belongs to turning"), "{found:?}");
+    }
 }
 
 #[test]

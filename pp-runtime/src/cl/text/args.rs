@@ -1,7 +1,7 @@
 //! The arguments of a record: words and numbers between commas.
 //!
 //! [`Args`] returns them from left to right, and names their major word in messages. An empty place between commas is
-//! an error, and so is an argument that the record does not take: see [`Args::finish`].
+//! an error unless the argument has no effect, and so is an argument that the record does not take: see [`Args::finish`].
 
 use super::fault::{ClFault, Span, quoted};
 use super::lexer::is_blank;
@@ -229,18 +229,51 @@ impl<'a> Args<'a> {
 
     /// Takes the next argument, if there is one; an empty place between commas is a fault.
     pub(crate) fn next(&mut self) -> Result<Option<Arg<'a>>, ClFault> {
+        let start = skip_blanks(self.text, self.at);
+        match self.next_place() {
+            None => Ok(None),
+            Some(None) => Err(self.empty_place(start)),
+            Some(found) => Ok(found),
+        }
+    }
+
+    /// Takes the next place between commas, if there is one, with its argument; an empty place has none. For arguments
+    /// without effect, which may be left out.
+    pub(crate) fn next_place(&mut self) -> Option<Option<Arg<'a>>> {
         if !self.more {
-            return Ok(None);
+            return None;
         }
         let start = skip_blanks(self.text, self.at);
         let end = memchr::memchr(b',', &self.text[start..]).map_or(self.text.len(), |found| start + found);
         let trimmed = end - self.text[start..end].iter().rev().take_while(|byte| is_blank(**byte)).count();
         self.more = end < self.text.len();
         self.at = end + 1;
-        if trimmed == start {
-            return Err(self.empty_place(start));
+        let arg = Arg { text: &self.text[start..trimmed], at: Span { start, end: trimmed } };
+        Some((trimmed > start).then_some(arg))
+    }
+
+    /// Takes the remaining arguments, which must be numbers without effect; a place may be empty. Returns their count.
+    pub(crate) fn numbers_without_effect(&mut self) -> Result<usize, ClFault> {
+        let mut count = 0;
+        while let Some(place) = self.next_place() {
+            if let Some(arg) = place {
+                arg.number()?;
+            }
+            count += 1;
         }
-        Ok(Some(Arg { text: &self.text[start..trimmed], at: Span { start, end: trimmed } }))
+        Ok(count)
+    }
+
+    /// Takes up to `N` numbers from the left, and returns them with their count.
+    pub(crate) fn first_numbers<const N: usize>(&mut self) -> Result<([f64; N], usize), ClFault> {
+        let mut numbers = [0.0; N];
+        for (count, place) in numbers.iter_mut().enumerate() {
+            match self.next()? {
+                Some(arg) => *place = arg.number()?,
+                None => return Ok((numbers, count)),
+            }
+        }
+        Ok((numbers, N))
     }
 
     /// Takes all remaining arguments as numbers and returns their count. Numbers beyond the size of `into` are only

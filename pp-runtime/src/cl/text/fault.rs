@@ -37,6 +37,9 @@ pub(crate) struct ClFault {
     pub(crate) severity: Severity,
 }
 
+/// Kind of the faults of records that belong to turning.
+const TURNING: &str = "turning record";
+
 impl ClFault {
     pub(crate) fn new(kind: &'static str, at: Span, text: impl Into<String>, help: impl Into<String>) -> Self {
         ClFault { kind, at, text: text.into(), help: Help::Text(help.into()), severity: Severity::Error }
@@ -47,10 +50,15 @@ impl ClFault {
         ClFault { severity: Severity::Warning, ..self }
     }
 
+    /// Whether the record belongs to turning.
+    pub(crate) fn is_of_lathe(&self) -> bool {
+        self.kind == TURNING
+    }
+
     /// Fault: the record belongs to turning.
     pub(crate) fn lathe_record(at: Span) -> Self {
         ClFault::new(
-            "turning record",
+            TURNING,
             at,
             "this record belongs to turning: only milling is supported",
             "use a postprocessor for turning, or output milling operations only",
