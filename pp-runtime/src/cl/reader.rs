@@ -19,8 +19,8 @@ pub trait ReadSeek: Read + Seek {}
 
 impl<T: Read + Seek + ?Sized> ReadSeek for T {}
 
-/// If the unit mm is given by the caller only and no cutter of the file reaches this diameter, the file is taken to be
-/// in inch.
+/// If the unit mm is given by the caller only and no cutter of the file reaches this diameter, the file seems to be in inch:
+/// an error, or a warning if the unit is given for this file.
 const SMALLEST_LARGEST_CUTTER_MM: f64 = 1.5;
 
 /// Reads CL data and returns its events one by one.
@@ -343,8 +343,14 @@ impl<R: Read> ClReader<R> {
             && largest_mm < SMALLEST_LARGEST_CUTTER_MM
         {
             let text = format!("the largest cutter has a diameter of {largest_mm} mm: is this file in inch?");
-            let help = "add `--units in`; if the file is in mm, write UNITS/MM at its top";
-            self.faults.add_about_file(Severity::Error, first, text, help);
+            let (severity, help) = match reading.options().units_confirmed {
+                true => (
+                    Severity::Warning,
+                    "if it is, post it with `--units in`; it is read in mm, as given by `--units mm`",
+                ),
+                false => (Severity::Error, "add `--units in`, or `--units mm` if its cutters are as small as that"),
+            };
+            self.faults.add_about_file(severity, first, text, help);
         }
         if reading.path().motions() == 0 && !self.faults.failed() {
             let text = "the file contains no motion: no GOTO was found".into();

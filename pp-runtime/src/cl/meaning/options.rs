@@ -88,6 +88,8 @@ options! {
     pub struct ReadingOptions in "cl" {
         /// Unit of CL data that does not state its own (`--units`). Without it such data is refused.
         units: Option<Units> = None;
+        /// The unit is given for this file (`--units`), so cutters that look like those of a file in inch are only warned of.
+        units_confirmed: bool = false;
         /// Point of the tool that the CL data programs: "tip", or "centre" of the corner radius.
         cl_point: ClPoint = ClPoint::Tip, key("cl_point", OneOf(&ClPoint::NAMES));
         /// The same by tool number, where it differs.

@@ -256,6 +256,10 @@ fn only_tiny_cutters_in_claimed_millimetres_are_inches() {
     refused(text, "1:1+1 the largest cutter has a diameter of 0.3937 mm: is this file in inch?");
     events_with(&format!("UNITS/MM\n{text}"), UNSTATED);
     events(&text.replace(".3937", "1.5"));
+    // `--units mm` is an answer.
+    let confirmed = read_from(text.as_bytes(), ReadingOptions { units_confirmed: true, ..mm() });
+    let [warning] = &confirmed.diagnostics[..] else { panic!("{:?}", confirmed.diagnostics) };
+    assert!(confirmed.events.len() == 4 && warning.severity == Severity::Warning, "{confirmed:?}");
     events_with(text, Some(Units::Inches));
 }
 

@@ -27,6 +27,7 @@ impl From<Option<Units>> for ReadingOptions {
 }
 
 /// Events as text with their places, and diagnostics.
+#[derive(Debug)]
 struct Outcome {
     events: Vec<String>,
     diagnostics: Vec<Diagnostic>,

@@ -309,6 +309,7 @@ impl SetUpArgs {
         if let Some(units) = self.units {
             config.cl_units = Some(units.into());
             config.given.insert("cl_units");
+            config.cl.units_confirmed = true;
         }
         if let Some(units) = self.output_units {
             config.output_units = Some(units.into());
