@@ -429,7 +429,7 @@ fn options_of_reading_cl_data_are_read() {
     use crate::cl::{CycleArg, Dialect, FeedLabel, Frames, Insert, Sense, ToolArg};
     use crate::set_up::ClPoint;
     let config = read(
-        "units = \"in\"\ntolerance = 0.001\ncl_point = \"centre\"\n[defaults]\ntool = 3\npeck_gap = 0.02\n[tools.2]\n\
+        "units = \"in\"\ntolerance = 0.001\ncl_point = \"centre\"\n[defaults]\ntool = 3\npeck_gap = 0.02\nfeed = 20\n[tools.2]\n\
          cl_point = \"tip\"\n[set_ups.2]\nwork_offset = \"G55\"\n[cl]\ndialect = \"solidworks\"\ncolumns = 72\ninert = [\"aicc\", \"BREAK\"]\n\
          frames = \"main\"\ncircle_sense = \"cw\"\ninsert = \"write\"\ninsert_stop = true\nauxfun = [10, 11]\nprefun = [64]\n\
          feed_label = \"file-units\"\nfrom = \"move\"\nallow_lintol = true\ncycle.TAP.args = [\"depth\", \"pitch\"]\n\
@@ -448,6 +448,7 @@ fn options_of_reading_cl_data_are_read() {
     assert_eq!((cl.insert, cl.insert_stop, cl.from_move), (Insert::Write, true, true));
     assert_eq!((&cl.auxfun[..], &cl.prefun[..]), (&[10, 11][..], &[64][..]));
     assert_eq!(cl.feed_label, FeedLabel::FileUnits);
+    assert!(close(cl.default_feed_mm_per_min.unwrap(), 508.0));
     assert_eq!(cl.tool_args, [ToolArg::Ignored, ToolArg::Offset]);
     assert_eq!(cl.cycle_args, [(ClCycleKind::Tap, vec![CycleArg::Depth, CycleArg::Pitch])]);
 }

@@ -233,6 +233,9 @@ pub(crate) fn reading(config: &Config, survey: &Survey) -> Vec<String> {
     if !config.cl.inert.is_empty() {
         list.push(format!("words ignored as inert: {}", config.cl.inert.join(" ")));
     }
+    if let Some(feed) = config.cl.default_feed_mm_per_min {
+        list.push(format!("feed until the first FEDRAT: {feed} mm/min, as configured"));
+    }
     if config.cl.insert == Insert::Write {
         list.push("the text of INSERT is written without a check".to_owned());
     }

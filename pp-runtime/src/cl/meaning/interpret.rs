@@ -21,7 +21,7 @@ use super::votes::ArcVotes;
 use crate::cl::dialect::Dialect;
 use crate::cl::record::{ProgramRecord, Record, SubprogramRecord, Text};
 use crate::cl::text::{ClFault, Span};
-use crate::program::{Event, Location, Spline};
+use crate::program::{Event, Feed, Location, Spline};
 use crate::set_up::ClPoint;
 
 /// All modal state of the CL data, each part with its owner.
@@ -48,7 +48,11 @@ pub(crate) struct RecordInterpreter {
 impl RecordInterpreter {
     pub(crate) fn new(options: ReadingOptions) -> Self {
         let units = FileUnits::new(options.units);
+        let default_feed = options.default_feed_mm_per_min.map(Feed::PerMinute);
         let mut new = RecordInterpreter { options, units, ..Self::default() };
+        if let Some(feed) = default_feed {
+            new.path.set_feed(feed);
+        }
         new.update_plain_goto();
         new
     }

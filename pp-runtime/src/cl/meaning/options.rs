@@ -10,7 +10,8 @@ use super::tool_numbers::ToolArg;
 use crate::cl::dialect::Dialect;
 use crate::cl::record::{ClCycleKind, not_inert};
 use crate::keys::{
-    KeyKind, KeyReader, KeyScope, KeyTable, ListOf, OneLine, OneOf, Printed, TomlValue, Whole, YesNo, options,
+    Bound, KeyKind, KeyReader, KeyScope, KeyTable, ListOf, Measure, OneLine, OneOf, Printed, TomlValue, Whole, YesNo,
+    options,
 };
 use crate::program::Units;
 use crate::set_up::ClPoint;
@@ -121,6 +122,8 @@ options! {
         feed_label: FeedLabel = FeedLabel::Refuse, key("cl.feed_label", OneOf(&FeedLabel::NAMES));
         /// FROM: "reference" (start point, no motion) or "move" (a rapid to this point, as first approach).
         from_move: bool = false, key("cl.from", OneOf(&FROMS));
+        /// Feed until the first FEDRAT, per minute. Without it CL data with a feed motion before is refused.
+        default_feed_mm_per_min: Option<f64> = None, key("defaults.feed", Measure::length(Bound::Positive), "500.0");
         /// Meaning of the numbers after the tool number of LOADTL that have no word before them, in order: "offset" (length
         /// offset register), "length" (gauge length), "ignored".
         tool_args: Vec<ToolArg> = Vec::new(), key("cl.loadtl", ToolNumbers);

@@ -59,3 +59,13 @@ fn columns_after_the_configured_ones_are_not_read() {
     assert_eq!(events_without_places(&text, options), ["feed 1 2 3 axis 0 0 1 None", "feed 4 5 6 axis 0 0 1 None"]);
     assert_eq!(errors(&text).len(), 3);
 }
+
+#[test]
+fn a_feed_can_be_given_for_motions_before_the_first_fedrat() {
+    let given = ReadingOptions { default_feed_mm_per_min: Some(500.0), ..mm() };
+    let text = "GOTO/1,2,3\nFEDRAT/80\nGOTO/1,2,3\nLOADTL/2\nGOTO/1,2,3\n";
+    let found = events_without_places(text, given);
+    let feeds: Vec<&str> =
+        found.iter().filter_map(|event| event.split_once("axis 0 0 1 ")).map(|(_, feed)| feed).collect();
+    assert_eq!(feeds, ["Some(PerMinute(500.0))", "Some(PerMinute(80.0))", "Some(PerMinute(80.0))"], "{found:?}");
+}

@@ -280,7 +280,9 @@ impl<'a, S: Sink> Planner<'a, S> {
             });
         }
         if motion.feed.is_none() {
-            return Err(Fault::new("a feed motion without feed").help("give FEDRAT before it"));
+            return Err(Fault::new("a feed motion without feed").help(
+                "give FEDRAT before it, or the feed until the first FEDRAT in the configuration: `[defaults] feed`",
+            ));
         }
         Ok(())
     }
@@ -294,7 +296,8 @@ impl<'a, S: Sink> Planner<'a, S> {
             .help("call the tool first: LOADTL/1,LENGTH,120"));
         }
         if !motion.rapid {
-            return Err(Fault::new("a feed motion before the first tool call").help("call a tool: LOADTL/1"));
+            return Err(Fault::new("a feed motion before the first tool call")
+                .help("call a tool: LOADTL/1, or give it in the configuration: `[defaults] tool`"));
         }
         Ok(())
     }
