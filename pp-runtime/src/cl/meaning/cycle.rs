@@ -45,6 +45,11 @@ impl CycleInForce {
         self.definition
     }
 
+    /// Position of the tool before the cycle.
+    pub(crate) fn before(&self) -> Option<Point3<f64>> {
+        self.before
+    }
+
     /// Checks that a record may come while the cycle is active; a record that may not ends the cycle.
     pub(crate) fn admit(&mut self, permitted: Permitted) -> Result<(), ClFault> {
         if permitted.in_cycle || !self.active {

@@ -1,8 +1,15 @@
 //! Meaning of a CYCLE in each CAM system: levels along the tool axis, measured from the point of each GOTO.
+//!
+//! The post *Common ISO 4343 APT* of Autodesk writes `CYCLE/DRILL, depth, MMPM, feed, clearance[, RAPTO, r]` and, as GOTO, the
+//! point of `onCyclePoint`, which is the bottom: its other posts write its Z after G81. Clearance is the Z of the plane between
+//! the holes (`cycle.clearance`), and the feed begins r below it (`cycle.clearance - cycle.retract`). *Generative Machining
+//! APT* of HSMWorks writes the same text with the top as point and other levels, so neither is read unless it is given.
 
 use crate::cl::dialect::Dialect;
 use crate::cl::record::{ClCycleKind, CycleCall, FeedUnit, Return};
 use crate::cl::text::{ClFault, Span};
+use crate::kinematics::Pose;
+use crate::nalgebra::Point3;
 use crate::program::{Drilling, Dwell, Feed};
 
 /// Meaning of a number of a CYCLE that has no word before it (`[cl.cycle.TAP] args`).
@@ -57,6 +64,59 @@ pub(crate) struct HoleDefinition {
     pub(crate) drilling: Drilling,
     pub(crate) feed: Option<Feed>,
     pub(crate) dwell: Option<Dwell>,
+    /// The points are the bottoms of the holes, and the levels are these planes.
+    pub(crate) from_bottom: Option<HolePlanes>,
+}
+
+/// Planes across Z of a cycle whose points are the bottoms of the holes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct HolePlanes {
+    /// Z of the plane between the holes, mm.
+    pub(crate) clearance_mm: f64,
+    /// Z of the plane at which the feed begins, mm.
+    pub(crate) feed_begins_mm: f64,
+}
+
+impl HoleDefinition {
+    /// The hole at a point of the cycle: its top, and its definition from there. `before`: position of the tool before the
+    /// cycle.
+    pub(crate) fn at(
+        self,
+        point: Pose,
+        before: Option<Point3<f64>>,
+        at: Span,
+    ) -> Result<(Pose, HoleDefinition), ClFault> {
+        /// Largest difference of a level from that of the tool, by the digits of CL data.
+        const SAME_LEVEL_MM: f64 = 1e-3;
+        let Some(planes) = self.from_bottom else { return Ok((point, self)) };
+        if point.axis.z < 1.0 - f64::EPSILON {
+            return Err(fault(
+                at,
+                "the levels of this cycle are planes across Z, and the tool is tilted",
+                "their place along a tilted tool is not known; post the holes of this operation as single motions",
+            ));
+        }
+        let top = point.tip + point.axis.into_inner() * self.depth_mm;
+        let (clearance_mm, return_mm) = (planes.feed_begins_mm - top.z, planes.clearance_mm - top.z);
+        if before.is_none_or(|before| before.z < planes.clearance_mm - SAME_LEVEL_MM) {
+            return Err(fault(
+                at,
+                format!("the tool is below the clearance plane of this cycle, Z {}, before it", planes.clearance_mm),
+                "the post of Autodesk moves there first: does `dialect = \"autodesk\"` hold for this file?",
+            ));
+        }
+        if clearance_mm < 0.0 || return_mm < clearance_mm {
+            return Err(fault(
+                at,
+                format!(
+                    "the feed of this hole begins {clearance_mm:.4} mm above its top, below it or above the clearance plane"
+                ),
+                "the tool would plunge into the part at rapid: does `dialect = \"autodesk\"` hold for this file?",
+            ));
+        }
+        let return_level = ReturnLevel::Level(return_mm);
+        Ok((Pose { tip: top, ..point }, HoleDefinition { clearance_mm, return_level, ..self }))
+    }
 }
 
 /// State on which the meaning of a CYCLE depends besides its record.
@@ -76,21 +136,38 @@ fn fault(at: Span, text: impl Into<String>, help: &str) -> ClFault {
     ClFault::new("CYCLE", at, text, help)
 }
 
+/// Numbers without a word of *Common ISO 4343 APT*.
+const OF_AUTODESK: [CycleArg; 2] = [CycleArg::Depth, CycleArg::Clearance];
+
 /// Returns the record with the numbers without a word under their configured meaning, and the pitch among them.
-fn named(cycle: &CycleCall, args: Option<&[CycleArg]>) -> Result<(CycleCall, Option<f64>), ClFault> {
+fn named(cycle: &CycleCall, args: Option<&[CycleArg]>, dialect: Dialect) -> Result<(CycleCall, Option<f64>), ClFault> {
     let mut cycle = *cycle;
     let mut pitch = None;
     if cycle.positionals == 0 {
         return Ok((cycle, pitch));
     }
     let word = cycle.kind.word();
-    let Some(args) = args.filter(|args| args.len() == cycle.positionals) else {
+    let of_autodesk = (dialect == Dialect::Autodesk).then_some(&OF_AUTODESK[..]);
+    let Some(args) = args.or(of_autodesk).filter(|args| args.len() == cycle.positionals) else {
         let text = format!(
             "CYCLE/{word} has {} numbers without a word, whose meaning depends on a table of the CAM system",
             cycle.positionals
         );
-        let help =
-            format!("state their meaning in the configuration: `[cl.cycle.{word}] args = [\"depth\", \"pitch\"]`");
+        let example = match (cycle.positionals, cycle.kind) {
+            (1, _) => "\"depth\"",
+            (2, ClCycleKind::Tap) => "\"depth\", \"pitch\"",
+            (2, _) => "\"depth\", \"clearance\"",
+            _ => "\"depth\", \"clearance\", ..",
+        };
+        let post = if cycle.positionals == 2 {
+            "\"Common ISO 4343 APT\" of Autodesk wrote it: `--dialect autodesk`; else "
+        } else {
+            ""
+        };
+        let help = format!(
+            "{post}state their meaning, measured from a GOTO at the top of the hole, in the configuration: `[cl.cycle.{word}]`, \
+             `args = [{example}]`"
+        );
         return Err(ClFault::new("CYCLE", cycle.at, text, help));
     };
     for (arg, value) in args.iter().zip(cycle.positional) {
@@ -115,17 +192,26 @@ fn named(cycle: &CycleCall, args: Option<&[CycleArg]>) -> Result<(CycleCall, Opt
 }
 
 /// Returns the record with the numbers without a word under their configured meaning; its feed is read from it.
-pub(crate) fn with_names(cycle: &CycleCall, args: Option<&[CycleArg]>) -> Result<CycleCall, ClFault> {
-    named(cycle, args).map(|(cycle, _)| cycle)
+pub(crate) fn with_names(cycle: &CycleCall, args: Option<&[CycleArg]>, dialect: Dialect) -> Result<CycleCall, ClFault> {
+    named(cycle, args, dialect).map(|(cycle, _)| cycle)
 }
 
 /// Returns the hole that a CYCLE defines.
 pub(crate) fn define(cycle: &CycleCall, context: &CycleContext<'_>) -> Result<HoleDefinition, ClFault> {
-    let (cycle, pitch) = named(cycle, context.args)?;
+    let (cycle, pitch) = named(cycle, context.args, context.dialect)?;
     let unit_mm = context.unit_mm;
     let depth = depth(&cycle, context.dialect)? * unit_mm;
-    let clearance = clearance(&cycle, context.dialect)? * unit_mm;
-    let back = back(&cycle, context, clearance)?;
+    let from_bottom = match context.dialect {
+        Dialect::Autodesk => Some(planes(&cycle, unit_mm)?),
+        _ => None,
+    };
+    let (clearance, back) = match from_bottom {
+        Some(_) => (0.0, ReturnLevel::Clearance),
+        None => {
+            let clearance = clearance(&cycle, context.dialect)? * unit_mm;
+            (clearance, back(&cycle, context, clearance)?)
+        }
+    };
     let drilling = drilling(&cycle, context.feed, pitch, unit_mm)?;
     let dwell = match (cycle.dwell_s, cycle.dwell_rev) {
         (Some(_), Some(_)) => {
@@ -149,7 +235,24 @@ pub(crate) fn define(cycle: &CycleCall, context: &CycleContext<'_>) -> Result<Ho
         drilling,
         feed: context.feed,
         dwell,
+        from_bottom,
     })
+}
+
+/// Planes of a cycle of Autodesk.
+fn planes(cycle: &CycleCall, unit_mm: f64) -> Result<HolePlanes, ClFault> {
+    let Some(clear) = cycle.clear else {
+        return Err(fault(cycle.at, "this cycle has no clearance level", "program RAPTO or CLEAR"));
+    };
+    if cycle.back_to.is_some() || cycle.rapto.is_some_and(|rapto| rapto < 0.0) {
+        return Err(fault(
+            cycle.at,
+            "this cycle has a return level or a negative RAPTO, which the post of Autodesk does not write",
+            "does `dialect = \"autodesk\"` hold for this file?",
+        ));
+    }
+    let below = cycle.rapto.unwrap_or(0.0);
+    Ok(HolePlanes { clearance_mm: clear * unit_mm, feed_begins_mm: (clear - below) * unit_mm })
 }
 
 /// Depth below the point of the GOTO, in units of the file, above 0.

@@ -167,3 +167,37 @@ fn no_relative_motion_follows_a_hole() {
     // The first hole may be relative to the point before it.
     assert!(events_without_places(&format!("{cycle}GODLTA/1,0,-50\n"), MM)[3].starts_with("hole 1 0 0"));
 }
+
+#[test]
+fn holes_of_autodesk_are_given_by_their_bottom_and_by_planes_across_z() {
+    use crate::cl::Dialect;
+    let autodesk = || ReadingOptions { dialect: Some(Dialect::Autodesk), ..mm() };
+    let cycle =
+        |cycle: &str| format!("UNITS/MM\nRAPID\nGOTO/1,2,15\n{cycle}\nFEDRAT/200.,MMPM\nGOTO/1,2,-12\nCYCLE/OFF\n");
+    let drill = cycle("CYCLE/DRILL, 12., MMPM, 200., 15., RAPTO, 10.");
+    // Top at 0: the feed begins 5 above it, and the tool returns to 15.
+    let found = events_without_places(&drill, autodesk());
+    assert_eq!(found[1], "hole 1 2 0 deep 12 from 5 to 15 Drill Some(PerMinute(200.0)) None");
+    let found = events_without_places(&cycle("CYCLE/DEEP, 12., INCR, 3., MMPM, 200., 15., DWELL, 2."), autodesk());
+    assert!(found[1].starts_with("hole 1 2 0 deep 12 from 15 to 15 Peck"), "{found:?}");
+    // The same text of another post has another meaning.
+    assert!(errors(&drill)[0].contains("4:7+39 CYCLE/DRILL has 2 numbers without a word"));
+    let help = read_from(drill.as_bytes(), MM).diagnostics[0].help.clone().unwrap();
+    assert!(help.contains("--dialect autodesk") && help.contains("[cl.cycle.DRILL]"), "{help}");
+    let fault = |text: String, expected: &str| {
+        let found = errors_with(&text, autodesk());
+        assert!(found.concat().contains(expected), "{text}: {found:?}");
+    };
+    fault(
+        cycle("CYCLE/DRILL, 12., MMPM, 200., 27., RAPTO, 10."),
+        "the tool is below the clearance plane of this cycle, Z 27",
+    );
+    fault(
+        cycle("CYCLE/DRILL, 12., MMPM, 200., 15., RAPTO, 16."),
+        "the feed of this hole begins -1.0000 mm above its top",
+    );
+    fault(cycle("CYCLE/DRILL, 12., MMPM, 200., 15., RAPTO, -1."), "a negative RAPTO");
+    fault(cycle("CYCLE/BORE, 12., MMPM, 200., 15., 1."), "CYCLE/BORE has 3 numbers without a word");
+    fault(drill.replace("2,-12", "2,-12,0,.6,.8"), "planes across Z, and the tool is tilted");
+    fault(format!("ORIGIN/0,0,1\n{drill}"), "the coordinates are transformed");
+}

@@ -361,7 +361,7 @@ impl RecordInterpreter {
         self.votes.conclude_arc(None);
         let known = self.options.cycle_args.iter().find(|(kind, _)| *kind == cycle.kind);
         let args = known.map(|(_, args)| args.as_slice());
-        let named = holes::with_names(cycle, args)?;
+        let named = holes::with_names(cycle, args, self.dialect())?;
         let feed = match named.feed {
             Some((value, unit)) => {
                 let record = FeedRecord { value, unit, at: cycle.at, unit_at: cycle.at };
@@ -385,6 +385,15 @@ impl RecordInterpreter {
             self.path.set_here(top);
             return Ok(());
         };
+        if cycle.from_bottom.is_some() && !self.coordinates.transforms().none() {
+            return Err(ClFault::new(
+                "CYCLE",
+                at,
+                "the levels of this cycle are planes across Z, and the coordinates are transformed",
+                "does `dialect = \"autodesk\"` hold for this file? Its post writes no ORIGIN, TRANS or TRACUT",
+            ));
+        }
+        let (top, cycle) = cycle.at(top, self.cycle.before(), at)?;
         let back_to = self.cycle.return_level(&cycle, &top, at)?;
         within_a_kilometre(top.tip - top.axis.into_inner() * cycle.depth_mm, at)?;
         let above = within_a_kilometre(top.tip + top.axis.into_inner() * back_to, at)?;
