@@ -13,6 +13,8 @@ const SLOWEST_FEED_MM_PER_MIN: f64 = 0.1;
 /// stays below a fifth of it.
 const LARGEST_FEED_MM_PER_REV: f64 = 100.0;
 
+const MM_IN_A_FOOT: f64 = 304.8;
+
 /// Largest plausible value of a feed in its own unit; a larger one has a wrong exponent.
 const LARGEST_FEED: f64 = 1e6;
 
@@ -42,6 +44,8 @@ pub(crate) fn feed_of(record: &FeedRecord, units: &mut FileUnits, label: FeedLab
         FeedUnit::MillimetresPerRevolution => Feed::PerRevolution(value * millimetre),
         FeedUnit::InchesPerMinute => Feed::PerMinute(value * inch),
         FeedUnit::InchesPerRevolution => Feed::PerRevolution(value * inch),
+        FeedUnit::FeetPerMinute => Feed::PerMinute(value * MM_IN_A_FOOT),
+        FeedUnit::FeetPerRevolution => Feed::PerRevolution(value * MM_IN_A_FOOT),
     };
     check(feed, record)
 }

@@ -20,15 +20,21 @@ pub enum FeedUnit {
     InchesPerMinute,
     /// IPR.
     InchesPerRevolution,
+    /// FPM: feet per minute (Creo, *Supported CL Data Commands*; in its French text *pieds/mn*).
+    FeetPerMinute,
+    /// FPR: feet per revolution.
+    FeetPerRevolution,
 }
 
 impl FeedUnit {
     /// Words of CL data and their units.
-    pub const WORDS: [(&'static str, FeedUnit); 6] = [
+    pub const WORDS: [(&'static str, FeedUnit); 8] = [
         ("MMPM", FeedUnit::MillimetresPerMinute),
         ("MMPR", FeedUnit::MillimetresPerRevolution),
         ("IPM", FeedUnit::InchesPerMinute),
         ("IPR", FeedUnit::InchesPerRevolution),
+        ("FPM", FeedUnit::FeetPerMinute),
+        ("FPR", FeedUnit::FeetPerRevolution),
         ("PERMIN", FeedUnit::PerMinute),
         ("PERREV", FeedUnit::PerRevolution),
     ];

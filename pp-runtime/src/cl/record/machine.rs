@@ -90,7 +90,14 @@ const SIDES: [(&str, CutterSide); 4] =
 
 /// CUTCOM.
 pub(crate) fn compensation(args: &mut Args<'_>) -> Result<MachineRecord, ClFault> {
-    let side = args.one_of(&SIDES)?;
+    let mut side = args.one_of(&SIDES)?;
+    if side == CutterSide::On
+        && let Some(stated) = args.clone().next()?.and_then(|arg| arg.among(&SIDES[2..]))
+    {
+        // Generative Machining APT of HSMWorks writes `CUTCOM/ON, LEFT, n`.
+        args.next()?;
+        side = stated;
+    }
     let (mut register, mut plane) = (None, None);
     while side != CutterSide::Off
         && let Some(arg) = args.next()?

@@ -191,7 +191,7 @@ fn implausible_feeds_are_refused() {
     refused("FEDRAT/0.0394,MMPM\nGOTO/0,0,0\n", "1:8+6 a feed of 0.0394 mm/min is not plausible");
     refused("FEDRAT/0,MMPM\nGOTO/0,0,0\n", "1:8+1 the feed must be above 0, found 0");
     refused("FEDRAT/MMPM\nGOTO/0,0,0\n", "1:8+4 FEDRAT needs a number, found 0");
-    refused("FEDRAT/100,FPM\nGOTO/0,0,0\n", "1:12+3 FEDRAT with `FPM` is not supported");
+    refused("FEDRAT/100,SMM\nGOTO/0,0,0\n", "1:12+3 FEDRAT with `SMM` is not supported");
     assert_eq!(events("FEDRAT/0.05,MMPR\nGOTO/0,0,0\n").len(), 1);
 }
 

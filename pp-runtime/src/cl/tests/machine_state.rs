@@ -111,3 +111,17 @@ fn words_of_a_tool_call_have_the_meaning_of_their_post() {
     assert!(diagnostics.len() == 1 && diagnostics[0].severity == Severity::Warning);
     assert!(tools("LOADTL/4,LENGTH,100\nGOTO/0,0,0\n", MM)[0].contains("length_mm: Some(100.0)"));
 }
+
+#[test]
+fn a_side_after_cutcom_on_and_a_feed_in_feet_are_read() {
+    for side in ["LEFT", "RIGHT"] {
+        let (plain, after_on) =
+            (format!("CUTCOM/{side},3\nGOTO/0,0,0\n"), format!("CUTCOM/ON, {side}, 3\nGOTO/0,0,0\n"));
+        assert_eq!(events_without_places(&after_on, MM), events_without_places(&plain, MM));
+    }
+    refused("CUTCOM/ON,OFF\nGOTO/0,0,0\n", "1:11+3 CUTCOM with `OFF` is not supported");
+    refused("CUTCOM/ON,LEFT,RIGHT\nGOTO/0,0,0\n", "1:16+5 CUTCOM with `RIGHT` is not supported");
+    for (feed, expected) in [("1.0,FPM", "PerMinute(304.8"), ("FPR,.01", "PerRevolution(3.048")] {
+        assert!(events(&format!("FEDRAT/{feed}\nGOTO/0,0,0\n"))[0].contains(expected), "{feed}");
+    }
+}

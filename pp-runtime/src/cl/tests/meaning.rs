@@ -206,9 +206,9 @@ fn a_point_that_tilts_the_tool_after_multax_off_is_refused() {
 #[test]
 fn inert_records_cause_nothing() {
     let text = "PAINT/COLOR,1\nSEQNO/1\nDISPLY/ON\nTPRINT/T1 Drill,,D\nTPRINT/\nREWIND/0\nTOOLNO/1,  16,2\nLETTER x\n\
-                LEADER/1\nCHECK/1\nTMARK/1\nINTOL /  0.025\nOUTTOL/0\nSETUP/START,1\nCSI_SET_FLUTE_LENGTH/70.\n\
+                LEADER/1\nCHECK/1\nTMARK/1\nINTOL /  0.025\nTOLER/0.01\nOUTTOL/0\nSETUP/START,1\nCSI_SET_FLUTE_LENGTH/70.\n\
                 TRNTYP/WORLD,0,0,0\nSET/MODE,ABSOL\nCYCLE/OFF\nREMARK a/b,,\nEND-OF-PATH\nEND\nGOTO/1,2,3\nFINI\n";
-    assert_eq!(events(text), ["22:1 feed 1 2 3 axis 0 0 1 None"]);
+    assert_eq!(events(text), ["23:1 feed 1 2 3 axis 0 0 1 None"]);
 }
 
 #[test]

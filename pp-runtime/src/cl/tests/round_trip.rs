@@ -45,6 +45,8 @@ fn feed_unit() -> impl Strategy<Value = FeedUnit> {
         FeedUnit::MillimetresPerRevolution,
         FeedUnit::InchesPerMinute,
         FeedUnit::InchesPerRevolution,
+        FeedUnit::FeetPerMinute,
+        FeedUnit::FeetPerRevolution,
     ])
 }
 
