@@ -148,17 +148,23 @@ fn ranges(points: impl Iterator<Item = [f64; 2]>, (width, height): (u32, u32)) -
 /// Leaves points out that are near to the lines without them; as many as needed. Of straight lines at the same place one stays.
 fn simplified(lines: &[Vec<(f64, f64)>], finest: f64) -> Vec<Vec<(f64, f64)>> {
     let mut distance = finest;
-    loop {
-        let place = |point: &(f64, f64)| [point.0, point.1].map(|along| (along / distance).round() as i64);
-        let mut simpler: Vec<Vec<(f64, f64)>> =
-            lines.iter().map(|line| straightened(&spaced(line, distance), distance)).collect();
-        let mut taken = HashSet::new();
-        simpler.retain(|line| line.len() > 2 || taken.insert((line.first().map(place), line.last().map(place))));
-        if simpler.iter().map(Vec::len).sum::<usize>() <= MOST_POINTS {
-            return simpler;
-        }
+    let mut simpler = simplified_once(lines, distance);
+    // Each round begins with the lines of the round before: all rounds together leave no point out that is farther from the
+    // lines than twice the last distance.
+    while simpler.iter().map(Vec::len).sum::<usize>() > MOST_POINTS {
         distance *= 2.0;
+        simpler = simplified_once(&simpler, distance);
     }
+    simpler
+}
+
+fn simplified_once(lines: &[Vec<(f64, f64)>], distance: f64) -> Vec<Vec<(f64, f64)>> {
+    let place = |point: &(f64, f64)| [point.0, point.1].map(|along| (along / distance).round() as i64);
+    let mut simpler: Vec<Vec<(f64, f64)>> =
+        lines.iter().map(|line| straightened(&spaced(line, distance), distance)).collect();
+    let mut taken = HashSet::new();
+    simpler.retain(|line| line.len() > 2 || taken.insert((line.first().map(place), line.last().map(place))));
+    simpler
 }
 
 /// The parts of a line that are inside a rectangle, by the parameters at which each piece enters and leaves it (Liang and
