@@ -55,12 +55,11 @@ pub(crate) struct Columns {
 impl Columns {
     /// Adds a column of values of `N` bytes, little endian.
     fn add<const N: usize>(&mut self, column: Column, values: impl Iterator<Item = [u8; N]>) {
-        let mut places: [Vec<u8>; N] = std::array::from_fn(|_| Vec::new());
-        for value in values {
-            places.iter_mut().zip(value).for_each(|(place, byte)| place.push(byte));
-        }
+        let values: Vec<[u8; N]> = values.collect();
         self.list.push(column);
-        places.iter().for_each(|place| self.bytes.extend_from_slice(place));
+        for place in 0..N {
+            self.bytes.extend(values.iter().map(|value| value[place]));
+        }
     }
 
     /// Values in steps of `finest`, or of a power of ten of it where they are large.

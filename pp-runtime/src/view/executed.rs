@@ -318,13 +318,18 @@ impl<'a> Collector<'a> {
         }
         let machine = Arc::clone(&self.placed().machine);
         for leg in &legs {
-            let at = |share: f64, near: &Place| {
-                let pose = leg.pose(share);
-                let axes = leg.axis_values(share).or_else(|| nearest_solution(&*machine, &pose, &near.axes));
-                Place { axes: axes.unwrap_or(near.axes), pose }
+            // Ends have the pose of the words; in between, and where the control chooses no angle, that of the axes.
+            let at = |share: f64, near: &Place| match leg.axis_values(share) {
+                Some(axes) if share < 1.0 => Place { axes, pose: machine.forward_kinematics(&axes) },
+                axes => {
+                    let pose = leg.pose(share);
+                    let axes = axes.or_else(|| nearest_solution(&*machine, &pose, &near.axes));
+                    Place { axes: axes.unwrap_or(near.axes), pose }
+                }
             };
-            let start = Place { axes: position.unwrap_or_else(|| machine.held()), pose: leg.pose(0.0) };
-            let start = at(0.0, &start);
+            let held = machine.held();
+            let near = position.unwrap_or(held);
+            let start = at(0.0, &Place { axes: near, pose: machine.forward_kinematics(&near) });
             let kind = if leg.rapid { PointKind::Rapid } else { PointKind::Feed };
             self.executed.rapids_apart |= leg.rapid && !leg.together;
             self.trace(executed, kind, start, leg.sweep().abs(), &at, |length_mm| leg.minutes(length_mm));
