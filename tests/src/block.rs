@@ -14,6 +14,8 @@ pub struct Deviation {
     pub tip_mm: f64,
     /// Angle of the tool axis from the arc, rad.
     pub axis_rad: f64,
+    /// Largest speed of the tip, times the time of the block, mm.
+    pub tip_rate_mm: f64,
 }
 
 /// Distance of a point from the straight line between two others.
@@ -63,6 +65,7 @@ pub fn deviation_from(
 ) -> Deviation {
     let mut largest = Deviation::default();
     let mut values = from.to_vec();
+    let change: Vec<f64> = from.iter().zip(to).map(|(from, to)| to - from).collect();
     for point in 0..=points {
         let share = point as f64 / points as f64;
         for (value, (a, b)) in values.iter_mut().zip(from.iter().zip(to)) {
@@ -70,6 +73,7 @@ pub fn deviation_from(
         }
         let pose = oracle.forward(&values);
         largest.tip_mm = largest.tip_mm.max(distance_to_line(&pose.tip, start.0, end.0));
+        largest.tip_rate_mm = largest.tip_rate_mm.max(oracle.rates(&values, &change).0.norm());
         largest.axis_rad = largest.axis_rad.max(angle_to_arc(&pose.axis, start.1, end.1));
     }
     largest

@@ -13,7 +13,7 @@ use pp_runtime::control::LinuxCnc;
 use pp_runtime::kinematics::{AxisKind, Limits, Machine, Pose};
 use pp_runtime::nalgebra::{Point3, UnitVector3, Vector3};
 use pp_runtime::post::{Job, Report, post};
-use tests::block::deviation_from;
+use tests::block::{deviation, deviation_from};
 use tests::foreign::{Axes, Control, Effect, Executed, Feed, Options, run};
 use tests::further::{HeadTable, NutatingHead, Trunnion};
 use tests::oracle::{Oracle, wrapped};
@@ -421,13 +421,6 @@ linearised! {
     nutating_head_on_the_swirl: NutatingHead, swirl(), [];
 }
 
-/// Expected time of the feed blocks of a program, min: from the approach point on, 900 mm/min along the path of the
-/// tip.
-fn expected_minutes(config: &Config, poses: &[Pose]) -> f64 {
-    let path: f64 = poses.windows(2).map(|pair| (pair[1].tip - pair[0].tip).norm()).sum();
-    (config.motion.approach.distance_mm + path) / 900.0
-}
-
 /// Axis values at both ends of each feed block, mm and degrees, and its printed time, min.
 fn timed<M: Machine>(text: &str) -> Vec<(Vec<f64>, Vec<f64>, f64)> {
     let place =
@@ -456,15 +449,38 @@ fn timed<M: Machine>(text: &str) -> Vec<(Vec<f64>, Vec<f64>, f64)> {
     blocks
 }
 
+/// Expected time of the feed blocks of a program, min: each takes the length of its tip path at 900 mm/min, and so long that
+/// the tip is nowhere faster by more than a hundredth.
+fn expected_minutes<M: Machine>(config: &Config, blocks: &[(Vec<f64>, Vec<f64>, f64)]) -> f64 {
+    let mut machine = M::default();
+    machine.set_up(Vector3::from(PART), LENGTH);
+    let oracle = Oracle::of(&machine);
+    let unit_mm = 10_f64.powi(-(config.formats.linear_mm as i32));
+    let timed_mm = |from: &[f64], to: &[f64]| {
+        let in_radians = |(value, axis): (&f64, &pp_runtime::kinematics::Axis)| {
+            if axis.kind == AxisKind::Rotary { value.to_radians() } else { *value }
+        };
+        let [from, to] = [from, to].map(|values| values.iter().zip(M::AXES).map(in_radians).collect::<Vec<f64>>());
+        let length_mm = (oracle.forward(&to).tip - oracle.forward(&from).tip).norm();
+        length_mm.max((deviation(&oracle, &from, &to, POINTS).tip_rate_mm - 2.0 * unit_mm) / 1.01)
+    };
+    blocks.iter().map(|(from, to, _)| timed_mm(from, to) / 900.0).sum()
+}
+
+/// Share by which a bound of the speed of the tip may be above its largest speed, and five decimals of the linear words.
+const TIMED: f64 = 1e-4;
+
 fn assert_times_add_up<M: Machine>(poses: &[Pose]) {
-    let (poses, config) = (as_written(poses), config::<M>(PART));
+    let (poses, mut config) = (as_written(poses), config::<M>(PART));
+    config.formats.linear_mm = 5;
     let (report, text) = posted::<M>(&config, &poses);
-    let wanted = expected_minutes(&config, &poses);
-    assert!((report.times.cutting_min / wanted - 1.0).abs() < 1e-9, "{}: {:?}, {wanted} min", M::NAME, report.times);
+    let blocks = timed::<M>(&text);
+    let wanted = expected_minutes::<M>(&config, &blocks);
+    assert!((report.times.cutting_min / wanted - 1.0).abs() < TIMED, "{}: {:?}, {wanted} min", M::NAME, report.times);
     assert_eq!(report.times.slowed_blocks, 0);
-    // Six digits of an F, and three decimals of linear words in the blocks without rotary motion.
-    let printed: f64 = timed::<M>(&text).iter().map(|(_, _, minutes)| minutes).sum();
-    assert!((printed / wanted - 1.0).abs() < 1e-5, "{}: {printed} min printed, expected {wanted}", M::NAME);
+    // Six digits of an F, and three decimals of an F per minute.
+    let printed: f64 = blocks.iter().map(|(_, _, minutes)| minutes).sum();
+    assert!((printed / wanted - 1.0).abs() < TIMED, "{}: {printed} min printed, expected {wanted}", M::NAME);
 }
 
 #[test]
@@ -480,16 +496,18 @@ fn block_times_add_up_to_the_tip_path_over_the_feed() {
 
 fn assert_no_axis_is_too_fast<M: Machine>(poses: &[Pose]) {
     let (poses, mut config) = (as_written(poses), config::<M>(PART));
+    config.formats.linear_mm = 5;
     for axis in M::AXES {
         let speed = if axis.kind == AxisKind::Rotary { 400_f64.to_radians() } else { 1500.0 };
         config.set_up.speeds.insert(axis.letter, speed);
     }
     let (report, text) = posted::<M>(&config, &poses);
-    let (times, wanted) = (&report.times, expected_minutes(&config, &poses));
+    let blocks = timed::<M>(&text);
+    let (times, wanted) = (&report.times, expected_minutes::<M>(&config, &blocks));
     assert!(times.slowed_blocks > 0 && times.slowed_min > 0.0, "{}: {times:?}", M::NAME);
     let excess = times.cutting_min - wanted;
-    assert!((excess - times.slowed_min).abs() < 1e-9 * times.cutting_min, "{}: {excess} min more, {times:?}", M::NAME);
-    for (from, to, minutes) in timed::<M>(&text) {
+    assert!((excess - times.slowed_min).abs() < TIMED * times.cutting_min, "{}: {excess} min more, {times:?}", M::NAME);
+    for (from, to, minutes) in blocks {
         for (index, axis) in M::AXES.iter().enumerate() {
             let speed = (to[index] - from[index]).abs() / minutes;
             let most = if axis.kind == AxisKind::Rotary { 400.0 } else { 1500.0 };

@@ -31,6 +31,9 @@
 //! is at `L s + e(s)` with `|e| <= b s (1 - s)/2`, `b` being the part of `P''(½)` along it plus `M/2`: it never
 //! reverses if `b <= 2 L`, and otherwise passes an end by at most `b/2 (½ - L/b)²`. The chord is `P'(½)` within `M/24`.
 //!
+//! Its speed, per block, is `|P'(s)| = |P'(½) + (s - ½) P''(½)|` within `M/8`. The square of the first term is a parabola
+//! of `s - ½` that opens upwards: it is largest at an end, `|P'(½)|² + |P'(½) · P''(½)| + |P''(½)|²/4`.
+//!
 //! # The tool axis
 //! The same bound, `e`, holds for the distance of `a(s)` from the chord of its arc. That chord lies in the plane of the
 //! great circle, and a unit vector at distance `e` from a vector makes an angle of at most `asin e` with it. Where the
@@ -49,6 +52,9 @@ pub struct MotionBound {
     pub tip: f64,
     /// Upper bound of the angle of the tool axis from the great circle between the ends, rad; at most π.
     pub axis: f64,
+    /// Upper bound of the speed of the tip anywhere in the block, times the time of the block, mm. On a straight line at an
+    /// even speed it is the distance between the ends.
+    pub tip_rate: f64,
 }
 
 /// Derivatives of a moving point or tool axis in the middle of a block; per block, not per second.
@@ -83,6 +89,7 @@ impl MotionBound {
         Self {
             tip: tip.off_chord() * (1.0 + RELATIVE_ROUNDING) + rounding * reach,
             axis: axis_curve.off_great_circle(axis) * (1.0 + RELATIVE_ROUNDING) + rounding,
+            tip_rate: tip.largest_rate() * (1.0 + RELATIVE_ROUNDING) + rounding * reach,
         }
     }
 }
@@ -92,6 +99,13 @@ impl Curve {
     #[inline]
     fn sagitta(&self, bend: f64) -> f64 {
         bend / 8.0 + self.third / 48.0
+    }
+
+    /// Largest first derivative.
+    #[inline]
+    fn largest_rate(&self) -> f64 {
+        let along = math::abs(self.rate.dot(&self.bend));
+        math::sqrt(self.rate.norm_squared() + along + 0.25 * self.bend.norm_squared()) + self.third / 8.0
     }
 
     /// Largest distance from the chord.

@@ -65,6 +65,13 @@ impl Setting {
         if exceeds(deviation.axis_rad, bound.axis) {
             return Err(self.fault("no tool axis deviates from its arc more than the bound of `motion`", &case, &more));
         }
+        let change: Vec<f64> = case.values.iter().zip(&to).map(|(from, to)| to - from).collect();
+        let levers = self.oracle.scale(&case.values) + self.oracle.scale(&to);
+        let rounding =
+            RATE_SHARE * (self.sum(AxisKind::Linear, &change) + self.sum(AxisKind::Rotary, &change) * levers);
+        if exceeds(deviation.tip_rate_mm, bound.tip_rate + rounding) {
+            return Err(self.fault("no tip is faster than the bound of `motion`", &case, &more));
+        }
         let as_in_a_cut = |(axis, change): (&pp_runtime::kinematics::Axis, &f64)| {
             axis.kind == AxisKind::Linear || change.abs() <= CUT_ROTATION
         };
@@ -80,6 +87,7 @@ impl Setting {
 pub(super) struct Margins {
     tip: Vec<f64>,
     axis: Vec<f64>,
+    rate: Vec<f64>,
 }
 
 impl Margins {
@@ -90,10 +98,13 @@ impl Margins {
         if actual.axis_rad > 1e-9 {
             self.axis.push(bound.axis / actual.axis_rad);
         }
+        if actual.tip_rate_mm > 1e-3 {
+            self.rate.push(bound.tip_rate / actual.tip_rate_mm);
+        }
     }
 
     pub(super) fn check(self, declared: &dyn Subject) -> Result<(), Fault> {
-        for (what, mut quotients) in [("tip", self.tip), ("axis", self.axis)] {
+        for (what, mut quotients) in [("tip", self.tip), ("axis", self.axis), ("speed", self.rate)] {
             quotients.sort_by(f64::total_cmp);
             // A median of a few values is random.
             let Some(median) = quotients.get(quotients.len() / 2).filter(|_| quotients.len() >= 30) else { continue };

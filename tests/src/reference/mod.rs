@@ -305,7 +305,7 @@ impl<T: Table> Machine for Reference<T> {
             Flaw::LargeBound => 1.1,
             _ => return bound,
         };
-        MotionBound { tip: bound.tip * factor, axis: bound.axis * factor }
+        MotionBound { tip: bound.tip * factor, axis: bound.axis * factor, tip_rate: bound.tip_rate * factor }
     }
     fn rates(&self, axes: &T::Axes, change: &T::Axes) -> (Vector3<f64>, Vector3<f64>) {
         let mut change = *change;

@@ -29,11 +29,14 @@ fn slips(text: &str) -> Vec<String> {
         };
         let words: Vec<&str> = line.split(' ').collect();
         let cut = !words.contains(&"G0") && line.contains(" F");
+        let rotates = words.iter().any(|word| word.starts_with(['A', 'B', 'C']));
         for (at, word) in words.iter().enumerate() {
             let change = match word.as_bytes()[0] {
                 // An inserted point may be a unit off its line, a cut may not.
                 b'X' | b'Y' | b'Z' => Some(if cut { 0.001 } else { 0.003 }),
                 b'A' | b'B' | b'C' => Some(0.01),
+                // A bound of the speed of the tip may be above its largest speed by a little.
+                b'F' if rotates => Some(1e-3 * word[1..].parse::<f64>().expect("a number") + 0.002),
                 b'F' => Some(0.002),
                 _ => None,
             };

@@ -11,7 +11,7 @@ use super::super::expect::{ClMotion, ExpectedAction, ExpectedItem, Required};
 use super::super::geometry::{PathShape, Segment, ToolPose, angle_between};
 use super::super::policy::RapidForm;
 use super::super::read::{Action, Block, CycleMove, MAX_AXES, Side};
-use super::super::rules::{BOTH, LinkForm, ModalContext, StateFault};
+use super::super::rules::{BOTH, Deviation, LinkForm, ModalContext, StateFault};
 use super::hole::{CycleComparison, is_over, pose_at, words_at};
 use super::phase::{Cutting, FinishedMotion, Leaving, Phase, RapidSteps, RetractedLength, RewindPoint};
 use super::rapid::{RapidPart, RapidRules, is_on_line, rollover_travel};
@@ -160,7 +160,10 @@ impl<R: Read> Comparison<'_, R> {
             let other = matches!(block.action, Action::Arc(_)) || (block.action == Action::Rapid && !motion.rapid);
             let needless = self.rules.needs_no_block(&segment, cutting.here, chords);
             // A block that continues from the end of a motion belongs to a later one, and so does one with another feed.
-            let belongs = || self.rules.is_at(end, &motion.to) && self.has_feed_of(block, &segment, &motion, &required);
+            let belongs = || {
+                self.rules.is_at(end, &motion.to)
+                    && self.has_feed_of(cutting.here.as_ref(), (block, end), &segment, &motion, &required)
+            };
             if needless && (other || !belongs()) {
                 self.pass_over(Some(&mut cutting.perhaps_retract));
                 continue;
@@ -185,11 +188,23 @@ impl<R: Read> Comparison<'_, R> {
         }
     }
 
-    /// Whether a block has the feed of a motion.
-    fn has_feed_of(&self, block: &Block, segment: &Segment, motion: &ClMotion, required: &Required) -> bool {
-        let (length, feed) = (segment.length(), self.rules.feed_of(motion));
-        let stroke = || self.rules.stroke(&self.previous.words, block, (length, length), feed, required);
-        let fault = || self.rules.feed_fault(&stroke(), &block.state, segment, [0.0, 1.0]);
+    /// Whether a block has the feed of a motion. `here`, `end`: poses before and after it.
+    fn has_feed_of(
+        &self,
+        here: Option<&ToolPose>,
+        (block, end): (&Block, &ToolPose),
+        segment: &Segment,
+        motion: &ClMotion,
+        required: &Required,
+    ) -> bool {
+        let (rules, words) = (&self.rules, &self.previous.words);
+        let (length, feed) = (segment.length(), rules.feed_of(motion));
+        let fault = || {
+            let path = rules.path(*words, block);
+            let deviation = here.and_then(|here| rules.deviation(&path, [here, end], segment, 0.0));
+            let stroke = rules.stroke(words, block, (length, length), deviation.as_ref(), feed, required);
+            rules.feed_fault(&stroke, &block.state, segment, [0.0, 1.0])
+        };
         block.action != Action::Feed || fault().is_none()
     }
 
@@ -231,9 +246,10 @@ impl<R: Read> Comparison<'_, R> {
             self.found_any(current, fault);
         }
         if at_feed == expects_feed && follows_path && known && !self.progress.is_lost() {
-            self.compare_path(current, part);
+            let here = cutting.here.unwrap_or_else(|| self.rules.words().place(&self.previous.words, &block.state));
+            let deviation = self.compare_path(current, [&here, end], part);
             if at_feed {
-                self.compare_feed(current, part);
+                self.compare_feed(current, part, deviation.as_ref());
             }
         }
         self.end_rapid_steps(cutting, current);
@@ -304,10 +320,10 @@ impl<R: Read> Comparison<'_, R> {
         }
     }
 
-    /// Deviation from the path between the ends of a block.
-    fn compare_path(&mut self, current: &Current<'_>, part: &Part) {
+    /// Deviation from the path between the ends of a block, if it is measured.
+    fn compare_path(&mut self, current: &Current<'_>, ends: [&ToolPose; 2], part: &Part) -> Option<Deviation> {
         let path = self.rules.path(self.previous.words, current.block);
-        let Some(deviation) = self.rules.deviation(&path, &part.segment, self.progress.along()) else { return };
+        let deviation = self.rules.deviation(&path, ends, &part.segment, self.progress.along())?;
         self.tally.path_deviation(deviation.tip_mm);
         let rounding = *self.rules.rounding();
         let (tip, largest) = (deviation.tip_mm, part.required.tolerance_mm + rounding.tip_mm);
@@ -325,17 +341,18 @@ impl<R: Read> Comparison<'_, R> {
             );
             self.found(current, &text);
         }
+        Some(deviation)
     }
 
-    fn compare_feed(&mut self, current: &Current<'_>, part: &Part) {
+    fn compare_feed(&mut self, current: &Current<'_>, part: &Part, deviation: Option<&Deviation>) {
         let (block, segment, along) = (current.block, &part.segment, self.progress.along());
         let length = match segment.shape {
             PathShape::Line => (part.share - along) * segment.length(),
             _ if matches!(block.action, Action::Arc(_)) => (part.share - along) * segment.length(),
             _ => (segment.tip_at(part.share) - segment.tip_at(along)).norm(),
         };
-        let stroke =
-            self.rules.stroke(&self.previous.words, block, (length, segment.length()), part.feed, &part.required);
+        let (words, lengths) = (&self.previous.words, (length, segment.length()));
+        let stroke = self.rules.stroke(words, block, lengths, deviation, part.feed, &part.required);
         let fault = self.rules.feed_fault(&stroke, &block.state, segment, [along, part.share]);
         self.found_any(current, fault);
     }
@@ -389,7 +406,8 @@ impl<R: Read> Comparison<'_, R> {
         let fault = |(required, programmed): &(Required, Option<Feed>)| {
             let state = self.rules.fault_at_path(block, required, self.modal_context());
             let feed = state.is_none() && self.rules.is_known(block, known);
-            let stroke = || self.rules.stroke(&before, block, (back.length(), f64::INFINITY), *programmed, required);
+            let stroke =
+                || self.rules.stroke(&before, block, (back.length(), f64::INFINITY), None, *programmed, required);
             let feed = if feed { self.rules.law().wrong(&stroke(), &block.state) } else { None };
             state.or(feed.map(StateFault::from))
         };
@@ -441,9 +459,11 @@ impl<R: Read> Comparison<'_, R> {
             _ => false,
         };
         let right_feed = || {
-            let stays = (rules.pose_from(before, block).tip - end.tip).norm() < 0.5 * rules.rounding().unit_mm;
+            let from = rules.pose_from(before, block);
+            let stays = (from.tip - end.tip).norm() < 0.5 * rules.rounding().unit_mm;
             let longest = if stays { 0.0 } else { f64::INFINITY };
-            let stroke = rules.stroke(before, block, (0.0, longest), *feed, required);
+            let deviation = rules.deviation(&rules.path(*before, block), [&from, end], segment, 0.0);
+            let stroke = rules.stroke(before, block, (0.0, longest), deviation.as_ref(), *feed, required);
             !at_feed || rules.feed_fault(&stroke, &block.state, segment, [0.0, 1.0]).is_none()
         };
         let is_rest = same_kind
@@ -603,7 +623,7 @@ impl<R: Read> Comparison<'_, R> {
                 let feed = self.rules.policy().links.rapid_feed_mm_per_min.map(Feed::PerMinute);
                 let feed = if next.rapid { feed } else { feed.or(next.feed) };
                 let before = &self.previous.words;
-                let stroke = self.rules.stroke(before, current.block, (length, f64::INFINITY), feed, &required);
+                let stroke = self.rules.stroke(before, current.block, (length, f64::INFINITY), None, feed, &required);
                 let fault = self.rules.law().wrong(&stroke, &current.block.state);
                 self.found_any(current, fault);
                 let fault = self.functions.smoothing(&current.block.state, &self.rules, required.smoothing);

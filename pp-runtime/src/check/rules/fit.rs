@@ -58,6 +58,39 @@ pub(crate) struct BlockPath<'b> {
 pub(crate) struct Deviation {
     pub(crate) tip_mm: f64,
     pub(crate) axis_rad: f64,
+    /// Largest speed of the tip times the time of the block, mm; 0 where no rotary axis rotates.
+    pub(crate) tip_rate_mm: f64,
+}
+
+/// Largest speed of a tip that is followed from point to point, as steps from one to the next.
+#[derive(Debug, Clone, Copy, Default)]
+struct FastestStep {
+    /// The last three, the newest first.
+    last: [Vector3<f64>; 3],
+    count: u32,
+    largest_mm: f64,
+}
+
+impl FastestStep {
+    fn add(&mut self, step: Vector3<f64>) {
+        self.last = [step, self.last[0], self.last[1]];
+        self.count += 1;
+        self.largest_mm = self.largest_mm.max(step.norm());
+        if self.count == 3 {
+            let [third, second, first] = self.last;
+            self.largest_mm = self.largest_mm.max(Self::at_end([first, second, third]));
+        }
+    }
+
+    /// The largest of all, of at least three steps.
+    fn largest_mm(&self) -> f64 {
+        self.largest_mm.max(Self::at_end(self.last))
+    }
+
+    /// Speed where the first of three steps begins: that of the parabola with these steps.
+    fn at_end([a, b, c]: [Vector3<f64>; 3]) -> f64 {
+        ((a * 11.0 - b * 7.0 + c * 2.0) / 6.0).norm()
+    }
 }
 
 impl BlockPath<'_> {
@@ -259,8 +292,15 @@ impl Rules<'_> {
         ((end.tip - corner).norm() <= largest).then_some(0.0)
     }
 
-    /// Deviation of a block from its motion between its ends; `None` where words and motion are straight.
-    pub(crate) fn deviation(&self, path: &BlockPath<'_>, segment: &Segment, along: f64) -> Option<Deviation> {
+    /// Deviation of a block from its motion between its ends; `None` where words and motion are straight. `ends`: poses before
+    /// and after it.
+    pub(crate) fn deviation(
+        &self,
+        path: &BlockPath<'_>,
+        [here, end]: [&ToolPose; 2],
+        segment: &Segment,
+        along: f64,
+    ) -> Option<Deviation> {
         let block = path.block;
         // The control itself rotates the tool axis evenly.
         let evenly = block.state.tip_control != TipControl::Off
@@ -275,10 +315,12 @@ impl Rules<'_> {
         let count = points(rotated + sweep);
         let axes = (rotated > 0.0).then(|| segment.axis_arc());
         let mut found = Deviation::default();
+        let (mut last, mut fastest) = (here.tip, FastestStep::default());
         let mut point = 1.0;
         while point <= count {
             let share = point / (count + 1.0);
             let on = self.words.place(&path.at(share), &block.state);
+            fastest.add(on.tip - std::mem::replace(&mut last, on.tip));
             found.tip_mm = found.tip_mm.max(match &segment.shape {
                 PathShape::Arc(arc) if sweep > 0.0 => {
                     let done = along + arc.share_of(sweep * share);
@@ -293,6 +335,10 @@ impl Rules<'_> {
                 found.axis_rad = found.axis_rad.max(axes.distance(&on.axis));
             }
             point += 1.0;
+        }
+        fastest.add(end.tip - last);
+        if rotated > 0.0 {
+            found.tip_rate_mm = fastest.largest_mm() * (count + 1.0);
         }
         Some(found)
     }

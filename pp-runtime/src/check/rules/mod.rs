@@ -21,7 +21,7 @@ use super::geometry::{Segment, ToolPose, angle_between};
 use super::policy::{CheckPolicy, LinearMeaning, RapidForm};
 use super::read::{Action, Block, Facts, MAX_AXES, OwnPlace, State, TipControl, WorkOffset};
 pub(super) use feed::{FeedLaw, Stroke};
-pub(super) use fit::{Arrival, BOTH, BlockPath, SHARE, chord, sweep};
+pub(super) use fit::{Arrival, BOTH, BlockPath, Deviation, SHARE, chord, sweep};
 pub(super) use state::{FrameUse, ModalContext, StateFault, fault_at_end, tool_name};
 pub(super) use words::Words;
 
@@ -224,8 +224,8 @@ impl<'a> Rules<'a> {
     /// `length_mm`: its tip path.
     pub(super) fn minutes(&self, [from, to]: [&[f64; MAX_AXES]; 2], length_mm: f64, state: &State) -> Option<f64> {
         let change = std::array::from_fn(|index| to[index] - from[index]);
-        let (longest_mm, feed, speed_rev_per_min) = (length_mm, None, None);
-        self.law.minutes(&Stroke { length_mm, longest_mm, change, feed, speed_rev_per_min }, state)
+        let (longest_mm, tip_rate_mm, feed, speed_rev_per_min) = (length_mm, [0.0; 2], None, None);
+        self.law.minutes(&Stroke { length_mm, longest_mm, tip_rate_mm, change, feed, speed_rev_per_min }, state)
     }
 
     /// Axes whose position must be known for tip and tool axis: bits.
@@ -297,12 +297,13 @@ impl<'a> Rules<'a> {
     }
 
     /// The motion of a feed block from the words before it. `length_mm`: its tip path as rounded ends show it, and the length
-    /// that it cannot exceed.
+    /// that it cannot exceed. `deviation`: of the block, where it is measured.
     pub(super) fn stroke(
         &self,
         before: &[f64; MAX_AXES],
         block: &Block,
         (length_mm, longest_mm): (f64, f64),
+        deviation: Option<&Deviation>,
         feed: Option<Feed>,
         required: &Required,
     ) -> Stroke {
@@ -317,7 +318,12 @@ impl<'a> Rules<'a> {
         let rests = tip && length_mm < 0.5 * self.rounding.unit_mm && self.words.xyz().into_iter().all(same);
         let longest_mm = if rests { 0.0 } else { longest_mm };
         let change = std::array::from_fn(|index| to[index] - from[index]);
-        Stroke { length_mm, longest_mm, change, feed, speed_rev_per_min: required.spindle.map(|(speed, _)| speed) }
+        // Points between are followed to a part of the tolerance; a bound of the speed may exceed it by more.
+        let tolerances = [-0.25, 1.0].map(|share| share * required.tolerance_mm);
+        let rate_mm = deviation.map_or(0.0, |found| found.tip_rate_mm);
+        let tip_rate_mm = if rate_mm > 0.0 { tolerances.map(|more| rate_mm + more) } else { [0.0; 2] };
+        let speed_rev_per_min = required.spindle.map(|(speed, _)| speed);
+        Stroke { length_mm, longest_mm, tip_rate_mm, change, feed, speed_rev_per_min }
     }
 
     /// What is wrong with F of a block that goes from one share of a motion to another. With a tool vector the rotation of the

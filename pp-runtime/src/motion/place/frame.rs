@@ -225,12 +225,13 @@ impl WordFrame {
         }
     }
 
-    /// Certified bound of the deviation in a block; `bound` is that of a block in which all axes move linearly.
+    /// Certified bound of the deviation in a block; `bound` is that of a block in which all axes move linearly. Where the
+    /// control leads the tip itself, it keeps the feed as well: no speed of the tip is given.
     #[inline]
     pub(crate) fn bound(&self, bound: MotionBound) -> MotionBound {
         match (&self.meaning, self.posture) {
             (LinearWords::Axes | LinearWords::Turning, _) => bound,
-            (LinearWords::Fixed(_), ToolPosture::Axes) => MotionBound { tip: 0.0, ..bound },
+            (LinearWords::Fixed(_), ToolPosture::Axes) => MotionBound { tip: 0.0, tip_rate: 0.0, ..bound },
             (LinearWords::Fixed(_), ToolPosture::Plane) => MotionBound::default(),
         }
     }

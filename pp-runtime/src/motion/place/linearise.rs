@@ -334,7 +334,7 @@ impl Certifier<'_> {
         let roomy = self.allowed.tip_mm > tip_off && self.allowed.axis_rad > axis_off;
         let narrow = from.pose.axis.dot(&to.pose.axis) > MIN_AXIS_COSINE && !self.placer.rolls_over(from, to);
         Certificate {
-            bound: MotionBound { tip: bound.tip + tip_off, axis: bound.axis + axis_off },
+            bound: MotionBound { tip: bound.tip + tip_off, axis: bound.axis + axis_off, ..bound },
             share: if roomy && narrow && share.is_finite() { share } else { f64::INFINITY },
         }
     }

@@ -50,6 +50,9 @@ const LEAST_RATE: f64 = 0.02;
 /// Difference of a rotary position that a guard allows, degrees.
 const GUARDED_DEG: f64 = 0.1;
 
+/// Parts of a block whose speeds of the tip are bounded one by one.
+const RATE_PARTS: u32 = 8;
+
 /// Position of all axes: pose, axis values, and the words that move the machine there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct AxisPosition {
@@ -365,6 +368,18 @@ impl Placer {
             steps.map(|step| step * step).sum::<f64>().sqrt()
         };
         (length(self.linear.mask), length(self.rotary.mask).to_degrees())
+    }
+
+    /// Largest speed of the tip in a block in which all axes move linearly, times the time of the block, mm: the certified
+    /// bounds of its parts, which are near the true speed.
+    #[cold]
+    pub(crate) fn tip_rate_mm(&self, from: &AxisPosition, to: &AxisPosition) -> f64 {
+        let at = |part: u32| -> AxisValues {
+            let share = f64::from(part) / f64::from(RATE_PARTS);
+            std::array::from_fn(|index| from.axes[index] + share * (to.axes[index] - from.axes[index]))
+        };
+        let rate = |part: u32| self.machine.motion(&at(part), &at(part + 1)).tip_rate;
+        (0..RATE_PARTS).map(rate).fold(0.0, f64::max) * f64::from(RATE_PARTS)
     }
 
     /// Whether the linear words of a position are coordinates of the tip, and those of another: the control moves no tip.

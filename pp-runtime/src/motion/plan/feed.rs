@@ -3,8 +3,9 @@
 //! While no rotary axis moves, F is in mm/min (or inch/min). Where one moves, F is inverse time, or counts along the path
 //! that the control measures: see [`PathNorm`].
 //!
-//! The tip keeps the programmed feed: the time of a block is the length of its tip path over the feed. A block takes longer
-//! only where an axis would exceed its largest speed, where F would exceed `feed.largest` or `feed.largest_inverse_time`,
+//! The tip keeps the programmed feed: the time of a block is the length of its tip path over the feed. Where the axes lead
+//! the tip along a curve within the tolerance, or unevenly, as near a pole, the block takes so long that the tip is nowhere
+//! faster than programmed by more than a hundredth ([`FASTER`]). A block takes longer only where an axis would exceed its largest speed, where F would exceed `feed.largest` or `feed.largest_inverse_time`,
 //! or where the block would be shorter than `feed.shortest_block`; and then by no more than necessary.
 
 use crate::motion::options::Policy;
@@ -16,6 +17,12 @@ use crate::program::Units;
 use crate::motion::fault::Fault;
 use crate::motion::plan::abilities::Abilities;
 use crate::motion::step::FeedWord;
+
+/// Largest speed of the tip in units of its feed.
+const FASTER: f64 = 1.01;
+
+/// Largest change of the length of a block by the rounding of its words, in units of the linear words.
+const ROUNDED_UNITS: f64 = 2.0;
 
 /// Computes F words.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -45,8 +52,10 @@ pub(crate) struct Feeds {
 /// One feed motion: lengths of its paths, and the least time that it takes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct FeedMotion {
-    /// Length of the tip path.
+    /// Distance of the ends of the tip path.
     pub(crate) length_mm: f64,
+    /// Largest speed of the tip times the time of the block, where the axes lead it unevenly; else at most its length.
+    pub(crate) tip_rate_mm: f64,
     /// Largest rotation of a rotary axis; zero where no rotary word changes.
     pub(crate) rotation_rad: f64,
     /// Length of the path of the linear axes.
@@ -64,6 +73,7 @@ impl FeedMotion {
     pub(crate) fn linear(length_mm: f64, axis_time_min: f64) -> Self {
         Self {
             length_mm,
+            tip_rate_mm: length_mm,
             rotation_rad: 0.0,
             linear_mm: length_mm,
             rotary_degrees: 0.0,
@@ -110,6 +120,11 @@ impl Feeds {
     /// Whether F counts along the path of the control where a rotary axis moves.
     pub(crate) fn counts_path(&self) -> bool {
         self.along_tip || matches!(self.path_norm, PathNorm::Xyz | PathNorm::XyzDegrees)
+    }
+
+    /// Largest speed of the tip, times the time of a block of this length, that does not slow the block down, mm.
+    pub(crate) fn largest_tip_rate_mm(&self, length_mm: f64) -> f64 {
+        FASTER * length_mm + ROUNDED_UNITS * self.smallest_length_mm
     }
 
     /// Unit of length of the program, mm.
@@ -222,7 +237,8 @@ impl Feeds {
 
     /// Time of a motion at the feed of the CL data, mm/min; where the tip rests, at the speed for reorientation.
     fn programmed_min(&self, feed: f64, motion: FeedMotion) -> f64 {
-        let along_path = motion.length_mm / feed;
+        let uneven_mm = (motion.tip_rate_mm - ROUNDED_UNITS * self.smallest_length_mm) / FASTER;
+        let along_path = motion.length_mm.max(uneven_mm) / feed;
         let time_min = if motion.length_mm < self.smallest_length_mm {
             along_path.max(motion.rotation_rad / self.reorient_rad_per_min)
         } else {
@@ -249,6 +265,7 @@ mod tests {
     fn moved(length: f64, degrees: f64) -> FeedMotion {
         FeedMotion {
             length_mm: length,
+            tip_rate_mm: length,
             rotation_rad: degrees.to_radians(),
             linear_mm: length,
             rotary_degrees: degrees,
@@ -279,6 +296,18 @@ mod tests {
         let pace = feeds(Units::Millimetres).pace(300.0, moved(0.0, 90.0)).expect("a pace");
         let FeedWord::InverseTime(word) = pace.feed else { panic!("inverse time") };
         assert!((word.value() - 20.0).abs() < 1e-9, "90° at 1800 °/min take a twentieth of a minute: {word:?}");
+    }
+
+    #[test]
+    fn a_tip_that_is_led_unevenly_is_a_hundredth_faster_at_most() {
+        let pace = |tip_rate_mm| {
+            let motion = FeedMotion { tip_rate_mm, ..moved(2.0, 30.0) };
+            feeds(Units::Millimetres).pace(100.0, motion).expect("a pace")
+        };
+        // Rounding of the words is no speed: one unit is 0.001 mm.
+        assert_eq!([pace(2.0), pace(2.021)].map(|pace| pace.time_min), [0.02, 0.02]);
+        let slow = pace(6.0);
+        assert!((slow.time_min - (6.0 - 0.002) / 101.0).abs() < 1e-12 && slow.slowed_min == 0.0, "{slow:?}");
     }
 
     #[test]

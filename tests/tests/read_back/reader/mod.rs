@@ -90,6 +90,8 @@ pub(crate) struct SplitMotion {
     pub(crate) minutes: f64,
     /// Whether a block of it moves the tip by less than a unit of the words: its time is that of the rotation.
     pub(crate) still: bool,
+    /// Whether a block of it takes longer, because the axes lead the tip unevenly.
+    pub(crate) uneven: bool,
 }
 
 pub(crate) struct Reader<'a, M: Machine> {

@@ -2,7 +2,7 @@
 
 use pp_runtime::kinematics::{AxisKind, Machine, Pose, Side};
 use pp_runtime::nalgebra::{Point3, Vector3};
-use tests::block::{angle_to_arc, deviation_from, distance_to_line};
+use tests::block::{angle_to_arc, deviation, deviation_from, distance_to_line};
 use tests::foreign::{Axes, Feed};
 use tests::oracle::angle_between;
 
@@ -81,7 +81,9 @@ impl<M: Machine> Reader<'_, M> {
             if self.split.take().is_none()
                 && let Some(written) = written
             {
-                check_feed(line, written, feed, (tip - from).norm(), rotation, self.scale);
+                let length = (tip - from).norm();
+                let rate = deviation(&self.oracle, &before, values, BLOCK_POINTS).tip_rate_mm;
+                check_feed(line, written, feed, self.timed_mm(length, rate), rotation, self.scale);
             }
         }
         let step = tip - from;
@@ -105,7 +107,7 @@ impl<M: Machine> Reader<'_, M> {
         let Some((tip, _)) = self.reached else { return false };
         let begun = self.split.unwrap_or_else(|| {
             let axis = self.oracle.forward(before).axis.into_inner();
-            SplitMotion { tip, axis, minutes: 0.0, still: false }
+            SplitMotion { tip, axis, minutes: 0.0, still: false, uneven: false }
         });
         if !rotates && self.split.is_none() {
             return false;
@@ -122,7 +124,10 @@ impl<M: Machine> Reader<'_, M> {
         let pose = self.oracle.forward(values);
         let allowance = 0.5 * self.unit * 3_f64.sqrt() + NOISE;
         let length = (pose.tip - self.oracle.forward(before).tip).norm();
-        let exact = length / goto.feed_mm_per_min;
+        let timed_mm = self.timed_mm(length, off.tip_rate_mm);
+        // The length that was planned is that of ends that are not rounded.
+        let uneven = self.timed_mm(length - 2.0 * allowance, off.tip_rate_mm).0 > length - 2.0 * allowance;
+        let [exact, longest] = <[f64; 2]>::from(timed_mm).map(|length| length / goto.feed_mm_per_min);
         let minutes = match written {
             Some(Feed::InverseTime(word)) => 1.0 / word,
             Some(Feed::PerMinute(word)) => length / (word * self.scale),
@@ -130,12 +135,21 @@ impl<M: Machine> Reader<'_, M> {
             None => exact,
         };
         let still = length < self.unit + 2.0 * allowance;
-        let time_off = (minutes - exact).abs();
+        let noise = (2.0 * allowance + 1e-5 * length) / goto.feed_mm_per_min;
+        assert!(minutes >= exact - noise, "line {line}: a piece takes {minutes} min, expected {exact}");
+        let least = (off.tip_rate_mm - 2.0 * self.unit) / 1.01 / goto.feed_mm_per_min;
+        let timed = written.is_some();
         assert!(
-            still || time_off <= (2.0 * allowance + 1e-5 * length) / goto.feed_mm_per_min,
-            "line {line}: a piece takes {minutes} min"
+            !timed || minutes >= least * (1.0 - SIX_DIGITS),
+            "line {line}: {minutes} min, expected at least {least}"
         );
-        let split = SplitMotion { minutes: begun.minutes + minutes, still: begun.still || still, ..begun };
+        assert!(still || minutes <= longest + noise, "line {line}: a piece takes {minutes} min, expected {exact}");
+        let split = SplitMotion {
+            minutes: begun.minutes + minutes,
+            still: begun.still || still,
+            uneven: begun.uneven || uneven,
+            ..begun
+        };
         let axis_off = angle_between(&pose.axis, &goto.axis).to_degrees();
         if (pose.tip - goto.tip).norm() <= 2.0 * allowance && axis_off <= 2.0 * ROTARY_UNIT {
             if self.split.is_some() {
@@ -144,7 +158,10 @@ impl<M: Machine> Reader<'_, M> {
                 let whole = (goto.tip - begun.tip).norm() / goto.feed_mm_per_min;
                 let time_off = (split.minutes - whole).abs();
                 let timed = written.is_some() && !split.still;
-                assert!(!timed || time_off <= 2.0 * SIX_DIGITS * whole, "line {line}: {split:?} for {whole} min");
+                assert!(
+                    !timed || split.uneven && split.minutes > whole || time_off <= 2.0 * SIX_DIGITS * whole,
+                    "line {line}: {split:?} for {whole} min"
+                );
             }
             return false;
         }
@@ -156,6 +173,14 @@ impl<M: Machine> Reader<'_, M> {
         }
         self.split = Some(split);
         true
+    }
+
+    /// Length that a block takes its time for, mm, and the largest that a bound of its speed may show: the tip is a hundredth
+    /// faster than programmed at most. `rate_mm`: its largest speed times the time of the block.
+    fn timed_mm(&self, length_mm: f64, rate_mm: f64) -> (f64, f64) {
+        let tolerance_mm = if self.set_up.coarse { 1.0 } else { TOLERANCE.0 };
+        let led = |rate_mm: f64| length_mm.max((rate_mm - 2.0 * self.unit) / 1.01);
+        (led(rate_mm), if led(rate_mm) > length_mm { led(rate_mm + tolerance_mm) } else { length_mm })
     }
 
     /// Points off the great circle are those of an even rotation of the rotary axes from end to end.
@@ -229,8 +254,8 @@ fn straight_down(first: &Goto, next: &Goto) -> bool {
     along < 0.0 && across <= ON_LINE && (first.axis - next.axis).norm() <= 1e-6
 }
 
-/// `feed` and `length` in mm, `rotation` in degrees; `scale`: mm in the program's unit.
-fn check_feed(line: usize, written: Feed, feed: f64, length: f64, rotation: f64, scale: f64) {
+/// `feed` and lengths in mm, `rotation` in degrees; `scale`: mm in the program's unit.
+fn check_feed(line: usize, written: Feed, feed: f64, length: (f64, f64), rotation: f64, scale: f64) {
     match written {
         Feed::PerMinute(word) => {
             assert!(rotation == 0.0, "line {line}: G94 in a block with rotary motion");
@@ -239,9 +264,12 @@ fn check_feed(line: usize, written: Feed, feed: f64, length: f64, rotation: f64,
         Feed::PerRevolution(_) => panic!("line {line}: G95"),
         Feed::InverseTime(word) => {
             assert!(rotation > 0.0, "line {line}: G93 in a block without rotary motion");
-            let exact = feed / length;
-            let off = (word / exact - 1.0).abs();
-            assert!(off <= SIX_DIGITS, "line {line}: F{word}, expected {exact} for {feed} mm/min over {length} mm");
+            let [exact, slowest] = <[f64; 2]>::from(length).map(|length| feed / length);
+            let range = slowest * (1.0 - SIX_DIGITS)..=exact * (1.0 + SIX_DIGITS);
+            assert!(
+                range.contains(&word),
+                "line {line}: F{word}, expected {exact} for {feed} mm/min over {length:?} mm"
+            );
         }
     }
 }

@@ -9,7 +9,7 @@ mod retract;
 
 use std::io;
 
-use crate::kinematics::{AnyMachine, Pose};
+use crate::kinematics::{AnyMachine, MotionBound, Pose};
 use crate::motion::options::{Policy, Rapid, StretchMode, ToolPosture};
 use crate::program::Move;
 use crate::program::Units;
@@ -244,14 +244,20 @@ impl<'a, S: Sink> Mover<'a, S> {
         self.clamps.note(&self.position.place().words, &to.words);
     }
 
-    /// F word and time of a motion at `rate` mm/min to a place.
+    /// F word and time of a motion at `rate` mm/min to a place. `bound`: of the block, where a rotary axis rotates.
     #[inline]
-    fn pace(&self, rate: f64, to: &AxisPosition) -> Result<Pace, Fault> {
+    fn pace(&self, rate: f64, to: &AxisPosition, bound: Option<&MotionBound>) -> Result<Pace, Fault> {
         let from = self.here();
         let (linear_mm, rotary_degrees) =
             if self.feeds.counts_path() { self.placer.path_lengths(from, to) } else { (0.0, 0.0) };
+        let length_mm = if self.placer.tip_rests(from, to) { 0.0 } else { (to.pose.tip - from.pose.tip).norm() };
+        let tip_rate_mm = bound.map_or(0.0, |bound| {
+            let largest_mm = self.feeds.largest_tip_rate_mm(length_mm);
+            if bound.tip_rate > largest_mm { self.placer.tip_rate_mm(from, to) } else { 0.0 }
+        });
         let motion = FeedMotion {
-            length_mm: if self.placer.tip_rests(from, to) { 0.0 } else { (to.pose.tip - from.pose.tip).norm() },
+            length_mm,
+            tip_rate_mm,
             rotation_rad: self.placer.rotary_travel(&from.words, &to.words),
             orthogonal: self.placer.keeps_path_length(),
             linear_mm,
@@ -275,10 +281,10 @@ impl<'a, S: Sink> Mover<'a, S> {
         self.feed_in_pieces(place, rate, PathTolerance { axis_rad, ..self.tolerance })
     }
 
-    /// Writes a feed motion in one block.
+    /// Writes a feed motion in one block: of the linear axes, or away from the part.
     #[inline]
     pub(crate) fn feed_block(&mut self, place: &AxisPosition, rate: f64) -> Planned {
-        let pace = self.pace(rate, place)?;
+        let pace = self.pace(rate, place, None)?;
         self.write_feed(place, &pace, None)
     }
 
@@ -287,7 +293,7 @@ impl<'a, S: Sink> Mover<'a, S> {
         let to_axis_tolerance = tolerance.axis_rad.is_finite();
         // Nearly every motion: nothing is copied.
         if let Some(bound) = Linearised::in_one_block(&self.placer, (self.here(), place), tolerance) {
-            self.feed_piece(place, rate, None)?;
+            self.feed_piece(place, rate, &bound, None)?;
             self.output.statistics_mut().certified(&bound, to_axis_tolerance);
             return Ok(());
         }
@@ -296,7 +302,7 @@ impl<'a, S: Sink> Mover<'a, S> {
         while let Some(piece) = pieces.next(&self.placer)? {
             blocks += u64::from(piece.place.words != self.here().words);
             let inserted = (piece.place.words != place.words).then_some(BlockReason::Tolerance);
-            self.feed_piece(&piece.place, rate, inserted)?;
+            self.feed_piece(&piece.place, rate, &piece.bound, inserted)?;
             self.position.go_to(&piece.place);
             self.output.statistics_mut().certified(&piece.bound, to_axis_tolerance);
         }
@@ -306,10 +312,16 @@ impl<'a, S: Sink> Mover<'a, S> {
 
     /// Writes a certified piece of a feed motion.
     #[inline]
-    fn feed_piece(&mut self, place: &AxisPosition, rate: f64, inserted: Option<BlockReason>) -> Planned {
+    fn feed_piece(
+        &mut self,
+        place: &AxisPosition,
+        rate: f64,
+        bound: &MotionBound,
+        inserted: Option<BlockReason>,
+    ) -> Planned {
         self.placer.check_travel(place)?;
         self.placer.check_between(self.position.place(), place)?;
-        let pace = self.pace(rate, place)?;
+        let pace = self.pace(rate, place, Some(bound))?;
         self.write_feed(place, &pace, inserted)
     }
 
