@@ -420,7 +420,7 @@ impl<R: Read> Comparison<'_, R> {
     }
 
     /// Whether a block is the rest of a finished motion: a step of one unit, or near the pole a rotation of the rotary axes, by
-    /// half a revolution at most, where the tool axis is at its end already.
+    /// half a revolution at most (a whole one between limits), where the tool axis is at its end already.
     fn is_rest(&self, cutting: &mut Cutting, block: &Block, end: &ToolPose) -> bool {
         let (rules, here) = (&self.rules, cutting.here);
         let Some(finished) = cutting.finished.as_mut().filter(|_| rules.is_known(block, self.previous.known)) else {
@@ -467,7 +467,7 @@ impl<R: Read> Comparison<'_, R> {
             !at_feed || rules.feed_fault(&stroke, &block.state, segment, [0.0, 1.0]).is_none()
         };
         let is_rest = same_kind
-            && rotated_rad <= PI + rules.rounding().unit_rad
+            && rotated_rad <= rules.largest_rest_rad()
             && (near || rules.is_at(end, &segment.to))
             && !begins_next()
             && rules.stays_at(&rules.path(*before, block), &segment.to, tolerance_mm)
@@ -550,7 +550,8 @@ impl<R: Read> Comparison<'_, R> {
     /// Rest of the retract along the tool axis and the pose after it, if the block ends there.
     fn rest_of_retract(&self, cutting: &Cutting, here: &ToolPose, end: &ToolPose) -> Option<(f64, ToolPose)> {
         let from = self.progress.on_path(here);
-        retract::rest(&self.rules, self.clearance(), (&from, here), end, cutting.retract.out_mm())
+        let between = self.progress.along() > 0.0;
+        retract::rest(&self.rules, self.clearance(), (&from, between), here, end, cutting.retract.out_mm())
     }
 
     /// The retract along the tool axis before the machine retract; `None` if the block is something else.
@@ -575,13 +576,16 @@ impl<R: Read> Comparison<'_, R> {
         }))
     }
 
-    /// The point at which a retract interrupts the cut, if it does so. A cut that is done but for rounding may have to go on.
+    /// The point at which a retract interrupts the cut, if it does so. A cut that is done but for rounding may have to go on:
+    /// the coolant shows it, where the cut has any.
     pub(super) fn rewind_point(&self, cutting: &Cutting, out: Option<ToolPose>, block: &Block) -> Option<RewindPoint> {
         let here = cutting.here?;
         let continues = self.progress.continues_cut();
         let wet = !continues && block.state.coolant.is_some_and(|coolant| coolant != 0);
         match cutting.finished.filter(|finished| finished.at_feed) {
-            Some(finished) if continues || wet || self.rules.policy().links.rewinds_dry => {
+            Some(finished)
+                if continues || wet || finished.required.coolant == 0 || self.rules.policy().links.rewinds_dry =>
+            {
                 let on_path = finished.segment.at(self.rules.share_at(&finished.segment, &here));
                 let pose = ToolPose { axis: here.axis, ..on_path };
                 Some(RewindPoint { pose, out, finished: Some(finished), wet })

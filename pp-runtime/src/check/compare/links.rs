@@ -6,7 +6,7 @@ use super::super::expect::{ClMotion, ExpectedAction, ExpectedItem};
 use super::super::geometry::{PathShape, Segment, ToolPose, angle_between};
 use super::super::policy::LinearMeaning;
 use super::super::read::{Action, Block, Length, OwnPlace, TipControl, stated};
-use super::super::rules::{FrameUse, ModalContext, fault_at_end, tool_name};
+use super::super::rules::{BOTH, FrameUse, ModalContext, fault_at_end, tool_name};
 use super::functions::place_of_line;
 use super::phase::{Cutting, Phase, Retracted, RetractedLength, RewindPoint};
 use super::{Comparison, Current, StartState, parking, plane_guard, retract};
@@ -588,7 +588,7 @@ impl<R: Read> Comparison<'_, R> {
         let at = |(along, above): &&(f64, ToolPose)| {
             let near = |height: f64| (along - height).abs() <= 4.0 * tip_mm;
             let far = led_out.map_or(*along >= -tip_mm, |led_out| near(led_out) || near(approach_mm));
-            far && retract::is_at_distance(&self.rules, end, above, *along)
+            far && retract::is_at_distance(&self.rules, end, (above, BOTH), *along)
         };
         over.iter().find(at).map(|(_, above)| *above)
     }

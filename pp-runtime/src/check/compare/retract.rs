@@ -25,11 +25,13 @@ pub(super) fn is_out(rules: &Rules<'_>, clearance: Option<&Clearance>, here: &To
     }
 }
 
-/// Rest of the retract and the pose after it, if that is where a block ends. `from`: the tool on the path of the CL data.
+/// Rest of the retract and the pose after it, if that is where a block ends. `from`: the tool on the path of the CL data, and
+/// whether that is between the ends of a motion.
 pub(super) fn rest(
     rules: &Rules<'_>,
     clearance: Option<&Clearance>,
-    (from, here): (&ToolPose, &ToolPose),
+    (from, between): (&ToolPose, bool),
+    here: &ToolPose,
     end: &ToolPose,
     done_mm: f64,
 ) -> Option<(f64, ToolPose)> {
@@ -42,15 +44,22 @@ pub(super) fn rest(
         let length = length(rules, clearance, &from, done_mm)?;
         let rest = if rules.policy().links.retract_distance_mm.is_some() { length } else { length - done_mm };
         let out = ToolPose { tip: from.tip + axis * rest, axis };
-        is_at_distance(rules, end, &out, rest).then_some((rest, out))
+        // Rounded words show a place between the ends with their own error.
+        let roundings = if between { 1.0 + BOTH } else { BOTH };
+        is_at_distance(rules, end, (&out, roundings), rest).then_some((rest, out))
     })
 }
 
-/// Whether a pose is at a distance along a tool axis that is known to its rounding.
-pub(super) fn is_at_distance(rules: &Rules<'_>, end: &ToolPose, out: &ToolPose, distance_mm: f64) -> bool {
+/// Whether a pose is at a distance along a tool axis that is known to its rounding; `out` to so many roundings of a tip.
+pub(super) fn is_at_distance(
+    rules: &Rules<'_>,
+    end: &ToolPose,
+    (out, roundings): (&ToolPose, f64),
+    distance_mm: f64,
+) -> bool {
     let rounding = rules.rounding();
     // The rounding of the axis moves the far end across it.
-    let (off, near) = (end.tip - out.tip, BOTH * rounding.tip_mm);
+    let (off, near) = (end.tip - out.tip, roundings * rounding.tip_mm);
     let along = off.dot(&out.axis).abs();
     along <= near
         && off.norm() <= near + distance_mm.abs() * rounding.axis_rad

@@ -256,8 +256,16 @@ impl FeedLaw {
     /// Shortest and longest tip path that rounded ends may show. Where the axes move much farther than the tip, the rounding
     /// of the tool axis moves its ends, too.
     fn lengths(&self, stroke: &Stroke, extent: &Extent) -> (f64, f64) {
-        let lever = self.rotates(extent) && extent.linear_mm > LEVER * stroke.length_mm;
-        let error = if lever { 5.0 } else { 2.0 } * self.unit_mm;
+        let rotates = self.rotates(extent);
+        let lever = rotates && extent.linear_mm > LEVER * stroke.length_mm;
+        // A place between the ends of a motion is found by its tip and its tool axis together.
+        let error = if lever {
+            5.0
+        } else if rotates {
+            3.0
+        } else {
+            2.0
+        } * self.unit_mm;
         ((stroke.length_mm - error).max(0.0), (stroke.length_mm + error).min(stroke.longest_mm.max(stroke.length_mm)))
     }
 

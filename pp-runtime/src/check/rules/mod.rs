@@ -9,11 +9,11 @@ mod state;
 mod words;
 
 use std::cell::Cell;
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 use nalgebra::Vector3;
 
-use crate::kinematics::{AnyMachine, Axis, AxisKind, Side};
+use crate::kinematics::{AnyMachine, Axis, AxisKind, Limits, Side};
 use crate::program::{Feed, Units};
 
 use super::expect::{ClMotion, Required};
@@ -76,6 +76,8 @@ pub(super) struct Rules<'a> {
     clamps: u16,
     /// Direction of the first rotary axis.
     pole: Option<Vector3<f64>>,
+    /// Largest rotation of the rotary axes at the end of a motion, with the tool where it is, rad.
+    largest_rest_rad: f64,
     /// Outside tip control and planes the machine retract leads along the tool axis.
     retracts_along_tool: bool,
     /// The last even rotation: tool axis at its end, and the words there.
@@ -103,6 +105,7 @@ impl<'a> Rules<'a> {
                 OwnPlace::Clamp { axis, .. } => bits | 1 << axis,
                 _ => bits,
             }),
+            largest_rest_rad: largest_rest_rad(&*machine, policy),
             pole: first_rotary.map(|index| machine.joint(index).direction.into_inner()),
             retracts_along_tool: retracts_along_tool(&*machine),
             even_end: Cell::new(None),
@@ -274,6 +277,11 @@ impl<'a> Rules<'a> {
     /// Whether a tool axis may be put at the pole.
     pub(super) fn is_near_pole(&self, axis: &Vector3<f64>) -> bool {
         self.pole.is_some_and(|pole| pole.cross(axis).norm() <= self.policy.tolerances.pole_rad)
+    }
+
+    /// Largest rotation of the rotary axes at the end of a motion, with the tool where it is, rad.
+    pub(super) fn largest_rest_rad(&self) -> f64 {
+        self.largest_rest_rad + self.rounding.unit_rad
     }
 
     /// Angle between a tool axis and the nearest pole, rad; infinite without a pole.
@@ -496,6 +504,13 @@ fn corner(machine: &dyn AnyMachine) -> f64 {
         signed.sum::<Vector3<f64>>().norm()
     });
     signs.fold(0.0, f64::max)
+}
+
+/// Half a revolution leads to every position at a pole; between its limits an axis may have to go the longer way.
+fn largest_rest_rad(machine: &dyn AnyMachine, policy: &CheckPolicy) -> f64 {
+    let limits = policy.set_up.travel(machine.axes()).limits;
+    let limited = |(axis, limits): (&Axis, &Option<Limits>)| limits.is_some() && is_solved(axis, AxisKind::Rotary);
+    if machine.axes().iter().zip(&limits).any(limited) { TAU } else { PI }
 }
 
 /// Whether no rotary axis is in the head and a linear axis is parallel to the tool.

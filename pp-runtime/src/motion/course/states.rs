@@ -140,7 +140,9 @@ impl StateFinder {
             let touches = p.dot(&normal).abs() <= self.placer.pole_tolerance() * sine
                 && a.cross(&p).dot(&normal) > 0.0
                 && p.cross(&b).dot(&normal) > 0.0;
-            touches.then(|| (angle_between(&a, &p) / angle_between(&a, &b), *pole))
+            // The pole may be beside the path: where it is nearest.
+            let along = || p.dot(&normal.cross(&a)).atan2(sine * p.dot(&a));
+            touches.then(|| (along() / angle_between(&a, &b), *pole))
         })
     }
 
