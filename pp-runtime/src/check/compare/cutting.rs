@@ -249,7 +249,11 @@ impl<R: Read> Comparison<'_, R> {
             let here = cutting.here.unwrap_or_else(|| self.rules.words().place(&self.previous.words, &block.state));
             let deviation = self.compare_path(current, [&here, end], part);
             if at_feed {
-                self.compare_feed(current, part, deviation.as_ref());
+                let along = match cutting.has_rested() {
+                    true => self.rules.share_at(&part.segment, &here).min(part.share),
+                    false => self.progress.along(),
+                };
+                self.compare_feed(current, part, along, deviation.as_ref());
             }
         }
         self.end_rapid_steps(cutting, current);
@@ -344,8 +348,9 @@ impl<R: Read> Comparison<'_, R> {
         Some(deviation)
     }
 
-    fn compare_feed(&mut self, current: &Current<'_>, part: &Part, deviation: Option<&Deviation>) {
-        let (block, segment, along) = (current.block, &part.segment, self.progress.along());
+    /// `along`: share of the motion that was done before the block.
+    fn compare_feed(&mut self, current: &Current<'_>, part: &Part, along: f64, deviation: Option<&Deviation>) {
+        let (block, segment) = (current.block, &part.segment);
         let length = match segment.shape {
             PathShape::Line => (part.share - along) * segment.length(),
             _ if matches!(block.action, Action::Arc(_)) => (part.share - along) * segment.length(),
@@ -550,7 +555,10 @@ impl<R: Read> Comparison<'_, R> {
     /// Rest of the retract along the tool axis and the pose after it, if the block ends there.
     fn rest_of_retract(&self, cutting: &Cutting, here: &ToolPose, end: &ToolPose) -> Option<(f64, ToolPose)> {
         let from = self.progress.on_path(here);
-        let between = self.progress.along() > 0.0;
+        // Blocks that were taken for the rest of the motion before may have led on.
+        let rested = cutting.has_rested();
+        let from = if rested { ToolPose { tip: here.tip, ..from } } else { from };
+        let between = rested || self.progress.along() > 0.0;
         retract::rest(&self.rules, self.clearance(), (&from, between), here, end, cutting.retract.out_mm())
     }
 

@@ -46,6 +46,13 @@ pub(super) struct Cutting {
     pub(crate) perhaps_retract: Option<Box<ExpectedItem>>,
 }
 
+impl Cutting {
+    /// Whether blocks have been taken for the rest of the last motion.
+    pub(super) fn has_rested(&self) -> bool {
+        self.finished.is_some_and(|finished| finished.rotated_rad > 0.0)
+    }
+}
+
 /// Retracted along the tool axis.
 #[derive(Debug, Clone)]
 pub(super) struct Leaving {

@@ -180,7 +180,10 @@ impl Rules<'_> {
         let rewinds = links.rewinds_in_cut
             && !self.needs_no_block(segment, arrival.here, arrival.chords)
             && arrival.here.is_some_and(|here| (here.tip - end.tip).norm() <= 2.0 * rounding.tip_mm);
-        let elsewhere = || self.evenly_done(segment, block, (before, end), along).or(rewinds.then_some(along));
+        let elsewhere = || {
+            let done = self.evenly_done(segment, block, (before, end), along).or(rewinds.then_some(along));
+            done.or_else(|| self.rotated_on_spot(segment, block, end, arrival))
+        };
         if !(along - SHARE..=1.0 + SHARE).contains(&share) && !self.is_just_before(segment, share, along, axis) {
             return elsewhere();
         }
@@ -200,6 +203,22 @@ impl Rules<'_> {
     fn leads_through_pole(&self, segment: &Segment, block: &Block, end: &ToolPose) -> bool {
         let at_pole = self.pole.is_some_and(|pole| pole.cross(&end.axis).norm() <= self.rounding.axis_rad);
         block.state.vector.is_some() && at_pole && segment.axis_arc().is_within(&end.axis, self.largest_bend_rad())
+    }
+
+    /// Share of a motion that is done where the rotary axes rotate past the pole with the tip where it is: the tool axis keeps to
+    /// its tolerance only.
+    fn rotated_on_spot(&self, segment: &Segment, block: &Block, end: &ToolPose, arrival: &Arrival) -> Option<f64> {
+        let tip_mm = 2.0 * self.rounding.tip_mm;
+        let rests = |here: ToolPose| (here.tip - end.tip).norm() <= tip_mm;
+        let on_line = matches!(segment.shape, PathShape::Line) && block.action == Action::Feed;
+        if !on_line || !arrival.here.is_some_and(rests) || self.off_pole_rad(&end.axis) > AT_POLE {
+            return None;
+        }
+        let share = self.share_at(segment, end).max(arrival.along);
+        let on = segment.at(share);
+        let near = (end.tip - on.tip).norm() <= tip_mm
+            && segment.axis_arc().distance(&end.axis) <= self.policy.tolerances.axis_path_rad + self.rounding.pole_rad;
+        near.then_some(share)
     }
 
     /// Share of a motion that is done where the rotary axes rotate evenly from the words before a block to the end of the
