@@ -36,6 +36,8 @@ pub(crate) struct WaitingCircle {
     axis: UnitVector3<f64>,
     sense: Sense,
     radius_mm: Option<f64>,
+    /// The start of a helix may be at the level of the centre, not only its end.
+    may_begin_at_centre: bool,
     times: u32,
     /// Angle that the arc must have (MOVARC).
     angle_rad: Option<f64>,
@@ -72,6 +74,7 @@ impl WaitingCircle {
             axis: transforms.direction(UnitVector3::new_normalize(axis)),
             sense: sense.unwrap_or(of_form),
             radius_mm: circle.radius.map(|radius| radius * unit_mm),
+            may_begin_at_centre: circle.form == CircleForm::Seven,
             times: circle.times,
             angle_rad: circle.angle_deg.map(f64::to_radians),
             line,
@@ -119,8 +122,17 @@ pub(crate) fn tangent_circle(
     let Some(axis) = UnitVector3::try_new(arm.cross(&direction), 1e-9) else {
         return Err(fault("the start of this arc and INDIRV define no plane".into()));
     };
-    let sense = Sense::CounterClockwise;
-    Ok((WaitingCircle { centre, axis, sense, radius_mm: Some(radius), times: 1, angle_rad: None, line }, end))
+    let circle = WaitingCircle {
+        centre,
+        axis,
+        sense: Sense::CounterClockwise,
+        radius_mm: Some(radius),
+        may_begin_at_centre: false,
+        times: 1,
+        angle_rad: None,
+        line,
+    };
+    Ok((circle, end))
 }
 
 /// Fault of a TLON.
@@ -255,7 +267,11 @@ pub(crate) fn arc_of(
     };
     let (u, v) = (flat(start.tip), flat(end.tip));
     let (first, last) = (u.norm(), v.norm());
-    let off_plane = (end.tip - circle.centre).dot(&n).abs();
+    let above_centre = |point: Point3<f64>| (point - circle.centre).dot(&n).abs();
+    // The centre of a helix is at the level of its end (NX), or of its start (Creo, *CL Output for Circular Interpolation*,
+    // and MOVARC of the posts of Autodesk).
+    let off_end = above_centre(end.tip);
+    let off_plane = if circle.may_begin_at_centre { off_end.min(above_centre(start.tip)) } else { off_end };
     if off_plane > ARC_TOLERANCE_MM {
         return Err(fault(format!("the end of an arc is {off_plane:.4} mm off the plane of its circle")));
     }

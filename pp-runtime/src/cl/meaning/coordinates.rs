@@ -32,6 +32,16 @@ impl Coordinates {
         &self.transforms
     }
 
+    /// Whether a frame is in force already: stating it again changes nothing.
+    pub(crate) fn is_frame_in_force(&self, frame: &StatedFrame) -> bool {
+        self.workpiece.in_force().is_some_and(|known| known.is_same(frame))
+    }
+
+    /// Whether a CSYS of SolidWorks CAM is in force already.
+    pub(crate) fn is_set_up_in_force(&self, frame: &StatedFrame) -> bool {
+        self.set_up.in_force().is_some_and(|known| known.is_same(frame))
+    }
+
     /// Sets TRACUT; `unit_mm`: mm in one unit of the file.
     pub(crate) fn set_tracut(&mut self, rows: Option<[f64; 12]>, unit_mm: f64, at: Span) -> Result<(), ClFault> {
         let tracut = rows.map(|rows| RigidTransform::from_rows(&rows, unit_mm, at)).transpose()?;

@@ -3,7 +3,7 @@
 use super::arc::ARC_TOLERANCE_MM;
 use super::holes::{HoleDefinition, ReturnLevel};
 use super::permitted::Permitted;
-use crate::cl::record::CycleState;
+use crate::cl::record::{CycleCall, CycleState};
 use crate::cl::text::{ClFault, Span};
 use crate::kinematics::Pose;
 use crate::nalgebra::{Point3, UnitVector3};
@@ -17,6 +17,8 @@ pub(crate) struct CycleInForce {
     active: bool,
     /// Definition of the hole; `None` in an active cycle whose record was refused.
     definition: Option<HoleDefinition>,
+    /// Record of that cycle, whose words CYCLE/ON can change.
+    call: Option<CycleCall>,
     /// CYCLE/INIT (true) or CYCLE/CLEAR (false) for the next cycle.
     initial: Option<bool>,
     /// Position of the tool when the cycle began or was resumed; with another tool axis, the point as high above the hole
@@ -33,6 +35,11 @@ struct HolesMade {
     axis: UnitVector3<f64>,
     /// Initial level above the first hole, mm.
     first_mm: f64,
+}
+
+fn without_cycle(at: Span) -> ClFault {
+    let text = "CYCLE/ON without a cycle before it in this operation";
+    ClFault::new("CYCLE", at, text, "write the whole record of the cycle here: CYCLE/DRILL,.. with its levels")
 }
 
 impl CycleInForce {
@@ -65,9 +72,20 @@ impl CycleInForce {
     }
 
     /// Begins a cycle without a definition: if its record is refused, its holes are passed over.
-    pub(crate) fn begin_definition(&mut self) {
+    pub(crate) fn begin_definition(&mut self, call: &CycleCall) {
         self.active = true;
-        self.definition = None;
+        (self.definition, self.call) = (None, Some(*call));
+    }
+
+    /// Whether the record of the cycle was refused with a message. A change of it needs none.
+    pub(crate) fn is_refused(&self) -> bool {
+        self.call.is_some() && self.definition.is_none()
+    }
+
+    /// The cycle with the words of `CYCLE/ON,..` in place of its own.
+    pub(crate) fn changed_by(&self, change: &CycleCall) -> Result<CycleCall, ClFault> {
+        let call = self.call.ok_or_else(|| without_cycle(change.at))?;
+        Ok(call.changed_by(change))
     }
 
     /// Takes CYCLE/INIT (true) or CYCLE/CLEAR (false); it holds for one cycle.
@@ -84,7 +102,25 @@ impl CycleInForce {
     ) -> Result<(), ClFault> {
         self.active = true;
         (self.before, self.made) = (before, None);
-        if definition.return_level == ReturnLevel::Initial && before.is_none() {
+        self.check_level_before(&definition, at)?;
+        self.definition = Some(definition);
+        Ok(())
+    }
+
+    /// Resumes a cycle whose record was refused: its points are passed over.
+    pub(crate) fn resume_refused(&mut self) {
+        self.active = true;
+    }
+
+    /// Changes the cycle among its points; its initial level stays that of the tool before the first of them.
+    pub(crate) fn change(&mut self, definition: HoleDefinition, at: Span) -> Result<(), ClFault> {
+        self.check_level_before(&definition, at)?;
+        self.definition = Some(definition);
+        Ok(())
+    }
+
+    fn check_level_before(&self, definition: &HoleDefinition, at: Span) -> Result<(), ClFault> {
+        if definition.return_level == ReturnLevel::Initial && self.before.is_none() {
             return Err(ClFault::new(
                 "CYCLE",
                 at,
@@ -92,7 +128,6 @@ impl CycleInForce {
                 "program a GOTO before the cycle",
             ));
         }
-        self.definition = Some(definition);
         Ok(())
     }
 
@@ -103,10 +138,7 @@ impl CycleInForce {
             CycleState::Initial => self.initial = Some(true),
             CycleState::Clear => self.initial = Some(false),
             CycleState::On => {
-                let Some(definition) = self.definition else {
-                    let text = "CYCLE/ON without a cycle before it in this operation";
-                    return Err(ClFault::new("CYCLE", at, text, "define the cycle first"));
-                };
+                let definition = self.definition.ok_or_else(|| without_cycle(at))?;
                 return self.begin_holes(definition, before, at);
             }
         }
@@ -115,7 +147,7 @@ impl CycleInForce {
 
     /// Forgets the cycle at a new operation: levels of one tool do not hold for another.
     pub(crate) fn end_operation(&mut self) {
-        (self.definition, self.initial) = (None, None);
+        (self.definition, self.call, self.initial) = (None, None, None);
     }
 
     /// Level to which the tool returns after a hole, mm above its top. The initial level is a plane across the tool axis; with

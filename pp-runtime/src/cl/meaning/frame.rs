@@ -93,6 +93,11 @@ impl WorkpieceFrames {
         self.frames.first()
     }
 
+    /// The frame stated last.
+    pub(crate) fn in_force(&self) -> Option<&StatedFrame> {
+        self.frames.get(self.current)
+    }
+
     pub(crate) fn stated(&self) -> u64 {
         self.stated
     }
@@ -210,6 +215,11 @@ impl SetUpFrame {
     /// TRNTYP/WORLD.
     pub(crate) fn set_world(&mut self) {
         self.in_world = true;
+    }
+
+    /// The CSYS in force, while it states the tool axis.
+    pub(crate) fn in_force(&self) -> Option<&StatedFrame> {
+        self.stated.as_ref().filter(|_| self.axis.is_some())
     }
 
     pub(crate) fn changes(&self) -> u64 {

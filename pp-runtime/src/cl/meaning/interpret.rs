@@ -19,7 +19,7 @@ use super::permitted::Permitted;
 use super::units::FileUnits;
 use super::votes::ArcVotes;
 use crate::cl::dialect::Dialect;
-use crate::cl::record::{ProgramRecord, Record, SubprogramRecord, Text};
+use crate::cl::record::{CoordinateRecord, ProgramRecord, Record, SubprogramRecord, Text};
 use crate::cl::text::{ClFault, Span};
 use crate::program::{Event, Feed, Location, Spline};
 use crate::set_up::ClPoint;
@@ -124,10 +124,24 @@ impl RecordInterpreter {
             self.close_curve()?;
         }
         self.arc.admit(permitted)?;
-        self.cycle.admit(permitted)?;
+        if !self.is_frame_restated(record, here) {
+            self.cycle.admit(permitted)?;
+        }
         let taken = self.interpret(record, here);
         self.update_plain_goto();
         taken
+    }
+
+    /// Whether the record states a frame that is in force: Creo and NX write it before each operation and cycle.
+    fn is_frame_restated(&self, record: &Record<'_>, here: Location) -> bool {
+        let Record::Coordinates(CoordinateRecord::Frame(frame) | CoordinateRecord::Setup(frame)) = record else {
+            return false;
+        };
+        let Ok(stated) = self.stated_frame(frame, here) else { return false };
+        match record {
+            Record::Coordinates(CoordinateRecord::Setup(_)) => self.coordinates.is_set_up_in_force(&stated),
+            _ => self.coordinates.is_frame_in_force(&stated),
+        }
     }
 
     fn interpret(&mut self, record: &Record<'_>, here: Location) -> Result<(), ClFault> {

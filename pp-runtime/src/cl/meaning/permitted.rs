@@ -53,7 +53,9 @@ impl Permitted {
                 NurbsRecord::Begin => Self::PATH_ALONE,
                 NurbsRecord::Knots(_) | NurbsRecord::ControlPoint(_) => Self::OF_CURVE,
             },
-            Record::Cycle(CycleRecord::Define(_) | CycleRecord::Switch { .. }) => Self::ORDINARY,
+            Record::Cycle(CycleRecord::Define(_) | CycleRecord::Change(_) | CycleRecord::Switch { .. }) => {
+                Self::ORDINARY
+            }
             Record::Coordinates(record) => Self::of_coordinates(record),
             Record::Tool(record) => match record {
                 ToolRecord::Call(_) => Self::ALONE,

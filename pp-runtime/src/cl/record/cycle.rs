@@ -154,10 +154,11 @@ impl CycleState {
 
 /// A record that begins, ends or resumes a cycle.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[expect(clippy::large_enum_variant, reason = "nothing is allocated for a record")]
 pub enum CycleRecord {
     /// `CYCLE/kind,..`.
     Define(CycleCall),
+    /// `CYCLE/ON,..`: the cycle before it with these words in place of its own (NX). The kind is not used.
+    Change(CycleCall),
     /// `CYCLE/OFF`, `CYCLE/ON`, `CYCLE/INIT`, `CYCLE/CLEAR`.
     Switch {
         /// New state.
@@ -172,7 +173,18 @@ pub(crate) fn cycle(args: &mut Args<'_>) -> Result<CycleRecord, ClFault> {
     let at = args.all();
     let first = args.needed()?;
     if let Some(state) = first.among(&CycleState::WORDS) {
-        return Ok(CycleRecord::Switch { state, at: first.at });
+        if state != CycleState::On || args.clone().next()?.is_none() {
+            return Ok(CycleRecord::Switch { state, at: first.at });
+        }
+        let mut change = CycleCall::new(ClCycleKind::Drill, at);
+        while let Some(arg) = args.next()? {
+            change.take(arg, args)?;
+            if change.positionals > 0 {
+                // Numbers without a word have a place in a whole record only.
+                return Err(args.not_understood(arg));
+            }
+        }
+        return Ok(CycleRecord::Change(change));
     }
     let kind = first.among(&ClCycleKind::WORDS).ok_or_else(|| args.not_understood(first))?;
     let mut cycle = CycleCall::new(kind, at);
@@ -205,6 +217,30 @@ const NUMBER_AFTER: [(&str, NumberOf); 9] = [
 ];
 
 impl CycleCall {
+    /// This cycle with the words of `change` in place of its own.
+    pub(crate) fn changed_by(&self, change: &CycleCall) -> CycleCall {
+        let depth_is_changed = change.fedto.is_some() || change.depth.is_some();
+        CycleCall {
+            kind: self.kind,
+            fedto: if depth_is_changed { change.fedto } else { self.fedto },
+            depth: if depth_is_changed { change.depth } else { self.depth },
+            feed: change.feed.or(self.feed),
+            rapto: change.rapto.or(self.rapto),
+            clear: change.clear.or(self.clear),
+            back_to: change.back_to.or(self.back_to),
+            step: change.step.or(self.step),
+            first_step: change.first_step.or(self.first_step),
+            dwell_s: change.dwell_s.or(self.dwell_s.filter(|_| change.dwell_rev.is_none())),
+            dwell_rev: change.dwell_rev.or(self.dwell_rev.filter(|_| change.dwell_s.is_none())),
+            back: change.back.or(self.back),
+            orient_deg: change.orient_deg.or(self.orient_deg),
+            positional: self.positional,
+            positionals: self.positionals,
+            at: change.at,
+            depth_at: if depth_is_changed { change.depth_at } else { change.at },
+        }
+    }
+
     /// Reads one word with its arguments, or a number without a word.
     fn take(&mut self, arg: Arg<'_>, args: &mut Args<'_>) -> Result<(), ClFault> {
         if let Some(place) = arg.among(&NUMBER_AFTER) {
@@ -289,6 +325,13 @@ fn once(first: bool, word: Arg<'_>) -> Result<(), ClFault> {
 impl Display for CycleCall {
     fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
         write!(out, "CYCLE/{}", self.kind.word())?;
+        self.write_words(out)
+    }
+}
+
+impl CycleCall {
+    /// Writes all words after the first.
+    fn write_words(&self, out: &mut Formatter<'_>) -> fmt::Result {
         for value in &self.positional[..self.positionals.min(self.positional.len())] {
             write!(out, ",{}", ClNumber(*value))?;
         }
@@ -321,6 +364,10 @@ impl Display for CycleRecord {
     fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
         match self {
             Self::Define(words) => words.fmt(out),
+            Self::Change(words) => {
+                out.write_str("CYCLE/ON")?;
+                words.write_words(out)
+            }
             Self::Switch { state, .. } => write!(out, "CYCLE/{}", word_of(&CycleState::WORDS, state)),
         }
     }

@@ -89,7 +89,7 @@ static TABLE: &[Row] = &[
     row("CUT", Hazard(NOT_CUT), ""),
     row("CUTCOM", Read(|args| machine::compensation(args).map(Machine)), "/[ON,]LEFT|RIGHT[,n][,XYPLAN]; /ON; /OFF"),
     row("CUTTER", Read(|args| tool::cutter(args).map(|cutter| Tool(ToolRecord::Cutter(cutter)))), "/d[,r[,e,f,a,b,h]]"),
-    row("CYCLE", Read(|args| cycle::cycle(args).map(Cycle)), "/DRILL|FACE|CSINK|THRU|DEEP|BRKCHP|BORE|REAM|TAP|..; /OFF; /ON"),
+    row("CYCLE", Read(|args| cycle::cycle(args).map(Cycle)), "/DRILL|FACE|CSINK|THRU|DEEP|BRKCHP|BORE|REAM|TAP|..; /OFF; /ON[,words to change]"),
     row("DEFSUB", Read(|args| subprogram::define(args).map(Subprogram)), "/n, up to ENDSUB"),
     row("DELAY", Read(|args| machine::delay(args).map(Machine)), "/seconds; /n,REV"),
     row("DISPLAY", Inert, ""),

@@ -76,11 +76,29 @@ fn an_arc_whose_end_is_not_on_its_circle_is_refused() {
         ["3:6+5 the start of an arc is 0.0100 mm off its radius of 1.0100 mm (circle of line 2)"]
     );
     assert_eq!(
-        at("0,0,0,0,0,1,1", "0,1,1"),
+        at("0,0,-1,0,0,1,1", "0,1,0"),
         ["3:6+5 the end of an arc is 1.0000 mm off the plane of its circle (circle of line 2)"]
     );
     assert_eq!(at("0,0,0,0,0,1,1", "0,1,0,0,.6,.8"), ["3:6+13 the tool axis changes on an arc (circle of line 2)"]);
     assert_eq!(at("0,0,0,0,0,2,1", "0,1,0").len(), 1);
+}
+
+#[test]
+fn the_centre_of_a_helix_of_creo_and_of_a_movarc_is_at_the_level_of_either_end() {
+    // The thread of *CL Output for Circular Interpolation* in the manual of Creo, one orbit up.
+    let thread = |record: &str| format!("GOTO/8.2,0,-1\n{record}\nGOTO/8.2,0,-.9\n");
+    for level in ["-1", "-.9"] {
+        for record in
+            [format!("CIRCLE/8,0,{level},$ $$ 1ST ORBIT\n0,0,1,.2"), format!("MOVARC/8,0,{level},0,0,1,.2,ANGLE,360")]
+        {
+            assert_eq!(events_without_places(&thread(&record), MM)[1], "arc to 8.2 0 -0.9 about 0 0 1 through 360.000");
+        }
+    }
+    assert!(errors(&thread("CIRCLE/8,0,-.95,0,0,1,.2"))[0].contains("0.0500 mm off the plane"));
+    // NX and SolidWorks CAM: the level of the end only.
+    for record in ["CIRCLE/8,0,-1,0,0,1", "CIRCLE/8,0,-1,0,0,1,.2,.06,.5,0,0"] {
+        assert!(errors(&thread(record))[0].contains("0.1000 mm off the plane"), "{record}");
+    }
 }
 
 #[test]

@@ -140,6 +140,51 @@ fn a_cycle_can_be_resumed() {
 }
 
 #[test]
+fn words_of_cycle_on_take_the_place_of_those_of_the_cycle() {
+    let text = format!(
+        "{NX}CYCLE/DRILL,RAPTO,3,FEDTO,-33,RTRCTO,AUTO,MMPM,250\nGOTO/1,0,0\nCYCLE/ON,FEDTO,-20.0,RTRCTO,AUTO\n\
+         GOTO/2,0,0\nCYCLE/ON,RTRCTO,4,MMPM,90\nGOTO/3,0,0\nCYCLE/OFF\nGOTO/9,0,80\nCYCLE/ON,RTRCTO,AUTO\nGOTO/4,0,0\n"
+    );
+    let found = events_without_places(&text, MM);
+    assert_eq!(found[2], "hole 1 0 0 deep 33 from 3 to 50 Drill Some(PerMinute(250.0)) None");
+    assert_eq!(found[3], "hole 2 0 0 deep 20 from 3 to 50 Drill Some(PerMinute(250.0)) None");
+    assert_eq!(found[4], "hole 3 0 0 deep 20 from 3 to 4 Drill Some(PerMinute(90.0)) None");
+    // After CYCLE/OFF the level is that before the cycle is resumed.
+    assert_eq!(found[6], "hole 4 0 0 deep 20 from 3 to 80 Drill Some(PerMinute(90.0)) None");
+    let fault = |change: &str| errors(&text.replace("CYCLE/ON,FEDTO,-20.0,RTRCTO,AUTO", change));
+    assert_eq!(fault("CYCLE/ON,FEDTO,20.0"), ["5:16+4 the sign of this depth is wrong: it leads out of the part"]);
+    assert_eq!(fault("CYCLE/ON,RAPTO,-1"), ["5:7+11 the clearance level lies below the top of the hole"]);
+    assert!(fault("CYCLE/ON,20")[0].contains("5:10+2 CYCLE with `20` is not supported"));
+    assert!(fault("CYCLE/ON,FEDTO,-9,FEDTO,-8")[0].contains("programmed twice"));
+    assert_eq!(fault("CYCLE/OFF\nCYCLE/ON,FEDTO,20.0").len(), 1, "one mistake, one message");
+    assert!(errors("GOTO/0,0,0\nCYCLE/ON,FEDTO,-3\n")[0].contains("without a cycle before it"));
+}
+
+#[test]
+fn a_frame_in_force_may_be_stated_again_among_the_points_of_a_cycle() {
+    let frame = "MSYS/0,0,9,1,0,0,0,1,0\n";
+    let text = |second: &str| {
+        format!("{frame}{NX}CYCLE/DRILL,RAPTO,3,FEDTO,-3\nGOTO/1,0,0\n{second}GOTO/2,0,0\nCYCLE/OFF\nGOTO/3,0,9\n")
+    };
+    let holes = |text: &str| events_without_places(text, MM).iter().filter(|event| event.starts_with("hole")).count();
+    assert_eq!(holes(&text(frame)), 2);
+    let other = errors(&text("MSYS/0,0,8,1,0,0,0,1,0\n"));
+    assert!(other[0].starts_with("6:1+22 this record is not permitted between the points of a CYCLE"), "{other:?}");
+    let set_up = "CSYS/1,0,0,0,0,1,0,0,0,0,1,0\n";
+    let text = format!(
+        "UNIT/MM\nTRNTYP/WORLD,0,0,0\n{set_up}GOTO/0,0,50\nCYCLE/CLEAR\nCYCLE/DRILL,FEDTO,4,RAPTO,3,RTRCTO,25\nGOTO/1,0,0\n{set_up}GOTO/2,0,0\n"
+    );
+    assert_eq!(events_without_places(&text, UNSTATED).iter().filter(|event| event.starts_with("hole")).count(), 2);
+    assert!(
+        errors_with(
+            &text.replace("25\nGOTO/1,0,0\nCSYS/1,0,0,0,0,1,0,0,0,0,1", "25\nGOTO/1,0,0\nCSYS/1,0,0,0,0,0,1,0,0,-1,0"),
+            UNSTATED
+        )[0]
+        .contains("not permitted between")
+    );
+}
+
+#[test]
 fn a_cycle_is_not_resumed_in_another_operation() {
     let cycle = format!("{NX}CYCLE/DRILL,RAPTO,3,FEDTO,-3\nGOTO/1,0,0\nCYCLE/OFF\n");
     for between in ["TOOL PATH/B,TOOL,C", "LOAD/TOOL,2"] {

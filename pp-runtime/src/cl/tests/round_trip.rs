@@ -94,6 +94,15 @@ fn cycle() -> impl Strategy<Value = CycleCall> {
         })
 }
 
+/// Changes of a cycle: CYCLE/ON with at least one word, and no number without a word.
+fn change() -> impl Strategy<Value = Record<'static>> {
+    (cycle(), positive()).prop_map(|(mut words, rapto)| {
+        (words.kind, words.positionals, words.positional) = (ClCycleKind::Drill, 0, [0.0; MOST_POSITIONAL]);
+        words.rapto = Some(rapto);
+        Record::Cycle(CycleRecord::Change(words))
+    })
+}
+
 fn spindle() -> impl Strategy<Value = Spindle> {
     let rotation = prop::sample::select(vec![None, Some(Rotation::Clockwise), Some(Rotation::CounterClockwise)]);
     prop_oneof![
@@ -142,6 +151,7 @@ fn motions() -> BoxedStrategy<Record<'static>> {
         Just(Record::Nurbs(NurbsRecord::Begin)),
         numbers(&["1.", "0.5,0.75,1."]).prop_map(|value| Record::Nurbs(NurbsRecord::Knots(value))),
         triple().prop_map(|tip| Record::Nurbs(NurbsRecord::ControlPoint(Point { tip, axis: None, at: at() }))),
+        change(),
         cycle().prop_map(|value| Record::Cycle(CycleRecord::Define(value))),
         prop::sample::select(vec![CycleState::Off, CycleState::On, CycleState::Initial, CycleState::Clear])
             .prop_map(|state| Record::Cycle(CycleRecord::Switch { state, at: at() })),

@@ -4,7 +4,7 @@ use super::RecordInterpreter;
 use crate::cl::meaning::arc::{WaitingCircle, arc_of, is_on, tangent_circle, tlon_fault};
 use crate::cl::meaning::event_queue::QueuedEvent;
 use crate::cl::meaning::feed::feed_of;
-use crate::cl::meaning::holes::{self, CycleContext};
+use crate::cl::meaning::holes::{self, CycleContext, HoleDefinition};
 use crate::cl::record::{
     ArcRecord, CircleRecord, CycleCall, CycleRecord, FeedRecord, MotionRecord, Numbers, NurbsRecord, Point, TangentArc,
 };
@@ -348,7 +348,24 @@ impl RecordInterpreter {
 
     pub(crate) fn take_cycle(&mut self, record: &CycleRecord) -> Result<(), ClFault> {
         match record {
-            CycleRecord::Define(cycle) => self.define_cycle(cycle),
+            CycleRecord::Define(cycle) => {
+                let definition = self.definition_of(cycle)?;
+                let before = self.path.here().map(|pose| pose.tip);
+                self.cycle.begin_holes(definition, before, cycle.at)
+            }
+            CycleRecord::Change(_) if self.cycle.is_refused() => {
+                self.cycle.resume_refused();
+                Ok(())
+            }
+            CycleRecord::Change(change) => {
+                let (was_active, cycle) = (self.cycle.is_active(), self.cycle.changed_by(change)?);
+                let definition = self.definition_of(&cycle)?;
+                if was_active {
+                    return self.cycle.change(definition, cycle.at);
+                }
+                let before = self.path.here().map(|pose| pose.tip);
+                self.cycle.begin_holes(definition, before, cycle.at)
+            }
             CycleRecord::Switch { state, at } => {
                 let before = self.path.here().map(|pose| pose.tip);
                 self.cycle.switch(*state, before, *at)
@@ -356,8 +373,9 @@ impl RecordInterpreter {
         }
     }
 
-    fn define_cycle(&mut self, cycle: &CycleCall) -> Result<(), ClFault> {
-        self.cycle.begin_definition();
+    /// The hole that a CYCLE defines. The cycle is active also where it is refused: its points are holes.
+    fn definition_of(&mut self, cycle: &CycleCall) -> Result<HoleDefinition, ClFault> {
+        self.cycle.begin_definition(cycle);
         self.votes.conclude_arc(None);
         let known = self.options.cycle_args.iter().find(|(kind, _)| *kind == cycle.kind);
         let args = known.map(|(_, args)| args.as_slice());
@@ -372,9 +390,7 @@ impl RecordInterpreter {
         let unit_mm = self.units.millimetres(cycle.at)?;
         let initial = self.cycle.take_initial();
         let context = CycleContext { dialect: self.dialect(), unit_mm, initial, args, feed };
-        let definition = holes::define(cycle, &context)?;
-        let before = self.path.here().map(|pose| pose.tip);
-        self.cycle.begin_holes(definition, before, cycle.at)
+        holes::define(cycle, &context)
     }
 
     /// GOTO while a cycle is active.

@@ -121,7 +121,7 @@ impl RecordInterpreter {
         Ok(())
     }
 
-    fn stated_frame(&self, record: &FrameRecord, here: Location) -> Result<StatedFrame, ClFault> {
+    pub(crate) fn stated_frame(&self, record: &FrameRecord, here: Location) -> Result<StatedFrame, ClFault> {
         StatedFrame::new(record, self.units.known().map_or(1.0, Units::in_mm), here)
     }
 
