@@ -101,6 +101,16 @@ pub enum Pressure {
 impl Pressure {
     /// Words of the pressures in CL data.
     pub const WORDS: [(&'static str, Self); 3] = [("LOW", Self::Low), ("MEDIUM", Self::Medium), ("HIGH", Self::High)];
+
+    /// Its word in CL data.
+    #[must_use]
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Low => "LOW",
+            Self::Medium => "MEDIUM",
+            Self::High => "HIGH",
+        }
+    }
 }
 
 /// Feed rate as programmed.

@@ -277,12 +277,12 @@ impl<R: Read> ClReader<R> {
             lost.map_or(Ok(record), Err)
         });
         let taken = record.and_then(|record| match record {
-            Record::Subprogram(SubprogramRecord::Define(number)) => self.subprograms.define(number),
+            Record::Subprogram(SubprogramRecord::Define(name)) => self.subprograms.define(name),
             Record::Subprogram(SubprogramRecord::End) => self.subprograms.end(),
             _ if self.subprograms.is_open() => self.subprograms.keep(text, here),
-            Record::Subprogram(SubprogramRecord::Call { number, at }) => {
+            Record::Subprogram(SubprogramRecord::Call { name, at }) => {
                 self.interpreter.take(&record, here)?;
-                self.subprograms.call(number, at)
+                self.subprograms.call(name, at)
             }
             record => self.interpreter.take(&record, here),
         });

@@ -6,6 +6,7 @@
 
 use std::collections::BTreeMap;
 
+use super::record::SubprogramName;
 use super::text::{ClFault, Span};
 use crate::program::Location;
 
@@ -41,9 +42,9 @@ struct Subprogram {
 pub(crate) struct Subprograms {
     text: Vec<u8>,
     statements: Vec<KeptStatement>,
-    known: BTreeMap<u32, Subprogram>,
-    /// Number and first statement of the subprogram between its DEFSUB and ENDSUB.
-    open: Option<(u32, usize)>,
+    known: BTreeMap<SubprogramName, Subprogram>,
+    /// Name and first statement of the subprogram between its DEFSUB and ENDSUB.
+    open: Option<(SubprogramName, usize)>,
     /// Next statement, and one past the last, of the subprogram that is being run.
     running: Option<(usize, usize)>,
 }
@@ -57,18 +58,18 @@ impl Subprograms {
         self.running.is_some()
     }
 
-    /// DEFSUB; refused inside another subprogram, for a number in use, and beyond [`MOST_SUBPROGRAMS`].
-    pub(crate) fn define(&mut self, number: u32) -> Result<(), ClFault> {
-        self.try_define(number).map_err(|why| subprogram_fault(Span::WHOLE, why))
+    /// DEFSUB; refused inside another subprogram, for a name in use, and beyond [`MOST_SUBPROGRAMS`].
+    pub(crate) fn define(&mut self, name: SubprogramName) -> Result<(), ClFault> {
+        self.try_define(name).map_err(|why| subprogram_fault(Span::WHOLE, why))
     }
 
-    fn try_define(&mut self, number: u32) -> Result<(), &'static str> {
+    fn try_define(&mut self, name: SubprogramName) -> Result<(), &'static str> {
         if self.open.is_some() || self.running.is_some() {
             return Err("DEFSUB inside a subprogram is not supported");
         }
         // A refused DEFSUB still has its ENDSUB.
-        self.open = Some((number, self.statements.len()));
-        if self.known.contains_key(&number) {
+        self.open = Some((name, self.statements.len()));
+        if self.known.contains_key(&name) {
             return Err("this subprogram is already defined");
         }
         if self.known.len() >= MOST_SUBPROGRAMS { Err("the file defines too many subprograms") } else { Ok(()) }
@@ -88,22 +89,22 @@ impl Subprograms {
 
     /// ENDSUB; refused without a DEFSUB.
     pub(crate) fn end(&mut self) -> Result<(), ClFault> {
-        let Some((number, first)) = self.open.take() else {
+        let Some((name, first)) = self.open.take() else {
             return Err(subprogram_fault(Span::WHOLE, "ENDSUB without DEFSUB"));
         };
         if self.known.len() < MOST_SUBPROGRAMS {
-            self.known.entry(number).or_insert(Subprogram { first, after: self.statements.len() });
+            self.known.entry(name).or_insert(Subprogram { first, after: self.statements.len() });
         }
         Ok(())
     }
 
-    /// CALSUB; refused inside a subprogram and for a number that is not defined.
-    pub(crate) fn call(&mut self, number: u32, at: Span) -> Result<(), ClFault> {
+    /// CALSUB; refused inside a subprogram and for a name that is not defined.
+    pub(crate) fn call(&mut self, name: SubprogramName, at: Span) -> Result<(), ClFault> {
         if self.running.is_some() {
             return Err(subprogram_fault(at, "CALSUB inside a subprogram is not supported"));
         }
-        let known = self.known.get(&number);
-        let known = known.ok_or_else(|| subprogram_fault(at, "no DEFSUB with this number comes before the call"))?;
+        let known = self.known.get(&name);
+        let known = known.ok_or_else(|| subprogram_fault(at, "no DEFSUB with this name comes before the call"))?;
         self.running = Some((known.first, known.after));
         Ok(())
     }
@@ -125,5 +126,10 @@ impl Subprograms {
 }
 
 pub(crate) fn subprogram_fault(at: Span, why: &str) -> ClFault {
-    ClFault::new("subprogram", at, why, "write DEFSUB/n, the records of the subprogram and ENDSUB before CALSUB/n")
+    ClFault::new(
+        "subprogram",
+        at,
+        why,
+        "write DEFSUB/name, the records of the subprogram and ENDSUB before CALSUB/name",
+    )
 }

@@ -1,7 +1,8 @@
 //! Arcs: a CIRCLE with the GOTO that ends it, and a TLON with the AUTOPS and INDIRV before it.
 //!
 //! CAM systems disagree on the sign of the axis of a CIRCLE. The count of its numbers decides: 6 and 7 mean
-//! counter-clockwise about the axis, 11 mean clockwise.
+//! counter-clockwise about the axis, 11 mean clockwise. With 4 (*Supported CL Data Commands* of PTC: i, j, k may be absent) the
+//! axis is that of the tool, and the points between the ends or `--circle-sense` decide.
 
 use std::f64::consts::TAU;
 
@@ -34,7 +35,8 @@ pub(crate) struct WaitingCircle {
     centre: Point3<f64>,
     /// Axis as in the file; `sense` is about this axis.
     axis: UnitVector3<f64>,
-    sense: Sense,
+    /// `None`: the record does not state it.
+    sense: Option<Sense>,
     radius_mm: Option<f64>,
     /// The start of a helix may be at the level of the centre, not only its end.
     may_begin_at_centre: bool,
@@ -46,17 +48,18 @@ pub(crate) struct WaitingCircle {
 
 impl WaitingCircle {
     /// Circle of a CIRCLE or MOVARC in line `line`. `unit_mm`: mm in one unit of the file; `sense`: overrides the sense
-    /// of the form.
+    /// of the form; `tool_axis` in the workpiece frame: axis of a circle that states none.
     pub(crate) fn new(
         circle: &CircleRecord,
-        unit_mm: f64,
-        transforms: &Transforms,
+        (unit_mm, transforms): (f64, &Transforms),
+        tool_axis: UnitVector3<f64>,
         sense: Option<Sense>,
         line: u64,
     ) -> Result<WaitingCircle, ClFault> {
         let axis = Vector3::from(circle.axis);
         let length = axis.norm();
-        if (length - 1.0).abs() > 1e-3 {
+        let has_axis = circle.form != CircleForm::Four;
+        if has_axis && (length - 1.0).abs() > 1e-3 {
             return Err(ClFault::new(
                 "circle",
                 circle.at,
@@ -65,20 +68,43 @@ impl WaitingCircle {
             ));
         }
         let of_form = match circle.form {
-            CircleForm::Six | CircleForm::Seven => Sense::CounterClockwise,
-            CircleForm::Eleven => Sense::Clockwise,
+            CircleForm::Four => None,
+            CircleForm::Six | CircleForm::Seven => Some(Sense::CounterClockwise),
+            CircleForm::Eleven => Some(Sense::Clockwise),
         };
         let centre = transforms.point(Point3::from(circle.centre.map(|value| value * unit_mm)));
         Ok(WaitingCircle {
             centre: within_a_kilometre(centre, circle.at)?,
-            axis: transforms.direction(UnitVector3::new_normalize(axis)),
-            sense: sense.unwrap_or(of_form),
+            axis: if has_axis { transforms.direction(UnitVector3::new_normalize(axis)) } else { tool_axis },
+            sense: sense.or(of_form),
             radius_mm: circle.radius.map(|radius| radius * unit_mm),
-            may_begin_at_centre: circle.form == CircleForm::Seven,
+            may_begin_at_centre: matches!(circle.form, CircleForm::Four | CircleForm::Seven),
             times: circle.times,
             angle_rad: circle.angle_deg.map(f64::to_radians),
             line,
         })
+    }
+
+    /// The circle with the sense in which its arc passes the points, for one that states none. Of the two arcs only one
+    /// passes a point between the ends.
+    pub(crate) fn through(
+        mut self,
+        points: impl Iterator<Item = Point3<f64>> + Clone,
+        start: &Pose,
+        end: &Pose,
+    ) -> Self {
+        let passes = |sense: &Sense| {
+            let circle = WaitingCircle { sense: Some(*sense), ..self };
+            arc_of(&circle, start, end, None, Span::WHOLE).is_ok_and(|arc| passes_in_order(&arc, points.clone()))
+        };
+        let mut senses = [Sense::CounterClockwise, Sense::Clockwise].into_iter().filter(passes);
+        self.sense = senses.next().filter(|_| senses.next().is_none());
+        self
+    }
+
+    /// Whether the sense of the arc is known.
+    pub(crate) fn has_sense(&self) -> bool {
+        self.sense.is_some()
     }
 
     pub(crate) fn axis(&self) -> &UnitVector3<f64> {
@@ -125,7 +151,7 @@ pub(crate) fn tangent_circle(
     let circle = WaitingCircle {
         centre,
         axis,
-        sense: Sense::CounterClockwise,
+        sense: Some(Sense::CounterClockwise),
         radius_mm: Some(radius),
         may_begin_at_centre: false,
         times: 1,
@@ -257,8 +283,15 @@ pub(crate) fn arc_of(
         return Err(fault("the tool axis changes on an arc".into()));
     }
     let normal = match circle.sense {
-        Sense::CounterClockwise => circle.axis,
-        Sense::Clockwise => -circle.axis,
+        Some(Sense::CounterClockwise) => circle.axis,
+        Some(Sense::Clockwise) => -circle.axis,
+        None => {
+            let text =
+                format!("CIRCLE with 4 numbers does not state the sense of its arc (circle of line {})", circle.line);
+            let help = "state it: `--circle-sense ccw` or `cw`, about the tool axis; a GOTO with points between the ends states \
+                        it, too";
+            return Err(ClFault::new("circle", at, text, help));
+        }
     };
     let n = normal.into_inner();
     let flat = |point: Point3<f64>| {
@@ -322,8 +355,26 @@ fn angle_within_revolution(
     }
 }
 
+/// Whether an arc passes the points in their order. A point at either end states no order.
+fn passes_in_order(arc: &Arc, mut points: impl Iterator<Item = Point3<f64>>) -> bool {
+    let rounding = ARC_TOLERANCE_MM / (arc.start.tip - arc.centre).norm().max(ARC_TOLERANCE_MM);
+    let mut last = 0.0;
+    points.all(|point| {
+        let Some(angle) = angle_on(arc, point) else { return false };
+        let at_end = angle <= rounding || angle >= arc.angle_rad.min(TAU) - rounding;
+        let in_order = at_end || angle >= last;
+        last = if at_end { last } else { angle };
+        in_order
+    })
+}
+
 /// Whether a point lies on the arc, seen along its normal; the coordinate along the normal is not compared.
 pub(crate) fn is_on(arc: &Arc, point: Point3<f64>) -> bool {
+    angle_on(arc, point).is_some()
+}
+
+/// Angle from the start to a point that lies on the arc, seen along its normal; the coordinate along the normal is not compared.
+fn angle_on(arc: &Arc, point: Point3<f64>) -> Option<f64> {
     let n = arc.normal.into_inner();
     let flat = |point: Point3<f64>| {
         let from_centre = point - arc.centre;
@@ -334,5 +385,6 @@ pub(crate) fn is_on(arc: &Arc, point: Point3<f64>) -> bool {
     let angle = n.dot(&u.cross(&p)).atan2(u.dot(&p)).rem_euclid(TAU);
     // By rounding, points at the ends may lie a little before the start or after the end.
     let rounding = ARC_TOLERANCE_MM / radius;
-    (p.norm() - radius).abs() <= ARC_TOLERANCE_MM && (angle <= arc.angle_rad + rounding || angle >= TAU - rounding)
+    let on_circle = (p.norm() - radius).abs() <= ARC_TOLERANCE_MM;
+    (on_circle && (angle <= arc.angle_rad + rounding || angle >= TAU - rounding)).then_some(angle)
 }

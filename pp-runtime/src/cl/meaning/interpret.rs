@@ -24,6 +24,19 @@ use crate::cl::text::{ClFault, Span};
 use crate::program::{Event, Feed, Location, Spline};
 use crate::set_up::ClPoint;
 
+/// CUTCOM/ON and the side that it needs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+enum CutcomOn {
+    /// No side has come, and nothing is asked for.
+    #[default]
+    Unstated,
+    /// CUTCOM/ON with this register has come before any side: *Common ISO 4343 APT* of Autodesk and HSMWorks writes CUTCOM/LEFT or
+    /// RIGHT after it.
+    Asked(Option<u32>),
+    /// A side has come; CUTCOM/ON resumes it.
+    Stated,
+}
+
 /// All modal state of the CL data, each part with its owner.
 #[derive(Debug, Default)]
 pub(crate) struct RecordInterpreter {
@@ -40,6 +53,7 @@ pub(crate) struct RecordInterpreter {
     cycle: CycleInForce,
     /// The CAM system asks for inverse-time feed.
     inverse_time: bool,
+    cutcom: CutcomOn,
     /// The next GOTO is a straight motion only: see [`update_plain_goto`](Self::update_plain_goto).
     plain_goto: bool,
     events: EventQueue,
@@ -123,6 +137,15 @@ impl RecordInterpreter {
         if self.curve.is_open() && !permitted.in_curve {
             self.close_curve()?;
         }
+        if permitted.begins_motion && matches!(self.cutcom, CutcomOn::Asked(_)) {
+            self.cutcom = CutcomOn::Unstated;
+            return Err(ClFault::new(
+                "CUTCOM",
+                Span::WHOLE,
+                "a motion follows CUTCOM/ON, and no CUTCOM/LEFT or RIGHT has stated the side",
+                "write CUTCOM/LEFT or CUTCOM/RIGHT before this motion; without compensation delete CUTCOM/ON",
+            ));
+        }
         self.arc.admit(permitted)?;
         if !self.is_frame_restated(record, here) {
             self.cycle.admit(permitted)?;
@@ -203,6 +226,7 @@ impl RecordInterpreter {
             && !self.tool.is_described_anew()
             && !self.cycle.is_active()
             && !self.path.is_above_hole()
+            && !matches!(self.cutcom, CutcomOn::Asked(_))
             && !self.votes.has_undecided()
             && self.coordinates.transforms().none()
             && self.options.cl_point == ClPoint::Tip

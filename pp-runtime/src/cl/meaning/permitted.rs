@@ -84,7 +84,9 @@ impl Permitted {
     fn of_machine(record: &MachineRecord) -> Permitted {
         match record {
             MachineRecord::Feed(_) | MachineRecord::InverseTime(_) => Self::WITHIN_ARC,
-            MachineRecord::Coolant(_) | MachineRecord::Tolerance { .. } => Self::WITHIN_ARC,
+            MachineRecord::Coolant(_) | MachineRecord::CoolantAt { .. } | MachineRecord::Tolerance { .. } => {
+                Self::WITHIN_ARC
+            }
             MachineRecord::Rapid | MachineRecord::Spindle(_) | MachineRecord::Compensation { .. } => Self::ORDINARY,
             MachineRecord::Delay { .. } | MachineRecord::RotaryDirection(_) => Self::ORDINARY,
         }

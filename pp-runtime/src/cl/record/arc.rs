@@ -8,6 +8,8 @@ use crate::cl::text::{Args, ClFault, Span, number_at_start, quoted, skip_blanks}
 /// Form of a CIRCLE by the count of its numbers. The sense in which the circle is traversed follows from it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum CircleForm {
+    /// 4 numbers: centre and radius, across the tool axis; the sense follows from the points of the GOTO or is given (Creo).
+    Four,
     /// 6 numbers: centre and axis; counter-clockwise about the axis (SolidWorks CAM).
     Six,
     /// 7 numbers: a radius after them; counter-clockwise (Creo, ISO 4343).
@@ -21,7 +23,7 @@ pub enum CircleForm {
 pub struct CircleRecord {
     /// Centre.
     pub centre: [f64; 3],
-    /// Axis, not normalised.
+    /// Axis, not normalised; 0 where the record has none.
     pub axis: [f64; 3],
     /// Radius, if the form has one.
     pub radius: Option<f64>,
@@ -53,7 +55,7 @@ pub struct TangentArc {
 /// A record that defines an arc or its begin.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ArcRecord {
-    /// `CIRCLE/..` with 6, 7 or 11 numbers and `TIMES,n`; `MOVARC/x,y,z,i,j,k,r,ANGLE,degrees`.
+    /// `CIRCLE/..` with 4, 6, 7 or 11 numbers and `TIMES,n`; `MOVARC/x,y,z,i,j,k,r,ANGLE,degrees`.
     Circle(CircleRecord),
     /// `AUTOPS`: the plane of the next TLON passes through the current position.
     AutomaticPlane,
@@ -77,7 +79,7 @@ pub(crate) fn direction(args: &mut Args<'_>) -> Result<ArcRecord, ClFault> {
 /// Largest number of revolutions of an arc; it bounds the number of chords. No thread has as many.
 const MOST_REVOLUTIONS: u32 = 1000;
 
-/// CIRCLE: `x,y,z,i,j,k[,r[,t,f,d,e]][,TIMES,n]`.
+/// CIRCLE: `x,y,z,i,j,k[,r[,t,f,d,e]][,TIMES,n]`, `x,y,z,r`.
 pub(crate) fn circle(args: &mut Args<'_>) -> Result<ArcRecord, ClFault> {
     let at = args.all();
     let mut numbers = [0.0; 11];
@@ -100,6 +102,7 @@ pub(crate) fn circle(args: &mut Args<'_>) -> Result<ArcRecord, ClFault> {
         found += 1;
     }
     let form = match found {
+        4 => CircleForm::Four,
         6 => CircleForm::Six,
         7 => CircleForm::Seven,
         11 => CircleForm::Eleven,
@@ -108,17 +111,18 @@ pub(crate) fn circle(args: &mut Args<'_>) -> Result<ArcRecord, ClFault> {
                 "circle",
                 at,
                 format!(
-                    "{} needs 6, 7 or 11 numbers, found {found}; the sense of the arc follows from their count",
+                    "{} needs 4, 6, 7 or 11 numbers, found {found}; the sense of the arc follows from their count",
                     args.name()
                 ),
-                "6 and 7 numbers: counter-clockwise about i, j, k; 11 numbers: clockwise",
+                "6 and 7 numbers: counter-clockwise about i, j, k; 11 numbers: clockwise; 4: centre and radius",
             ));
         }
     };
     let [x, y, z, i, j, k, r, ..] = numbers;
+    let (axis, r) = if form == CircleForm::Four { ([0.0; 3], i) } else { ([i, j, k], r) };
     Ok(ArcRecord::Circle(CircleRecord {
         centre: [x, y, z],
-        axis: [i, j, k],
+        axis,
         radius: (form != CircleForm::Six).then_some(r),
         form,
         times,
@@ -251,9 +255,12 @@ impl Display for CircleRecord {
             let (centre, axis) = (ClNumbers(&self.centre), ClNumbers(&self.axis));
             return write!(out, "MOVARC/{centre},{axis},{},ANGLE,{}", ClNumber(radius), ClNumber(angle));
         }
+        if self.form == CircleForm::Four {
+            return write!(out, "CIRCLE/{},{}", ClNumbers(&self.centre), ClNumber(radius));
+        }
         write!(out, "CIRCLE/{},{}", ClNumbers(&self.centre), ClNumbers(&self.axis))?;
         match self.form {
-            CircleForm::Six => {}
+            CircleForm::Four | CircleForm::Six => {}
             CircleForm::Seven => write!(out, ",{}", ClNumber(radius))?,
             // Tolerances and tool have no effect on the path.
             CircleForm::Eleven => write!(out, ",{},0.06,0.5,0.,0.", ClNumber(radius))?,

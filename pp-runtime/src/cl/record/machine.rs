@@ -16,12 +16,21 @@ pub enum MachineRecord {
     Rapid,
     /// `FEDRAT/n[,unit]`, `FEDRAT/unit,n`.
     Feed(FeedRecord),
-    /// `FEDRAT/INVERS,AUTO`, `INVERSE/ON`, `INVERSE/OFF`: the CAM system asks for inverse-time feed.
+    /// `FEDRAT/INVERS,AUTO|OFF`, `INVERSE/ON`, `INVERSE/OFF`: the CAM system asks for inverse-time feed.
     InverseTime(bool),
     /// `SPINDL/..` with RPM, CLW, CCLW, ON, OFF and a number in any order.
     Spindle(Spindle),
     /// `COOLNT/ON|OFF|FLOOD|MIST|AIR`, `COOLNT/THRU[,LOW|MEDIUM|HIGH]`.
     Coolant(Coolant),
+    /// `COOLNT/ON|FLOOD|MIST,LOW|MEDIUM|HIGH`.
+    CoolantAt {
+        /// Kind of coolant: on, flood or mist.
+        kind: Coolant,
+        /// Its pressure.
+        pressure: Pressure,
+        /// Place of the pressure, for messages.
+        at: Span,
+    },
     /// `CUTCOM/LEFT|RIGHT[,n][,XYPLAN]`, `CUTCOM/ON`, `CUTCOM/OFF`.
     Compensation {
         /// Side of the path.
@@ -56,8 +65,7 @@ pub(crate) fn feed(args: &mut Args<'_>) -> Result<MachineRecord, ClFault> {
         return Ok(MachineRecord::Rapid);
     }
     if first.is("INVERS") {
-        args.keyword("AUTO")?;
-        return Ok(MachineRecord::InverseTime(true));
+        return args.one_of(&[("AUTO", true), ("OFF", false)]).map(MachineRecord::InverseTime);
     }
     FeedRecord::parse(first, args).map(MachineRecord::Feed)
 }
@@ -79,10 +87,13 @@ const COOLANTS: [(&str, Coolant); 6] = [
 /// COOLNT.
 pub(crate) fn coolant(args: &mut Args<'_>) -> Result<MachineRecord, ClFault> {
     let kind = args.one_of(&COOLANTS)?;
-    let pressure = if kind == Coolant::Through { args.next()? } else { None };
-    let Some(arg) = pressure else { return Ok(MachineRecord::Coolant(kind)) };
+    let Some(arg) = args.next()? else { return Ok(MachineRecord::Coolant(kind)) };
     let pressure = arg.among(&Pressure::WORDS).ok_or_else(|| args.not_understood(arg))?;
-    Ok(MachineRecord::Coolant(Coolant::ThroughAt(pressure)))
+    match kind {
+        Coolant::Through => Ok(MachineRecord::Coolant(Coolant::ThroughAt(pressure))),
+        Coolant::On | Coolant::Flood | Coolant::Mist => Ok(MachineRecord::CoolantAt { kind, pressure, at: arg.at }),
+        Coolant::Off | Coolant::Air | Coolant::ThroughAt(_) => Err(args.not_understood(arg)),
+    }
 }
 
 const SIDES: [(&str, CutterSide); 4] =
@@ -181,6 +192,9 @@ impl Display for MachineRecord {
             Self::Spindle(spindle) => write_spindle(*spindle, out),
             Self::Coolant(Coolant::ThroughAt(pressure)) => {
                 write!(out, "COOLNT/THRU,{}", word_of(&Pressure::WORDS, pressure))
+            }
+            Self::CoolantAt { kind, pressure, .. } => {
+                write!(out, "COOLNT/{},{}", word_of(&COOLANTS, kind), pressure.word())
             }
             Self::Coolant(coolant) => write!(out, "COOLNT/{}", word_of(&COOLANTS, coolant)),
             Self::Compensation { side, register, plane } => write_compensation(*side, *register, *plane, out),

@@ -33,7 +33,7 @@ pub use self::machine::MachineRecord;
 pub use self::motion::MotionRecord;
 pub use self::nurbs::NurbsRecord;
 pub use self::program::ProgramRecord;
-pub use self::subprogram::SubprogramRecord;
+pub use self::subprogram::{SubprogramName, SubprogramRecord};
 pub use self::tool::{CutterRecord, MOST_TOOL_NUMBERS, ToolCallRecord, ToolRecord};
 pub use self::values::{AxisPlane, Numbers, Point, Text};
 pub use self::words::{list, not_inert};

@@ -11,7 +11,7 @@ use super::Record::{self, Arc, Coordinates, Cycle, Machine, Motion, Nurbs, Progr
 use super::values::{Point, Text};
 use super::{ArcRecord, MachineRecord, MotionRecord, NurbsRecord, ProgramRecord, SubprogramRecord, ToolRecord};
 use super::{arc, comment, coordinates, cycle, machine, motion, nurbs, program, spindle, subprogram, tool};
-use crate::cl::text::{Args, ClFault, MajorWord};
+use crate::cl::text::{Args, ClFault, MajorWord, quoted};
 
 /// Function that reads the arguments of a word.
 type ReadArgs = for<'a> fn(&mut Args<'a>) -> Result<Record<'a>, ClFault>;
@@ -74,23 +74,23 @@ static TABLE: &[Row] = &[
     row("AUTOPS", Read(|_| Ok(Arc(ArcRecord::AutomaticPlane))), "before TLON"),
     row("AUXFUN", Read(|args| program::code(b'M', args).map(Program)), "/n[,NEXT|NOW]; only codes that `[cl] auxfun` allows"),
     row("BREAK", Refused(OWN_MEANING), ""),
-    row("CALSUB", Read(|args| subprogram::call(args).map(Subprogram)), "/n"),
+    row("CALSUB", Read(|args| subprogram::call(args).map(Subprogram)), "/name"),
     row("CAMERA", Hazard(FRAME), ""),
     row("CHECK", Inert, ""),
-    row("CIRCLE", Read(|args| arc::circle(args).map(Arc)), "/x,y,z,i,j,k[,r[,t,f,d,e][,TIMES,n]] and the GOTO that ends it"),
+    row("CIRCLE", Read(|args| arc::circle(args).map(Arc)), "/x,y,z,i,j,k[,r[,t,f,d,e][,TIMES,n]]; /x,y,z,r and the GOTO that ends it"),
     row("CLAMP", Hazard(MACHINE_AXES), ""),
     row("CLEARP", Read(|args| coordinates::clearance_plane(args).map(Coordinates)), "/XYPLAN|YZPLAN|ZXPLAN,d; /a,b,c,d"),
     row("CLRSRF", Refused("it sets a clearance surface that is not a plane"), ""),
     row("CNTRL", Read(|args| nurbs::control_point(args).map(Nurbs)), "/x,y,z of a NURBS"),
-    row("COOLNT", Read(|args| machine::coolant(args).map(Machine)), "/ON|OFF|FLOOD|MIST|THRU[,LOW|MEDIUM|HIGH]|AIR"),
+    row("COOLNT", Read(|args| machine::coolant(args).map(Machine)), "/ON|OFF|FLOOD|MIST|THRU|AIR[,LOW|MEDIUM|HIGH]"),
     row("COPY", Hazard(MOVES_COORDINATES), ""),
     row("COUPLE", Lathe, ""),
     row("CSYS", Read(|args| coordinates::setup(args).map(Coordinates)), "/12 numbers, after TRNTYP/WORLD,0,0,0"),
     row("CUT", Hazard(NOT_CUT), ""),
-    row("CUTCOM", Read(|args| machine::compensation(args).map(Machine)), "/[ON,]LEFT|RIGHT[,n][,XYPLAN]; /ON; /OFF"),
+    row("CUTCOM", Read(|args| machine::compensation(args).map(Machine)), "/[ON,]LEFT|RIGHT[,n][,XYPLAN]; /ON before or after them; /OFF"),
     row("CUTTER", Read(|args| tool::cutter(args).map(|cutter| Tool(ToolRecord::Cutter(cutter)))), "/d[,r[,e,f,a,b,h]]"),
     row("CYCLE", Read(|args| cycle::cycle(args).map(Cycle)), "/DRILL|FACE|CSINK|THRU|DEEP|BRKCHP|BORE|REAM|TAP|..; /OFF; /ON[,words to change]"),
-    row("DEFSUB", Read(|args| subprogram::define(args).map(Subprogram)), "/n, up to ENDSUB"),
+    row("DEFSUB", Read(|args| subprogram::define(args).map(Subprogram)), "/name, up to ENDSUB"),
     row("DELAY", Read(|args| machine::delay(args).map(Machine)), "/seconds; /n,REV"),
     row("DISPLAY", Inert, ""),
     row("DISPLY", Inert, ""),
@@ -98,7 +98,7 @@ static TABLE: &[Row] = &[
     row("END", Read(|_| Ok(Program(ProgramRecord::End))), "records after it are still read"),
     row("END-OF-PATH", Read(|_| Ok(Program(ProgramRecord::EndOfPath))), ""),
     row("ENDSUB", Read(|_| Ok(Subprogram(SubprogramRecord::End))), ""),
-    row("FEDRAT", Read(|args| machine::feed(args).map(Machine)), "/v[,unit]; /unit,v; /RAPID; /INVERS,AUTO; MMPM MMPR IPM IPR FPM FPR PERMIN PERREV"),
+    row("FEDRAT", Read(|args| machine::feed(args).map(Machine)), "/v[,unit]; /unit,v; /RAPID; /INVERS,AUTO|OFF; MMPM MMPR IPM IPR FPM FPR PERMIN PERREV"),
     row("FINI", Read(|_| Ok(Program(ProgramRecord::Fini))), ""),
     row("FROM", Read(|args| Point::parse(args).map(|point| Motion(MotionRecord::From(point)))), "/x,y,z[,i,j,k]"),
     row("GODLTA", Read(|args| motion::increment(args).map(Motion)), "/dx,dy,dz[,i,j,k]; /d along the tool axis"),
@@ -142,6 +142,7 @@ static TABLE: &[Row] = &[
     row("PPFUN", Hazard(REDEFINES), ""),
     row("PPRINT", ReadText(|args| Ok(Program(ProgramRecord::Message(Text::rest(args))))), "text"),
     row("PPTOL", Refused(TOLERANCE), ""),
+    row("PPWORD", Read(vocabulary), "/word,n.. adds words to the vocabulary of another postprocessor: no effect"),
     row("PREFUN", Read(|args| program::code(b'G', args).map(Program)), "/n; only codes that `[cl] prefun` allows"),
     row("RAPID", Read(|_| Ok(Machine(MachineRecord::Rapid))), "the next motion only"),
     row("REFSYS", Hazard(FRAME), ""),
@@ -181,6 +182,27 @@ static TABLE: &[Row] = &[
     row("UNITS", Read(|args| coordinates::units(args).map(Coordinates)), "/MM|INCH|INCHES"),
     row("UNLOAD", Refused("it leaves the spindle without a tool"), ""),
 ];
+
+/// PPWORD: words with their numbers for the vocabulary of G-POST (`PPWORD/TLANGL,1`). It moves nothing. A word that is read
+/// here would get another meaning by it, so it is refused.
+fn vocabulary<'a>(args: &mut Args<'a>) -> Result<Record<'a>, ClFault> {
+    let mut any = false;
+    while let Some(arg) = args.next()? {
+        if arg.looks_numeric() {
+            arg.number()?;
+        } else if look_up(arg.text).is_some() {
+            let text = format!("PPWORD is refused: it may change the meaning of {}", quoted(arg.text));
+            return Err(ClFault::new(
+                "PPWORD",
+                arg.at,
+                text,
+                "delete this line if the word has its usual meaning in this file",
+            ));
+        }
+        any = true;
+    }
+    if any { Ok(Record::Inert) } else { Err(args.wrong_count("a word", 0)) }
+}
 
 /// Words that are read for notes in the program (names, messages, sizes of cutters). Without them a note is missing, and what
 /// needs the size of a cutter is refused, so they may be declared inert.

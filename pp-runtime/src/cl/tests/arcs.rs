@@ -28,7 +28,7 @@ fn the_sense_of_a_circle_follows_from_the_count_of_its_numbers() {
     }
     for count in ["0,0,0,0,0", "0,0,0,0,0,1,1,1", "0,0,0,0,0,1,1,.06,.5,10,1,1"] {
         let found = errors(&format!("GOTO/1,0,0\nCIRCLE/{count}\nGOTO/0,1,0\n"));
-        assert!(found[0].contains("CIRCLE needs 6, 7 or 11 numbers"), "{found:?}");
+        assert!(found[0].contains("CIRCLE needs 4, 6, 7 or 11 numbers"), "{found:?}");
     }
     let options = ReadingOptions { circle_sense: Some(Sense::Clockwise), ..mm() };
     assert!(
@@ -99,6 +99,30 @@ fn the_centre_of_a_helix_of_creo_and_of_a_movarc_is_at_the_level_of_either_end()
     for record in ["CIRCLE/8,0,-1,0,0,1", "CIRCLE/8,0,-1,0,0,1,.2,.06,.5,0,0"] {
         assert!(errors(&thread(record))[0].contains("0.1000 mm off the plane"), "{record}");
     }
+}
+
+#[test]
+fn a_circle_without_axis_lies_across_the_tool_and_takes_its_sense_from_the_points_between() {
+    use crate::cl::Sense;
+    let text = |end: &str| format!("GOTO/1,0,0\nCIRCLE/0,0,0,1\nGOTO/{end}\n");
+    let about = |text: &str| events_without_places(text, MM)[1].replace("-0 ", "0 ");
+    assert_eq!(about(&text(".6,.8,0 / 0,1,0")), "arc to 0 1 0 about 0 0 1 through 90.000");
+    assert_eq!(about(&text("0,-1,0 / -1,0,0 / 0,1,0")), "arc to 0 1 0 about 0 0 -1 through 270.000");
+    let message = "CIRCLE with 4 numbers does not state the sense of its arc (circle of line 2)";
+    for end in ["0,1,0", "0,1,0 / 0,1,0"] {
+        assert!(errors(&text(end))[0].ends_with(message), "{end}");
+    }
+    for (sense, expected) in [(Sense::Clockwise, "-1 through 270.000"), (Sense::CounterClockwise, "1 through 90.000")] {
+        let given = ReadingOptions { circle_sense: Some(sense), ..mm() };
+        let found = events_without_places(&text("0,1,0"), given);
+        assert!(found[1].ends_with(expected), "{found:?}");
+    }
+    let tilted = "MULTAX/ON\nGOTO/0,0,1,1,0,0\nCIRCLE/0,0,0,1\nGOTO/0,-.6,.8 / 0,-1,0\n";
+    assert_eq!(about(tilted), "arc to 0 -1 0 about 1 0 0 through 90.000");
+    // Of a full circle the order of two points states it.
+    assert!(errors(&text("0,1,0 / 1,0,0"))[0].ends_with(message));
+    assert_eq!(about(&text("0,1,0 / -1,0,0 / 1,0,0")), "arc to 1 0 0 about 0 0 1 through 360.000");
+    assert_eq!(about(&text("0,-1,0 / -1,0,0 / 1,0,0")), "arc to 1 0 0 about 0 0 -1 through 360.000");
 }
 
 #[test]

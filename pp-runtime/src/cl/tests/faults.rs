@@ -3,6 +3,13 @@
 use super::*;
 
 #[test]
+fn words_for_a_vocabulary_have_no_effect_unless_they_are_read_here() {
+    assert_eq!(errors("PPWORD/TLANGL,1\nPPWORD / CSINKD, 12, HOLDER, 3\nGOTO/0,0,0\n"), [""; 0]);
+    refused("PPWORD/rapid,5\nGOTO/0,0,0\n", "1:8+5 PPWORD is refused: it may change the meaning of `rapid`");
+    assert_eq!(errors("PPWORD/\nGOTO/0,0,0\n").len(), 1);
+}
+
+#[test]
 fn goto_with_a_wrong_count_says_how_many_it_found() {
     refused("GOTO/1,2,3,4,5\n", "1:6+9 GOTO needs 3 or 6 numbers, found 5");
     refused("GOTO/1,2,3,0,0,1,0,0,1\n", "1:6+17 GOTO needs 3 or 6 numbers, found 9");
@@ -100,7 +107,7 @@ fn forms_that_are_not_read_are_refused_not_skipped() {
     refused("GOTO/0,0,0\nSPINDL/STOP\n", "2:8+4 SPINDL with `STOP` is not supported");
     refused("GOTO/0,0,0\nSET/MODE,INCR\n", "2:10+4 SET with `INCR` is not supported");
     refused("GOTO/0,0,0\nMODE/INCR\n", "2:6+4 MODE with `INCR` is not supported");
-    refused("GOTO/0,0,0\nCOOLNT/FLOOD,HIGH\n", "2:14+4 COOLNT with `HIGH` is not supported");
+    refused("GOTO/0,0,0\nCOOLNT/AIR,HIGH\n", "2:12+4 COOLNT with `HIGH` is not supported");
     refused(
         "GOTO/0,0,0\nTRNTYP/WORLD,0,0,1\n",
         "2:8+11 TRNTYP with numbers other than 0 is refused: its effect on the coordinates is not known",

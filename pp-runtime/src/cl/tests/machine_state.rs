@@ -41,6 +41,42 @@ fn coolant_through_the_spindle_may_have_a_pressure() {
 }
 
 #[test]
+fn a_pressure_of_other_coolant_is_left_out_with_a_warning() {
+    for kind in ["ON", "FLOOD", "MIST"] {
+        let text = format!("COOLNT / {kind}, HIGH\nGOTO/0,0,0\n");
+        let Outcome { events, diagnostics } = read_from(text.as_bytes(), MM);
+        assert!(events[0].to_uppercase().ends_with(&format!("COOLANT({kind})")), "{events:?}");
+        let [warning] = &diagnostics[..] else { panic!("{diagnostics:?}") };
+        assert_eq!(warning.severity, Severity::Warning);
+        assert!(warning.text.contains("without its pressure, HIGH"), "{}", warning.text);
+    }
+    for text in ["COOLNT/OFF,HIGH", "COOLNT/AIR,LOW", "COOLNT/FLOOD,MOST"] {
+        assert!(errors(&format!("{text}\nGOTO/0,0,0\n"))[0].contains("is not supported"), "{text}");
+    }
+    assert_eq!(errors("FEDRAT/INVERS,OFF\nGOTO/0,0,0\n"), [""; 0]);
+}
+
+#[test]
+fn cutcom_on_waits_for_its_side() {
+    let plain = events_without_places("CUTCOM/LEFT,3\nGOTO/0,0,0\nCUTCOM/OFF\nCUTCOM/ON\nGOTO/9,0,0\n", MM);
+    for begin in
+        ["CUTCOM/ON\nCUTCOM/LEFT, 3", "CUTCOM/ON,3\nCUTCOM/LEFT", "CUTCOM/ON\nFEDRAT/9\nCUTCOM/ON\nCUTCOM/LEFT,3"]
+    {
+        let text = format!("{begin}\nGOTO/0,0,0\nCUTCOM/OFF\nCUTCOM/ON\nGOTO/9,0,0\n");
+        let found = events_without_places(&text, MM);
+        let compensation = |events: &[String]| -> Vec<String> {
+            events.iter().filter(|event| event.starts_with("Compensation")).cloned().collect()
+        };
+        assert_eq!(compensation(&found), compensation(&plain), "{begin}");
+    }
+    refused(
+        "GOTO/0,0,0\nCUTCOM/ON\nGOTO/1,0,0\nGOTO/2,0,0\n",
+        "3:1+10 a motion follows CUTCOM/ON, and no CUTCOM/LEFT or RIGHT has stated the side",
+    );
+    assert_eq!(errors("GOTO/0,0,0\nCUTCOM/ON\nCUTCOM/OFF\nGOTO/1,0,0\n"), [""; 0]);
+}
+
+#[test]
 fn block_skip_is_ignored_with_a_warning_and_a_message() {
     let outcome = read_from(&b"GOTO/0,0,0\nOPSKIP/ON\nGOTO/1,0,0\nOPSKIP/OFF\n"[..], MM);
     assert_eq!(outcome.events.len(), 3, "{:?}", outcome.events);

@@ -62,12 +62,13 @@ fn numbers(texts: &'static [&'static str]) -> impl Strategy<Value = Numbers<'sta
 }
 
 fn circle() -> impl Strategy<Value = CircleRecord> {
-    let form = prop::sample::select(vec![CircleForm::Six, CircleForm::Seven, CircleForm::Eleven]);
+    let form = prop::sample::select(vec![CircleForm::Four, CircleForm::Six, CircleForm::Seven, CircleForm::Eleven]);
     (triple(), triple(), positive(), form, 1..=1000_u32, prop::option::of(0.001..3e5_f64)).prop_map(
         |(centre, axis, radius, form, times, angle)| {
             let form = if angle.is_some() { CircleForm::Seven } else { form };
             let radius = (form != CircleForm::Six).then_some(radius);
-            let times = if angle.is_some() { 1 } else { times };
+            let times = if angle.is_some() || form == CircleForm::Four { 1 } else { times };
+            let axis = if form == CircleForm::Four { [0.0; 3] } else { axis };
             CircleRecord { centre, axis, radius, form, times, angle_deg: angle, at: Span::default() }
         },
     )
@@ -92,6 +93,20 @@ fn cycle() -> impl Strategy<Value = CycleCall> {
             cycle.positional[..positional.len()].copy_from_slice(&positional);
             cycle
         })
+}
+
+fn pressure() -> impl Strategy<Value = Pressure> {
+    prop::sample::select(Pressure::WORDS.map(|(_, pressure)| pressure).to_vec())
+}
+
+fn subprogram_name() -> impl Strategy<Value = SubprogramName> {
+    let words = ["A", "POCKET_1", "THIRTY-TWO_LETTERS_IN_THIS_NAME_"];
+    let word = prop::sample::select(words.to_vec()).prop_map(|text| {
+        let mut word = [b' '; 32];
+        word[..text.len()].copy_from_slice(text.as_bytes());
+        SubprogramName::Word(word)
+    });
+    prop_oneof![(0..1000_u32).prop_map(SubprogramName::Number), word]
 }
 
 /// Changes of a cycle: CYCLE/ON with at least one word, and no number without a word.
@@ -241,8 +256,10 @@ fn states() -> BoxedStrategy<Record<'static>> {
             number,
             at: at()
         })),
-        (0..1000_u32).prop_map(|value| Record::Subprogram(SubprogramRecord::Define(value))),
-        (0..1000_u32).prop_map(|number| Record::Subprogram(SubprogramRecord::Call { number, at: at() })),
+        subprogram_name().prop_map(|name| Record::Subprogram(SubprogramRecord::Define(name))),
+        subprogram_name().prop_map(|name| Record::Subprogram(SubprogramRecord::Call { name, at: at() })),
+        (prop::sample::select(vec![Coolant::On, Coolant::Flood, Coolant::Mist]), pressure())
+            .prop_map(|(kind, pressure)| Record::Machine(MachineRecord::CoolantAt { kind, pressure, at: at() })),
     ]
     .boxed()
 }

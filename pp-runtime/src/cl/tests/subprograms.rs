@@ -14,6 +14,15 @@ fn many_subprograms_take_no_more_time_than_their_text_and_their_number_is_bounde
 }
 
 #[test]
+fn a_subprogram_may_have_a_name() {
+    let text = "DEFSUB / Pocket_1\nGODLTA/1,0,0\nENDSUB\nGOTO/0,0,0\nCALSUB / POCKET_1\n";
+    assert_eq!(events(text)[1], "2:1 feed 1 0 0 axis 0 0 1 None");
+    refused(&text.replace("POCKET_1", "POCKET_2"), "5:10+8 no DEFSUB with this name comes before the call");
+    let long = "A".repeat(33);
+    refused(&format!("GOTO/0,0,0\nCALSUB/{long}\n"), "2:8+33 the name of a subprogram has at most 32 characters");
+}
+
+#[test]
 fn a_subprogram_is_executed_where_it_is_called() {
     let text = "DEFSUB/1\nGODLTA/1,0,0\nPPRINT there\nENDSUB\nGOTO/0,0,0\nCALSUB/1\nGOTO/0,5,0\nCALSUB/1\n";
     let found = events(text);
@@ -28,7 +37,7 @@ fn a_subprogram_is_executed_where_it_is_called() {
             "3:1 message there",
         ]
     );
-    refused("GOTO/0,0,0\nCALSUB/2\n", "2:8+1 no DEFSUB with this number comes before the call");
+    refused("GOTO/0,0,0\nCALSUB/2\n", "2:8+1 no DEFSUB with this name comes before the call");
     refused("GOTO/0,0,0\nDEFSUB/2\nGOTO/1,0,0\n", "3:1+10 the file ends before the ENDSUB of a subprogram");
     refused("GOTO/0,0,0\nENDSUB\n", "2:1+6 ENDSUB without DEFSUB");
     refused("DEFSUB/1\nCALSUB/1\nENDSUB\nGOTO/0,0,0\nCALSUB/1\n", "2:8+1 CALSUB inside a subprogram is not supported");

@@ -132,8 +132,26 @@ impl RecordInterpreter {
             return points.points().try_for_each(|point| self.go_to(&point, here));
         };
         let Some(end) = points.points().last() else { return Ok(()) };
+        let circle = if circle.has_sense() { circle } else { self.with_sense(circle, points, &end, here)? };
         let passed = self.pass(&circle, points, &end, here);
         self.go_to(&end, here).and(passed)
+    }
+
+    /// The open circle with the sense that the points of a list state.
+    fn with_sense(
+        &mut self,
+        circle: WaitingCircle,
+        points: &Numbers<'_>,
+        end: &Point,
+        here: Location,
+    ) -> Result<WaitingCircle, ClFault> {
+        let start = self.path.position("CIRCLE", points.at)?;
+        let end = self.pose(end, here)?;
+        let tips =
+            points.points().map(|point| Ok(self.pose(&point, here)?.tip)).collect::<Result<Vec<_>, ClFault>>()?;
+        let circle = circle.through(tips.into_iter(), &start, &end);
+        self.arc.open_circle(circle);
+        Ok(circle)
     }
 
     /// Checks that the points of a list after a CIRCLE lie on its arc.
@@ -242,9 +260,10 @@ impl RecordInterpreter {
                 "program a feed for the arc",
             ));
         }
-        self.path.position("CIRCLE", circle.at)?;
+        let tool_axis = self.path.position("CIRCLE", circle.at)?.axis;
         let transforms = self.coordinates.transforms();
-        let waiting = WaitingCircle::new(circle, unit_mm, transforms, self.options.circle_sense, here.line)?;
+        let waiting =
+            WaitingCircle::new(circle, (unit_mm, transforms), tool_axis, self.options.circle_sense, here.line)?;
         self.arc.open_circle(waiting);
         Ok(())
     }

@@ -1,6 +1,6 @@
 //! Interprets records of coordinates, tools and machine state.
 
-use super::RecordInterpreter;
+use super::{CutcomOn, RecordInterpreter};
 use crate::cl::dialect::Dialect;
 use crate::cl::meaning::axis::AxisAfterOff;
 use crate::cl::meaning::feed::feed_of;
@@ -10,7 +10,7 @@ use crate::cl::record::{
     AxisPlane, CoordinateRecord, CutterRecord, FrameRecord, MachineRecord, ToolCallRecord, ToolRecord,
 };
 use crate::cl::text::{ClFault, Span};
-use crate::program::{Compensation, Dwell, Event, Location, Units};
+use crate::program::{Compensation, CutterSide, Dwell, Event, Location, Units};
 
 /// Longest dwell that is not warned of, seconds.
 const LONG_DELAY_S: f64 = 10.0;
@@ -191,7 +191,32 @@ impl RecordInterpreter {
             MachineRecord::InverseTime(on) => self.inverse_time |= on,
             MachineRecord::Spindle(spindle) => self.emit(here, Event::Spindle(spindle)),
             MachineRecord::Coolant(coolant) => self.emit(here, Event::Coolant(coolant)),
+            MachineRecord::CoolantAt { kind, pressure, at } => {
+                self.events.warn(ClFault::new(
+                    "coolant pressure",
+                    at,
+                    format!(
+                        "coolant is switched on without its pressure, {}, which has a code for THRU only",
+                        pressure.word()
+                    ),
+                    "where the machine has another code, `[control] coolant` sets it for all coolant of this kind",
+                ));
+                self.emit(here, Event::Coolant(kind));
+            }
             MachineRecord::Compensation { side, register, plane } => {
+                let register = match (side, self.cutcom) {
+                    (CutterSide::On, CutcomOn::Unstated | CutcomOn::Asked(_)) => {
+                        self.cutcom = CutcomOn::Asked(register);
+                        return Ok(());
+                    }
+                    (CutterSide::Left | CutterSide::Right, CutcomOn::Asked(asked)) => register.or(asked),
+                    _ => register,
+                };
+                match side {
+                    CutterSide::Left | CutterSide::Right => self.cutcom = CutcomOn::Stated,
+                    CutterSide::Off if self.cutcom != CutcomOn::Stated => self.cutcom = CutcomOn::Unstated,
+                    CutterSide::On | CutterSide::Off => {}
+                }
                 let xy = plane.is_none_or(|plane| plane == AxisPlane::Xy);
                 self.emit(here, Event::Compensation(Compensation { side, register, in_xy_plane: xy }));
             }
