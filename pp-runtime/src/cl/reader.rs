@@ -334,7 +334,7 @@ impl<R: Read> ClReader<R> {
             let text = format!(
                 "{normalised} tool axes differ from length 1 by more than 0.00001 and were normalised; this is the first"
             );
-            let help = "have the CAM system output i, j, k with more digits";
+            let help = "nothing needs to be done if their directions are right; with more digits of i, j, k the warning is absent";
             self.faults.add_about_file(Severity::Warning, reading.axis().first_normalised(), text, help);
         }
         if let Some((largest_mm, first)) = reading.tool().largest_cutter()

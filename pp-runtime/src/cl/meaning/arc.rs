@@ -189,7 +189,7 @@ impl OpenArc {
                 "TLON",
                 Span::WHOLE,
                 "expected TLON after AUTOPS or INDIRV, found another motion",
-                "have the CAM system output lines instead of arcs",
+                "write the TLON that belongs to it; without an arc delete AUTOPS and INDIRV",
             ));
         }
         match self.circle {

@@ -30,7 +30,7 @@ pub(crate) fn feed_of(record: &FeedRecord, units: &mut FileUnits, label: FeedLab
                 "feed unit",
                 unit_at,
                 "feed labelled in mm in a file in inch: such labels are often wrong",
-                "have the CAM system output IPM or IPR, or set the meaning: `[cl] feed_label = \"trust\"` or \"file-units\"",
+                "state what its number is: `[cl] feed_label = \"trust\"` (mm, as labelled) or `\"file-units\"` (inch)",
             ));
         }
         FeedLabel::FileUnits if doubtful => of_file,

@@ -235,7 +235,7 @@ impl SetUpFrame {
             "CSYS",
             at,
             "CSYS without TRNTYP/WORLD,0,0,0 before it: the frame of the points is unknown",
-            "have SolidWorks CAM output all points in one common frame",
+            "if all points of the file are in one common frame, write TRNTYP/WORLD,0,0,0 above this line",
         ))
     }
 
@@ -266,7 +266,7 @@ impl SetUpFrame {
                 "tool axis",
                 at,
                 "this tool axis contradicts the third column of CSYS",
-                "the tool axis is constant within one CSYS: check the set-up in the CAM system",
+                "one of the two is wrong: correct CSYS, or i, j, k of this point; the tool axis is constant within one CSYS",
             ));
         }
         Ok(())

@@ -281,7 +281,7 @@ fn depth(cycle: &CycleCall, dialect: Dialect) -> Result<f64, ClFault> {
         return Err(fault(
             cycle.depth_at,
             "the depth of this hole is 0",
-            "set the depth of the hole in the CAM system",
+            "write the depth in this record, or set it in the CAM system and output the file again",
         ));
     }
     if value < 0.0 {
@@ -308,7 +308,7 @@ fn clearance(cycle: &CycleCall, dialect: Dialect) -> Result<f64, ClFault> {
             return Err(fault(
                 cycle.at,
                 "RAPTO and CLEAR of this cycle differ: the clearance level is ambiguous",
-                "have the CAM system output one of them",
+                "delete the one that is not the level above the hole at which the feed begins",
             ));
         }
         (Some(_), None) => {
@@ -371,7 +371,7 @@ fn drilling(cycle: &CycleCall, feed: Option<Feed>, pitch: Option<f64>, unit_mm: 
         return Err(fault(
             cycle.at,
             "this cycle stops the spindle at an angle in the hole: only a canned cycle of the control can do that",
-            "have the CAM system output the motions, or retract at feed: BORE without ORIENT",
+            "to retract at feed, write BORE without ORIENT and its angle; else write the motions themselves as GOTO",
         ));
     }
     let any = cycle.back.or(cycle.first_step).or(cycle.step);

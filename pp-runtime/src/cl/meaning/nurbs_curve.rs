@@ -117,7 +117,7 @@ impl OpenCurve {
                 "NURBS",
                 Span::WHOLE,
                 format!("the curve of line {} is invalid: {why}", self.reading.at.line),
-                "have the CAM system output lines instead of curves",
+                "the file may be cut off here; with the motion output Line NX writes lines in place of curves",
             ));
         }
         std::mem::swap(&mut self.reading, &mut self.complete);

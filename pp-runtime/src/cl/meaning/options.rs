@@ -122,6 +122,8 @@ options! {
         feed_label: FeedLabel = FeedLabel::Refuse, key("cl.feed_label", OneOf(&FeedLabel::NAMES));
         /// FROM: "reference" (start point, no motion) or "move" (a rapid to this point, as first approach).
         from_move: bool = false, key("cl.from", OneOf(&FROMS));
+        /// TRANS of Creo: "refuse", or "add" (its numbers are added to all points after it, as in other CL data).
+        trans_adds: bool = false, key("cl.trans", OneOf(&TRANS));
         /// Feed until the first FEDRAT, per minute. Without it CL data with a feed motion before is refused.
         default_feed_mm_per_min: Option<f64> = None, key("defaults.feed", Measure::length(Bound::Positive), "500.0");
         /// Meaning of the numbers after the tool number of LOADTL that have no word before them, in order: "offset" (length
@@ -134,6 +136,7 @@ options! {
 }
 
 const SENSES: [(&str, Sense); 2] = [("cw", Sense::Clockwise), ("ccw", Sense::CounterClockwise)];
+const TRANS: [(&str, bool); 2] = [("refuse", false), ("add", true)];
 const FROMS: [(&str, bool); 2] = [("reference", false), ("move", true)];
 
 /// Permitted values of `cl.columns`.

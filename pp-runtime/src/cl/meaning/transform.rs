@@ -34,7 +34,8 @@ impl RigidTransform {
                 "TRACUT",
                 at,
                 "this matrix may only rotate and shift; it scales, shears or mirrors",
-                "have the CAM system output the transformed path; a mirrored one would turn climb into conventional milling",
+                "no option applies it: delete TRACUT and write the points where they shall be; a mirrored path would turn climb into \
+                 conventional milling",
             ));
         }
         Ok(RigidTransform { rows, shift: [n[3], n[7], n[11]].map(|value| value * unit_mm) })

@@ -56,7 +56,10 @@ impl FileUnits {
         if let Some((before, line)) = self.found {
             if before != units {
                 let text = format!("this unit differs from that of line {}", line.line);
-                return fault(text, "have the CAM system output the whole file in one unit");
+                return fault(
+                    text,
+                    "if this record is wrong, delete it; else post the parts in mm and in inch as two files",
+                );
             }
             return Ok(());
         }

@@ -144,7 +144,7 @@ pub(crate) fn world(args: &mut Args<'_>) -> Result<CoordinateRecord, ClFault> {
             args.name(),
             args.all(),
             "TRNTYP with numbers other than 0 is refused: its effect on the coordinates is not known",
-            "have the CAM system output all points in one common frame: TRNTYP/WORLD,0,0,0",
+            "if all points of the file are in one common frame, write TRNTYP/WORLD,0,0,0; else post each set-up as a file of its own",
         ));
     }
     Ok(CoordinateRecord::World)

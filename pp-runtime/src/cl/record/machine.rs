@@ -166,7 +166,7 @@ pub(crate) fn rotary_direction(args: &mut Args<'_>) -> Result<MachineRecord, ClF
         args.name(),
         args.all(),
         "this form of ROTABL is refused: the postprocessor computes rotary axes from the tool axis",
-        "have the CAM system output the tool axis as i, j, k; accepted are ROTABL/SHORT and ROTABL/NEXT,CLW|CCLW",
+        "if the points or TLAXIS state the tool axis (i, j, k), delete this line; ROTABL/SHORT and ROTABL/NEXT,CLW|CCLW are read",
     ))
 }
 

@@ -3,6 +3,30 @@
 use super::*;
 
 #[test]
+fn no_help_asks_for_another_output_where_an_edit_an_option_or_a_key_is_a_remedy() {
+    let nx = "TOOL PATH/A,TOOL,B\nGOTO/0,0,50\n";
+    for (text, remedy) in [
+        ("ROTABL/90\nGOTO/0,0,0\n".to_owned(), "delete this line"),
+        ("TRNTYP/WORLD,0,0,1\nGOTO/0,0,0\n".to_owned(), "write TRNTYP/WORLD,0,0,0"),
+        ("UNIT/MM\nCSYS/1,0,0,0,0,1,0,0,0,0,1,0\nGOTO/0,0,0\n".to_owned(), "write TRNTYP/WORLD,0,0,0 above"),
+        ("UNITS/MM\nUNITS/INCH\nGOTO/0,0,0\n".to_owned(), "delete it"),
+        ("$$-> A\nTRANS/1,2,3\nGOTO/0,0,0\n".to_owned(), "`[cl] trans = \"add\"`"),
+        ("UNITS/INCH\nFEDRAT/9,MMPM\nGOTO/0,0,0\n".to_owned(), "`[cl] feed_label = "),
+        ("TRACUT/2,0,0,0,0,2,0,0,0,0,2,0\nGOTO/0,0,0\n".to_owned(), "delete TRACUT"),
+        ("AUTOPS\nGOTO/0,0,0\n".to_owned(), "delete AUTOPS"),
+        (format!("{nx}CYCLE/DRILL,FEDTO,-3,RAPTO,3,CLEAR,2\nGOTO/0,0,0\n"), "delete the one"),
+        (format!("{nx}CYCLE/BORE,FEDTO,-3,RAPTO,3,ORIENT,0\nGOTO/0,0,0\n"), "BORE without ORIENT"),
+        (format!("{nx}CYCLE/DRILL,FEDTO,0,RAPTO,3\nGOTO/0,0,0\n"), "write the depth in this record"),
+        ("GOTO/1,0,0\nCIRCLE/0,0,0,1\nGOTO/0,1,0\n".to_owned(), "`--circle-sense ccw`"),
+    ] {
+        let options = if text.starts_with("UNIT") { UNSTATED } else { MM };
+        let diagnostics = read_from(text.as_bytes(), options).diagnostics;
+        let help = diagnostics[0].help.as_deref().unwrap_or_default();
+        assert!(help.contains(remedy) && !help.contains("have the CAM system"), "{text}: {help}");
+    }
+}
+
+#[test]
 fn words_for_a_vocabulary_have_no_effect_unless_they_are_read_here() {
     assert_eq!(errors("PPWORD/TLANGL,1\nPPWORD / CSINKD, 12, HOLDER, 3\nGOTO/0,0,0\n"), [""; 0]);
     refused("PPWORD/rapid,5\nGOTO/0,0,0\n", "1:8+5 PPWORD is refused: it may change the meaning of `rapid`");

@@ -21,7 +21,10 @@ fn origin_is_subtracted_trans_added_and_tracut_turns_points_and_axes() {
         assert!(errors(&format!("TRACUT/{matrix}\nGOTO/0,0,0\n"))[0].contains("scales, shears or mirrors"));
     }
     assert!(errors("TRACUT/LAST\nGOTO/0,0,0\n")[0].contains("`LAST` is not a number"));
-    assert!(errors("$$-> A\nTRANS/1,2,3\nGOTO/0,0,0\n")[0].contains("TRANS of Creo"));
+    let creo = "$$-> A\nTRANS/1,2,3\nGOTO/0,0,0\n";
+    assert!(errors(creo)[0].contains("TRANS of Creo"));
+    let given = ReadingOptions { trans_adds: true, ..mm() };
+    assert_eq!(events_without_places(creo, given), ["feed 1 2 3 axis 0 0 1 None"]);
     assert!(errors("$$-> A\nROTATE/AAXIS,90\nGOTO/0,0,0\n")[0].contains("ROTATE is refused"));
     assert!(errors("$$-> A\nROTABL/90,CLW\nGOTO/0,0,0\n")[0].contains("this form of ROTABL is refused"));
 }

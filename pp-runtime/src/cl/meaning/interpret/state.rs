@@ -67,12 +67,12 @@ impl RecordInterpreter {
     }
 
     fn take_translation(&mut self, by: Option<[f64; 3]>, at: Span) -> Result<(), ClFault> {
-        if self.dialect() == Dialect::Creo {
+        if self.dialect() == Dialect::Creo && !self.options.trans_adds {
             return Err(ClFault::new(
                 "TRANS",
                 at,
                 "TRANS of Creo is refused: it belongs to output in the frame of each sequence, which the file does not state",
-                "have Creo output its CL data in the machine coordinate system, without TRANS",
+                "if its numbers are to be added to all points after it: `[cl] trans = \"add\"`; if not, delete this line",
             ));
         }
         let by = self.in_millimetres(by)?;
