@@ -3,17 +3,21 @@
 
 use libfuzzer_sys::fuzz_target;
 use pp_runtime::set_up::ClPoint;
-use pp_runtime::cl::{ClReader, Dialect, FeedLabel, Frames, Insert, ReadingOptions};
+use pp_runtime::cl::record::ClCycleKind;
+use pp_runtime::cl::{ClReader, CycleArg, Dialect, FeedLabel, Frames, Insert, ReadingOptions, Sense, ToolArg};
 use pp_runtime::program::{Event, Units};
+
+/// No dialect, and every dialect.
+fn dialects() -> impl Iterator<Item = Option<Dialect>> {
+    std::iter::once(None).chain(Dialect::NAMES.into_iter().map(|(_, dialect)| Some(dialect)))
+}
 
 /// Options that the first two bytes select.
 fn options(choice: [u8; 2]) -> ReadingOptions {
     let bit = |index: usize| choice[index / 8] & (1 << (index % 8)) != 0;
-    let dialects =
-        [None, Some(Dialect::Nx), Some(Dialect::SolidWorks), Some(Dialect::Creo), Some(Dialect::Catia), Some(Dialect::Iso)];
     ReadingOptions {
         units: bit(0).then_some(Units::Millimetres),
-        dialect: dialects[usize::from(choice[1] >> 5) % dialects.len()],
+        dialect: dialects().nth(usize::from(choice[1] >> 4) % dialects().count()).flatten(),
         columns: bit(1).then_some(72),
         inert: if bit(2) { vec!["BREAK".to_owned()] } else { Vec::new() },
         frames: [Frames::Refuse, Frames::Main][usize::from(choice[0] >> 3) % 2],
@@ -22,10 +26,24 @@ fn options(choice: [u8; 2]) -> ReadingOptions {
         feed_label: if bit(8) { FeedLabel::FileUnits } else { FeedLabel::Refuse },
         from_move: bit(9),
         cl_point: if bit(10) { ClPoint::Centre } else { ClPoint::Tip },
+        trans_adds: bit(11),
+        circle_sense: [None, None, Some(Sense::Clockwise), Some(Sense::CounterClockwise)][usize::from(choice[0] >> 4) % 4],
+        tool_args: if bit(3) { vec![ToolArg::Ignored, ToolArg::Length, ToolArg::Offset] } else { Vec::new() },
+        cycle_args: if bit(5) { cycle_args() } else { Vec::new() },
+        default_feed_mm_per_min: bit(9).then_some(500.0),
         auxfun: vec![1, 10],
         prefun: vec![4, 64],
         ..ReadingOptions::default()
     }
+}
+
+/// Meaning of two and three numbers without a word.
+fn cycle_args() -> Vec<(ClCycleKind, Vec<CycleArg>)> {
+    vec![
+        (ClCycleKind::Tap, vec![CycleArg::Depth, CycleArg::Pitch]),
+        (ClCycleKind::Drill, vec![CycleArg::Depth, CycleArg::Clearance, CycleArg::Dwell]),
+        (ClCycleKind::Deep, vec![CycleArg::Depth, CycleArg::Step, CycleArg::Return]),
+    ]
 }
 
 fuzz_target!(|data: &[u8]| {

@@ -37,12 +37,13 @@ pub struct Cost {
 }
 
 impl Cost {
+    /// The sum. Times at absurd speeds (a nanodegree per minute) are bounded, not wrapped.
     pub(crate) fn plus(self, other: Self) -> Self {
         Self {
             rewinds: self.rewinds + other.rewinds,
             against_preference: self.against_preference + other.against_preference,
-            time_ns: self.time_ns + other.time_ns,
-            travel_units: self.travel_units + other.travel_units,
+            time_ns: self.time_ns.saturating_add(other.time_ns),
+            travel_units: self.travel_units.saturating_add(other.travel_units),
         }
     }
 
@@ -119,5 +120,21 @@ impl RotaryMetric {
     /// Whether every axis rotates by less than 90°.
     pub(crate) fn plain(&self, from: &RotaryWords, to: &RotaryWords) -> bool {
         (0..2).all(|axis| 4 * self.change(axis, from[axis], to[axis]).abs() < self.units_per_turn)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn absurd_speeds_and_travels_add_up_to_the_largest_cost() {
+        let scale = AngleScale { units_per_degree: 1e3, units_per_turn: 360_000 };
+        let metric = RotaryMetric::new(&[], [Some(1e-300); 2], scale);
+        let cost = metric.cost(&[0, 0], &[360_000, 1]);
+        let most = (0..4).fold(cost, |sum, _| sum.plus(cost));
+        assert_eq!(most.time_ns, u64::MAX);
+        assert_eq!(most.travel_units, 5 * 360_001);
+        assert!(cost < most && cost.plus(Cost::REWIND) > most);
     }
 }
