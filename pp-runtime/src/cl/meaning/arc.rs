@@ -48,12 +48,13 @@ pub(crate) struct WaitingCircle {
 
 impl WaitingCircle {
     /// Circle of a CIRCLE or MOVARC in line `line`. `unit_mm`: mm in one unit of the file; `sense`: overrides the sense
-    /// of the form; `tool_axis` in the workpiece frame: axis of a circle that states none.
+    /// of the form; `camplete`: with 11 numbers the eighth is the angle (*CAMplete APT* of Autodesk); `tool_axis` in the workpiece frame: axis of a circle that states none.
     pub(crate) fn new(
         circle: &CircleRecord,
         (unit_mm, transforms): (f64, &Transforms),
         tool_axis: UnitVector3<f64>,
         sense: Option<Sense>,
+        camplete: bool,
         line: u64,
     ) -> Result<WaitingCircle, ClFault> {
         let axis = Vector3::from(circle.axis);
@@ -78,9 +79,9 @@ impl WaitingCircle {
             axis: if has_axis { transforms.direction(UnitVector3::new_normalize(axis)) } else { tool_axis },
             sense: sense.or(of_form),
             radius_mm: circle.radius.map(|radius| radius * unit_mm),
-            may_begin_at_centre: matches!(circle.form, CircleForm::Four | CircleForm::Seven),
+            may_begin_at_centre: camplete || matches!(circle.form, CircleForm::Four | CircleForm::Seven),
             times: circle.times,
-            angle_rad: circle.angle_deg.map(f64::to_radians),
+            angle_rad: circle.angle_deg.or(circle.eighth.filter(|_| camplete)).map(f64::to_radians),
             line,
         })
     }

@@ -4,6 +4,10 @@
 //! point of `onCyclePoint`, which is the bottom: its other posts write its Z after G81. Clearance is the Z of the plane between
 //! the holes (`cycle.clearance`), and the feed begins r below it (`cycle.clearance - cycle.retract`). *Generative Machining
 //! APT* of HSMWorks writes the same text with the top as point and other levels, so neither is read unless it is given.
+//!
+//! *CAMplete APT* of Autodesk writes `CYCLE/DRILL, FEDTO, depth, MMPM, feed, CLEAR, z, RETURN, r[, RAPTO, p]` and, as GOTO, the
+//! top (`cycle.stock`): r is `clearance - stock`, p `retract - stock`, absent where it is 0, and z the Z of the clearance plane,
+//! which is r above the point.
 
 use crate::cl::dialect::Dialect;
 use crate::cl::record::{ClCycleKind, CycleCall, FeedUnit, Return};
@@ -66,6 +70,8 @@ pub(crate) struct HoleDefinition {
     pub(crate) dwell: Option<Dwell>,
     /// The points are the bottoms of the holes, and the levels are these planes.
     pub(crate) from_bottom: Option<HolePlanes>,
+    /// Z of the plane that the return level must be, mm (*CAMplete APT*).
+    pub(crate) returns_at_mm: Option<f64>,
 }
 
 /// Planes across Z of a cycle whose points are the bottoms of the holes.
@@ -88,6 +94,18 @@ impl HoleDefinition {
     ) -> Result<(Pose, HoleDefinition), ClFault> {
         /// Largest difference of a level from that of the tool, by the digits of CL data.
         const SAME_LEVEL_MM: f64 = 1e-3;
+        if let (Some(plane), ReturnLevel::Level(level)) = (self.returns_at_mm, self.return_level)
+            && (point.tip.z + level - plane).abs() > 2.0 * SAME_LEVEL_MM
+        {
+            return Err(fault(
+                at,
+                format!(
+                    "this point is not the top of its hole: {level} above it is Z {}, and CLEAR is {plane}",
+                    point.tip.z + level
+                ),
+                "does `dialect = \"autodesk\"` hold for this file? In its CAMplete post CLEAR is RETURN above the point",
+            ));
+        }
         let Some(planes) = self.from_bottom else { return Ok((point, self)) };
         if point.axis.z < 1.0 - f64::EPSILON {
             return Err(fault(
@@ -201,13 +219,26 @@ pub(crate) fn define(cycle: &CycleCall, context: &CycleContext<'_>) -> Result<Ho
     let (cycle, pitch) = named(cycle, context.args, context.dialect)?;
     let unit_mm = context.unit_mm;
     let depth = depth(&cycle, context.dialect)? * unit_mm;
+    let camplete = context.dialect == Dialect::Autodesk && cycle.positionals == 0;
     let from_bottom = match context.dialect {
-        Dialect::Autodesk => Some(planes(&cycle, unit_mm)?),
+        Dialect::Autodesk if !camplete => Some(planes(&cycle, unit_mm)?),
         _ => None,
     };
-    let (clearance, back) = match from_bottom {
-        Some(_) => (0.0, ReturnLevel::Clearance),
-        None => {
+    let (clearance, back) = match (&cycle, from_bottom) {
+        (_, Some(_)) => (0.0, ReturnLevel::Clearance),
+        (CycleCall { clear: Some(_), back_to: Some(Return::Level(level)), rapto, .. }, None) if camplete => {
+            let clearance = rapto.unwrap_or(0.0);
+            if clearance < 0.0 || *level < clearance {
+                let text = "RAPTO of this cycle lies below the top of the hole or above RETURN";
+                return Err(fault(
+                    cycle.at,
+                    text,
+                    "the tool would plunge into the part at rapid: check RAPTO and RETURN",
+                ));
+            }
+            (clearance * unit_mm, ReturnLevel::Level(level * unit_mm))
+        }
+        (_, None) => {
             let clearance = clearance(&cycle, context.dialect)? * unit_mm;
             (clearance, back(&cycle, context, clearance)?)
         }
@@ -236,6 +267,7 @@ pub(crate) fn define(cycle: &CycleCall, context: &CycleContext<'_>) -> Result<Ho
         feed: context.feed,
         dwell,
         from_bottom,
+        returns_at_mm: cycle.clear.filter(|_| camplete).map(|clear| clear * unit_mm),
     })
 }
 
@@ -259,12 +291,12 @@ fn planes(cycle: &CycleCall, unit_mm: f64) -> Result<HolePlanes, ClFault> {
 fn depth(cycle: &CycleCall, dialect: Dialect) -> Result<f64, ClFault> {
     let value = match (cycle.fedto, cycle.depth, dialect) {
         (Some(fedto), None, Dialect::Nx) => -fedto,
-        (Some(fedto), None, Dialect::SolidWorks) => fedto,
+        (Some(fedto), None, Dialect::SolidWorks | Dialect::Autodesk) => fedto,
         (Some(_), ..) => {
             return Err(fault(
                 cycle.depth_at,
                 "the sign of FEDTO depends on the CAM system, and that of this file is unknown",
-                "add `--dialect nx` or `--dialect solidworks`",
+                "add `--dialect nx` (negative is into the part), `--dialect solidworks` or `autodesk` (positive)",
             ));
         }
         (None, Some(_), Dialect::Generic) => {

@@ -27,6 +27,8 @@ pub struct CircleRecord {
     pub axis: [f64; 3],
     /// Radius, if the form has one.
     pub radius: Option<f64>,
+    /// Number after the radius in the form with 11 numbers: total tolerance (NX), or degrees of the arc (*CAMplete APT* of Autodesk).
+    pub eighth: Option<f64>,
     /// Form of the record.
     pub form: CircleForm,
     /// TIMES,n: the arc and n - 1 full revolutions.
@@ -118,12 +120,13 @@ pub(crate) fn circle(args: &mut Args<'_>) -> Result<ArcRecord, ClFault> {
             ));
         }
     };
-    let [x, y, z, i, j, k, r, ..] = numbers;
+    let [x, y, z, i, j, k, r, eighth, ..] = numbers;
     let (axis, r) = if form == CircleForm::Four { ([0.0; 3], i) } else { ([i, j, k], r) };
     Ok(ArcRecord::Circle(CircleRecord {
         centre: [x, y, z],
         axis,
         radius: (form != CircleForm::Six).then_some(r),
+        eighth: (form == CircleForm::Eleven).then_some(eighth),
         form,
         times,
         angle_deg: None,
@@ -157,6 +160,7 @@ pub(crate) fn move_arc(args: &mut Args<'_>) -> Result<ArcRecord, ClFault> {
         centre: [x, y, z],
         axis: [i, j, k],
         radius: Some(r),
+        eighth: None,
         form: CircleForm::Seven,
         times: 1,
         angle_deg: Some(degrees),
@@ -262,8 +266,10 @@ impl Display for CircleRecord {
         match self.form {
             CircleForm::Four | CircleForm::Six => {}
             CircleForm::Seven => write!(out, ",{}", ClNumber(radius))?,
-            // Tolerances and tool have no effect on the path.
-            CircleForm::Eleven => write!(out, ",{},0.06,0.5,0.,0.", ClNumber(radius))?,
+            // The tool has no effect on the path.
+            CircleForm::Eleven => {
+                write!(out, ",{},{},0.5,0.,0.", ClNumber(radius), ClNumber(self.eighth.unwrap_or_default()))?;
+            }
         }
         if self.times > 1 { write!(out, ",TIMES,{}", self.times) } else { Ok(()) }
     }

@@ -291,7 +291,9 @@ impl CycleCall {
     fn take_return(&mut self, word: Arg<'_>, args: &mut Args<'_>) -> Result<(), ClFault> {
         let level = args.needed()?;
         let level = if level.is("AUTO") { Return::Auto } else { Return::Level(level.number()?) };
-        once(self.back_to.replace(level).is_none(), word)?;
+        // *CAMplete APT* writes RTRCTO and RETURN, with one level.
+        let again = self.back_to == Some(level);
+        once(self.back_to.replace(level).is_none() || again, word)?;
         follows(args, "MANUAL")?;
         Ok(())
     }

@@ -102,6 +102,26 @@ fn the_centre_of_a_helix_of_creo_and_of_a_movarc_is_at_the_level_of_either_end()
 }
 
 #[test]
+fn the_eighth_number_of_a_circle_of_camplete_is_its_angle() {
+    use crate::cl::Dialect;
+    let autodesk = ReadingOptions { dialect: Some(Dialect::Autodesk), ..mm() };
+    let text = |angle: &str, end: &str| {
+        format!("GOTO/1,0,0\nCIRCLE/0.,0.,0., 0.,0.,-1., 1., {angle}, 0.0, 0.0, 0.0\nGOTO/{end}\n")
+    };
+    let found = events_without_places(&text("90.", "0,1,0"), autodesk.clone());
+    assert_eq!(found[1].replace("-0 ", "0 "), "arc to 0 1 0 about 0 0 1 through 90.000");
+    let found = events_without_places(&text("450.", "0,1,5"), autodesk.clone());
+    assert_eq!(
+        found[1].replace("-0 ", "0 "),
+        "arc to 0 1 5 about 0 0 1 through 450.000",
+        "the centre is at the level of the start"
+    );
+    assert!(errors_with(&text("80.", "0,1,0"), autodesk)[0].contains("its record states 80.0000 degrees"));
+    // In NX it is a tolerance.
+    assert_eq!(errors(&text("80.", "0,1,0")), [""; 0]);
+}
+
+#[test]
 fn a_circle_without_axis_lies_across_the_tool_and_takes_its_sense_from_the_points_between() {
     use crate::cl::Sense;
     let text = |end: &str| format!("GOTO/1,0,0\nCIRCLE/0,0,0,1\nGOTO/{end}\n");

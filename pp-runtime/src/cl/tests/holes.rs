@@ -217,6 +217,10 @@ fn no_relative_motion_follows_a_hole() {
 fn holes_of_autodesk_are_given_by_their_bottom_and_by_planes_across_z() {
     use crate::cl::Dialect;
     let autodesk = || ReadingOptions { dialect: Some(Dialect::Autodesk), ..mm() };
+    let fault = |text: String, expected: &str| {
+        let found = errors_with(&text, autodesk());
+        assert!(found.concat().contains(expected), "{text}: {found:?}");
+    };
     let cycle =
         |cycle: &str| format!("UNITS/MM\nRAPID\nGOTO/1,2,15\n{cycle}\nFEDRAT/200.,MMPM\nGOTO/1,2,-12\nCYCLE/OFF\n");
     let drill = cycle("CYCLE/DRILL, 12., MMPM, 200., 15., RAPTO, 10.");
@@ -229,10 +233,23 @@ fn holes_of_autodesk_are_given_by_their_bottom_and_by_planes_across_z() {
     assert!(errors(&drill)[0].contains("4:7+39 CYCLE/DRILL has 2 numbers without a word"));
     let help = read_from(drill.as_bytes(), MM).diagnostics[0].help.clone().unwrap();
     assert!(help.contains("--dialect autodesk") && help.contains("[cl.cycle.DRILL]"), "{help}");
-    let fault = |text: String, expected: &str| {
-        let found = errors_with(&text, autodesk());
-        assert!(found.concat().contains(expected), "{text}: {found:?}");
-    };
+    // CAMplete: the point is the top, CLEAR the Z of the return level.
+    let camplete = "UNITS/MM\nRAPID\nGOTO/1,2,25\nCYCLE/DRILL, FEDTO, 12., MMPM, 200., CLEAR, 25., RTRCTO, 15., RETURN, 15., RAPTO, 5.\n\
+                    GOTO/1,2,10\nCYCLE/OFF\n";
+    let found = events_without_places(camplete, autodesk());
+    assert_eq!(found[1], "hole 1 2 10 deep 12 from 5 to 15 Drill Some(PerMinute(200.0)) None");
+    let found = events_without_places(&camplete.replace(", RAPTO, 5.", ""), autodesk());
+    assert_eq!(found[1], "hole 1 2 10 deep 12 from 0 to 15 Drill Some(PerMinute(200.0)) None");
+    fault(
+        camplete.replace("1,2,10", "1,2,-2"),
+        "this point is not the top of its hole: 15 above it is Z 13, and CLEAR is 25",
+    );
+    fault(
+        camplete.replace("RAPTO, 5.", "RAPTO, 16."),
+        "RAPTO of this cycle lies below the top of the hole or above RETURN",
+    );
+    fault(camplete.replace("RETURN, 15.", "RETURN, 14."), "programmed twice");
+    fault(camplete.replace("FEDTO, 12.", "FEDTO, -12."), "it leads out of the part");
     fault(
         cycle("CYCLE/DRILL, 12., MMPM, 200., 27., RAPTO, 10."),
         "the tool is below the clearance plane of this cycle, Z 27",

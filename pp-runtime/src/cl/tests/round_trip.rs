@@ -69,7 +69,16 @@ fn circle() -> impl Strategy<Value = CircleRecord> {
             let radius = (form != CircleForm::Six).then_some(radius);
             let times = if angle.is_some() || form == CircleForm::Four { 1 } else { times };
             let axis = if form == CircleForm::Four { [0.0; 3] } else { axis };
-            CircleRecord { centre, axis, radius, form, times, angle_deg: angle, at: Span::default() }
+            CircleRecord {
+                centre,
+                axis,
+                radius,
+                eighth: (form == CircleForm::Eleven).then_some(0.06),
+                form,
+                times,
+                angle_deg: angle,
+                at: Span::default(),
+            }
         },
     )
 }

@@ -1,12 +1,14 @@
 //! Interprets records of motion: points, arcs, curves and holes.
 
 use super::RecordInterpreter;
+use crate::cl::dialect::Dialect;
 use crate::cl::meaning::arc::{WaitingCircle, arc_of, is_on, tangent_circle, tlon_fault};
 use crate::cl::meaning::event_queue::QueuedEvent;
 use crate::cl::meaning::feed::feed_of;
 use crate::cl::meaning::holes::{self, CycleContext, HoleDefinition};
 use crate::cl::record::{
-    ArcRecord, CircleRecord, CycleCall, CycleRecord, FeedRecord, MotionRecord, Numbers, NurbsRecord, Point, TangentArc,
+    ArcRecord, CircleForm, CircleRecord, CycleCall, CycleRecord, FeedRecord, MotionRecord, Numbers, NurbsRecord, Point,
+    TangentArc,
 };
 use crate::cl::text::{ClFault, Span};
 use crate::cl::vector::within_a_kilometre;
@@ -260,10 +262,17 @@ impl RecordInterpreter {
                 "program a feed for the arc",
             ));
         }
+        let camplete = self.dialect() == Dialect::Autodesk && circle.form == CircleForm::Eleven;
         let tool_axis = self.path.position("CIRCLE", circle.at)?.axis;
         let transforms = self.coordinates.transforms();
-        let waiting =
-            WaitingCircle::new(circle, (unit_mm, transforms), tool_axis, self.options.circle_sense, here.line)?;
+        let waiting = WaitingCircle::new(
+            circle,
+            (unit_mm, transforms),
+            tool_axis,
+            self.options.circle_sense,
+            camplete,
+            here.line,
+        )?;
         self.arc.open_circle(waiting);
         Ok(())
     }
@@ -420,7 +429,7 @@ impl RecordInterpreter {
             self.path.set_here(top);
             return Ok(());
         };
-        if cycle.from_bottom.is_some() && !self.coordinates.transforms().none() {
+        if (cycle.from_bottom.is_some() || cycle.returns_at_mm.is_some()) && !self.coordinates.transforms().none() {
             return Err(ClFault::new(
                 "CYCLE",
                 at,
