@@ -74,21 +74,26 @@ static TABLE: &[Row] = &[
     row("AUTOPS", Read(|_| Ok(Arc(ArcRecord::AutomaticPlane))), "before TLON"),
     row("AUXFUN", Read(|args| program::code(b'M', args).map(Program)), "/n[,NEXT|NOW]; only codes that `[cl] auxfun` allows"),
     row("BREAK", Refused(OWN_MEANING), ""),
+    // Names: *Supported CL Data Commands* of PTC.
     row("CALSUB", Read(|args| subprogram::call(args).map(Subprogram)), "/name"),
     row("CAMERA", Hazard(FRAME), ""),
     row("CHECK", Inert, ""),
+    // x,y,z,r: *Supported CL Data Commands*; 6 numbers: files of SolidWorks CAM; 11: help of NX, script of *CAMplete APT*.
     row("CIRCLE", Read(|args| arc::circle(args).map(Arc)), "/x,y,z,i,j,k[,r[,t,f,d,e][,TIMES,n]]; /x,y,z,r and the GOTO that ends it"),
     row("CLAMP", Hazard(MACHINE_AXES), ""),
     row("CLEARP", Read(|args| coordinates::clearance_plane(args).map(Coordinates)), "/XYPLAN|YZPLAN|ZXPLAN,d; /a,b,c,d"),
     row("CLRSRF", Refused("it sets a clearance surface that is not a plane"), ""),
     row("CNTRL", Read(|args| nurbs::control_point(args).map(Nurbs)), "/x,y,z of a NURBS"),
+    // Pressures of every kind: *Supported CL Data Commands*.
     row("COOLNT", Read(|args| machine::coolant(args).map(Machine)), "/ON|OFF|FLOOD|MIST|THRU|AIR[,LOW|MEDIUM|HIGH]"),
     row("COPY", Hazard(MOVES_COORDINATES), ""),
     row("COUPLE", Lathe, ""),
     row("CSYS", Read(|args| coordinates::setup(args).map(Coordinates)), "/12 numbers, after TRNTYP/WORLD,0,0,0"),
     row("CUT", Hazard(NOT_CUT), ""),
+    // ON before the side: script of *Common ISO 4343 APT*; ON,LEFT,n: that of *Generative Machining APT*.
     row("CUTCOM", Read(|args| machine::compensation(args).map(Machine)), "/[ON,]LEFT|RIGHT[,n][,XYPLAN]; /ON before or after them; /OFF"),
     row("CUTTER", Read(|args| tool::cutter(args).map(|cutter| Tool(ToolRecord::Cutter(cutter)))), "/d[,r[,e,f,a,b,h]]"),
+    // ON with words: files of NX. Levels: `meaning/holes`.
     row("CYCLE", Read(|args| cycle::cycle(args).map(Cycle)), "/DRILL|FACE|CSINK|THRU|DEEP|BRKCHP|BORE|REAM|TAP|..; /OFF; /ON[,words to change]"),
     row("DEFSUB", Read(|args| subprogram::define(args).map(Subprogram)), "/name, up to ENDSUB"),
     row("DELAY", Read(|args| machine::delay(args).map(Machine)), "/seconds; /n,REV"),
@@ -98,6 +103,7 @@ static TABLE: &[Row] = &[
     row("END", Read(|_| Ok(Program(ProgramRecord::End))), "records after it are still read"),
     row("END-OF-PATH", Read(|_| Ok(Program(ProgramRecord::EndOfPath))), ""),
     row("ENDSUB", Read(|_| Ok(Subprogram(SubprogramRecord::End))), ""),
+    // FPM, FPR, INVERS,OFF: *Supported CL Data Commands*.
     row("FEDRAT", Read(|args| machine::feed(args).map(Machine)), "/v[,unit]; /unit,v; /RAPID; /INVERS,AUTO|OFF; MMPM MMPR IPM IPR FPM FPR PERMIN PERREV"),
     row("FINI", Read(|_| Ok(Program(ProgramRecord::Fini))), ""),
     row("FROM", Read(|args| Point::parse(args).map(|point| Motion(MotionRecord::From(point)))), "/x,y,z[,i,j,k]"),
@@ -116,6 +122,7 @@ static TABLE: &[Row] = &[
     row("LIMIT", Refused("it sets limits of axes, which belong in the configuration"), ""),
     row("LINTOL", Read(|args| machine::tolerance(args).map(Machine)), "/t; /OFF"),
     row("LOAD", Read(|args| tool::load(args).map(Tool)), "/TOOL,n[,..] as LOADTL"),
+    // Numbers without a word: `meaning/tool_numbers`.
     row("LOADTL", Read(|args| tool::call(args).map(Tool)), "/n[,n..][,IN,m][,LENGTH,l][,OSETNO,o][,ADJUST,h][,SPINDL,s][,MILL]"),
     row("LOOP", Hazard("it may repeat motion"), ""),
     row("MACHIN", Read(program::machine_name), "[/name[,..]]"),
@@ -125,6 +132,7 @@ static TABLE: &[Row] = &[
     row("MIRROR", Hazard(MOVES_COORDINATES), ""),
     row("MODE", Read(|args| program::mode(args).map(|()| Record::Inert)), "/MILL; /ABSOL"),
     row("MODSYS", Hazard(FRAME), ""),
+    // ANGLE, and a helix with its centre at the start: script of *Common ISO 4343 APT*.
     row("MOVARC", Read(|args| arc::move_arc(args).map(Arc)), "/x,y,z,i,j,k,r,ANGLE,degrees and the GOTO that ends it"),
     row("MSYS", Read(|args| coordinates::machine_system(args).map(Coordinates)), "/x,y,z,i1,j1,k1,i2,j2,k2"),
     row("MULTAX", Read(|args| coordinates::multi_axis(args).map(Coordinates)), "[/ON|OFF]"),
@@ -142,6 +150,7 @@ static TABLE: &[Row] = &[
     row("PPFUN", Hazard(REDEFINES), ""),
     row("PPRINT", ReadText(|args| Ok(Program(ProgramRecord::Message(Text::rest(args))))), "text"),
     row("PPTOL", Refused(TOLERANCE), ""),
+    // Files for G-POST; no manual of it is public.
     row("PPWORD", Read(vocabulary), "/word,n.. adds words to the vocabulary of another postprocessor: no effect"),
     row("PREFUN", Read(|args| program::code(b'G', args).map(Program)), "/n; only codes that `[cl] prefun` allows"),
     row("RAPID", Read(|_| Ok(Machine(MachineRecord::Rapid))), "the next motion only"),
