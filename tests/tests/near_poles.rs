@@ -27,7 +27,7 @@ use tests::random::Random;
 const PROGRAMS: u64 = 150;
 
 /// Largest share of refused programs: an axis within ±90 degrees and a tilt to one side reach half of all tool axes.
-const REFUSED: f64 = 0.3;
+const REFUSED: f64 = 0.45;
 
 const LENGTH: f64 = 80.0;
 

@@ -133,6 +133,8 @@ pub struct Digits {
     pub speed: u32,
     /// F per minute.
     pub feed: u32,
+    /// Largest number of digits of an F before its point.
+    pub feed_whole: u32,
     /// Significant digits of an inverse-time F.
     pub inverse_time: u32,
 }

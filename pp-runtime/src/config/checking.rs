@@ -104,6 +104,7 @@ impl Config {
             rotary: formats.rotary,
             speed: formats.speed,
             feed: formats.feed,
+            feed_whole: formats.feed_whole,
             inverse_time: formats.inverse_time,
         }
     }

@@ -58,6 +58,8 @@ pub(crate) struct FeedLaw {
     largest_mm_per_min: f64,
     /// Largest F of inverse-time feed.
     largest_inverse_time: f64,
+    /// Largest F per minute where a rotary axis rotates: the word has no more digits.
+    largest_word: f64,
     shortest_min: f64,
     reorient_rad_per_min: f64,
     /// One unit of a linear word.
@@ -103,16 +105,20 @@ impl FeedLaw {
         let in_tenths = if facts.feed_in_tenths_of_inch && program == Units::Inches { 10.0 } else { 1.0 };
         let travel = policy.set_up.travel(machine.axes());
         let feed = &policy.feed;
+        let inverse_time = feed.largest_inverse_time.unwrap_or_else(|| {
+            facts.largest_inverse_time_hundredths.map_or(f64::INFINITY, |hundredths| f64::from(hundredths) / 100.0)
+        });
+        let (whole, digits) = (policy.digits.feed_whole as i32, policy.digits.inverse_time as i32);
+        let (bound, last_digit) = (10_f64.powi(whole), 10_f64.powi(whole - digits));
         Self {
             path: feed.path.unwrap_or(usual),
+            largest_word: bound - 10_f64.powi(-(policy.digits.feed as i32)),
             perpendicular: is_perpendicular(machine),
             linear_bits: bits.0,
             rotary_bits: bits.1,
             speeds: travel.speeds.iter().map(|speed| speed.filter(|_| feed.keeps_axis_speeds)).collect(),
             largest_mm_per_min: feed.largest_mm_per_min.unwrap_or(f64::INFINITY),
-            largest_inverse_time: feed.largest_inverse_time.unwrap_or_else(|| {
-                facts.largest_inverse_time_hundredths.map_or(f64::INFINITY, |hundredths| f64::from(hundredths) / 100.0)
-            }),
+            largest_inverse_time: inverse_time.min(bound - last_digit),
             shortest_min: feed.shortest_block_s / 60.0,
             reorient_rad_per_min: feed.reorient_rad_per_min,
             unit_mm: units.0,
@@ -211,6 +217,7 @@ impl FeedLaw {
         }
         let (counted, is_length) = self.counted(extent);
         let minutes = programmed.max(extent.least_min).max(self.shortest_min).max(counted / self.largest_mm_per_min);
+        let counted = counted * if is_length { self.per_mm } else { 1.0 };
         if self.is_plain(extent) {
             let slowed = minutes > programmed * (1.0 + NOISE);
             let slower = if slowed { extent.length_mm.max(self.unit_mm) / minutes } else { feed };
@@ -221,7 +228,7 @@ impl FeedLaw {
                 (1.0 / (60.0 * minutes)).min(self.largest_inverse_time)
             }
             (FeedMode::InverseTime, _) => (1.0 / minutes).min(self.largest_inverse_time),
-            _ => counted / minutes * if is_length { self.per_mm } else { 1.0 },
+            _ => (counted / minutes).min(self.largest_word),
         }
     }
 
@@ -408,6 +415,7 @@ mod tests {
             speeds: Vec::new(),
             largest_mm_per_min: f64::INFINITY,
             largest_inverse_time: f64::INFINITY,
+            largest_word: f64::INFINITY,
             shortest_min: shortest / 60.0,
             reorient_rad_per_min: 1800_f64.to_radians(),
             unit_mm: 0.01,
@@ -451,9 +459,9 @@ mod tests {
 
     #[test]
     fn a_short_path_may_be_shorter_than_its_rounded_ends() {
-        // 0.036 mm known to 0.02: it may have been 0.016, or 0.056.
-        let (law, seen) = (law(0.0), stroke(0.036, 1.0, 600.0));
-        let feeds = [600.0 / 0.0165, 600.0 / 0.0155, 600.0 / 0.054];
+        // 0.046 mm known to 0.03: it may have been 0.016, or 0.076.
+        let (law, seen) = (law(0.0), stroke(0.046, 1.0, 600.0));
+        let feeds = [600.0 / 0.0165, 600.0 / 0.0155, 600.0 / 0.074];
         assert_eq!(feeds.map(|feed| passes(&law, &seen, FeedMode::InverseTime, feed)), [true, false, true]);
         assert!(!passes(&law, &seen, FeedMode::InverseTime, 600.0 / 0.1));
     }

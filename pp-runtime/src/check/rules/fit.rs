@@ -30,6 +30,9 @@ const POLE: f64 = 1.64;
 /// A step of the rotary axes to the end of a motion below which its square is far below a unit of rotary words, rad.
 const LAST_STEP: f64 = 1e-4;
 
+/// Angle to a pole below which the rotary axes rotate far for a small rotation of the tool, rad.
+const NEAR_POLE: f64 = 0.035;
+
 /// Shares that differ by rounding.
 pub(crate) const SHARE: f64 = 1e-9;
 
@@ -211,7 +214,7 @@ impl Rules<'_> {
         let tip_mm = 2.0 * self.rounding.tip_mm;
         let rests = |here: ToolPose| (here.tip - end.tip).norm() <= tip_mm;
         let on_line = matches!(segment.shape, PathShape::Line) && block.action == Action::Feed;
-        if !on_line || !arrival.here.is_some_and(rests) || self.off_pole_rad(&end.axis) > AT_POLE {
+        if !on_line || !arrival.here.is_some_and(rests) || self.off_pole_rad(&end.axis) > NEAR_POLE {
             return None;
         }
         let share = self.share_at(segment, end).max(arrival.along);
