@@ -53,5 +53,7 @@ pub mod post;
 pub mod program;
 #[cfg(feature = "std")]
 pub mod set_up;
+#[cfg(feature = "simulate")]
+pub mod simulate;
 #[cfg(feature = "std")]
 mod view;
