@@ -26,7 +26,24 @@ const RUNTIME: &[(&str, &[&str])] = &[
     ("post", &["cl", "config", "control", "diag", "kinematics", "motion", "nc", "program", "set_up"]),
     ("simulate", &["kinematics"]),
     ("view", &["check", "cl", "kinematics", "post", "program", "set_up"]),
-    ("cli", &["check", "cl", "config", "control", "diag", "kinematics", "motion", "post", "program", "view"]),
+    ("simulate", &["check", "kinematics", "set_up", "view"]),
+    (
+        "cli",
+        &[
+            "check",
+            "cl",
+            "config",
+            "control",
+            "diag",
+            "kinematics",
+            "motion",
+            "post",
+            "program",
+            "set_up",
+            "simulate",
+            "view",
+        ],
+    ),
 ];
 
 /// The same for the engine.

@@ -9,8 +9,12 @@ use crate::kinematics::{AnyMachine, AxisValues, Pose};
 use crate::program::Location;
 
 use super::geometry::{PathShape, Segment, ToolPose};
+#[cfg(feature = "simulate")]
+use super::read::TipControl;
 use super::read::{Action, ArcMove, Block, CycleKind, CycleMove, FeedMode, MAX_AXES, State};
 use super::rules::{BlockPath, Rules};
+#[cfg(feature = "simulate")]
+use crate::kinematics::StepBound;
 
 /// Receives the blocks of a program in the order in which they are executed.
 pub trait Observer {
@@ -225,6 +229,39 @@ impl Leg<'_> {
             Segment { from, to, shape: PathShape::Line }.at(share)
         });
         Pose { tip: Point3::from(pose.tip), axis: UnitVector3::new_normalize(pose.axis) }
+    }
+
+    /// Deviation of a part of the leg from the motion in step with it, between two shares and the axis values there: an upper
+    /// bound.
+    #[cfg(feature = "simulate")]
+    #[must_use]
+    pub fn step_bound(&self, machine: &dyn AnyMachine, shares: [f64; 2], [from, to]: [&AxisValues; 2]) -> StepBound {
+        let ends = shares.map(|share| self.pose(share).axis.into_inner());
+        if let Action::Arc(arc) = self.block.action {
+            // The tool axis stays; a point of a circle leaves the even chord by an eighth of its second derivative.
+            let plane = self.block.state.plane.map_or([0, 1], |plane| [plane.axes()[0], plane.axes()[1]]);
+            let radius = |words: &[f64; MAX_AXES]| {
+                let from = plane
+                    .map(|index| self.rules.words().xyz()[index].map_or(0.0, |axis| words[axis] - arc.centre[index]));
+                from[0].hypot(from[1])
+            };
+            let (largest, angle) =
+                (radius(&self.from).max(radius(&self.block.values)), arc.sweep * (shares[1] - shares[0]));
+            // A spiral of rounded ends moves outwards while it rotates.
+            let drift = (radius(&self.from) - radius(&self.block.values)).abs() * (shares[1] - shares[0]);
+            let tip = (largest * angle * angle + 2.0 * drift * angle.abs()) / 8.0;
+            return StepBound { tip, axis: 0.0 };
+        }
+        if self.axis.is_some() {
+            // Evenly on a great circle: from the chord by no more than θ³/100.
+            let angle = ends[0].cross(&ends[1]).norm().atan2(ends[0].dot(&ends[1]));
+            return StepBound { tip: 0.0, axis: angle.powi(3) / 100.0 };
+        }
+        let bound = StepBound::of(machine, from, to);
+        match self.block.state.tip_control {
+            TipControl::On { .. } => StepBound { tip: 0.0, ..bound },
+            TipControl::Off => bound,
+        }
     }
 
     /// Time at the F in force, min; `None` at rapid and without F. `length_mm`: length of the tip path.

@@ -63,6 +63,12 @@ impl<'a> Messages<'a> {
         self.without_location("note", text, text);
     }
 
+    /// A warning without a place in a file.
+    #[cfg(feature = "simulate")]
+    pub(crate) fn warning(&mut self, text: &str) {
+        self.without_location("warning", &format!("warning: {text}"), text);
+    }
+
     fn without_location(&mut self, severity: &str, human: &str, text: &str) {
         match self.format {
             MessageFormat::Human => self.line(human),

@@ -17,6 +17,8 @@ mod outcome;
 mod output_file;
 mod posting;
 mod self_check;
+#[cfg(feature = "simulate")]
+mod simulate;
 #[cfg(test)]
 mod tests;
 mod view;
@@ -65,6 +67,8 @@ fn execute(machine: &dyn AnyMachine, args: &[OsString], mut streams: Streams<'_>
         Command::View(args) => args.set_up.message_format,
         Command::Report(args) => args.set_up.message_format,
         Command::ExplainBlock(args) => args.set_up.message_format,
+        #[cfg(feature = "simulate")]
+        Command::Simulate(args) => args.format(),
         Command::Config(_) | Command::Explain(_) => MessageFormat::Human,
     };
     let result = match command {
@@ -73,6 +77,8 @@ fn execute(machine: &dyn AnyMachine, args: &[OsString], mut streams: Streams<'_>
         Command::View(args) => view::run(machine, &args, &mut streams, post),
         Command::Report(args) => view::report(machine, &args, &mut streams, post),
         Command::ExplainBlock(args) => explain_block::run(machine, &args, &mut streams, post),
+        #[cfg(feature = "simulate")]
+        Command::Simulate(args) => simulate::run(machine, &args, &mut streams, post),
         Command::Config(args) => {
             let config = config::starting_point(args.control());
             let text = if args.schema { config::schema(machine, &config) } else { config::print(machine, &config) };

@@ -2,6 +2,8 @@
 
 mod checked;
 mod messages;
+#[cfg(feature = "simulate")]
+mod simulate;
 mod streams;
 
 use std::cell::RefCell;

@@ -20,6 +20,8 @@ pub(crate) use any::AnyMachine;
 pub use any::{AxisValues, MAX_AXES};
 pub use explanation::{Explanation, Section};
 pub use machine::{Axis, AxisKind, Dimension, DimensionKind, Joint, Limits, Machine, Pose, Side, Sign};
+#[cfg(feature = "simulate")]
+pub use motion::StepBound;
 pub use motion::{Curve, MotionBound, motion_of_joints, rates_of_joints};
 pub use refusal::{Cone, Invalid, Unreachable};
 pub use solutions::{Branch, Solution, Solutions};

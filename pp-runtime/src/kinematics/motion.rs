@@ -42,8 +42,10 @@
 
 use nalgebra::{Point3, UnitVector3, Vector3};
 
+#[cfg(feature = "simulate")]
+use super::any::{AnyMachine, AxisValues};
 use super::math;
-use super::{AxisKind, Machine};
+use super::{AxisKind, Joint, Machine};
 
 /// Certified deviation of one block, all axes moving linearly, from the straight, evenly rotating motion.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -55,6 +57,17 @@ pub struct MotionBound {
     /// Upper bound of the speed of the tip anywhere in the block, times the time of the block, mm. On a straight line at an
     /// even speed it is the distance between the ends.
     pub tip_rate: f64,
+}
+
+/// Certified deviation of one block, all axes moving linearly, from the motion in step with it: the tip at the same share of
+/// the straight line, and the tool axis at the same share of the chord between both axes.
+#[cfg(feature = "simulate")]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct StepBound {
+    /// Upper bound of the distance of the tip, mm.
+    pub tip: f64,
+    /// Upper bound of the angle of the tool axis, rad; at most π.
+    pub axis: f64,
 }
 
 /// Derivatives of a moving point or tool axis in the middle of a block; per block, not per second.
@@ -130,6 +143,21 @@ impl Curve {
         }
     }
 
+    /// Largest angle from the chord at the same share, rad; `axis` is the unit vector in the middle.
+    ///
+    /// With `e` the distance vector from the chord point `c`, the sine of the angle is `|a × e| / |c|`, and
+    /// `|a(s) × a''(t)| <= |a × a''| + V/2 |a''| + M |t - ½|`, the right side in the middle.
+    #[cfg(feature = "simulate")]
+    fn off_step(&self, axis: &Vector3<f64>) -> f64 {
+        let bend = length(&self.bend);
+        let rate = length(&self.rate) + 0.5 * bend + 0.25 * self.third;
+        let across = length(&axis.cross(&self.bend)) + 0.5 * rate * bend;
+        let (sine, least) = (self.sagitta(across), 1.0 - self.sagitta(bend));
+        let sine = if least > 0.0 { sine / least } else { 1.0 };
+        let cosine = 1.0 - sine * sine;
+        if cosine > 0.0 { sine / math::sqrt(cosine) } else { core::f64::consts::PI }
+    }
+
     /// Largest angle from the great circle, rad; `axis` is the unit vector in the middle.
     #[inline]
     fn off_great_circle(&self, axis: &Vector3<f64>) -> f64 {
@@ -190,13 +218,13 @@ impl Moving {
     }
 }
 
-/// Tip and tool axis in the middle of a block, from the joints in the order tool to workpiece.
-fn walk<M: Machine>(machine: &M, axes: &M::Axes, change: &M::Axes) -> (Moving, Moving) {
-    let (mut tip, mut axis) = (Moving::still(Vector3::zeros()), Moving::still(machine.tool_axis().into_inner()));
-    for (index, described) in M::AXES.iter().enumerate().rev() {
-        let joint = machine.joint(index);
-        let (value, change) = (joint.sign * axes.as_ref()[index], joint.sign * change.as_ref()[index]);
-        match described.kind {
+/// Tip and tool axis in the middle of a block, from the joints in the order tool to workpiece, each with its value and its
+/// change.
+fn walk_joints(tool_axis: Vector3<f64>, joints: impl Iterator<Item = (AxisKind, Joint, f64, f64)>) -> (Moving, Moving) {
+    let (mut tip, mut axis) = (Moving::still(Vector3::zeros()), Moving::still(tool_axis));
+    for (kind, joint, value, change) in joints {
+        let (value, change) = (joint.sign * value, joint.sign * change);
+        match kind {
             AxisKind::Linear => {
                 tip.place += joint.direction.into_inner() * value;
                 tip.curve.rate += joint.direction.into_inner() * change;
@@ -208,6 +236,43 @@ fn walk<M: Machine>(machine: &M, axes: &M::Axes, change: &M::Axes) -> (Moving, M
         }
     }
     (tip, axis)
+}
+
+/// Tip and tool axis in the middle of a block.
+fn walk<M: Machine>(machine: &M, axes: &M::Axes, change: &M::Axes) -> (Moving, Moving) {
+    let joints = M::AXES.iter().enumerate().rev();
+    let joint = |(index, described): (usize, &super::Axis)| {
+        (described.kind, machine.joint(index), axes.as_ref()[index], change.as_ref()[index])
+    };
+    walk_joints(machine.tool_axis().into_inner(), joints.map(joint))
+}
+
+#[cfg(feature = "simulate")]
+impl StepBound {
+    /// The bound of a block of a machine.
+    #[must_use]
+    pub fn of(machine: &dyn AnyMachine, from: &AxisValues, to: &AxisValues) -> Self {
+        let (mut reach, mut turns) = (0.0, 0.0);
+        let joints = machine.axes().iter().enumerate().rev().map(|(index, described)| {
+            let joint = machine.joint(index);
+            let size = math::abs(from[index]) + math::abs(to[index]);
+            match described.kind {
+                AxisKind::Linear => reach += size,
+                AxisKind::Rotary => {
+                    turns += size;
+                    reach += 4.0 * joint.point.coords.iter().map(|component| math::abs(*component)).sum::<f64>();
+                }
+            }
+            (described.kind, joint, 0.5 * (from[index] + to[index]), to[index] - from[index])
+        });
+        let (tip, axis) = walk_joints(machine.tool_axis().into_inner(), joints);
+        let rounding = ROUNDING * (1.0 + turns);
+        let bend = length(&tip.curve.bend);
+        Self {
+            tip: tip.curve.sagitta(bend) * (1.0 + RELATIVE_ROUNDING) + rounding * reach,
+            axis: axis.curve.off_step(&axis.place) * (1.0 + RELATIVE_ROUNDING) + rounding,
+        }
+    }
 }
 
 /// [`Machine::rates`] from the joints, for a machine written by hand.
@@ -238,4 +303,40 @@ pub fn motion_of_joints<M: Machine>(machine: &M, from: &M::Axes, to: &M::Axes) -
     }
     let (tip, axis) = walk(machine, &middle, &change);
     MotionBound::of(&tip.curve, &axis.place, &axis.curve, reach, turns)
+}
+
+#[cfg(all(test, feature = "simulate"))]
+mod tests {
+    use super::*;
+    use crate::kinematics::machines::Cb;
+
+    #[test]
+    fn the_motion_in_step_is_within_its_bound_at_a_thousand_places() {
+        let machine: &dyn AnyMachine = &Cb::default();
+        let mut tightest: [f64; 2] = [0.0; 2];
+        for round in 0..60 {
+            let wave = |phase: f64, size: f64| size * (0.9 * f64::from(round) + phase).sin();
+            let (mut from, mut to) = ([0.0; 9], [0.0; 9]);
+            for index in 0..5 {
+                let (place, by) = if index < 2 { (1.2, 0.5) } else { (120.0, 20.0) };
+                from[index] = wave(2.3 * index as f64, place);
+                to[index] = from[index] + wave(1.7 * index as f64 + 1.0, by);
+            }
+            let bound = StepBound::of(machine, &from, &to);
+            let ends = [&from, &to].map(|axes| machine.forward_kinematics(axes));
+            let mut seen: [f64; 2] = [0.0; 2];
+            for place in 0..=1000 {
+                let share = f64::from(place) / 1000.0;
+                let axes = core::array::from_fn(|index| from[index] + share * (to[index] - from[index]));
+                let pose = machine.forward_kinematics(&axes);
+                let tip = ends[0].tip + (ends[1].tip - ends[0].tip) * share;
+                let axis = ends[0].axis.into_inner() * (1.0 - share) + ends[1].axis.into_inner() * share;
+                let angle = axis.cross(&pose.axis).norm().atan2(axis.dot(&pose.axis));
+                seen = [seen[0].max((pose.tip - tip).norm()), seen[1].max(angle)];
+            }
+            assert!(seen[0] <= bound.tip && seen[1] <= bound.axis, "{round}: {seen:?} {bound:?}");
+            tightest = [tightest[0].max(seen[0] / bound.tip), tightest[1].max(seen[1] / bound.axis)];
+        }
+        assert!(tightest[0] > 0.75 && tightest[1] > 0.7, "{tightest:?}");
+    }
 }

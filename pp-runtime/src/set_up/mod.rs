@@ -153,7 +153,50 @@ options! {
         coolant: Option<Coolant> = None, key("coolant", OneOf(&COOLANTS), "\"flood\"");
         /// Point of this tool that the CL data programs: "tip", or "centre" of the corner radius.
         cl_point: Option<ClPoint> = None, key("cl_point", OneOf(&ClPoint::NAMES), "\"tip\"");
+        /// Shape of the cutting part, for `simulate`: "mill" (flat, bull or ball end, tapered too), "drill", "disc" (T-slot),
+        /// "lollipop" or "barrel". Without it a tool that only makes holes is a drill, any other one a mill.
+        shape: Option<ToolShape> = None, key("shape", OneOf(&ToolShape::NAMES), "\"mill\"");
+        /// Corner radius, if the CL data gives none.
+        corner_radius_mm: Option<f64> = None, key("corner_radius", Measure::length(Bound::NotNegative), "1.0");
+        /// Angle of the point of a drill, between its two sides.
+        point_angle_rad: Option<f64> = None, key("point_angle", Measure::angle(Bound::Positive), "118.0");
+        /// Angle of the side of a mill from its axis.
+        taper_rad: Option<f64> = None, key("taper", Measure::angle(Bound::Any), "3.0");
+        /// Radius of the side of a barrel in its section.
+        side_radius_mm: Option<f64> = None, key("side_radius", Measure::length(Bound::Positive), "85.0");
+        /// Length of the cutting edges; of a disc its thickness.
+        flute_length_mm: Option<f64> = None, key("flute_length", Measure::length(Bound::Positive), "25.0");
+        /// Diameter of the shank, from the cutting edges up to the holder.
+        shank_diameter_mm: Option<f64> = None, key("shank_diameter", Measure::length(Bound::Positive), "10.0");
+        /// Holder as cylinders, from its lower end up to the gauge line: diameter and height of each, one after the other.
+        holder_mm: Vec<f64> = Vec::new(), key("holder", ListOf(Measure::length(Bound::Positive)), "[32.0, 40.0, 63.0, 20.0]");
     }
+}
+
+/// Shape of the cutting part of a tool.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ToolShape {
+    /// Flat, bull or ball end.
+    Mill,
+    /// With a point.
+    Drill,
+    /// A disc on a neck.
+    Disc,
+    /// A ball on a neck.
+    Lollipop,
+    /// A side of a large radius.
+    Barrel,
+}
+
+impl ToolShape {
+    /// Names, as in configuration files.
+    pub(crate) const NAMES: [(&'static str, Self); 5] = [
+        ("mill", Self::Mill),
+        ("drill", Self::Drill),
+        ("disc", Self::Disc),
+        ("lollipop", Self::Lollipop),
+        ("barrel", Self::Barrel),
+    ];
 }
 
 /// Largest number of a frame, and of a set-up.

@@ -17,12 +17,22 @@
 //! assert!((contacts[0].volume() - 20.0 * 3.26).abs() < 2.0);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+//!
+//! `simulate IN.cls` executes a written program: `tool_body` has its tools, `machining` turns its motions into pieces and
+//! contacts into findings, `outcome` states them, and what did not take part.
 
+mod machining;
+mod outcome;
 mod profile;
 mod stock;
 mod sweep;
 #[cfg(test)]
 mod tests;
+mod tool_body;
+
+pub(crate) use machining::{EPS_MM, Machining};
+pub(crate) use outcome::Outcome;
+pub(crate) use tool_body::ToolBodies;
 
 pub use profile::{Cutter, Profile, ShapeFault};
 pub use stock::{Contact, Effort, Filled, StockFault, TriDexel};

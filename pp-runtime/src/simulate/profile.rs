@@ -41,7 +41,7 @@ pub struct Profile {
     /// Lowest height of its points.
     pub(super) bottom: f64,
     /// Largest distance of its points from the tip.
-    pub(super) reach: f64,
+    pub(crate) reach: f64,
     /// Smallest ratio of `f` to the distance from the body, outside it.
     pub(super) sharpness: f64,
 }

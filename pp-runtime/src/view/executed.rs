@@ -13,6 +13,8 @@ use std::sync::Arc;
 
 use crate::check::read::{Action, MAX_AXES, State, TipControl};
 use crate::check::{CheckPolicy, ExecutedBlock, Observer};
+#[cfg(feature = "simulate")]
+use crate::kinematics::StepBound;
 use crate::kinematics::{AnyMachine, Axis, AxisKind, AxisValues, Pose};
 use crate::set_up::SetUp;
 
@@ -112,6 +114,46 @@ impl Executed {
     }
 }
 
+/// A motion of the executed program.
+#[cfg(feature = "simulate")]
+pub(crate) struct ExecutedMotion<'m> {
+    pub(crate) executed: &'m ExecutedBlock<'m>,
+    /// The machine with part and tool.
+    pub(crate) machine: &'m dyn AnyMachine,
+    pub(crate) tool: u32,
+    pub(crate) rapid: bool,
+    /// All axes arrive together; otherwise each moves on its own.
+    pub(crate) together: bool,
+    pub(crate) start: Place,
+    /// Largest angle of a rotary axis, or of an arc, rad.
+    pub(crate) rotated: f64,
+    at: Motion<'m>,
+    bound: &'m dyn Fn([f64; 2], [&AxisValues; 2]) -> StepBound,
+}
+
+#[cfg(feature = "simulate")]
+impl ExecutedMotion<'_> {
+    /// Position at a share; `near`: a position before it.
+    pub(crate) fn at(&self, share: f64, near: &Place) -> Place {
+        (self.at)(share, near)
+    }
+
+    /// Certified deviation between two shares from the motion in step with it.
+    pub(crate) fn step_bound(&self, shares: [f64; 2], places: [&Place; 2]) -> StepBound {
+        (self.bound)(shares, places.map(|place| &place.axes))
+    }
+}
+
+/// Receives motions as they are executed.
+#[cfg(feature = "simulate")]
+pub(crate) trait Motions {
+    /// A motion; returns its end.
+    fn motion(&mut self, motion: &ExecutedMotion<'_>) -> Place;
+
+    /// A motion whose start or end is unknown.
+    fn unknown(&mut self, executed: &ExecutedBlock<'_>);
+}
+
 /// Collects the points of a program while it is checked.
 pub(crate) struct Collector<'a> {
     set_up: &'a SetUp,
@@ -128,13 +170,28 @@ pub(crate) struct Collector<'a> {
     /// Dwells at an unknown position, s: they are times of the next point.
     waited: f64,
     executed: Executed,
+    /// Receives the motions in the place of points.
+    #[cfg(feature = "simulate")]
+    motions: Option<&'a mut dyn Motions>,
 }
 
 /// A position on the way of a block.
 #[derive(Debug, Clone, Copy)]
-struct Place {
-    axes: AxisValues,
-    pose: Pose,
+pub(crate) struct Place {
+    pub(crate) axes: AxisValues,
+    pub(crate) pose: Pose,
+}
+
+/// What is known of the course of a motion.
+struct Course<'m> {
+    /// Angle of an arc, rad.
+    sweep: f64,
+    /// All axes arrive together.
+    #[cfg_attr(not(feature = "simulate"), expect(dead_code, reason = "a page shows the motion as if they did"))]
+    together: bool,
+    #[cfg(feature = "simulate")]
+    bound: &'m dyn Fn([f64; 2], [&AxisValues; 2]) -> StepBound,
+    at: Motion<'m>,
 }
 
 /// Positions of a motion at shares of it, 0 to 1; the second argument is a position before it.
@@ -184,7 +241,26 @@ impl<'a> Collector<'a> {
             joined: false,
             waited: 0.0,
             executed: Executed::default(),
+            #[cfg(feature = "simulate")]
+            motions: None,
         }
+    }
+
+    /// One that hands over the motions and keeps no point.
+    #[cfg(feature = "simulate")]
+    pub(crate) fn following(machine: &dyn AnyMachine, policy: &'a CheckPolicy, motions: &'a mut dyn Motions) -> Self {
+        Self { motions: Some(motions), ..Self::new(machine, policy) }
+    }
+
+    /// A motion of which the start or the end is unknown.
+    fn lose(&mut self, executed: &ExecutedBlock<'_>) {
+        self.joined = false;
+        #[cfg(feature = "simulate")]
+        if let Some(motions) = self.motions.as_deref_mut() {
+            motions.unknown(executed);
+        }
+        #[cfg(not(feature = "simulate"))]
+        let _ = executed;
     }
 
     pub(crate) fn finish(self) -> Executed {
@@ -286,7 +362,7 @@ impl<'a> Collector<'a> {
     /// A rapid of the axes from a position to where the machine is now.
     fn by_axes(&mut self, executed: &ExecutedBlock<'_>, from: Option<AxisValues>) {
         let (Some(from), Some(to)) = (from, self.position()) else {
-            self.joined = false;
+            self.lose(executed);
             return;
         };
         let machine = Arc::clone(&self.placed().machine);
@@ -295,7 +371,15 @@ impl<'a> Collector<'a> {
             Place { axes, pose: machine.forward_kinematics(&axes) }
         };
         let first = Place { axes: from, pose: machine.forward_kinematics(&from) };
-        self.trace(executed, PointKind::Rapid, first, 0.0, &at, |_| None);
+        let moved = (0..self.axes.len()).filter(|index| (to[*index] - from[*index]).abs() > 0.0).count();
+        let course = Course {
+            sweep: 0.0,
+            together: moved < 2,
+            #[cfg(feature = "simulate")]
+            bound: &|_, [from, to]| StepBound::of(&*machine, from, to),
+            at: &at,
+        };
+        self.trace(executed, PointKind::Rapid, first, &course, |_| None);
     }
 
     /// To words that are positions, or coordinates of the tip.
@@ -309,7 +393,7 @@ impl<'a> Collector<'a> {
                 self.forget(!self.rotary());
             }
             self.arrive(&values, known);
-            self.joined = false;
+            self.lose(executed);
             if let Some(axes) = self.position() {
                 let place = Place { axes, pose: self.placed().machine.forward_kinematics(&axes) };
                 self.begin_at(executed, &place);
@@ -332,7 +416,14 @@ impl<'a> Collector<'a> {
             let start = at(0.0, &Place { axes: near, pose: machine.forward_kinematics(&near) });
             let kind = if leg.rapid { PointKind::Rapid } else { PointKind::Feed };
             self.executed.rapids_apart |= leg.rapid && !leg.together;
-            self.trace(executed, kind, start, leg.sweep().abs(), &at, |length_mm| leg.minutes(length_mm));
+            let course = Course {
+                sweep: leg.sweep().abs(),
+                together: leg.together,
+                #[cfg(feature = "simulate")]
+                bound: &|shares, ends| leg.step_bound(&*machine, shares, ends),
+                at: &at,
+            };
+            self.trace(executed, kind, start, &course, |length_mm| leg.minutes(length_mm));
         }
     }
 
@@ -346,16 +437,38 @@ impl<'a> Collector<'a> {
         self.joined = true;
     }
 
-    /// Adds the points of a motion. `sweep`: angle of an arc, rad; `minutes`: time at feed, from the length of the tip path.
+    /// Adds the points of a motion. `minutes`: time at feed, from the length of the tip path.
     fn trace(
         &mut self,
         executed: &ExecutedBlock<'_>,
         kind: PointKind,
         start: Place,
-        sweep: f64,
-        at: Motion<'_>,
+        course: &Course<'_>,
         minutes: impl Fn(f64) -> Option<f64>,
     ) {
+        let Course { sweep, at, .. } = *course;
+        #[cfg(feature = "simulate")]
+        if let Some(motions) = self.motions.as_deref_mut() {
+            let end = at(1.0, &start).axes;
+            let rotary = (0..self.axes.len()).filter(|index| self.axes[*index].kind == AxisKind::Rotary);
+            let rotated = rotary.map(|index| (end[index] - start.axes[index]).abs()).fold(sweep, f64::max);
+            let Placement { machine, tool, .. } = &self.executed.placements[self.placement];
+            let (rapid, together, bound) = (kind == PointKind::Rapid, course.together, course.bound);
+            let motion = ExecutedMotion {
+                executed,
+                machine: &**machine,
+                tool: *tool,
+                rapid,
+                together,
+                start,
+                rotated,
+                at,
+                bound,
+            };
+            let end = motions.motion(&motion);
+            self.arrive(&end.axes, !0);
+            return;
+        }
         self.begin_at(executed, &start);
         let tolerance_mm = if kind == PointKind::Feed { self.tolerance_mm } else { self.tolerance_mm.max(RAPID_MM) };
         let (mut places, mut before) = (Vec::new(), (0.0, start));
@@ -439,6 +552,10 @@ impl<'a> Collector<'a> {
         place: &Place,
         (feed, seconds): (f64, Option<f64>),
     ) {
+        #[cfg(feature = "simulate")]
+        if self.motions.is_some() {
+            return;
+        }
         let operation = self.operation(executed, kind);
         self.executed.points.push(Point {
             axes: place.axes,

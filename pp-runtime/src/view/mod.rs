@@ -25,10 +25,15 @@ use crate::check::{CheckError, CheckPolicy, Checked, check_observed};
 use crate::cl::ReadSeek;
 use crate::kinematics::{AnyMachine, AxisKind};
 
-use cl_facts::ClFacts;
 use columns::{Column, Columns};
-use executed::{Collector, Executed, Point};
+use executed::{Executed, Point};
 
+pub(crate) use cl_facts::ClFacts;
+#[cfg(feature = "simulate")]
+pub(crate) use cl_facts::ClTool;
+pub(crate) use executed::Collector;
+#[cfg(feature = "simulate")]
+pub(crate) use executed::{ExecutedMotion, Motions, Place};
 pub(crate) use html::{is_document, write_page};
 pub(crate) use picture::path_and_axes;
 pub(crate) use reasons::Reasons;

@@ -14,6 +14,8 @@ use crate::control::{CONTROLS, Control};
 use crate::kinematics::AnyMachine;
 use crate::motion::{CourseOptions, Mode, Operations};
 
+#[cfg(feature = "simulate")]
+use values::pitch;
 pub(crate) use values::{BlockName, MessageFormat, ReportFile};
 use values::{
     BranchName, DialectName, FramesName, FromName, InsertName, SenseName, UnitsName, axis_tolerance, block_name,
@@ -40,6 +42,9 @@ pub(crate) enum Command {
     View(Box<ViewArgs>),
     /// Write a set-up sheet: part on the table, tools, work offsets, travel, times and checks
     Report(Box<ReportArgs>),
+    /// Cut a stock with the program: rapids, shank and holder against the stock, volume removed
+    #[cfg(feature = "simulate")]
+    Simulate(Box<SimulateArgs>),
     /// Explain a block of the program: its CL record, why it was written, and the position of the machine after it
     ExplainBlock(Box<ExplainBlockArgs>),
     /// Print a configuration file with all keys and their defaults
@@ -197,6 +202,42 @@ pub(crate) struct ReportArgs {
     pub(crate) jog: bool,
     #[command(flatten)]
     pub(crate) set_up: SetUpArgs,
+}
+
+/// Arguments of `simulate`.
+#[cfg(feature = "simulate")]
+#[derive(Debug, Args)]
+pub(crate) struct SimulateArgs {
+    /// CL file; `-` is standard input
+    #[arg(value_name = "IN.cls")]
+    pub(crate) input: PathBuf,
+    /// NC program to simulate, posted earlier or edited; without it the CL data is posted
+    #[arg(value_name = "OUT.nc")]
+    pub(crate) program: Option<PathBuf>,
+    /// Distance of the lines of the stock, mm: nothing thinner is seen. Without it chosen from the size of the stock
+    #[arg(long = "pitch", value_name = "MM", value_parser = pitch)]
+    pub(crate) pitch_mm: Option<f64>,
+    /// Exit status 1 for findings of these kinds: `collision`
+    #[arg(long, value_name = "KINDS", value_delimiter = ',', value_parser = ["collision"])]
+    fail_on: Vec<String>,
+    /// Write messages as JSON, and findings and volumes as a JSON object to standard output
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    pub(crate) set_up: SetUpArgs,
+}
+
+#[cfg(feature = "simulate")]
+impl SimulateArgs {
+    /// Format of the messages.
+    pub(crate) fn format(&self) -> MessageFormat {
+        if self.json { MessageFormat::Json } else { self.set_up.message_format }
+    }
+
+    /// Whether a collision is exit status 1.
+    pub(crate) fn fails_on_collision(&self) -> bool {
+        self.fail_on.iter().any(|kind| kind == "collision")
+    }
 }
 
 /// Arguments of `explain-block`.

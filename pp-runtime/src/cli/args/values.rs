@@ -82,6 +82,12 @@ pub(crate) fn tolerance(text: &str) -> Result<f64, String> {
     within(text, &MotionOptions::TOLERANCE, "mm")
 }
 
+/// Parses the pitch of a stock, mm.
+#[cfg(feature = "simulate")]
+pub(crate) fn pitch(text: &str) -> Result<f64, String> {
+    within(text, &(1e-3..=100.0), "mm")
+}
+
 /// Parses a tolerance in degrees; returns it in rad.
 pub(crate) fn axis_tolerance(text: &str) -> Result<f64, String> {
     within(text, &MotionOptions::AXIS_TOLERANCE, "degrees").map(f64::to_radians)

@@ -1,0 +1,198 @@
+//! Tests of `simulate`: what the written program does to a stock, and how it is reported.
+
+use serde_json::Value as Json;
+
+use super::*;
+use crate::kinematics::machines::Cb;
+use crate::post::post_for;
+
+/// A groove along X, and a face beside it.
+const PART: &str = "UNITS/MM\nTOOL PATH/GROOVE,TOOL,MILL\nTLDATA/MILL,10.0,0.0\nLOADTL/1\nSPINDL/RPM,3000,CLW\nFEDRAT/MMPM,500\n\
+    RAPID\nGOTO/-10,8,50,0,0,1\nRAPID\nGOTO/-10,8,5\nGOTO/-10,8,-2\nGOTO/50,8,-2\nGOTO/50,24,-2\nGOTO/30,24,-2\nGOTO/30,24,5\n\
+    RAPID\nGOTO/30,24,50\nFINI\n";
+
+/// The same with a tool that leans about Y while it cuts.
+const TILTING: &str = "UNITS/MM\nTOOL PATH/GROOVE,TOOL,MILL\nTLDATA/MILL,10.0,5.0\nLOADTL/1\nSPINDL/RPM,3000,CLW\n\
+    FEDRAT/MMPM,500\nRAPID\nGOTO/-10,16,50,0,0,1\nRAPID\nGOTO/-10,16,5\nGOTO/-10,16,-2,0,0,1\n\
+    GOTO/10,16,-2,0.1,0,0.99498743710662\nGOTO/50,16,-2,0.2,0,0.97979589711327\nRAPID\nGOTO/60,16,50\nFINI\n";
+
+const CONFIG: &str = "units = \"mm\"\nmachine_zero = { X = 0.0, Y = 0.0, Z = -420.0 }\n\
+    [stock]\nlower = [0.0, 0.0, -10.0]\nupper = [40.0, 32.0, 0.0]\n";
+
+const TOOL: &str =
+    "[tools]\n1 = { length = 100.0, flute_length = 8.0, shank_diameter = 10.0, holder = [30.0, 60.0] }\n";
+
+fn simulated_with(shop: &Shop, part: &str, config: &str, more: &[&str]) -> Outcome {
+    shop.write("part.cls", part);
+    shop.write("shop.toml", config);
+    let (cl, config) = (shop.arg("part.cls"), shop.arg("shop.toml"));
+    let arguments = [&["simulate", &cl, "--config", &config, "--pitch", "1"], more].concat();
+    run_on::<Cb>(&arguments, b"", &|job, source, sink, map| post_for(&Cb::default(), job, source, sink, map))
+}
+
+fn simulated(part: &str, tools: &str) -> (Outcome, Json) {
+    let outcome = simulated_with(&Shop::new(), part, &format!("{CONFIG}{tools}"), &["--json"]);
+    let json = serde_json::from_str(&outcome.output).unwrap_or_else(|_| panic!("{}", outcome.errors));
+    (outcome, json)
+}
+
+fn kinds(json: &Json) -> Vec<&str> {
+    let findings = json["findings"].as_array().expect("findings");
+    findings.iter().map(|finding| finding["kind"].as_str().expect("a kind")).collect()
+}
+
+#[test]
+fn a_right_program_has_the_volume_of_its_cuts_and_no_collision() {
+    let (outcome, json) = simulated(PART, TOOL);
+    assert_eq!(outcome.status, Status::Done, "{}", outcome.errors);
+    assert_eq!(kinds(&json), Vec::<&str>::new(), "{}", outcome.errors);
+    // The groove, and the face up to a half circle about its end.
+    let wanted = 2.0 * (40.0 * 10.0 + 10.0 * 10.0 + std::f64::consts::PI * 25.0 / 2.0);
+    let volume = json["removed_mm3"].as_f64().expect("a volume");
+    assert!((volume - wanted).abs() < 0.01 * wanted, "{volume} {wanted}");
+    let parts = json["taking_part"].as_array().expect("what took part");
+    assert_eq!(parts, &["cutting part of tool 1", "shank of tool 1", "holder of tool 1"]);
+    assert!(json["not_checked"].to_string().contains("no solids are given"), "{json}");
+}
+
+#[test]
+fn all_modes_and_controls_cut_the_same_volume() {
+    let mut volumes: Vec<f64> = Vec::new();
+    for control in ["linuxcnc", "fanuc", "siemens", "heidenhain", "haas"] {
+        for mode in ["axes", "tcp"] {
+            let more = ["--json", "--control", control, "--mode", mode];
+            let config = format!("{CONFIG}{TOOL}").replace("[stock]", "[retract]\nposition = 0.0\n[stock]");
+            let outcome = simulated_with(&Shop::new(), TILTING, &config, &more);
+            let Ok(json) = serde_json::from_str::<Json>(&outcome.output) else {
+                assert!(mode == "tcp", "{control} {mode}: {}", outcome.errors);
+                continue;
+            };
+            assert_eq!(kinds(&json), Vec::<&str>::new(), "{control} {mode}: {}", outcome.errors);
+            volumes.push(json["removed_mm3"].as_f64().expect("a volume"));
+        }
+    }
+    assert!(volumes.len() >= 5, "{volumes:?}");
+    let (low, high) =
+        volumes.iter().fold((f64::MAX, 0.0_f64), |(low, high), volume| (low.min(*volume), high.max(*volume)));
+    // The tip of positions of the axes keeps to the tolerance of 0.01 mm.
+    assert!(low > 400.0 && high - low < 1e-3 * high, "{volumes:?}");
+}
+
+#[test]
+fn planted_faults_are_found_at_their_record() {
+    for (from, to, tools, kind, line) in [
+        // A rapid 2 mm too low, a retract that is lost, a tool too short for its holder, cutting edges too short.
+        ("RAPID\nGOTO/-10,8,5\nGOTO/-10,8,-2\n", "RAPID\nGOTO/10,8,-2\n", TOOL, "rapid_through_stock", 10),
+        (
+            "GOTO/30,24,5\nRAPID\nGOTO/30,24,50",
+            "RAPID\nGOTO/2,8,-1\nRAPID\nGOTO/2,22,-1",
+            TOOL,
+            "rapid_through_stock",
+            16,
+        ),
+        (
+            "",
+            "",
+            "[tools]\n1 = { length = 100.0, flute_length = 8.0, shank_diameter = 10.0, holder = [60.0, 99.0] }\n",
+            "holder",
+            11,
+        ),
+        ("", "", "[tools]\n1 = { length = 100.0, flute_length = 1.0, shank_diameter = 12.0 }\n", "shank", 12),
+    ] {
+        let (outcome, json) = simulated(&PART.replace(from, to), tools);
+        assert!(kinds(&json).contains(&kind), "{to}: {kind}: {json} {}", outcome.errors);
+        let findings = json["findings"].as_array().expect("findings");
+        let first = findings.iter().find(|finding| finding["kind"] == kind).expect("it was found");
+        assert_eq!(first["cl_line"], line, "{json}");
+        assert!(first["volume_mm3"].as_f64() > Some(1.0), "{json}");
+    }
+}
+
+#[test]
+fn a_spindle_that_is_off_in_the_cut_is_found_in_an_edited_program() {
+    let shop = Shop::new();
+    let (cl, nc) = (shop.arg("part.cls"), shop.arg("part.ngc"));
+    let config = format!("{CONFIG}{TOOL}");
+    shop.write("part.cls", PART);
+    shop.write("shop.toml", &config);
+    let post: PostFn<'_> = &|job, source, sink, map| post_for(&Cb::default(), job, source, sink, map);
+    let posted = run_on::<Cb>(&["post", &cl, "--config", &shop.arg("shop.toml"), "-o", &nc], b"", post);
+    assert_eq!(posted.status, Status::Done, "{}", posted.errors);
+    let right = simulated_with(&shop, PART, &config, &[&nc, "--json"]);
+    assert_eq!(right.status, Status::Done, "{}", right.errors);
+    shop.write("part.ngc", &shop.text("part.ngc").replace("M3\n", "M5\n"));
+    let edited = simulated_with(&shop, PART, &config, &[&nc, "--json"]);
+    assert_eq!(edited.status, Status::Rejected, "the check has its finding, too: {}", edited.errors);
+    let json: Json = serde_json::from_str(&edited.output).expect("figures");
+    assert!(kinds(&json).contains(&"spindle_off"), "{json}");
+    assert!(json["removed_mm3"].as_f64() < Some(1.0), "{json}");
+}
+
+#[test]
+fn the_box_of_a_rapid_whose_axes_arrive_in_any_order_is_compared() {
+    // Straight past the corner of the stock; the box of X and Y covers a part of it.
+    let part = PART.replace(
+        "GOTO/30,24,5\nRAPID\nGOTO/30,24,50",
+        "GOTO/30,24,5\nRAPID\nGOTO/-30,20,5\nGOTO/-30,20,-3\nRAPID\nGOTO/20,-30,-3\nRAPID\nGOTO/20,-30,50",
+    );
+    for (linear, wanted) in [(true, 0), (false, 1)] {
+        let config =
+            format!("{CONFIG}{TOOL}").replace("[stock]", &format!("[control]\nlinear_rapids = {linear}\n[stock]"));
+        let outcome = simulated_with(&Shop::new(), &part, &config, &["--json", "--control", "fanuc"]);
+        let json: Json = serde_json::from_str(&outcome.output).unwrap_or_else(|_| panic!("{}", outcome.errors));
+        let rapids = kinds(&json).iter().filter(|kind| **kind == "rapid_through_stock").count();
+        assert_eq!(rapids, wanted, "{json} {}", outcome.errors);
+    }
+}
+
+#[test]
+fn collisions_are_status_1_only_where_that_is_wanted() {
+    let part = PART.replace("GOTO/-10,8,5\nGOTO/-10,8,-2\n", "GOTO/10,8,-2\n");
+    let config = format!("{CONFIG}{TOOL}");
+    let warned = simulated_with(&Shop::new(), &part, &config, &[]);
+    assert_eq!(warned.status, Status::Done, "{}", warned.errors);
+    assert!(warned.errors.contains("warning: rapid through the stock: line "), "{}", warned.errors);
+    assert!(
+        warned.errors.contains("1 collision among cutting part of tool 1, shank of tool 1, holder of tool 1, stock\n")
+    );
+    assert_eq!(simulated_with(&Shop::new(), &part, &config, &["--fail-on", "collision"]).status, Status::Rejected);
+    assert_eq!(simulated_with(&Shop::new(), PART, &config, &["--fail-on", "collision"]).status, Status::Done);
+}
+
+#[test]
+fn what_does_not_take_part_is_named() {
+    let states = |part: &str, tools: &str, text: &str| {
+        let (outcome, json) = simulated(part, tools);
+        let stated = format!("{} {}", json["assumed"], json["not_checked"]);
+        assert!(stated.contains(text), "{text}: {stated} {}", outcome.errors);
+    };
+    states(PART, "[tools]\n1 = { length = 100.0 }\n", "tool 1 cuts along 100.0 mm (`flute_length` is not given)");
+    states(
+        PART,
+        "[tools]\n1 = { length = 100.0, flute_length = 8.0 }\n",
+        "shank of tool 1: `shank_diameter` is not given",
+    );
+    states(
+        PART,
+        "[tools]\n1 = { holder = [30.0, 60.0], length = 40.0 }\n",
+        "holder of tool 1: it is higher than the tool is long",
+    );
+    let bare = PART.replace("TLDATA/MILL,10.0,0.0\n", "");
+    states(&bare, "[tools]\n1 = { length = 100.0 }\n", "tool 1: neither the CL data nor `diameter` gives its diameter");
+    states(&bare, "[tools]\n1 = { length = 100.0 }\n", "motions of tools without a shape");
+    let wide = PART.replace("10.0,0.0", "10.0,7.0");
+    states(&wide, TOOL, "a corner radius of 7 mm does not fit a radius of 5 mm");
+}
+
+#[test]
+fn a_simulation_without_a_stock_or_with_a_pitch_of_zero_is_refused() {
+    let none = simulated_with(&Shop::new(), PART, "units = \"mm\"\n", &[]);
+    assert_eq!(none.status, Status::NotRun);
+    assert!(none.errors.contains("error: no stock: give the corners of the blank, `[stock]`"), "{}", none.errors);
+    let fine = CONFIG.replace("40.0, 32.0", "40000.0, 32000.0");
+    let huge = simulated_with(&Shop::new(), PART, &fine, &[]);
+    assert!(huge.errors.contains("take a larger pitch"), "{}", huge.errors);
+    let zero = run_on::<Cb>(&["simulate", "part.cls", "--pitch", "0"], b"", &echo);
+    assert_eq!(zero.status, Status::NotRun);
+    assert!(zero.errors.contains("expected a value between 0.001 and 100 mm"), "{}", zero.errors);
+}

@@ -1,0 +1,248 @@
+//! The executed program cuts the stock: motions into swept pieces, contacts into findings.
+//!
+//! A motion is divided until it is straight and even within [`PATH_MM`], by certified bounds. A rapid whose axes move each on
+//! its own may be anywhere in the box of their values: the box is compared with the stock and removes nothing, then the
+//! straight path is removed, so that one contact is one finding. At rapid, with the spindle off, and for shank and holder the
+//! tool is taken smaller by [`TOUCH_MM`]: it may slide along what it has cut.
+
+use std::collections::BTreeMap;
+
+use super::outcome::{Contacting, Found, Outcome};
+use super::stock::TriDexel;
+use super::sweep::{LARGEST_TURN, SweptPiece};
+use super::tool_body::{ToolBodies, ToolBody};
+use crate::check::read::Side;
+use crate::check::{CheckPolicy, ExecutedBlock};
+use crate::kinematics::{AxisKind, Pose};
+use crate::view::{ExecutedMotion, Motions, Place};
+
+/// Tolerance of the removal, mm.
+pub(crate) const EPS_MM: f64 = 1e-3;
+
+/// Largest deviation of a piece from the executed path, mm.
+pub(crate) const PATH_MM: f64 = 3e-3;
+
+/// Depth from which a contact counts, mm.
+pub(crate) const TOUCH_MM: f64 = 0.02;
+
+/// Pieces that are cut at once.
+const CHUNK: usize = 4096;
+
+/// Halvings of a motion.
+const MOST_HALVINGS: u32 = 16;
+
+/// Largest distance of the lines by which the box of a rapid is covered, mm, and their largest number along an axis.
+const BOX_STEP_MM: f64 = 0.5;
+const MOST_BOX_LINES: f64 = 24.0;
+
+/// Largest angle between neighbouring places of a motion, rad: rotations of more are not seen from their ends.
+const LARGEST_STEP_RAD: f64 = std::f64::consts::FRAC_PI_4;
+
+/// What a piece belongs to.
+#[derive(Debug, Clone, Copy)]
+struct Owner {
+    what: Contacting,
+    line: u64,
+    cl_line: u64,
+    operation: u64,
+    tool: u32,
+}
+
+/// The stock while a program is executed.
+pub(crate) struct Machining<'a> {
+    policy: &'a CheckPolicy,
+    tools: ToolBodies,
+    pub(crate) stock: TriDexel,
+    threads: usize,
+    pieces: Vec<SweptPiece>,
+    owners: Vec<Owner>,
+    outcome: Outcome,
+}
+
+impl<'a> Machining<'a> {
+    pub(crate) fn new(policy: &'a CheckPolicy, tools: ToolBodies, stock: TriDexel, threads: usize) -> Self {
+        let outcome = Outcome::new(&tools);
+        Self { policy, tools, stock, threads, pieces: Vec::new(), owners: Vec::new(), outcome }
+    }
+
+    /// Cuts what is left to be cut.
+    pub(crate) fn finish(mut self) -> (TriDexel, Outcome) {
+        self.flush();
+        self.outcome.uncertified = self.stock.effort().uncertified;
+        (self.stock, self.outcome)
+    }
+
+    fn flush(&mut self) {
+        let contacts = self.stock.cut(&self.pieces, &self.tools.profiles, EPS_MM, self.threads);
+        for (contact, owner) in contacts.iter().zip(&self.owners).filter(|(contact, _)| contact.longest > 0.0) {
+            if owner.what == Contacting::Cut {
+                *self.outcome.removed.entry((owner.operation, owner.tool)).or_default() += contact.volume();
+            } else {
+                self.outcome.add(Found {
+                    what: owner.what,
+                    lines: [owner.line; 2],
+                    cl_line: owner.cl_line,
+                    operation: owner.operation,
+                    tool: owner.tool,
+                    volume_mm3: contact.volume(),
+                    longest_mm: contact.longest,
+                    place_mm: contact.place,
+                });
+            }
+        }
+        self.pieces.clear();
+        self.owners.clear();
+    }
+
+    /// Adds the motion of some profiles between two poses.
+    fn sweep(&mut self, profiles: &[u32], [from, to]: [&Pose; 2], grow: f64, test: bool, owner: Owner) {
+        for profile in profiles {
+            let piece = SweptPiece::new(from, to, *profile, owner.line.min(u64::from(u32::MAX)) as u32).grown(grow);
+            self.pieces.push(if test { piece.touching() } else { piece });
+            self.owners.push(owner);
+        }
+    }
+
+    fn reach(&self, body: &ToolBody) -> f64 {
+        let all = body.cutter.iter().chain(&body.shank).chain(&body.holder);
+        all.map(|index| self.tools.profiles[*index as usize].reach).fold(0.0, f64::max)
+    }
+
+    /// Whether a motion within a distance of a point may meet the stock.
+    fn is_near(&self, tip: &[f64; 3], distance: f64) -> bool {
+        let [low, high] = self.stock.corners();
+        (0..3).all(|axis| tip[axis] + distance >= low[axis] && tip[axis] - distance <= high[axis])
+    }
+
+    /// The part of a motion between two shares.
+    fn part(
+        &mut self,
+        motion: &ExecutedMotion<'_>,
+        body: &ToolBody,
+        reach: f64,
+        from: (f64, Place),
+        to: (f64, Place),
+        halvings: u32,
+    ) {
+        let (a, b) = (from.1.pose.axis.into_inner(), to.1.pose.axis.into_inner());
+        let angle = a.cross(&b).norm().atan2(a.dot(&b));
+        let bound = motion.step_bound([from.0, to.0], [&from.1, &to.1]);
+        let deviation = bound.tip + bound.axis * reach;
+        if (deviation > PATH_MM || angle > 0.95 * LARGEST_TURN) && halvings > 0 {
+            let share = f64::midpoint(from.0, to.0);
+            let middle = (share, motion.at(share, &from.1));
+            self.part(motion, body, reach, from, middle, halvings - 1);
+            self.part(motion, body, reach, middle, to, halvings - 1);
+            return;
+        }
+        self.outcome.deviation_mm = self.outcome.deviation_mm.max(deviation);
+        let state = &motion.executed.block.state;
+        let spins = matches!(state.spindle, Some(Some(_)));
+        let what = match (motion.rapid, spins) {
+            (true, _) => Contacting::Rapid,
+            (false, true) => Contacting::Cut,
+            (false, false) => Contacting::Still,
+        };
+        let owner = owner(motion, what);
+        let ends = [&from.1.pose, &to.1.pose];
+        let grow = if what == Contacting::Cut { 0.0 } else { -TOUCH_MM };
+        self.sweep(&body.cutter, ends, grow, false, owner);
+        self.sweep(&body.shank, ends, -TOUCH_MM, false, Owner { what: Contacting::Shank, ..owner });
+        self.sweep(&body.holder, ends, -TOUCH_MM, false, Owner { what: Contacting::Holder, ..owner });
+        if self.pieces.len() >= CHUNK {
+            self.flush();
+        }
+    }
+
+    /// The box of a rapid in which each axis moves on its own.
+    fn boxed(&mut self, motion: &ExecutedMotion<'_>, body: &ToolBody, reach: f64, end: &Place) {
+        let (machine, start) = (motion.machine, &motion.start);
+        let mut ways = Vec::new();
+        for (index, axis) in machine.axes().iter().enumerate() {
+            let mut axes = start.axes;
+            axes[index] = end.axes[index];
+            if (axes[index] - start.axes[index]).abs() > 0.0 {
+                if axis.kind == AxisKind::Rotary {
+                    self.outcome.rotating_rapids += 1;
+                    return;
+                }
+                ways.push(machine.forward_kinematics(&axes).tip - start.pose.tip);
+            }
+        }
+        ways.sort_by(|a, b| b.norm().total_cmp(&a.norm()));
+        let [longest, others @ ..] = ways.as_slice() else { return };
+        let size: f64 = ways.iter().map(|way| way.norm()).sum();
+        if others.is_empty() || !self.is_near(&start.pose.tip.into(), size + reach) {
+            return;
+        }
+        let counts: Vec<f64> =
+            others.iter().map(|way| (way.norm() / BOX_STEP_MM).ceil().clamp(1.0, MOST_BOX_LINES)).collect();
+        let cells = others.iter().zip(&counts).map(|(way, count)| way.norm() / count);
+        let half_diagonal = 0.5 * cells.map(|cell| cell * cell).sum::<f64>().sqrt();
+        let lines: u64 = counts.iter().map(|count| *count as u64).product();
+        let owner = owner(motion, Contacting::Rapid);
+        for line in 0..lines {
+            let mut rest = line;
+            let mut from = start.pose;
+            for (way, count) in others.iter().zip(&counts) {
+                let at = rest % *count as u64;
+                rest /= *count as u64;
+                from.tip += way * ((at as f64 + 0.5) / count);
+            }
+            let to = Pose { tip: from.tip + longest, ..from };
+            let grow = half_diagonal - TOUCH_MM;
+            self.sweep(&body.cutter, [&from, &to], grow, true, owner);
+            self.sweep(&body.shank, [&from, &to], grow, true, Owner { what: Contacting::Shank, ..owner });
+            self.sweep(&body.holder, [&from, &to], grow, true, Owner { what: Contacting::Holder, ..owner });
+        }
+    }
+}
+
+fn owner(motion: &ExecutedMotion<'_>, what: Contacting) -> Owner {
+    let ExecutedBlock { block, record, operation, .. } = motion.executed;
+    Owner { what, line: block.line, cl_line: record.line, operation: *operation, tool: motion.tool }
+}
+
+impl Motions for Machining<'_> {
+    fn motion(&mut self, motion: &ExecutedMotion<'_>) -> Place {
+        let executed = motion.executed;
+        let pieces = (motion.rotated / LARGEST_STEP_RAD).ceil().max(1.0) as u32;
+        let mut places = vec![(0.0, motion.start)];
+        for piece in 1..=pieces {
+            let (share, near) = (f64::from(piece) / f64::from(pieces), places[places.len() - 1].1);
+            places.push((share, motion.at(share, &near)));
+        }
+        let end = places[places.len() - 1].1;
+        self.outcome.motions += 1;
+        let body = self.tools.bodies.get(&motion.tool).filter(|body| **body != ToolBody::default()).cloned();
+        let compensated = executed.block.state.side.is_some_and(|side| side != Side::None);
+        let unknown = match &body {
+            _ if executed.set_up() != 1 => Some("in further set-ups"),
+            None if motion.rapid => Some("at rapid without a tool of known shape"),
+            None => Some("of tools without a shape"),
+            Some(_) if compensated && !self.policy.shop.compensated_centre => Some("under cutter compensation"),
+            Some(_) => None,
+        };
+        if let Some(reason) = unknown {
+            *self.outcome.unknown.entry(reason).or_default() += 1;
+            return end;
+        }
+        let Some(body) = body else { return end };
+        let reach = self.reach(&body);
+        if motion.rapid && !motion.together {
+            self.boxed(motion, &body, reach, &end);
+        }
+        for pair in places.windows(2) {
+            self.part(motion, &body, reach, pair[0], pair[1], MOST_HALVINGS);
+        }
+        end
+    }
+
+    fn unknown(&mut self, executed: &ExecutedBlock<'_>) {
+        let _ = executed;
+        *self.outcome.unknown.entry("whose start or end is unknown").or_default() += 1;
+    }
+}
+
+/// Volumes by operation and tool, mm³.
+pub(crate) type Removed = BTreeMap<(u64, u32), f64>;

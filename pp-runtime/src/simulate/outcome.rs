@@ -1,0 +1,206 @@
+//! Result of a simulation: findings, volumes, and what took part.
+
+use std::collections::BTreeMap;
+
+use super::machining::{EPS_MM, Removed, TOUCH_MM};
+use super::tool_body::ToolBodies;
+
+/// Findings that are kept; all are counted.
+const MOST_FOUND: usize = 1000;
+
+/// Blocks between two contacts that are one finding.
+const SAME_FINDING: u64 = 3;
+
+/// What meets the stock.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Contacting {
+    /// The cutting part at feed with the spindle on: no finding.
+    Cut,
+    /// The cutting part at rapid.
+    Rapid,
+    /// The cutting part at feed with the spindle off.
+    Still,
+    /// The shank.
+    Shank,
+    /// The holder.
+    Holder,
+}
+
+impl Contacting {
+    /// Name, as in JSON.
+    pub(crate) const fn name(self) -> &'static str {
+        match self {
+            Self::Cut => "cut",
+            Self::Rapid => "rapid_through_stock",
+            Self::Still => "spindle_off",
+            Self::Shank => "shank",
+            Self::Holder => "holder",
+        }
+    }
+
+    const fn text(self) -> &'static str {
+        match self {
+            Self::Cut => "cut",
+            Self::Rapid => "rapid through the stock",
+            Self::Still => "the spindle is off in the stock",
+            Self::Shank => "the shank meets the stock",
+            Self::Holder => "the holder meets the stock",
+        }
+    }
+}
+
+/// A finding: blocks that follow each other with the same contact.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Found {
+    pub(crate) what: Contacting,
+    /// First and last line of the program.
+    pub(crate) lines: [u64; 2],
+    pub(crate) cl_line: u64,
+    pub(crate) operation: u64,
+    pub(crate) tool: u32,
+    pub(crate) volume_mm3: f64,
+    /// Longest part of a line of the stock, and its middle.
+    pub(crate) longest_mm: f64,
+    pub(crate) place_mm: [f64; 3],
+}
+
+impl Found {
+    /// A sentence.
+    pub(crate) fn text(&self) -> String {
+        let [first, last] = self.lines;
+        let lines = if first == last { format!("line {first}") } else { format!("lines {first} to {last}") };
+        let [x, y, z] = self.place_mm;
+        format!(
+            "{}: {lines} of the program (CL line {}), tool {}, {:.1} mm\u{b3}, {:.2} mm long at X{x:.2} Y{y:.2} Z{z:.2}",
+            self.what.text(),
+            self.cl_line,
+            self.tool,
+            self.volume_mm3,
+            self.longest_mm
+        )
+    }
+}
+
+/// Result of a simulation.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Outcome {
+    pub(crate) motions: u64,
+    pub(crate) found: Vec<Found>,
+    /// Number of findings.
+    pub(crate) count: u64,
+    pub(crate) removed: Removed,
+    /// Motions that have not been simulated, by reason.
+    pub(crate) unknown: BTreeMap<&'static str, u64>,
+    /// Rapids whose axes arrive in any order and rotate the tool: only their straight path is compared.
+    pub(crate) rotating_rapids: u64,
+    /// Largest deviation of the pieces from the executed path, mm.
+    pub(crate) deviation_mm: f64,
+    /// Lines whose ends are not certified.
+    pub(crate) uncertified: u64,
+    /// What took part.
+    taking_part: Vec<String>,
+    assumed: Vec<String>,
+    not_checked: Vec<String>,
+}
+
+impl Outcome {
+    pub(crate) fn new(tools: &ToolBodies) -> Self {
+        let of = |has: &dyn Fn(&super::tool_body::ToolBody) -> bool, part: &str| {
+            let numbers: Vec<String> =
+                tools.bodies.iter().filter(|(_, body)| has(body)).map(|(number, _)| number.to_string()).collect();
+            match numbers.as_slice() {
+                [] => None,
+                [one] => Some(format!("{part} of tool {one}")),
+                _ => Some(format!("{part} of tools {}", numbers.join(", "))),
+            }
+        };
+        let parts = [
+            of(&|body| !body.cutter.is_empty(), "cutting part"),
+            of(&|body| !body.shank.is_empty(), "shank"),
+            of(&|body| !body.holder.is_empty(), "holder"),
+        ];
+        Self {
+            taking_part: parts.into_iter().flatten().collect(),
+            assumed: tools.assumed.clone(),
+            not_checked: tools.not_checked.clone(),
+            ..Self::default()
+        }
+    }
+
+    /// States an assumption.
+    pub(crate) fn assume(&mut self, text: String) {
+        self.assumed.push(text);
+    }
+
+    /// Adds a contact: to the finding that it continues, or as a new one.
+    pub(crate) fn add(&mut self, found: Found) {
+        let continued = self.found.iter_mut().rev().take(8).find(|last| {
+            last.what == found.what
+                && (last.tool, last.operation) == (found.tool, found.operation)
+                && found.lines[0] <= last.lines[1] + SAME_FINDING
+        });
+        if let Some(last) = continued {
+            last.lines[1] = last.lines[1].max(found.lines[1]);
+            last.volume_mm3 += found.volume_mm3;
+            if found.longest_mm > last.longest_mm {
+                (last.longest_mm, last.place_mm) = (found.longest_mm, found.place_mm);
+            }
+            return;
+        }
+        self.count += 1;
+        if self.found.len() < MOST_FOUND {
+            self.found.push(found);
+        }
+    }
+
+    /// Volume that was cut, mm³.
+    pub(crate) fn volume_mm3(&self) -> f64 {
+        self.removed.values().sum()
+    }
+
+    /// What is assumed, as sentences.
+    pub(crate) fn assumed(&self) -> &[String] {
+        &self.assumed
+    }
+
+    /// What took part.
+    pub(crate) fn taking_part(&self) -> &[String] {
+        &self.taking_part
+    }
+
+    /// What has not been checked, as sentences.
+    pub(crate) fn not_checked(&self) -> Vec<String> {
+        let mut all = self.not_checked.clone();
+        all.extend(self.unknown.iter().map(|(reason, count)| format!("{count} motions {reason}")));
+        if self.rotating_rapids > 0 {
+            let text =
+                "rapids that rotate the tool while each axis moves on its own: only their straight path is compared";
+            all.push(format!("{} {text}", self.rotating_rapids));
+        }
+        if self.uncertified > 0 {
+            all.push(format!("{} lines of the stock whose ends are not certified", self.uncertified));
+        }
+        all.push("fixtures, table and machine: no solids are given".to_owned());
+        all
+    }
+
+    /// Lines of the summary.
+    pub(crate) fn summary(&self) -> Vec<String> {
+        let among = self.taking_part.iter().map(String::as_str).chain(["stock"]).collect::<Vec<_>>().join(", ");
+        let collisions = if self.count == 1 { "1 collision" } else { &format!("{} collisions", self.count) };
+        let mut lines = vec![
+            format!("simulated: {} motions, {collisions} among {among}", self.motions),
+            format!(
+                "removed: {:.3} cm\u{b3}; cut surfaces are within {:.4} mm of the programmed motion, contacts count from {TOUCH_MM} mm",
+                self.volume_mm3() / 1e3,
+                self.deviation_mm + EPS_MM
+            ),
+        ];
+        lines.extend(self.removed.iter().map(|((operation, tool), volume)| {
+            format!("operation {operation}, tool {tool}: {:.3} cm\u{b3}", volume / 1e3)
+        }));
+        lines.extend(self.assumed.iter().map(|text| format!("assumed: {text}")));
+        lines.extend(self.not_checked().iter().map(|text| format!("not checked: {text}")));
+        lines
+    }
+}
