@@ -13,7 +13,7 @@ use serde::Serialize;
 use crate::check::check_observed;
 use crate::kinematics::AnyMachine;
 use crate::set_up::SetUp;
-use crate::simulate::{Machining, Outcome, ToolBodies, TriDexel};
+use crate::simulate::{Machining, Mesh, Outcome, StockFault, ToolBodies, TriDexel};
 use crate::view::{ClFacts, Collector};
 
 use super::args::{MessageFormat, SimulateArgs};
@@ -75,7 +75,7 @@ pub(crate) fn run(
 ) -> Result<Status, Failure> {
     let mut messages = Messages::new(streams.errors, args.format());
     let config = read_config(machine, &args.set_up, &mut messages)?;
-    let (stock, chosen) = stock(&config.set_up, args.pitch_mm)?;
+    let (stock, chosen) = stock(&config.set_up, args.stock.as_deref(), args.pitch_mm)?;
     let mut source = open_cl_data(&args.input, streams.input)?;
     let name = source.name().to_owned();
     let unreadable = |error| Failure::Unreadable(name.clone(), error);
@@ -147,20 +147,40 @@ pub(crate) fn run(
     Ok(if passed { Status::Done } else { Status::Rejected })
 }
 
-/// The stock of the configuration, and a sentence about it and its pitch.
-fn stock(set_up: &SetUp, pitch_mm: Option<f64>) -> Result<(TriDexel, String), Failure> {
-    let Some(blank) = set_up.stock else {
-        let text = "no stock: give the corners of the blank, `[stock]` with `lower` and `upper`";
-        return Err(Failure::Argument(text.to_owned()));
+/// The stock of a file or of the configuration, and a sentence about it and its pitch.
+fn stock(set_up: &SetUp, file: Option<&Path>, pitch_mm: Option<f64>) -> Result<(TriDexel, String), Failure> {
+    let pitch = |[low, high]: [[f64; 3]; 2]| {
+        let longest = (0..3).map(|axis| high[axis] - low[axis]).fold(0.0, f64::max);
+        pitch_mm.unwrap_or_else(|| rounded_up(longest / MOST_LINES))
     };
-    let longest = (0..3).map(|axis| blank.upper[axis] - blank.lower[axis]).fold(0.0, f64::max);
-    let pitch = pitch_mm.unwrap_or_else(|| rounded_up(longest / MOST_LINES));
-    let stock =
-        TriDexel::block([blank.lower, blank.upper], pitch).map_err(|fault| Failure::Argument(fault.to_string()))?;
+    let refused = |fault: StockFault| Failure::Argument(fault.to_string());
+    let (stock, pitch, what) = match (file, set_up.stock) {
+        (Some(path), _) => {
+            let mut file = File::open(path).map_err(|error| Failure::unreadable(path, error))?;
+            let mesh = Mesh::read(&mut file)
+                .map_err(|fault| Failure::Argument(format!("{} is no stock: {fault}", path.display())))?;
+            // The CL data is rotated as the part is clamped.
+            let mesh = mesh.rotated(&set_up.part_rotation);
+            let what =
+                format!("{}, {} triangles, mm in the coordinates of the CL data", path.display(), mesh.triangles());
+            let pitch = pitch(mesh.corners());
+            (mesh.stock(pitch).map_err(refused)?, pitch, what)
+        }
+        (None, Some(blank)) => {
+            let corners = [blank.lower, blank.upper];
+            (TriDexel::block(corners, pitch(corners)).map_err(refused)?, pitch(corners), "box of `[stock]`".to_owned())
+        }
+        (None, None) => {
+            let text =
+                "no stock: give `--stock S.stl`, or the corners of the blank, `[stock]` with `lower` and `upper`";
+            return Err(Failure::Argument(text.to_owned()));
+        }
+    };
     let whence = if pitch_mm.is_some() { "given" } else { "chosen from the size" };
-    let [x, y, z]: [f64; 3] = std::array::from_fn(|axis| blank.upper[axis] - blank.lower[axis]);
+    let [low, high] = stock.corners();
+    let [x, y, z]: [f64; 3] = std::array::from_fn(|axis| high[axis] - low[axis]);
     let text = format!(
-        "stock: box of `[stock]`, {x:.3} x {y:.3} x {z:.3} mm, pitch {pitch} mm ({whence}): nothing thinner is seen, {:.1} MB",
+        "stock: {what}, {x:.3} x {y:.3} x {z:.3} mm, pitch {pitch} mm ({whence}): nothing thinner is seen, {:.1} MB",
         stock.bytes() as f64 / 1e6
     );
     Ok((stock, text))

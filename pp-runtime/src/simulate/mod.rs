@@ -22,6 +22,7 @@
 //! contacts into findings, `outcome` states them, and what did not take part.
 
 mod machining;
+mod mesh;
 mod outcome;
 mod profile;
 mod stock;
@@ -34,6 +35,7 @@ pub(crate) use machining::{EPS_MM, Machining};
 pub(crate) use outcome::Outcome;
 pub(crate) use tool_body::ToolBodies;
 
+pub use mesh::{Mesh, MeshFault};
 pub use profile::{Cutter, Profile, ShapeFault};
 pub use stock::{Contact, Effort, Filled, StockFault, TriDexel};
 pub use sweep::{LARGEST_TURN, SweptPiece};

@@ -180,6 +180,9 @@ impl Outcome {
         if self.uncertified > 0 {
             all.push(format!("{} lines of the stock whose ends are not certified", self.uncertified));
         }
+        if self.removed.is_empty() && self.count == 0 && self.motions > 0 {
+            all.push("no motion meets the stock: it may be elsewhere than the part".to_owned());
+        }
         all.push("fixtures, table and machine: no solids are given".to_owned());
         all
     }

@@ -120,6 +120,12 @@ pub struct TriDexel {
 #[error("{0}")]
 pub struct StockFault(String);
 
+impl StockFault {
+    pub(super) fn new(text: String) -> Self {
+        Self(text)
+    }
+}
+
 /// A part of a line that a piece covers: piece, line, length, middle.
 type Touch = (u32, u16, f64, f64);
 
@@ -202,14 +208,15 @@ impl TriDexel {
         Ok(Self { low, high, pitch, families: [family(0), family(1), family(2)], effort: Effort::default() })
     }
 
-    /// A stock from a function that gives the material of a line: the family, and two coordinates across.
+    /// A stock from a function that gives the material of a line: the family, its two numbers, and its two coordinates across.
+    /// The first number runs fastest.
     ///
     /// # Errors
     /// Those of [`empty`](Self::empty).
     pub fn filled(
         corners: [[f64; 3]; 2],
         pitch_mm: f64,
-        mut material: impl FnMut(usize, [f64; 2], &mut Vec<[f64; 2]>),
+        mut material: impl FnMut(usize, [usize; 2], [f64; 2], &mut Vec<[f64; 2]>),
     ) -> Result<Self, StockFault> {
         let mut stock = Self::empty(corners, pitch_mm)?;
         let (mut parts, mut spans) = (Vec::new(), Vec::new());
@@ -218,7 +225,7 @@ impl TriDexel {
             for j in 0..rows {
                 for i in 0..columns {
                     parts.clear();
-                    material(family, stock.across(family, [i, j]), &mut parts);
+                    material(family, [i, j], stock.across(family, [i, j]), &mut parts);
                     spans.clear();
                     spans.extend(parts.iter().filter(|part| part[0] < part[1]).map(|part| Filled {
                         low: part[0] as f32,
@@ -240,7 +247,7 @@ impl TriDexel {
     /// # Errors
     /// Those of [`empty`](Self::empty).
     pub fn block(corners: [[f64; 3]; 2], pitch_mm: f64) -> Result<Self, StockFault> {
-        Self::filled(corners, pitch_mm, |family, _, parts| parts.push([corners[0][family], corners[1][family]]))
+        Self::filled(corners, pitch_mm, |family, _, _, parts| parts.push([corners[0][family], corners[1][family]]))
     }
 
     /// A cylinder along Z.
@@ -249,7 +256,7 @@ impl TriDexel {
     /// Those of [`empty`](Self::empty).
     pub fn cylinder(centre: [f64; 2], radius: f64, [low, high]: [f64; 2], pitch_mm: f64) -> Result<Self, StockFault> {
         let corners = [[centre[0] - radius, centre[1] - radius, low], [centre[0] + radius, centre[1] + radius, high]];
-        Self::filled(corners, pitch_mm, |family, across, parts| {
+        Self::filled(corners, pitch_mm, |family, _, across, parts| {
             let half = |from: f64| (radius * radius - from * from).max(0.0).sqrt();
             parts.push(match family {
                 0 => [centre[0] - half(across[0] - centre[1]), centre[0] + half(across[0] - centre[1])],
@@ -278,7 +285,12 @@ impl TriDexel {
         self.pitch
     }
 
-    fn across(&self, family: usize, line: [usize; 2]) -> [f64; 2] {
+    /// Numbers of the lines of a family in both directions across.
+    pub(super) fn lines(&self, family: usize) -> [usize; 2] {
+        self.families[family].lines
+    }
+
+    pub(super) fn across(&self, family: usize, line: [usize; 2]) -> [f64; 2] {
         std::array::from_fn(|index| {
             let axis = (family + 1 + index) % 3;
             self.low[axis] + (line[index] as f64 + 0.5) * self.pitch[axis]

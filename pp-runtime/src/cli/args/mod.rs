@@ -214,6 +214,9 @@ pub(crate) struct SimulateArgs {
     /// NC program to simulate, posted earlier or edited; without it the CL data is posted
     #[arg(value_name = "OUT.nc")]
     pub(crate) program: Option<PathBuf>,
+    /// Stock as a closed STL file, mm, in the coordinates of the CL data; without it the box of `[stock]`
+    #[arg(long, value_name = "S.stl", value_parser = file_name)]
+    pub(crate) stock: Option<PathBuf>,
     /// Distance of the lines of the stock, mm: nothing thinner is seen. Without it chosen from the size of the stock
     #[arg(long = "pitch", value_name = "MM", value_parser = pitch)]
     pub(crate) pitch_mm: Option<f64>,

@@ -188,11 +188,67 @@ fn what_does_not_take_part_is_named() {
 fn a_simulation_without_a_stock_or_with_a_pitch_of_zero_is_refused() {
     let none = simulated_with(&Shop::new(), PART, "units = \"mm\"\n", &[]);
     assert_eq!(none.status, Status::NotRun);
-    assert!(none.errors.contains("error: no stock: give the corners of the blank, `[stock]`"), "{}", none.errors);
+    assert!(
+        none.errors.contains("error: no stock: give `--stock S.stl`, or the corners of the blank"),
+        "{}",
+        none.errors
+    );
     let fine = CONFIG.replace("40.0, 32.0", "40000.0, 32000.0");
     let huge = simulated_with(&Shop::new(), PART, &fine, &[]);
     assert!(huge.errors.contains("take a larger pitch"), "{}", huge.errors);
     let zero = run_on::<Cb>(&["simulate", "part.cls", "--pitch", "0"], b"", &echo);
     assert_eq!(zero.status, Status::NotRun);
     assert!(zero.errors.contains("expected a value between 0.001 and 100 mm"), "{}", zero.errors);
+}
+
+/// A box as a text STL file.
+fn box_as_stl([low, high]: [[f64; 3]; 2]) -> String {
+    let mut text = "solid box\n".to_owned();
+    for axis in 0..3 {
+        for (side, end) in [low, high].iter().enumerate() {
+            let at = |one: [f64; 3], two: [f64; 3]| {
+                let mut corner = [0.0; 3];
+                (corner[axis], corner[(axis + 1) % 3], corner[(axis + 2) % 3]) =
+                    (end[axis], one[(axis + 1) % 3], two[(axis + 2) % 3]);
+                corner
+            };
+            let mut corners = [at(low, low), at(high, low), at(high, high), at(low, high)];
+            if side == 0 {
+                corners.reverse();
+            }
+            for triangle in [[0, 1, 2], [0, 2, 3]] {
+                text += "facet normal 0 0 0\nouter loop\n";
+                for corner in triangle.map(|index| corners[index]) {
+                    text += &format!("vertex {} {} {}\n", corner[0], corner[1], corner[2]);
+                }
+                text += "endloop\nendfacet\n";
+            }
+        }
+    }
+    text + "endsolid box\n"
+}
+
+#[test]
+fn a_stock_of_triangles_is_cut_as_the_same_box() {
+    let shop = Shop::new();
+    shop.write("box.stl", &box_as_stl([[0.0, 0.0, -10.0], [40.0, 32.0, 0.0]]));
+    let tools = format!("units = \"mm\"\nmachine_zero = {{ X = 0.0, Y = 0.0, Z = -420.0 }}\n{TOOL}");
+    let outcome = simulated_with(&shop, PART, &tools, &["--json", "--stock", &shop.arg("box.stl")]);
+    let json: Json = serde_json::from_str(&outcome.output).unwrap_or_else(|_| panic!("{}", outcome.errors));
+    let (_, of_box) = simulated(PART, TOOL);
+    let volumes = [&json, &of_box].map(|json| json["removed_mm3"].as_f64().expect("a volume"));
+    assert!((volumes[0] - volumes[1]).abs() < 1e-3 * volumes[1], "{volumes:?}");
+    assert!(
+        json["assumed"].to_string().contains("box.stl, 12 triangles, mm in the coordinates of the CL data"),
+        "{json}"
+    );
+    // Elsewhere than the part; open.
+    shop.write("box.stl", &box_as_stl([[500.0, 0.0, -10.0], [540.0, 32.0, 0.0]]));
+    let away = simulated_with(&shop, PART, &tools, &["--stock", &shop.arg("box.stl")]);
+    assert!(away.errors.contains("not checked: no motion meets the stock"), "{}", away.errors);
+    let open = box_as_stl([[0.0; 3], [1.0; 3]]).replacen("vertex 0 0 0", "vertex 0 0 0.5", 1);
+    shop.write("box.stl", &open);
+    let open = simulated_with(&shop, PART, &tools, &["--stock", &shop.arg("box.stl")]);
+    assert_eq!(open.status, Status::NotRun);
+    assert!(open.errors.contains("is no stock: it is open"), "{}", open.errors);
 }

@@ -1,0 +1,251 @@
+//! Bodies as triangles: STL files, and the lines that are inside.
+//!
+//! A body must be closed and its triangles must face outwards. Whether a line meets a triangle is decided by the side of each
+//! edge on which it is. An edge has the same side for both of its triangles, and a line that meets an edge exactly is moved
+//! aside by less than any number, so that a closed body is entered as often as it is left.
+
+use std::io::{Read, Seek, SeekFrom};
+
+use nalgebra::Rotation3;
+
+use super::stock::{StockFault, TriDexel};
+
+/// Largest number of triangles.
+const MOST_TRIANGLES: u64 = 20_000_000;
+
+/// Bytes of a binary file before its triangles, and of each triangle.
+const HEAD_BYTES: u64 = 84;
+const TRIANGLE_BYTES: u64 = 50;
+
+/// A closed body.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Mesh {
+    vertices: Vec<[f64; 3]>,
+    faces: Vec<[u32; 3]>,
+}
+
+/// The reason why a file is no body.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{0}")]
+pub struct MeshFault(String);
+
+impl Mesh {
+    /// Reads an STL file, binary or text.
+    ///
+    /// # Errors
+    /// A sentence about a file that is no STL file, or a body that is open, inside out or too large.
+    pub fn read(input: &mut (impl Read + Seek)) -> Result<Self, MeshFault> {
+        let size = input.seek(SeekFrom::End(0)).and_then(|size| input.rewind().map(|()| size));
+        let size = size.map_err(|error| MeshFault(error.to_string()))?;
+        if size > HEAD_BYTES + TRIANGLE_BYTES * MOST_TRIANGLES {
+            return Err(MeshFault(format!("it has {size} bytes: more than {MOST_TRIANGLES} triangles")));
+        }
+        let read = stl_io::read_stl(input).map_err(|error| MeshFault(format!("it is no STL file: {error}")))?;
+        let vertices: Vec<[f64; 3]> = read.vertices.iter().map(|vertex| vertex.0.map(f64::from)).collect();
+        let faces = read.faces.iter().map(|face| face.vertices.map(|index| index as u32)).collect();
+        Self::new(vertices, faces)
+    }
+
+    /// A body of triangles; each has the numbers of its three vertices, counter-clockwise from outside.
+    ///
+    /// # Errors
+    /// A sentence about a body that is empty, open or inside out.
+    pub fn new(vertices: Vec<[f64; 3]>, faces: Vec<[u32; 3]>) -> Result<Self, MeshFault> {
+        // A triangle of two points has no area and two opposite edges.
+        let flat = |face: &[u32; 3]| face[0] == face[1] || face[1] == face[2] || face[2] == face[0];
+        let faces: Vec<[u32; 3]> = faces.into_iter().filter(|face| !flat(face)).collect();
+        if faces.is_empty() {
+            return Err(MeshFault("it has no triangle".to_owned()));
+        }
+        if let Some(vertex) = vertices.iter().find(|vertex| !vertex.iter().all(|value| value.is_finite())) {
+            return Err(MeshFault(format!("it has a point that is none: {vertex:?}")));
+        }
+        if faces.iter().flatten().any(|index| *index as usize >= vertices.len()) {
+            return Err(MeshFault("it has a triangle of points that are not there".to_owned()));
+        }
+        let mesh = Self { vertices, faces };
+        mesh.refuse_open()?;
+        let volume = mesh.volume();
+        if volume <= 0.0 {
+            let text = format!("its triangles face inwards: its volume is {volume:.3} mm\u{b3}");
+            return Err(MeshFault(text));
+        }
+        Ok(mesh)
+    }
+
+    /// Each edge must be passed as often in one direction as in the other.
+    fn refuse_open(&self) -> Result<(), MeshFault> {
+        let edges = self.faces.iter().flat_map(|[a, b, c]| [[*a, *b], [*b, *c], [*c, *a]]);
+        let mut edges: Vec<([u32; 2], i32)> =
+            edges.map(|[a, b]| if a < b { ([a, b], 1) } else { ([b, a], -1) }).collect();
+        edges.sort_unstable();
+        let (mut open, mut first) = (0, None);
+        for same in edges.chunk_by(|one, other| one.0 == other.0) {
+            if same.iter().map(|(_, sense)| sense).sum::<i32>() != 0 {
+                open += 1;
+                first.get_or_insert(same[0].0[0]);
+            }
+        }
+        let Some(first) = first else { return Ok(()) };
+        let [x, y, z] = self.vertices[first as usize];
+        Err(MeshFault(format!(
+            "it is open: {open} edges have triangles on one side only, the first at X{x:.3} Y{y:.3} Z{z:.3}"
+        )))
+    }
+
+    /// Volume, mm³.
+    #[must_use]
+    pub fn volume(&self) -> f64 {
+        let origin = self.vertices[0];
+        let from = |index: u32| -> [f64; 3] {
+            let vertex = self.vertices[index as usize];
+            std::array::from_fn(|axis| vertex[axis] - origin[axis])
+        };
+        let six = self.faces.iter().map(|face| {
+            let [a, b, c] = face.map(from);
+            a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0])
+        });
+        six.sum::<f64>() / 6.0
+    }
+
+    /// Number of triangles.
+    #[must_use]
+    pub fn triangles(&self) -> usize {
+        self.faces.len()
+    }
+
+    /// Corners of the box around it.
+    #[must_use]
+    pub fn corners(&self) -> [[f64; 3]; 2] {
+        let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+        for vertex in self.faces.iter().flatten().map(|index| self.vertices[*index as usize]) {
+            for axis in 0..3 {
+                (low[axis], high[axis]) = (low[axis].min(vertex[axis]), high[axis].max(vertex[axis]));
+            }
+        }
+        [low, high]
+    }
+
+    /// The body rotated about the origin.
+    #[must_use]
+    pub fn rotated(mut self, rotation: &Rotation3<f64>) -> Self {
+        for vertex in &mut self.vertices {
+            *vertex = (rotation * nalgebra::Vector3::from(*vertex)).into();
+        }
+        self
+    }
+
+    /// The body as a stock.
+    ///
+    /// # Errors
+    /// Those of [`TriDexel::empty`], and a body that is entered and left a different number of times.
+    pub fn stock(&self, pitch_mm: f64) -> Result<TriDexel, StockFault> {
+        let corners = self.corners();
+        let empty = TriDexel::empty(corners, pitch_mm)?;
+        let mut crossings: [Vec<Crossing>; 3] = Default::default();
+        for (family, crossings) in crossings.iter_mut().enumerate() {
+            self.crossings(&empty, family, crossings);
+            // Lines come row by row.
+            crossings.sort_by(|a, b| (a.line[1], a.line[0]).cmp(&(b.line[1], b.line[0])).then(a.at.total_cmp(&b.at)));
+        }
+        let (mut next, mut unequal) = ([0; 3], None);
+        let stock = TriDexel::filled(corners, pitch_mm, |family, line, across, parts| {
+            let (mut depth, mut begin) = (0, 0.0);
+            while let Some(crossing) = crossings[family].get(next[family]).filter(|found| found.line == line) {
+                next[family] += 1;
+                let before = depth;
+                depth += crossing.enters;
+                if before <= 0 && depth > 0 {
+                    begin = crossing.at;
+                } else if before > 0 && depth <= 0 {
+                    parts.push([begin, crossing.at]);
+                }
+            }
+            if depth != 0 {
+                unequal.get_or_insert((family, across));
+            }
+        })?;
+        match unequal {
+            None => Ok(stock),
+            Some((family, [u, v])) => {
+                let names = ["X", "Y", "Z"];
+                let text = format!(
+                    "a line along {} at {}{u:.4} {}{v:.4} enters the body more often than it leaves it",
+                    names[family],
+                    names[(family + 1) % 3],
+                    names[(family + 2) % 3]
+                );
+                Err(StockFault::new(text))
+            }
+        }
+    }
+
+    /// Where the lines of a family pass through triangles.
+    fn crossings(&self, stock: &TriDexel, family: usize, crossings: &mut Vec<Crossing>) {
+        let (u, v) = ((family + 1) % 3, (family + 2) % 3);
+        let ([low, _], pitch, counts) = (stock.corners(), stock.pitch(), stock.lines(family));
+        for face in &self.faces {
+            let corners = face.map(|index| self.vertices[index as usize]);
+            let range = |axis: usize, count: usize| {
+                let ends = corners.map(|corner| (corner[axis] - low[axis]) / pitch[axis] - 0.5);
+                let (first, last) = (ends[0].min(ends[1]).min(ends[2]), ends[0].max(ends[1]).max(ends[2]));
+                (first - 1e-6).ceil().max(0.0) as usize..((last + 1e-6).floor() + 1.0).clamp(0.0, count as f64) as usize
+            };
+            for j in range(v, counts[1]) {
+                for i in range(u, counts[0]) {
+                    let at = stock.across(family, [i, j]);
+                    let side = |a: u32, b: u32| self.side([a, b], [u, v], at);
+                    let [a, b, c] = *face;
+                    let left = side(a, b);
+                    if side(b, c) == left && side(c, a) == left {
+                        crossings.push(Crossing {
+                            line: [i, j],
+                            at: height(&corners, [u, v, family], at),
+                            // Seen along the line a triangle that faces back is entered.
+                            enters: if left { -1 } else { 1 },
+                        });
+                    }
+                }
+            }
+        }
+    }
+
+    /// Whether a point is to the left of an edge: the same for an edge in both directions but for the sign.
+    fn side(&self, [a, b]: [u32; 2], [u, v]: [usize; 2], at: [f64; 2]) -> bool {
+        let (first, second) = if a < b { (a, b) } else { (b, a) };
+        let [p, q] = [first, second].map(|index| self.vertices[index as usize]);
+        let (du, dv) = (q[u] - p[u], q[v] - p[v]);
+        let area = du * (at[1] - p[v]) - dv * (at[0] - p[u]);
+        // On the edge: as if the point were moved along u, and by less along v.
+        let signed = if area.abs() > 0.0 {
+            area
+        } else if dv.abs() > 0.0 {
+            -dv
+        } else {
+            du
+        };
+        (signed > 0.0) == (a < b)
+    }
+}
+
+/// A line passes through a triangle.
+#[derive(Debug, Clone, Copy)]
+struct Crossing {
+    line: [usize; 2],
+    at: f64,
+    enters: i32,
+}
+
+/// Height of a plane over a point.
+fn height(corners: &[[f64; 3]; 3], [u, v, w]: [usize; 3], at: [f64; 2]) -> f64 {
+    let [a, b, c] = corners;
+    let (bu, bv, bw) = (b[u] - a[u], b[v] - a[v], b[w] - a[w]);
+    let (cu, cv, cw) = (c[u] - a[u], c[v] - a[v], c[w] - a[w]);
+    let area = bu * cv - bv * cu;
+    let (x, y) = (at[0] - a[u], at[1] - a[v]);
+    let heights = [a[w], b[w], c[w]];
+    let (low, high) = (heights[0].min(heights[1]).min(heights[2]), heights[0].max(heights[1]).max(heights[2]));
+    let found = a[w] + ((x * cv - y * cu) * bw + (bu * y - bv * x) * cw) / area;
+    // A triangle that is nearly along the line.
+    if found.is_nan() { f64::midpoint(low, high) } else { found.clamp(low, high) }
+}
