@@ -594,11 +594,19 @@ impl<R: Read> Comparison<'_, R> {
             Some(finished)
                 if continues || wet || finished.required.coolant == 0 || self.rules.policy().links.rewinds_dry =>
             {
+                // Blocks that were taken for the rest of the motion may have led on.
                 let on_path = finished.segment.at(self.rules.share_at(&finished.segment, &here));
-                let pose = ToolPose { axis: here.axis, ..on_path };
+                let pose = if cutting.has_rested() { here } else { ToolPose { axis: here.axis, ..on_path } };
                 Some(RewindPoint { pose, out, finished: Some(finished), wet })
             }
-            _ => continues.then(|| RewindPoint { pose: self.progress.on_path(&here), out, finished: None, wet }),
+            _ => continues.then(|| {
+                let on_path = self.progress.on_path(&here);
+                // A rotation past the pole keeps to the tolerance of the tool axis only.
+                let follows =
+                    angle_between(&on_path.axis, &here.axis) <= BOTH * self.rules.axis_allowance(&on_path.axis);
+                let axis = if follows { on_path.axis } else { here.axis };
+                RewindPoint { pose: ToolPose { axis, ..on_path }, out, finished: None, wet }
+            }),
         }
     }
 

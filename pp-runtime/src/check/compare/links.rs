@@ -588,7 +588,7 @@ impl<R: Read> Comparison<'_, R> {
         let at = |(along, above): &&(f64, ToolPose)| {
             let near = |height: f64| (along - height).abs() <= 4.0 * tip_mm;
             let far = led_out.map_or(*along >= -tip_mm, |led_out| near(led_out) || near(approach_mm));
-            far && retract::is_at_distance(&self.rules, end, (above, BOTH), *along)
+            far && retract::is_at_distance(&self.rules, end, (above, 1.0 + BOTH), *along)
         };
         over.iter().find(at).map(|(_, above)| *above)
     }
