@@ -18,6 +18,13 @@ pub struct Deviation {
     pub tip_rate_mm: f64,
 }
 
+/// Length that a block in which the axes lead the tip takes its time for, mm: the tip is nowhere a hundredth faster than
+/// programmed, but for two units of the words. `tip_rate_mm`: its largest speed, times the time of the block.
+#[must_use]
+pub fn timed_mm(length_mm: f64, tip_rate_mm: f64, unit_mm: f64) -> f64 {
+    length_mm.max((tip_rate_mm - 2.0 * unit_mm) / 1.01)
+}
+
 /// Distance of a point from the straight line between two others.
 #[must_use]
 pub fn distance_to_line(point: &Point3<f64>, from: &Point3<f64>, to: &Point3<f64>) -> f64 {

@@ -13,7 +13,7 @@ use pp_runtime::control::LinuxCnc;
 use pp_runtime::kinematics::{AxisKind, Limits, Machine, Pose};
 use pp_runtime::nalgebra::{Point3, UnitVector3, Vector3};
 use pp_runtime::post::{Job, Report, post};
-use tests::block::{deviation, deviation_from};
+use tests::block::{deviation, deviation_from, timed_mm};
 use tests::foreign::{Axes, Control, Effect, Executed, Feed, Options, run};
 use tests::further::{HeadTable, NutatingHead, Trunnion};
 use tests::oracle::{Oracle, wrapped};
@@ -456,15 +456,15 @@ fn expected_minutes<M: Machine>(config: &Config, blocks: &[(Vec<f64>, Vec<f64>, 
     machine.set_up(Vector3::from(PART), LENGTH);
     let oracle = Oracle::of(&machine);
     let unit_mm = 10_f64.powi(-(config.formats.linear_mm as i32));
-    let timed_mm = |from: &[f64], to: &[f64]| {
+    let counted_mm = |from: &[f64], to: &[f64]| {
         let in_radians = |(value, axis): (&f64, &pp_runtime::kinematics::Axis)| {
             if axis.kind == AxisKind::Rotary { value.to_radians() } else { *value }
         };
         let [from, to] = [from, to].map(|values| values.iter().zip(M::AXES).map(in_radians).collect::<Vec<f64>>());
         let length_mm = (oracle.forward(&to).tip - oracle.forward(&from).tip).norm();
-        length_mm.max((deviation(&oracle, &from, &to, POINTS).tip_rate_mm - 2.0 * unit_mm) / 1.01)
+        timed_mm(length_mm, deviation(&oracle, &from, &to, POINTS).tip_rate_mm, unit_mm)
     };
-    blocks.iter().map(|(from, to, _)| timed_mm(from, to) / 900.0).sum()
+    blocks.iter().map(|(from, to, _)| counted_mm(from, to) / 900.0).sum()
 }
 
 /// Share by which a bound of the speed of the tip may be above its largest speed, and five decimals of the linear words.

@@ -21,6 +21,8 @@ mod vocabulary;
 
 use std::io::{self, Read, Seek};
 
+#[cfg(feature = "simulate")]
+pub(crate) use geometry::angle_between;
 pub use policy::CheckPolicy;
 pub use report::{Finding, Outcome};
 pub use stream::{ExecutedBlock, Leg, Observer};

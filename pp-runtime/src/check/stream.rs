@@ -8,6 +8,8 @@ use nalgebra::{Point3, UnitVector3, Vector3};
 use crate::kinematics::{AnyMachine, AxisValues, Pose};
 use crate::program::Location;
 
+#[cfg(feature = "simulate")]
+use super::geometry::angle_between;
 use super::geometry::{PathShape, Segment, ToolPose};
 #[cfg(feature = "simulate")]
 use super::read::TipControl;
@@ -236,7 +238,6 @@ impl Leg<'_> {
     #[cfg(feature = "simulate")]
     #[must_use]
     pub fn step_bound(&self, machine: &dyn AnyMachine, shares: [f64; 2], [from, to]: [&AxisValues; 2]) -> StepBound {
-        let ends = shares.map(|share| self.pose(share).axis.into_inner());
         if let Action::Arc(arc) = self.block.action {
             // The tool axis stays; a point of a circle leaves the even chord by an eighth of its second derivative.
             let plane = self.block.state.plane.map_or([0, 1], |plane| [plane.axes()[0], plane.axes()[1]]);
@@ -254,7 +255,8 @@ impl Leg<'_> {
         }
         if self.axis.is_some() {
             // Evenly on a great circle: from the chord by no more than θ³/100.
-            let angle = ends[0].cross(&ends[1]).norm().atan2(ends[0].dot(&ends[1]));
+            let [a, b] = shares.map(|share| self.pose(share).axis.into_inner());
+            let angle = angle_between(&a, &b);
             return StepBound { tip: 0.0, axis: angle.powi(3) / 100.0 };
         }
         let bound = StepBound::of(machine, from, to);

@@ -119,7 +119,7 @@ pub(crate) fn run(
     let checked = check_observed(machine, &policy, &mut source, &mut program, &mut follower)
         .map_err(|error| check::failure(error, &name, shown))?;
     drop(follower);
-    let (_, mut outcome) = machining.finish();
+    let mut outcome = machining.finish();
     outcome.assume(chosen);
     source.hide_progress();
     if let Some(what) = source.changed_since_opened() {
@@ -168,7 +168,8 @@ fn stock(set_up: &SetUp, file: Option<&Path>, pitch_mm: Option<f64>) -> Result<(
         }
         (None, Some(blank)) => {
             let corners = [blank.lower, blank.upper];
-            (TriDexel::block(corners, pitch(corners)).map_err(refused)?, pitch(corners), "box of `[stock]`".to_owned())
+            let pitch = pitch(corners);
+            (TriDexel::block(corners, pitch).map_err(refused)?, pitch, "box of `[stock]`".to_owned())
         }
         (None, None) => {
             let text =

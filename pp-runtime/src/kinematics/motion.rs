@@ -40,7 +40,7 @@
 //! axis never reverses, only the part of `a''(½)` along `N = a0 × a1 / |a0 × a1|` counts: the distance from the
 //! plane. `a0 × a1` is `(a(½) + a''(½)/8) × a'(½)` within `M/24 + |a'(½)| M/48` and terms of second order.
 
-use nalgebra::{Point3, UnitVector3, Vector3};
+use nalgebra::{UnitVector3, Vector3};
 
 #[cfg(feature = "simulate")]
 use super::any::{AnyMachine, AxisValues};
@@ -255,14 +255,9 @@ impl StepBound {
         let (mut reach, mut turns) = (0.0, 0.0);
         let joints = machine.axes().iter().enumerate().rev().map(|(index, described)| {
             let joint = machine.joint(index);
-            let size = math::abs(from[index]) + math::abs(to[index]);
-            match described.kind {
-                AxisKind::Linear => reach += size,
-                AxisKind::Rotary => {
-                    turns += size;
-                    reach += 4.0 * joint.point.coords.iter().map(|component| math::abs(*component)).sum::<f64>();
-                }
-            }
+            let (lever, turn) = sizes(described.kind, &joint, from[index], to[index]);
+            reach += lever;
+            turns += turn;
             (described.kind, joint, 0.5 * (from[index] + to[index]), to[index] - from[index])
         });
         let (tip, axis) = walk_joints(machine.tool_axis().into_inner(), joints);
@@ -282,6 +277,16 @@ pub fn rates_of_joints<M: Machine>(machine: &M, axes: &M::Axes, change: &M::Axes
     (tip.curve.rate, axis.curve.rate)
 }
 
+/// Upper bound of the levers that a joint adds to the chain between two values, mm, and of its rotations, rad: what the
+/// rounding of forward kinematics grows with.
+fn sizes(kind: AxisKind, joint: &Joint, from: f64, to: f64) -> (f64, f64) {
+    let size = math::abs(from) + math::abs(to);
+    match kind {
+        AxisKind::Linear => (size, 0.0),
+        AxisKind::Rotary => (4.0 * joint.point.coords.iter().map(|component| math::abs(*component)).sum::<f64>(), size),
+    }
+}
+
 /// [`Machine::motion`] from the joints, for a machine written by hand.
 #[must_use]
 pub fn motion_of_joints<M: Machine>(machine: &M, from: &M::Axes, to: &M::Axes) -> MotionBound {
@@ -291,15 +296,9 @@ pub fn motion_of_joints<M: Machine>(machine: &M, from: &M::Axes, to: &M::Axes) -
         let (start, end) = (from.as_ref()[index], to.as_ref()[index]);
         middle.as_mut()[index] = 0.5 * (start + end);
         change.as_mut()[index] = end - start;
-        let size = math::abs(start) + math::abs(end);
-        match described.kind {
-            AxisKind::Linear => reach += size,
-            AxisKind::Rotary => {
-                turns += size;
-                let Point3 { coords } = machine.joint(index).point;
-                reach += 4.0 * coords.iter().map(|component| math::abs(*component)).sum::<f64>();
-            }
-        }
+        let (lever, turn) = sizes(described.kind, &machine.joint(index), start, end);
+        reach += lever;
+        turns += turn;
     }
     let (tip, axis) = walk(machine, &middle, &change);
     MotionBound::of(&tip.curve, &axis.place, &axis.curve, reach, turns)

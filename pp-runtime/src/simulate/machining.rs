@@ -12,7 +12,7 @@ use super::stock::TriDexel;
 use super::sweep::{LARGEST_TURN, SweptPiece};
 use super::tool_body::{ToolBodies, ToolBody};
 use crate::check::read::Side;
-use crate::check::{CheckPolicy, ExecutedBlock};
+use crate::check::{CheckPolicy, ExecutedBlock, angle_between};
 use crate::kinematics::{AxisKind, Pose};
 use crate::view::{ExecutedMotion, Motions, Place};
 
@@ -52,7 +52,7 @@ struct Owner {
 pub(crate) struct Machining<'a> {
     policy: &'a CheckPolicy,
     tools: ToolBodies,
-    pub(crate) stock: TriDexel,
+    stock: TriDexel,
     threads: usize,
     pieces: Vec<SweptPiece>,
     owners: Vec<Owner>,
@@ -66,10 +66,10 @@ impl<'a> Machining<'a> {
     }
 
     /// Cuts what is left to be cut.
-    pub(crate) fn finish(mut self) -> (TriDexel, Outcome) {
+    pub(crate) fn finish(mut self) -> Outcome {
         self.flush();
         self.outcome.uncertified = self.stock.effort().uncertified;
-        (self.stock, self.outcome)
+        self.outcome
     }
 
     fn flush(&mut self) {
@@ -125,7 +125,7 @@ impl<'a> Machining<'a> {
         halvings: u32,
     ) {
         let (a, b) = (from.1.pose.axis.into_inner(), to.1.pose.axis.into_inner());
-        let angle = a.cross(&b).norm().atan2(a.dot(&b));
+        let angle = angle_between(&a, &b);
         let bound = motion.step_bound([from.0, to.0], [&from.1, &to.1]);
         let deviation = bound.tip + bound.axis * reach;
         if (deviation > PATH_MM || angle > 0.95 * LARGEST_TURN) && halvings > 0 {
@@ -238,8 +238,7 @@ impl Motions for Machining<'_> {
         end
     }
 
-    fn unknown(&mut self, executed: &ExecutedBlock<'_>) {
-        let _ = executed;
+    fn unknown(&mut self) {
         *self.outcome.unknown.entry("whose start or end is unknown").or_default() += 1;
     }
 }

@@ -135,7 +135,7 @@ pub(crate) struct ExecutedMotion<'m> {
 impl ExecutedMotion<'_> {
     /// Position at a share; `near`: a position before it.
     pub(crate) fn at(&self, share: f64, near: &Place) -> Place {
-        (self.at)(share, near)
+        (self.at)(share, &near.axes)
     }
 
     /// Certified deviation between two shares from the motion in step with it.
@@ -151,7 +151,7 @@ pub(crate) trait Motions {
     fn motion(&mut self, motion: &ExecutedMotion<'_>) -> Place;
 
     /// A motion whose start or end is unknown.
-    fn unknown(&mut self, executed: &ExecutedBlock<'_>);
+    fn unknown(&mut self);
 }
 
 /// Collects the points of a program while it is checked.
@@ -194,8 +194,8 @@ struct Course<'m> {
     at: Motion<'m>,
 }
 
-/// Positions of a motion at shares of it, 0 to 1; the second argument is a position before it.
-type Motion<'m> = &'m dyn Fn(f64, &Place) -> Place;
+/// Positions of a motion at shares of it, 0 to 1; the second argument has the axis values of a position before it.
+type Motion<'m> = &'m dyn Fn(f64, &AxisValues) -> Place;
 
 impl Observer for Collector<'_> {
     fn executed(&mut self, executed: &ExecutedBlock<'_>) {
@@ -253,14 +253,12 @@ impl<'a> Collector<'a> {
     }
 
     /// A motion of which the start or the end is unknown.
-    fn lose(&mut self, executed: &ExecutedBlock<'_>) {
+    fn lose(&mut self) {
         self.joined = false;
         #[cfg(feature = "simulate")]
         if let Some(motions) = self.motions.as_deref_mut() {
-            motions.unknown(executed);
+            motions.unknown();
         }
-        #[cfg(not(feature = "simulate"))]
-        let _ = executed;
     }
 
     pub(crate) fn finish(self) -> Executed {
@@ -362,11 +360,11 @@ impl<'a> Collector<'a> {
     /// A rapid of the axes from a position to where the machine is now.
     fn by_axes(&mut self, executed: &ExecutedBlock<'_>, from: Option<AxisValues>) {
         let (Some(from), Some(to)) = (from, self.position()) else {
-            self.lose(executed);
+            self.lose();
             return;
         };
         let machine = Arc::clone(&self.placed().machine);
-        let at = |share: f64, _: &Place| {
+        let at = |share: f64, _: &AxisValues| {
             let axes = std::array::from_fn(|index| from[index] + (to[index] - from[index]) * share);
             Place { axes, pose: machine.forward_kinematics(&axes) }
         };
@@ -393,7 +391,7 @@ impl<'a> Collector<'a> {
                 self.forget(!self.rotary());
             }
             self.arrive(&values, known);
-            self.lose(executed);
+            self.lose();
             if let Some(axes) = self.position() {
                 let place = Place { axes, pose: self.placed().machine.forward_kinematics(&axes) };
                 self.begin_at(executed, &place);
@@ -403,17 +401,15 @@ impl<'a> Collector<'a> {
         let machine = Arc::clone(&self.placed().machine);
         for leg in &legs {
             // Ends have the pose of the words; in between, and where the control chooses no angle, that of the axes.
-            let at = |share: f64, near: &Place| match leg.axis_values(share) {
+            let at = |share: f64, near: &AxisValues| match leg.axis_values(share) {
                 Some(axes) if share < 1.0 => Place { axes, pose: machine.forward_kinematics(&axes) },
                 axes => {
                     let pose = leg.pose(share);
-                    let axes = axes.or_else(|| nearest_solution(&*machine, &pose, &near.axes));
-                    Place { axes: axes.unwrap_or(near.axes), pose }
+                    let axes = axes.or_else(|| nearest_solution(&*machine, &pose, near));
+                    Place { axes: axes.unwrap_or(*near), pose }
                 }
             };
-            let held = machine.held();
-            let near = position.unwrap_or(held);
-            let start = at(0.0, &Place { axes: near, pose: machine.forward_kinematics(&near) });
+            let start = at(0.0, &position.unwrap_or_else(|| machine.held()));
             let kind = if leg.rapid { PointKind::Rapid } else { PointKind::Feed };
             self.executed.rapids_apart |= leg.rapid && !leg.together;
             let course = Course {
@@ -447,11 +443,11 @@ impl<'a> Collector<'a> {
         minutes: impl Fn(f64) -> Option<f64>,
     ) {
         let Course { sweep, at, .. } = *course;
+        let whole = at(1.0, &start.axes);
+        let turned = |index: usize| (whole.axes[index] - start.axes[index]).abs();
+        let rotated = self.rotary_axes().map(turned).fold(sweep, f64::max);
         #[cfg(feature = "simulate")]
         if let Some(motions) = self.motions.as_deref_mut() {
-            let end = at(1.0, &start).axes;
-            let rotary = (0..self.axes.len()).filter(|index| self.axes[*index].kind == AxisKind::Rotary);
-            let rotated = rotary.map(|index| (end[index] - start.axes[index]).abs()).fold(sweep, f64::max);
             let Placement { machine, tool, .. } = &self.executed.placements[self.placement];
             let (rapid, together, bound) = (kind == PointKind::Rapid, course.together, course.bound);
             let motion = ExecutedMotion {
@@ -473,12 +469,10 @@ impl<'a> Collector<'a> {
         let tolerance_mm = if kind == PointKind::Feed { self.tolerance_mm } else { self.tolerance_mm.max(RAPID_MM) };
         let (mut places, mut before) = (Vec::new(), (0.0, start));
         // The middle of whole revolutions is at their ends.
-        let end = at(1.0, &start).axes;
-        let rotated = self.rotary_axes().map(|index| (end[index] - start.axes[index]).abs()).fold(sweep, f64::max);
         let pieces = (rotated / FRAC_PI_3).ceil().max(1.0) as u32;
         for piece in 1..=pieces {
             let share = f64::from(piece) / f64::from(pieces);
-            let end = (share, at(share, &before.1));
+            let end = (share, if pieces == 1 { whole } else { at(share, &before.1.axes) });
             self.divide(at, before, end, (tolerance_mm, MOST_HALVINGS), &mut places);
             before = end;
         }
@@ -516,7 +510,7 @@ impl<'a> Collector<'a> {
         places: &mut Vec<(f64, Place)>,
     ) {
         let share = f64::midpoint(from.0, to.0);
-        let middle = at(share, &from.1);
+        let middle = at(share, &from.1.axes);
         let axes: AxisValues = std::array::from_fn(|index| f64::midpoint(from.1.axes[index], to.1.axes[index]));
         let chord = nalgebra::center(&from.1.pose.tip, &to.1.pose.tip);
         let drawn = self.placed().machine.forward_kinematics(&axes).tip;

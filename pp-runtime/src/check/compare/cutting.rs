@@ -594,9 +594,9 @@ impl<R: Read> Comparison<'_, R> {
             Some(finished)
                 if continues || wet || finished.required.coolant == 0 || self.rules.policy().links.rewinds_dry =>
             {
+                let on_path = || finished.segment.at(self.rules.share_at(&finished.segment, &here));
                 // Blocks that were taken for the rest of the motion may have led on.
-                let on_path = finished.segment.at(self.rules.share_at(&finished.segment, &here));
-                let pose = if cutting.has_rested() { here } else { ToolPose { axis: here.axis, ..on_path } };
+                let pose = if cutting.has_rested() { here } else { ToolPose { axis: here.axis, ..on_path() } };
                 Some(RewindPoint { pose, out, finished: Some(finished), wet })
             }
             _ => continues.then(|| {

@@ -9,4 +9,5 @@ mod path;
 pub(super) use chain::{Chain, TipRegion, ToolPose};
 pub(super) use clearance::{depth_of_box, depth_of_line, distance_out, size};
 pub(super) use extrema::{Extent, PathPoint, Search};
-pub(super) use path::{ArcPath, PathShape, Segment, angle_between, bezier, tool_pose};
+pub(crate) use path::angle_between;
+pub(super) use path::{ArcPath, PathShape, Segment, bezier, tool_pose};

@@ -1,8 +1,9 @@
 //! F that a feed block must have.
 //!
 //! The tip keeps the programmed feed: the time of a block is the length of its tip path over the feed. Where the axes lead the
-//! tip unevenly, it is nowhere faster than programmed by more than a hundredth. The time is longer only where an axis would be faster than it can, or the control has a largest F or a shortest block. Where no rotary word
-//! changes and the linear axes are perpendicular F is the feed of the tip; elsewhere it applies to the control's own path.
+//! tip unevenly, it is nowhere faster than programmed by more than a hundredth. The time is longer only where an axis would
+//! be faster than it can, or the control has a largest F or a shortest block. Where no rotary word changes and the linear axes
+//! are perpendicular F is the feed of the tip; elsewhere it applies to the control's own path.
 
 use super::super::policy::{CheckPolicy, FeedPath, LinearMeaning};
 use super::super::read::{Facts, FeedMode, MAX_AXES, State};

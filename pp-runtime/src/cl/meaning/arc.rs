@@ -48,7 +48,8 @@ pub(crate) struct WaitingCircle {
 
 impl WaitingCircle {
     /// Circle of a CIRCLE or MOVARC in line `line`. `unit_mm`: mm in one unit of the file; `sense`: overrides the sense
-    /// of the form; `camplete`: with 11 numbers the eighth is the angle (*CAMplete APT* of Autodesk); `tool_axis` in the workpiece frame: axis of a circle that states none.
+    /// of the form; `camplete`: with 11 numbers the eighth is the angle (*CAMplete APT* of Autodesk); `tool_axis` in
+    /// the workpiece frame: axis of a circle that states none.
     pub(crate) fn new(
         circle: &CircleRecord,
         (unit_mm, transforms): (f64, &Transforms),

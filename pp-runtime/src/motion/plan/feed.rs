@@ -5,8 +5,9 @@
 //!
 //! The tip keeps the programmed feed: the time of a block is the length of its tip path over the feed. Where the axes lead
 //! the tip along a curve within the tolerance, or unevenly, as near a pole, the block takes so long that the tip is nowhere
-//! faster than programmed by more than a hundredth ([`FASTER`]). A block takes longer only where an axis would exceed its largest speed, where F would exceed `feed.largest` or `feed.largest_inverse_time`,
-//! or where the block would be shorter than `feed.shortest_block`; and then by no more than necessary.
+//! faster than programmed by more than a hundredth ([`FASTER`]). A block takes longer only where an axis would exceed its
+//! largest speed, where F would exceed `feed.largest` or `feed.largest_inverse_time`, where F of a rotation would have more
+//! digits than its word, or where the block would be shorter than `feed.shortest_block`; and then by no more than necessary.
 
 use crate::motion::options::Policy;
 use crate::motion::options::{PathNorm, StretchMode};

@@ -2,7 +2,7 @@
 
 use pp_runtime::kinematics::{AxisKind, Machine, Pose, Side};
 use pp_runtime::nalgebra::{Point3, Vector3};
-use tests::block::{angle_to_arc, deviation, deviation_from, distance_to_line};
+use tests::block::{angle_to_arc, deviation, deviation_from, distance_to_line, timed_mm};
 use tests::foreign::{Axes, Feed};
 use tests::oracle::angle_between;
 
@@ -124,10 +124,10 @@ impl<M: Machine> Reader<'_, M> {
         let pose = self.oracle.forward(values);
         let allowance = 0.5 * self.unit * 3_f64.sqrt() + NOISE;
         let length = (pose.tip - self.oracle.forward(before).tip).norm();
-        let timed_mm = self.timed_mm(length, off.tip_rate_mm);
+        let lengths_mm = self.timed_mm(length, off.tip_rate_mm);
         // The length that was planned is that of ends that are not rounded.
         let uneven = self.timed_mm(length - 2.0 * allowance, off.tip_rate_mm).0 > length - 2.0 * allowance;
-        let [exact, longest] = <[f64; 2]>::from(timed_mm).map(|length| length / goto.feed_mm_per_min);
+        let [exact, longest] = <[f64; 2]>::from(lengths_mm).map(|length| length / goto.feed_mm_per_min);
         let minutes = match written {
             Some(Feed::InverseTime(word)) => 1.0 / word,
             Some(Feed::PerMinute(word)) => length / (word * self.scale),
@@ -137,7 +137,7 @@ impl<M: Machine> Reader<'_, M> {
         let still = length < self.unit + 2.0 * allowance;
         let noise = (2.0 * allowance + 1e-5 * length) / goto.feed_mm_per_min;
         assert!(minutes >= exact - noise, "line {line}: a piece takes {minutes} min, expected {exact}");
-        let least = (off.tip_rate_mm - 2.0 * self.unit) / 1.01 / goto.feed_mm_per_min;
+        let least = timed_mm(0.0, off.tip_rate_mm, self.unit) / goto.feed_mm_per_min;
         let timed = written.is_some();
         assert!(
             !timed || minutes >= least * (1.0 - SIX_DIGITS),
@@ -179,7 +179,7 @@ impl<M: Machine> Reader<'_, M> {
     /// faster than programmed at most. `rate_mm`: its largest speed times the time of the block.
     fn timed_mm(&self, length_mm: f64, rate_mm: f64) -> (f64, f64) {
         let tolerance_mm = if self.set_up.coarse { 1.0 } else { TOLERANCE.0 };
-        let led = |rate_mm: f64| length_mm.max((rate_mm - 2.0 * self.unit) / 1.01);
+        let led = |rate_mm: f64| timed_mm(length_mm, rate_mm, self.unit);
         (led(rate_mm), if led(rate_mm) > length_mm { led(rate_mm + tolerance_mm) } else { length_mm })
     }
 
