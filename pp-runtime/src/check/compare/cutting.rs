@@ -199,10 +199,14 @@ impl<R: Read> Comparison<'_, R> {
     ) -> bool {
         let (rules, words) = (&self.rules, &self.previous.words);
         let (length, feed) = (segment.length(), rules.feed_of(motion));
+        // What is left of a motion that is done but for a rotation.
+        let begun = |here| self.progress.along().max(rules.share_at(segment, here));
+        let done = here.filter(|_| self.progress.along() > 0.0).map_or(0.0, begun);
+        let lengths = ((1.0 - done) * length, length);
         let fault = || {
             let path = rules.path(*words, block);
             let deviation = here.and_then(|here| rules.deviation(&path, [here, end], segment, 0.0));
-            let stroke = rules.stroke(words, block, (length, length), deviation.as_ref(), feed, required);
+            let stroke = rules.stroke(words, block, lengths, deviation.as_ref(), feed, required);
             rules.feed_fault(&stroke, &block.state, segment, [0.0, 1.0])
         };
         block.action != Action::Feed || fault().is_none()

@@ -217,11 +217,13 @@ impl Rules<'_> {
         if !on_line || !arrival.here.is_some_and(rests) || self.off_pole_rad(&end.axis) > NEAR_POLE {
             return None;
         }
-        let share = self.share_at(segment, end).max(arrival.along);
-        let on = segment.at(share);
-        let near = (end.tip - on.tip).norm() <= tip_mm
-            && segment.axis_arc().distance(&end.axis) <= self.policy.tolerances.axis_path_rad + self.rounding.pole_rad;
-        near.then_some(share)
+        let largest_rad = self.policy.tolerances.axis_path_rad + self.rounding.pole_rad;
+        if segment.axis_arc().distance(&end.axis) > largest_rad {
+            return None;
+        }
+        // On its way around the pole the tool axis may be ahead of the tip, which rests where the last block has left it.
+        let shares = [self.share_at(segment, end).max(arrival.along), arrival.along];
+        shares.into_iter().find(|share| (end.tip - segment.tip_at(*share)).norm() <= tip_mm)
     }
 
     /// Share of a motion that is done where the rotary axes rotate evenly from the words before a block to the end of the
