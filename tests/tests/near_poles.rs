@@ -26,9 +26,9 @@ use tests::random::Random;
 /// Number of programs in a test run.
 const PROGRAMS: u64 = 150;
 
-/// Seeds of programs that their own check has rejected: a rotation past the pole whose tool axis gets ahead of the tip, and one
-/// that goes on after a rewind at the end of the program.
-const ONCE_REJECTED: [u64; 2] = [5551, 41451];
+/// Seeds of programs that their own check has rejected: rotations past the pole whose tool axis gets ahead of the tip, and one
+/// (41451) that goes on after a rewind at the end of the program.
+const ONCE_REJECTED: [u64; 4] = [5551, 41451, 200018, 202136];
 
 /// Largest share of refused programs: an axis within ±90 degrees and a tilt to one side reach half of all tool axes.
 const REFUSED: f64 = 0.45;

@@ -222,8 +222,11 @@ impl Rules<'_> {
             return None;
         }
         // On its way around the pole the tool axis may be ahead of the tip, which rests where the last block has left it.
-        let shares = [self.share_at(segment, end).max(arrival.along), arrival.along];
-        shares.into_iter().find(|share| (end.tip - segment.tip_at(*share)).norm() <= tip_mm)
+        let by_tip = segment.share(end, arrival.along, self.rounding.tip_mm, 0.0).clamp(arrival.along, 1.0);
+        // The share that was done has the rounding of the block before, too.
+        let near = [(arrival.along, tip_mm + self.rounding.tip_mm), (by_tip, tip_mm)];
+        let is_near = |(share, most): &(f64, f64)| (end.tip - segment.tip_at(*share)).norm() <= *most;
+        near.into_iter().find(is_near).map(|(share, _)| share)
     }
 
     /// Share of a motion that is done where the rotary axes rotate evenly from the words before a block to the end of the
