@@ -3,8 +3,10 @@
 //! Without OUT.nc the CL data is posted to a temporary file. The program is executed by the check's reader, in one pass and in
 //! memory that does not grow with its length.
 
+mod against_design;
+
 use std::fs::File;
-use std::io::{self, Read, Seek as _};
+use std::io::{BufReader, Seek as _};
 use std::path::Path;
 use std::thread;
 
@@ -13,7 +15,7 @@ use serde::Serialize;
 use crate::check::check_observed;
 use crate::kinematics::AnyMachine;
 use crate::set_up::SetUp;
-use crate::simulate::{Machining, Mesh, Outcome, StockFault, ToolBodies, TriDexel};
+use crate::simulate::{Design, LineRecords, Machining, Mesh, Outcome, StockFault, ToolBodies, TriDexel};
 use crate::view::{ClFacts, Collector};
 
 use super::args::{MessageFormat, SimulateArgs};
@@ -23,6 +25,7 @@ use super::messages::Messages;
 use super::outcome::{Failure, Status, Streams, is_standard, print};
 use super::posting::{PostFn, PostRun};
 use super::self_check::Checking;
+use against_design::{AgainstDesign, DesignFigures, Tolerances};
 
 /// Lines of a stock along its longest side, if no pitch is given: at most.
 const MOST_LINES: f64 = 400.0;
@@ -45,6 +48,8 @@ struct Figures<'a> {
     not_checked: Vec<String>,
     operations: Vec<Removal>,
     findings: Vec<Finding>,
+    /// The comparison with the design; null: no design given.
+    design: Option<DesignFigures>,
 }
 
 #[derive(Serialize)]
@@ -75,6 +80,10 @@ pub(crate) fn run(
 ) -> Result<Status, Failure> {
     let mut messages = Messages::new(streams.errors, args.format());
     let config = read_config(machine, &args.set_up, &mut messages)?;
+    let design = args.design.as_deref().map(|path| design(&config.set_up, path)).transpose()?;
+    if design.is_none() && args.fails_on_gouge() {
+        return Err(Failure::Argument("`--fail-on gouge` needs the design: give `--design D.stl`".to_owned()));
+    }
     let (stock, chosen) = stock(&config.set_up, args.stock.as_deref(), args.pitch_mm)?;
     let mut source = open_cl_data(&args.input, streams.input)?;
     let name = source.name().to_owned();
@@ -88,11 +97,11 @@ pub(crate) fn run(
         control: args.set_up.control(),
         post,
     };
-    let mut program: Box<dyn Read> = match &args.program {
+    let mut program: File = match &args.program {
         Some(path) if is_standard(path) => {
             return Err(Failure::Argument("the program must be a file: it is read once the CL data is".to_owned()));
         }
-        Some(path) => Box::new(File::open(path).map_err(|error| Failure::unreadable(path, error))?),
+        Some(path) => File::open(path).map_err(|error| Failure::unreadable(path, error))?,
         None => {
             show_progress(&mut source, streams.terminal, &args.set_up, posting_passes(&config));
             let mut file = tempfile::tempfile().map_err(|error| Failure::unwritable(shown, error))?;
@@ -103,7 +112,7 @@ pub(crate) fn run(
             }
             file.rewind().map_err(|error| Failure::unwritable(shown, error))?;
             source.rewind().map_err(unreadable)?;
-            Box::new(io::BufReader::new(file))
+            file
         }
     };
     let policy = run.policy(machine)?;
@@ -116,11 +125,36 @@ pub(crate) fn run(
     let stock_mm = stock.corners();
     let mut machining = Machining::new(&policy, tools, stock, threads);
     let mut follower = Collector::following(machine, &policy, &mut machining);
-    let checked = check_observed(machine, &policy, &mut source, &mut program, &mut follower)
+    let checked = check_observed(machine, &policy, &mut source, &mut BufReader::new(&program), &mut follower)
         .map_err(|error| check::failure(error, &name, shown))?;
     drop(follower);
-    let mut outcome = machining.finish();
+    let (mut outcome, machined) = machining.finish();
     outcome.assume(chosen);
+    let mut against = None;
+    match &design {
+        Some(design) => {
+            let tolerances = Tolerances {
+                gouge_mm: args.gouge_tolerance_mm.unwrap_or(policy.largest_path_mm()),
+                rest_mm: args.rest_tolerance_mm.unwrap_or(policy.largest_path_mm()),
+                design_mm: args.design_tolerance_mm,
+                certified_mm: outcome.certified_mm(stock_mm),
+            };
+            let comparison = design.compare(&machined, tolerances.gouge_limit_mm(), tolerances.rest_limit_mm());
+            let mut records = LineRecords::of(comparison.lines());
+            if !records.is_empty() {
+                // The program is executed again for the records of the lines that were found.
+                program.rewind().map_err(|error| Failure::unreadable(shown, error))?;
+                source.rewind().map_err(unreadable)?;
+                let mut follower = Collector::following(machine, &policy, &mut records);
+                check_observed(machine, &policy, &mut source, &mut BufReader::new(&program), &mut follower)
+                    .map_err(|error| check::failure(error, &name, shown))?;
+            }
+            let found = AgainstDesign { comparison, records, tolerances };
+            found.not_checked().into_iter().for_each(|text| outcome.leave_out(text));
+            against = Some(found);
+        }
+        None => outcome.leave_out("gouges and rest material: no design given".to_owned()),
+    }
     source.hide_progress();
     if let Some(what) = source.changed_since_opened() {
         return Err(Failure::Changed(name, what));
@@ -134,17 +168,35 @@ pub(crate) fn run(
     if outcome.count > outcome.found.len() as u64 {
         messages.warning(&format!("{} more findings", outcome.count - outcome.found.len() as u64));
     }
+    if let (Some(against), Some(path)) = (&against, &args.design) {
+        let triangles = design.as_ref().map_or(0, Design::triangles);
+        against.warnings().iter().for_each(|text| messages.warning(text));
+        against.notes(path, triangles).iter().for_each(|text| messages.note(text));
+    }
     outcome.summary().iter().for_each(|line| messages.note(line));
     let collides = args.fails_on_collision() && outcome.count > 0;
-    let passed = checked.fault.is_none() && checked.outcome.passed() && !collides;
+    let gouges = args.fails_on_gouge() && against.as_ref().is_some_and(AgainstDesign::gouges);
+    let passed = checked.fault.is_none() && checked.outcome.passed() && !collides && !gouges;
     if args.format() == MessageFormat::Json {
-        let figures = figures(&outcome, passed, pitch_mm, stock_mm);
+        let figures = figures(&outcome, against.as_ref(), passed, [pitch_mm, stock_mm[0], stock_mm[1]]);
         print(streams, |out| {
             serde_json::to_writer(&mut *out, &figures)?;
             out.write_all(b"\n")
         })?;
     }
     Ok(if passed { Status::Done } else { Status::Rejected })
+}
+
+/// A closed body of a file, rotated as the part is clamped: so is the CL data.
+fn body(set_up: &SetUp, path: &Path, what: &str) -> Result<Mesh, Failure> {
+    let mut file = File::open(path).map_err(|error| Failure::unreadable(path, error))?;
+    let mesh = Mesh::read(&mut file)
+        .map_err(|fault| Failure::Argument(format!("{} is no {what}: {fault}", path.display())))?;
+    Ok(mesh.rotated(&set_up.part_rotation))
+}
+
+fn design(set_up: &SetUp, path: &Path) -> Result<Design, Failure> {
+    body(set_up, path, "design").map(Design::new)
 }
 
 /// The stock of a file or of the configuration, and a sentence about it and its pitch.
@@ -156,11 +208,7 @@ fn stock(set_up: &SetUp, file: Option<&Path>, pitch_mm: Option<f64>) -> Result<(
     let refused = |fault: StockFault| Failure::Argument(fault.to_string());
     let (stock, pitch, what) = match (file, set_up.stock) {
         (Some(path), _) => {
-            let mut file = File::open(path).map_err(|error| Failure::unreadable(path, error))?;
-            let mesh = Mesh::read(&mut file)
-                .map_err(|fault| Failure::Argument(format!("{} is no stock: {fault}", path.display())))?;
-            // The CL data is rotated as the part is clamped.
-            let mesh = mesh.rotated(&set_up.part_rotation);
+            let mesh = body(set_up, path, "stock")?;
             let what =
                 format!("{}, {} triangles, mm in the coordinates of the CL data", path.display(), mesh.triangles());
             let pitch = pitch(mesh.corners());
@@ -194,7 +242,14 @@ fn rounded_up(length: f64) -> f64 {
     steps.into_iter().map(|step| step * ten).find(|step| *step >= length * (1.0 - 1e-9)).unwrap_or(10.0 * ten)
 }
 
-fn figures<'a>(outcome: &'a Outcome, passed: bool, pitch_mm: [f64; 3], stock_mm: [[f64; 3]; 2]) -> Figures<'a> {
+/// The figures; `sizes`: pitch, and corners of the stock.
+fn figures<'a>(
+    outcome: &'a Outcome,
+    against: Option<&AgainstDesign>,
+    passed: bool,
+    sizes: [[f64; 3]; 3],
+) -> Figures<'a> {
+    let [pitch_mm, low, high] = sizes;
     let operations = outcome.removed.iter();
     let operations = operations
         .map(|((operation, tool), volume)| Removal { operation: *operation, tool: *tool, removed_mm3: *volume })
@@ -216,12 +271,13 @@ fn figures<'a>(outcome: &'a Outcome, passed: bool, pitch_mm: [f64; 3], stock_mm:
         collisions: outcome.count,
         removed_mm3: outcome.volume_mm3(),
         pitch_mm,
-        stock_mm,
+        stock_mm: [low, high],
         tolerance_mm: outcome.deviation_mm + crate::simulate::EPS_MM,
         taking_part: outcome.taking_part(),
         assumed: outcome.assumed(),
         not_checked: outcome.not_checked(),
         operations,
         findings: findings.collect(),
+        design: against.map(AgainstDesign::figures),
     }
 }

@@ -65,11 +65,11 @@ impl<'a> Machining<'a> {
         Self { policy, tools, stock, threads, pieces: Vec::new(), owners: Vec::new(), outcome }
     }
 
-    /// Cuts what is left to be cut.
-    pub(crate) fn finish(mut self) -> Outcome {
+    /// Cuts what is left to be cut; returns the machined stock, too.
+    pub(crate) fn finish(mut self) -> (Outcome, TriDexel) {
         self.flush();
         self.outcome.uncertified = self.stock.effort().uncertified;
-        self.outcome
+        (self.outcome, self.stock)
     }
 
     fn flush(&mut self) {
@@ -203,15 +203,61 @@ fn owner(motion: &ExecutedMotion<'_>, what: Contacting) -> Owner {
     Owner { what, line: block.line, cl_line: record.line, operation: *operation, tool: motion.tool }
 }
 
+/// Positions of a motion at shares of it, between which nothing rotates far.
+fn places(motion: &ExecutedMotion<'_>) -> Vec<(f64, Place)> {
+    let pieces = (motion.rotated / LARGEST_STEP_RAD).ceil().max(1.0) as u32;
+    let mut places = vec![(0.0, motion.start)];
+    for piece in 1..=pieces {
+        let (share, near) = (f64::from(piece) / f64::from(pieces), places[places.len() - 1].1);
+        places.push((share, motion.at(share, &near)));
+    }
+    places
+}
+
+/// Record of a line of the program.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct LineRecord {
+    pub(crate) cl_line: u64,
+    pub(crate) operation: u64,
+    pub(crate) tool: u32,
+}
+
+/// The records of some lines, found while the program is executed again.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct LineRecords {
+    records: BTreeMap<u64, Option<LineRecord>>,
+}
+
+impl LineRecords {
+    pub(crate) fn of(lines: impl Iterator<Item = u32>) -> Self {
+        Self { records: lines.map(|line| (u64::from(line), None)).collect() }
+    }
+
+    pub(crate) fn is_empty(&self) -> bool {
+        self.records.is_empty()
+    }
+
+    pub(crate) fn get(&self, line: u32) -> Option<LineRecord> {
+        self.records.get(&u64::from(line)).copied().flatten()
+    }
+}
+
+impl Motions for LineRecords {
+    fn motion(&mut self, motion: &ExecutedMotion<'_>) -> Place {
+        let ExecutedBlock { block, record, operation, .. } = motion.executed;
+        if let Some(found @ None) = self.records.get_mut(&block.line) {
+            *found = Some(LineRecord { cl_line: record.line, operation: *operation, tool: motion.tool });
+        }
+        places(motion).last().map_or(motion.start, |(_, place)| *place)
+    }
+
+    fn unknown(&mut self) {}
+}
+
 impl Motions for Machining<'_> {
     fn motion(&mut self, motion: &ExecutedMotion<'_>) -> Place {
         let executed = motion.executed;
-        let pieces = (motion.rotated / LARGEST_STEP_RAD).ceil().max(1.0) as u32;
-        let mut places = vec![(0.0, motion.start)];
-        for piece in 1..=pieces {
-            let (share, near) = (f64::from(piece) / f64::from(pieces), places[places.len() - 1].1);
-            places.push((share, motion.at(share, &near)));
-        }
+        let places = places(motion);
         let end = places[places.len() - 1].1;
         self.outcome.motions += 1;
         let body = self.tools.bodies.get(&motion.tool).filter(|body| **body != ToolBody::default()).cloned();

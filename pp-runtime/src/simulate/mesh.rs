@@ -142,26 +142,10 @@ impl Mesh {
     pub fn stock(&self, pitch_mm: f64) -> Result<TriDexel, StockFault> {
         let corners = self.corners();
         let empty = TriDexel::empty(corners, pitch_mm)?;
-        let mut crossings: [Vec<Crossing>; 3] = Default::default();
-        for (family, crossings) in crossings.iter_mut().enumerate() {
-            self.crossings(&empty, family, crossings);
-            // Lines come row by row.
-            crossings.sort_by(|a, b| (a.line[1], a.line[0]).cmp(&(b.line[1], b.line[0])).then(a.at.total_cmp(&b.at)));
-        }
-        let (mut next, mut unequal) = ([0; 3], None);
+        let mut lines = [0, 1, 2].map(|family| self.lines_through(&empty, family));
+        let mut unequal = None;
         let stock = TriDexel::filled(corners, pitch_mm, |family, line, across, parts| {
-            let (mut depth, mut begin) = (0, 0.0);
-            while let Some(crossing) = crossings[family].get(next[family]).filter(|found| found.line == line) {
-                next[family] += 1;
-                let before = depth;
-                depth += crossing.enters;
-                if before <= 0 && depth > 0 {
-                    begin = crossing.at;
-                } else if before > 0 && depth <= 0 {
-                    parts.push([begin, crossing.at]);
-                }
-            }
-            if depth != 0 {
+            if !lines[family].parts(line, parts) {
                 unequal.get_or_insert((family, across));
             }
         })?;
@@ -178,6 +162,20 @@ impl Mesh {
                 Err(StockFault::new(text))
             }
         }
+    }
+
+    /// The corners of each triangle.
+    pub(super) fn corners_of_triangles(&self) -> Vec<[[f64; 3]; 3]> {
+        self.faces.iter().map(|face| face.map(|index| self.vertices[index as usize])).collect()
+    }
+
+    /// The lines of a family of a stock, with the parts of them that are inside.
+    pub(super) fn lines_through(&self, stock: &TriDexel, family: usize) -> LinesThrough {
+        let mut crossings = Vec::new();
+        self.crossings(stock, family, &mut crossings);
+        // Lines come row by row.
+        crossings.sort_by(|a, b| (a.line[1], a.line[0]).cmp(&(b.line[1], b.line[0])).then(a.at.total_cmp(&b.at)));
+        LinesThrough { crossings, next: 0 }
     }
 
     /// Where the lines of a family pass through triangles.
@@ -234,6 +232,30 @@ struct Crossing {
     line: [usize; 2],
     at: f64,
     enters: i32,
+}
+
+/// Lines through a body, row by row.
+pub(super) struct LinesThrough {
+    crossings: Vec<Crossing>,
+    next: usize,
+}
+
+impl LinesThrough {
+    /// Adds the parts of the next line that are inside; returns whether it leaves the body as often as it enters it.
+    pub(super) fn parts(&mut self, line: [usize; 2], parts: &mut Vec<[f64; 2]>) -> bool {
+        let (mut depth, mut begin) = (0, 0.0);
+        while let Some(crossing) = self.crossings.get(self.next).filter(|found| found.line == line) {
+            self.next += 1;
+            let before = depth;
+            depth += crossing.enters;
+            if before <= 0 && depth > 0 {
+                begin = crossing.at;
+            } else if before > 0 && depth <= 0 {
+                parts.push([begin, crossing.at]);
+            }
+        }
+        depth == 0
+    }
 }
 
 /// Height of a plane over a point.

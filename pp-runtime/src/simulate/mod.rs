@@ -20,10 +20,13 @@
 //! ```
 //!
 //! `simulate IN.cls` executes a written program: `tool_body` has its tools, `machining` turns its motions into pieces and
-//! contacts into findings, `outcome` states them, and what did not take part.
+//! contacts into findings, `outcome` states them, and what did not take part. `comparison` measures the machined stock against
+//! a design, with `nearest` for the distance from its surface.
 
+mod comparison;
 mod machining;
 mod mesh;
+mod nearest;
 mod outcome;
 mod profile;
 mod stock;
@@ -32,7 +35,8 @@ mod sweep;
 mod tests;
 mod tool_body;
 
-pub(crate) use machining::{EPS_MM, Machining};
+pub(crate) use comparison::{Comparison, Design, Deviations, Origin, Region, limits_of};
+pub(crate) use machining::{EPS_MM, LineRecords, Machining};
 pub(crate) use outcome::Outcome;
 pub(crate) use tool_body::ToolBodies;
 

@@ -132,6 +132,17 @@ impl Outcome {
         self.assumed.push(text);
     }
 
+    /// States what has not been checked.
+    pub(crate) fn leave_out(&mut self, text: String) {
+        self.not_checked.push(text);
+    }
+
+    /// Distance of a machined end from the programmed motion, mm: at most, as it is held in single precision.
+    pub(crate) fn certified_mm(&self, corners: [[f64; 3]; 2]) -> f64 {
+        let farthest = corners.iter().flatten().fold(0.0_f64, |farthest, value| farthest.max(value.abs()));
+        self.deviation_mm + EPS_MM + farthest * 0.5 * f64::from(f32::EPSILON)
+    }
+
     /// Adds a contact: to the finding that it continues, or as a new one.
     pub(crate) fn add(&mut self, found: Found) {
         let continued = self.found.iter_mut().rev().take(8).find(|last| {

@@ -14,14 +14,14 @@ use crate::control::{CONTROLS, Control};
 use crate::kinematics::AnyMachine;
 use crate::motion::{CourseOptions, Mode, Operations};
 
-#[cfg(feature = "simulate")]
-use values::pitch;
 pub(crate) use values::{BlockName, MessageFormat, ReportFile};
 use values::{
     BranchName, DialectName, FramesName, FromName, InsertName, SenseName, UnitsName, axis_tolerance, block_name,
     control_name, control_named, control_names, file_name, inert, lift, operations, point, pole_tolerance, report_file,
     tolerance,
 };
+#[cfg(feature = "simulate")]
+use values::{deviation, pitch};
 
 /// Command line of a machine's postprocessor.
 #[derive(Debug, Parser)]
@@ -220,8 +220,20 @@ pub(crate) struct SimulateArgs {
     /// Distance of the lines of the stock, mm: nothing thinner is seen. Without it chosen from the size of the stock
     #[arg(long = "pitch", value_name = "MM", value_parser = pitch)]
     pub(crate) pitch_mm: Option<f64>,
-    /// Exit status 1 for findings of these kinds: `collision`
-    #[arg(long, value_name = "KINDS", value_delimiter = ',', value_parser = ["collision"])]
+    /// Design as a closed STL file, mm, in the coordinates of the CL data: gouges and rest material are measured from it
+    #[arg(long, value_name = "D.stl", value_parser = file_name)]
+    pub(crate) design: Option<PathBuf>,
+    /// Largest gouge that is no finding, mm. Without it the tolerance of the CL data
+    #[arg(long = "gouge-tolerance", value_name = "MM", value_parser = deviation, requires = "design")]
+    pub(crate) gouge_tolerance_mm: Option<f64>,
+    /// Largest rest material that is no finding, mm. Without it the tolerance of the CL data
+    #[arg(long = "rest-tolerance", value_name = "MM", value_parser = deviation, requires = "design")]
+    pub(crate) rest_tolerance_mm: Option<f64>,
+    /// Tolerance with which the triangles of the design were made, mm: it is added to the other two
+    #[arg(long = "design-tolerance", value_name = "MM", value_parser = deviation, default_value = "0", requires = "design")]
+    pub(crate) design_tolerance_mm: f64,
+    /// Exit status 1 for findings of these kinds, separated by commas: `collision`, `gouge`
+    #[arg(long, value_name = "KINDS", value_delimiter = ',', value_parser = ["collision", "gouge"])]
     fail_on: Vec<String>,
     /// Write messages as JSON, and findings and volumes as a JSON object to standard output
     #[arg(long)]
@@ -235,6 +247,11 @@ impl SimulateArgs {
     /// Format of the messages.
     pub(crate) fn format(&self) -> MessageFormat {
         if self.json { MessageFormat::Json } else { self.set_up.message_format }
+    }
+
+    /// Whether a gouge is exit status 1.
+    pub(crate) fn fails_on_gouge(&self) -> bool {
+        self.fail_on.iter().any(|kind| kind == "gouge")
     }
 
     /// Whether a collision is exit status 1.

@@ -88,6 +88,12 @@ pub(crate) fn pitch(text: &str) -> Result<f64, String> {
     within(text, &(1e-3..=100.0), "mm")
 }
 
+/// Parses a tolerance of the comparison with a design, mm.
+#[cfg(feature = "simulate")]
+pub(crate) fn deviation(text: &str) -> Result<f64, String> {
+    within(text, &(0.0..=100.0), "mm")
+}
+
 /// Parses a tolerance in degrees; returns it in rad.
 pub(crate) fn axis_tolerance(text: &str) -> Result<f64, String> {
     within(text, &MotionOptions::AXIS_TOLERANCE, "degrees").map(f64::to_radians)
