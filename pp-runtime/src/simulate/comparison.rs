@@ -288,9 +288,8 @@ impl Design {
         let exceeds = (0..3).map(|axis| (low[axis] - from[axis]).max(to[axis] - high[axis])).fold(0.0, f64::max);
         let (mut histogram, mut uneven) = ([0; CLASSES], 0);
         let (mut gouges, mut rests) = (Parts::new(gouge), Parts::new(rest));
-        let pitch = stock.pitch();
         let (mut solid, mut hits) = (Vec::new(), Vec::new());
-        for family in 0..3 {
+        for (family, pitch) in stock.pitch().into_iter().enumerate() {
             let mut crossings = self.mesh.lines_through(stock, family);
             let columns = stock.lines(family)[0];
             gouges.begin_family(columns);
@@ -304,19 +303,19 @@ impl Design {
                     uneven += 1;
                     return;
                 }
-                let line_of = Line { design: self, family, across, pitch: pitch[family] };
+                let line_of = Line { design: self, family, across, pitch };
                 for end in spans.iter().flat_map(|span| [span.low, span.high]) {
                     histogram[class(line_of.signed(f64::from(end), &solid))] += 1;
                 }
                 hits.clear();
                 line_of.missing(spans, &solid, &mut hits);
-                gouges.add_line(line[0], &hits, pitch[family]);
+                gouges.add_line(line[0], &hits, pitch);
                 hits.clear();
                 line_of.left(spans, &solid, &mut hits);
-                rests.add_line(line[0], &hits, pitch[family]);
+                rests.add_line(line[0], &hits, pitch);
             });
         }
-        let cell = pitch.iter().fold(0.0_f64, |cell, pitch| cell.max(*pitch));
+        let cell = stock.pitch().into_iter().fold(0.0, f64::max);
         Comparison { gouge: gouges.finish(cell), rest: rests.finish(cell), histogram, exceeds_mm: exceeds, uneven }
     }
 }

@@ -252,3 +252,39 @@ fn a_stock_of_triangles_is_cut_as_the_same_box() {
     assert_eq!(open.status, Status::NotRun);
     assert!(open.errors.contains("is no stock: it is open"), "{}", open.errors);
 }
+
+#[test]
+fn a_motion_that_is_too_low_is_a_gouge_at_its_block_and_its_cl_line() {
+    let shop = Shop::new();
+    // Faced down to Z-2 over the whole block, by four passes.
+    let part = "UNITS/MM\nTOOL PATH/FACE,TOOL,MILL\nTLDATA/MILL,10.0,0.0\nLOADTL/1\nSPINDL/RPM,3000,CLW\nFEDRAT/MMPM,500\n\
+        RAPID\nGOTO/-10,4,50,0,0,1\nRAPID\nGOTO/-10,4,5\nGOTO/-10,4,-2\nGOTO/50,4,-2\nGOTO/50,12,-2\nGOTO/-10,12,-2\n\
+        GOTO/-10,20,-2\nGOTO/50,20,-2\nGOTO/50,28,-2\nGOTO/-10,28,-2\nRAPID\nGOTO/-10,28,50\nFINI\n";
+    let config = format!("{CONFIG}{TOOL}");
+    shop.write("design.stl", &box_as_stl([[0.0, 0.0, -10.0], [40.0, 32.0, -2.0]]));
+    let design = shop.arg("design.stl");
+    let more = ["--json", "--fail-on", "collision,gouge", "--design", &design];
+    let run = |part: &str| {
+        let outcome = simulated_with(&shop, part, &config, &more);
+        let json: Json = serde_json::from_str(&outcome.output).unwrap_or_else(|_| panic!("{}", outcome.errors));
+        (outcome, json)
+    };
+    let (right, json) = run(part);
+    assert_eq!(right.status, Status::Done, "{}", right.errors);
+    assert_eq!((&json["design"]["gouge_count"], &json["design"]["rest_count"]), (&0.into(), &0.into()), "{json}");
+    // The end of the third pass, CL line 16, is 0.3 mm too low: so are its block and the first of the next pass.
+    let (low, json) = run(&part.replace("GOTO/50,20,-2\nGOTO/50,28,-2", "GOTO/50,20,-2.3\nGOTO/50,28,-2"));
+    assert_eq!(low.status, Status::Rejected, "{}", low.errors);
+    assert_eq!(json["design"]["gouge_count"], 1, "{json}");
+    let gouge = &json["design"]["gouges"][0];
+    // The mill's rear edge is at X45 at the end, so the deepest line of the block, at X39.5, has 0.3 (39.5 + 5 + 10) / 60.
+    let depth = gouge["deviation_mm"].as_f64().expect("a depth");
+    assert!((depth - 0.3 * 54.5 / 60.0).abs() < 4e-3, "{gouge}");
+    assert_eq!((&gouge["cl_line"], &gouge["tool"]), (&16.into(), &1.into()), "{gouge}");
+    assert!(gouge["line"].as_u64() > Some(0), "{gouge}");
+    // Without the design nothing is compared, and that is stated.
+    let none = simulated_with(&shop, part, &config, &[]);
+    assert!(none.errors.contains("not checked: gouges and rest material: no design given"), "{}", none.errors);
+    let refused = simulated_with(&shop, part, &config, &["--fail-on", "gouge"]);
+    assert_eq!(refused.status, Status::NotRun);
+}
