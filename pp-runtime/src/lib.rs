@@ -56,4 +56,6 @@ pub mod set_up;
 #[cfg(feature = "simulate")]
 pub mod simulate;
 #[cfg(feature = "std")]
+pub mod transformation;
+#[cfg(feature = "std")]
 mod view;

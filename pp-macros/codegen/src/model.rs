@@ -11,18 +11,23 @@ use crate::symbolic::{Matrix, Poly, PolyVector, Ring, Surd, Symbol, rotation, si
 /// Index of an axis in the chain, counted from the workpiece.
 pub type AxisId = usize;
 
-/// Local variables of generated functions; a dimension with one of these names gets another name there.
+/// Local variables of generated functions, of Rust and of C; a dimension with one of these names gets another name there.
 pub(crate) const LOCALS: &[&str] = &[
     "axes",
     "axis",
     "change",
+    "count",
     "deviation",
+    "edge_across",
+    "edge_along",
     "edge_height",
+    "edge_norm",
     "edge_root",
     "from",
     "held",
     "index",
     "inside",
+    "m",
     "math",
     "middle",
     "point",
@@ -37,6 +42,19 @@ pub(crate) const LOCALS: &[&str] = &[
     "first",
     "second",
 ];
+
+/// Keywords of C99 that are none of Rust, functions and macros that generated C calls or that compilers define.
+const WORDS_OF_C: &[&str] = &[
+    "asm", "auto", "atan2", "case", "char", "cos", "default", "double", "errno", "fabs", "float", "goto", "i386",
+    "inline", "int", "isfinite", "linux", "long", "register", "restrict", "short", "signed", "sin", "sizeof", "sqrt",
+    "switch", "typedef", "union", "unix", "unsigned", "void", "volatile",
+];
+
+/// Whether a name means something else in C: a keyword, a function, or a name that macros have, such as `NAN`.
+pub(crate) fn is_word_of_c(name: &str) -> bool {
+    let like_a_macro = !name.contains(|letter: char| letter.is_lowercase());
+    WORDS_OF_C.contains(&name) || like_a_macro || name.starts_with('_')
+}
 
 /// Linear or rotary.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

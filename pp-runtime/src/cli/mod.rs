@@ -11,6 +11,7 @@ mod excerpt;
 mod explain;
 mod explain_block;
 mod inputs;
+mod kinematics;
 mod map;
 mod messages;
 mod outcome;
@@ -69,7 +70,7 @@ fn execute(machine: &dyn AnyMachine, args: &[OsString], mut streams: Streams<'_>
         Command::ExplainBlock(args) => args.set_up.message_format,
         #[cfg(feature = "simulate")]
         Command::Simulate(args) => args.format(),
-        Command::Config(_) | Command::Explain(_) => MessageFormat::Human,
+        Command::Config(_) | Command::Explain(_) | Command::Kinematics(_) => MessageFormat::Human,
     };
     let result = match command {
         Command::Post(args) => posting::run(machine, &args, &mut streams, post),
@@ -95,6 +96,7 @@ fn execute(machine: &dyn AnyMachine, args: &[OsString], mut streams: Streams<'_>
         }
         Command::Explain(args) if args.cl => print(&mut streams, |out| cl::list_words(out)),
         Command::Explain(_) => print(&mut streams, |out| explain::text(machine, out)),
+        Command::Kinematics(args) => kinematics::run(machine, &args, &mut streams),
     };
     result.unwrap_or_else(|failure| {
         if !matches!(failure, Failure::Reported) {

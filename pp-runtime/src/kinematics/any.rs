@@ -8,7 +8,9 @@
 
 use nalgebra::{Point3, UnitVector3, Vector3};
 
-use super::{Axis, Dimension, Explanation, Invalid, Joint, Machine, MotionBound, Pose, Solutions, Unreachable};
+use super::{
+    Axis, CSource, Dimension, Explanation, Invalid, Joint, Machine, MotionBound, Pose, Solutions, Unreachable,
+};
 
 /// Most axes that a chain can have: X Y Z U V W A B C.
 pub const MAX_AXES: usize = 9;
@@ -30,6 +32,8 @@ pub trait AnyMachine: sealed::Sealed + Send + Sync {
     fn held(&self) -> AxisValues;
     /// [`Machine::EXPLANATION`].
     fn explanation(&self) -> &'static Explanation;
+    /// [`Machine::C_SOURCE`].
+    fn c_source(&self) -> CSource;
 
     /// The same machine with the same set-up.
     fn to_boxed(&self) -> Box<dyn AnyMachine>;
@@ -118,6 +122,10 @@ impl<M: Machine> AnyMachine for M {
 
     fn explanation(&self) -> &'static Explanation {
         M::EXPLANATION
+    }
+
+    fn c_source(&self) -> CSource {
+        M::C_SOURCE
     }
 
     fn to_boxed(&self) -> Box<dyn AnyMachine> {

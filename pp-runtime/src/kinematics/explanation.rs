@@ -1,5 +1,20 @@
-//! Types for the derivation of a machine's kinematics. `machine!` writes it into the generated code as a constant, and the
-//! command `explain` prints it.
+//! Types for the derivation of a machine's kinematics, and for its kinematics in C. `machine!` writes both into the generated
+//! code as constants; the commands `explain` and `kinematics` print them.
+
+/// Kinematics of a machine as C99.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct CSource {
+    /// Names of the dimensions in the structure, in the order of [`Machine::DIMENSIONS`](super::Machine::DIMENSIONS): their
+    /// own, unless C or a compiler gives that name another meaning.
+    pub fields: &'static [&'static str],
+    /// Structure and functions. `@` is the place of a prefix for all names.
+    pub text: &'static str,
+}
+
+impl CSource {
+    /// No kinematics in C, for a machine written by hand.
+    pub const EMPTY: Self = Self { fields: &[], text: "" };
+}
 
 /// One section of an [`Explanation`], as text and as LaTeX.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

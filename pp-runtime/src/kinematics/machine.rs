@@ -4,7 +4,7 @@ use core::fmt::Debug;
 
 use nalgebra::{Point3, UnitVector3, Vector3};
 
-use super::{Explanation, Invalid, MotionBound, Solutions, Unreachable, motion_of_joints, rates_of_joints};
+use super::{CSource, Explanation, Invalid, MotionBound, Solutions, Unreachable, motion_of_joints, rates_of_joints};
 
 /// Tool tip and tool axis in the workpiece frame; no spin about the tool.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -137,6 +137,8 @@ pub trait Machine: Default + Clone + Send + Sync + 'static {
     const HELD: Self::Axes;
     /// Formulas, branches, singular set and proofs in words.
     const EXPLANATION: &'static Explanation;
+    /// The same kinematics as C99, from the same formulas. Empty for a machine written by hand.
+    const C_SOURCE: CSource = CSource::EMPTY;
 
     /// Value of a dimension, mm or rad.
     ///

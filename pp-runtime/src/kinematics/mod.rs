@@ -18,7 +18,7 @@ mod solutions;
 pub(crate) use any::AnyMachine;
 #[cfg(feature = "std")]
 pub use any::{AxisValues, MAX_AXES};
-pub use explanation::{Explanation, Section};
+pub use explanation::{CSource, Explanation, Section};
 pub use machine::{Axis, AxisKind, Dimension, DimensionKind, Joint, Limits, Machine, Pose, Side, Sign};
 #[cfg(feature = "simulate")]
 pub use motion::StepBound;

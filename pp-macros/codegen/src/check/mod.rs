@@ -7,7 +7,7 @@ mod quantity;
 
 use syn::ext::IdentExt;
 
-use crate::model::{Axis, AxisKind, Dimension, LOCALS, Model, ModelSymbols, Quantity, Side};
+use crate::model::{Axis, AxisKind, Dimension, LOCALS, Model, ModelSymbols, Quantity, Side, is_word_of_c};
 use crate::report::{Errors, Phrase, Refused};
 use crate::solve::Refusal;
 use crate::symbolic::Ring;
@@ -220,8 +220,8 @@ fn dimensions(declaration: &Declaration, ring: &mut Ring, errors: &mut Errors) -
     dimensions
 }
 
-/// Name of a length inside generated functions: its own, or with `dim_` in front where a local variable has that name.
-/// The ring keeps all other names distinct.
+/// Name of a length inside generated functions: its own, or with `dim_` in front where a local variable or a word of C
+/// has that name. The ring keeps all other names distinct.
 fn local_name(name: &str) -> String {
-    if LOCALS.contains(&name) { format!("dim_{name}") } else { name.to_string() }
+    if LOCALS.contains(&name) || is_word_of_c(name) { format!("dim_{name}") } else { name.to_string() }
 }

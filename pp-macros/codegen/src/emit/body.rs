@@ -1,5 +1,5 @@
-//! Nodes of the expression graph to Rust statements: one `let` for each node that is named or used more than once; the
-//! others are written where they are used.
+//! Nodes of the expression graph to statements: one variable for each node that is named or used more than once; the
+//! others are written where they are used. The operators are the same in Rust and in C.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -8,20 +8,37 @@ use proc_macro2::TokenStream;
 use crate::model::LOCALS;
 use crate::symbolic::{Graph, Id, Node, Symbol};
 
+/// Language of the generated function.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Language {
+    Rust,
+    C,
+}
+
 /// Statements of one generated function, in the order of evaluation.
 pub(crate) struct Body<'a> {
     graph: &'a Graph,
+    language: Language,
     uses: BTreeMap<Id, usize>,
     written: BTreeMap<Id, String>,
     taken: BTreeSet<String>,
 }
 
-/// One statement `let name = expression;`.
+/// Name of a variable, and the expression for its value.
 pub(crate) type Statement = (String, String);
 
 impl<'a> Body<'a> {
-    /// A function that computes all `outputs`, in one or more steps.
+    /// A function in Rust that computes all `outputs`, in one or more steps.
     pub(crate) fn new(graph: &'a Graph, outputs: &[Id]) -> Self {
+        Self::of(Language::Rust, graph, outputs)
+    }
+
+    /// The same function in C.
+    pub(crate) fn in_c(graph: &'a Graph, outputs: &[Id]) -> Self {
+        Self::of(Language::C, graph, outputs)
+    }
+
+    fn of(language: Language, graph: &'a Graph, outputs: &[Id]) -> Self {
         let mut uses = BTreeMap::new();
         for output in outputs {
             *uses.entry(*output).or_default() += 1;
@@ -31,7 +48,7 @@ impl<'a> Body<'a> {
                 *uses.entry(operand).or_default() += 1;
             }
         }
-        let mut body = Self { graph, uses, written: BTreeMap::new(), taken: BTreeSet::new() };
+        let mut body = Self { graph, language, uses, written: BTreeMap::new(), taken: BTreeSet::new() };
         let inputs = body.inputs(outputs);
         body.taken.extend(inputs.into_iter().map(|symbol| graph.ring().name(symbol).to_string()));
         body.taken.extend(LOCALS.iter().map(ToString::to_string));
@@ -109,7 +126,13 @@ impl<'a> Body<'a> {
             Node::Sub(a, b) => (format!("{} - {}", self.within(a, 0), self.within(b, 1)), 0),
             Node::Mul(a, b) => (format!("{} * {}", self.within(a, 1), self.within(b, 2)), 1),
             Node::Div(a, b) => (format!("{} / {}", self.within(a, 1), self.within(b, 2)), 1),
-            Node::Sqrt(a) => (format!("math::sqrt({})", self.term(a).0), 3),
+            Node::Sqrt(a) => {
+                let sqrt = match self.language {
+                    Language::Rust => "math::sqrt",
+                    Language::C => "sqrt",
+                };
+                (format!("{sqrt}({})", self.term(a).0), 3)
+            }
         }
     }
 

@@ -1,19 +1,19 @@
-//! Inputs of a generated function, as `let` statements.
+//! Inputs of a generated function: which of them it needs, where each comes from, and the `let` statements of Rust.
 
 use std::collections::BTreeSet;
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
-use crate::model::{AxisKind, Dimension, Model, Quantity};
+use crate::model::{AxisId, AxisKind, Dimension, Model, Quantity};
 use crate::symbolic::Symbol;
 
 /// Variables that hold the inputs of a function.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct InputVariables<'a> {
-    /// Variable with `.x .y .z` for the tip.
+    /// Variable with three components for the tip.
     pub(crate) tip: Option<&'a str>,
-    /// Variable with `.x .y .z` for the tool axis.
+    /// Variable with three components for the tool axis.
     pub(crate) axis: Option<&'a str>,
     /// Array in chain order with the values of axes.
     pub(crate) words: Option<&'a str>,
@@ -21,113 +21,153 @@ pub(crate) struct InputVariables<'a> {
     pub(crate) turns: Option<&'a str>,
 }
 
+/// One input, under the names of its symbols.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Input<'a> {
+    /// A number.
+    Value(&'a str, InputSource<'a>),
+    /// Sine and cosine of an angle; at least one of them is used.
+    Angle([Option<&'a str>; 2], InputSource<'a>),
+}
+
+/// Place of an input's value.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum InputSource<'a> {
+    /// Component 0 to 2 of a vector in a variable.
+    Component(&'a str, usize),
+    /// Component 0 to 2 of the part origin.
+    PartOrigin(usize),
+    /// The gauge length.
+    GaugeLength,
+    /// The dimension of that name; of an angle, in radians.
+    Dimension(&'a str),
+    /// The value of an axis in an array in chain order.
+    Word(&'a str, AxisId),
+    /// Sine and cosine of the rotary with that number, in an array of pairs.
+    Turn(&'a str, usize),
+}
+
+/// The inputs that are used, in the order of pose, set-up, dimensions, axes.
+pub(crate) fn inputs<'a>(model: &'a Model, used: &BTreeSet<Symbol>, variables: InputVariables<'a>) -> Vec<Input<'a>> {
+    let mut list = List { model, used, inputs: Vec::new() };
+    let symbols = &model.symbols;
+    for (vector, variable) in [(symbols.tip, variables.tip), (symbols.axis, variables.axis)] {
+        if let Some(variable) = variable {
+            list.components(vector, |index| InputSource::Component(variable, index));
+        }
+    }
+    list.components(symbols.part, InputSource::PartOrigin);
+    list.value(symbols.gauge, InputSource::GaugeLength);
+    for Dimension { name, quantity, .. } in &model.dimensions {
+        match *quantity {
+            Quantity::Length(symbol) => list.value(symbol, InputSource::Dimension(name)),
+            Quantity::Angle(sine, cosine) => list.angle([sine, cosine], InputSource::Dimension(name)),
+        }
+    }
+    list.axes(variables);
+    list.inputs
+}
+
 /// `let` statements for the inputs that are used.
 pub(crate) fn prelude(model: &Model, used: &BTreeSet<Symbol>, variables: InputVariables<'_>) -> TokenStream {
-    let inputs = Inputs { model, used, variables };
-    let (pose, set_up, dimensions, axes) = (inputs.pose(), inputs.set_up(), inputs.dimensions(), inputs.axes());
-    quote!(#pose #set_up #dimensions #axes)
+    inputs(model, used, variables).into_iter().map(statement).collect()
 }
 
-/// Inputs of one function.
-struct Inputs<'a> {
+/// The inputs found so far.
+struct List<'a, 'b> {
     model: &'a Model,
-    used: &'a BTreeSet<Symbol>,
-    variables: InputVariables<'a>,
+    used: &'b BTreeSet<Symbol>,
+    inputs: Vec<Input<'a>>,
 }
 
-impl Inputs<'_> {
-    /// Tip and tool axis.
-    fn pose(&self) -> TokenStream {
-        let symbols = &self.model.symbols;
-        let vectors = [(symbols.tip, self.variables.tip), (symbols.axis, self.variables.axis)];
-        let vectors = vectors.into_iter().filter_map(|(symbols, place)| Some((symbols, format_ident!("{}", place?))));
-        vectors.map(|(symbols, place)| self.components(symbols, &quote!(#place))).collect()
-    }
-
-    /// Part origin and gauge length.
-    fn set_up(&self) -> TokenStream {
-        let symbols = &self.model.symbols;
-        let mut lets = self.components(symbols.part, &quote!(self.part_origin));
-        lets.extend(self.value(symbols.gauge, &quote!(self.gauge_length)));
-        lets
-    }
-
-    fn dimensions(&self) -> TokenStream {
-        let of = |dimension: &Dimension| {
-            let field = Ident::new(&dimension.name, Span::call_site());
-            match dimension.quantity {
-                Quantity::Length(symbol) => self.value(symbol, &quote!(self.#field)),
-                Quantity::Angle(sine, cosine) => self.pair((sine, cosine), &quote!(math::sin_cos(self.#field))),
-            }
-        };
-        self.model.dimensions.iter().filter_map(of).collect()
-    }
-
+impl<'a> List<'a, '_> {
     /// Values of linear axes, sines and cosines of rotary ones.
     #[expect(clippy::expect_used, reason = "a function that reads axis values has them as a parameter")]
-    fn axes(&self) -> TokenStream {
-        let mut lets = TokenStream::new();
-        let words = || format_ident!("{}", self.variables.words.expect("words are at hand"));
+    fn axes(&mut self, variables: InputVariables<'a>) {
+        let word = |place| InputSource::Word(variables.words.expect("words are at hand"), place);
         let mut rotary = 0_usize;
         for (place, axis) in self.model.axes.iter().enumerate() {
             match axis.kind {
-                AxisKind::Linear if self.used.contains(&axis.word) => {
-                    let words = words();
-                    lets.extend(self.value(axis.word, &quote!(#words[#place])));
-                }
+                AxisKind::Linear if self.used.contains(&axis.word) => self.value(axis.word, word(place)),
                 AxisKind::Linear => {}
                 AxisKind::Rotary => {
-                    if self.uses(axis.sin_cos) {
-                        let turn = match self.variables.turns {
-                            Some(turns) => {
-                                let turns = format_ident!("{turns}");
-                                quote!(#turns[#rotary])
-                            }
-                            None => {
-                                let words = words();
-                                quote!(math::sin_cos(#words[#place]))
-                            }
-                        };
-                        lets.extend(self.pair(axis.sin_cos, &turn));
+                    let (sine, cosine) = axis.sin_cos;
+                    if self.used.contains(&sine) || self.used.contains(&cosine) {
+                        let turn = variables.turns.map(|turns| InputSource::Turn(turns, rotary));
+                        self.angle([sine, cosine], turn.unwrap_or_else(|| word(place)));
                     }
                     rotary += 1;
                 }
             }
         }
-        lets
     }
 
-    /// `let x = tip.x;` and so on.
-    fn components(&self, symbols: [Symbol; 3], place: &TokenStream) -> TokenStream {
-        let parts = symbols.into_iter().zip(["x", "y", "z"]);
-        let one = |(symbol, part): (Symbol, &str)| {
-            let part = format_ident!("{part}");
-            self.value(symbol, &quote!(#place.#part))
-        };
-        parts.filter_map(one).collect()
+    fn components(&mut self, symbols: [Symbol; 3], source: impl Fn(usize) -> InputSource<'a>) {
+        for (index, symbol) in symbols.into_iter().enumerate() {
+            self.value(symbol, source(index));
+        }
     }
 
-    /// `let symbol = value;`, if it is used.
-    fn value(&self, symbol: Symbol, value: &TokenStream) -> Option<TokenStream> {
-        let name = self.name(symbol);
-        self.used.contains(&symbol).then(|| quote!(let #name = #value;))
+    fn value(&mut self, symbol: Symbol, source: InputSource<'a>) {
+        self.inputs.extend(self.name(symbol).map(|name| Input::Value(name, source)));
     }
 
-    /// `let (sine, cosine) = value;`, if one of them is used.
-    fn pair(&self, turn: (Symbol, Symbol), value: &TokenStream) -> Option<TokenStream> {
-        let name = |symbol: Symbol| {
-            let name = self.name(symbol);
-            if self.used.contains(&symbol) { quote!(#name) } else { quote!(_) }
-        };
-        let (sine, cosine) = (name(turn.0), name(turn.1));
-        self.uses(turn).then(|| quote!(let (#sine, #cosine) = #value;))
+    fn angle(&mut self, symbols: [Symbol; 2], source: InputSource<'a>) {
+        let names = symbols.map(|symbol| self.name(symbol));
+        if names != [None; 2] {
+            self.inputs.push(Input::Angle(names, source));
+        }
     }
 
-    fn uses(&self, (sine, cosine): (Symbol, Symbol)) -> bool {
-        self.used.contains(&sine) || self.used.contains(&cosine)
+    /// Name of a symbol that is used.
+    fn name(&self, symbol: Symbol) -> Option<&'a str> {
+        self.used.contains(&symbol).then(|| self.model.ring.name(symbol))
     }
+}
 
-    fn name(&self, symbol: Symbol) -> Ident {
-        Ident::new(self.model.ring.name(symbol), Span::call_site())
+fn statement(input: Input<'_>) -> TokenStream {
+    match input {
+        Input::Value(name, source) => {
+            let (name, value) = (format_ident!("{name}"), value(source));
+            quote!(let #name = #value;)
+        }
+        Input::Angle(names, source) => {
+            let [sine, cosine] = names.map(|name| match name {
+                Some(name) => {
+                    let name = format_ident!("{name}");
+                    quote!(#name)
+                }
+                None => quote!(_),
+            });
+            let value = value(source);
+            let pair = match source {
+                InputSource::Turn(..) => value,
+                _ => quote!(math::sin_cos(#value)),
+            };
+            quote!(let (#sine, #cosine) = #pair;)
+        }
+    }
+}
+
+fn value(source: InputSource<'_>) -> TokenStream {
+    let component = |index: usize| format_ident!("{}", ["x", "y", "z"][index]);
+    match source {
+        InputSource::Component(variable, index) => {
+            let (variable, index) = (format_ident!("{variable}"), component(index));
+            quote!(#variable.#index)
+        }
+        InputSource::PartOrigin(index) => {
+            let index = component(index);
+            quote!(self.part_origin.#index)
+        }
+        InputSource::GaugeLength => quote!(self.gauge_length),
+        InputSource::Dimension(name) => {
+            let field = Ident::new(name, Span::call_site());
+            quote!(self.#field)
+        }
+        InputSource::Word(array, place) | InputSource::Turn(array, place) => {
+            let array = format_ident!("{array}");
+            quote!(#array[#place])
+        }
     }
 }

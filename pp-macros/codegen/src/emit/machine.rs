@@ -70,7 +70,7 @@ pub(crate) fn configured(declaration: &Declaration) -> Vec<&syn::Attribute> {
 }
 
 /// The associated constants.
-pub(crate) fn data(model: &Model, explanation: &Explanation) -> TokenStream {
+pub(crate) fn data(model: &Model, explanation: &Explanation, (fields, text): &(Vec<String>, String)) -> TokenStream {
     let name = &model.name;
     let axes = model.axes.iter().map(axis);
     let dimensions = model.dimensions.iter().map(|dimension| {
@@ -99,6 +99,8 @@ pub(crate) fn data(model: &Model, explanation: &Explanation) -> TokenStream {
         const DIMENSIONS: &'static [::pp_runtime::kinematics::Dimension] = &[#(#dimensions),*];
         const HELD: Self::Axes = [#(#held),*];
         const EXPLANATION: &'static ::pp_runtime::kinematics::Explanation = &#explanation;
+        const C_SOURCE: ::pp_runtime::kinematics::CSource =
+            ::pp_runtime::kinematics::CSource { fields: &[#(#fields),*], text: #text };
     }
 }
 

@@ -1,8 +1,9 @@
-//! A solved and proven machine as Rust. Nothing here can fail.
+//! A solved and proven machine as Rust, and as C for other places. Nothing here can fail.
 //!
-//! Generated code names only `::core` and `::pp_runtime`, allocates nothing and contains no loop.
+//! Generated Rust names only `::core` and `::pp_runtime`, allocates nothing and contains no loop.
 
 mod body;
+mod c;
 mod inputs;
 mod inverse;
 mod kinematics;
@@ -28,7 +29,7 @@ pub(crate) fn emit(
     options: Options,
 ) -> TokenStream {
     let item = machine::item(declaration, model, explanation, options);
-    let data = machine::data(model, explanation);
+    let data = machine::data(model, explanation, &c::source(model, solved));
     let set_up = machine::set_up(model, solved);
     let forward = kinematics::forward(model, solved);
     let linear_axes = kinematics::linear_axes(model, solved);

@@ -51,6 +51,39 @@ pub(crate) enum Command {
     Config(ConfigArgs),
     /// Print the derivation of the kinematics of this machine, and a jog sheet
     Explain(ExplainArgs),
+    /// Write the kinematics of this machine for its control, or as C
+    Kinematics(KinematicsArgs),
+}
+
+/// Arguments of `kinematics`.
+#[derive(Debug, Args)]
+#[command(group = clap::ArgGroup::new("target").required(true))]
+pub(crate) struct KinematicsArgs {
+    /// Forward and inverse kinematics as a C99 header; the name of the file is the prefix of all names in it
+    #[arg(long, group = "target")]
+    c: bool,
+    /// A kinematics module of LinuxCNC, with a simulated machine that runs it
+    #[arg(long, group = "target", requires = "output")]
+    linuxcnc: bool,
+    /// File to write, with --linuxcnc a new folder; `-` or without it standard output
+    #[arg(short, long, value_name = "OUT")]
+    pub(crate) output: Option<PathBuf>,
+    /// Configuration file of machine and set-up (see `config`): dimensions, travel, speeds, tools, zero position
+    #[arg(long, value_name = "FILE.toml")]
+    pub(crate) config: Option<PathBuf>,
+}
+
+/// What `kinematics` writes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Target {
+    C,
+    LinuxCnc,
+}
+
+impl KinematicsArgs {
+    pub(crate) fn target(&self) -> Target {
+        if self.linuxcnc { Target::LinuxCnc } else { Target::C }
+    }
 }
 
 /// Arguments of `config`.

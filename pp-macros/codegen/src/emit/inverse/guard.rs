@@ -5,7 +5,22 @@ use quote::quote;
 
 use crate::emit::inputs::InputVariables;
 use crate::model::Model;
-use crate::solve::PARALLEL_SINE_SQUARED;
+use crate::solve::{OneRotary, PARALLEL_SINE_SQUARED, Pole, Solved, TwoRotaries};
+
+/// Sine of the half angle of a cone below which its axis may be within the reach tolerance of the cone, with a margin.
+const SLIM: f64 = 1e-5;
+
+/// Whether the pole needs a test besides that of the root. In the orthogonal form the root is also zero at the pole.
+pub(crate) fn needs_pole_test(two: &TwoRotaries) -> bool {
+    two.pole != Pole::Orthogonal
+}
+
+/// Whether a single rotary axis can be free: the axis of a very slim cone is within the tolerance of it, and there the
+/// tool axis does not define the angle.
+pub(crate) fn can_be_free(solved: &Solved, one: &OneRotary) -> bool {
+    let claim = solved.graph.constant_of(one.length_claim).and_then(|poly| solved.graph.ring().value(poly));
+    claim.is_none_or(|squared| squared < SLIM * SLIM)
+}
 
 /// The bound below which directions count as parallel, as a literal.
 pub(crate) fn parallel() -> Literal {

@@ -13,6 +13,7 @@ use quote::quote;
 use crate::model::Model;
 use crate::solve::{Orientation, Solved};
 pub(crate) use edge::edge;
+pub(crate) use guard::{can_be_free, needs_pole_test};
 pub(crate) use reach::reach;
 
 /// `inverse_kinematics`.

@@ -3,12 +3,12 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
-use super::guard::{finite, inverse_variables, parallel};
+use super::guard::{finite, inverse_variables, needs_pole_test, parallel};
 use super::solution::SolutionTokens;
 use crate::emit::body::{Body, lets};
 use crate::emit::inputs::prelude;
 use crate::model::{AxisId, Model};
-use crate::solve::{AngleRelation, Branch, Pole, Solved, TwoRotaries};
+use crate::solve::{AngleRelation, Branch, Solved, TwoRotaries};
 use crate::symbolic::Id;
 
 /// Both branches, or the cold path.
@@ -40,8 +40,7 @@ pub(crate) fn pair(model: &Model, solved: &Solved, two: &TwoRotaries) -> TokenSt
 fn near_the_edge(solved: &Solved, body: &Body<'_>, two: &TwoRotaries) -> TokenStream {
     let [root, sine_squared, capacity] =
         [two.second.root, two.first.sine_squared, two.second.capacity].map(|node| body.tokens(node));
-    // In the orthogonal form the root is also zero at the pole.
-    let pole = (two.pole != Pole::Orthogonal).then(|| {
+    let pole = needs_pole_test(two).then(|| {
         quote!(|| !(#sine_squared >= ::pp_runtime::kinematics::SINGULAR_SINE * ::pp_runtime::kinematics::SINGULAR_SINE))
     });
     let capacity = solved.graph.constant_of(two.second.capacity).is_none().then(|| {

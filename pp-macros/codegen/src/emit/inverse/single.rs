@@ -3,16 +3,13 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::guard::{finite, inverse_variables, parallel};
+use super::guard::{can_be_free, finite, inverse_variables, parallel};
 use super::solution::SolutionTokens;
 use crate::emit::body::{Body, lets};
 use crate::emit::inputs::prelude;
 use crate::model::Model;
 use crate::solve::{OneRotary, Solved};
 use crate::symbolic::Id;
-
-/// Sine of the half angle of a cone below which its axis may be within the reach tolerance of the cone, with a margin.
-const SLIM: f64 = 1e-5;
 
 /// No solved rotary axis.
 pub(crate) fn fixed(model: &Model, solved: &Solved, deviation: Id) -> TokenStream {
@@ -87,9 +84,7 @@ fn within_reach(model: &Model, body: &mut Body<'_>, deviation: Id) -> TokenStrea
 /// `first` and `value`, the (sine, cosine) and the angle; and whether it is singular.
 fn angle(solved: &Solved, body: &Body<'_>, one: &OneRotary) -> (TokenStream, TokenStream) {
     let (sine, cosine) = (body.tokens(one.word.0), body.tokens(one.word.1));
-    // The axis of a very slim cone is within the tolerance of it, and there the rotary is free.
-    let claim = solved.graph.constant_of(one.length_claim).and_then(|poly| solved.graph.ring().value(poly));
-    if claim.is_some_and(|squared| squared >= SLIM * SLIM) {
+    if !can_be_free(solved, one) {
         let angle = quote!(let (first, value) = ((#sine, #cosine), math::angle(#sine, #cosine)););
         return (angle, quote!(false));
     }
