@@ -1,9 +1,11 @@
 //! LinuxCNC, from the package `linuxcnc-uspace`: a control that is not part of this project.
 //!
 //! - [`interpreter`]: its interpreter alone, `rs274`, which prints the motions of a program.
+//! - [`module`]: a kinematics module by itself, loaded without the control.
 //! - [`simulation`]: the whole control with its kinematics modules, which executes a program.
 
 pub mod interpreter;
+pub mod module;
 pub mod simulation;
 
 use std::path::PathBuf;

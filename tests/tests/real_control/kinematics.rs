@@ -28,7 +28,7 @@ use super::sweep::{cl_data, passes};
 
 machine! {
     /// The machine of `xyzac-trt-kins`.
-    pub struct TableAc;
+    pub(crate) struct TableAc;
     chain: C A | X Y Z;
     dims = { centre_x: 12.5, centre_y: -7.25, tilt_y: 14.75, tilt_z: 31.5 };
     d = { C: (centre_x, centre_y, 0), A: (0, tilt_y, tilt_z) };
@@ -48,7 +48,7 @@ machine! {
 
 machine! {
     /// The machine of `xyzbc-trt-kins`.
-    pub struct TableBc;
+    pub(crate) struct TableBc;
     chain: C B | X Y Z;
     dims = { centre_x: -4.5, centre_y: 9.75, tilt_x: 11.0, tilt_z: -22.25 };
     d = { C: (centre_x, centre_y, 0), B: (tilt_x, 0, tilt_z) };
@@ -58,7 +58,7 @@ machine! {
 
 machine! {
     /// The same with the wrong sign of C.
-    pub struct TableBcWrongSign;
+    pub(crate) struct TableBcWrongSign;
     chain: C B | X Y Z;
     dims = { centre_x: -4.5, centre_y: 9.75, tilt_x: 11.0, tilt_z: -22.25 };
     d = { C: (centre_x, centre_y, 0), B: (tilt_x, 0, tilt_z) };
@@ -67,13 +67,13 @@ machine! {
 }
 
 /// Gauge length of tool 1, mm.
-const LENGTH: f64 = 87.25;
+pub(crate) const LENGTH: f64 = 87.25;
 
 /// Machine coordinate of the zero position: X Y Z of G54, mm.
-const WORK_OFFSET: [f64; 3] = [-35.0, 20.5, -390.0];
+pub(crate) const WORK_OFFSET: [f64; 3] = [-35.0, 20.5, -390.0];
 
 /// Acceleration of the axes, mm/s² and deg/s²: so high that a test need not wait.
-const ACCELERATION: f64 = 1e8;
+pub(crate) const ACCELERATION: f64 = 1e8;
 
 /// Rounding of a word with three decimals, mm.
 const ROUNDED: f64 = 0.5e-3;
@@ -82,7 +82,7 @@ const ROUNDED: f64 = 0.5e-3;
 pub(crate) const TIP: f64 = ROUNDED * 1.733 + 2e-6;
 
 /// Tolerance of a joint that is computed from a rounded tip against a rounded word, mm.
-const JOINT: f64 = TIP + ROUNDED;
+pub(crate) const JOINT: f64 = TIP + ROUNDED;
 
 /// Tolerance of a tool axis, rad: two angles with four decimals.
 pub(crate) const AXIS: f64 = 0.5e-4 * 1.4143 / 57.295 + 1e-8;
@@ -90,7 +90,7 @@ pub(crate) const AXIS: f64 = 0.5e-4 * 1.4143 / 57.295 + 1e-8;
 /// Largest distance, mm, and angle, rad, between a point and the block that goes there: the rounding of its words.
 const PARTNER: (f64, f64) = (TIP, 2e-6);
 
-fn set_up(mode: Mode) -> Config {
+pub(crate) fn set_up(mode: Mode) -> Config {
     let mut config = Config::default();
     config.motion.mode = mode;
     config.set_up.part_origin = [40.0, -25.0, 18.0];
@@ -134,15 +134,15 @@ fn control<M: Machine>(kinematics: &'static str, letters: &'static str) -> Contr
 }
 
 /// Blocks of a program that are compared, and the positions of the control after them.
-struct Run {
-    blocks: Vec<Block>,
-    reached: Vec<Reached>,
+pub(crate) struct Run {
+    pub(crate) blocks: Vec<Block>,
+    pub(crate) reached: Vec<Reached>,
     /// For each point of the CL data, the index of the block that goes there.
-    partners: Vec<usize>,
+    pub(crate) partners: Vec<usize>,
 }
 
 /// Points of the CL data.
-fn points() -> Vec<Pose> {
+pub(crate) fn points() -> Vec<Pose> {
     passes().concat()
 }
 
@@ -153,7 +153,7 @@ fn only(blocks: &[Block], partners: &[usize]) -> (Vec<Block>, Vec<usize>) {
 
 /// Posts the part and runs it on the control; `every`: all blocks between the safe sequences are compared, else only
 /// those that go to the points.
-fn run<M: Machine>(simulation: &mut Simulation, config: &Config, every: bool) -> Run {
+pub(crate) fn run<M: Machine>(simulation: &mut Simulation, config: &Config, every: bool) -> Run {
     let job = Job { cl_name: "sweep.cls", config, control: &LinuxCnc, units: None };
     let mut program = Vec::new();
     let report = post::<M>(&job, &mut Cursor::new(cl_data()), &mut program).expect("memory");
@@ -187,14 +187,19 @@ fn pose_of_block<M: Machine>(machine: &M, block: &Block, mode: Mode) -> Pose {
     if mode == Mode::Axes {
         return pose;
     }
-    let word = |letter: char| M::AXES.iter().position(|axis| axis.letter == letter).map(|index| block.values[index]);
+    // A word that counts backwards does so under tip control, too.
+    let word = |letter: char| {
+        let index = M::AXES.iter().position(|axis| axis.letter == letter)?;
+        Some(block.values[index] * M::AXES[index].sign.factor())
+    };
     let tip = Point3::from(['X', 'Y', 'Z'].map(|letter| word(letter).expect("a linear axis")));
     Pose { tip, axis: pose.axis }
 }
 
 /// Indices of the blocks that go to the points, in order.
 fn partners<M: Machine>(blocks: &[Block], config: &Config) -> Vec<usize> {
-    let machine = config.set_up.machine::<M>().expect("valid");
+    let mut machine = config.set_up.machine::<M>().expect("valid");
+    machine.set_up(config.set_up.part_origin.into(), LENGTH);
     let mut next = 0;
     let partner = |point: &Pose| {
         let goes_there = |block: &Block| {
@@ -250,7 +255,7 @@ fn commanded_joints<M: Machine>(block: &Block, letters: &str) -> Vec<f64> {
 }
 
 /// The larger of two numbers; NaN if one of them is NaN.
-fn larger(one: f64, other: f64) -> f64 {
+pub(crate) fn larger(one: f64, other: f64) -> f64 {
     if one.is_nan() || other.is_nan() { f64::NAN } else { one.max(other) }
 }
 

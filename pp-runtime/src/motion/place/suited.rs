@@ -7,7 +7,7 @@ use crate::motion::options::{Policy, StretchMode, TcpFrame, TcpWords, ToolPostur
 use crate::set_up::LengthMode;
 
 use super::chain::rotaries;
-use super::frame::TipAbility;
+use super::frame::{TipAbility, TipStart};
 use super::tilted_plane::PlaneAbility;
 
 /// Modes other than axis positions that machine, control and configuration allow.
@@ -107,7 +107,8 @@ impl Faults<'_> {
         if self.mode == StretchMode::Axes {
             return self.list;
         }
-        self.machine();
+        let configured = tip.is_some_and(|tip| tip.start == TipStart::Configured);
+        self.machine(self.mode == StretchMode::Tcp && configured);
         match (self.mode, tip) {
             (StretchMode::Axes, _) => {}
             (StretchMode::Tcp, Some(tip)) => self.tip_control(tip),
@@ -129,15 +130,25 @@ impl Faults<'_> {
         self.list
     }
 
-    /// What tip control and planes both need.
-    fn machine(&mut self) {
+    /// What tip control and planes both need. `kinematics_of_its_own`: the control has kinematics of this machine, not those of
+    /// a kind of machine.
+    fn machine(&mut self, kinematics_of_its_own: bool) {
         if self.policy.set_up.length_mode == LengthMode::Gauge {
             self.absent("the control needs an active tool length offset", "leave `length_mode` at \"tip\"");
         }
-        if let Some(letter) = ['X', 'Y', 'Z'].into_iter().find(|letter| !is_own_direction(self.machine, *letter)) {
-            let text =
-                format!("{letter} of this machine is not parallel to the {letter} direction, as the control assumes");
-            self.absent(&text, "use mode axes");
+        let inclined = ['X', 'Y', 'Z'].into_iter().find(|letter| !is_own_direction(self.machine, *letter));
+        match inclined {
+            Some(letter) if !kinematics_of_its_own => {
+                let text = format!(
+                    "{letter} of this machine is not parallel to the {letter} direction, as the control assumes"
+                );
+                self.absent(&text, "use mode axes");
+            }
+            Some(letter) if !self.policy.options.tip.tcp_confirmed => {
+                let text = format!("the kinematics of the control may not include that {letter} is inclined");
+                self.setting(&text, CONFIRM);
+            }
+            _ => {}
         }
         let offset = self.policy.set_up.rotary_offset.iter().find(|(_, offset)| offset.abs() > 0.0);
         if let Some((letter, _)) = offset.filter(|_| !self.policy.options.tip.tcp_confirmed) {
@@ -184,10 +195,13 @@ impl Faults<'_> {
         if !tip.tcp_confirmed && !plain_chain(machine) {
             let text = "the kinematics of the control may not include a held axis, or a linear axis that is not between \
                         table and head";
-            self.setting(text, "set `tcp_confirmed = true` if the control knows this axis, or use mode axes");
+            self.setting(text, CONFIRM);
         }
     }
 }
+
+/// What to do where the kinematics in the control are those of the machine builder.
+const CONFIRM: &str = "set `tcp_confirmed = true` if the control knows this axis, or use mode axes";
 
 /// Whether no axis is held, and every linear axis is between the rotary axes of the table and those of the head.
 fn plain_chain(machine: &dyn AnyMachine) -> bool {

@@ -26,7 +26,7 @@ Switchable kinematics for one machine, generated from its declaration.
 Chain from workpiece to tool: {chain}.
 
 Type 0 has the joints as axes. In type 1, tip control, X Y Z are coordinates
-of the tool tip in a frame that moves with the workpiece; rotary axes and
+of the tool tip in a frame that moves with the workpiece{backwards}; rotary axes
 {held}are positions of their joints in both.
 
 Joints are in the order {order}. All lengths are mm (LINEAR_UNITS = mm), all
@@ -66,6 +66,7 @@ static int make_pins(void)
 "#,
         chain = chain(module.machine),
         held = held(module),
+        backwards = backwards(module),
         order = module.joints.iter().map(|(_, axis)| axis.letter).collect::<String>(),
         fields = fields(module),
     );
@@ -158,9 +159,18 @@ int kinematicsInverse(const struct EmcPose *pos, double *j,
     Ok(text)
 }
 
-/// `held axes `, if there are any.
+/// `and held axes `, if there are any.
 fn held(module: &Module<'_>) -> &'static str {
-    if module.joints.iter().any(|(_, axis)| axis.held) { "held axes " } else { "" }
+    if module.joints.iter().any(|(_, axis)| axis.held) { "and held axes " } else { "" }
+}
+
+/// The coordinates that count backwards.
+fn backwards(module: &Module<'_>) -> String {
+    let letters: Vec<String> = "XYZ".chars().filter(|letter| module.is_reversed(*letter)).map(String::from).collect();
+    match letters.is_empty() {
+        true => String::new(),
+        false => format!(",\nof which {} counts against ISO 841 as its axis does", letters.join(" and ")),
+    }
 }
 
 /// Fields of the dimensions.
@@ -275,7 +285,8 @@ fn forward(module: &Module<'_>) -> String {
     }
     let _ = writeln!(text, "        {}_forward(&machine, axes, tip, axis);", module.stem);
     for (index, letter) in "XYZ".chars().enumerate() {
-        let _ = writeln!(text, "        pos->{} = tip[{index}]{};", of_pose(letter), added(module, letter, '+'));
+        let sign = if module.is_reversed(letter) { "-" } else { "" };
+        let _ = writeln!(text, "        pos->{} = {sign}tip[{index}]{};", of_pose(letter), added(module, letter, '+'));
     }
     text.push_str("    } else {\n");
     for (index, letter) in "XYZ".chars().enumerate() {
@@ -292,7 +303,11 @@ fn inverse(module: &Module<'_>) -> String {
     let count = module.joints.len();
     let _ = writeln!(text, "    if (switchkins_type == 1) {{\n        double axes[{count}];\n        double tip[3];");
     for (index, letter) in "XYZ".chars().enumerate() {
-        let _ = writeln!(text, "        tip[{index}] = pos->{}{};", of_pose(letter), added(module, letter, '-'));
+        let word = format!("pos->{}{}", of_pose(letter), added(module, letter, '-'));
+        let _ = match module.is_reversed(letter) {
+            true => writeln!(text, "        tip[{index}] = -({word});"),
+            false => writeln!(text, "        tip[{index}] = {word};"),
+        };
     }
     for (index, axis) in &module.joints {
         let _ = match (axis.kind, axis.held) {

@@ -13,7 +13,7 @@ mod configuration;
 mod guide;
 
 use crate::config::Config;
-use crate::kinematics::{AnyMachine, Axis, AxisKind};
+use crate::kinematics::{AnyMachine, Axis, AxisKind, Sign};
 
 use super::{NotExpressible, machine_identifier};
 
@@ -96,12 +96,18 @@ impl<'a> Module<'a> {
         name.to_lowercase().replace('_', "-")
     }
 
-    /// Whether positive X, Y and Z with all axes at zero are those of the coordinates.
+    /// Whether X, Y and Z with all axes at zero are parallel to their coordinates.
     fn is_canonical(&self) -> bool {
-        self.joints.iter().take(3).enumerate().all(|(component, (index, _))| {
-            let joint = self.machine.joint(*index);
-            joint.sign * joint.direction[component] > 1.0 - 1e-12
-        })
+        let parallel = |(component, (index, _)): (usize, &(usize, &Axis))| {
+            self.machine.joint(*index).direction[component] > 1.0 - 1e-12
+        };
+        self.joints.iter().take(3).enumerate().all(parallel)
+    }
+
+    /// Whether the words of an axis count against ISO 841. Its coordinate does so, too: the words of a program have one
+    /// direction, and one work offset, in both types of kinematics.
+    fn is_reversed(&self, letter: char) -> bool {
+        self.joints.iter().any(|(_, axis)| axis.letter == letter && axis.sign == Sign::Minus)
     }
 
     /// HAL names have at most 47 characters of ASCII, and no two pins one name.

@@ -1,22 +1,24 @@
-//! Kinematics of a machine that LinuxCNC has no module for: `table.c`, compiled for that machine.
+//! Kinematics of a machine that LinuxCNC has no module for: `table.c`, compiled for that machine, or a generated module.
 //!
-//! LinuxCNC loads modules from its own folder only. In a mount namespace of its own it sees the component there, in place
-//! of `userkins`, the module that it has for kinematics of one's own; no other program sees it.
+//! LinuxCNC loads modules from its own folder only. In a mount namespace of its own it sees the component there, beside its
+//! own modules; no other program sees it.
 
+use std::fs;
 use std::io;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
 use super::super::absent;
+use super::super::module::MODULES;
 
-/// The module whose place the component takes.
+/// The module whose place `table.c` takes: the one that LinuxCNC has for kinematics of one's own.
 pub(super) const MODULE: &str = "userkins";
 
-/// The component's file in the folder of the configuration.
-const FILE: &str = "component.so";
+/// Folder with the modules that the control sees, in the folder of the configuration.
+const SEEN: &str = "modules";
 
-/// Folder of the modules.
-const MODULES: &str = "/usr/lib/linuxcnc/modules";
+/// Folder with the modules of LinuxCNC, in the folder of the configuration.
+const OWN: &str = "installed";
 
 /// A rotation of the table, right-handed.
 #[derive(Debug, Clone, Copy)]
@@ -76,15 +78,32 @@ pub(super) fn compile(table: &Table, folder: &Path) -> io::Result<()> {
         command.arg(format!("-D{letter}_DIRECTION={}", numbers(rotation.direction)));
         command.arg(format!("-D{letter}_POINT={}", numbers(rotation.point)));
     }
-    let output = command.arg("-o").arg(folder.join(FILE)).arg(source).arg("-lm").output()?;
+    let compiled = folder.join(MODULE).with_extension("so");
+    let output = command.arg("-o").arg(&compiled).arg(source).arg("-lm").output()?;
     if output.status.success() {
-        return Ok(());
+        return show(&compiled, folder);
     }
     Err(io::Error::other(String::from_utf8_lossy(&output.stderr).into_owned()))
 }
 
-/// The beginning of a command that sees the component of a folder in place of the module.
+/// Prepares the modules that the control will see: those of LinuxCNC, and the compiled one.
+pub(super) fn show(compiled: &Path, folder: &Path) -> io::Result<()> {
+    let (seen, own) = (folder.join(SEEN), folder.join(OWN));
+    fs::create_dir(&seen)?;
+    fs::create_dir(&own)?;
+    let name = compiled.file_name().ok_or(io::ErrorKind::InvalidInput)?;
+    fs::copy(compiled, seen.join(name))?;
+    for module in fs::read_dir(MODULES)? {
+        let other = module?.file_name();
+        if other != name {
+            std::os::unix::fs::symlink(own.join(&other), seen.join(&other))?;
+        }
+    }
+    Ok(())
+}
+
+/// The beginning of a command that sees the modules of a folder in place of LinuxCNC's.
 pub(super) fn in_place(command: &mut Command, folder: &Path) {
-    let script = format!("mount --bind \"$0\" {MODULES}/{MODULE}.so && exec \"$@\"");
-    command.arg("unshare").args(namespace()).args(["sh", "-c", &script]).arg(folder.join(FILE));
+    let script = format!("mount --bind {MODULES} \"$0/{OWN}\" && mount --bind \"$0/{SEEN}\" {MODULES} && exec \"$@\"");
+    command.arg("unshare").args(namespace()).args(["sh", "-c", &script]).arg(folder);
 }

@@ -1,14 +1,19 @@
 //! Configuration of LinuxCNC for a machine: its INI and HAL files, remapped codes, tool table and offsets.
 //!
 //! The control starts with joints as axes; M428 switches to the kinematics of the machine, M429 back, as in the
-//! documentation of switchable kinematics. Three analog outputs belong to the harness: 0 counts marks, 1 selects the
+//! documentation of switchable kinematics. Three analog outputs belong to the harness: 0 counts marks, 3 selects the
 //! kinematics, 2 is never read. Digital input 0 is on when the joints have settled.
+//!
+//! A generated module comes with its own configuration. Only its screen, its accelerations and its tool table are replaced.
 
 use std::fmt::Write as _;
 use std::fs;
 use std::io;
 use std::path::Path;
 
+use pp_runtime::transformation::linuxcnc::ModuleFile;
+
+use super::super::module;
 use super::component::{self, Table};
 
 /// Cycle of the servo thread, ns.
@@ -42,7 +47,7 @@ pub(super) const SAMPLES: &str = "samples.txt";
 /// Blocks that change the kinematics: 0 joints as axes, 1 those of the machine. Reading an input makes the interpreter
 /// wait and fetch the axis positions again.
 pub(super) fn switch(kinematics: u32) -> String {
-    format!("M68 E1 Q{kinematics}\n{PLANNED}M66 E0 L0\n")
+    format!("M68 E3 Q{kinematics}\n{PLANNED}M66 E0 L0\n")
 }
 
 /// How many times faster than commanded the spindle turns, so that a thread is cut while a test waits.
@@ -55,6 +60,8 @@ pub enum Kinematics {
     Module(&'static str, Vec<(&'static str, f64)>),
     /// A component compiled for one machine, with joints X Y Z B C.
     Component(Table),
+    /// A generated module with its configuration.
+    Generated(Vec<ModuleFile>),
 }
 
 /// A tool of the tool table, mm.
@@ -91,6 +98,13 @@ impl Control {
     /// Writes all files into a folder. `port`: TCP port of the control's shell.
     pub(super) fn write(&self, folder: &Path, port: u16) -> io::Result<()> {
         let write = |name: &str, text: String| fs::write(folder.join(name), text);
+        if let Kinematics::Generated(files) = &self.kinematics {
+            component::show(&module::compile(files, folder)?, folder)?;
+            let ini = files.iter().find(|file| file.name.ends_with(".ini")).ok_or(io::ErrorKind::NotFound)?;
+            write("machine.ini", self.adapted(&ini.text, port))?;
+            write("harness.hal", self.harness())?;
+            return write("params.var", self.parameters());
+        }
         write("machine.ini", self.ini(port))?;
         write("machine.hal", self.hal())?;
         let tool = |tool: &Tool| format!("T{0} P{0} Z{1} D{2}\n", tool.number, tool.length, tool.diameter);
@@ -108,6 +122,43 @@ impl Control {
         Ok(())
     }
 
+    /// The INI file of a generated module without a screen, with accelerations for which a test need not wait.
+    fn adapted(&self, ini: &str, port: u16) -> String {
+        let line = |line: &str| match line.split_once(" = ") {
+            Some(("DISPLAY", _)) => format!("DISPLAY = linuxcncrsh --port {port}\n"),
+            // A busy computer delays the control.
+            Some(("COMM_TIMEOUT", _)) => "COMM_TIMEOUT = 10\n".to_owned(),
+            Some(("PARAMETER_FILE", _)) => "PARAMETER_FILE = params.var\n".to_owned(),
+            Some(("HALFILE", file)) => format!("HALFILE = {file}\nHALFILE = harness.hal\n"),
+            Some((key, _)) if key.contains("ACCELERATION") => format!("{key} = {}\n", self.acceleration),
+            _ => format!("{line}\n"),
+        };
+        ini.lines().map(line).collect()
+    }
+
+    /// HAL lines of the harness.
+    fn harness(&self) -> String {
+        let joints = self.letters.len();
+        let mut hal = format!(
+            "loadrt timedelay\nloadrt sampler depth=16000 cfg=fb{}\n\
+             addf timedelay.0 servo-thread\naddf sampler.0 servo-thread\n\
+             net still motion.in-position timedelay.0.in\n\
+             net settled timedelay.0.out motion.digital-in-00 sampler.0.pin.1\n\
+             setp timedelay.0.on-delay {SETTLING}\nsetp timedelay.0.off-delay 0\n\
+             net mark motion.analog-out-00 sampler.0.pin.0\n",
+            "f".repeat(2 * joints),
+        );
+        for (joint, letter) in self.letters.to_ascii_lowercase().chars().enumerate() {
+            let (here, there) = (joint + 2, joint + 2 + joints);
+            let _ = write!(
+                hal,
+                "net joint-{joint} sampler.0.pin.{here}\nnet axis{letter} axis.{letter}.pos-cmd sampler.0.pin.{there}\n"
+            );
+        }
+        let _ = writeln!(hal, "loadusr halsampler -t {SAMPLES}");
+        hal
+    }
+
     /// Work offsets as interpreter parameters: G54 has 5221 to 5229, G55 5241 to 5249, and so on.
     fn parameters(&self) -> String {
         let mut parameters = "5220 1\n".to_owned();
@@ -123,14 +174,14 @@ impl Control {
     fn module(&self) -> &'static str {
         match self.kinematics {
             Kinematics::Module(module, _) => module,
-            Kinematics::Component(_) => component::MODULE,
+            Kinematics::Component(_) | Kinematics::Generated(_) => component::MODULE,
         }
     }
 
     fn ini(&self, port: u16) -> String {
         let arguments = match self.kinematics {
             Kinematics::Module(..) => " sparm=identityfirst",
-            Kinematics::Component(_) => "",
+            Kinematics::Component(_) | Kinematics::Generated(_) => "",
         };
         let mut ini = format!(
             "[EMC]\nVERSION=1.1\nMACHINE=simulated\nDEBUG=0\n\
@@ -168,7 +219,7 @@ impl Control {
         let joints = self.letters.len();
         let mut hal = format!(
             "loadrt [KINS]KINEMATICS\n\
-             loadrt motmod servo_period_nsec={SERVO_PERIOD} num_joints={joints} num_dio=1 num_aio=3\n\
+             loadrt motmod servo_period_nsec={SERVO_PERIOD} num_joints={joints} num_dio=1 num_aio=4\n\
              loadrt timedelay\nloadrt sim_spindle\n\
              loadrt sampler depth=16000 cfg=fb{}\n\
              addf motion-command-handler servo-thread\naddf motion-controller servo-thread\n\
@@ -184,7 +235,7 @@ impl Control {
              net turned sim-spindle.0.position-fb spindle.0.revs\n\
              net index sim-spindle.0.index-enable spindle.0.index-enable\n\
              net length motion.tooloffset.z {}.tool-offset\n\
-             net wanted motion.analog-out-01 motion.switchkins-type\n\
+             net wanted motion.analog-out-03 motion.switchkins-type\n\
              net mark motion.analog-out-00 sampler.0.pin.0\n",
             "f".repeat(2 * joints),
             self.module(),

@@ -65,7 +65,7 @@ impl Simulation {
         let alone = alone().map_err(|error| format!("cannot wait for the control: {error}"))?;
         let folder = TempDir::new().map_err(|error| error.to_string())?;
         let port = free_port().map_err(|error| error.to_string())?;
-        let own = matches!(control.kinematics, Kinematics::Component(_));
+        let own = !matches!(control.kinematics, Kinematics::Module(..));
         let process = control.write(folder.path(), port).and_then(|()| launch(folder.path(), own));
         let process = process.map_err(|error| format!("LinuxCNC cannot be started: {error}"))?;
         let joints = control.letters.len();
