@@ -1,6 +1,7 @@
 //! Tests of the command line: the files that a run leaves, and the values taken from options and configuration.
 
 mod checked;
+mod kinematics;
 mod messages;
 #[cfg(feature = "simulate")]
 mod simulate;

@@ -95,7 +95,7 @@ fn snake_case(name: &str) -> String {
     let mut snake = String::new();
     let mut before = '_';
     for letter in name.chars() {
-        if letter.is_uppercase() && !before.is_uppercase() && before != '_' {
+        if letter.is_uppercase() && before.is_lowercase() {
             snake.push('_');
         }
         snake.extend(letter.to_lowercase());
