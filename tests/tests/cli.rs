@@ -532,3 +532,101 @@ fn a_program_ends_with_the_result_of_its_check() {
         }
     }
 }
+
+/// A file of as many straight cuts.
+fn long_cut(points: u32) -> String {
+    let points: String = (0..points).map(|point| format!("GOTO/{},{},0\n", point % 100, point % 7)).collect();
+    format!("{HEAD}{points}")
+}
+
+/// Runs a command of the shell, with the binary as `$0`.
+#[cfg(unix)]
+fn shell(shop: &Shop, text: &str) -> Run {
+    let binary = binary("spinner-u5-620").get_program().to_owned();
+    let mut command = Command::new("sh");
+    command.current_dir(shop.path()).args(["-c", text]).arg(binary).stdin(Stdio::null());
+    run(&mut command)
+}
+
+#[cfg(unix)]
+#[test]
+fn a_closed_standard_stream_is_an_error() {
+    let shop = Shop::with(long_cut(10));
+    let closed = shell(&shop, r#"exec "$0" post part.cls -o - >&-"#);
+    assert_eq!(closed.status, 2, "{}", closed.errors);
+    assert!(closed.errors.ends_with("error: cannot write standard output: it is closed\n"), "{}", closed.errors);
+    let closed = shell(&shop, r#"exec "$0" config >&-"#);
+    assert_eq!(closed.status, 2, "{}", closed.errors);
+    let closed = shell(&shop, r#"exec "$0" post - -o part.nc <&-"#);
+    assert_eq!((closed.status, shop.names().len()), (2, 1), "{}", closed.errors);
+    assert!(closed.errors.ends_with("error: cannot read standard input: it is closed\n"), "{}", closed.errors);
+    // Where nothing is written there, it may be closed; and a device that discards everything is no closed stream.
+    assert_eq!(shell(&shop, r#"exec "$0" post part.cls -o part.nc >&-"#).status, 0);
+    assert_eq!(shell(&shop, r#"exec "$0" post part.cls -o - 1<>/dev/null"#).status, 0);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_file_that_becomes_larger_than_allowed_is_an_error_with_its_name() {
+    let shop = Shop::with(long_cut(1500));
+    for (arguments, file) in [("-o part.nc", "part.nc"), ("-o - >part.txt", "standard output")] {
+        let run = shell(&shop, &format!(r#"ulimit -f 20; exec "$0" post part.cls {arguments}"#));
+        assert_eq!(run.status, 2, "{}", run.errors);
+        assert!(run.errors.contains(&format!("error: cannot write {file}: File too large")), "{}", run.errors);
+        let _ = fs::remove_file(shop.path().join("part.txt"));
+        assert_eq!(shop.names(), ["part.cls"]);
+    }
+    // The map is larger than its program.
+    let run = shell(&shop, r#"ulimit -f 200; exec "$0" post part.cls -o part.nc --map part.json"#);
+    assert!(run.status == 2 && run.errors.contains("cannot write part.json: File too large"), "{}", run.errors);
+    assert_eq!(shop.names(), ["part.cls"]);
+}
+
+/// Starts a post whose map goes to a pipe that nobody reads, so that it waits with its program incomplete, and sends it a
+/// signal. Returns the signal that ended it, and the files that are left.
+#[cfg(unix)]
+fn interrupted(signal: &str, prefix: &str) -> (Option<i32>, Vec<String>) {
+    use std::os::unix::process::ExitStatusExt as _;
+    let shop = Shop::with(long_cut(1500));
+    shop.write("part.nc", "yesterday");
+    let fifo = shop.path().join("map");
+    assert!(Command::new("mkfifo").arg(&fifo).status().expect("mkfifo runs").success());
+    let binary = binary("spinner-u5-620").get_program().to_owned();
+    let mut command = Command::new("sh");
+    let text = format!(r#"{prefix} exec "$0" post part.cls -o part.nc --map map"#);
+    command.current_dir(shop.path()).args(["-c", &text]).arg(binary);
+    let mut child = command.stdin(Stdio::null()).stderr(Stdio::null()).spawn().expect("it starts");
+    let reader = fs::File::open(&fifo).expect("the pipe is opened");
+    let begun = || shop.names().iter().any(|name| name.ends_with(".tmp"));
+    while !begun() {
+        assert_eq!(child.try_wait().expect("a state"), None, "it waits for the pipe");
+        std::thread::sleep(std::time::Duration::from_millis(5));
+    }
+    let send = |signal: &str| {
+        let kill = Command::new("kill").args([&format!("-{signal}"), &child.id().to_string()]).status();
+        assert!(kill.expect("kill runs").success());
+    };
+    send(signal);
+    if !prefix.is_empty() {
+        // Ignored: it ends as usual once the pipe is closed.
+        std::thread::sleep(std::time::Duration::from_millis(200));
+        drop(reader);
+        let status = child.wait().expect("it ends");
+        return (status.signal(), shop.names());
+    }
+    let status = child.wait().expect("it ends");
+    drop(reader);
+    (status.signal(), shop.names())
+}
+
+#[cfg(unix)]
+#[test]
+fn a_signal_leaves_no_temporary_file() {
+    for (signal, number) in [("INT", 2), ("TERM", 15), ("HUP", 1)] {
+        let (ended_by, names) = interrupted(signal, "");
+        assert_eq!(ended_by, Some(number), "{signal}");
+        assert_eq!(names, ["map", "part.cls", "part.nc"], "{signal}");
+    }
+    let (ended_by, names) = interrupted("HUP", "trap '' HUP;");
+    assert_eq!((ended_by, names.len()), (None, 3), "an ignored signal stays ignored: {names:?}");
+}

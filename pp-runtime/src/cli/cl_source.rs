@@ -4,23 +4,30 @@
 use std::fs::{self, File, Metadata};
 use std::io::{self, Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::time::SystemTime;
 
 use indicatif::{ProgressBar, ProgressStyle};
-use tempfile::NamedTempFile;
+
+use super::outcome::{Failure, NamedWriter, is_standard};
 
 /// Size in bytes above which a progress bar is shown on a terminal.
 const LONG_INPUT_BYTES: u64 = 8 << 20;
 
 /// CL data, open for reading.
 pub(crate) struct ClSource {
-    file: File,
+    input: SharedFile,
     name: String,
     /// Path of a regular file, and its state when it was opened; none for a stream.
     watched: Option<(PathBuf, FileState)>,
-    /// Copy of a stream.
-    spooled: Option<NamedTempFile>,
     progress: ProgressBar,
+}
+
+/// A file that is open, with a read position of its own: others read the same file elsewhere.
+#[derive(Clone)]
+pub(crate) struct SharedFile {
+    file: Arc<File>,
+    position: u64,
 }
 
 /// Length, time of change and identity of a file; they differ after a change.
@@ -38,37 +45,38 @@ impl FileState {
 }
 
 impl ClSource {
-    /// Opens `path`. A pipe or device is copied to a temporary file.
-    pub(crate) fn open(path: &Path) -> io::Result<Self> {
-        let mut file = File::open(path)?;
-        let metadata = file.metadata()?;
-        let name = path.display().to_string();
+    /// Opens a file. A pipe or device is copied to a temporary file.
+    pub(crate) fn open(path: &Path) -> Result<Self, Failure> {
+        let unreadable = |error| Failure::unreadable(path, error);
+        let mut file = File::open(path).map_err(unreadable)?;
+        let metadata = file.metadata().map_err(unreadable)?;
         if metadata.is_dir() {
-            return Err(io::Error::new(io::ErrorKind::IsADirectory, "is a directory"));
+            return Err(unreadable(io::Error::new(io::ErrorKind::IsADirectory, "is a directory")));
         }
         if !metadata.is_file() {
-            return Self::spool(&mut file, name);
+            return Self::spool(&mut file, path);
         }
         let watched = Some((path.to_owned(), FileState::of(&metadata)));
-        Ok(Self { file, name, watched, spooled: None, progress: ProgressBar::hidden() })
+        Ok(Self::of(file, path.display().to_string(), watched))
     }
 
-    /// Copies a stream to a temporary file.
-    pub(crate) fn spool(stream: &mut dyn Read, name: impl Into<String>) -> io::Result<Self> {
-        let mut spooled = NamedTempFile::new()?;
-        io::copy(stream, &mut spooled)?;
-        let file = spooled.reopen()?;
-        let spooled = Some(spooled);
-        Ok(Self { file, name: name.into(), watched: None, spooled, progress: ProgressBar::hidden() })
+    /// Copies a stream, `-` for standard input, to a temporary file without a name.
+    pub(crate) fn spool(stream: &mut dyn Read, path: &Path) -> Result<Self, Failure> {
+        let folder = std::env::temp_dir();
+        let mut file = tempfile::tempfile_in(&folder).map_err(|error| Failure::unwritable(&folder, error))?;
+        let copied = io::copy(stream, &mut NamedWriter { path: &folder, out: &mut file });
+        copied.map_err(|error| Failure::unreadable(path, error))?;
+        let name = if is_standard(path) { "<stdin>".to_owned() } else { path.display().to_string() };
+        Ok(Self::of(file, name, None))
     }
 
-    /// Opens the same data once more, from its start and with a read position of its own.
-    pub(crate) fn reopen(&self) -> io::Result<File> {
-        match (&self.spooled, &self.watched) {
-            (Some(spooled), _) => spooled.reopen(),
-            (None, Some((path, _))) => File::open(path),
-            (None, None) => Err(io::Error::other("it cannot be opened a second time")),
-        }
+    fn of(file: File, name: String, watched: Option<(PathBuf, FileState)>) -> Self {
+        Self { input: SharedFile { file: Arc::new(file), position: 0 }, name, watched, progress: ProgressBar::hidden() }
+    }
+
+    /// The same data once more, from its start and with a read position of its own.
+    pub(crate) fn again(&self) -> SharedFile {
+        SharedFile { position: 0, ..self.input.clone() }
     }
 
     /// Name of the CL data in messages.
@@ -78,7 +86,7 @@ impl ClSource {
 
     /// Shows a progress bar from now on if the input is long. `passes`: how often it will be read.
     pub(crate) fn show_progress(&mut self, passes: u64) {
-        let length = self.file.metadata().map_or(0, |metadata| metadata.len());
+        let length = self.input.file.metadata().map_or(0, |metadata| metadata.len());
         if length > LONG_INPUT_BYTES {
             let style = ProgressStyle::with_template("{bar:40} {percent}% {binary_bytes_per_sec} {eta} left");
             self.progress = ProgressBar::new(length * passes);
@@ -105,7 +113,7 @@ impl ClSource {
 
 impl Read for ClSource {
     fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-        let count = self.file.read(buffer)?;
+        let count = self.input.read(buffer)?;
         self.progress.inc(count as u64);
         Ok(count)
     }
@@ -113,7 +121,30 @@ impl Read for ClSource {
 
 impl Seek for ClSource {
     fn seek(&mut self, position: SeekFrom) -> io::Result<u64> {
-        self.file.seek(position)
+        self.input.seek(position)
+    }
+}
+
+impl Read for SharedFile {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        #[cfg(unix)]
+        let count = std::os::unix::fs::FileExt::read_at(&*self.file, buffer, self.position)?;
+        #[cfg(windows)]
+        let count = std::os::windows::fs::FileExt::seek_read(&*self.file, buffer, self.position)?;
+        self.position += count as u64;
+        Ok(count)
+    }
+}
+
+impl Seek for SharedFile {
+    fn seek(&mut self, position: SeekFrom) -> io::Result<u64> {
+        let place = match position {
+            SeekFrom::Start(place) => Some(place),
+            SeekFrom::Current(by) => self.position.checked_add_signed(by),
+            SeekFrom::End(by) => self.file.metadata()?.len().checked_add_signed(by),
+        };
+        self.position = place.ok_or(io::ErrorKind::InvalidInput)?;
+        Ok(self.position)
     }
 }
 

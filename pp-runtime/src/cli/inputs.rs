@@ -68,8 +68,7 @@ pub(crate) fn read_config_file(
 
 /// Opens the CL data. Standard input is copied to a temporary file, so that it can be read twice.
 pub(crate) fn open_cl_data(path: &Path, input: &mut dyn Read) -> Result<ClSource, Failure> {
-    let source = if is_standard(path) { ClSource::spool(input, "<stdin>") } else { ClSource::open(path) };
-    source.map_err(|error| Failure::unreadable(path, error))
+    if is_standard(path) { ClSource::spool(input, path) } else { ClSource::open(path) }
 }
 
 /// Times that the CL data is read to post it: survey, rehearsal where axes have clamps, program.

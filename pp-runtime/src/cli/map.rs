@@ -12,7 +12,7 @@ use crate::kinematics::{AnyMachine, Axis, AxisKind, Branch};
 use crate::motion::ReachedPosition;
 use crate::post::{LineMap, LineOrigin};
 
-use super::outcome::Failure;
+use super::outcome::{Failure, NamedWriter};
 use super::output_file::OutputFile;
 
 /// Resolution of lengths and angles in the map: steps per mm and per degree.
@@ -132,8 +132,7 @@ impl<W: Write> LineMap for MapWriter<'_, W> {
             self.out.write_all(b",\n")?;
         }
         self.begun = true;
-        let written = serde_json::to_writer(&mut self.out, &MapEntry::new(origin, self.axes)).map_err(io::Error::from);
-        written.map_err(|error| io::Error::new(error.kind(), format!("map of the program: {error}")))
+        serde_json::to_writer(&mut self.out, &MapEntry::new(origin, self.axes)).map_err(io::Error::from)
     }
 }
 
@@ -196,7 +195,7 @@ impl MapFile {
         machine: &dyn AnyMachine,
         cl: &str,
         control: &dyn Control,
-    ) -> Result<MapWriter<'static, BufWriter<&mut dyn Write>>, Failure> {
+    ) -> Result<MapWriter<'static, BufWriter<NamedWriter<'_>>>, Failure> {
         let out = BufWriter::new(self.target.writer());
         MapWriter::begin(machine, out, cl, control).map_err(|error| Failure::unwritable(&self.path, error))
     }

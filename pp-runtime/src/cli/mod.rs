@@ -7,6 +7,7 @@
 mod args;
 mod check;
 mod cl_source;
+mod closed;
 mod excerpt;
 mod explain;
 mod explain_block;
@@ -20,6 +21,7 @@ mod posting;
 mod self_check;
 #[cfg(feature = "simulate")]
 mod simulate;
+mod temporary;
 #[cfg(test)]
 mod tests;
 mod view;
@@ -50,8 +52,10 @@ pub fn run<M: Machine>() -> ExitCode {
 pub fn run_for(machine: &dyn AnyMachine) -> ExitCode {
     let args: Vec<OsString> = std::env::args_os().collect();
     let terminal = io::stderr().is_terminal();
-    let (mut input, mut output, mut errors) = (io::stdin(), io::stdout(), io::stderr());
-    let streams = Streams { input: &mut input, output: &mut output, errors: &mut errors, terminal };
+    let (mut input, mut output, mut errors) = (closed::input(), closed::output(), io::stderr());
+    let streams = Streams { input: &mut *input, output: &mut *output, errors: &mut errors, terminal };
+    // Without it a signal may leave a hidden file beside the program: no reason not to run.
+    let _ = temporary::watch_signals();
     let status =
         execute(machine, &args, streams, &|job, source, sink, line_map| post_for(machine, job, source, sink, line_map));
     ExitCode::from(status as u8)

@@ -42,19 +42,56 @@ pub(crate) enum Failure {
     Reported,
 }
 
-impl Failure {
-    pub(crate) fn unreadable(path: &Path, error: io::Error) -> Self {
-        let name = if is_standard(path) { "standard input".to_owned() } else { path.display().to_string() };
-        Self::Unreadable(name, error)
+/// An error of a file with its name, for errors that pass through code which does not know the file.
+#[derive(Debug, thiserror::Error)]
+#[error("{name}: {error}")]
+struct FileError {
+    name: String,
+    error: io::Error,
+}
+
+/// An error in writing a file; [`Failure::unwritable`] names this file.
+pub(crate) fn of_file(path: &Path, error: io::Error) -> io::Error {
+    io::Error::new(error.kind(), FileError { name: path.display().to_string(), error })
+}
+
+/// A writer whose errors name its file.
+pub(crate) struct NamedWriter<'a> {
+    pub(crate) path: &'a Path,
+    pub(crate) out: &'a mut dyn Write,
+}
+
+impl Write for NamedWriter<'_> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.out.write(bytes).map_err(|error| of_file(self.path, error))
     }
 
+    fn flush(&mut self) -> io::Result<()> {
+        self.out.flush().map_err(|error| of_file(self.path, error))
+    }
+}
+
+impl Failure {
+    /// `path`: the file that is read, unless the error names one that is written.
+    pub(crate) fn unreadable(path: &Path, error: io::Error) -> Self {
+        match error.downcast::<FileError>() {
+            Ok(FileError { name, error }) => Self::Unwritable(name, error),
+            Err(error) if is_standard(path) => Self::Unreadable("standard input".to_owned(), error),
+            Err(error) => Self::Unreadable(path.display().to_string(), error),
+        }
+    }
+
+    /// `path`: the file, unless the error names another.
     pub(crate) fn unwritable(path: &Path, error: io::Error) -> Self {
         // The reader closed the pipe on purpose (`head`): no message.
         if error.kind() == io::ErrorKind::BrokenPipe {
             return Self::Reported;
         }
-        let name = if is_standard(path) { "standard output".to_owned() } else { path.display().to_string() };
-        Self::Unwritable(name, error)
+        match error.downcast::<FileError>() {
+            Ok(FileError { name, error }) => Self::Unwritable(name, error),
+            Err(error) if is_standard(path) => Self::Unwritable("standard output".to_owned(), error),
+            Err(error) => Self::Unwritable(path.display().to_string(), error),
+        }
     }
 }
 

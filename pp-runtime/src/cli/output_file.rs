@@ -9,7 +9,8 @@ use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufRead, BufReader, Read, Seek, Write};
 use std::path::{Path, PathBuf};
 
-use tempfile::{Builder, NamedTempFile};
+use super::outcome::{NamedWriter, of_file};
+use super::temporary::TemporaryFile;
 
 /// A program that is being written.
 pub(crate) struct OutputFile {
@@ -19,7 +20,7 @@ pub(crate) struct OutputFile {
 
 enum Destination {
     /// A temporary file, renamed at the end.
-    Renamed(NamedTempFile),
+    Renamed(TemporaryFile),
     /// A device or a pipe, which cannot be replaced: written directly, as standard output is.
     Direct(File),
 }
@@ -60,19 +61,20 @@ impl OutputFile {
         Ok(Self { path, destination })
     }
 
-    /// Writer of the program.
-    pub(crate) fn writer(&mut self) -> &mut dyn Write {
-        match &mut self.destination {
+    /// Writer of the program; its errors name the file.
+    pub(crate) fn writer(&mut self) -> NamedWriter<'_> {
+        let out: &mut dyn Write = match &mut self.destination {
             Destination::Renamed(file) => file,
             Destination::Direct(file) => file,
-        }
+        };
+        NamedWriter { path: &self.path, out }
     }
 
     /// Gives the program its final name. Removes a rejected program of an earlier run, and returns whether there was
     /// one; `is_rejected` recognises it by its first line.
     pub(crate) fn finish(self, is_rejected: impl Fn(&[u8]) -> bool) -> io::Result<bool> {
         let Destination::Renamed(file) = self.destination else { return Ok(false) };
-        persist(file, &self.path)?;
+        file.persist(&self.path)?;
         let rejected = rejected_path(&self.path);
         Ok(first_line(&rejected).is_ok_and(|line| is_rejected(&line)) && fs::remove_file(rejected).is_ok())
     }
@@ -103,13 +105,13 @@ impl OutputFile {
             let mut whole = temporary_next_to(&path)?;
             whole.write_all(reason)?;
             whole.write_all(b"\n")?;
-            file.rewind()?;
-            io::copy(file.as_file_mut(), whole.as_file_mut())?;
-            persist(whole, &path)
+            file.file()?.rewind()?;
+            io::copy(file.file()?, &mut whole)?;
+            whole.persist(&path)
         };
         match write() {
             Ok(()) => Ok(Rejected { path: Some(path), removed }),
-            Err(error) => Err(io::Error::new(error.kind(), format!("{}: {error}", path.display()))),
+            Err(error) => Err(of_file(&path, error)),
         }
     }
 }
@@ -121,7 +123,7 @@ pub(crate) fn rejected_path(path: &Path) -> PathBuf {
     name.into()
 }
 
-fn temporary_next_to(path: &Path) -> io::Result<NamedTempFile> {
+fn temporary_next_to(path: &Path) -> io::Result<TemporaryFile> {
     let directory = match path.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => parent,
         _ => Path::new("."),
@@ -130,24 +132,7 @@ fn temporary_next_to(path: &Path) -> io::Result<NamedTempFile> {
         let text = format!("the folder {} does not exist", directory.display());
         return Err(io::Error::new(io::ErrorKind::NotFound, text));
     }
-    let mut prefix = OsString::from(".");
-    prefix.push(path.file_name().unwrap_or_default());
-    prefix.push(".");
-    let mut builder = Builder::new();
-    builder.prefix(&prefix).suffix(".tmp");
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::PermissionsExt as _;
-        // Temporary files are private by default; this one gets the permissions of an ordinary file (umask).
-        builder.permissions(fs::Permissions::from_mode(0o666));
-    }
-    builder.tempfile_in(directory)
-}
-
-fn persist(file: NamedTempFile, path: &Path) -> io::Result<()> {
-    // Reports a full disk or network share before the file is renamed.
-    file.as_file().sync_all()?;
-    file.persist(path).map(drop).map_err(|error| error.error)
+    TemporaryFile::create(directory, path.file_name().unwrap_or_default())
 }
 
 fn first_line(path: &Path) -> io::Result<Vec<u8>> {

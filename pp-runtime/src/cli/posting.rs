@@ -85,8 +85,9 @@ pub(crate) fn run(
     let mut map_file = args.map.as_deref().map(MapFile::create).transpose()?;
     let mut page = args.view.as_deref().map(PageFile::create).transpose()?;
     show_progress(&mut source, streams.terminal, &args.set_up, posting_passes(&config));
-    let out = match &mut target {
-        Some(target) => target.writer(),
+    let mut file = target.as_mut().map(OutputFile::writer);
+    let out: &mut dyn Write = match &mut file {
+        Some(file) => file,
         None => &mut *streams.output,
     };
     let control = args.set_up.control();
@@ -176,7 +177,7 @@ impl PostRun<'_> {
             Checking::Off => None,
             Checking::Findings | Checking::Points => {
                 let points = self.checking == Checking::Points;
-                Some(SelfCheck::start(machine, self.policy(machine)?, source, points).map_err(unreadable)?)
+                Some(SelfCheck::start(machine, self.policy(machine)?, source, points)?)
             }
         };
         let mut output_with_check = CheckedOutput::new(out, check, closing);

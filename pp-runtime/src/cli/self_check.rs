@@ -17,6 +17,7 @@ use crate::view::Execution;
 use super::check::report;
 use super::cl_source::ClSource;
 use super::messages::{Messages, headline};
+use super::outcome::Failure;
 
 /// Bytes of a piece.
 const PIECE_BYTES: usize = 1 << 16;
@@ -79,9 +80,9 @@ impl SelfCheck {
         policy: CheckPolicy,
         source: &ClSource,
         points: bool,
-    ) -> io::Result<Self> {
+    ) -> Result<Self, Failure> {
         let (sender, receiver) = sync_channel(MOST_PIECES);
-        let (machine, mut input) = (machine.to_boxed(), source.reopen()?);
+        let (machine, mut input) = (machine.to_boxed(), source.again());
         let body = move || {
             let mut program = PieceReader { receiver, piece: Vec::new(), at: 0 };
             match points {
@@ -89,7 +90,8 @@ impl SelfCheck {
                 true => Execution::of(&*machine, &policy, &mut input, &mut program).map(SelfChecked::Points),
             }
         };
-        let thread = thread::Builder::new().name("check".to_owned()).spawn(body)?;
+        let thread = thread::Builder::new().name("check".to_owned()).spawn(body);
+        let thread = thread.map_err(|error| Failure::Argument(format!("the check cannot be started: {error}")))?;
         Ok(Self { sender: Some(sender), piece: Vec::with_capacity(PIECE_BYTES), thread })
     }
 
