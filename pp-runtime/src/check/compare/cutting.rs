@@ -469,8 +469,10 @@ impl<R: Read> Comparison<'_, R> {
         };
         let right_feed = || {
             let from = rules.pose_from(before, block);
-            let stays = (from.tip - end.tip).norm() < 0.5 * rules.rounding().unit_mm;
-            let longest = if stays { 0.0 } else { f64::INFINITY };
+            let moved_mm = (from.tip - end.tip).norm();
+            let stays = moved_mm < 0.5 * rules.rounding().unit_mm;
+            // Both ends are rounded: a last piece of one unit may look like none.
+            let longest = if stays { moved_mm + 2.0 * rules.rounding().tip_mm } else { f64::INFINITY };
             let deviation = rules.deviation(&rules.path(*before, block), [&from, end], segment, 0.0);
             let stroke = rules.stroke(before, block, (0.0, longest), deviation.as_ref(), *feed, required);
             !at_feed || rules.feed_fault(&stroke, &block.state, segment, [0.0, 1.0]).is_none()

@@ -217,20 +217,28 @@ impl FeedLaw {
             programmed = NOTHING;
         }
         let (counted, is_length) = self.counted(extent);
-        let minutes = programmed.max(extent.least_min).max(self.shortest_min).max(counted / self.largest_mm_per_min);
+        let needed = programmed.max(extent.least_min).max(counted / self.largest_mm_per_min);
+        let minutes = needed.max(self.shortest_min);
+        // A block that is held back for its shortest time alone has the smallest F at least.
+        let held = |value: f64| value.max(self.smallest().min(value * minutes / needed));
         let counted = counted * if is_length { self.per_mm } else { 1.0 };
         if self.is_plain(extent) {
             let slowed = minutes > programmed * (1.0 + NOISE);
             let slower = if slowed { extent.length_mm.max(self.unit_mm) / minutes } else { feed };
-            return feed.min(slower).min(self.largest_mm_per_min) * self.per_mm;
+            return held(feed.min(slower).min(self.largest_mm_per_min) * self.per_mm);
         }
         match (self.mode(extent), self.path) {
             (FeedMode::InverseTime, FeedPath::InverseSeconds) => {
                 (1.0 / (60.0 * minutes)).min(self.largest_inverse_time)
             }
             (FeedMode::InverseTime, _) => (1.0 / minutes).min(self.largest_inverse_time),
-            _ => (counted / minutes).min(self.largest_word),
+            _ => held((counted / minutes).min(self.largest_word)),
         }
+    }
+
+    /// Smallest F per minute.
+    fn smallest(&self) -> f64 {
+        10_f64.powi(-(self.decimals as i32))
     }
 
     /// Time of a motion at the F in force, min; `None` without one.

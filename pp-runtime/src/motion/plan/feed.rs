@@ -8,6 +8,7 @@
 //! faster than programmed by more than a hundredth ([`FASTER`]). A block takes longer only where an axis would exceed its
 //! largest speed, where F would exceed `feed.largest` or `feed.largest_inverse_time`, where F of a rotation would have more
 //! digits than its word, or where the block would be shorter than `feed.shortest_block`; and then by no more than necessary.
+//! For `shortest_block` no F is below the smallest that its word can hold: such a block is as long as that F makes it.
 
 use crate::motion::options::Policy;
 use crate::motion::options::{PathNorm, StretchMode};
@@ -179,16 +180,23 @@ impl Feeds {
             PathNorm::G93Minutes | PathNorm::G93Seconds if !self.along_tip => 0.0,
             _ => self.path_length(motion) * in_units / self.largest_word,
         };
-        let least_min = motion.axis_time_min.max(self.shortest_block_min).max(shortest_min).max(digits_min);
-        let time_min = programmed_min.max(least_min).max(self.path_length(motion) / self.largest_mm_per_min);
+        let least_min = motion.axis_time_min.max(shortest_min).max(digits_min);
+        let needed_min = programmed_min.max(least_min).max(self.path_length(motion) / self.largest_mm_per_min);
+        let mut time_min = needed_min.max(self.shortest_block_min);
         let overflow = |_| Fault::new(format_args!("a feed of {feed} mm/min is too large for an F word"));
+        let per_minute = |value: f64| {
+            // A block that is slowed down for `shortest_block` alone has the smallest F at least.
+            let word = Decimal::fixed(value, self.feed_decimals).map_err(overflow)?;
+            let smallest = Decimal { units: 1, ..word };
+            let slowed = word.units <= 0 && value * time_min / needed_min >= smallest.value();
+            Ok(if slowed { smallest } else { word })
+        };
         let (feed, word) = if plain {
             // A motion of nothing but rounding counts as one unit of the words.
             let length_mm = motion.length_mm.max(self.smallest_length_mm);
             let slowed = if time_min > programmed_min { length_mm / time_min } else { feed };
             let feed = feed.min(slowed).min(self.largest_mm_per_min);
-            let word =
-                Decimal::fixed(feed / self.unit_mm * self.feed_per_unit, self.feed_decimals).map_err(overflow)?;
+            let word = per_minute(feed / self.unit_mm * self.feed_per_unit)?;
             (FeedWord::PerMinute(word), word)
         } else {
             let inverse = |time: f64| {
@@ -196,7 +204,7 @@ impl Feeds {
                 // Rounding must not lead beyond the limit.
                 if word.value() > self.largest_inverse_time { self.largest_word() } else { Ok(word) }
             };
-            let along = |path: f64| Decimal::fixed(path / time_min, self.feed_decimals).map_err(overflow);
+            let along = |path: f64| per_minute(path / time_min);
             match self.path_norm {
                 PathNorm::G93Minutes if !self.along_tip => {
                     inverse(time_min).map(|word| (FeedWord::InverseTime(word), word))?
@@ -218,6 +226,13 @@ impl Feeds {
         }
         if word.units <= 0 {
             return Err(zero(motion.length_mm / time_min));
+        }
+        if let FeedWord::PerMinute(_) = feed
+            && word.units == 1
+            && time_min > needed_min
+        {
+            let path = self.path_length(motion).max(if plain { self.smallest_length_mm } else { 0.0 });
+            time_min = time_min.min(needed_min.max(path * in_units / word.value()));
         }
         Ok(Pace { feed, time_min, slowed_min: time_min - programmed_min })
     }
@@ -341,6 +356,21 @@ mod tests {
         assert_eq!(word(0.0004), word(0.0));
         assert_eq!(word(0.1), Ok(FeedWord::PerMinute(Decimal { units: 50_000, decimals: 3 })));
         assert_eq!(word(5.0), Ok(FeedWord::PerMinute(Decimal { units: 500_000, decimals: 3 })));
+    }
+
+    #[test]
+    fn the_shortest_block_leads_to_no_f_below_the_smallest() {
+        let mut config = Config::default();
+        config.motion.feed.shortest_block_s = 0.12;
+        config.formats.feed = 1;
+        let feeds = Feeds::new(config.policy(), Units::Millimetres, 1e-5, &abilities());
+        // 0.00001 mm in 0.002 min would be F0.005: F0.1 takes 0.0001 min, longer than the programmed feed.
+        let pace = feeds.pace(500.0, moved(1e-5, 0.0)).expect("a pace");
+        assert_eq!(pace.feed, FeedWord::PerMinute(Decimal { units: 1, decimals: 1 }));
+        assert!((pace.time_min - 1e-4).abs() < 1e-12 && pace.slowed_min > 0.0, "{pace:?}");
+        // A programmed feed below the smallest F is refused as before.
+        assert!(feeds.pace(0.04, moved(1e-5, 0.0)).is_err());
+        assert!(feeds.pace(0.04, moved(5.0, 0.0)).is_err());
     }
 
     #[test]
