@@ -115,7 +115,8 @@ options! {
     pub struct CourseOptions in "course" {
         /// Preferred branch of `explain` at the beginning of operations: "first" or "second".
         start_branch: Option<Branch> = None, key("course.start_branch", OneOf(&START_BRANCHES), "\"first\"");
-        /// Preferred side of zero of a rotary axis at the beginning of operations.
+        /// Preferred side of zero of a rotary axis at the beginning of operations; where an operation begins at the pole,
+        /// after the cut that leaves it.
         ///
         /// `true`: at or above zero.
         prefer: Option<(char, bool)> = None, key("course.prefer", Preference);

@@ -310,21 +310,16 @@ impl Navigator {
         let motion = self.motion;
         let (finder, search) = (&self.finder, &mut self.searches[run].search);
         let from = self.here.filter(|_| !air);
+        let is_preferred = |state: &RotaryState| {
+            let preferred = self.prefer.is_none_or(|(letter, positive)| {
+                let mut rotaries = finder.placer().rotaries().iter();
+                let axis = rotaries.position(|rotary| finder.placer().chain()[rotary.index].letter == letter);
+                axis.is_none_or(|axis| if positive { state.words[axis] >= 0 } else { state.words[axis] <= 0 })
+            });
+            preferred && self.start_branch.is_none_or(|branch| branch == state.branch)
+        };
         match (from, pole) {
-            (None, None) => {
-                let is_preferred = |state: &RotaryState| {
-                    let preferred = self.prefer.is_none_or(|(letter, positive)| {
-                        let axis = finder
-                            .placer()
-                            .rotaries()
-                            .iter()
-                            .position(|rotary| finder.placer().chain()[rotary.index].letter == letter);
-                        axis.is_none_or(|axis| if positive { state.words[axis] >= 0 } else { state.words[axis] <= 0 })
-                    });
-                    preferred && self.start_branch.is_none_or(|branch| branch == state.branch)
-                };
-                search.free(motion, &self.states, self.sense, is_preferred)
-            }
+            (None, None) => search.free(motion, &self.states, self.sense, is_preferred),
             (None, Some(_)) => {
                 let Some(first) = finder.placer().rotaries().first() else { return false };
                 search.free_to_pole((motion, begins), (*first, &self.second_words), self.sense);
@@ -335,12 +330,14 @@ impl Navigator {
                 search.cut_to_pole(motion, None, |state| finder.at_pole(pole, &from.axis, state))
             }
             (Some(_), None) if let Some(pole) = self.pole => {
-                search.leave_pole(motion, &self.states, &finder.exits(&pole, &pose.axis, &self.states))
+                let exits = finder.exits(&pole, &pose.axis, &self.states);
+                search.leave_pole(motion, &self.states, &exits, is_preferred)
             }
             (Some(from), None) => match finder.pole_between(&from, pose) {
                 Some((part, pole)) => {
+                    let exits = finder.exits(&pole, &pose.axis, &self.states);
                     search.cut_to_pole(motion, Some(part), |state| finder.at_pole(&pole, &from.axis, state))
-                        && search.leave_pole(motion, &self.states, &finder.exits(&pole, &pose.axis, &self.states))
+                        && search.leave_pole(motion, &self.states, &exits, is_preferred)
                 }
                 None => cut(finder, search, motion, &from, pose, &self.states),
             },

@@ -494,14 +494,24 @@ impl CourseSearch {
         self.finish_layer(&[])
     }
 
-    /// Takes a cut that begins at the pole. `exits`: for each state the words with which it leaves the pole.
-    pub(crate) fn leave_pole(&mut self, motion: u64, states: &[RotaryState], exits: &[Option<RotaryWords>]) -> bool {
+    /// Takes a cut that begins at the pole. `exits`: for each state the words with which it leaves the pole. Where the tool
+    /// has come to the pole in the air, this cut decides between the preferred states and the others.
+    pub(crate) fn leave_pole(
+        &mut self,
+        motion: u64,
+        states: &[RotaryState],
+        exits: &[Option<RotaryWords>],
+        is_preferred: impl Fn(&RotaryState) -> bool,
+    ) -> bool {
         self.next.clear();
         for (state, exit) in states.iter().zip(exits) {
             let Some(exit) = exit else { continue };
+            let preferred = is_preferred(state);
             let cost = |from: &Survivor| {
                 let rotation = self.metric.cost(&from.state.words, exit);
-                from.cost.plus(rotation).plus(self.metric.cost(exit, &state.words))
+                let chosen = from.air.is_none() || preferred;
+                let preference = if chosen { Cost::default() } else { Cost::AGAINST_PREFERENCE };
+                from.cost.plus(rotation).plus(self.metric.cost(exit, &state.words)).plus(preference)
             };
             let from = self.survivors.iter().filter(|from| {
                 self.metric.short(&[0, from.state.words[1]], &[0, exit[1]]) && self.is_taken(from, exit, exits)

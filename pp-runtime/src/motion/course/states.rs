@@ -56,7 +56,8 @@ impl StateFinder {
         for solution in self.placer.machine().inverse_kinematics(pose, self.placer.held()).iter() {
             if let Some([first, second]) = self.single_turns {
                 let word = |rotary: Rotary| {
-                    rotary.only_turn(rotary.word(solution.axes[rotary.index], scale), scale.units_per_turn)
+                    let word = self.placer.indexed_word(&rotary, solution.axes[rotary.index]);
+                    rotary.only_turn(word, scale.units_per_turn)
                 };
                 if let (Some(first), Some(second)) = (word(first), word(second)) {
                     out.push(RotaryState { branch: solution.branch, words: [first, second] });
@@ -66,7 +67,7 @@ impl StateFinder {
             let start = out.len();
             let turns = |rotary: &Rotary| {
                 rotary.turns(
-                    rotary.word(solution.axes[rotary.index], self.placer.scale()),
+                    self.placer.indexed_word(rotary, solution.axes[rotary.index]),
                     self.placer.scale().units_per_turn,
                     MAX_TURNS,
                 )
@@ -87,7 +88,7 @@ impl StateFinder {
                 for near in ends.iter().chain(near) {
                     let mut words = [0; 2];
                     let inside = self.placer.rotaries().iter().enumerate().all(|(axis, rotary)| {
-                        let word = rotary.word(solution.axes[rotary.index], self.placer.scale());
+                        let word = self.placer.indexed_word(rotary, solution.axes[rotary.index]);
                         let nearest = rotary.nearest(word, near[axis], self.placer.scale().units_per_turn);
                         words[axis] = nearest.unwrap_or_default();
                         nearest.is_ok()
@@ -107,7 +108,7 @@ impl StateFinder {
         out.clear();
         let [_, second] = self.placer.rotaries()[..] else { return };
         for solution in self.placer.machine().inverse_kinematics(pose, self.placer.held()).iter() {
-            let word = second.word(solution.axes[second.index], self.placer.scale());
+            let word = self.placer.indexed_word(&second, solution.axes[second.index]);
             out.extend(second.turns(word, self.placer.scale().units_per_turn, MAX_TURNS));
         }
         out.dedup();

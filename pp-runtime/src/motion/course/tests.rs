@@ -229,6 +229,47 @@ fn a_preference_counts_less_than_a_rewind_and_more_than_travel() {
 }
 
 #[test]
+fn indexed_axes_have_the_words_of_their_steps() {
+    let mut config = Config::default();
+    config.motion.rotaries.grid.insert('C', 2.5_f64.to_radians());
+    config.motion.rotaries.grid.insert('B', 2.5_f64.to_radians());
+    config.motion.course.axis_tolerance_rad = 0.2_f64.to_radians();
+    // Both branches, with the digits of CL data: C 90.0001 B 30.0001 is C 90 B 30.
+    config.set_up.limits.insert('B', limits(-110.0, 110.0));
+    let course = course::<Cb>(&config, &path((90.0001, 30.0001), &[]));
+    assert_eq!(changes(course), [CourseChange { motion: 0, action: CourseAction::EndWith, words: [900_000, 300_000] }]);
+    // The step is inside the limits although the angle is not.
+    config.set_up.limits.insert('B', limits(0.0, 30.0));
+    let mut navigator = Navigator::new(Box::new(config.set_up.machine::<Cb>().expect("valid")), config.policy());
+    navigator.go(&path((90.0001, 30.0001), &[])[0].pose, true, true);
+    assert_eq!(navigator.states.iter().map(|state| state.words).collect::<Vec<_>>(), [[900_000, 300_000]]);
+}
+
+#[test]
+fn where_the_tool_begins_at_the_pole_the_preference_holds_for_the_cut_that_leaves_it() {
+    let mut config = Config::default();
+    config.set_up.limits.insert('B', limits(-110.0, 110.0));
+    let end = |config: &Config, steps: &[(f64, f64, bool)]| {
+        let mut points = path((20.0, 0.0), &[]);
+        points.extend(path((20.0, 30.0), steps).into_iter().map(|point| Point { rapid: false, ..point }));
+        let course = course::<Cb>(config, &points);
+        (changes(course.clone()).last().map(|change| change.words[1]), course.cost.against_preference)
+    };
+    // C 20 B 30 or C -160 B -30: without a preference the smaller rotation.
+    assert_eq!(end(&config, &[]).0, Some(300_000));
+    config.motion.course.prefer = Some(('B', false));
+    assert_eq!(end(&config, &[]), (Some(-300_000), 0));
+    config.motion.course.prefer = Some(('C', false));
+    assert_eq!(end(&config, &[]), (Some(-300_000), 0));
+    config.motion.course.prefer = None;
+    config.motion.course.start_branch = Some(Branch::Second);
+    assert_eq!(end(&config, &[]), (Some(-300_000), 0));
+    // A rewind counts more: B ends at -50.
+    config.set_up.limits.insert('B', limits(-50.0, 110.0));
+    assert_eq!(end(&config, &[(0.0, 40.0, false)]).1, 1);
+}
+
+#[test]
 fn a_course_of_a_hundred_thousand_motions_is_one_change_at_most() {
     let mut config = Config::default();
     config.set_up.limits.insert('B', limits(-110.0, 110.0));

@@ -2,7 +2,7 @@
 
 use nalgebra::UnitVector3;
 
-use crate::kinematics::{AxisValues, Pose, REACH_TOLERANCE, Side, Solution};
+use crate::kinematics::{AxisValues, Pose, REACH_TOLERANCE, Side, Solution, Solutions};
 use crate::program::{RotaryDirection, Rotation};
 
 use super::linearise::PathTolerance;
@@ -10,7 +10,7 @@ use super::refusal;
 use super::{AxisPosition, Placer};
 use crate::motion::fault::Fault;
 use crate::motion::geometry::angle_between;
-use crate::motion::rotary::{MAX_TURNS, Rotary, RotaryTarget, RotaryWords, RotationSense, choose};
+use crate::motion::rotary::{Choice, MAX_TURNS, Rotary, RotaryTarget, RotaryWords, RotationSense, choose};
 use crate::motion::step::MAX_AXES;
 
 /// Largest travel of a rotary axis, rad, in a feed motion whose turn is forced by limits; more would swing the tool in
@@ -28,6 +28,14 @@ impl Placer {
         Some(RotationSense { axis, positive: (rotation == Rotation::Clockwise) == forwards })
     }
 
+    /// Word of a rotary axis at an angle; of an indexed axis the nearest of its steps.
+    #[inline]
+    pub(crate) fn indexed_word(&self, rotary: &Rotary, angle_rad: f64) -> i64 {
+        let word = rotary.word(angle_rad, self.rotary.scale);
+        let step = self.rotary.grid.iter().find(|(indexed, _)| indexed.index == rotary.index);
+        step.map_or(word, |(_, step)| nearest_step(word, *step))
+    }
+
     /// Moves indexed axes to the nearest of their steps; refuses an angle between steps, and an indexed rotation in a
     /// cut.
     #[cold]
@@ -35,7 +43,7 @@ impl Placer {
         for &(rotary, step) in &self.rotary.grid {
             let index = rotary.index;
             let word = place.words[index];
-            let snapped = (2 * word + step).div_euclid(2 * step) * step;
+            let snapped = nearest_step(word, step);
             let (letter, degrees) =
                 (self.chain[index].letter, |word| rotary.degrees_for_display(word, self.rotary.scale));
             place.words[index] = snapped;
@@ -118,8 +126,12 @@ impl Placer {
             return Err(refusal::unreachable(self, pose, &from.axes));
         }
         let same = solutions.iter().position(|solution| solution.branch == from.branch && feed && !from.at_pole);
-        let branch = same.map_or(&*solutions, |same| &solutions[same..=same]);
-        let choice = choose(branch, &self.rotary.axes, &from.words, self.rotary.scale).map_err(|outside| {
+        let of_branch = |all: &'_ [Solution<AxisValues>]| same.map_or(0..all.len(), |same| same..same + 1);
+        let branch = &solutions[of_branch(&solutions)];
+        let nearest = choose(branch, &self.rotary.axes, &from.words, self.rotary.scale);
+        let choice =
+            nearest.or_else(|outside| self.choose_steps(&solutions, of_branch(&solutions), from).ok_or(outside));
+        let choice = choice.map_err(|outside| {
             choose(&solutions, &self.rotary.axes, &from.words, self.rotary.scale).map_or_else(
                 |outside| refusal::outside_limits(self, &outside),
                 |_| refusal::outside_limits(self, &outside),
@@ -139,6 +151,28 @@ impl Placer {
             }
         }
         Ok(place)
+    }
+
+    /// The nearest of these solutions with indexed axes at their steps: a step may be inside the limits although the angle is
+    /// not. `None` without indexed axes, or if all are outside.
+    #[cold]
+    fn choose_steps(
+        &self,
+        solutions: &Solutions<AxisValues>,
+        wanted: std::ops::Range<usize>,
+        from: &AxisPosition,
+    ) -> Option<Choice> {
+        if self.rotary.grid.is_empty() {
+            return None;
+        }
+        let stepped = solutions.map(|axes| {
+            let mut axes = *axes;
+            for (rotary, _) in &self.rotary.grid {
+                axes[rotary.index] = rotary.angle(self.indexed_word(rotary, axes[rotary.index]), self.rotary.scale);
+            }
+            axes
+        });
+        choose(&stepped[wanted], &self.rotary.axes, &from.words, self.rotary.scale).ok()
     }
 
     /// Rotary angles at the pole, where the first rotary axis keeps its value: the direction that CL data gives there
@@ -261,6 +295,11 @@ impl Placer {
         let turns = |rotary: &Rotary| Some((rotary.upper? - rotary.lower?) / self.rotary.scale.units_per_turn);
         self.rotary.axes.iter().filter_map(turns).any(|turns| turns >= MAX_TURNS)
     }
+}
+
+/// The multiple of a step that is nearest to a word.
+fn nearest_step(word: i64, step: i64) -> i64 {
+    (2 * word + step).div_euclid(2 * step) * step
 }
 
 /// Axis values of `base`, with those of `mask` from `chosen`.

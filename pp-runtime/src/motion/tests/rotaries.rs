@@ -388,6 +388,11 @@ fn an_indexed_axis_is_on_its_steps_and_never_rotates_in_a_cut() {
     // Rounding of CL data is no other direction.
     let rounded = with(&config, &[cb(35.000_03, 30.0)]);
     assert!(rounded.diagnostics.is_empty() && rounded.lines.contains(&"G0 B30 C35".to_owned()), "{}", rounded.text());
+    // A step at a limit that the digits of CL data exceed.
+    let mut limited = config.clone();
+    limited.set_up.limits.insert('C', Some(Limits { lower: 0.0, upper: 35_f64.to_radians() }));
+    let rounded = with(&limited, &[cb(35.000_06, 30.0)]);
+    assert!(rounded.diagnostics.is_empty() && rounded.lines.contains(&"G0 B30 C35".to_owned()), "{}", rounded.text());
     let between = with(&config, &[cb(36.0, 30.0)]);
     assert!(
         between.error().text.contains("36°, which is not a multiple of its indexing step of 5°"),
