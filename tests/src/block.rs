@@ -16,6 +16,20 @@ pub struct Deviation {
     pub axis_rad: f64,
     /// Largest speed of the tip, times the time of the block, mm.
     pub tip_rate_mm: f64,
+    /// Angle of the tool axis from that of an even rotation at the same share of the block, rad.
+    pub axis_step_rad: f64,
+    /// Distance along the straight line from the point of an even motion at the same share, mm.
+    pub tip_step_mm: f64,
+    /// Angle of the tool axis from the programmed one, rad: where the tip is on its line.
+    pub lag_rad: f64,
+}
+
+/// Tool axis at a share of the even rotation from one to another.
+#[must_use]
+pub fn rotated_evenly(from: &Vector3<f64>, to: &Vector3<f64>, share: f64) -> Vector3<f64> {
+    let angle = angle_between(from, to);
+    let across = (to - from * from.dot(to)).try_normalize(1e-300).unwrap_or_else(Vector3::zeros);
+    (from * (angle * share).cos() + across * (angle * share).sin()).normalize()
 }
 
 /// Length that a block in which the axes lead the tip takes its time for, mm: the tip is nowhere a hundredth faster than
@@ -82,6 +96,14 @@ pub fn deviation_from(
         largest.tip_mm = largest.tip_mm.max(distance_to_line(&pose.tip, start.0, end.0));
         largest.tip_rate_mm = largest.tip_rate_mm.max(oracle.rates(&values, &change).0.norm());
         largest.axis_rad = largest.axis_rad.max(angle_to_arc(&pose.axis, start.1, end.1));
+        let off = |share: f64| angle_between(&pose.axis, &rotated_evenly(start.1, end.1, share));
+        largest.axis_step_rad = largest.axis_step_rad.max(off(share));
+        let line = end.0 - start.0;
+        let length = line.norm();
+        let along = if length > 0.0 { (pose.tip - start.0).dot(&line) / length } else { 0.0 };
+        largest.tip_step_mm = largest.tip_step_mm.max((along - length * share).abs());
+        let by_tip = if length > 0.0 { (along / length).clamp(0.0, 1.0) } else { share };
+        largest.lag_rad = largest.lag_rad.max(off(by_tip));
     }
     largest
 }

@@ -8,15 +8,15 @@ use std::fmt::Write as _;
 use std::io::Cursor;
 
 use machines::{Dmu70e, LolaXoyzba, MultiProDesk, SpinnerU5620};
-use pp_runtime::config::Config;
+use pp_runtime::config::{Config, Mode, ToolPosture};
 use pp_runtime::control::LinuxCnc;
 use pp_runtime::kinematics::{AxisKind, Limits, Machine, Pose};
 use pp_runtime::nalgebra::{Point3, UnitVector3, Vector3};
 use pp_runtime::post::{Job, Report, post};
-use tests::block::{deviation, deviation_from, timed_mm};
+use tests::block::{deviation, deviation_from, rotated_evenly, timed_mm};
 use tests::foreign::{Axes, Control, Effect, Executed, Feed, Options, run};
 use tests::further::{HeadTable, NutatingHead, Trunnion};
-use tests::oracle::{Oracle, wrapped};
+use tests::oracle::{Oracle, angle_between, wrapped};
 
 /// Samples of a printed block.
 const POINTS: usize = 1000;
@@ -526,4 +526,75 @@ fn no_axis_is_faster_than_its_speed_and_the_excess_is_reported() {
     assert_no_axis_is_too_fast::<MultiProDesk>(&around(24));
     assert_no_axis_is_too_fast::<Trunnion>(&traverse(0.6, 25));
     assert_no_axis_is_too_fast::<NutatingHead>(&swirl());
+}
+
+/// Largest angle, rad, of a tool axis of a program from the programmed one: that of the even rotation where the tip is, or
+/// within `tip_mm` of there along its line. Of several motions near the tip the most favourable counts.
+fn largest_lag<M: Machine>(config: &Config, poses: &[Pose], text: &str, tip_mm: f64) -> f64 {
+    let oracle = Oracle::of(
+        &config
+            .set_up
+            .machine::<M>()
+            .map(|mut machine| {
+                machine.set_up(Vector3::from(config.set_up.part_origin), LENGTH);
+                machine
+            })
+            .expect("valid"),
+    );
+    let lag = |tip: &Point3<f64>, axis: &Vector3<f64>, ends: &[Pose]| {
+        let (line, rotated) = (ends[1].tip - ends[0].tip, ends[0].axis.angle(&ends[1].axis));
+        let length = line.norm();
+        let share = ((tip - ends[0].tip).dot(&line) / (length * length)).clamp(0.0, 1.0);
+        if (ends[0].tip + line * share - tip).norm() > tip_mm {
+            return f64::INFINITY;
+        }
+        let programmed = rotated_evenly(&ends[0].axis, &ends[1].axis, share);
+        angle_between(axis, &programmed) - rotated * tip_mm / length
+    };
+    let blocks = printed::<M>(text);
+    let mut largest = 0.0_f64;
+    for pair in blocks.windows(2) {
+        for point in 0..=200 {
+            let share = f64::from(point) / 200.0;
+            let values: Vec<f64> = pair[0].iter().zip(&pair[1]).map(|(from, to)| from + (to - from) * share).collect();
+            let pose = oracle.forward(&values);
+            let least = poses.windows(2).map(|ends| lag(&pose.tip, &pose.axis, ends)).fold(f64::INFINITY, f64::min);
+            assert!(least.is_finite(), "{}: the tip is off its path", M::NAME);
+            largest = largest.max(least);
+        }
+    }
+    largest
+}
+
+/// Lag of a path on a machine with even rotary axes, and in step with the tip, degrees: measured, and stated by the summary.
+fn lags<M: Machine>(poses: &[Pose]) -> [[f64; 2]; 2] {
+    let poses = as_written(poses);
+    [ToolPosture::Axes, ToolPosture::Plane].map(|posture| {
+        let mut config = config::<M>(PART);
+        config.set_up.limits.insert('B', Some(Limits { lower: -1.9, upper: 1.9 }));
+        config.motion.tip.tool_posture = posture;
+        config.motion.mode = Mode::Axes;
+        let (report, text) = posted::<M>(&config, &poses);
+        let rounding = 0.002;
+        let measured = largest_lag::<M>(&config, &poses, &text, config.motion.tolerance_mm + rounding);
+        [measured, report.statistics.largest_lag_rad].map(f64::to_degrees)
+    })
+}
+
+#[test]
+fn a_tool_axis_in_step_keeps_to_its_tolerance_and_any_lag_is_stated() {
+    let tolerance = Config::default().motion.axis_tolerance_path_rad.to_degrees();
+    // One motion of 70 degrees, along a great circle that no rotary axis follows alone.
+    let wide = [[0.3, -0.5, 0.8], [0.7, 0.6, 0.4]].map(|axis| unit(Vector3::from(axis)));
+    let wide: Vec<Pose> = [[0.0; 3], [60.0, 10.0, -5.0]]
+        .into_iter()
+        .zip(wide)
+        .map(|(tip, axis)| Pose { tip: tip.into(), axis })
+        .collect();
+    for poses in [wall(), swirl(), traverse(3.0, 12), past(0.01), wide] {
+        for [even, in_step] in [lags::<SpinnerU5620>(&poses), lags::<Dmu70e>(&poses), lags::<HeadTable>(&poses)] {
+            assert!(even[0] <= even[1] + 1e-4 && in_step[0] <= in_step[1] + 1e-4, "{even:?} {in_step:?}");
+            assert!(in_step[0] <= tolerance && in_step[1] <= tolerance, "{in_step:?}");
+        }
+    }
 }

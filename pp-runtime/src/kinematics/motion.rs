@@ -34,11 +34,18 @@
 //! Its speed, per block, is `|P'(s)| = |P'(½) + (s - ½) P''(½)|` within `M/8`. The square of the first term is a parabola
 //! of `s - ½` that opens upwards: it is largest at an end, `|P'(½)|² + |P'(½) · P''(½)| + |P''(½)|²/4`.
 //!
+//! An even motion along the chord has covered the share `s`; the tip is at most `b/8` ahead of it, or behind it.
+//!
 //! # The tool axis
 //! The same bound, `e`, holds for the distance of `a(s)` from the chord of its arc. That chord lies in the plane of the
 //! great circle, and a unit vector at distance `e` from a vector makes an angle of at most `asin e` with it. Where the
 //! axis never reverses, only the part of `a''(½)` along `N = a0 × a1 / |a0 × a1|` counts: the distance from the
 //! plane. `a0 × a1` is `(a(½) + a''(½)/8) × a'(½)` within `M/24 + |a'(½)| M/48` and terms of second order.
+//!
+//! # Lag
+//! CL data rotates the axis in step with the tip. The axis at share `s` is compared with the chord of the axes at `s`, whose
+//! direction is off that of an even rotation by `θ` by less than `0.0161 θ³` (`h³/3 (x - x³)` with `h = θ/2`, and terms of
+//! higher order). Where the tip is ahead of `s` by a part of its line, the axis lags by that part of `θ`: [`MotionBound::lag`].
 
 use nalgebra::{UnitVector3, Vector3};
 
@@ -57,6 +64,15 @@ pub struct MotionBound {
     /// Upper bound of the speed of the tip anywhere in the block, times the time of the block, mm. On a straight line at an
     /// even speed it is the distance between the ends.
     pub tip_rate: f64,
+    /// Upper bound of the angle of the tool axis from that of the evenly rotating motion at the same share of the block, rad; at
+    /// most π.
+    pub axis_step: f64,
+    /// Upper bound of the distance along its line by which the tip is ahead of an even motion, or behind it, mm.
+    pub tip_step: f64,
+    /// Lower bound of the distance between the ends of the tip path, mm.
+    pub length: f64,
+    /// Upper bound of the angle between the tool axes at both ends, rad; at most π.
+    pub turn: f64,
 }
 
 /// Certified deviation of one block, all axes moving linearly, from the motion in step with it: the tip at the same share of
@@ -99,12 +115,56 @@ impl MotionBound {
     #[inline]
     pub fn of(tip: &Curve, axis: &Vector3<f64>, axis_curve: &Curve, reach: f64, turns: f64) -> Self {
         let rounding = ROUNDING * (1.0 + turns);
+        let ChordBound { distance, along, length } = tip.off_chord();
+        let turn = axis_curve.largest_turn();
+        // An even motion along the chord of the axes is off an even rotation by less than a fiftieth of the cube of the angle.
+        let uneven = if turn < 1.0 { 0.02 * turn * turn * turn } else { core::f64::consts::PI };
+        let step = axis_curve.off_step(axis) + uneven;
         Self {
-            tip: tip.off_chord() * (1.0 + RELATIVE_ROUNDING) + rounding * reach,
+            tip: distance * (1.0 + RELATIVE_ROUNDING) + rounding * reach,
             axis: axis_curve.off_great_circle(axis) * (1.0 + RELATIVE_ROUNDING) + rounding,
             tip_rate: tip.largest_rate() * (1.0 + RELATIVE_ROUNDING) + rounding * reach,
+            axis_step: at_most_half_a_turn(step * (1.0 + RELATIVE_ROUNDING) + rounding),
+            tip_step: along * (1.0 + RELATIVE_ROUNDING) + rounding * reach,
+            length: at_least_nothing(length * (1.0 - RELATIVE_ROUNDING) - rounding * reach),
+            turn: at_most_half_a_turn(turn * (1.0 + RELATIVE_ROUNDING) + rounding),
         }
     }
+
+    /// Upper bound of the angle, rad, by which the tool axis differs from the programmed one: that of the evenly rotating motion
+    /// where the tip is, or within `tip_mm` of there along its line.
+    #[must_use]
+    #[inline]
+    pub fn lag(&self, tip_mm: f64) -> f64 {
+        let ahead = self.tip_step - tip_mm;
+        let share = if ahead <= 0.0 {
+            0.0
+        } else if ahead < self.length {
+            ahead / self.length
+        } else {
+            1.0
+        };
+        let (in_step, anywhere) = (self.axis_step + self.turn * share, self.turn + self.axis);
+        if in_step < anywhere { in_step } else { anywhere }
+    }
+}
+
+fn at_most_half_a_turn(angle: f64) -> f64 {
+    if angle < core::f64::consts::PI { angle } else { core::f64::consts::PI }
+}
+
+fn at_least_nothing(length: f64) -> f64 {
+    if length > 0.0 { length } else { 0.0 }
+}
+
+/// Deviation of a point from the chord of its curve, and the chord.
+struct ChordBound {
+    /// Largest distance from the chord.
+    distance: f64,
+    /// Largest distance along it from the point that travels it evenly.
+    along: f64,
+    /// Lower bound of its length.
+    length: f64,
 }
 
 impl Curve {
@@ -121,9 +181,17 @@ impl Curve {
         math::sqrt(self.rate.norm_squared() + along + 0.25 * self.bend.norm_squared()) + self.third / 8.0
     }
 
-    /// Largest distance from the chord.
+    /// Largest angle between two unit vectors at the ends, rad: an arc of at most one rad is longer than its chord by less than
+    /// a twentieth of the cube of the chord.
     #[inline]
-    fn off_chord(&self) -> f64 {
+    fn largest_turn(&self) -> f64 {
+        let chord = length(&self.rate) + self.third / 24.0;
+        if chord < 1.0 { chord * (1.0 + 0.05 * chord * chord) } else { core::f64::consts::PI }
+    }
+
+    /// Deviation from the chord.
+    #[inline]
+    fn off_chord(&self) -> ChordBound {
         let (rate, bend) = (length(&self.rate), length(&self.bend));
         let (anyhow, off) = (self.sagitta(bend), self.third / 24.0);
         let chord = rate - off;
@@ -137,9 +205,14 @@ impl Curve {
                 0.0
             };
             let distance = math::hypot(normal, past);
-            if distance < anyhow { distance } else { anyhow }
+            let step = along / 8.0;
+            ChordBound {
+                distance: if distance < anyhow { distance } else { anyhow },
+                along: if step < anyhow { step } else { anyhow },
+                length: chord,
+            }
         } else {
-            anyhow
+            ChordBound { distance: anyhow, along: anyhow, length: 0.0 }
         }
     }
 
@@ -147,7 +220,7 @@ impl Curve {
     ///
     /// With `e` the distance vector from the chord point `c`, the sine of the angle is `|a × e| / |c|`, and
     /// `|a(s) × a''(t)| <= |a × a''| + V/2 |a''| + M |t - ½|`, the right side in the middle.
-    #[cfg(feature = "simulate")]
+    #[inline]
     fn off_step(&self, axis: &Vector3<f64>) -> f64 {
         let bend = length(&self.bend);
         let rate = length(&self.rate) + 0.5 * bend + 0.25 * self.third;

@@ -197,10 +197,12 @@ impl Report {
         if statistics.largest_tip_bound_mm > 0.0 {
             lines.push(format!(
                 "linearised: {} inserted; while a rotary axis moves at feed, the tip deviates from its line by at most \
-                 {:.4} mm, the tool axis from its great circle by at most {:.4}°",
+                 {:.4} mm, the tool axis from its great circle by at most {:.4}°, and from where it should be at the tip by at \
+                 most {:.4}°",
                 counted(statistics.inserted, "block"),
                 statistics.largest_tip_bound_mm,
                 statistics.largest_axis_bound_rad.to_degrees(),
+                statistics.largest_lag_rad.to_degrees(),
             ));
             lines.extend(self.surface_text());
         }
@@ -222,9 +224,10 @@ impl Report {
         self.diagnostics.push(diagnostic);
     }
 
-    /// How far the surface of a tool is off where its axis leaves the great circle: the tip is held.
+    /// How far the surface of a tool is off where its axis is not the programmed one: the tip is held.
     fn surface_text(&self) -> Option<String> {
-        let angle = self.statistics.largest_axis_bound_rad;
+        let Statistics { largest_axis_bound_rad: off_circle, largest_lag_rad: lag, .. } = self.statistics;
+        let angle = off_circle.max(lag);
         let per_mm = format!("the flank of a tool is off by at most {:.2} µm per mm of its length there", angle * 1e3);
         let Some(radius) = self.largest_radius_mm.filter(|_| angle > 0.0) else {
             return (angle > 0.0).then_some(per_mm);
@@ -233,8 +236,10 @@ impl Report {
         let mut text = format!("{per_mm}, a ball of R{radius} by at most {off:.4} mm");
         if off > self.tolerance_mm {
             let kept = ((self.tolerance_mm / radius).to_degrees() * 1e3).floor() / 1e3;
+            // Where the rotary axes go evenly, only the distance from the great circle has a tolerance.
+            let posture = if lag > off_circle { "`tool_posture = \"plane\"` with " } else { "" };
             text += &format!(
-                "; warning: that is more than `tolerance` = {} mm, which `axis_tolerance_path = {kept}` keeps",
+                "; warning: that is more than `tolerance` = {} mm, which {posture}`axis_tolerance_path = {kept}` keeps",
                 self.tolerance_mm
             );
         }

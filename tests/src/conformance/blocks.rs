@@ -72,6 +72,17 @@ impl Setting {
         if exceeds(deviation.tip_rate_mm, bound.tip_rate + rounding) {
             return Err(self.fault("no tip is faster than the bound of `motion`", &case, &more));
         }
+        let (start, end) = (self.oracle.forward(&case.values), self.oracle.forward(&to));
+        if exceeds(deviation.axis_step_rad, bound.axis_step) || exceeds(deviation.tip_step_mm, bound.tip_step) {
+            return Err(self.fault("no block is out of step by more than the bound of `motion`", &case, &more));
+        }
+        let turn = crate::oracle::angle_between(&start.axis, &end.axis);
+        if exceeds(bound.length, (end.tip - start.tip).norm()) || exceeds(turn, bound.turn) {
+            return Err(self.fault("`motion` bounds the length and the angle of a block", &case, &more));
+        }
+        if exceeds(deviation.lag_rad, bound.lag(0.0)) {
+            return Err(self.fault("no tool axis lags the tip by more than the bound of `motion`", &case, &more));
+        }
         let as_in_a_cut = |(axis, change): (&pp_runtime::kinematics::Axis, &f64)| {
             axis.kind == AxisKind::Linear || change.abs() <= CUT_ROTATION
         };
@@ -88,6 +99,7 @@ pub(super) struct Margins {
     tip: Vec<f64>,
     axis: Vec<f64>,
     rate: Vec<f64>,
+    step: Vec<f64>,
 }
 
 impl Margins {
@@ -98,13 +110,18 @@ impl Margins {
         if actual.axis_rad > 1e-9 {
             self.axis.push(bound.axis / actual.axis_rad);
         }
+        if actual.axis_step_rad > 1e-6 {
+            self.step.push(bound.axis_step / actual.axis_step_rad);
+        }
         if actual.tip_rate_mm > 1e-3 {
             self.rate.push(bound.tip_rate / actual.tip_rate_mm);
         }
     }
 
     pub(super) fn check(self, declared: &dyn Subject) -> Result<(), Fault> {
-        for (what, mut quotients) in [("tip", self.tip), ("axis", self.axis), ("speed", self.rate)] {
+        for (what, mut quotients) in
+            [("tip", self.tip), ("axis", self.axis), ("speed", self.rate), ("axis in step", self.step)]
+        {
             quotients.sort_by(f64::total_cmp);
             // A median of a few values is random.
             let Some(median) = quotients.get(quotients.len() / 2).filter(|_| quotients.len() >= 30) else { continue };

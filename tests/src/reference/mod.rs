@@ -305,7 +305,15 @@ impl<T: Table> Machine for Reference<T> {
             Flaw::LargeBound => 1.1,
             _ => return bound,
         };
-        MotionBound { tip: bound.tip * factor, axis: bound.axis * factor, tip_rate: bound.tip_rate * factor }
+        MotionBound {
+            tip: bound.tip * factor,
+            axis: bound.axis * factor,
+            tip_rate: bound.tip_rate * factor,
+            axis_step: bound.axis_step * factor,
+            tip_step: bound.tip_step * factor,
+            length: bound.length / factor,
+            turn: bound.turn * factor,
+        }
     }
     fn rates(&self, axes: &T::Axes, change: &T::Axes) -> (Vector3<f64>, Vector3<f64>) {
         let mut change = *change;

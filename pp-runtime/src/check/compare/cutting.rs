@@ -349,6 +349,17 @@ impl<R: Read> Comparison<'_, R> {
             );
             self.found(current, &text);
         }
+        // Where the tool axis rotates in the plane of its ends it is in step with the tip, within the tolerance of that.
+        let length = part.segment.length();
+        let reach = if length > 0.0 { (part.required.tolerance_mm + rounding.tip_mm) / length } else { 1.0 };
+        let lag = deviation.lag_rad - part.segment.turn() * reach;
+        if lag > largest && deviation.axis_rad <= largest && !policy.links.rewinds_in_cut {
+            let (lag, largest) = (lag.to_degrees(), largest.to_degrees());
+            let text = format!(
+                "within this block the tool axis is {lag:.4}° from where it should be at the tip, allowed {largest:.4}°"
+            );
+            self.found(current, &text);
+        }
         Some(deviation)
     }
 

@@ -61,6 +61,8 @@ pub(crate) struct BlockPath<'b> {
 pub(crate) struct Deviation {
     pub(crate) tip_mm: f64,
     pub(crate) axis_rad: f64,
+    /// Angle of the tool axis from the programmed one where the tip is on its line, rad.
+    pub(crate) lag_rad: f64,
     /// Largest speed of the tip times the time of the block, mm; 0 where no rotary axis rotates.
     pub(crate) tip_rate_mm: f64,
 }
@@ -341,6 +343,7 @@ impl Rules<'_> {
         let sweep = sweep(block);
         let count = points(rotated + sweep);
         let axes = (rotated > 0.0).then(|| segment.axis_arc());
+        let in_step = self.policy.words.axis_in_plane && segment.length() > 0.0;
         let mut found = Deviation::default();
         let (mut last, mut fastest) = (here.tip, FastestStep::default());
         let mut point = 1.0;
@@ -360,6 +363,10 @@ impl Rules<'_> {
             });
             if let Some(axes) = &axes {
                 found.axis_rad = found.axis_rad.max(axes.distance(&on.axis));
+                if in_step {
+                    let by_tip = segment.at(segment.share(&on, along, 0.0, 0.0).clamp(0.0, 1.0));
+                    found.lag_rad = found.lag_rad.max(angle_between(&on.axis, &by_tip.axis));
+                }
             }
             point += 1.0;
         }

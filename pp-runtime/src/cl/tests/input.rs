@@ -199,6 +199,13 @@ fn continued_lines_without_text_make_a_statement_longer_too() {
     assert_eq!(found[0], "1:1+1 this statement is longer than 1048576 bytes");
 }
 
+#[test]
+fn a_statement_that_is_too_long_is_reported_at_the_end_of_the_file_as_well() {
+    // The statement is never finished.
+    let found = errors(&format!("GOTO/1,$\n{}", "$\n".repeat(100_000)));
+    assert_eq!(found, ["1:1+1 this statement is longer than 1048576 bytes"]);
+}
+
 /// Random numbers (xorshift): fast, and the same in every run.
 fn noise(state: &mut u64) -> u64 {
     *state ^= *state << 13;

@@ -276,7 +276,8 @@ impl<R: Read> Lexer<R> {
             match self.take_line()? {
                 Some(next) => line = next,
                 None => {
-                    kind = if is_comment { kind } else { StatementKind::Unfinished };
+                    let cut_short = kind == StatementKind::Code;
+                    kind = if cut_short { StatementKind::Unfinished } else { kind };
                     break;
                 }
             }

@@ -231,7 +231,9 @@ impl WordFrame {
     pub(crate) fn bound(&self, bound: MotionBound) -> MotionBound {
         match (&self.meaning, self.posture) {
             (LinearWords::Axes | LinearWords::Turning, _) => bound,
-            (LinearWords::Fixed(_), ToolPosture::Axes) => MotionBound { tip: 0.0, tip_rate: 0.0, ..bound },
+            (LinearWords::Fixed(_), ToolPosture::Axes) => {
+                MotionBound { tip: 0.0, tip_rate: 0.0, tip_step: 0.0, ..bound }
+            }
             (LinearWords::Fixed(_), ToolPosture::Plane) => MotionBound::default(),
         }
     }

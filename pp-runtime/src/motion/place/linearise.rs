@@ -9,7 +9,7 @@
 //! remainder. Because deviations grow with the square of the length, the worst deviation of one number of pieces predicts
 //! the next number to try. Points in between are *poses* of the path, inverted.
 //!
-//! [`RotationLaw`] selects the points in between. Where the rotary axes go evenly from end to end, as under tip control, no
+//! [`RotationLaw`] selects the points in between, and whether the tool axis must be in step with the tip. Where the rotary axes go evenly from end to end, as under tip control, no
 //! axis reverses that does not in the CL data; the tool axis leaves its great circle, by no more than its tolerance for the
 //! whole motion. Otherwise, and where it would leave it by more, the points are on the great circle.
 //!
@@ -82,6 +82,8 @@ pub(crate) enum RotationLaw {
     Even,
     /// As the tool axis rotates evenly in the plane of its ends.
     GreatCircle,
+    /// The same, in step with the tip: the tool axis keeps to its tolerance from the programmed one where the tip is.
+    InStep,
 }
 
 /// A piece with its certified deviation.
@@ -134,8 +136,8 @@ struct CuttingPath {
     segment: PathSegment,
     /// The branch of both ends; `None` if they are on different branches.
     branch: Option<Branch>,
-    /// The rotary axes go evenly; largest deviation of the tool axis from its great circle, rad.
-    even_rad: Option<f64>,
+    /// The rotary axes go evenly; bound of the whole motion, whose tool axis the points in between follow.
+    even: Option<MotionBound>,
     /// Smallest step of the parameter: half a unit of the words.
     resolution: f64,
     /// Parameter at the end of the last piece.
@@ -191,8 +193,9 @@ impl Linearised {
         placer: &Placer,
         (from, to): (&AxisPosition, &AxisPosition),
         allowed: PathTolerance,
+        law: RotationLaw,
     ) -> Option<MotionBound> {
-        let certificate = Certifier { placer, allowed }.certificate(from, to);
+        let certificate = Certifier { placer, allowed, in_step: law == RotationLaw::InStep }.certificate(from, to);
         (certificate.share <= 1.0).then_some(certificate.bound)
     }
 
@@ -201,7 +204,7 @@ impl Linearised {
     /// # Errors
     /// If a part of the path cannot be certified, is unreachable, or is outside the limits of a rotary axis.
     pub(crate) fn next(&mut self, placer: &Placer) -> Result<Option<CertifiedPiece>, Fault> {
-        let certifier = Certifier { placer, allowed: self.tolerance };
+        let certifier = Certifier { placer, allowed: self.tolerance, in_step: self.law == RotationLaw::InStep };
         loop {
             let piece = match self.rest {
                 Remaining::Nothing => return Ok(None),
@@ -244,7 +247,9 @@ impl Linearised {
                 piece
             }
         };
-        piece.bound.axis = path.even_rad.unwrap_or(piece.bound.axis);
+        if let Some(MotionBound { axis, axis_step, .. }) = path.even {
+            (piece.bound.axis, piece.bound.axis_step) = (axis, axis_step);
+        }
         self.rest = if path.at < 1.0 { Remaining::Path(path) } else { Remaining::Nothing };
         Ok(Some(piece))
     }
@@ -313,6 +318,8 @@ fn longest(
 struct Certifier<'p> {
     placer: &'p Placer,
     allowed: PathTolerance,
+    /// The tool axis is to be in step with the tip.
+    in_step: bool,
 }
 
 impl Certifier<'_> {
@@ -330,11 +337,17 @@ impl Certifier<'_> {
         if bound.tip > self.allowed.tip_mm - tip_off && bound.axis <= self.allowed.axis_rad - axis_off {
             bound.tip = self.tip_by_halves(from, to, bound.tip);
         }
-        let share = (bound.tip / (self.allowed.tip_mm - tip_off)).max(bound.axis / (self.allowed.axis_rad - axis_off));
+        let angle = if self.in_step { bound.lag(self.allowed.tip_mm).max(bound.axis) } else { bound.axis };
+        let share = (bound.tip / (self.allowed.tip_mm - tip_off)).max(angle / (self.allowed.axis_rad - axis_off));
         let roomy = self.allowed.tip_mm > tip_off && self.allowed.axis_rad > axis_off;
         let narrow = from.pose.axis.dot(&to.pose.axis) > MIN_AXIS_COSINE && !self.placer.rolls_over(from, to);
         Certificate {
-            bound: MotionBound { tip: bound.tip + tip_off, axis: bound.axis + axis_off, ..bound },
+            bound: MotionBound {
+                tip: bound.tip + tip_off,
+                axis: bound.axis + axis_off,
+                axis_step: bound.axis_step + axis_off,
+                ..bound
+            },
             share: if roomy && narrow && share.is_finite() { share } else { f64::INFINITY },
         }
     }
@@ -411,8 +424,8 @@ impl Certifier<'_> {
             && branch.is_some()
             && !(near_pole(from) || near_pole(to) || wide)
             && self.placer.rotary.grid.is_empty();
-        let even_rad = Some(whole.bound.axis).filter(|axis| even && *axis <= self.allowed.axis_rad);
-        let path = CuttingPath { segment, branch, even_rad, resolution, at: 0.0, pieces: Pieces::Graded { last: 1.0 } };
+        let even = Some(whole.bound).filter(|bound| even && bound.axis <= self.allowed.axis_rad);
+        let path = CuttingPath { segment, branch, even, resolution, at: 0.0, pieces: Pieces::Graded { last: 1.0 } };
         Ok(CuttingPath { pieces: self.pieces(&path, (from, to), whole.share)?, ..path })
     }
 
@@ -568,7 +581,7 @@ impl Certifier<'_> {
     ) -> Result<AxisPosition, Fault> {
         let pose = path.segment.at(parameter);
         let share = (parameter - path.at) / (1.0 - path.at);
-        if path.even_rad.is_some() {
+        if path.even.is_some() {
             return self.evenly(from, to, share, &pose);
         }
         let mut guess = from.axes;

@@ -1,6 +1,7 @@
 //! Counts and largest deviations of a program, for the summary.
 
 use crate::kinematics::MotionBound;
+use crate::motion::place::PathTolerance;
 
 /// Statistics of a program.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -35,6 +36,8 @@ pub struct Statistics {
     pub largest_tip_bound_mm: f64,
     /// Largest certified angle of the tool axis from its great circle in these blocks.
     pub largest_axis_bound_rad: f64,
+    /// Largest certified angle of the tool axis from the programmed one, where the tip is, in these blocks.
+    pub largest_lag_rad: f64,
 }
 
 /// Arcs written as chords, by reason.
@@ -51,11 +54,12 @@ pub struct ChordedArcs {
 }
 
 impl Statistics {
-    /// Takes the certified bounds of a block; `axis`: the tool axis is held to a path, too.
-    pub(crate) fn certified(&mut self, bound: &MotionBound, axis: bool) {
+    /// Takes the certified bounds of a block. Without a tolerance of the tool axis this is not held to a path.
+    pub(crate) fn certified(&mut self, bound: &MotionBound, tolerance: PathTolerance) {
         self.largest_tip_bound_mm = self.largest_tip_bound_mm.max(bound.tip);
-        if axis {
+        if tolerance.axis_rad.is_finite() {
             self.largest_axis_bound_rad = self.largest_axis_bound_rad.max(bound.axis);
+            self.largest_lag_rad = self.largest_lag_rad.max(bound.lag(tolerance.tip_mm));
         }
     }
 

@@ -97,13 +97,15 @@ impl<'a, S: Sink> Mover<'a, S> {
     /// A motion begins: from end to end of its record, or a part of a record.
     pub(crate) fn begin_motion(&mut self, whole: bool) {
         let even = whole && self.policy.options.tip.tool_posture == ToolPosture::Axes;
-        self.law = if even { RotationLaw::Even } else { RotationLaw::GreatCircle };
+        self.law = if even { RotationLaw::Even } else { RotationLaw::InStep };
         self.bent_rad = 0.0;
     }
 
     /// The motion at hand is divided, by a change of its course.
     pub(crate) fn divide_motion(&mut self) {
-        self.law = RotationLaw::GreatCircle;
+        if self.law == RotationLaw::Even {
+            self.law = RotationLaw::GreatCircle;
+        }
     }
 
     /// A pose of the motion at hand, led to the pole where its rotary words have the tool axis there.
@@ -290,11 +292,10 @@ impl<'a, S: Sink> Mover<'a, S> {
 
     /// Writes a feed motion with rotation of an axis in as many blocks as keep tip and tool axis within tolerance.
     pub(crate) fn feed_in_pieces(&mut self, place: &AxisPosition, rate: f64, tolerance: PathTolerance) -> Planned {
-        let to_axis_tolerance = tolerance.axis_rad.is_finite();
         // Nearly every motion: nothing is copied.
-        if let Some(bound) = Linearised::in_one_block(&self.placer, (self.here(), place), tolerance) {
+        if let Some(bound) = Linearised::in_one_block(&self.placer, (self.here(), place), tolerance, self.law) {
             self.feed_piece(place, rate, &bound, None)?;
-            self.output.statistics_mut().certified(&bound, to_axis_tolerance);
+            self.output.statistics_mut().certified(&bound, tolerance);
             return Ok(());
         }
         let mut pieces = Linearised::new(self.here(), place, tolerance, self.law);
@@ -304,7 +305,7 @@ impl<'a, S: Sink> Mover<'a, S> {
             let inserted = (piece.place.words != place.words).then_some(BlockReason::Tolerance);
             self.feed_piece(&piece.place, rate, &piece.bound, inserted)?;
             self.position.go_to(&piece.place);
-            self.output.statistics_mut().certified(&piece.bound, to_axis_tolerance);
+            self.output.statistics_mut().certified(&piece.bound, tolerance);
         }
         self.output.statistics_mut().inserted += blocks.max(1) - 1;
         Ok(())
