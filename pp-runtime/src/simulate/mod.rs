@@ -19,28 +19,20 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! `simulate IN.cls` executes a written program: `tool_body` has its tools, `machining` turns its motions into pieces and
-//! contacts into findings, `outcome` states them, and what did not take part. `comparison` measures the machined stock against
-//! a design, with `nearest` for the distance from its surface.
+//! `removal` has the stock and the moving tools, `bodies` triangles, `design` the comparison of the machined stock with what
+//! was wanted. `simulate IN.cls` executes a written program: `program` turns its motions into pieces and contacts into findings.
 
-mod comparison;
-mod machining;
-mod mesh;
-mod nearest;
-mod outcome;
-mod profile;
-mod stock;
-mod sweep;
+mod bodies;
+mod design;
+mod program;
+mod removal;
 #[cfg(test)]
-mod tests;
-mod tool_body;
+mod testing;
 
-pub(crate) use comparison::{Comparison, Design, Deviations, Origin, Region, limits_of};
-pub(crate) use machining::{EPS_MM, LineRecords, Machining};
-pub(crate) use outcome::Outcome;
-pub(crate) use tool_body::ToolBodies;
+pub(crate) use design::{Comparison, Design, Deviations, Origin, Region, limits_of};
+pub(crate) use program::{EPS_MM, LineRecords, Machining, Outcome, ToolBodies};
 
-pub use mesh::{Mesh, MeshFault};
-pub use profile::{Cutter, Profile, ShapeFault};
-pub use stock::{Contact, Effort, Filled, StockFault, TriDexel};
-pub use sweep::{LARGEST_TURN, SweptPiece};
+pub use bodies::{Mesh, MeshFault};
+pub use removal::{
+    Contact, Cutter, Effort, Filled, LARGEST_TURN, Profile, ShapeFault, StockFault, SweptPiece, TriDexel,
+};

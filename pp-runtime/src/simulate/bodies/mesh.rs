@@ -8,7 +8,7 @@ use std::io::{Read, Seek, SeekFrom};
 
 use nalgebra::Rotation3;
 
-use super::stock::{StockFault, TriDexel};
+use crate::simulate::removal::{StockFault, TriDexel};
 
 /// Largest number of triangles.
 const MOST_TRIANGLES: u64 = 20_000_000;
@@ -165,12 +165,12 @@ impl Mesh {
     }
 
     /// The corners of each triangle.
-    pub(super) fn corners_of_triangles(&self) -> Vec<[[f64; 3]; 3]> {
+    pub(crate) fn corners_of_triangles(&self) -> Vec<[[f64; 3]; 3]> {
         self.faces.iter().map(|face| face.map(|index| self.vertices[index as usize])).collect()
     }
 
     /// The lines of a family of a stock, with the parts of them that are inside.
-    pub(super) fn lines_through(&self, stock: &TriDexel, family: usize) -> LinesThrough {
+    pub(crate) fn lines_through(&self, stock: &TriDexel, family: usize) -> LinesThrough {
         let mut crossings = Vec::new();
         self.crossings(stock, family, &mut crossings);
         // Lines come row by row.
@@ -235,14 +235,14 @@ struct Crossing {
 }
 
 /// Lines through a body, row by row.
-pub(super) struct LinesThrough {
+pub(crate) struct LinesThrough {
     crossings: Vec<Crossing>,
     next: usize,
 }
 
 impl LinesThrough {
     /// Adds the parts of the next line that are inside; returns whether it leaves the body as often as it enters it.
-    pub(super) fn parts(&mut self, line: [usize; 2], parts: &mut Vec<[f64; 2]>) -> bool {
+    pub(crate) fn parts(&mut self, line: [usize; 2], parts: &mut Vec<[f64; 2]>) -> bool {
         let (mut depth, mut begin) = (0, 0.0);
         while let Some(crossing) = self.crossings.get(self.next).filter(|found| found.line == line) {
             self.next += 1;

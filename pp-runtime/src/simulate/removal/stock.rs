@@ -121,7 +121,7 @@ pub struct TriDexel {
 pub struct StockFault(String);
 
 impl StockFault {
-    pub(super) fn new(text: String) -> Self {
+    pub(crate) fn new(text: String) -> Self {
         Self(text)
     }
 }
@@ -286,11 +286,11 @@ impl TriDexel {
     }
 
     /// Numbers of the lines of a family in both directions across.
-    pub(super) fn lines(&self, family: usize) -> [usize; 2] {
+    pub(crate) fn lines(&self, family: usize) -> [usize; 2] {
         self.families[family].lines
     }
 
-    pub(super) fn across(&self, family: usize, line: [usize; 2]) -> [f64; 2] {
+    pub(crate) fn across(&self, family: usize, line: [usize; 2]) -> [f64; 2] {
         std::array::from_fn(|index| {
             let axis = (family + 1 + index) % 3;
             self.low[axis] + (line[index] as f64 + 0.5) * self.pitch[axis]

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::machining::{EPS_MM, Removed, TOUCH_MM};
-use super::tool_body::ToolBodies;
+use super::tools::{ToolBodies, ToolBody};
 
 /// Findings that are kept; all are counted.
 const MOST_FOUND: usize = 1000;
@@ -105,7 +105,7 @@ pub(crate) struct Outcome {
 
 impl Outcome {
     pub(crate) fn new(tools: &ToolBodies) -> Self {
-        let of = |has: &dyn Fn(&super::tool_body::ToolBody) -> bool, part: &str| {
+        let of = |has: &dyn Fn(&ToolBody) -> bool, part: &str| {
             let numbers: Vec<String> =
                 tools.bodies.iter().filter(|(_, body)| has(body)).map(|(number, _)| number.to_string()).collect();
             match numbers.as_slice() {

@@ -8,12 +8,11 @@
 use std::collections::BTreeMap;
 
 use super::outcome::{Contacting, Found, Outcome};
-use super::stock::TriDexel;
-use super::sweep::{LARGEST_TURN, SweptPiece};
-use super::tool_body::{ToolBodies, ToolBody};
+use super::tools::{ToolBodies, ToolBody};
 use crate::check::read::Side;
 use crate::check::{CheckPolicy, ExecutedBlock, angle_between};
 use crate::kinematics::{AxisKind, Pose};
+use crate::simulate::removal::{LARGEST_TURN, SweptPiece, TriDexel};
 use crate::view::{ExecutedMotion, Motions, Place};
 
 /// Tolerance of the removal, mm.
@@ -204,7 +203,7 @@ fn owner(motion: &ExecutedMotion<'_>, what: Contacting) -> Owner {
 }
 
 /// Positions of a motion at shares of it, between which nothing rotates far.
-fn places(motion: &ExecutedMotion<'_>) -> Vec<(f64, Place)> {
+pub(super) fn places(motion: &ExecutedMotion<'_>) -> Vec<(f64, Place)> {
     let pieces = (motion.rotated / LARGEST_STEP_RAD).ceil().max(1.0) as u32;
     let mut places = vec![(0.0, motion.start)];
     for piece in 1..=pieces {
@@ -212,46 +211,6 @@ fn places(motion: &ExecutedMotion<'_>) -> Vec<(f64, Place)> {
         places.push((share, motion.at(share, &near)));
     }
     places
-}
-
-/// Record of a line of the program.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct LineRecord {
-    pub(crate) cl_line: u64,
-    pub(crate) operation: u64,
-    pub(crate) tool: u32,
-}
-
-/// The records of some lines, found while the program is executed again.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct LineRecords {
-    records: BTreeMap<u64, Option<LineRecord>>,
-}
-
-impl LineRecords {
-    pub(crate) fn of(lines: impl Iterator<Item = u32>) -> Self {
-        Self { records: lines.map(|line| (u64::from(line), None)).collect() }
-    }
-
-    pub(crate) fn is_empty(&self) -> bool {
-        self.records.is_empty()
-    }
-
-    pub(crate) fn get(&self, line: u32) -> Option<LineRecord> {
-        self.records.get(&u64::from(line)).copied().flatten()
-    }
-}
-
-impl Motions for LineRecords {
-    fn motion(&mut self, motion: &ExecutedMotion<'_>) -> Place {
-        let ExecutedBlock { block, record, operation, .. } = motion.executed;
-        if let Some(found @ None) = self.records.get_mut(&block.line) {
-            *found = Some(LineRecord { cl_line: record.line, operation: *operation, tool: motion.tool });
-        }
-        places(motion).last().map_or(motion.start, |(_, place)| *place)
-    }
-
-    fn unknown(&mut self) {}
 }
 
 impl Motions for Machining<'_> {

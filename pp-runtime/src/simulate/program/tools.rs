@@ -5,8 +5,8 @@
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
-use super::profile::{Cutter, Profile};
 use crate::set_up::{GivenTool, SetUp, ToolShape};
+use crate::simulate::removal::{Cutter, Profile};
 use crate::view::{ClFacts, ClTool};
 
 /// Point of a drill whose angle is not given, rad.

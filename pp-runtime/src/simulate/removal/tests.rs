@@ -4,16 +4,11 @@ use std::f64::consts::{PI, TAU};
 
 use nalgebra::{Point3, UnitVector3, Vector3};
 
-use super::comparison::{Design, Origin, limits_of};
-use super::mesh::Mesh;
-use super::nearest::Surface;
 use super::profile::{Cutter, Profile};
 use super::stock::TriDexel;
 use super::sweep::{Covered, LANES, Lines, SweptPiece, SweptSpace};
 use crate::kinematics::Pose;
-
-/// Tolerance of the removal, mm.
-const EPS: f64 = 1e-3;
+use crate::simulate::testing::{EPS, Random, cut_by_two_threads, pose, upright};
 
 /// One shape of each kind.
 const CUTTERS: [Cutter; 9] = [
@@ -27,37 +22,6 @@ const CUTTERS: [Cutter; 9] = [
     Cutter::Lollipop { radius: 2.5 },
     Cutter::Barrel { radius: 4.0, corner: 1.0, side: 40.0, length: 16.0 },
 ];
-
-/// Random numbers, the same in each run.
-struct Random(u64);
-
-impl Random {
-    fn unit(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    fn within(&mut self, size: f64) -> f64 {
-        size * (2.0 * self.unit() - 1.0)
-    }
-
-    fn direction(&mut self) -> Vector3<f64> {
-        loop {
-            let v = Vector3::new(self.within(1.0), self.within(1.0), self.within(1.0));
-            if v.norm() > 0.2 && v.norm() < 1.0 {
-                return v.normalize();
-            }
-        }
-    }
-}
-
-fn pose(tip: [f64; 3], axis: Vector3<f64>) -> Pose {
-    Pose { tip: Point3::from(tip), axis: UnitVector3::new_normalize(axis) }
-}
-
-fn upright(tip: [f64; 3]) -> Pose {
-    pose(tip, Vector3::z())
-}
 
 /// A motion through about the middle of a box around zero; every third one does not turn.
 fn random_motion(random: &mut Random, kind: usize) -> SweptPiece {
@@ -240,11 +204,6 @@ fn a_tool_that_swings_away_in_the_middle_of_a_block_leaves_material_there() {
         seen += usize::from(ends == 4);
     }
     assert!(seen >= 1, "no line has a gap");
-}
-
-fn cut_by_two_threads(stock: &mut TriDexel, pieces: &[SweptPiece], cutter: &Cutter) -> f64 {
-    let contacts = stock.cut(pieces, &cutter.pieces().expect("a tool"), EPS, 2);
-    contacts.iter().map(super::stock::Contact::volume).sum()
 }
 
 #[test]
@@ -461,197 +420,4 @@ fn numbers_that_are_no_tool_or_no_stock_are_refused() {
     assert!(stock(10.0, 0.0).contains("pitch of 0 mm"));
     assert!(stock(0.0, 0.1).contains("is empty"));
     assert!(stock(1e4, 0.1).contains("larger pitch"));
-}
-
-/// A body of revolution about Z with rounded sides, as triangles.
-fn barrel(rings: u32, sides: u32) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
-    let (mut vertices, mut faces) = (vec![[0.0, 0.0, -5.0], [0.0, 0.0, 5.0]], Vec::new());
-    let at = |ring: u32, side: u32| 2 + ring * sides + side % sides;
-    for ring in 0..=rings {
-        let z = -5.0 + 10.0 * f64::from(ring) / f64::from(rings);
-        let radius = 6.0 - 0.04 * z * z;
-        for side in 0..sides {
-            let (sine, cosine) = (TAU * f64::from(side) / f64::from(sides)).sin_cos();
-            vertices.push([radius * cosine, radius * sine, z]);
-        }
-    }
-    for side in 0..sides {
-        faces.push([0, at(0, side + 1), at(0, side)]);
-        faces.push([1, at(rings, side), at(rings, side + 1)]);
-        for ring in 0..rings {
-            faces.push([at(ring, side), at(ring, side + 1), at(ring + 1, side + 1)]);
-            faces.push([at(ring, side), at(ring + 1, side + 1), at(ring + 1, side)]);
-        }
-    }
-    (vertices, faces)
-}
-
-#[test]
-fn a_mesh_fills_the_lines_that_are_inside() {
-    let (vertices, faces) = barrel(12, 48);
-    let mesh = Mesh::new(vertices, faces).expect("a closed body");
-    let stock = mesh.stock(0.1).expect("a stock");
-    for volume in stock.volumes() {
-        assert!((volume - mesh.volume()).abs() < 2e-3 * mesh.volume(), "{volume} {}", mesh.volume());
-    }
-    // Lines that meet vertices and edges exactly: those of a double pyramid, in each direction.
-    let tip = |axis: usize, size: f64| std::array::from_fn(|index| if index == axis { size } else { 0.0 });
-    let vertices: Vec<[f64; 3]> = (0..6).map(|index| tip(index / 2, if index % 2 == 0 { 6.0 } else { -6.0 })).collect();
-    let faces = (0..8_u32).map(|side| {
-        let [x, y, z] = [0, 1, 2].map(|axis| 2 * axis + (side >> axis & 1));
-        if side.count_ones().is_multiple_of(2) { [x, y, z] } else { [x, z, y] }
-    });
-    let mesh = Mesh::new(vertices, faces.collect()).expect("a closed body");
-    for lines in [1.0, 2.0, 3.0, 4.0, 6.0, 9.0, 12.0, 21.0] {
-        let stock = mesh.stock(12.0 / lines).expect("a stock");
-        for family in 0..3 {
-            stock.each(family, |[u, v], spans| {
-                let half = 6.0 - u.abs() - v.abs();
-                assert!(spans.len() <= usize::from(half >= 0.0), "{lines} {family} {u} {v}: {spans:?}");
-                let length: f64 = spans.iter().map(|span| f64::from(span.high) - f64::from(span.low)).sum();
-                assert!((length - 2.0 * half.max(0.0)).abs() < 1e-5, "{lines} {family} {u} {v}: {spans:?}");
-            });
-        }
-    }
-}
-
-#[test]
-fn a_mesh_that_is_open_inside_out_or_empty_is_refused() {
-    let (vertices, faces) = barrel(4, 8);
-    let fault = |faces: Vec<[u32; 3]>| Mesh::new(vertices.clone(), faces).expect_err("no body").to_string();
-    assert!(fault(faces[1..].to_vec()).contains("it is open: 3 edges have triangles on one side only"));
-    assert!(fault(faces.iter().map(|[a, b, c]| [*a, *c, *b]).collect()).contains("face inwards"));
-    assert!(fault(Vec::new()).contains("no triangle"));
-    assert!(fault(vec![[0, 1, 9999]]).contains("not there"));
-    let read = |bytes: &[u8]| Mesh::read(&mut std::io::Cursor::new(bytes)).expect_err("no body").to_string();
-    assert!(read(b"PARTNO A").contains("no STL file"));
-    assert!(read(&[0; 84]).contains("no triangle"));
-}
-
-/// A block on Z0 with another one on it, as one closed body; the upper one is narrower on all sides.
-fn stepped([lower, upper]: [[f64; 3]; 2], height: f64) -> Mesh {
-    let mut vertices = Vec::new();
-    for [half_x, half_y, z] in
-        [[lower[0], lower[1], 0.0], lower, [upper[0], upper[1], lower[2]], [upper[0], upper[1], height]]
-    {
-        vertices.extend([[-half_x, -half_y, z], [half_x, -half_y, z], [half_x, half_y, z], [-half_x, half_y, z]]);
-    }
-    let mut faces = vec![[0, 2, 1], [0, 3, 2], [12, 13, 14], [12, 14, 15]];
-    for level in [0, 4, 8] {
-        for side in 0..4 {
-            let [a, b] = [level + side, level + (side + 1) % 4];
-            faces.extend([[a, b, b + 4], [a, b + 4, a + 4]]);
-        }
-    }
-    Mesh::new(vertices, faces).expect("a closed body")
-}
-
-fn box_mesh([low, high]: [[f64; 3]; 2]) -> Mesh {
-    let vertices = (0..8_usize).map(|corner| std::array::from_fn(|axis| [low, high][corner >> axis & 1][axis]));
-    let faces = [[0, 2, 3], [0, 3, 1], [4, 5, 7], [4, 7, 6], [0, 1, 5], [0, 5, 4], [2, 6, 7], [2, 7, 3]];
-    let sides = [[0, 4, 6], [0, 6, 2], [1, 3, 7], [1, 7, 5]];
-    Mesh::new(vertices.collect(), faces.into_iter().chain(sides).collect()).expect("a closed body")
-}
-
-#[test]
-fn the_distance_from_a_surface_is_that_of_its_closest_triangle() {
-    let (vertices, faces) = barrel(4, 12);
-    let corners = |face: &[u32; 3]| face.map(|index| vertices[index as usize]);
-    let surface = Surface::new(faces.iter().map(corners).collect());
-    let mut random = Random(7);
-    for _ in 0..40 {
-        let point = [random.within(9.0), random.within(9.0), random.within(9.0)];
-        // Each triangle on its own: the best of a grid of its points, each of which is refined around the best.
-        let mut least = f64::INFINITY;
-        for [a, b, c] in faces.iter().map(corners) {
-            let (a, ab, ac) =
-                (Vector3::from(a), Vector3::from(b) - Vector3::from(a), Vector3::from(c) - Vector3::from(a));
-            let (mut best, mut size) = ([1.0 / 3.0; 2], 0.5);
-            let distance = |[s, t]: [f64; 2]| (a + ab * s + ac * t - Vector3::from(point)).norm();
-            for _ in 0..24 {
-                let [s, t] = best;
-                for step in 0..25 {
-                    let s = (s + size * (f64::from(step % 5) / 2.0 - 1.0)).clamp(0.0, 1.0);
-                    let t = (t + size * (f64::from(step / 5) / 2.0 - 1.0)).clamp(0.0, 1.0 - s);
-                    if distance([s, t]) < distance(best) {
-                        best = [s, t];
-                    }
-                }
-                size *= 0.7;
-            }
-            least = least.min(distance(best));
-        }
-        let found = surface.distance(point, f64::INFINITY);
-        assert!((found - least).abs() < 1e-3 && found < least + 1e-9, "{point:?}: {found} {least}");
-        assert!((surface.distance(point, found + 1e-6) - found).abs() < 1e-12);
-    }
-}
-
-#[test]
-fn the_rest_of_a_ball_raster_is_its_scallop() {
-    let (radius, step) = (4.0, 1.0);
-    let ball = Cutter::Mill { radius, corner: radius, taper: 0.0, length: 20.0 };
-    let mut stock = TriDexel::block([[-1.5, -1.5, -2.0], [1.5, 1.5, 2.0]], 0.2).expect("a stock");
-    let pass = |pass: u32, z: f64| {
-        let y = step * (f64::from(pass) - 3.5);
-        SweptPiece::new(&upright([-6.0, y, z]), &upright([6.0, y, z]), 0, pass + 1)
-    };
-    let passes: Vec<SweptPiece> = (0..8).map(|number| pass(number, 0.0)).collect();
-    cut_by_two_threads(&mut stock, &passes, &ball);
-    let design = Design::new(box_mesh([[-1.5, -1.5, -2.0], [1.5, 1.5, 0.0]]));
-    let height = radius - (radius * radius - step * step / 4.0).sqrt();
-    let compared = design.compare(&stock, 0.002, 0.002);
-    assert!((compared.rest.largest_mm - height).abs() < 2e-3, "{compared:?} {height}");
-    // The deepest of a pass is on the plane.
-    assert!(compared.gouge.largest_mm < 2e-3 && compared.gouge.count == 0, "{:?}", compared.gouge);
-    // Three crests across the block, and none where the tolerance is larger.
-    assert_eq!(compared.rest.count, 3, "{:?}", compared.rest);
-    assert_eq!(design.compare(&stock, 0.002, height + 0.002).rest.count, 0);
-
-    // A pass 0.3 mm too low: its depth, its place and its name.
-    cut_by_two_threads(&mut stock, &[pass(4, -0.3)], &ball);
-    let gouge = design.compare(&stock, 0.002, 0.1).gouge;
-    let [region] = gouge.regions.as_slice() else { panic!("{gouge:?}") };
-    assert!(region.deviation_mm <= 0.3 + 1e-3 && region.deviation_mm > 0.3 - 4e-3, "{region:?}");
-    assert_eq!(region.origin, Origin::Line(5));
-    assert!((region.place_mm[1] - 0.5).abs() < 0.11 && (region.place_mm[2] + 0.3).abs() < 4e-3, "{region:?}");
-}
-
-#[test]
-fn a_part_of_the_design_that_is_cut_off_is_a_gouge() {
-    // A rib, 2 mm wide and 6 mm high on a plate: a mill takes all of it.
-    let sizes = [[10.0, 10.0, 4.0], [1.0, 8.0, 0.0]];
-    let design = Design::new(stepped(sizes, 10.0));
-    let mut stock = TriDexel::block([[-10.0, -10.0, 0.0], [10.0, 10.0, 10.0]], 0.5).expect("a stock");
-    let whole = design.compare(&stock, 0.01, 0.01);
-    assert_eq!((whole.gouge.count, whole.rest.count), (0, 1), "{whole:?}");
-    let mill = Cutter::Mill { radius: 20.0, corner: 0.0, taper: 0.0, length: 30.0 };
-    let piece = SweptPiece::new(&upright([-40.0, 0.0, 4.0]), &upright([40.0, 0.0, 4.0]), 0, 7);
-    cut_by_two_threads(&mut stock, &[piece], &mill);
-    let cut = design.compare(&stock, 0.01, 0.01);
-    assert_eq!((cut.gouge.count, cut.rest.count), (1, 0), "{cut:?}");
-    let region = cut.gouge.regions[0];
-    // Half its width, in the lines across it and those along it.
-    assert!((region.deviation_mm - 1.0).abs() < 1e-6, "{region:?}");
-    let wanted = [2.0, 16.0, 6.0];
-    assert!((0..3).all(|axis| (region.size_mm[axis] - wanted[axis]).abs() <= 0.5), "{region:?}");
-    assert_eq!(region.origin, Origin::Line(7), "{region:?}");
-}
-
-#[test]
-fn the_histogram_has_each_end_in_its_class() {
-    let stock = TriDexel::block([[0.0; 3], [4.0, 4.0, 4.0]], 1.0).expect("a stock");
-    // 0.03 mm of material too much on top, 0.3 mm missing on the left.
-    let design = Design::new(box_mesh([[-0.3, 0.0, 0.0], [4.0, 4.0, 3.97]]));
-    let compared = design.compare(&stock, 0.01, 0.01);
-    let ends = |from: f64, to: f64| {
-        let is = |class: usize| limits_of(class).iter().zip([from, to]).all(|(limit, end)| (limit - end).abs() < 1e-12);
-        compared.histogram[(0..compared.histogram.len()).find(|class| is(*class)).expect("a class")]
-    };
-    assert_eq!(compared.histogram.iter().sum::<u64>(), 96);
-    assert_eq!((ends(0.02, 0.05), ends(-0.5, -0.2)), (16, 16), "{:?}", compared.histogram);
-    assert!((compared.exceeds_mm - 0.3).abs() < 1e-9);
-    let [gouge, rest] = [&compared.gouge, &compared.rest].map(|found| found.regions[0]);
-    assert_eq!((compared.gouge.count, compared.rest.count), (1, 1), "{compared:?}");
-    assert_eq!((gouge.origin, rest.origin), (Origin::Blank, Origin::Blank));
 }

@@ -9,9 +9,9 @@
 
 use std::collections::HashMap;
 
-use super::mesh::Mesh;
 use super::nearest::Surface;
-use super::stock::{Filled, TriDexel};
+use crate::simulate::bodies::Mesh;
+use crate::simulate::removal::{Filled, TriDexel};
 
 /// Regions that are kept; all are counted.
 pub(crate) const MOST_REGIONS: usize = 100;

@@ -1,0 +1,78 @@
+//! What several tests of virtual machining need.
+
+use std::f64::consts::TAU;
+
+use nalgebra::{Point3, UnitVector3, Vector3};
+
+use super::bodies::Mesh;
+use super::removal::{Contact, Cutter, SweptPiece, TriDexel};
+use crate::kinematics::Pose;
+
+/// Tolerance of the removal, mm.
+pub(super) const EPS: f64 = 1e-3;
+
+/// Random numbers, the same in each run.
+pub(super) struct Random(pub(super) u64);
+
+impl Random {
+    pub(super) fn unit(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    pub(super) fn within(&mut self, size: f64) -> f64 {
+        size * (2.0 * self.unit() - 1.0)
+    }
+
+    pub(super) fn direction(&mut self) -> Vector3<f64> {
+        loop {
+            let v = Vector3::new(self.within(1.0), self.within(1.0), self.within(1.0));
+            if v.norm() > 0.2 && v.norm() < 1.0 {
+                return v.normalize();
+            }
+        }
+    }
+}
+
+pub(super) fn pose(tip: [f64; 3], axis: Vector3<f64>) -> Pose {
+    Pose { tip: Point3::from(tip), axis: UnitVector3::new_normalize(axis) }
+}
+
+pub(super) fn upright(tip: [f64; 3]) -> Pose {
+    pose(tip, Vector3::z())
+}
+
+pub(super) fn cut_by_two_threads(stock: &mut TriDexel, pieces: &[SweptPiece], cutter: &Cutter) -> f64 {
+    let contacts = stock.cut(pieces, &cutter.pieces().expect("a tool"), EPS, 2);
+    contacts.iter().map(Contact::volume).sum()
+}
+
+/// A body of revolution about Z with rounded sides, as triangles.
+pub(super) fn barrel(rings: u32, sides: u32) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
+    let (mut vertices, mut faces) = (vec![[0.0, 0.0, -5.0], [0.0, 0.0, 5.0]], Vec::new());
+    let at = |ring: u32, side: u32| 2 + ring * sides + side % sides;
+    for ring in 0..=rings {
+        let z = -5.0 + 10.0 * f64::from(ring) / f64::from(rings);
+        let radius = 6.0 - 0.04 * z * z;
+        for side in 0..sides {
+            let (sine, cosine) = (TAU * f64::from(side) / f64::from(sides)).sin_cos();
+            vertices.push([radius * cosine, radius * sine, z]);
+        }
+    }
+    for side in 0..sides {
+        faces.push([0, at(0, side + 1), at(0, side)]);
+        faces.push([1, at(rings, side), at(rings, side + 1)]);
+        for ring in 0..rings {
+            faces.push([at(ring, side), at(ring, side + 1), at(ring + 1, side + 1)]);
+            faces.push([at(ring, side), at(ring + 1, side + 1), at(ring + 1, side)]);
+        }
+    }
+    (vertices, faces)
+}
+
+pub(super) fn box_mesh([low, high]: [[f64; 3]; 2]) -> Mesh {
+    let vertices = (0..8_usize).map(|corner| std::array::from_fn(|axis| [low, high][corner >> axis & 1][axis]));
+    let faces = [[0, 2, 3], [0, 3, 1], [4, 5, 7], [4, 7, 6], [0, 1, 5], [0, 5, 4], [2, 6, 7], [2, 7, 3]];
+    let sides = [[0, 4, 6], [0, 6, 2], [1, 3, 7], [1, 7, 5]];
+    Mesh::new(vertices.collect(), faces.into_iter().chain(sides).collect()).expect("a closed body")
+}
