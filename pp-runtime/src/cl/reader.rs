@@ -6,7 +6,7 @@ use super::diagnostics::Faults;
 use super::dialect::Dialect;
 use super::meaning::{ArcVote, QueuedEvent, ReadingOptions, RecordInterpreter, StatedFrame, TextUse};
 use super::record::{
-    CatiaMatrix, Point, Record, SubprogramRecord, comment_dialect, joined_record, next_goto, parse, read_comment,
+    CatiaMatrix, Record, SubprogramRecord, comment_dialect, joined_record, next_goto, parse, read_comment,
     record_dialect,
 };
 use super::subprogram::{KeptStatement, Subprograms, subprogram_fault};
@@ -69,6 +69,38 @@ impl<R: Read> ClReader<R> {
     /// After the first error the rest of the file is read for diagnostics only and `None` is returned; see
     /// [`failed`](Self::failed).
     pub fn next_event(&mut self) -> io::Result<Option<(Location, Event<'_>)>> {
+        match self.next_straight() {
+            Some(found) => Ok(Some(found)),
+            None => self.next_of_any_kind(),
+        }
+    }
+
+    /// Nearly every event: a GOTO on a line of its own, while no arc, curve or cycle is open and no event is queued. `None` for
+    /// any other statement, which has not been read, and for a GOTO that is refused.
+    #[inline]
+    fn next_straight(&mut self) -> Option<(Location, Event<'static>)> {
+        let straight = self.progress == Progress::Reading
+            && self.interpreter.is_straight()
+            && !self.matrix.is_open()
+            && !self.subprograms.is_open()
+            && !self.subprograms.is_running()
+            && !self.faults.failed();
+        if !straight {
+            return None;
+        }
+        let (line, point) = next_goto(&mut self.lexer)?;
+        self.records += 1;
+        let here = Location { line: self.lexer.lines(), column: 1 };
+        match self.interpreter.straight(&point, here) {
+            Ok(motion) => Some((here, Event::Move(motion))),
+            Err(fault) => {
+                self.faults.add(fault, &self.lexer.last_line(line), &self.lexer);
+                None
+            }
+        }
+    }
+
+    fn next_of_any_kind(&mut self) -> io::Result<Option<(Location, Event<'_>)>> {
         let (location, pending) = loop {
             if let Some(event) = self.interpreter.next_event()
                 && !self.faults.failed()
@@ -78,16 +110,9 @@ impl<R: Read> ClReader<R> {
             match self.progress {
                 Progress::Unread => self.begin()?,
                 Progress::Reading if self.subprograms.is_running() => self.run_kept(),
-                Progress::Reading => match self.next_goto() {
-                    Some((statement, point)) => {
-                        if let Some(found) = self.go_straight(&statement, &point) {
-                            return Ok(Some(found));
-                        }
-                    }
-                    None => match self.lexer.next()? {
-                        Some(statement) => self.read(&statement),
-                        None => self.finish(),
-                    },
+                Progress::Reading => match self.lexer.next()? {
+                    Some(statement) => self.read(&statement),
+                    None => self.finish(),
                 },
                 Progress::Done => return Ok(None),
             }
@@ -202,26 +227,6 @@ impl<R: Read> ClReader<R> {
         self.faults.add_about_file(Severity::Error, Location { line: 1, column: 1 }, text.into(), help);
         self.progress = Progress::Done;
         Ok(())
-    }
-
-    /// Nearly every statement: a GOTO on a line of its own, while no arc, curve or cycle is open and no event is queued.
-    #[inline]
-    fn next_goto(&mut self) -> Option<(Statement, Point)> {
-        let straight = self.interpreter.is_straight() && !self.matrix.is_open() && !self.subprograms.is_open();
-        if straight { next_goto(&mut self.lexer) } else { None }
-    }
-
-    /// Motion to the point of such a GOTO: the same result as that of `read`, without a queue.
-    fn go_straight(&mut self, statement: &Statement, point: &Point) -> Option<(Location, Event<'static>)> {
-        self.records += 1;
-        let here = self.lexer.locate(statement, 0).0;
-        match self.interpreter.straight(point, here) {
-            Ok(motion) => (!self.faults.failed()).then_some((here, Event::Move(motion))),
-            Err(fault) => {
-                self.faults.add(fault, statement, &self.lexer);
-                None
-            }
-        }
     }
 
     fn read(&mut self, statement: &Statement) {

@@ -54,7 +54,7 @@ pub(crate) struct ModalAxis {
     /// TLAXIS has come since the last motion: its axis holds for an operation that begins now.
     stated: bool,
     /// MULTAX/OFF is in force: its line, and the tool axis before it.
-    held: Held,
+    held: Option<(u64, UnitVector3<f64>)>,
     /// Number of axes that were normalised by more than rounding.
     normalised: u64,
     first_normalised: Location,
@@ -73,53 +73,40 @@ impl Default for ModalAxis {
     }
 }
 
-/// Line of the MULTAX/OFF in force, and the tool axis before it.
-type Held = Option<(u64, UnitVector3<f64>)>;
-
 /// Whether an axis was normalised by more than rounding.
 pub(crate) type Normalised = bool;
 
 impl ModalAxis {
     /// Tool axis of a point with or without i, j, k.
+    #[inline]
     pub(crate) fn at_point(
         &mut self,
         given: Option<[f64; 3]>,
         at: Span,
     ) -> Result<(UnitVector3<f64>, Normalised), ClFault> {
         self.stated = false;
-        if let Some(given) = given {
-            let normalised = self.set(given, at, self.held)?;
-            return Ok((self.axis, normalised));
-        }
-        match self.doubt {
-            AxisDoubt::None => Ok((self.axis, false)),
-            AxisDoubt::NewOperation => Err(ClFault::new(
-                "tool axis",
-                at,
-                "this point has no tool axis i, j, k, and the operation before ended with a tilted tool",
-                "program i, j, k in the first GOTO of every operation",
-            )),
-            AxisDoubt::MultaxOff => Err(ClFault::new(
-                "tool axis",
-                at,
-                "this point has no tool axis i, j, k, and the tool was tilted at MULTAX/OFF",
-                "write i, j, k in this GOTO; if the tool keeps its tilt after MULTAX/OFF, as in CATIA: `--dialect catia`",
-            )),
+        match (given, self.doubt) {
+            (Some(given), _) => {
+                let normalised = self.set(given, at, true)?;
+                Ok((self.axis, normalised))
+            }
+            (None, AxisDoubt::None) => Ok((self.axis, false)),
+            (None, doubt) => Err(in_doubt(doubt, at)),
         }
     }
 
     /// Sets the tool axis of TLAXIS.
     pub(crate) fn state(&mut self, given: [f64; 3], at: Span, here: Location) -> Result<(), ClFault> {
-        self.state_unless(self.held, given, at, here)
+        self.state_if(true, given, at, here)
     }
 
     /// Sets the tool axis of the third column of CSYS, which MULTAX/OFF does not hold: it is another set-up of the part.
     pub(crate) fn state_of_set_up(&mut self, given: [f64; 3], at: Span, here: Location) -> Result<(), ClFault> {
-        self.state_unless(None, given, at, here)
+        self.state_if(false, given, at, here)
     }
 
-    fn state_unless(&mut self, held: Held, given: [f64; 3], at: Span, here: Location) -> Result<(), ClFault> {
-        let normalised = self.set(given, at, held)?;
+    fn state_if(&mut self, permitted: bool, given: [f64; 3], at: Span, here: Location) -> Result<(), ClFault> {
+        let normalised = self.set(given, at, permitted)?;
         self.stated = true;
         self.count(normalised, here);
         Ok(())
@@ -183,38 +170,30 @@ impl ModalAxis {
         self.axis.z < 0.0 || self.axis.x.hypot(self.axis.y) > TILT
     }
 
-    fn set(&mut self, given: [f64; 3], at: Span, held: Held) -> Result<Normalised, ClFault> {
+    /// Sets the tool axis; `if_permitted`: only one that MULTAX/OFF permits.
+    #[inline]
+    fn set(&mut self, given: [f64; 3], at: Span, if_permitted: bool) -> Result<Normalised, ClFault> {
         let length = vector::length(given);
         let excess = (length - 1.0).abs();
         // Finite numbers can overflow to infinity here, not to NaN; neither passes this comparison.
         let tolerated = excess <= TOLERATED;
         if !tolerated {
-            let text = if given.iter().all(|value| value.abs() < f64::MIN_POSITIVE) {
-                "the tool axis is 0, 0, 0 and has no direction".to_string()
-            } else {
-                format!("the tool axis has length {length:.6}, not 1")
-            };
-            return Err(ClFault::new(
-                "tool axis",
-                at,
-                text,
-                "i, j, k must be a unit vector from the tip to the spindle",
-            ));
+            return Err(no_unit_vector(given, length, at));
         }
-        let [i, j, k] = given;
-        let axis = UnitVector3::new_unchecked(Vector3::new(i / length, j / length, k / length));
-        if let Some((line, before)) = held {
-            self.check_held(axis, line, before, at)?;
+        let axis = UnitVector3::new_unchecked(Vector3::from(given.map(|component| component / length)));
+        if if_permitted && self.held.is_some() {
+            self.check_held(axis, at)?;
         }
         self.axis = axis;
         self.doubt = AxisDoubt::None;
         Ok(excess > ROUNDING)
     }
 
-    /// Refuses a tool axis that MULTAX/OFF of this line does not permit. While the axis is in doubt, the point may state that
+    /// Refuses a tool axis that the MULTAX/OFF in force does not permit. While the axis is in doubt, the point may state that
     /// it is the one before.
     #[cold]
-    fn check_held(&self, axis: UnitVector3<f64>, line: u64, before: UnitVector3<f64>, at: Span) -> Result<(), ClFault> {
+    fn check_held(&self, axis: UnitVector3<f64>, at: Span) -> Result<(), ClFault> {
+        let Some((line, before)) = self.held else { return Ok(()) };
         let is = |other: UnitVector3<f64>| (axis.into_inner() - other.into_inner()).amax() <= SAME_DIRECTION;
         if is(self.axis) || (self.doubt == AxisDoubt::MultaxOff && is(before)) {
             return Ok(());
@@ -226,4 +205,31 @@ impl ModalAxis {
             "if the points hold, delete that MULTAX/OFF; if MULTAX/OFF holds, i, j, k of the points are wrong",
         ))
     }
+}
+
+/// Fault: i, j, k are no unit vector.
+#[cold]
+fn no_unit_vector(given: [f64; 3], length: f64, at: Span) -> ClFault {
+    let text = if given.iter().all(|value| value.abs() < f64::MIN_POSITIVE) {
+        "the tool axis is 0, 0, 0 and has no direction".to_string()
+    } else {
+        format!("the tool axis has length {length:.6}, not 1")
+    };
+    ClFault::new("tool axis", at, text, "i, j, k must be a unit vector from the tip to the spindle")
+}
+
+/// Fault: a point has no tool axis, and the one in force is in doubt.
+#[cold]
+fn in_doubt(doubt: AxisDoubt, at: Span) -> ClFault {
+    let (text, help) = match doubt {
+        AxisDoubt::None | AxisDoubt::NewOperation => (
+            "this point has no tool axis i, j, k, and the operation before ended with a tilted tool",
+            "program i, j, k in the first GOTO of every operation",
+        ),
+        AxisDoubt::MultaxOff => (
+            "this point has no tool axis i, j, k, and the tool was tilted at MULTAX/OFF",
+            "write i, j, k in this GOTO; if the tool keeps its tilt after MULTAX/OFF, as in CATIA: `--dialect catia`",
+        ),
+    };
+    ClFault::new("tool axis", at, text, help)
 }

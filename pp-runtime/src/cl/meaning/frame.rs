@@ -259,16 +259,22 @@ impl SetUpFrame {
     /// Refuses a point whose tool axis differs from that of the CSYS in force.
     #[inline]
     pub(crate) fn check_axis(&self, given: Option<[f64; 3]>, at: Span) -> Result<(), ClFault> {
-        let (Some(axis), Some(given)) = (self.axis, given) else { return Ok(()) };
-        let same = distance([axis.x, axis.y, axis.z], given) <= SAME_DIRECTION;
-        if !same {
-            return Err(ClFault::new(
-                "tool axis",
-                at,
-                "this tool axis contradicts the third column of CSYS",
-                "one of the two is wrong: correct CSYS, or i, j, k of this point; the tool axis is constant within one CSYS",
-            ));
+        match (self.axis, given) {
+            (Some(axis), Some(given)) => compare_axis(axis, given, at),
+            _ => Ok(()),
         }
-        Ok(())
     }
+}
+
+/// Refuses a tool axis other than the one that CSYS holds.
+fn compare_axis(axis: UnitVector3<f64>, given: [f64; 3], at: Span) -> Result<(), ClFault> {
+    if distance([axis.x, axis.y, axis.z], given) <= SAME_DIRECTION {
+        return Ok(());
+    }
+    Err(ClFault::new(
+        "tool axis",
+        at,
+        "this tool axis contradicts the third column of CSYS",
+        "one of the two is wrong: correct CSYS, or i, j, k of this point; the tool axis is constant within one CSYS",
+    ))
 }

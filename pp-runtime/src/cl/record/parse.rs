@@ -10,7 +10,7 @@ use super::comment::remark_dialect;
 use super::values::Point;
 use super::words::{GOTO, Handling, look_up};
 use crate::cl::dialect::Dialect;
-use crate::cl::text::{Args, ClFault, Help, Lexer, Span, Statement, quoted, skip_blanks};
+use crate::cl::text::{Args, ClFault, Help, Lexer, PhysicalLine, Span, quoted, skip_blanks};
 use crate::diag::Severity;
 
 /// Largest number of bytes of an unknown word that its message shows.
@@ -92,9 +92,9 @@ pub(crate) fn record_dialect(text: &[u8]) -> Dialect {
     }
 }
 
-/// Reads a GOTO on a line of its own: its statement and point. `None`: any other line, which has not been read.
+/// Reads a GOTO on a line of its own: its line and point. `None`: any other line, which has not been read.
 #[inline]
-pub(crate) fn next_goto<R: Read>(lexer: &mut Lexer<R>) -> Option<(Statement, Point)> {
+pub(crate) fn next_goto<R: Read>(lexer: &mut Lexer<R>) -> Option<(PhysicalLine, Point)> {
     lexer.next_numbers(GOTO.name.as_bytes(), |numbers| Point::of(numbers.numbers, numbers.count, numbers.at))
 }
 

@@ -12,7 +12,7 @@
 
 use super::args::skip_blanks;
 use super::fault::Span;
-use super::number::short_number;
+use super::number::NumberShape;
 use crate::program::Location;
 use memchr::{memchr, memchr2};
 use std::io::{self, Read};
@@ -66,8 +66,9 @@ struct JoinedPiece {
     location: Location,
 }
 
+/// Place of a line in the read buffer, without its line end.
 #[derive(Debug, Clone, Copy)]
-struct PhysicalLine {
+pub(crate) struct PhysicalLine {
     start: usize,
     end: usize,
     too_long: bool,
@@ -90,6 +91,8 @@ pub(crate) struct Lexer<R> {
     pieces: Vec<JoinedPiece>,
     /// Number of bytes of a line that are read; the rest is ignored.
     columns: usize,
+    /// Shapes of the numbers that [`next_numbers`](Self::next_numbers) has read last, by their place in the line.
+    shapes: [NumberShape; 6],
 }
 
 impl<R: Read> Lexer<R> {
@@ -106,6 +109,7 @@ impl<R: Read> Lexer<R> {
             line: 0,
             joined: Vec::new(),
             pieces: Vec::new(),
+            shapes: [NumberShape::NONE; 6],
         }
     }
 
@@ -153,38 +157,44 @@ impl<R: Read> Lexer<R> {
         &mut self,
         word: &[u8],
         make: impl FnOnce(ShortNumbers) -> Option<T>,
-    ) -> Option<(Statement, T)> {
+    ) -> Option<(PhysicalLine, T)> {
         let line = &self.buffer[self.start..];
         let slash = skip_blanks(line, word.len());
         if !line.starts_with(word) || line.get(slash) != Some(&b'/') || self.columns < usize::MAX {
             return None;
         }
-        let first = skip_blanks(line, slash + 1);
-        let (mut numbers, mut count, mut at) = ([0.0; 6], 0, first);
-        let (end, next) = loop {
+        let (mut numbers, mut count, mut end) = ([0.0; 6], 0, slash);
+        for (shape, number) in self.shapes.iter_mut().zip(&mut numbers) {
             // At the end of the buffer there may be no such bytes.
-            let (number, used) = short_number(line.get(at..)?.first_chunk()?)?;
-            *numbers.get_mut(count)? = number;
+            let (value, used) = shape.read(line.get(end + 1..)?.first_chunk()?)?;
+            *number = value;
             count += 1;
-            let end = at + used;
-            at = skip_blanks(line, end);
-            match line.get(at)? {
-                b',' => at = skip_blanks(line, at + 1),
-                b'\n' => break (end, at + 1),
-                b'\r' if line.get(at + 1) == Some(&b'\n') => break (end, at + 2),
-                _ => return None,
+            end += 1 + used;
+            if line.get(end) != Some(&b',') {
+                break;
             }
+        }
+        let at = skip_blanks(line, end);
+        let next = match line.get(at)? {
+            b'\n' => at + 1,
+            b'\r' if line.get(at + 1) == Some(&b'\n') => at + 2,
+            _ => return None,
         };
         // After the end of what has been read there are bytes of earlier reads.
         if self.start + next > self.end {
             return None;
         }
-        let made = make(ShortNumbers { numbers, count, at: Span { start: first, end } })?;
+        let made = make(ShortNumbers { numbers, count, at: Span { start: skip_blanks(line, slash + 1), end } })?;
         self.line += 1;
         let line = PhysicalLine { start: self.start, end: self.start + end, too_long: false };
         self.start += next;
         self.after_cr = false;
-        Some((self.on_one_line(line, StatementKind::Code), made))
+        Some((line, made))
+    }
+
+    /// The statement of the line that [`next_numbers`](Self::next_numbers) has returned last.
+    pub(crate) fn last_line(&self, line: PhysicalLine) -> Statement {
+        self.on_one_line(line, StatementKind::Code)
     }
 
     /// Bytes of the statement returned last.

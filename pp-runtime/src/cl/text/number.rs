@@ -21,77 +21,155 @@ const DIGITS_OF_U64: usize = 19;
 /// Number of decimal digits whose mantissa is always exact in binary64.
 const EXACT_DIGITS: usize = 15;
 
-/// Bytes that [`short_number`] may look at.
-pub(crate) const SHORT_NUMBER: usize = 24;
+/// Bytes that [`NumberShape::read`] may look at.
+pub(crate) const SHORT_NUMBER: usize = 40;
 
-/// Returns the number at the start of `text` and the count of its bytes, if it has at most six digits before its point, at
-/// most seven after it, and no exponent: nearly every number of a real file. The bytes after it may be anything.
-#[inline]
-pub(crate) fn short_number(text: &[u8; SHORT_NUMBER]) -> Option<(f64, usize)> {
-    let signed = usize::from(text[0] == b'-');
-    let whole = digits_in(u64_at(text, 0) >> (8 * signed));
-    // The byte after six digits and a sign has been read.
-    if whole.count > 6 {
-        return None;
-    }
-    let mut end = signed + whole.count;
-    let mut fraction = Digits { digits: 0, count: 0 };
-    if text[end] == b'.' {
-        fraction = digits_in(u64_at(text, end + 1));
-        end += 1 + fraction.count;
-    }
-    let count = whole.count + fraction.count;
-    // After eight digits more may come.
-    if count == 0 || fraction.count == 8 || matches!(text[end], b'E' | b'e' | b'D' | b'd') {
-        return None;
-    }
-    let mantissa = if count <= 8 {
-        value_of(whole.digits | fraction.digits << (8 * whole.count), count)
-    } else {
-        let whole = value_of(whole.digits, whole.count);
-        whole * WHOLE_POWERS_OF_TEN[fraction.count] + value_of(fraction.digits, fraction.count)
-    };
-    let magnitude = mantissa as f64 / POWERS_OF_TEN[fraction.count];
-    Some((if signed == 1 { -magnitude } else { magnitude }, end))
+/// No byte of a short number, nor the one after it, is as far from its start; any index modulo this has eight bytes after it.
+const INDICES: usize = SHORT_NUMBER - 8;
+
+/// Blanks, sign, digits and point of a short number: one whose point is among its first eight bytes, with fifteen digits at
+/// most, and no exponent.
+///
+/// Nearly every number of a file is short, and has the shape of the number at its place in the line before. Where the digits
+/// are known in advance, they are moved into the bytes of one integer and summed there.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct NumberShape {
+    /// Index of the byte after the number.
+    end: usize,
+    /// Bits of the first eight bytes that are no digits (blanks, sign, point), and their values.
+    fixed_bits: u64,
+    fixed: u64,
+    /// Bits of the digits before the point in the first eight bytes, and their rotation to their places among eight.
+    whole_bits: u64,
+    whole_rotation: u32,
+    /// Index of the first decimal, bits of the decimals in the bytes from there on, and their shift.
+    decimals_at: usize,
+    decimal_bits: u64,
+    decimal_shift: u32,
+    /// Zeros at the places of the digits.
+    zeros: u64,
+    /// Decimals after the first eight digits, in bytes that follow: there the number is summed in parts.
+    rest: usize,
+    /// Power of ten of the decimals; below zero with a sign.
+    scale: f64,
 }
 
-/// Powers of ten by which digits are moved before those of a fraction.
-const WHOLE_POWERS_OF_TEN: [i64; 9] = [1, 10, 100, 1_000, 10_000, 100_000, 1_000_000, 10_000_000, 100_000_000];
+impl NumberShape {
+    /// That of no number.
+    pub(crate) const NONE: Self = Self {
+        end: 0,
+        fixed_bits: 0,
+        // No byte is all of these bits and none of them.
+        fixed: u64::MAX,
+        whole_bits: 0,
+        whole_rotation: 0,
+        decimals_at: 0,
+        decimal_bits: 0,
+        decimal_shift: 0,
+        zeros: 0,
+        rest: 0,
+        scale: 1.0,
+    };
+
+    /// Returns the number at the start of `text`, blanks before it included, and the count of its bytes, and takes its shape;
+    /// `None` if the number is not short, or no byte after it ends a number of a list.
+    #[inline]
+    pub(crate) fn read(&mut self, text: &[u8; SHORT_NUMBER]) -> Option<(f64, usize)> {
+        match self.value(text) {
+            Some(value) => Some((value, self.end)),
+            None => self.read_anew(text),
+        }
+    }
+
+    /// The same where the number has another shape than the last one.
+    #[inline(never)]
+    fn read_anew(&mut self, text: &[u8; SHORT_NUMBER]) -> Option<(f64, usize)> {
+        *self = Self::of(text)?;
+        Some((self.value(text)?, self.end))
+    }
+
+    /// The number at the start of `text`, if it has this shape.
+    #[inline(always)]
+    fn value(&self, text: &[u8; SHORT_NUMBER]) -> Option<f64> {
+        let start = u64_at(text, 0);
+        // What may follow a number of a list comes before the point in the alphabet: a comma, a blank, the end of the line.
+        if text[self.end % INDICES] >= b'.' || start & self.fixed_bits != self.fixed {
+            return None;
+        }
+        let whole = (start & self.whole_bits).rotate_left(self.whole_rotation);
+        let decimals = (u64_at(text, self.decimals_at) & self.decimal_bits) << self.decimal_shift;
+        let first = value_of((whole | decimals) ^ self.zeros)?;
+        let mantissa = if self.rest == 0 { first } else { self.with_rest(first, text)? };
+        Some(mantissa as f64 / self.scale)
+    }
+
+    /// Mantissa with the decimals after the first eight digits.
+    #[inline(never)]
+    fn with_rest(&self, first: i64, text: &[u8; SHORT_NUMBER]) -> Option<i64> {
+        const POWERS: [i64; 8] = [1, 10, 100, 1_000, 10_000, 100_000, 1_000_000, 10_000_000];
+        let shift = 8 * (8 - self.rest);
+        let bytes = u64_at(text, self.end - self.rest) << shift;
+        Some(first * POWERS[self.rest] + value_of(bytes ^ ZEROS << shift)?)
+    }
+
+    /// Shape of the number at the start of `text`.
+    fn of(text: &[u8; SHORT_NUMBER]) -> Option<Self> {
+        let blanks = text.iter().take_while(|byte| **byte == b' ').count();
+        let signed = text.get(blanks) == Some(&b'-');
+        let first = blanks + usize::from(signed);
+        let digits_from = |at: usize| text.get(at..)?.iter().position(|byte| !byte.is_ascii_digit());
+        let whole = digits_from(first)?;
+        let point = first + whole;
+        let has_point = text[point] == b'.';
+        let decimals = if has_point { digits_from(point + 1)? } else { 0 };
+        let (digits, end) = (whole + decimals, point + usize::from(has_point) + decimals);
+        let is_short = point < 8 && (1..=EXACT_DIGITS).contains(&digits);
+        if !is_short || matches!(text[end], b'E' | b'e' | b'D' | b'd') {
+            return None;
+        }
+        let bits = |from: usize, to: usize| (from..to).fold(0, |bits, byte| bits | 0xFF << (8 * byte));
+        let fixed_bits = bits(0, first) | bits(point, point + usize::from(has_point));
+        // The first eight digits end in the highest byte.
+        let (together, rest) = (digits.min(8), digits.saturating_sub(8));
+        let scale = POWERS_OF_TEN[decimals];
+        Some(Self {
+            end,
+            fixed_bits,
+            fixed: u64_at(text, 0) & fixed_bits,
+            whole_bits: bits(first, point),
+            whole_rotation: 8 * (16 - together - first) as u32 % u64::BITS,
+            decimals_at: point + 1,
+            decimal_bits: bits(0, decimals - rest),
+            decimal_shift: 8 * (8 - (decimals - rest)) as u32 % u64::BITS,
+            zeros: ZEROS << (8 * (8 - together)),
+            rest,
+            scale: if signed { -scale } else { scale },
+        })
+    }
+}
+
+const ZEROS: u64 = 0x3030_3030_3030_3030;
 
 /// Eight bytes from `at` on, the first in the lowest byte.
 #[inline]
 fn u64_at(text: &[u8; SHORT_NUMBER], at: usize) -> u64 {
-    text[at..].first_chunk().map_or(0, |bytes| u64::from_le_bytes(*bytes))
+    text[at % INDICES..].first_chunk().map_or(0, |bytes| u64::from_le_bytes(*bytes))
 }
 
-/// Decimal digits, one in each byte, the first in the lowest; zero after them.
-struct Digits {
-    digits: u64,
-    count: usize,
-}
-
-/// The digits with which eight bytes begin.
+/// Value of eight digits, one in each byte, the last in the highest; `None` if one is no digit. They are summed in pairs,
+/// fours and eights.
 #[inline]
-fn digits_in(bytes: u64) -> Digits {
+fn value_of(digits: u64) -> Option<i64> {
     const HIGH_BITS: u64 = 0x8080_8080_8080_8080;
-    let digits = bytes ^ 0x3030_3030_3030_3030;
-    // The high bit of a byte is set where it is no digit; after the first such byte the sum may carry.
-    let others = (digits.wrapping_add(0x7676_7676_7676_7676) | digits) & HIGH_BITS;
-    // All bits below that of the first other byte, of which those of its own byte are left out.
-    let before = (others ^ others.wrapping_sub(1)) >> 8;
-    Digits { digits: digits & before, count: (others.trailing_zeros() / 8) as usize }
-}
-
-/// Value of the first `count` digits, 1 to 8: they are summed in pairs, fours and eights.
-#[inline]
-fn value_of(digits: u64, count: usize) -> i64 {
     const PAIRS: u64 = 0x0000_00FF_0000_00FF;
-    // The last digit in the highest byte, zeros before the first.
-    let digits = digits << (8 * (8 - count) % 64);
+    // No sum of a digit has the high bit, and without another byte none carries.
+    if (digits.wrapping_add(0x7676_7676_7676_7676) | digits) & HIGH_BITS != 0 {
+        return None;
+    }
     let pairs = digits.wrapping_mul(10).wrapping_add(digits >> 8);
     let first_and_third = (pairs & PAIRS).wrapping_mul(100 + (1_000_000 << 32));
     let second_and_fourth = ((pairs >> 16) & PAIRS).wrapping_mul(1 + (10_000 << 32));
-    (first_and_third.wrapping_add(second_and_fourth) >> 32).cast_signed()
+    Some((first_and_third.wrapping_add(second_and_fourth) >> 32).cast_signed())
 }
 
 /// Returns the number at the start of `text` and the count of its bytes; `None` if no number starts there.
@@ -196,7 +274,7 @@ fn rounded_by_library(text: &[u8], letter: usize) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::{SHORT_NUMBER, number_at_start as prefix, short_number, whole_number as whole};
+    use super::{NumberShape, SHORT_NUMBER, number_at_start as prefix, whole_number as whole};
     use proptest::prelude::*;
 
     #[test]
@@ -221,36 +299,55 @@ mod tests {
         assert_eq!(whole(b"-0.0").map(f64::to_bits), Some((-0.0_f64).to_bits()));
     }
 
+    const SHORT: [&str; 20] = [
+        "0",
+        "-0.0",
+        "7.",
+        ".5",
+        "-.5",
+        "999999.9999999",
+        "-999999.99999999",
+        "0.1234567",
+        "0.12345678",
+        "-0.12345678901234",
+        "123456.12345678",
+        "12,",
+        "3-4",
+        "1 2",
+        "48.1234\r",
+        "48.12345",
+        "-48.1234$",
+        "   17.00000",
+        "   -0.25000",
+        "-34.5000000000",
+    ];
+
     #[test]
-    fn short_numbers_are_read_as_any_number() {
-        for text in [
-            "0",
-            "-0.0",
-            "7.",
-            ".5",
-            "-.5",
-            "999999.9999999",
-            "-999999.9999999",
-            "0.1234567",
-            "12,",
-            "1.2.3",
-            "3-4",
-            "1 2",
-            "48.1234\r",
-        ] {
-            assert_eq!(short(text.as_bytes()), prefix(text.as_bytes()), "{text}");
+    fn short_numbers_are_read_as_any_number_whatever_the_shape_before() {
+        for text in SHORT {
+            for before in SHORT {
+                let mut shape = NumberShape::NONE;
+                read(&mut shape, before);
+                let blanks = text.len() - text.trim_start().len();
+                let expected = prefix(text.trim_start().as_bytes()).map(|(value, used)| (value, blanks + used));
+                assert_eq!(read(&mut shape, text), expected, "{text} after {before}");
+            }
         }
-        for text in ["", "-", ".", "-.", "+1", "1234567", "0.12345678", "1E5", "1.5D2", "x", "/"] {
-            assert_eq!(short(text.as_bytes()), None, "{text}");
+        for text in
+            ["", "-", ".", "-.", "+1", "123456789", "0.123456789012345", "1E5", "1.5D2", "1.2.3", "1/2", "x", "/"]
+        {
+            let mut shape = NumberShape::NONE;
+            read(&mut shape, "7.25");
+            assert_eq!(read(&mut shape, text), None, "{text}");
         }
     }
 
     /// The number at the start of `text`, which may be shorter than the bytes that are looked at.
-    fn short(text: &[u8]) -> Option<(f64, usize)> {
+    fn read(shape: &mut NumberShape, text: &str) -> Option<(f64, usize)> {
         let mut room = [b','; SHORT_NUMBER];
         let bytes = text.len().min(SHORT_NUMBER);
-        room[..bytes].copy_from_slice(&text[..bytes]);
-        short_number(&room)
+        room[..bytes].copy_from_slice(&text.as_bytes()[..bytes]);
+        shape.read(&room)
     }
 
     #[test]
@@ -289,17 +386,32 @@ mod tests {
 
         #[test]
         fn random_short_numbers_read_as_any_number(
-            text in "-?[0-9]{0,7}(\\.[0-9]{0,8})?[ -~]{0,6}"
+            texts in proptest::collection::vec("-?[0-9]{0,7}(\\.[0-9]{0,16})?[ -~]{0,6}", 1..4)
         ) {
-            if let Some((value, used)) = short(text.as_bytes()) {
-                let (expected, end) = prefix(text.as_bytes()).unwrap();
-                prop_assert_eq!((value.to_bits(), used), (expected.to_bits(), end));
+            let mut shape = NumberShape::NONE;
+            for text in &texts {
+                if let Some((value, used)) = read(&mut shape, text) {
+                    let (expected, end) = prefix(text.as_bytes()).unwrap();
+                    prop_assert_eq!((value.to_bits(), used), (expected.to_bits(), end));
+                }
             }
         }
 
         #[test]
-        fn numbers_of_real_files_are_short(text in "-?[0-9]{1,6}\\.[0-9]{0,7}[,\r\n$ ]") {
-            prop_assert!(short(text.as_bytes()).is_some());
+        fn numbers_of_one_shape_are_read_at_once(one in 1_u32..1000, other in 1_u32..1000, decimals in 0_usize..10) {
+            let text = |number: u32| format!("-{}.{:0>decimals$}", 1000 + number, &"1234567890"[..decimals]);
+            let mut shape = NumberShape::NONE;
+            read(&mut shape, &text(one));
+            let known = format!("{shape:?}");
+            let found = read(&mut shape, &text(other)).unwrap();
+            prop_assert_eq!(found.0.to_bits(), text(other).parse::<f64>().unwrap().to_bits());
+            prop_assert_eq!(format!("{shape:?}"), known);
+        }
+
+        #[test]
+        fn numbers_of_real_files_are_short(text in "-?[0-9]{1,5}\\.[0-9]{0,10}[,\r\n$ ]") {
+            let mut shape = NumberShape::NONE;
+            prop_assert!(read(&mut shape, &text).is_some());
         }
     }
 }

@@ -3,6 +3,7 @@
 use super::RecordInterpreter;
 use crate::cl::dialect::Dialect;
 use crate::cl::meaning::arc::{WaitingCircle, arc_of, is_on, tangent_circle, tlon_fault};
+use crate::cl::meaning::axis::Normalised;
 use crate::cl::meaning::event_queue::QueuedEvent;
 use crate::cl::meaning::feed::feed_of;
 use crate::cl::meaning::holes::{self, CycleContext, HoleDefinition};
@@ -32,18 +33,20 @@ impl RecordInterpreter {
 
     /// Pose of a point, in the workpiece frame.
     fn pose(&mut self, point: &Point, here: Location) -> Result<Pose, ClFault> {
+        let (Pose { tip, axis }, normalised) = self.pose_in_file(point)?;
+        let tip = self.coordinates.point(tip, point.at)?;
+        self.axis.count(normalised, here);
+        Ok(Pose { tip, axis: self.coordinates.transforms().direction(axis) })
+    }
+
+    /// Pose of a point in the frame of the file, which is that of the workpiece where no transform is in force.
+    #[inline(always)]
+    fn pose_in_file(&mut self, point: &Point) -> Result<(Pose, Normalised), ClFault> {
         let unit_mm = self.units.millimetres(point.at)?;
         let tip = within_a_kilometre(Point3::from(point.tip.map(|value| value * unit_mm)), point.at)?;
         let (axis, normalised) = self.axis.at_point(point.axis, point.at)?;
         self.coordinates.set_up().check_axis(point.axis, point.at)?;
-        let pose = if self.plain_goto {
-            Pose { tip, axis }
-        } else {
-            let tip = self.coordinates.point(tip, point.at)?;
-            Pose { tip, axis: self.coordinates.transforms().direction(axis) }
-        };
-        self.axis.count(normalised, here);
-        Ok(pose)
+        Ok((Pose { tip, axis }, normalised))
     }
 
     /// Pose of the tool tip, where the CL data may program the centre of the corner radius.
@@ -98,7 +101,8 @@ impl RecordInterpreter {
     /// GOTO while no arc, curve or cycle is open and no transform is in force.
     #[inline]
     pub(crate) fn straight(&mut self, point: &Point, here: Location) -> Result<Move, ClFault> {
-        let pose = self.pose(point, here)?;
+        let (pose, normalised) = self.pose_in_file(point)?;
+        self.axis.count(normalised, here);
         let rapid = self.path.move_to(pose);
         Ok(Move { pose, rapid, feed: self.path.feed() })
     }
