@@ -1,6 +1,7 @@
 //! `kinematics`: kinematics of the machine for its control, as files.
 
 use std::fs;
+use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use crate::config::Config;
