@@ -170,12 +170,14 @@ fn tip_ability(control: &dyn Control, demands: Demands<'_>) -> Option<TipAbility
         frame_is_parameter: tip.frame_is_set,
         rotates_axis_in_plane: tip.turns_in_plane,
         takes_vectors: tip.vectors.is_some() && !configured,
+        holds_axis_speeds: control.spellings().tip_control_holds_axis_speeds,
     });
     let plain = TipAbility {
         start: TipStart::Configured,
         frame_is_parameter: false,
         rotates_axis_in_plane: false,
         takes_vectors: false,
+        holds_axis_speeds: control.spellings().tip_control_holds_axis_speeds,
     };
     own.or_else(|| configured.then_some(plain))
 }

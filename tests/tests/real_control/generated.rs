@@ -163,6 +163,39 @@ fn assert_runs<M: Machine>(letters: &'static str) {
     assert!(control_tip <= TIP && tip <= TIP && axis <= AXIS && joints <= JOINT, "{tip} {control_tip} {axis} {joints}");
 }
 
+/// Largest speeds, mm/min and deg/min, that a program must hold.
+const SPEEDS: [(char, f64); 5] = [('X', 9_000.0), ('Y', 9_000.0), ('Z', 7_200.0), ('B', 2_700.0), ('C', 3_600.0)];
+
+#[test]
+fn joints_keep_their_speeds_under_tip_control() {
+    if !possible() {
+        return;
+    }
+    let mut config = set_up(Mode::Tcp);
+    let in_radians = |letter: char, speed: f64| if "BC".contains(letter) { speed.to_radians() } else { speed };
+    config.set_up.speeds = SPEEDS.map(|(letter, speed)| (letter, in_radians(letter, speed))).into();
+    config.motion.tip.tcp_confirmed = true;
+    let machine = config.set_up.machine::<Nutating>().expect("valid");
+    let files = files(&machine, &config).expect("LinuxCNC can express it");
+    let mut simulation =
+        Simulation::start(&Control { kinematics: Kinematics::Generated(files), ..control::<Nutating>("XYZBC") })
+            .unwrap_or_else(|error| panic!("{error}"));
+    // Of the speed, over one servo cycle of a millisecond: the sampler has six decimals.
+    let fastest = |run: &Run| {
+        let shares = run.reached.iter().flat_map(|reached| reached.way.windows(2)).flat_map(|cycle| {
+            let joints = cycle[0].iter().zip(&cycle[1]).zip(SPEEDS);
+            joints.map(|((before, after), (_, speed))| (after - before).abs() / (speed / 60_000.0)).collect::<Vec<_>>()
+        });
+        shares.fold(0.0, larger)
+    };
+    let held = fastest(&run::<Nutating>(&mut simulation, &config, false));
+    // The same program without the speeds would be far too fast: the test can fail.
+    config.motion.feed.keep_speeds = false;
+    let free = fastest(&run::<Nutating>(&mut simulation, &config, false));
+    println!("fastest joint, of its speed: {held:.3}; without holding it {free:.3}");
+    assert!(held <= 1.02 && free > 1.2, "{held} {free}");
+}
+
 /// Whether generated modules can be compiled and loaded; if not, prints that the test is skipped.
 fn possible() -> bool {
     can_be_simulated() && can_be_compiled() && can_be_loaded()

@@ -184,6 +184,7 @@ impl CycleComparison<'_> {
         let to = rules.words().values(&words_at(rules, block, self.cycle.bottom)?);
         let length_mm = hole.clearance_mm + hole.depth_mm;
         let stroke = Stroke {
+            uneven: None,
             tip_rate_mm: [0.0; 2],
             length_mm,
             longest_mm: length_mm,

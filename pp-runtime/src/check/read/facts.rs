@@ -91,6 +91,8 @@ pub(crate) struct Facts {
     pub(crate) largest_inverse_time_hundredths: Option<u32>,
     /// All axes of a rapid under tip control arrive together.
     pub(crate) rapids_interpolated: bool,
+    /// Tip control slows down where an axis would exceed its speed.
+    pub(crate) tip_control_holds_axis_speeds: bool,
     /// A tilted plane is switched off before the retract in machine coordinates, and that moves nothing.
     pub(crate) plane_off_before_retract: bool,
     /// The tool call selects the working plane.
@@ -170,6 +172,7 @@ const ISO: Facts = Facts {
     largest_inverse_time_hundredths: None,
     // Fanuc: parameter 1401#1; Haas: a setting.
     rapids_interpolated: false,
+    tip_control_holds_axis_speeds: true,
     plane_off_before_retract: false,
     plane_by_tool_call: false,
     tool_axis_interpolation: false,
@@ -218,6 +221,7 @@ impl Family {
                 tap_stops_spindle: false,
                 guard_in_mm: true,
                 rapids_interpolated: true,
+                tip_control_holds_axis_speeds: false,
                 length_ends_tip_control: false,
                 least_increments: false,
                 tool_call_alone: true,

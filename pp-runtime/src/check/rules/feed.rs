@@ -42,9 +42,15 @@ pub(crate) struct Stroke {
     pub(crate) tip_rate_mm: [f64; 2],
     /// Change of the axis values, mm and rad.
     pub(crate) change: [f64; MAX_AXES],
+    /// Largest speeds of the axes within the block, times its time, where the axes do not move evenly and the control does not
+    /// slow down for them.
+    pub(crate) uneven: Option<[f64; MAX_AXES]>,
     pub(crate) feed: Option<Feed>,
     pub(crate) speed_rev_per_min: Option<f64>,
 }
+
+/// Largest ratio of a bound of the largest speed of an axis within a block to that speed.
+const UNEVEN_BOUND: f64 = 1.03;
 
 /// Rules of F for one machine, control and set-up.
 #[derive(Debug, Clone)]
@@ -156,6 +162,10 @@ impl FeedLaw {
             let mut change = change.abs();
             if self.linear_bits & (1 << index) != 0 {
                 linear += change * change;
+                if let Some(uneven) = stroke.uneven {
+                    // A bound of the largest speed may exceed it.
+                    change = uneven[index] * if error > 0.0 { UNEVEN_BOUND } else { 1.0 };
+                }
                 change += error * self.unit_mm;
             } else if self.rotary_bits & (1 << index) != 0 {
                 degrees += change.to_degrees().powi(2);
@@ -441,7 +451,7 @@ mod tests {
         (change[0], change[1]) = (length, degrees.to_radians());
         let feed = Some(Feed::PerMinute(feed));
         let (longest_mm, tip_rate_mm) = (f64::INFINITY, [0.0; 2]);
-        Stroke { length_mm: length, longest_mm, tip_rate_mm, change, feed, speed_rev_per_min: None }
+        Stroke { length_mm: length, longest_mm, tip_rate_mm, change, uneven: None, feed, speed_rev_per_min: None }
     }
 
     fn passes(law: &FeedLaw, stroke: &Stroke, mode: FeedMode, feed: f64) -> bool {

@@ -228,7 +228,10 @@ impl<'a> Rules<'a> {
     pub(super) fn minutes(&self, [from, to]: [&[f64; MAX_AXES]; 2], length_mm: f64, state: &State) -> Option<f64> {
         let change = std::array::from_fn(|index| to[index] - from[index]);
         let (longest_mm, tip_rate_mm, feed, speed_rev_per_min) = (length_mm, [0.0; 2], None, None);
-        self.law.minutes(&Stroke { length_mm, longest_mm, tip_rate_mm, change, feed, speed_rev_per_min }, state)
+        self.law.minutes(
+            &Stroke { length_mm, longest_mm, tip_rate_mm, change, uneven: None, feed, speed_rev_per_min },
+            state,
+        )
     }
 
     /// Axes whose position must be known for tip and tool axis: bits.
@@ -331,7 +334,34 @@ impl<'a> Rules<'a> {
         let rate_mm = deviation.map_or(0.0, |found| found.tip_rate_mm);
         let tip_rate_mm = if rate_mm > 0.0 { tolerances.map(|more| rate_mm + more) } else { [0.0; 2] };
         let speed_rev_per_min = required.spindle.map(|(speed, _)| speed);
-        Stroke { length_mm, longest_mm, tip_rate_mm, change, feed, speed_rev_per_min }
+        let uneven = self.uneven(before, block);
+        Stroke { length_mm, longest_mm, tip_rate_mm, change, uneven, feed, speed_rev_per_min }
+    }
+
+    /// Largest speeds of the axes in a block under tip control that rotates, times its time, by the axis values at many places
+    /// of the block; `None` where the axes move evenly, or the control slows down for them.
+    fn uneven(&self, before: &[f64; MAX_AXES], block: &Block) -> Option<[f64; MAX_AXES]> {
+        let follows = block.state.tip_control != TipControl::Off && block.state.vector.is_none();
+        if !follows || self.facts.tip_control_holds_axis_speeds || !self.law.needs_axes() {
+            return None;
+        }
+        let rotation: f64 = self.words.rotary().map(|index| (block.values[index] - before[index]).abs()).sum();
+        if rotation <= 0.0 {
+            return None;
+        }
+        let parts = (rotation / UNEVEN_PART_RAD).ceil().clamp(4.0, 512.0);
+        let mut largest = [0.0_f64; MAX_AXES];
+        let mut last = self.words.axes(before, &block.state)?;
+        for part in 1..=parts as u32 {
+            let share = f64::from(part) / parts;
+            let words = std::array::from_fn(|index| before[index] + share * (block.values[index] - before[index]));
+            let axes = self.words.axes(&words, &block.state)?;
+            for (largest, (axis, last)) in largest.iter_mut().zip(axes.iter().zip(&last)) {
+                *largest = largest.max((axis - last).abs() * parts);
+            }
+            last = axes;
+        }
+        Some(largest)
     }
 
     /// What is wrong with F of a block that goes from one share of a motion to another. With a tool vector the rotation of the
@@ -400,6 +430,12 @@ impl<'a> Rules<'a> {
         self.policy.linear_of_all().is_none_or(|meaning| meaning == LinearMeaning::TipCoordinates)
     }
 
+    /// Whether rapids that rotate the tool would exceed the speeds of axes: under a tip control that does not hold them.
+    fn rapids_exceed_speeds(&self) -> bool {
+        let tip = self.meaning == LinearMeaning::TipCoordinates;
+        tip && !self.facts.tip_control_holds_axis_speeds && self.law.needs_axes()
+    }
+
     /// Form of the rapids of the CL data that rotate the tool at the part.
     pub(super) fn link_form(&self) -> LinkForm {
         let links = &self.policy.links;
@@ -407,7 +443,7 @@ impl<'a> Rules<'a> {
             _ if links.direct => LinkForm::OneRapid,
             _ if !links.follows_links => LinkForm::None,
             Some(_) if links.rapid == RapidForm::Feed => LinkForm::Feed,
-            _ if self.rapids_are_interpolated() => LinkForm::Rapids,
+            _ if self.rapids_are_interpolated() && !self.rapids_exceed_speeds() => LinkForm::Rapids,
             Some(_) => LinkForm::Feed,
             None => LinkForm::None,
         }
@@ -422,6 +458,9 @@ impl<'a> Rules<'a> {
             || form == LinkForm::Rapids && block.action == Action::Rapid
     }
 }
+
+/// Rotation between two places at which the axis values are compared, rad.
+const UNEVEN_PART_RAD: f64 = 0.01;
 
 /// Form of a rapid of the CL data that rotates the tool at the part by more than the index angle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -138,6 +138,7 @@ static SPELLINGS: Spellings = Spellings {
     inverse_time: None,
     largest_inverse_time: f64::INFINITY,
     linear_rapids: LinearRapids::AsDelivered,
+    tip_control_holds_axis_speeds: true,
     path_norm: PathNorm::XyzDegrees,
     feed_per_inch: 10.0,
     rapid: "L",

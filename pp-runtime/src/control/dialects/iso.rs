@@ -35,6 +35,7 @@ impl Spellings {
         inverse_time: Some("G93"),
         largest_inverse_time: f64::INFINITY,
         linear_rapids: LinearRapids::No,
+        tip_control_holds_axis_speeds: true,
         path_norm: PathNorm::G93Minutes,
         feed_per_inch: 1.0,
         rapid: "G0",

@@ -27,6 +27,8 @@ static SPELLINGS: Spellings = Spellings {
     comment: CommentStyle { marks: ["(", ")"], length: 250, byte: ascii_in_brackets },
     end: "M2",
     linear_rapids: LinearRapids::Always,
+    // Its planner knows the coordinates only: github.com/LinuxCNC/linuxcnc, issue 97 (following errors of the joints).
+    tip_control_holds_axis_speeds: false,
     safety: &["{units} G17 G40 G49 G80 G90 G94 {work_offset} G64 P{path_tolerance}"],
     arcs: ArcCodes {
         // If the radii differ by more, the interpreter of version 2.9 also compares their ratio.

@@ -51,6 +51,8 @@ pub struct Spellings {
     pub largest_inverse_time: f64,
     /// Whether all axes of a rapid arrive together.
     pub linear_rapids: LinearRapids,
+    /// Under tip control it slows down where an axis would exceed its speed.
+    pub tip_control_holds_axis_speeds: bool,
     /// Path to which F applies where a rotary axis moves.
     pub path_norm: PathNorm,
     /// Number of units of F in one inch, in an inch program.

@@ -58,6 +58,8 @@ pub struct TipAbility {
     pub rotates_axis_in_plane: bool,
     /// It accepts the tool axis as a vector.
     pub takes_vectors: bool,
+    /// It slows down where an axis would exceed its speed.
+    pub holds_axis_speeds: bool,
 }
 
 /// An isometry of the workpiece frame: `word = rotation · p + shift`.

@@ -4,6 +4,7 @@
 //! that rounding an angle never moves the tip. Limits are compared with rounded values.
 
 mod axes;
+mod axis_speed;
 mod chain;
 mod datum;
 mod dog_leg;
@@ -400,6 +401,11 @@ impl Placer {
             speed.map(|speed| travel / speed)
         });
         times.reduce(f64::max)
+    }
+
+    /// Whether blocks are slowed down for the speeds of axes.
+    pub(crate) fn keeps_speeds(&self) -> bool {
+        self.speeds.timed
     }
 
     /// Shortest time of a rapid of the axes in `mask`, min; `None` if one that moves has no known speed.

@@ -263,7 +263,7 @@ impl Feeds {
     }
 
     /// Time of a motion at the feed of the CL data, mm/min; where the tip rests, at the speed for reorientation.
-    fn programmed_min(&self, feed: f64, motion: FeedMotion) -> f64 {
+    pub(crate) fn programmed_min(&self, feed: f64, motion: FeedMotion) -> f64 {
         let uneven_mm = (motion.tip_rate_mm - ROUNDED_UNITS * self.smallest_length_mm) / FASTER;
         let along_path = motion.length_mm.max(uneven_mm) / feed;
         let time_min = if motion.length_mm < self.smallest_length_mm {

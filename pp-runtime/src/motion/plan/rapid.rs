@@ -89,6 +89,11 @@ impl<S: Sink> Planner<'_, S> {
         dog_leg.is_some_and(|dog_leg| !is_separated(clearance, &dog_leg.corners, dog_leg.beyond_mm - graze_mm))
     }
 
+    /// Whether no axis exceeds its known speed in a rapid that rotates the tool.
+    fn rapids_hold_speeds(&self) -> bool {
+        self.mover.holds_axis_speeds() || !self.mover.placer().keeps_speeds()
+    }
+
     fn path_of_rapid(&mut self, pose: &Pose, place: &AxisPosition) -> RapidPath {
         if self.mover.leaves_plane(place) {
             return RapidPath::Sequence;
@@ -106,7 +111,7 @@ impl<S: Sink> Planner<'_, S> {
             _ if far && safe && (rapids.links == Links::Safe || !self.modes.keeps_rotating()) => None,
             feed if at_feed => feed,
             _ if !safe => None,
-            _ if self.abilities.linear_rapids => Some(LinkForm::Rapid),
+            _ if self.abilities.linear_rapids && self.rapids_hold_speeds() => Some(LinkForm::Rapid),
             feed => feed,
         };
         match form {

@@ -32,7 +32,9 @@ pub(super) fn ini(module: &Module<'_>) -> String {
          [HAL]\nHALFILE = {stem}.hal\n\n\
          [KINS]\nKINEMATICS = {kins}\nJOINTS = {count}\n\n\
          [TRAJ]\nCOORDINATES = {coordinates}\nLINEAR_UNITS = mm\nANGULAR_UNITS = degree\n\
-         DEFAULT_LINEAR_VELOCITY = {speed}\nMAX_LINEAR_VELOCITY = {most}\n\
+         DEFAULT_LINEAR_VELOCITY = {speed}\n\
+         # The speed of the slowest of X, Y and Z: under tip control a rapid along any of them may move any joint.\n\
+         MAX_LINEAR_VELOCITY = {most}\n\
          DEFAULT_ANGULAR_VELOCITY = {rotary_speed}\nMAX_ANGULAR_VELOCITY = {rotary_most}\n\
          DEFAULT_LINEAR_ACCELERATION = {acceleration}\nMAX_LINEAR_ACCELERATION = {acceleration}\n",
         machine = module.machine.name(),
@@ -40,10 +42,10 @@ pub(super) fn ini(module: &Module<'_>) -> String {
         kins = module.name,
         count = module.joints.len(),
         coordinates = letters.join(" "),
-        speed = SPEED[0],
+        speed = SPEED[0].min(speeds(module, AxisKind::Linear).fold(f64::INFINITY, f64::min)),
         rotary_speed = SPEED[1],
-        most = fastest(module, AxisKind::Linear),
-        rotary_most = fastest(module, AxisKind::Rotary),
+        most = speeds(module, AxisKind::Linear).fold(f64::INFINITY, f64::min),
+        rotary_most = speeds(module, AxisKind::Rotary).fold(SPEED[1], f64::max),
         acceleration = ACCELERATION[0],
     );
     let bounds = module.config.set_up.travel(module.machine.axes());
@@ -95,11 +97,11 @@ fn per_second(kind: AxisKind, speed: Option<f64>) -> f64 {
     speed.map_or(SPEED[kind_index(kind)], |speed| printed(kind, speed) / 60.0)
 }
 
-/// Largest speed of the axes of a kind.
-fn fastest(module: &Module<'_>, kind: AxisKind) -> f64 {
+/// Speeds of the axes of a kind that are solved for.
+fn speeds(module: &Module<'_>, kind: AxisKind) -> impl Iterator<Item = f64> {
     let speeds = module.config.set_up.travel(module.machine.axes()).speeds;
-    let of_kind = module.joints.iter().filter(|(_, axis)| axis.kind == kind);
-    of_kind.map(|(index, _)| per_second(kind, speeds[*index])).fold(SPEED[kind_index(kind)], f64::max)
+    let of_kind = module.joints.iter().filter(move |(_, axis)| axis.kind == kind && !axis.held);
+    of_kind.map(move |(index, _)| per_second(kind, speeds[*index]))
 }
 
 /// A value in mm or degrees.

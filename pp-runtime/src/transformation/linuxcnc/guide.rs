@@ -64,7 +64,8 @@ pub(super) fn readme(module: &Module<'_>) -> String {
          5. The limits `[AXIS_X]`, `[AXIS_Y]` and `[AXIS_Z]` count coordinates of the tip under tip control; keep them wide. The\n\
          limits of the joints hold in both.\n\
          6. LinuxCNC does not hold the speeds of the joints under tip control (its issue 97: following errors). Give `[speeds]` in\n\
-         the set-up file: posted programs then hold them, block by block.\n\
+         the set-up file: posted programs then hold them in every block that rotates, and `MAX_LINEAR_VELOCITY` of `[TRAJ]` holds\n\
+         them in rapids along X, Y and Z. It must not exceed the speed of the slowest of the three joints.\n\
          7. A declared sign or dimension that is wrong is wrong here as well. Go through the jog sheet (`explain`) first; then switch\n\
          tip control on over a fixed point, rotate each axis, and see the tip stay there.\n\n\
          The letters of LinuxCNC are {LETTERS}; what the chain does not have is zero. Licence of the component: GPL, as LinuxCNC\n\

@@ -257,16 +257,26 @@ impl<'a, S: Sink> Mover<'a, S> {
             let largest_mm = self.feeds.largest_tip_rate_mm(length_mm);
             if bound.tip_rate > largest_mm { self.placer.tip_rate_mm(from, to) } else { 0.0 }
         });
-        let motion = FeedMotion {
+        let mut motion = FeedMotion {
             length_mm,
             tip_rate_mm,
             rotation_rad: self.placer.rotary_travel(&from.words, &to.words),
             orthogonal: self.placer.keeps_path_length(),
             linear_mm,
             rotary_degrees,
-            axis_time_min: self.placer.least_minutes(from, to).unwrap_or(0.0),
+            axis_time_min: 0.0,
+        };
+        motion.axis_time_min = match self.holds_axis_speeds() {
+            true => self.placer.least_minutes(from, to).unwrap_or(0.0),
+            false => self.placer.least_minutes_at_tip(from, to, self.feeds.programmed_min(rate, motion)),
         };
         self.feeds.pace(rate, motion)
+    }
+
+    /// Whether no axis exceeds its speed within a block that takes as long as the axes take from one end to the other: the axes
+    /// move evenly, or the control slows down by itself.
+    pub(crate) fn holds_axis_speeds(&self) -> bool {
+        self.placer.mode() != StretchMode::Tcp || self.abilities.tip.is_none_or(|tip| tip.holds_axis_speeds)
     }
 
     /// Writes a feed motion to a place at `rate` mm/min; the caller sets the position.
