@@ -128,6 +128,10 @@ options! {
         /// Zero: within the rounding of CL data.
         axis_tolerance_rad: f64 = 0.0,
             key("course.axis_tolerance", Measure::angle(Bound::NotNegative).unless(another_path));
+        /// Largest rotation of a rotary axis at the pole with the tool in the cut: for a larger one the tool leaves the part.
+        /// Without it any.
+        rotation_at_pole_rad: Option<f64> = None,
+            key("course.rotation_at_pole", Measure::angle(Bound::NotNegative), "45.0");
     }
 }
 

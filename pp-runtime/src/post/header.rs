@@ -83,6 +83,11 @@ pub(crate) fn assumptions(
     if links && delivered && config.control.linear_rapids.is_none() {
         list.push("all axes of a rapid arrive together, as the control is delivered".to_owned());
     }
+    let units = config.output_units.or(survey.file.units);
+    if units == Some(Units::Inches) && abilities.feed_per_inch > 1.0 && control.spellings().cycles.is_some() {
+        let per_inch = abilities.feed_per_inch;
+        list.push(format!("F is in 1/{per_inch} inch/min, in cycles (Q206) as well"));
+    }
     for tool in survey.tools.iter().filter(|tool| tool.spindle_assumed) {
         let number = tool.call.number;
         let given = config.set_up.tools.get(&number);

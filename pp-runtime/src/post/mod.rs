@@ -206,6 +206,13 @@ impl Report {
             ));
             lines.extend(self.surface_text());
         }
+        if statistics.largest_on_spot_rad > ON_SPOT {
+            lines.push(format!(
+                "at the pole a rotary axis rotates by up to {:.3}° with the tool in the cut and the tip at rest: \
+                 `course.rotation_at_pole` sets a limit",
+                statistics.largest_on_spot_rad.to_degrees()
+            ));
+        }
         lines.extend(arcs_text(statistics));
         if statistics.cycles > 0 {
             lines.push(format!("holes made with canned cycles: {}", statistics.cycles));
@@ -246,6 +253,9 @@ impl Report {
         Some(text)
     }
 }
+
+/// Rotation with the tip at rest that the summary states, rad.
+const ON_SPOT: f64 = 5_f64.to_radians();
 
 /// Number of arcs written as arcs, and of those written as lines with the reasons.
 fn arcs_text(statistics: &Statistics) -> Option<String> {

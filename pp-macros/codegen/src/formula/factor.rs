@@ -360,20 +360,20 @@ pub(crate) fn common_number(factors: &[&Surd]) -> Surd {
     for factor in factors {
         let mut parts = factor.terms();
         let (Some((root, rational)), None) = (parts.next(), parts.next()) else { return Surd::one() };
-        if *radicand.get_or_insert(root) != root {
+        if *radicand.get_or_insert_with(|| root.clone()) != root {
             return Surd::one();
         }
         above = above.gcd(rational.numer());
         below = below.lcm(rational.denom());
     }
-    let plain = |(_, rational): (_, &BigRational)| rational.abs().is_one();
+    let plain = |(_, rational): (_, BigRational)| rational.abs().is_one();
     // x + 3/2 is not (2 x + 3)/2.
     let spoiled = !below.is_one() && factors.iter().flat_map(|factor| factor.terms()).any(plain);
     if spoiled || above.bits().max(below.bits()) > DIGITS {
         return Surd::one();
     }
     let rational = BigRational::new(above.abs(), below);
-    let root = radicand.map(|root| BigRational::from(BigInt::from(root.clone())));
+    let root = radicand.map(|root| BigRational::from(BigInt::from(root)));
     let root = root.and_then(|root| Surd::sqrt_of_rational(&root)).unwrap_or_else(Surd::one);
     &Surd::from(rational) * &root
 }

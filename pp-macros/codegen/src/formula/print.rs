@@ -221,7 +221,7 @@ fn surd(number: &Surd, style: Style) -> Piece {
         return Piece::new(format!("-{}", positive.text), Binding::Sum);
     }
     let large = |value: &BigInt| value.bits() > EXACT_BITS;
-    let parts: Vec<(&BigUint, &BigRational)> = number.terms().collect();
+    let parts: Vec<(BigUint, BigRational)> = number.terms().collect();
     let rounded = style != Style::Source
         && (parts.len() > 3
             || parts.iter().any(|(root, q)| root.bits() > EXACT_BITS || large(q.numer()) || large(q.denom())));
@@ -242,7 +242,7 @@ fn surd(number: &Surd, style: Style) -> Piece {
     let mut text = String::new();
     let mut binding = Binding::Atom;
     for (root, factor) in &parts {
-        let whole = (*factor * &scale).to_integer();
+        let whole = (factor * &scale).to_integer();
         text += match (text.is_empty(), whole.is_negative()) {
             (true, false) => "",
             (true, true) => "-",

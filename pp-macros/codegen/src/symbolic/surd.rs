@@ -8,6 +8,7 @@
 //! not conclusive (a radicand above the cube of the limit) no surd is returned, and the caller takes an algebraic
 //! symbol with the root's square as its relation.
 
+use std::borrow::Cow;
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 use std::ops::{Add, Mul, Neg, Sub};
@@ -24,9 +25,41 @@ const TRIAL_LIMIT: u32 = 20_000;
 const FLOAT_DIGITS: usize = 192;
 
 /// A number `Σ q_n √n`, `n` square-free; the empty sum is zero.
-#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
-pub struct Surd {
-    terms: BTreeMap<BigUint, BigRational>,
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub struct Surd(Value);
+
+/// Square-free radicands with their factors.
+type Terms = BTreeMap<BigUint, BigRational>;
+
+/// Most coefficients are small whole numbers, whose arithmetic needs no memory.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+enum Value {
+    Whole(i64),
+    /// Any other number: never a whole one of this size.
+    Sum(Terms),
+}
+
+impl Default for Surd {
+    fn default() -> Self {
+        Self(Value::Whole(0))
+    }
+}
+
+impl Ord for Surd {
+    /// Order of the sums, term by term.
+    fn cmp(&self, other: &Self) -> Ordering {
+        match (&self.0, &other.0) {
+            // The empty sum comes first.
+            (Value::Whole(a), Value::Whole(b)) => (*a != 0, a).cmp(&(*b != 0, b)),
+            _ => self.sum().cmp(&other.sum()),
+        }
+    }
+}
+
+impl PartialOrd for Surd {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
 }
 
 impl Surd {
@@ -73,28 +106,50 @@ impl Surd {
     /// The number as a rational, if it is one.
     #[must_use]
     pub fn as_rational(&self) -> Option<BigRational> {
-        match self.terms.len() {
-            0 => Some(BigRational::zero()),
-            1 => self.terms.get(&BigUint::one()).cloned(),
-            _ => None,
+        match &self.0 {
+            Value::Whole(whole) => Some(BigRational::from(BigInt::from(*whole))),
+            Value::Sum(terms) if terms.len() == 1 => terms.get(&BigUint::one()).cloned(),
+            Value::Sum(_) => None,
         }
     }
 
     /// Square-free radicands with their factors, smallest radicand first.
-    pub fn terms(&self) -> impl Iterator<Item = (&BigUint, &BigRational)> + '_ {
-        self.terms.iter()
+    pub fn terms(&self) -> impl Iterator<Item = (BigUint, BigRational)> + use<> {
+        self.sum().into_owned().into_iter()
     }
 
     /// True for the empty sum.
     #[must_use]
     pub fn is_zero(&self) -> bool {
-        self.terms.is_empty()
+        self.0 == Value::Whole(0)
     }
 
     /// True for exactly 1.
     #[must_use]
     pub fn is_one(&self) -> bool {
-        self.terms.len() == 1 && self.terms.get(&BigUint::one()).is_some_and(One::is_one)
+        self.0 == Value::Whole(1)
+    }
+
+    /// The number as a sum.
+    fn sum(&self) -> Cow<'_, Terms> {
+        match &self.0 {
+            Value::Whole(0) => Cow::Owned(Terms::new()),
+            Value::Whole(whole) => Cow::Owned(Terms::from([(BigUint::one(), BigRational::from(BigInt::from(*whole)))])),
+            Value::Sum(terms) => Cow::Borrowed(terms),
+        }
+    }
+
+    /// The number that is a sum.
+    fn of(terms: Terms) -> Self {
+        let whole = match terms.len() {
+            0 => Some(0),
+            1 => terms
+                .get(&BigUint::one())
+                .filter(|factor| factor.is_integer())
+                .and_then(|factor| factor.numer().to_i64()),
+            _ => None,
+        };
+        Self(whole.map_or(Value::Sum(terms), Value::Whole))
     }
 
     /// `1 / self`, by conjugates; `None` for zero.
@@ -137,17 +192,16 @@ impl Surd {
     /// `a`, `b`, `c` with the number `a + √b·c`, `a` and `c` free of `√b`; `None` for a rational number.
     fn split(&self) -> Option<(Self, BigUint, Self)> {
         let base = self.coprime_base().into_iter().next()?;
-        let mut a = Self::zero();
-        let mut c = Self::zero();
-        for (radicand, factor) in &self.terms {
+        let (mut a, mut c) = (Terms::new(), Terms::new());
+        for (radicand, factor) in &*self.sum() {
             let (quotient, remainder) = radicand.div_rem(&base);
             if remainder.is_zero() {
-                c.terms.insert(quotient, factor.clone());
+                c.insert(quotient, factor.clone());
             } else {
-                a.terms.insert(radicand.clone(), factor.clone());
+                a.insert(radicand.clone(), factor.clone());
             }
         }
-        Some((a, base, c))
+        Some((Self::of(a), base, Self::of(c)))
     }
 
     /// Nearest float.
@@ -155,7 +209,7 @@ impl Surd {
     pub fn to_f64(&self) -> f64 {
         let mut sum = BigRational::zero();
         let scale = BigInt::one() << FLOAT_DIGITS;
-        for (radicand, factor) in &self.terms {
+        for (radicand, factor) in &*self.sum() {
             let root = (radicand << (2 * FLOAT_DIGITS)).sqrt();
             sum += factor * BigRational::new(root.into(), scale.clone());
         }
@@ -163,34 +217,17 @@ impl Surd {
     }
 
     fn term(radicand: BigUint, factor: BigRational) -> Self {
-        let mut terms = BTreeMap::new();
+        let mut terms = Terms::new();
         if !factor.is_zero() && !radicand.is_zero() {
             terms.insert(radicand, factor);
         }
-        Self { terms }
-    }
-
-    fn add_term(&mut self, radicand: BigUint, factor: BigRational) {
-        use std::collections::btree_map::Entry;
-        match self.terms.entry(radicand) {
-            Entry::Vacant(entry) => {
-                if !factor.is_zero() {
-                    entry.insert(factor);
-                }
-            }
-            Entry::Occupied(mut entry) => {
-                *entry.get_mut() += factor;
-                if entry.get().is_zero() {
-                    entry.remove();
-                }
-            }
-        }
+        Self::of(terms)
     }
 
     /// Pairwise coprime numbers above 1 of which every radicand is a product.
     fn coprime_base(&self) -> Vec<BigUint> {
         let mut base: Vec<BigUint> = Vec::new();
-        for radicand in self.terms.keys() {
+        for radicand in self.sum().keys() {
             let mut pending = vec![radicand.clone()];
             while let Some(mut number) = pending.pop() {
                 let mut index = 0;
@@ -213,6 +250,23 @@ impl Surd {
         }
         base.sort();
         base
+    }
+}
+
+fn add_term(terms: &mut Terms, radicand: BigUint, factor: BigRational) {
+    use std::collections::btree_map::Entry;
+    match terms.entry(radicand) {
+        Entry::Vacant(entry) => {
+            if !factor.is_zero() {
+                entry.insert(factor);
+            }
+        }
+        Entry::Occupied(mut entry) => {
+            *entry.get_mut() += factor;
+            if entry.get().is_zero() {
+                entry.remove();
+            }
+        }
     }
 }
 
@@ -253,7 +307,7 @@ fn split_square(mut number: BigUint) -> Option<(BigUint, BigUint)> {
 
 impl From<i64> for Surd {
     fn from(value: i64) -> Self {
-        Self::from(BigRational::from(BigInt::from(value)))
+        Self(Value::Whole(value))
     }
 }
 
@@ -266,11 +320,16 @@ impl From<BigRational> for Surd {
 impl Add for &Surd {
     type Output = Surd;
     fn add(self, other: &Surd) -> Surd {
-        let mut sum = self.clone();
-        for (radicand, factor) in &other.terms {
-            sum.add_term(radicand.clone(), factor.clone());
+        if let (Value::Whole(a), Value::Whole(b)) = (&self.0, &other.0)
+            && let Some(sum) = a.checked_add(*b)
+        {
+            return Surd(Value::Whole(sum));
         }
-        sum
+        let mut sum = self.sum().into_owned();
+        for (radicand, factor) in &*other.sum() {
+            add_term(&mut sum, radicand.clone(), factor.clone());
+        }
+        Surd::of(sum)
     }
 }
 
@@ -284,27 +343,37 @@ impl Sub for &Surd {
 impl Neg for &Surd {
     type Output = Surd;
     fn neg(self) -> Surd {
-        Surd { terms: self.terms.iter().map(|(radicand, factor)| (radicand.clone(), -factor)).collect() }
+        if let Value::Whole(whole) = &self.0
+            && let Some(negative) = whole.checked_neg()
+        {
+            return Surd(Value::Whole(negative));
+        }
+        Surd::of(self.sum().iter().map(|(radicand, factor)| (radicand.clone(), -factor)).collect())
     }
 }
 
 impl Mul for &Surd {
     type Output = Surd;
     fn mul(self, other: &Surd) -> Surd {
-        let mut product = Surd::zero();
-        for (n, p) in &self.terms {
-            for (m, q) in &other.terms {
+        if let (Value::Whole(a), Value::Whole(b)) = (&self.0, &other.0)
+            && let Some(product) = a.checked_mul(*b)
+        {
+            return Surd(Value::Whole(product));
+        }
+        let mut product = Terms::new();
+        for (n, p) in &*self.sum() {
+            for (m, q) in &*other.sum() {
                 if n.is_one() || m.is_one() {
-                    product.add_term(n * m, p * q);
+                    add_term(&mut product, n * m, p * q);
                     continue;
                 }
                 // Rule `product-of-roots`: gcd·√(n/gcd · m/gcd), square-free again.
                 let common = n.gcd(m);
                 let rest = (n / &common) * (m / &common);
-                product.add_term(rest, p * q * BigRational::from(BigInt::from(common)));
+                add_term(&mut product, rest, p * q * BigRational::from(BigInt::from(common)));
             }
         }
-        product
+        Surd::of(product)
     }
 }
 
@@ -344,6 +413,22 @@ mod tests {
 
     fn root(n: i64) -> Surd {
         Surd::sqrt_of_rational(&BigRational::from(BigInt::from(n))).expect("not negative")
+    }
+
+    #[test]
+    fn whole_numbers_of_any_size_are_one_number_however_they_arise() {
+        let (largest, one) = (Surd::from(i64::MAX), Surd::one());
+        let beyond = &largest + &one;
+        assert_eq!(&beyond - &one, largest);
+        assert_eq!(&-&Surd::from(i64::MIN) - &one, largest);
+        assert_eq!(&(&largest * &largest) * &largest.inverse().expect("not zero"), largest);
+        assert_eq!(&Surd::ratio(1, 2) + &Surd::ratio(3, 2), Surd::from(2));
+        assert!((&root(2) - &root(2)).is_zero() && (&Surd::ratio(1, 3) * &Surd::from(3)).is_one());
+        // The order is that of the sums: the empty one first, whatever the others hold.
+        let mut all = [beyond, Surd::from(-3), root(2), Surd::zero(), Surd::ratio(1, 2), largest, one];
+        let mut sums = all.each_ref().map(|number| number.sum().into_owned());
+        (all.sort(), sums.sort());
+        assert_eq!(all.map(|number| number.sum().into_owned()), sums);
     }
 
     #[test]

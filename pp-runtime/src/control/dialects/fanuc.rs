@@ -59,7 +59,8 @@ static SPELLINGS: Spellings = Spellings {
         "D must hold wear only",
     ],
     arcs: ArcCodes {
-        // Parameter 3410 is 0.01 mm or more on machines in use; rounded words differ by less than this value.
+        // Parameter 3410, 0.01 mm or more on machines in use (from memory: no public page was found). A smaller value than the
+        // control's only makes chords of an arc that it would take.
         radius_tolerance_mm: 0.002,
         ..ArcCodes::ISO
     },

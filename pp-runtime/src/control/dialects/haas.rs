@@ -20,7 +20,8 @@
 //! the block of `G53`.
 //!
 //! `G268` tilts a plane, with the length offset active before it, and `G253` rotates the axes; `Q123` is the order of its
-//! angles.
+//! angles: about X, then Y, then Z of the work offset. From memory: no page of Haas that states it was found, and the header of a
+//! program with planes asks for it.
 
 use crate::motion::{CycleAbilities, PlaneAngles, PoseRule};
 use crate::nc::{Formats, Numerals};

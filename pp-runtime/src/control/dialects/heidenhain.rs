@@ -39,7 +39,8 @@
 //! retracts by Q256 only, as long as there are no more chip breaks than Q213, and moves out at Q208 at the end. Cycle
 //! 201 moves out to Q200 at its own feed where Q208 is 0. Cycle 207 synchronises spindle and feed, cuts a left-hand
 //! thread where Q239 is negative, and leaves the spindle stopped (user's manuals of cycle programming, iTNC 530 and TNC
-//! 640). F in cycles is in the same unit as elsewhere in the program.
+//! 640). F in cycles, Q206, is in the same unit as elsewhere in the program, in tenths of an inch as well: from memory, since no
+//! public page states it; the header of an inch program with cycles says so.
 
 use crate::motion::{CycleAbilities, PathNorm, PlaneAngles, PoseRule, Registers};
 use crate::nc::{Formats, Numerals};
@@ -150,7 +151,7 @@ static SPELLINGS: Spellings = Spellings {
         planes: [None, None, Some("")],
         centre: ArcCentre::Pole,
         radius: "R",
-        // The control accepts 0.016 mm as delivered.
+        // The control accepts 0.016 mm as delivered (from memory: no public page was found).
         radius_tolerance_mm: 0.01,
     },
     cycles: Some(HoleCycles {

@@ -72,7 +72,8 @@ static SPELLINGS: Spellings = Spellings {
         // (6FC5398-1BP10-2BA0, 8.17.4).
         planes: [None, None, Some("G17")],
         radius: "CR=",
-        // MD21000, as delivered.
+        // MD21000, or the radius at the start times MD21010 where that is larger (SINUMERIK 808D ADVANCED parameter manual
+        // 6FC5397-8EP40-0BA0, 08/2013, p. 147). 0.01 mm as delivered is from memory.
         radius_tolerance_mm: 0.01,
         ..ArcCodes::ISO
     },

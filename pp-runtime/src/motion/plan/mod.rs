@@ -379,6 +379,7 @@ impl<'a, S: Sink> Planner<'a, S> {
             match action {
                 CourseAction::EndWith => planned = Some(RotaryTarget { words, sense }),
                 CourseAction::Rewind => rewind::rewind(self, motion, words)?,
+                CourseAction::RotateAtPole if rewind::rotate_out_of_cut(self, motion, words)? => {}
                 // The block that leaves the pole has the next tool vector, and rotates the axis.
                 CourseAction::RotateAtPole if self.mover.placer().writes_vectors() => {}
                 CourseAction::RotateAtPole => self.cut_to(motion, self.mover.position().pose(), words)?,

@@ -4,7 +4,7 @@
 use crate::motion::options::Rewind;
 use crate::program::Move;
 
-use crate::motion::fault::{Fault, Planned};
+use crate::motion::fault::{Fault, ItemError, Planned};
 use crate::motion::place::PathTolerance;
 use crate::motion::plan::Planner;
 use crate::motion::rotary::{RotaryTarget, RotaryWords};
@@ -15,14 +15,49 @@ use crate::motion::step::Sink;
 #[cold]
 pub(crate) fn rewind<S: Sink>(planner: &mut Planner<'_, S>, motion: &Move, words: RotaryWords) -> Planned {
     let why = reason(planner);
+    let how = planner.policy.options.retract.rewind;
+    rewind_as(planner, (motion, words), how, &why)
+}
+
+/// Rotates the rotary axes out of the part where they would rotate farther at the pole, with the tool in the cut, than
+/// `course.rotation_at_pole` permits. Returns whether they have.
+pub(crate) fn rotate_out_of_cut<S: Sink>(
+    planner: &mut Planner<'_, S>,
+    motion: &Move,
+    words: RotaryWords,
+) -> Result<bool, ItemError> {
+    let Some(most) = planner.policy.options.course.rotation_at_pole_rad else { return Ok(false) };
+    let placer = planner.mover.placer();
+    let turned = placer.position_at_words(&words);
+    let Some((letter, angle)) = placer.largest_rotation(&planner.mover.here().words, &turned.words) else {
+        return Ok(false);
+    };
+    if angle <= most {
+        return Ok(false);
+    }
+    let (angle, most) = (angle.to_degrees(), most.to_degrees());
+    let why =
+        format!("at the pole {letter} has to rotate by {angle:.3}°, more than `course.rotation_at_pole` = {most}°");
+    rewind_as(planner, (motion, words), Rewind::Leave, &why)?;
+    Ok(true)
+}
+
+/// Rewinds before a motion, in place or out of the part.
+#[cold]
+fn rewind_as<S: Sink>(
+    planner: &mut Planner<'_, S>,
+    (motion, words): (&Move, RotaryWords),
+    how: Rewind,
+    why: &str,
+) -> Planned {
     planner.mover.output_mut().set_reason(BlockReason::Rewind);
-    let how = match planner.policy.options.retract.rewind {
+    let how = match how {
         Rewind::Follow => {
             rewind_in_place(planner, motion, words)?;
             " with the tip in place (the tool swings about it)"
         }
         Rewind::Leave => {
-            rewind_out_of_part(planner, motion, words, &why)?;
+            rewind_out_of_part(planner, motion, words, why)?;
             " out of the part"
         }
     };

@@ -36,6 +36,8 @@ pub struct Statistics {
     pub largest_tip_bound_mm: f64,
     /// Largest certified angle of the tool axis from its great circle in these blocks.
     pub largest_axis_bound_rad: f64,
+    /// Largest rotation of a rotary axis in the cut while the tip rests and the tool axis keeps to its tolerance.
+    pub largest_on_spot_rad: f64,
     /// Largest certified angle of the tool axis from the programmed one, where the tip is, in these blocks.
     pub largest_lag_rad: f64,
 }
@@ -61,6 +63,11 @@ impl Statistics {
             self.largest_axis_bound_rad = self.largest_axis_bound_rad.max(bound.axis);
             self.largest_lag_rad = self.largest_lag_rad.max(bound.lag(tolerance.tip_mm));
         }
+    }
+
+    /// Takes a rotation in the cut with the tip at rest.
+    pub(crate) fn rotates_on_spot(&mut self, angle_rad: f64) {
+        self.largest_on_spot_rad = self.largest_on_spot_rad.max(angle_rad);
     }
 
     /// Counts a place whose tool axis deviates from that of the CL data.

@@ -234,6 +234,32 @@ fn the_table_rotates_for_a_cut_from_the_pole_at_the_beginning_of_the_operation()
 }
 
 #[test]
+fn a_rotation_at_the_pole_in_the_cut_is_stated_and_has_a_limit() {
+    let mut config = config();
+    config.motion.retract.distance_mm = Some(50.0);
+    config.set_up.limits.insert('B', Some(Limits { lower: -0.1, upper: 1.8 }));
+    // Over the pole to the other side: the table rotates by half a revolution there.
+    let events = [
+        tool(1),
+        spindle(),
+        feed([0.0; 3], cb(0.0, 20.0)),
+        feed([10.0, 0.0, 0.0], UP),
+        feed([20.0, 0.0, 0.0], cb(180.0, 20.0)),
+    ];
+    let in_cut = run::<Cb>(&config, &events);
+    assert_eq!((in_cut.statistics.sequences, in_cut.statistics.rewinds), (1, 0), "{}", in_cut.text());
+    assert!((in_cut.statistics.largest_on_spot_rad - std::f64::consts::PI).abs() < 1e-6, "{:?}", in_cut.statistics);
+    config.motion.course.rotation_at_pole_rad = Some(1.0);
+    let out = run::<Cb>(&config, &events);
+    assert_eq!((out.statistics.rewinds, out.statistics.largest_on_spot_rad), (1, 0.0), "{}", out.text());
+    let texts: Vec<&str> = out.diagnostics.iter().map(|found| &*found.text).collect();
+    assert!(
+        texts.len() == 1 && texts[0].contains("C has to rotate by 180.000°, more than `course.rotation_at_pole`"),
+        "{texts:?}"
+    );
+}
+
+#[test]
 fn a_free_axis_is_inside_limits_that_exclude_zero() {
     let mut config = config();
     config.set_up.limits.insert('C', Some(crate::kinematics::Limits { lower: 0.5, upper: 6.0 }));

@@ -11,10 +11,12 @@ use std::io;
 
 use crate::kinematics::{AnyMachine, MotionBound, Pose};
 use crate::motion::options::{Policy, Rapid, StretchMode, ToolPosture};
+use crate::nalgebra::Point3;
 use crate::program::Move;
 use crate::program::Units;
 
 use crate::motion::fault::{Fault, Planned};
+use crate::motion::geometry::angle_between;
 use crate::motion::place::{AxisPosition, Placer};
 use crate::motion::place::{Linearised, PathTolerance, RotationLaw};
 use crate::motion::plan::abilities::Abilities;
@@ -41,6 +43,8 @@ pub(crate) struct Mover<'a, S> {
     law: RotationLaw,
     /// Angle by which the motion at hand is bent to lead it through a pole, rad.
     bent_rad: f64,
+    /// Where the tip came to rest in the cut, and the rotation of a rotary axis since, rad.
+    spot: (Point3<f64>, f64),
     position: Position,
     output: Output<S>,
     /// Safety lines so far.
@@ -68,6 +72,7 @@ impl<'a, S: Sink> Mover<'a, S> {
             },
             law: RotationLaw::GreatCircle,
             bent_rad: 0.0,
+            spot: (Point3::origin(), 0.0),
             position: Position::new(placer.zero()),
             policy,
             abilities,
@@ -208,11 +213,7 @@ impl<'a, S: Sink> Mover<'a, S> {
     }
 
     /// The place of another tip with the rotary axes of `at`.
-    pub(crate) fn shifted(
-        &mut self,
-        tip: crate::nalgebra::Point3<f64>,
-        at: &AxisPosition,
-    ) -> Result<AxisPosition, Fault> {
+    pub(crate) fn shifted(&mut self, tip: Point3<f64>, at: &AxisPosition) -> Result<AxisPosition, Fault> {
         self.placer.shifted(tip, at)
     }
 
@@ -304,6 +305,7 @@ impl<'a, S: Sink> Mover<'a, S> {
     pub(crate) fn feed_in_pieces(&mut self, place: &AxisPosition, rate: f64, tolerance: PathTolerance) -> Planned {
         // Nearly every motion: nothing is copied.
         if let Some(bound) = Linearised::in_one_block(&self.placer, (self.here(), place), tolerance, self.law) {
+            self.note_rotation_on_spot(place, tolerance)?;
             self.feed_piece(place, rate, &bound, None)?;
             self.output.statistics_mut().certified(&bound, tolerance);
             return Ok(());
@@ -313,12 +315,39 @@ impl<'a, S: Sink> Mover<'a, S> {
         while let Some(piece) = pieces.next(&self.placer)? {
             blocks += u64::from(piece.place.words != self.here().words);
             let inserted = (piece.place.words != place.words).then_some(BlockReason::Tolerance);
+            self.note_rotation_on_spot(&piece.place, tolerance)?;
             self.feed_piece(&piece.place, rate, &piece.bound, inserted)?;
             self.position.go_to(&piece.place);
             self.output.statistics_mut().certified(&piece.bound, tolerance);
         }
         self.output.statistics_mut().inserted += blocks.max(1) - 1;
         Ok(())
+    }
+
+    /// Adds up the rotation of the rotary axes while the tip rests and the tool axis keeps to its tolerance, and refuses more than
+    /// `course.rotation_at_pole` permits. Without a tolerance of the tool axis the tool swings, as configured.
+    fn note_rotation_on_spot(&mut self, to: &AxisPosition, tolerance: PathTolerance) -> Result<(), Fault> {
+        let (from, unit_mm) = (*self.here(), self.placer.unit_mm());
+        let near = |tip: &Point3<f64>| (to.pose.tip - tip).norm() <= unit_mm;
+        let keeps_axis = angle_between(&from.pose.axis, &to.pose.axis) <= tolerance.axis_rad;
+        if !(near(&from.pose.tip) && keeps_axis && tolerance.axis_rad.is_finite()) {
+            return Ok(());
+        }
+        let before = if near(&self.spot.0) { self.spot.1 } else { 0.0 };
+        let rotated = before + self.placer.rotary_travel(&from.words, &to.words);
+        self.spot = (to.pose.tip, rotated);
+        self.output.statistics_mut().rotates_on_spot(rotated);
+        let most = self.policy.options.course.rotation_at_pole_rad.unwrap_or(f64::INFINITY);
+        if rotated <= most {
+            return Ok(());
+        }
+        let text = format!(
+            "before this point a rotary axis rotates by {:.3}° and more with the tool in the cut, `course.rotation_at_pole` is {}°",
+            rotated.to_degrees(),
+            most.to_degrees()
+        );
+        Err(Fault::new(text)
+            .help("retract before this point and start a new operation, or keep the tool axis away from the pole"))
     }
 
     /// Writes a certified piece of a feed motion.
