@@ -286,7 +286,7 @@ impl Navigator {
             self.searches.iter_mut().for_each(|run| run.ended = true);
             return;
         }
-        let steady = !air && pole.is_none() && self.is_away_from_poles(&pose);
+        let steady = !air && pole.is_none() && self.is_away_from_poles(&pose) && !self.is_near_limit(&pose);
         for run in 0..self.searches.len() {
             if steady && !self.searches[run].ended && self.searches[run].search.follow(self.motion, &self.states) {
                 continue;
@@ -303,6 +303,11 @@ impl Navigator {
     fn is_away_from_poles(&self, pose: &Pose) -> bool {
         let Some(from) = self.here.filter(|_| self.pole.is_none()) else { return false };
         self.finder.pole_between(&from, pose).is_none()
+    }
+
+    /// Whether a cut from the last pose to this one could exceed a limit between its ends.
+    fn is_near_limit(&self, pose: &Pose) -> bool {
+        self.here.is_some_and(|from| self.finder.is_near_limit(&from, pose, &self.states))
     }
 
     /// Takes one motion in one search. Returns false if no state of the pose can be reached.

@@ -13,6 +13,12 @@ use crate::motion::rotary::{MAX_TURNS, RotaryWords};
 /// Distance from the pole, rad, at which the direction of a path to the pole is evaluated.
 const NEAR_POLE: f64 = 1e-8;
 
+/// Largest change of the second rotary axis in units of that of the tool axis, where limits are looked at.
+const SLOPE: f64 = 4.0;
+
+/// Parts of a cut near a limit whose ends are looked at.
+const LIMIT_POINTS: u32 = 16;
+
 /// Largest number of halvings of a block in the test of continuity: from 180° down to the smallest distance from a pole
 /// at which the axes still move.
 const MAX_HALVINGS: u32 = 30;
@@ -186,9 +192,45 @@ impl StateFinder {
         states.iter().map(|state| self.at_pole(pole, axis, state)).collect()
     }
 
-    /// Whether a cut from one state to another keeps the tool on its path: the axes move continuously from end to end.
-    /// `merged`: both branches are the same.
+    /// Whether a cut from one state to another keeps the tool on its path: the axes move continuously from end to end, and
+    /// inside their limits. `merged`: both branches are the same.
     pub(crate) fn connected(&self, from: (&Pose, &RotaryState), to: (&Pose, &RotaryState), merged: bool) -> bool {
+        self.is_joined(from, to, merged) && self.stays_inside(from, to)
+    }
+
+    /// Whether the words of one of these states are so near to a limit that a cut to a pose, whose tool axis moves along a great
+    /// circle, could exceed the limit between its ends.
+    pub(crate) fn is_near_limit(&self, from: &Pose, to: &Pose, states: &[RotaryState]) -> bool {
+        let limited = |(axis, rotary): &(usize, &Rotary)| *axis > 0 && !rotary.endless();
+        self.placer.rotaries().iter().enumerate().filter(limited).any(|(axis, rotary)| {
+            let chord = (from.axis.into_inner() - to.axis.into_inner()).norm();
+            let reach = self.placer.scale().word(chord * SLOPE);
+            states.iter().any(|state| {
+                !(rotary.contains(state.words[axis] - reach) && rotary.contains(state.words[axis] + reach))
+            })
+        })
+    }
+
+    /// Whether a cut stays inside the limits between its ends, where the rotary axes do not go evenly.
+    fn stays_inside(&self, (a, start): (&Pose, &RotaryState), (b, end): (&Pose, &RotaryState)) -> bool {
+        let ends = [*start, *end];
+        if !self.is_near_limit(a, b, &ends) || self.placer.goes_evenly((a, &start.words), (b, &end.words)) {
+            return true;
+        }
+        let Some(segment) = PathSegment::new(a, b) else { return true };
+        let inside = |step: u32| {
+            let share = f64::from(step) / f64::from(LIMIT_POINTS);
+            let between = [0, 1].map(|axis| {
+                let change = self.placer.metric().change(axis, start.words[axis], end.words[axis]);
+                start.words[axis] + (change as f64 * share) as i64
+            });
+            self.nearest_turns(&segment.at(share), &between).is_none_or(|words| self.inside(&words))
+        };
+        (1..LIMIT_POINTS).all(inside)
+    }
+
+    /// Whether the axes move continuously from one state to another.
+    fn is_joined(&self, from: (&Pose, &RotaryState), to: (&Pose, &RotaryState), merged: bool) -> bool {
         let ((a, start), (b, end)) = (from, to);
         if !self.placer.metric().short(&start.words, &end.words) || (start.branch != end.branch && !merged) {
             return false;

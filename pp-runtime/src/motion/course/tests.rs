@@ -8,6 +8,7 @@ use crate::config::Config;
 use crate::kinematics::Limits;
 use crate::kinematics::Machine;
 use crate::kinematics::machines::{Cb, Head};
+use crate::motion::options::ToolPosture;
 use crate::motion::tests::hand_on;
 use crate::program::{Feed, Move, ToolCall};
 
@@ -226,6 +227,33 @@ fn a_preference_counts_less_than_a_rewind_and_more_than_travel() {
     second.motion.course.start_branch = Some(Branch::Second);
     second.motion.course.prefer = None;
     assert_eq!(begins(&second, &[]), Some(-300_000));
+}
+
+#[test]
+fn a_limit_that_is_broken_between_the_ends_of_a_block_leads_to_the_other_branch_or_a_rewind() {
+    let mut config = Config::default();
+    config.motion.tip.tool_posture = ToolPosture::Plane;
+    // Between two tilts of 109.9 degrees, 20 degrees apart, the great circle tilts by 110.18 degrees.
+    let over = path((0.0, 109.9), &[]).into_iter().chain(path((20.0, 109.9), &[])).collect::<Vec<_>>();
+    config.set_up.limits.insert('B', limits(-112.0, 110.0));
+    let other = course::<Cb>(&config, &over);
+    assert_eq!((other.cost.rewinds, changes(other)[0].words[1]), (0, -1_099_000));
+    // The cut before can be made on the first branch only: the axes are rewound.
+    config.set_up.limits.insert('C', limits(-170.0, 170.0));
+    let longer: Vec<Point> =
+        [(0.0, 50.0), (20.0, 109.9), (40.0, 109.9)].into_iter().flat_map(|at| path(at, &[])).collect();
+    let rewound = course::<Cb>(&config, &longer);
+    assert_eq!(rewound.cost.rewinds, 1);
+    assert!(
+        changes(rewound)
+            .iter()
+            .any(|change| change.action == CourseAction::Rewind && change.words == [-1_600_000, -1_099_000])
+    );
+    // Where the rotary axes go evenly they stay between the words of the ends.
+    let mut even = Config::default();
+    even.motion.axis_tolerance_path_rad = 0.02;
+    even.set_up.limits.insert('B', limits(-112.0, 110.0));
+    assert_eq!(changes(course::<Cb>(&even, &over)).first().map_or(1_099_000, |change| change.words[1]), 1_099_000);
 }
 
 #[test]

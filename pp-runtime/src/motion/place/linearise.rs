@@ -30,7 +30,7 @@ use super::refusal;
 use super::{AxisPosition, Placer};
 use crate::motion::fault::Fault;
 use crate::motion::geometry::PathSegment;
-use crate::motion::rotary::{OutOfLimits, Rotary};
+use crate::motion::rotary::{OutOfLimits, Rotary, RotaryWords};
 use crate::motion::step::MAX_AXES;
 use crate::nc::rounded;
 
@@ -61,6 +61,9 @@ const LARGEST_EVEN: f64 = std::f64::consts::FRAC_PI_4;
 /// Sine of the angle to a pole below which the rotary axes do not go evenly: there the first one rotates far for a small
 /// rotation of the tool.
 const NEAR_POLE: f64 = 0.035;
+
+/// Share of the tolerance of the tool axis up to which the course counts on an even motion: rounding takes its part.
+const EVEN_SHARE: f64 = 0.9;
 
 /// Cosine of the largest angle between the tool axes of one block; the great circle of a larger angle is ill
 /// conditioned.
@@ -313,6 +316,24 @@ fn longest(
     Ok(LongestPiece { until: if best.is_some() { good } else { bad }, piece: best })
 }
 
+impl Placer {
+    /// Whether a tool axis is so near to a pole that the rotary axes do not go evenly.
+    fn is_near_pole(&self, pose: &Pose) -> bool {
+        self.poles.axes.iter().any(|pole| pose.axis.cross(pole).norm() < NEAR_POLE)
+    }
+
+    /// Whether the rotary axes go evenly in a whole motion between two poses on one branch: between their words, hence inside
+    /// their limits.
+    pub(crate) fn goes_evenly(&self, (a, start): (&Pose, &RotaryWords), (b, end): (&Pose, &RotaryWords)) -> bool {
+        let (from, to) = (self.all_words(start), self.all_words(end));
+        let bound = || self.machine.motion(&self.axes_of(start), &self.axes_of(end)).axis;
+        !(self.is_near_pole(a) || self.is_near_pole(b))
+            && self.rotary_travel(&from, &to) <= LARGEST_EVEN
+            && self.rotary.grid.is_empty()
+            && self.even_rad.is_some_and(|tolerance| bound() <= EVEN_SHARE * tolerance)
+    }
+}
+
 /// Certifies blocks of one machine within a tolerance.
 #[derive(Clone, Copy)]
 struct Certifier<'p> {
@@ -416,13 +437,10 @@ impl Certifier<'_> {
             (false, true) => Some(from.branch),
             _ => (from.branch == to.branch).then_some(from.branch),
         };
-        let near_pole = |place: &AxisPosition| {
-            self.placer.poles.axes.iter().any(|pole| place.pose.axis.cross(pole).norm() < NEAR_POLE)
-        };
         let wide = self.placer.rotary_travel(&from.words, &to.words) > LARGEST_EVEN;
         let even = law == RotationLaw::Even
             && branch.is_some()
-            && !(near_pole(from) || near_pole(to) || wide)
+            && !(self.placer.is_near_pole(&from.pose) || self.placer.is_near_pole(&to.pose) || wide)
             && self.placer.rotary.grid.is_empty();
         let even = Some(whole.bound).filter(|bound| even && bound.axis <= self.allowed.axis_rad);
         let path = CuttingPath { segment, branch, even, resolution, at: 0.0, pieces: Pieces::Graded { last: 1.0 } };

@@ -25,7 +25,7 @@ use nalgebra::{Point3, UnitVector3, Vector3};
 
 use crate::kinematics::{AnyMachine, Axis, AxisKind, AxisValues, Branch, Limits, Pose, Side};
 use crate::motion::fault::Fault;
-use crate::motion::options::{Policy, StretchMode};
+use crate::motion::options::{Policy, StretchMode, ToolPosture};
 use crate::motion::rotary::{AngleScale, OutOfLimits, Rotary, RotaryMetric, RotaryTarget, RotaryWords, choose};
 use crate::motion::step::{AxisWords, MAX_AXES, ReachedPosition, VECTOR_DECIMALS};
 use crate::nc::{rounded, whole_units};
@@ -101,6 +101,8 @@ pub(crate) struct Placer {
     vectors: bool,
     /// Largest angle between a pole and a path that is led through it; `None` if none is.
     largest_bend_rad: Option<f64>,
+    /// Tolerance of the tool axis within which the rotary axes go evenly in a whole motion, rad; `None` if they never do.
+    even_rad: Option<f64>,
 }
 
 fn too_large(letter: char) -> Fault {
@@ -148,6 +150,7 @@ impl Placer {
             gauge_line: policy.set_up.length_mode == LengthMode::Gauge,
             vectors: tool_vectors::has_vectors(policy),
             largest_bend_rad: tool_vectors::largest_bend(policy, rotary.limited),
+            even_rad: (options.tip.tool_posture == ToolPosture::Axes).then_some(options.axis_tolerance_path_rad),
             rotary,
             held: machine.held(),
             chain,
