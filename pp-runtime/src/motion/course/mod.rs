@@ -24,12 +24,13 @@ use std::collections::BTreeMap;
 
 use nalgebra::UnitVector3;
 
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::{AnyMachine, Branch, Pose};
 use crate::motion::options::{Mode, Policy, Singular, StretchMode};
 use crate::program::Event;
 use crate::program::Units;
 
+use crate::motion::fault::Fault;
 use crate::motion::geometry::PathSegment;
 use crate::motion::place::{Placer, UsableModes};
 use crate::motion::rotary::{Cost, RotaryWords, RotationSense};
@@ -165,7 +166,10 @@ impl Navigator {
         let free = placer.rotaries().first().filter(|_| placer.rotaries().len() == 2).copied();
         let zeroes = policy.options.singular == Singular::Zero;
         let run = |greedy| {
-            let search = CourseSearch::new(placer.metric(), free, zeroes, greedy);
+            let mut search = CourseSearch::new(placer.metric(), free, zeroes, greedy);
+            if greedy != policy.options.course.greedy {
+                search.forget_changes();
+            }
             SearchRun { search, ended: false }
         };
         Self {
@@ -363,7 +367,7 @@ impl Navigator {
 impl Stage for Navigator {
     type Stop = Diagnostic;
 
-    /// Follows one item; nothing is refused.
+    /// Follows one item; refused is a course of more changes than memory is given for.
     fn take(&mut self, item: &ProgramItem<'_>) -> Result<(), Diagnostic> {
         match item.action {
             ItemAction::Line { motion, index, .. } => {
@@ -380,6 +384,12 @@ impl Stage for Navigator {
                 self.set_mode(start.chosen.mode.map_or(self.mode, |mode| mode.value));
             }
             ItemAction::Record { event, .. } => self.record(event),
+        }
+        if self.searches.iter().any(|run| run.search.is_too_long()) {
+            let fault = Fault::new("up to here the rotary axes change their course too often for one program");
+            return Err(fault
+                .help("post the CL data in parts, or keep the tool axis on one side of the pole")
+                .at(item.at, Severity::Error));
         }
         Ok(())
     }

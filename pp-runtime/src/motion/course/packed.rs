@@ -35,6 +35,11 @@ impl PackedChanges {
         (self.motion, self.words) = (change.motion, change.words);
     }
 
+    /// Number of bytes.
+    pub(crate) fn size(&self) -> usize {
+        self.bytes.len()
+    }
+
     /// Returns to the first change, for reading.
     pub(crate) fn read_from_start(self) -> Self {
         Self { bytes: self.bytes, ..Self::default() }

@@ -12,6 +12,9 @@ use crate::motion::rotary::{Cost, Rotary, RotaryMetric, RotaryWords, RotationSen
 /// Number of changes above which chains are compacted for the first time; then at twice the number that was left.
 const COMPACT_ABOVE: usize = 4096;
 
+/// Largest size of the changes of a course: some two million.
+const MOST_BYTES: usize = 16 << 20;
+
 /// Largest difference, in units, of words that count as the same after a path through the pole.
 pub(crate) const SAME_WORD: i64 = 2;
 
@@ -61,6 +64,8 @@ struct History {
     decided: PackedChanges,
     /// Number of nodes above which the history is compacted.
     compact_above: usize,
+    /// Only the cost of the course is asked for.
+    forgets: bool,
 }
 
 impl History {
@@ -80,7 +85,15 @@ impl History {
         chain
     }
 
+    /// Bytes of all changes.
+    fn size(&self) -> usize {
+        self.decided.size() + self.nodes.len() * size_of::<Node>()
+    }
+
     fn decide(&mut self, chain: &[u32]) {
+        if self.forgets {
+            return;
+        }
         for &index in chain {
             self.decided.push(&self.nodes[index as usize].change);
         }
@@ -172,6 +185,21 @@ impl CourseSearch {
             greedy,
             by_control: false,
         }
+    }
+
+    /// Keeps the cost of the course alone.
+    pub(crate) fn forget_changes(&mut self) {
+        self.history.forgets = true;
+    }
+
+    /// Whether the changes of the course take more memory than a program may.
+    pub(crate) fn is_too_long(&self) -> bool {
+        self.size() > MOST_BYTES
+    }
+
+    /// Bytes of the changes of the course.
+    pub(crate) fn size(&self) -> usize {
+        self.history.size()
     }
 
     /// Sets whether the control finds the rotary angles of the cuts that come.

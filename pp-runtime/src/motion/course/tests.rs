@@ -257,6 +257,22 @@ fn a_limit_that_is_broken_between_the_ends_of_a_block_leads_to_the_other_branch_
 }
 
 #[test]
+fn the_search_for_the_cost_alone_keeps_no_changes() {
+    let mut config = Config::default();
+    config.set_up.limits.insert('B', limits(-110.0, 110.0));
+    let mut navigator = Navigator::new(Box::new(config.set_up.machine::<Cb>().expect("valid")), config.policy());
+    for motion in 0..500_u32 {
+        let tilt = if motion % 2 == 0 { 0.1 } else { -0.1 };
+        let axis = UnitVector3::new_normalize(Vector3::new(tilt, 0.0, 1.0));
+        navigator.motion = u64::from(motion);
+        navigator.go(&Pose { tip: Point3::origin(), axis }, motion == 0, motion == 0);
+    }
+    let [best, greedy] = navigator.searches.each_ref().map(|run| run.search.size());
+    // Every motion changes the course: some bytes each, whose sum has a limit.
+    assert!((2000..60_000).contains(&best) && greedy < 2000, "{best} {greedy}");
+}
+
+#[test]
 fn indexed_axes_have_the_words_of_their_steps() {
     let mut config = Config::default();
     config.motion.rotaries.grid.insert('C', 2.5_f64.to_radians());
