@@ -427,7 +427,8 @@ mod tests {
         // The order is that of the sums: the empty one first, whatever the others hold.
         let mut all = [beyond, Surd::from(-3), root(2), Surd::zero(), Surd::ratio(1, 2), largest, one];
         let mut sums = all.each_ref().map(|number| number.sum().into_owned());
-        (all.sort(), sums.sort());
+        all.sort();
+        sums.sort();
         assert_eq!(all.map(|number| number.sum().into_owned()), sums);
     }
 
