@@ -1,13 +1,13 @@
-//! `kinematics`: kinematics of the machine for its control, as files.
+//! `kinematics`: kinematics of the machine for its control, as files or as a sheet to compare.
 
 use std::fs;
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use crate::config::Config;
-use crate::control::CONTROLS;
+use crate::control::{CONTROLS, by_name};
 use crate::kinematics::AnyMachine;
-use crate::transformation::{NotExpressible, c_header, identifier, linuxcnc, machine_identifier};
+use crate::transformation::{NotExpressible, c_header, compare_sheet, identifier, linuxcnc, machine_identifier};
 
 use super::args::{KinematicsArgs, MessageFormat, Target};
 use super::inputs::{read_config_file, refuse_overwriting};
@@ -22,7 +22,12 @@ pub(crate) fn run(
     streams: &mut Streams<'_>,
 ) -> Result<Status, Failure> {
     let mut messages = Messages::new(streams.errors, MessageFormat::Human);
-    let config = read_config_file(machine, args.config.as_deref(), CONTROLS[0], &mut messages)?;
+    let control = match args.target() {
+        Target::Sheet(sheet) => by_name(sheet.name()),
+        Target::C | Target::LinuxCnc => None,
+    };
+    let control = control.unwrap_or(CONTROLS[0]);
+    let config = read_config_file(machine, args.config.as_deref(), control, &mut messages)?;
     let set_up = config.set_up.machine_for(machine).map_err(|invalid| Failure::Argument(invalid.to_string()))?;
     let refused = |reason: NotExpressible| Failure::Argument(reason.to_string());
     match args.target() {
@@ -44,6 +49,16 @@ pub(crate) fn run(
             }
             messages.note("read README.md first: steps to try the module, and to set it up at the machine");
             Ok(Status::Done)
+        }
+        Target::Sheet(control) => {
+            let sheet = compare_sheet(&*set_up, &config, control).map_err(refused)?;
+            if let Some(path) = args.output.as_deref().filter(|path| !is_standard(path) && path.is_file()) {
+                return Err(Failure::Argument(format!(
+                    "{} exists, and may hold values that were entered at the machine: give a new name",
+                    path.display()
+                )));
+            }
+            write(args, &sheet, streams)
         }
     }
 }

@@ -58,15 +58,20 @@ pub(super) fn functions(machine: &dyn AnyMachine, prefix: &str) -> Result<String
     Ok(text.replace(PREFIX, prefix))
 }
 
-/// `C B | X Y Z`
+/// `C B | X Y Z (C rad, B rad, X mm, Y mm, Z mm)`
 pub(super) fn chain(machine: &dyn AnyMachine) -> String {
-    let letters = |side: Side| {
+    let kind = |axis: &Axis| if axis.kind == AxisKind::Linear { "mm" } else { "rad" };
+    let units: Vec<String> = machine.axes().iter().map(|axis| format!("{} {}", axis.letter, kind(axis))).collect();
+    format!("{} ({})", letters(machine), units.join(", "))
+}
+
+/// `C B | X Y Z`
+pub(super) fn letters(machine: &dyn AnyMachine) -> String {
+    let of = |side: Side| {
         let axes = machine.axes().iter().filter(|axis| axis.side == side);
         axes.map(|axis| axis.letter.to_string()).collect::<Vec<_>>().join(" ")
     };
-    let kind = |axis: &Axis| if axis.kind == AxisKind::Linear { "mm" } else { "rad" };
-    let units: Vec<String> = machine.axes().iter().map(|axis| format!("{} {}", axis.letter, kind(axis))).collect();
-    format!("{} | {} ({})", letters(Side::Workpiece), letters(Side::Tool), units.join(", "))
+    format!("{} | {}", of(Side::Workpiece), of(Side::Tool)).trim().to_owned()
 }
 
 /// A C identifier from the stem of a file name: letters, digits and `_`; every other character becomes `_`.

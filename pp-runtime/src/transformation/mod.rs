@@ -2,14 +2,19 @@
 //!
 //! - [`c_header`]: forward and inverse kinematics as C99, for firmware, simulators and other CAM.
 //! - [`linuxcnc`]: a kinematics module of LinuxCNC for this machine, with a simulated machine to try it.
+//! - [`compare_sheet`]: the parameters that the transformation of a Siemens, Fanuc, Heidenhain or Haas control must hold, to
+//!   be compared by the builder of the machine.
 //!
-//! The formulas are those that were proven when the machine was compiled ([`CSource`](crate::kinematics::CSource)); only the
-//! frame around them is written here. Nothing is written to files here.
+//! The formulas of the first two are those that were proven when the machine was compiled
+//! ([`CSource`](crate::kinematics::CSource)); only the frame around them is written here. The sheets are computed from the
+//! joints as declared. Nothing is written to files here.
 
 mod c;
 pub mod linuxcnc;
+mod sheet;
 
 pub use c::{c_header, identifier, machine_identifier};
+pub use sheet::{SheetControl, compare_sheet};
 
 /// The reason why kinematics for a control cannot be written.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]

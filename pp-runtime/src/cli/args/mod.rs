@@ -13,6 +13,7 @@ use crate::config::Config;
 use crate::control::{CONTROLS, Control};
 use crate::kinematics::AnyMachine;
 use crate::motion::{CourseOptions, Mode, Operations};
+use crate::transformation::SheetControl;
 
 pub(crate) use values::{BlockName, MessageFormat, ReportFile};
 use values::{
@@ -51,7 +52,7 @@ pub(crate) enum Command {
     Config(ConfigArgs),
     /// Print the derivation of the kinematics of this machine, and a jog sheet
     Explain(ExplainArgs),
-    /// Write the kinematics of this machine for its control, or as C
+    /// Write the kinematics of this machine for its control, as C, or as a sheet to compare with the control's parameters
     Kinematics(KinematicsArgs),
 }
 
@@ -65,6 +66,18 @@ pub(crate) struct KinematicsArgs {
     /// A kinematics module of LinuxCNC, with a simulated machine that runs it
     #[arg(long, group = "target", requires = "output")]
     linuxcnc: bool,
+    /// Compare sheet: expected swivel data and machine data of CYCLE800 and TRAORI, next to blanks for those of the machine
+    #[arg(long, group = "target")]
+    siemens: bool,
+    /// Compare sheet: expected parameters 19666 to 19714 of five-axis machining, next to blanks
+    #[arg(long, group = "target")]
+    fanuc: bool,
+    /// Compare sheet: expected steps of the kinematics description, next to blanks
+    #[arg(long, group = "target")]
+    heidenhain: bool,
+    /// Compare sheet: expected settings of the rotary zero point, next to blanks
+    #[arg(long, group = "target")]
+    haas: bool,
     /// File to write, with --linuxcnc a new folder; `-` or without it standard output
     #[arg(short, long, value_name = "OUT")]
     pub(crate) output: Option<PathBuf>,
@@ -78,11 +91,23 @@ pub(crate) struct KinematicsArgs {
 pub(crate) enum Target {
     C,
     LinuxCnc,
+    Sheet(SheetControl),
 }
 
 impl KinematicsArgs {
     pub(crate) fn target(&self) -> Target {
-        if self.linuxcnc { Target::LinuxCnc } else { Target::C }
+        let Self { c: _, linuxcnc, siemens, fanuc, heidenhain, haas, output: _, config: _ } = *self;
+        let sheets = [
+            (siemens, SheetControl::Siemens),
+            (fanuc, SheetControl::Fanuc),
+            (heidenhain, SheetControl::Heidenhain),
+            (haas, SheetControl::Haas),
+        ];
+        match sheets.into_iter().find(|(given, _)| *given) {
+            Some((_, control)) => Target::Sheet(control),
+            None if linuxcnc => Target::LinuxCnc,
+            None => Target::C,
+        }
     }
 }
 
