@@ -12,11 +12,11 @@ use crate::program::Location;
 use super::geometry::angle_between;
 use super::geometry::{PathShape, Segment, ToolPose};
 #[cfg(feature = "simulate")]
-use super::read::TipControl;
-use super::read::{Action, ArcMove, Block, CycleKind, CycleMove, FeedMode, MAX_AXES, State};
+use super::policy::TipFrame;
+use super::read::{Action, ArcMove, Block, CycleKind, CycleMove, FeedMode, MAX_AXES, State, TipControl};
 use super::rules::{BlockPath, Rules};
 #[cfg(feature = "simulate")]
-use crate::kinematics::StepBound;
+use crate::kinematics::{AxisKind, AxisRanges, Side, StepBound};
 
 /// Receives the blocks of a program in the order in which they are executed.
 pub trait Observer {
@@ -58,7 +58,7 @@ pub struct Leg<'b> {
     pub together: bool,
     block: Block,
     from: [f64; MAX_AXES],
-    /// Tool axis before the leg, where the program states tool axes.
+    /// Tool axis before the leg, where the control rotates it evenly in a plane and finds the rotary axes.
     axis: Option<Vector3<f64>>,
     rules: &'b Rules<'b>,
 }
@@ -131,7 +131,7 @@ impl ExecutedBlock<'_> {
         if !self.rules.is_known(self.block, self.known & self.block.known) {
             return Vec::new();
         }
-        let axis = self.block.state.vector.map(|_| self.rules.words().place(&self.from, self.before).axis);
+        let axis = self.rotates_in_plane().then(|| self.rules.words().place(&self.from, self.before).axis);
         self.legs_of(self.from, self.block.values, axis)
     }
 
@@ -145,8 +145,17 @@ impl ExecutedBlock<'_> {
         let or_here = |known: u16, stated: &[f64; MAX_AXES]| {
             std::array::from_fn(|index| if known & (1 << index) == 0 { here[index] } else { stated[index] })
         };
-        let axis = block.state.vector.map(|_| words.chain().place(position).axis);
+        let axis = self.rotates_in_plane().then(|| words.chain().place(position).axis);
         self.legs_of(or_here(same & block.known, &self.from), or_here(block.known, &block.values), axis)
+    }
+
+    /// Whether the control rotates the tool axis evenly in a plane between the ends of the block.
+    fn rotates_in_plane(&self) -> bool {
+        let state = &self.block.state;
+        let together = self.block.action == Action::Feed
+            || self.block.action == Action::Rapid && self.rules.rapids_are_interpolated();
+        let tip_control = matches!(state.tip_control, TipControl::On { .. });
+        state.vector.is_some() || together && tip_control && self.rules.policy().words.axis_in_plane
     }
 
     fn legs_of(&self, from: [f64; MAX_AXES], to: [f64; MAX_AXES], axis: Option<Vector3<f64>>) -> Vec<Leg<'_>> {
@@ -219,16 +228,22 @@ impl Leg<'_> {
     /// chooses the rotary axes.
     #[must_use]
     pub fn axis_values(&self, share: f64) -> Option<AxisValues> {
-        self.rules.words().axes(&self.words(share), &self.block.state)
+        let between = share > 0.0 && share < 1.0;
+        if between && self.axis.is_some() {
+            None
+        } else {
+            self.rules.words().axes(&self.words(share), &self.block.state)
+        }
     }
 
-    /// Tip and tool axis on the workpiece at a share of the leg, mm. A stated tool axis rotates evenly from the one before it.
+    /// Tip and tool axis on the workpiece at a share of the leg, mm.
     #[must_use]
     pub fn pose(&self, share: f64) -> Pose {
-        let to = self.rules.words().place(&self.words(share), &self.block.state);
-        let pose = self.axis.map_or(to, |axis| {
-            let from = ToolPose { axis, ..to };
-            Segment { from, to, shape: PathShape::Line }.at(share)
+        let words = self.rules.words();
+        let here = words.place(&self.words(share), &self.block.state);
+        let pose = self.axis.map_or(here, |axis| {
+            let to = ToolPose { axis: words.place(&self.block.values, &self.block.state).axis, ..here };
+            Segment { from: ToolPose { axis, ..here }, to, shape: PathShape::Line }.at(share)
         });
         Pose { tip: Point3::from(pose.tip), axis: UnitVector3::new_normalize(pose.axis) }
     }
@@ -261,8 +276,53 @@ impl Leg<'_> {
         }
         let bound = StepBound::of(machine, from, to);
         match self.block.state.tip_control {
-            TipControl::On { .. } => StepBound { tip: 0.0, ..bound },
+            TipControl::On { .. } => StepBound { tip: self.tip_bound(machine, [from, to]), ..bound },
             TipControl::Off => bound,
+        }
+    }
+
+    /// Deviation of the tip on the workpiece from an even motion on its chord under tip control: an upper bound, mm.
+    ///
+    /// The words are on a straight line of their frame. A frame that is fixed to the machine rotates on the workpiece: with
+    /// `p(s) = R(s) w(s)` the second derivative is `|R'' w + 2 R' w'|`, and the deviation an eighth of it.
+    #[cfg(feature = "simulate")]
+    fn tip_bound(&self, machine: &dyn AnyMachine, [from, to]: [&AxisValues; 2]) -> f64 {
+        if self.rules.policy().words.tip_frame != TipFrame::Machine {
+            return 0.0;
+        }
+        let table = machine.axes().iter().enumerate().filter(|(_, axis)| axis.side == Side::Workpiece);
+        let rotary: Vec<usize> =
+            table.filter(|(_, axis)| axis.kind == AxisKind::Rotary).map(|(index, _)| index).collect();
+        let angle: f64 = rotary.iter().map(|&index| (to[index] - from[index]).abs()).sum();
+        let tips = [from, to].map(|axes| machine.forward_kinematics(axes).tip);
+        let travel = (tips[1] - tips[0]).norm();
+        let lever = |index: usize| {
+            let unit = std::array::from_fn(|other| f64::from(other == index));
+            machine.rates(from, &unit).0.norm() + travel
+        };
+        let lever = rotary.iter().map(|&index| lever(index)).fold(0.0, f64::max) * (1.0 + angle);
+        (angle * angle * lever + 2.0 * angle * (travel + angle * lever)) / 8.0
+    }
+
+    /// Smallest and largest axis values between two shares and the axis values there; `None` where they are not found: the
+    /// part is too long, or near a pole.
+    #[cfg(feature = "simulate")]
+    #[must_use]
+    pub fn axis_ranges(
+        &self,
+        machine: &dyn AnyMachine,
+        shares: [f64; 2],
+        [from, to]: [&AxisValues; 2],
+    ) -> Option<AxisRanges> {
+        if self.axis.is_some() {
+            let [a, b] = shares.map(|share| self.pose(share).axis.into_inner());
+            return AxisRanges::of_great_circle(machine, from, to, angle_between(&a, &b));
+        }
+        match (self.block.action, self.block.state.tip_control) {
+            (Action::Arc(_), _) | (_, TipControl::On { .. }) => {
+                AxisRanges::of_tip(machine, from, to, self.step_bound(machine, shares, [from, to]).tip)
+            }
+            _ => Some(AxisRanges::between(from, to)),
         }
     }
 

@@ -58,10 +58,12 @@ pub(crate) fn read_config_file(
                 let kind = io::ErrorKind::InvalidData;
                 Failure::unreadable(path, io::Error::new(kind, error.utf8_error().to_string()))
             })?;
-            start.read_over(machine, &text).map_err(|faults| {
+            let mut config = start.read_over(machine, &text).map_err(|faults| {
                 messages.diagnostics(&path.display().to_string(), &mut text.as_bytes(), &faults);
                 Failure::Reported
-            })
+            })?;
+            config.set_up.solids.folder = path.parent().unwrap_or(Path::new("")).to_owned();
+            Ok(config)
         }
     }
 }

@@ -32,7 +32,7 @@ pub use crate::motion::{
 };
 pub use crate::nc::Formats;
 pub use crate::program::Units;
-pub use crate::set_up::{AxisBounds, GivenTool, LengthMode, ProgramZero, Stock};
+pub use crate::set_up::{AxisBounds, GivenTool, LengthMode, ProgramZero, Solid, SolidLink, SolidShape, Solids, Stock};
 pub use checking::NotCheckable;
 pub use print::print;
 pub use schema::schema;

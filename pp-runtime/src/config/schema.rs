@@ -60,7 +60,8 @@ mod tests {
             let found = path.try_fold(&schema, |schema, part| {
                 let numbered = || schema.get("patternProperties")?.get("^[1-9][0-9]*$");
                 let named = || schema.get("additionalProperties").filter(|any| any.is_object());
-                schema.get("properties").and_then(|keys| keys.get(part)).or_else(numbered).or_else(named)
+                let one = || schema.get("anyOf")?.as_array()?.iter().find_map(|one| one.get("properties")?.get(part));
+                schema.get("properties").and_then(|keys| keys.get(part)).or_else(numbered).or_else(named).or_else(one)
             });
             let found = found.unwrap_or_else(|| panic!("`{key}` of [{table}] is missing"));
             assert!(found.as_object().is_some_and(|schema| !schema.is_empty()), "`{key}` of [{table}] may be anything");

@@ -11,6 +11,8 @@ mod machine;
 pub(crate) mod machines;
 pub mod math;
 mod motion;
+#[cfg(feature = "simulate")]
+mod ranges;
 mod refusal;
 mod solutions;
 
@@ -23,6 +25,8 @@ pub use machine::{Axis, AxisKind, Dimension, DimensionKind, Joint, Limits, Machi
 #[cfg(feature = "simulate")]
 pub use motion::StepBound;
 pub use motion::{Curve, MotionBound, motion_of_joints, rates_of_joints};
+#[cfg(feature = "simulate")]
+pub use ranges::AxisRanges;
 pub use refusal::{Cone, Invalid, Unreachable};
 pub use solutions::{Branch, Solution, Solutions};
 

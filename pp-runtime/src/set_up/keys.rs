@@ -295,6 +295,15 @@ pub(crate) const MACHINE_ZERO: PerAxis<f64> = PerAxis {
     schema: any_number,
 };
 
+/// Position of the axes at the start of a program.
+pub(crate) const START_POSITION: PerAxis<f64> = PerAxis {
+    axes: AxisSet::All,
+    section: false,
+    read: |r, entry| along(r, entry.axis, entry.value, Bound::Any),
+    printed: |_, axis| (!axis.held).then(|| Printed::Example("0.0".to_owned())),
+    schema: any_number,
+};
+
 /// Travel of the axes: `[lowest, highest]`, or `"free"`.
 pub(crate) const LIMITS: PerAxis<Option<Limits>> = PerAxis {
     axes: AxisSet::All,

@@ -7,6 +7,7 @@
 mod keys;
 mod machine;
 mod part_rotation;
+mod solids;
 
 use std::collections::BTreeMap;
 
@@ -17,12 +18,15 @@ use crate::kinematics::Limits;
 use crate::program::{Coolant, Rotation};
 
 use keys::{
-    BlankCorners, DimensionTable, LIMITS, MACHINE_ZERO, OffsetWord, ROTARY_OFFSET, SPEEDS, SetUpTable, ToolTable,
+    BlankCorners, DimensionTable, LIMITS, MACHINE_ZERO, OffsetWord, ROTARY_OFFSET, SPEEDS, START_POSITION, SetUpTable,
+    ToolTable,
 };
 use part_rotation::PartRotation;
+use solids::SolidTable;
 
 pub use machine::AxisBounds;
 pub(crate) use part_rotation::angles as part_angles;
+pub use solids::{Solid, SolidLink, SolidShape, Solids};
 
 /// The point of the tool that the CL data programs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -62,6 +66,9 @@ options! {
         /// Machine coordinate of each linear axis at the zero position, without tool. Without it linear limits are not
         /// checked.
         machine_zero: BTreeMap<char, f64> = BTreeMap::new(), key("machine_zero", MACHINE_ZERO);
+        /// Position of the axes when the program begins, linear axes in machine coordinates, for `simulate` and `view`. Without
+        /// it the machine is nowhere until its position is programmed.
+        start_position: BTreeMap<char, f64> = BTreeMap::new(), key("start_position", START_POSITION);
         /// Set-ups after the first, by number: the part is clamped again in one program. `frames` are the frames of the CL
         /// data that belong to it, counted in the order in which they are first stated, or `begins` is the name of its first
         /// operation; without both the second set-up is the second frame. Between set-ups the axes are parked and the program
@@ -70,6 +77,14 @@ options! {
         /// Corners of the blank as it lies on the table, for the graphics of a Heidenhain control (BLK FORM). Without them
         /// a box around all cuts is output.
         stock: Option<Stock> = None, key("stock", BlankCorners);
+        /// Solids for `simulate` and `view`: an STL file (`"head.stl"`), or a table with `stl`, `box` (two corners), `cylinder`
+        /// (diameter, height) or `turned` (an outline of diameters and heights), with `at`, `rotate`, `name`; several in a
+        /// list. Those of `table`, `fixtures` and axes of the table side are in table coordinates, from the reference point of
+        /// the table, those of `spindle` and axes of the head from the gauge line, all axes at zero. Those of the `frame` do
+        /// not move, and are where they are in that position: the spindle nose at the reference point of the table. An axis
+        /// has what it moves without the axes after it. `stock` and `design` are in the coordinates of the CL data. Pairs of
+        /// `allow` may meet; other solids must keep the `clearance`.
+        solids: Solids = Solids::default(), key("solids", SolidTable);
         /// Tools by tool number. `length` is from the gauge line to the tip; `offset` and `radius_offset` are the registers
         /// of length and radius if they are not the tool number; `speed`, `direction` and `coolant` as in `[defaults]`.
         tools: BTreeMap<u32, GivenTool> = BTreeMap::new(), key("tools", ToolTable);

@@ -24,13 +24,16 @@
 
 mod bodies;
 mod design;
+mod machine;
 mod program;
 mod removal;
 #[cfg(test)]
 mod testing;
 
-pub(crate) use design::{Comparison, Design, Deviations, Origin, Region, limits_of};
-pub(crate) use program::{EPS_MM, LineRecords, Machining, Outcome, ToolBodies};
+pub(crate) use bodies::{SolidBody, SolidFault};
+pub(crate) use design::{Comparison, Design, Deviations, Origin, Region, Surface, limits_of};
+pub(crate) use machine::{MachineSolid, clearances, without_solids};
+pub(crate) use program::{EPS_MM, LineRecords, Machining, Outcome, Simulation, Size, ToolBodies, What};
 
 pub use bodies::{Mesh, MeshFault};
 pub use removal::{

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use nalgebra::{Point3, UnitVector3, Vector3};
 
-use super::bodies::Mesh;
+use super::bodies::{Mesh, block};
 use super::removal::{Contact, Cutter, SweptPiece, TriDexel};
 use crate::kinematics::Pose;
 
@@ -70,9 +70,7 @@ pub(super) fn barrel(rings: u32, sides: u32) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
     (vertices, faces)
 }
 
-pub(super) fn box_mesh([low, high]: [[f64; 3]; 2]) -> Mesh {
-    let vertices = (0..8_usize).map(|corner| std::array::from_fn(|axis| [low, high][corner >> axis & 1][axis]));
-    let faces = [[0, 2, 3], [0, 3, 1], [4, 5, 7], [4, 7, 6], [0, 1, 5], [0, 5, 4], [2, 6, 7], [2, 7, 3]];
-    let sides = [[0, 4, 6], [0, 6, 2], [1, 3, 7], [1, 7, 5]];
-    Mesh::new(vertices.collect(), faces.into_iter().chain(sides).collect()).expect("a closed body")
+pub(super) fn box_mesh(corners: [[f64; 3]; 2]) -> Mesh {
+    let (vertices, faces) = block(corners);
+    Mesh::new(vertices, faces).expect("a closed body")
 }

@@ -11,11 +11,13 @@ use std::f64::consts::{FRAC_PI_3, TAU};
 use std::ops::Range;
 use std::sync::Arc;
 
+#[cfg(feature = "simulate")]
+use crate::check::Leg;
 use crate::check::read::{Action, MAX_AXES, State, TipControl};
 use crate::check::{CheckPolicy, ExecutedBlock, Observer};
-#[cfg(feature = "simulate")]
-use crate::kinematics::StepBound;
 use crate::kinematics::{AnyMachine, Axis, AxisKind, AxisValues, Pose};
+#[cfg(feature = "simulate")]
+use crate::kinematics::{AxisRanges, StepBound};
 use crate::set_up::SetUp;
 
 /// Largest number of halvings of a motion: 4096 chords.
@@ -119,8 +121,7 @@ impl Executed {
 pub(crate) struct ExecutedMotion<'m> {
     pub(crate) executed: &'m ExecutedBlock<'m>,
     /// The machine with part and tool.
-    pub(crate) machine: &'m dyn AnyMachine,
-    pub(crate) tool: u32,
+    pub(crate) placement: &'m Placement,
     pub(crate) rapid: bool,
     /// All axes arrive together; otherwise each moves on its own.
     pub(crate) together: bool,
@@ -128,11 +129,61 @@ pub(crate) struct ExecutedMotion<'m> {
     /// Largest angle of a rotary axis, or of an arc, rad.
     pub(crate) rotated: f64,
     at: Motion<'m>,
-    bound: &'m dyn Fn([f64; 2], [&AxisValues; 2]) -> StepBound,
+    bounds: &'m dyn MotionBounds,
+}
+
+/// Certified bounds of a motion between two shares and the axis values there.
+#[cfg(feature = "simulate")]
+trait MotionBounds {
+    /// Deviation from the motion in step with it.
+    fn step(&self, shares: [f64; 2], ends: [&AxisValues; 2]) -> StepBound;
+
+    /// Smallest and largest axis values; `None`: not found.
+    fn ranges(&self, shares: [f64; 2], ends: [&AxisValues; 2]) -> Option<AxisRanges>;
+}
+
+/// A motion of all axes together.
+#[cfg(feature = "simulate")]
+struct EvenAxes<'m>(&'m dyn AnyMachine);
+
+#[cfg(feature = "simulate")]
+impl MotionBounds for EvenAxes<'_> {
+    fn step(&self, _shares: [f64; 2], [from, to]: [&AxisValues; 2]) -> StepBound {
+        StepBound::of(self.0, from, to)
+    }
+
+    fn ranges(&self, _shares: [f64; 2], [from, to]: [&AxisValues; 2]) -> Option<AxisRanges> {
+        Some(AxisRanges::between(from, to))
+    }
+}
+
+/// A motion to programmed words.
+#[cfg(feature = "simulate")]
+struct OnLeg<'m>(&'m Leg<'m>, &'m dyn AnyMachine);
+
+#[cfg(feature = "simulate")]
+impl MotionBounds for OnLeg<'_> {
+    fn step(&self, shares: [f64; 2], ends: [&AxisValues; 2]) -> StepBound {
+        self.0.step_bound(self.1, shares, ends)
+    }
+
+    fn ranges(&self, shares: [f64; 2], ends: [&AxisValues; 2]) -> Option<AxisRanges> {
+        self.0.axis_ranges(self.1, shares, ends)
+    }
 }
 
 #[cfg(feature = "simulate")]
 impl ExecutedMotion<'_> {
+    /// Machine with part and tool.
+    pub(crate) fn machine(&self) -> &dyn AnyMachine {
+        &*self.placement.machine
+    }
+
+    /// Number of the tool; 0 without one.
+    pub(crate) fn tool(&self) -> u32 {
+        self.placement.tool
+    }
+
     /// Position at a share; `near`: a position before it.
     pub(crate) fn at(&self, share: f64, near: &Place) -> Place {
         (self.at)(share, &near.axes)
@@ -140,7 +191,18 @@ impl ExecutedMotion<'_> {
 
     /// Certified deviation between two shares from the motion in step with it.
     pub(crate) fn step_bound(&self, shares: [f64; 2], places: [&Place; 2]) -> StepBound {
-        (self.bound)(shares, places.map(|place| &place.axes))
+        self.bounds.step(shares, places.map(|place| &place.axes))
+    }
+
+    /// Axis values at a share; `near`: values before it.
+    pub(crate) fn axes_at(&self, share: f64, near: &AxisValues) -> AxisValues {
+        (self.at)(share, near).axes
+    }
+
+    /// Certified smallest and largest axis values between two shares and the values there; `None` where the part must be
+    /// divided.
+    pub(crate) fn axis_ranges(&self, shares: [f64; 2], ends: [&AxisValues; 2]) -> Option<AxisRanges> {
+        self.bounds.ranges(shares, ends)
     }
 }
 
@@ -190,7 +252,7 @@ struct Course<'m> {
     #[cfg_attr(not(feature = "simulate"), expect(dead_code, reason = "a page shows the motion as if they did"))]
     together: bool,
     #[cfg(feature = "simulate")]
-    bound: &'m dyn Fn([f64; 2], [&AxisValues; 2]) -> StepBound,
+    bounds: &'m dyn MotionBounds,
     at: Motion<'m>,
 }
 
@@ -230,13 +292,15 @@ impl Observer for Collector<'_> {
 impl<'a> Collector<'a> {
     pub(crate) fn new(machine: &dyn AnyMachine, policy: &'a CheckPolicy) -> Self {
         let (axes, held) = (machine.axes(), machine.held());
-        let moves = |index: usize| axes.get(index).is_some_and(|axis| !axis.held);
         Self {
             set_up: &policy.set_up,
             axes,
             speeds: policy.set_up.travel(axes).speeds,
             tolerance_mm: policy.tolerances.path_mm,
-            coordinates: std::array::from_fn(|index| (!moves(index)).then_some(held[index])),
+            coordinates: std::array::from_fn(|index| match axes.get(index) {
+                Some(axis) if !axis.held => start(axis, &policy.set_up),
+                _ => Some(held[index]),
+            }),
             placement: 0,
             joined: false,
             waited: 0.0,
@@ -374,7 +438,7 @@ impl<'a> Collector<'a> {
             sweep: 0.0,
             together: moved < 2,
             #[cfg(feature = "simulate")]
-            bound: &|_, [from, to]| StepBound::of(&*machine, from, to),
+            bounds: &EvenAxes(&*machine),
             at: &at,
         };
         self.trace(executed, PointKind::Rapid, first, &course, |_| None);
@@ -416,7 +480,7 @@ impl<'a> Collector<'a> {
                 sweep: leg.sweep().abs(),
                 together: leg.together,
                 #[cfg(feature = "simulate")]
-                bound: &|shares, ends| leg.step_bound(&*machine, shares, ends),
+                bounds: &OnLeg(leg, &*machine),
                 at: &at,
             };
             self.trace(executed, kind, start, &course, |length_mm| leg.minutes(length_mm));
@@ -448,19 +512,9 @@ impl<'a> Collector<'a> {
         let rotated = self.rotary_axes().map(turned).fold(sweep, f64::max);
         #[cfg(feature = "simulate")]
         if let Some(motions) = self.motions.as_deref_mut() {
-            let Placement { machine, tool, .. } = &self.executed.placements[self.placement];
-            let (rapid, together, bound) = (kind == PointKind::Rapid, course.together, course.bound);
-            let motion = ExecutedMotion {
-                executed,
-                machine: &**machine,
-                tool: *tool,
-                rapid,
-                together,
-                start,
-                rotated,
-                at,
-                bound,
-            };
+            let placement = &self.executed.placements[self.placement];
+            let (rapid, together, bounds) = (kind == PointKind::Rapid, course.together, course.bounds);
+            let motion = ExecutedMotion { executed, placement, rapid, together, start, rotated, at, bounds };
             let end = motions.motion(&motion);
             self.arrive(&end.axes, !0);
             return;
@@ -585,6 +639,15 @@ impl<'a> Collector<'a> {
                 (state.tool.unwrap_or(0), mode(state), executed.set_up());
         }
         self.executed.operations.len() - 1
+    }
+}
+
+/// Machine coordinate of an axis less `machine_zero` when the program begins; of a rotary axis its value.
+fn start(axis: &Axis, set_up: &SetUp) -> Option<f64> {
+    let position = set_up.start_position.get(&axis.letter)?;
+    match axis.kind {
+        AxisKind::Linear => Some(position - set_up.machine_zero.get(&axis.letter)?),
+        AxisKind::Rotary => Some(*position),
     }
 }
 

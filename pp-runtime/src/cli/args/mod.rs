@@ -272,32 +272,44 @@ pub(crate) struct SimulateArgs {
     /// NC program to simulate, posted earlier or edited; without it the CL data is posted
     #[arg(value_name = "OUT.nc")]
     pub(crate) program: Option<PathBuf>,
-    /// Stock as a closed STL file, mm, in the coordinates of the CL data; without it the box of `[stock]`
-    #[arg(long, value_name = "S.stl", value_parser = file_name)]
-    pub(crate) stock: Option<PathBuf>,
-    /// Distance of the lines of the stock, mm: nothing thinner is seen. Without it chosen from the size of the stock
-    #[arg(long = "pitch", value_name = "MM", value_parser = pitch)]
-    pub(crate) pitch_mm: Option<f64>,
-    /// Design as a closed STL file, mm, in the coordinates of the CL data: gouges and rest material are measured from it
-    #[arg(long, value_name = "D.stl", value_parser = file_name)]
-    pub(crate) design: Option<PathBuf>,
-    /// Largest gouge that is no finding, mm. Without it the tolerance of the CL data
-    #[arg(long = "gouge-tolerance", value_name = "MM", value_parser = deviation, requires = "design")]
-    pub(crate) gouge_tolerance_mm: Option<f64>,
-    /// Largest rest material that is no finding, mm. Without it the tolerance of the CL data
-    #[arg(long = "rest-tolerance", value_name = "MM", value_parser = deviation, requires = "design")]
-    pub(crate) rest_tolerance_mm: Option<f64>,
-    /// Tolerance with which the triangles of the design were made, mm: it is added to the other two
-    #[arg(long = "design-tolerance", value_name = "MM", value_parser = deviation, default_value = "0", requires = "design")]
-    pub(crate) design_tolerance_mm: f64,
-    /// Exit status 1 for findings of these kinds, separated by commas: `collision`, `gouge`
-    #[arg(long, value_name = "KINDS", value_delimiter = ',', value_parser = ["collision", "gouge"])]
-    fail_on: Vec<String>,
+    #[command(flatten)]
+    pub(crate) simulation: SimulationArgs,
     /// Write messages as JSON, and findings and volumes as a JSON object to standard output
     #[arg(long)]
     json: bool,
     #[command(flatten)]
     pub(crate) set_up: SetUpArgs,
+}
+
+/// Bodies and tolerances of a simulation.
+#[cfg(feature = "simulate")]
+#[derive(Debug, Args)]
+pub(crate) struct SimulationArgs {
+    /// Stock as a closed STL file, mm, in the coordinates of the CL data; without it that of `[solids]`, or the box of `[stock]`
+    #[arg(long, value_name = "S.stl", value_parser = file_name)]
+    pub(crate) stock: Option<PathBuf>,
+    /// Save the machined stock as an STL file, in the coordinates of the CL data: the stock of the next program
+    #[arg(long, value_name = "FILE.stl", value_parser = file_name)]
+    pub(crate) save_stock: Option<PathBuf>,
+    /// Distance of the lines of the stock, mm: nothing thinner is seen. Without it chosen from the size of the stock
+    #[arg(long = "pitch", value_name = "MM", value_parser = pitch)]
+    pub(crate) pitch_mm: Option<f64>,
+    /// Design as a closed STL file, mm, in the coordinates of the CL data: gouges and rest material are measured from it.
+    /// Without it that of `[solids]`
+    #[arg(long, value_name = "D.stl", value_parser = file_name)]
+    pub(crate) design: Option<PathBuf>,
+    /// Largest gouge that is no finding, mm. Without it the tolerance of the CL data
+    #[arg(long = "gouge-tolerance", value_name = "MM", value_parser = deviation)]
+    pub(crate) gouge_tolerance_mm: Option<f64>,
+    /// Largest rest material that is no finding, mm. Without it the tolerance of the CL data
+    #[arg(long = "rest-tolerance", value_name = "MM", value_parser = deviation)]
+    pub(crate) rest_tolerance_mm: Option<f64>,
+    /// Tolerance with which the triangles of the design were made, mm: it is added to the other two. Without it that of `[solids]`, else 0
+    #[arg(long = "design-tolerance", value_name = "MM", value_parser = deviation)]
+    pub(crate) design_tolerance_mm: Option<f64>,
+    /// Exit status 1 for findings of these kinds, separated by commas: `collision`, `gouge`
+    #[arg(long, value_name = "KINDS", value_delimiter = ',', value_parser = ["collision", "gouge"])]
+    fail_on: Vec<String>,
 }
 
 #[cfg(feature = "simulate")]
@@ -306,7 +318,10 @@ impl SimulateArgs {
     pub(crate) fn format(&self) -> MessageFormat {
         if self.json { MessageFormat::Json } else { self.set_up.message_format }
     }
+}
 
+#[cfg(feature = "simulate")]
+impl SimulationArgs {
     /// Whether a gouge is exit status 1.
     pub(crate) fn fails_on_gouge(&self) -> bool {
         self.fail_on.iter().any(|kind| kind == "gouge")

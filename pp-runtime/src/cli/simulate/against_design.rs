@@ -1,7 +1,5 @@
 //! The machined stock against the design, as sentences and as JSON.
 
-use std::path::Path;
-
 use serde::Serialize;
 
 use crate::simulate::{Comparison, Deviations, LineRecords, Origin, Region, limits_of};
@@ -40,6 +38,9 @@ pub(super) struct AgainstDesign {
     pub(super) comparison: Comparison,
     pub(super) records: LineRecords,
     pub(super) tolerances: Tolerances,
+    /// Name of the design, and number of its triangles.
+    pub(super) name: String,
+    pub(super) triangles: usize,
 }
 
 /// A comparison as JSON.
@@ -147,16 +148,16 @@ impl AgainstDesign {
     }
 
     /// Rest material, the largest values, and the histogram.
-    pub(super) fn notes(&self, path: &Path, triangles: usize) -> Vec<String> {
+    pub(super) fn notes(&self) -> Vec<String> {
+        let Self { name, triangles, .. } = self;
         let Tolerances { gouge_mm, rest_mm, design_mm, certified_mm } = self.tolerances;
         let Comparison { gouge, rest, histogram, .. } = &self.comparison;
         let mut all = self.sentences("rest material", rest);
         all.push(format!(
-            "gouge {:.3} mm of {gouge_mm}, rest {:.3} mm of {rest_mm}, against {}, {triangles} triangles, mm in the coordinates \
+            "gouge {:.3} mm of {gouge_mm}, rest {:.3} mm of {rest_mm}, against {name}, {triangles} triangles, mm in the coordinates \
              of the CL data; allowed besides: {certified_mm:.4} mm of the machined stock, {design_mm} mm of the design",
             gouge.largest_mm,
             rest.largest_mm,
-            path.display()
         ));
         let ends: u64 = histogram.iter().sum();
         all.push(format!("distance of {ends} ends of the stock from the design (below 0: inside):"));

@@ -1,5 +1,7 @@
 //! Tests of `simulate`: what the written program does to a stock, and how it is reported.
 
+mod solids;
+
 use serde_json::Value as Json;
 
 use super::*;
@@ -51,8 +53,8 @@ fn a_right_program_has_the_volume_of_its_cuts_and_no_collision() {
     let volume = json["removed_mm3"].as_f64().expect("a volume");
     assert!((volume - wanted).abs() < 0.01 * wanted, "{volume} {wanted}");
     let parts = json["taking_part"].as_array().expect("what took part");
-    assert_eq!(parts, &["cutting part of tool 1", "shank of tool 1", "holder of tool 1"]);
-    assert!(json["not_checked"].to_string().contains("no solids are given"), "{json}");
+    assert_eq!(parts, &["cutting part of tool 1", "shank of tool 1", "holder of tool 1", "stock"]);
+    assert!(json["not_checked"].to_string().contains("machine and fixtures: no solids are given"), "{json}");
 }
 
 #[test]
@@ -189,7 +191,8 @@ fn a_simulation_without_a_stock_or_with_a_pitch_of_zero_is_refused() {
     let none = simulated_with(&Shop::new(), PART, "units = \"mm\"\n", &[]);
     assert_eq!(none.status, Status::NotRun);
     assert!(
-        none.errors.contains("error: no stock: give `--stock S.stl`, or the corners of the blank"),
+        none.errors
+            .contains("error: no stock: give `--stock S.stl`, `stock` in `[solids]`, or the corners of the blank"),
         "{}",
         none.errors
     );
@@ -287,4 +290,28 @@ fn a_motion_that_is_too_low_is_a_gouge_at_its_block_and_its_cl_line() {
     assert!(none.errors.contains("not checked: gouges and rest material: no design given"), "{}", none.errors);
     let refused = simulated_with(&shop, part, &config, &["--fail-on", "gouge"]);
     assert_eq!(refused.status, Status::NotRun);
+}
+
+#[test]
+fn the_machined_stock_is_the_stock_of_the_next_program() {
+    let shop = Shop::new();
+    let config = format!("{CONFIG}{TOOL}");
+    let saved = shop.arg("saved.stl");
+    let first = simulated_with(&shop, PART, &config, &["--json", "--save-stock", &saved]);
+    assert_eq!(first.status, Status::Done, "{}", first.errors);
+    assert!(first.errors.contains("saved.stl, "), "{}", first.errors);
+    // The same program again cuts nothing but the edges that the triangles have rounded.
+    let again = simulated_with(&shop, PART, &config, &["--json", "--stock", &saved]);
+    let json: Json = serde_json::from_str(&again.output).unwrap_or_else(|_| panic!("{}", again.errors));
+    let volumes = [&first, &again].map(|outcome| {
+        let json: Json = serde_json::from_str(&outcome.output).expect("figures");
+        json["removed_mm3"].as_f64().expect("a volume")
+    });
+    assert!(volumes[1] < 0.03 * volumes[0], "{volumes:?}");
+    let size = json["stock_mm"][1].as_array().expect("a corner");
+    assert!((size[0].as_f64().expect("a size") - 40.0).abs() < 1e-3, "{json}");
+    // An input is never replaced.
+    let over = simulated_with(&shop, PART, &config, &["--stock", &saved, "--save-stock", &saved]);
+    assert_eq!(over.status, Status::NotRun);
+    assert!(over.errors.contains("would overwrite the stock"), "{}", over.errors);
 }

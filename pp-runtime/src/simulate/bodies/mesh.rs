@@ -4,7 +4,7 @@
 //! edge on which it is. An edge has the same side for both of its triangles, and a line that meets an edge exactly is moved
 //! aside by less than any number, so that a closed body is entered as often as it is left.
 
-use std::io::{Read, Seek, SeekFrom};
+use std::io::{self, Read, Seek, SeekFrom, Write};
 
 use nalgebra::Rotation3;
 
@@ -35,6 +35,15 @@ impl Mesh {
     /// # Errors
     /// A sentence about a file that is no STL file, or a body that is open, inside out or too large.
     pub fn read(input: &mut (impl Read + Seek)) -> Result<Self, MeshFault> {
+        let mesh = Self::read_surface(input)?;
+        mesh.flaw().map_or(Ok(mesh), |flaw| Err(MeshFault(flaw)))
+    }
+
+    /// The same for a surface that may be open or inside out.
+    ///
+    /// # Errors
+    /// A sentence about a file that is no STL file, or too large.
+    pub(crate) fn read_surface(input: &mut (impl Read + Seek)) -> Result<Self, MeshFault> {
         let size = input.seek(SeekFrom::End(0)).and_then(|size| input.rewind().map(|()| size));
         let size = size.map_err(|error| MeshFault(error.to_string()))?;
         if size > HEAD_BYTES + TRIANGLE_BYTES * MOST_TRIANGLES {
@@ -43,7 +52,7 @@ impl Mesh {
         let read = stl_io::read_stl(input).map_err(|error| MeshFault(format!("it is no STL file: {error}")))?;
         let vertices: Vec<[f64; 3]> = read.vertices.iter().map(|vertex| vertex.0.map(f64::from)).collect();
         let faces = read.faces.iter().map(|face| face.vertices.map(|index| index as u32)).collect();
-        Self::new(vertices, faces)
+        Self::surface(vertices, faces)
     }
 
     /// A body of triangles; each has the numbers of its three vertices, counter-clockwise from outside.
@@ -51,6 +60,17 @@ impl Mesh {
     /// # Errors
     /// A sentence about a body that is empty, open or inside out.
     pub fn new(vertices: Vec<[f64; 3]>, faces: Vec<[u32; 3]>) -> Result<Self, MeshFault> {
+        let mesh = Self::surface(vertices, faces)?;
+        mesh.flaw().map_or(Ok(mesh), |flaw| Err(MeshFault(flaw)))
+    }
+
+    /// Triangles that are known to be a closed body.
+    pub(crate) fn of_checked(vertices: Vec<[f64; 3]>, faces: Vec<[u32; 3]>) -> Self {
+        Self { vertices, faces }
+    }
+
+    /// Triangles that may be open or inside out.
+    fn surface(vertices: Vec<[f64; 3]>, faces: Vec<[u32; 3]>) -> Result<Self, MeshFault> {
         // A triangle of two points has no area and two opposite edges.
         let flat = |face: &[u32; 3]| face[0] == face[1] || face[1] == face[2] || face[2] == face[0];
         let faces: Vec<[u32; 3]> = faces.into_iter().filter(|face| !flat(face)).collect();
@@ -63,18 +83,37 @@ impl Mesh {
         if faces.iter().flatten().any(|index| *index as usize >= vertices.len()) {
             return Err(MeshFault("it has a triangle of points that are not there".to_owned()));
         }
-        let mesh = Self { vertices, faces };
-        mesh.refuse_open()?;
-        let volume = mesh.volume();
-        if volume <= 0.0 {
-            let text = format!("its triangles face inwards: its volume is {volume:.3} mm\u{b3}");
-            return Err(MeshFault(text));
-        }
-        Ok(mesh)
+        Ok(Self { vertices, faces })
+    }
+
+    /// The reason why the triangles are no body: they are open or inside out.
+    pub(crate) fn flaw(&self) -> Option<String> {
+        let volume = self.volume();
+        let inwards =
+            || (volume <= 0.0).then(|| format!("its triangles face inwards: its volume is {volume:.3} mm\u{b3}"));
+        self.open_edges().or_else(inwards)
+    }
+
+    /// Writes a binary STL file.
+    ///
+    /// # Errors
+    /// Errors of the output.
+    pub(crate) fn write(&self, out: &mut impl Write) -> io::Result<()> {
+        let triangle = |face: &[u32; 3]| {
+            let corners = face.map(|index| self.vertices[index as usize]);
+            let [a, b, c] = corners.map(nalgebra::Vector3::from);
+            let normal = (b - a).cross(&(c - a)).try_normalize(0.0).unwrap_or_default();
+            stl_io::Triangle {
+                normal: stl_io::Vector(<[f64; 3]>::from(normal).map(|value| value as f32)),
+                vertices: corners.map(|corner| stl_io::Vector(corner.map(|value| value as f32))),
+            }
+        };
+        let triangles: Vec<stl_io::Triangle> = self.faces.iter().map(triangle).collect();
+        stl_io::write_stl(out, triangles.iter())
     }
 
     /// Each edge must be passed as often in one direction as in the other.
-    fn refuse_open(&self) -> Result<(), MeshFault> {
+    fn open_edges(&self) -> Option<String> {
         let edges = self.faces.iter().flat_map(|[a, b, c]| [[*a, *b], [*b, *c], [*c, *a]]);
         let mut edges: Vec<([u32; 2], i32)> =
             edges.map(|[a, b]| if a < b { ([a, b], 1) } else { ([b, a], -1) }).collect();
@@ -86,11 +125,8 @@ impl Mesh {
                 first.get_or_insert(same[0].0[0]);
             }
         }
-        let Some(first) = first else { return Ok(()) };
-        let [x, y, z] = self.vertices[first as usize];
-        Err(MeshFault(format!(
-            "it is open: {open} edges have triangles on one side only, the first at X{x:.3} Y{y:.3} Z{z:.3}"
-        )))
+        let [x, y, z] = self.vertices[first? as usize];
+        Some(format!("it is open: {open} edges have triangles on one side only, the first at X{x:.3} Y{y:.3} Z{z:.3}"))
     }
 
     /// Volume, mm³.
@@ -128,11 +164,72 @@ impl Mesh {
 
     /// The body rotated about the origin.
     #[must_use]
-    pub fn rotated(mut self, rotation: &Rotation3<f64>) -> Self {
-        for vertex in &mut self.vertices {
-            *vertex = (rotation * nalgebra::Vector3::from(*vertex)).into();
-        }
+    pub fn rotated(self, rotation: &Rotation3<f64>) -> Self {
+        self.moved(|vertex| (rotation * nalgebra::Vector3::from(vertex)).into())
+    }
+
+    /// The body in another unit.
+    pub(crate) fn scaled(self, by: f64) -> Self {
+        self.moved(|vertex| vertex.map(|value| by * value))
+    }
+
+    /// The body with its points elsewhere.
+    pub(crate) fn moved(mut self, place: impl Fn([f64; 3]) -> [f64; 3]) -> Self {
+        self.vertices.iter_mut().for_each(|vertex| *vertex = place(*vertex));
         self
+    }
+
+    /// The points that its triangles have.
+    pub(crate) fn used_vertices(&self) -> Vec<[f64; 3]> {
+        let mut used = vec![false; self.vertices.len()];
+        self.faces.iter().flatten().for_each(|index| used[*index as usize] = true);
+        self.vertices.iter().zip(used).filter(|(_, used)| *used).map(|(vertex, _)| *vertex).collect()
+    }
+
+    /// A point of each part whose triangles hang together.
+    pub(crate) fn points_of_parts(&self) -> Vec<[f64; 3]> {
+        let mut parents: Vec<u32> = (0..self.vertices.len() as u32).collect();
+        fn root(parents: &mut [u32], mut at: u32) -> u32 {
+            while parents[at as usize] != at {
+                parents[at as usize] = parents[parents[at as usize] as usize];
+                at = parents[at as usize];
+            }
+            at
+        }
+        for [a, b, c] in &self.faces {
+            for other in [b, c] {
+                let (one, two) = (root(&mut parents, *a), root(&mut parents, *other));
+                parents[one.max(two) as usize] = one.min(two);
+            }
+        }
+        let mut roots: Vec<u32> = self.faces.iter().map(|face| root(&mut parents, face[0])).collect();
+        roots.sort_unstable();
+        roots.dedup();
+        roots.into_iter().map(|root| self.vertices[root as usize]).collect()
+    }
+
+    /// Whether a point is inside: the triangles are seen from there all round. `point` is not on the surface.
+    pub(crate) fn has_inside(&self, point: [f64; 3]) -> bool {
+        let from = |index: u32| -> nalgebra::Vector3<f64> {
+            let vertex = self.vertices[index as usize];
+            std::array::from_fn::<f64, 3, _>(|axis| vertex[axis] - point[axis]).into()
+        };
+        let angle = |face: &[u32; 3]| {
+            let [a, b, c] = face.map(from);
+            let (la, lb, lc) = (a.norm(), b.norm(), c.norm());
+            2.0 * a.dot(&b.cross(&c)).atan2(la * lb * lc + a.dot(&b) * lc + b.dot(&c) * la + c.dot(&a) * lb)
+        };
+        self.faces.iter().map(angle).sum::<f64>().abs() > std::f64::consts::TAU
+    }
+
+    /// Its points.
+    pub(crate) fn vertices(&self) -> &[[f64; 3]] {
+        &self.vertices
+    }
+
+    /// Its triangles, as numbers of points.
+    pub(crate) fn faces(&self) -> &[[u32; 3]] {
+        &self.faces
     }
 
     /// The body as a stock.

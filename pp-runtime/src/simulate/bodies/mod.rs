@@ -1,7 +1,13 @@
-//! Bodies of triangles: files, and the lines of a stock that are inside.
+//! Bodies of triangles: files, shapes of the configuration, and the lines of a stock that are inside.
 
 mod mesh;
+mod shapes;
+mod solid;
 #[cfg(test)]
 mod tests;
 
 pub use mesh::{Mesh, MeshFault};
+#[cfg(test)]
+pub(crate) use shapes::block;
+pub(crate) use shapes::{CHORD_MM, chord_of, turned};
+pub(crate) use solid::{OpenFile, SolidBody, SolidFault};

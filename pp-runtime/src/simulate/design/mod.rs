@@ -9,3 +9,4 @@ mod nearest;
 mod tests;
 
 pub(crate) use comparison::{Comparison, Design, Deviations, Origin, Region, limits_of};
+pub(crate) use nearest::Surface;

@@ -7,13 +7,13 @@
 
 use std::collections::BTreeMap;
 
-use super::outcome::{Contacting, Found, Outcome};
+use super::outcome::{Contacting, Found, Outcome, Size, What};
 use super::tools::{ToolBodies, ToolBody};
 use crate::check::read::Side;
 use crate::check::{CheckPolicy, ExecutedBlock, angle_between};
 use crate::kinematics::{AxisKind, Pose};
 use crate::simulate::removal::{LARGEST_TURN, SweptPiece, TriDexel};
-use crate::view::{ExecutedMotion, Motions, Place};
+use crate::view::{ExecutedMotion, Place};
 
 /// Tolerance of the removal, mm.
 pub(crate) const EPS_MM: f64 = 1e-3;
@@ -55,13 +55,15 @@ pub(crate) struct Machining<'a> {
     threads: usize,
     pieces: Vec<SweptPiece>,
     owners: Vec<Owner>,
-    outcome: Outcome,
+    /// Number of times that the stock has been cut.
+    pub(super) flushes: u64,
+    pub(super) outcome: Outcome,
 }
 
 impl<'a> Machining<'a> {
     pub(crate) fn new(policy: &'a CheckPolicy, tools: ToolBodies, stock: TriDexel, threads: usize) -> Self {
         let outcome = Outcome::new(&tools);
-        Self { policy, tools, stock, threads, pieces: Vec::new(), owners: Vec::new(), outcome }
+        Self { policy, tools, stock, threads, pieces: Vec::new(), owners: Vec::new(), flushes: 0, outcome }
     }
 
     /// Cuts what is left to be cut; returns the machined stock, too.
@@ -71,21 +73,26 @@ impl<'a> Machining<'a> {
         (self.outcome, self.stock)
     }
 
-    fn flush(&mut self) {
+    /// Cuts what has been swept so far.
+    pub(super) fn flush(&mut self) {
+        if self.pieces.is_empty() {
+            return;
+        }
+        self.flushes += 1;
         let contacts = self.stock.cut(&self.pieces, &self.tools.profiles, EPS_MM, self.threads);
         for (contact, owner) in contacts.iter().zip(&self.owners).filter(|(contact, _)| contact.longest > 0.0) {
             if owner.what == Contacting::Cut {
                 *self.outcome.removed.entry((owner.operation, owner.tool)).or_default() += contact.volume();
             } else {
                 self.outcome.add(Found {
-                    what: owner.what,
+                    what: What::Stock(owner.what),
                     lines: [owner.line; 2],
                     cl_line: owner.cl_line,
                     operation: owner.operation,
                     tool: owner.tool,
-                    volume_mm3: contact.volume(),
-                    longest_mm: contact.longest,
+                    size: Size::Cut { volume_mm3: contact.volume(), longest_mm: contact.longest },
                     place_mm: contact.place,
+                    axes: Vec::new(),
                 });
             }
         }
@@ -99,6 +106,43 @@ impl<'a> Machining<'a> {
             let piece = SweptPiece::new(from, to, *profile, owner.line.min(u64::from(u32::MAX)) as u32).grown(grow);
             self.pieces.push(if test { piece.touching() } else { piece });
             self.owners.push(owner);
+        }
+    }
+
+    /// A motion whose start or end is unknown.
+    pub(super) fn unknown(&mut self) {
+        *self.outcome.unknown.entry("whose start or end is unknown").or_default() += 1;
+    }
+
+    /// The stock as far as it has been cut.
+    pub(super) fn stock(&self) -> &TriDexel {
+        &self.stock
+    }
+
+    /// Sweeps the stock with the tool of a motion. `places`: positions between which nothing rotates far.
+    pub(super) fn motion(&mut self, motion: &ExecutedMotion<'_>, places: &[(f64, Place)]) {
+        let executed = motion.executed;
+        self.outcome.motions += 1;
+        let body = self.tools.bodies.get(&motion.tool()).filter(|body| !body.is_empty()).cloned();
+        let compensated = executed.block.state.side.is_some_and(|side| side != Side::None);
+        let unknown = match &body {
+            _ if executed.set_up() != 1 => Some("in further set-ups"),
+            None if motion.rapid => Some("at rapid without a tool of known shape"),
+            None => Some("of tools without a shape"),
+            Some(_) if compensated && !self.policy.shop.compensated_centre => Some("under cutter compensation"),
+            Some(_) => None,
+        };
+        if let Some(reason) = unknown {
+            *self.outcome.unknown.entry(reason).or_default() += 1;
+            return;
+        }
+        let (Some(body), Some((_, end))) = (body, places.last()) else { return };
+        let reach = self.reach(&body);
+        if motion.rapid && !motion.together {
+            self.boxed(motion, &body, reach, end);
+        }
+        for pair in places.windows(2) {
+            self.part(motion, &body, reach, pair[0], pair[1], MOST_HALVINGS);
         }
     }
 
@@ -155,7 +199,7 @@ impl<'a> Machining<'a> {
 
     /// The box of a rapid in which each axis moves on its own.
     fn boxed(&mut self, motion: &ExecutedMotion<'_>, body: &ToolBody, reach: f64, end: &Place) {
-        let (machine, start) = (motion.machine, &motion.start);
+        let (machine, start) = (motion.machine(), &motion.start);
         let mut ways = Vec::new();
         for (index, axis) in machine.axes().iter().enumerate() {
             let mut axes = start.axes;
@@ -199,7 +243,7 @@ impl<'a> Machining<'a> {
 
 fn owner(motion: &ExecutedMotion<'_>, what: Contacting) -> Owner {
     let ExecutedBlock { block, record, operation, .. } = motion.executed;
-    Owner { what, line: block.line, cl_line: record.line, operation: *operation, tool: motion.tool }
+    Owner { what, line: block.line, cl_line: record.line, operation: *operation, tool: motion.tool() }
 }
 
 /// Positions of a motion at shares of it, between which nothing rotates far.
@@ -211,41 +255,6 @@ pub(super) fn places(motion: &ExecutedMotion<'_>) -> Vec<(f64, Place)> {
         places.push((share, motion.at(share, &near)));
     }
     places
-}
-
-impl Motions for Machining<'_> {
-    fn motion(&mut self, motion: &ExecutedMotion<'_>) -> Place {
-        let executed = motion.executed;
-        let places = places(motion);
-        let end = places[places.len() - 1].1;
-        self.outcome.motions += 1;
-        let body = self.tools.bodies.get(&motion.tool).filter(|body| **body != ToolBody::default()).cloned();
-        let compensated = executed.block.state.side.is_some_and(|side| side != Side::None);
-        let unknown = match &body {
-            _ if executed.set_up() != 1 => Some("in further set-ups"),
-            None if motion.rapid => Some("at rapid without a tool of known shape"),
-            None => Some("of tools without a shape"),
-            Some(_) if compensated && !self.policy.shop.compensated_centre => Some("under cutter compensation"),
-            Some(_) => None,
-        };
-        if let Some(reason) = unknown {
-            *self.outcome.unknown.entry(reason).or_default() += 1;
-            return end;
-        }
-        let Some(body) = body else { return end };
-        let reach = self.reach(&body);
-        if motion.rapid && !motion.together {
-            self.boxed(motion, &body, reach, &end);
-        }
-        for pair in places.windows(2) {
-            self.part(motion, &body, reach, pair[0], pair[1], MOST_HALVINGS);
-        }
-        end
-    }
-
-    fn unknown(&mut self) {
-        *self.outcome.unknown.entry("whose start or end is unknown").or_default() += 1;
-    }
 }
 
 /// Volumes by operation and tool, mm³.

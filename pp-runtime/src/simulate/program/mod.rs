@@ -1,14 +1,16 @@
 //! A written program as it is executed on the stock.
 //!
-//! `tools` has the tools of the program as bodies, `machining` turns its motions into pieces and contacts into findings,
-//! `outcome` states them, and what did not take part; `records` finds the CL records of lines that matter.
+//! `simulation` receives its motions: they move the bodies of the machine, and `machining` turns them into pieces that cut the
+//! stock and contacts into findings. `tools` has the tools of the program as bodies, `outcome` states the findings, and what did not take part; `records` finds the CL records of lines that matter.
 
 mod machining;
 mod outcome;
 mod records;
+mod simulation;
 mod tools;
 
 pub(crate) use machining::{EPS_MM, Machining};
-pub(crate) use outcome::Outcome;
+pub(crate) use outcome::{Outcome, Size, What};
 pub(crate) use records::LineRecords;
-pub(crate) use tools::ToolBodies;
+pub(crate) use simulation::Simulation;
+pub(crate) use tools::{ToolBodies, ToolBody};

@@ -4,9 +4,13 @@ use std::collections::BTreeMap;
 
 use super::machining::{EPS_MM, Removed, TOUCH_MM};
 use super::tools::{ToolBodies, ToolBody};
+use crate::simulate::machine::SHOWN_MM;
 
 /// Findings that are kept; all are counted.
 const MOST_FOUND: usize = 1000;
+
+/// Smallest clearances in the summary.
+const MOST_CLEARANCES: usize = 8;
 
 /// Blocks between two contacts that are one finding.
 const SAME_FINDING: u64 = 3;
@@ -49,19 +53,48 @@ impl Contacting {
     }
 }
 
+/// What a finding is about.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) enum What {
+    /// A part of the tool in the stock.
+    Stock(Contacting),
+    /// Two bodies that meet, or are nearer than the clearance.
+    Bodies([String; 2]),
+}
+
+impl What {
+    /// Name, as in JSON.
+    pub(crate) const fn name(&self) -> &'static str {
+        match self {
+            Self::Stock(contacting) => contacting.name(),
+            Self::Bodies(_) => "collision",
+        }
+    }
+}
+
+/// Size of a finding.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Size {
+    /// Material of the stock, and the longest part of one of its lines.
+    Cut { volume_mm3: f64, longest_mm: f64 },
+    /// Distance of two bodies that is certain; `None`: they meet.
+    Apart(Option<f64>),
+}
+
 /// A finding: blocks that follow each other with the same contact.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Found {
-    pub(crate) what: Contacting,
+    pub(crate) what: What,
     /// First and last line of the program.
     pub(crate) lines: [u64; 2],
     pub(crate) cl_line: u64,
     pub(crate) operation: u64,
     pub(crate) tool: u32,
-    pub(crate) volume_mm3: f64,
-    /// Longest part of a line of the stock, and its middle.
-    pub(crate) longest_mm: f64,
+    pub(crate) size: Size,
+    /// Where it is worst, from the part zero.
     pub(crate) place_mm: [f64; 3],
+    /// Positions of the axes there, mm and degrees; empty where they are not stated.
+    pub(crate) axes: Vec<(char, f64)>,
 }
 
 impl Found {
@@ -70,15 +103,46 @@ impl Found {
         let [first, last] = self.lines;
         let lines = if first == last { format!("line {first}") } else { format!("lines {first} to {last}") };
         let [x, y, z] = self.place_mm;
+        let what = match (&self.what, self.size) {
+            (What::Stock(contacting), _) => contacting.text().to_owned(),
+            (What::Bodies([one, two]), Size::Apart(Some(least_mm))) => {
+                format!("{one} and {two} come within {least_mm:.2} mm of each other")
+            }
+            (What::Bodies([one, two]), _) => format!("{one} and {two} collide"),
+        };
+        let size = match self.size {
+            Size::Cut { volume_mm3, longest_mm } => format!(", {volume_mm3:.1} mm\u{b3}, {longest_mm:.2} mm long"),
+            Size::Apart(_) => String::new(),
+        };
+        let axes: Vec<String> = self.axes.iter().map(|(letter, value)| format!("{letter}{value:.3}")).collect();
+        let axes = if axes.is_empty() { String::new() } else { format!(", axes at {}", axes.join(" ")) };
         format!(
-            "{}: {lines} of the program (CL line {}), tool {}, {:.1} mm\u{b3}, {:.2} mm long at X{x:.2} Y{y:.2} Z{z:.2}",
-            self.what.text(),
-            self.cl_line,
-            self.tool,
-            self.volume_mm3,
-            self.longest_mm
+            "{what}: {lines} of the program (CL line {}), tool {}{size} at X{x:.2} Y{y:.2} Z{z:.2}{axes}",
+            self.cl_line, self.tool
         )
     }
+
+    /// Whether it is worse than another one.
+    fn is_worse(&self, other: &Self) -> bool {
+        match (self.size, other.size) {
+            (Size::Cut { longest_mm: here, .. }, Size::Cut { longest_mm: there, .. }) => here > there,
+            (Size::Apart(here), Size::Apart(there)) => here.unwrap_or(-1.0) < there.unwrap_or(-1.0),
+            _ => false,
+        }
+    }
+}
+
+/// Smallest distance of two bodies in the program.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct SmallestClearance {
+    pub(crate) bodies: [String; 2],
+    pub(crate) distance_mm: f64,
+    pub(crate) line: u64,
+    pub(crate) cl_line: u64,
+    pub(crate) tool: u32,
+    /// From the part zero.
+    pub(crate) place_mm: [f64; 3],
+    pub(crate) axes: Vec<(char, f64)>,
 }
 
 /// Result of a simulation.
@@ -97,6 +161,14 @@ pub(crate) struct Outcome {
     pub(crate) deviation_mm: f64,
     /// Lines whose ends are not certified.
     pub(crate) uncertified: u64,
+    /// Smallest distances of bodies, the smallest first.
+    pub(crate) clearances: Vec<SmallestClearance>,
+    /// Number of pairs of bodies that are nowhere nearer than [`SHOWN_MM`].
+    pub(crate) far_pairs: usize,
+    /// Links of the machine without a solid.
+    pub(crate) without_solids: Vec<String>,
+    /// Sentence about the file of the machined stock.
+    pub(crate) saved: Option<String>,
     /// What took part.
     taking_part: Vec<String>,
     assumed: Vec<String>,
@@ -120,10 +192,17 @@ impl Outcome {
             of(&|body| !body.holder.is_empty(), "holder"),
         ];
         Self {
-            taking_part: parts.into_iter().flatten().collect(),
+            taking_part: parts.into_iter().flatten().chain(["stock".to_owned()]).collect(),
             assumed: tools.assumed.clone(),
             not_checked: tools.not_checked.clone(),
             ..Self::default()
+        }
+    }
+
+    /// Names what took part besides the tools.
+    pub(crate) fn take_part(&mut self, name: String) {
+        if !self.taking_part.contains(&name) {
+            self.taking_part.push(name);
         }
     }
 
@@ -152,9 +231,14 @@ impl Outcome {
         });
         if let Some(last) = continued {
             last.lines[1] = last.lines[1].max(found.lines[1]);
-            last.volume_mm3 += found.volume_mm3;
-            if found.longest_mm > last.longest_mm {
-                (last.longest_mm, last.place_mm) = (found.longest_mm, found.place_mm);
+            let worse = found.is_worse(last);
+            let volume = |size: &Size| if let Size::Cut { volume_mm3, .. } = size { *volume_mm3 } else { 0.0 };
+            let total = volume(&last.size) + volume(&found.size);
+            if worse {
+                (last.size, last.place_mm, last.axes) = (found.size, found.place_mm, found.axes);
+            }
+            if let Size::Cut { volume_mm3, .. } = &mut last.size {
+                *volume_mm3 = total;
             }
             return;
         }
@@ -194,13 +278,15 @@ impl Outcome {
         if self.removed.is_empty() && self.count == 0 && self.motions > 0 {
             all.push("no motion meets the stock: it may be elsewhere than the part".to_owned());
         }
-        all.push("fixtures, table and machine: no solids are given".to_owned());
+        if !self.without_solids.is_empty() {
+            all.push(format!("collisions of {}: no solids are given", self.without_solids.join(", ")));
+        }
         all
     }
 
     /// Lines of the summary.
     pub(crate) fn summary(&self) -> Vec<String> {
-        let among = self.taking_part.iter().map(String::as_str).chain(["stock"]).collect::<Vec<_>>().join(", ");
+        let among = self.taking_part.join(", ");
         let collisions = if self.count == 1 { "1 collision" } else { &format!("{} collisions", self.count) };
         let mut lines = vec![
             format!("simulated: {} motions, {collisions} among {among}", self.motions),
@@ -213,6 +299,16 @@ impl Outcome {
         lines.extend(self.removed.iter().map(|((operation, tool), volume)| {
             format!("operation {operation}, tool {tool}: {:.3} cm\u{b3}", volume / 1e3)
         }));
+        lines.extend(self.clearances.iter().take(MOST_CLEARANCES).map(|smallest| {
+            let SmallestClearance { bodies: [one, two], distance_mm, line, cl_line, .. } = smallest;
+            format!("smallest clearance: {one} and {two} {distance_mm:.2} mm, line {line} of the program (CL line {cl_line})")
+        }));
+        let more = self.clearances.len().saturating_sub(MOST_CLEARANCES);
+        if self.far_pairs + more > 0 {
+            let all = if more > 0 { format!("{more} more pairs of bodies are farther apart, ") } else { String::new() };
+            lines.push(format!("{all}{} pairs of bodies are nowhere nearer than {SHOWN_MM} mm", self.far_pairs));
+        }
+        lines.extend(self.saved.clone());
         lines.extend(self.assumed.iter().map(|text| format!("assumed: {text}")));
         lines.extend(self.not_checked().iter().map(|text| format!("not checked: {text}")));
         lines

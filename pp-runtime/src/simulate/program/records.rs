@@ -38,7 +38,7 @@ impl Motions for LineRecords {
     fn motion(&mut self, motion: &ExecutedMotion<'_>) -> Place {
         let ExecutedBlock { block, record, operation, .. } = motion.executed;
         if let Some(found @ None) = self.records.get_mut(&block.line) {
-            *found = Some(LineRecord { cl_line: record.line, operation: *operation, tool: motion.tool });
+            *found = Some(LineRecord { cl_line: record.line, operation: *operation, tool: motion.tool() });
         }
         places(motion).last().map_or(motion.start, |(_, place)| *place)
     }

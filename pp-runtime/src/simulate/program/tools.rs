@@ -16,11 +16,20 @@ const POINT_RAD: f64 = 118.0 * PI / 180.0;
 const LENGTH_MM: f64 = 100.0;
 
 /// A tool as indices of profiles.
-#[derive(Debug, Clone, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct ToolBody {
+    /// From the gauge line to the tip, mm.
+    pub(crate) length_mm: Option<f64>,
     pub(crate) cutter: Vec<u32>,
     pub(crate) shank: Vec<u32>,
     pub(crate) holder: Vec<u32>,
+}
+
+impl ToolBody {
+    /// Whether no part of it has a shape.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.cutter.is_empty() && self.shank.is_empty() && self.holder.is_empty()
+    }
 }
 
 /// All tools.
@@ -56,7 +65,7 @@ impl ToolBodies {
         let length = given.length_mm.or(tool.call.length_mm);
         let holder_height: f64 = given.holder_mm.chunks(2).filter_map(|part| part.get(1)).sum();
         let nose = length.map(|length| length - holder_height);
-        let mut body = ToolBody::default();
+        let mut body = ToolBody { length_mm: length, ..ToolBody::default() };
         if !given.holder_mm.is_empty() {
             match nose {
                 _ if !given.holder_mm.len().is_multiple_of(2) => {

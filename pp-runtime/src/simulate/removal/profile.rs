@@ -149,6 +149,37 @@ impl Profile {
         }
     }
 
+    /// Largest distance of its points from the axis, mm.
+    pub(crate) fn radius(&self) -> f64 {
+        self.radius
+    }
+
+    /// The outline as a convex polygon of radii and heights from the axis to the axis, no farther from it than a distance.
+    pub(crate) fn polygon(&self, chord_mm: f64) -> Vec<[f64; 2]> {
+        let at = |h: f64| [self.outline(h).unwrap_or(0.0), h];
+        let ends = [at(self.bottom), at(self.high)];
+        let mut polygon = vec![[0.0, self.bottom], ends[0]];
+        self.refine(ends[0], ends[1], chord_mm, 14, &mut polygon);
+        polygon.push([0.0, self.high]);
+        polygon.dedup_by(|a, b| (a[0] - b[0]).abs() < 1e-9 && (a[1] - b[1]).abs() < 1e-9);
+        polygon
+    }
+
+    /// Adds the outline between two of its points. It is concave: nowhere is it farther from the chord than twice as far as in
+    /// the middle.
+    fn refine(&self, from: [f64; 2], to: [f64; 2], chord_mm: f64, halvings: u32, polygon: &mut Vec<[f64; 2]>) {
+        let h = f64::midpoint(from[1], to[1]);
+        let middle = [self.outline(h).unwrap_or(0.0), h];
+        let length = (to[0] - from[0]).hypot(to[1] - from[1]);
+        let off = (middle[0] - f64::midpoint(from[0], to[0])).abs() * (to[1] - from[1]) / length.max(1e-12);
+        if 2.0 * off > chord_mm && halvings > 0 {
+            self.refine(from, middle, chord_mm, halvings - 1, polygon);
+            self.refine(middle, to, chord_mm, halvings - 1, polygon);
+        } else {
+            polygon.push(to);
+        }
+    }
+
     /// Fills in what follows from the shape.
     fn measured(mut self) -> Self {
         self.bottom = self.lowest();

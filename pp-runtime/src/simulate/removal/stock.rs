@@ -285,6 +285,18 @@ impl TriDexel {
         self.pitch
     }
 
+    /// Number of lines along each axis.
+    pub(super) fn counts(&self) -> [usize; 3] {
+        let [y, z] = self.families[0].lines;
+        [self.families[1].lines[1], y, z]
+    }
+
+    /// The material of a line.
+    pub(super) fn spans(&self, family: usize, [i, j]: [usize; 2]) -> &[Filled] {
+        let held = &self.families[family];
+        held.tiles[j / TILE * held.tiles_across + i / TILE].of(line_of(i % TILE, j % TILE))
+    }
+
     /// Numbers of the lines of a family in both directions across.
     pub(crate) fn lines(&self, family: usize) -> [usize; 2] {
         self.families[family].lines
@@ -306,6 +318,43 @@ impl TriDexel {
                 show(self.across(family, [i, j]), tile.of(line_of(i % TILE, j % TILE)));
             }
         }
+    }
+
+    /// The material as boxes, in three sets each of which contains it: for each block of lines of a family the parts along
+    /// them.
+    pub(crate) fn boxes(&self) -> Vec<Vec<[[f64; 3]; 2]>> {
+        let family = |family: usize| {
+            let held = &self.families[family];
+            let (u, v) = ((family + 1) % 3, (family + 2) % 3);
+            let mut boxes = Vec::new();
+            for (index, tile) in held.tiles.iter().enumerate() {
+                let corner = [index % held.tiles_across * TILE, index / held.tiles_across * TILE];
+                for block in 0..BLOCKS {
+                    let lines = block * BLOCK * BLOCK..(block + 1) * BLOCK * BLOCK;
+                    let mut parts: Vec<[f32; 2]> =
+                        lines.flat_map(|line| tile.of(line)).map(|span| [span.low, span.high]).collect();
+                    parts.sort_by(|a, b| a[0].total_cmp(&b[0]));
+                    parts.dedup_by(|next, last| {
+                        let joins = next[0] <= last[1];
+                        last[1] = if joins { last[1].max(next[1]) } else { last[1] };
+                        joins
+                    });
+                    let at = [corner[0] + block % (TILE / BLOCK) * BLOCK, corner[1] + block / (TILE / BLOCK) * BLOCK];
+                    let edge = |axis: usize, line: usize| self.low[axis] + line as f64 * self.pitch[axis];
+                    boxes.extend(parts.into_iter().map(|[low, high]| {
+                        let mut ends = [[0.0; 3]; 2];
+                        [ends[0][family], ends[1][family]] = [low, high].map(f64::from);
+                        for (axis, line) in [(u, at[0]), (v, at[1])] {
+                            ends[0][axis] = edge(axis, line);
+                            ends[1][axis] = edge(axis, line + BLOCK).min(self.high[axis]);
+                        }
+                        ends
+                    }));
+                }
+            }
+            boxes
+        };
+        (0..3).map(family).collect()
     }
 
     /// Area that a line of a family has, mm².

@@ -8,6 +8,8 @@ use super::profile::{Cutter, Profile};
 use super::stock::TriDexel;
 use super::sweep::{Covered, LANES, Lines, SweptPiece, SweptSpace};
 use crate::kinematics::Pose;
+use crate::simulate::bodies::Mesh;
+use crate::simulate::design::Surface;
 use crate::simulate::testing::{EPS, Random, cut_by_two_threads, pose, upright};
 
 /// One shape of each kind.
@@ -404,6 +406,44 @@ fn a_touching_piece_removes_nothing() {
     // A smaller tool does not reach what it touches with its surface.
     let grazing = SweptPiece::new(&upright([0.0, 0.0, 8.0]), &upright([0.0, 0.0, 5.99]), 0, 1);
     assert!(cut_by_two_threads(&mut stock, &[grazing.grown(-0.02)], &cutter).abs() < 1e-12);
+}
+
+#[test]
+fn the_surface_of_a_stock_is_closed_and_near_its_ends() {
+    // Grooves that cross, one through the whole stock; a wall thinner than the pitch is left between two of them.
+    let cutter = Cutter::Mill { radius: 2.0, corner: 0.5, taper: 0.0, length: 20.0 };
+    let mut stock = TriDexel::cylinder([0.0, 0.0], 10.0, [-8.0, 0.0], 0.25).expect("a stock");
+    let lines = [
+        [-12.0, 1.0, -3.0, 12.0, 1.0, -3.0],
+        [-12.0, -3.1, -4.0, 12.0, -3.1, -4.0],
+        [0.0, -12.0, -20.0, 0.0, 12.0, -5.0],
+    ];
+    for [x, y, z, to_x, to_y, to_z] in lines {
+        let piece = SweptPiece::new(&upright([x, y, z]), &upright([to_x, to_y, to_z]), 0, 1);
+        cut_by_two_threads(&mut stock, &[piece], &cutter);
+    }
+    let (vertices, faces) = stock.surface();
+    let mesh = Mesh::new(vertices, faces).expect("a closed body");
+    let volume = stock.volumes().iter().sum::<f64>() / 3.0;
+    assert!((mesh.volume() - volume).abs() < 1e-2 * volume, "{} {volume}", mesh.volume());
+    let surface = Surface::new(mesh.corners_of_triangles());
+    let (mut farthest, mut near, mut ends): (f64, u32, u32) = (0.0, 0, 0);
+    for family in 0..3 {
+        stock.each(family, |across, spans| {
+            // The wall is thinner than the pitch.
+            let thick = spans.iter().filter(|span| span.high - span.low > 0.3);
+            for end in thick.flat_map(|span| [span.low, span.high]) {
+                let mut place = [0.0; 3];
+                (place[family], place[(family + 1) % 3], place[(family + 2) % 3]) =
+                    (f64::from(end), across[0], across[1]);
+                let distance = surface.distance(place, f64::INFINITY);
+                farthest = farthest.max(distance);
+                near += u32::from(distance < 0.01);
+                ends += 1;
+            }
+        });
+    }
+    assert!(farthest < 0.25 && f64::from(near) > 0.7 * f64::from(ends), "{farthest} {near} {ends}");
 }
 
 #[test]

@@ -1,0 +1,131 @@
+//! A simulation as JSON.
+
+use serde::Serialize;
+
+use crate::simulate::{EPS_MM, Outcome, Size, What};
+
+use super::against_design::{AgainstDesign, DesignFigures};
+
+/// The figures.
+#[derive(Serialize)]
+pub(super) struct Figures<'a> {
+    passed: bool,
+    motions: u64,
+    collisions: u64,
+    removed_mm3: f64,
+    pitch_mm: [f64; 3],
+    stock_mm: [[f64; 3]; 2],
+    tolerance_mm: f64,
+    taking_part: &'a [String],
+    assumed: &'a [String],
+    not_checked: Vec<String>,
+    operations: Vec<Removal>,
+    findings: Vec<Finding<'a>>,
+    /// Smallest distances of bodies of the machine, fixtures, tools and stock.
+    clearances: Vec<Clearance<'a>>,
+    /// The comparison with the design; null: no design given.
+    design: Option<DesignFigures>,
+}
+
+#[derive(Serialize)]
+struct Removal {
+    operation: u64,
+    tool: u32,
+    removed_mm3: f64,
+}
+
+/// A finding. Volume and length are those of stock, the distance that of two bodies: null where they collide.
+#[derive(Serialize)]
+struct Finding<'a> {
+    kind: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    bodies: Option<&'a [String; 2]>,
+    line: u64,
+    last_line: u64,
+    cl_line: u64,
+    operation: u64,
+    tool: u32,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    volume_mm3: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    longest_mm: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    distance_mm: Option<Option<f64>>,
+    place_mm: [f64; 3],
+    #[serde(skip_serializing_if = "<[_]>::is_empty")]
+    axes: &'a [(char, f64)],
+}
+
+#[derive(Serialize)]
+struct Clearance<'a> {
+    bodies: &'a [String; 2],
+    distance_mm: f64,
+    line: u64,
+    cl_line: u64,
+    tool: u32,
+    place_mm: [f64; 3],
+    axes: &'a [(char, f64)],
+}
+
+impl<'a> Figures<'a> {
+    /// `sizes`: pitch, and corners of the stock.
+    pub(super) fn of(
+        outcome: &'a Outcome,
+        against: Option<&AgainstDesign>,
+        passed: bool,
+        (pitch_mm, stock_mm): ([f64; 3], [[f64; 3]; 2]),
+    ) -> Self {
+        let operations = outcome.removed.iter();
+        let operations = operations
+            .map(|((operation, tool), volume)| Removal { operation: *operation, tool: *tool, removed_mm3: *volume })
+            .collect();
+        let findings = outcome.found.iter().map(|found| {
+            let (volume_mm3, longest_mm, distance_mm) = match found.size {
+                Size::Cut { volume_mm3, longest_mm } => (Some(volume_mm3), Some(longest_mm), None),
+                Size::Apart(least_mm) => (None, None, Some(least_mm)),
+            };
+            Finding {
+                kind: found.what.name(),
+                bodies: match &found.what {
+                    What::Bodies(bodies) => Some(bodies),
+                    What::Stock(_) => None,
+                },
+                line: found.lines[0],
+                last_line: found.lines[1],
+                cl_line: found.cl_line,
+                operation: found.operation,
+                tool: found.tool,
+                volume_mm3,
+                longest_mm,
+                distance_mm,
+                place_mm: found.place_mm,
+                axes: &found.axes,
+            }
+        });
+        let clearances = outcome.clearances.iter().map(|smallest| Clearance {
+            bodies: &smallest.bodies,
+            distance_mm: smallest.distance_mm,
+            line: smallest.line,
+            cl_line: smallest.cl_line,
+            tool: smallest.tool,
+            place_mm: smallest.place_mm,
+            axes: &smallest.axes,
+        });
+        Self {
+            passed,
+            motions: outcome.motions,
+            collisions: outcome.count,
+            removed_mm3: outcome.volume_mm3(),
+            pitch_mm,
+            stock_mm,
+            tolerance_mm: outcome.deviation_mm + EPS_MM,
+            taking_part: outcome.taking_part(),
+            assumed: outcome.assumed(),
+            not_checked: outcome.not_checked(),
+            operations,
+            findings: findings.collect(),
+            clearances: clearances.collect(),
+            design: against.map(AgainstDesign::figures),
+        }
+    }
+}

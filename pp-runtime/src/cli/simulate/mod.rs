@@ -1,0 +1,196 @@
+//! `simulate IN.cls [OUT.nc]`: the written program moves the machine and cuts a stock.
+//!
+//! Without OUT.nc the CL data is posted to a temporary file. The program is executed by the check's reader, in one pass and in
+//! memory that does not grow with its length.
+
+mod against_design;
+mod bodies;
+mod figures;
+mod saved_stock;
+
+use std::fs::File;
+use std::io::{BufReader, Seek as _};
+use std::path::Path;
+use std::thread;
+
+use crate::check::{CheckPolicy, Checked, check_observed};
+use crate::kinematics::AnyMachine;
+use crate::simulate::{LineRecords, Machining, Outcome, Simulation, ToolBodies, clearances, without_solids};
+use crate::view::{ClFacts, Collector, Motions};
+
+use super::args::{MessageFormat, SimulateArgs, SimulationArgs};
+use super::check;
+use super::cl_source::ClSource;
+use super::inputs::{open_cl_data, posting_passes, read_config, refuse_overwriting, show_progress};
+use super::messages::Messages;
+use super::outcome::{Failure, Status, Streams, is_standard, print};
+use super::posting::{PostFn, PostRun, read_files};
+use super::self_check::Checking;
+use against_design::{AgainstDesign, Tolerances};
+use bodies::{Bodies, GivenDesign};
+use figures::Figures;
+
+/// Name of a program that is posted for the simulation alone.
+const POSTED: &str = "the posted program";
+
+/// Result of a simulation.
+struct Simulated {
+    checked: Checked,
+    outcome: Outcome,
+    against: Option<AgainstDesign>,
+    pitch_mm: [f64; 3],
+    stock_mm: [[f64; 3]; 2],
+}
+
+impl Simulated {
+    /// Whether no finding is one that the run must not have.
+    fn passed(&self, args: &SimulationArgs) -> bool {
+        let collides = args.fails_on_collision() && self.outcome.count > 0;
+        let gouges = args.fails_on_gouge() && self.against.as_ref().is_some_and(AgainstDesign::gouges);
+        self.checked.fault.is_none() && self.checked.outcome.passed() && !collides && !gouges
+    }
+
+    /// Writes findings and summary.
+    fn report(&self, messages: &mut Messages<'_>) {
+        for found in &self.outcome.found {
+            messages.warning(&found.text());
+        }
+        let more = self.outcome.count - self.outcome.found.len() as u64;
+        if more > 0 {
+            messages.warning(&format!("{more} more findings"));
+        }
+        if let Some(against) = &self.against {
+            against.warnings().iter().for_each(|text| messages.warning(text));
+            against.notes().iter().for_each(|text| messages.note(text));
+        }
+        self.outcome.summary().iter().for_each(|line| messages.note(line));
+    }
+}
+
+pub(crate) fn run(
+    machine: &dyn AnyMachine,
+    args: &SimulateArgs,
+    streams: &mut Streams<'_>,
+    post: PostFn<'_>,
+) -> Result<Status, Failure> {
+    let mut messages = Messages::new(streams.errors, args.format());
+    let config = read_config(machine, &args.set_up, &mut messages)?;
+    let bodies = Bodies::read(&config.set_up, &args.simulation)?;
+    let mut read = read_files(&args.input, &args.set_up);
+    let given = [(&args.program, "program"), (&args.simulation.stock, "stock"), (&args.simulation.design, "design")];
+    read.extend(given.into_iter().filter_map(|(path, what)| Some((path.as_deref()?, what))));
+    let saved = args.simulation.save_stock.as_deref().map(|path| (path, "machined stock"));
+    refuse_overwriting(&read, saved.as_slice())?;
+    let mut source = open_cl_data(&args.input, streams.input)?;
+    let name = source.name().to_owned();
+    let unreadable = |error| Failure::Unreadable(name.clone(), error);
+    let shown = args.program.as_deref().unwrap_or(Path::new(POSTED));
+    let run = PostRun {
+        input: &args.input,
+        output: shown,
+        checking: Checking::for_text(&config),
+        config: &config,
+        control: args.set_up.control(),
+        post,
+    };
+    let mut program: File = match &args.program {
+        Some(path) if is_standard(path) => {
+            return Err(Failure::Argument("the program must be a file: it is read once the CL data is".to_owned()));
+        }
+        Some(path) => File::open(path).map_err(|error| Failure::unreadable(path, error))?,
+        None => {
+            show_progress(&mut source, streams.terminal, &args.set_up, posting_passes(&config));
+            let mut file = tempfile::tempfile().map_err(|error| Failure::unwritable(shown, error))?;
+            let written = run.write(machine, &mut source, &mut file, None, &mut messages)?;
+            if let Err(reason) = written.summary {
+                messages.note(&format!("rejected: {reason}"));
+                return Ok(Status::Rejected);
+            }
+            file.rewind().map_err(|error| Failure::unwritable(shown, error))?;
+            source.rewind().map_err(unreadable)?;
+            file
+        }
+    };
+    let policy = run.policy(machine)?;
+    show_progress(&mut source, streams.terminal, &args.set_up, 2);
+    let simulated = simulate(machine, &policy, (&mut source, &mut program, shown), bodies, &args.simulation)?;
+    source.hide_progress();
+    if let Some(what) = source.changed_since_opened() {
+        return Err(Failure::Changed(name, what));
+    }
+    let written = args.program.as_deref().map(Path::to_string_lossy);
+    check::report(&simulated.checked, &name, &mut source, written.as_deref(), &mut messages).map_err(unreadable)?;
+    messages.note(&simulated.checked.outcome.summary());
+    simulated.report(&mut messages);
+    let passed = simulated.passed(&args.simulation);
+    if args.format() == MessageFormat::Json {
+        let Simulated { outcome, against, pitch_mm, stock_mm, .. } = &simulated;
+        let figures = Figures::of(outcome, against.as_ref(), passed, (*pitch_mm, *stock_mm));
+        print(streams, |out| {
+            serde_json::to_writer(&mut *out, &figures)?;
+            out.write_all(b"\n")
+        })?;
+    }
+    Ok(if passed { Status::Done } else { Status::Rejected })
+}
+
+/// Executes a program with the bodies of a job. Both files are at their start; `shown`: name of the program.
+fn simulate(
+    machine: &dyn AnyMachine,
+    policy: &CheckPolicy,
+    (source, program, shown): (&mut ClSource, &mut File, &Path),
+    bodies: Bodies,
+    args: &SimulationArgs,
+) -> Result<Simulated, Failure> {
+    let name = source.name().to_owned();
+    let unreadable = |error| Failure::Unreadable(name.clone(), error);
+    let Bodies { stock, stock_text, design, solids } = bodies;
+    let facts = ClFacts::read(&mut *source, policy.reading.clone()).map_err(unreadable)?;
+    source.rewind().map_err(unreadable)?;
+    let tools = ToolBodies::of(&facts, &policy.set_up);
+    let (pitch_mm, stock_mm) = (stock.pitch(), stock.corners());
+    let placed = policy.set_up.machine_for(machine).map_err(|invalid| Failure::Argument(invalid.to_string()))?;
+    let mut sentences = Vec::new();
+    let distances = clearances(&*placed, &policy.set_up, &solids, &tools, &stock, &mut sentences);
+    let threads = thread::available_parallelism().map_or(1, usize::from);
+    let machining = Machining::new(policy, tools, stock, threads);
+    let mut simulation = Simulation::new(policy, machine.axes(), machining, distances);
+    let execute = |source: &mut ClSource, program: &mut File, motions: &mut dyn Motions| {
+        let mut follower = Collector::following(machine, policy, motions);
+        check_observed(machine, policy, source, &mut BufReader::new(program), &mut follower)
+            .map_err(|error| check::failure(error, &name, shown))
+    };
+    let checked = execute(source, program, &mut simulation)?;
+    let (mut outcome, machined) = simulation.finish();
+    outcome.assume(stock_text);
+    outcome.without_solids = without_solids(&*placed, &policy.set_up, &solids);
+    sentences.into_iter().for_each(|text| outcome.leave_out(text));
+    let mut against = None;
+    match design {
+        Some(GivenDesign { design, name: design_name, tolerance_mm }) => {
+            let tolerances = Tolerances {
+                gouge_mm: args.gouge_tolerance_mm.unwrap_or(policy.largest_path_mm()),
+                rest_mm: args.rest_tolerance_mm.unwrap_or(policy.largest_path_mm()),
+                design_mm: tolerance_mm,
+                certified_mm: outcome.certified_mm(stock_mm),
+            };
+            let comparison = design.compare(&machined, tolerances.gouge_limit_mm(), tolerances.rest_limit_mm());
+            let mut records = LineRecords::of(comparison.lines());
+            if !records.is_empty() {
+                // The program is executed again for the records of the lines that were found.
+                program.rewind().map_err(|error| Failure::unreadable(shown, error))?;
+                source.rewind().map_err(unreadable)?;
+                execute(source, program, &mut records)?;
+            }
+            let found =
+                AgainstDesign { comparison, records, tolerances, name: design_name, triangles: design.triangles() };
+            found.not_checked().into_iter().for_each(|text| outcome.leave_out(text));
+            against = Some(found);
+        }
+        None => outcome.leave_out("gouges and rest material: no design given".to_owned()),
+    }
+    if let Some(path) = &args.save_stock {
+        outcome.saved = Some(saved_stock::save(&policy.set_up, &machined, path)?);
+    }
+    Ok(Simulated { checked, outcome, against, pitch_mm, stock_mm })
+}
