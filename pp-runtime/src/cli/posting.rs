@@ -42,13 +42,13 @@ pub(crate) struct Written {
 /// Copies what is written.
 struct Copied<'a> {
     out: &'a mut dyn Write,
-    copy: &'a mut Vec<u8>,
+    copy: &'a mut dyn Write,
 }
 
 impl Write for Copied<'_> {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         let count = self.out.write(bytes)?;
-        self.copy.extend_from_slice(&bytes[..count]);
+        self.copy.write_all(&bytes[..count])?;
         Ok(count)
     }
 
@@ -67,6 +67,31 @@ impl LineMap for BothMaps<'_> {
     }
 }
 
+/// What is done with a program that is posted and checked, before it gets its final name.
+pub(crate) trait AfterPosting {
+    /// Receives the text of the program.
+    fn writer(&mut self) -> &mut dyn Write;
+
+    /// Lines of the summary, or the reason to reject the program. `source` is the CL data, anywhere.
+    fn finish(
+        self: Box<Self>,
+        machine: &dyn AnyMachine,
+        run: &PostRun<'_>,
+        source: &mut ClSource,
+        messages: &mut Messages<'_>,
+    ) -> Result<Result<Vec<String>, String>, Failure>;
+}
+
+#[cfg(feature = "simulate")]
+fn after_posting<'a>(config: &Config, args: &'a PostArgs) -> Result<Option<Box<dyn AfterPosting + 'a>>, Failure> {
+    super::simulate::after_posting(config, args)
+}
+
+#[cfg(not(feature = "simulate"))]
+fn after_posting<'a>(_config: &Config, _args: &'a PostArgs) -> Result<Option<Box<dyn AfterPosting + 'a>>, Failure> {
+    Ok(None)
+}
+
 pub(crate) fn run(
     machine: &dyn AnyMachine,
     args: &PostArgs,
@@ -76,6 +101,7 @@ pub(crate) fn run(
     let mut messages = Messages::new(streams.errors, args.set_up.message_format);
     let config = read_config(machine, &args.set_up, &mut messages)?;
     refuse_overwriting(args)?;
+    let mut after = after_posting(&config, args)?;
     let mut source = open_cl_data(&args.input, streams.input)?;
     let unwritable = |error| Failure::unwritable(&args.output, error);
     let mut target = match is_standard(&args.output) {
@@ -89,6 +115,14 @@ pub(crate) fn run(
     let out: &mut dyn Write = match &mut file {
         Some(file) => file,
         None => &mut *streams.output,
+    };
+    let mut both_outputs;
+    let out = match &mut after {
+        Some(after) => {
+            both_outputs = Copied { out, copy: after.writer() };
+            &mut both_outputs as &mut dyn Write
+        }
+        None => out,
     };
     let control = args.set_up.control();
     let checking = match (args.no_check, &args.view) {
@@ -107,6 +141,16 @@ pub(crate) fn run(
         }
     };
     let ended = map.map_or(Ok(()), MapWriter::end);
+    let mut written = written;
+    if let (Some(after), Ok(summary)) = (after, &mut written.summary) {
+        show_progress(&mut source, streams.terminal, &args.set_up, 2);
+        let done = after.finish(machine, &run, &mut source, &mut messages)?;
+        source.hide_progress();
+        match done {
+            Ok(lines) => summary.extend(lines),
+            Err(reason) => written.summary = Err(reason),
+        }
+    }
     page.as_ref().map_or(Ok(()), PageFile::clear)?;
     let mut write_page = |messages: &mut Messages<'_>, written: Written| {
         let Some(page) = page.take() else { return Ok(()) };

@@ -197,6 +197,13 @@ pub(crate) struct PostArgs {
     /// Do not check the program against the CL data
     #[arg(long)]
     pub(crate) no_check: bool,
+    /// Simulate the program on the machine, as `simulate` does; the options of `simulate` need this one
+    #[cfg(feature = "simulate")]
+    #[arg(long)]
+    pub(crate) simulate: bool,
+    #[cfg(feature = "simulate")]
+    #[command(flatten)]
+    pub(crate) simulation: SimulationArgs,
     #[command(flatten)]
     pub(crate) set_up: SetUpArgs,
 }
@@ -288,6 +295,9 @@ pub(crate) struct SimulationArgs {
     /// Stock as a closed STL file, mm, in the coordinates of the CL data; without it that of `[solids]`, or the box of `[stock]`
     #[arg(long, value_name = "S.stl", value_parser = file_name)]
     pub(crate) stock: Option<PathBuf>,
+    /// Tool table of the machine: its lengths count in the simulation. LinuxCNC tool.tbl, Heidenhain TOOL.T, or G10 lines
+    #[arg(long, value_name = "FILE", value_parser = file_name)]
+    pub(crate) tool_table: Option<PathBuf>,
     /// Save the machined stock as an STL file, in the coordinates of the CL data: the stock of the next program
     #[arg(long, value_name = "FILE.stl", value_parser = file_name)]
     pub(crate) save_stock: Option<PathBuf>,
@@ -322,6 +332,22 @@ impl SimulateArgs {
 
 #[cfg(feature = "simulate")]
 impl SimulationArgs {
+    /// The first of the options that is given.
+    pub(crate) fn given(&self) -> Option<&'static str> {
+        let options = [
+            ("--stock", self.stock.is_some()),
+            ("--save-stock", self.save_stock.is_some()),
+            ("--tool-table", self.tool_table.is_some()),
+            ("--pitch", self.pitch_mm.is_some()),
+            ("--design", self.design.is_some()),
+            ("--gouge-tolerance", self.gouge_tolerance_mm.is_some()),
+            ("--rest-tolerance", self.rest_tolerance_mm.is_some()),
+            ("--design-tolerance", self.design_tolerance_mm.is_some()),
+            ("--fail-on", !self.fail_on.is_empty()),
+        ];
+        options.into_iter().find(|(_, given)| *given).map(|(name, _)| name)
+    }
+
     /// Whether a gouge is exit status 1.
     pub(crate) fn fails_on_gouge(&self) -> bool {
         self.fail_on.iter().any(|kind| kind == "gouge")

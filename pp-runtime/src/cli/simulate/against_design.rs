@@ -135,6 +135,13 @@ impl AgainstDesign {
         all
     }
 
+    /// The largest values in one line.
+    pub(super) fn line(&self) -> String {
+        let Tolerances { gouge_mm, rest_mm, .. } = self.tolerances;
+        let Comparison { gouge, rest, .. } = &self.comparison;
+        format!("gouge {:.3} mm of {gouge_mm}, rest {:.3} mm of {rest_mm}", gouge.largest_mm, rest.largest_mm)
+    }
+
     /// Gouges, the largest first.
     pub(super) fn warnings(&self) -> Vec<String> {
         let mut all = self.sentences("gouge", &self.comparison.gouge);
@@ -150,14 +157,13 @@ impl AgainstDesign {
     /// Rest material, the largest values, and the histogram.
     pub(super) fn notes(&self) -> Vec<String> {
         let Self { name, triangles, .. } = self;
-        let Tolerances { gouge_mm, rest_mm, design_mm, certified_mm } = self.tolerances;
-        let Comparison { gouge, rest, histogram, .. } = &self.comparison;
+        let Tolerances { design_mm, certified_mm, .. } = self.tolerances;
+        let Comparison { rest, histogram, .. } = &self.comparison;
         let mut all = self.sentences("rest material", rest);
         all.push(format!(
-            "gouge {:.3} mm of {gouge_mm}, rest {:.3} mm of {rest_mm}, against {name}, {triangles} triangles, mm in the coordinates \
+            "{}, against {name}, {triangles} triangles, mm in the coordinates \
              of the CL data; allowed besides: {certified_mm:.4} mm of the machined stock, {design_mm} mm of the design",
-            gouge.largest_mm,
-            rest.largest_mm,
+            self.line(),
         ));
         let ends: u64 = histogram.iter().sum();
         all.push(format!("distance of {ends} ends of the stock from the design (below 0: inside):"));

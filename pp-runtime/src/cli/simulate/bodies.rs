@@ -1,13 +1,14 @@
 //! Stock, design and solids of a simulation: from options, `[solids]` and `[stock]`.
 
-use std::fs::File;
+use std::fs::{self, File};
 use std::io;
 use std::path::Path;
 
 use nalgebra::Rotation3;
 
+use crate::program::Units;
 use crate::set_up::{SetUp, Solid, SolidShape};
-use crate::simulate::{Design, MachineSolid, Mesh, SolidBody, SolidFault, StockFault, TriDexel};
+use crate::simulate::{Design, MachineSolid, Mesh, SolidBody, SolidFault, StockFault, ToolTable, TriDexel};
 
 use super::super::args::SimulationArgs;
 use super::super::outcome::Failure;
@@ -25,6 +26,8 @@ pub(super) struct Bodies {
     pub(super) stock_text: String,
     pub(super) design: Option<GivenDesign>,
     pub(super) solids: Vec<MachineSolid>,
+    /// The tools as the machine knows them.
+    pub(super) tool_table: Option<ToolTable>,
 }
 
 /// A design with its name, and the tolerance with which its triangles were made, mm.
@@ -35,7 +38,8 @@ pub(super) struct GivenDesign {
 }
 
 impl Bodies {
-    pub(super) fn read(set_up: &SetUp, args: &SimulationArgs) -> Result<Self, Failure> {
+    /// Reads the files. `unit`: of a tool table that states none.
+    pub(super) fn read(set_up: &SetUp, args: &SimulationArgs, unit: Units) -> Result<Self, Failure> {
         let design = design(set_up, args)?;
         if design.is_none() && args.fails_on_gouge() {
             let text = "`--fail-on gouge` needs the design: give `--design D.stl`, or `design` in `[solids]`";
@@ -49,8 +53,15 @@ impl Bodies {
         let (stock, stock_text) = stock(set_up, args)?;
         let open = |file: &str| File::open(set_up.solids.path(file));
         let solids = MachineSolid::read(set_up, &open).map_err(|fault| in_solids(set_up, fault))?;
-        Ok(Self { stock, stock_text, design, solids })
+        let tool_table = args.tool_table.as_deref().map(|path| tool_table(path, unit)).transpose()?;
+        Ok(Self { stock, stock_text, design, solids, tool_table })
     }
+}
+
+fn tool_table(path: &Path, unit: Units) -> Result<ToolTable, Failure> {
+    let text = fs::read_to_string(path).map_err(|error| Failure::unreadable(path, error))?;
+    ToolTable::read(&text, unit.in_mm())
+        .map_err(|fault| Failure::Argument(format!("{} is no tool table: {fault}", path.display())))
 }
 
 /// The failure of a solid of the configuration, with its path.

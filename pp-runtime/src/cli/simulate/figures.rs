@@ -19,6 +19,8 @@ pub(super) struct Figures<'a> {
     taking_part: &'a [String],
     assumed: &'a [String],
     not_checked: Vec<String>,
+    /// Tools whose length or diameter in the tool table differs from the posted one.
+    tool_table: &'a [String],
     operations: Vec<Removal>,
     findings: Vec<Finding<'a>>,
     /// Smallest distances of bodies of the machine, fixtures, tools and stock.
@@ -122,6 +124,7 @@ impl<'a> Figures<'a> {
             taking_part: outcome.taking_part(),
             assumed: outcome.assumed(),
             not_checked: outcome.not_checked(),
+            tool_table: &outcome.differences,
             operations,
             findings: findings.collect(),
             clearances: clearances.collect(),

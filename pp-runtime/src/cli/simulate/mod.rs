@@ -3,6 +3,7 @@
 //! Without OUT.nc the CL data is posted to a temporary file. The program is executed by the check's reader, in one pass and in
 //! memory that does not grow with its length.
 
+mod after_posting;
 mod against_design;
 mod bodies;
 mod figures;
@@ -26,6 +27,7 @@ use super::messages::Messages;
 use super::outcome::{Failure, Status, Streams, is_standard, print};
 use super::posting::{PostFn, PostRun, read_files};
 use super::self_check::Checking;
+pub(super) use after_posting::after_posting;
 use against_design::{AgainstDesign, Tolerances};
 use bodies::{Bodies, GivenDesign};
 use figures::Figures;
@@ -50,17 +52,33 @@ impl Simulated {
         self.checked.fault.is_none() && self.checked.outcome.passed() && !collides && !gouges
     }
 
-    /// Writes findings and summary.
-    fn report(&self, messages: &mut Messages<'_>) {
+    /// The result in one line.
+    fn line(&self) -> String {
+        let design = self.against.as_ref().map_or(String::new(), |against| format!("; {}", against.line()));
+        let open = self.outcome.not_checked().len();
+        let what = if open == 1 { "thing is" } else { "things are" };
+        let open = if open == 0 { String::new() } else { format!("; {open} {what} not checked, see `simulate`") };
+        format!("{}{design}{open}", self.outcome.line())
+    }
+
+    /// Writes collisions and gouges.
+    fn findings(&self, messages: &mut Messages<'_>) {
         for found in &self.outcome.found {
             messages.warning(&found.text());
         }
+        self.outcome.differences.iter().for_each(|text| messages.warning(text));
         let more = self.outcome.count - self.outcome.found.len() as u64;
         if more > 0 {
             messages.warning(&format!("{more} more findings"));
         }
+        let gouges = self.against.as_ref().map_or_else(Vec::new, AgainstDesign::warnings);
+        gouges.iter().for_each(|text| messages.warning(text));
+    }
+
+    /// Writes findings and summary.
+    fn report(&self, messages: &mut Messages<'_>) {
+        self.findings(messages);
         if let Some(against) = &self.against {
-            against.warnings().iter().for_each(|text| messages.warning(text));
             against.notes().iter().for_each(|text| messages.note(text));
         }
         self.outcome.summary().iter().for_each(|line| messages.note(line));
@@ -75,9 +93,10 @@ pub(crate) fn run(
 ) -> Result<Status, Failure> {
     let mut messages = Messages::new(streams.errors, args.format());
     let config = read_config(machine, &args.set_up, &mut messages)?;
-    let bodies = Bodies::read(&config.set_up, &args.simulation)?;
+    let bodies = Bodies::read(&config.set_up, &args.simulation, config.output_units.unwrap_or_default())?;
     let mut read = read_files(&args.input, &args.set_up);
-    let given = [(&args.program, "program"), (&args.simulation.stock, "stock"), (&args.simulation.design, "design")];
+    let SimulationArgs { stock, design, tool_table, .. } = &args.simulation;
+    let given = [(&args.program, "program"), (stock, "stock"), (design, "design"), (tool_table, "tool table")];
     read.extend(given.into_iter().filter_map(|(path, what)| Some((path.as_deref()?, what))));
     let saved = args.simulation.save_stock.as_deref().map(|path| (path, "machined stock"));
     refuse_overwriting(&read, saved.as_slice())?;
@@ -113,7 +132,7 @@ pub(crate) fn run(
     };
     let policy = run.policy(machine)?;
     show_progress(&mut source, streams.terminal, &args.set_up, 2);
-    let simulated = simulate(machine, &policy, (&mut source, &mut program, shown), bodies, &args.simulation)?;
+    let simulated = simulate(machine, policy, (&mut source, &mut program, shown), bodies, &args.simulation)?;
     source.hide_progress();
     if let Some(what) = source.changed_since_opened() {
         return Err(Failure::Changed(name, what));
@@ -137,16 +156,18 @@ pub(crate) fn run(
 /// Executes a program with the bodies of a job. Both files are at their start; `shown`: name of the program.
 fn simulate(
     machine: &dyn AnyMachine,
-    policy: &CheckPolicy,
+    mut policy: CheckPolicy,
     (source, program, shown): (&mut ClSource, &mut File, &Path),
     bodies: Bodies,
     args: &SimulationArgs,
 ) -> Result<Simulated, Failure> {
     let name = source.name().to_owned();
     let unreadable = |error| Failure::Unreadable(name.clone(), error);
-    let Bodies { stock, stock_text, design, solids } = bodies;
+    let Bodies { stock, stock_text, design, solids, tool_table } = bodies;
     let facts = ClFacts::read(&mut *source, policy.reading.clone()).map_err(unreadable)?;
     source.rewind().map_err(unreadable)?;
+    let table = tool_table.map_or_else(Vec::new, |table| table.apply(&mut policy.set_up, &facts));
+    let policy = &policy;
     let tools = ToolBodies::of(&facts, &policy.set_up);
     let (pitch_mm, stock_mm) = (stock.pitch(), stock.corners());
     let placed = policy.set_up.machine_for(machine).map_err(|invalid| Failure::Argument(invalid.to_string()))?;
@@ -163,6 +184,7 @@ fn simulate(
     let checked = execute(source, program, &mut simulation)?;
     let (mut outcome, machined) = simulation.finish();
     outcome.assume(stock_text);
+    outcome.differences = table;
     outcome.without_solids = without_solids(&*placed, &policy.set_up, &solids);
     sentences.into_iter().for_each(|text| outcome.leave_out(text));
     let mut against = None;

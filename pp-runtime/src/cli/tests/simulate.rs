@@ -1,5 +1,6 @@
 //! Tests of `simulate`: what the written program does to a stock, and how it is reported.
 
+mod posting;
 mod solids;
 
 use serde_json::Value as Json;

@@ -167,6 +167,8 @@ pub(crate) struct Outcome {
     pub(crate) far_pairs: usize,
     /// Links of the machine without a solid.
     pub(crate) without_solids: Vec<String>,
+    /// Sentences about tools that the machine knows otherwise than they were posted.
+    pub(crate) differences: Vec<String>,
     /// Sentence about the file of the machined stock.
     pub(crate) saved: Option<String>,
     /// What took part.
@@ -284,12 +286,17 @@ impl Outcome {
         all
     }
 
-    /// Lines of the summary.
-    pub(crate) fn summary(&self) -> Vec<String> {
+    /// The result in one line.
+    pub(crate) fn line(&self) -> String {
         let among = self.taking_part.join(", ");
         let collisions = if self.count == 1 { "1 collision" } else { &format!("{} collisions", self.count) };
+        format!("simulated: {} motions, {collisions} among {among}", self.motions)
+    }
+
+    /// Lines of the summary.
+    pub(crate) fn summary(&self) -> Vec<String> {
         let mut lines = vec![
-            format!("simulated: {} motions, {collisions} among {among}", self.motions),
+            self.line(),
             format!(
                 "removed: {:.3} cm\u{b3}; cut surfaces are within {:.4} mm of the programmed motion, contacts count from {TOUCH_MM} mm",
                 self.volume_mm3() / 1e3,

@@ -1,0 +1,62 @@
+//! `post --simulate`: the program is simulated before it gets its final name.
+
+use std::fs::File;
+use std::io::{self, Seek as _, Write};
+
+use crate::config::Config;
+use crate::kinematics::AnyMachine;
+
+use super::super::args::{PostArgs, SimulationArgs};
+use super::super::cl_source::ClSource;
+use super::super::messages::Messages;
+use super::super::outcome::Failure;
+use super::super::posting::{AfterPosting, PostRun};
+use super::bodies::Bodies;
+use super::simulate;
+
+/// The bodies of a program that is being posted, and its text.
+struct Posted<'a> {
+    bodies: Bodies,
+    text: File,
+    args: &'a SimulationArgs,
+}
+
+/// The simulation that `post` asks for.
+pub(crate) fn after_posting<'a>(
+    config: &Config,
+    args: &'a PostArgs,
+) -> Result<Option<Box<dyn AfterPosting + 'a>>, Failure> {
+    if !args.simulate {
+        return match args.simulation.given() {
+            Some(option) => Err(Failure::Argument(format!("`{option}` needs `--simulate`"))),
+            None => Ok(None),
+        };
+    }
+    let bodies = Bodies::read(&config.set_up, &args.simulation, config.output_units.unwrap_or_default())?;
+    let text = tempfile::tempfile().map_err(|error| Failure::unwritable(&args.output, error))?;
+    Ok(Some(Box::new(Posted { bodies, text, args: &args.simulation })))
+}
+
+impl AfterPosting for Posted<'_> {
+    fn writer(&mut self) -> &mut dyn Write {
+        &mut self.text
+    }
+
+    fn finish(
+        self: Box<Self>,
+        machine: &dyn AnyMachine,
+        run: &PostRun<'_>,
+        source: &mut ClSource,
+        messages: &mut Messages<'_>,
+    ) -> Result<Result<Vec<String>, String>, Failure> {
+        let Self { bodies, mut text, args } = *self;
+        let again = |error: io::Error| Failure::unwritable(run.output, error);
+        text.rewind().map_err(again)?;
+        source.rewind().map_err(|error| Failure::Unreadable(source.name().to_owned(), error))?;
+        let policy = run.policy(machine)?;
+        let simulated = simulate(machine, policy, (source, &mut text, run.output), bodies, args)?;
+        simulated.findings(messages);
+        let line = simulated.line();
+        Ok(if simulated.passed(args) { Ok(vec![line]) } else { Err(line) })
+    }
+}

@@ -1,0 +1,94 @@
+//! `post --simulate`, and tools as the machine knows them.
+
+use super::*;
+
+fn posted(shop: &Shop, part: &str, config: &str, more: &[&str]) -> Outcome {
+    shop.write("part.cls", part);
+    shop.write("shop.toml", config);
+    let (cl, config, out) = (shop.arg("part.cls"), shop.arg("shop.toml"), shop.arg("part.ngc"));
+    let arguments = [&["post", &cl, "--config", &config, "-o", &out], more].concat();
+    run_on::<Cb>(&arguments, b"", &|job, source, sink, map| post_for(&Cb::default(), job, source, sink, map))
+}
+
+#[test]
+fn a_posted_program_is_simulated_in_one_line() {
+    let config = format!("{CONFIG}{TOOL}");
+    let shop = Shop::new();
+    let plain = posted(&shop, PART, &config, &[]);
+    let text = shop.text("part.ngc");
+    let right = posted(&shop, PART, &config, &["--simulate", "--pitch", "1"]);
+    assert_eq!((plain.status, right.status), (Status::Done, Status::Done), "{}", right.errors);
+    assert_eq!(shop.text("part.ngc"), text, "a simulation changes nothing");
+    let lines: Vec<&str> = right.errors.lines().filter(|line| line.contains("simulated: ")).collect();
+    assert_eq!(
+        lines,
+        [
+            "simulated: 9 motions, 0 collisions among cutting part of tool 1, shank of tool 1, holder of tool 1, stock; 3 things \
+          are not checked, see `simulate`"
+        ],
+        "{}",
+        right.errors
+    );
+    shop.write("design.stl", &box_as_stl([[0.0, 0.0, -10.0], [40.0, 32.0, -2.0]]));
+    let design = shop.arg("design.stl");
+    let compared = posted(&shop, PART, &config, &["--simulate", "--pitch", "1", "--design", &design]);
+    assert!(
+        compared.errors.contains("stock; gouge 0.000 mm of 0.01, rest 2.000 mm of 0.01; 2 things"),
+        "{}",
+        compared.errors
+    );
+    // To standard output, with a page besides.
+    let (cl, toml, page) = (shop.arg("part.cls"), shop.arg("shop.toml"), shop.arg("part.html"));
+    let arguments = ["post", &cl, "--config", &toml, "--simulate", "--view", &page];
+    let post: PostFn<'_> = &|job, source, sink, map| post_for(&Cb::default(), job, source, sink, map);
+    let streamed = run_on::<Cb>(&arguments, b"", post);
+    assert_eq!(streamed.output, text);
+    assert!(streamed.errors.contains("simulated: ") && streamed.errors.contains("page: "), "{}", streamed.errors);
+}
+
+#[test]
+fn a_posted_program_that_collides_is_rejected_only_where_that_is_wanted() {
+    let part = PART.replace("GOTO/-10,8,5\nGOTO/-10,8,-2\n", "GOTO/10,8,-2\n");
+    let config = format!("{CONFIG}{TOOL}");
+    let shop = Shop::new();
+    let warned = posted(&shop, &part, &config, &["--simulate", "--pitch", "1"]);
+    assert_eq!(warned.status, Status::Done, "{}", warned.errors);
+    assert!(warned.errors.contains("warning: rapid through the stock: line "), "{}", warned.errors);
+    let failed = posted(&shop, &part, &config, &["--simulate", "--pitch", "1", "--fail-on", "collision"]);
+    assert_eq!(failed.status, Status::Rejected, "{}", failed.errors);
+    assert!(!shop.path("part.ngc").exists() && shop.text("part.ngc.rejected").starts_with("(REJECTED simulated: "));
+    let alone = posted(&shop, PART, &config, &["--pitch", "1"]);
+    assert_eq!(alone.status, Status::NotRun);
+    assert!(alone.errors.contains("`--pitch` needs `--simulate`"), "{}", alone.errors);
+    let without = posted(&shop, PART, &format!("units = \"mm\"\n{TOOL}"), &["--simulate"]);
+    assert!(without.errors.contains("no stock: give"), "{}", without.errors);
+}
+
+#[test]
+fn a_length_in_the_tool_table_counts_and_is_compared_with_the_posted_one() {
+    let shop = Shop::new();
+    let config = format!("{CONFIG}{TOOL}");
+    // Lengths of two tools swapped in the table: tool 1 is 45 mm long, its holder is in the stock.
+    shop.write("tool.tbl", "T1 P1 D10.0 Z+61.5\nT2 P2 D8.0 Z+100.0\n");
+    let table = shop.arg("tool.tbl");
+    let swapped = simulated_with(&shop, PART, &config, &["--json", "--tool-table", &table]);
+    let json: Json = serde_json::from_str(&swapped.output).unwrap_or_else(|_| panic!("{}", swapped.errors));
+    assert!(kinds(&json).contains(&"holder"), "{json}");
+    assert!(
+        json["tool_table"][0].as_str().is_some_and(|text| text
+            == "tool 1 is 61.500 mm long in the tool table, posted with 100.000 mm: the simulation has 61.500 mm"),
+        "{json}"
+    );
+    shop.write("tool.tbl", "G10 L10 P1 R100.0\nG10 L12 P1 R9.9\n");
+    let right = simulated_with(&shop, PART, &config, &["--json", "--tool-table", &table]);
+    let json: Json = serde_json::from_str(&right.output).unwrap_or_else(|_| panic!("{}", right.errors));
+    assert_eq!(kinds(&json), Vec::<&str>::new(), "{}", right.errors);
+    assert!(json["tool_table"].to_string().contains("a diameter of 9.900 mm in the tool table"), "{json}");
+    shop.write("tool.tbl", "T2 Z80\n");
+    let other = simulated_with(&shop, PART, &config, &["--tool-table", &table]);
+    assert!(other.errors.contains("warning: tool 1 has no length in the tool table"), "{}", other.errors);
+    shop.write("tool.tbl", "PARTNO A\n");
+    let none = simulated_with(&shop, PART, &config, &["--tool-table", &table]);
+    assert_eq!(none.status, Status::NotRun);
+    assert!(none.errors.contains("tool.tbl is no tool table: line 1: "), "{}", none.errors);
+}
