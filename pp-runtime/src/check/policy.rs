@@ -291,6 +291,8 @@ pub struct OperationRule {
     pub path_mm: Option<f64>,
     /// Largest feed of the tip in feed motions, mm/min.
     pub largest_feed_mm_per_min: Option<f64>,
+    /// Material that is left on the design, mm.
+    pub allowance_mm: Option<f64>,
 }
 
 /// Smoothing that the program switches on for cuts.

@@ -40,6 +40,8 @@ pub struct ExecutedBlock<'b> {
     pub record: Location,
     /// Number of the operation of that record, from 1; 0 before the first.
     pub operation: u64,
+    /// Material that this operation leaves on the design, mm.
+    pub allowance_mm: f64,
     /// Number of findings about it.
     pub findings: u64,
     /// Largest deviation of the tip from the path of the CL data, mm; `None` where it is not measured.

@@ -167,6 +167,11 @@ impl<R: Read> ClReader<R> {
         self.interpreter.coordinates().workpiece().frame()
     }
 
+    /// First frame of each set-up, of those that have one.
+    pub fn set_up_frames(&self) -> impl Iterator<Item = (u32, &StatedFrame)> {
+        self.interpreter.coordinates().workpiece().of_set_ups()
+    }
+
     /// Votes on the sense of the arcs read so far.
     pub fn arcs(&self) -> ArcVote {
         self.interpreter.votes().count(self.interpreter.options().circle_sense.is_some())

@@ -12,7 +12,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use super::outcome::{Failure, NamedWriter, is_standard};
 
 /// Size in bytes above which a progress bar is shown on a terminal.
-const LONG_INPUT_BYTES: u64 = 8 << 20;
+pub(crate) const LONG_INPUT_BYTES: u64 = 8 << 20;
 
 /// CL data, open for reading.
 pub(crate) struct ClSource {
@@ -84,10 +84,10 @@ impl ClSource {
         &self.name
     }
 
-    /// Shows a progress bar from now on if the input is long. `passes`: how often it will be read.
-    pub(crate) fn show_progress(&mut self, passes: u64) {
+    /// Shows a progress bar from now on if the input is longer than a number of bytes. `passes`: how often it will be read.
+    pub(crate) fn show_progress(&mut self, passes: u64, longer_than: u64) {
         let length = self.input.file.metadata().map_or(0, |metadata| metadata.len());
-        if length > LONG_INPUT_BYTES {
+        if length > longer_than {
             let style = ProgressStyle::with_template("{bar:40} {percent}% {binary_bytes_per_sec} {eta} left");
             self.progress = ProgressBar::new(length * passes);
             self.progress.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));

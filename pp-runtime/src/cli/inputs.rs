@@ -10,7 +10,7 @@ use crate::control::{self, Control};
 use crate::kinematics::AnyMachine;
 
 use super::args::{MessageFormat, SetUpArgs};
-use super::cl_source::{ClSource, same_file};
+use super::cl_source::{ClSource, LONG_INPUT_BYTES, same_file};
 use super::messages::Messages;
 use super::outcome::{Failure, is_standard};
 
@@ -81,7 +81,15 @@ pub(crate) fn posting_passes(config: &Config) -> u64 {
 /// Shows the progress of a run that reads the CL data so often, on a terminal.
 pub(crate) fn show_progress(source: &mut ClSource, terminal: bool, args: &SetUpArgs, passes: u64) {
     if terminal && !args.quiet && args.message_format == MessageFormat::Human {
-        source.show_progress(passes);
+        source.show_progress(passes, LONG_INPUT_BYTES);
+    }
+}
+
+/// The same for a simulation, which takes long for any CL data.
+#[cfg(feature = "simulate")]
+pub(crate) fn show_simulation(source: &mut ClSource, terminal: bool, args: &SetUpArgs) {
+    if terminal && !args.quiet && args.message_format == MessageFormat::Human {
+        source.show_progress(2, 0);
     }
 }
 

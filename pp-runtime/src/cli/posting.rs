@@ -72,9 +72,11 @@ pub(crate) trait AfterPosting {
     /// Receives the text of the program.
     fn writer(&mut self) -> &mut dyn Write;
 
-    /// Lines of the summary, or the reason to reject the program. `source` is the CL data, anywhere.
+    /// Lines of the summary, or the reason to reject the program. `source` is the CL data, anywhere; `terminal`: standard error
+    /// is one.
     fn finish(
         self: Box<Self>,
+        terminal: bool,
         machine: &dyn AnyMachine,
         run: &PostRun<'_>,
         source: &mut ClSource,
@@ -143,8 +145,7 @@ pub(crate) fn run(
     let ended = map.map_or(Ok(()), MapWriter::end);
     let mut written = written;
     if let (Some(after), Ok(summary)) = (after, &mut written.summary) {
-        show_progress(&mut source, streams.terminal, &args.set_up, 2);
-        let done = after.finish(machine, &run, &mut source, &mut messages)?;
+        let done = after.finish(streams.terminal, machine, &run, &mut source, &mut messages)?;
         source.hide_progress();
         match done {
             Ok(lines) => summary.extend(lines),

@@ -268,6 +268,7 @@ fn rule(OperationEntry { of, settings }: &OperationEntry) -> OperationRule {
         smoothing: settings.smoothing.map(smoothing_level),
         path_mm: settings.tolerance_mm,
         largest_feed_mm_per_min: settings.largest_feed_mm_per_min,
+        allowance_mm: settings.allowance_mm,
     }
 }
 

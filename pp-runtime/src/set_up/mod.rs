@@ -109,6 +109,11 @@ options! {
         part_origin: [f64; 3] = [0.0; 3], key("part_origin", LengthPoint);
         /// Orientation of the part, as `part_rotation`.
         part_rotation: Rotation3<f64> = Rotation3::identity(), key("part_rotation", PartRotation);
+        /// Zero of its CL data in the coordinates of the CL data of the first set-up, for `simulate`. Without it from the frames
+        /// that the CL data states.
+        cl_origin: Option<[f64; 3]> = None, key("cl_origin", LengthPoint, "[0.0, 0.0, -40.0]");
+        /// Orientation of its CL data there, as `part_rotation`; with `cl_origin` only.
+        cl_rotation: Rotation3<f64> = Rotation3::identity(), key("cl_rotation", PartRotation);
         /// Work offset, as `work_offset`; it differs from those of the other set-ups.
         work_offset: Option<String> = None, key("work_offset", OffsetWord, "\"G55\"");
     }

@@ -33,7 +33,9 @@ mod testing;
 pub(crate) use bodies::{SolidBody, SolidFault};
 pub(crate) use design::{Comparison, Design, Deviations, Origin, Region, Surface, limits_of};
 pub(crate) use machine::{MachineSolid, clearances, without_solids};
-pub(crate) use program::{EPS_MM, LineRecords, Machining, Outcome, Simulation, Size, ToolBodies, ToolTable, What};
+pub(crate) use program::{
+    EPS_MM, LineRecords, Machining, Outcome, PartPlaces, Simulation, Size, ToolBodies, ToolTable, What,
+};
 
 pub use bodies::{Mesh, MeshFault};
 pub use removal::{

@@ -12,6 +12,12 @@ pub(crate) struct ClFacts {
     pub(crate) tools: BTreeMap<u32, ClTool>,
     /// In the order of the CL data: line of the first motion, and name.
     operations: Vec<(u64, String)>,
+    /// Frames of set-ups in the model: origin, mm, and unit vectors of X, Y and Z.
+    #[cfg(feature = "simulate")]
+    pub(crate) set_up_frames: BTreeMap<u32, ([f64; 3], [[f64; 3]; 3])>,
+    /// Number of different frames.
+    #[cfg(feature = "simulate")]
+    pub(crate) different_frames: usize,
 }
 
 /// A tool of the CL data.
@@ -59,6 +65,12 @@ impl ClFacts {
                 }
                 _ => {}
             }
+        }
+        #[cfg(feature = "simulate")]
+        {
+            facts.set_up_frames =
+                reader.set_up_frames().map(|(number, frame)| (number, (frame.origin, frame.axes))).collect();
+            facts.different_frames = reader.different_frames();
         }
         Ok(facts)
     }

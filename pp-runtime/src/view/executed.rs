@@ -130,6 +130,8 @@ pub(crate) struct ExecutedMotion<'m> {
     pub(crate) rotated: f64,
     at: Motion<'m>,
     bounds: &'m dyn MotionBounds,
+    /// Time at feed, min, for the length of the tip path, mm.
+    minutes: &'m dyn Fn(f64) -> Option<f64>,
 }
 
 /// Certified bounds of a motion between two shares and the axis values there.
@@ -182,6 +184,11 @@ impl ExecutedMotion<'_> {
     /// Number of the tool; 0 without one.
     pub(crate) fn tool(&self) -> u32 {
         self.placement.tool
+    }
+
+    /// Time at feed, min, for the length of the tip path, mm; `None` at rapid, or where it is unknown.
+    pub(crate) fn minutes(&self, length_mm: f64) -> Option<f64> {
+        (self.minutes)(length_mm)
     }
 
     /// Position at a share; `near`: a position before it.
@@ -514,7 +521,8 @@ impl<'a> Collector<'a> {
         if let Some(motions) = self.motions.as_deref_mut() {
             let placement = &self.executed.placements[self.placement];
             let (rapid, together, bounds) = (kind == PointKind::Rapid, course.together, course.bounds);
-            let motion = ExecutedMotion { executed, placement, rapid, together, start, rotated, at, bounds };
+            let minutes = &minutes;
+            let motion = ExecutedMotion { executed, placement, rapid, together, start, rotated, at, bounds, minutes };
             let end = motions.motion(&motion);
             self.arrive(&end.axes, !0);
             return;

@@ -158,6 +158,7 @@ impl<'a, R: Read> Checker<'a, R> {
         let Previous { words: from, known, .. } = self.comparison.previous;
         let (progress, tally) = (&self.comparison.progress, &mut self.comparison.tally);
         let (record, operation, count) = (progress.location(), progress.operation(), tally.count());
+        let allowance_mm = progress.allowance_mm();
         let largest = tally.put_aside_deviations();
         self.block(block, text)?;
         let tally = &mut self.comparison.tally;
@@ -168,6 +169,7 @@ impl<'a, R: Read> Checker<'a, R> {
             before: &self.before,
             record,
             operation,
+            allowance_mm,
             findings,
             deviation_mm,
             from,

@@ -77,6 +77,12 @@ impl<'a, R: Read> ClProgress<'a, R> {
         next.or(self.last().map(|required| required.operation)).unwrap_or_default()
     }
 
+    /// Material that the operation of the next item, or of the last motion, leaves on the design, mm.
+    pub(super) fn allowance_mm(&self) -> f64 {
+        let next = self.next().map(|item| item.required.allowance_mm);
+        next.or(self.last().map(|required| required.allowance_mm)).unwrap_or_default()
+    }
+
     /// State of the last motion.
     pub(super) fn last(&self) -> Option<&Required> {
         self.last.as_ref().map(|(_, required)| required)

@@ -54,6 +54,8 @@ pub(super) struct Required {
     pub(crate) radius_mm: Option<f64>,
     /// Largest deviation of chords from the path, mm.
     pub(crate) tolerance_mm: f64,
+    /// Material that the operation leaves on the design, mm.
+    pub(crate) allowance_mm: f64,
     /// Meaning of linear words in the operation; `None`: the program decides.
     pub(crate) linear: Option<LinearMeaning>,
     /// Smoothing in the cuts of the operation.

@@ -112,6 +112,7 @@ struct Operation {
 impl<'a> ClState<'a> {
     pub(super) fn new(policy: &'a CheckPolicy, head: bool, unit_mm: f64) -> Self {
         let required = Required {
+            allowance_mm: 0.0,
             tool: None,
             called: None,
             register: 0,
@@ -401,6 +402,7 @@ impl<'a> ClState<'a> {
         };
         self.required.linear = self.rules.linear.unwrap_or(self.policy.words.linear);
         self.required.smoothing = self.rules.smoothing.unwrap_or(self.policy.shop.smoothing);
+        self.required.allowance_mm = self.rules.allowance_mm.unwrap_or(0.0);
         self.take_tolerance();
     }
 

@@ -11,6 +11,7 @@ pub(super) struct RulesInForce {
     pub(super) smoothing: Option<Option<SmoothingLevel>>,
     pub(super) path_mm: Option<f64>,
     pub(super) largest_feed_mm_per_min: Option<f64>,
+    pub(super) allowance_mm: Option<f64>,
 }
 
 /// The rules for an operation; a property of which two rules of the same kind differ.
@@ -21,6 +22,7 @@ pub(super) fn in_force(rules: &[OperationRule], number: u64, name: &str) -> Resu
         path_mm: one(rules, (number, name), |rule| rule.path_mm).ok_or("tolerance")?,
         largest_feed_mm_per_min: one(rules, (number, name), |rule| rule.largest_feed_mm_per_min)
             .ok_or("largest_feed")?,
+        allowance_mm: one(rules, (number, name), |rule| rule.allowance_mm).ok_or("allowance")?,
     })
 }
 
@@ -88,6 +90,7 @@ mod tests {
             smoothing: None,
             path_mm,
             largest_feed_mm_per_min,
+            allowance_mm: None,
         };
         let rules = [
             rule(RuledOperation::Like("fin*".to_owned()), Some(0.3), Some(300.0)),

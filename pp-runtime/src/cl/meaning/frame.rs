@@ -93,6 +93,11 @@ impl WorkpieceFrames {
         self.frames.first()
     }
 
+    /// First frame of each set-up, of those that have one.
+    pub(crate) fn of_set_ups(&self) -> impl Iterator<Item = (u32, &StatedFrame)> {
+        self.first_of.iter().filter_map(|(set_up, index)| Some((*set_up, self.frames.get(*index)?)))
+    }
+
     /// The frame stated last.
     pub(crate) fn in_force(&self) -> Option<&StatedFrame> {
         self.frames.get(self.current)

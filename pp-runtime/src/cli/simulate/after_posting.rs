@@ -6,8 +6,9 @@ use std::io::{self, Seek as _, Write};
 use crate::config::Config;
 use crate::kinematics::AnyMachine;
 
-use super::super::args::{PostArgs, SimulationArgs};
+use super::super::args::PostArgs;
 use super::super::cl_source::ClSource;
+use super::super::inputs::show_simulation;
 use super::super::messages::Messages;
 use super::super::outcome::Failure;
 use super::super::posting::{AfterPosting, PostRun};
@@ -18,7 +19,7 @@ use super::simulate;
 struct Posted<'a> {
     bodies: Bodies,
     text: File,
-    args: &'a SimulationArgs,
+    args: &'a PostArgs,
 }
 
 /// The simulation that `post` asks for.
@@ -34,7 +35,7 @@ pub(crate) fn after_posting<'a>(
     }
     let bodies = Bodies::read(&config.set_up, &args.simulation, config.output_units.unwrap_or_default())?;
     let text = tempfile::tempfile().map_err(|error| Failure::unwritable(&args.output, error))?;
-    Ok(Some(Box::new(Posted { bodies, text, args: &args.simulation })))
+    Ok(Some(Box::new(Posted { bodies, text, args })))
 }
 
 impl AfterPosting for Posted<'_> {
@@ -44,6 +45,7 @@ impl AfterPosting for Posted<'_> {
 
     fn finish(
         self: Box<Self>,
+        terminal: bool,
         machine: &dyn AnyMachine,
         run: &PostRun<'_>,
         source: &mut ClSource,
@@ -53,10 +55,11 @@ impl AfterPosting for Posted<'_> {
         let again = |error: io::Error| Failure::unwritable(run.output, error);
         text.rewind().map_err(again)?;
         source.rewind().map_err(|error| Failure::Unreadable(source.name().to_owned(), error))?;
+        show_simulation(source, terminal, &args.set_up);
         let policy = run.policy(machine)?;
-        let simulated = simulate(machine, policy, (source, &mut text, run.output), bodies, args)?;
+        let simulated = simulate(machine, policy, (source, &mut text, run.output), bodies, &args.simulation)?;
         simulated.findings(messages);
         let line = simulated.line();
-        Ok(if simulated.passed(args) { Ok(vec![line]) } else { Err(line) })
+        Ok(if simulated.passed(&args.simulation) { Ok(vec![line]) } else { Err(line) })
     }
 }

@@ -22,6 +22,8 @@ pub(super) struct Figures<'a> {
     /// Tools whose length or diameter in the tool table differs from the posted one.
     tool_table: &'a [String],
     operations: Vec<Removal>,
+    tools: Vec<RemovalOfTool>,
+    engagement: OverTime<'a>,
     findings: Vec<Finding<'a>>,
     /// Smallest distances of bodies of the machine, fixtures, tools and stock.
     clearances: Vec<Clearance<'a>>,
@@ -29,11 +31,29 @@ pub(super) struct Figures<'a> {
     design: Option<DesignFigures>,
 }
 
+/// Removal of an operation with a tool; the largest rate is over about a second.
 #[derive(Serialize)]
 struct Removal {
     operation: u64,
     tool: u32,
     removed_mm3: f64,
+    cutting_min: f64,
+    largest_mm3_per_min: Option<f64>,
+    largest_line: Option<u64>,
+}
+
+#[derive(Serialize)]
+struct RemovalOfTool {
+    tool: u32,
+    removed_mm3: f64,
+    cutting_min: f64,
+}
+
+/// Material removed in steps of the time of all feed motions.
+#[derive(Serialize)]
+struct OverTime<'a> {
+    step_min: f64,
+    removed_mm3: &'a [f64],
 }
 
 /// A finding. Volume and length are those of stock, the distance that of two bodies: null where they collide.
@@ -77,10 +97,20 @@ impl<'a> Figures<'a> {
         passed: bool,
         (pitch_mm, stock_mm): ([f64; 3], [[f64; 3]; 2]),
     ) -> Self {
-        let operations = outcome.removed.iter();
-        let operations = operations
-            .map(|((operation, tool), volume)| Removal { operation: *operation, tool: *tool, removed_mm3: *volume })
-            .collect();
+        let engagement = &outcome.engagement;
+        let operations = engagement.operations.iter().map(|((operation, tool), removal)| Removal {
+            operation: *operation,
+            tool: *tool,
+            removed_mm3: removal.volume_mm3,
+            cutting_min: removal.minutes,
+            largest_mm3_per_min: removal.largest.map(|(rate, _)| rate),
+            largest_line: removal.largest.map(|(_, line)| line),
+        });
+        let tools = engagement.of_tools().into_iter().map(|(tool, (removed_mm3, cutting_min))| RemovalOfTool {
+            tool,
+            removed_mm3,
+            cutting_min,
+        });
         let findings = outcome.found.iter().map(|found| {
             let (volume_mm3, longest_mm, distance_mm) = match found.size {
                 Size::Cut { volume_mm3, longest_mm } => (Some(volume_mm3), Some(longest_mm), None),
@@ -125,7 +155,9 @@ impl<'a> Figures<'a> {
             assumed: outcome.assumed(),
             not_checked: outcome.not_checked(),
             tool_table: &outcome.differences,
-            operations,
+            operations: operations.collect(),
+            tools: tools.collect(),
+            engagement: OverTime { step_min: engagement.step_min, removed_mm3: &engagement.steps_mm3 },
             findings: findings.collect(),
             clearances: clearances.collect(),
             design: against.map(AgainstDesign::figures),

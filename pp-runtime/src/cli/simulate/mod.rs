@@ -16,13 +16,15 @@ use std::thread;
 
 use crate::check::{CheckPolicy, Checked, check_observed};
 use crate::kinematics::AnyMachine;
-use crate::simulate::{LineRecords, Machining, Outcome, Simulation, ToolBodies, clearances, without_solids};
+use crate::simulate::{
+    LineRecords, Machining, Origin, Outcome, PartPlaces, Simulation, ToolBodies, clearances, without_solids,
+};
 use crate::view::{ClFacts, Collector, Motions};
 
 use super::args::{MessageFormat, SimulateArgs, SimulationArgs};
 use super::check;
 use super::cl_source::ClSource;
-use super::inputs::{open_cl_data, posting_passes, read_config, refuse_overwriting, show_progress};
+use super::inputs::{open_cl_data, posting_passes, read_config, refuse_overwriting, show_progress, show_simulation};
 use super::messages::Messages;
 use super::outcome::{Failure, Status, Streams, is_standard, print};
 use super::posting::{PostFn, PostRun, read_files};
@@ -131,7 +133,7 @@ pub(crate) fn run(
         }
     };
     let policy = run.policy(machine)?;
-    show_progress(&mut source, streams.terminal, &args.set_up, 2);
+    show_simulation(&mut source, streams.terminal, &args.set_up);
     let simulated = simulate(machine, policy, (&mut source, &mut program, shown), bodies, &args.simulation)?;
     source.hide_progress();
     if let Some(what) = source.changed_since_opened() {
@@ -174,7 +176,8 @@ fn simulate(
     let mut sentences = Vec::new();
     let distances = clearances(&*placed, &policy.set_up, &solids, &tools, &stock, &mut sentences);
     let threads = thread::available_parallelism().map_or(1, usize::from);
-    let machining = Machining::new(policy, tools, stock, threads);
+    let places = PartPlaces::of(&policy.set_up, &facts);
+    let machining = Machining::new(policy, tools, (stock, places.clone()), threads);
     let mut simulation = Simulation::new(policy, machine.axes(), machining, distances);
     let execute = |source: &mut ClSource, program: &mut File, motions: &mut dyn Motions| {
         let mut follower = Collector::following(machine, policy, motions);
@@ -182,7 +185,13 @@ fn simulate(
             .map_err(|error| check::failure(error, &name, shown))
     };
     let checked = execute(source, program, &mut simulation)?;
-    let (mut outcome, machined) = simulation.finish();
+    let (mut outcome, machined, last) = simulation.finish();
+    places.assumed.iter().for_each(|text| outcome.assume(text.clone()));
+    for number in &places.unknown {
+        outcome.leave_out(format!(
+            "the part in set-up {number}: the CL data does not state its frame, and `cl_origin` is not given in [set_ups.{number}]"
+        ));
+    }
     outcome.assume(stock_text);
     outcome.differences = table;
     outcome.without_solids = without_solids(&*placed, &policy.set_up, &solids);
@@ -196,7 +205,18 @@ fn simulate(
                 design_mm: tolerance_mm,
                 certified_mm: outcome.certified_mm(stock_mm),
             };
-            let comparison = design.compare(&machined, tolerances.gouge_limit_mm(), tolerances.rest_limit_mm());
+            // Where the part lies at the end.
+            let design = match places.between(1, last) {
+                Some(place) if last != 1 => design.moved(&place),
+                _ => design,
+            };
+            let comparison =
+                design.compare(&machined, (tolerances.gouge_limit_mm(), tolerances.rest_limit_mm()), &|origin| {
+                    match origin {
+                        Origin::Line(line) => outcome.allowance_mm(u64::from(line)),
+                        Origin::Blank | Origin::Unknown => 0.0,
+                    }
+                });
             let mut records = LineRecords::of(comparison.lines());
             if !records.is_empty() {
                 // The program is executed again for the records of the lines that were found.
@@ -212,7 +232,7 @@ fn simulate(
         None => outcome.leave_out("gouges and rest material: no design given".to_owned()),
     }
     if let Some(path) = &args.save_stock {
-        outcome.saved = Some(saved_stock::save(&policy.set_up, &machined, path)?);
+        outcome.saved = Some(saved_stock::save(&policy.set_up, last, &machined, path)?);
     }
     Ok(Simulated { checked, outcome, against, pitch_mm, stock_mm })
 }

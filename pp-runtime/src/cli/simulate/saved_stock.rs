@@ -9,8 +9,8 @@ use crate::simulate::{Mesh, Surface, TriDexel};
 use super::super::outcome::Failure;
 use super::super::output_file::OutputFile;
 
-/// Writes the stock, in the coordinates of the CL data; returns a sentence about the file.
-pub(super) fn save(set_up: &SetUp, stock: &TriDexel, path: &Path) -> Result<String, Failure> {
+/// Writes the stock, in the coordinates of the CL data of the set-up in which it lies; returns a sentence about the file.
+pub(super) fn save(set_up: &SetUp, number: u32, stock: &TriDexel, path: &Path) -> Result<String, Failure> {
     let unwritable = |error| Failure::unwritable(path, error);
     let (vertices, faces) = stock.surface();
     let mesh = Mesh::new(vertices, faces).map_err(|fault| {
@@ -20,7 +20,8 @@ pub(super) fn save(set_up: &SetUp, stock: &TriDexel, path: &Path) -> Result<Stri
     let triangles = mesh.triangles();
     let mut target = OutputFile::create(path).map_err(unwritable)?;
     let mut out = BufWriter::new(target.writer());
-    mesh.rotated(&set_up.part_rotation.inverse()).write(&mut out).map_err(unwritable)?;
+    let rotation = set_up.clamping(number).map_or(set_up.part_rotation, |part| part.part_rotation);
+    mesh.rotated(&rotation.inverse()).write(&mut out).map_err(unwritable)?;
     out.flush().map_err(unwritable)?;
     drop(out);
     target.finish(|_| false).map_err(unwritable)?;

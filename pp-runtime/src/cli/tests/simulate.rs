@@ -1,6 +1,7 @@
 //! Tests of `simulate`: what the written program does to a stock, and how it is reported.
 
 mod posting;
+mod set_ups;
 mod solids;
 
 use serde_json::Value as Json;
@@ -14,7 +15,12 @@ const PART: &str = "UNITS/MM\nTOOL PATH/GROOVE,TOOL,MILL\nTLDATA/MILL,10.0,0.0\n
     RAPID\nGOTO/-10,8,50,0,0,1\nRAPID\nGOTO/-10,8,5\nGOTO/-10,8,-2\nGOTO/50,8,-2\nGOTO/50,24,-2\nGOTO/30,24,-2\nGOTO/30,24,5\n\
     RAPID\nGOTO/30,24,50\nFINI\n";
 
-/// The same with a tool that leans about Y while it cuts.
+/// A face over the whole block at Z-2, by four passes.
+const FACE: &str = "UNITS/MM\nTOOL PATH/FACE,TOOL,MILL\nTLDATA/MILL,10.0,0.0\nLOADTL/1\nSPINDL/RPM,3000,CLW\nFEDRAT/MMPM,500\n\
+    RAPID\nGOTO/-10,4,50,0,0,1\nRAPID\nGOTO/-10,4,5\nGOTO/-10,4,-2\nGOTO/50,4,-2\nGOTO/50,12,-2\nGOTO/-10,12,-2\n\
+    GOTO/-10,20,-2\nGOTO/50,20,-2\nGOTO/50,28,-2\nGOTO/-10,28,-2\nRAPID\nGOTO/-10,28,50\nFINI\n";
+
+/// The groove with a tool that leans about Y while it cuts.
 const TILTING: &str = "UNITS/MM\nTOOL PATH/GROOVE,TOOL,MILL\nTLDATA/MILL,10.0,5.0\nLOADTL/1\nSPINDL/RPM,3000,CLW\n\
     FEDRAT/MMPM,500\nRAPID\nGOTO/-10,16,50,0,0,1\nRAPID\nGOTO/-10,16,5\nGOTO/-10,16,-2,0,0,1\n\
     GOTO/10,16,-2,0.1,0,0.99498743710662\nGOTO/50,16,-2,0.2,0,0.97979589711327\nRAPID\nGOTO/60,16,50\nFINI\n";
@@ -260,10 +266,7 @@ fn a_stock_of_triangles_is_cut_as_the_same_box() {
 #[test]
 fn a_motion_that_is_too_low_is_a_gouge_at_its_block_and_its_cl_line() {
     let shop = Shop::new();
-    // Faced down to Z-2 over the whole block, by four passes.
-    let part = "UNITS/MM\nTOOL PATH/FACE,TOOL,MILL\nTLDATA/MILL,10.0,0.0\nLOADTL/1\nSPINDL/RPM,3000,CLW\nFEDRAT/MMPM,500\n\
-        RAPID\nGOTO/-10,4,50,0,0,1\nRAPID\nGOTO/-10,4,5\nGOTO/-10,4,-2\nGOTO/50,4,-2\nGOTO/50,12,-2\nGOTO/-10,12,-2\n\
-        GOTO/-10,20,-2\nGOTO/50,20,-2\nGOTO/50,28,-2\nGOTO/-10,28,-2\nRAPID\nGOTO/-10,28,50\nFINI\n";
+    let part = FACE;
     let config = format!("{CONFIG}{TOOL}");
     shop.write("design.stl", &box_as_stl([[0.0, 0.0, -10.0], [40.0, 32.0, -2.0]]));
     let design = shop.arg("design.stl");
@@ -315,4 +318,35 @@ fn the_machined_stock_is_the_stock_of_the_next_program() {
     let over = simulated_with(&shop, PART, &config, &["--stock", &saved, "--save-stock", &saved]);
     assert_eq!(over.status, Status::NotRun);
     assert!(over.errors.contains("would overwrite the stock"), "{}", over.errors);
+}
+
+#[test]
+fn what_an_operation_leaves_on_purpose_is_no_rest() {
+    let base = format!("{CONFIG}{TOOL}[solids]\ndesign = {{ box = [[0, 0, -10], [40, 32, -2.3]] }}\n");
+    let rests = |config: &str| {
+        let outcome = simulated_with(&Shop::new(), FACE, config, &["--json"]);
+        let json: Json = serde_json::from_str(&outcome.output).unwrap_or_else(|_| panic!("{}", outcome.errors));
+        json["design"]["rest_count"].as_u64().expect("a number")
+    };
+    assert_eq!(rests(&base), 1);
+    assert_eq!(rests(&format!("{base}[operations.1]\nallowance = 0.3\n")), 0);
+    assert_eq!(rests(&format!("{base}[operations.\"FACE*\"]\nallowance = 0.3\n")), 0);
+    assert!(rests(&format!("{base}[operations.1]\nallowance = 0.2\n")) > 0);
+}
+
+#[test]
+fn removal_is_stated_for_each_operation_and_tool_and_over_time() {
+    let (outcome, json) = simulated(PART, TOOL);
+    let operation = &json["operations"][0];
+    // 40 mm at 500 mm/min, and 20 mm across and along.
+    let minutes = operation["cutting_min"].as_f64().expect("a time");
+    assert!((0.14..0.22).contains(&minutes), "{operation}");
+    // A full groove, 10 x 2 mm at 500 mm/min, in one block with 20 mm beside the stock.
+    let largest = operation["largest_mm3_per_min"].as_f64().expect("a rate");
+    assert!((6e3..1.05e4).contains(&largest), "{operation}");
+    assert_eq!(json["tools"][0]["removed_mm3"], operation["removed_mm3"]);
+    let steps = json["engagement"]["removed_mm3"].as_array().expect("steps");
+    let total: f64 = steps.iter().map(|step| step.as_f64().expect("a volume")).sum();
+    assert!((total - json["removed_mm3"].as_f64().expect("a volume")).abs() < 1e-6, "{json}");
+    assert!(outcome.errors.contains("cm\u{b3}/min (line "), "{}", outcome.errors);
 }

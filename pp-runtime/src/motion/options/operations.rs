@@ -69,6 +69,8 @@ options! {
             key("tolerance", Measure::length(Bound::Positive).unless(beyond_words), "0.02");
         /// Largest feed of the tool tip in feed motions; rapids at feed keep theirs.
         largest_feed_mm_per_min: Option<f64> = None, key("largest_feed", Measure::length(Bound::Positive), "2000.0");
+        /// Material that the operation leaves on the design, for `simulate`: rest up to it is no finding.
+        allowance_mm: Option<f64> = None, key("allowance", Measure::length(Bound::NotNegative), "0.3");
     }
 }
 

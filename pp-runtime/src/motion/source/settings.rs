@@ -44,6 +44,8 @@ impl ChosenSettings<'_> {
             singular: self.singular.map(|chosen| chosen.value),
             tolerance_mm: self.tolerance_mm.map(|chosen| chosen.value),
             largest_feed_mm_per_min: self.largest_feed_mm_per_min.map(|chosen| chosen.value),
+            // It changes nothing in the program.
+            allowance_mm: None,
         }
     }
 }

@@ -9,6 +9,8 @@
 
 use std::collections::HashMap;
 
+use nalgebra::{Isometry3, Point3};
+
 use super::nearest::Surface;
 use crate::simulate::bodies::Mesh;
 use crate::simulate::removal::{Filled, TriDexel};
@@ -183,13 +185,13 @@ impl Parts {
     }
 
     /// Adds the parts of a line. `slack`: distance along the line at which neighbouring parts are one region.
-    fn add_line(&mut self, column: usize, hits: &[Hit], slack: f64) {
+    fn add_line(&mut self, column: usize, hits: &[Hit], slack: f64, allowance: &dyn Fn(Origin) -> f64) {
         let first = self.hits.len();
         for hit in hits {
             if hit.deviation > self.found.largest_mm {
                 (self.found.largest_mm, self.found.place_mm) = (hit.deviation, hit.place(hit.at));
             }
-            if hit.deviation > self.tolerance {
+            if hit.deviation > self.tolerance + allowance(hit.origin) {
                 self.parents.push(self.hits.len());
                 self.hits.push(*hit);
             }
@@ -277,17 +279,29 @@ impl Design {
         self.mesh.triangles()
     }
 
+    /// The design elsewhere.
+    pub(crate) fn moved(self, place: &Isometry3<f64>) -> Self {
+        Self::new(self.mesh.moved(|vertex| (place * Point3::from(vertex)).into()))
+    }
+
     pub(crate) fn new(mesh: Mesh) -> Self {
         let surface = Surface::new(mesh.corners_of_triangles());
         Self { mesh, surface }
     }
 
     /// Compares a stock. `gouge` and `rest`: tolerances to either side, mm.
-    pub(crate) fn compare(&self, stock: &TriDexel, gouge: f64, rest: f64) -> Comparison {
+    /// `allowance`: what a cut leaves besides, mm.
+    pub(crate) fn compare(
+        &self,
+        stock: &TriDexel,
+        (gouge, rest): (f64, f64),
+        allowance: &dyn Fn(Origin) -> f64,
+    ) -> Comparison {
         let ([low, high], [from, to]) = (stock.corners(), self.mesh.corners());
         let exceeds = (0..3).map(|axis| (low[axis] - from[axis]).max(to[axis] - high[axis])).fold(0.0, f64::max);
         let (mut histogram, mut uneven) = ([0; CLASSES], 0);
         let (mut gouges, mut rests) = (Parts::new(gouge), Parts::new(rest));
+        let none = |_: Origin| 0.0;
         let (mut solid, mut hits) = (Vec::new(), Vec::new());
         for (family, pitch) in stock.pitch().into_iter().enumerate() {
             let mut crossings = self.mesh.lines_through(stock, family);
@@ -309,10 +323,10 @@ impl Design {
                 }
                 hits.clear();
                 line_of.missing(spans, &solid, &mut hits);
-                gouges.add_line(line[0], &hits, pitch);
+                gouges.add_line(line[0], &hits, pitch, &none);
                 hits.clear();
                 line_of.left(spans, &solid, &mut hits);
-                rests.add_line(line[0], &hits, pitch);
+                rests.add_line(line[0], &hits, pitch, allowance);
             });
         }
         let cell = stock.pitch().into_iter().fold(0.0, f64::max);

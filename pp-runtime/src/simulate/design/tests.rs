@@ -2,11 +2,16 @@
 
 use nalgebra::Vector3;
 
-use super::comparison::{Design, Origin, limits_of};
+use super::comparison::{Comparison, Design, Origin, limits_of};
 use super::nearest::Surface;
 use crate::simulate::bodies::Mesh;
 use crate::simulate::removal::{Cutter, SweptPiece, TriDexel};
 use crate::simulate::testing::{Random, barrel, box_mesh, cut_by_two_threads, upright};
+
+/// A comparison without allowances.
+fn against(design: &Design, stock: &TriDexel, tolerances: (f64, f64)) -> Comparison {
+    design.compare(stock, tolerances, &|_| 0.0)
+}
 
 /// A block on Z0 with another one on it, as one closed body; the upper one is narrower on all sides.
 fn stepped([lower, upper]: [[f64; 3]; 2], height: f64) -> Mesh {
@@ -73,17 +78,17 @@ fn the_rest_of_a_ball_raster_is_its_scallop() {
     cut_by_two_threads(&mut stock, &passes, &ball);
     let design = Design::new(box_mesh([[-1.5, -1.5, -2.0], [1.5, 1.5, 0.0]]));
     let height = radius - (radius * radius - step * step / 4.0).sqrt();
-    let compared = design.compare(&stock, 0.002, 0.002);
+    let compared = against(&design, &stock, (0.002, 0.002));
     assert!((compared.rest.largest_mm - height).abs() < 2e-3, "{compared:?} {height}");
     // The deepest of a pass is on the plane.
     assert!(compared.gouge.largest_mm < 2e-3 && compared.gouge.count == 0, "{:?}", compared.gouge);
     // Three crests across the block, and none where the tolerance is larger.
     assert_eq!(compared.rest.count, 3, "{:?}", compared.rest);
-    assert_eq!(design.compare(&stock, 0.002, height + 0.002).rest.count, 0);
+    assert_eq!(against(&design, &stock, (0.002, height + 0.002)).rest.count, 0);
 
     // A pass 0.3 mm too low: its depth, its place and its name.
     cut_by_two_threads(&mut stock, &[pass(4, -0.3)], &ball);
-    let gouge = design.compare(&stock, 0.002, 0.1).gouge;
+    let gouge = against(&design, &stock, (0.002, 0.1)).gouge;
     let [region] = gouge.regions.as_slice() else { panic!("{gouge:?}") };
     assert!(region.deviation_mm <= 0.3 + 1e-3 && region.deviation_mm > 0.3 - 4e-3, "{region:?}");
     assert_eq!(region.origin, Origin::Line(5));
@@ -96,12 +101,12 @@ fn a_part_of_the_design_that_is_cut_off_is_a_gouge() {
     let sizes = [[10.0, 10.0, 4.0], [1.0, 8.0, 0.0]];
     let design = Design::new(stepped(sizes, 10.0));
     let mut stock = TriDexel::block([[-10.0, -10.0, 0.0], [10.0, 10.0, 10.0]], 0.5).expect("a stock");
-    let whole = design.compare(&stock, 0.01, 0.01);
+    let whole = against(&design, &stock, (0.01, 0.01));
     assert_eq!((whole.gouge.count, whole.rest.count), (0, 1), "{whole:?}");
     let mill = Cutter::Mill { radius: 20.0, corner: 0.0, taper: 0.0, length: 30.0 };
     let piece = SweptPiece::new(&upright([-40.0, 0.0, 4.0]), &upright([40.0, 0.0, 4.0]), 0, 7);
     cut_by_two_threads(&mut stock, &[piece], &mill);
-    let cut = design.compare(&stock, 0.01, 0.01);
+    let cut = against(&design, &stock, (0.01, 0.01));
     assert_eq!((cut.gouge.count, cut.rest.count), (1, 0), "{cut:?}");
     let region = cut.gouge.regions[0];
     // Half its width, in the lines across it and those along it.
@@ -116,7 +121,7 @@ fn the_histogram_has_each_end_in_its_class() {
     let stock = TriDexel::block([[0.0; 3], [4.0, 4.0, 4.0]], 1.0).expect("a stock");
     // 0.03 mm of material too much on top, 0.3 mm missing on the left.
     let design = Design::new(box_mesh([[-0.3, 0.0, 0.0], [4.0, 4.0, 3.97]]));
-    let compared = design.compare(&stock, 0.01, 0.01);
+    let compared = against(&design, &stock, (0.01, 0.01));
     let ends = |from: f64, to: f64| {
         let is = |class: usize| limits_of(class).iter().zip([from, to]).all(|(limit, end)| (limit - end).abs() < 1e-12);
         compared.histogram[(0..compared.histogram.len()).find(|class| is(*class)).expect("a class")]

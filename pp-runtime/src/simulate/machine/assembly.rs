@@ -122,15 +122,15 @@ pub(crate) fn clearances(
     Some(Clearances::new(links, bodies, stock_number, &solids.allow, solids.clearance_mm))
 }
 
-/// The material left of a stock as boxes in table coordinates.
-pub(crate) fn stock_boxes(set_up: &SetUp, stock: &TriDexel) -> Vec<Vec<[[f64; 3]; 2]>> {
-    let origin = set_up.part_origin;
+/// The material left of a stock as boxes in table coordinates, where it is clamped in a set-up.
+pub(crate) fn stock_boxes(set_up: &SetUp, number: u32, stock: &TriDexel) -> Vec<Vec<[[f64; 3]; 2]>> {
+    let origin = set_up.clamping(number).map_or([0.0; 3], |part| part.part_origin);
     let moved = |ends: [[f64; 3]; 2]| ends.map(|end| std::array::from_fn(|axis| end[axis] + origin[axis]));
     stock.boxes().into_iter().map(|boxes| boxes.into_iter().map(moved).collect()).collect()
 }
 
 fn stock_body(set_up: &SetUp, stock: &TriDexel) -> Option<Body> {
-    let (shapes, ball) = Shapes::of_boxes(stock_boxes(set_up, stock))?;
+    let (shapes, ball) = Shapes::of_boxes(stock_boxes(set_up, 1, stock))?;
     Some(Body {
         name: STOCK.to_owned(),
         groups: vec![STOCK.to_owned()],

@@ -95,6 +95,8 @@ pub(crate) struct Clearances {
     links: Links,
     bodies: Vec<Body>,
     pairs: Vec<Pair>,
+    /// Number of the stock among the bodies.
+    stock: Option<usize>,
     clearance_mm: f64,
     /// Tools whose length is known.
     tools: Vec<u32>,
@@ -184,6 +186,7 @@ impl Clearances {
             links,
             bodies,
             pairs,
+            stock,
             clearance_mm,
             tools: lengths,
             motions: 0,
@@ -206,6 +209,15 @@ impl Clearances {
     pub(crate) fn taking_part(&self) -> impl Iterator<Item = &str> {
         let in_pair = |index: usize| self.pairs.iter().any(|pair| pair.bodies.contains(&index));
         (0..self.bodies.len()).filter(move |index| in_pair(*index)).map(|index| self.bodies[index].name.as_str())
+    }
+
+    /// The stock is clamped as it is in a set-up.
+    pub(crate) fn clamp_stock(&mut self, boxes: Vec<Vec<[[f64; 3]; 2]>>, set_up: u32) {
+        if let Some(stock) = self.stock {
+            self.set_stock(stock, boxes);
+            self.bodies[stock].set_ups = vec![set_up];
+            self.lose();
+        }
     }
 
     /// The position of the machine is unknown.
@@ -366,7 +378,7 @@ impl Clearances {
     ) -> Verdict {
         let (gap, levers) = self.gap_at(course, pair, values, ranges);
         let nearer = |gap: &Gap| matches!(gap, Gap::Apart { least_mm, .. } if *least_mm > self.clearance_mm);
-        let (gap, levers) = match self.pairs[pair].stock && !nearer(&gap) && self.renew_stock(course, pair) {
+        let (gap, levers) = match self.pairs[pair].stock && !nearer(&gap) && self.renew_stock(course) {
             // What has been cut away cannot be met.
             true => self.gap_at(course, pair, values, ranges),
             false => (gap, levers),
@@ -406,18 +418,21 @@ impl Clearances {
     }
 
     /// Makes the body of the stock anew if more has been cut.
-    fn renew_stock(&mut self, course: &mut Course<'_>, pair: usize) -> bool {
-        let Some(boxes) = (course.stock)() else { return false };
-        let [one, two] = self.pairs[pair].bodies;
-        let stock = if self.bodies[one].groups.iter().any(|group| group == STOCK) { one } else { two };
-        // Nothing of it is left: the body stays as a point far below.
-        let nothing = vec![vec![[[0.0, 0.0, -2e6], [1.0, 1.0, 1.0 - 2e6]]]];
-        let Some((shapes, ball)) = Shapes::of_boxes(boxes).or_else(|| Shapes::of_boxes(nothing)) else { return false };
-        (self.bodies[stock].shapes, self.bodies[stock].ball) = (shapes, ball);
+    fn renew_stock(&mut self, course: &mut Course<'_>) -> bool {
+        let (Some(stock), Some(boxes)) = (self.stock, (course.stock)()) else { return false };
+        self.set_stock(stock, boxes);
+        true
+    }
+
+    fn set_stock(&mut self, stock: usize, boxes: Vec<Vec<[[f64; 3]; 2]>>) {
+        // Nothing of it is left: the body is far below.
+        let nothing = || Shapes::of_boxes(vec![vec![[[0.0, 0.0, -2e6], [1.0, 1.0, 1.0 - 2e6]]]]);
+        if let Some((shapes, ball)) = Shapes::of_boxes(boxes).or_else(nothing) {
+            (self.bodies[stock].shapes, self.bodies[stock].ball) = (shapes, ball);
+        }
         for other in self.pairs.iter_mut().filter(|other| other.stock) {
             other.known = None;
         }
-        true
     }
 
     /// Distance of a pair at a position, for a part of a motion.

@@ -5,9 +5,8 @@
 //! straight path is removed, so that one contact is one finding. At rapid, with the spindle off, and for shank and holder the
 //! tool is taken smaller by [`TOUCH_MM`]: it may slide along what it has cut.
 
-use std::collections::BTreeMap;
-
 use super::outcome::{Contacting, Found, Outcome, Size, What};
+use super::set_ups::{PartPlaces, moved};
 use super::tools::{ToolBodies, ToolBody};
 use crate::check::read::Side;
 use crate::check::{CheckPolicy, ExecutedBlock, angle_between};
@@ -45,6 +44,8 @@ struct Owner {
     cl_line: u64,
     operation: u64,
     tool: u32,
+    /// Time at feed, min.
+    minutes: f64,
 }
 
 /// The stock while a program is executed.
@@ -55,15 +56,59 @@ pub(crate) struct Machining<'a> {
     threads: usize,
     pieces: Vec<SweptPiece>,
     owners: Vec<Owner>,
-    /// Number of times that the stock has been cut.
+    /// Number of times that the stock has been cut or moved.
     pub(super) flushes: u64,
+    places: PartPlaces,
+    /// Set-up in which the stock lies.
+    set_up: u32,
     pub(super) outcome: Outcome,
 }
 
 impl<'a> Machining<'a> {
-    pub(crate) fn new(policy: &'a CheckPolicy, tools: ToolBodies, stock: TriDexel, threads: usize) -> Self {
+    pub(crate) fn new(
+        policy: &'a CheckPolicy,
+        tools: ToolBodies,
+        (stock, places): (TriDexel, PartPlaces),
+        threads: usize,
+    ) -> Self {
         let outcome = Outcome::new(&tools);
-        Self { policy, tools, stock, threads, pieces: Vec::new(), owners: Vec::new(), flushes: 0, outcome }
+        Self {
+            policy,
+            tools,
+            stock,
+            threads,
+            pieces: Vec::new(),
+            owners: Vec::new(),
+            flushes: 0,
+            places,
+            set_up: 1,
+            outcome,
+        }
+    }
+
+    /// Clamps the stock as the part lies in a set-up; returns whether it is known there, and elsewhere than before.
+    pub(super) fn clamp(&mut self, set_up: u32) -> bool {
+        if self.set_up == set_up {
+            return false;
+        }
+        let Some(place) = self.places.between(self.set_up, set_up) else { return false };
+        self.flush();
+        match moved(&self.stock, &place) {
+            Ok(stock) => {
+                (self.stock, self.set_up) = (stock, set_up);
+                self.flushes += 1;
+                true
+            }
+            Err(fault) => {
+                self.outcome.leave_out(format!("set-up {set_up}: {fault}"));
+                false
+            }
+        }
+    }
+
+    /// Set-up in which the stock lies.
+    pub(super) fn set_up(&self) -> u32 {
+        self.set_up
     }
 
     /// Cuts what is left to be cut; returns the machined stock, too.
@@ -80,10 +125,11 @@ impl<'a> Machining<'a> {
         }
         self.flushes += 1;
         let contacts = self.stock.cut(&self.pieces, &self.tools.profiles, EPS_MM, self.threads);
-        for (contact, owner) in contacts.iter().zip(&self.owners).filter(|(contact, _)| contact.longest > 0.0) {
+        for (contact, owner) in contacts.iter().zip(&self.owners) {
             if owner.what == Contacting::Cut {
-                *self.outcome.removed.entry((owner.operation, owner.tool)).or_default() += contact.volume();
-            } else {
+                let of = (owner.operation, owner.tool);
+                self.outcome.engagement.add(of, owner.line, owner.minutes, contact.volume());
+            } else if contact.longest > 0.0 {
                 self.outcome.add(Found {
                     what: What::Stock(owner.what),
                     lines: [owner.line; 2],
@@ -126,7 +172,7 @@ impl<'a> Machining<'a> {
         let body = self.tools.bodies.get(&motion.tool()).filter(|body| !body.is_empty()).cloned();
         let compensated = executed.block.state.side.is_some_and(|side| side != Side::None);
         let unknown = match &body {
-            _ if executed.set_up() != 1 => Some("in further set-ups"),
+            _ if executed.set_up() != self.set_up => Some("in set-ups in which the place of the part is unknown"),
             None if motion.rapid => Some("at rapid without a tool of known shape"),
             None => Some("of tools without a shape"),
             Some(_) if compensated && !self.policy.shop.compensated_centre => Some("under cutter compensation"),
@@ -141,8 +187,12 @@ impl<'a> Machining<'a> {
         if motion.rapid && !motion.together {
             self.boxed(motion, &body, reach, end);
         }
+        if !motion.rapid {
+            self.outcome.allow(executed.block.line, executed.allowance_mm);
+        }
+        let minutes = if motion.rapid { 0.0 } else { motion.minutes(length_mm(motion, places)).unwrap_or(0.0) };
         for pair in places.windows(2) {
-            self.part(motion, &body, reach, pair[0], pair[1], MOST_HALVINGS);
+            self.part(motion, &body, reach, pair[0], pair[1], (MOST_HALVINGS, minutes));
         }
     }
 
@@ -165,7 +215,7 @@ impl<'a> Machining<'a> {
         reach: f64,
         from: (f64, Place),
         to: (f64, Place),
-        halvings: u32,
+        (halvings, minutes): (u32, f64),
     ) {
         let (a, b) = (from.1.pose.axis.into_inner(), to.1.pose.axis.into_inner());
         let angle = angle_between(&a, &b);
@@ -174,8 +224,8 @@ impl<'a> Machining<'a> {
         if (deviation > PATH_MM || angle > 0.95 * LARGEST_TURN) && halvings > 0 {
             let share = f64::midpoint(from.0, to.0);
             let middle = (share, motion.at(share, &from.1));
-            self.part(motion, body, reach, from, middle, halvings - 1);
-            self.part(motion, body, reach, middle, to, halvings - 1);
+            self.part(motion, body, reach, from, middle, (halvings - 1, minutes));
+            self.part(motion, body, reach, middle, to, (halvings - 1, minutes));
             return;
         }
         self.outcome.deviation_mm = self.outcome.deviation_mm.max(deviation);
@@ -186,7 +236,8 @@ impl<'a> Machining<'a> {
             (false, true) => Contacting::Cut,
             (false, false) => Contacting::Still,
         };
-        let owner = owner(motion, what);
+        let minutes = minutes * (to.0 - from.0) / body.cutter.len().max(1) as f64;
+        let owner = Owner { minutes, ..owner(motion, what) };
         let ends = [&from.1.pose, &to.1.pose];
         let grow = if what == Contacting::Cut { 0.0 } else { -TOUCH_MM };
         self.sweep(&body.cutter, ends, grow, false, owner);
@@ -243,7 +294,25 @@ impl<'a> Machining<'a> {
 
 fn owner(motion: &ExecutedMotion<'_>, what: Contacting) -> Owner {
     let ExecutedBlock { block, record, operation, .. } = motion.executed;
-    Owner { what, line: block.line, cl_line: record.line, operation: *operation, tool: motion.tool() }
+    Owner { what, line: block.line, cl_line: record.line, operation: *operation, tool: motion.tool(), minutes: 0.0 }
+}
+
+/// Length of the tip path, mm.
+fn length_mm(motion: &ExecutedMotion<'_>, places: &[(f64, Place)]) -> f64 {
+    // The chords of an arc are shorter.
+    let parts = if motion.rotated > 0.02 { 8 } else { 1 };
+    let of = |ends: &[(f64, Place)]| {
+        let at = |part: u32| match part {
+            0 => ends[0].1.pose.tip,
+            part if part == parts => ends[1].1.pose.tip,
+            part => {
+                let share = ends[0].0 + (ends[1].0 - ends[0].0) * f64::from(part) / f64::from(parts);
+                motion.at(share, &ends[0].1).pose.tip
+            }
+        };
+        (0..parts).map(|part| (at(part + 1) - at(part)).norm()).sum::<f64>()
+    };
+    places.windows(2).map(of).sum()
 }
 
 /// Positions of a motion at shares of it, between which nothing rotates far.
@@ -256,6 +325,3 @@ pub(super) fn places(motion: &ExecutedMotion<'_>) -> Vec<(f64, Place)> {
     }
     places
 }
-
-/// Volumes by operation and tool, mm³.
-pub(crate) type Removed = BTreeMap<(u64, u32), f64>;

@@ -1,11 +1,15 @@
 //! A written program as it is executed on the stock.
 //!
 //! `simulation` receives its motions: they move the bodies of the machine, and `machining` turns them into pieces that cut the
-//! stock and contacts into findings. `tools` has the tools of the program as bodies, `outcome` states the findings, and what did not take part; `records` finds the CL records of lines that matter; `tool_table` reads the tools as the machine knows them.
+//! stock and contacts into findings. `tools` has the tools of the program as bodies, `engagement` has the removal over time,
+//! `outcome` states the findings, and what did not take part; `records` finds the CL records of lines that matter; `set_ups` has the place of the part in each
+//! set-up, `tool_table` the tools as the machine knows them.
 
+mod engagement;
 mod machining;
 mod outcome;
 mod records;
+mod set_ups;
 mod simulation;
 mod tool_table;
 mod tools;
@@ -13,6 +17,7 @@ mod tools;
 pub(crate) use machining::{EPS_MM, Machining};
 pub(crate) use outcome::{Outcome, Size, What};
 pub(crate) use records::LineRecords;
+pub(crate) use set_ups::PartPlaces;
 pub(crate) use simulation::Simulation;
 pub(crate) use tool_table::ToolTable;
 pub(crate) use tools::{ToolBodies, ToolBody};

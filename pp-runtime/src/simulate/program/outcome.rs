@@ -2,7 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use super::machining::{EPS_MM, Removed, TOUCH_MM};
+use super::engagement::Engagement;
+use super::machining::{EPS_MM, TOUCH_MM};
 use super::tools::{ToolBodies, ToolBody};
 use crate::simulate::machine::SHOWN_MM;
 
@@ -152,11 +153,13 @@ pub(crate) struct Outcome {
     pub(crate) found: Vec<Found>,
     /// Number of findings.
     pub(crate) count: u64,
-    pub(crate) removed: Removed,
+    pub(crate) engagement: Engagement,
     /// Motions that have not been simulated, by reason.
     pub(crate) unknown: BTreeMap<&'static str, u64>,
     /// Rapids whose axes arrive in any order and rotate the tool: only their straight path is compared.
     pub(crate) rotating_rapids: u64,
+    /// Operations that leave an allowance, by the first lines of their cuts: line and allowance, mm; 0 where none is left.
+    allowances: Vec<(u64, f64)>,
     /// Largest deviation of the pieces from the executed path, mm.
     pub(crate) deviation_mm: f64,
     /// Lines whose ends are not certified.
@@ -208,6 +211,20 @@ impl Outcome {
         }
     }
 
+    /// Takes the allowance of a cut.
+    pub(super) fn allow(&mut self, line: u64, allowance_mm: f64) {
+        let last = self.allowances.last().map_or(0.0, |(_, last)| *last);
+        if (last - allowance_mm).abs() > 0.0 {
+            self.allowances.push((line, allowance_mm));
+        }
+    }
+
+    /// Material that the operation of a line leaves, mm.
+    pub(crate) fn allowance_mm(&self, line: u64) -> f64 {
+        let after = self.allowances.partition_point(|(first, _)| *first <= line);
+        after.checked_sub(1).map_or(0.0, |index| self.allowances[index].1)
+    }
+
     /// States an assumption.
     pub(crate) fn assume(&mut self, text: String) {
         self.assumed.push(text);
@@ -252,7 +269,7 @@ impl Outcome {
 
     /// Volume that was cut, mm³.
     pub(crate) fn volume_mm3(&self) -> f64 {
-        self.removed.values().sum()
+        self.engagement.volume_mm3()
     }
 
     /// What is assumed, as sentences.
@@ -277,7 +294,7 @@ impl Outcome {
         if self.uncertified > 0 {
             all.push(format!("{} lines of the stock whose ends are not certified", self.uncertified));
         }
-        if self.removed.is_empty() && self.count == 0 && self.motions > 0 {
+        if self.engagement.is_empty() && self.count == 0 && self.motions > 0 {
             all.push("no motion meets the stock: it may be elsewhere than the part".to_owned());
         }
         if !self.without_solids.is_empty() {
@@ -303,9 +320,19 @@ impl Outcome {
                 self.deviation_mm + EPS_MM
             ),
         ];
-        lines.extend(self.removed.iter().map(|((operation, tool), volume)| {
-            format!("operation {operation}, tool {tool}: {:.3} cm\u{b3}", volume / 1e3)
+        lines.extend(self.engagement.operations.iter().map(|((operation, tool), removal)| {
+            let time = if removal.minutes > 0.0 { format!(" in {:.2} min", removal.minutes) } else { String::new() };
+            let largest = removal.largest.map_or(String::new(), |(rate, line)| {
+                format!(", at most {:.3} cm\u{b3}/min (line {line} of the program)", rate / 1e3)
+            });
+            format!("operation {operation}, tool {tool}: {:.3} cm\u{b3}{time}{largest}", removal.volume_mm3 / 1e3)
         }));
+        let tools = self.engagement.of_tools();
+        if tools.len() > 1 && tools.len() < self.engagement.operations.len() {
+            lines.extend(tools.iter().map(|(tool, (volume, minutes))| {
+                format!("tool {tool}: {:.3} cm\u{b3} in {minutes:.2} min", volume / 1e3)
+            }));
+        }
         lines.extend(self.clearances.iter().take(MOST_CLEARANCES).map(|smallest| {
             let SmallestClearance { bodies: [one, two], distance_mm, line, cl_line, .. } = smallest;
             format!("smallest clearance: {one} and {two} {distance_mm:.2} mm, line {line} of the program (CL line {cl_line})")

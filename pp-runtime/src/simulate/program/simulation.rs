@@ -29,14 +29,16 @@ impl<'a> Simulation<'a> {
     }
 
     /// Cuts what is left to be cut; returns the machined stock, too.
-    pub(crate) fn finish(self) -> (Outcome, TriDexel) {
+    /// With the set-up in which it lies.
+    pub(crate) fn finish(self) -> (Outcome, TriDexel, u32) {
         let Self { policy, axes, machining, clearances, .. } = self;
+        let set_up = machining.set_up();
         let (mut outcome, stock) = machining.finish();
         outcome.found.sort_by_key(|found| found.lines[0]);
         if let Some(clearances) = &clearances {
             state(clearances, &mut outcome, policy, axes);
         }
-        (outcome, stock)
+        (outcome, stock, set_up)
     }
 }
 
@@ -102,13 +104,20 @@ impl MovingAxes for AxesOf<'_> {
 impl Motions for Simulation<'_> {
     fn motion(&mut self, motion: &ExecutedMotion<'_>) -> Place {
         let places = places(motion);
+        let set_up = motion.executed.set_up();
+        if self.machining.clamp(set_up)
+            && let Some(clearances) = &mut self.clearances
+        {
+            self.boxes_of = self.machining.flushes;
+            clearances.clamp_stock(stock_boxes(&self.policy.set_up, set_up, self.machining.stock()), set_up);
+        }
         if let Some(clearances) = &mut self.clearances {
             let (machining, boxes_of, set_up) = (&mut self.machining, &mut self.boxes_of, &self.policy.set_up);
             let mut boxes = || {
                 machining.flush();
                 let changed = *boxes_of != machining.flushes;
                 *boxes_of = machining.flushes;
-                changed.then(|| stock_boxes(set_up, machining.stock()))
+                changed.then(|| stock_boxes(set_up, machining.set_up(), machining.stock()))
             };
             let block = MovingBlock {
                 line: motion.executed.block.line,

@@ -194,8 +194,13 @@ impl TriDexel {
             );
             return Err(StockFault(text));
         }
+        Ok(Self::of_counts([low, high], counts.map(|count| count as usize)))
+    }
+
+    /// A stock of nothing in a box, with a number of lines along each axis.
+    fn of_counts([low, high]: [[f64; 3]; 2], counts: [usize; 3]) -> Self {
         let family = |line: usize| {
-            let lines = [counts[(line + 1) % 3] as usize, counts[(line + 2) % 3] as usize];
+            let lines = [counts[(line + 1) % 3], counts[(line + 2) % 3]];
             let tiles = lines.map(|count| count.div_ceil(TILE));
             let tile = Tile {
                 spans: vec![NOTHING; TILE * TILE],
@@ -204,8 +209,8 @@ impl TriDexel {
             };
             LineFamily { lines, tiles_across: tiles[0], tiles: vec![tile; tiles[0] * tiles[1]] }
         };
-        let pitch = std::array::from_fn(|index| size[index] / counts[index]);
-        Ok(Self { low, high, pitch, families: [family(0), family(1), family(2)], effort: Effort::default() })
+        let pitch = std::array::from_fn(|index| (high[index] - low[index]) / counts[index] as f64);
+        Self { low, high, pitch, families: [family(0), family(1), family(2)], effort: Effort::default() }
     }
 
     /// A stock from a function that gives the material of a line: the family, its two numbers, and its two coordinates across.
@@ -265,6 +270,59 @@ impl TriDexel {
                 _ => return,
             });
         })
+    }
+
+    /// The same material without the names of the pieces that cut it.
+    pub(crate) fn unnamed(mut self) -> Self {
+        for tile in self.families.iter_mut().flat_map(|family| &mut family.tiles) {
+            let several = tile.several.iter_mut().flat_map(|(_, spans)| spans);
+            for span in tile.spans.iter_mut().chain(several).filter(|span| span.low <= span.high) {
+                (span.low_id, span.high_id) = (u32::MAX, u32::MAX);
+            }
+        }
+        self
+    }
+
+    /// The stock rotated by quarter turns and moved, line by line: axis `a` is axis `from[a]` times `signs[a]`, and `by[a]`.
+    pub(crate) fn turned(&self, from: [usize; 3], signs: [f64; 3], by: [f64; 3]) -> Self {
+        let ends = |axis: usize| {
+            let [one, two] = [self.low, self.high].map(|corner| signs[axis] * corner[from[axis]] + by[axis]);
+            [one.min(two), one.max(two)]
+        };
+        let (low, high) = ([0, 1, 2].map(|axis| ends(axis)[0]), [0, 1, 2].map(|axis| ends(axis)[1]));
+        let counts = [0, 1, 2].map(|axis| self.counts()[from[axis]]);
+        let mut stock = Self::of_counts([low, high], counts);
+        stock.effort = self.effort;
+        for family in 0..3 {
+            let [u, v] = [(family + 1) % 3, (family + 2) % 3];
+            let mut spans = Vec::new();
+            for j in 0..counts[v] {
+                for i in 0..counts[u] {
+                    let mut node = [0; 3];
+                    for (axis, index) in [(u, i), (v, j)] {
+                        node[from[axis]] = if signs[axis] > 0.0 { index } else { counts[axis] - 1 - index };
+                    }
+                    let along = from[family];
+                    let line = [node[(along + 1) % 3], node[(along + 2) % 3]];
+                    let moved = |value: f32| (signs[family] * f64::from(value) + by[family]) as f32;
+                    spans.clear();
+                    spans.extend(self.spans(along, line).iter().map(|span| match signs[family] > 0.0 {
+                        true => Filled { low: moved(span.low), high: moved(span.high), ..*span },
+                        false => Filled {
+                            low: moved(span.high),
+                            high: moved(span.low),
+                            low_id: span.high_id,
+                            high_id: span.low_id,
+                        },
+                    }));
+                    spans.sort_by(|a, b| a.low.total_cmp(&b.low));
+                    let held = &mut stock.families[family];
+                    held.tiles[j / TILE * held.tiles_across + i / TILE].set(line_of(i % TILE, j % TILE), &spans);
+                }
+            }
+            stock.families[family].tiles.iter_mut().for_each(Tile::measure);
+        }
+        stock
     }
 
     /// Numbers of all removals.

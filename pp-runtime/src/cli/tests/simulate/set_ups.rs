@@ -1,0 +1,88 @@
+//! Set-ups that follow one another in a program.
+
+use super::*;
+
+/// A groove from above, and one across it from below, as the frame of the second set-up is upside down.
+fn two_sides(second_frame: &str, depth: f64) -> String {
+    let head = "UNITS/MM\nMSYS/0,0,0,1,0,0,0,1,0\nTOOL PATH/TOP,TOOL,MILL\nTLDATA/MILL,10.0,0.0\nLOADTL/1\n\
+        SPINDL/RPM,3000,CLW\nFEDRAT/MMPM,500\nRAPID\nGOTO/-10,8,50,0,0,1\nRAPID\nGOTO/-10,8,5\nGOTO/-10,8,-6\nGOTO/50,8,-6\n\
+        RAPID\nGOTO/50,8,50\nEND-OF-PATH\n";
+    format!(
+        "{head}{second_frame}TOOL PATH/BOTTOM,TOOL,MILL\nRAPID\nGOTO/20,-10,50,0,0,1\nRAPID\nGOTO/20,-10,5\nGOTO/20,-10,-{depth}\n\
+         GOTO/20,42,-{depth}\nRAPID\nGOTO/20,42,50\nFINI\n"
+    )
+}
+
+const UPSIDE_DOWN: &str = "MSYS/0,32,-10,1,0,0,0,-1,0\n";
+
+fn config(set_up: &str) -> String {
+    let keys = format!("park = {{ C = 0.0 }}\n{CONFIG}");
+    format!("{keys}{TOOL}[set_ups.2]\nwork_offset = \"G55\"\npart_origin = [0.0, 0.0, 0.0]\n{set_up}")
+}
+
+fn run(part: &str, config: &str) -> (Outcome, Json) {
+    let outcome = simulated_with(&Shop::new(), part, config, &["--json"]);
+    let json = serde_json::from_str(&outcome.output).unwrap_or_else(|_| panic!("{}", outcome.errors));
+    (outcome, json)
+}
+
+fn removed(json: &Json) -> f64 {
+    json["removed_mm3"].as_f64().expect("a volume")
+}
+
+#[test]
+fn the_stock_of_the_second_set_up_is_what_the_first_has_left() {
+    let (outcome, json) = run(&two_sides(UPSIDE_DOWN, 6.0), &config(""));
+    assert_eq!(outcome.status, Status::Done, "{}", outcome.errors);
+    assert_eq!(kinds(&json), Vec::<&str>::new(), "{}", outcome.errors);
+    // Both grooves are 10 mm wide and 6 mm deep in 10 mm: where they cross they meet.
+    let wanted = 40.0 * 10.0 * 6.0 + 32.0 * 10.0 * 6.0 - 10.0 * 10.0 * 2.0;
+    assert!((removed(&json) - wanted).abs() < 1e-3 * wanted, "{json}");
+    // Too deep by 4.5 mm: a rapid that is right over the blank is in the wrong place over the turned part.
+    let low = two_sides(UPSIDE_DOWN, 6.0).replace("RAPID\nGOTO/20,42,50", "RAPID\nGOTO/5,16,-2");
+    let (_, json) = run(&low, &config(""));
+    assert!(kinds(&json).contains(&"rapid_through_stock"), "{json}");
+}
+
+#[test]
+fn the_place_of_the_part_comes_from_a_key_or_is_not_known() {
+    // Frames that differ, of which the first is not stated.
+    let part = two_sides("", 6.0);
+    let begins = "begins = \"BOTTOM\"\n";
+    let (outcome, json) = run(&part, &config(begins));
+    assert!(
+        json["assumed"].to_string().contains("the CL data of set-up 2 is in the coordinates of the first one"),
+        "{}",
+        outcome.errors
+    );
+    let wanted = 40.0 * 10.0 * 6.0 + 32.0 * 10.0 * 6.0 - 10.0 * 10.0 * 6.0;
+    assert!((removed(&json) - wanted).abs() < 1e-3 * wanted, "{json}");
+    let key = format!("{begins}cl_origin = [0.0, 32.0, -10.0]\ncl_rotation = [180.0, 0.0, 0.0]\n");
+    let (outcome, json) = run(&part, &config(&key));
+    let wanted = 40.0 * 10.0 * 6.0 + 32.0 * 10.0 * 6.0 - 10.0 * 10.0 * 2.0;
+    assert!((removed(&json) - wanted).abs() < 1e-3 * wanted, "{json} {}", outcome.errors);
+    // By another angle the stock is made of its surface.
+    let turned = format!("{begins}cl_origin = [0.0, 0.0, 0.0]\ncl_rotation = [0.0, 0.0, 30.0]\n");
+    let (outcome, json) = run(&part.replace("GOTO/20,42,-6", "GOTO/20,12,-6"), &config(&turned));
+    assert!(removed(&json) > 40.0 * 10.0 * 6.0 + 500.0, "{json} {}", outcome.errors);
+}
+
+#[test]
+fn the_design_is_compared_where_the_part_lies_at_the_end() {
+    let shop = Shop::new();
+    let stock = "[solids]\ndesign = { box = [[0, 0, -10], [40, 32, 0]] }\n";
+    let outcome = simulated_with(&shop, &two_sides(UPSIDE_DOWN, 0.3), &format!("{}{stock}", config("")), &["--json"]);
+    let json: Json = serde_json::from_str(&outcome.output).unwrap_or_else(|_| panic!("{}", outcome.errors));
+    let gouges: Vec<f64> = json["design"]["gouges"]
+        .as_array()
+        .expect("gouges")
+        .iter()
+        .map(|gouge| gouge["deviation_mm"].as_f64().expect("a depth"))
+        .collect();
+    // The middle of the first groove between its pitch, and the depth of the second one, which is on top.
+    assert!(gouges.len() == 2 && (gouges[0] - 4.5).abs() < 0.6 && (gouges[1] - 0.3).abs() < 0.01, "{json}");
+    assert!(json["design"]["exceeds_stock_mm"].as_f64() < Some(1e-9), "{json}");
+    let saved = shop.arg("saved.stl");
+    let first = simulated_with(&shop, &two_sides(UPSIDE_DOWN, 0.3), &config(""), &["--save-stock", &saved]);
+    assert_eq!(first.status, Status::Done, "{}", first.errors);
+}
