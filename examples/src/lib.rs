@@ -1,6 +1,6 @@
 //! Sample CL data: the parts of the source papers, in the forms of NX, CATIA and Creo.
 //!
-//! [`parts`] holds the geometry, [`cl_writer`] the three dialects; [`files`] returns the files of `examples/cl/`.
+//! [`parts`] holds the geometry, [`cl_writer`] the three dialects, [`designs`] the surfaces as triangles; [`files`] returns the files of `examples/cl/`.
 //! `cargo run -p examples --bin generate_cl` writes these files again.
 // A library returns its errors and leaves output to its caller.
 #![cfg_attr(
@@ -16,6 +16,7 @@
 )]
 
 pub mod cl_writer;
+pub mod designs;
 pub mod no_std_kinematics;
 pub mod parts;
 

@@ -105,21 +105,46 @@ fn ball_cutter(number: u32, diameter_mm: f64) -> Tool {
     }
 }
 
-/// Half the length of the free-form surfaces.
-const HALF_LENGTH_MM: f64 = 45.0;
-/// Radii of curvature of the free-form surfaces at their middle, along X and along Y.
-const RADII_MM: [f64; 2] = [60.0, 70.0];
+/// A free-form surface `z = bend · (x²/2Rx + y²/2Ry)`.
+#[derive(Debug, Clone, Copy)]
+pub struct Surface {
+    /// 1: concave, -1: convex.
+    pub bend: f64,
+    /// Radii of curvature at its middle, along X and along Y.
+    pub radii_mm: [f64; 2],
+    /// Half its size along X and along Y.
+    pub half_mm: [f64; 2],
+}
 
-/// Pose at a point of `z = bend · (x²/2Rx + y²/2Ry)`, tool axis along the surface normal: the ball touches with its
-/// tip.
-fn on_surface(bend: f64, x: f64, y: f64) -> Pose {
-    let [slope_x, slope_y] = [bend * x / RADII_MM[0], bend * y / RADII_MM[1]];
-    pose([x, y, (slope_x * x + slope_y * y) / 2.0], Vector3::new(-slope_x, -slope_y, 1.0))
+impl Surface {
+    /// The dome.
+    pub const CONVEX: Self = Self { bend: -1.0, radii_mm: [60.0, 70.0], half_mm: [45.0, 33.0] };
+    /// The bowl.
+    pub const CONCAVE: Self = Self { bend: 1.0, ..Self::CONVEX };
+    /// The trough for one rotary axis.
+    pub const TROUGH: Self = Self { bend: 1.0, radii_mm: [200.0, 50.0], half_mm: [40.0, 38.0] };
+
+    fn slopes(&self, x: f64, y: f64) -> [f64; 2] {
+        [self.bend * x / self.radii_mm[0], self.bend * y / self.radii_mm[1]]
+    }
+
+    /// Height at a point.
+    #[must_use]
+    pub fn height(&self, x: f64, y: f64) -> f64 {
+        let [slope_x, slope_y] = self.slopes(x, y);
+        (slope_x * x + slope_y * y) / 2.0
+    }
+}
+
+/// Pose at a point of a surface, tool axis along the surface normal: the ball touches with its tip.
+fn on_surface(surface: &Surface, x: f64, y: f64) -> Pose {
+    let [slope_x, slope_y] = surface.slopes(x, y);
+    pose([x, y, surface.height(x, y)], Vector3::new(-slope_x, -slope_y, 1.0))
 }
 
 /// Rows along X at these `y`. None of them is zero, because the tool would pass through the vertical there.
-fn rows(bend: f64, ys: impl Iterator<Item = f64>, step: f64, count: u32) -> Vec<Vec<Pose>> {
-    ys.map(|y| steps(-HALF_LENGTH_MM, step, count).map(|x| on_surface(bend, x, y)).collect()).collect()
+fn rows(surface: &Surface, ys: impl Iterator<Item = f64>, step: f64, count: u32) -> Vec<Vec<Pose>> {
+    ys.map(|y| steps(-surface.half_mm[0], step, count).map(|x| on_surface(surface, x, y)).collect()).collect()
 }
 
 /// Rows in alternating direction, connected on the surface.
@@ -136,7 +161,7 @@ fn zig_zag(rows: Vec<Vec<Pose>>) -> Vec<Pose> {
 /// A dome of 90 × 66 mm, finished with a ball cutter along the surface normal: tilt up to 41.5°.
 #[must_use]
 pub fn convex() -> Program {
-    let cut = zig_zag(rows(-1.0, steps(-33.0, 2.0, 34), 2.5, 37));
+    let cut = zig_zag(rows(&Surface::CONVEX, steps(-33.0, 2.0, 34), 2.5, 37));
     let moves = pass(&cut, &Feeds { plunge_mm_per_min: 1000.0, cut_mm_per_min: 800.0 });
     let tool = ball_cutter(1, 12.0);
     Program {
@@ -150,7 +175,8 @@ pub fn convex() -> Program {
 pub fn concave_one_way() -> Program {
     let feeds = Feeds { plunge_mm_per_min: 1000.0, cut_mm_per_min: 700.0 };
     // Not symmetric: the path from the end of one row to the start of the next must not cross the vertical either.
-    let moves = rows(1.0, steps(-32.0, 6.0, 12), 2.5, 37).iter().flat_map(|row| pass(row, &feeds)).collect();
+    let moves =
+        rows(&Surface::CONCAVE, steps(-32.0, 6.0, 12), 2.5, 37).iter().flat_map(|row| pass(row, &feeds)).collect();
     let tool = ball_cutter(2, 12.0);
     Program {
         name: "CONCAVE",
@@ -161,7 +187,7 @@ pub fn concave_one_way() -> Program {
 /// The same bowl in finer rows, zig-zag.
 #[must_use]
 pub fn concave_zig_zag() -> Program {
-    let cut = zig_zag(rows(1.0, steps(-33.0, 2.0, 34), 3.0, 31));
+    let cut = zig_zag(rows(&Surface::CONCAVE, steps(-33.0, 2.0, 34), 3.0, 31));
     let moves = pass(&cut, &Feeds { plunge_mm_per_min: 1000.0, cut_mm_per_min: 700.0 });
     let tool = ball_cutter(2, 12.0);
     Program {
@@ -179,10 +205,10 @@ pub fn concave_four_axes() -> Program {
     let tool = Tool { gauge_length_mm: None, ..ball_cutter(3, 8.0) };
     let radius = tool.corner_radius_mm;
     let touch = |x: f64, y: f64| {
-        let [slope_x, slope_y] = [x / 200.0, y / 50.0];
+        let [slope_x, slope_y] = Surface::TROUGH.slopes(x, y);
         let normal = Vector3::new(-slope_x, -slope_y, 1.0).normalize();
         let axis = Vector3::new(0.0, -slope_y, 1.0).normalize();
-        let contact = Vector3::new(x, y, (slope_x * x + slope_y * y) / 2.0);
+        let contact = Vector3::new(x, y, Surface::TROUGH.height(x, y));
         pose((contact + (normal - axis) * radius).into(), axis)
     };
     let rows = steps(-40.0, 2.5, 33).map(|x| steps(-38.0, 2.0, 39).map(|y| touch(x, y)).collect()).collect();
@@ -196,6 +222,24 @@ pub fn concave_four_axes() -> Program {
 /// Number of turns of the spiral groove.
 pub const GROOVE_TURNS: u32 = 20;
 
+/// Section of a groove around a bar.
+#[derive(Debug, Clone, Copy)]
+pub struct GrooveShape {
+    /// Radius of the bar.
+    pub bar_mm: f64,
+    /// Radius of the lowest point of the groove.
+    pub bottom_mm: f64,
+    /// Radius of the ball that makes it.
+    pub ball_mm: f64,
+    /// Distance of its turns.
+    pub pitch_mm: f64,
+}
+
+impl GrooveShape {
+    /// The spiral groove.
+    pub const SPIRAL: Self = Self { bar_mm: 25.0, bottom_mm: 23.0, ball_mm: 4.0, pitch_mm: 4.0 };
+}
+
 /// A groove 2 mm deep around a bar of 50 mm diameter along X: 20 turns of 4 mm pitch; the angle increases all along it.
 ///
 /// The part zero is on the centre line of the bar. The tool plunges along its axis and cuts from there.
@@ -207,7 +251,8 @@ pub fn spiral_groove() -> Program {
             let turns = f64::from(index) / f64::from(PER_TURN);
             // The angle within the turn, so that every turn has the same sines.
             let (sin, cos) = (TAU * f64::from(index % PER_TURN) / f64::from(PER_TURN)).sin_cos();
-            pose([4.0 * turns, 23.0 * sin, 23.0 * cos], Vector3::new(0.0, sin, cos))
+            let GrooveShape { pitch_mm, bottom_mm, .. } = GrooveShape::SPIRAL;
+            pose([pitch_mm * turns, bottom_mm * sin, bottom_mm * cos], Vector3::new(0.0, sin, cos))
         })
         .collect();
     let tool = Tool { gauge_length_mm: None, ..ball_cutter(4, 8.0) };

@@ -210,13 +210,14 @@ fn simulate(
                 Some(place) if last != 1 => design.moved(&place),
                 _ => design,
             };
-            let comparison =
-                design.compare(&machined, (tolerances.gouge_limit_mm(), tolerances.rest_limit_mm()), &|origin| {
-                    match origin {
-                        Origin::Line(line) => outcome.allowance_mm(u64::from(line)),
-                        Origin::Blank | Origin::Unknown => 0.0,
-                    }
-                });
+            let comparison = design.compare(
+                &machined,
+                (tolerances.gouge_limit_mm(), tolerances.rest_limit_mm(), 2.0 * tolerances.certified_mm),
+                &|origin| match origin {
+                    Origin::Line(line) => outcome.allowance_mm(u64::from(line)),
+                    Origin::Blank | Origin::Unknown => 0.0,
+                },
+            );
             let mut records = LineRecords::of(comparison.lines());
             if !records.is_empty() {
                 // The program is executed again for the records of the lines that were found.

@@ -289,12 +289,12 @@ impl Design {
         Self { mesh, surface }
     }
 
-    /// Compares a stock. `gouge` and `rest`: tolerances to either side, mm.
+    /// Compares a stock. `gouge` and `rest`: tolerances to either side, mm; material that is not thicker than `thin` may be none.
     /// `allowance`: what a cut leaves besides, mm.
     pub(crate) fn compare(
         &self,
         stock: &TriDexel,
-        (gouge, rest): (f64, f64),
+        (gouge, rest, thin): (f64, f64, f64),
         allowance: &dyn Fn(Origin) -> f64,
     ) -> Comparison {
         let ([low, high], [from, to]) = (stock.corners(), self.mesh.corners());
@@ -302,7 +302,7 @@ impl Design {
         let (mut histogram, mut uneven) = ([0; CLASSES], 0);
         let (mut gouges, mut rests) = (Parts::new(gouge), Parts::new(rest));
         let none = |_: Origin| 0.0;
-        let (mut solid, mut hits) = (Vec::new(), Vec::new());
+        let (mut solid, mut hits, mut thick): (Vec<[f64; 2]>, Vec<Hit>, Vec<Filled>) = <_>::default();
         for (family, pitch) in stock.pitch().into_iter().enumerate() {
             let mut crossings = self.mesh.lines_through(stock, family);
             let columns = stock.lines(family)[0];
@@ -317,6 +317,9 @@ impl Design {
                     uneven += 1;
                     return;
                 }
+                thick.clear();
+                thick.extend(spans.iter().filter(|span| f64::from(span.high - span.low) > thin));
+                let spans = &thick[..];
                 let line_of = Line { design: self, family, across, pitch };
                 for end in spans.iter().flat_map(|span| [span.low, span.high]) {
                     histogram[class(line_of.signed(f64::from(end), &solid))] += 1;

@@ -10,7 +10,7 @@ use crate::simulate::testing::{Random, barrel, box_mesh, cut_by_two_threads, upr
 
 /// A comparison without allowances.
 fn against(design: &Design, stock: &TriDexel, tolerances: (f64, f64)) -> Comparison {
-    design.compare(stock, tolerances, &|_| 0.0)
+    design.compare(stock, (tolerances.0, tolerances.1, 0.0), &|_| 0.0)
 }
 
 /// A block on Z0 with another one on it, as one closed body; the upper one is narrower on all sides.
