@@ -182,9 +182,11 @@ fn joints_keep_their_speeds_under_tip_control() {
             .unwrap_or_else(|error| panic!("{error}"));
     // Of the speed, over one servo cycle of a millisecond: the sampler has six decimals.
     let fastest = |run: &Run| {
-        let shares = run.reached.iter().flat_map(|reached| reached.way.windows(2)).flat_map(|cycle| {
-            let joints = cycle[0].iter().zip(&cycle[1]).zip(SPEEDS);
-            joints.map(|((before, after), (_, speed))| (after - before).abs() / (speed / 60_000.0)).collect::<Vec<_>>()
+        let cycles = run.reached.iter().flat_map(|reached| reached.way.windows(2).zip(reached.cycles.windows(2)));
+        let shares = cycles.flat_map(|(joints, cycles)| {
+            let minutes = (cycles[1] - cycles[0]) as f64 / 60_000.0;
+            let joints = joints[0].iter().zip(&joints[1]).zip(SPEEDS);
+            joints.map(|((before, after), (_, speed))| (after - before).abs() / (speed * minutes)).collect::<Vec<_>>()
         });
         shares.fold(0.0, larger)
     };

@@ -32,6 +32,8 @@ pub struct Reached {
     pub axes: Vec<f64>,
     /// Joints in every servo cycle since the position before, mm and degrees.
     pub way: Vec<Vec<f64>>,
+    /// Numbers of these servo cycles: a busy computer loses some.
+    pub cycles: Vec<u64>,
 }
 
 /// The program with a mark after each of `lines`, numbered from `first`.
@@ -57,6 +59,7 @@ pub(super) fn marked(program: &str, lines: &[usize], first: usize, kinematics: M
 /// One servo cycle, as recorded by the sampler.
 #[derive(Debug, Clone, PartialEq)]
 struct Sample {
+    cycle: u64,
     mark: usize,
     /// Whether the joints have settled.
     settled: bool,
@@ -106,16 +109,25 @@ impl Samples {
         }
         let joints = sample.values.len() / 2;
         let way = self.seen[mark - 1].iter().map(|sample| sample.values[..joints].to_vec()).collect();
-        Ok(Reached { line, joints: sample.values[..joints].to_vec(), axes: sample.values[joints..].to_vec(), way })
+        let cycles = self.seen[mark - 1].iter().map(|sample| sample.cycle).collect();
+        Ok(Reached {
+            line,
+            joints: sample.values[..joints].to_vec(),
+            axes: sample.values[joints..].to_vec(),
+            way,
+            cycles,
+        })
     }
 }
 
 /// `3533 1.000000 1 11.000000 ...`: number, mark, settled, joints, axes. A line that reports lost samples is no sample.
 fn sample(line: &str) -> Option<Sample> {
-    let mut numbers = line.split_whitespace().skip(1).map(|number| number.parse::<f64>().ok());
+    let mut words = line.split_whitespace();
+    let cycle = words.next()?.parse().ok()?;
+    let mut numbers = words.map(|number| number.parse::<f64>().ok());
     let (mark, settled) = (numbers.next()??, numbers.next()??);
     let values = numbers.collect::<Option<_>>()?;
-    Some(Sample { mark: mark.round() as usize, settled: settled > 0.5, values })
+    Some(Sample { cycle, mark: mark.round() as usize, settled: settled > 0.5, values })
 }
 
 #[cfg(test)]
@@ -147,7 +159,10 @@ mod tests {
         assert_eq!(write("1 0.0 1 5.0 6.0\n2 0.0 0 5.0 6.0\n3 1.0 1 7.0 8.", &mut samples), 1);
         assert_eq!(write("0\noverrun\n4 1.0 1 7.0 9.0\n5 3.0 0 1.0 1.0\n", &mut samples), 4);
         let way = vec![vec![5.0], vec![5.0]];
-        assert_eq!(samples.reached(1, 12), Ok(Reached { line: 12, joints: vec![7.0], axes: vec![8.0], way }));
+        assert_eq!(
+            samples.reached(1, 12),
+            Ok(Reached { line: 12, joints: vec![7.0], axes: vec![8.0], way, cycles: vec![1, 2] })
+        );
         assert!(samples.reached(2, 13).is_err_and(|message| message.contains("missed")));
         assert!(samples.reached(3, 14).is_err_and(|message| message.contains("settled")));
     }

@@ -41,7 +41,7 @@ const START: Duration = Duration::from_secs(40);
 const LIFETIME: &str = "600";
 
 /// Longest time without a new mark; after it a program counts as hanging.
-const STANDSTILL: Duration = Duration::from_secs(60);
+const STANDSTILL: Duration = Duration::from_secs(180);
 
 /// A running control. It ends with this value.
 pub struct Simulation {
