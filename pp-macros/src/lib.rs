@@ -40,7 +40,8 @@ use proc_macro::TokenStream;
 ///
 /// # Fields
 ///
-/// `chain` takes a colon, every other field `=`; each ends with `;`. Only the struct and `chain` are required.
+/// `chain` takes a colon, every other field `=`; each ends with `;`. Only the struct and `chain` are required. Lengths are in
+/// mm, angles in degrees; `5.9 in` is 149.86 mm.
 ///
 /// | field | meaning | default |
 /// |---|---|---|
@@ -49,11 +50,13 @@ use proc_macro::TokenStream;
 /// | `d = (0, 0, d);` or `d = { C: (0, 0, 0), B: (0, 0, -60.5) };` | a point on each rotary centre line, mm: from the table's reference point on the workpiece side, from the gauge line on the tool side | origin |
 /// | `signs = { C: -, Y: - };` | `+` is ISO 841; `-` where a positive word moves the axis in the opposite direction | `+` |
 /// | `axes = { B: Rx(-45 deg) * Y, Y: (0, 1, -0.5) };` | direction of an axis that is not its letter's own: a rotated coordinate axis (the rotation next to it acts first), or a vector, normalised exactly | X = A = (1, 0, 0), ... |
-/// | `dims = { d: 150.0, alpha: -45 deg };` | named dimensions with defaults: public fields, changeable at run time. With `deg` an angle, else a length | none |
+/// | `dims = { d: 150.0, alpha: -45 deg, h: required };` | named dimensions with defaults: public fields, changeable at run time. With `deg` an angle, else a length. `required`: a length that each machine has of its own; its default is NaN, and nothing is posted until it is given. A dimension that nothing depends on is refused | none |
 /// | `tool_axis = (0, 0, 1);` | direction from tip to spindle with all axes at zero | Z |
 /// | `hold = { W: 0, A: 0 };` | axes that exist but are not solved for, with their default values in mm and degrees | none |
 /// | `limits = { B: -5..110, C: free };` | travel in mm and degrees, ends included | `free` |
-/// | `speeds = { B: 3600, X: 30000 };` | largest axis speeds, deg/min and mm/min | unlimited |
+/// | `speeds = { B: 3600, X: 30000 };` | largest axis speeds, deg/min and mm/min, or with a unit: `50 rpm`, `60 deg/s`, `36 m/min`, `500 mm/s`, `1200 in/min` | unlimited |
+/// | `up = Y;` | the coordinate direction that is up at the machine, for the jog sheet: Y on a horizontal machining centre | Z |
+/// | `crate = ::shop::post;` | path of the runtime where it is renamed or re-exported | `::pp_runtime` |
 /// | `verify "source" { i = sin(B) * cos(C); }` | equations to be proven, see below; any number of blocks | none |
 ///
 /// Zero position: with all axes at zero the tool tip is at the workpiece origin, so with all rotary axes at zero the
@@ -83,10 +86,12 @@ use proc_macro::TokenStream;
 ///
 /// - Names: `x y z i j k` of the CL data, axis letters, dimensions, `gauge` (the gauge length), `part_x part_y part_z` (the
 ///   part origin). Set-up symbols that a block does not mention are zero in it.
-/// - Functions: sin, cos, asin, acos, atan2, sqrt. Products are written with `*`; `^` takes a whole exponent and binds
-///   tighter than a minus. Numbers are exact: `1/2`, `sqrt(2)/2`, `0.25`, `90 deg`.
+/// - Functions: sin, cos, asin, acos, atan2, sqrt; a single name may follow without parentheses, `sin B`. Products are written
+///   with `*`; `^` takes a whole exponent and binds tighter than a minus. Numbers are exact: `1/2`, `sqrt(2)/2`, `0.25`, `90 deg`.
 /// - `where alpha = -45 deg;` gives a value to a dimension, a set-up symbol or a held axis, or introduces a name of the
 ///   block.
+/// - A block describes one solution: equations that hold on different branches belong in blocks of their own.
+/// - `NAME explain --verify` prints the derived formulas as such blocks.
 ///
 /// Every equation is decided exactly: both sides become polynomials in axis values, sines and cosines, and their
 /// difference must vanish. Angles are compared modulo 360 deg. Fixed angles are exact where they are multiples of
@@ -112,8 +117,8 @@ use proc_macro::TokenStream;
 ///
 /// # Refusals
 ///
-/// Every mistake of a declaration is reported in one compilation, at the words that are wrong. For example, a rotary
-/// axis that rotates about the tool axis cannot tilt the tool:
+/// Every mistake of a declaration is reported in one compilation, at the words that are wrong. For example, the axis next to
+/// the workpiece comes first; in the opposite order C would rotate about the tool axis and could not tilt the tool:
 ///
 /// ```compile_fail
 /// pp_runtime::machine! {

@@ -50,3 +50,29 @@ fn dimensions_called_like_variables_keep_their_values() {
         assert!((again.tip - pose.tip).norm() < 1e-9 && (again.axis.as_ref() - pose.axis.as_ref()).norm() < 1e-12);
     }
 }
+
+/// A facade that re-exports the runtime under a name of its own.
+mod shop {
+    pub(super) use pp_runtime as post;
+}
+
+shop::post::machine! {
+    /// Through the facade.
+    #[allow(missing_docs)]
+    pub struct Renamed;
+    chain: C B | X Y Z;
+    d = (0, 0, height);
+    dims = { height: required };
+    up = Z;
+    crate = crate::shop::post;
+}
+
+#[test]
+fn a_required_dimension_is_refused_until_it_is_given() {
+    use pp_runtime::kinematics::{Invalid, Machine};
+    let mut machine = Renamed::default();
+    assert!(machine.height.is_nan() && Renamed::DIMENSIONS[0].default.is_nan());
+    assert_eq!(machine.validate(), Err(Invalid::Required { name: "height" }));
+    machine.height = 150.0;
+    assert_eq!(machine.validate(), Ok(()));
+}

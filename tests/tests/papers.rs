@@ -172,6 +172,7 @@ impl Machine<'_> {
         };
         let offsets =
             if self.one_centre { "(f1, f2, f3)".into() } else { format!("{{ {u}: (f1, f2, f3), {v}: (g1, g2, g3) }}") };
+        let second = if self.one_centre { "" } else { "g1: 3, g2: 0.25, g3: -60.5," };
         let (direction, angle) = if self.order.inclined {
             (format!("axes = {{ {v}: Rx(alpha) * Y }};"), "alpha: -45 deg")
         } else {
@@ -179,7 +180,7 @@ impl Machine<'_> {
         };
         format!(
             "pub struct M; chain: {chain}; d = {offsets}; {direction}
-             dims = {{ f1: 1.5, f2: -2, f3: 150, g1: 3, g2: 0.25, g3: -60.5, {angle} }};"
+             dims = {{ f1: 1.5, f2: -2, f3: 150, {second} {angle} }};"
         )
     }
 

@@ -23,6 +23,7 @@ pub mod model;
 pub mod proof;
 pub mod report;
 pub mod solve;
+mod suggest;
 pub mod symbolic;
 pub mod syntax;
 pub mod verify;

@@ -56,6 +56,15 @@ pub(crate) fn is_word_of_c(name: &str) -> bool {
     WORDS_OF_C.contains(&name) || like_a_macro || name.starts_with('_')
 }
 
+/// Axis letters: linear ones, then rotary ones; each third of them has the direction X, Y or Z.
+pub(crate) const LETTERS: [&str; 9] = ["X", "Y", "Z", "U", "V", "W", "A", "B", "C"];
+
+/// Linear or rotary; `None` if it is no axis letter.
+pub(crate) fn kind_of(letter: &str) -> Option<AxisKind> {
+    let place = LETTERS.iter().position(|known| *known == letter)?;
+    Some(if place < 6 { AxisKind::Linear } else { AxisKind::Rotary })
+}
+
 /// Linear or rotary.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AxisKind {
@@ -106,8 +115,9 @@ pub struct Axis {
 pub struct Dimension {
     /// Field name.
     pub name: String,
-    /// Default in mm or degrees.
-    pub default: BigRational,
+    /// Default in mm or degrees; `None` if each machine has its own (`required`); then it is a length, or an angle that
+    /// only directions of linear axes depend on.
+    pub default: Option<BigRational>,
     /// Its symbols in the formulas.
     pub quantity: Quantity,
 }
@@ -134,6 +144,21 @@ pub struct ModelSymbols {
     pub gauge: Symbol,
 }
 
+/// The coordinate direction that is up at the machine.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Up {
+    /// 0, 1, 2 for X, Y, Z.
+    pub coordinate: usize,
+    /// True for the negative direction.
+    pub negated: bool,
+}
+
+impl Default for Up {
+    fn default() -> Self {
+        Self { coordinate: 2, negated: false }
+    }
+}
+
 /// A machine ready to be solved.
 #[derive(Debug, Clone)]
 pub struct Model {
@@ -145,6 +170,8 @@ pub struct Model {
     pub dimensions: Vec<Dimension>,
     /// Unit vector from tip to spindle with all axes at zero.
     pub tool_axis: PolyVector,
+    /// Direction that is up at the machine; only descriptions for people depend on it.
+    pub up: Up,
     /// Symbols of pose and set-up.
     pub symbols: ModelSymbols,
     /// Ring that owns all symbols and their relations.
@@ -256,7 +283,7 @@ impl Model {
         values
     }
 
-    /// Default values of `hold` and `dims`, for their symbols.
+    /// Default values of `hold` and `dims`, for their symbols; what is required keeps its symbols.
     #[must_use]
     pub fn defaults(&mut self) -> BTreeMap<Symbol, Poly> {
         let mut values = BTreeMap::new();
@@ -270,11 +297,12 @@ impl Model {
             }
         }
         for dimension in &self.dimensions {
+            let Some(default) = &dimension.default else { continue };
             match dimension.quantity {
                 Quantity::Length(symbol) => {
-                    values.insert(symbol, Poly::from(Surd::from(dimension.default.clone())));
+                    values.insert(symbol, Poly::from(Surd::from(default.clone())));
                 }
-                Quantity::Angle(sine, cosine) => angles.push(((sine, cosine), dimension.default.clone())),
+                Quantity::Angle(sine, cosine) => angles.push(((sine, cosine), default.clone())),
             }
         }
         for ((sine, cosine), degrees) in angles {

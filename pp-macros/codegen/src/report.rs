@@ -51,6 +51,22 @@ impl Errors {
         }
     }
 
+    /// Number of mistakes.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.list.len()
+    }
+
+    /// Keeps the first `count` mistakes in the order in which they were found.
+    pub fn truncate(&mut self, count: usize) {
+        self.list.truncate(count);
+    }
+
+    /// Adds the mistakes of another collection.
+    pub fn append(&mut self, mut others: Self) {
+        self.list.append(&mut others.list);
+    }
+
     /// True if no mistake has been found.
     #[must_use]
     pub fn is_empty(&self) -> bool {

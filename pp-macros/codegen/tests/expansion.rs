@@ -54,7 +54,8 @@ fn generated_code_names_only_core_and_the_runtime() {
 #[test]
 fn a_dimension_may_be_called_like_a_local_variable() {
     let text = expand(
-        "pub struct M; chain: C B | X Y Z; d = (axes, pose, root); dims = { axes: 1, pose: 2, root: 3, sin_b: 4, b: 30 deg };",
+        "pub struct M; chain: C B | X Y Z; d = (axes + sin_b, pose, root); axes = { C: Rx(b) * Z };
+         dims = { axes: 1, pose: 2, root: 3, sin_b: 4, b: 30 deg };",
     );
     assert!(text.contains("let dim_axes = self . axes"), "{text}");
     assert!(!text.contains("compile_error"));

@@ -88,6 +88,36 @@ fn a_horizontal_tool_points_into_the_machine() {
     assert!(sheet.contains("With all axes at zero the tool points away from you (+Y)."), "{sheet}");
 }
 
+/// A horizontal machining centre as it is programmed: Y is up, and the spindle is along Z.
+#[test]
+fn a_horizontal_machine_is_jogged_as_it_stands() {
+    let text = "chain: B Z | X Y; up = Y;";
+    assert_eq!(
+        jogs(text),
+        [
+            "B+90: the table rotates clockwise seen from above; the side that faced you (+Z) now faces left (-X)",
+            "Z+100: the table moves away from you (-Z)",
+            "X+100: the spindle moves right (+X)",
+            "Y+100: the spindle moves up (+Y)",
+        ]
+    );
+    let sheet = explained(text).jog_sheet.text.join("\n");
+    assert!(sheet.contains("X points right (+X), Y up (+Y), Z towards you (+Z)."), "{sheet}");
+    assert!(sheet.contains("With all axes at zero the tool points away from you (-Z)."), "{sheet}");
+    // Upside down, and a lathe whose X is up.
+    assert_eq!(jogs("chain: X Y | Z; up = -Z;")[2], "Z+100: the spindle moves down (+Z)");
+    assert_eq!(jogs("chain: X Y | Z; up = -Z;")[1], "Y+100: the table moves away from you (-Y)");
+    let lathe = jogs("chain: C | X Z Y B; up = X;");
+    assert_eq!(
+        lathe[1..4],
+        [
+            "X+100: the spindle moves up (+X)",
+            "Z+100: the spindle moves right (+Z)",
+            "Y+100: the spindle moves towards you (+Y)",
+        ]
+    );
+}
+
 #[test]
 fn a_flipped_sign_changes_its_sentence_and_no_other() {
     for chain in ["C B | X Y Z", "X | Y Z B A", "A Y | X Z", "C X | B Y Z"] {
@@ -145,6 +175,7 @@ fn lines_of_text_are_short() {
             explanation.proofs,
             explanation.operations,
             explanation.jog_sheet,
+            explanation.verify,
         ];
         for line in sections.iter().flat_map(|section| &section.text) {
             assert!(line.chars().count() <= 96, "{line}");

@@ -47,7 +47,8 @@ fn word() -> BoxedStrategy<String> {
     one_of(
         "pub~struct~M~;~chain~:~|~||~X~Y~Z~U~W~A~B~C~d~=~(~)~{~}~,~0~1.5~-~+~*~/~^~45 deg~45deg~mm~Rx~free~..~dims
          ~signs~axes~hold~limits~speeds~tool_axis~verify~\"eq. (7)\"~where~sin~atan2~sqrt~i~k~gauge~0x1~.~#~r#type
-         ~99999999999999999999~1e400~'a'~'x~_~verify \"s\" {~chain: C B | X Y Z;~dims = { d: 150 };~i = sin(B);~::~=>",
+         ~up~crate~required~50 rpm~5.9 in~==~[~]~sin B~cB~sin^2
+         ~99999999999999999999~1e400~'a'~'x~_~verify \"s\" {~chain: C B | X Y Z;~dims = { d: 150 };~i = sin(B);~::~=>~travel = { B: 0..1 };",
     )
 }
 
@@ -78,18 +79,21 @@ fn declaration() -> impl Strategy<Value = String> {
     );
     let fields = vec![
         one_of("d = (0, 0, d);~d = { C: (0, 0, d), B: (1, -2.5, 2 * d + 1) };~d = (alpha, 0, 1/3);~d = { A: (d, d * d, 0) };"),
-        one_of("dims = { d: 150.0, alpha: -45 deg };~dims = { d: 150.0, alpha: -45 deg };~dims = { d: 1/3, x: 2 };~dims = {};"),
+        one_of("dims = { d: 150.0, alpha: -45 deg };~dims = { d: 150.0 };~dims = { alpha: -45 deg };~dims = { d: required };
+               ~dims = { d: 1/3, x: 2 };~dims = {};"),
         one_of("signs = { C: -, Y: - };~signs = { B: -, A: +, };~signs = { Q: - };"),
         one_of("axes = { B: Rx(-45 deg) * Y };~axes = { B: Rx(alpha) * Y };~axes = { Y: (0, 1, -0.5), C: -Z };
                ~axes = { A: Rz(30 deg) * Ry(2 * alpha - 7.5deg) * X };~axes = { B: (0, 0, 0) };~axes = { B: Rx(45) * Y };"),
         one_of("tool_axis = (0, 0, 1);~tool_axis = -Z;~tool_axis = (1, 2, 2);~tool_axis = Ry(alpha) * Z;~tool_axis = (1, 2);"),
         one_of("hold = { W: 0 };~hold = { A: 0 };~hold = { A: 22.5, W: -100 };~hold = { B: 10 };~hold = { C: 5mm };"),
         one_of("limits = { B: -5..110, C: free };~limits = { X: -310..310mm };~limits = { A: 5..1 };~limits = { Z: 0..=1 };"),
-        one_of("speeds = { B: 3600, X: 30000 };~speeds = { Y: 0 };~speeds = { C: 10 / 3 };"),
+        one_of("speeds = { B: 3600, X: 30000 };~speeds = { Y: 0 };~speeds = { C: 10 / 3 };~speeds = { C: 50 rpm, X: 30 m/min };"),
+        one_of("up = Y;~up = -Z;~up = B;"),
+        one_of("crate = ::pp_runtime;~crate = crate::a::b;~crate = 5;"),
         verify(),
         verify(),
     ];
-    let fields = subsequence(fields, 0..=10).prop_flat_map(|fields| fields).prop_shuffle();
+    let fields = subsequence(fields, 0..=12).prop_flat_map(|fields| fields).prop_shuffle();
     let edits = prop::option::of(vec((any::<prop::sample::Index>(), prop::option::of(word()), any::<bool>()), 1..4));
     (chain, fields, edits).prop_map(|(chain, mut fields, edits)| {
         fields.push(chain);
@@ -184,9 +188,22 @@ fn chain() -> impl Strategy<Value = String> {
             }
             chain.insert(bar, "|");
             let tool = tool.map(|v| format!("tool_axis = {v};")).unwrap_or_default();
+            // Only dimensions that something depends on.
+            let mut dimensions = String::new();
+            if !offsets.is_empty() {
+                dimensions += "p: 10, q: required, ";
+            }
+            if directions.contains("(e)") || tool.contains("(e)") {
+                dimensions += "e: 0.7 deg";
+            }
+            let field = |name: &str, entries: String| match entries.as_str() {
+                "" => entries,
+                _ => format!("{name} = {{ {entries} }};"),
+            };
+            let (directions, signs) = (field("axes", directions), field("signs", signs));
+            let (offsets, dimensions) = (field("d", offsets), field("dims", dimensions));
             format!(
-                "pub struct M; chain: {}; axes = {{ {directions} }}; signs = {{ {signs} }}; d = {{ {offsets} }}; {held} {tool}
-                 dims = {{ p: 10, q: 20, e: 0.7 deg }};",
+                "pub struct M; chain: {}; {directions} {signs} {offsets} {held} {tool} {dimensions}",
                 chain.join(" "),
             )
         })

@@ -23,6 +23,11 @@ pub(crate) fn text(machine: &dyn AnyMachine, out: &mut dyn Write) -> io::Result<
     Ok(())
 }
 
+/// Writes the formulas as `verify` blocks, to be compared with a publication or pasted into the declaration.
+pub(crate) fn verify(machine: &dyn AnyMachine, out: &mut dyn Write) -> io::Result<()> {
+    machine.explanation().verify.text.iter().try_for_each(|line| writeln!(out, "{line}"))
+}
+
 /// Preamble of the document. Formulas are set as paragraphs, so that TeX breaks long ones at an operator.
 const PREAMBLE: &str = r"\documentclass[a4paper,11pt]{article}
 \usepackage[T1]{fontenc}

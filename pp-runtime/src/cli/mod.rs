@@ -98,6 +98,7 @@ fn execute(machine: &dyn AnyMachine, args: &[OsString], mut streams: Streams<'_>
                 None => writeln!(out, "the check cannot read programs for {name}"),
             })
         }
+        Command::Explain(args) if args.verify => print(&mut streams, |out| explain::verify(machine, out)),
         Command::Explain(args) if args.cl => print(&mut streams, |out| cl::list_words(out)),
         Command::Explain(_) => print(&mut streams, |out| explain::text(machine, out)),
         Command::Kinematics(args) => kinematics::run(machine, &args, &mut streams),

@@ -6,7 +6,8 @@ use crate::cl::SetUpBegins;
 use crate::control::CONTROLS;
 use crate::diag::Diagnostic;
 use crate::keys::{KeyReader, KeyScope, KeyTable, Keys};
-use crate::kinematics::{AnyMachine, Machine};
+use crate::kinematics::{AnyMachine, Invalid, Machine};
+use crate::set_up::SetUp;
 
 use super::{Config, Rapid, UNITS};
 
@@ -90,11 +91,13 @@ impl Config {
             && let Err(invalid) = self.set_up.machine_for(machine)
         {
             let span = file.get("dimensions", r).map_or(0..0, |value| value.span());
-            r.fault(
-                span,
-                format!("the kinematics of {} are invalid with these dimensions: {invalid}", machine.name()),
-                None,
-            );
+            let text = match invalid {
+                Invalid::Required { name } => {
+                    format!("`dimensions.{name}` is missing: each {} has its own value", machine.name())
+                }
+                _ => format!("the kinematics of {} are invalid with these dimensions: {invalid}", machine.name()),
+            };
+            r.fault(span, text, Some(SetUp::remedy(&invalid)));
         }
     }
 }

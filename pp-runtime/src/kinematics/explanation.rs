@@ -55,6 +55,9 @@ pub struct Explanation {
     pub operations: Section,
     /// Check list for the machine: visible direction of motion of each axis.
     pub jog_sheet: Section,
+    /// The formulas as `verify` blocks in the language of [`machine!`](crate::machine): a declaration with them compiles. Not
+    /// among the [`sections`](Self::sections).
+    pub verify: Section,
 }
 
 impl Explanation {
@@ -71,6 +74,7 @@ impl Explanation {
         proofs: Section::EMPTY,
         operations: Section::EMPTY,
         jog_sheet: Section::EMPTY,
+        verify: Section::EMPTY,
     };
 
     /// All sections with their titles, in the order of reading.

@@ -5,6 +5,11 @@ use core::fmt;
 /// A dimension or set-up value with which the machine's formulas do not hold.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Invalid {
+    /// A dimension that the declaration requires, because each machine has its own, has no value.
+    Required {
+        /// Name of the field, and of the key in `[dimensions]`.
+        name: &'static str,
+    },
     /// A dimension or set-up value is NaN or infinite.
     NotFinite {
         /// Name of the field.
@@ -22,6 +27,9 @@ pub enum Invalid {
 impl fmt::Display for Invalid {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
+            Self::Required { name } => {
+                write!(f, "`{name}` has no value: it is a dimension that each machine has of its own")
+            }
             Self::NotFinite { name } => write!(f, "`{name}` is not a finite number"),
             Self::Zero { expression, meaning } => write!(f, "`{expression}` is zero: {meaning}"),
         }

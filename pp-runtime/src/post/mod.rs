@@ -33,6 +33,7 @@ use crate::motion::{
 };
 use crate::program::Location;
 use crate::program::Units;
+use crate::set_up::SetUp;
 
 use line_map::MappedEncoder;
 pub(crate) use line_map::OwnedPosition;
@@ -148,7 +149,7 @@ impl Report {
             length: 1,
             count: 1,
             text: format!("the dimensions of {} are not valid: {invalid}", machine.name()),
-            help: Some("correct the dimensions in the configuration".to_owned()),
+            help: Some(SetUp::remedy(invalid)),
         });
     }
 

@@ -245,6 +245,10 @@ impl KeyKind for DimensionTable {
 
     fn printed(&self, scope: &KeyScope) -> Option<Printed> {
         let printed = |dimension: &Dimension| {
+            if dimension.default.is_nan() {
+                let example = if dimension.kind == DimensionKind::Angle { "30.0" } else { "150.0" };
+                return (dimension.name.to_owned(), Printed::Example(example.to_owned()));
+            }
             let value = match dimension.kind {
                 DimensionKind::Length => printed_number(dimension.default),
                 DimensionKind::Angle => printed_degrees(dimension.default),

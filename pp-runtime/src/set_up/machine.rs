@@ -46,6 +46,20 @@ impl SetUp {
         machine.validate()
     }
 
+    /// Remedy for dimensions with which the formulas of a machine do not hold.
+    pub(crate) fn remedy(invalid: &Invalid) -> String {
+        match invalid {
+            Invalid::Required { name } => {
+                format!(
+                    "measure it at the machine, and write `{name} = ...` in the section `[dimensions]` of the configuration"
+                )
+            }
+            Invalid::NotFinite { .. } | Invalid::Zero { .. } => {
+                "correct the dimensions in the configuration".to_owned()
+            }
+        }
+    }
+
     /// Travel and speeds of the axes: as this set-up states them, else as the machine declares them.
     #[must_use]
     pub fn travel(&self, axes: &[Axis]) -> AxisBounds {

@@ -79,7 +79,7 @@ agree! {
     held_in_the_way: { chain: A | X Y Z C B; d = { A: (0, 0, 0), C: (0, 0, 200), B: (0, 10, 180) }; hold = { A: 0 }; };
     // Names that mean something in C.
     words_of_c: {
-        chain: C B | X Y Z; d = { C: (int, linux, 0), B: (0, m, count) };
+        chain: C B | X Y Z; d = { C: (int, linux, dim_int), B: (sin_b, m, count) }; axes = { C: Rx(switch) * Z };
         dims = { int: 1, linux: 2, m: 3, count: 4, dim_int: 5, sin_b: 6, switch: 7 deg };
     };
 }

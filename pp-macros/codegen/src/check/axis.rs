@@ -4,9 +4,8 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::Signed;
 
-use super::names::{LETTERS, kind_of};
 use super::quantity::{self, DimensionNames, Fault};
-use crate::model::{Axis, AxisKind, Side};
+use crate::model::{Axis, AxisKind, LETTERS, Side, kind_of};
 use crate::report::Errors;
 use crate::symbolic::{Poly, PolyVector, Ring, Surd};
 use crate::syntax::{Assign, Base, Declaration, Direction, Limits, Offsets, SpannedName, Unit, Vector};
@@ -80,7 +79,9 @@ fn limits(
 
 fn speed(declaration: &Declaration, letter: &str, kind: AxisKind, errors: &mut Errors) -> Option<BigRational> {
     find(&declaration.speeds, letter).and_then(|entry| {
-        let value = axis_value(&entry.value, letter, kind, errors)?;
+        let help = "rotary axes have deg/min, deg/s or rpm, linear axes mm/min, mm/s, m/min or in/min";
+        let quantities = ["a speed of rotation", "a speed along a line"];
+        let value = with_unit_of(kind, &entry.value, letter, quantities, help, errors)?;
         if !value.is_positive() {
             errors.push(
                 entry.value.phrase,
@@ -98,16 +99,29 @@ fn find<'a, T>(entries: &'a [Assign<T>], letter: &str) -> Option<&'a Assign<T>> 
 
 /// A constant in the unit of an axis: degrees for rotary, mm for linear.
 fn axis_value(value: &crate::syntax::Expr, letter: &str, kind: AxisKind, errors: &mut Errors) -> Option<BigRational> {
+    let help = "give values of rotary axes in degrees, of linear axes in mm";
+    with_unit_of(kind, value, letter, ["an angle", "a length"], help, errors)
+}
+
+/// A constant in the unit of an axis, or the message that it is the quantity of the other kind of axes.
+fn with_unit_of(
+    kind: AxisKind,
+    value: &crate::syntax::Expr,
+    letter: &str,
+    [of_rotary, of_linear]: [&str; 2],
+    help: &str,
+    errors: &mut Errors,
+) -> Option<BigRational> {
     match quantity::number(value) {
         Ok((number, unit)) => {
             let wrong = match (kind, unit) {
-                (AxisKind::Linear, Some(Unit::Degree)) => Some(("a linear axis", "an angle")),
-                (AxisKind::Rotary, Some(Unit::Millimetre)) => Some(("a rotary axis", "a length")),
+                (AxisKind::Linear, Some(Unit::Degree)) => Some(("a linear axis", of_rotary)),
+                (AxisKind::Rotary, Some(Unit::Millimetre)) => Some(("a rotary axis", of_linear)),
                 _ => None,
             };
             if let Some((axis, quantity)) = wrong {
                 let text = format!("`{letter}` is {axis}, but its value is {quantity}");
-                errors.push(value.phrase, text, "give values of rotary axes in degrees, of linear axes in mm");
+                errors.push(value.phrase, text, help);
             }
             Some(number)
         }

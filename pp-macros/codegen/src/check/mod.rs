@@ -3,19 +3,20 @@
 mod axis;
 mod chain;
 mod names;
+mod order;
 mod quantity;
+mod unused;
 
 use syn::ext::IdentExt;
 
-use crate::model::{Axis, AxisKind, Dimension, LOCALS, Model, ModelSymbols, Quantity, Side, is_word_of_c};
+use crate::model::{Axis, AxisKind, Dimension, LOCALS, Model, ModelSymbols, Quantity, Side, is_word_of_c, kind_of};
 use crate::report::{Errors, Phrase, Refused};
 use crate::solve::Refusal;
 use crate::symbolic::Ring;
-use crate::syntax::{Assign, Declaration, Offsets, SpannedName, Unit};
+use crate::syntax::{Assign, Declaration, DimensionValue, Offsets, SpannedName, Unit, Unreadable};
 use axis::{axis, coordinate, unit_direction};
 use chain::check_chain;
 pub(crate) use names::is_reserved;
-use names::kind_of;
 pub(crate) use quantity::{DimensionNames, Fault, angle, length};
 
 /// Source locations of the chain and its letters, for refusals of the solver.
@@ -32,9 +33,10 @@ pub struct ChainPhrases {
 pub fn check(declaration: &Declaration, errors: &mut Errors) -> Result<(Model, ChainPhrases), Refused> {
     let mut ring = Ring::default();
     let symbols = model_symbols(&mut ring);
-    let dimensions = dimensions(declaration, &mut ring, errors);
+    let mut unreadable = declaration.unreadable.clone();
+    let dimensions = dimensions(declaration, &mut ring, &mut unreadable, errors);
     let Some(chain) = &declaration.chain else {
-        if !declaration.unreadable.iter().any(|field| field == "chain") {
+        if !declaration.unreadable.has_part_of("chain") {
             let name = &declaration.name;
             let phrase = Phrase::new(name.span(), name.span(), 0);
             errors.push(phrase, "the machine has no `chain`", "list its axes: `chain: C B | X Y Z;`");
@@ -44,7 +46,7 @@ pub fn check(declaration: &Declaration, errors: &mut Errors) -> Result<(Model, C
     check_chain(chain, declaration, errors);
     let known: Vec<&str> = chain.axes.iter().map(|axis| axis.name.as_str()).collect();
     check_letters(declaration, &known, errors);
-    let names = DimensionNames { dimensions: &dimensions, unreadable: &declaration.unreadable };
+    let names = DimensionNames { dimensions: &dimensions, unreadable: &unreadable };
     let tool_axis = match &declaration.tool_axis {
         Some(direction) => unit_direction(direction, &names, &mut ring, errors),
         None => coordinate(2),
@@ -56,11 +58,14 @@ pub fn check(declaration: &Declaration, errors: &mut Errors) -> Result<(Model, C
         axes.extend(axis(spot, side, declaration, &names, &mut ring, errors));
     }
     check_offsets(declaration, &axes, errors);
+    unused::check_dimensions(declaration, &dimensions, errors);
+    check_required_angles(declaration, &dimensions, errors);
     check_derives(declaration, errors);
     errors.propagate()?;
     let name = declaration.name.unraw().to_string();
     let phrases = ChainPhrases { chain: chain.phrase, axes: chain.axes.clone() };
-    Ok((Model { name, axes, dimensions, tool_axis, symbols, ring }, phrases))
+    let up = declaration.up.unwrap_or_default();
+    Ok((Model { name, axes, dimensions, tool_axis, up, symbols, ring }, phrases))
 }
 
 /// Reports refusals of the solver at the letters that they name.
@@ -80,7 +85,7 @@ pub fn refused(refusals: &[Refusal], model: &Model, phrases: &ChainPhrases, erro
                 errors.push(
                     phrases.axes[axis].phrase,
                     format!("`{letter}` rotates about the tool axis, so it cannot tilt the tool"),
-                    format!("put {letter} in `hold`: `hold = {{ {letter}: 0 }};`"),
+                    order::or_hold(model, axis),
                 );
             }
             Refusal::SameDirection(first, second) => {
@@ -123,11 +128,14 @@ fn check_letters(declaration: &Declaration, known: &[&str], errors: &mut Errors)
         for (place, entry) in entries.iter().enumerate() {
             let name = entry.key.name.as_str();
             if !known.contains(&name) {
-                errors.push(
-                    entry.key.phrase,
-                    format!("`{name}` in `{field}` is not an axis of the chain"),
-                    format!("the axes are {}", known.join(" ")),
-                );
+                let upper = name.to_uppercase();
+                let help = if known.contains(&upper.as_str()) {
+                    format!("axis letters are capitals: write `{upper}`")
+                } else {
+                    format!("the axes are {}", known.join(" "))
+                };
+                let text = format!("`{name}` in `{field}` is not an axis of the chain");
+                errors.push(entry.key.phrase, text, help);
             } else if entries[..place].iter().any(|earlier| earlier.key.name == name) {
                 errors.push(entry.key.phrase, format!("`{name}` is given twice in `{field}`"), "keep one of the two");
             }
@@ -166,6 +174,25 @@ fn check_offsets(declaration: &Declaration, axes: &[Axis], errors: &mut Errors) 
     }
 }
 
+/// Refuses an angle without default that a rotary axis or the tool depends on: the order of the two solutions is fixed at the
+/// default.
+fn check_required_angles(declaration: &Declaration, dimensions: &[Dimension], errors: &mut Errors) {
+    for dimension in dimensions.iter().filter(|dimension| dimension.default.is_none()) {
+        let name = &dimension.name;
+        let rotary = |key: &SpannedName| kind_of(&key.name) == Some(AxisKind::Rotary);
+        let directions = declaration.directions.iter().filter(|entry| rotary(&entry.key)).map(|entry| &entry.value);
+        let mut angles = directions.chain(&declaration.tool_axis).flat_map(|direction| &direction.rotations);
+        let Some(entry) = declaration.dimensions.iter().find(|entry| entry.key.name == *name) else { continue };
+        if matches!(dimension.quantity, Quantity::Angle(..)) && angles.any(|(_, angle)| angle.mentions(name)) {
+            errors.push(
+                entry.key.phrase,
+                format!("the angle `{name}` needs a default"),
+                format!("a rotary axis or the tool depends on it, and the order of the two solutions is fixed at the default: write `{name}: 45 deg`"),
+            );
+        }
+    }
+}
+
 /// Refuses `derive` of traits that are generated.
 fn check_derives(declaration: &Declaration, errors: &mut Errors) {
     for attribute in declaration.attributes.iter().filter(|attribute| attribute.path().is_ident("derive")) {
@@ -186,7 +213,13 @@ fn check_derives(declaration: &Declaration, errors: &mut Errors) {
     }
 }
 
-fn dimensions(declaration: &Declaration, ring: &mut Ring, errors: &mut Errors) -> Vec<Dimension> {
+/// The dimensions; names of those that are refused are added to `unreadable`.
+fn dimensions(
+    declaration: &Declaration,
+    ring: &mut Ring,
+    unreadable: &mut Unreadable,
+    errors: &mut Errors,
+) -> Vec<Dimension> {
     let mut dimensions: Vec<Dimension> = Vec::new();
     for Assign { key, value } in &declaration.dimensions {
         let name = &key.name;
@@ -196,18 +229,24 @@ fn dimensions(declaration: &Declaration, ring: &mut Ring, errors: &mut Errors) -
                 format!("`{name}` cannot be the name of a dimension"),
                 "the name is reserved by `machine!` or by Rust: choose another, such as `pivot` or `tilt`",
             );
+            unreadable.add_entry("dims", name);
             continue;
         }
         if dimensions.iter().any(|known| known.name == *name) {
             errors.push(key.phrase, format!("`{name}` is given twice in `dims`"), "keep one of the two");
             continue;
         }
-        let (default, unit) = match quantity::number(value) {
-            Ok(found) => found,
-            Err(fault) => {
-                fault.report(errors);
-                continue;
-            }
+        let (default, unit) = match value {
+            DimensionValue::RequiredLength => (None, Some(Unit::Millimetre)),
+            DimensionValue::RequiredAngle => (None, Some(Unit::Degree)),
+            DimensionValue::Given(value) => match quantity::default(value, declaration) {
+                Ok((number, unit)) => (Some(number), unit),
+                Err(fault) => {
+                    fault.report(errors);
+                    unreadable.add_entry("dims", name);
+                    continue;
+                }
+            },
         };
         let quantity = if unit == Some(Unit::Degree) {
             let (sine, cosine) = ring.sin_cos(format!("sin_{name}"), format!("cos_{name}"));

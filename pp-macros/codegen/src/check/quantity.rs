@@ -6,8 +6,9 @@ use num_traits::ToPrimitive;
 
 use crate::model::{Dimension, Quantity, to_f64};
 use crate::report::{Errors, Phrase};
+use crate::suggest;
 use crate::symbolic::{Poly, Ring, Surd, angle_sum, sin_cos_of_degrees};
-use crate::syntax::{Expr, ExprKind, Unit};
+use crate::syntax::{Declaration, Expr, ExprKind, Unit, Unreadable};
 
 /// One mistake inside an expression.
 #[derive(Debug)]
@@ -34,8 +35,8 @@ impl Fault {
 /// Dimensions that expressions may name.
 pub(crate) struct DimensionNames<'a> {
     pub(crate) dimensions: &'a [Dimension],
-    /// Entries that could not be parsed; no further message mentions them.
-    pub(crate) unreadable: &'a [String],
+    /// Entries that could not be read; no further message mentions them.
+    pub(crate) unreadable: &'a Unreadable,
 }
 
 impl DimensionNames<'_> {
@@ -47,9 +48,9 @@ impl DimensionNames<'_> {
         let help = if known.is_empty() {
             format!("declare it: `dims = {{ {name}: 100.0 }};`")
         } else {
-            format!("the dimensions are {}", known.join(", "))
+            suggest::or_list(name, &known, "the dimensions are")
         };
-        let silent = self.unreadable.iter().any(|unread| unread == name || unread == "dims");
+        let silent = self.unreadable.has_entry("dims", name);
         Err(Fault { silent, ..Fault::new(phrase, format!("`{name}` is not a dimension"), help) })
     }
 }
@@ -61,6 +62,19 @@ pub(crate) fn number(expr: &Expr) -> Result<(BigRational, Option<Unit>), Fault> 
         Some(value) if !to_f64(&value).is_finite() => Err(too_large(expr)),
         Some(value) => Ok((value, unit)),
         None => Err(Fault::new(expr.phrase, "expected a rational number", "write it in decimal digits")),
+    }
+}
+
+/// The default of a dimension: a constant.
+pub(crate) fn default(expr: &Expr, declaration: &Declaration) -> Result<(BigRational, Option<Unit>), Fault> {
+    let name = declaration.dimensions.iter().map(|entry| entry.key.name.as_str()).find(|name| expr.mentions(name));
+    match name {
+        Some(name) => Err(Fault::new(
+            expr.phrase,
+            format!("the default of a dimension is a number, but `{expr}` depends on `{name}`"),
+            format!("write the number, and `{expr}` where the length is used: `d = (0, 0, {expr});`"),
+        )),
+        None => number(expr),
     }
 }
 

@@ -19,13 +19,13 @@ pub(crate) fn forward(model: &Model, solved: &Solved) -> TokenStream {
     let (tip, axis) = (components(&body, solved.forward.tip), components(&body, solved.forward.axis));
     quote! {
         #[inline]
-        fn forward_kinematics(&self, axes: &Self::Axes) -> ::pp_runtime::kinematics::Pose {
+        fn forward_kinematics(&self, axes: &Self::Axes) -> pp::kinematics::Pose {
             let _ = axes;
             #prelude
             #statements
-            ::pp_runtime::kinematics::Pose {
-                tip: ::pp_runtime::nalgebra::Point3::new(#tip),
-                axis: ::pp_runtime::nalgebra::Unit::new_unchecked(::pp_runtime::nalgebra::Vector3::new(#axis)),
+            pp::kinematics::Pose {
+                tip: pp::nalgebra::Point3::new(#tip),
+                axis: pp::nalgebra::Unit::new_unchecked(pp::nalgebra::Vector3::new(#axis)),
             }
         }
     }
@@ -47,7 +47,7 @@ pub(crate) fn position(model: &Model, solved: &Solved) -> (TokenStream, TokenStr
         let determinant = body.tokens(determinant);
         quote! {
             #statements
-            if !(math::abs(#determinant) >= ::pp_runtime::kinematics::SMALLEST_DETERMINANT) {
+            if !(math::abs(#determinant) >= pp::kinematics::SMALLEST_DETERMINANT) {
                 return ::core::option::Option::None;
             }
         }
@@ -59,7 +59,7 @@ pub(crate) fn position(model: &Model, solved: &Solved) -> (TokenStream, TokenStr
         /// Linear axes from the tip and the (sine, cosine) of every rotary axis.
         fn position(
             &self,
-            tip: &::pp_runtime::nalgebra::Point3<f64>,
+            tip: &pp::nalgebra::Point3<f64>,
             turns: &[(f64, f64); #rotaries],
             held: &[f64; #count],
         ) -> ::core::option::Option<[f64; 3]>
@@ -88,7 +88,7 @@ pub(crate) fn linear_axes(model: &Model, solved: &Solved) -> TokenStream {
         #[inline]
         fn linear_axes(
             &self,
-            tip: &::pp_runtime::nalgebra::Point3<f64>,
+            tip: &pp::nalgebra::Point3<f64>,
             axes: &Self::Axes,
         ) -> ::core::option::Option<Self::Axes> {
             if !(tip.x + tip.y + tip.z #(+ axes[#inputs])*).is_finite() {
@@ -118,11 +118,11 @@ pub(crate) fn joints(model: &Model, solved: &Solved) -> TokenStream {
             #place => {
                 #prelude
                 #statements
-                ::pp_runtime::kinematics::Joint {
-                    direction: ::pp_runtime::nalgebra::Unit::new_unchecked(
-                        ::pp_runtime::nalgebra::Vector3::new(#direction),
+                pp::kinematics::Joint {
+                    direction: pp::nalgebra::Unit::new_unchecked(
+                        pp::nalgebra::Vector3::new(#direction),
                     ),
-                    point: ::pp_runtime::nalgebra::Point3::new(#centre),
+                    point: pp::nalgebra::Point3::new(#centre),
                     sign: #sign,
                 }
             }
@@ -133,17 +133,17 @@ pub(crate) fn joints(model: &Model, solved: &Solved) -> TokenStream {
     let statements = lets(&body.statements(&solved.tool_axis));
     let tool_axis = components(&body, solved.tool_axis);
     quote! {
-        fn joint(&self, index: usize) -> ::pp_runtime::kinematics::Joint {
+        fn joint(&self, index: usize) -> pp::kinematics::Joint {
             match index {
                 #(#arms)*
                 _ => ::core::panic!("{} has no axis {index}", #name),
             }
         }
 
-        fn tool_axis(&self) -> ::pp_runtime::nalgebra::UnitVector3<f64> {
+        fn tool_axis(&self) -> pp::nalgebra::UnitVector3<f64> {
             #prelude
             #statements
-            ::pp_runtime::nalgebra::Unit::new_unchecked(::pp_runtime::nalgebra::Vector3::new(#tool_axis))
+            pp::nalgebra::Unit::new_unchecked(pp::nalgebra::Vector3::new(#tool_axis))
         }
     }
 }

@@ -9,7 +9,7 @@ use super::inputs::{InputVariables, prelude};
 use super::options::Options;
 use crate::explain::{Explanation, Section};
 use crate::formula::{Formula, NamedNodes};
-use crate::model::{Axis, AxisKind, Model, Quantity, Side, to_f64};
+use crate::model::{Axis, AxisKind, Dimension, Model, Quantity, Side, to_f64};
 use crate::solve::{SideCondition, Solved};
 use crate::syntax::Declaration;
 
@@ -28,12 +28,13 @@ pub(crate) fn item(
         Quantity::Length(_) => format!("Length `{}`, mm.", dimension.name),
         Quantity::Angle(..) => format!("Angle `{}`, radians.", dimension.name),
     });
-    let defaults: Vec<Literal> = model.dimensions.iter().map(|d| float(default(d.quantity, &d.default))).collect();
-    let defaults = defaults.iter().zip(&model.dimensions).map(|(value, d)| signed(value, &d.default));
+    let defaults = model.dimensions.iter().map(default);
+    let runtime = runtime(declaration);
     let serde = options.serde.then(|| {
+        let path = quote!(#runtime::serde).to_string().replace(' ', "");
         quote! {
-            #[derive(::pp_runtime::serde::Serialize, ::pp_runtime::serde::Deserialize)]
-            #[serde(crate = "::pp_runtime::serde")]
+            #[derive(#runtime::serde::Serialize, #runtime::serde::Deserialize)]
+            #[serde(crate = #path)]
         }
     });
     quote! {
@@ -44,7 +45,7 @@ pub(crate) fn item(
         #visibility struct #name {
             #(#[doc = #field_docs] pub #fields: ::core::primitive::f64,)*
             /// Position of the part zero relative to the table's reference point, along the table's directions, mm.
-            pub part_origin: ::pp_runtime::nalgebra::Vector3<::core::primitive::f64>,
+            pub part_origin: #runtime::nalgebra::Vector3<::core::primitive::f64>,
             /// Distance from the gauge line to the tool tip, mm.
             pub gauge_length: ::core::primitive::f64,
         }
@@ -56,7 +57,7 @@ pub(crate) fn item(
             fn default() -> Self {
                 Self {
                     #(#fields: #defaults,)*
-                    part_origin: ::pp_runtime::nalgebra::Vector3::new(0.0, 0.0, 0.0),
+                    part_origin: #runtime::nalgebra::Vector3::new(0.0, 0.0, 0.0),
                     gauge_length: 0.0,
                 }
             }
@@ -69,21 +70,26 @@ pub(crate) fn configured(declaration: &Declaration) -> Vec<&syn::Attribute> {
     declaration.attributes.iter().filter(|attribute| attribute.path().is_ident("cfg")).collect()
 }
 
+/// Path of the runtime: `::pp_runtime`, or what the field `crate` gives.
+pub(crate) fn runtime(declaration: &Declaration) -> TokenStream {
+    declaration.runtime.as_ref().map_or_else(|| quote!(::pp_runtime), |path| quote!(#path))
+}
+
 /// The associated constants.
 pub(crate) fn data(model: &Model, explanation: &Explanation, (fields, text): &(Vec<String>, String)) -> TokenStream {
     let name = &model.name;
     let axes = model.axes.iter().map(axis);
     let dimensions = model.dimensions.iter().map(|dimension| {
         let name = &dimension.name;
-        let value = signed(&float(default(dimension.quantity, &dimension.default)), &dimension.default);
+        let value = default(dimension);
         let kind = match dimension.quantity {
             Quantity::Length(_) => quote!(Length),
             Quantity::Angle(..) => quote!(Angle),
         };
         quote! {
-            ::pp_runtime::kinematics::Dimension {
+            pp::kinematics::Dimension {
                 name: #name,
-                kind: ::pp_runtime::kinematics::DimensionKind::#kind,
+                kind: pp::kinematics::DimensionKind::#kind,
                 default: #value,
             }
         }
@@ -95,12 +101,12 @@ pub(crate) fn data(model: &Model, explanation: &Explanation, (fields, text): &(V
     let explanation = tokens(explanation);
     quote! {
         const NAME: &'static str = #name;
-        const AXES: &'static [::pp_runtime::kinematics::Axis] = &[#(#axes),*];
-        const DIMENSIONS: &'static [::pp_runtime::kinematics::Dimension] = &[#(#dimensions),*];
+        const AXES: &'static [pp::kinematics::Axis] = &[#(#axes),*];
+        const DIMENSIONS: &'static [pp::kinematics::Dimension] = &[#(#dimensions),*];
         const HELD: Self::Axes = [#(#held),*];
-        const EXPLANATION: &'static ::pp_runtime::kinematics::Explanation = &#explanation;
-        const C_SOURCE: ::pp_runtime::kinematics::CSource =
-            ::pp_runtime::kinematics::CSource { fields: &[#(#fields),*], text: #text };
+        const EXPLANATION: &'static pp::kinematics::Explanation = &#explanation;
+        const C_SOURCE: pp::kinematics::CSource =
+            pp::kinematics::CSource { fields: &[#(#fields),*], text: #text };
     }
 }
 
@@ -110,10 +116,10 @@ fn tokens(explanation: &Explanation) -> TokenStream {
         let name = quote::format_ident!("{name}");
         let Section { text, latex } = section;
         quote! {
-            #name: ::pp_runtime::kinematics::Section { text: &[#(#text),*], latex: &[#(#latex),*] }
+            #name: pp::kinematics::Section { text: &[#(#text),*], latex: &[#(#latex),*] }
         }
     });
-    quote!(::pp_runtime::kinematics::Explanation { #(#fields),* })
+    quote!(pp::kinematics::Explanation { #(#fields),* })
 }
 
 /// Access to dimensions and set-up, and `validate`.
@@ -123,6 +129,9 @@ pub(crate) fn set_up(model: &Model, solved: &Solved) -> TokenStream {
     let places: Vec<usize> = (0..fields.len()).collect();
     let machine = &model.name;
     let conditions = conditions(model, solved);
+    let required: Vec<&str> =
+        model.dimensions.iter().filter(|dimension| dimension.default.is_none()).map(|d| d.name.as_str()).collect();
+    let required_fields: Vec<Ident> = required.iter().map(|name| Ident::new(name, Span::call_site())).collect();
     quote! {
         fn dimension(&self, index: usize) -> f64 {
             match index {
@@ -139,20 +148,23 @@ pub(crate) fn set_up(model: &Model, solved: &Solved) -> TokenStream {
             }
         }
 
-        fn set_up(&mut self, part_origin: ::pp_runtime::nalgebra::Vector3<f64>, gauge_length: f64) {
+        fn set_up(&mut self, part_origin: pp::nalgebra::Vector3<f64>, gauge_length: f64) {
             self.part_origin = part_origin;
             self.gauge_length = gauge_length;
         }
 
-        fn validate(&self) -> ::core::result::Result<(), ::pp_runtime::kinematics::Invalid> {
+        fn validate(&self) -> ::core::result::Result<(), pp::kinematics::Invalid> {
+            #(if self.#required_fields.is_nan() {
+                return ::core::result::Result::Err(pp::kinematics::Invalid::Required { name: #required });
+            })*
             #(if !self.#fields.is_finite() {
-                return ::core::result::Result::Err(::pp_runtime::kinematics::Invalid::NotFinite { name: #names });
+                return ::core::result::Result::Err(pp::kinematics::Invalid::NotFinite { name: #names });
             })*
             if !(self.part_origin.x + self.part_origin.y + self.part_origin.z).is_finite() {
-                return ::core::result::Result::Err(::pp_runtime::kinematics::Invalid::NotFinite { name: "part_origin" });
+                return ::core::result::Result::Err(pp::kinematics::Invalid::NotFinite { name: "part_origin" });
             }
             if !self.gauge_length.is_finite() {
-                return ::core::result::Result::Err(::pp_runtime::kinematics::Invalid::NotFinite { name: "gauge_length" });
+                return ::core::result::Result::Err(pp::kinematics::Invalid::NotFinite { name: "gauge_length" });
             }
             #conditions
             ::core::result::Result::Ok(())
@@ -184,7 +196,7 @@ fn conditions(model: &Model, solved: &Solved) -> TokenStream {
                 #prelude
                 #lets
                 if !(math::abs(#value) > #least) {
-                    return ::core::result::Result::Err(::pp_runtime::kinematics::Invalid::Zero {
+                    return ::core::result::Result::Err(pp::kinematics::Invalid::Zero {
                         expression: #written,
                         meaning: #meaning,
                     });
@@ -210,7 +222,7 @@ fn axis(axis: &Axis) -> TokenStream {
         None => quote!(::core::option::Option::None),
         Some((lower, upper)) => {
             let (lower, upper) = (in_radians(axis.kind, lower), in_radians(axis.kind, upper));
-            quote!(::core::option::Option::Some(::pp_runtime::kinematics::Limits { lower: #lower, upper: #upper }))
+            quote!(::core::option::Option::Some(pp::kinematics::Limits { lower: #lower, upper: #upper }))
         }
     };
     let speed = match &axis.speed {
@@ -222,11 +234,11 @@ fn axis(axis: &Axis) -> TokenStream {
     };
     let held = axis.held.is_some();
     quote! {
-        ::pp_runtime::kinematics::Axis {
+        pp::kinematics::Axis {
             letter: #letter,
-            kind: ::pp_runtime::kinematics::AxisKind::#kind,
-            side: ::pp_runtime::kinematics::Side::#side,
-            sign: ::pp_runtime::kinematics::Sign::#sign,
+            kind: pp::kinematics::AxisKind::#kind,
+            side: pp::kinematics::Side::#side,
+            sign: pp::kinematics::Sign::#sign,
             limits: #limits,
             speed: #speed,
             held: #held,
@@ -240,11 +252,14 @@ fn in_radians(kind: AxisKind, value: &BigRational) -> TokenStream {
     signed(&float(converted), value)
 }
 
-fn default(quantity: Quantity, value: &BigRational) -> f64 {
-    match quantity {
+/// Default of a dimension, mm or rad; NaN if it is required.
+fn default(dimension: &Dimension) -> TokenStream {
+    let Some(value) = &dimension.default else { return quote!(::core::primitive::f64::NAN) };
+    let number = match dimension.quantity {
         Quantity::Length(_) => to_f64(value),
         Quantity::Angle(..) => to_f64(value).to_radians(),
-    }
+    };
+    signed(&float(number), value)
 }
 
 /// A literal is never negative: the sign comes before it.

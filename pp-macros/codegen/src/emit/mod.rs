@@ -1,6 +1,6 @@
 //! A solved and proven machine as Rust, and as C for other places. Nothing here can fail.
 //!
-//! Generated Rust names only `::core` and `::pp_runtime`, allocates nothing and contains no loop.
+//! Generated Rust names only `::core` and the runtime (`::pp_runtime`, or the path of the field `crate`), allocates nothing and contains no loop.
 
 mod body;
 mod c;
@@ -42,6 +42,7 @@ pub(crate) fn emit(
     let (edge, edge_signature) = edge.unzip();
     let name = &declaration.name;
     let count = model.axes.len();
+    let runtime = machine::runtime(declaration);
     let configured = machine::configured(declaration);
     quote! {
         #item
@@ -51,7 +52,7 @@ pub(crate) fn emit(
         const _: () = {
             // These names may mean something else at the declaration.
             use ::core::primitive::{f64, str, usize};
-            use ::pp_runtime::kinematics::math;
+            use #runtime::{self as pp, kinematics::math};
 
             /// Functions that the methods of `Machine` share; in a trait, so that they cannot clash with methods of the
             /// user.
@@ -66,7 +67,7 @@ pub(crate) fn emit(
             }
 
             #[automatically_derived]
-            impl ::pp_runtime::kinematics::Machine for #name {
+            impl pp::kinematics::Machine for #name {
                 type Axes = [f64; #count];
                 #data
                 #set_up

@@ -30,7 +30,7 @@ fn rates(model: &Model, motion: &Motion) -> TokenStream {
             &self,
             axes: &Self::Axes,
             change: &Self::Axes,
-        ) -> (::pp_runtime::nalgebra::Vector3<f64>, ::pp_runtime::nalgebra::Vector3<f64>) {
+        ) -> (pp::nalgebra::Vector3<f64>, pp::nalgebra::Vector3<f64>) {
             let _ = (axes, change);
             #inputs
             #statements
@@ -58,13 +58,13 @@ fn bound(model: &Model, motion: &Motion) -> TokenStream {
     let arms = arms(motion, &body, &centres);
     quote! {
         #[inline]
-        fn motion(&self, from: &Self::Axes, to: &Self::Axes) -> ::pp_runtime::kinematics::MotionBound {
+        fn motion(&self, from: &Self::Axes, to: &Self::Axes) -> pp::kinematics::MotionBound {
             let middle = [#(0.5 * (from[#places] + to[#places])),*];
             let change = [#(to[#places] - from[#places]),*];
             #inputs
             #statements
             let (turns, reach) = (#turns, #travel #arms);
-            ::pp_runtime::kinematics::MotionBound::of(&#tip, &#axis, &#axis_curve, reach, turns)
+            pp::kinematics::MotionBound::of(&#tip, &#axis, &#axis_curve, reach, turns)
         }
     }
 }
@@ -107,10 +107,10 @@ fn inputs(model: &Model, motion: &Motion, body: &Body<'_>, outputs: &[Id], words
 
 fn vector(body: &Body<'_>, vector: NodeVector) -> TokenStream {
     let parts = vector.map(|node| body.tokens(node));
-    quote!(::pp_runtime::nalgebra::Vector3::new(#(#parts),*))
+    quote!(pp::nalgebra::Vector3::new(#(#parts),*))
 }
 
 fn curve(body: &Body<'_>, curve: &Curve) -> TokenStream {
     let (rate, bend, third) = (vector(body, curve.rate), vector(body, curve.bend), body.tokens(curve.third));
-    quote!(::pp_runtime::kinematics::Curve { rate: #rate, bend: #bend, third: #third })
+    quote!(pp::kinematics::Curve { rate: #rate, bend: #bend, third: #third })
 }

@@ -6,7 +6,7 @@
 use std::collections::BTreeMap;
 
 use super::chain::letter;
-use super::linear::linear;
+use super::linear::{LinearFormulas, linear};
 use super::section::{Section, line};
 use super::steps::steps;
 use crate::formula::{ClosedForm, Formula, angle_of_one, common_number};
@@ -14,28 +14,48 @@ use crate::model::{AxisId, Model};
 use crate::solve::{AngleRelation, Orientation, Solved, TwoRotaries};
 use crate::symbolic::{Id, Interpreter, Operations, Surd};
 
+/// The inverse kinematics in formulas; `None` for what is too long for a line.
+pub(crate) struct InverseFormulas {
+    /// The only rotary axis.
+    pub(crate) one: Option<Formula>,
+    /// Both rotary axes, on both branches.
+    pub(crate) two: Option<ClosedForm>,
+    pub(crate) linear: Option<LinearFormulas>,
+}
+
+impl InverseFormulas {
+    pub(crate) fn of(model: &Model, solved: &Solved) -> Self {
+        let (one, two) = match &solved.orientation {
+            Orientation::Fixed { .. } => (None, None),
+            Orientation::One(one) => (angle_of_one(model, solved, one), None),
+            Orientation::Two(two) => (None, ClosedForm::of_two(model, solved, two)),
+        };
+        Self { one, two, linear: LinearFormulas::of(model, solved) }
+    }
+}
+
 /// Rotary axes of both branches, then the linear axes.
-pub(crate) fn formulas(model: &Model, solved: &Solved) -> Section {
+pub(crate) fn formulas(model: &Model, solved: &Solved, inverse: &InverseFormulas) -> Section {
     let mut section = Section::default();
     match &solved.orientation {
         Orientation::Fixed { .. } => {}
         Orientation::One(one) => {
             section.words("Rotary axis from the tool axis (i, j, k):");
-            match angle_of_one(model, solved, one) {
-                Some(angle) => section.equations(&[(letter(model, one.rotary), angle)]),
+            match &inverse.one {
+                Some(angle) => section.equations(&[(letter(model, one.rotary), angle.clone())]),
                 None => in_steps(model, solved, &[(one.rotary, one.word)], &mut section),
             }
         }
-        Orientation::Two(two) => of_two(model, solved, two, &mut section),
+        Orientation::Two(two) => of_two(model, solved, two, inverse.two.clone(), &mut section),
     }
     section.gap();
-    linear(model, solved, &mut section);
+    linear(model, solved, inverse.linear.as_ref(), &mut section);
     section
 }
 
-fn of_two(model: &Model, solved: &Solved, two: &TwoRotaries, section: &mut Section) {
+fn of_two(model: &Model, solved: &Solved, two: &TwoRotaries, closed: Option<ClosedForm>, section: &mut Section) {
     section.words("Rotary axes from the tool axis (i, j, k):");
-    let Some(closed) = ClosedForm::of_two(model, solved, two) else {
+    let Some(closed) = closed else {
         let words = two.rotaries.into_iter().zip(two.branches[0].words).collect::<Vec<_>>();
         section.words("first branch, step by step:");
         in_steps(model, solved, &words, section);

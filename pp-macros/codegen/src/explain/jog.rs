@@ -9,10 +9,9 @@
 use num_traits::Zero;
 
 use super::section::{Section, line};
+use super::view::{View, Xyz, dot, opposite, rotated, scaled};
 use crate::model::{Axis, AxisId, AxisKind, Model, Side, to_f64};
 use crate::symbolic::{Poly, PolyVector};
-
-type Xyz = [f64; 3];
 
 /// Angles to jog by, largest first; degrees.
 const ANGLES_DEG: [f64; 6] = [90.0, 45.0, 30.0, 10.0, 5.0, 1.0];
@@ -37,13 +36,14 @@ pub(crate) fn sheet(model: &Model) -> Section {
         "No proof can find a wrongly declared sign. Jog each axis alone from zero, and tick each line that is true. \
          If a line is false, the sign of that axis is wrong: correct it in the declaration before the first cut.",
     );
-    section.words("Seen from the front of the machine: X points right (+X), Y away from you (+Y), Z up (+Z).");
-    section.words(&format!("With all axes at zero the tool points {}.", heading(opposite(machine.tool))));
-    section.words(if machine.tool[2].abs() < ALONG_COSINE {
-        "If Z is not up on your machine, follow the letters in brackets."
-    } else {
-        "If Z is not up, as with a horizontal spindle, follow the letters in brackets."
-    });
+    let view = machine.view;
+    let [x, y, z] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|direction| heading(view, direction));
+    section.words(&format!("Seen from the front of the machine: X points {x}, Y {y}, Z {z}."));
+    section.words(&format!("With all axes at zero the tool points {}.", heading(view, opposite(machine.tool))));
+    let up = ["X", "Y", "Z"][model.up.coordinate];
+    let up = if model.up.negated { format!("-{up}") } else { up.to_string() };
+    let other = if up == "Y" { "Z" } else { "Y" };
+    section.words(&format!("If {up} is not up at your machine, declare the direction that is: `up = {other};`."));
     if model.axes.iter().any(|axis| axis.held.is_some()) {
         section.words("Held axes stay at their defaults while the others are jogged.");
     }
@@ -59,7 +59,10 @@ pub(crate) fn sheet(model: &Model) -> Section {
 struct MachineAtDefaults<'a> {
     model: &'a Model,
     directions: Vec<Xyz>,
+    /// Axes whose direction depends on an angle without default.
+    unknown: Vec<AxisId>,
     tool: Xyz,
+    view: View,
 }
 
 impl<'a> MachineAtDefaults<'a> {
@@ -70,7 +73,11 @@ impl<'a> MachineAtDefaults<'a> {
         let number = |poly: &Poly| ring.value(&ring.substitute(poly, &defaults)).unwrap_or_default();
         let vector = |vector: &PolyVector| vector.each_ref().map(number);
         let declared: Vec<Xyz> = model.axes.iter().map(|axis| vector(&axis.direction)).collect();
-        let mut machine = Self { model, directions: declared.clone(), tool: vector(&model.tool_axis) };
+        let known =
+            |axis: &Axis| axis.direction.iter().all(|part| ring.value(&ring.substitute(part, &defaults)).is_some());
+        let unknown = (0..model.axes.len()).filter(|id| !known(&model.axes[*id])).collect();
+        let (tool, view) = (vector(&model.tool_axis), View::of(model.up));
+        let mut machine = Self { model, directions: declared.clone(), unknown, tool, view };
         for (id, axis) in model.axes.iter().enumerate() {
             // In the frame of the bed: held axes between this one and the bed rotate it, in the table against their
             // words.
@@ -111,11 +118,16 @@ impl<'a> MachineAtDefaults<'a> {
         let axis = &self.model.axes[id];
         let held = if axis.held.is_some() { " (held)" } else { "" };
         match axis.kind {
+            AxisKind::Linear if self.unknown.contains(&id) => {
+                let names = self.model.dimensions.iter().filter(|dimension| dimension.default.is_none());
+                let names: Vec<&str> = names.map(|dimension| dimension.name.as_str()).collect();
+                format!("{}{held}: its direction depends on {}", axis.letter, names.join(", "))
+            }
             AxisKind::Linear => {
                 let value = jog_distance_mm(axis);
                 let thing = if axis.side == Side::Workpiece { "table" } else { "spindle" };
                 let way = scaled(self.directions[id], self.visible_sign(id));
-                format!("{}+{value}{held}: the {thing} moves {}", axis.letter, heading(way))
+                format!("{}+{value}{held}: the {thing} moves {}", axis.letter, heading(self.view, way))
             }
             AxisKind::Rotary => {
                 let value = jog_angle_deg(axis);
@@ -143,41 +155,45 @@ impl<'a> MachineAtDefaults<'a> {
             (angle.round(), (nearest * 100.0).round())
         };
         let best = moved.iter().fold(&moved[0], |best, marker| if rank(marker) > rank(best) { marker } else { best });
-        let sense =
-            rotation_sense(about, degrees).map(|sense| format!("the {thing} rotates {sense}; ")).unwrap_or_default();
-        let mut sentence = format!("{sense}{}", marker_motion(best));
+        let sense = rotation_sense(self.view, about, degrees)
+            .map(|sense| format!("the {thing} rotates {sense}; "))
+            .unwrap_or_default();
+        let mut sentence = format!("{sense}{}", marker_motion(self.view, best));
         // About an inclined axis one marker does not determine the motion.
         if sense.is_empty() && best.0.0 != moved[0].0.0 && moved[0].2 > 1.0 {
-            sentence += &format!("; {}", marker_motion(&moved[0]));
+            sentence += &format!("; {}", marker_motion(self.view, &moved[0]));
         }
         sentence
     }
 
     fn table_markers(&self) -> Vec<(String, Xyz)> {
+        let View { right, away, up } = self.view;
+        let front = opposite(away);
         vec![
-            ("the table's top, which faced up (+Z),".into(), [0.0, 0.0, 1.0]),
-            ("the side that faced you (-Y)".into(), [0.0, -1.0, 0.0]),
-            ("the side that faced right (+X)".into(), [1.0, 0.0, 0.0]),
+            (format!("the table's top, which faced {},", heading(self.view, up)), up),
+            (format!("the side that faced you ({})", letter_of(front)), front),
+            (format!("the side that faced {}", heading(self.view, right)), right),
         ]
     }
 
     fn head_markers(&self) -> Vec<(String, Xyz)> {
-        let points = opposite(self.tool);
+        let View { right, away, up } = self.view;
+        let (points, front) = (opposite(self.tool), opposite(away));
         vec![
-            (format!("the tool, which pointed {},", heading(points)), points),
-            ("the side of the head that faced you (-Y)".into(), [0.0, -1.0, 0.0]),
-            ("the side of the head that faced right (+X)".into(), [1.0, 0.0, 0.0]),
-            ("the side of the head that faced up (+Z)".into(), [0.0, 0.0, 1.0]),
+            (format!("the tool, which pointed {},", heading(self.view, points)), points),
+            (format!("the side of the head that faced you ({})", letter_of(front)), front),
+            (format!("the side of the head that faced {}", heading(self.view, right)), right),
+            (format!("the side of the head that faced {}", heading(self.view, up)), up),
         ]
     }
 }
 
 /// The motion of a marker, in words.
-fn marker_motion(((name, before), after, angle): &(&(String, Xyz), Xyz, f64)) -> String {
+fn marker_motion(view: View, ((name, before), after, angle): &(&(String, Xyz), Xyz, f64)) -> String {
     let tool = name.starts_with("the tool");
     if *angle >= FACING_DEG {
         let verb = if tool { "points" } else { "faces" };
-        return format!("{name} now {verb} {}", heading(*after)).replace("faces towards you", "faces you");
+        return format!("{name} now {verb} {}", heading(view, *after)).replace("faces towards you", "faces you");
     }
     // Direction of its motion, perpendicular to its old direction.
     let along = dot(*before, *after);
@@ -186,15 +202,14 @@ fn marker_motion(((name, before), after, angle): &(&(String, Xyz), Xyz, f64)) ->
     if length < 1e-9 {
         return format!("{name} stays");
     }
-    let way = in_words(scaled(across, length.recip()), LEANING);
+    let way = in_words(view, scaled(across, length.recip()), true);
     let verb = if tool { "has swung" } else { "now leans" };
     format!("{name} {verb} {angle:.0} degrees {way}")
 }
 
 /// Clockwise or counterclockwise, with the side it is seen from; for coordinate directions only.
-fn rotation_sense(about: Xyz, degrees: f64) -> Option<String> {
-    // The observer is above, in front (looking along +Y), or on the right.
-    let views = [("above", [0.0, 0.0, 1.0]), ("the front", [0.0, -1.0, 0.0]), ("the right", [1.0, 0.0, 0.0])];
+fn rotation_sense(view: View, about: Xyz, degrees: f64) -> Option<String> {
+    let views = [("above", view.up), ("the front", opposite(view.away)), ("the right", view.right)];
     views.into_iter().find_map(|(from, to_the_eye)| {
         let along = dot(about, to_the_eye);
         // Right-handed about a direction towards the observer is counterclockwise.
@@ -222,52 +237,37 @@ fn jog_distance_mm(axis: &Axis) -> f64 {
     DISTANCES_MM.into_iter().find(|distance| *distance <= room).unwrap_or(DISTANCES_MM[4])
 }
 
-/// Words for the positive and the negative direction of X, Y and Z.
-type DirectionWords = [[&'static str; 2]; 3];
+fn heading(view: View, direction: Xyz) -> String {
+    in_words(view, direction, false)
+}
 
-const HEADING: DirectionWords = [["right", "left"], ["away from you", "towards you"], ["up", "down"]];
-
-const LEANING: DirectionWords =
-    [["to the right", "to the left"], ["away from you", "towards you"], ["upwards", "downwards"]];
-
-fn heading(direction: Xyz) -> String {
-    in_words(direction, HEADING)
+/// The letter of a coordinate direction, with its sign.
+fn letter_of(direction: Xyz) -> String {
+    let index = (0..3).find(|index| direction[*index].abs() > ALONG_COSINE).unwrap_or_default();
+    format!("{}{}", if direction[index] < 0.0 { '-' } else { '+' }, ['X', 'Y', 'Z'][index])
 }
 
 /// A direction in words, with its letters in brackets.
-fn in_words(direction: Xyz, words: DirectionWords) -> String {
-    let letter = |index: usize| format!("{}{}", if direction[index] < 0.0 { '-' } else { '+' }, ['X', 'Y', 'Z'][index]);
-    let word = |index: usize| words[index][usize::from(direction[index] < 0.0)];
-    let mut parts: Vec<usize> = (0..3).filter(|index| direction[*index].abs() > FAINT_SHARE).collect();
-    // The largest first; equal ones in the order X Y Z.
-    parts.sort_by(|a, b| (direction[*b].abs() * 100.0).round().total_cmp(&(direction[*a].abs() * 100.0).round()));
-    if let Some(main) = parts.first().copied().filter(|main| direction[*main].abs() > ALONG_COSINE) {
-        return format!("{} ({})", word(main), letter(main));
+fn in_words(view: View, direction: Xyz, leaning: bool) -> String {
+    let words = |word: &'static str| match word {
+        "right" | "left" if leaning => format!("to the {word}"),
+        "up" | "down" if leaning => format!("{word}wards"),
+        word => word.to_string(),
+    };
+    // Component, word and letter along each direction of the view.
+    let parts = view.directions().map(|(axis, [positive, negative])| {
+        let component = dot(direction, axis);
+        let minus = component < 0.0;
+        let letter = letter_of(if minus { opposite(axis) } else { axis });
+        (component.abs(), words(if minus { negative } else { positive }), letter)
+    });
+    let mut parts: Vec<_> = parts.into_iter().filter(|(component, ..)| *component > FAINT_SHARE).collect();
+    // The largest first; equal ones in the order of the view.
+    parts.sort_by(|(a, ..), (b, ..)| (b * 100.0).round().total_cmp(&(a * 100.0).round()));
+    if parts.first().is_some_and(|(component, ..)| *component > ALONG_COSINE) {
+        parts.truncate(1);
     }
-    let words: Vec<&str> = parts.iter().map(|index| word(*index)).collect();
-    let letters: Vec<String> = parts.iter().map(|index| letter(*index)).collect();
+    let words: Vec<&str> = parts.iter().map(|(_, word, _)| word.as_str()).collect();
+    let letters: Vec<&str> = parts.iter().map(|(.., letter)| letter.as_str()).collect();
     format!("{} ({})", words.join(" and "), letters.join(" "))
-}
-
-fn dot(a: Xyz, b: Xyz) -> f64 {
-    a.iter().zip(b).map(|(x, y)| x * y).sum()
-}
-
-fn scaled(v: Xyz, by: f64) -> Xyz {
-    v.map(|part| part * by)
-}
-
-fn opposite(v: Xyz) -> Xyz {
-    scaled(v, -1.0)
-}
-
-/// Right-handed rotation about a unit vector (Rodrigues).
-fn rotated(about: Xyz, degrees: f64, v: Xyz) -> Xyz {
-    let (sine, cosine) = degrees.to_radians().sin_cos();
-    let along = dot(about, v) * (1.0 - cosine);
-    std::array::from_fn(|index| {
-        let (next, last) = ((index + 1) % 3, (index + 2) % 3);
-        let across = about[next] * v[last] - about[last] * v[next];
-        v[index] * cosine + across * sine + about[index] * along
-    })
 }

@@ -10,35 +10,82 @@ use crate::model::{AxisId, Model};
 use crate::solve::{Position, Solved};
 use crate::symbolic::{Graph, Id, Interpreter, Node, Poly};
 
-/// Equations of the linear axes, over a common determinant where it varies.
-pub(crate) fn linear(model: &Model, solved: &Solved, section: &mut Section) {
-    section.words("Linear axes from the tip (x, y, z), for any values of the rotary axes:");
-    let mut graph = solved.graph.clone();
-    let Linears { axes, determinant } = Linears::read(model, solved, &mut graph);
-    if !axes.iter().map(|axis| &axis.value).chain([&determinant]).all(|poly| is_readable(&graph, poly)) {
-        in_steps(model, solved, section);
-        return;
-    }
-    let below = Formula::name("det");
-    if axes.iter().any(|axis| axis.divided) {
-        let formula = Formula::of_poly(model, graph.ring(), &determinant);
-        section.equations(&[(below.clone(), formula)]);
-    }
-    let equation = |axis: &LinearAxis, value: &Poly| {
-        let formula = Formula::of_poly(model, graph.ring(), value);
+/// Formulas of the solved linear axes, over a common determinant where it varies.
+pub(crate) struct LinearFormulas {
+    /// With the part origin at the table's reference point.
+    short: Vec<LinearFormula>,
+    /// With the part origin anywhere.
+    whole: Vec<LinearFormula>,
+    determinant: Formula,
+}
+
+#[derive(Clone, PartialEq)]
+struct LinearFormula {
+    axis: Formula,
+    /// True if the value is divided by the determinant.
+    divided: bool,
+    value: Formula,
+}
+
+impl LinearFormula {
+    /// The equation, with `below` for the determinant.
+    fn equation(&self, below: &Formula) -> (Formula, Formula) {
         let divided = |above: Formula| Formula::Quotient(Box::new(above), Box::new(below.clone()));
-        (letter(model, axis.axis), if axis.divided { divided(formula) } else { formula })
-    };
-    let short: Vec<_> = axes.iter().map(|axis| equation(axis, &at_the_table(model, &axis.value))).collect();
-    let whole: Vec<_> = axes.iter().map(|axis| equation(axis, &axis.value)).collect();
-    if short == whole {
-        section.equations(&whole);
-        return;
+        (self.axis.clone(), if self.divided { divided(self.value.clone()) } else { self.value.clone() })
     }
-    section.words("with the part origin at the table's reference point:");
-    section.equations(&short);
-    section.line(line("with the part origin at ").vector(&part(model)).words(":"));
-    section.equations(&whole);
+}
+
+impl LinearFormulas {
+    /// `None` where they are too long for a line.
+    pub(crate) fn of(model: &Model, solved: &Solved) -> Option<Self> {
+        let mut graph = solved.graph.clone();
+        let Linears { axes, determinant } = Linears::read(model, solved, &mut graph);
+        if !axes.iter().map(|axis| &axis.value).chain([&determinant]).all(|poly| is_readable(&graph, poly)) {
+            return None;
+        }
+        let formula = |poly: &Poly| Formula::of_poly(model, graph.ring(), poly);
+        let one = |axis: &LinearAxis, value: &Poly| LinearFormula {
+            axis: letter(model, axis.axis),
+            divided: axis.divided,
+            value: formula(value),
+        };
+        Some(Self {
+            short: axes.iter().map(|axis| one(axis, &at_the_table(model, &axis.value))).collect(),
+            whole: axes.iter().map(|axis| one(axis, &axis.value)).collect(),
+            determinant: formula(&determinant),
+        })
+    }
+
+    /// Equations with the part origin anywhere, the determinant written out.
+    pub(crate) fn equations(&self) -> Vec<(Formula, Formula)> {
+        self.whole.iter().map(|axis| axis.equation(&self.determinant)).collect()
+    }
+
+    /// Adds the equations, with the determinant by name.
+    fn write(&self, model: &Model, section: &mut Section) {
+        let below = Formula::name("det");
+        if self.whole.iter().any(|axis| axis.divided) {
+            section.equations(&[(below.clone(), self.determinant.clone())]);
+        }
+        let equations = |axes: &[LinearFormula]| axes.iter().map(|axis| axis.equation(&below)).collect::<Vec<_>>();
+        if self.short == self.whole {
+            section.equations(&equations(&self.whole));
+            return;
+        }
+        section.words("with the part origin at the table's reference point:");
+        section.equations(&equations(&self.short));
+        section.line(line("with the part origin at ").vector(&part(model)).words(":"));
+        section.equations(&equations(&self.whole));
+    }
+}
+
+/// Equations of the linear axes.
+pub(crate) fn linear(model: &Model, solved: &Solved, formulas: Option<&LinearFormulas>, section: &mut Section) {
+    section.words("Linear axes from the tip (x, y, z), for any values of the rotary axes:");
+    match formulas {
+        Some(formulas) => formulas.write(model, section),
+        None => in_steps(model, solved, section),
+    }
 }
 
 /// A linear axis as a polynomial, over the determinant if `divided`.

@@ -115,6 +115,20 @@ impl Section {
         }
     }
 
+    /// Adds a `verify` block in the language of the macro, as text only. Axes whose equations are left out are named in a
+    /// comment.
+    pub(crate) fn block(&mut self, source: &str, equations: &[(Formula, Formula)], left_out: &[String]) {
+        self.text.push(format!("verify \"{source}\" {{"));
+        for (left, right) in equations {
+            let text = format!("    {} = {};", left.source(), right.source());
+            self.text.extend(wrapped(&text, 8, true));
+        }
+        for axes in left_out {
+            self.text.push(format!("    // {axes}: computed step by step, too long for one equation"));
+        }
+        self.text.push("}".into());
+    }
+
     /// Adds `name = matrix`, in one piece if it fits, else an equation for each entry.
     pub(crate) fn matrix(&mut self, name: &Formula, rows: &[Vec<Formula>], entry: &str) {
         let texts: Vec<Vec<String>> = rows.iter().map(|row| row.iter().map(Formula::text).collect()).collect();

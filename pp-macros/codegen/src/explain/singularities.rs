@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use super::chain::{coordinate, vector};
 use super::section::{Section, line};
+use super::travel::within_travel;
 use crate::formula::Formula;
 use crate::model::Model;
 use crate::solve::{Orientation, Pole, Solved, Tilt};
@@ -59,11 +60,18 @@ fn direction(model: &Model, solved: &Solved, tilt: &Tilt) -> Option<PolyVector> 
 /// Angles between tool axis and first rotary.
 pub(crate) fn reachable(model: &Model, solved: &Solved) -> Section {
     let mut section = Section::default();
+    cone(model, solved, &mut section);
+    within_travel(model, solved, &mut section);
+    section
+}
+
+/// The angles between tool axis and first rotary for any rotary angles.
+fn cone(model: &Model, solved: &Solved, section: &mut Section) {
     let value = |node: Id| solved.graph.constant_of(node).and_then(|poly| solved.graph.ring().value(poly));
     let (rotary, tilt) = match &solved.orientation {
         Orientation::Fixed { .. } => {
             section.words("a single tool axis: there is no rotary axis to solve for");
-            return section;
+            return;
         }
         Orientation::One(one) => (one.rotary, &one.tilt),
         Orientation::Two(two) => (two.rotaries[0], &two.tilt),
@@ -71,14 +79,14 @@ pub(crate) fn reachable(model: &Model, solved: &Solved) -> Section {
     let letter = model.axes[rotary].letter;
     let (Some(between), Some(tool)) = (value(tilt.between.1), value(tilt.tool.1)) else {
         section.words(&format!("angles to the axis of {letter} in a range that depends on dimensions or held axes"));
-        return section;
+        return;
     };
     let (between, tool) = (between.acos().to_degrees(), tool.acos().to_degrees());
     let (smallest, largest) = ((between - tool).abs(), 180.0 - (180.0 - between - tool).abs());
     let [smallest, largest] = [smallest, largest].map(|degrees| (degrees * 1e6).round() / 1e6);
     if smallest <= 0.0 && largest >= 180.0 {
         section.words("every tool axis, within the limits of the axes");
-        return section;
+        return;
     }
     let range = if largest - smallest <= 0.0 {
         format!("{smallest} degrees")
@@ -92,7 +100,6 @@ pub(crate) fn reachable(model: &Model, solved: &Solved) -> Section {
         text_line = text_line.words(", that is ").both(&text, &format!("${latex}$"));
     }
     section.line(text_line);
-    section
 }
 
 /// A range of angles to a coordinate direction, or to its opposite, as an inequality of `i`, `j` or `k`.

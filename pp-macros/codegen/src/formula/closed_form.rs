@@ -18,6 +18,7 @@ const LONGEST: usize = 60;
 const SHORT: usize = 2;
 
 /// Both angles of both branches, with one named root.
+#[derive(Clone)]
 pub(crate) struct ClosedForm {
     /// Name of the root.
     root: Formula,
@@ -67,10 +68,10 @@ impl ClosedForm {
         branches.map(|branch| branch.map(|angle| if short { angle.with(&root, &value) } else { angle }))
     }
 
-    /// Angles of the first branch, the root written in place.
-    fn first_branch(self) -> [Formula; 2] {
-        let Self { root, value, branches: [first, _] } = self;
-        first.map(|angle| angle.with(&root, &value))
+    /// Angles of both branches, the root written in place.
+    pub(crate) fn roots_in_place(self) -> [[Formula; 2]; 2] {
+        let Self { root, value, branches } = self;
+        branches.map(|branch| branch.map(|angle| angle.with(&root, &value)))
     }
 
     fn is_short(&self) -> bool {
@@ -94,7 +95,10 @@ pub(crate) fn first_branch(model: &Model, solved: &Solved) -> Vec<(AxisId, Formu
             angle_of_one(model, solved, one).map(|angle| (one.rotary, angle)).into_iter().collect()
         }
         Orientation::Two(two) => match ClosedForm::of_two(model, solved, two) {
-            Some(closed) => two.rotaries.into_iter().zip(closed.first_branch()).collect(),
+            Some(closed) => {
+                let [first, _] = closed.roots_in_place();
+                two.rotaries.into_iter().zip(first).collect()
+            }
             None => Vec::new(),
         },
     }

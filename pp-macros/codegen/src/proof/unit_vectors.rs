@@ -110,8 +110,8 @@ mod tests {
     use crate::proof::two::prove_two;
     use crate::solve::Orientation;
 
-    fn general(axes: &str) -> (Solved, Option<GeneralDirections>) {
-        let text = format!("pub struct M; chain: C B | X Y Z; axes = {{ {axes} }}; dims = {{ a: 1 deg, b: 2 deg }};");
+    fn general(fields: &str) -> (Solved, Option<GeneralDirections>) {
+        let text = format!("pub struct M; chain: C B | X Y Z; {fields}");
         let mut errors = crate::report::Errors::default();
         let declaration = crate::syntax::parse(text.parse().expect("tokens"), &mut errors).expect("syntax");
         let (mut model, _) = crate::check::check(&declaration, &mut errors).expect("rules");
@@ -122,7 +122,7 @@ mod tests {
 
     #[test]
     fn directions_that_are_products_need_to_be_unit_vectors_and_no_more() {
-        let (mut solved, general) = general("C: Rx(a) * Ry(b) * Z");
+        let (mut solved, general) = general("axes = { C: Rx(a) * Ry(b) * Z }; dims = { a: 1 deg, b: 2 deg };");
         let Orientation::Two(two) = solved.orientation.clone() else { unreachable!("two rotaries") };
         let mut general = general.expect("products");
         assert!(prove_two(&general, &mut solved, &two).is_ok());
@@ -133,7 +133,7 @@ mod tests {
 
     #[test]
     fn numbers_and_single_angles_stay_as_they_are() {
-        assert!(general("B: Rx(a) * Y").1.is_none());
-        assert!(general("B: Rx(-45 deg) * Y").1.is_none());
+        assert!(general("axes = { B: Rx(a) * Y }; dims = { a: 1 deg };").1.is_none());
+        assert!(general("axes = { B: Rx(-45 deg) * Y };").1.is_none());
     }
 }

@@ -1,6 +1,7 @@
 //! Syntax tree of a declaration.
 
 use super::expr::Expr;
+use crate::model::Up;
 use crate::report::Phrase;
 
 /// Everything between the braces of `machine!`.
@@ -20,11 +21,15 @@ pub struct Declaration {
     /// `axes = { B: Rx(-45 deg) * Y };`
     pub directions: Vec<Assign<Direction>>,
     /// `dims = { d: 150.0 };`
-    pub dimensions: Vec<Assign<Expr>>,
+    pub dimensions: Vec<Assign<DimensionValue>>,
     /// `tool_axis = (0, 0, 1);`
     pub tool_axis: Option<Direction>,
-    /// Names of fields and entries that could not be parsed; they are reported already.
-    pub unreadable: Vec<String>,
+    /// `up = Y;`
+    pub up: Option<Up>,
+    /// `crate = ::my_runtime;`: the path of the runtime.
+    pub runtime: Option<syn::Path>,
+    /// Fields and entries that could not be read; they are reported already.
+    pub unreadable: Unreadable,
     /// `hold = { W: 0 };`
     pub hold: Vec<Assign<Expr>>,
     /// `limits = { B: -5..110, C: free };`
@@ -35,15 +40,48 @@ pub struct Declaration {
     pub verify: Vec<Verify>,
 }
 
+/// Fields and entries that could not be read: no later message complains that they are missing.
+#[derive(Debug, Clone, Default)]
+pub struct Unreadable {
+    fields: Vec<&'static str>,
+    entries: Vec<(&'static str, String)>,
+}
+
+impl Unreadable {
+    /// Adds a field.
+    pub(crate) fn add_field(&mut self, field: &'static str) {
+        self.fields.push(field);
+    }
+
+    /// Adds an entry of a field.
+    pub(crate) fn add_entry(&mut self, field: &'static str, name: &str) {
+        self.entries.push((field, name.to_string()));
+    }
+
+    /// True if a field could not be read, or an entry of it.
+    pub(crate) fn has_part_of(&self, field: &str) -> bool {
+        self.fields.contains(&field) || self.entries.iter().any(|(known, _)| *known == field)
+    }
+
+    /// True if this entry could not be read: alone, or with its field.
+    pub(crate) fn has_entry(&self, field: &str, name: &str) -> bool {
+        self.fields.contains(&field) || self.entries.iter().any(|(known, entry)| *known == field && entry == name)
+    }
+}
+
 /// Equations to be proven.
 #[derive(Debug, Clone)]
 pub struct Verify {
     /// The publication that prints them.
     pub source: String,
+    /// Location of its name, or of the block.
+    pub phrase: Phrase,
     /// `where alpha = -45 deg;`
     pub assumptions: Vec<Assign<Expr>>,
     /// Equations in source order.
     pub equations: Vec<Equation>,
+    /// False if a statement could not be read.
+    pub complete: bool,
 }
 
 /// `left = right;`
@@ -93,6 +131,17 @@ pub enum Offsets {
     Common(Vector),
     /// A point for each.
     Each(Vec<Assign<Vector>>),
+}
+
+/// Default of a dimension.
+#[derive(Debug, Clone)]
+pub enum DimensionValue {
+    /// A number with its unit.
+    Given(Expr),
+    /// `required`: each machine has its own length.
+    RequiredLength,
+    /// `required deg`: each machine has its own angle.
+    RequiredAngle,
 }
 
 /// Three components in parentheses.

@@ -54,6 +54,30 @@ impl Expr {
         }
     }
 
+    /// All names in it, each once, in the order of their first occurrence.
+    pub(crate) fn names(&self) -> Vec<&str> {
+        let mut names = Vec::new();
+        self.collect_names(&mut names);
+        names
+    }
+
+    fn collect_names<'a>(&'a self, names: &mut Vec<&'a str>) {
+        match &self.kind {
+            ExprKind::Number(..) => {}
+            ExprKind::Name(name) => {
+                if !names.contains(&name.as_str()) {
+                    names.push(name);
+                }
+            }
+            ExprKind::Neg(inner) | ExprKind::Power(inner, _) => inner.collect_names(names),
+            ExprKind::Binary(left, _, right) => {
+                left.collect_names(names);
+                right.collect_names(names);
+            }
+            ExprKind::Call(_, arguments) => arguments.iter().for_each(|argument| argument.collect_names(names)),
+        }
+    }
+
     /// The expression with some parts replaced, outermost first.
     pub(crate) fn replace(&self, by: &dyn Fn(&Self) -> Option<Self>) -> Self {
         if let Some(new) = by(self) {

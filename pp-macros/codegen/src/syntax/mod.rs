@@ -2,10 +2,18 @@
 
 mod arithmetic;
 mod ast;
+mod chain;
+mod entries;
+mod equations;
 mod expr;
+mod fields;
 mod parse;
 mod source;
+mod values;
 
-pub use ast::{Assign, Base, Chain, Declaration, Direction, Equation, Limits, Offsets, SpannedName, Vector, Verify};
+pub use ast::{
+    Assign, Base, Chain, Declaration, DimensionValue, Direction, Equation, Limits, Offsets, SpannedName, Unreadable,
+    Vector, Verify,
+};
 pub use expr::{Expr, ExprKind, Unit};
 pub use parse::parse;

@@ -12,27 +12,19 @@
 //!
 //! An equation is accepted only with a witness: a rational point of the circles at which every condition holds.
 
-use std::collections::BTreeMap;
-
 use super::scope::Scope;
 use super::value::{Angle, Inverse, Value, zero_as_angle};
+use super::witness::{Claims, Region, has_witness};
 use crate::check::Fault;
 use crate::formula::Formula;
-use crate::model::{AxisKind, Quantity, to_f64};
-use crate::symbolic::{Poly, Ring, Sign, Symbol, hidden_zeros_of, sign_of, zeros_of};
+use crate::symbolic::{Poly, Sign, Symbol, hidden_zeros_of, sign_of, zeros_of};
 use crate::syntax::{Equation, Expr};
-
-/// Number of points that are searched for a witness.
-const POINTS: usize = 4_000;
-
-/// Rounding error of a sum, as a share of the sum of the absolute values of its terms.
-const ROUNDING: f64 = 1e-9;
 
 /// The verdict on an equation.
 #[derive(Debug)]
 pub(crate) enum Verdict {
-    /// It holds where all of these are true; everywhere if there are none.
-    Holds(Vec<Condition>),
+    /// It holds where all of these are true, everywhere if there are none; the same as a region of poses.
+    Holds(Vec<Condition>, Region),
     /// The angles differ by 180 deg at every pose at which both exist.
     Opposite,
     /// It is true at no pose at which its roots and conditions exist.
@@ -72,13 +64,6 @@ struct Decision<'s, 'a, 'e> {
     /// The expression that messages point to.
     expr: &'e Expr,
     eliminated: Vec<Eliminated>,
-}
-
-/// Signs that an equation needs, as polynomials.
-#[derive(Default)]
-struct Claims {
-    positive: Vec<Poly>,
-    not_negative: Vec<Poly>,
 }
 
 impl Decision<'_, '_, '_> {
@@ -159,12 +144,21 @@ impl Decision<'_, '_, '_> {
         }
         let mut not_negative = self.resolved(claims.not_negative)?;
         not_negative.retain(|poly| !self.scope.ring().is_zero(poly));
-        if self.has_witness(&positive, &not_negative) {
-            return Ok(Verdict::Holds(self.conditions(&positive, &not_negative)?));
+        let region = self.region(Claims { positive: positive.clone(), not_negative: not_negative.clone() });
+        if has_witness(self.scope, &[&region]) {
+            return Ok(Verdict::Holds(self.conditions(&positive, &not_negative)?, region));
         }
         let negative: Vec<Poly> = positive.iter().map(|poly| -poly).collect();
-        let opposite = angles && self.has_witness(&negative, &not_negative);
+        let opposite = angles && has_witness(self.scope, &[&self.region(Claims { positive: negative, not_negative })]);
         Ok(if opposite { Verdict::Opposite } else { Verdict::Nowhere })
+    }
+
+    /// The poses at which claims hold, with all roots and divisors of the equation.
+    fn region(&self, claims: Claims) -> Region {
+        let algebra = self.scope.algebra();
+        let eliminated = self.eliminated.iter().map(|eliminated| eliminated.root);
+        let roots = algebra.roots().into_iter().chain(eliminated).collect();
+        Region::new(algebra.ring().clone(), algebra.divisors().to_vec(), roots, claims)
     }
 
     /// Polynomials that must not be negative: radicands, and the signs by which eliminated roots are the right ones.
@@ -270,107 +264,6 @@ impl Decision<'_, '_, '_> {
     fn times(&self, a: &Poly, b: &Poly) -> Result<Poly, Fault> {
         self.scope.algebra().times(a, b, self.expr)
     }
-
-    /// Looks for a rational point at which all claims hold: by more than rounding where they are strict.
-    fn has_witness(&self, positive: &[Poly], not_negative: &[Poly]) -> bool {
-        let scope = &*self.scope;
-        let fixed = defaults(scope);
-        let symbols: Vec<Symbol> = {
-            let mut symbols: Vec<Symbol> =
-                scope.model().axes.iter().flat_map(|axis| [axis.word, axis.sin_cos.0, axis.sin_cos.1]).collect();
-            symbols.extend(scope.model().symbols.part);
-            symbols.push(scope.model().symbols.gauge);
-            symbols
-        };
-        let sines: BTreeMap<Symbol, Symbol> = scope.circles().into_iter().collect();
-        let mut state = 0x9e37_79b9_u64;
-        let mut next = |range: u64| {
-            // An arbitrary sequence that visits all quadrants, the same in every build.
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (state >> 33) % range
-        };
-        (0..POINTS).any(|_| {
-            let mut point = fixed.clone();
-            for (place, symbol) in symbols.iter().enumerate() {
-                if point.contains_key(symbol) {
-                    continue;
-                }
-                // Each symbol has a grid of its own, so that no two symbols are equal by chance.
-                let offset = place as f64 / 64.0 + 1.0 / 128.0;
-                match sines.get(symbol) {
-                    Some(cosine) => {
-                        // t = n/4 gives ((2t)/(1+t²), (1-t²)/(1+t²)), in all four quadrants.
-                        let t = (next(32) as f64 - 16.0 + offset) / 4.0;
-                        point.insert(*symbol, 2.0 * t / (1.0 + t * t));
-                        point.insert(*cosine, (1.0 - t * t) / (1.0 + t * t));
-                    }
-                    None => drop(point.insert(*symbol, next(400) as f64 - 200.0 + offset)),
-                }
-            }
-            self.add_dependent_values(&mut point)
-                && positive.iter().all(|poly| self.is_positive(poly, &point, true))
-                && not_negative.iter().all(|poly| self.is_positive(poly, &point, false))
-        })
-    }
-
-    /// Adds the values of reciprocals and roots; false where one does not exist.
-    fn add_dependent_values(&self, point: &mut BTreeMap<Symbol, f64>) -> bool {
-        let ring = self.scope.ring();
-        let mut symbols: Vec<(Symbol, Option<&Poly>)> =
-            self.scope.algebra().divisors().iter().map(|(divisor, symbol)| (*symbol, Some(divisor))).collect();
-        let eliminated = self.eliminated.iter().map(|eliminated| eliminated.root);
-        symbols.extend(self.scope.algebra().roots().into_iter().chain(eliminated).map(|root| (root, None)));
-        // One may contain an earlier one.
-        symbols.sort();
-        for (symbol, divisor) in symbols {
-            let radicand = divisor.cloned().unwrap_or_else(|| ring.square_of(symbol));
-            let Some((value, rounding)) = value_at(ring, &radicand, point) else { return false };
-            let value = match divisor {
-                Some(_) if value.abs() <= rounding => return false,
-                Some(_) => value.recip(),
-                None if value.abs() <= rounding => 0.0,
-                None => value.sqrt(),
-            };
-            if !value.is_finite() {
-                return false;
-            }
-            point.insert(symbol, value);
-        }
-        true
-    }
-
-    fn is_positive(&self, poly: &Poly, point: &BTreeMap<Symbol, f64>, strictly: bool) -> bool {
-        let Some((value, rounding)) = value_at(self.scope.ring(), poly, point) else { return false };
-        if strictly { value > rounding } else { value >= -rounding }
-    }
-}
-
-/// Value of a polynomial, and a bound of its rounding error.
-fn value_at(ring: &Ring, poly: &Poly, point: &BTreeMap<Symbol, f64>) -> Option<(f64, f64)> {
-    let of = |symbol: Symbol| point.get(&symbol).copied();
-    Some((ring.evaluate(poly, &of)?, ROUNDING * ring.magnitude(poly, &of)?))
-}
-
-/// Default values of dimensions and of held linear axes.
-fn defaults(scope: &Scope<'_>) -> BTreeMap<Symbol, f64> {
-    let mut values = BTreeMap::new();
-    for dimension in &scope.model().dimensions {
-        let default = to_f64(&dimension.default);
-        match dimension.quantity {
-            Quantity::Length(symbol) => drop(values.insert(symbol, default)),
-            Quantity::Angle(sine, cosine) => {
-                let (s, c) = default.to_radians().sin_cos();
-                values.insert(sine, s);
-                values.insert(cosine, c);
-            }
-        }
-    }
-    for axis in scope.model().axes.iter().filter(|axis| axis.kind == AxisKind::Linear) {
-        if let Some(held) = &axis.held {
-            values.insert(axis.word, to_f64(held));
-        }
-    }
-    values
 }
 
 impl Condition {

@@ -3,6 +3,7 @@
 use super::scope::Scope;
 use super::value::{Angle, Inverse, Value};
 use crate::check::Fault;
+use crate::suggest;
 use crate::symbolic::{Poly, Surd, sin_cos_of_degrees};
 use crate::syntax::{Expr, ExprKind, Unit};
 
@@ -103,11 +104,10 @@ impl Scope<'_> {
                 format!("`atan2` takes two arguments, found {}", arguments.len()),
                 "write `atan2(sine, cosine)`",
             )),
-            _ => Err(Fault::new(
-                expr.phrase,
-                format!("`{name}` is not a function of `verify`"),
-                "the functions are sin, cos, asin, acos, atan2 and sqrt",
-            )),
+            _ => {
+                let text = format!("`{name}` is not a function of `verify`");
+                Err(Fault::new(expr.phrase, text, function_meant(name, arguments)))
+            }
         }
     }
 
@@ -132,6 +132,38 @@ impl Scope<'_> {
                 format!("`{expr}` is not an angle"),
                 "an angle is a rotary axis, an angle of `dims`, `45 deg`, or atan2, asin, acos of numbers",
             )),
+        }
+    }
+}
+
+/// What a function that is not known probably means.
+fn function_meant(name: &str, arguments: &[Expr]) -> String {
+    const FUNCTIONS: [&str; 6] = ["sin", "cos", "asin", "acos", "atan2", "sqrt"];
+    let all: Vec<String> = arguments.iter().map(ToString::to_string).collect();
+    let all = all.join(", ");
+    let lower = name.to_lowercase();
+    match (lower.as_str(), arguments) {
+        ("atan" | "arctan" | "atn" | "atg" | "arctg" | "tan_inverse", [argument]) => match &argument.kind {
+            ExprKind::Binary(above, '/', below) => {
+                format!("a quotient loses the quadrant: write `atan2({above}, {below})`")
+            }
+            _ => "it loses the quadrant: write `atan2(sine, cosine)`".into(),
+        },
+        ("atan" | "arctan" | "arctan2" | "atan_2", [_, _]) => format!("write `atan2({all})`"),
+        ("arcsin", _) => format!("write `asin({all})`"),
+        ("arccos", _) => format!("write `acos({all})`"),
+        ("tan" | "tg", [argument]) => format!("write `sin({argument}) / cos({argument})`"),
+        ("cot" | "ctg", [argument]) => format!("write `cos({argument}) / sin({argument})`"),
+        ("sec", [argument]) => format!("write `1 / cos({argument})`"),
+        ("csc" | "cosec", [argument]) => format!("write `1 / sin({argument})`"),
+        ("sind" | "s", _) => format!("write `sin({all})`"),
+        ("cosd" | "c", _) => format!("write `cos({all})`"),
+        _ => {
+            match FUNCTIONS.iter().find(|known| **known == lower).copied().or_else(|| suggest::nearest(name, FUNCTIONS))
+            {
+                Some(known) => format!("write `{known}({all})`"),
+                None => "the functions are sin, cos, asin, acos, atan2 and sqrt".into(),
+            }
         }
     }
 }

@@ -10,12 +10,14 @@ mod evaluate;
 mod repair;
 mod scope;
 mod value;
+mod witness;
 
 use std::collections::BTreeMap;
 
 use decide::{Condition, Verdict, decide};
 use scope::Scope;
 use value::Value;
+use witness::{Region, has_witness};
 
 use crate::formula::{Formula, first_branch};
 use crate::model::{AxisId, AxisKind, Model};
@@ -153,13 +155,19 @@ fn verify_block(
     };
     let branches = derived.branches(&scope);
     let mut equations = Vec::new();
+    let mut solution = OneSolution::default();
     for equation in &block.equations {
         match decide(&mut scope, equation) {
-            Ok(Verdict::Holds(conditions)) => equations.push(proven(&scope, equation, &conditions, &branches)),
+            Ok(Verdict::Holds(conditions, region)) => {
+                let proven = proven(&scope, equation, &conditions, &branches);
+                solution.add(&scope, equation, region, &proven, errors);
+                equations.push(proven);
+            }
             Ok(verdict) => report(&scope, equation, &verdict, derived, errors),
             Err(fault) => fault.report(errors),
         }
     }
+    scope.unused_names(block).into_iter().for_each(|fault| fault.report(errors));
     let mut assumptions: Vec<String> =
         block.assumptions.iter().map(|assumption| format!("{} = {}", assumption.key.name, assumption.value)).collect();
     let zero = scope.unmentioned(block);
@@ -170,6 +178,41 @@ fn verify_block(
         _ => assumptions.extend(parts.iter().map(|name| format!("{name} = 0"))),
     }
     Some(Verified { source: block.source.clone(), assumptions, equations })
+}
+
+/// Equations of a block that hold in a part of the poses only. They describe one solution, so these parts have a pose in
+/// common: the formulas of the two branches are never mixed.
+#[derive(Default)]
+struct OneSolution<'a> {
+    parts: Vec<(&'a Equation, Region, String)>,
+}
+
+impl<'a> OneSolution<'a> {
+    /// Adds an equation, or reports that it contradicts those before it.
+    fn add(&mut self, scope: &Scope<'_>, equation: &'a Equation, region: Region, proven: &Proven, errors: &mut Errors) {
+        if region.is_everywhere() {
+            return;
+        }
+        let holds = proven.holds.join(" and ");
+        let mut regions: Vec<&Region> = self.parts.iter().map(|(_, region, _)| region).collect();
+        regions.push(&region);
+        if has_witness(scope, &regions) {
+            self.parts.push((equation, region, holds));
+            return;
+        }
+        let pair = self.parts.iter().find(|(_, known, _)| !has_witness(scope, &[known, &region]));
+        let (others, where_others) = match pair {
+            Some((other, _, condition)) => {
+                (format!("`{} = {}`", other.left, other.right), format!("that one holds where {condition}"))
+            }
+            None => ("the equations before it".into(), "they hold on one branch only".into()),
+        };
+        errors.push(
+            equation.phrase,
+            format!("this equation and {others} hold at no common pose\n  {where_others}\n  this one holds where {holds}"),
+            "a block describes one solution: correct a sign, or put the formulas of the other branch into a block of their own",
+        );
+    }
 }
 
 fn proven(scope: &Scope<'_>, equation: &Equation, conditions: &[Condition], branches: &[(Sign, &str)]) -> Proven {
@@ -203,7 +246,7 @@ fn proven(scope: &Scope<'_>, equation: &Equation, conditions: &[Condition], bran
 fn report(scope: &Scope<'_>, equation: &Equation, verdict: &Verdict, derived: &Derived, errors: &mut Errors) {
     let left = &equation.left;
     match verdict {
-        Verdict::Holds(_) => {}
+        Verdict::Holds(..) => {}
         Verdict::Opposite => errors.push(
             equation.phrase,
             format!("this formula gives `{left} + 180 deg` at every pose"),
@@ -236,7 +279,7 @@ fn repair(scope: &Scope<'_>, equation: &Equation) -> Option<String> {
     for change in repair::changes(&equation.right, scope.model()) {
         let mut scope = scope.clone();
         let changed = Equation { right: change.expr, ..equation.clone() };
-        if let Ok(Verdict::Holds(_)) = decide(&mut scope, &changed) {
+        if let Ok(Verdict::Holds(..)) = decide(&mut scope, &changed) {
             return Some(change.words);
         }
         work += scope.algebra().work();

@@ -23,14 +23,12 @@ pub(crate) fn changes(expr: &Expr, model: &Model) -> Vec<Change> {
 /// Changes of every occurrence of a name: the source counts it in the opposite direction, or measures the angle from
 /// another direction.
 fn changes_of_names(expr: &Expr, model: &Model, found: &mut Vec<Change>) {
-    let mut names = Vec::new();
-    collect_names(expr, &mut names);
     let rotary =
         |name: &str| model.axes.iter().any(|axis| axis.kind == AxisKind::Rotary && axis.letter.to_string() == name);
-    for name in names {
+    for name in expr.names() {
         let is_call = |call: &Expr, function: &str| match &call.kind {
             ExprKind::Call(known, arguments) if known == function => {
-                matches!(&arguments[..], [argument] if matches!(&argument.kind, ExprKind::Name(n) if *n == name))
+                matches!(&arguments[..], [argument] if matches!(&argument.kind, ExprKind::Name(n) if n == name))
             }
             _ => false,
         };
@@ -48,33 +46,16 @@ fn changes_of_names(expr: &Expr, model: &Model, found: &mut Vec<Change>) {
         let words = format!("exchange `sin({name})` and `cos({name})` wherever they occur");
         found.push(Change { expr: exchanged, words, rank: 6 });
         let reversed = expr.replace(&|part| {
-            let name = matches!(&part.kind, ExprKind::Name(known) if *known == name);
+            let name = matches!(&part.kind, ExprKind::Name(known) if known == name);
             name.then(|| Expr { phrase: part.phrase, kind: ExprKind::Neg(Box::new(part.clone())) })
         });
         let mut words = format!(
             "it is true with `-{name}` in place of `{name}`: the source counts {name} in the opposite direction"
         );
-        if rotary(&name) {
+        if rotary(name) {
             words += &format!("; if the machine does so as well, declare `signs = {{ {name}: - }};`");
         }
         found.push(Change { expr: reversed, words, rank: 6 });
-    }
-}
-
-fn collect_names(expr: &Expr, names: &mut Vec<String>) {
-    match &expr.kind {
-        ExprKind::Number(..) => {}
-        ExprKind::Name(name) => {
-            if !names.contains(name) {
-                names.push(name.clone());
-            }
-        }
-        ExprKind::Neg(inner) | ExprKind::Power(inner, _) => collect_names(inner, names),
-        ExprKind::Binary(left, _, right) => {
-            collect_names(left, names);
-            collect_names(right, names);
-        }
-        ExprKind::Call(_, arguments) => arguments.iter().for_each(|argument| collect_names(argument, names)),
     }
 }
 

@@ -6,8 +6,9 @@ use super::algebra::Algebra;
 use super::value::{Angle, Value};
 use crate::check::{self, DimensionNames, Fault};
 use crate::model::{AxisId, AxisKind, Model, Quantity};
+use crate::suggest;
 use crate::symbolic::{Matrix, Poly, PolyVector, Ring, Symbol};
-use crate::syntax::{Assign, Expr, ExprKind, Unit, Verify};
+use crate::syntax::{Assign, Expr, ExprKind, Unit, Unreadable, Verify};
 
 /// Names of one block of equations, and the algebra of the current equation.
 #[derive(Debug, Clone)]
@@ -93,6 +94,26 @@ impl<'a> Scope<'a> {
         known.into_iter().filter(|(name, _)| !mentioned(name)).collect()
     }
 
+    /// Names that `where` introduces and nothing mentions.
+    pub(crate) fn unused_names(&self, block: &Verify) -> Vec<Fault> {
+        if !block.complete {
+            return Vec::new();
+        }
+        let mentioned = |name: &str| {
+            block.assumptions.iter().any(|assumption| assumption.value.mentions(name))
+                || block.equations.iter().any(|equation| equation.left.mentions(name) || equation.right.mentions(name))
+        };
+        let local = |name: &str| self.locals.iter().any(|(known, _)| known == name);
+        let unused = block.assumptions.iter().map(|assumption| &assumption.key);
+        let unused = unused.filter(|key| local(&key.name) && !mentioned(&key.name));
+        unused
+            .map(|key| {
+                let text = format!("no equation of this block mentions `{}`", key.name);
+                Fault::new(key.phrase, text, "remove it, or correct the name in the equations")
+            })
+            .collect()
+    }
+
     /// Pairs (sine, cosine) of all unknown angles.
     pub(crate) fn circles(&self) -> Vec<(Symbol, Symbol)> {
         let axes = self.model().axes.iter().filter(|axis| axis.kind == AxisKind::Rotary).map(|axis| axis.sin_cos);
@@ -110,7 +131,8 @@ impl<'a> Scope<'a> {
 
     fn assume(&mut self, assumption: &Assign<Expr>) -> Result<(), Fault> {
         let Assign { key, value } = assumption;
-        let names = DimensionNames { dimensions: &self.model().dimensions, unreadable: &[] };
+        let unreadable = Unreadable::default();
+        let names = DimensionNames { dimensions: &self.model().dimensions, unreadable: &unreadable };
         let set_up = ["gauge", "part_x", "part_y", "part_z"].iter().position(|name| key.name == *name);
         let held = self.axis_named(&key.name).filter(|axis| self.model().axes[*axis].held.is_some());
         let dimension = self.model().dimensions.iter().find(|dimension| dimension.name == key.name);
@@ -190,16 +212,47 @@ impl<'a> Scope<'a> {
                 Quantity::Length(symbol) => number(symbol),
                 Quantity::Angle(sine, cosine) => angle((sine, cosine)),
             }),
-            None => Err(Fault::new(
-                expr.phrase,
-                format!("unknown name `{name}` in `verify`"),
-                format!(
-                    "the names are x y z i j k, the axes {}, {}gauge, part_x, part_y, part_z, and names given by `where`",
-                    self.letters(),
-                    self.dimensions()
-                ),
-            )),
+            None => Err(Fault::new(expr.phrase, format!("unknown name `{name}` in `verify`"), self.help_for(name))),
         }
+    }
+
+    /// What a name that is unknown probably means.
+    fn help_for(&self, name: &str) -> String {
+        let model = self.model();
+        if name.eq_ignore_ascii_case("pi") {
+            return "angles are in degrees: write `180 deg`".into();
+        }
+        // Short forms of papers: `cB`, `s_B`, `cosB`.
+        let angle = |name: &str| {
+            let axis = self.axis_named(name).is_some_and(|axis| model.axes[axis].kind == AxisKind::Rotary);
+            let dimension = model
+                .dimensions
+                .iter()
+                .any(|known| known.name == name && matches!(known.quantity, Quantity::Angle(..)));
+            axis || dimension
+        };
+        for (short, function) in
+            [("sin", "sin"), ("cos", "cos"), ("s", "sin"), ("c", "cos"), ("S", "sin"), ("C", "cos")]
+        {
+            let rest = name.strip_prefix(short).map(|rest| rest.trim_start_matches('_'));
+            if let Some(rest) = rest.filter(|rest| angle(rest)) {
+                return format!("write `{function}({rest})`");
+            }
+        }
+        let letters: Vec<String> = model.axes.iter().map(|axis| axis.letter.to_string()).collect();
+        let known = ["x", "y", "z", "i", "j", "k", "gauge", "part_x", "part_y", "part_z"].into_iter();
+        let known = known
+            .chain(letters.iter().map(String::as_str))
+            .chain(model.dimensions.iter().map(|dimension| dimension.name.as_str()))
+            .chain(self.locals.iter().map(|(name, _)| name.as_str()));
+        if let Some(near) = suggest::nearest(name, known) {
+            return format!("did you mean `{near}`?");
+        }
+        format!(
+            "the names are x y z i j k, the axes {}, {}gauge, part_x, part_y, part_z; a symbol of the source gets its meaning by `where {name} = ...;`",
+            self.letters(),
+            self.dimensions()
+        )
     }
 
     fn letters(&self) -> String {

@@ -52,7 +52,8 @@ chain: C B | X Z;
     check_errors(
         "pub struct M;
 chain: C B | X Y Z; hold = { Y: 0 };
-//     ^^^^^^^^^^^ a machine needs three solved linear axes, found X Z
+//                           ^ a machine needs three solved linear axes, found X Z
+// help: `Y` is held, so it is not solved for: remove Y from `hold`
 ",
     );
 }
@@ -105,7 +106,7 @@ fn a_rotary_about_the_tool_axis_cannot_tilt_it() {
         "pub struct M;
 chain: B C | X Y Z;
 //       ^ `C` rotates about the tool axis, so it cannot tilt the tool
-// help: put C in `hold`: `hold = { C: 0 };`
+// help: the axis next to the workpiece comes first: `chain: C B | X Y Z;`; if the order is right, C is not solved for: `hold = { C: 0 };`
 ",
     );
     check_errors(
@@ -196,8 +197,8 @@ fn the_chain_takes_a_colon() {
     check_errors(
         "pub struct M;
 chain = C B | X Y Z;
-//    ^ expected `:`
-// help: `chain` is followed by a colon: `chain: C B | X Y Z;`
+//    ^ expected `:` after `chain`
+// help: write `chain: C B | X Y Z;`
 ",
     );
 }

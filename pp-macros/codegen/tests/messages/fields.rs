@@ -95,7 +95,7 @@ dims = { d: ?, fn: 2 };
 //          ^ expected a number or a dimension
 //             ^^ `fn` cannot be the name of a dimension
 signs = { B: *, Q: - };
-//           ^ expected `+` or `-`
+//           ^ a sign is `+` or `-`
 //              ^ `Q` in `signs` is not an axis of the chain
 ",
     );
@@ -118,7 +118,8 @@ chain: C B | X Y Z;
     );
     check_errors(
         "pub struct M { d: f64 }
-//           ^ expected `;` after the name
+//           ^^^^^^^^^^ the struct has no body
+chain: C B | X Y Z;
 ",
     );
 }
@@ -140,23 +141,23 @@ fn entries_are_asked_for_in_braces() {
     check_errors(
         "pub struct M;
 chain: C B | X Y Z;
-  d: (0, 0, 0);
-// ^ expected `=`
-// help: `d` is followed by `=`: `d = ...;`
+  d: (0, 0, d);
+// ^ expected `=` after `d`
+// help: write `d = (0, 0, 150.0);`
 signs = C: -;
 //      ^ expected `{`
-// help: write `{ NAME: value, NAME: value }`
+// help: write `signs = { C: - };`
 dims = { d = 5, 7: 3, e: 1 2 };
-//         ^ expected `:`
-// help: write `NAME: value`
-//              ^ expected a name
-// help: write `NAME: value`
+//         ^ expected `:` after `d`
+// help: for example `dims = { height: 150.0 };`
+//              ^ expected a name, found `7`
+// help: for example `dims = { height: 150.0 };`; a decimal point is written `.`: `150.5`
 //                         ^ expected `,`
 // help: separate the entries with commas
 hold = { C: 0 }
+//            ^ missing `;` after `}`
+// help: `limits` begins the next field: write `};`
 limits = { C: free };
-//^^^^ expected `;`
-// help: end the field `hold` with a semicolon
 ",
     );
 }
@@ -175,11 +176,11 @@ axes = { C: Q, B: Rx * Y, X: Rx(1 deg), Y: Rx(1 deg, 2 deg) * Y, Z: 5 };
 // help: write the direction that is rotated: `Rx(...) * Y`
 //                                                 ^ expected `)`
 // help: a rotation has one angle: `Rx(45 deg) * Y`
-//                                                                  ^ expected a direction
-// help: write a rotated coordinate axis such as `Rx(-45 deg) * Y`, or a vector `(0, 1, -0.5)`
+//                                                                  ^ `5` is not a direction
+// help: write the direction that is rotated as well: `Rx(5 deg) * Y`, or a vector `(0, 1, -0.5)`
 d = { C: 5, B: (1 2 3) };
-//       ^ expected `(`
-// help: write three components: `(0, 0, 150.0)`
+//       ^ expected three components in parentheses
+// help: write `(0, 0, 5)`
 //                ^ expected `,`
 // help: separate the components with commas
 ",
@@ -192,8 +193,8 @@ fn travel_is_written_with_two_dots() {
         "pub struct M;
 chain: C B | X Y Z;
 limits = { B: 5, C: 0..=5, X: 0...5 };
-//             ^ expected `..`
-// help: write the travel as `-5..110`, or `free`
+//            ^ the travel of `B` has one end only
+// help: write both ends: `B: -5..5`, or `B: 0..5`
 //                   ^ expected `..`
 // help: both ends belong to the travel: write `-5..110`
 //                             ^ expected `..`
@@ -207,7 +208,7 @@ fn a_field_begins_with_its_name() {
         "pub struct M;
 chain: C B | X Y Z; 5 = 3;
 //                  ^ expected a field
-// help: the fields are `chain`, `d`, `signs`, `axes`, `dims`, `tool_axis`, `hold`, `limits`, `speeds`, `verify`
+// help: the fields are `chain`, `d`, `signs`, `axes`, `dims`, `tool_axis`, `up`, `hold`, `limits`, `speeds`, `crate`, `verify`
 ",
     );
 }

@@ -5,6 +5,7 @@
 
 mod chain;
 mod fields;
+mod mistakes;
 mod values;
 mod verify;
 
@@ -44,21 +45,7 @@ fn check_errors(declaration: &str) {
         let (start, end) = if start == 2 { (0, if end == 3 { 1 } else { end }) } else { (start, end) };
         expected.push(Message { line: code_line, columns: (start, end), text });
     }
-    let tokens = declaration.parse().expect("the declaration is Rust tokens");
-    let errors = match generate(tokens, Options::default()) {
-        Ok(_) => vec![],
-        Err(refused) => refused.0,
-    };
-    let found: Vec<(Message, String)> = errors
-        .iter()
-        .map(|error| {
-            let (start, end) = (error.span().start(), error.span().end());
-            let message = error.to_string();
-            let (text, help) = message.split_once("\n\nhelp: ").unwrap_or((&message, ""));
-            let columns = (start.column, if start.line == end.line { end.column } else { usize::MAX });
-            (Message { line: start.line, columns, text: text.to_string() }, help.to_string())
-        })
-        .collect();
+    let found = found(declaration);
     let messages: Vec<&Message> = found.iter().map(|(message, _)| message).collect();
     assert_eq!(messages, expected.iter().collect::<Vec<_>>(), "in\n{declaration}");
     for (index, help) in helps {
@@ -67,4 +54,23 @@ fn check_errors(declaration: &str) {
     for (message, help) in &found {
         assert!(!help.is_empty() || message.text.starts_with("expected"), "no remedy: {message:?}");
     }
+}
+
+/// The messages of a declaration with their help lines, in order.
+fn found(declaration: &str) -> Vec<(Message, String)> {
+    let tokens = declaration.parse().expect("the declaration is Rust tokens");
+    let errors = match generate(tokens, Options::default()) {
+        Ok(_) => vec![],
+        Err(refused) => refused.0,
+    };
+    errors
+        .iter()
+        .map(|error| {
+            let (start, end) = (error.span().start(), error.span().end());
+            let message = error.to_string();
+            let (text, help) = message.split_once("\n\nhelp: ").unwrap_or((&message, ""));
+            let columns = (start.column, if start.line == end.line { end.column } else { usize::MAX });
+            (Message { line: start.line, columns, text: text.to_string() }, help.to_string())
+        })
+        .collect()
 }

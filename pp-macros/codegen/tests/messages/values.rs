@@ -35,7 +35,7 @@ chain: C B | X Y Z;
 dims = { height: 150.0 };
 d = (0, 0, hieght);
 //         ^^^^^^ `hieght` is not a dimension
-// help: the dimensions are height
+// help: did you mean `height`?
 ",
     );
 }
@@ -45,6 +45,7 @@ fn reserved_names_are_refused_here_and_not_by_rustc() {
     check_errors(
         "pub struct M;
 chain: C B | X Y Z;
+d = (0, 0, ok);
 dims = { X: 1, gauge: 2, fn: 3, sqrt: 4, r#type: 5, ok: 6, ok: 7 };
 //       ^ `X` cannot be the name of a dimension
 //             ^^^^^ `gauge` cannot be the name of a dimension
@@ -69,7 +70,7 @@ d = (.5, 0, 0);
 // help: write 0.5 instead of .5
 hold = { C: 45rad };
 //          ^^^^^ `45rad` is not a valid number
-// help: unknown unit `rad`: use `deg` or `mm`
+// help: angles are in degrees, written `deg`
 ",
     );
 }
@@ -176,7 +177,7 @@ fn literals_of_rust_that_are_no_numbers_are_refused() {
 chain: C B | X Y Z;
 dims = { a: \"5\", b: 1e999, c: 1e9999999999 };
 //          ^^^ `\"5\"` is not a valid number
-// help: write a decimal number such as 150.0, followed by `deg` or `mm` if it has a unit
+// help: a number is written without quotes: `150.0`
 //                  ^^^^^ `1e999` is not a valid number
 //                            ^^^^^^^^^^^^ `1e9999999999` is not a valid number
 ",
@@ -200,11 +201,11 @@ fn expressions_end_where_they_should() {
 chain: C B | X Y Z;
 dims = { a: 2 ^ 65, b: 2 ^ 1.5, c: (1 2), e: };
 //              ^^ an exponent must be a whole number up to 64, nested exponents multiplied
-// help: write `a ^ 2`
+// help: write `a^2`
 //                         ^^^ an exponent must be a whole number up to 64, nested exponents multiplied
 //                                    ^ expected `)`
 // help: close the parenthesis
-//                                           ^ unexpected end of input, expected a number or a dimension
+//                                           ^ expected a number or a dimension
 // help: for example `150.0`, `45 deg` or `d + 10`
 ",
     );

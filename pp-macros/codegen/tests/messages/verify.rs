@@ -110,13 +110,13 @@ verify \"half a turn off\" {
 fn names_and_kinds_of_an_equation_are_checked() {
     check_errors(
         "pub struct M;
-chain: C B | X Y Z; dims = { d: 1, alpha: 45 deg };
+chain: C B | X Y Z; dims = { d: 1, alpha: 45 deg }; d = (0, 0, d); axes = { B: Rx(alpha) * Y };
 verify \"kinds\" {
     i = sin(X);
 //          ^ `X` is not an angle
     i = sin(B) + q;
 //               ^ unknown name `q` in `verify`
-// help: the names are x y z i j k, the axes C B X Y Z, d, alpha, gauge, part_x, part_y, part_z, and names given by `where`
+// help: the names are x y z i j k, the axes C B X Y Z, d, alpha, gauge, part_x, part_y, part_z; a symbol of the source gets its meaning by `where q = ...;`
     B = 2 * k;
 //  ^^^^^^^^^ one side is an angle, the other is a number
     X = 2 * B;
@@ -150,7 +150,7 @@ verify \"kinds\" {
 fn assumptions_of_a_block_are_checked() {
     check_errors(
         "pub struct M;
-chain: C B | X Y Z; dims = { d: 1, alpha: 45 deg };
+chain: C B | X Y Z; dims = { d: 1, alpha: 45 deg }; d = (0, 0, d); axes = { B: Rx(alpha) * Y };
 verify \"assumptions\" {
     where alpha = 3;
 //                ^ an angle needs a unit
@@ -175,19 +175,19 @@ fn the_form_of_a_block_is_explained() {
 chain: C B | X Y Z;
 verify \"form\" {
     k cos(B);
-//    ^^^ expected `=`
-// help: an equation has two sides: `X = x * cos(C) + y * sin(C);`
+//          ^ expected `=`
+// help: both sides are joined by one `=`: `X = x * cos(C) + y * sin(C);`
     k = cos(B) sin(C);
-//             ^^^ expected `;`
-// help: end every equation with a semicolon; products are written with `*`
+//      ^^^^^^^^^^^^^ a product is written with `*`
+// help: write `cos(B) * sin(C)`
     where = 3;
 //        ^ expected a name
 // help: give the name a value, for example `where alpha = -45 deg;`
     where alpha 3;
 //              ^ expected `=`
     k = cos(B)
+//           ^ missing `;` after `)`
 }
-//^ unexpected end of input, expected `;`
 verify { k = cos(B); }
 //     ^ expected the source of the equations in quotes
 ",

@@ -135,6 +135,9 @@ pub(crate) struct ExplainArgs {
     /// Print the derivation as a LaTeX document
     #[arg(long, conflicts_with = "cl")]
     pub(crate) latex: bool,
+    /// Print the formulas as `verify` blocks instead, as they are written in a declaration
+    #[arg(long, conflicts_with_all = ["latex", "cl", "codes", "proof_program"])]
+    pub(crate) verify: bool,
     /// Print the list of all words of CL data instead: read, ignored (inert) or refused
     #[arg(long)]
     pub(crate) cl: bool,

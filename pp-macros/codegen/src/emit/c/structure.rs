@@ -26,11 +26,16 @@ pub(super) fn default(model: &Model, code: &mut Code) {
         code.line("m->part_origin[0] = m->part_origin[1] = m->part_origin[2] = 0.0;");
         code.line("m->gauge_length = 0.0;");
         for Dimension { name, quantity, default } in &model.dimensions {
+            let field = field(model, name);
+            let Some(default) = default else {
+                code.line(format!("m->{field} = NAN; /* required */"));
+                continue;
+            };
             let value = match quantity {
                 Quantity::Length(_) => to_f64(default),
                 Quantity::Angle(..) => to_f64(default).to_radians(),
             };
-            code.line(format!("m->{} = {value:?};", field(model, name)));
+            code.line(format!("m->{field} = {value:?};"));
         }
     });
 }

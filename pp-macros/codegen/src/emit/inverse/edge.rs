@@ -20,9 +20,9 @@ pub(crate) fn edge(model: &Model, solved: &Solved) -> Option<(TokenStream, Token
         /// beyond it.
         fn inverse_at_the_edge(
             &self,
-            pose: &::pp_runtime::kinematics::Pose,
+            pose: &pp::kinematics::Pose,
             held: &[f64; #count],
-        ) -> ::pp_runtime::kinematics::Solutions<[f64; #count]>
+        ) -> pp::kinematics::Solutions<[f64; #count]>
     };
     let statements = statements(model, solved, two);
     let function = quote! {
@@ -69,7 +69,7 @@ fn statements(model: &Model, solved: &Solved, two: &TwoRotaries) -> TokenStream 
         #deviation
         #first_angle
         let second = (#sine, #cosine);
-        ::pp_runtime::kinematics::Solutions::from_branches([#solution, ::core::option::Option::None])
+        pp::kinematics::Solutions::from_branches([#solution, ::core::option::Option::None])
     }
 }
 
@@ -82,7 +82,7 @@ fn is_a_pose(model: &Model, solved: &Solved, body: &Body<'_>, two: &TwoRotaries)
     let finite = finite(model);
     quote! {
         if #capacity !#finite {
-            return ::pp_runtime::kinematics::Solutions::none();
+            return pp::kinematics::Solutions::none();
         }
     }
 }
@@ -109,8 +109,8 @@ fn deviation(body: &Body<'_>, two: &TwoRotaries) -> TokenStream {
         } else {
             math::hypot(#along - (#reached_along), math::sqrt(#sine_squared) - math::sqrt(#reached_squared))
         };
-        if !(deviation <= ::pp_runtime::kinematics::REACH_TOLERANCE) {
-            return ::pp_runtime::kinematics::Solutions::none();
+        if !(deviation <= pp::kinematics::REACH_TOLERANCE) {
+            return pp::kinematics::Solutions::none();
         }
     }
 }
@@ -123,10 +123,10 @@ fn first_angle(body: &Body<'_>, two: &TwoRotaries) -> TokenStream {
             .map(|node| body.tokens(node));
     quote! {
         let singular = !(#sine_squared
-            >= ::pp_runtime::kinematics::SINGULAR_SINE * ::pp_runtime::kinematics::SINGULAR_SINE)
+            >= pp::kinematics::SINGULAR_SINE * pp::kinematics::SINGULAR_SINE)
             || !(#first_squared > 0.0);
         if singular && !held[#rotary].is_finite() {
-            return ::pp_runtime::kinematics::Solutions::none();
+            return pp::kinematics::Solutions::none();
         }
         let (first, value) = if singular {
             (math::sin_cos(held[#rotary]), held[#rotary])

@@ -27,9 +27,9 @@ pub(crate) fn inverse(model: &Model, solved: &Solved) -> TokenStream {
         #[inline]
         fn inverse_kinematics(
             &self,
-            pose: &::pp_runtime::kinematics::Pose,
+            pose: &pp::kinematics::Pose,
             held: &Self::Axes,
-        ) -> ::pp_runtime::kinematics::Solutions<Self::Axes> {
+        ) -> pp::kinematics::Solutions<Self::Axes> {
             let (tip, axis) = (&pose.tip, &pose.axis);
             let _ = held;
             #body

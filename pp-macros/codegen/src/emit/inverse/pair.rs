@@ -32,7 +32,7 @@ pub(crate) fn pair(model: &Model, solved: &Solved, two: &TwoRotaries) -> TokenSt
         }
         #statements
         #angles
-        ::pp_runtime::kinematics::Solutions::from_branches([#(#solutions),*])
+        pp::kinematics::Solutions::from_branches([#(#solutions),*])
     }
 }
 
@@ -40,14 +40,13 @@ pub(crate) fn pair(model: &Model, solved: &Solved, two: &TwoRotaries) -> TokenSt
 fn near_the_edge(solved: &Solved, body: &Body<'_>, two: &TwoRotaries) -> TokenStream {
     let [root, sine_squared, capacity] =
         [two.second.root, two.first.sine_squared, two.second.capacity].map(|node| body.tokens(node));
-    let pole = needs_pole_test(two).then(|| {
-        quote!(|| !(#sine_squared >= ::pp_runtime::kinematics::SINGULAR_SINE * ::pp_runtime::kinematics::SINGULAR_SINE))
-    });
+    let pole = needs_pole_test(two)
+        .then(|| quote!(|| !(#sine_squared >= pp::kinematics::SINGULAR_SINE * pp::kinematics::SINGULAR_SINE)));
     let capacity = solved.graph.constant_of(two.second.capacity).is_none().then(|| {
         let least = parallel();
         quote!(|| !(#capacity > #least))
     });
-    quote!(!(#root >= ::pp_runtime::kinematics::SINGULAR_SINE) #pole #capacity)
+    quote!(!(#root >= pp::kinematics::SINGULAR_SINE) #pole #capacity)
 }
 
 /// `let` statements for the angles of a branch.

@@ -25,9 +25,9 @@ pub(crate) fn reach(model: &Model, solved: &Solved) -> TokenStream {
             quote! {
                 #prelude
                 #statements
-                if !(#deviation <= ::pp_runtime::kinematics::REACH_TOLERANCE) {
-                    let tool = ::pp_runtime::kinematics::Machine::forward_kinematics(self, held).axis;
-                    return ::core::result::Result::Err(::pp_runtime::kinematics::Unreachable::Fixed {
+                if !(#deviation <= pp::kinematics::REACH_TOLERANCE) {
+                    let tool = pp::kinematics::Machine::forward_kinematics(self, held).axis;
+                    return ::core::result::Result::Err(pp::kinematics::Unreachable::Fixed {
                         machine: #machine,
                         wanted: [axis.x, axis.y, axis.z],
                         tool_axis: [tool.x, tool.y, tool.z],
@@ -49,18 +49,18 @@ pub(crate) fn reach(model: &Model, solved: &Solved) -> TokenStream {
     quote! {
         fn reach(
             &self,
-            axis: &::pp_runtime::nalgebra::UnitVector3<f64>,
+            axis: &pp::nalgebra::UnitVector3<f64>,
             held: &Self::Axes,
-        ) -> ::core::result::Result<(), ::pp_runtime::kinematics::Unreachable> {
-            let pose = ::pp_runtime::kinematics::Pose { tip: ::pp_runtime::nalgebra::Point3::origin(), axis: *axis };
-            if !::pp_runtime::kinematics::Machine::inverse_kinematics(self, &pose, held).is_empty() {
+        ) -> ::core::result::Result<(), pp::kinematics::Unreachable> {
+            let pose = pp::kinematics::Pose { tip: pp::nalgebra::Point3::origin(), axis: *axis };
+            if !pp::kinematics::Machine::inverse_kinematics(self, &pose, held).is_empty() {
                 return ::core::result::Result::Ok(());
             }
             if !(axis.x + axis.y + axis.z).is_finite() {
-                return ::core::result::Result::Err(::pp_runtime::kinematics::Unreachable::NotFinite);
+                return ::core::result::Result::Err(pp::kinematics::Unreachable::NotFinite);
             }
             #why
-            ::core::result::Result::Err(::pp_runtime::kinematics::Unreachable::LinearAxes {
+            ::core::result::Result::Err(pp::kinematics::Unreachable::LinearAxes {
                 machine: #machine,
                 axes: #linears,
             })
@@ -103,7 +103,7 @@ fn cone(
         let least = parallel();
         quote! {
             if !(#node > #least) {
-                return ::core::result::Result::Err(::pp_runtime::kinematics::Unreachable::Held {
+                return ::core::result::Result::Err(pp::kinematics::Unreachable::Held {
                     machine: #machine,
                     rotary: #letter,
                     held: #held,
@@ -115,8 +115,8 @@ fn cone(
         #prelude
         #statements
         #capacity
-        if let ::core::option::Option::Some(value) = ::pp_runtime::kinematics::Cone::new(#wanted, #between, #tool).outside() {
-            return ::core::result::Result::Err(::pp_runtime::kinematics::Unreachable::Cone {
+        if let ::core::option::Option::Some(value) = pp::kinematics::Cone::new(#wanted, #between, #tool).outside() {
+            return ::core::result::Result::Err(pp::kinematics::Unreachable::Cone {
                 machine: #machine,
                 rotary: #letter,
                 direction: [#(#direction),*],

@@ -21,7 +21,7 @@ pub(crate) fn fixed(model: &Model, solved: &Solved, deviation: Id) -> TokenStrea
     quote! {
         #prelude
         #guard
-        ::pp_runtime::kinematics::Solutions::from_branches([#solution, ::core::option::Option::None])
+        pp::kinematics::Solutions::from_branches([#solution, ::core::option::Option::None])
     }
 }
 
@@ -48,7 +48,7 @@ pub(crate) fn one(model: &Model, solved: &Solved, one: &OneRotary) -> TokenStrea
         #guard
         #statements
         #angle
-        ::pp_runtime::kinematics::Solutions::from_branches([#solution, ::core::option::Option::None])
+        pp::kinematics::Solutions::from_branches([#solution, ::core::option::Option::None])
     }
 }
 
@@ -63,7 +63,7 @@ fn can_tilt(solved: &Solved, body: &mut Body<'_>, one: &OneRotary) -> Option<Tok
     Some(quote! {
         #statements
         if !(#squared > #least) {
-            return ::pp_runtime::kinematics::Solutions::none();
+            return pp::kinematics::Solutions::none();
         }
     })
 }
@@ -75,8 +75,8 @@ fn within_reach(model: &Model, body: &mut Body<'_>, deviation: Id) -> TokenStrea
     let finite = finite(model);
     quote! {
         #statements
-        if !(#deviation <= ::pp_runtime::kinematics::REACH_TOLERANCE) || !#finite {
-            return ::pp_runtime::kinematics::Solutions::none();
+        if !(#deviation <= pp::kinematics::REACH_TOLERANCE) || !#finite {
+            return pp::kinematics::Solutions::none();
         }
     }
 }
@@ -90,9 +90,9 @@ fn angle(solved: &Solved, body: &Body<'_>, one: &OneRotary) -> (TokenStream, Tok
     }
     let (rotary, length) = (one.rotary, body.tokens(one.length));
     let angle = quote! {
-        let singular = !(#length >= ::pp_runtime::kinematics::SINGULAR_SINE);
+        let singular = !(#length >= pp::kinematics::SINGULAR_SINE);
         if singular && !held[#rotary].is_finite() {
-            return ::pp_runtime::kinematics::Solutions::none();
+            return pp::kinematics::Solutions::none();
         }
         let (first, value) = if singular {
             (math::sin_cos(held[#rotary]), held[#rotary])

@@ -38,9 +38,9 @@ impl SolutionTokens<'_> {
             match self.position(tip, &#turns, held) {
                 ::core::option::Option::None => ::core::option::Option::None,
                 ::core::option::Option::Some(solved) => {
-                    ::core::option::Option::Some(::pp_runtime::kinematics::Solution {
+                    ::core::option::Option::Some(pp::kinematics::Solution {
                         axes: [#(#axes),*],
-                        branch: ::pp_runtime::kinematics::Branch::#branch,
+                        branch: pp::kinematics::Branch::#branch,
                         singular: #singular,
                         deviation: #deviation,
                     })

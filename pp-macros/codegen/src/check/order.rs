@@ -1,0 +1,66 @@
+//! Chains that are listed in another order than from workpiece to tool.
+
+use crate::model::{Axis, AxisId, Model, Side};
+use crate::solve::solve;
+
+/// Help for a rotary axis that cannot tilt the tool: the order in which it could, if there is one; then `hold`.
+pub(crate) fn or_hold(model: &Model, axis: AxisId) -> String {
+    let letter = model.axes[axis].letter;
+    let hold = format!("`hold = {{ {letter}: 0 }};`");
+    let mut orders: Vec<String> = Vec::new();
+    // Linear axes in the order Z Y X: the whole chain is probably listed from the tool.
+    let linears: Vec<char> = model.solved_linears().map(|id| model.axes[id].letter).collect();
+    let backwards = linears.len() == 3 && linears.iter().rev().is_sorted();
+    for reversed in [backwards, false] {
+        let other = if reversed { whole_reversed(model) } else { rotaries_exchanged(model) };
+        let Some(other) = other.filter(|other| solve(&mut other.clone()).is_ok()) else { continue };
+        let chain = chain(&other);
+        if !orders.iter().any(|known| known.ends_with(&chain)) {
+            let reason = if reversed {
+                "the axes are listed from the workpiece to the tool"
+            } else if model.axes[axis].side == Side::Workpiece {
+                "the axis next to the workpiece comes first"
+            } else {
+                "the axis next to the tool comes last"
+            };
+            orders.push(format!("{reason}: {chain}"));
+        }
+    }
+    if orders.is_empty() {
+        return format!("put {letter} in `hold`: {hold}");
+    }
+    format!("{}; if the order is right, {letter} is not solved for: {hold}", orders.join("; or "))
+}
+
+/// The chain from the other end.
+fn whole_reversed(model: &Model) -> Option<Model> {
+    let mut other = model.clone();
+    other.axes.reverse();
+    for axis in &mut other.axes {
+        axis.side = match axis.side {
+            Side::Workpiece => Side::Tool,
+            Side::Tool => Side::Workpiece,
+        };
+    }
+    Some(other)
+}
+
+/// The chain with its two solved rotary axes exchanged, if both are on one side of the frame.
+fn rotaries_exchanged(model: &Model) -> Option<Model> {
+    let rotaries: Vec<AxisId> = model.solved_rotaries().collect();
+    let [first, second] = rotaries[..] else { return None };
+    if model.axes[first].side != model.axes[second].side {
+        return None;
+    }
+    let mut other = model.clone();
+    other.axes.swap(first, second);
+    Some(other)
+}
+
+/// `` `chain: C B | X Y Z;` ``
+fn chain(model: &Model) -> String {
+    let bar = model.axes.iter().take_while(|axis| axis.side == Side::Workpiece).count();
+    let mut words: Vec<String> = model.axes.iter().map(|Axis { letter, .. }| letter.to_string()).collect();
+    words.insert(bar, "|".into());
+    format!("`chain: {};`", words.join(" "))
+}

@@ -1,0 +1,60 @@
+//! The derived formulas as `verify` blocks: a declaration with them compiles.
+//!
+//! Formulas that are computed step by step, because they are too long for a line, are left out with a comment.
+
+use super::inverse::InverseFormulas;
+use super::linear::LinearFormulas;
+use super::section::Section;
+use crate::formula::Formula;
+use crate::model::{AxisId, Model};
+use crate::solve::{Orientation, Solved};
+use crate::symbolic::PolyVector;
+
+type Equations = Vec<(Formula, Formula)>;
+
+/// A block for each branch: pose and linear axes in the first.
+pub(crate) fn verify_blocks(model: &Model, solved: &Solved, inverse: &InverseFormulas) -> Section {
+    let product = model.product();
+    let axis = product.rotate(&model.tool_axis, &model.ring);
+    let mut first = of_vector(model, ["i", "j", "k"], &axis);
+    first.extend(of_vector(model, ["x", "y", "z"], &product.origin()));
+    let branches = rotary_equations(model, solved, inverse);
+    first.extend(branches.first().cloned().unwrap_or_default());
+    let linears = inverse.linear.as_ref().map(LinearFormulas::equations);
+    first.extend(linears.clone().unwrap_or_default());
+    let mut left_out = Vec::new();
+    if branches.is_empty() && model.solved_rotaries().next().is_some() {
+        left_out.push(model.letters(model.solved_rotaries()));
+    }
+    if linears.is_none() {
+        left_out.push(model.letters(model.solved_linears()));
+    }
+    let mut section = Section::default();
+    let name = if branches.len() > 1 { ", first branch" } else { "" };
+    section.block(&format!("derived from the chain of {}{name}", model.name), &first, &left_out);
+    if let [_, second] = &branches[..] {
+        section.block(&format!("derived from the chain of {}, second branch", model.name), second, &[]);
+    }
+    section
+}
+
+fn of_vector(model: &Model, names: [&str; 3], vector: &PolyVector) -> Equations {
+    let formulas = vector.each_ref().map(|part| Formula::of_poly(model, &model.ring, part));
+    names.into_iter().map(Formula::name).zip(formulas).collect()
+}
+
+/// The rotary axes of each branch; empty where they are too long for a line.
+fn rotary_equations(model: &Model, solved: &Solved, inverse: &InverseFormulas) -> Vec<Equations> {
+    let letter = |axis: AxisId| Formula::name(model.axes[axis].letter.to_string());
+    match &solved.orientation {
+        Orientation::Fixed { .. } => Vec::new(),
+        Orientation::One(one) => inverse.one.iter().map(|angle| vec![(letter(one.rotary), angle.clone())]).collect(),
+        Orientation::Two(two) => match inverse.two.clone() {
+            None => Vec::new(),
+            Some(closed) => {
+                let named = |angles: [Formula; 2]| two.rotaries.into_iter().map(letter).zip(angles).collect();
+                closed.roots_in_place().map(named).into()
+            }
+        },
+    }
+}
