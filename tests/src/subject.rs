@@ -12,8 +12,8 @@ pub(crate) trait Subject {
     fn axes(&self) -> &'static [Axis];
     fn dimensions(&self) -> &'static [Dimension];
     fn default_held(&self) -> Vec<f64>;
-    /// The machine with its declared dimensions and no set-up.
-    fn fresh(&self) -> Box<dyn Subject>;
+    /// The same machine, to be changed.
+    fn copy(&self) -> Box<dyn Subject>;
     fn dimension(&self, index: usize) -> f64;
     fn set_dimension(&mut self, index: usize, value: f64);
     fn set_up(&mut self, part_origin: Vector3<f64>, gauge_length: f64);
@@ -50,8 +50,8 @@ impl<M: Machine> Subject for Erased<M> {
     fn default_held(&self) -> Vec<f64> {
         M::HELD.as_ref().to_vec()
     }
-    fn fresh(&self) -> Box<dyn Subject> {
-        Box::new(Self(M::default()))
+    fn copy(&self) -> Box<dyn Subject> {
+        Box::new(Self(self.0.clone()))
     }
     fn dimension(&self, index: usize) -> f64 {
         self.0.dimension(index)

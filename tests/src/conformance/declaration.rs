@@ -1,7 +1,7 @@
 //! Check of the declaration: axes, held values, dimensions and joints of a machine are consistent.
 
 use nalgebra::Vector3;
-use pp_runtime::kinematics::{AxisKind, Side};
+use pp_runtime::kinematics::{AxisKind, Invalid, Side};
 
 use super::{Fault, UNIT};
 use crate::subject::Subject;
@@ -46,14 +46,18 @@ pub(super) fn declaration(declared: &dyn Subject) -> Result<(), Fault> {
         }
     }
     rule("the declared dimensions are valid", declared.validate().is_ok())?;
-    let mut changed = declared.fresh();
+    let mut changed = declared.copy();
     for (index, dimension) in declared.dimensions().iter().enumerate() {
-        rule("a dimension starts at its default", (declared.dimension(index) - dimension.default).abs() <= 0.0)?;
+        let (default, sample) = (dimension.default, declared.dimension(index));
+        rule("a dimension starts at its default", default.is_nan() || (sample - default).abs() <= 0.0)?;
+        changed.set_dimension(index, default);
+        let required = Err(Invalid::Required { name: dimension.name });
+        rule("a required dimension is named where it is missing", !default.is_nan() || changed.validate() == required)?;
         changed.set_dimension(index, 0.125);
         rule("a dimension keeps the value that is set", (changed.dimension(index) - 0.125).abs() <= 0.0)?;
         changed.set_dimension(index, f64::NAN);
         rule("a dimension that is not a number is invalid", changed.validate().is_err())?;
-        changed = declared.fresh();
+        changed = declared.copy();
     }
     changed.set_up(Vector3::new(0.0, f64::INFINITY, 0.0), 0.0);
     rule("an infinite part origin is invalid", changed.validate().is_err())?;

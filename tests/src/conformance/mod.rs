@@ -108,74 +108,92 @@ impl fmt::Display for Fault {
 
 /// Makes a test module `$name` for a machine: one test per [`Check`](crate::conformance::Check), with `$poses` random
 /// poses each (default 2000).
+///
+/// A machine with `required` dimensions needs a sample of them, in mm and rad:
+/// `conformance!(Trunnion, trunnion, sample = { height: 120.5 });`.
 #[macro_export]
 macro_rules! conformance {
-    ($machine:ty, $name:ident) => {
-        $crate::conformance!($machine, $name, 2000);
+    ($machine:ty, $name:ident $(, sample = $sample:tt)?) => {
+        $crate::conformance!($machine, $name, 2000 $(, sample = $sample)?);
     };
     ($machine:ty, $name:ident, $poses:expr) => {
+        $crate::conformance!($machine, $name, $poses, sample = {});
+    };
+    ($machine:ty, $name:ident, $poses:expr, sample = { $($dimension:ident: $value:expr),* $(,)? }) => {
         mod $name {
             #[allow(unused_imports)]
             use super::*;
-            use $crate::conformance::{Check, run};
+            use $crate::conformance::Check;
+
+            #[allow(unused_mut)]
+            fn sample() -> $machine {
+                let mut machine = <$machine>::default();
+                $(machine.$dimension = $value;)*
+                machine
+            }
+
+            fn run(check: Check) {
+                $crate::conformance::run(sample, check, $poses);
+            }
 
             #[test]
             fn declaration_is_consistent() {
-                run::<$machine>(Check::Declaration, $poses);
+                run(Check::Declaration);
             }
             #[test]
             fn forward_kinematics_is_the_matrix_product() {
-                run::<$machine>(Check::Forward, $poses);
+                run(Check::Forward);
             }
             #[test]
             fn every_reachable_pose_is_solved_and_its_axis_values_found() {
-                run::<$machine>(Check::Inverse, $poses);
+                run(Check::Inverse);
             }
             #[test]
             fn the_free_rotary_keeps_its_held_value_at_the_pole() {
-                run::<$machine>(Check::Pole, $poses);
+                run(Check::Pole);
             }
             #[test]
             fn axes_are_refused_where_the_machine_cannot_reach() {
-                run::<$machine>(Check::Reach, $poses);
+                run(Check::Reach);
             }
             #[test]
             fn nan_and_infinity_have_no_solution() {
-                run::<$machine>(Check::NotFinite, $poses);
+                run(Check::NotFinite);
             }
             #[test]
             fn rates_are_the_derivatives_of_the_matrix_product() {
-                run::<$machine>(Check::Rates, $poses);
+                run(Check::Rates);
             }
             #[test]
             fn no_block_deviates_more_than_the_bound_of_motion() {
-                run::<$machine>(Check::Motion, $poses);
+                run(Check::Motion);
             }
         }
     };
 }
 
-/// Runs all checks with `poses` random poses each.
+/// Runs all checks of a machine whose dimensions have defaults, with `poses` random poses each.
 ///
 /// # Panics
 /// With the first [`Fault`].
 pub fn check<M: Machine>(poses: usize) {
     for check in Check::ALL {
-        run::<M>(check, poses);
+        run(M::default, check, poses);
     }
 }
 
-/// Runs one check with `poses` random poses.
+/// Runs one check with `poses` random poses. `sample` is the machine with a value for each `required` dimension: as `default`
+/// makes it, if it has none.
 ///
 /// # Panics
 /// With the first [`Fault`].
-pub fn run<M: Machine>(check: Check, poses: usize) {
-    if let Err(fault) = perform(&Erased(M::default()), check, poses) {
+pub fn run<M: Machine>(sample: fn() -> M, check: Check, poses: usize) {
+    if let Err(fault) = perform(&Erased(sample()), check, poses) {
         panic!("{fault}");
     }
 }
 
-/// The first fault of a machine, if it has one.
+/// The first fault of a machine whose dimensions have defaults, if it has one.
 #[must_use]
 pub fn find_fault<M: Machine>(poses: usize) -> Option<Fault> {
     Check::ALL.into_iter().find_map(|check| perform(&Erased(M::default()), check, poses).err())
@@ -229,7 +247,7 @@ fn oracle_of(machine: &dyn Subject) -> Oracle {
 
 /// `σ` of the first branch: decided at the default dimensions and held values, then fixed.
 fn first_branch(declared: &dyn Subject, current: &Oracle) -> Option<f64> {
-    let default = oracle_of(&*declared.fresh());
+    let default = oracle_of(declared);
     let held = declared.default_held();
     let (at_default, now) = (default.rotaries(&held)?, current.rotaries(&held)?);
     let sign = default.sign(*default.rotary().get(1)?);

@@ -34,7 +34,7 @@ pub(super) struct Case {
 
 impl Setting {
     pub(super) fn draw(declared: &dyn Subject, as_declared: bool, random: &mut Random) -> Self {
-        let mut machine = declared.fresh();
+        let mut machine = declared.copy();
         let mut description = format!(
             "machine {}, chain {}",
             declared.name(),
@@ -48,11 +48,11 @@ impl Setting {
             for (index, dimension) in declared.dimensions().iter().enumerate() {
                 let value = match dimension.kind {
                     DimensionKind::Length => random.between(-300.0, 300.0),
-                    DimensionKind::Angle => dimension.default + random.between(-0.3, 0.3),
+                    DimensionKind::Angle => declared.dimension(index) + random.between(-0.3, 0.3),
                 };
                 machine.set_dimension(index, value);
                 if machine.validate().is_err() {
-                    machine.set_dimension(index, dimension.default);
+                    machine.set_dimension(index, declared.dimension(index));
                 }
                 description += &format!(", {} = {:?}", dimension.name, machine.dimension(index));
             }

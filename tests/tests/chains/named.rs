@@ -159,3 +159,12 @@ machine! {
     d = (0, 0, 150);
 }
 conformance!(AllInTheHead, all_in_the_head);
+
+machine! {
+    /// A trunnion whose height each machine has of its own.
+    struct RequiredHeight;
+    chain: C B | X Y Z;
+    d = { C: (0, 0, 0), B: (offset, 0, height) };
+    dims = { height: required, offset: 0.5 };
+}
+conformance!(RequiredHeight, required_height, sample = { height: 62.5 });
