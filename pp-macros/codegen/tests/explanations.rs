@@ -165,6 +165,7 @@ fn lines_of_text_are_short() {
         let explanation = explained(text);
         let sections = [
             explanation.chain,
+            explanation.parameters,
             explanation.matrices,
             explanation.forward,
             explanation.formulas,
@@ -192,4 +193,26 @@ fn proven_equations_name_their_source_and_where_they_hold() {
         ["A paper, eq. (2), with gauge = 0, part = 0:", "B = acos(k)", "    holds where sin B >= 0 (the first branch)"];
     assert_eq!(proofs.text[last..], expected);
     assert_eq!(proofs.latex[proofs.latex.len() - 2], r"$\displaystyle B = \arccos(k)$");
+}
+
+#[test]
+fn every_parameter_has_its_place_in_declaration_configuration_and_kinematics_for_a_control() {
+    let text = "dims = { d: 150, Bed_1: required, alpha: -45 deg }; chain: C B | X Y Z; axes = { B: Rx(alpha) * Y };
+        d = { C: (0, 0, d), B: (0, Bed_1, d) };";
+    let parameters = explained(text).parameters.text.join("\n").replace("\n    ", " ");
+    for line in [
+        "d: a length of the machine, declared as 150 mm; `dimensions.d` of the configuration.",
+        "Enters: centre lines of C B.",
+        "Bed_1: a length of the machine, not declared: each machine has its own; `dimensions.Bed_1` of the configuration.",
+        "Enters: centre lines of B.",
+        "alpha: an angle of the machine, declared as -45°; `dimensions.alpha` of the configuration.",
+        "Enters: directions of B.",
+        "part_x, part_y, part_z: the part zero from the table's reference point; `part_origin` of the configuration.",
+        "pins: d, bed-1, alpha, part-origin-x to -z, tool-offset.",
+        "members of the structure: d, Bed_1, alpha, part_origin, gauge_length.",
+    ] {
+        assert!(parameters.contains(line), "{line}\n{parameters}");
+    }
+    assert!(!parameters.contains("gauge: "), "{parameters}");
+    assert!(explained("chain: | X Y Z C B;").parameters.text[1].starts_with("gauge: the tool tip from the gauge line"));
 }

@@ -35,6 +35,8 @@ impl Section {
 pub struct Explanation {
     /// The chain as declared: directions, centre lines, signs, tool axis.
     pub chain: Section,
+    /// Where dimensions, part origin and tool length come from: declaration, configuration, kinematics for a control.
+    pub parameters: Section,
     /// The elementary matrices of the joints, and their product.
     pub matrices: Section,
     /// The pose as a function of the axis values.
@@ -64,6 +66,7 @@ impl Explanation {
     /// Empty sections, for a machine written by hand.
     pub const EMPTY: Self = Self {
         chain: Section::EMPTY,
+        parameters: Section::EMPTY,
         matrices: Section::EMPTY,
         forward: Section::EMPTY,
         formulas: Section::EMPTY,
@@ -79,9 +82,10 @@ impl Explanation {
 
     /// All sections with their titles, in the order of reading.
     #[must_use]
-    pub const fn sections(&self) -> [(&'static str, &Section); 11] {
+    pub const fn sections(&self) -> [(&'static str, &Section); 12] {
         [
             ("Chain", &self.chain),
+            ("Where the parameters come from", &self.parameters),
             ("Elementary matrices and their product", &self.matrices),
             ("Forward kinematics", &self.forward),
             ("Inverse kinematics", &self.formulas),

@@ -3,7 +3,7 @@
 //! Generated Rust names only `::core` and the runtime (`::pp_runtime`, or the path of the field `crate`), allocates nothing and contains no loop.
 
 mod body;
-mod c;
+pub(crate) mod c;
 mod inputs;
 mod inverse;
 mod kinematics;

@@ -5,6 +5,7 @@ mod chain;
 mod inverse;
 mod jog;
 mod linear;
+mod parameters;
 mod section;
 mod singularities;
 mod steps;
@@ -22,6 +23,8 @@ use section::line;
 pub struct Explanation {
     /// The chain with directions, centre lines and signs.
     pub chain: Section,
+    /// Where dimensions, part origin and tool length come from.
+    pub parameters: Section,
     /// The elementary matrices and their product.
     pub matrices: Section,
     /// Pose from axis values.
@@ -68,9 +71,10 @@ impl Explanation {
     }
 
     /// All sections with the names of their fields.
-    pub(crate) fn sections(&self) -> [(&'static str, &Section); 12] {
+    pub(crate) fn sections(&self) -> [(&'static str, &Section); 13] {
         [
             ("chain", &self.chain),
+            ("parameters", &self.parameters),
             ("matrices", &self.matrices),
             ("forward", &self.forward),
             ("formulas", &self.formulas),
@@ -92,6 +96,7 @@ pub fn explain(model: &Model, solved: &Solved, proofs: Vec<String>, verified: &[
     let inverse = inverse::InverseFormulas::of(model, solved);
     Explanation {
         chain: chain::chain(model),
+        parameters: parameters::parameters(model),
         matrices: chain::matrices(model),
         forward: chain::forward(model),
         formulas: inverse::formulas(model, solved, &inverse),

@@ -10,7 +10,7 @@ mod code;
 mod edge;
 mod functions;
 mod inverse;
-mod structure;
+pub(crate) mod structure;
 
 use crate::model::Model;
 use crate::solve::Solved;

@@ -41,7 +41,7 @@ pub(super) fn default(model: &Model, code: &mut Code) {
 }
 
 /// Name of a dimension in the structure: its own, unless it means something else in C.
-pub(super) fn field(model: &Model, name: &str) -> String {
+pub(crate) fn field(model: &Model, name: &str) -> String {
     if !is_word_of_c(name) {
         return name.to_owned();
     }
