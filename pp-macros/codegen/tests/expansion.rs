@@ -21,24 +21,24 @@ fn inverse_is_straight_line_code_without_sine_or_loop() {
     let start = text.find("fn inverse_kinematics").expect("generated");
     let end = start + text[start..].find("fn linear_axes(").expect("generated");
     let inverse = &text[start..end];
-    assert_eq!(inverse.matches("math::angle").count(), 2, "{inverse}");
+    assert_eq!(inverse.matches("math::angles").count(), 1, "{inverse}");
     assert_eq!(inverse.matches("math::sqrt").count(), 1, "{inverse}");
     assert_eq!(inverse.matches(" / ").count(), 1, "{inverse}");
-    for word in ["sin_cos", "for ", "while ", "loop ", "vec!", "Box"] {
+    for word in ["sin_cos", "turns([", "for ", "while ", "loop ", "vec!", "Box"] {
         assert!(!inverse.contains(word), "{word} in {inverse}");
     }
 }
 
 #[test]
-fn motion_is_straight_line_code_with_one_sine_for_each_rotary() {
+fn motion_is_straight_line_code_with_the_sines_of_all_rotaries_together() {
     let file = syn::parse2(pp_codegen::expand(SPINNER.parse().expect("Rust tokens"))).expect("items");
     let text = prettyplease::unparse(&file);
     let start = text.find("fn motion").expect("generated");
     let end = start + text[start..].find("fn rates(").expect("generated");
     let motion = &text[start..end];
-    assert_eq!(motion.matches("math::sin_cos").count(), 2, "{motion}");
+    assert_eq!(motion.matches("math::turns(").count(), 1, "{motion}");
     assert!(motion.matches("math::sqrt").count() <= 9, "{motion}");
-    for word in ["for ", "while ", "loop ", "vec!", "Box", "atan2", "* 0.0", "* 1.0"] {
+    for word in ["for ", "while ", "loop ", "vec!", "Box", "atan2", "sin_cos", "* 0.0", "* 1.0"] {
         assert!(!motion.contains(word), "{word} in {motion}");
     }
 }
@@ -80,7 +80,7 @@ fn a_dimension_never_shares_a_local_variable_with_an_axis() {
         "pub struct M; chain: C B | X Y Z; axes = { C: Rx(b) * Z }; d = (word_x, sin_b, angle_b_1);
          dims = { sin_b: 4, b: 30 deg, word_x: 5, angle_b_1: 6 };",
     );
-    let axis = "(sin_b__ , cos_b_) = math :: sin_cos (axes [1usize])";
+    let axis = "(sin_b__ , cos_b_)] = math :: turns ([axes [0usize] , axes [1usize]])";
     for line in [
         "let sin_b = self . sin_b",
         "(sin_b_ , cos_b) = math :: sin_cos (self . b)",

@@ -9,6 +9,8 @@
 //! A record that is not understood is refused, never skipped: it might move the tool. The same bytes give the same
 //! events and diagnostics, whatever the size of the reads, so a file may be read twice.
 
+#![cfg_attr(not(test), deny(clippy::disallowed_methods))]
+
 mod diagnostics;
 mod dialect;
 mod meaning;

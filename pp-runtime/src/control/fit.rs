@@ -44,7 +44,7 @@ pub fn usable_modes(machine: &dyn AnyMachine, control: &dyn Control, demands: De
 /// Steps of indexed axes that the rotary words cannot state exactly: multiples of the rounded step would be other angles.
 fn unwritable_steps(demands: Demands<'_>) -> impl Iterator<Item = String> {
     let policy = demands.policy();
-    let units_per_degree = 10_f64.powf(f64::from(policy.formats.rotary));
+    let units_per_degree = 10_f64.powi(policy.formats.rotary.cast_signed());
     policy.options.rotaries.grid.iter().filter_map(move |(letter, step)| {
         let units = step.to_degrees() * units_per_degree;
         let exact = units.round() >= 1.0 && (units - units.round()).abs() <= STEP_NOISE * units;

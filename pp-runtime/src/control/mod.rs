@@ -11,6 +11,8 @@
 //!   encoder reads.
 //! - [`Encoder`]: converts steps to blocks.
 
+#![cfg_attr(not(test), deny(clippy::disallowed_methods))]
+
 mod dialects;
 mod encode;
 mod fit;

@@ -3,6 +3,8 @@
 //! Units are millimetres and radians. *Forward* is always axes to pose, *inverse* pose to axes. Everything but `any`,
 //! the object-safe form of a machine, builds without `std` and allocates nothing; [`machine!`](crate::machine) implements [`Machine`] for one declared machine.
 
+#![cfg_attr(not(test), deny(clippy::disallowed_methods))]
+
 #[cfg(feature = "std")]
 pub mod any;
 mod explanation;

@@ -5,6 +5,8 @@
 //! Does not write the codes of a control and does not read CL text. Memory is constant, and nothing is allocated for a
 //! motion.
 
+#![cfg_attr(not(test), deny(clippy::disallowed_methods))]
+
 mod course;
 mod fault;
 mod geometry;

@@ -3,6 +3,8 @@
 //! Words come in whole units of their last decimal, so no coordinate is rounded here, and nothing is parsed. Letters
 //! and codes are defined in [`control`](crate::control).
 
+#![cfg_attr(not(test), deny(clippy::disallowed_methods))]
+
 mod formats;
 mod number;
 mod writer;

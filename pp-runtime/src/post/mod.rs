@@ -10,6 +10,8 @@
 //!
 //! The same input gives the same bytes.
 
+#![cfg_attr(not(test), deny(clippy::disallowed_methods))]
+
 mod header;
 mod line_map;
 mod operations;

@@ -4,6 +4,8 @@
 //! Data in mm, rad and mm/min that several stages read, and the table of its keys. Nothing is planned or written here.
 //! An option that only one stage reads belongs to that stage.
 
+#![cfg_attr(not(test), deny(clippy::disallowed_methods))]
+
 mod keys;
 mod machine;
 mod part_rotation;

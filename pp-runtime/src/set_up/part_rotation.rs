@@ -4,6 +4,7 @@ use nalgebra::{Matrix3, Rotation3};
 use serde_json::{Value as Json, json};
 
 use crate::keys::{Bound, KeyKind, KeyReader, KeyScope, Quantity, TomlValue, printed_number};
+use crate::kinematics::math;
 
 /// Largest permitted deviation of a matrix from a rotation: rounding to seven digits.
 const ROUNDED: f64 = 1e-6;
@@ -59,7 +60,7 @@ fn sine_and_cosine(degrees: f64) -> (f64, f64) {
         Some(1) => (1.0, 0.0),
         Some(2) => (0.0, -1.0),
         Some(_) => (-1.0, 0.0),
-        None => rest.to_radians().sin_cos(),
+        None => math::sin_cos(rest.to_radians()),
     }
 }
 

@@ -68,9 +68,17 @@ pub(crate) fn inputs<'a>(model: &'a Model, used: &BTreeSet<Symbol>, variables: I
     list.inputs
 }
 
-/// `let` statements for the inputs that are used.
+/// `let` statements for the inputs that are used; sines and cosines of axes are computed together.
 pub(crate) fn prelude(model: &Model, used: &BTreeSet<Symbol>, variables: InputVariables<'_>) -> TokenStream {
-    inputs(model, used, variables).into_iter().map(statement).collect()
+    let (angles, others): (Vec<_>, Vec<_>) = inputs(model, used, variables)
+        .into_iter()
+        .partition(|input| matches!(input, Input::Angle(_, InputSource::Word(..))));
+    let mut lets: TokenStream = others.into_iter().map(statement).collect();
+    if !angles.is_empty() {
+        let (patterns, values): (Vec<_>, Vec<_>) = angles.into_iter().map(definition).unzip();
+        lets.extend(quote!(let [#(#patterns),*] = math::turns([#(#values),*]);));
+    }
+    lets
 }
 
 /// The inputs found so far.
@@ -126,25 +134,24 @@ impl<'a> List<'a, '_> {
 }
 
 fn statement(input: Input<'_>) -> TokenStream {
+    let (pattern, value) = definition(input);
     match input {
-        Input::Value(name, source) => {
-            let (name, value) = (format_ident!("{name}"), value(source));
-            quote!(let #name = #value;)
-        }
+        Input::Angle(_, InputSource::Dimension(_)) => quote!(let #pattern = math::sin_cos(#value);),
+        _ => quote!(let #pattern = #value;),
+    }
+}
+
+/// Name, or names of sine and cosine; and the number, the angle, or the pair.
+fn definition(input: Input<'_>) -> (TokenStream, TokenStream) {
+    let variable = |name: &str| {
+        let name = format_ident!("{name}");
+        quote!(#name)
+    };
+    match input {
+        Input::Value(name, source) => (variable(name), value(source)),
         Input::Angle(names, source) => {
-            let [sine, cosine] = names.map(|name| match name {
-                Some(name) => {
-                    let name = format_ident!("{name}");
-                    quote!(#name)
-                }
-                None => quote!(_),
-            });
-            let value = value(source);
-            let pair = match source {
-                InputSource::Turn(..) => value,
-                _ => quote!(math::sin_cos(#value)),
-            };
-            quote!(let (#sine, #cosine) = #pair;)
+            let [sine, cosine] = names.map(|name| name.map_or_else(|| quote!(_), variable));
+            (quote!((#sine, #cosine)), value(source))
         }
     }
 }

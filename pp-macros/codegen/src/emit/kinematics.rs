@@ -94,7 +94,7 @@ pub(crate) fn linear_axes(model: &Model, solved: &Solved) -> TokenStream {
             if !(tip.x + tip.y + tip.z #(+ axes[#inputs])*).is_finite() {
                 return ::core::option::Option::None;
             }
-            let turns = [#(math::sin_cos(axes[#rotaries])),*];
+            let turns = math::turns([#(axes[#rotaries]),*]);
             let value = self.position(tip, &turns, axes)?;
             let mut solved = *axes;
             #(solved[#linears] = value[#places];)*

@@ -12,7 +12,7 @@ use super::transform::Transforms;
 use crate::cl::record::{CircleForm, CircleRecord, TangentArc};
 use crate::cl::text::{ClFault, Span};
 use crate::cl::vector::within_a_kilometre;
-use crate::kinematics::Pose;
+use crate::kinematics::{Pose, math};
 use crate::nalgebra::{Point3, UnitVector3, Vector3};
 use crate::program::{Arc, Feed};
 
@@ -353,7 +353,7 @@ fn angle_within_revolution(
     } else if chord < SHORTEST_CHORD_MM && !angle_is_stated {
         Err(format!("the ends of an arc are {chord:.5} mm apart: the arc may be empty or a full circle"))
     } else {
-        Ok(n.dot(&u.cross(&v)).atan2(u.dot(&v)).rem_euclid(TAU))
+        Ok(math::atan2(n.dot(&u.cross(&v)), u.dot(&v)).rem_euclid(TAU))
     }
 }
 
@@ -384,7 +384,7 @@ fn angle_on(arc: &Arc, point: Point3<f64>) -> Option<f64> {
     };
     let (u, p) = (flat(arc.start.tip), flat(point));
     let radius = u.norm();
-    let angle = n.dot(&u.cross(&p)).atan2(u.dot(&p)).rem_euclid(TAU);
+    let angle = math::atan2(n.dot(&u.cross(&p)), u.dot(&p)).rem_euclid(TAU);
     // By rounding, points at the ends may lie a little before the start or after the end.
     let rounding = ARC_TOLERANCE_MM / radius;
     let on_circle = (p.norm() - radius).abs() <= ARC_TOLERANCE_MM;

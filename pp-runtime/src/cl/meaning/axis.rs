@@ -10,6 +10,7 @@
 
 use crate::cl::text::{ClFault, Span};
 use crate::cl::vector;
+use crate::kinematics::math;
 use crate::nalgebra::{UnitVector3, Vector3};
 use crate::program::Location;
 
@@ -167,7 +168,7 @@ impl ModalAxis {
     }
 
     fn is_tilted(&self) -> bool {
-        self.axis.z < 0.0 || self.axis.x.hypot(self.axis.y) > TILT
+        self.axis.z < 0.0 || math::hypot(self.axis.x, self.axis.y) > TILT
     }
 
     /// Sets the tool axis; `if_permitted`: only one that MULTAX/OFF permits.

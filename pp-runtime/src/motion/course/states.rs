@@ -2,7 +2,7 @@
 
 use nalgebra::{Point3, UnitVector3, Vector3};
 
-use crate::kinematics::{AxisValues, Branch, Pose, Solution};
+use crate::kinematics::{AxisValues, Branch, Pose, Solution, math};
 
 use crate::motion::course::search::{RotaryState, SAME_WORD};
 use crate::motion::geometry::{PathSegment, angle_between};
@@ -148,7 +148,7 @@ impl StateFinder {
                 && a.cross(&p).dot(&normal) > 0.0
                 && p.cross(&b).dot(&normal) > 0.0;
             // The pole may be beside the path: where it is nearest.
-            let along = || p.dot(&normal.cross(&a)).atan2(sine * p.dot(&a));
+            let along = || math::atan2(p.dot(&normal.cross(&a)), sine * p.dot(&a));
             touches.then(|| (along() / angle_between(&a, &b), *pole))
         })
     }

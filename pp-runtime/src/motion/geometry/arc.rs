@@ -6,6 +6,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
+use crate::kinematics::math;
 use crate::nalgebra::{Point3, Vector3};
 use crate::program::Arc;
 
@@ -61,7 +62,7 @@ impl<'a> ArcGeometry<'a> {
         if fraction >= 1.0 {
             return self.arc.end.tip;
         }
-        let (sine, cosine) = (self.arc.angle_rad * fraction).sin_cos();
+        let (sine, cosine) = math::sin_cos(self.arc.angle_rad * fraction);
         let radius = self.radii_mm[0] + (self.radii_mm[1] - self.radii_mm[0]) * fraction;
         let height = self.level_mm + self.rise_mm * fraction;
         self.arc.centre + (self.u * cosine + self.v * sine) * radius + self.arc.normal.into_inner() * height
@@ -69,7 +70,7 @@ impl<'a> ArcGeometry<'a> {
 
     /// Length of the arc, mm.
     pub(crate) fn length(&self) -> f64 {
-        (0.5 * (self.radii_mm[0] + self.radii_mm[1]) * self.arc.angle_rad).hypot(self.rise_mm)
+        math::hypot(0.5 * (self.radii_mm[0] + self.radii_mm[1]) * self.arc.angle_rad, self.rise_mm)
     }
 
     /// Rise along the normal per mm of path in the plane.
@@ -85,10 +86,10 @@ impl<'a> ArcGeometry<'a> {
         let (a, b) = (self.u.dot(&direction), self.v.dot(&direction));
         let angle = self.arc.angle_rad;
         let slope = self.arc.normal.dot(&direction) * self.rise_mm / angle;
-        let sine = slope / (self.radius() * a.hypot(b));
-        let phase = b.atan2(a);
+        let sine = slope / (self.radius() * math::hypot(a, b));
+        let phase = math::atan2(b, a);
         // NaN if the direction is the normal, outside ±1 if the pitch exceeds the circle's own motion in the direction.
-        let lean = sine.asin();
+        let lean = math::asin(sine);
         [phase + lean, phase + PI - lean].into_iter().filter(|angle| angle.is_finite()).flat_map(move |extreme| {
             let first = extreme.rem_euclid(TAU);
             let last = first + TAU * ((angle - first) / TAU).floor();

@@ -7,6 +7,8 @@
 
 use std::f64::consts::{PI, TAU};
 
+use crate::kinematics::math;
+
 /// Largest difference between the sweep of the words and the nominal one, rad: beyond it the words describe another
 /// arc.
 const SAME_SWEEP: f64 = 0.5;
@@ -69,7 +71,7 @@ impl Circle {
     /// Distance, in units, of the end of an arc that is programmed by its angle from the end of its words; `offset`: the
     /// same at its start.
     pub(crate) fn drift(&self, offset: [f64; 2], end: [i64; 2]) -> [f64; 2] {
-        let (sine, cosine) = if self.clockwise { -self.sweep_rad } else { self.sweep_rad }.sin_cos();
+        let (sine, cosine) = math::sin_cos(if self.clockwise { -self.sweep_rad } else { self.sweep_rad });
         let from_centre = |point: [i64; 2], axis: usize| (point[axis] - self.centre[axis]) as f64;
         let [x, y] = [0, 1].map(|axis| from_centre(self.start, axis) + offset[axis]);
         [x * cosine - y * sine - from_centre(end, 0), x * sine + y * cosine - from_centre(end, 1)]
@@ -122,13 +124,13 @@ fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
 }
 
 fn length(a: [f64; 2]) -> f64 {
-    a[0].hypot(a[1])
+    math::hypot(a[0], a[1])
 }
 
 impl NominalCircle {
     /// Angle from one direction to another in the sense of the circle, rad; one revolution if both are the same.
     fn angle_to_run(&self, from: [f64; 2], to: [f64; 2]) -> f64 {
-        let left = (from[0] * to[1] - from[1] * to[0]).atan2(dot(from, to));
+        let left = math::atan2(from[0] * to[1] - from[1] * to[0], dot(from, to));
         let angle = if self.clockwise { -left } else { left }.rem_euclid(TAU);
         if angle > 0.0 { angle } else { TAU }
     }

@@ -3,14 +3,14 @@
 
 use nalgebra::{UnitVector3, Vector3};
 
-use crate::kinematics::{Pose, REACH_TOLERANCE};
+use crate::kinematics::{Pose, REACH_TOLERANCE, math};
 
 /// Tool axes within this angle are the same, rad: CL data has seven digits.
 pub(crate) const SAME_AXIS: f64 = 1e-6;
 
 /// Angle between two unit vectors, rad; equally exact for small and large angles.
 pub(crate) fn angle_between(a: &Vector3<f64>, b: &Vector3<f64>) -> f64 {
-    a.cross(b).norm().atan2(a.dot(b))
+    math::atan2(a.cross(b).norm(), a.dot(b))
 }
 
 /// Straight path from one pose to another, with evenly rotating tool axis.
@@ -51,7 +51,7 @@ impl PathSegment {
 
     /// Pose at a fraction of the path, 0 at its start and 1 at its end.
     pub(crate) fn at(&self, fraction: f64) -> Pose {
-        let (sine, cosine) = (fraction * self.angle_rad).sin_cos();
+        let (sine, cosine) = math::sin_cos(fraction * self.angle_rad);
         let axis = self.start.axis.into_inner() * cosine + self.perpendicular * sine;
         Pose { tip: self.start.tip + self.step * fraction, axis: UnitVector3::new_normalize(axis) }
     }

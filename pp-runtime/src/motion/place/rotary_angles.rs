@@ -2,7 +2,7 @@
 
 use nalgebra::UnitVector3;
 
-use crate::kinematics::{AxisValues, Pose, REACH_TOLERANCE, Side, Solution, Solutions};
+use crate::kinematics::{AxisValues, Pose, REACH_TOLERANCE, Side, Solution, Solutions, math};
 use crate::program::{RotaryDirection, Rotation};
 
 use super::linearise::PathTolerance;
@@ -246,7 +246,7 @@ impl Placer {
         let solutions = self.machine.inverse_kinematics(&target_pose, &place.axes);
         let off = |solution: &Solution<AxisValues>| -> f64 {
             let difference = |rotary: &Rotary| solution.axes[rotary.index] - place.axes[rotary.index];
-            self.rotary.axes.iter().map(|rotary| 1.0 - difference(rotary).cos()).sum()
+            self.rotary.axes.iter().map(|rotary| 1.0 - math::sin_cos(difference(rotary)).1).sum()
         };
         let nearest = solutions.iter().min_by(|a, b| off(a).total_cmp(&off(b)));
         place.branch = nearest.map_or(from.branch, |solution| solution.branch);

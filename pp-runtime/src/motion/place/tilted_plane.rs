@@ -6,6 +6,7 @@
 
 use nalgebra::{Matrix3, Rotation3, UnitVector3, Vector3};
 
+use crate::kinematics::math;
 use crate::nc::Decimal;
 
 use crate::motion::geometry::angle_between;
@@ -47,28 +48,28 @@ impl PlaneAngles {
     pub fn angles(self, r: &Matrix3<f64>) -> [f64; 3] {
         match self {
             Self::EulerZxz => {
-                let sine = r[(0, 2)].hypot(r[(1, 2)]);
-                let middle = sine.atan2(r[(2, 2)]);
+                let sine = math::hypot(r[(0, 2)], r[(1, 2)]);
+                let middle = math::atan2(sine, r[(2, 2)]);
                 if sine < 1e-12 {
-                    return [r[(1, 0)].atan2(r[(0, 0)]), middle, 0.0];
+                    return [math::atan2(r[(1, 0)], r[(0, 0)]), middle, 0.0];
                 }
-                [r[(0, 2)].atan2(-r[(1, 2)]), middle, r[(2, 0)].atan2(r[(2, 1)])]
+                [math::atan2(r[(0, 2)], -r[(1, 2)]), middle, math::atan2(r[(2, 0)], r[(2, 1)])]
             }
             Self::MovingXyz => {
-                let cosine = r[(0, 0)].hypot(r[(0, 1)]);
-                let middle = r[(0, 2)].atan2(cosine);
+                let cosine = math::hypot(r[(0, 0)], r[(0, 1)]);
+                let middle = math::atan2(r[(0, 2)], cosine);
                 if cosine < 1e-12 {
-                    return [r[(2, 1)].atan2(r[(1, 1)]), middle, 0.0];
+                    return [math::atan2(r[(2, 1)], r[(1, 1)]), middle, 0.0];
                 }
-                [(-r[(1, 2)]).atan2(r[(2, 2)]), middle, (-r[(0, 1)]).atan2(r[(0, 0)])]
+                [math::atan2(-r[(1, 2)], r[(2, 2)]), middle, math::atan2(-r[(0, 1)], r[(0, 0)])]
             }
             Self::FixedXyz => {
-                let cosine = r[(0, 0)].hypot(r[(1, 0)]);
-                let middle = (-r[(2, 0)]).atan2(cosine);
+                let cosine = math::hypot(r[(0, 0)], r[(1, 0)]);
+                let middle = math::atan2(-r[(2, 0)], cosine);
                 if cosine < 1e-12 {
-                    return [0.0, middle, (-r[(0, 1)]).atan2(r[(1, 1)])];
+                    return [0.0, middle, math::atan2(-r[(0, 1)], r[(1, 1)])];
                 }
-                [r[(2, 1)].atan2(r[(2, 2)]), middle, r[(1, 0)].atan2(r[(0, 0)])]
+                [math::atan2(r[(2, 1)], r[(2, 2)]), middle, math::atan2(r[(1, 0)], r[(0, 0)])]
             }
         }
     }
@@ -79,7 +80,7 @@ impl PlaneAngles {
 pub(crate) fn plane_across(axis: &UnitVector3<f64>) -> Matrix3<f64> {
     let normal = axis.into_inner();
     let along = |direction: Vector3<f64>| (direction - normal * normal.dot(&direction)).normalize();
-    let x = if normal.x.abs() > ALONG_NORMAL.cos() { along(Vector3::y()) } else { along(Vector3::x()) };
+    let x = if normal.x.abs() > math::sin_cos(ALONG_NORMAL).1 { along(Vector3::y()) } else { along(Vector3::x()) };
     Matrix3::from_columns(&[x, normal.cross(&x), normal])
 }
 

@@ -8,7 +8,7 @@
 
 use std::f64::consts::TAU;
 
-use crate::kinematics::Pose;
+use crate::kinematics::{Pose, math};
 use crate::motion::options::{ArcForm, ArcOutput};
 use crate::nalgebra::Vector3;
 use crate::program::{Arc, Move};
@@ -181,7 +181,8 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         if setup.output == ArcOutput::Lines {
             return Err(NoArc::Configured);
         }
-        if round.radius() * (1.0 - (0.5 * arc.angle_rad).cos()) < 0.5 * placer.unit_mm() && arc.angle_rad < 1.0 {
+        if round.radius() * (1.0 - math::sin_cos(0.5 * arc.angle_rad).1) < 0.5 * placer.unit_mm() && arc.angle_rad < 1.0
+        {
             return Err(NoArc::Straight);
         }
         if self.planner.mover.rotates(end) {
@@ -193,7 +194,7 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         let perpendicular = normal.iamax();
         let plane = ArcPlane::PERPENDICULAR_TO[perpendicular];
         let in_plane = plane.axes();
-        let lean_mm = 2.0 * round.radius() * normal[in_plane[0]].hypot(normal[in_plane[1]]);
+        let lean_mm = 2.0 * round.radius() * math::hypot(normal[in_plane[0]], normal[in_plane[1]]);
         if lean_mm > self.planner.mover.tolerance().tip_mm || !self.planner.has_arcs(perpendicular) {
             return Err(NoArc::Plane);
         }
@@ -222,7 +223,7 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
             drift = self.drift(&circle, drift, &to);
             from = to;
         }
-        Ok(drift[0].hypot(drift[1]) <= MOST_DRIFT)
+        Ok(math::hypot(drift[0], drift[1]) <= MOST_DRIFT)
     }
 
     /// Distance between the end of a piece and the end of its words, in units.
@@ -264,8 +265,9 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         let height = |deviation: CircleDeviation| {
             lean_mm + 0.5 * unit + self.round.slope().abs() * (2.0 * deviation.centre_mm + ROUNDED * unit)
         };
-        let drifted = unit * drift[0].hypot(drift[1]);
-        let within = |deviation: CircleDeviation| deviation.plane_mm.hypot(height(deviation)) + drifted <= tolerance;
+        let drifted = unit * math::hypot(drift[0], drift[1]);
+        let within =
+            |deviation: CircleDeviation| math::hypot(deviation.plane_mm, height(deviation)) + drifted <= tolerance;
         if !within(fit.deviation)
             || placer.too_large([fit.centre[0] - start[0], fit.centre[1] - start[1]], [first, second])
         {

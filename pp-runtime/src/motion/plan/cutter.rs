@@ -12,6 +12,7 @@
 
 use nalgebra::Vector3;
 
+use crate::kinematics::math;
 use crate::motion::options::{ArcOutput, CutterPath, Policy, StretchMode};
 use crate::program::{Arc, Compensation, CutterSide, Event, Move};
 
@@ -201,7 +202,7 @@ pub(crate) fn line<S: Sink>(planner: &mut Planner<'_, S>, ahead: MotionAndNext<'
     let step = in_program(planner, &from, motion);
     let unit = planner.mover.placer().unit_mm();
     let flat = |step: &Vector3<f64>| step.z.abs() <= (0.5 * unit).max(FLAT);
-    let line = |step: &Vector3<f64>| !motion.rapid && flat(step) && step.x.hypot(step.y) >= unit;
+    let line = |step: &Vector3<f64>| !motion.rapid && flat(step) && math::hypot(step.x, step.y) >= unit;
     match planner.cutter.state {
         Compensating::Off => {}
         Compensating::Begins => {
@@ -209,7 +210,7 @@ pub(crate) fn line<S: Sink>(planner: &mut Planner<'_, S>, ahead: MotionAndNext<'
             if let Ok(step) = step.as_ref()
                 && line(step)
             {
-                check_length(planner, step.x.hypot(step.y))?;
+                check_length(planner, math::hypot(step.x, step.y))?;
                 switch(planner, true)?;
             } else if !motion.rapid {
                 step?;
@@ -285,7 +286,7 @@ fn in_program<S: Sink>(planner: &Planner<'_, S>, from: &AxisPosition, motion: &M
     };
     let (_, map) = planner.mover.placer().orthogonal_map(from).ok_or_else(tilted)?;
     let along = map * motion.pose.axis.into_inner();
-    if along.z < 0.0 || along.x.hypot(along.y) > SAME_AXIS + plane_lean(planner) {
+    if along.z < 0.0 || math::hypot(along.x, along.y) > SAME_AXIS + plane_lean(planner) {
         return Err(tilted());
     }
     Ok(map * (motion.pose.tip - from.pose.tip))

@@ -10,6 +10,7 @@
 //! digits than its word, or where the block would be shorter than `feed.shortest_block`; and then by no more than necessary.
 //! For `shortest_block` no F is below the smallest that its word can hold: such a block is as long as that F makes it.
 
+use crate::kinematics::math;
 use crate::motion::options::Policy;
 use crate::motion::options::{PathNorm, StretchMode};
 use crate::nc::Decimal;
@@ -240,7 +241,7 @@ impl Feeds {
     /// Largest F of inverse-time feed, rounded down to its digits.
     fn largest_word(&self) -> Result<Decimal, Fault> {
         let digits = self.inverse_time_digits.min(6);
-        let whole = self.largest_inverse_time.log10().floor() as i32 + 1;
+        let whole = math::log10(self.largest_inverse_time).floor() as i32 + 1;
         let decimals = (digits as i32 - whole).max(0) as u32;
         let nearest = Decimal::fixed(self.largest_inverse_time, decimals);
         let word = nearest.map_err(|_| Fault::new("`feed.largest_inverse_time` is too large for an F word"))?;
@@ -257,7 +258,7 @@ impl Feeds {
             _ if self.along_tip => length_mm,
             PathNorm::G93Minutes | PathNorm::G93Seconds => length_mm,
             PathNorm::Xyz if linear_mm > 0.0 => linear_mm,
-            PathNorm::XyzDegrees if linear_mm > 0.0 => linear_mm.hypot(rotary_degrees),
+            PathNorm::XyzDegrees if linear_mm > 0.0 => math::hypot(linear_mm, rotary_degrees),
             PathNorm::Xyz | PathNorm::XyzDegrees => rotary_degrees,
         }
     }

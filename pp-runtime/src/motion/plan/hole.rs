@@ -5,7 +5,7 @@
 //! and the control has a cycle with just these steps. A hole that differs from all cycles (a first step unlike the others, a
 //! programmed retract between steps) is written as motions. A thread never is: only a cycle synchronises spindle and feed.
 
-use crate::kinematics::Pose;
+use crate::kinematics::{Pose, math};
 use crate::motion::options::{CycleOutput, StretchMode};
 use crate::nc::Decimal;
 use crate::program::{Drilling, Feed as Programmed, Hole, Move, Rotation};
@@ -207,7 +207,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         };
         let along = map * hole.top.axis.into_inner();
         let reach = hole.depth_mm + hole.return_mm.max(hole.clearance_mm);
-        if along.z < 0.0 || along.x.hypot(along.y) * reach > 0.5 * placer.unit_mm() {
+        if along.z < 0.0 || math::hypot(along.x, along.y) * reach > 0.5 * placer.unit_mm() {
             return Ok(Err("the tool axis is not Z of the program"));
         }
         let kind = match self.kind()? {

@@ -22,7 +22,7 @@ pub(crate) fn pair(model: &Model, solved: &Solved, two: &TwoRotaries) -> TokenSt
     let near_the_edge = near_the_edge(solved, &body, two);
     let finite = finite(model);
     let statements = lets(&body.statements(&outputs));
-    let angles: TokenStream = (0..2).map(|branch| angles(model, &body, two, branch)).collect();
+    let angles = angles(model, &body, two);
     let solutions = (0..2).map(|branch| solution(model, solved, &body, two, branch));
     quote! {
         #prelude
@@ -49,24 +49,34 @@ fn near_the_edge(solved: &Solved, body: &Body<'_>, two: &TwoRotaries) -> TokenSt
     quote!(!(#root >= pp::kinematics::SINGULAR_SINE) #pole #capacity)
 }
 
-/// `let` statements for the angles of a branch.
-fn angles(model: &Model, body: &Body<'_>, two: &TwoRotaries, branch: usize) -> TokenStream {
-    let Branch { words, angles, .. } = two.branches[branch];
-    let statements = (0..2).map(|rotary| {
-        let (name, first) = (angle_name(model, two, rotary, branch), angle_name(model, two, rotary, 0));
-        let value = match angles[rotary] {
-            AngleRelation::Own => {
-                let (sine, cosine) = (body.tokens(words[rotary].0), body.tokens(words[rotary].1));
-                quote!(math::angle(#sine, #cosine))
-            }
+/// `let` statements for the angles of both branches: the arc tangents together, and then those that follow from them.
+fn angles(model: &Model, body: &Body<'_>, two: &TwoRotaries) -> TokenStream {
+    let all = || (0..2).flat_map(|branch| (0..2).map(move |rotary| (branch, rotary)));
+    let name = |branch: usize, rotary: usize| angle_name(model, two, rotary, branch);
+    let is_own = |branch: usize, rotary: usize| matches!(two.branches[branch].angles[rotary], AngleRelation::Own);
+    let own = all().filter(|&(branch, rotary)| is_own(branch, rotary));
+    let (names, turns): (Vec<_>, Vec<_>) = own
+        .map(|(branch, rotary)| {
+            let (sine, cosine) = two.branches[branch].words[rotary];
+            let (sine, cosine) = (body.tokens(sine), body.tokens(cosine));
+            (name(branch, rotary), quote!((#sine, #cosine)))
+        })
+        .unzip();
+    let others = all().filter_map(|(branch, rotary)| {
+        let (name, first) = (name(branch, rotary), name(0, rotary));
+        let value = match two.branches[branch].angles[rotary] {
+            AngleRelation::Own => return None,
             AngleRelation::Same => quote!(#first),
             AngleRelation::Negated => quote!(math::negated(#first)),
             AngleRelation::HalfTurn => quote!(math::half_turn(#first)),
             AngleRelation::Mirrored => quote!(math::mirrored(#first)),
         };
-        quote!(let #name = #value;)
+        Some(quote!(let #name = #value;))
     });
-    statements.collect()
+    quote! {
+        let [#(#names),*] = math::angles([#(#turns),*]);
+        #(#others)*
+    }
 }
 
 fn solution(model: &Model, solved: &Solved, body: &Body<'_>, two: &TwoRotaries, branch: usize) -> TokenStream {
