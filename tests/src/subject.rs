@@ -1,7 +1,9 @@
 //! A machine as a trait object, so that the checks are compiled once and not once per machine.
 
 use nalgebra::{Point3, UnitVector3, Vector3};
-use pp_runtime::kinematics::{Axis, Dimension, Invalid, Joint, Machine, MotionBound, Pose, Solution, Unreachable};
+use pp_runtime::kinematics::{
+    Axis, Dimension, Invalid, Joint, Machine, MotionBound, Pose, RotaryAngles, Solution, Unreachable,
+};
 
 /// One solution of the inverse kinematics.
 pub(crate) type Found = Solution<Vec<f64>>;
@@ -22,6 +24,7 @@ pub(crate) trait Subject {
     fn tool_axis(&self) -> UnitVector3<f64>;
     fn forward(&self, axes: &[f64]) -> Pose;
     fn inverse(&self, pose: &Pose, held: &[f64]) -> Vec<Found>;
+    fn rotary_axes(&self, axis: &UnitVector3<f64>, held: &[f64]) -> Vec<Solution<RotaryAngles>>;
     fn linear_axes(&self, tip: &Point3<f64>, axes: &[f64]) -> Option<Vec<f64>>;
     fn reach(&self, axis: &UnitVector3<f64>, held: &[f64]) -> Result<(), Unreachable>;
     fn motion(&self, from: &[f64], to: &[f64]) -> MotionBound;
@@ -85,6 +88,9 @@ impl<M: Machine> Subject for Erased<M> {
                 deviation: solution.deviation,
             })
             .collect()
+    }
+    fn rotary_axes(&self, axis: &UnitVector3<f64>, held: &[f64]) -> Vec<Solution<RotaryAngles>> {
+        self.0.rotary_axes(axis, &array::<M>(held)).to_vec()
     }
     fn linear_axes(&self, tip: &Point3<f64>, axes: &[f64]) -> Option<Vec<f64>> {
         self.0.linear_axes(tip, &array::<M>(axes)).map(|axes| axes.as_ref().to_vec())

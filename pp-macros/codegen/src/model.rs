@@ -184,6 +184,19 @@ impl Model {
         self.solved(AxisKind::Rotary)
     }
 
+    /// Name of a dimension in the structure of C: its own, unless it means something else in C.
+    #[must_use]
+    pub fn c_field(&self, name: &str) -> String {
+        if !is_word_of_c(name) {
+            return name.to_owned();
+        }
+        let mut field = format!("dim_{name}");
+        while self.dimensions.iter().any(|dimension| dimension.name == field) {
+            field.push('_');
+        }
+        field
+    }
+
     /// Solved linear axes, in chain order.
     pub fn solved_linears(&self) -> impl Iterator<Item = AxisId> + '_ {
         self.solved(AxisKind::Linear)

@@ -9,7 +9,8 @@
 use nalgebra::{Point3, UnitVector3, Vector3};
 
 use super::{
-    Axis, CSource, Dimension, Explanation, Invalid, Joint, Machine, MotionBound, Pose, Solutions, Unreachable,
+    Axis, CSource, Dimension, Explanation, Invalid, Joint, Machine, MotionBound, Pose, RotaryAngles, Solutions,
+    Unreachable,
 };
 
 /// Most axes that a chain can have: X Y Z U V W A B C.
@@ -66,8 +67,11 @@ pub trait AnyMachine: sealed::Sealed + Send + Sync {
     fn forward_kinematics(&self, axes: &AxisValues) -> Pose;
     /// [`Machine::inverse_kinematics`].
     fn inverse_kinematics(&self, pose: &Pose, held: &AxisValues) -> Solutions<AxisValues>;
-    /// [`Machine::linear_axes`].
-    fn linear_axes(&self, tip: &Point3<f64>, axes: &AxisValues) -> Option<AxisValues>;
+    /// [`Machine::rotary_axes`].
+    fn rotary_axes(&self, axis: &UnitVector3<f64>, held: &AxisValues) -> Solutions<RotaryAngles>;
+    /// Sets the linear axes of some axis values to those of [`Machine::linear_axes`]. Returns false, and changes nothing, where
+    /// there are none.
+    fn set_linear_axes(&self, tip: &Point3<f64>, axes: &mut AxisValues) -> bool;
     /// [`Machine::reach`].
     ///
     /// # Errors
@@ -164,8 +168,16 @@ impl<M: Machine> AnyMachine for M {
         Machine::inverse_kinematics(self, pose, &trimmed::<M>(held)).map(padded::<M>)
     }
 
-    fn linear_axes(&self, tip: &Point3<f64>, axes: &AxisValues) -> Option<AxisValues> {
-        Machine::linear_axes(self, tip, &trimmed::<M>(axes)).map(|axes| padded::<M>(&axes))
+    fn rotary_axes(&self, axis: &UnitVector3<f64>, held: &AxisValues) -> Solutions<RotaryAngles> {
+        Machine::rotary_axes(self, axis, &trimmed::<M>(held))
+    }
+
+    fn set_linear_axes(&self, tip: &Point3<f64>, axes: &mut AxisValues) -> bool {
+        let solved = Machine::linear_axes(self, tip, &trimmed::<M>(axes));
+        if let Some(solved) = &solved {
+            axes[..M::AXES.len()].copy_from_slice(&solved.as_ref()[..M::AXES.len()]);
+        }
+        solved.is_some()
     }
 
     fn reach(&self, axis: &UnitVector3<f64>, held: &AxisValues) -> Result<(), Unreachable> {
@@ -178,6 +190,15 @@ impl<M: Machine> AnyMachine for M {
 
     fn rates(&self, axes: &AxisValues, change: &AxisValues) -> (Vector3<f64>, Vector3<f64>) {
         Machine::rates(self, &trimmed::<M>(axes), &trimmed::<M>(change))
+    }
+}
+
+impl dyn AnyMachine + '_ {
+    /// [`Machine::linear_axes`].
+    #[must_use]
+    pub fn linear_axes(&self, tip: &Point3<f64>, axes: &AxisValues) -> Option<AxisValues> {
+        let mut solved = *axes;
+        self.set_linear_axes(tip, &mut solved).then_some(solved)
     }
 }
 

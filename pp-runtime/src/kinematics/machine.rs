@@ -4,7 +4,9 @@ use core::fmt::Debug;
 
 use nalgebra::{Point3, UnitVector3, Vector3};
 
-use super::{CSource, Explanation, Invalid, MotionBound, Solutions, Unreachable, motion_of_joints, rates_of_joints};
+use super::{
+    CSource, Explanation, Invalid, MotionBound, RotaryAngles, Solutions, Unreachable, motion_of_joints, rates_of_joints,
+};
 
 /// Tool tip and tool axis in the workpiece frame; no spin about the tool.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -180,6 +182,21 @@ pub trait Machine: Default + Clone + Send + Sync + 'static {
     /// that value as it was given, whole turns included. If there is no solution, [`reach`](Self::reach) gives the
     /// reason.
     fn inverse_kinematics(&self, pose: &Pose, held: &Self::Axes) -> Solutions<Self::Axes>;
+
+    /// Angles of the solved rotary axes that give the tool the axis `axis`: those of
+    /// [`inverse_kinematics`](Self::inverse_kinematics), without the linear axes, and whether or not these are degenerate.
+    ///
+    /// A machine written by hand may leave it out.
+    fn rotary_axes(&self, axis: &UnitVector3<f64>, held: &Self::Axes) -> Solutions<RotaryAngles> {
+        let pose = Pose { tip: Point3::origin(), axis: *axis };
+        self.inverse_kinematics(&pose, held).map(|axes| {
+            let mut angles = RotaryAngles::default();
+            let solved = Self::AXES.iter().zip(axes.as_ref());
+            let solved = solved.filter(|(axis, _)| axis.kind == AxisKind::Rotary && !axis.held);
+            angles.iter_mut().zip(solved).for_each(|(angle, (_, value))| *angle = *value);
+            angles
+        })
+    }
 
     /// Linear axes that bring the tip to `tip` while rotary and held values stay as they are in `axes`.
     ///

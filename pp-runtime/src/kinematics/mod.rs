@@ -30,7 +30,7 @@ pub use motion::{Curve, MotionBound, motion_of_joints, rates_of_joints};
 #[cfg(feature = "simulate")]
 pub use ranges::AxisRanges;
 pub use refusal::{Cone, Invalid, Unreachable};
-pub use solutions::{Branch, Solution, Solutions};
+pub use solutions::{Branch, RotaryAngles, Solution, Solutions};
 
 /// Largest angle of a tool axis outside the reachable set at which it is still posted, rad.
 ///

@@ -13,6 +13,9 @@ pub enum Branch {
     Second,
 }
 
+/// Angles of the solved rotary axes in the order of the chain, rad; 0 for each of the two that a machine does not have.
+pub type RotaryAngles = [f64; 2];
+
 /// Axis values for a pose, before whole turns and limits.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Solution<A> {
@@ -56,7 +59,6 @@ impl<A: Copy + Default> Solutions<A> {
 
 impl<A: Copy> Solutions<A> {
     /// The same solutions with their axis values in another form.
-    #[cfg(feature = "std")]
     #[inline]
     pub(crate) fn map<B: Copy + Default>(&self, convert: impl Fn(&A) -> B) -> Solutions<B> {
         let mut list = [Solution::default(); 2];

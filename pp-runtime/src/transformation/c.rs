@@ -4,10 +4,10 @@ use std::fmt::Write as _;
 
 use crate::kinematics::{AnyMachine, Axis, AxisKind, CSource, Side};
 
-use super::NotExpressible;
+use super::{NotExpressible, math};
 
 /// Character of [`CSource`] whose place the prefix takes.
-const PREFIX: char = '@';
+pub(super) const PREFIX: char = '@';
 
 /// Forward and inverse kinematics of a machine as a C99 header; all its names begin with `prefix` (see [`identifier`]).
 ///
@@ -25,7 +25,7 @@ const PREFIX: char = '@';
 /// # Errors
 /// The machine was not made by `machine!`.
 pub fn c_header(machine: &dyn AnyMachine, prefix: &str) -> Result<String, NotExpressible> {
-    let functions = functions(machine, prefix)?;
+    let functions = functions(machine, prefix, &math::own())?;
     let name = machine.name();
     let guard = format!("{}_H", prefix.to_uppercase());
     let mut text = String::new();
@@ -37,17 +37,17 @@ pub fn c_header(machine: &dyn AnyMachine, prefix: &str) -> Result<String, NotExp
          * Millimetres and radians. The workpiece frame is at the part zero, along the machine's axes with all of them at\n \
          * zero; with all axes at zero the tool tip is at the part zero. {name} explains the formulas with `explain`.\n \
          */\n\
-         #ifndef {guard}\n#define {guard}\n\n#include <math.h>\n\n{functions}\n#endif\n",
+         #ifndef {guard}\n#define {guard}\n\n#include <math.h>\n#include <stdint.h>\n\n{functions}\n#endif\n",
         chain = chain(machine),
     );
     Ok(text)
 }
 
-/// The functions alone, with their prefix.
+/// The functions alone, with their prefix; `math` defines sine, cosine and arc tangent.
 ///
 /// # Errors
 /// The machine was not made by `machine!`.
-pub(super) fn functions(machine: &dyn AnyMachine, prefix: &str) -> Result<String, NotExpressible> {
+pub(super) fn functions(machine: &dyn AnyMachine, prefix: &str, math: &str) -> Result<String, NotExpressible> {
     let CSource { text, .. } = machine.c_source();
     if text.is_empty() {
         return Err(NotExpressible(format!(
@@ -55,7 +55,7 @@ pub(super) fn functions(machine: &dyn AnyMachine, prefix: &str) -> Result<String
             machine.name()
         )));
     }
-    Ok(text.replace(PREFIX, prefix))
+    Ok(format!("{math}{text}").replace(PREFIX, prefix))
 }
 
 /// `C B | X Y Z (C rad, B rad, X mm, Y mm, Z mm)`

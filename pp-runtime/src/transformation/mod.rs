@@ -11,6 +11,7 @@
 
 mod c;
 pub mod linuxcnc;
+mod math;
 mod sheet;
 
 pub use c::{c_header, identifier, machine_identifier};

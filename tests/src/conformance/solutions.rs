@@ -55,6 +55,7 @@ impl Setting {
         self.branches(&case, &solutions)?;
         self.free_rotary(&case, &solutions)?;
         self.linear_axes(&case, &solutions, random)?;
+        self.rotary_axes_alone(&case, &solutions)?;
         if self.machine.reach(&case.pose.axis, &case.held).is_ok() == solutions.is_empty() {
             let more = format!("{solutions:?}\n{:?}", self.machine.reach(&case.pose.axis, &case.held));
             return Err(self.fault("`reach` refuses exactly what has no solution", &case, &more));
@@ -94,6 +95,33 @@ impl Setting {
         let angle = angle_between(&reached.axis, &case.pose.axis);
         if exceeds(angle, AXIS + solution.deviation) {
             return fault("a solution brings the tool axis to the pose", &format!("{angle:e} rad off"));
+        }
+        Ok(())
+    }
+
+    /// Checks that the rotary axes alone are the same, bit for bit, and that any more have degenerate linear axes.
+    fn rotary_axes_alone(&self, case: &Case, solutions: &[Found]) -> Result<(), Fault> {
+        let solved = self.oracle.rotary();
+        let alone = self.machine.rotary_axes(&case.pose.axis, &case.held);
+        let mut whole = solutions.iter();
+        for solution in &alone {
+            let mut axes = case.held.clone();
+            solved.iter().zip(solution.axes).for_each(|(index, angle)| axes[*index] = angle);
+            let Some(linear) = self.machine.linear_axes(&case.pose.tip, &axes) else { continue };
+            let same = whole.next().is_some_and(|whole| {
+                let angles = solved.iter().zip(solution.axes);
+                let of_same = (whole.branch, whole.singular) == (solution.branch, solution.singular)
+                    && whole.deviation.to_bits() == solution.deviation.to_bits();
+                of_same && angles.clone().all(|(index, angle)| whole.axes[*index].to_bits() == angle.to_bits())
+            });
+            if !same {
+                let more = format!("{solution:?}\nwith {linear:?} is not in {solutions:?}");
+                return Err(self.fault("the rotary axes alone are those of the solutions", case, &more));
+            }
+        }
+        if whole.next().is_some() {
+            let more = format!("{alone:?} are not all of {solutions:?}");
+            return Err(self.fault("the rotary axes alone are those of the solutions", case, &more));
         }
         Ok(())
     }

@@ -3,7 +3,7 @@
 //! Generated Rust names only `::core` and the runtime (`::pp_runtime`, or the path of the field `crate`), allocates nothing and contains no loop.
 
 mod body;
-pub(crate) mod c;
+mod c;
 mod inputs;
 mod inverse;
 mod kinematics;
@@ -18,6 +18,7 @@ use crate::explain::Explanation;
 use crate::model::Model;
 use crate::solve::Solved;
 use crate::syntax::Declaration;
+use inverse::Wanted;
 pub use options::Options;
 
 /// The struct, its private position function, and its `Machine` implementation.
@@ -35,11 +36,13 @@ pub(crate) fn emit(
     let linear_axes = kinematics::linear_axes(model, solved);
     let joints = kinematics::joints(model, solved);
     let inverse = inverse::inverse(model, solved);
+    let rotary_axes = inverse::rotary_axes(model, solved);
     let reach = inverse::reach(model, solved);
     let motion = motion::motion(model, &solved.motion);
     let (position, position_signature) = kinematics::position(model, solved);
-    let edge = inverse::edge(model, solved);
-    let (edge, edge_signature) = edge.unzip();
+    let edges =
+        [Wanted::AllAxes, Wanted::RotaryAxes].into_iter().filter_map(|wanted| inverse::edge(model, solved, wanted));
+    let (edges, edge_signatures): (Vec<_>, Vec<_>) = edges.unzip();
     let name = &declaration.name;
     let count = model.axes.len();
     let runtime = machine::runtime(declaration);
@@ -58,12 +61,12 @@ pub(crate) fn emit(
             /// user.
             trait Shared {
                 #position_signature
-                #edge_signature
+                #(#edge_signatures)*
             }
 
             impl Shared for #name {
                 #position
-                #edge
+                #(#edges)*
             }
 
             #[automatically_derived]
@@ -74,6 +77,7 @@ pub(crate) fn emit(
                 #joints
                 #forward
                 #inverse
+                #rotary_axes
                 #linear_axes
                 #reach
                 #motion

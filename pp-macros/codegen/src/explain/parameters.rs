@@ -1,7 +1,6 @@
 //! Where each quantity of the formulas comes from that is neither pose nor axis value.
 
 use super::section::{Line, Section, line};
-use crate::emit::c::structure::field;
 use crate::formula::Formula;
 use crate::model::{AxisKind, Dimension, Model, Quantity, Side};
 use crate::symbolic::{PolyVector, Surd, Symbol};
@@ -30,7 +29,7 @@ pub(crate) fn parameters(model: &Model) -> Section {
         .map(|name| name.to_lowercase().replace('_', "-"))
         .chain(["part-origin-x to -z".into(), "tool-offset".into()]);
     let pins: Vec<String> = pins.collect();
-    let fields = names.iter().map(|name| field(model, name)).chain(["part_origin", "gauge_length"].map(String::from));
+    let fields = names.iter().map(|name| model.c_field(name)).chain(["part_origin", "gauge_length"].map(String::from));
     let fields: Vec<String> = fields.collect();
     section.words(&format!("Kinematics for LinuxCNC have them as pins: {}.", pins.join(", ")));
     section.words(&format!("In C they are members of the structure: {}.", fields.join(", ")));

@@ -10,7 +10,7 @@ use wide::f64x2;
 use super::{polynomial, splat};
 
 /// `atan t = t + t³ p(t²)`.
-const ARC_TANGENT: [f64; 11] = [
+pub(crate) const ARC_TANGENT: [f64; 11] = [
     -0.333_333_333_333_332_1,
     0.199_999_999_999_558_03,
     -0.142_857_142_803_843_65,
@@ -24,16 +24,16 @@ const ARC_TANGENT: [f64; 11] = [
     -0.017_936_259_410_284_712,
 ];
 
-const TAN_PI_8: f64 = 0.414_213_562_373_095;
+pub(crate) const TAN_PI_8: f64 = 0.414_213_562_373_095;
 
 /// `π` less the nearest `f64`.
-const PI_REST: f64 = 1.224_646_799_147_353_2e-16;
+pub(crate) const PI_REST: f64 = 1.224_646_799_147_353_2e-16;
 
 /// A larger number may overflow in a sum.
-const LARGEST: f64 = 1e300;
+pub(crate) const LARGEST: f64 = 1e300;
 
 /// The first 26 bits of a number.
-const UPPER_BITS: f64 = f64::from_bits(0xFFFF_FFFF_F800_0000);
+pub(crate) const UPPER_BITS: f64 = f64::from_bits(0xFFFF_FFFF_F800_0000);
 
 /// Angles of the points `(x, y)`, in \\[-π, π\\].
 #[inline]

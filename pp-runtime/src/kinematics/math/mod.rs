@@ -2,8 +2,8 @@
 //!
 //! They give the same bits on every system: a program does not depend on the library of the system on which it was posted.
 
-mod arc_tangent;
-mod sin_cos;
+pub(crate) mod arc_tangent;
+pub(crate) mod sin_cos;
 #[cfg(test)]
 mod tests;
 

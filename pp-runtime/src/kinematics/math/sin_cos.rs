@@ -11,7 +11,7 @@ use wide::f64x2;
 use super::{polynomial, splat};
 
 /// `sin y = y - y³ p(y²)`.
-const SINE: [f64; 6] = [
+pub(crate) const SINE: [f64; 6] = [
     0.166_666_666_666_666_32,
     -0.008_333_333_333_322_418,
     0.000_198_412_698_298_124_07,
@@ -21,7 +21,7 @@ const SINE: [f64; 6] = [
 ];
 
 /// `cos y = 1 - y²/2 + y⁴ p(y²)`.
-const COSINE: [f64; 6] = [
+pub(crate) const COSINE: [f64; 6] = [
     0.041_666_666_666_666_6,
     -0.001_388_888_888_887_413_1,
     2.480_158_728_948_701_2e-5,
@@ -32,17 +32,17 @@ const COSINE: [f64; 6] = [
 
 /// Added to a number below 2^51 and subtracted from it, it leaves the nearest whole number, which is in the last bits of the
 /// sum.
-const WHOLE: f64 = 6_755_399_441_055_744.0;
+pub(crate) const WHOLE: f64 = 6_755_399_441_055_744.0;
 
 /// The first 33 bits of `π/2`: its multiples up to [`MOST_QUARTERS`] are exact. And the rest, to 86 bits in all.
-const QUARTER_TURN: f64 = f64::from_bits(0x3FF9_21FB_5440_0000);
-const QUARTER_TURN_REST: f64 = f64::from_bits(0x3DD0_B461_1A62_6331);
+pub(crate) const QUARTER_TURN: f64 = f64::from_bits(0x3FF9_21FB_5440_0000);
+pub(crate) const QUARTER_TURN_REST: f64 = f64::from_bits(0x3DD0_B461_1A62_6331);
 
 /// Largest number of quarter turns that are subtracted.
-const MOST_QUARTERS: f64 = 1e6;
+pub(crate) const MOST_QUARTERS: f64 = 1e6;
 
 /// Distance from a multiple of `π/2`, for each quarter turn, from which on 86 bits of `π/2` suffice.
-const FAR_ENOUGH: f64 = 1.0 / 134_217_728.0;
+pub(crate) const FAR_ENOUGH: f64 = 1.0 / 134_217_728.0;
 
 /// Sines and cosines.
 #[inline]

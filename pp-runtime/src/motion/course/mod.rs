@@ -16,6 +16,7 @@
 mod packed;
 mod search;
 mod states;
+mod steady;
 
 #[cfg(test)]
 mod tests;
@@ -39,6 +40,7 @@ use crate::motion::source::{Begins, ItemAction, MotionIndex, ProgramItem, Stage}
 use packed::PackedChanges;
 use search::{CourseSearch, RotaryState};
 use states::StateFinder;
+use steady::SteadyRun;
 
 /// Largest number of points at which one block is split, at poles and at limits.
 const MAX_CROSSINGS: u32 = 16;
@@ -135,6 +137,8 @@ pub struct Navigator {
     park: BTreeMap<char, f64>,
     start_branch: Option<Branch>,
     searches: [SearchRun; 2],
+    /// The run of cuts since the last motion that both searches have taken.
+    run: Option<SteadyRun>,
     /// Angle of a free first rotary axis in operations without one of their own.
     singular: Singular,
     /// Mode of operations without one of their own.
@@ -166,7 +170,7 @@ impl Navigator {
         let free = placer.rotaries().first().filter(|_| placer.rotaries().len() == 2).copied();
         let zeroes = policy.options.singular == Singular::Zero;
         let run = |greedy| {
-            let mut search = CourseSearch::new(placer.metric(), free, zeroes, greedy);
+            let mut search = CourseSearch::new(*placer.metric(), free, zeroes, greedy);
             if greedy != policy.options.course.greedy {
                 search.forget_changes();
             }
@@ -174,6 +178,7 @@ impl Navigator {
         };
         Self {
             searches: [run(false), run(true)],
+            run: None,
             singular: policy.options.singular,
             mode: policy.options.mode,
             has_tip_control: false,
@@ -212,7 +217,10 @@ impl Navigator {
     fn record(&mut self, event: &Event<'_>) {
         match event {
             Event::From(pose) => self.count_from(pose),
-            Event::Home => self.go_home(),
+            Event::Home => {
+                self.end_run();
+                self.go_home();
+            }
             Event::RotaryDirection(turning) => self.sense = self.finder.placer().rotation_sense(*turning),
             Event::Name(_)
             | Event::MachineName(_)
@@ -272,6 +280,10 @@ impl Navigator {
     }
 
     fn go(&mut self, pose: &Pose, air: bool, begins: bool) {
+        if !air && self.goes_on(pose) {
+            return;
+        }
+        self.end_run();
         if self.searches[0].ended {
             return;
         }
@@ -291,16 +303,62 @@ impl Navigator {
             return;
         }
         let steady = !air && pole.is_none() && self.is_away_from_poles(&pose) && !self.is_near_limit(&pose);
+        let mut followed = steady;
         for run in 0..self.searches.len() {
-            if steady && !self.searches[run].ended && self.searches[run].search.follow(self.motion, &self.states) {
+            if self.searches[run].ended || steady && self.searches[run].search.follow(self.motion, &self.states) {
                 continue;
             }
-            if !self.searches[run].ended && !self.step(run, (&pose, pole.as_ref()), air, begins) {
+            followed = false;
+            if !self.step(run, (&pose, pole.as_ref()), air, begins) {
                 self.searches[run].ended = true;
             }
         }
         self.here = Some(pose);
         self.pole = pole;
+        if followed {
+            self.begin_run(&pose);
+        }
+    }
+
+    /// Takes a cut that belongs to the run; false if it ends the run.
+    #[inline]
+    fn goes_on(&mut self, pose: &Pose) -> bool {
+        let (Some(run), Some(from)) = (&mut self.run, &mut self.here) else { return false };
+        let placer = self.finder.placer();
+        if !self.finder.passes_far_from_poles(&from.axis, &pose.axis) {
+            return false;
+        }
+        let solutions = placer.machine().rotary_axes(&pose.axis, placer.held());
+        let reach = if run.is_limited() { self.finder.reach_between(&from.axis, &pose.axis) } else { 0 };
+        let follows = run.follow(&solutions, reach, (placer.rotaries(), placer.metric(), placer.scale()));
+        if follows {
+            *from = *pose;
+        }
+        follows
+    }
+
+    /// Begins a run of cuts where both searches allow it.
+    fn begin_run(&mut self, pose: &Pose) {
+        let placer = self.finder.placer();
+        let settled = |run: &mut SearchRun| run.ended || run.search.is_settled();
+        if placer.has_many_turns() || placer.has_indexed_axes() || !self.searches.iter_mut().all(settled) {
+            return;
+        }
+        let solutions = placer.machine().rotary_axes(&pose.axis, placer.held());
+        // Where two branches are one, they may become two again.
+        if solutions.len() == placer.rotaries().len().clamp(1, 2) {
+            self.run = Some(SteadyRun::begin(&solutions, placer.rotaries(), placer.scale()));
+        }
+    }
+
+    /// Lets both searches take the cuts of the run.
+    fn end_run(&mut self) {
+        let (Some(run), Some(here)) = (self.run.take(), self.here) else { return };
+        self.finder.states(&here, &[], &mut self.states);
+        let placer = self.finder.placer();
+        for search in self.searches.iter_mut().filter(|run| !run.ended).map(|run| &mut run.search) {
+            search.end_run(&self.states, |state| run.rotated(state, placer.rotaries(), placer.scale()));
+        }
     }
 
     /// Whether a cut from the last pose to this one passes no pole.
@@ -355,7 +413,8 @@ impl Navigator {
 
     /// Returns the course, and the cost of planning without look-ahead.
     #[must_use]
-    pub fn finish(self) -> Course {
+    pub fn finish(mut self) -> Course {
+        self.end_run();
         let [best, greedy] = self.searches.map(|run| (run.ended, run.search.finish()));
         let (ended, motion_by_motion) = (greedy.0, greedy.1.0);
         let (cost, changes) = if self.greedy { greedy.1 } else { best.1 };
@@ -379,6 +438,7 @@ impl Stage for Navigator {
             // A rapid leads to the hole.
             ItemAction::Hole { hole, index } => self.move_to(&hole.top, index, true),
             ItemAction::Operation(start) => {
+                self.end_run();
                 let singular = start.chosen.singular.map_or(self.singular, |singular| singular.value);
                 self.searches.iter_mut().for_each(|run| run.search.set_zeroes(singular == Singular::Zero));
                 self.set_mode(start.chosen.mode.map_or(self.mode, |mode| mode.value));

@@ -406,6 +406,39 @@ impl CourseSearch {
         self.finish_layer(states)
     }
 
+    /// Whether each state of the last pose is the beginning of the course to the same state, rotated, of the next one, as long
+    /// as their branches and turns stay the same: a course would only begin elsewhere after a rewind from another branch.
+    pub(crate) fn is_settled(&mut self) -> bool {
+        if self.layer.is_empty() {
+            return false;
+        }
+        if self.greedy && self.survivors.len() == 1 {
+            return self.layer.contains(&self.survivors[0].state);
+        }
+        self.collect_predecessors();
+        let stays = |(source, last): (&Predecessor, &RotaryState)| !source.rewound && source.from.state == *last;
+        let fewest = self.survivors.iter().map(|survivor| survivor.cost.rewinds).min();
+        let mut branches = self.survivors.iter().map(|survivor| survivor.state.branch);
+        let one_branch = branches.next().is_none_or(|first| branches.all(|branch| branch == first));
+        self.survivors.len() == self.layer.len()
+            && self.predecessors.len() == self.layer.len()
+            && self.predecessors.iter().zip(&self.layer).all(stays)
+            && (one_branch || self.survivors.iter().all(|survivor| Some(survivor.cost.rewinds) == fewest))
+    }
+
+    /// Ends a run of cuts that began where the search [is settled](Self::is_settled). `rotated`: a state at the end of the run,
+    /// and the cost of its rotation; `states`: all states of the last pose.
+    pub(crate) fn end_run(&mut self, states: &[RotaryState], rotated: impl Fn(&RotaryState) -> (RotaryState, Cost)) {
+        for survivor in &mut self.survivors {
+            let (state, cost) = rotated(&survivor.state);
+            *survivor = Survivor { state, cost: survivor.cost.plus(cost), air: None, zeroable: false, ..*survivor };
+        }
+        self.survivors.sort_by_key(|survivor| states.iter().position(|state| *state == survivor.state));
+        self.layer.clear();
+        self.layer.extend_from_slice(states);
+        self.history.settle(&mut self.survivors);
+    }
+
     /// Whether the states are those of the last pose, each rotated by less than 90°.
     fn rotates_plainly(&self, states: &[RotaryState]) -> bool {
         // All turns of a branch rotate alike.

@@ -1,8 +1,8 @@
 //! States (branch and rotary words) of a pose, and the test whether a cut connects two of them.
 
-use nalgebra::{Point3, UnitVector3, Vector3};
+use nalgebra::{UnitVector3, Vector3};
 
-use crate::kinematics::{AxisValues, Branch, Pose, Solution, math};
+use crate::kinematics::{Branch, Pose, RotaryAngles, Solution, math};
 
 use crate::motion::course::search::{RotaryState, SAME_WORD};
 use crate::motion::geometry::{PathSegment, angle_between};
@@ -59,33 +59,26 @@ impl StateFinder {
     pub(crate) fn states(&self, pose: &Pose, near: &[RotaryWords], out: &mut Vec<RotaryState>) {
         out.clear();
         let scale = self.placer.scale();
-        for solution in self.placer.machine().inverse_kinematics(pose, self.placer.held()).iter() {
+        for solution in self.placer.machine().rotary_axes(&pose.axis, self.placer.held()).iter() {
+            let word = |axis: usize, rotary: &Rotary| self.placer.indexed_word(rotary, solution.axes[axis]);
             if let Some([first, second]) = self.single_turns {
-                let word = |rotary: Rotary| {
-                    let word = self.placer.indexed_word(&rotary, solution.axes[rotary.index]);
-                    rotary.only_turn(word, scale.units_per_turn)
-                };
-                if let (Some(first), Some(second)) = (word(first), word(second)) {
+                let turn = |axis: usize, rotary: Rotary| rotary.only_turn(word(axis, &rotary), scale.units_per_turn);
+                if let (Some(first), Some(second)) = (turn(0, first), turn(1, second)) {
                     out.push(RotaryState { branch: solution.branch, words: [first, second] });
                 }
                 continue;
             }
             let start = out.len();
-            let turns = |rotary: &Rotary| {
-                rotary.turns(
-                    self.placer.indexed_word(rotary, solution.axes[rotary.index]),
-                    self.placer.scale().units_per_turn,
-                    MAX_TURNS,
-                )
-            };
+            let turns =
+                |axis: usize, rotary: &Rotary| rotary.turns(word(axis, rotary), scale.units_per_turn, MAX_TURNS);
             let mut push = |words: RotaryWords| out.push(RotaryState { branch: solution.branch, words });
             match self.placer.rotaries() {
                 [first, second] => {
-                    for a in turns(first) {
-                        turns(second).for_each(|b| push([a, b]));
+                    for a in turns(0, first) {
+                        turns(1, second).for_each(|b| push([a, b]));
                     }
                 }
-                [only] => turns(only).for_each(|a| push([a, 0])),
+                [only] => turns(0, only).for_each(|a| push([a, 0])),
                 _ => push([0; 2]),
             }
             if self.placer.has_many_turns() {
@@ -94,8 +87,7 @@ impl StateFinder {
                 for near in ends.iter().chain(near) {
                     let mut words = [0; 2];
                     let inside = self.placer.rotaries().iter().enumerate().all(|(axis, rotary)| {
-                        let word = self.placer.indexed_word(rotary, solution.axes[rotary.index]);
-                        let nearest = rotary.nearest(word, near[axis], self.placer.scale().units_per_turn);
+                        let nearest = rotary.nearest(word(axis, rotary), near[axis], scale.units_per_turn);
                         words[axis] = nearest.unwrap_or_default();
                         nearest.is_ok()
                     });
@@ -113,8 +105,8 @@ impl StateFinder {
     pub(crate) fn second_words(&self, pose: &Pose, out: &mut Vec<i64>) {
         out.clear();
         let [_, second] = self.placer.rotaries()[..] else { return };
-        for solution in self.placer.machine().inverse_kinematics(pose, self.placer.held()).iter() {
-            let word = self.placer.indexed_word(&second, solution.axes[second.index]);
+        for solution in self.placer.machine().rotary_axes(&pose.axis, self.placer.held()).iter() {
+            let word = self.placer.indexed_word(&second, solution.axes[1]);
             out.extend(second.turns(word, self.placer.scale().units_per_turn, MAX_TURNS));
         }
         out.dedup();
@@ -133,6 +125,17 @@ impl StateFinder {
         let largest = self.largest_bend_rad?;
         let (part, pole, angle) = self.placer.passing(&from.axis, &to.axis)?;
         (angle <= largest).then_some((part, pole))
+    }
+
+    /// Whether a path between two tool axes is so short, and so far from the poles, that [`pole_between`](Self::pole_between)
+    /// finds none, and neither end is at one.
+    #[inline]
+    pub(crate) fn passes_far_from_poles(&self, from: &UnitVector3<f64>, to: &UnitVector3<f64>) -> bool {
+        // A pole on the path, within its tolerance, is no farther from an end than the path is long and the tolerance.
+        let tolerance = self.placer.pole_tolerance();
+        let least = 4.0 * ((to.into_inner() - from.into_inner()).norm_squared() + tolerance * tolerance);
+        let is_far = |pole: &UnitVector3<f64>| (pole.into_inner() - to.into_inner()).norm_squared() > least;
+        self.largest_bend_rad.is_none() && self.placer.poles().iter().all(is_far)
     }
 
     fn pole_touched(&self, from: &Pose, to: &Pose) -> Option<(f64, UnitVector3<f64>)> {
@@ -164,19 +167,19 @@ impl StateFinder {
         let p = pole.into_inner();
         let away = (axis.into_inner() - p * p.dot(axis)).try_normalize(0.0)?;
         let solutions_at = |axis: Vector3<f64>| {
-            let pose = Pose { tip: Point3::origin(), axis: UnitVector3::new_normalize(axis) };
-            self.placer.machine().inverse_kinematics(&pose, &self.placer.axes_of(&state.words))
+            let axis = UnitVector3::new_normalize(axis);
+            self.placer.machine().rotary_axes(&axis, &self.placer.axes_of(&state.words))
         };
         let near = solutions_at(p + away * NEAR_POLE);
         let near = near.iter().find(|solution| near.len() == 1 || solution.branch == state.branch)?;
         let word = |rotary: &Rotary, angle: f64, from: i64| {
             rotary.nearest(rotary.word(angle, self.placer.scale()), from, self.placer.scale().units_per_turn).ok()
         };
-        let free = word(&first, near.axes[first.index], state.words[0])?;
+        let free = word(&first, near.axes[0], state.words[0])?;
         let at_pole = solutions_at(p);
         let tilt = at_pole
             .iter()
-            .filter_map(|solution| word(&second, solution.axes[second.index], state.words[1]))
+            .filter_map(|solution| word(&second, solution.axes[1], state.words[1]))
             .min_by_key(|word| (word - state.words[1]).abs())?;
         let free = if (free - state.words[0]).abs() <= SAME_WORD { state.words[0] } else { free };
         Some([free, tilt])
@@ -203,12 +206,18 @@ impl StateFinder {
     pub(crate) fn is_near_limit(&self, from: &Pose, to: &Pose, states: &[RotaryState]) -> bool {
         let limited = |(axis, rotary): &(usize, &Rotary)| *axis > 0 && !rotary.endless();
         self.placer.rotaries().iter().enumerate().filter(limited).any(|(axis, rotary)| {
-            let chord = (from.axis.into_inner() - to.axis.into_inner()).norm();
-            let reach = self.placer.scale().word(chord * SLOPE);
+            let reach = self.reach_between(&from.axis, &to.axis);
             states.iter().any(|state| {
                 !(rotary.contains(state.words[axis] - reach) && rotary.contains(state.words[axis] + reach))
             })
         })
+    }
+
+    /// How far the second rotary axis may go beyond the ends of a cut, whose tool axis moves along a great circle, in units of the
+    /// words.
+    #[inline]
+    pub(crate) fn reach_between(&self, from: &UnitVector3<f64>, to: &UnitVector3<f64>) -> i64 {
+        self.placer.scale().word((from.into_inner() - to.into_inner()).norm() * SLOPE)
     }
 
     /// Whether a cut stays inside the limits between its ends, where the rotary axes do not go evenly.
@@ -263,23 +272,23 @@ impl StateFinder {
 
     /// Words of a pose nearest to the expected ones, on any branch, without limits.
     pub(crate) fn nearest_turns(&self, pose: &Pose, expected: &RotaryWords) -> Option<RotaryWords> {
-        let solutions = self.placer.machine().inverse_kinematics(pose, &self.placer.axes_of(expected));
+        let solutions = self.placer.machine().rotary_axes(&pose.axis, &self.placer.axes_of(expected));
         let off = |words: &RotaryWords| (words[0] - expected[0]).abs() + (words[1] - expected[1]).abs();
         solutions.iter().filter_map(|solution| self.words_near(solution, expected)).min_by_key(off)
     }
 
     /// Words of a state after a cut to a pose, without limits.
     pub(crate) fn continued(&self, pose: &Pose, state: &RotaryState) -> Option<RotaryWords> {
-        let solutions = self.placer.machine().inverse_kinematics(pose, &self.placer.axes_of(&state.words));
+        let solutions = self.placer.machine().rotary_axes(&pose.axis, &self.placer.axes_of(&state.words));
         let solution = solutions.iter().find(|solution| solutions.len() == 1 || solution.branch == state.branch)?;
         self.words_near(solution, &state.words)
     }
 
     /// Words of a solution in the turn nearest to the words `near`, without limits.
-    fn words_near(&self, solution: &Solution<AxisValues>, near: &RotaryWords) -> Option<RotaryWords> {
+    fn words_near(&self, solution: &Solution<RotaryAngles>, near: &RotaryWords) -> Option<RotaryWords> {
         let mut words = *near;
-        for (word, rotary) in words.iter_mut().zip(self.placer.rotaries()) {
-            let wanted = rotary.word(solution.axes[rotary.index], self.placer.scale());
+        for ((word, rotary), angle) in words.iter_mut().zip(self.placer.rotaries()).zip(solution.axes) {
+            let wanted = rotary.word(angle, self.placer.scale());
             *word = rotary.without_limits().nearest(wanted, *word, self.placer.scale().units_per_turn).ok()?;
         }
         Some(words)

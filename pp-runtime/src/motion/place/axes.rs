@@ -48,6 +48,8 @@ pub(crate) struct Poles {
 pub(crate) struct LinearAxes {
     /// Bit `i` for the axis at position `i`.
     pub(crate) mask: u16,
+    /// Positions in the chain, in its order.
+    pub(crate) solved: Vec<usize>,
     /// Units of their words in 1 mm.
     pub(crate) units_per_mm: f64,
     /// Positions of X Y Z in the chain, if these are the solved linear axes.
@@ -140,6 +142,7 @@ impl LinearAxes {
         let orthogonal = orthogonal(machine, axes);
         Self {
             mask: mask(axes, AxisKind::Linear),
+            solved: solved(axes, AxisKind::Linear).collect(),
             units_per_mm: per_unit / units.in_mm(),
             xyz: coordinates(axes),
             retract_axis,

@@ -1,8 +1,8 @@
 //! Consequences of the axis directions of a machine: poles, and whether its linear axes are perpendicular.
 
-use nalgebra::{Point3, UnitVector3, Vector3};
+use nalgebra::{UnitVector3, Vector3};
 
-use crate::kinematics::{AnyMachine, Axis, AxisKind, Joint, Pose, Side};
+use crate::kinematics::{AnyMachine, Axis, AxisKind, Joint, Side};
 
 use crate::motion::rotary::Rotary;
 
@@ -13,10 +13,8 @@ pub(crate) fn poles(machine: &dyn AnyMachine, rotaries: &[Rotary]) -> Vec<UnitVe
     for index in (0..first.index).rev().filter(|&index| machine.axes()[index].kind == AxisKind::Rotary) {
         direction = rotated(&machine.joint(index), machine.held()[index], &direction);
     }
-    let free = |axis: &UnitVector3<f64>| {
-        let pose = Pose { tip: Point3::origin(), axis: *axis };
-        machine.inverse_kinematics(&pose, &machine.held()).iter().any(|solution| solution.singular)
-    };
+    let free =
+        |axis: &UnitVector3<f64>| machine.rotary_axes(axis, &machine.held()).iter().any(|solution| solution.singular);
     [direction, -direction].map(UnitVector3::new_normalize).into_iter().filter(free).collect()
 }
 

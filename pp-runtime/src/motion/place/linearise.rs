@@ -24,7 +24,7 @@
 //!
 //! Nothing is allocated: a motion is a few positions on the stack, however many pieces it has.
 
-use crate::kinematics::{AxisValues, Branch, MotionBound, Pose, Solution};
+use crate::kinematics::{AxisValues, Branch, MotionBound, Pose, RotaryAngles, Solution};
 
 use super::refusal;
 use super::{AxisPosition, Placer};
@@ -577,10 +577,10 @@ impl Certifier<'_> {
     }
 
     /// Rotary words of a solution, in the turn nearest to the axis values `near`.
-    fn nearest_words(&self, solution: &Solution<AxisValues>, near: &AxisValues) -> [i64; MAX_AXES] {
+    fn nearest_words(&self, solution: &Solution<RotaryAngles>, near: &AxisValues) -> [i64; MAX_AXES] {
         let mut words = [0; MAX_AXES];
-        for rotary in &self.placer.rotary.axes {
-            let word = rotary.word(solution.axes[rotary.index], self.placer.rotary.scale);
+        for (rotary, angle) in self.placer.rotary.axes.iter().zip(solution.axes) {
+            let word = rotary.word(angle, self.placer.rotary.scale);
             let wanted = rotary.word(near.as_ref()[rotary.index], self.placer.rotary.scale);
             let turns = (wanted - word + self.placer.rotary.scale.units_per_turn / 2)
                 .div_euclid(self.placer.rotary.scale.units_per_turn);
@@ -606,8 +606,8 @@ impl Certifier<'_> {
         for (value, end) in guess.as_mut().iter_mut().zip(to.axes) {
             *value += (end - *value) * share;
         }
-        let solutions = self.placer.machine.inverse_kinematics(&pose, &guess);
-        let travel = |solution: &&Solution<AxisValues>| {
+        let solutions = self.placer.machine.rotary_axes(&pose.axis, &guess);
+        let travel = |solution: &&Solution<RotaryAngles>| {
             let words = self.nearest_words(solution, &guess);
             let guessed = |rotary: &Rotary| rotary.word(guess.as_ref()[rotary.index], self.placer.rotary.scale);
             self.placer.rotary.axes.iter().map(|rotary| words[rotary.index].abs_diff(guessed(rotary))).sum::<u64>()
@@ -650,7 +650,7 @@ impl Certifier<'_> {
         &self,
         pose: &Pose,
         from: &AxisPosition,
-        solution: &Solution<AxisValues>,
+        solution: &Solution<RotaryAngles>,
         near: &AxisValues,
     ) -> Result<AxisPosition, Fault> {
         let words = self.nearest_words(solution, near);

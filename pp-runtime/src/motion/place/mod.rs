@@ -187,8 +187,9 @@ impl Placer {
     }
 
     /// Travel and cost of rotations of the rotary axes.
-    pub(crate) fn metric(&self) -> RotaryMetric {
-        self.rotary.metric
+    #[inline]
+    pub(crate) fn metric(&self) -> &RotaryMetric {
+        &self.rotary.metric
     }
 
     /// Reachable tool axes at which the angle of the first rotary axis is free.
@@ -453,15 +454,29 @@ impl Placer {
         feed: bool,
         planned: Option<RotaryTarget>,
     ) -> Result<AxisPosition, Fault> {
-        let mut place = match planned {
-            Some(target) => self.follow_course(pose, from, &target)?,
-            None => self.choose_rotaries(pose, from, feed)?,
-        };
-        if !self.rotary.grid.is_empty() {
-            self.snap_to_index(&mut place, from, feed)?;
-        }
-        self.solve_linear_in_travel(&mut place)?;
+        let mut place = *from;
+        self.place_at(pose, from, feed, planned, &mut place)?;
         Ok(place)
+    }
+
+    /// The same, set in `to`, which is a position of this placer.
+    #[inline]
+    pub(crate) fn place_at(
+        &mut self,
+        pose: &Pose,
+        from: &AxisPosition,
+        feed: bool,
+        planned: Option<RotaryTarget>,
+        to: &mut AxisPosition,
+    ) -> Result<(), Fault> {
+        match planned {
+            Some(target) => *to = self.follow_course(pose, from, &target)?,
+            None => self.choose_rotaries(pose, from, feed, to)?,
+        }
+        if !self.rotary.grid.is_empty() {
+            self.snap_to_index(to, from, feed)?;
+        }
+        self.solve_linear_in_travel(to)
     }
 
     /// Position of another tip at the rotary angles of `at`.
@@ -488,33 +503,37 @@ impl Placer {
     /// Computes the linear axes and words of a position whose rotary angles are known; the travel is not compared.
     #[inline]
     pub(crate) fn solve_linear(&self, place: &mut AxisPosition) -> Result<(), Fault> {
-        let Some(axes) = self.machine.linear_axes(&place.pose.tip, &place.axes) else {
+        if !self.machine.set_linear_axes(&place.pose.tip, &mut place.axes) {
             return Err(refusal::unreachable(self, &place.pose, &place.axes));
-        };
+        }
         if let Some(map) = self.frame.map(&*self.machine, &place.axes) {
             return self.solve_tip(place, &map);
         }
-        place.axes = axes;
         let (mut sum, mut squares) = (0.0, 0.0);
-        for (index, value) in place.axes.iter_mut().enumerate().take(MAX_AXES) {
-            if self.linear.mask & (1 << index) != 0 {
-                let shift = self.datum.linear_shift_mm(index);
-                let Ok(units) = whole_units(*value + shift, self.linear.units_per_mm) else {
-                    return Err(too_large(self.chain[index].letter));
-                };
-                place.words[index] = units;
-                let written = units as f64 / self.linear.units_per_mm - shift;
-                let off = written - *value;
-                *value = written;
-                sum += off.abs();
-                squares += off * off;
-            }
-        }
-        if let Some(index) = (0..self.chain.len()).find(|&index| place.words[index].abs() >= self.bounds[index]) {
-            return Err(too_large(self.chain[index].letter));
+        for &index in &self.linear.solved {
+            let (value, shift) = (&mut place.axes[index], self.datum.linear_shift_mm(index));
+            let Ok(units) = whole_units(*value + shift, self.linear.units_per_mm) else {
+                return Err(too_large(self.chain[index].letter));
+            };
+            place.words[index] = units;
+            let written = units as f64 / self.linear.units_per_mm - shift;
+            let off = written - *value;
+            *value = written;
+            sum += off.abs();
+            squares += off * off;
         }
         place.rounding_mm = if self.linear.orthogonal { squares.sqrt() } else { sum };
-        Ok(())
+        let fits = |index: usize| place.words[index].abs() < self.bounds[index];
+        let fit = self.linear.solved.iter().all(|index| fits(*index))
+            && self.rotary.axes.iter().all(|rotary| fits(rotary.index));
+        if fit { Ok(()) } else { Err(self.words_too_large(place)) }
+    }
+
+    /// The fault that a word of a position has more digits than are allowed.
+    #[cold]
+    fn words_too_large(&self, place: &AxisPosition) -> Fault {
+        let index = (0..self.chain.len()).find(|&index| place.words[index].abs() >= self.bounds[index]);
+        too_large(self.chain[index.unwrap_or_default()].letter)
     }
 
     /// Whether offsets along two axes have more digits than their words allow.
@@ -539,12 +558,13 @@ impl Placer {
 
     /// Position with the rotary angles of a pose from which motion starts (FROM); `None` if it cannot be reached.
     pub(crate) fn reference(&self, pose: &Pose, from: &AxisPosition) -> Option<AxisPosition> {
-        let solutions = self.machine.inverse_kinematics(pose, &from.axes);
-        let choice = choose(&solutions, &self.rotary.axes, &from.words, self.rotary.scale).ok()?;
+        let solutions = self.machine.rotary_axes(&pose.axis, &from.axes);
+        let choice =
+            choose(&solutions, &self.rotary.axes, &self.rotary_words_of(&from.words), self.rotary.scale).ok()?;
         let mut place = AxisPosition { branch: solutions[choice.solution].branch, ..*from };
-        for rotary in &self.rotary.axes {
-            place.words[rotary.index] = choice.words[rotary.index];
-            place.axes[rotary.index] = rotary.angle(choice.words[rotary.index], self.rotary.scale);
+        for (rotary, word) in self.rotary.axes.iter().zip(choice.words) {
+            place.words[rotary.index] = word;
+            place.axes[rotary.index] = rotary.angle(word, self.rotary.scale);
         }
         Some(place)
     }

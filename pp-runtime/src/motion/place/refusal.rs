@@ -4,8 +4,7 @@ use crate::kinematics::{AxisValues, Pose};
 
 use super::Placer;
 use crate::motion::fault::Fault;
-use crate::motion::rotary::{OutOfLimits, Rotary};
-use crate::motion::step::MAX_AXES;
+use crate::motion::rotary::{OutOfLimits, Rotary, RotaryWords};
 
 /// Limits of a rotary axis as text.
 pub(crate) fn limits_text(placer: &Placer, index: usize) -> String {
@@ -34,19 +33,22 @@ pub(crate) fn outside_limits(placer: &Placer, outside: &[Option<OutOfLimits>; 2]
 
 /// The fault that only a swing of the tool in the cut would keep an axis inside its limits.
 #[cold]
-pub(crate) fn jump(placer: &Placer, from: &[i64; MAX_AXES], to: &[i64; MAX_AXES], nearest: &[i64; MAX_AXES]) -> Fault {
-    let outside = placer.rotary.axes.iter().find(|rotary| !rotary.contains(nearest[rotary.index]));
-    let swung = placer.rotary.axes.iter().max_by_key(|rotary| from[rotary.index].abs_diff(to[rotary.index]));
+pub(crate) fn jump(placer: &Placer, from: &RotaryWords, to: &RotaryWords, nearest: &RotaryWords) -> Fault {
+    let axes = || placer.rotary.axes.iter().enumerate();
+    let outside = axes().find(|(axis, rotary)| !rotary.contains(nearest[*axis]));
+    let swung = axes().max_by_key(|(axis, _)| from[*axis].abs_diff(to[*axis]));
     let (Some(limit), Some(swung)) = (outside, swung) else { return outside_limits(placer, &[None; 2]) };
-    let degrees =
-        |rotary: &Rotary, words: &[i64; MAX_AXES]| rotary.degrees_for_display(words[rotary.index], placer.rotary.scale);
+    let letter = |(_, rotary): (usize, &Rotary)| placer.chain()[rotary.index].letter;
+    let degrees = |(axis, rotary): (usize, &Rotary), words: &RotaryWords| {
+        rotary.degrees_for_display(words[axis], placer.rotary.scale)
+    };
     Fault::new(format_args!(
         "{} would have to continue to {}°, outside its limits {}; rotating {} from {}° to {}° instead would swing the \
          tool in the cut",
-        placer.chain()[limit.index].letter,
+        letter(limit),
         degrees(limit, nearest),
-        limits_text(placer, limit.index),
-        placer.chain()[swung.index].letter,
+        limits_text(placer, limit.1.index),
+        letter(swung),
         degrees(swung, from),
         degrees(swung, to),
     ))

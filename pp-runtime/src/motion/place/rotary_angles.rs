@@ -2,7 +2,7 @@
 
 use nalgebra::UnitVector3;
 
-use crate::kinematics::{AxisValues, Pose, REACH_TOLERANCE, Side, Solution, Solutions, math};
+use crate::kinematics::{AxisValues, Pose, REACH_TOLERANCE, RotaryAngles, Side, Solution, Solutions, math};
 use crate::program::{RotaryDirection, Rotation};
 
 use super::linearise::PathTolerance;
@@ -10,7 +10,7 @@ use super::refusal;
 use super::{AxisPosition, Placer};
 use crate::motion::fault::Fault;
 use crate::motion::geometry::angle_between;
-use crate::motion::rotary::{Choice, MAX_TURNS, Rotary, RotaryTarget, RotaryWords, RotationSense, choose};
+use crate::motion::rotary::{Choice, MAX_TURNS, OutOfLimits, Rotary, RotaryTarget, RotaryWords, RotationSense, choose};
 use crate::motion::step::MAX_AXES;
 
 /// Largest travel of a rotary axis, rad, in a feed motion whose turn is forced by limits; more would swing the tool in
@@ -116,41 +116,82 @@ impl Placer {
 
     /// Chooses the rotary angles of a pose from the present ones: a feed motion stays on its branch, a rapid takes the
     /// least travel. Refuses a feed motion in which limits force another turn than the nearest: the tool is in the cut.
+    /// Sets all of the position `to` but for its linear axes.
     #[inline]
-    pub(crate) fn choose_rotaries(&self, pose: &Pose, from: &AxisPosition, feed: bool) -> Result<AxisPosition, Fault> {
+    pub(crate) fn choose_rotaries(
+        &self,
+        pose: &Pose,
+        from: &AxisPosition,
+        feed: bool,
+        to: &mut AxisPosition,
+    ) -> Result<(), Fault> {
         if let Some(pole) = self.pole(&pose.axis) {
-            return self.rotaries_at_pole(pose, pole, from);
+            *to = self.rotaries_at_pole(pose, pole, from)?;
+            return Ok(());
         }
-        let solutions = self.machine.inverse_kinematics(pose, &from.axes);
+        let solutions = self.machine.rotary_axes(&pose.axis, &from.axes);
         if solutions.is_empty() {
             return Err(refusal::unreachable(self, pose, &from.axes));
         }
+        let before = self.rotary_words_of(&from.words);
         let same = solutions.iter().position(|solution| solution.branch == from.branch && feed && !from.at_pole);
-        let of_branch = |all: &'_ [Solution<AxisValues>]| same.map_or(0..all.len(), |same| same..same + 1);
-        let branch = &solutions[of_branch(&solutions)];
-        let nearest = choose(branch, &self.rotary.axes, &from.words, self.rotary.scale);
-        let choice =
-            nearest.or_else(|outside| self.choose_steps(&solutions, of_branch(&solutions), from).ok_or(outside));
-        let choice = choice.map_err(|outside| {
-            choose(&solutions, &self.rotary.axes, &from.words, self.rotary.scale).map_or_else(
-                |outside| refusal::outside_limits(self, &outside),
-                |_| refusal::outside_limits(self, &outside),
-            )
-        })?;
+        let of_branch = || same.map_or(0..solutions.len(), |same| same..same + 1);
+        let branch = &solutions[of_branch()];
+        let choice = match choose(branch, &self.rotary.axes, &before, self.rotary.scale) {
+            Ok(choice) => choice,
+            Err(outside) => match self.choose_steps(&solutions, of_branch(), &before) {
+                Some(choice) => choice,
+                None => return Err(self.outside_limits(&solutions, &before, &outside)),
+            },
+        };
         let solution = &branch[choice.solution];
-        let mut place = self.position_at(pose, from, &choice.words);
-        place.axes = merged(solution.axes, &place.axes, self.rotary.mask);
-        place.deviation_rad = solution.deviation;
-        place.branch = solution.branch;
-        if feed && self.rotary.limited && self.rotary_travel(&from.words, &place.words) > MAX_LIMIT_SWING {
-            let nearest = choose(branch, &self.rotary.endless, &from.words, self.rotary.scale);
-            if let Ok(nearest) = nearest
-                && nearest.words != choice.words
-            {
-                return Err(refusal::jump(self, &from.words, &choice.words, &nearest.words));
-            }
+        self.set_rotaries(to, pose, &choice.words);
+        (to.branch, to.deviation_rad) = (solution.branch, solution.deviation);
+        if feed && self.rotary.limited {
+            self.check_swing(branch, &before, &choice.words)?;
         }
-        Ok(place)
+        Ok(())
+    }
+
+    /// The fault that no turn of the branch of a feed motion, or of either branch, is inside the limits.
+    #[cold]
+    fn outside_limits(
+        &self,
+        solutions: &[Solution<RotaryAngles>],
+        before: &RotaryWords,
+        of_branch: &[Option<OutOfLimits>; 2],
+    ) -> Fault {
+        let of_both = choose(solutions, &self.rotary.axes, before, self.rotary.scale).err();
+        refusal::outside_limits(self, of_both.as_ref().unwrap_or(of_branch))
+    }
+
+    /// Refuses a swing of the tool in the cut: another turn than the nearest, which limits force.
+    #[inline]
+    fn check_swing(
+        &self,
+        branch: &[Solution<RotaryAngles>],
+        before: &RotaryWords,
+        after: &RotaryWords,
+    ) -> Result<(), Fault> {
+        let travel = before.iter().zip(after).map(|(before, after)| (after - before).abs()).max();
+        if self.rotary.scale.angle(travel.unwrap_or(0)) <= MAX_LIMIT_SWING {
+            return Ok(());
+        }
+        match choose(branch, &self.rotary.endless, before, self.rotary.scale) {
+            Ok(nearest) if nearest.words != *after => Err(refusal::jump(self, before, after, &nearest.words)),
+            _ => Ok(()),
+        }
+    }
+
+    /// Sets the rotary words and angles of a position, and its pose. The linear axes are not computed.
+    #[inline]
+    fn set_rotaries(&self, to: &mut AxisPosition, pose: &Pose, words: &RotaryWords) {
+        to.pose = *pose;
+        for (rotary, word) in self.rotary.axes.iter().zip(words) {
+            to.words[rotary.index] = *word;
+            to.axes[rotary.index] = rotary.angle(*word, self.rotary.scale);
+        }
+        (to.deviation_rad, to.at_pole, to.rounding_mm) = (0.0, false, 0.0);
     }
 
     /// The nearest of these solutions with indexed axes at their steps: a step may be inside the limits although the angle is
@@ -158,21 +199,21 @@ impl Placer {
     #[cold]
     fn choose_steps(
         &self,
-        solutions: &Solutions<AxisValues>,
+        solutions: &Solutions<RotaryAngles>,
         wanted: std::ops::Range<usize>,
-        from: &AxisPosition,
+        before: &RotaryWords,
     ) -> Option<Choice> {
-        if self.rotary.grid.is_empty() {
+        if !self.has_indexed_axes() {
             return None;
         }
-        let stepped = solutions.map(|axes| {
-            let mut axes = *axes;
-            for (rotary, _) in &self.rotary.grid {
-                axes[rotary.index] = rotary.angle(self.indexed_word(rotary, axes[rotary.index]), self.rotary.scale);
+        let stepped = solutions.map(|angles| {
+            let mut angles = *angles;
+            for (angle, rotary) in angles.iter_mut().zip(&self.rotary.axes) {
+                *angle = rotary.angle(self.indexed_word(rotary, *angle), self.rotary.scale);
             }
-            axes
+            angles
         });
-        choose(&stepped[wanted], &self.rotary.axes, &from.words, self.rotary.scale).ok()
+        choose(&stepped[wanted], &self.rotary.axes, before, self.rotary.scale).ok()
     }
 
     /// Rotary angles at the pole, where the first rotary axis keeps its value: the direction that CL data gives there
@@ -184,15 +225,14 @@ impl Placer {
         from: &AxisPosition,
     ) -> Result<AxisPosition, Fault> {
         let pose_at_pole = Pose { axis: pole, ..*pose };
-        let solutions = self.machine.inverse_kinematics(&pose_at_pole, &from.axes);
+        let solutions = self.machine.rotary_axes(&pole, &from.axes);
         if solutions.is_empty() {
             return Err(refusal::unreachable(self, &pose_at_pole, &from.axes));
         }
         // In the solutions the free rotary axis has its previous value.
-        let choice = choose(&solutions, &self.rotary.axes, &from.words, self.rotary.scale)
+        let choice = choose(&solutions, &self.rotary.axes, &self.rotary_words_of(&from.words), self.rotary.scale)
             .map_err(|outside| refusal::outside_limits(self, &outside))?;
-        let mut place = self.position_at(&pose_at_pole, from, &choice.words);
-        place.branch = from.branch;
+        let mut place = self.position_at(&pose_at_pole, from, &self.all_words(&choice.words));
         place.at_pole = true;
         place.deviation_rad = angle_between(&pole, &pose.axis);
         Ok(place)
@@ -201,18 +241,8 @@ impl Placer {
     /// Position of a pose at these rotary words; the linear axes are not computed.
     #[inline]
     pub(crate) fn position_at(&self, pose: &Pose, from: &AxisPosition, words: &[i64; MAX_AXES]) -> AxisPosition {
-        let mut place = AxisPosition {
-            pose: *pose,
-            branch: from.branch,
-            axes: from.axes,
-            words: *words,
-            deviation_rad: 0.0,
-            at_pole: false,
-            rounding_mm: 0.0,
-        };
-        for rotary in &self.rotary.axes {
-            place.axes[rotary.index] = rotary.angle(words[rotary.index], self.rotary.scale);
-        }
+        let mut place = AxisPosition { words: *words, ..*from };
+        self.set_rotaries(&mut place, pose, &self.rotary_words_of(words));
         place
     }
 
@@ -243,10 +273,10 @@ impl Placer {
             return Err(Fault::new("the planned rotary angles do not give the tool axis of this point")
                 .help("this is a fault of the postprocessor, not of the CL data"));
         }
-        let solutions = self.machine.inverse_kinematics(&target_pose, &place.axes);
-        let off = |solution: &Solution<AxisValues>| -> f64 {
-            let difference = |rotary: &Rotary| solution.axes[rotary.index] - place.axes[rotary.index];
-            self.rotary.axes.iter().map(|rotary| 1.0 - math::sin_cos(difference(rotary)).1).sum()
+        let solutions = self.machine.rotary_axes(&target_pose.axis, &place.axes);
+        let off = |solution: &Solution<RotaryAngles>| -> f64 {
+            let angles = self.rotary.axes.iter().zip(solution.axes);
+            angles.map(|(rotary, angle)| 1.0 - math::sin_cos(angle - place.axes[rotary.index]).1).sum()
         };
         let nearest = solutions.iter().min_by(|a, b| off(a).total_cmp(&off(b)));
         place.branch = nearest.map_or(from.branch, |solution| solution.branch);
@@ -290,6 +320,11 @@ impl Placer {
         axes
     }
 
+    /// Whether an axis rotates in steps only.
+    pub(crate) fn has_indexed_axes(&self) -> bool {
+        !self.rotary.grid.is_empty()
+    }
+
     /// Whether an axis has more turns inside its limits than [`MAX_TURNS`].
     pub(crate) fn has_many_turns(&self) -> bool {
         let turns = |rotary: &Rotary| Some((rotary.upper? - rotary.lower?) / self.rotary.scale.units_per_turn);
@@ -300,15 +335,4 @@ impl Placer {
 /// The multiple of a step that is nearest to a word.
 fn nearest_step(word: i64, step: i64) -> i64 {
     (2 * word + step).div_euclid(2 * step) * step
-}
-
-/// Axis values of `base`, with those of `mask` from `chosen`.
-#[inline]
-fn merged(mut base: AxisValues, chosen: &AxisValues, mask: u16) -> AxisValues {
-    for (index, value) in base.iter_mut().enumerate() {
-        if mask & (1 << index) != 0 {
-            *value = chosen[index];
-        }
-    }
-    base
 }

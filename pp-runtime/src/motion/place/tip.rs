@@ -4,7 +4,6 @@ use std::f64::consts::TAU;
 
 use nalgebra::{Matrix3, Point3, UnitVector3, Vector3};
 
-use crate::kinematics::AxisValues;
 use crate::nc::whole_units;
 
 use super::frame::{WordMap, no_plane};
@@ -121,11 +120,11 @@ impl Placer {
     /// Which of the possible poses of a plane this position is, according to a rule: see [`PoseRule::choose`].
     pub(crate) fn pose_of_plane(&self, place: &AxisPosition, rule: PoseRule) -> Option<bool> {
         let rotary = self.rotary.axes.last()?;
+        let last = self.rotary.axes.len() - 1;
         let within_half_a_turn = |angle: f64| angle - (angle / TAU).round() * TAU;
-        let value = |axes: &AxisValues| within_half_a_turn(axes[rotary.index]);
-        let here = value(&place.axes);
-        let solutions = self.machine.inverse_kinematics(&place.pose, &place.axes);
-        let others = solutions.iter().map(|solution| value(&solution.axes));
+        let here = within_half_a_turn(place.axes[rotary.index]);
+        let solutions = self.machine.rotary_axes(&place.pose.axis, &place.axes);
+        let others = solutions.iter().map(|solution| within_half_a_turn(solution.axes[last]));
         // Without this pose itself, which is among them, unrounded.
         let others: Vec<f64> =
             others.filter(|other| within_half_a_turn(other - here).abs() > self.rotary.scale.angle(1)).collect();

@@ -38,6 +38,7 @@ pub struct Cost {
 
 impl Cost {
     /// The sum. Times at absurd speeds (a nanodegree per minute) are bounded, not wrapped.
+    #[inline]
     pub(crate) fn plus(self, other: Self) -> Self {
         Self {
             rewinds: self.rewinds + other.rewinds,
@@ -56,6 +57,8 @@ impl Cost {
 pub(crate) struct RotaryMetric {
     /// Time for one unit of a word; 0 for an axis of unknown speed.
     ns_per_unit: [f64; 2],
+    /// No axis has a known speed.
+    is_untimed: bool,
     endless: [bool; 2],
     units_per_turn: i64,
 }
@@ -65,6 +68,7 @@ impl RotaryMetric {
     pub(crate) fn new(rotaries: &[Rotary], speeds: [Option<f64>; 2], scale: AngleScale) -> Self {
         const NS_PER_MIN: f64 = 60e9;
         Self {
+            is_untimed: speeds.iter().all(Option::is_none),
             ns_per_unit: speeds.map(|speed| speed.map_or(0.0, |speed| NS_PER_MIN * scale.angle(1) / speed)),
             endless: [0, 1].map(|axis| rotaries.get(axis).is_some_and(|rotary| rotary.endless())),
             units_per_turn: scale.units_per_turn,
@@ -106,8 +110,12 @@ impl RotaryMetric {
     }
 
     /// Cost of these signed travels.
+    #[inline]
     pub(crate) fn cost_of(&self, changes: [i64; 2]) -> Cost {
         let travel = changes.map(i64::unsigned_abs);
+        if self.is_untimed {
+            return Cost { travel_units: travel[0] + travel[1], ..Cost::default() };
+        }
         let time_ns = (0..2).map(|axis| rounded(travel[axis] as f64 * self.ns_per_unit[axis]).unsigned_abs()).max();
         Cost { time_ns: time_ns.unwrap_or(0), travel_units: travel[0] + travel[1], ..Cost::default() }
     }

@@ -3,9 +3,9 @@
 //! Computes in whole units of the rotary words, so that limits hold for the written values, ties are exact, and turns
 //! are exact. The choice is made pose by pose, without look-ahead.
 
-use crate::kinematics::{AxisValues, Solution};
+use crate::kinematics::{RotaryAngles, Solution};
 
-use crate::motion::step::MAX_AXES;
+use super::RotaryWords;
 use crate::nc::rounded;
 
 /// Most turns of one axis that are tried for one pose, nearest to zero first. Of an axis with a wider range the turns
@@ -41,8 +41,8 @@ pub(crate) struct OutOfLimits {
 pub(crate) struct Choice {
     /// Index of the solution.
     pub(crate) solution: usize,
-    /// Words of the rotary axes, by position in the chain.
-    pub(crate) words: [i64; MAX_AXES],
+    /// Words of the rotary axes.
+    pub(crate) words: RotaryWords,
 }
 
 /// Resolution of rotary words.
@@ -164,15 +164,15 @@ impl Rotary {
 
     /// The word inside the limits that equals `word` modulo one revolution and is nearest to `previous`; at equal
     /// distance the one of smaller absolute value, then the positive one. `turn`: units in one revolution.
+    #[inline]
     pub(crate) fn nearest(self, word: i64, previous: i64, turn: i64) -> Result<i64, OutOfLimits> {
-        // The candidates next to the previous word: at or below it, and above it.
-        let below = word + (previous - word).div_euclid(turn) * turn;
-        let above = below + turn;
-        let near = if (previous - below, below.abs(), -below) <= (above - previous, above.abs(), -above) {
-            below
-        } else {
-            above
-        };
+        let near = if 2 * (previous - word).abs() < turn { word } else { nearest_of_all(word, previous, turn) };
+        if self.contains(near) { Ok(near) } else { self.nearest_inside(near, turn) }
+    }
+
+    /// The word inside the limits that is the fewest turns from one outside.
+    #[cold]
+    fn nearest_inside(self, near: i64, turn: i64) -> Result<i64, OutOfLimits> {
         let out = OutOfLimits { rotary: self, word: near };
         let mut choice = near;
         if let Some(upper) = self.upper
@@ -190,28 +190,35 @@ impl Rotary {
     }
 }
 
+/// The word that equals `word` modulo one revolution and is nearest to `previous`, as in [`Rotary::nearest`].
+fn nearest_of_all(word: i64, previous: i64, turn: i64) -> i64 {
+    // The candidates next to the previous word: at or below it, and above it.
+    let below = word + (previous - word).div_euclid(turn) * turn;
+    let above = below + turn;
+    if (previous - below, below.abs(), -below) <= (above - previous, above.abs(), -above) { below } else { above }
+}
+
 /// Solution and turns with the least total rotary travel from `previous`; ties go to the first branch.
 ///
 /// # Errors
 /// For each solution the rotary axis that no whole turn brings inside its limits.
 pub(crate) fn choose(
-    solutions: &[Solution<AxisValues>],
+    solutions: &[Solution<RotaryAngles>],
     rotaries: &[Rotary],
-    previous: &[i64; MAX_AXES],
+    previous: &RotaryWords,
     scale: AngleScale,
 ) -> Result<Choice, [Option<OutOfLimits>; 2]> {
     let mut best: Option<(i64, Choice)> = None;
     let mut outside = [None; 2];
     for (number, solution) in solutions.iter().enumerate() {
-        let mut words = [0; MAX_AXES];
+        let mut words = RotaryWords::default();
         let mut travel = 0;
         let mut fits = true;
-        for rotary in rotaries {
-            let index = rotary.index;
-            match rotary.nearest(rotary.word(solution.axes[index], scale), previous[index], scale.units_per_turn) {
+        for (axis, rotary) in rotaries.iter().enumerate().take(words.len()) {
+            match rotary.nearest(rotary.word(solution.axes[axis], scale), previous[axis], scale.units_per_turn) {
                 Ok(word) => {
-                    travel += (word - previous[index]).abs();
-                    words[index] = word;
+                    travel += (word - previous[axis]).abs();
+                    words[axis] = word;
                 }
                 Err(out) => {
                     if let Some(entry) = outside.get_mut(number) {
@@ -238,10 +245,8 @@ mod tests {
 
     const SCALE: AngleScale = AngleScale { units_per_degree: 10_000.0, units_per_turn: 3_600_000 };
 
-    fn solution(degrees: [f64; 2]) -> Solution<AxisValues> {
-        let mut axes = [0.0; MAX_AXES];
-        axes[..2].copy_from_slice(&degrees.map(f64::to_radians));
-        Solution { axes, branch: Branch::First, singular: false, deviation: 0.0 }
+    fn solution(degrees: [f64; 2]) -> Solution<RotaryAngles> {
+        Solution { axes: degrees.map(f64::to_radians), branch: Branch::First, singular: false, deviation: 0.0 }
     }
 
     fn rotary(index: usize, limits: Option<(f64, f64)>) -> Rotary {
@@ -260,9 +265,7 @@ mod tests {
         previous: [f64; 2],
     ) -> Option<(usize, [f64; 2])> {
         let solutions: Vec<_> = solutions.iter().copied().map(solution).collect();
-        let mut words = [0; MAX_AXES];
-        words[0] = (previous[0] * 1e4) as i64;
-        words[1] = (previous[1] * 1e4) as i64;
+        let words = previous.map(|degrees| (degrees * 1e4) as i64);
         choose(&solutions, &[rotary(0, limits[0]), rotary(1, limits[1])], &words, SCALE)
             .ok()
             .map(|choice| (choice.solution, [SCALE.degrees(choice.words[0]), SCALE.degrees(choice.words[1])]))
@@ -301,7 +304,7 @@ mod tests {
     fn the_axis_without_a_turn_inside_its_limits_is_named_for_each_branch() {
         let branches = [solution([0.0, 120.0]), solution([180.0, -120.0])];
         let rotaries = [rotary(0, None), rotary(1, Some((-5.0, 110.0)))];
-        let outside = choose(&branches, &rotaries, &[0; MAX_AXES], SCALE).expect_err("both are outside");
+        let outside = choose(&branches, &rotaries, &[0; 2], SCALE).expect_err("both are outside");
         assert_eq!(
             outside.map(|out| out.map(|out| (out.rotary.index, out.word))),
             [Some((1, 1_200_000)), Some((1, -1_200_000))]
@@ -334,9 +337,7 @@ mod tests {
                 angles.iter().map(|&(a, b)| solution([a as f64 / 10.0, b as f64 / 10.0])).collect();
             let limit = |i: usize| limits[i].map(|(lower, span)| (lower as f64 / 10.0, (lower + span) as f64 / 10.0));
             let rotaries = [rotary(0, limit(0)), rotary(1, limit(1))];
-            let mut from = [0; MAX_AXES];
-            from[0] = previous.0 * 1000;
-            from[1] = previous.1 * 1000;
+            let from = [previous.0 * 1000, previous.1 * 1000];
             let mut best: Option<(i64, usize, i64, i64, [i64; 2])> = None;
             for (number, &(a, b)) in angles.iter().enumerate() {
                 for i in -5..=5 {

@@ -6,14 +6,14 @@
 use std::fmt::Write as _;
 
 use crate::kinematics::{AxisKind, DimensionKind};
-use crate::transformation::NotExpressible;
 use crate::transformation::c::{chain, functions};
+use crate::transformation::{NotExpressible, math};
 
 use super::Module;
 
 /// Text of the component.
 pub(super) fn component(module: &Module<'_>) -> Result<String, NotExpressible> {
-    let core = functions(module.machine, &module.stem)?;
+    let core = functions(module.machine, &module.stem, &math::of_library())?;
     let (name, stem, pins) = (&module.name, &module.stem, module.pin_prefix());
     let machine = module.machine.name();
     let mut text = String::new();

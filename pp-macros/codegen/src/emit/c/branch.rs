@@ -1,6 +1,6 @@
 //! One branch of the inverse as a solution, if the linear axes have one.
 
-use super::code::{Code, named};
+use super::code::{Code, named, turn_of};
 use super::functions::turns;
 use crate::emit::kinematics::rotaries;
 use crate::model::{AxisId, AxisKind, Model};
@@ -20,7 +20,7 @@ pub(super) fn branch(model: &Model, solved: &Solved, rotary: &[RotarySolution], 
     let of = |place: AxisId| rotary.iter().find(|rotary| rotary.axis == place);
     let pair = |place: AxisId| match of(place) {
         Some(RotarySolution { sin_cos: [sine, cosine], .. }) => format!("{{{sine}, {cosine}}}"),
-        None => format!("{{sin(held[{place}]), cos(held[{place}])}}"),
+        None => turn_of(&format!("held[{place}]")),
     };
     let pairs = rotaries(model).map(pair).collect();
     code.block("", |code| {

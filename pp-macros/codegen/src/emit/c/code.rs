@@ -96,7 +96,7 @@ impl Code {
                         let of = value(model, source);
                         match source {
                             InputSource::Turn(..) => self.constant(name, format!("{of}[{index}]")),
-                            _ => self.constant(name, format!("{}({of})", ["sin", "cos"][index])),
+                            _ => self.constant(name, format!("{}({of})", named(["sin", "cos"][index]))),
                         }
                     }
                 }
@@ -112,13 +112,18 @@ fn value(model: &Model, source: InputSource<'_>) -> String {
         }
         InputSource::PartOrigin(index) => format!("m->part_origin[{index}]"),
         InputSource::GaugeLength => "m->gauge_length".into(),
-        InputSource::Dimension(name) => format!("m->{}", super::structure::field(model, name)),
+        InputSource::Dimension(name) => format!("m->{}", model.c_field(name)),
     }
 }
 
 /// An expression as an operand: in brackets, unless it is a name, a number or a call.
 pub(super) fn grouped(expression: &str) -> String {
     if expression.contains(' ') { format!("({expression})") } else { expression.to_owned() }
+}
+
+/// Sine and cosine of an angle, as a pair.
+pub(super) fn turn_of(angle: &str) -> String {
+    format!("{{{}({angle}), {}({angle})}}", named("sin"), named("cos"))
 }
 
 /// A name with the prefix of the machine.

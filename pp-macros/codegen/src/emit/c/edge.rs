@@ -44,8 +44,8 @@ pub(super) fn edge(model: &Model, solved: &Solved, two: &TwoRotaries, code: &mut
     ));
     code.line(format!("if (singular && !isfinite(held[{rotary}])) return 0;"));
     code.constant("edge_norm", format!("sqrt({first_squared})"));
-    code.constant("first", format!("singular ? sin(held[{rotary}]) : {} / edge_norm", grouped(&sine)));
-    code.constant("second", format!("singular ? cos(held[{rotary}]) : {} / edge_norm", grouped(&cosine)));
+    code.constant("first", format!("singular ? {}(held[{rotary}]) : {} / edge_norm", named("sin"), grouped(&sine)));
+    code.constant("second", format!("singular ? {}(held[{rotary}]) : {} / edge_norm", named("cos"), grouped(&cosine)));
     code.constant("value", format!("singular ? held[{rotary}] : {}(first, second)", named("angle")));
     code.line("int count = 0;");
     let solutions = [

@@ -1,6 +1,6 @@
 //! Forward kinematics, linear axes, and functions of angles.
 
-use super::code::{Code, named};
+use super::code::{Code, named, turn_of};
 use super::structure::axes;
 use crate::emit::body::Body;
 use crate::emit::inputs::{InputVariables, inputs};
@@ -23,7 +23,7 @@ pub(super) fn angles(code: &mut Code) {
     });
     let angle = format!("double {}(double first, double second)", named("angle"));
     code.function("The angle of a sine and a cosine, times any factor above zero.", angle, |code| {
-        code.line(format!("return {name}(atan2(first, second));"));
+        code.line(format!("return {name}({}(first, second));", named("atan2")));
     });
     let half = format!("double {}(double value)", named("half_turn"));
     code.function("The angle half a turn away.", half, |code| {
@@ -107,7 +107,7 @@ pub(super) fn linear_axes(model: &Model, solved: &Solved, code: &mut Code) {
         let given = (0..model.axes.len()).filter(|place| linear(*place).is_none());
         let sum: String = given.map(|place| format!(" + axes[{place}]")).collect();
         code.line(format!("if (!isfinite(tip[0] + tip[1] + tip[2]{sum})) return 0;"));
-        let pairs = rotaries(model).map(|place| format!("{{sin(axes[{place}]), cos(axes[{place}])}}"));
+        let pairs = rotaries(model).map(|place| turn_of(&format!("axes[{place}]")));
         turns(code, pairs.collect());
         code.line("double solved[3] = {0.0, 0.0, 0.0};");
         code.line(format!("if (!{}(m, tip, turns, axes, solved)) return 0;", named("position")));

@@ -91,8 +91,8 @@ fn single(model: &Model, solved: &Solved, one: &OneRotary, code: &mut Code) {
     if can_be_free(solved, one) {
         code.line(format!("const int singular = !({length} >= {SINGULAR_SINE});"));
         code.line(format!("if (singular && !isfinite(held[{rotary}])) return 0;"));
-        code.constant("first", format!("singular ? sin(held[{rotary}]) : {sine}"));
-        code.constant("second", format!("singular ? cos(held[{rotary}]) : {cosine}"));
+        code.constant("first", format!("singular ? {}(held[{rotary}]) : {sine}", named("sin")));
+        code.constant("second", format!("singular ? {}(held[{rotary}]) : {cosine}", named("cos")));
         code.constant("value", format!("singular ? held[{rotary}] : {}(first, second)", named("angle")));
     } else {
         code.constant("first", sine);

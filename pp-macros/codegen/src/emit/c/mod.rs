@@ -3,14 +3,14 @@
 //! The formulas are the nodes that are printed as Rust; only the guards around them are written here again, and compared
 //! with those of Rust by running both. The text is a part of the machine, since the graph exists while it is compiled only;
 //! [`PREFIX`] in it becomes the name that a caller gives. Functions are `static inline`, allocate nothing and contain no
-//! loop; they call `sin`, `cos`, `atan2`, `sqrt`, `fabs` and `isfinite`.
+//! loop; they call `sqrt`, `fabs` and `isfinite`, and `sin`, `cos` and `atan2` with the prefix, which the caller defines.
 
 mod branch;
 mod code;
 mod edge;
 mod functions;
 mod inverse;
-pub(crate) mod structure;
+mod structure;
 
 use crate::model::Model;
 use crate::solve::Solved;
@@ -29,5 +29,5 @@ pub(crate) fn source(model: &Model, solved: &Solved) -> (Vec<String>, String) {
     functions::position(model, solved, &mut code);
     functions::linear_axes(model, solved, &mut code);
     inverse::inverse(model, solved, &mut code);
-    (model.dimensions.iter().map(|dimension| structure::field(model, &dimension.name)).collect(), code.text())
+    (model.dimensions.iter().map(|dimension| model.c_field(&dimension.name)).collect(), code.text())
 }

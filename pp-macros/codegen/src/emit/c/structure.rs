@@ -1,7 +1,7 @@
 //! The structure of a machine, and its declared values.
 
 use super::code::{Code, named};
-use crate::model::{AxisKind, Dimension, Model, Quantity, is_word_of_c, to_f64};
+use crate::model::{AxisKind, Dimension, Model, Quantity, to_f64};
 
 /// The structure: set-up, and dimensions in the order of the declaration.
 pub(super) fn structure(model: &Model, code: &mut Code) {
@@ -14,7 +14,7 @@ pub(super) fn structure(model: &Model, code: &mut Code) {
             Quantity::Length(_) => "mm",
             Quantity::Angle(..) => "rad",
         };
-        code.line(format!("    double {}; /* {unit} */", field(model, name)));
+        code.line(format!("    double {}; /* {unit} */", model.c_field(name)));
     }
     code.line(format!("}} {};", named("machine")));
 }
@@ -26,7 +26,7 @@ pub(super) fn default(model: &Model, code: &mut Code) {
         code.line("m->part_origin[0] = m->part_origin[1] = m->part_origin[2] = 0.0;");
         code.line("m->gauge_length = 0.0;");
         for Dimension { name, quantity, default } in &model.dimensions {
-            let field = field(model, name);
+            let field = model.c_field(name);
             let Some(default) = default else {
                 code.line(format!("m->{field} = NAN; /* required */"));
                 continue;
@@ -38,18 +38,6 @@ pub(super) fn default(model: &Model, code: &mut Code) {
             code.line(format!("m->{field} = {value:?};"));
         }
     });
-}
-
-/// Name of a dimension in the structure: its own, unless it means something else in C.
-pub(crate) fn field(model: &Model, name: &str) -> String {
-    if !is_word_of_c(name) {
-        return name.to_owned();
-    }
-    let mut field = format!("dim_{name}");
-    while model.dimensions.iter().any(|dimension| dimension.name == field) {
-        field.push('_');
-    }
-    field
 }
 
 /// `X, Y, Z (mm), C, B (rad)`: the axes in chain order.

@@ -3,6 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use super::Wanted;
 use super::guard::{finite, inverse_variables, parallel};
 use super::solution::SolutionTokens;
 use crate::emit::body::{Body, lets};
@@ -12,44 +13,55 @@ use crate::solve::{Edge, Orientation, Solved, TwoRotaries};
 use crate::symbolic::Id;
 
 /// The function and its signature; `None` if fewer than two rotary axes are solved for.
-pub(crate) fn edge(model: &Model, solved: &Solved) -> Option<(TokenStream, TokenStream)> {
+pub(crate) fn edge(model: &Model, solved: &Solved, wanted: Wanted) -> Option<(TokenStream, TokenStream)> {
     let Orientation::Two(two) = &solved.orientation else { return None };
     let count = model.axes.len();
-    let signature = quote! {
-        /// One solution where both branches coincide: at the pole, at the limit of reach, and within the tolerance
-        /// beyond it.
-        fn inverse_at_the_edge(
-            &self,
-            pose: &pp::kinematics::Pose,
-            held: &[f64; #count],
-        ) -> pp::kinematics::Solutions<[f64; #count]>
+    let signature = match wanted {
+        Wanted::AllAxes => quote! {
+            /// One solution where both branches coincide: at the pole, at the limit of reach, and within the tolerance
+            /// beyond it.
+            fn inverse_at_the_edge(
+                &self,
+                pose: &pp::kinematics::Pose,
+                held: &[f64; #count],
+            ) -> pp::kinematics::Solutions<[f64; #count]>
+        },
+        Wanted::RotaryAxes => quote! {
+            /// The rotary axes of that solution.
+            fn rotary_axes_at_the_edge(
+                &self,
+                axis: &pp::nalgebra::UnitVector3<f64>,
+                held: &[f64; #count],
+            ) -> pp::kinematics::Solutions<pp::kinematics::RotaryAngles>
+        },
     };
-    let statements = statements(model, solved, two);
+    let pose = (wanted == Wanted::AllAxes).then(|| quote!(let (tip, axis) = (&pose.tip, &pose.axis);));
+    let statements = statements(model, solved, two, wanted);
     let function = quote! {
         #[cold]
         #[inline(never)]
         #signature {
-            let (tip, axis) = (&pose.tip, &pose.axis);
+            #pose
             #statements
         }
     };
     Some((function, quote!(#signature;)))
 }
 
-fn statements(model: &Model, solved: &Solved, two: &TwoRotaries) -> TokenStream {
+fn statements(model: &Model, solved: &Solved, two: &TwoRotaries, wanted: Wanted) -> TokenStream {
     let Edge { second, first, first_squared, reached_squared, along, .. } = two.edge;
-    let wanted =
+    let needed =
         [two.second.capacity, two.second.root_squared, two.second.height, two.second.rim, two.first.sine_squared];
     let reached = [second.0, second.1, first.0, first.1, first_squared, reached_squared, along.0, along.1];
-    let outputs: Vec<Id> = wanted.into_iter().chain(reached).collect();
+    let outputs: Vec<Id> = needed.into_iter().chain(reached).collect();
     let mut body = Body::new(&solved.graph, &outputs);
     let prelude = prelude(model, &body.inputs(&outputs), inverse_variables());
-    let begin = lets(&body.statements(&wanted));
+    let begin = lets(&body.statements(&needed));
     let rest = lets(&body.statements(&outputs));
-    let is_a_pose = is_a_pose(model, solved, &body, two);
+    let is_a_pose = is_a_pose(model, solved, &body, two, wanted);
     let onto_the_rim = onto_the_rim(&body, two);
     let deviation = deviation(&body, two);
-    let first_angle = first_angle(&body, two);
+    let first_angle = first_angle(&body, two, wanted);
     let (sine, cosine) = (body.tokens(second.0), body.tokens(second.1));
     let [first, second] = two.rotaries;
     let solution = SolutionTokens {
@@ -59,7 +71,7 @@ fn statements(model: &Model, solved: &Solved, two: &TwoRotaries) -> TokenStream 
         singular: quote!(singular),
         deviation: quote!(deviation),
     };
-    let solution = solution.tokens(model, solved);
+    let solution = solution.tokens(model, solved, wanted);
     quote! {
         #prelude
         #begin
@@ -74,12 +86,12 @@ fn statements(model: &Model, solved: &Solved, two: &TwoRotaries) -> TokenStream 
 }
 
 /// No solution for a pose that is not a number, or where the rotary axes cannot tilt the tool.
-fn is_a_pose(model: &Model, solved: &Solved, body: &Body<'_>, two: &TwoRotaries) -> TokenStream {
+fn is_a_pose(model: &Model, solved: &Solved, body: &Body<'_>, two: &TwoRotaries, wanted: Wanted) -> TokenStream {
     let capacity = solved.graph.constant_of(two.second.capacity).is_none().then(|| {
         let (capacity, least) = (body.tokens(two.second.capacity), parallel());
         quote!(!(#capacity > #least) ||)
     });
-    let finite = finite(model);
+    let finite = finite(model, wanted);
     quote! {
         if #capacity !#finite {
             return pp::kinematics::Solutions::none();
@@ -116,11 +128,13 @@ fn deviation(body: &Body<'_>, two: &TwoRotaries) -> TokenStream {
 }
 
 /// `first` and `value`, the (sine, cosine) and the angle of the first rotary; at the pole those of its given value.
-fn first_angle(body: &Body<'_>, two: &TwoRotaries) -> TokenStream {
+fn first_angle(body: &Body<'_>, two: &TwoRotaries, wanted: Wanted) -> TokenStream {
     let rotary = two.rotaries[0];
     let [sine_squared, first_squared, sine, cosine] =
         [two.first.sine_squared, two.edge.first_squared, two.edge.first.0, two.edge.first.1]
             .map(|node| body.tokens(node));
+    let first = (wanted == Wanted::AllAxes)
+        .then(|| quote!(let first = if singular { math::sin_cos(held[#rotary]) } else { direction };));
     quote! {
         let singular = !(#sine_squared
             >= pp::kinematics::SINGULAR_SINE * pp::kinematics::SINGULAR_SINE)
@@ -128,12 +142,9 @@ fn first_angle(body: &Body<'_>, two: &TwoRotaries) -> TokenStream {
         if singular && !held[#rotary].is_finite() {
             return pp::kinematics::Solutions::none();
         }
-        let (first, value) = if singular {
-            (math::sin_cos(held[#rotary]), held[#rotary])
-        } else {
-            let value = math::sqrt(#first_squared);
-            let first = (#sine / value, #cosine / value);
-            (first, math::angle(first.0, first.1))
-        };
+        let length = math::sqrt(#first_squared);
+        let direction = (#sine / length, #cosine / length);
+        #first
+        let value = if singular { held[#rotary] } else { math::angle(direction.0, direction.1) };
     }
 }

@@ -3,6 +3,7 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
+use super::Wanted;
 use crate::emit::inputs::InputVariables;
 use crate::model::Model;
 use crate::solve::{OneRotary, PARALLEL_SINE_SQUARED, Pole, Solved, TwoRotaries};
@@ -32,8 +33,9 @@ pub(crate) fn inverse_variables() -> InputVariables<'static> {
     InputVariables { tip: Some("tip"), axis: Some("axis"), words: Some("held"), turns: None }
 }
 
-/// Test that pose and held values are finite; NaN and infinity stay NaN or infinite in a sum.
-pub(crate) fn finite(model: &Model) -> TokenStream {
+/// Test that pose, or tool axis, and held values are finite; NaN and infinity stay NaN or infinite in a sum.
+pub(crate) fn finite(model: &Model, wanted: Wanted) -> TokenStream {
+    let tip = (wanted == Wanted::AllAxes).then(|| quote!(tip.x + tip.y + tip.z +));
     let held = model.axes.iter().enumerate().filter(|(_, axis)| axis.held.is_some()).map(|(place, _)| place);
-    quote!((tip.x + tip.y + tip.z + axis.x + axis.y + axis.z #(+ held[#held])*).is_finite())
+    quote!((#tip axis.x + axis.y + axis.z #(+ held[#held])*).is_finite())
 }

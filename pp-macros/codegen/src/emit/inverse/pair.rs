@@ -3,6 +3,7 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
+use super::Wanted;
 use super::guard::{finite, inverse_variables, needs_pole_test, parallel};
 use super::solution::SolutionTokens;
 use crate::emit::body::{Body, lets};
@@ -12,7 +13,7 @@ use crate::solve::{AngleRelation, Branch, Solved, TwoRotaries};
 use crate::symbolic::Id;
 
 /// Both branches, or the cold path.
-pub(crate) fn pair(model: &Model, solved: &Solved, two: &TwoRotaries) -> TokenStream {
+pub(crate) fn pair(model: &Model, solved: &Solved, two: &TwoRotaries, wanted: Wanted) -> TokenStream {
     let guarded = [two.second.root, two.first.sine_squared, two.second.capacity];
     let words = |branch: &Branch| branch.words.map(|(sine, cosine)| [sine, cosine]).concat();
     let outputs: Vec<Id> = guarded.into_iter().chain(two.branches.iter().flat_map(words)).collect();
@@ -20,15 +21,19 @@ pub(crate) fn pair(model: &Model, solved: &Solved, two: &TwoRotaries) -> TokenSt
     let prelude = prelude(model, &body.inputs(&outputs), inverse_variables());
     let guard = lets(&body.statements(&guarded));
     let near_the_edge = near_the_edge(solved, &body, two);
-    let finite = finite(model);
+    let finite = finite(model, wanted);
     let statements = lets(&body.statements(&outputs));
     let angles = angles(model, &body, two);
-    let solutions = (0..2).map(|branch| solution(model, solved, &body, two, branch));
+    let solutions = (0..2).map(|branch| solution((model, solved), &body, two, branch, wanted));
+    let at_the_edge = match wanted {
+        Wanted::AllAxes => quote!(self.inverse_at_the_edge(pose, held)),
+        Wanted::RotaryAxes => quote!(self.rotary_axes_at_the_edge(axis, held)),
+    };
     quote! {
         #prelude
         #guard
         if #near_the_edge || !#finite {
-            return self.inverse_at_the_edge(pose, held);
+            return #at_the_edge;
         }
         #statements
         #angles
@@ -79,7 +84,13 @@ fn angles(model: &Model, body: &Body<'_>, two: &TwoRotaries) -> TokenStream {
     }
 }
 
-fn solution(model: &Model, solved: &Solved, body: &Body<'_>, two: &TwoRotaries, branch: usize) -> TokenStream {
+fn solution(
+    (model, solved): (&Model, &Solved),
+    body: &Body<'_>,
+    two: &TwoRotaries,
+    branch: usize,
+    wanted: Wanted,
+) -> TokenStream {
     let turns = two.branches[branch].words.map(|(sine, cosine)| {
         let (sine, cosine) = (body.tokens(sine), body.tokens(cosine));
         quote!((#sine, #cosine))
@@ -98,7 +109,7 @@ fn solution(model: &Model, solved: &Solved, body: &Body<'_>, two: &TwoRotaries, 
         singular: quote!(false),
         deviation: quote!(0.0),
     };
-    solution.tokens(model, solved)
+    solution.tokens(model, solved, wanted)
 }
 
 /// `angle_c_1`

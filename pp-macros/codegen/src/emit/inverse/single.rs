@@ -3,6 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use super::Wanted;
 use super::guard::{can_be_free, finite, inverse_variables, parallel};
 use super::solution::SolutionTokens;
 use crate::emit::body::{Body, lets};
@@ -12,12 +13,13 @@ use crate::solve::{OneRotary, Solved};
 use crate::symbolic::Id;
 
 /// No solved rotary axis.
-pub(crate) fn fixed(model: &Model, solved: &Solved, deviation: Id) -> TokenStream {
+pub(crate) fn fixed(model: &Model, solved: &Solved, deviation: Id, wanted: Wanted) -> TokenStream {
     let mut body = Body::new(&solved.graph, &[deviation]);
     let prelude = prelude(model, &body.inputs(&[deviation]), inverse_variables());
-    let guard = within_reach(model, &mut body, deviation);
+    let guard = within_reach(model, &mut body, deviation, wanted);
     let (branch, singular, deviation) = (quote!(First), quote!(false), body.tokens(deviation));
-    let solution = SolutionTokens { turns: &[], angles: &[], branch, singular, deviation }.tokens(model, solved);
+    let solution = SolutionTokens { turns: &[], angles: &[], branch, singular, deviation };
+    let solution = solution.tokens(model, solved, wanted);
     quote! {
         #prelude
         #guard
@@ -26,14 +28,14 @@ pub(crate) fn fixed(model: &Model, solved: &Solved, deviation: Id) -> TokenStrea
 }
 
 /// One solved rotary axis.
-pub(crate) fn one(model: &Model, solved: &Solved, one: &OneRotary) -> TokenStream {
+pub(crate) fn one(model: &Model, solved: &Solved, one: &OneRotary, wanted: Wanted) -> TokenStream {
     let outputs = [one.deviation, one.word.0, one.word.1, one.length, one.length_claim];
     let mut body = Body::new(&solved.graph, &outputs);
     let prelude = prelude(model, &body.inputs(&outputs), inverse_variables());
     let can_tilt = can_tilt(solved, &mut body, one);
-    let guard = within_reach(model, &mut body, one.deviation);
+    let guard = within_reach(model, &mut body, one.deviation, wanted);
     let statements = lets(&body.statements(&outputs));
-    let (angle, singular) = angle(solved, &body, one);
+    let (angle, singular) = angle(solved, &body, one, wanted);
     let solution = SolutionTokens {
         turns: &[(one.rotary, quote!(first))],
         angles: &[(one.rotary, quote!(value))],
@@ -41,7 +43,7 @@ pub(crate) fn one(model: &Model, solved: &Solved, one: &OneRotary) -> TokenStrea
         singular,
         deviation: body.tokens(one.deviation),
     };
-    let solution = solution.tokens(model, solved);
+    let solution = solution.tokens(model, solved, wanted);
     quote! {
         #prelude
         #can_tilt
@@ -69,10 +71,10 @@ fn can_tilt(solved: &Solved, body: &mut Body<'_>, one: &OneRotary) -> Option<Tok
 }
 
 /// No solution where the wanted axis is off the cone by more than the tolerance, or is not a number.
-fn within_reach(model: &Model, body: &mut Body<'_>, deviation: Id) -> TokenStream {
+fn within_reach(model: &Model, body: &mut Body<'_>, deviation: Id, wanted: Wanted) -> TokenStream {
     let statements = lets(&body.statements(&[deviation]));
     let deviation = body.tokens(deviation);
-    let finite = finite(model);
+    let finite = finite(model, wanted);
     quote! {
         #statements
         if !(#deviation <= pp::kinematics::REACH_TOLERANCE) || !#finite {
@@ -82,23 +84,22 @@ fn within_reach(model: &Model, body: &mut Body<'_>, deviation: Id) -> TokenStrea
 }
 
 /// `first` and `value`, the (sine, cosine) and the angle; and whether it is singular.
-fn angle(solved: &Solved, body: &Body<'_>, one: &OneRotary) -> (TokenStream, TokenStream) {
+fn angle(solved: &Solved, body: &Body<'_>, one: &OneRotary, wanted: Wanted) -> (TokenStream, TokenStream) {
     let (sine, cosine) = (body.tokens(one.word.0), body.tokens(one.word.1));
     if !can_be_free(solved, one) {
-        let angle = quote!(let (first, value) = ((#sine, #cosine), math::angle(#sine, #cosine)););
-        return (angle, quote!(false));
+        let first = (wanted == Wanted::AllAxes).then(|| quote!(let first = (#sine, #cosine);));
+        return (quote!(#first let value = math::angle(#sine, #cosine);), quote!(false));
     }
     let (rotary, length) = (one.rotary, body.tokens(one.length));
+    let first = (wanted == Wanted::AllAxes)
+        .then(|| quote!(let first = if singular { math::sin_cos(held[#rotary]) } else { (#sine, #cosine) };));
     let angle = quote! {
         let singular = !(#length >= pp::kinematics::SINGULAR_SINE);
         if singular && !held[#rotary].is_finite() {
             return pp::kinematics::Solutions::none();
         }
-        let (first, value) = if singular {
-            (math::sin_cos(held[#rotary]), held[#rotary])
-        } else {
-            ((#sine, #cosine), math::angle(#sine, #cosine))
-        };
+        #first
+        let value = if singular { held[#rotary] } else { math::angle(#sine, #cosine) };
     };
     (angle, quote!(singular))
 }

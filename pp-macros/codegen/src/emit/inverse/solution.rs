@@ -3,6 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use super::Wanted;
 use crate::emit::kinematics::rotaries;
 use crate::model::{AxisId, AxisKind, Model};
 use crate::solve::Solved;
@@ -21,8 +22,35 @@ pub(crate) struct SolutionTokens<'a> {
 
 impl SolutionTokens<'_> {
     /// `Option<Solution>`
-    pub(crate) fn tokens(&self, model: &Model, solved: &Solved) -> TokenStream {
+    pub(crate) fn tokens(&self, model: &Model, solved: &Solved, wanted: Wanted) -> TokenStream {
+        match wanted {
+            Wanted::AllAxes => self.with_linear_axes(model, solved),
+            Wanted::RotaryAxes => self.alone(),
+        }
+    }
+
+    /// The rotary axes, in the order of the chain.
+    fn alone(&self) -> TokenStream {
+        let mut angles = self.angles.to_vec();
+        angles.sort_by_key(|(place, _)| *place);
+        let angles = angles.into_iter().map(|(_, angle)| angle).chain([quote!(0.0), quote!(0.0)]).take(2);
+        let solution = self.solution(&quote!([#(#angles),*]));
+        quote!(::core::option::Option::Some(#solution))
+    }
+
+    fn solution(&self, axes: &TokenStream) -> TokenStream {
         let Self { branch, singular, deviation, .. } = self;
+        quote! {
+            pp::kinematics::Solution {
+                axes: #axes,
+                branch: pp::kinematics::Branch::#branch,
+                singular: #singular,
+                deviation: #deviation,
+            }
+        }
+    }
+
+    fn with_linear_axes(&self, model: &Model, solved: &Solved) -> TokenStream {
         let turns = self.all_turns(model);
         let axes = model.axes.iter().enumerate().map(|(place, axis)| {
             if axis.held.is_some() {
@@ -34,17 +62,11 @@ impl SolutionTokens<'_> {
             }
             of(self.angles, place).cloned().unwrap_or_default()
         });
+        let solution = self.solution(&quote!([#(#axes),*]));
         quote! {
             match self.position(tip, &#turns, held) {
                 ::core::option::Option::None => ::core::option::Option::None,
-                ::core::option::Option::Some(solved) => {
-                    ::core::option::Option::Some(pp::kinematics::Solution {
-                        axes: [#(#axes),*],
-                        branch: pp::kinematics::Branch::#branch,
-                        singular: #singular,
-                        deviation: #deviation,
-                    })
-                }
+                ::core::option::Option::Some(solved) => ::core::option::Option::Some(#solution),
             }
         }
     }
