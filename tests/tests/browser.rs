@@ -153,13 +153,18 @@ impl Browser {
     }
 
     /// Writes a page with a command, and opens it.
-    async fn open(&self, mut command: Command, args: &[&str]) -> Page {
+    async fn open(&self, command: Command, args: &[&str]) -> Page {
+        self.open_with_figures(command, args).await.0
+    }
+
+    /// The same with what the command writes to standard output.
+    async fn open_with_figures(&self, mut command: Command, args: &[&str]) -> (Page, Vec<u8>) {
         let path = self.folder.path().join("page.html");
         let output = command.current_dir(workspace()).args(args).arg("-o").arg(&path).output().expect("it runs");
         assert!(output.status.success(), "{args:?}: {}", String::from_utf8_lossy(&output.stderr));
         self.client.goto(&format!("file://{}", path.display())).await.expect("the page opens");
         self.wait("window.ppView && window.ppView.ready").await;
-        Page::decoded(&fs::read_to_string(&path).expect("the page"))
+        (Page::decoded(&fs::read_to_string(&path).expect("the page")), output.stdout)
     }
 
     /// The drawn machine at points of the program: tip and joints. Number of points at the end of a record's motion.
@@ -305,5 +310,102 @@ fn programs_of_each_control_are_drawn_in_each_mode() {
                 browser.look(&format!("{control}, {mode}"), &page).await;
             }
         }
+    });
+}
+
+/// A dome that is cut from a block on a riser, with spindle, table and frame as solids.
+const SOLIDS: &str = "\
+part_origin = [0.0, 0.0, 80.0]
+machine_zero = { X = 0.0, Y = 0.0, Z = -450.0 }
+start_position = { X = 0.0, Y = 0.0, Z = 0.0, B = 0.0, A = 0.0 }
+park = { A = 0.0, B = 0.0 }
+retract = { position = 0.0, distance = 60.0 }
+[limits]
+Z = [-500.0, 0.0]
+[tools]
+1 = { length = 120.0, diameter = 12.0, corner_radius = 6.0, flute_length = 30.0, shank_diameter = 12.0, holder = [32.0, 30.0] }
+[solids]
+stock = { box = [[-45.0, -33.0, -40.0], [45.0, 33.0, 0.5]] }
+design = { stl = \"convex.stl\", tolerance = 0.02 }
+fixtures = { name = \"riser\", box = [[-50.0, -38.0, 0.0], [50.0, 38.0, 40.0]] }
+X = { name = \"table\", box = [[-300.0, -200.0, -60.0], [300.0, 200.0, 0.0]] }
+frame = { name = \"bed\", box = [[-700.0, -260.0, -200.0], [700.0, 260.0, -70.0]] }
+spindle = { name = \"nose\", turned = [[0.0, 0.0], [70.0, 0.0], [120.0, 190.0], [0.0, 190.0]] }
+";
+
+/// Length of that tool, mm.
+const TOOL_MM: f64 = 120.0;
+
+#[test]
+fn the_page_of_a_simulation_shows_stock_machine_and_findings() {
+    in_browser(async |browser| {
+        let folder = browser.folder.path();
+        let config = folder.join("job.toml");
+        fs::write(&config, SOLIDS).expect("a configuration");
+        let designs = examples::designs::designs();
+        let (_, design) = designs.iter().find(|(name, _)| *name == "convex.stl").expect("the dome");
+        design.write(&mut fs::File::create(folder.join("convex.stl")).expect("a file")).expect("it is written");
+        // One cut is 1 mm too deep.
+        let text = fs::read_to_string(workspace().join("examples/cl/convex.cls")).expect("CL data");
+        let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
+        let cuts: Vec<usize> = (0..lines.len()).filter(|line| lines[*line].starts_with("GOTO/")).collect();
+        let place = cuts[cuts.len() / 2];
+        let words: Vec<f64> =
+            lines[place]["GOTO/".len()..].split(',').map(|word| word.trim().parse().expect("a number")).collect();
+        lines[place] =
+            format!("GOTO/{},{},{},{},{},{}", words[0], words[1], words[2] - 1.0, words[3], words[4], words[5]);
+        let cl = folder.join("spoiled.cls");
+        fs::write(&cl, lines.join("\n")).expect("CL data");
+        let [cl, config] = [&cl, &config].map(|path| path.to_str().expect("a name").to_owned());
+        let args = ["simulate", &cl, "--config", &config, "--pitch", "1.5", "--rest-tolerance", "0.15", "--json"];
+        let (page, figures) = browser.open_with_figures(binary("lola-xoyzba"), &args).await;
+        let figures: Value = serde_json::from_slice(&figures).expect("figures");
+        browser.look("simulated", &page).await;
+
+        // The spindle is one tool length from the tip, the table under the part zero.
+        for look in 0..LOOKS {
+            let point = look * (page.points() - 1) / (LOOKS - 1);
+            browser.script(&format!("window.ppView.seek({point})")).await;
+            let state = browser.state().await;
+            let origin = |name: &str| Vector3::from_fn(|row, _| number(&state["simulation"]["origins"][name][row]));
+            let tool = number(&page.head["placements"][page.at("placement", point) as usize]["tool"]);
+            let length_mm = if tool > 0.0 { TOOL_MM } else { 0.0 };
+            let gauge = page.tip(point) + length_mm * page.tool_axis(point);
+            assert!((origin("nose") - gauge).norm() < 2e-3, "point {point}: {} {gauge}", origin("nose"));
+            for name in ["riser", "table"] {
+                assert!((origin(name) - Vector3::new(0.0, 0.0, -80.0)).norm() < 2e-3, "{}", origin(name));
+            }
+        }
+
+        // The stock loses what the figures state.
+        let block = 90.0 * 66.0 * 40.5;
+        let removed = figures["removed_mm3"].as_f64().expect("a volume");
+        let mut before = f64::INFINITY;
+        for (share, left) in
+            [(0.0, Some(block)), (0.3, None), (0.6, None), (1.0, Some(block - removed)), (0.0, Some(block))]
+        {
+            let point = (share * (page.points() - 1) as f64) as usize;
+            browser.script(&format!("window.ppView.seek({point})")).await;
+            let volume = number(&browser.state().await["simulation"]["volume"]);
+            match left {
+                Some(left) => assert!((volume - left).abs() < 0.02 * removed, "at {share}: {volume}, not {left}"),
+                None => assert!(volume < before && volume > block - removed, "at {share}: {volume}"),
+            }
+            before = volume;
+        }
+
+        // A gouge is a place to jump to.
+        let gouges = figures["design"]["gouges"].as_array().expect("a list");
+        assert!(!gouges.is_empty(), "{figures}");
+        let entry = "[...document.querySelectorAll('#simulation-panel .entry')].find(entry => entry.textContent.includes('gouge:'))";
+        browser.wait(&format!("!document.querySelector('#sheet-simulation').hidden && {entry}")).await;
+        browser.script(&format!("{entry}.click()")).await;
+        let line = gouges[0]["line"].as_u64().expect("a line");
+        browser.wait(&format!("window.ppView.state().line === {line}")).await;
+        for stock in ["cut", "off", "result"] {
+            browser.script(&format!("window.ppView.setStock('{stock}')")).await;
+            browser.wait(&format!("window.ppView.state().simulation.stock === '{stock}'")).await;
+        }
+        browser.keep_picture("simulated", &page).await;
     });
 }

@@ -12,11 +12,13 @@ import { DisplayPanel } from "./panels/display.ts";
 import { FindingsPanel, OperationsPanel } from "./panels/lists.ts";
 import { MachinePanel } from "./panels/machine_facts.ts";
 import { Plots } from "./panels/plots.ts";
+import { SimulationPanel } from "./panels/simulation.ts";
 import { PositionPanel } from "./panels/position.ts";
 import { TextPane } from "./panels/text_pane.ts";
 import { Transport } from "./panels/transport.ts";
 import { Hover } from "./selection.ts";
 import type { Fixed } from "./scene/machine.ts";
+import type { StockShown } from "./scene/simulated.ts";
 import { Stage } from "./scene/stage.ts";
 import { STANDARD_VIEWS, type StandardView } from "./scene/view.ts";
 import { splitter } from "./splitter.ts";
@@ -24,10 +26,10 @@ import { ThemeSwitch } from "./theme.ts";
 import { Timeline } from "./timeline.ts";
 
 /** Sheets of the side panel. */
-const SHEETS = ["now", "machine", "display", "findings", "operations"] as const;
+const SHEETS = ["now", "machine", "display", "findings", "simulation", "operations"] as const;
 type Sheet = (typeof SHEETS)[number];
 
-const SHEET_LABELS: Record<Sheet, string> = { now: "Position", machine: "Machine", display: "Display", findings: "Findings", operations: "Operations" };
+const SHEET_LABELS: Record<Sheet, string> = { now: "Position", machine: "Machine", display: "Display", findings: "Findings", simulation: "Simulation", operations: "Operations" };
 
 const VIEW_ICONS: Record<string, string> = {
   fit: "M3 7V3h4M13 3h4v4M17 13v4h-4M7 17H3v-4M7 7h6v6H7z",
@@ -50,6 +52,7 @@ export class App {
   private readonly display: DisplayPanel;
   private readonly findings: FindingsPanel;
   private readonly operations: OperationsPanel;
+  private readonly simulation: SimulationPanel | null;
   private readonly transport: Transport;
   private readonly blockCard: BlockCard;
   private readonly hoverCard: BlockCard;
@@ -114,8 +117,9 @@ export class App {
       },
       this.colouring,
       theme,
+      data.simulation,
     );
-    this.viewport.append(this.viewTools(), this.restTools(), this.hoverCard.root);
+    this.viewport.append(this.viewTools(), this.restTools(), ...this.stockTools(), this.hoverCard.root);
     this.position = new PositionPanel(program, this.timeline, this.stage, new ClPoints(program, clText));
     this.machine = new MachinePanel(program, undrawn);
     const choices = { colour: (name: string) => this.setColouring(name), hold: (fixed: Fixed) => this.setFixed(fixed) };
@@ -123,6 +127,8 @@ export class App {
     const events = { seek: (point: number) => this.jump(point), showLine: (line: number) => this.showLine(line) };
     this.findings = new FindingsPanel(program, events);
     this.operations = new OperationsPanel(program, events, theme);
+    const showPlace = (line: number | null, place: Triple, onStock: boolean): void => this.showPlace(line, place, onStock);
+    this.simulation = data.simulation && new SimulationPanel(data.simulation, { showPlace }, theme);
     this.fillSide(side);
     new Keyboard(this.commands());
 
@@ -130,7 +136,7 @@ export class App {
     this.hover.onChange(() => this.showHover());
     this.theme.onChange(() => this.restyle());
     this.display.showColouring(this.colouring, theme);
-    this.openSheet(program.head.findings.length > 0 ? "findings" : "now");
+    this.openSheet(program.head.findings.length > 0 ? "findings" : this.simulation ? "simulation" : "now");
     this.showChoices();
     this.update();
     this.started = true;
@@ -164,6 +170,18 @@ export class App {
     if (exact !== null) return;
     this.text.setCurrent(line);
     this.blockCard.showLine(line);
+  }
+
+  setStock(stock: StockShown): void {
+    this.stage.setStock(stock);
+    this.showChoices();
+  }
+
+  /** Goes to a line and marks a place of its set-up, or of the machined stock. */
+  private showPlace(line: number | null, place: Triple, onStock: boolean): void {
+    if (line !== null) this.showLine(line);
+    const placement = this.data.program.placementAt(this.timeline.point);
+    this.stage.markPlace(place, onStock ? null : placement.set_up);
   }
 
   drawnTip(): Triple {
@@ -222,6 +240,7 @@ export class App {
     this.plots.restyle(theme);
     this.transport.restyle(theme);
     this.operations.restyle(theme);
+    this.simulation?.restyle(theme);
     this.text.restyle();
   }
 
@@ -240,6 +259,7 @@ export class App {
     const warnings = head.warnings.length;
     const warning = element("button", { type: "button", class: "badge warn" }, `${warnings} warning${warnings > 1 ? "s" : ""}`);
     warning.addEventListener("click", () => this.openSheet("findings"));
+    const simulated = this.simulationBadge();
     const summary = button({ label: "Summary", key: "S", id: "summary-toggle", press: () => this.toggleSummary() });
     summary.setAttribute("aria-pressed", "false");
     return element(
@@ -247,12 +267,26 @@ export class App {
       { class: "top" },
       element("div", { class: "title" }, title, facts),
       badge,
+      ...(simulated ? [simulated] : []),
       ...(warnings > 0 ? [warning] : []),
       element("span", { class: "stretch" }),
       summary,
       button({ label: "Light or dark", icon: icon("M10 3a7 7 0 1 0 7 7 5.5 5.5 0 0 1-7-7z"), key: "D", press: () => this.theme.toggle() }),
       button({ label: "Keys", icon: icon("M7.3 7.2a2.8 2.8 0 1 1 3.9 2.6c-.8.4-1.2.9-1.2 1.9M10 14.6v.6"), key: "?", press: () => this.keyboardHelp() }),
     );
+  }
+
+  private simulationBadge(): HTMLElement | null {
+    const figures = this.data.simulation?.figures;
+    if (!figures) return null;
+    const { collisions, design } = figures;
+    const gouges = design?.gouge_count ?? 0;
+    const count = (number: number, what: string): string => `${number === 0 ? "no" : number} ${what}${number === 1 ? "" : "s"}`;
+    const text = [count(collisions, "collision"), ...(design ? [count(gouges, "gouge")] : [])].join(", ");
+    const badge = element("button", { type: "button", class: collisions + gouges > 0 ? "badge bad" : "badge good" }, text);
+    badge.title = this.data.simulation?.line ?? "";
+    badge.addEventListener("click", () => this.openSheet("simulation"));
+    return badge;
   }
 
   private keyboardHelp(): void {
@@ -294,11 +328,30 @@ export class App {
     return group;
   }
 
+  /** Which stock is shown; nothing without a simulation. */
+  private stockTools(): HTMLElement[] {
+    const { simulated } = this.stage;
+    if (!simulated) return [];
+    const group = element("div", { class: "rest-tools stock-tools", role: "group", "aria-label": "Stock" });
+    const choices: [StockShown, string][] = [["result", "Machined stock"], ["cut", "As it is cut"], ["off", "No stock"]];
+    for (const [stock, label] of choices) {
+      if (stock === "cut" && !simulated.hasStages) continue;
+      const made = button({ label, press: () => this.setStock(stock) });
+      made.title = `${label} (G)`;
+      made.dataset.stock = stock;
+      group.append(made);
+    }
+    return [group];
+  }
+
   /** Shows the choices of the display as they are now. */
   private showChoices(): void {
     this.display.update();
     for (const each of this.viewport.querySelectorAll<HTMLElement>("[data-fixed]")) {
       each.setAttribute("aria-pressed", String(each.dataset.fixed === this.stage.fixed));
+    }
+    for (const each of this.viewport.querySelectorAll<HTMLElement>("[data-stock]")) {
+      each.setAttribute("aria-pressed", String(each.dataset.stock === this.stage.simulated?.stock));
     }
   }
 
@@ -308,10 +361,12 @@ export class App {
       machine: [this.machine.root],
       display: [this.display.root],
       findings: [this.findings.root],
+      simulation: this.simulation ? [this.simulation.root] : [],
       operations: [this.operations.root],
     };
+    const names = SHEETS.filter((name) => contents[name].length > 0);
     const tablist = element("div", { class: "tabs", role: "tablist", "aria-label": "Details" });
-    for (const name of SHEETS) {
+    for (const name of names) {
       const tab = element("button", { type: "button", role: "tab", id: `tab-${name}`, "aria-controls": `sheet-${name}` }, SHEET_LABELS[name]);
       tab.addEventListener("click", () => this.openSheet(name));
       tab.addEventListener("keydown", (event) => {
@@ -319,7 +374,7 @@ export class App {
         if (step === undefined) return;
         event.preventDefault();
         event.stopPropagation();
-        const next = SHEETS[(SHEETS.indexOf(name) + step + SHEETS.length) % SHEETS.length];
+        const next = names[(names.indexOf(name) + step + names.length) % names.length];
         this.openSheet(next);
         this.sheetTabs.get(next)?.focus();
       });
@@ -410,6 +465,12 @@ export class App {
           { keys: ["b"], label: "part or bed at rest", run: () => this.setFixed(cycle(["part", "machine"], stage.fixed)) },
           { keys: ["m"], label: "bodies: solid, clear, off", run: updated(() => stage.setMachineStyle(cycle(["solid", "ghost", "off"], stage.machineStyle))) },
           { keys: ["h"], label: "path: all, done, operation", run: updated(() => stage.setExtent(cycle(["whole", "done", "operation"], stage.extent))) },
+          ...(this.data.simulation
+            ? [
+                { keys: ["g"], label: "stock: machined, as it is cut, none", run: () => this.setStock(cycle(["result", "cut", "off"], stage.simulated?.stock ?? "off")) },
+                { keys: ["e"], label: "design", run: () => stage.layers.toggle("design") },
+              ]
+            : []),
           { keys: ["d"], label: "light or dark", run: () => this.theme.toggle() },
           { keys: ["s"], label: "summary", run: () => this.toggleSummary() },
         ],
@@ -420,6 +481,12 @@ export class App {
           { keys: ["/"], label: "search; :120 is line 120", run: () => this.text.searchField.focus() },
           { keys: ["n"], label: "next finding", run: () => this.findings.step(1, this.text.currentLine) },
           { keys: ["Shift+n"], label: "previous finding", run: () => this.findings.step(-1, this.text.currentLine) },
+          ...(this.simulation
+            ? [
+                { keys: ["v"], label: "next finding of the simulation", run: () => this.simulation?.step(1) },
+                { keys: ["Shift+v"], label: "previous finding of the simulation", run: () => this.simulation?.step(-1) },
+              ]
+            : []),
           { keys: ["p"], label: "next plots", run: () => this.plots.nextTab() },
           { keys: ["x"], label: "plots over time or blocks", run: () => this.plots.toggleAxis() },
           { keys: ["["], label: "plots: zoom in", run: () => this.plots.zoomBy(0.5) },

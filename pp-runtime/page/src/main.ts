@@ -21,6 +21,17 @@ export interface PageState {
   setUp: number;
   colouring: string;
   playing: boolean;
+  /** Of a simulation; `null` without one. */
+  simulation: SimulationState | null;
+}
+
+/** What the page shows of a simulation, for tests. */
+export interface SimulationState {
+  stock: string;
+  /** Volume of the stock at the position, mm³. */
+  volume: number | null;
+  /** Origins of the solids' coordinates as they are drawn, workpiece coordinates. */
+  origins: Record<string, Triple>;
 }
 
 export interface PageHandle {
@@ -37,6 +48,7 @@ export interface PageHandle {
   pause(): void;
   setColouring(name: string): void;
   setMode(mode: "part" | "machine"): void;
+  setStock(stock: "result" | "cut" | "off"): void;
   frameMilliseconds(): number;
   /** Leg of the path under a place of the view, px from its top left corner. */
   pick(x: number, y: number): number | null;
@@ -79,6 +91,11 @@ async function start(): Promise<void> {
       setUp: program.placementAt(app.timeline.point).set_up,
       colouring: app.colouring.name,
       playing: app.timeline.playing,
+      simulation: app.stage.simulated && {
+        stock: app.stage.simulated.stock,
+        volume: app.stage.simulated.volume(),
+        origins: app.stage.simulated.origins(),
+      },
     }),
     seek: (point) => app.timeline.seek(point),
     select: (line) => app.select(line),
@@ -86,6 +103,7 @@ async function start(): Promise<void> {
     pause: () => app.timeline.pause(),
     setColouring: (name) => app.setColouring(name),
     setMode: (mode) => app.setFixed(mode),
+    setStock: (stock) => app.setStock(stock),
     frameMilliseconds: () => app.stage.view.frameMilliseconds(),
     pick: (x, y) => app.stage.pickAt(x, y),
   };

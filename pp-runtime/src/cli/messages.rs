@@ -53,6 +53,11 @@ impl<'a> Messages<'a> {
         Self { out, format }
     }
 
+    /// Format in which they are written.
+    pub(crate) fn format(&self) -> MessageFormat {
+        self.format
+    }
+
     /// An error of the run, without a place in a file.
     pub(crate) fn error(&mut self, text: &str) {
         self.without_location("error", &format!("error: {text}"), text);

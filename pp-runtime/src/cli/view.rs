@@ -23,7 +23,7 @@ use super::posting::{PostFn, PostRun, Written, read_files};
 use super::self_check::Checking;
 
 /// Name of the program in memory, in messages.
-const IN_MEMORY: &str = "the program in memory";
+pub(crate) const IN_MEMORY: &str = "the program in memory";
 
 /// Times that the CL data is read to show a program: for what only the CL data states, and to execute the program where the
 /// run that posted it has not.
@@ -133,21 +133,12 @@ fn show(
         file.transpose().map_err(|error| Failure::unwritable(output.path, error))
     };
     let targets = outputs.iter().map(create).collect::<Result<Vec<_>, _>>()?;
-    let given = program.map(|path| fs::read(path).map_err(|error| Failure::unreadable(path, error))).transpose()?;
     show_progress(&mut source, streams.terminal, set_up, posting_passes(&config));
     let in_memory = Path::new(IN_MEMORY);
-    let checking = if given.is_some() { Checking::for_text(&config) } else { Checking::Points };
+    let checking = if program.is_some() { Checking::for_text(&config) } else { Checking::Points };
     let run = PostRun { input, output: in_memory, checking, config: &config, control: set_up.control(), post };
-    let mut posted = Posted::default();
-    // Of a program that is given only its own faults count; those of the CL data come with it.
-    let mut nobody = io::sink();
-    let mut unheard = Messages::new(&mut nobody, set_up.message_format);
-    let heard = if given.is_some() { &mut unheard } else { &mut messages };
-    let written = run.write(machine, &mut source, &mut posted.text, Some(&mut posted.reasons), heard)?;
-    let rejected = given.is_none() && written.summary.is_err();
-    if let Some(text) = given {
-        posted = Posted { reasons: posted.reasons.carried_over(&posted.text, &text), text };
-    }
+    let (posted, written) = posted(machine, &run, program, &mut source, &mut messages)?;
+    let rejected = program.is_none() && written.summary.is_err();
     show_progress(&mut source, streams.terminal, set_up, viewing_passes(&written));
     let policy = run.policy(machine)?;
     let shown = viewed(machine, &run, program, &policy, &mut source, &posted, written)?;
@@ -176,8 +167,30 @@ fn show(
     Ok(if !rejected && shown.passed() { Status::Done } else { Status::Rejected })
 }
 
+/// Posts the CL data to memory. `program`: one that is given has its own text, with the reasons of the posted lines.
+pub(crate) fn posted(
+    machine: &dyn AnyMachine,
+    run: &PostRun<'_>,
+    program: Option<&Path>,
+    source: &mut ClSource,
+    messages: &mut Messages<'_>,
+) -> Result<(Posted, Written), Failure> {
+    let given = program.map(|path| fs::read(path).map_err(|error| Failure::unreadable(path, error))).transpose()?;
+    let mut posted = Posted::default();
+    // Of a program that is given only its own faults count; those of the CL data come with it.
+    let mut nobody = io::sink();
+    let mut unheard = Messages::new(&mut nobody, messages.format());
+    let mut write =
+        |heard: &mut Messages<'_>| run.write(machine, source, &mut posted.text, Some(&mut posted.reasons), heard);
+    let written = if given.is_some() { write(&mut unheard)? } else { write(messages)? };
+    if let Some(text) = given {
+        posted = Posted { reasons: posted.reasons.carried_over(&posted.text, &text), text };
+    }
+    Ok((posted, written))
+}
+
 /// Writes a file that shows a program.
-fn write_to(
+pub(crate) fn write_to(
     target: &mut OutputFile,
     shown: &ViewedProgram<'_>,
     write: impl Fn(&ViewedProgram<'_>, &mut dyn Write) -> io::Result<()>,
@@ -188,7 +201,7 @@ fn write_to(
 }
 
 /// What is shown of a program that is in memory. `program`: its path, if it was not posted in this run.
-fn viewed<'p>(
+pub(crate) fn viewed<'p>(
     machine: &dyn AnyMachine,
     run: &PostRun<'_>,
     program: Option<&Path>,

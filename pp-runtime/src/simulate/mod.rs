@@ -32,10 +32,12 @@ mod testing;
 
 pub(crate) use bodies::{SolidBody, SolidFault};
 pub(crate) use design::{Comparison, Design, Deviations, Origin, Region, Surface, limits_of};
-pub(crate) use machine::{MachineSolid, clearances, without_solids};
+pub(crate) use machine::{Links, MachineSolid, clearances, without_solids};
 pub(crate) use program::{
-    EPS_MM, LineRecords, Machining, Outcome, PartPlaces, Simulation, Size, ToolBodies, ToolTable, What,
+    EPS_MM, LineRecords, Machined, Machining, Outcome, PartPlaces, Recording, RemovedPart, Simulation, Size, Stage,
+    ToolBodies, ToolTable, What,
 };
+pub(crate) use removal::{EndValues, MarkedSurface};
 
 pub use bodies::{Mesh, MeshFault};
 pub use removal::{

@@ -74,6 +74,10 @@ pub(crate) fn write_page(program: &ViewedProgram<'_>, out: &mut dyn Write) -> io
         let json = serde_json::to_string(&Head::of(program, list))?.replace('<', "\\u003c");
         writeln!(out, "<script type=\"application/json\" id=\"program-head\">{json}</script>")?;
         writeln!(out, "<script type=\"text/plain\" id=\"program-columns\">{numbers}</script>")?;
+        if let Some(simulation) = program.simulation() {
+            let json = simulation?.replace('<', "\\u003c");
+            writeln!(out, "<script type=\"application/json\" id=\"simulation\">{json}</script>")?;
+        }
         for (id, text) in texts {
             writeln!(out, "<script type=\"text/plain\" id=\"{id}\">{}</script>", joined(text)?)?;
         }

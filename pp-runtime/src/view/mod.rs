@@ -16,11 +16,15 @@ mod picture;
 mod reasons;
 mod report;
 mod sheet;
+#[cfg(feature = "simulate")]
+mod simulated;
 
 use std::io::{self, Read, SeekFrom};
 
 use nalgebra::Point3;
 
+#[cfg(feature = "simulate")]
+use crate::check::read::MAX_AXES;
 use crate::check::{CheckError, CheckPolicy, Checked, check_observed};
 use crate::cl::ReadSeek;
 use crate::kinematics::{AnyMachine, AxisKind};
@@ -38,6 +42,8 @@ pub(crate) use html::{is_document, write_page};
 pub(crate) use picture::path_and_axes;
 pub(crate) use reasons::Reasons;
 pub(crate) use report::{ReportForm, write_report};
+#[cfg(feature = "simulate")]
+pub(crate) use simulated::{PageBody, PageStage, Part, Role, SimulatedPage, ToolPart};
 
 /// Step of linear axes and tips, mm.
 const LENGTH_STEP: f64 = 1e-5;
@@ -98,6 +104,8 @@ pub(crate) struct ViewedProgram<'a> {
     cl_text: Vec<u8>,
     checked: Checked,
     reasons: &'a Reasons,
+    #[cfg(feature = "simulate")]
+    simulated: Option<SimulatedPage>,
 }
 
 impl<'a> ViewedProgram<'a> {
@@ -126,7 +134,19 @@ impl<'a> ViewedProgram<'a> {
         };
         let machine =
             policy.set_up.machine_for(machine).map_err(|invalid| CheckError::Impossible(invalid.to_string()))?;
-        Ok(Self { titles, text, policy, machine, executed, facts, cl_text, checked, reasons })
+        Ok(Self {
+            titles,
+            text,
+            policy,
+            machine,
+            executed,
+            facts,
+            cl_text,
+            checked,
+            reasons,
+            #[cfg(feature = "simulate")]
+            simulated: None,
+        })
     }
 
     /// Whether the program does what the CL data asks for.
@@ -139,9 +159,36 @@ impl<'a> ViewedProgram<'a> {
         &self.checked
     }
 
-    /// Lines of the summary, with the figures of the check.
+    /// Shows the simulation, too.
+    #[cfg(feature = "simulate")]
+    pub(crate) fn add_simulation(&mut self, simulated: SimulatedPage) {
+        self.simulated = Some(simulated);
+    }
+
+    /// Set-up and tool offsets of each placement: machine coordinate of each linear axis less value and `machine_zero`, mm.
+    #[cfg(feature = "simulate")]
+    pub(crate) fn placements(&self) -> impl Iterator<Item = (u32, &[f64; MAX_AXES])> {
+        self.executed.placements.iter().map(|placement| (placement.set_up, &placement.offsets_mm))
+    }
+
+    /// The simulation as JSON.
+    #[cfg(feature = "simulate")]
+    fn simulation(&self) -> Option<serde_json::Result<String>> {
+        self.simulated.as_ref().map(serde_json::to_string)
+    }
+
+    /// The simulation as JSON.
+    #[cfg(not(feature = "simulate"))]
+    fn simulation(&self) -> Option<serde_json::Result<String>> {
+        None
+    }
+
+    /// Lines of the summary, with the figures of the check and of a simulation.
     fn summary(&self) -> Vec<String> {
-        self.titles.summary.iter().cloned().chain([self.checked.outcome.summary()]).collect()
+        let checked = self.titles.summary.iter().cloned().chain([self.checked.outcome.summary()]);
+        #[cfg(feature = "simulate")]
+        let checked = checked.chain(self.simulated.iter().flat_map(|simulated| simulated.summary.iter().cloned()));
+        checked.collect()
     }
 
     /// The machine with its first tool.

@@ -1,4 +1,4 @@
-/** What can be shown and hidden. Stock, part and solids of the machine are to be further layers. */
+/** What can be shown and hidden. */
 
 export interface Layer {
   name: string;

@@ -26,6 +26,7 @@ import {
   type Object3D,
 } from "three";
 import type { Machine, Tool, Triple } from "../data/contract.ts";
+import type { ToolPart } from "../data/simulation.ts";
 import { jointMatrix, jointValue, type Matrix } from "../kinematics/chain.ts";
 import { add, cross, scale, subtract, unit } from "../kinematics/vector.ts";
 import { styleColour } from "../theme.ts";
@@ -56,6 +57,8 @@ export class MachineScene {
   labels: LabelAnchor[] = [];
   unitMm = 1;
   private readonly links: Group[] = [];
+  /** What others have added to links. */
+  private readonly attached: Group[] = [];
   /** Bodies of each link, so that they can be replaced without touching the chain. */
   private readonly bodies: Record<Side, Group[]> = { table: [], head: [], bed: [] };
   /** Slides of each link, on both sides: shown while the bed is at rest. */
@@ -100,7 +103,7 @@ export class MachineScene {
   }
 
   /** Builds the bodies for one set-up and one tool. */
-  build(input: Omit<LayoutInput, "machine">, tool: Tool): void {
+  build(input: Omit<LayoutInput, "machine">, tool: Tool, parts: ToolPart[] | null): void {
     this.points = input.points;
     for (const group of [...SIDES.flatMap((side) => this.bodies[side]), ...this.slides, ...this.centreLines, ...this.arrows, ...this.slideArrows]) {
       empty(group);
@@ -112,8 +115,23 @@ export class MachineScene {
     this.centre.gapSize = 0.08 * layout.unitMm;
     for (const body of layout.bodies) this.addBody(body);
     for (const arrow of layout.arrows) this.addArrow(arrow);
-    this.tool.show(tool);
+    this.tool.show(tool, parts);
     this.move(this.axes);
+  }
+
+  /** Adds a group to a link: it moves with it. */
+  attach(object: Group, link: number): void {
+    this.links[link].add(object);
+    this.attached.push(object);
+  }
+
+  /** Material of the bodies of a side, and that of their edges. */
+  material(side: Side): MeshLambertMaterial {
+    return this.solid[side];
+  }
+
+  edgeMaterial(side: Side): LineBasicMaterial {
+    return this.edge[side];
   }
 
   /** Moves the machine to axis values in mm and degrees. */
@@ -187,7 +205,7 @@ export class MachineScene {
   /** Places around what is shown: corners of each body, and labels. Without `slides` only what the workpiece and the tool are on. */
   places(slides: boolean): Vector3[] {
     const groups = [...this.bodies.table, ...this.bodies.head, this.tool.object];
-    if (slides) groups.push(...this.bodies.bed, ...this.slides, ...this.centreLines, ...this.arrows, ...this.slideArrows);
+    if (slides) groups.push(...this.bodies.bed, ...this.slides, ...this.centreLines, ...this.arrows, ...this.slideArrows, ...this.attached);
     const places: Vector3[] = [];
     const box = new Box3();
     for (const group of groups) {

@@ -3,7 +3,9 @@
 import { Box3, Matrix4, Vector3 } from "three";
 import type { Colouring } from "../colour/colouring.ts";
 import type { Theme } from "../colour/scale.ts";
+import type { Triple } from "../data/contract.ts";
 import { Program, type MarkKind } from "../data/program.ts";
+import type { Simulation } from "../data/simulation.ts";
 import { BlockLine, Ring } from "./highlight.ts";
 import { Labels } from "./labels.ts";
 import { Layers } from "./layers.ts";
@@ -11,6 +13,7 @@ import { MachineScene, type Fixed, type MachineStyle } from "./machine.ts";
 import { AxisTicks, MARKS, MARK_KINDS, PathMarks } from "./marks.ts";
 import { Path, type PathExtent } from "./path.ts";
 import { pick } from "./pick.ts";
+import { SimulatedScene, type StockShown } from "./simulated.ts";
 import { CornerTriad, OriginTriad } from "./triad.ts";
 import { View, type StandardView } from "./view.ts";
 
@@ -27,6 +30,8 @@ export class Stage {
   readonly view: View;
   readonly layers = new Layers();
   readonly machine: MachineScene;
+  /** Bodies of the simulation, where the page has one. */
+  readonly simulated: SimulatedScene | null;
   fixed: Fixed = "machine";
   machineStyle: MachineStyle = "solid";
   extent: PathExtent = "whole";
@@ -51,11 +56,14 @@ export class Stage {
     private readonly events: StageEvents,
     colouring: Colouring,
     private theme: Theme,
+    simulation: Simulation | null,
   ) {
     const ratio = Math.min(devicePixelRatio, 2);
     this.view = new View(container, program.count);
     this.machine = new MachineScene(program.head.machine);
     this.view.scene.add(this.machine.workpiece);
+    this.simulated = simulation && new SimulatedScene(simulation, program, this.machine, ratio, theme);
+    this.view.onFrame(() => this.simulated?.prepare());
     this.path = new Path(program, colouring, theme);
     this.currentBlock = new BlockLine(program, "--accent", 4);
     this.hoverBlock = new BlockLine(program, "--hover", 3);
@@ -80,9 +88,13 @@ export class Stage {
     this.corner = new CornerTriad(this.view);
     this.corner.name(this.fixed);
     this.makeLayers();
+    // Solids of a real machine would hide the part.
+    if (this.simulated?.hasSolids) this.machineStyle = "ghost";
     this.machine.setStyle(this.machineStyle);
     this.restyle(theme);
     this.seek(0);
+    // What is looked at first is the part.
+    if (this.simulated) this.setFixed("part");
     this.listen();
   }
 
@@ -92,6 +104,7 @@ export class Stage {
     const point = Program.pointAt(position);
     this.place(this.program.placement[Math.floor(position)]);
     this.machine.move(this.program.axesBetween(position));
+    this.simulated?.seek(position);
     this.currentBlock.show(this.program.block[point]);
     this.currentRing.show(this.machine.drawnTip());
     this.showRange();
@@ -114,6 +127,7 @@ export class Stage {
     this.theme = theme;
     this.path.restyle(theme);
     this.machine.restyle();
+    this.simulated?.restyle(theme);
     this.origin.restyle();
     this.ticks?.restyle();
     for (const marks of this.marks) marks.restyle();
@@ -137,6 +151,17 @@ export class Stage {
     this.machine.setStyle(style);
     const arrows = this.layers.get("arrows");
     arrows?.apply(arrows.visible);
+    this.view.request();
+  }
+
+  setStock(stock: StockShown): void {
+    this.simulated?.showStock(stock);
+    this.view.request();
+  }
+
+  /** Marks a place of a set-up; with none, a place of the machined stock. */
+  markPlace(place: Triple, setUp: number | null): void {
+    this.simulated?.mark(place, setUp);
     this.view.request();
   }
 
@@ -166,7 +191,7 @@ export class Stage {
     const core = this.machine.coreBox().union(this.pathBox());
     const path = this.pathBox();
     const ratio = core.max.distanceTo(core.min) / Math.max(path.max.distanceTo(path.min), 1e-6);
-    this.view.fit(ratio < 12 ? [...this.machine.places(false), ...corners(path)] : corners(path));
+    this.view.fit(ratio < 12 && !this.simulated ? [...this.machine.places(false), ...corners(path)] : corners(path));
   }
 
   private machinePlaces(): Vector3[] {
@@ -233,7 +258,9 @@ export class Stage {
         }),
       },
       tool,
+      this.simulated?.simulation.tools.get(placement.tool) ?? null,
     );
+    this.simulated?.place(index);
     this.origin.size(0.35 * this.machine.unitMm);
     this.labels.set([...this.machine.labels, ...this.origin.labels]);
   }
@@ -271,6 +298,8 @@ export class Stage {
       });
     const joints = this.program.head.machine.joints.length;
     const { frame_after } = this.program.head.machine;
+    // Without solids the schematic machine serves.
+    const schematic = !(this.simulated?.hasSolids ?? false);
     layer("path", "Tool path", null, true, null, (on) => {
       this.path.object.visible = on;
     });
@@ -278,20 +307,23 @@ export class Stage {
     layer("tool", "Tool", "sample-tool", true, null, (on) => {
       this.machine.tool.object.visible = on;
     });
-    if (frame_after > 0) layer("table", "Table side", "sample-table", true, null, (on) => this.machine.showSide("table", on));
-    if (frame_after < joints) layer("head", "Head side", "sample-head", true, null, (on) => this.machine.showSide("head", on));
+    if (frame_after > 0) layer("table", "Table side", "sample-table", schematic, null, (on) => this.machine.showSide("table", on));
+    if (frame_after < joints) layer("head", "Head side", "sample-head", schematic, null, (on) => this.machine.showSide("head", on));
     // With the part at rest frame and slides would swing about it: they are shown with the bed at rest.
-    layer("slides", "Slides (bed at rest)", null, true, null, (on) => {
+    layer("slides", "Slides (bed at rest)", null, schematic, null, (on) => {
       this.machine.showSlides(on && this.fixed === "machine");
       const arrows = this.layers.get("arrows");
       arrows?.apply(arrows.visible);
     });
-    layer("bed", "Frame (bed at rest)", "sample-bed", true, null, (on) => this.machine.showSide("bed", on && this.fixed === "machine"));
+    layer("bed", "Frame (bed at rest)", "sample-bed", schematic, null, (on) => this.machine.showSide("bed", on && this.fixed === "machine"));
     layer("centre-lines", "Centre lines", "sample-centre", true, null, (on) => this.machine.showCentreLines(on));
     layer("arrows", "Axis arrows", null, true, "L", (on) => {
       const shown = on && this.machineStyle !== "off";
       this.machine.showArrows(shown, shown && this.fixed === "machine" && (this.layers.get("slides")?.visible ?? true));
     });
+    const { simulated } = this;
+    if (simulated?.hasSolids) layer("solids", "Machine solids", "sample-bed", true, null, (on) => simulated.showSolids(on));
+    if (simulated?.hasDesign) layer("design", "Design", "sample-design", false, "E", (on) => simulated.showDesign(on));
     layer("origin", "Workpiece origin", null, true, null, (on) => {
       this.origin.object.visible = on;
     });

@@ -14,6 +14,7 @@ import {
   Vector3,
 } from "three";
 import type { Tool, Triple } from "../data/contract.ts";
+import type { ToolPart } from "../data/simulation.ts";
 import { styleColour } from "../theme.ts";
 import { outline, type ProfilePoint } from "./profile.ts";
 
@@ -24,6 +25,7 @@ export class ToolBody {
   readonly object = new Group();
   private readonly cutting = new MeshLambertMaterial({ flatShading: false, transparent: true, opacity: 0.92 });
   private readonly shank = new MeshLambertMaterial({ transparent: true, opacity: 0.92 });
+  private readonly holder = new MeshLambertMaterial({ transparent: true, opacity: 0.92 });
   private readonly line = new LineBasicMaterial();
 
   constructor(toolAxis: Triple) {
@@ -33,14 +35,22 @@ export class ToolBody {
     );
   }
 
-  show(tool: Tool): void {
+  /** Shows a tool. `parts`: what is known of it besides its diameter. */
+  show(tool: Tool, parts: ToolPart[] | null): void {
     this.object.traverse((child) => {
       if (child instanceof Mesh || child instanceof Line) child.geometry.dispose();
     });
     this.object.clear();
     const { cutting, shank, unknown } = outline(tool);
-    this.add(cutting, this.cutting);
-    this.add(shank, this.shank);
+    if (parts && parts.length > 0) {
+      const materials = { cutter: this.cutting, shank: this.shank, holder: this.holder };
+      for (const { part, outlines } of parts) {
+        for (const each of outlines) this.add(each.map(([radius, height]) => [height, radius]), materials[part]);
+      }
+    } else {
+      this.add(cutting, this.cutting);
+      this.add(shank, this.shank);
+    }
     const from = unknown ? unknown[0] : 0;
     const to = unknown ? unknown[1] : (tool.gauge_length ?? tool.length ?? 0);
     const axis = new BufferGeometry();
@@ -51,6 +61,7 @@ export class ToolBody {
   restyle(): void {
     this.cutting.color.set(styleColour("--tool-cutting"));
     this.shank.color.set(styleColour("--tool-shank"));
+    this.holder.color.set(styleColour("--tool-holder"));
     this.line.color.set(styleColour("--tool-line"));
   }
 

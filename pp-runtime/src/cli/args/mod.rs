@@ -282,6 +282,9 @@ pub(crate) struct SimulateArgs {
     /// NC program to simulate, posted earlier or edited; without it the CL data is posted
     #[arg(value_name = "OUT.nc")]
     pub(crate) program: Option<PathBuf>,
+    /// Write a page with machined stock, machine, tool path and findings to this file
+    #[arg(short, long, value_name = "REPORT.html", value_parser = file_name)]
+    pub(crate) output: Option<PathBuf>,
     #[command(flatten)]
     pub(crate) simulation: SimulationArgs,
     /// Write messages as JSON, and findings and volumes as a JSON object to standard output

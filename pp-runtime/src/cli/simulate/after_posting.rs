@@ -57,7 +57,7 @@ impl AfterPosting for Posted<'_> {
         source.rewind().map_err(|error| Failure::Unreadable(source.name().to_owned(), error))?;
         show_simulation(source, terminal, &args.set_up);
         let policy = run.policy(machine)?;
-        let simulated = simulate(machine, policy, (source, &mut text, run.output), bodies, &args.simulation)?;
+        let simulated = simulate(machine, policy, (source, &mut text, run.output), bodies, &args.simulation, false)?;
         simulated.findings(messages);
         let line = simulated.line();
         Ok(if simulated.passed(&args.simulation) { Ok(vec![line]) } else { Err(line) })

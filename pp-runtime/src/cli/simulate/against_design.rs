@@ -66,6 +66,7 @@ pub(super) struct DesignFigures {
 /// A region; line, CL line, operation and tool are null where they are unknown.
 #[derive(Serialize)]
 struct RegionFigures {
+    text: String,
     deviation_mm: f64,
     place_mm: [f64; 3],
     size_mm: [f64; 3],
@@ -185,7 +186,9 @@ impl AgainstDesign {
     pub(super) fn figures(&self) -> DesignFigures {
         let Tolerances { gouge_mm, rest_mm, design_mm, certified_mm } = self.tolerances;
         let Comparison { gouge, rest, histogram, .. } = &self.comparison;
-        let regions = |found: &Deviations| found.regions.iter().map(|region| self.region(region)).collect();
+        let regions = |what: &str, found: &Deviations| {
+            found.regions.iter().map(|region| self.region(self.sentence(what, region), region)).collect()
+        };
         let place = |found: &Deviations| (found.largest_mm > 0.0).then_some(found.place_mm);
         let finite = |limit: f64| limit.is_finite().then_some(limit);
         let classes = histogram.iter().enumerate().map(|(class, ends)| {
@@ -204,19 +207,20 @@ impl AgainstDesign {
             exceeds_stock_mm: self.comparison.exceeds_mm,
             gouge_count: gouge.count,
             rest_count: rest.count,
-            gouges: regions(gouge),
-            rests: regions(rest),
+            gouges: regions("gouge", gouge),
+            rests: regions("rest material", rest),
             histogram: classes.collect(),
         }
     }
 
-    fn region(&self, region: &Region) -> RegionFigures {
+    fn region(&self, text: String, region: &Region) -> RegionFigures {
         let line = match region.origin {
             Origin::Line(line) => Some(line),
             Origin::Blank | Origin::Unknown => None,
         };
         let record = line.and_then(|line| self.records.get(line));
         RegionFigures {
+            text,
             deviation_mm: region.deviation_mm,
             place_mm: region.place_mm,
             size_mm: region.size_mm,

@@ -60,6 +60,7 @@ struct OverTime<'a> {
 #[derive(Serialize)]
 struct Finding<'a> {
     kind: &'static str,
+    text: String,
     #[serde(skip_serializing_if = "Option::is_none")]
     bodies: Option<&'a [String; 2]>,
     line: u64,
@@ -118,6 +119,7 @@ impl<'a> Figures<'a> {
             };
             Finding {
                 kind: found.what.name(),
+                text: found.text(),
                 bodies: match &found.what {
                     What::Bodies(bodies) => Some(bodies),
                     What::Stock(_) => None,

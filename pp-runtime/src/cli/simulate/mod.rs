@@ -7,19 +7,21 @@ mod after_posting;
 mod against_design;
 mod bodies;
 mod figures;
+mod page;
 mod saved_stock;
 
 use std::fs::File;
-use std::io::{BufReader, Seek as _};
+use std::io::{BufReader, Seek as _, Write as _};
 use std::path::Path;
 use std::thread;
 
 use crate::check::{CheckPolicy, Checked, check_observed};
 use crate::kinematics::AnyMachine;
 use crate::simulate::{
-    LineRecords, Machining, Origin, Outcome, PartPlaces, Simulation, ToolBodies, clearances, without_solids,
+    LineRecords, Machined, Machining, Origin, Outcome, PartPlaces, Recording, Simulation, ToolBodies, clearances,
+    without_solids,
 };
-use crate::view::{ClFacts, Collector, Motions};
+use crate::view::{ClFacts, Collector, Motions, write_page};
 
 use super::args::{MessageFormat, SimulateArgs, SimulationArgs};
 use super::check;
@@ -27,15 +29,15 @@ use super::cl_source::ClSource;
 use super::inputs::{open_cl_data, posting_passes, read_config, refuse_overwriting, show_progress, show_simulation};
 use super::messages::Messages;
 use super::outcome::{Failure, Status, Streams, is_standard, print};
+use super::output_file::OutputFile;
 use super::posting::{PostFn, PostRun, read_files};
 use super::self_check::Checking;
+use super::view::{self, IN_MEMORY};
 pub(super) use after_posting::after_posting;
 use against_design::{AgainstDesign, Tolerances};
 use bodies::{Bodies, GivenDesign};
 use figures::Figures;
-
-/// Name of a program that is posted for the simulation alone.
-const POSTED: &str = "the posted program";
+use page::Shown;
 
 /// Result of a simulation.
 struct Simulated {
@@ -44,6 +46,8 @@ struct Simulated {
     against: Option<AgainstDesign>,
     pitch_mm: [f64; 3],
     stock_mm: [[f64; 3]; 2],
+    /// For a page.
+    shown: Option<Shown>,
 }
 
 impl Simulated {
@@ -100,12 +104,17 @@ pub(crate) fn run(
     let SimulationArgs { stock, design, tool_table, .. } = &args.simulation;
     let given = [(&args.program, "program"), (stock, "stock"), (design, "design"), (tool_table, "tool table")];
     read.extend(given.into_iter().filter_map(|(path, what)| Some((path.as_deref()?, what))));
-    let saved = args.simulation.save_stock.as_deref().map(|path| (path, "machined stock"));
-    refuse_overwriting(&read, saved.as_slice())?;
+    let written = [(&args.simulation.save_stock, "machined stock"), (&args.output, "page")];
+    let written: Vec<(&Path, &str)> =
+        written.into_iter().filter_map(|(path, what)| Some((path.as_deref()?, what))).collect();
+    if args.output.as_deref().is_some_and(is_standard) {
+        return Err(Failure::Argument("the page must be a file: give `-o REPORT.html`".to_owned()));
+    }
+    refuse_overwriting(&read, &written)?;
     let mut source = open_cl_data(&args.input, streams.input)?;
     let name = source.name().to_owned();
     let unreadable = |error| Failure::Unreadable(name.clone(), error);
-    let shown = args.program.as_deref().unwrap_or(Path::new(POSTED));
+    let shown = args.program.as_deref().unwrap_or(Path::new(IN_MEMORY));
     let run = PostRun {
         input: &args.input,
         output: shown,
@@ -114,9 +123,27 @@ pub(crate) fn run(
         control: args.set_up.control(),
         post,
     };
+    if args.program.as_deref().is_some_and(is_standard) {
+        return Err(Failure::Argument("the program must be a file: it is read once the CL data is".to_owned()));
+    }
+    let mut page = None;
     let mut program: File = match &args.program {
-        Some(path) if is_standard(path) => {
-            return Err(Failure::Argument("the program must be a file: it is read once the CL data is".to_owned()));
+        _ if args.output.is_some() => {
+            let path = args.output.as_deref().unwrap_or(shown);
+            let target = OutputFile::create(path).map_err(|error| Failure::unwritable(path, error))?;
+            show_progress(&mut source, streams.terminal, &args.set_up, posting_passes(&config));
+            let (posted, written) = view::posted(machine, &run, args.program.as_deref(), &mut source, &mut messages)?;
+            if let (None, Err(reason)) = (&args.program, &written.summary) {
+                messages.note(&format!("rejected: {reason}"));
+                return Ok(Status::Rejected);
+            }
+            let mut file = tempfile::tempfile().map_err(|error| Failure::unwritable(shown, error))?;
+            file.write_all(&posted.text)
+                .and_then(|()| file.rewind())
+                .map_err(|error| Failure::unwritable(shown, error))?;
+            source.rewind().map_err(unreadable)?;
+            page = Some((path, target, posted, written));
+            file
         }
         Some(path) => File::open(path).map_err(|error| Failure::unreadable(path, error))?,
         None => {
@@ -134,7 +161,8 @@ pub(crate) fn run(
     };
     let policy = run.policy(machine)?;
     show_simulation(&mut source, streams.terminal, &args.set_up);
-    let simulated = simulate(machine, policy, (&mut source, &mut program, shown), bodies, &args.simulation)?;
+    let keep = page.is_some();
+    let mut simulated = simulate(machine, policy, (&mut source, &mut program, shown), bodies, &args.simulation, keep)?;
     source.hide_progress();
     if let Some(what) = source.changed_since_opened() {
         return Err(Failure::Changed(name, what));
@@ -144,9 +172,24 @@ pub(crate) fn run(
     messages.note(&simulated.checked.outcome.summary());
     simulated.report(&mut messages);
     let passed = simulated.passed(&args.simulation);
+    let bodies = simulated.shown.take();
+    let Simulated { outcome, against, pitch_mm, stock_mm, .. } = &simulated;
+    let figures = Figures::of(outcome, against.as_ref(), passed, (*pitch_mm, *stock_mm));
+    if let (Some((path, mut target, posted, written)), Some(bodies)) = (page, bodies) {
+        let unwritable = |error| Failure::unwritable(path, error);
+        let policy = run.policy(machine)?;
+        let mut program = view::viewed(machine, &run, args.program.as_deref(), &policy, &mut source, &posted, written)?;
+        let figures = serde_json::to_value(&figures).map_err(|error| unwritable(error.into()))?;
+        let sentences = (simulated.line(), outcome.summary());
+        let placed = policy.set_up.machine_for(machine).map_err(|invalid| Failure::Argument(invalid.to_string()))?;
+        let shown = bodies.page(&*placed, &policy.set_up, &program, figures, sentences).map_err(unwritable)?;
+        program.add_simulation(shown);
+        view::write_to(&mut target, &program, write_page)
+            .and_then(|()| target.finish(|_| false))
+            .map_err(unwritable)?;
+        messages.note(&format!("page: {}", path.display()));
+    }
     if args.format() == MessageFormat::Json {
-        let Simulated { outcome, against, pitch_mm, stock_mm, .. } = &simulated;
-        let figures = Figures::of(outcome, against.as_ref(), passed, (*pitch_mm, *stock_mm));
         print(streams, |out| {
             serde_json::to_writer(&mut *out, &figures)?;
             out.write_all(b"\n")
@@ -155,13 +198,15 @@ pub(crate) fn run(
     Ok(if passed { Status::Done } else { Status::Rejected })
 }
 
-/// Executes a program with the bodies of a job. Both files are at their start; `shown`: name of the program.
+/// Executes a program with the bodies of a job. Both files are at their start; `shown`: name of the program; `keep`: a page will
+/// show it.
 fn simulate(
     machine: &dyn AnyMachine,
     mut policy: CheckPolicy,
     (source, program, shown): (&mut ClSource, &mut File, &Path),
     bodies: Bodies,
     args: &SimulationArgs,
+    keep: bool,
 ) -> Result<Simulated, Failure> {
     let name = source.name().to_owned();
     let unreadable = |error| Failure::Unreadable(name.clone(), error);
@@ -177,7 +222,9 @@ fn simulate(
     let distances = clearances(&*placed, &policy.set_up, &solids, &tools, &stock, &mut sentences);
     let threads = thread::available_parallelism().map_or(1, usize::from);
     let places = PartPlaces::of(&policy.set_up, &facts);
+    let kept_tools = keep.then(|| tools.clone());
     let machining = Machining::new(policy, tools, (stock, places.clone()), threads);
+    let machining = if keep { machining.recorded() } else { machining };
     let mut simulation = Simulation::new(policy, machine.axes(), machining, distances);
     let execute = |source: &mut ClSource, program: &mut File, motions: &mut dyn Motions| {
         let mut follower = Collector::following(machine, policy, motions);
@@ -185,7 +232,7 @@ fn simulate(
             .map_err(|error| check::failure(error, &name, shown))
     };
     let checked = execute(source, program, &mut simulation)?;
-    let (mut outcome, machined, last) = simulation.finish();
+    let Machined { mut outcome, stock: machined, set_up: last, recording } = simulation.finish();
     places.assumed.iter().for_each(|text| outcome.assume(text.clone()));
     for number in &places.unknown {
         outcome.leave_out(format!(
@@ -196,7 +243,7 @@ fn simulate(
     outcome.differences = table;
     outcome.without_solids = without_solids(&*placed, &policy.set_up, &solids);
     sentences.into_iter().for_each(|text| outcome.leave_out(text));
-    let mut against = None;
+    let (mut against, mut kept_design) = (None, None);
     match design {
         Some(GivenDesign { design, name: design_name, tolerance_mm }) => {
             let tolerances = Tolerances {
@@ -229,11 +276,21 @@ fn simulate(
                 AgainstDesign { comparison, records, tolerances, name: design_name, triangles: design.triangles() };
             found.not_checked().into_iter().for_each(|text| outcome.leave_out(text));
             against = Some(found);
+            kept_design = keep.then_some(design);
         }
         None => outcome.leave_out("gouges and rest material: no design given".to_owned()),
     }
     if let Some(path) = &args.save_stock {
         outcome.saved = Some(saved_stock::save(&policy.set_up, last, &machined, path)?);
     }
-    Ok(Simulated { checked, outcome, against, pitch_mm, stock_mm })
+    let shown = kept_tools.map(|tools| Shown {
+        stock: machined,
+        set_up: last,
+        stages: recording.and_then(Recording::stages),
+        design: kept_design,
+        solids,
+        tools,
+        places,
+    });
+    Ok(Simulated { checked, outcome, against, pitch_mm, stock_mm, shown })
 }

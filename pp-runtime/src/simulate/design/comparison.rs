@@ -13,7 +13,7 @@ use nalgebra::{Isometry3, Point3};
 
 use super::nearest::Surface;
 use crate::simulate::bodies::Mesh;
-use crate::simulate::removal::{Filled, TriDexel};
+use crate::simulate::removal::{EndValues, Filled, TriDexel};
 
 /// Regions that are kept; all are counted.
 pub(crate) const MOST_REGIONS: usize = 100;
@@ -334,6 +334,33 @@ impl Design {
         }
         let cell = stock.pitch().into_iter().fold(0.0, f64::max);
         Comparison { gouge: gouges.finish(cell), rest: rests.finish(cell), histogram, exceeds_mm: exceeds, uneven }
+    }
+}
+
+impl Design {
+    /// Distance of each end of a stock from the surface, negative inside; unknown where a line enters more often than it leaves.
+    pub(crate) fn deviations(&self, stock: &TriDexel) -> EndValues {
+        let (mut ends, mut solid) = (EndValues::default(), Vec::new());
+        for (family, pitch) in stock.pitch().into_iter().enumerate() {
+            let mut crossings = self.mesh.lines_through(stock, family);
+            let columns = stock.lines(family)[0];
+            let mut number = 0;
+            stock.each(family, |across, spans| {
+                let line = [number % columns, number / columns];
+                number += 1;
+                solid.clear();
+                let even = crossings.parts(line, &mut solid);
+                let line_of = Line { design: self, family, across, pitch };
+                let value = |end: f32| if even { line_of.signed(f64::from(end), &solid) as f32 } else { f32::NAN };
+                ends.add(family, spans.iter().flat_map(|span| [span.low, span.high]).map(value));
+            });
+        }
+        ends
+    }
+
+    /// Its triangles.
+    pub(crate) fn mesh(&self) -> &Mesh {
+        &self.mesh
     }
 }
 

@@ -133,3 +133,31 @@ fn the_histogram_has_each_end_in_its_class() {
     assert_eq!((compared.gouge.count, compared.rest.count), (1, 1), "{compared:?}");
     assert_eq!((gouge.origin, rest.origin), (Origin::Blank, Origin::Blank));
 }
+
+#[test]
+fn each_vertex_of_the_surface_has_the_distance_of_the_ends_around_it() {
+    let design = Design::new(box_mesh([[0.0; 3], [20.0, 20.0, 10.0]]));
+    let at = |x: f64| upright([x, 10.0, 9.9]);
+    let slot = Cutter::Mill { radius: 2.0, corner: 0.0, taper: 0.0, length: 20.0 };
+    let mut stock = TriDexel::block([[0.0; 3], [20.0, 20.0, 10.3]], 0.25).expect("a stock");
+    cut_by_two_threads(&mut stock, &[SweptPiece::new(&at(-5.0), &at(25.0), 0, 7)], &slot);
+    // All lines, and every third one of them.
+    for thinned in [stock.thinned(1), stock.thinned(3)] {
+        let surface = thinned.marked_surface(&design.deviations(&thinned));
+        assert_eq!(surface.values.len(), surface.vertices.len());
+        let (mut left, mut cut) = (0, 0);
+        for (index, [_, y, z]) in surface.vertices.iter().enumerate() {
+            let (value, id) = (surface.values[index], surface.ids[index]);
+            let inner = (2.0..18.0).contains(&surface.vertices[index][0]);
+            if inner && (y - 10.0).abs() < 1.0 && *z > 5.0 {
+                assert!((value + 0.1).abs() < 2e-3 && id == 7, "{y} {z}: {value} by {id}");
+                cut += 1;
+            }
+            if inner && (4.0..7.0).contains(y) && *z > 5.0 {
+                assert!((value - 0.3).abs() < 1e-4 && id == 0, "{y} {z}: {value} by {id}");
+                left += 1;
+            }
+        }
+        assert!(left > 40 && cut > 40, "{left} {cut}");
+    }
+}

@@ -73,6 +73,14 @@ impl Links {
         })
     }
 
+    /// From the coordinates of each link to the same in the zero position of a set-up with its part and tool, where they are
+    /// those of the part zero, mm.
+    pub(crate) fn at_zero(&self, part_origin: [f64; 3], offsets_mm: &AxisValues) -> Vec<[f64; 3]> {
+        let values = self.values(&[0.0; 9], offsets_mm);
+        let place = |link| self.between(0, link, &values).translation.vector - Vector3::from(part_origin);
+        (0..=self.joints.len()).map(|link| place(link).into()).collect()
+    }
+
     /// Place of a link in the coordinates of one before it.
     pub(crate) fn between(&self, from: usize, to: usize, values: &AxisValues) -> Isometry3<f64> {
         (from..to).fold(Isometry3::identity(), |place, joint| place * self.step(joint, values[joint]))

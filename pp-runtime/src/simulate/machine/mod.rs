@@ -15,3 +15,4 @@ mod tests;
 
 pub(crate) use assembly::{MachineSolid, clearances, stock_boxes, without_solids};
 pub(crate) use clearance::{Clearances, Meeting, MovingAxes, MovingBlock, Occasion, SHOWN_MM, Share};
+pub(crate) use links::Links;

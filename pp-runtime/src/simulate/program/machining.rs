@@ -6,6 +6,7 @@
 //! tool is taken smaller by [`TOUCH_MM`]: it may slide along what it has cut.
 
 use super::outcome::{Contacting, Found, Outcome, Size, What};
+use super::recording::Recording;
 use super::set_ups::{PartPlaces, moved};
 use super::tools::{ToolBodies, ToolBody};
 use crate::check::read::Side;
@@ -61,7 +62,17 @@ pub(crate) struct Machining<'a> {
     places: PartPlaces,
     /// Set-up in which the stock lies.
     set_up: u32,
+    recording: Option<Recording>,
     pub(super) outcome: Outcome,
+}
+
+/// What a program has left.
+pub(crate) struct Machined {
+    pub(crate) outcome: Outcome,
+    pub(crate) stock: TriDexel,
+    /// Set-up in which it lies.
+    pub(crate) set_up: u32,
+    pub(crate) recording: Option<Recording>,
 }
 
 impl<'a> Machining<'a> {
@@ -82,8 +93,14 @@ impl<'a> Machining<'a> {
             flushes: 0,
             places,
             set_up: 1,
+            recording: None,
             outcome,
         }
+    }
+
+    /// The same; the removal is kept for a page.
+    pub(crate) fn recorded(self) -> Self {
+        Self { recording: Some(Recording::of(&self.stock, self.set_up)), ..self }
     }
 
     /// Clamps the stock as the part lies in a set-up; returns whether it is known there, and elsewhere than before.
@@ -96,6 +113,9 @@ impl<'a> Machining<'a> {
         match moved(&self.stock, &place) {
             Ok(stock) => {
                 (self.stock, self.set_up) = (stock, set_up);
+                if let Some(recording) = &mut self.recording {
+                    recording.clamp(set_up, |stock| moved(stock, &place).ok());
+                }
                 self.flushes += 1;
                 true
             }
@@ -111,11 +131,12 @@ impl<'a> Machining<'a> {
         self.set_up
     }
 
-    /// Cuts what is left to be cut; returns the machined stock, too.
-    pub(crate) fn finish(mut self) -> (Outcome, TriDexel) {
+    /// Cuts what is left to be cut.
+    pub(crate) fn finish(mut self) -> Machined {
         self.flush();
         self.outcome.uncertified = self.stock.effort().uncertified;
-        (self.outcome, self.stock)
+        let Self { outcome, stock, set_up, recording, .. } = self;
+        Machined { outcome, stock, set_up, recording }
     }
 
     /// Cuts what has been swept so far.
@@ -125,6 +146,9 @@ impl<'a> Machining<'a> {
         }
         self.flushes += 1;
         let contacts = self.stock.cut(&self.pieces, &self.tools.profiles, EPS_MM, self.threads);
+        if let Some(recording) = &mut self.recording {
+            recording.cut(&self.pieces, &self.tools.profiles, self.threads);
+        }
         for (contact, owner) in contacts.iter().zip(&self.owners) {
             if owner.what == Contacting::Cut {
                 let of = (owner.operation, owner.tool);

@@ -2,20 +2,23 @@
 //!
 //! `simulation` receives its motions: they move the bodies of the machine, and `machining` turns them into pieces that cut the
 //! stock and contacts into findings. `tools` has the tools of the program as bodies, `engagement` has the removal over time,
-//! `outcome` states the findings, and what did not take part; `records` finds the CL records of lines that matter; `set_ups` has the place of the part in each
-//! set-up, `tool_table` the tools as the machine knows them.
+//! `outcome` states the findings, and what did not take part; `records` finds the CL records of lines that matter; `recording`
+//! keeps the removal for a page; `set_ups` has the place of the part in each set-up, `tool_table` the tools as the machine
+//! knows them.
 
 mod engagement;
 mod machining;
 mod outcome;
+mod recording;
 mod records;
 mod set_ups;
 mod simulation;
 mod tool_table;
 mod tools;
 
-pub(crate) use machining::{EPS_MM, Machining};
+pub(crate) use machining::{EPS_MM, Machined, Machining};
 pub(crate) use outcome::{Outcome, Size, What};
+pub(crate) use recording::{Recording, RemovedPart, Stage};
 pub(crate) use records::LineRecords;
 pub(crate) use set_ups::PartPlaces;
 pub(crate) use simulation::Simulation;

@@ -1,11 +1,10 @@
 //! A program on its machine: each executed motion moves the bodies, and cuts the stock.
 
-use super::machining::{Machining, places};
+use super::machining::{Machined, Machining, places};
 use super::outcome::{Found, Outcome, Size, SmallestClearance, What};
 use crate::check::CheckPolicy;
 use crate::kinematics::{Axis, AxisKind, AxisRanges, AxisValues};
 use crate::simulate::machine::{Clearances, Meeting, MovingAxes, MovingBlock, Occasion, Share, stock_boxes};
-use crate::simulate::removal::TriDexel;
 use crate::view::{ExecutedMotion, Motions, Place};
 
 /// The simulation of a program.
@@ -28,17 +27,15 @@ impl<'a> Simulation<'a> {
         Self { policy, axes, machining, clearances, boxes_of: 0 }
     }
 
-    /// Cuts what is left to be cut; returns the machined stock, too.
-    /// With the set-up in which it lies.
-    pub(crate) fn finish(self) -> (Outcome, TriDexel, u32) {
+    /// Cuts what is left to be cut.
+    pub(crate) fn finish(self) -> Machined {
         let Self { policy, axes, machining, clearances, .. } = self;
-        let set_up = machining.set_up();
-        let (mut outcome, stock) = machining.finish();
-        outcome.found.sort_by_key(|found| found.lines[0]);
+        let mut machined = machining.finish();
+        machined.outcome.found.sort_by_key(|found| found.lines[0]);
         if let Some(clearances) = &clearances {
-            state(clearances, &mut outcome, policy, axes);
+            state(clearances, &mut machined.outcome, policy, axes);
         }
-        (outcome, stock, set_up)
+        machined
     }
 }
 

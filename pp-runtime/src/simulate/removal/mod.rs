@@ -12,6 +12,9 @@ mod sweep;
 #[cfg(test)]
 mod tests;
 
+pub(crate) use stock::Removed;
+pub(crate) use surface::{EndValues, MarkedSurface};
+
 pub use profile::{Cutter, Profile, ShapeFault};
 pub use stock::{Contact, Effort, Filled, StockFault, TriDexel};
 pub use sweep::{LARGEST_TURN, SweptPiece};

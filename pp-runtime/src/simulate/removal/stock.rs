@@ -129,6 +129,17 @@ impl StockFault {
 /// A part of a line that a piece covers: piece, line, length, middle.
 type Touch = (u32, u16, f64, f64);
 
+/// A part of a line that a piece has met.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Removed {
+    /// Index of the piece.
+    pub(crate) piece: usize,
+    pub(crate) family: usize,
+    pub(crate) line: [usize; 2],
+    pub(crate) length: f64,
+    pub(crate) middle: f64,
+}
+
 impl Tile {
     fn measure(&mut self) {
         self.blocks = [[f32::INFINITY, f32::NEG_INFINITY]; BLOCKS];
@@ -325,6 +336,27 @@ impl TriDexel {
         stock
     }
 
+    /// Every so many lines of each family: `step` is odd, so that those in the middle of as many are kept.
+    pub(crate) fn thinned(&self, step: usize) -> Self {
+        let steps = self.counts().map(|count| step.min(count - usize::from(count.is_multiple_of(2) && count > 1)));
+        let counts: [usize; 3] =
+            std::array::from_fn(|axis| (self.counts()[axis] - steps[axis] / 2 - 1) / steps[axis] + 1);
+        let high = std::array::from_fn(|axis| self.low[axis] + (counts[axis] * steps[axis]) as f64 * self.pitch[axis]);
+        let mut stock = Self::of_counts([self.low, high], counts);
+        for family in 0..3 {
+            let [u, v] = [(family + 1) % 3, (family + 2) % 3];
+            for j in 0..counts[v] {
+                for i in 0..counts[u] {
+                    let spans = self.spans(family, [i * steps[u] + steps[u] / 2, j * steps[v] + steps[v] / 2]);
+                    let held = &mut stock.families[family];
+                    held.tiles[j / TILE * held.tiles_across + i / TILE].set(line_of(i % TILE, j % TILE), spans);
+                }
+            }
+            stock.families[family].tiles.iter_mut().for_each(Tile::measure);
+        }
+        stock
+    }
+
     /// Numbers of all removals.
     #[must_use]
     pub fn effort(&self) -> Effort {
@@ -344,7 +376,7 @@ impl TriDexel {
     }
 
     /// Number of lines along each axis.
-    pub(super) fn counts(&self) -> [usize; 3] {
+    pub(crate) fn counts(&self) -> [usize; 3] {
         let [y, z] = self.families[0].lines;
         [self.families[1].lines[1], y, z]
     }
@@ -445,12 +477,37 @@ impl TriDexel {
     /// Cuts the stock by pieces in their order. `eps`: largest distance of a new end from the sweep of its piece, mm.
     pub fn cut(&mut self, pieces: &[SweptPiece], profiles: &[Profile], eps: f64, threads: usize) -> Vec<Contact> {
         let mut contacts = vec![Contact::default(); pieces.len()];
+        let areas = [0, 1, 2].map(|family| self.area(family));
+        let (low, pitch) = (self.low, self.pitch);
+        self.cut_and_show(pieces, profiles, eps, threads, |removed| {
+            let contact = &mut contacts[removed.piece];
+            contact.volumes[removed.family] += removed.length * areas[removed.family];
+            if removed.length > contact.longest {
+                contact.longest = removed.length;
+                contact.place[removed.family] = removed.middle;
+                for (axis, line) in [1, 2].map(|next| (removed.family + next) % 3).into_iter().zip(removed.line) {
+                    contact.place[axis] = low[axis] + (line as f64 + 0.5) * pitch[axis];
+                }
+            }
+        });
+        contacts
+    }
+
+    /// The same, showing each part of a line that a piece meets; those of a line in the order of the pieces.
+    pub(crate) fn cut_and_show(
+        &mut self,
+        pieces: &[SweptPiece],
+        profiles: &[Profile],
+        eps: f64,
+        threads: usize,
+        mut show: impl FnMut(&Removed),
+    ) {
         let boxes: Vec<[[f64; 3]; 2]> =
             pieces.iter().map(|piece| piece.bounds(&profiles[piece.profile as usize])).collect();
         for line in 0..3 {
             let (u, v) = ((line + 1) % 3, (line + 2) % 3);
             let (tile_u, tile_v) = (TILE as f64 * self.pitch[u], TILE as f64 * self.pitch[v]);
-            let (area, low, high, pitch) = (self.area(line), self.low, self.high, [self.pitch[u], self.pitch[v]]);
+            let (low, high, pitch) = (self.low, self.high, [self.pitch[u], self.pitch[v]]);
             let family = &mut self.families[line];
             let across = family.tiles_across;
             let along = family.tiles.len() / across;
@@ -509,20 +566,14 @@ impl TriDexel {
             }
             touched.sort_by_key(|(index, _)| *index);
             for (index, touches) in touched {
+                let corner = [index % across * TILE, index / across * TILE];
                 for (piece, at, length, middle) in touches {
-                    let contact = &mut contacts[piece as usize];
-                    contact.volumes[line] += length * area;
-                    if length > contact.longest {
-                        let [i, j] = position_of(usize::from(at));
-                        contact.longest = length;
-                        contact.place[line] = middle;
-                        contact.place[u] = low[u] + (index % across) as f64 * tile_u + (i as f64 + 0.5) * pitch[0];
-                        contact.place[v] = low[v] + (index / across) as f64 * tile_v + (j as f64 + 0.5) * pitch[1];
-                    }
+                    let [i, j] = position_of(usize::from(at));
+                    let at = [corner[0] + i, corner[1] + j];
+                    show(&Removed { piece: piece as usize, family: line, line: at, length, middle });
                 }
             }
         }
-        contacts
     }
 }
 

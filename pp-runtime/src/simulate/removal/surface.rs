@@ -10,6 +10,38 @@ use super::stock::{Filled, TriDexel};
 /// Vertices and triangles, counter-clockwise from outside.
 type Triangles = (Vec<[f64; 3]>, Vec<[u32; 3]>);
 
+/// Values of the ends of all lines of a stock, by family: NaN where unknown.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct EndValues {
+    /// Number of ends before each line.
+    first: [Vec<u32>; 3],
+    values: [Vec<f32>; 3],
+}
+
+impl EndValues {
+    /// Adds the next line of a family: the value of each of its ends, from the lowest up.
+    pub(crate) fn add(&mut self, family: usize, values: impl Iterator<Item = f32>) {
+        self.first[family].push(self.values[family].len() as u32);
+        self.values[family].extend(values);
+    }
+
+    fn get(&self, family: usize, line: usize, end: usize) -> Option<f32> {
+        let first = *self.first[family].get(line)? as usize;
+        self.values[family].get(first + end).copied().filter(|value| !value.is_nan())
+    }
+}
+
+/// A surface with what is known of each of its vertices.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct MarkedSurface {
+    pub(crate) vertices: Vec<[f64; 3]>,
+    pub(crate) faces: Vec<[u32; 3]>,
+    /// The value farthest from 0 among the ends around a vertex; NaN: unknown.
+    pub(crate) values: Vec<f32>,
+    /// Name of the piece that cut that end; 0: the blank, `u32::MAX`: unknown.
+    pub(crate) ids: Vec<u32>,
+}
+
 const NONE: u32 = u32::MAX;
 
 /// Nodes of one layer, with a border that is not material.
@@ -27,15 +59,21 @@ impl Layer {
 struct Nets<'a> {
     stock: &'a TriDexel,
     counts: [usize; 3],
-    vertices: Vec<[f64; 3]>,
-    faces: Vec<[u32; 3]>,
+    ends: &'a EndValues,
+    surface: MarkedSurface,
 }
 
 impl TriDexel {
     /// Its surface as triangles.
     pub(crate) fn surface(&self) -> Triangles {
+        let MarkedSurface { vertices, faces, .. } = self.marked_surface(&EndValues::default());
+        (vertices, faces)
+    }
+
+    /// The same with values of the ends of its lines.
+    pub(crate) fn marked_surface(&self, ends: &EndValues) -> MarkedSurface {
         let counts = self.counts();
-        let mut nets = Nets { stock: self, counts, vertices: Vec::new(), faces: Vec::new() };
+        let mut nets = Nets { stock: self, counts, ends, surface: MarkedSurface::default() };
         let mut below = nets.layer(0);
         let mut cells_below: Vec<u32> = Vec::new();
         for k in 0..=counts[2] {
@@ -44,7 +82,7 @@ impl TriDexel {
             nets.faces_of(k, [&below, &above], &cells, &cells_below);
             (below, cells_below) = (above, cells);
         }
-        (nets.vertices, nets.faces)
+        nets.surface
     }
 }
 
@@ -70,15 +108,24 @@ impl Nets<'_> {
         Layer { solid, width }
     }
 
-    /// Where an edge leaves the material: `node` is the lower one, `inside` whether that is the one in material.
-    fn crossing(&self, axis: usize, node: [usize; 3], inside: bool) -> f64 {
+    /// Where an edge leaves the material: `node` is the lower one, `inside` whether that is the one in material. With value
+    /// and name of the end there.
+    fn crossing(&self, axis: usize, node: [usize; 3], inside: bool) -> (f64, f32, u32) {
         let (low, high) = (self.node(axis, node[axis]), self.node(axis, node[axis] + 1));
         let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
-        let spans = self.stock.spans(axis, [node[u] - 1, node[v] - 1]);
-        let ends = spans.iter().map(|span: &Filled| f64::from(if inside { span.high } else { span.low }));
-        let found = ends.filter(|end| (low..=high).contains(end));
+        let line = [node[u] - 1, node[v] - 1];
+        let spans = self.stock.spans(axis, line).iter().enumerate();
+        let ends = spans.map(|(number, span): (usize, &Filled)| match inside {
+            true => (f64::from(span.high), span.high_id, 2 * number + 1),
+            false => (f64::from(span.low), span.low_id, 2 * number),
+        });
         // The one next to the node in material; families may differ about a node on the surface.
-        found.reduce(if inside { f64::min } else { f64::max }).unwrap_or(f64::midpoint(low, high))
+        let nearer = |one: &(f64, u32, usize), other: &(f64, u32, usize)| one.0.total_cmp(&other.0);
+        let found = ends.filter(|(end, ..)| (low..=high).contains(end));
+        let found = if inside { found.min_by(nearer) } else { found.max_by(nearer) };
+        let Some((at, id, end)) = found else { return (f64::midpoint(low, high), f32::NAN, u32::MAX) };
+        let number = line[1] * self.stock.lines(axis)[0] + line[0];
+        (at, self.ends.get(axis, number, end).unwrap_or(f32::NAN), id)
     }
 
     /// The vertex of each cell of a layer.
@@ -92,7 +139,7 @@ impl Nets<'_> {
                 if count == 0 || count == 8 {
                     continue;
                 }
-                let (mut sum, mut crossings) = ([0.0; 3], 0);
+                let (mut sum, mut crossings, mut mark) = ([0.0; 3], 0, (f32::NAN, u32::MAX));
                 for axis in 0..3 {
                     for corner in (0..8_usize).filter(|corner| corner >> axis & 1 == 0) {
                         if solid(corner) == solid(corner | 1 << axis) {
@@ -100,13 +147,20 @@ impl Nets<'_> {
                         }
                         let node = [i + (corner & 1), j + (corner >> 1 & 1), k + (corner >> 2)];
                         let mut place: [f64; 3] = std::array::from_fn(|other| self.node(other, node[other]));
-                        place[axis] = self.crossing(axis, node, solid(corner));
+                        let (at, value, id) = self.crossing(axis, node, solid(corner));
+                        place[axis] = at;
+                        if mark.0.is_nan() && (mark.1 == u32::MAX || !value.is_nan()) || value.abs() > mark.0.abs() {
+                            mark = (value, id);
+                        }
                         (0..3).for_each(|other| sum[other] += place[other]);
                         crossings += 1;
                     }
                 }
-                cells[j * across + i] = self.vertices.len() as u32;
-                self.vertices.push(sum.map(|sum| sum / f64::from(crossings)));
+                let surface = &mut self.surface;
+                cells[j * across + i] = surface.vertices.len() as u32;
+                surface.vertices.push(sum.map(|sum| sum / f64::from(crossings)));
+                surface.values.push(mark.0);
+                surface.ids.push(mark.1);
             }
         }
         cells
@@ -154,11 +208,11 @@ impl Nets<'_> {
     fn face(&mut self, corners: [u32; 4], below: bool) {
         let [a, b, c, d] = if below { corners } else { [corners[0], corners[3], corners[2], corners[1]] };
         let square = |one: u32, two: u32| {
-            let [p, q] = [one, two].map(|index| self.vertices[index as usize]);
+            let [p, q] = [one, two].map(|index| self.surface.vertices[index as usize]);
             (0..3).map(|axis| (p[axis] - q[axis]).powi(2)).sum::<f64>()
         };
         // By the shorter diagonal.
         let halves = if square(a, c) <= square(b, d) { [[a, b, c], [a, c, d]] } else { [[a, b, d], [b, c, d]] };
-        self.faces.extend(halves);
+        self.surface.faces.extend(halves);
     }
 }

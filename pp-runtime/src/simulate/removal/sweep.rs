@@ -113,6 +113,16 @@ impl SweptPiece {
         Self { test_only: true, ..self }
     }
 
+    /// Whether it removes material.
+    pub(crate) fn removes(&self) -> bool {
+        !self.test_only
+    }
+
+    /// Its name where it cuts.
+    pub(crate) fn name(&self) -> u32 {
+        self.id
+    }
+
     /// Tip and tool axis at a share, the axis of length 1.
     #[must_use]
     pub fn pose(&self, share: f64) -> ([f64; 3], [f64; 3]) {
