@@ -165,6 +165,69 @@ fn the_position_after_a_cycle_has_x_and_y_of_its_words() {
     );
 }
 
+/// `program` with F of its first line that begins so multiplied by a factor.
+fn with_f(program: &str, begins: &str, factor: f64) -> String {
+    let line = program.lines().find(|line| line.starts_with(begins)).expect("a line");
+    let (words, feed) = line.split_once('F').expect("F");
+    let feed: f64 = feed.parse().expect("a number");
+    program.replacen(line, &format!("{words}F{:.3}", feed * factor), 1)
+}
+
+/// A tool axis 0.27 degrees from the pole that is put there, where C rotates before the next cut.
+const AT_THE_POLE: &str = "UNITS/MM\nLOADTL/2,LENGTH,80\nFEDRAT/MMPM,1170.171638\n\
+    GOTO/69.142022,77.189763,-28.026708,-0.014994671,-0.030716479,0.999415658\n\
+    GOTO/66.387277,73.239454,-29.190922,0.001715275,0.004375852,0.999988955\n\
+    GOTO/61.510891,71.412363,-29.230504,-0.009873157,-0.032724044,0.999415658\n";
+
+#[test]
+fn the_f_of_a_cut_after_a_rotation_at_the_pole_is_that_of_its_tip_path() {
+    let keys = |rest: &str| format!("{rest}[course]\naxis_tolerance = 0.5\n[retract]\ndistance = 75.0\n");
+    let linuxcnc = keys("mode = \"tcp\"\n[control]\ntip_control = [\"M428\", \"M429\"]\n");
+    let cut = "X61.511 Y71.412 Z-29.231 B-1.9588 F";
+    let program = passes::<SpinnerU5620>("linuxcnc", &linuxcnc, AT_THE_POLE);
+    assert!(program.contains(&format!("\nC73.2109 F1800\n{cut}1170.172\n")), "{program}");
+    for factor in [0.97, 1.02] {
+        let wrong = |program: &str| with_f(program, cut, factor);
+        let found = checked::<SpinnerU5620>("linuxcnc", &linuxcnc, AT_THE_POLE, wrong).findings;
+        assert!(found.len() == 1 && found[0].contains("expected 1170.17"), "{found:?}");
+    }
+    for control in ["fanuc", "siemens", "heidenhain", "haas"] {
+        for mode in ["axes", "tcp"] {
+            passes::<SpinnerU5620>(
+                control,
+                &keys(&format!("mode = \"{mode}\"\ntcp_frame = \"table_at_zero\"\n")),
+                AT_THE_POLE,
+            );
+            passes::<HeadTable>(
+                control,
+                &keys(&format!("mode = \"{mode}\"\ntcp_frame = \"table_at_zero\"\n")),
+                AT_THE_POLE,
+            );
+        }
+    }
+}
+
+#[test]
+fn a_block_under_tip_control_takes_as_long_as_an_axis_needs_at_its_fastest() {
+    // Past the pole C rotates fast and Y follows, up to twice as fast at one end of a block as at the other.
+    let cl = "UNITS/MM\nLOADTL/3\nFEDRAT/MMPM,379.657\n\
+        GOTO/34.902,49.411,25.135,0.082571215,-0.223786069,0.971134280\n\
+        GOTO/29.609,53.766,26.278,-0.004133440,0.025848545,0.999657325\n";
+    let keys = "part_origin = [-18.0, -44.1325, -39.5468]\nmode = \"tcp\"\n[speeds]\nY = 10000.0\n[retract]\ndistance = 75.0\n\
+        [control]\ntip_control = [\"M428\", \"M429\"]\n";
+    let program = passes::<SpinnerU5620>("linuxcnc", keys, cl);
+    let slowed: Vec<&str> = program.lines().filter(|line| line.contains(" C") && line.contains(" F")).skip(1).collect();
+    assert!(slowed.len() >= 4, "{program}");
+    for line in &slowed[..slowed.len() - 1] {
+        let (words, _) = line.split_once('F').expect("F");
+        for factor in [0.92, 1.08] {
+            let found =
+                checked::<SpinnerU5620>("linuxcnc", keys, cl, |program| with_f(program, words, factor)).findings;
+            assert!(!found.is_empty(), "{line}, {factor} times as fast");
+        }
+    }
+}
+
 #[test]
 fn a_pole_passed_too_far_to_lead_through_it_and_too_closely_for_the_control_is_refused_with_tool_vectors() {
     // The tool axis passes the pole at 0.002 degrees, and may leave its path by 0.001.

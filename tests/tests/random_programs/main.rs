@@ -39,6 +39,10 @@ machine! {
 /// Number of programs in a test run.
 const PROGRAMS: usize = 300;
 
+/// Seeds of programs that their own check has rejected: the F of a cut after a rotation at the pole, and axis speeds under tip
+/// control.
+const ONCE_REJECTED: [u64; 5] = [770_441, 771_559, 771_596, 773_067, 773_435];
+
 /// Largest number of faulty programs that are printed.
 const SHOWN: usize = 3;
 
@@ -241,11 +245,12 @@ fn fault_kind(text: &str) -> String {
 fn every_posted_program_passes_its_check() {
     let count = environment_number("PP_RANDOM_PROGRAMS").unwrap_or(PROGRAMS);
     let first = environment_number("PP_RANDOM_SEED").unwrap_or(0) as u64;
+    let again: &[u64] = if count == 1 { &[] } else { &ONCE_REJECTED };
     let mut tally: BTreeMap<String, [usize; 4]> = BTreeMap::new();
     let mut reasons: BTreeMap<String, (usize, String)> = BTreeMap::new();
     let mut wrong: BTreeMap<String, (usize, u64)> = BTreeMap::new();
     let mut with_settings = 0;
-    for seed in first..first + count as u64 {
+    for seed in (first..first + count as u64).chain(again.iter().copied()) {
         let case = Case::of(seed);
         if count == 1 {
             println!("{}\n{}\n{}", case.name(), case.set_up, case.cl);
@@ -281,7 +286,7 @@ fn every_posted_program_passes_its_check() {
     assert!(wrong.is_empty(), "{} kinds of fault\n{}", wrong.len(), shown.join("\n=====\n"));
     let passed: usize = tally.values().map(|[_, _, passed, _]| passed).sum();
     assert!(passed * 2 >= count, "only {passed} of {count} programs are posted");
-    assert!(with_settings * 20 >= count, "only {with_settings} of {count} have settings of operations");
+    assert!(count == 1 || with_settings * 20 >= count, "only {with_settings} of {count} have settings of operations");
 }
 
 /// Prints the outcomes of all programs.

@@ -200,9 +200,12 @@ impl<R: Read> Comparison<'_, R> {
         let (rules, words) = (&self.rules, &self.previous.words);
         let (length, feed) = (segment.length(), rules.feed_of(motion));
         // What is left of a motion that is done but for a rotation.
-        let begun = |here| self.progress.along().max(rules.share_at(segment, here));
-        let done = here.filter(|_| self.progress.along() > 0.0).map_or(0.0, begun);
-        let lengths = ((1.0 - done) * length, length);
+        let left = match (&segment.shape, here.filter(|_| self.progress.along() > 0.0)) {
+            (_, None) => length,
+            (PathShape::Line, Some(here)) => segment.length_between([&here.tip, &segment.to.tip]),
+            (_, Some(here)) => (1.0 - self.progress.along().max(rules.share_at(segment, here))) * length,
+        };
+        let lengths = (left, length);
         let fault = || {
             let path = rules.path(*words, block);
             let deviation = here.and_then(|here| rules.deviation(&path, [here, end], segment, 0.0));
@@ -257,7 +260,7 @@ impl<R: Read> Comparison<'_, R> {
                     true => self.rules.share_at(&part.segment, &here).min(part.share),
                     false => self.progress.along(),
                 };
-                self.compare_feed(current, part, along, deviation.as_ref());
+                self.compare_feed(current, part, ([&here, end], along), deviation.as_ref());
             }
         }
         self.end_rapid_steps(cutting, current);
@@ -363,11 +366,18 @@ impl<R: Read> Comparison<'_, R> {
         Some(deviation)
     }
 
-    /// `along`: share of the motion that was done before the block.
-    fn compare_feed(&mut self, current: &Current<'_>, part: &Part, along: f64, deviation: Option<&Deviation>) {
+    /// `ends`: poses before and after the block; `along`: share of the motion that was done before it.
+    fn compare_feed(
+        &mut self,
+        current: &Current<'_>,
+        part: &Part,
+        (ends, along): ([&ToolPose; 2], f64),
+        deviation: Option<&Deviation>,
+    ) {
         let (block, segment) = (current.block, &part.segment);
         let length = match segment.shape {
-            PathShape::Line => (part.share - along) * segment.length(),
+            // The tips show it; the tool axis may be elsewhere, as at the pole.
+            PathShape::Line => segment.length_between(ends.map(|end| &end.tip)),
             _ if matches!(block.action, Action::Arc(_)) => (part.share - along) * segment.length(),
             _ => (segment.tip_at(part.share) - segment.tip_at(along)).norm(),
         };

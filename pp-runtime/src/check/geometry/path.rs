@@ -176,6 +176,13 @@ impl Segment {
         }
     }
 
+    /// Length of the part of a line between the feet of two tips, mm; 0 if they come in the opposite order.
+    pub(crate) fn length_between(&self, [from, to]: [&Vector3<f64>; 2]) -> f64 {
+        let line = self.to.tip - self.from.tip;
+        let length = line.norm();
+        if length > 0.0 { ((to - from).dot(&line) / length).max(0.0) } else { 0.0 }
+    }
+
     /// Angle by which the tip goes round, rad; a whole turn for what is no arc.
     pub(crate) fn angle(&self) -> f64 {
         match &self.shape {

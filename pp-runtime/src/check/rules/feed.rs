@@ -50,7 +50,7 @@ pub(crate) struct Stroke {
 }
 
 /// Largest ratio of a bound of the largest speed of an axis within a block to that speed.
-const UNEVEN_BOUND: f64 = 1.03;
+const UNEVEN_BOUND: f64 = 1.015;
 
 /// Rules of F for one machine, control and set-up.
 #[derive(Debug, Clone)]

@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use nalgebra::Vector3;
+use nalgebra::{SVector, Vector3};
 
 use super::super::expect::ClMotion;
 use super::super::geometry::{PathShape, Segment, ToolPose, angle_between};
@@ -67,33 +67,39 @@ pub(crate) struct Deviation {
     pub(crate) tip_rate_mm: f64,
 }
 
-/// Largest speed of a tip that is followed from point to point, as steps from one to the next.
-#[derive(Debug, Clone, Copy, Default)]
-struct FastestStep {
+/// Largest speed of a tip or an axis that is followed from point to point, as steps from one to the next.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct FastestStep<const N: usize> {
     /// The last three, the newest first.
-    last: [Vector3<f64>; 3],
+    last: [SVector<f64, N>; 3],
     count: u32,
-    largest_mm: f64,
+    largest: f64,
 }
 
-impl FastestStep {
-    fn add(&mut self, step: Vector3<f64>) {
+impl<const N: usize> Default for FastestStep<N> {
+    fn default() -> Self {
+        Self { last: [SVector::zeros(); 3], count: 0, largest: 0.0 }
+    }
+}
+
+impl<const N: usize> FastestStep<N> {
+    pub(super) fn add(&mut self, step: SVector<f64, N>) {
         self.last = [step, self.last[0], self.last[1]];
         self.count += 1;
-        self.largest_mm = self.largest_mm.max(step.norm());
+        self.largest = self.largest.max(step.norm());
         if self.count == 3 {
             let [third, second, first] = self.last;
-            self.largest_mm = self.largest_mm.max(Self::at_end([first, second, third]));
+            self.largest = self.largest.max(Self::at_end([first, second, third]));
         }
     }
 
     /// The largest of all, of at least three steps.
-    fn largest_mm(&self) -> f64 {
-        self.largest_mm.max(Self::at_end(self.last))
+    pub(super) fn largest(&self) -> f64 {
+        self.largest.max(Self::at_end(self.last))
     }
 
     /// Speed where the first of three steps begins: that of the parabola with these steps.
-    fn at_end([a, b, c]: [Vector3<f64>; 3]) -> f64 {
+    fn at_end([a, b, c]: [SVector<f64, N>; 3]) -> f64 {
         ((a * 11.0 - b * 7.0 + c * 2.0) / 6.0).norm()
     }
 }
@@ -345,7 +351,7 @@ impl Rules<'_> {
         let axes = (rotated > 0.0).then(|| segment.axis_arc());
         let in_step = self.policy.words.axis_in_plane && segment.length() > 0.0;
         let mut found = Deviation::default();
-        let (mut last, mut fastest) = (here.tip, FastestStep::default());
+        let (mut last, mut fastest) = (here.tip, FastestStep::<3>::default());
         let mut point = 1.0;
         while point <= count {
             let share = point / (count + 1.0);
@@ -372,7 +378,7 @@ impl Rules<'_> {
         }
         fastest.add(end.tip - last);
         if rotated > 0.0 {
-            found.tip_rate_mm = fastest.largest_mm() * (count + 1.0);
+            found.tip_rate_mm = fastest.largest() * (count + 1.0);
         }
         Some(found)
     }

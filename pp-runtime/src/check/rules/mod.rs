@@ -11,7 +11,7 @@ mod words;
 use std::cell::Cell;
 use std::f64::consts::{PI, TAU};
 
-use nalgebra::Vector3;
+use nalgebra::{Vector1, Vector3};
 
 use crate::kinematics::{AnyMachine, Axis, AxisKind, Limits, Side};
 use crate::program::{Feed, Units};
@@ -21,6 +21,7 @@ use super::geometry::{Segment, ToolPose, angle_between};
 use super::policy::{CheckPolicy, LinearMeaning, RapidForm};
 use super::read::{Action, Block, Facts, MAX_AXES, OwnPlace, State, TipControl, WorkOffset};
 pub(super) use feed::{FeedLaw, Stroke};
+use fit::FastestStep;
 pub(super) use fit::{Arrival, BOTH, BlockPath, Deviation, SHARE, chord, sweep};
 pub(super) use state::{FrameUse, ModalContext, StateFault, fault_at_end, tool_name};
 pub(super) use words::Words;
@@ -350,18 +351,18 @@ impl<'a> Rules<'a> {
             return None;
         }
         let parts = (rotation / UNEVEN_PART_RAD).ceil().clamp(4.0, 512.0);
-        let mut largest = [0.0_f64; MAX_AXES];
+        let mut fastest = [FastestStep::<1>::default(); MAX_AXES];
         let mut last = self.words.axes(before, &block.state)?;
         for part in 1..=parts as u32 {
             let share = f64::from(part) / parts;
             let words = std::array::from_fn(|index| before[index] + share * (block.values[index] - before[index]));
             let axes = self.words.axes(&words, &block.state)?;
-            for (largest, (axis, last)) in largest.iter_mut().zip(axes.iter().zip(&last)) {
-                *largest = largest.max((axis - last).abs() * parts);
+            for (index, fastest) in fastest.iter_mut().enumerate() {
+                fastest.add(Vector1::new(axes[index] - last[index]));
             }
             last = axes;
         }
-        Some(largest)
+        Some(fastest.map(|fastest| fastest.largest() * parts))
     }
 
     /// What is wrong with F of a block that goes from one share of a motion to another. With a tool vector the rotation of the
