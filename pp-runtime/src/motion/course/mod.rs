@@ -472,7 +472,7 @@ fn cut(
     let mut passing = finder.placer().passing(&from.axis, &to.axis).map(|(part, ..)| part);
     let (mut near, mut split) = (Vec::new(), Vec::new());
     for _ in 0..MAX_CROSSINGS {
-        let merged = finder.merged(states) || finder.merged(search.layer());
+        let merged = finder.merged(to, states) || finder.merged(&here, search.layer());
         if search.cut(motion, states, None, |a, b| finder.connected((&here, a), (to, b), merged)) {
             return true;
         }

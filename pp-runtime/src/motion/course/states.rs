@@ -299,8 +299,12 @@ impl StateFinder {
         self.placer.rotaries().iter().zip(words).all(|(rotary, &word)| rotary.contains(word))
     }
 
-    /// Whether both branches of a pose are the same.
-    pub(crate) fn merged(&self, states: &[RotaryState]) -> bool {
-        self.placer.rotaries().len() == 2 && states.iter().all(|state| state.branch == Branch::First)
+    /// Whether both branches of a pose with these states are the same, or the other one is outside the limits: a cut may lead from
+    /// one to the other close to a pole, where its blocks are certified. Where the control finds the angles it keeps its branch.
+    pub(crate) fn merged(&self, pose: &Pose, states: &[RotaryState]) -> bool {
+        let one = || self.placer.machine().inverse_kinematics(pose, self.placer.held()).len() == 1;
+        self.placer.rotaries().len() == 2
+            && states.iter().all(|state| state.branch == Branch::First)
+            && (self.largest_bend_rad.is_none() || one())
     }
 }
