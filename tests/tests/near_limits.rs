@@ -1,7 +1,7 @@
 //! Programs in which the choice of the control, or the rounding of words, decides: each is posted and passes its check.
 //!
 //! Tool vectors near a pole, where the control finds the rotary angles; helices by angle; points closer together than the
-//! words; blocks of nothing but rounding, and their F.
+//! words; blocks of nothing but rounding, and their F; the sense in which a table rotates to an operation.
 
 use std::io::Cursor;
 
@@ -228,6 +228,54 @@ fn a_block_under_tip_control_takes_as_long_as_an_axis_needs_at_its_fastest() {
     }
 }
 
+/// Two cuts past the pole of a table at 0.032°, to the other side and back: C rotates by 178.7° in each, in the same sense.
+const ROUND_THE_POLE: &str = "UNITS/MM\nLOADTL/4\nFEDRAT/MMPM,1200\n\
+    GOTO/-11.728,28.571,13.346,0.1559210,0.1980625,0.9677086\n\
+    GOTO/-13.984,26.961,12.730,-0.0157005,-0.0209458,0.9996573\n\
+    GOTO/-12.983,34.715,14.351,0.1463707,0.2052211,0.9677086\n";
+
+#[test]
+fn tool_vectors_keep_the_branch_of_the_control_past_a_pole() {
+    for control in ["siemens", "fanuc", "heidenhain"] {
+        for posture in ["axes", "plane"] {
+            let keys = |words: &str| {
+                format!(
+                    "mode = \"tcp\"\ntcp_frame = \"table_at_zero\"\ntcp_words = \"{words}\"\ntool_posture = \"{posture}\"\n{LIMITED}"
+                )
+            };
+            // Words lead B to the other side of the pole, where C need not rotate.
+            let is_retract = |line: &&str| ["SUPA G0 Z", "G53 G0 Z", "L Z+0"].iter().any(|words| line.contains(words));
+            let retracts = |program: &str| program.lines().filter(is_retract).count();
+            let angles = passes::<SpinnerU5620>(control, &keys("angles"), ROUND_THE_POLE);
+            let vectors = passes::<SpinnerU5620>(control, &keys("vectors"), ROUND_THE_POLE);
+            assert!(angles.contains("B-1.5"), "{angles}");
+            // The control would rotate C to -305.5°: the axes are rewound.
+            assert!(retracts(&vectors) > retracts(&angles), "{control} {posture} {vectors}");
+        }
+    }
+}
+
+#[test]
+fn a_rapid_that_rotates_by_half_a_revolution_is_two_blocks_where_the_shorter_path_is_taken() {
+    let cl = "UNITS/MM\nLOADTL/3\nFEDRAT/MMPM,2789\nCLEARP/XYPLAN,150\n\
+        GOTO/9.911,7.076,39.903,0.0044693,-0.0500849,0.9987350\n\
+        GOTO/13.112,13.076,38.771,0,0,1\n\
+        GOTO/8.554,18.076,38.457,-0.0222262,0.0451051,0.9987350\nRETRCT\n";
+    let keys = "index_angle = 360.0\n[course]\nstart_branch = \"first\"\ngreedy = true\n[wrap]\nC = \"0..360\"\n[tools]\n3 = { length = 78.0 }\n";
+    for control in ["siemens", "heidenhain"] {
+        let program = passes::<HeadTable>(control, keys, cl);
+        assert!(program.contains("26.2324") && program.contains("116.2324"), "{program}");
+        // A way round by other angles is found.
+        let edit = |program: &str| program.replace("26.2324", "36.2324");
+        assert!(!checked::<HeadTable>(control, keys, cl, edit).findings.is_empty());
+        // So is a rotation in two blocks by more than a rapid may rotate.
+        let keys = keys.replace("360.0", "185.0");
+        let edit = |program: &str| program.replace("296.2324", "306.2324").replace("26.2324", "31.2324");
+        passes::<HeadTable>(control, &keys, cl);
+        assert!(!checked::<HeadTable>(control, &keys, cl, edit).findings.is_empty());
+    }
+}
+
 #[test]
 fn a_pole_passed_too_far_to_lead_through_it_and_too_closely_for_the_control_is_refused_with_tool_vectors() {
     // The tool axis passes the pole at 0.002 degrees, and may leave its path by 0.001.
@@ -246,4 +294,37 @@ fn a_pole_passed_too_far_to_lead_through_it_and_too_closely_for_the_control_is_r
         line == 5 && text.contains("may rotate C by up to 180°") && help.contains("tcp_words"),
         "{line} {text} {help}"
     );
+}
+
+#[test]
+fn rotabl_next_before_an_operation_holds_for_its_first_motion_alone() {
+    let operation = |sense: &str, [x, y]: [f64; 2], [i, j]: [f64; 2]| {
+        let point = |z: u32| format!("GOTO/{x},{y},{z},{i},{j},0.8660254038\n");
+        format!("TOOL PATH/OP_A,TOOL,T1\n{sense}RAPID\n{}{}RAPID\n{}END-OF-PATH\n", point(50), point(10), point(60))
+    };
+    let cl = |sense: &str| {
+        let first = operation("", [10.0, 0.0], [0.5, 0.0]);
+        let others = [operation(sense, [0.0, 10.0], [0.0, 0.5]), operation("", [-10.0, 0.0], [-0.5, 0.0])];
+        format!("UNITS/MM\nLOADTL/1,LENGTH,80\nFEDRAT/MMPM,500\n{first}{}FINI\n", others.concat())
+    };
+    for (control, modes) in
+        [("linuxcnc", &["axes"][..]), ("siemens", &["axes", "tcp"]), ("heidenhain", &["axes", "tcp"])]
+    {
+        for mode in modes {
+            let keys = format!("mode = \"{mode}\"\ntcp_frame = \"table_at_zero\"\n[retract]\ndistance = 60.0\n");
+            let angles = |sense: &str| -> Vec<f64> {
+                let program = passes::<SpinnerU5620>(control, &keys, &cl(sense));
+                let word = |line: &str| {
+                    let words = line.split(' ').filter(|word| !line.contains(['(', ';']) && word.starts_with('C'));
+                    words.filter_map(|word| word[1..].parse().ok()).next()
+                };
+                let mut angles: Vec<f64> = program.lines().filter_map(word).collect();
+                angles.dedup();
+                angles
+            };
+            assert_eq!(angles("ROTABL/NEXT,CLW\n"), [0.0, 90.0, 180.0], "{control} {mode}");
+            assert_eq!(angles("ROTABL/NEXT,CCLW\n"), [0.0, -270.0, -180.0], "{control} {mode}");
+            assert_eq!(angles("ROTABL/SHORT\n"), [0.0, 90.0, 180.0], "{control} {mode}");
+        }
+    }
 }

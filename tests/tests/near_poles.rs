@@ -1,5 +1,6 @@
 //! Random programs near the pole of a table or a head whose first rotary axis has narrow limits: each is posted or refused with
-//! a reason, passes its own check, keeps to its path and to its feed.
+//! a reason, passes its own check, keeps to its path and to its feed. With tool vectors the control finds the rotary angles: there
+//! the check follows it.
 //!
 //! Path and feed are those of the written words, by the matrices of [`tests::oracle`] and their derivatives.
 //! `PP_RANDOM_PROGRAMS=N` sets the number of programs, `PP_RANDOM_SEED=S` the first seed.
@@ -25,6 +26,9 @@ use tests::random::Random;
 
 /// Number of programs in a test run.
 const PROGRAMS: u64 = 150;
+
+/// Number of programs with tool vectors in a test run.
+const VECTOR_PROGRAMS: u64 = 60;
 
 /// Seeds of programs that their own check has rejected: rotations past the pole whose tool axis gets ahead of the tip, one
 /// (41451) that goes on after a rewind at the end of the program, and last pieces of a motion that rounding shows as none.
@@ -54,19 +58,20 @@ struct Case {
     feed: f64,
 }
 
-fn case(random: &mut Random) -> Case {
+/// A program whose points are up to `10^decades` mm from the part zero.
+fn case(random: &mut Random, decades: [f64; 2]) -> Case {
     let feed = random.between(50.0, 4000.0).round();
     let tolerance_mm = 10_f64.powf(random.between(-2.6, -1.0));
     let limit = [90.0, 91.0, 120.0, 180.0, 200.0][random.below(5)];
     let axis = ["0.01", "0.1", "1.0"][random.below(3)];
     let part_origin: [f64; 3] = std::array::from_fn(|_| random.between(-80.0, 80.0).round());
     let keys = format!(
-        "units = \"mm\"\nmode = \"axes\"\ntolerance = {tolerance_mm}\naxis_tolerance_path = {axis}\npart_origin = {part_origin:?}\n\
+        "units = \"mm\"\ntolerance = {tolerance_mm}\naxis_tolerance_path = {axis}\npart_origin = {part_origin:?}\n\
          table_check = false\nlimits = {{ C = [-{limit:?}, {limit:?}] }}\nretract = {{ distance = 400.0 }}\n"
     );
     let mut cl = format!("UNITS/MM\nLOADTL/1,LENGTH,{LENGTH}\nSPINDL/RPM,3000,CLW\nFEDRAT/MMPM,{feed}\n");
     let mut tips = Vec::new();
-    let far = 10_f64.powf(random.between(-1.5, 1.5));
+    let far = 10_f64.powf(random.between(decades[0], decades[1]));
     for _ in 0..4 + random.below(8) {
         let tip: [f64; 3] = std::array::from_fn(|_| (random.between(-far, far) * 1e3).round() / 1e3);
         let (tilt, turn) = (10_f64.powf(random.between(-6.0, -0.4)), random.between(0.0, std::f64::consts::TAU));
@@ -78,13 +83,14 @@ fn case(random: &mut Random) -> Case {
     Case { keys, cl, tips, part_origin, tolerance_mm, feed }
 }
 
-/// Posts a program and compares every block.
+/// Posts a program with further keys; it passes its check.
 ///
 /// # Errors
 /// The reason, without its numbers, if it is refused.
-fn compare<M: Machine>(case: &Case, control: Control) -> Result<(), String> {
+fn posted<M: Machine>(case: &Case, control: Control, keys: &str) -> Result<String, String> {
     let named = control::by_name(control.name()).expect("a control");
-    let config = starting_point(named).read_over(&M::default(), &case.keys).expect("valid keys");
+    let keys = format!("{keys}{}", case.keys);
+    let config = starting_point(named).read_over(&M::default(), &keys).expect("valid keys");
     let job = Job { cl_name: "near.cls", config: &config, control: named, units: None };
     let mut program = Vec::new();
     let report = post::<M>(&job, &mut Cursor::new(&case.cl), &mut program).expect("memory");
@@ -93,15 +99,28 @@ fn compare<M: Machine>(case: &Case, control: Control) -> Result<(), String> {
         return Err(text.expect("a reason").chars().filter(|c| !c.is_ascii_digit() && !"-.".contains(*c)).collect());
     }
     let program = String::from_utf8(program).expect("ASCII");
-    let told = || format!("{}\n{}\n{program}", case.keys, case.cl);
     let policy = config.check_policy::<M>(named, None).expect("it can be checked");
     let found = check::check::<M>(&policy, Cursor::new(&case.cl), program.as_bytes()).expect("it can be read").outcome;
     let first = found.findings.first().map(|found| found.diagnostic().text);
-    assert!(first.is_none(), "{} {first:?}\n{}", M::NAME, told());
+    assert!(first.is_none(), "{} {first:?}\n{keys}\n{}\n{program}", M::NAME, case.cl);
+    Ok(program)
+}
 
+/// The matrices of a machine with the part of a program.
+fn oracle_of<M: Machine>(case: &Case) -> Oracle {
     let mut machine = M::default();
     machine.set_up(Vector3::from(case.part_origin), LENGTH);
-    let oracle = Oracle::of(&machine);
+    Oracle::of(&machine)
+}
+
+/// Posts a program and compares every block.
+///
+/// # Errors
+/// The reason, without its numbers, if it is refused.
+fn compare<M: Machine>(case: &Case, control: Control) -> Result<(), String> {
+    let program = posted::<M>(case, control, "mode = \"axes\"\n")?;
+    let told = || format!("{}\n{}\n{program}", case.keys, case.cl);
+    let oracle = oracle_of::<M>(case);
     let rounding = 0.5 * UNIT * 3_f64.sqrt() + 1e-9;
     let mut before: Option<Vec<f64>> = None;
     let trace = run(&program, &Options::of(control)).unwrap_or_else(|refused| panic!("{refused}\n{}", told()));
@@ -137,25 +156,14 @@ fn compare<M: Machine>(case: &Case, control: Control) -> Result<(), String> {
     Ok(())
 }
 
-#[test]
-fn programs_near_a_pole_keep_to_path_and_feed_and_pass_their_check() {
+/// Runs `post` on random programs; none may be wrong.
+fn each_program(usual: u64, again: &[u64], post: impl Fn(&mut Random) -> Result<(), String>) {
     let number =
         |name: &str, usual: u64| std::env::var(name).ok().map_or(usual, |text| text.parse().expect("a number"));
-    let (count, seed) = (number("PP_RANDOM_PROGRAMS", PROGRAMS), number("PP_RANDOM_SEED", 1));
+    let (count, seed) = (number("PP_RANDOM_PROGRAMS", usual), number("PP_RANDOM_SEED", 1));
     let (mut reasons, mut wrong) = (BTreeMap::<String, u64>::new(), Vec::new());
-    for seed in (seed..seed + count).chain(ONCE_REJECTED) {
-        let random = &mut Random::new(seed);
-        let case = case(random);
-        let control = [Control::LinuxCnc, Control::Fanuc][random.below(2)];
-        let machine = random.below(5);
-        let posted = catch_unwind(AssertUnwindSafe(|| match machine {
-            0 => compare::<SpinnerU5620>(&case, control),
-            1 => compare::<Dmu70e>(&case, control),
-            2 => compare::<Trunnion>(&case, control),
-            3 => compare::<HeadTable>(&case, control),
-            _ => compare::<NutatingHead>(&case, control),
-        }));
-        match posted {
+    for seed in (seed..seed + count).chain(again.iter().copied()) {
+        match catch_unwind(AssertUnwindSafe(|| post(&mut Random::new(seed)))) {
             Ok(Ok(())) => {}
             Ok(Err(reason)) => *reasons.entry(reason).or_default() += 1,
             Err(_) => {
@@ -164,8 +172,40 @@ fn programs_near_a_pole_keep_to_path_and_feed_and_pass_their_check() {
             }
         }
     }
-    let (refused, count) = (reasons.values().sum::<u64>(), count + ONCE_REJECTED.len() as u64);
+    let (refused, count) = (reasons.values().sum::<u64>(), count + again.len() as u64);
     println!("{refused} of {count} refused: {reasons:#?}");
     assert!(wrong.is_empty(), "seeds of wrong programs: {wrong:?}");
     assert!((refused as f64) < REFUSED * count as f64, "{refused} of {count} programs are refused");
+}
+
+#[test]
+fn programs_near_a_pole_keep_to_path_and_feed_and_pass_their_check() {
+    each_program(PROGRAMS, &ONCE_REJECTED, |random| {
+        let case = case(random, [-1.5, 1.5]);
+        let control = [Control::LinuxCnc, Control::Fanuc][random.below(2)];
+        match random.below(5) {
+            0 => compare::<SpinnerU5620>(&case, control),
+            1 => compare::<Dmu70e>(&case, control),
+            2 => compare::<Trunnion>(&case, control),
+            3 => compare::<HeadTable>(&case, control),
+            _ => compare::<NutatingHead>(&case, control),
+        }
+    });
+}
+
+#[test]
+fn programs_with_tool_vectors_near_a_pole_pass_their_check() {
+    each_program(VECTOR_PROGRAMS, &[], |random| {
+        let case = case(random, [0.0, 1.5]);
+        let control = [Control::Siemens, Control::Fanuc, Control::Heidenhain][random.below(3)];
+        let posture = ["axes", "plane"][random.below(2)];
+        let keys = format!(
+            "mode = \"tcp\"\ntcp_words = \"vectors\"\ntcp_frame = \"table_at_zero\"\ntool_posture = \"{posture}\"\n"
+        );
+        let posted = match random.below(2) {
+            0 => posted::<SpinnerU5620>(&case, control, &keys),
+            _ => posted::<HeadTable>(&case, control, &keys),
+        };
+        posted.map(drop)
+    });
 }

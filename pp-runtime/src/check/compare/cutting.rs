@@ -297,7 +297,8 @@ impl<R: Read> Comparison<'_, R> {
             approaches: part.starts || self.progress.is_approached(),
             in_thread: self.is_in_thread(),
         };
-        let from = begun.unwrap_or_else(|| Box::new(self.previous.words));
+        let start = cutting.steps.as_ref().map_or(&self.previous.words, |steps| &steps.start);
+        let from = begun.unwrap_or_else(|| Box::new(*start));
         let rules = RapidRules::of(&self.rules, (&from, self.previous.known), current.block, rapid);
         if !rapid.ends {
             cutting.rapid_from = Some(from);
@@ -516,8 +517,11 @@ impl<R: Read> Comparison<'_, R> {
     /// with the rapid.
     fn is_step_of_rapid(&mut self, cutting: &mut Cutting, current: &Current<'_>, required: &Required) -> bool {
         let (before, block) = (self.previous.words, current.block);
-        let direct = block.action == Action::Rapid && self.rules.policy().links.direct;
-        if !direct || rollover_travel(&self.rules, &before, &block.values) <= self.rules.rounding().unit_rad {
+        let links = &self.rules.policy().links;
+        let unit_rad = self.rules.rounding().unit_rad;
+        let far = links.direct || links.index_angle_rad >= PI - unit_rad;
+        let rotates = far && block.action == Action::Rapid;
+        if !rotates || rollover_travel(&self.rules, &before, &block.values) <= unit_rad {
             return false;
         }
         if cutting.steps.as_ref().is_some_and(|steps| !is_on_line(&self.rules, steps, &block.values)) {

@@ -319,9 +319,14 @@ impl FeedLaw {
         })
     }
 
-    /// Whether the tip rests, as far as rounded ends show.
-    pub(crate) fn is_still(&self, stroke: &Stroke) -> bool {
+    /// Whether the tip may rest, as far as rounded ends show.
+    pub(crate) fn may_be_still(&self, stroke: &Stroke) -> bool {
         self.lengths(stroke, &self.extent(stroke, 0.0)).0 < self.unit_mm
+    }
+
+    /// Whether the tip may move, as far as rounded ends show.
+    pub(crate) fn may_move(&self, stroke: &Stroke) -> bool {
+        self.lengths(stroke, &self.extent(stroke, 0.0)).1 >= self.unit_mm
     }
 
     /// Where only the tool axis rotates, and the rotation of the rotary axes is unknown: degrees a minute, at most those of

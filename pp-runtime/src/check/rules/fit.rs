@@ -157,7 +157,7 @@ impl Rules<'_> {
             [pole, -pole].iter().any(|pole| arc.is_within(pole, self.policy.tolerances.pole_rad))
         });
         let axis = match past_pole {
-            _ if self.leads_through_pole(segment, block, end) => rounding.pole_rad + self.largest_bend_rad(),
+            _ if self.is_led_through_pole(segment, block) => rounding.pole_rad + self.largest_bend_rad(),
             true => rounding.pole_rad,
             false => rounding.axis_rad,
         };
@@ -209,11 +209,11 @@ impl Rules<'_> {
         self.policy.tolerances.axis_path_rad.min(AT_POLE)
     }
 
-    /// Whether a block with a tool vector leads the tool axis to a pole that its motion passes closely: only there the rotary
-    /// angles that the control finds do not depend on its interpolation.
-    fn leads_through_pole(&self, segment: &Segment, block: &Block, end: &ToolPose) -> bool {
-        let at_pole = self.pole.is_some_and(|pole| pole.cross(&end.axis).norm() <= self.rounding.axis_rad);
-        block.state.vector.is_some() && at_pole && segment.axis_arc().is_within(&end.axis, self.largest_bend_rad())
+    /// Whether blocks with tool vectors may lead a motion through a pole that it passes closely: only there the rotary angles that
+    /// the control finds do not depend on its interpolation. Their points after the pole are on the path from there to its end.
+    fn is_led_through_pole(&self, segment: &Segment, block: &Block) -> bool {
+        let passes = |pole: &Vector3<f64>| segment.axis_arc().is_within(pole, self.largest_bend_rad());
+        block.state.vector.is_some() && self.pole.is_some_and(|pole| passes(&pole) || passes(&-pole))
     }
 
     /// Share of a motion that is done where the rotary axes rotate past the pole with the tip where it is: the tool axis keeps to

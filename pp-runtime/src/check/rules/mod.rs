@@ -380,11 +380,15 @@ impl<'a> Rules<'a> {
         }
         let rotates = segment.turn() > 0.0;
         let changes = || rotates.then(|| self.changes(&shares.map(|share| segment.at(share))));
-        match rotates && law.is_still(stroke) {
-            true => law.wrong_on_the_spot(state),
-            false if law.needs_axes() => law.wrong_within(stroke, state, changes),
+        let along = || match law.needs_axes() {
+            true => law.wrong_within(stroke, state, changes),
             false => law.wrong(stroke, state),
+        };
+        if !(rotates && law.may_be_still(stroke)) {
+            return along();
         }
+        let on_the_spot = law.wrong_on_the_spot(state)?;
+        if law.may_move(stroke) { along().map(|_| on_the_spot) } else { Some(on_the_spot) }
     }
 
     /// How the axes may move between two poses; none near a pole, where the rotary axes rotate by much more than the tool axis.
