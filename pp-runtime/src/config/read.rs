@@ -91,13 +91,15 @@ impl Config {
             && let Err(invalid) = self.set_up.machine_for(machine)
         {
             let span = file.get("dimensions", r).map_or(0..0, |value| value.span());
-            let text = match invalid {
-                Invalid::Required { name } => {
-                    format!("`dimensions.{name}` is missing: each {} has its own value", machine.name())
+            let name = machine.name();
+            let (text, help) = match invalid {
+                Invalid::Required { name: dimension } => {
+                    let text = format!("`dimensions.{dimension}` is missing: each {name} has its own value");
+                    (text, Some(SetUp::remedy(&invalid)))
                 }
-                _ => format!("the kinematics of {} are invalid with these dimensions: {invalid}", machine.name()),
+                _ => (format!("the kinematics of {name} are invalid with these dimensions: {invalid}"), None),
             };
-            r.fault(span, text, Some(SetUp::remedy(&invalid)));
+            r.fault(span, text, help);
         }
     }
 }

@@ -288,6 +288,27 @@ fn dimensions_for_which_the_formulas_fail_are_refused() {
     );
 }
 
+crate::machine! {
+    /// A table whose height each machine has of its own.
+    struct Individual;
+    chain: C B | X Y Z;
+    d = (0, 0, height);
+    dims = { height: required };
+}
+
+#[test]
+fn a_required_dimension_is_asked_for_by_the_name_of_its_key() {
+    let faults = Config::read::<Individual>("[dimensions]\n").expect_err("the height is missing");
+    assert_eq!(faults[0].text, "`dimensions.height` is missing: each Individual has its own value");
+    let help = "measure it at the machine, and write `height = ...` in the section `[dimensions]` of the configuration";
+    assert_eq!(faults[0].help.as_deref(), Some(help));
+    let config = Config::read::<Individual>("[dimensions]\nheight = 62.5\n").expect("a configuration");
+    assert_eq!(config.set_up.dimensions["height"], 62.5);
+    // The printed file is an example to fill in.
+    let printed = print(&Individual::default(), &Config::default());
+    assert!(printed.contains("# e.g. height = 150.0"), "{printed}");
+}
+
 #[test]
 fn dimensions_and_part_origin_reach_the_machine() {
     let machine: Sample =
