@@ -54,7 +54,7 @@ fn a_required_length_has_no_default_and_is_refused_until_it_is_given() {
 fn a_required_angle_may_incline_a_linear_axis() {
     let text =
         "chain: C | Z X Y; tool_axis = X; axes = { Y: Rz(slant) * Y }; dims = { slant: required deg }; hold = { C: 0 };
-        verify \"a manual\" { Y = y / cos(slant); X = x + y * sin(slant) / cos(slant); }";
+        verify \"a manual\" { where C = 0; Y = y / cos(slant); X = x + y * sin(slant) / cos(slant); }";
     let model = model(text);
     assert_eq!(model.dimensions[0].default, None);
     let tokens = format!("pub struct M; {text}").parse().expect("Rust tokens");

@@ -223,11 +223,16 @@ fn dimensions(
     let mut dimensions: Vec<Dimension> = Vec::new();
     for Assign { key, value } in &declaration.dimensions {
         let name = &key.name;
-        if is_reserved(name) || syn::parse_str::<syn::Ident>(name).is_err() {
+        let ascii = name.is_ascii();
+        if !ascii || is_reserved(name) || syn::parse_str::<syn::Ident>(name).is_err() {
             errors.push(
                 key.phrase,
                 format!("`{name}` cannot be the name of a dimension"),
-                "the name is reserved by `machine!` or by Rust: choose another, such as `pivot` or `tilt`",
+                if ascii {
+                    "the name is reserved by `machine!` or by Rust: choose another, such as `pivot` or `tilt`"
+                } else {
+                    "it is also a key of the configuration and a name in C: use the letters a to z, digits and `_`"
+                },
             );
             unreadable.add_entry("dims", name);
             continue;

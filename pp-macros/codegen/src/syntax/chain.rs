@@ -8,7 +8,7 @@ use syn::parse::ParseStream;
 
 use super::ast::{Chain, SpannedName};
 use super::parse::starts_field;
-use super::source::{Source, peeked_word};
+use super::source::{Source, peeked_word, refused};
 use crate::model::kind_of;
 use crate::report::Phrase;
 
@@ -47,6 +47,11 @@ pub(crate) fn chain(input: ParseStream<'_>, source: &Source) -> syn::Result<Chai
             continue;
         }
         form.token(phrase, token, &mut chain, source);
+    }
+    if chain.axes.iter().all(|axis| kind_of(&axis.name).is_none()) {
+        let help =
+            "list the axes from the workpiece to the tool, with `|` for the machine frame: `chain: C B | X Y Z;`";
+        return Err(refused(chain.phrase, "the chain has no axis letters", help));
     }
     form.report(&mut chain, source);
     Ok(chain)

@@ -65,6 +65,7 @@ fn entry<T>(
         content.parse::<Option<Token![=]>>()?;
         source.report(at, format!("expected `:` after `{}`", name.name), help);
     }
+    refuse_decimal_comma(content, source)?;
     let assign = Assign { value: value(content, &name)?, key: name };
     if content.is_empty() || content.parse::<Option<Token![,]>>()?.is_some() {
         return Ok(assign);
@@ -81,6 +82,29 @@ fn entry<T>(
     Ok(assign)
 }
 
+/// Refuses `150,5`: an entry begins with a name, so a number after a comma has the decimals of the one before.
+fn refuse_decimal_comma(content: ParseStream<'_>, source: &Source) -> syn::Result<()> {
+    let ahead = content.fork();
+    let mut before = None;
+    while !ahead.is_empty() && !ahead.peek(Token![,]) {
+        before = ahead.parse::<TokenTree>().ok();
+    }
+    ahead.parse::<Option<Token![,]>>()?;
+    let (Some(TokenTree::Literal(whole)), Some(TokenTree::Literal(decimals))) = (before, peeked(&ahead)) else {
+        return Ok(());
+    };
+    let numbers = [&whole, &decimals].iter().all(|token| token.to_string().starts_with(|c: char| c.is_ascii_digit()));
+    ahead.parse::<TokenTree>()?;
+    // A number in the place of a name has a message of its own.
+    if !numbers || ahead.peek(Token![:]) {
+        return Ok(());
+    }
+    skip_entry(content)?;
+    content.parse::<TokenTree>()?;
+    let phrase = source.phrase(whole.span(), decimals.span());
+    Err(refused(phrase, format!("`{whole},{decimals}` has a decimal comma"), format!("write `{whole}.{decimals}`")))
+}
+
 /// The name before the colon.
 fn entry_name(content: ParseStream<'_>, source: &Source, field: Field) -> syn::Result<SpannedName> {
     let help = format!("for example `{}`", field.example);
@@ -92,7 +116,6 @@ fn entry_name(content: ParseStream<'_>, source: &Source, field: Field) -> syn::R
                 source.report(phrase, "a name is written without quotes", format!("write `{name}`"));
                 return Ok(SpannedName { name: name.into(), phrase });
             }
-            let help = format!("{help}; a decimal point is written `.`: `150.5`");
             Err(refused(phrase, format!("expected a name, found `{text}`"), help))
         }
         _ => source.name(content, "a name", help),
@@ -108,7 +131,18 @@ fn skip_entry(content: ParseStream<'_>) -> syn::Result<()> {
 }
 
 /// Default of a dimension.
-pub(crate) fn dimension(input: ParseStream<'_>, source: &Source) -> syn::Result<DimensionValue> {
+pub(crate) fn dimension(input: ParseStream<'_>, source: &Source, name: &SpannedName) -> syn::Result<DimensionValue> {
+    const NO_VALUE: [&str; 12] =
+        ["unknown", "none", "None", "null", "nan", "NaN", "NAN", "_", "f64", "f32", "measured", "individual"];
+    let ahead = input.fork();
+    if let Ok(TokenTree::Ident(word)) = ahead.parse()
+        && NO_VALUE.iter().any(|known| word == known)
+        && (ahead.is_empty() || ahead.peek(Token![,]))
+    {
+        let help = format!("a length that each machine has of its own is `required`: write `{}: required`", name.name);
+        source.report(source.take(input)?.0, format!("`{word}` is not a length"), help);
+        return Ok(DimensionValue::RequiredLength);
+    }
     if peeked_word(input).is_none_or(|word| word != "required") {
         return expression(input, source).map(DimensionValue::Given);
     }
@@ -145,6 +179,10 @@ pub(crate) fn vector(input: ParseStream<'_>, source: &Source) -> syn::Result<Vec
     while !content.is_empty() {
         parts.push(expression(&content, source)?);
         let comma = content.parse::<Option<Token![,]>>()?.is_some();
+        if content.peek(Token![:]) {
+            let at = source.phrase(content.span(), content.span());
+            return Err(refused(at, "components have no names", "write three numbers: `(0, 0, 150.0)`"));
+        }
         if !comma && !content.is_empty() {
             if peeked(&content).is_some_and(|token| matches!(token, TokenTree::Punct(_))) {
                 return Err(expected(&content, "`,`", "separate the components with commas"));

@@ -123,7 +123,9 @@ fn field(
         return Ok(());
     };
     if field.name != "verify" && seen.iter().any(|known| known.name == key.name) {
-        source.report(key.phrase, format!("the field `{}` is given twice", key.name), "join the two into one field");
+        let braces = field.example.contains('{');
+        let help = if braces { "join the two into one field" } else { "keep one of the two" };
+        source.report(key.phrase, format!("the field `{}` is given twice", key.name), help);
     }
     seen.push(key);
     let read = separator(input, field, source).and_then(|()| value(input, source, declaration, field));
@@ -149,7 +151,9 @@ fn value(input: ParseStream<'_>, source: &Source, declaration: &mut Declaration,
         }
         "signs" => declaration.signs.extend(assigns(input, source, field, |input, key| sign(input, source, key))?),
         "axes" => declaration.directions.extend(assigns(input, source, field, |input, _| direction(input, source))?),
-        "dims" => declaration.dimensions.extend(assigns(input, source, field, |input, _| dimension(input, source))?),
+        "dims" => {
+            declaration.dimensions.extend(assigns(input, source, field, |input, key| dimension(input, source, key))?)
+        }
         "tool_axis" => declaration.tool_axis = Some(direction(input, source)?),
         "up" => declaration.up = Some(up(input, source)?),
         "hold" => declaration.hold.extend(assigns(input, source, field, |input, _| expression(input, source))?),

@@ -73,9 +73,19 @@ pub(crate) fn limits(input: ParseStream<'_>, source: &Source, axis: &SpannedName
         return Ok(Limits::Range(Box::new((lower, upper))));
     }
     let both = format!("write both ends: `{letter}: -5..110`; travel without ends is `{letter}: free`");
+    let as_meant = |end: Option<&Expr>| end.map_or(both.clone(), |end| both_ends(letter, end));
     if input.peek(Token![..]) {
         let (phrase, _) = source.take(input)?;
-        return Err(refused(phrase, format!("the travel of `{letter}` has no lower end"), both));
+        input.parse::<Option<Token![.]>>()?;
+        let upper = expression(&input.fork(), &Source::default()).ok();
+        return Err(refused(phrase, format!("the travel of `{letter}` has no lower end"), as_meant(upper.as_ref())));
+    }
+    if peek_mark(input, '+') {
+        // `+-110`
+        let (phrase, _) = source.take(input)?;
+        let end = expression(input, source)?;
+        let text = format!("the travel of `{letter}` has two ends");
+        return Err(refused(phrase.to(end.phrase), text, both_ends(letter, &end)));
     }
     let lower = expression(input, source)?;
     let dots = input.span();
@@ -89,11 +99,13 @@ pub(crate) fn limits(input: ParseStream<'_>, source: &Source, axis: &SpannedName
     } else if input.peek(Token![..]) {
         input.parse::<Token![..]>()?;
     } else if input.is_empty() || input.peek(Token![,]) {
-        let help = match &lower.kind {
-            ExprKind::Neg(end) => format!("write both ends: `{letter}: {lower}..{end}`, or `{letter}: {lower}..0`"),
-            _ => format!("write both ends: `{letter}: -{lower}..{lower}`, or `{letter}: 0..{lower}`"),
-        };
-        return Err(refused(lower.phrase, format!("the travel of `{letter}` has one end only"), help));
+        if let ExprKind::Binary(start, '-', end) = lower.kind {
+            let help = format!("write `{letter}: {start}..{end}`");
+            source.report(lower.phrase, "travel is written with two dots", help);
+            return Ok(Limits::Range(Box::new((*start, *end))));
+        }
+        let text = format!("the travel of `{letter}` has one end only");
+        return Err(refused(lower.phrase, text, both_ends(letter, &lower)));
     } else {
         let (_, between) = source.take(input)?;
         let help = match between {
@@ -106,9 +118,18 @@ pub(crate) fn limits(input: ParseStream<'_>, source: &Source, axis: &SpannedName
         return Err(syn::Error::new(dots, format!("expected `..`\n\nhelp: {help}")));
     }
     if input.is_empty() || input.peek(Token![,]) {
-        return Err(refused(lower.phrase, format!("the travel of `{letter}` has no upper end"), both));
+        let text = format!("the travel of `{letter}` has no upper end");
+        return Err(refused(lower.phrase, text, both_ends(letter, &lower)));
     }
     Ok(Limits::Range(Box::new((lower, expression(input, source)?))))
+}
+
+/// Help for travel of which one end is written.
+fn both_ends(letter: &str, end: &Expr) -> String {
+    match &end.kind {
+        ExprKind::Neg(upper) => format!("write both ends: `{letter}: {end}..{upper}`, or `{letter}: {end}..0`"),
+        _ => format!("write both ends: `{letter}: -{end}..{end}`, or `{letter}: 0..{end}`"),
+    }
 }
 
 /// True if two dots come after the bracket: `(1 + 2)..5`.
@@ -205,7 +226,12 @@ pub(crate) fn direction(input: ParseStream<'_>, source: &Source) -> syn::Result<
             let phrase = start.map_or(base.phrase, |start| start.to(base.phrase));
             return Ok(Direction { phrase, rotations, negated, base: Base::Vector(base) });
         }
-        if let Some(TokenTree::Literal(_)) = peeked(input) {
+        if let Some(TokenTree::Literal(literal)) = peeked(input) {
+            let text = literal.to_string();
+            if let Some(inner) = text.strip_prefix('"').and_then(|text| text.strip_suffix('"')) {
+                let (phrase, _) = source.take(input)?;
+                return Err(refused(phrase, "a direction is written without quotes", format!("write `{inner}`")));
+            }
             let value = expression(input, source)?;
             let unit = if matches!(value.kind, ExprKind::Number(_, Some(_))) { "" } else { " deg" };
             let help = format!(

@@ -157,6 +157,14 @@ fn verify_block(
     let mut equations = Vec::new();
     let mut solution = OneSolution::default();
     for equation in &block.equations {
+        if equation.left.to_string() == equation.right.to_string() {
+            errors.push(
+                equation.phrase,
+                "this equation proves nothing: both sides are the same",
+                "write the formula of the source on the right",
+            );
+            continue;
+        }
         match decide(&mut scope, equation) {
             Ok(Verdict::Holds(conditions, region)) => {
                 let proven = proven(&scope, equation, &conditions, &branches);

@@ -151,7 +151,7 @@ dims = { d = 5, 7: 3, e: 1 2 };
 //         ^ expected `:` after `d`
 // help: for example `dims = { height: 150.0 };`
 //              ^ expected a name, found `7`
-// help: for example `dims = { height: 150.0 };`; a decimal point is written `.`: `150.5`
+// help: for example `dims = { height: 150.0 };`
 //                         ^ expected `,`
 // help: separate the entries with commas
 hold = { C: 0 }
