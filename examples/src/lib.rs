@@ -17,6 +17,7 @@
 
 pub mod cl_writer;
 pub mod designs;
+pub mod house_control;
 pub mod no_std_kinematics;
 pub mod parts;
 

@@ -4,6 +4,7 @@
 //! run was not possible; a closed pipe is status 2 without a message. The program goes to standard output or to a file,
 //! messages go to standard error.
 
+mod app;
 mod args;
 mod check;
 mod cl_source;
@@ -27,42 +28,31 @@ mod tests;
 mod view;
 
 use std::ffi::OsString;
-use std::io::{self, IsTerminal as _};
-use std::process::ExitCode;
 
 use crate::cl;
 use crate::config;
-use crate::kinematics::{AnyMachine, Machine};
-use crate::post::{Proof, post_for, prove};
+use crate::control::Control;
+use crate::kinematics::AnyMachine;
+use crate::post::{Proof, prove};
+
+pub use app::{App, run, run_for, run_with};
+pub use outcome::{Status, Streams};
 
 use args::{Command, MessageFormat, ProofArgs};
 use inputs::{read_config_file, refuse_unfit};
 use messages::Messages;
-use outcome::{Failure, Status, Streams, print};
+use outcome::{Failure, print};
 use posting::PostFn;
 
-/// Runs the command line of the machine `M`: the whole of a machine's `main`.
-#[must_use]
-pub fn run<M: Machine>() -> ExitCode {
-    run_for(&M::default())
-}
-
-/// [`run`] for a machine whose type is known at run time only.
-#[must_use]
-pub fn run_for(machine: &dyn AnyMachine) -> ExitCode {
-    let args: Vec<OsString> = std::env::args_os().collect();
-    let terminal = io::stderr().is_terminal();
-    let (mut input, mut output, mut errors) = (closed::input(), closed::output(), io::stderr());
-    let streams = Streams { input: &mut *input, output: &mut *output, errors: &mut errors, terminal };
-    // Without it a signal may leave a hidden file beside the program: no reason not to run.
-    let _ = temporary::watch_signals();
-    let status =
-        execute(machine, &args, streams, &|job, source, sink, line_map| post_for(machine, job, source, sink, line_map));
-    ExitCode::from(status as u8)
-}
-
-fn execute(machine: &dyn AnyMachine, args: &[OsString], mut streams: Streams<'_>, post: PostFn<'_>) -> Status {
-    let command = match args::parse(machine.name(), args) {
+/// Runs a command; `own`: controls besides those of this crate.
+fn execute(
+    machine: &dyn AnyMachine,
+    own: &[&'static dyn Control],
+    args: &[OsString],
+    mut streams: Streams<'_>,
+    post: PostFn<'_>,
+) -> Status {
+    let command = match args::parse(machine.name(), own, args) {
         Ok(cli) => cli.command,
         Err(error) => return print_usage(&error, &mut streams),
     };
@@ -92,7 +82,7 @@ fn execute(machine: &dyn AnyMachine, args: &[OsString], mut streams: Streams<'_>
         Command::Explain(args) if args.latex => print(&mut streams, |out| explain::latex(machine, out)),
         Command::Explain(args) if args.proof_program => print_proof_program(machine, &args.proof, &mut streams),
         Command::Explain(args) if args.codes => {
-            let name = args.proof.control().spellings().name;
+            let name = args.proof.control().family();
             print(&mut streams, |out| match crate::check::read::Family::of_control(name) {
                 Some(family) => crate::check::codes(family, out),
                 None => writeln!(out, "the check cannot read programs for {name}"),

@@ -2,11 +2,12 @@
 
 use std::io::{self, BufWriter, Read, Write};
 use std::path::Path;
+use std::process::ExitCode;
 
 /// Exit status of a run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[repr(u8)]
-pub(crate) enum Status {
+pub enum Status {
     /// Done.
     Done = 0,
     /// The CL data has errors, or a check has findings.
@@ -15,13 +16,22 @@ pub(crate) enum Status {
     NotRun = 2,
 }
 
-/// The standard streams.
-pub(crate) struct Streams<'a> {
-    pub(crate) input: &'a mut dyn Read,
-    pub(crate) output: &'a mut dyn Write,
-    pub(crate) errors: &'a mut dyn Write,
-    /// Standard error is a terminal.
-    pub(crate) terminal: bool,
+/// The standard streams, or what takes their place.
+pub struct Streams<'a> {
+    /// Standard input.
+    pub input: &'a mut dyn Read,
+    /// Standard output.
+    pub output: &'a mut dyn Write,
+    /// Standard error.
+    pub errors: &'a mut dyn Write,
+    /// Standard error is a terminal: progress is shown, and messages have colours.
+    pub terminal: bool,
+}
+
+impl From<Status> for ExitCode {
+    fn from(status: Status) -> Self {
+        Self::from(status as u8)
+    }
 }
 
 /// The reason why a run was not possible.

@@ -9,7 +9,7 @@ mod streams;
 
 use std::cell::RefCell;
 use std::fs;
-use std::io::{Read, Seek as _, Write};
+use std::io::{self, Read, Seek as _, Write};
 use std::path::{Path, PathBuf};
 
 use tempfile::TempDir;
@@ -41,7 +41,7 @@ fn run_on<M: Machine>(args: &[&str], input: &[u8], post: PostFn<'_>) -> Outcome 
     let args: Vec<OsString> = ["/bin/sample_post.exe"].iter().chain(args).map(OsString::from).collect();
     let (mut output, mut errors) = (Vec::new(), Vec::new());
     let streams = Streams { input: &mut &*input, output: &mut output, errors: &mut errors, terminal: false };
-    let status = execute(&M::default(), &args, streams, post);
+    let status = execute(&M::default(), &[], &args, streams, post);
     let text = |bytes| String::from_utf8(bytes).expect("messages are text");
     Outcome { status, output: text(output), errors: text(errors) }
 }

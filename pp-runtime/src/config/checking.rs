@@ -47,8 +47,12 @@ impl Config {
         control: &dyn Control,
         cl_units: Option<Units>,
     ) -> Result<CheckPolicy, NotCheckable> {
-        let family = Family::of_control(control.spellings().name)
-            .ok_or_else(|| NotCheckable("the check cannot read programs of this control".to_owned()))?;
+        let family = Family::of_control(control.family()).ok_or_else(|| {
+            NotCheckable(format!(
+                "the check cannot read programs of {}: its base or its family must be a control that it reads",
+                control.spellings().title
+            ))
+        })?;
         let unfit = control::unfit(machine, control, self.demands());
         if !unfit.is_empty() {
             return Err(NotCheckable(unfit.join("\n")));
@@ -68,7 +72,7 @@ impl Config {
                 Operations::Range(first, last) => OperationSelection::Range(*first, *last),
                 Operations::From(name) => OperationSelection::From(name.clone()),
             }),
-            shop: self.shop_blocks(machine, control::abilities(control, self.demands()).enters_tip_control_by_axes()),
+            shop: self.shop_blocks(machine, control),
             operations: self.motion.operations.entries.iter().map(rule).collect(),
         })
     }
@@ -172,7 +176,8 @@ impl Config {
         }
     }
 
-    fn shop_blocks(&self, machine: &dyn AnyMachine, enters_by_axes: bool) -> ShopBlocks {
+    fn shop_blocks(&self, machine: &dyn AnyMachine, of_job: &dyn Control) -> ShopBlocks {
+        let enters_by_axes = control::abilities(of_job, self.demands()).enters_tip_control_by_axes();
         let control = &self.control;
         let rotary_head = rotaries_of(machine.axes(), Side::Tool).next().is_some();
         // A rotary axis in the head makes axis positions depend on the length.
@@ -196,15 +201,21 @@ impl Config {
             compensated_centre: self.motion.compensation == Some(CutterPath::Centre),
             largest_wear_mm: self.motion.largest_wear_mm,
             rigid_tapping: self.motion.cycles.rigid,
-            lines: self.shop_lines(machine),
-            effects: control.effects.iter().map(|(text, effect)| (text.clone(), declared(*effect))).collect(),
+            lines: self.shop_lines(machine, of_job),
+            // What the job declares takes precedence over its control.
+            effects: control
+                .effects
+                .iter()
+                .map(|(text, effect)| (text.clone(), declared(*effect)))
+                .chain(of_job.effects().iter().map(|(text, effect)| ((*text).to_owned(), declared(*effect))))
+                .collect(),
             tool_names: control.tool_names,
             swivel_data: control.swivel_data.clone().unwrap_or_default(),
         }
     }
 
-    /// The lines that the configuration brings into a program.
-    fn shop_lines(&self, machine: &dyn AnyMachine) -> Vec<ShopLine> {
+    /// The lines that the configuration brings into a program, and those of its control that its family does not have.
+    fn shop_lines(&self, machine: &dyn AnyMachine, of_job: &dyn Control) -> Vec<ShopLine> {
         let control = &self.control;
         let mut lines = Vec::new();
         let mut add = |text: &str, place: OwnPlace, coolant: Option<(u8, bool)>| {
@@ -221,6 +232,21 @@ impl Config {
             }
         }
         let kinds = [coolant::FLOOD, coolant::MIST, coolant::THROUGH, coolant::AIR];
+        if let Some(family) = control::by_name(of_job.family()) {
+            let (own, known) = (of_job.spellings(), family.spellings());
+            let differing =
+                |own: &'static [&str], known: &'static [&str]| own.iter().filter(|line| !known.contains(line));
+            differing(own.opening, known.opening).for_each(|line| add(line, OwnPlace::Start, None));
+            differing(own.safety, known.safety).for_each(|line| add(line, OwnPlace::Safety, None));
+            differing(own.tool_change, known.tool_change).for_each(|line| add(line, OwnPlace::ToolChange, None));
+            differing(own.closing, known.closing).for_each(|line| add(line, OwnPlace::End, None));
+            for ((codes, known), bit) in own.coolant.into_iter().zip(known.coolant).zip(kinds) {
+                if let Some([on, off]) = codes.filter(|codes| Some(*codes) != known) {
+                    add(on, OwnPlace::Coolant, Some((bit, true)));
+                    add(off, OwnPlace::Coolant, Some((bit, false)));
+                }
+            }
+        }
         for (codes, bit) in control.coolant.iter().zip(kinds.into_iter().chain(coolant::PRESSURES)) {
             if let Some([on, off]) = codes {
                 add(on, OwnPlace::Coolant, Some((bit, true)));

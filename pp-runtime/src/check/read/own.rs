@@ -228,7 +228,7 @@ pub(super) fn resolve(text: &[u8], line: &mut Line<'_>, declared: Option<Declare
         line.draft.forget_codes();
         line.excuse();
         let text = format!(
-            "`{}` is a line of the configuration with a code that the check does not know: declare its effect in \
+            "`{}` is a line of configuration or control with a code that the check does not know: declare its effect in \
              `[control] effects`",
             shown(text)
         );

@@ -10,16 +10,15 @@ use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use crate::cl::Insert;
 use crate::config::Config;
-use crate::control::{CONTROLS, Control};
+use crate::control::Control;
 use crate::kinematics::AnyMachine;
 use crate::motion::{CourseOptions, Mode, Operations};
 use crate::transformation::SheetControl;
 
 pub(crate) use values::{BlockName, MessageFormat, ReportFile};
 use values::{
-    BranchName, DialectName, FramesName, FromName, InsertName, SenseName, UnitsName, axis_tolerance, block_name,
-    control_name, control_named, control_names, file_name, inert, lift, operations, point, pole_tolerance, report_file,
-    tolerance,
+    BranchName, ChosenControl, ControlNames, DialectName, FramesName, FromName, InsertName, SenseName, UnitsName,
+    axis_tolerance, block_name, file_name, inert, lift, operations, point, pole_tolerance, report_file, tolerance,
 };
 #[cfg(feature = "simulate")]
 use values::{deviation, pitch};
@@ -118,14 +117,14 @@ pub(crate) struct ConfigArgs {
     #[arg(long)]
     pub(crate) schema: bool,
     /// Control whose defaults are printed
-    #[arg(long, value_name = "NAME", value_parser = control_names(), default_value = control_name(CONTROLS[0]))]
-    control: String,
+    #[arg(long, value_name = "NAME", value_parser = ControlNames::with(&[]), default_value = ControlNames::with(&[]).default_name())]
+    control: ChosenControl,
 }
 
 impl ConfigArgs {
     /// The control of `--control`.
     pub(crate) fn control(&self) -> &'static dyn Control {
-        control_named(&self.control)
+        self.control.0
     }
 }
 
@@ -156,8 +155,8 @@ pub(crate) struct ExplainArgs {
 #[derive(Debug, Args)]
 pub(crate) struct ProofArgs {
     /// Control that will run the proof program, or whose codes are printed
-    #[arg(long, value_name = "NAME", value_parser = control_names(), default_value = control_name(CONTROLS[0]))]
-    control: String,
+    #[arg(long, value_name = "NAME", value_parser = ControlNames::with(&[]), default_value = ControlNames::with(&[]).default_name())]
+    control: ChosenControl,
     /// Configuration file of machine and set-up (see `config`)
     #[arg(long, value_name = "FILE.toml", requires = "proof_program")]
     pub(crate) config: Option<PathBuf>,
@@ -178,7 +177,7 @@ pub(crate) struct ProofArgs {
 impl ProofArgs {
     /// The control of `--control`.
     pub(crate) fn control(&self) -> &'static dyn Control {
-        control_named(&self.control)
+        self.control.0
     }
 }
 
@@ -382,8 +381,8 @@ pub(crate) struct ExplainBlockArgs {
 #[derive(Debug, Args)]
 pub(crate) struct SetUpArgs {
     /// Control that will run the program
-    #[arg(long, value_name = "NAME", value_parser = control_names(), default_value = control_name(CONTROLS[0]))]
-    control: String,
+    #[arg(long, value_name = "NAME", value_parser = ControlNames::with(&[]), default_value = ControlNames::with(&[]).default_name())]
+    control: ChosenControl,
     /// Configuration file of machine and set-up (see `config`)
     #[arg(long, value_name = "FILE.toml")]
     pub(crate) config: Option<PathBuf>,
@@ -464,7 +463,7 @@ pub(crate) struct SetUpArgs {
 impl SetUpArgs {
     /// The control of `--control`.
     pub(crate) fn control(&self) -> &'static dyn Control {
-        control_named(&self.control)
+        self.control.0
     }
 
     /// Sets the given options in the configuration; they take precedence over the file.
@@ -530,12 +529,24 @@ impl SetUpArgs {
     }
 }
 
-/// Parses the command line. Help and errors call the command by the name of its file.
-pub(crate) fn parse(machine: &str, args: &[OsString]) -> Result<Cli, clap::Error> {
+/// Parses the command line. Help and errors call the command by the name of its file. `own`: controls besides those of this
+/// crate; the first is the default.
+pub(crate) fn parse(machine: &str, own: &[&'static dyn Control], args: &[OsString]) -> Result<Cli, clap::Error> {
     let stem =
         args.first().and_then(|name| Path::new(name).file_stem()).map(|stem| stem.to_string_lossy().into_owned());
     let name = stem.unwrap_or_else(|| machine.to_owned());
     let about = format!("Postprocessor for {machine}: converts CL data (APT/CLS) into NC programs");
-    let command = Cli::command().bin_name(&name).display_name(name).about(about);
+    let mut command = Cli::command().bin_name(&name).display_name(name).about(about);
+    if !own.is_empty() {
+        let names = ControlNames::with(own);
+        let choice = |arg: clap::Arg| arg.value_parser(names.clone()).default_value(names.default_name());
+        let takes_control = |command: &clap::Command| command.get_arguments().any(|arg| arg.get_id() == "control");
+        command =
+            command.mut_subcommands(
+                |command| {
+                    if takes_control(&command) { command.mut_arg("control", choice) } else { command }
+                },
+            );
+    }
     Cli::from_arg_matches(&command.try_get_matches_from(args)?)
 }

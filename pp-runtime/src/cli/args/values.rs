@@ -1,29 +1,63 @@
 //! Values of options: their names, their parsers, and the messages for values that are refused.
 
+use std::ffi::OsStr;
+use std::fmt;
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
-use clap::ValueEnum;
-use clap::builder::PossibleValuesParser;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use clap::{Arg, Command, ValueEnum};
 
 use crate::cl::{Dialect, Frames, Sense, not_inert};
-use crate::control::{self, CONTROLS, Control};
+use crate::control::{CONTROLS, Control};
 use crate::kinematics::Branch;
 use crate::motion::{MotionOptions, Operations};
 use crate::program::Units;
 use crate::view::ReportForm;
 
-/// The control of a name that the parser has accepted.
-pub(crate) fn control_named(name: &str) -> &'static dyn Control {
-    control::by_name(name).unwrap_or(CONTROLS[0])
+/// A value of `--control`.
+#[derive(Clone, Copy)]
+pub(crate) struct ChosenControl(pub(crate) &'static dyn Control);
+
+impl fmt::Debug for ChosenControl {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.0.spellings().name)
+    }
 }
 
-pub(crate) fn control_name(control: &dyn Control) -> &'static str {
-    control.spellings().name
+/// Parser of `--control`: the names of these controls, the default first.
+#[derive(Clone)]
+pub(crate) struct ControlNames(Vec<&'static dyn Control>);
+
+impl ControlNames {
+    /// Own controls, then those of this crate that have other names.
+    pub(crate) fn with(own: &[&'static dyn Control]) -> Self {
+        let name = |control: &dyn Control| control.spellings().name;
+        let others = CONTROLS.iter().filter(|control| own.iter().all(|own| name(*own) != name(**control)));
+        Self(own.iter().chain(others).copied().collect())
+    }
+
+    pub(crate) fn default_name(&self) -> &'static str {
+        self.0.first().map_or("", |control| control.spellings().name)
+    }
+
+    fn names(&self) -> PossibleValuesParser {
+        PossibleValuesParser::new(self.0.iter().map(|control| control.spellings().name))
+    }
 }
 
-pub(crate) fn control_names() -> PossibleValuesParser {
-    PossibleValuesParser::new(CONTROLS.iter().map(|control| control_name(*control)))
+impl TypedValueParser for ControlNames {
+    type Value = ChosenControl;
+
+    fn parse_ref(&self, command: &Command, arg: Option<&Arg>, value: &OsStr) -> Result<ChosenControl, clap::Error> {
+        let name = self.names().parse_ref(command, arg, value)?;
+        let control = self.0.iter().find(|control| control.spellings().name == name);
+        Ok(ChosenControl(control.copied().unwrap_or(CONTROLS[0])))
+    }
+
+    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
+        Some(Box::new(self.0.iter().map(|control| PossibleValue::new(control.spellings().name))))
+    }
 }
 
 /// A word of CL data to be ignored, in capitals; refuses a word that must not be ignored.

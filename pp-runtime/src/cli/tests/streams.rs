@@ -98,7 +98,7 @@ fn a_closed_pipe_is_status_2_without_a_message() {
         let mut errors = Vec::new();
         let streams =
             Streams { input: &mut &b"A\n"[..], output: &mut ClosedPipe, errors: &mut errors, terminal: false };
-        assert_eq!(execute(&Sample::default(), &args, streams, &echo), Status::NotRun, "{words:?}");
+        assert_eq!(execute(&Sample::default(), &[], &args, streams, &echo), Status::NotRun, "{words:?}");
         assert_eq!(String::from_utf8_lossy(&errors), "", "{words:?}");
     }
 }

@@ -1,68 +1,126 @@
 //! Interface of a control: its table, and methods for what no table can hold.
 
+use std::borrow::Cow;
 use std::ops::RangeInclusive;
 
 use crate::program::Units;
 
+use super::super::options::LineEffect;
 use super::spellings::Spellings;
 
 /// A CNC control: its table of codes, and methods for what no table can hold.
+///
+/// A control of one's own is based on one of this crate: its table states the differences (`..Fanuc.spellings().clone()`), and every
+/// method that it does not have is that of its [`base`](Self::base).
+///
+/// ```
+/// # use std::sync::LazyLock;
+/// use pp_runtime::control::{Control, Fanuc, LineEffect, Spellings};
+///
+/// /// Fanuc with a chip conveyor that stops for the tool change.
+/// struct House;
+///
+/// static CODES: LazyLock<Spellings> = LazyLock::new(|| Spellings {
+///     name: "house",
+///     title: "House control",
+///     tool_change: &["M140", "T{tool} M6", "T{next}"],
+///     ..Fanuc.spellings().clone()
+/// });
+///
+/// impl Control for House {
+///     fn spellings(&self) -> &'static Spellings {
+///         &CODES
+///     }
+///     fn base(&self) -> Option<&'static dyn Control> {
+///         Some(&Fanuc)
+///     }
+///     fn effects(&self) -> &'static [(&'static str, LineEffect)] {
+///         &[("M140", LineEffect::None)]
+///     }
+/// }
+///
+/// assert_eq!(House.family(), "fanuc");
+/// assert_eq!(House.work_offset("G54.1 P3").as_deref(), Some("G54.1 P3"));
+/// ```
 pub trait Control: Sync {
     /// Table of the codes.
     fn spellings(&self) -> &'static Spellings;
 
-    /// Appends one comment line to `line`. Characters are replaced so that the control never executes the text.
-    fn comment(&self, text: &[u8], line: &mut Vec<u8>) {
-        self.plain_comment(text, line);
+    /// The control whose methods this one has where it has none of its own, and whose language its programs are read back in.
+    fn base(&self) -> Option<&'static dyn Control> {
+        None
     }
 
-    /// Appends a comment whose text the control does not read as a command.
-    fn plain_comment(&self, text: &[u8], line: &mut Vec<u8>) {
+    /// Name of the control of this crate in whose language the check reads the programs.
+    fn family(&self) -> &'static str {
+        self.base().map_or(self.spellings().name, Control::family)
+    }
+
+    /// Effects of the lines and words that the [`family`](Self::family) does not have, or has with another meaning; as in
+    /// `[control] effects` of the configuration. The check refuses what is neither in the language of the family nor here.
+    fn effects(&self) -> &'static [(&'static str, LineEffect)] {
+        self.base().map_or(&[], Control::effects)
+    }
+
+    /// Appends one comment line to `line`. Characters are replaced so that the control never executes the text.
+    fn comment(&self, text: &[u8], line: &mut Vec<u8>) {
         let comment = &self.spellings().comment;
         line.extend_from_slice(comment.marks[0].as_bytes());
-        line.extend(text.iter().map(|&byte| (comment.byte)(byte)));
+        line.extend(self.harmless(text).iter().map(|&byte| (comment.byte)(byte)));
         line.extend_from_slice(comment.marks[1].as_bytes());
+    }
+
+    /// The text of a comment, changed where the control would read it as a command.
+    fn harmless<'a>(&self, text: &'a [u8]) -> Cow<'a, [u8]> {
+        self.base().map_or(Cow::Borrowed(text), |base| base.harmless(text))
     }
 
     /// Byte written for a byte of an operation name, where the name is not written as a comment.
     fn message(&self, byte: u8) -> u8 {
-        (self.spellings().comment.byte)(byte)
+        self.base().map_or_else(|| (self.spellings().comment.byte)(byte), |base| base.message(byte))
     }
 
     /// Code of a work offset of the configuration; `None` if the control does not have this work offset.
-    fn work_offset(&self, word: &str) -> Option<String>;
+    fn work_offset(&self, word: &str) -> Option<String> {
+        self.base()?.work_offset(word)
+    }
 
     /// Letters before the number in words of an axis; `None` if the control permits no axis of this name.
     fn axis_word(&self, name: &str) -> Option<String> {
-        (name.len() == 1 && name.as_bytes()[0].is_ascii_uppercase()).then(|| name.to_owned())
+        match self.base() {
+            Some(base) => base.axis_word(name),
+            None => (name.len() == 1 && name.as_bytes()[0].is_ascii_uppercase()).then(|| name.to_owned()),
+        }
     }
 
     /// First lines of the file, with the name of the program, for `file_header = true`; empty if the control has no
     /// such lines. `name`: capitals, digits and `_`.
-    fn file_header(&self, _name: &str) -> Vec<String> {
-        Vec::new()
+    fn file_header(&self, name: &str) -> Vec<String> {
+        self.base().map_or_else(Vec::new, |base| base.file_header(name))
     }
 
     /// Lines that define the box of the blank for the graphics of the control. `lower`, `upper`: corners as words X Y
     /// Z.
-    fn blank(&self, _lower: &str, _upper: &str) -> Vec<String> {
-        Vec::new()
+    fn blank(&self, lower: &str, upper: &str) -> Vec<String> {
+        self.base().map_or_else(Vec::new, |base| base.blank(lower, upper))
     }
 
     /// Blocks that compare the tool length of the control with the posted length, and stop the program with a message
     /// if they differ by more than the tolerance. Empty if the control cannot compare them.
-    fn length_guard(&self, guard: &LengthGuard) -> Vec<String>;
+    fn length_guard(&self, guard: &LengthGuard) -> Vec<String> {
+        self.base().map_or_else(Vec::new, |base| base.length_guard(guard))
+    }
 
     /// Blocks that stop the program with a message if the radius of the tool is larger than its wear can be. Empty if the
     /// control cannot compare it.
-    fn radius_guard(&self, _guard: &RadiusGuard) -> Vec<String> {
-        Vec::new()
+    fn radius_guard(&self, guard: &RadiusGuard) -> Vec<String> {
+        self.base().map_or_else(Vec::new, |base| base.radius_guard(guard))
     }
 
     /// Blocks that stop the program with a message if a rotary axis is not at its position, apart from whole turns, after the
     /// control has tilted a plane. Empty if the control cannot compare them.
-    fn plane_guard(&self, _guard: &PlaneGuard) -> Vec<String> {
-        Vec::new()
+    fn plane_guard(&self, guard: &PlaneGuard) -> Vec<String> {
+        self.base().map_or_else(Vec::new, |base| base.plane_guard(guard))
     }
 
     /// Whether [`plane_guard`](Self::plane_guard) has blocks.

@@ -7,6 +7,8 @@
 //! speed. The axes of a rapid arrive together (handbook, node 53). `G41 D` offsets the path by half the diameter in the tool
 //! table (handbook, nodes 85 and 86). Tip control is only switched by codes of the configuration; there is no tilted plane.
 
+use std::borrow::Cow;
+
 use crate::motion::CycleAbilities;
 
 use super::control::{Control, LengthGuard, numbered};
@@ -60,12 +62,8 @@ impl Control for LinuxCnc {
         &SPELLINGS
     }
 
-    fn comment(&self, text: &[u8], line: &mut Vec<u8>) {
-        if is_order(text) {
-            self.plain_comment(&[b"- ", text].concat(), line);
-        } else {
-            self.plain_comment(text, line);
-        }
+    fn harmless<'a>(&self, text: &'a [u8]) -> Cow<'a, [u8]> {
+        if is_order(text) { Cow::Owned([b"- ", text].concat()) } else { Cow::Borrowed(text) }
     }
 
     fn length_guard(&self, guard: &LengthGuard) -> Vec<String> {

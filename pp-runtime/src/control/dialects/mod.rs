@@ -1,7 +1,8 @@
 //! Dialects: one file per control, with its table of codes and the methods for what no table can hold.
 //!
 //! A control that writes ISO blocks starts from [`Spellings::ISO`] and states its differences, with manual and page. A
-//! new control also needs its `mod` line and its line in [`CONTROLS`] in this file, and nothing else.
+//! new control of this crate also needs its `mod` line and its line in [`CONTROLS`] in this file; one outside of it is given to
+//! `cli::App`.
 
 mod control;
 mod fanuc;

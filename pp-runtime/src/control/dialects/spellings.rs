@@ -9,7 +9,7 @@ use crate::nc::Numerals;
 use crate::program::{Coolant, Pressure, Rotation};
 
 /// Codes of a control.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Spellings {
     /// Name on the command line.
     pub name: &'static str,
@@ -123,7 +123,7 @@ pub struct Spellings {
 }
 
 /// Codes of arcs and helices.
-#[derive(Debug)]
+#[derive(Debug, Clone, Copy)]
 pub struct ArcCodes {
     /// Codes of a clockwise and a counter-clockwise arc.
     pub senses: [&'static str; 2],
@@ -138,7 +138,7 @@ pub struct ArcCodes {
 }
 
 /// Hole cycles of a control.
-#[derive(Debug)]
+#[derive(Debug, Clone, Copy)]
 pub struct HoleCycles {
     /// Cycles that the planner may use.
     pub abilities: CycleAbilities,
@@ -147,7 +147,7 @@ pub struct HoleCycles {
 }
 
 /// Form of hole cycles.
-#[derive(Debug)]
+#[derive(Debug, Clone, Copy)]
 pub enum CycleForm {
     /// A code with X Y Z R and further words, modal until it is cancelled.
     Codes(CycleCodes),
@@ -156,7 +156,7 @@ pub enum CycleForm {
 }
 
 /// Codes of hole cycles.
-#[derive(Debug)]
+#[derive(Debug, Clone, Copy)]
 pub struct CycleCodes {
     /// Return to the R plane, and return to the initial level.
     pub returns: [&'static str; 2],
@@ -177,7 +177,7 @@ pub struct CycleCodes {
 }
 
 /// Blocks of hole cycles, as templates.
-#[derive(Debug)]
+#[derive(Debug, Clone, Copy)]
 pub struct CycleDefinitions {
     /// Drilling with dwell at the bottom, which may be 0.
     pub drill: &'static [&'static str],
@@ -222,7 +222,7 @@ pub enum ArcCentre {
 }
 
 /// Form of comments.
-#[derive(Debug)]
+#[derive(Debug, Clone, Copy)]
 pub struct CommentStyle {
     /// Marks before and after the text.
     pub marks: [&'static str; 2],
@@ -233,7 +233,7 @@ pub struct CommentStyle {
 }
 
 /// Codes that call and cancel the length offset.
-#[derive(Debug)]
+#[derive(Debug, Clone, Copy)]
 pub struct LengthCodes {
     /// Code that calls it.
     pub code: &'static str,
@@ -250,7 +250,7 @@ pub struct LengthCodes {
 }
 
 /// Codes of tip control.
-#[derive(Debug)]
+#[derive(Debug, Clone, Copy)]
 pub struct TipControlCodes {
     /// Blocks that switch it on; empty if the call of the length offset does.
     pub on: &'static [&'static str],
@@ -283,7 +283,7 @@ pub struct TipControlCodes {
 }
 
 /// Words for the tool axis as a vector.
-#[derive(Debug)]
+#[derive(Debug, Clone, Copy)]
 pub struct ToolAxisWords {
     /// Addresses of its components.
     pub words: [&'static str; 3],
@@ -298,7 +298,7 @@ pub struct ToolAxisWords {
 }
 
 /// Codes of tilted planes.
-#[derive(Debug)]
+#[derive(Debug, Clone, Copy)]
 pub struct TiltedPlaneCodes {
     /// Blocks that tilt the plane.
     pub on: &'static [&'static str],
