@@ -8,6 +8,7 @@
 //! - [`further`]: machines of kinds that the papers do not have.
 //! - [`heap`]: a counting allocator.
 //! - [`block`]: largest deviation of a block of the machine from its line, sampled along the block.
+//! - [`by_hand`]: machines against chains written out by hand.
 //! - [`damage`]: programs with one fault.
 //! - [`edits`]: edits of posted programs, and the harm that each does.
 //! - [`foreign`]: an interpreter for programs of all five controls that shares no code with the postprocessor.
@@ -22,6 +23,7 @@
 pub mod agreement;
 pub mod binaries;
 pub mod block;
+pub mod by_hand;
 pub mod conformance;
 pub mod damage;
 pub mod edits;

@@ -54,7 +54,9 @@ pub fn wrapped(angle: f64) -> f64 {
     if rest <= -PI { PI } else { rest }
 }
 
-fn pose_of(workpiece_from_tool: &Matrix4<f64>, tool_axis: &Vector3<f64>) -> Pose {
+/// Tip and tool axis of the tool; its axis at zero is `tool_axis`.
+#[must_use]
+pub fn pose_of(workpiece_from_tool: &Matrix4<f64>, tool_axis: &Vector3<f64>) -> Pose {
     let tip = workpiece_from_tool * Vector4::new(0.0, 0.0, 0.0, 1.0);
     let axis = workpiece_from_tool * tool_axis.push(0.0);
     Pose { tip: Point3::new(tip.x, tip.y, tip.z), axis: UnitVector3::new_normalize(axis.xyz()) }

@@ -99,6 +99,11 @@ impl Module {
         self.ask(&format!("get {pin}")) == "1"
     }
 
+    /// Whether a second question for its type makes no second pins.
+    pub fn makes_its_pins_once(&mut self) -> bool {
+        self.ask("again") == "1"
+    }
+
     /// Switches the kinematics; false if they refuse.
     pub fn switch(&mut self, kinematics: i32) -> bool {
         self.ask(&format!("switch {kinematics}")) == "0"

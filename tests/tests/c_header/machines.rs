@@ -1,4 +1,5 @@
-//! Machines whose kinematics in C are compared: those of the papers, and chains of every kind that is accepted.
+//! Machines whose kinematics in C are compared: those of the papers and of the library, and chains of every kind that is
+//! accepted.
 
 /// A test of each machine; `name: { declaration };` declares one.
 macro_rules! agree {
@@ -26,6 +27,26 @@ mod of_the_papers {
         crate::agrees::<machines::Dmu70e>(2);
         crate::agrees::<machines::LolaXoyzba>(3);
         crate::agrees::<machines::MultiProDesk>(4);
+    }
+}
+
+mod of_the_library {
+    use machine_library as library;
+
+    #[test]
+    fn agree() {
+        crate::agrees::<library::BridgeMill>(5);
+        crate::agrees::<library::HaasRotary>(6);
+        crate::agrees::<library::HaasTrunnion>(7);
+        crate::agrees::<library::HaasUmc>(8);
+        crate::agrees::<library::IntegrexI200>(9);
+        crate::agrees::<library::Max5>(10);
+        crate::agrees::<library::ObliqueYLathe>(11);
+        crate::agrees::<library::PocketNcV2>(12);
+        crate::agrees::<library::XyzabTdr>(13);
+        crate::agrees::<library::XyzacTrt>(14);
+        crate::agrees::<library::XyzacbTrsrn>(15);
+        crate::agrees::<library::XyzbcTrt>(16);
     }
 }
 

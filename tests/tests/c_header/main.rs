@@ -32,14 +32,24 @@ fn agrees<M: Machine>(seed: u64) {
         let set_up = (Vector3::from_fn(|_, _| random.between(-300.0, 300.0)), random.between(0.0, 300.0));
         let mut machine = M::default();
         machine.set_up(set_up.0, set_up.1);
+        for (index, dimension) in M::DIMENSIONS.iter().enumerate().filter(|(_, dimension)| dimension.default.is_nan()) {
+            machine.set_dimension(
+                index,
+                match dimension.kind {
+                    DimensionKind::Length => random.between(-300.0, 300.0),
+                    DimensionKind::Angle => random.between(-0.5, 0.5),
+                },
+            );
+        }
         for (index, dimension) in M::DIMENSIONS.iter().enumerate() {
+            let before = machine.dimension(index);
             let value = match dimension.kind {
                 DimensionKind::Length => random.between(-300.0, 300.0),
-                DimensionKind::Angle => dimension.default + random.between(-0.2, 0.2),
+                DimensionKind::Angle => before + random.between(-0.2, 0.2),
             };
             machine.set_dimension(index, value);
             if machine.validate().is_err() {
-                machine.set_dimension(index, dimension.default);
+                machine.set_dimension(index, before);
             }
         }
         let oracle = Oracle::of(&machine);

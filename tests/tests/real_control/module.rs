@@ -44,6 +44,7 @@ fn generated<M: Machine>(config: &Config) -> (Module, TempDir) {
     let folder = TempDir::new().expect("a folder");
     let compiled = compile(&files, folder.path()).unwrap_or_else(|error| panic!("{}: {error}", M::NAME));
     let mut module = Module::load(&compiled, "", "");
+    assert!(module.makes_its_pins_once(), "{}", M::NAME);
     let hal = &files.iter().find(|file| file.name.ends_with(".hal")).expect("a HAL file").text;
     for line in hal.lines().filter_map(|line| line.strip_prefix("setp ")) {
         let (pin, value) = line.split_once(' ').expect("a pin and a value");
