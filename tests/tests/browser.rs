@@ -368,9 +368,7 @@ fn the_page_of_a_simulation_shows_stock_machine_and_findings() {
             browser.script(&format!("window.ppView.seek({point})")).await;
             let state = browser.state().await;
             let origin = |name: &str| Vector3::from_fn(|row, _| number(&state["simulation"]["origins"][name][row]));
-            let tool = number(&page.head["placements"][page.at("placement", point) as usize]["tool"]);
-            let length_mm = if tool > 0.0 { TOOL_MM } else { 0.0 };
-            let gauge = page.tip(point) + length_mm * page.tool_axis(point);
+            let gauge = page.tip(point) + TOOL_MM * page.tool_axis(point);
             assert!((origin("nose") - gauge).norm() < 2e-3, "point {point}: {} {gauge}", origin("nose"));
             for name in ["riser", "table"] {
                 assert!((origin(name) - Vector3::new(0.0, 0.0, -80.0)).norm() < 2e-3, "{}", origin(name));
