@@ -1,15 +1,72 @@
 //! What several tests of virtual machining need.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 use nalgebra::{Point3, UnitVector3, Vector3};
 
 use super::bodies::{Mesh, block};
 use super::removal::{Contact, Cutter, SweptPiece, TriDexel};
-use crate::kinematics::Pose;
+use crate::kinematics::{AnyMachine, Pose};
 
 /// Tolerance of the removal, mm.
 pub(super) const EPS: f64 = 1e-3;
+
+/// One shape of each kind.
+pub(super) const CUTTERS: [Cutter; 9] = [
+    Cutter::Mill { radius: 3.0, corner: 0.0, taper: 0.0, length: 14.0 },
+    Cutter::Mill { radius: 3.0, corner: 0.8, taper: 0.0, length: 14.0 },
+    Cutter::Mill { radius: 3.0, corner: 3.0, taper: 0.0, length: 14.0 },
+    Cutter::Mill { radius: 1.5, corner: 0.5, taper: 0.15, length: 12.0 },
+    Cutter::Drill { radius: 2.5, point: 118.0 * PI / 180.0, length: 15.0 },
+    Cutter::Drill { radius: 3.0, point: PI / 3.0, length: 6.0 },
+    Cutter::Disc { radius: 5.0, corner: 0.4, length: 2.0 },
+    Cutter::Lollipop { radius: 2.5 },
+    Cutter::Barrel { radius: 4.0, corner: 1.0, side: 40.0, length: 16.0 },
+];
+
+crate::machine! {
+    struct Spinner;
+    chain: C B | X Y Z;
+    d = (0, 0, 50);
+}
+
+crate::machine! {
+    struct Inclined;
+    chain: C B | X Y Z;
+    axes = { B: Rx(-45 deg) * Y };
+    d = (0, 0, 40);
+}
+
+crate::machine! {
+    struct Head;
+    chain: X | Y Z B A;
+}
+
+crate::machine! {
+    struct FourAxes;
+    chain: A Y | X Z;
+    signs = { A: -, Y: - };
+}
+
+/// A table, a table with an inclined axis, a head, and four axes with reversed signs.
+pub(super) fn machines() -> [Box<dyn AnyMachine>; 4] {
+    [
+        Box::new(Spinner::default()),
+        Box::new(Inclined::default()),
+        Box::new(Head::default()),
+        Box::new(FourAxes::default()),
+    ]
+}
+
+/// Number of random sweeps: so many, or `PP_SWEEPS`.
+pub(super) fn rounds(few: usize) -> usize {
+    std::env::var("PP_SWEEPS").ok().and_then(|count| count.parse().ok()).unwrap_or(few)
+}
+
+/// Places of a block that are sampled: so many, or 2000 with `PP_SWEEPS`.
+pub(super) fn places(few: u32) -> u32 {
+    if std::env::var_os("PP_SWEEPS").is_some() { 2000 } else { few }
+}
 
 /// Random numbers, the same in each run.
 pub(super) struct Random(pub(super) u64);

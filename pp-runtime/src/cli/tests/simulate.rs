@@ -297,6 +297,22 @@ fn a_motion_that_is_too_low_is_a_gouge_at_its_block_and_its_cl_line() {
 }
 
 #[test]
+fn the_tolerance_of_the_triangles_of_the_design_is_added() {
+    let shop = Shop::new();
+    // The face is 0.03 mm below the design; 0.01 mm are allowed.
+    shop.write("design.stl", &box_as_stl([[0.0, 0.0, -10.0], [40.0, 32.0, -1.97]]));
+    let design = shop.arg("design.stl");
+    let gouges = |design_mm: &str| {
+        let more = ["--json", "--design", &design, "--gouge-tolerance", "0.01", "--design-tolerance", design_mm];
+        let outcome = simulated_with(&shop, FACE, &format!("{CONFIG}{TOOL}"), &more);
+        let json: Json = serde_json::from_str(&outcome.output).unwrap_or_else(|_| panic!("{}", outcome.errors));
+        json["design"]["gouge_count"].as_u64().expect("a number")
+    };
+    assert_eq!([gouges("0"), gouges("0.01")].map(|count| count > 0), [true, true]);
+    assert_eq!(gouges("0.025"), 0);
+}
+
+#[test]
 fn the_machined_stock_is_the_stock_of_the_next_program() {
     let shop = Shop::new();
     let config = format!("{CONFIG}{TOOL}");

@@ -9,40 +9,7 @@ use super::reach::{Ball, Levers};
 use crate::kinematics::{AnyMachine, AxisKind, AxisRanges, AxisValues, Pose};
 use crate::set_up::{SetUp, SolidLink};
 use crate::simulate::bodies::{Mesh, block, turned};
-use crate::simulate::testing::Random;
-
-crate::machine! {
-    struct Spinner;
-    chain: C B | X Y Z;
-    d = (0, 0, 50);
-}
-
-crate::machine! {
-    struct Inclined;
-    chain: C B | X Y Z;
-    axes = { B: Rx(-45 deg) * Y };
-    d = (0, 0, 40);
-}
-
-crate::machine! {
-    struct Head;
-    chain: X | Y Z B A;
-}
-
-crate::machine! {
-    struct FourAxes;
-    chain: A Y | X Z;
-    signs = { A: -, Y: - };
-}
-
-fn machines() -> [Box<dyn AnyMachine>; 4] {
-    [
-        Box::new(Spinner::default()),
-        Box::new(Inclined::default()),
-        Box::new(Head::default()),
-        Box::new(FourAxes::default()),
-    ]
-}
+use crate::simulate::testing::{Random, machines};
 
 /// Random motions of each machine; more by `PP_MOTIONS`.
 fn rounds() -> usize {
@@ -456,7 +423,8 @@ fn a_body_inside_another_one_collides() {
         faces.extend(inner_faces.iter().map(|[a, b, c]| [first + a, first + c, first + b]));
         Mesh::new(vertices, faces).expect("a closed body")
     };
-    let machine: &dyn AnyMachine = &Spinner::default();
+    let [spinner, ..] = machines();
+    let machine: &dyn AnyMachine = &*spinner;
     let links = Links::of(machine, &SetUp::default());
     let (table, spindle) = (links.number(SolidLink::Table), links.number(SolidLink::Spindle));
     let at = |x: f64| -> AxisValues { std::array::from_fn(|index| if index == 2 { x } else { 0.0 }) };

@@ -11,7 +11,7 @@ use super::set_ups::{PartPlaces, moved};
 use super::tools::{ToolBodies, ToolBody};
 use crate::check::read::Side;
 use crate::check::{CheckPolicy, ExecutedBlock, angle_between};
-use crate::kinematics::{AxisKind, Pose};
+use crate::kinematics::{AxisKind, Pose, StepBound};
 use crate::simulate::removal::{LARGEST_TURN, SweptPiece, TriDexel};
 use crate::view::{ExecutedMotion, Place};
 
@@ -28,7 +28,7 @@ pub(crate) const TOUCH_MM: f64 = 0.02;
 const CHUNK: usize = 4096;
 
 /// Halvings of a motion.
-const MOST_HALVINGS: u32 = 16;
+pub(super) const MOST_HALVINGS: u32 = 16;
 
 /// Largest distance of the lines by which the box of a rapid is covered, mm, and their largest number along an axis.
 const BOX_STEP_MM: f64 = 0.5;
@@ -216,7 +216,9 @@ impl<'a> Machining<'a> {
         }
         let minutes = if motion.rapid { 0.0 } else { motion.minutes(length_mm(motion, places)).unwrap_or(0.0) };
         for pair in places.windows(2) {
-            self.part(motion, &body, reach, pair[0], pair[1], (MOST_HALVINGS, minutes));
+            divide(motion, reach, [pair[0], pair[1]], MOST_HALVINGS, &mut |ends, deviation_mm| {
+                self.part(motion, &body, ends, (deviation_mm, minutes));
+            });
         }
     }
 
@@ -231,28 +233,15 @@ impl<'a> Machining<'a> {
         (0..3).all(|axis| tip[axis] + distance >= low[axis] && tip[axis] - distance <= high[axis])
     }
 
-    /// The part of a motion between two shares.
+    /// A straight part of a motion, with its deviation.
     fn part(
         &mut self,
         motion: &ExecutedMotion<'_>,
         body: &ToolBody,
-        reach: f64,
-        from: (f64, Place),
-        to: (f64, Place),
-        (halvings, minutes): (u32, f64),
+        [from, to]: Ends<'_>,
+        (deviation_mm, minutes): (f64, f64),
     ) {
-        let (a, b) = (from.1.pose.axis.into_inner(), to.1.pose.axis.into_inner());
-        let angle = angle_between(&a, &b);
-        let bound = motion.step_bound([from.0, to.0], [&from.1, &to.1]);
-        let deviation = bound.tip + bound.axis * reach;
-        if (deviation > PATH_MM || angle > 0.95 * LARGEST_TURN) && halvings > 0 {
-            let share = f64::midpoint(from.0, to.0);
-            let middle = (share, motion.at(share, &from.1));
-            self.part(motion, body, reach, from, middle, (halvings - 1, minutes));
-            self.part(motion, body, reach, middle, to, (halvings - 1, minutes));
-            return;
-        }
-        self.outcome.deviation_mm = self.outcome.deviation_mm.max(deviation);
+        self.outcome.deviation_mm = self.outcome.deviation_mm.max(deviation_mm);
         let state = &motion.executed.block.state;
         let spins = matches!(state.spindle, Some(Some(_)));
         let what = match (motion.rapid, spins) {
@@ -313,6 +302,50 @@ impl<'a> Machining<'a> {
             self.sweep(&body.shank, [&from, &to], grow, true, Owner { what: Contacting::Shank, ..owner });
             self.sweep(&body.holder, [&from, &to], grow, true, Owner { what: Contacting::Holder, ..owner });
         }
+    }
+}
+
+/// The course of a motion with its certified bounds.
+pub(super) trait Course {
+    /// Position at a share; `near`: a position before it.
+    fn at(&self, share: f64, near: &Place) -> Place;
+
+    /// Deviation between two shares from the motion in step with it.
+    fn step_bound(&self, shares: [f64; 2], places: [&Place; 2]) -> StepBound;
+}
+
+impl Course for ExecutedMotion<'_> {
+    fn at(&self, share: f64, near: &Place) -> Place {
+        Self::at(self, share, near)
+    }
+
+    fn step_bound(&self, shares: [f64; 2], places: [&Place; 2]) -> StepBound {
+        Self::step_bound(self, shares, places)
+    }
+}
+
+/// Share and place at both ends of a part.
+pub(super) type Ends<'p> = [&'p (f64, Place); 2];
+
+/// Divides a motion between two shares until its parts are straight and even within [`PATH_MM`] for points within `reach` of
+/// the tip; `part` takes each of them with its deviation, mm.
+pub(super) fn divide(
+    course: &dyn Course,
+    reach: f64,
+    [from, to]: [(f64, Place); 2],
+    halvings: u32,
+    part: &mut dyn FnMut(Ends<'_>, f64),
+) {
+    let angle = angle_between(&from.1.pose.axis, &to.1.pose.axis);
+    let bound = course.step_bound([from.0, to.0], [&from.1, &to.1]);
+    let deviation_mm = bound.tip + bound.axis * reach;
+    if (deviation_mm > PATH_MM || angle > 0.95 * LARGEST_TURN) && halvings > 0 {
+        let share = f64::midpoint(from.0, to.0);
+        let middle = (share, course.at(share, &from.1));
+        divide(course, reach, [from, middle], halvings - 1, part);
+        divide(course, reach, [middle, to], halvings - 1, part);
+    } else {
+        part([&from, &to], deviation_mm);
     }
 }
 

@@ -13,6 +13,8 @@ mod recording;
 mod records;
 mod set_ups;
 mod simulation;
+#[cfg(test)]
+mod tests;
 mod tool_table;
 mod tools;
 

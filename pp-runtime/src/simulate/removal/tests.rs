@@ -10,20 +10,7 @@ use super::sweep::{Covered, LANES, Lines, SweptPiece, SweptSpace};
 use crate::kinematics::Pose;
 use crate::simulate::bodies::Mesh;
 use crate::simulate::design::Surface;
-use crate::simulate::testing::{EPS, Random, cut_by_two_threads, pose, upright};
-
-/// One shape of each kind.
-const CUTTERS: [Cutter; 9] = [
-    Cutter::Mill { radius: 3.0, corner: 0.0, taper: 0.0, length: 14.0 },
-    Cutter::Mill { radius: 3.0, corner: 0.8, taper: 0.0, length: 14.0 },
-    Cutter::Mill { radius: 3.0, corner: 3.0, taper: 0.0, length: 14.0 },
-    Cutter::Mill { radius: 1.5, corner: 0.5, taper: 0.15, length: 12.0 },
-    Cutter::Drill { radius: 2.5, point: 118.0 * PI / 180.0, length: 15.0 },
-    Cutter::Drill { radius: 3.0, point: PI / 3.0, length: 6.0 },
-    Cutter::Disc { radius: 5.0, corner: 0.4, length: 2.0 },
-    Cutter::Lollipop { radius: 2.5 },
-    Cutter::Barrel { radius: 4.0, corner: 1.0, side: 40.0, length: 16.0 },
-];
+use crate::simulate::testing::{CUTTERS, EPS, Random, cut_by_two_threads, places, pose, rounds, upright};
 
 /// A motion through about the middle of a box around zero; every third one does not turn.
 fn random_motion(random: &mut Random, kind: usize) -> SweptPiece {
@@ -120,20 +107,21 @@ fn compare_line(piece: &SweptPiece, profile: &Profile, line: [f64; 2], places: u
 fn ends_on_random_lines_are_within_the_tolerance_of_the_sweep() {
     let mut random = Random(7);
     let mut ends = 0;
-    for round in 0..270 {
+    for round in 0..rounds(270) {
         let cutter = CUTTERS[round % CUTTERS.len()];
         let piece = random_motion(&mut random, round / CUTTERS.len());
         for profile in cutter.pieces().expect("a tool") {
             for _ in 0..2 {
                 let line = [random.within(4.0), random.within(4.0)];
                 let about = format!("round {round}: {cutter:?}, {piece:?}, {line:?}");
-                let (outside, inside, count) = compare_line(&piece, &profile, line, 60, &about);
+                let (outside, inside, count) = compare_line(&piece, &profile, line, places(60), &about);
                 assert!(outside <= EPS * 1.001, "{about}: {outside} mm outside");
                 assert!(inside <= EPS, "{about}: {inside} mm inside");
                 ends += count;
             }
         }
     }
+    println!("{ends} ends");
     assert!(ends > 350, "{ends}");
 }
 
@@ -167,7 +155,7 @@ fn grazing(piece: &SweptPiece, profile: &Profile, line: [f64; 2], way: [f64; 2],
 fn ends_on_grazing_lines_are_within_the_tolerance_of_the_sweep() {
     let mut random = Random(11);
     let mut ends = 0;
-    for round in 0..270 {
+    for round in 0..rounds(270) {
         let cutter = CUTTERS[round % CUTTERS.len()];
         let piece = random_motion(&mut random, 1 + round / CUTTERS.len());
         let profile = cutter.pieces().expect("a tool")[0];
@@ -178,11 +166,12 @@ fn ends_on_grazing_lines_are_within_the_tolerance_of_the_sweep() {
         let depth = [0.0, 2e-4, 1e-3, 5e-3, 2e-2, -2e-4][round % 6];
         let line = grazing(&piece, &profile, through, [angle.cos(), angle.sin()], depth);
         let about = format!("round {round}: {cutter:?}, depth {depth}, {piece:?}, {line:?}");
-        let (outside, inside, count) = compare_line(&piece, &profile, line, 60, &about);
+        let (outside, inside, count) = compare_line(&piece, &profile, line, places(60), &about);
         assert!(outside <= EPS * 1.001, "{about}: {outside} mm outside");
         assert!(inside <= EPS, "{about}: {inside} mm inside");
         ends += count;
     }
+    println!("{ends} ends");
     assert!(ends > 200, "{ends}");
 }
 
