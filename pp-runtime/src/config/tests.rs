@@ -303,7 +303,7 @@ fn a_required_dimension_is_asked_for_by_the_name_of_its_key() {
     let help = "measure it at the machine, and write `height = ...` in the section `[dimensions]` of the configuration";
     assert_eq!(faults[0].help.as_deref(), Some(help));
     let config = Config::read::<Individual>("[dimensions]\nheight = 62.5\n").expect("a configuration");
-    assert_eq!(config.set_up.dimensions["height"], 62.5);
+    assert_eq!(config.set_up.dimensions.get("height"), Some(&62.5));
     // The printed file is an example to fill in.
     let printed = print(&Individual::default(), &Config::default());
     assert!(printed.contains("# e.g. height = 150.0"), "{printed}");
