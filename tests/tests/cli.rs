@@ -592,9 +592,10 @@ fn interrupted(signal: &str, prefix: &str) -> (Option<i32>, Vec<String>) {
     let fifo = shop.path().join("map");
     assert!(Command::new("mkfifo").arg(&fifo).status().expect("mkfifo runs").success());
     let binary = binary("spinner-u5-620").get_program().to_owned();
-    let mut command = Command::new("sh");
+    // A shell that runs the tests in the background leaves them SIGINT ignored, and so their children.
+    let mut command = Command::new("env");
     let text = format!(r#"{prefix} exec "$0" post part.cls -o part.nc --map map"#);
-    command.current_dir(shop.path()).args(["-c", &text]).arg(binary);
+    command.current_dir(shop.path()).args(["--default-signal=INT,TERM,HUP", "sh", "-c", &text]).arg(binary);
     let mut child = command.stdin(Stdio::null()).stderr(Stdio::null()).spawn().expect("it starts");
     let reader = fs::File::open(&fifo).expect("the pipe is opened");
     let begun = || shop.names().iter().any(|name| name.ends_with(".tmp"));
@@ -614,7 +615,17 @@ fn interrupted(signal: &str, prefix: &str) -> (Option<i32>, Vec<String>) {
         let status = child.wait().expect("it ends");
         return (status.signal(), shop.names());
     }
-    let status = child.wait().expect("it ends");
+    let started = std::time::Instant::now();
+    let status = loop {
+        if let Some(status) = child.try_wait().expect("a state") {
+            break status;
+        }
+        if started.elapsed().as_secs() > 60 {
+            child.kill().expect("it is ended");
+            panic!("the signal {signal} did not end it");
+        }
+        std::thread::sleep(std::time::Duration::from_millis(5));
+    };
     drop(reader);
     (status.signal(), shop.names())
 }
