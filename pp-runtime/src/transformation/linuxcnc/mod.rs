@@ -1,6 +1,6 @@
 //! A kinematics module of LinuxCNC for one machine, and a simulated machine that runs it.
 //!
-//! The pose of LinuxCNC has the rotary axes as angles, so its inverse is [`linear_axes`](AnyMachine::linear_axes) and its
+//! The pose of LinuxCNC has the rotary axes as angles, so its inverse is [`linear_axes`](crate::kinematics::Machine::linear_axes) and its
 //! forward kinematics the tip: no branch, no pole. Type 0 has the joints as axes, type 1 is tip control. LinuxCNC adds work
 //! offset and tool length to the words of a program in both types; the module takes them away again, so that its formulas
 //! see what the post sees: words that are zero with the tip at the part zero.
