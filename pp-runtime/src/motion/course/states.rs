@@ -204,13 +204,9 @@ impl StateFinder {
     /// Whether the words of one of these states are so near to a limit that a cut to a pose, whose tool axis moves along a great
     /// circle, could exceed the limit between its ends.
     pub(crate) fn is_near_limit(&self, from: &Pose, to: &Pose, states: &[RotaryState]) -> bool {
-        let limited = |(axis, rotary): &(usize, &Rotary)| *axis > 0 && !rotary.endless();
-        self.placer.rotaries().iter().enumerate().filter(limited).any(|(axis, rotary)| {
-            let reach = self.reach_between(&from.axis, &to.axis);
-            states.iter().any(|state| {
-                !(rotary.contains(state.words[axis] - reach) && rotary.contains(state.words[axis] + reach))
-            })
-        })
+        let Some(second) = self.placer.rotaries().get(1).filter(|rotary| !rotary.endless()) else { return false };
+        let reach = self.reach_between(&from.axis, &to.axis);
+        states.iter().any(|state| !(second.contains(state.words[1] - reach) && second.contains(state.words[1] + reach)))
     }
 
     /// How far the second rotary axis may go beyond the ends of a cut, whose tool axis moves along a great circle, in units of the

@@ -59,15 +59,8 @@ impl SteadyRun {
                 return false;
             }
             for (axis, rotary) in rotaries.iter().enumerate().take(change.len()) {
-                let off = rotary.word(solution.axes[axis], scale) - known.words[axis];
                 // Both are within half a turn of zero.
-                let by = if 2 * off > scale.units_per_turn {
-                    off - scale.units_per_turn
-                } else if 2 * off < -scale.units_per_turn {
-                    off + scale.units_per_turn
-                } else {
-                    off
-                };
+                let by = within_half_turn(rotary.word(solution.axes[axis], scale) - known.words[axis], scale);
                 let rotated = known.rotated[axis] + by;
                 if 4 * by.abs() >= scale.units_per_turn || rotated < known.lowest[axis] || rotated > known.highest[axis]
                 {
@@ -82,9 +75,7 @@ impl SteadyRun {
         }
         for (known, change) in self.branches.iter_mut().zip(changes) {
             for ((word, rotated), by) in known.words.iter_mut().zip(&mut known.rotated).zip(change) {
-                *word += by;
-                let turns = i64::from(2 * *word < -scale.units_per_turn) - i64::from(2 * *word > scale.units_per_turn);
-                *word += turns * scale.units_per_turn;
+                *word = within_half_turn(*word + by, scale);
                 *rotated += by;
             }
             known.cost = known.cost.plus(metric.cost_of(change));
@@ -108,6 +99,13 @@ impl SteadyRun {
         }
         (RotaryState { words, ..*state }, known.cost)
     }
+}
+
+/// A word of less than one and a half turns, in the turn that is within half a turn of zero.
+#[inline]
+fn within_half_turn(word: i64, scale: AngleScale) -> i64 {
+    let turns = i64::from(2 * word < -scale.units_per_turn) - i64::from(2 * word > scale.units_per_turn);
+    word + turns * scale.units_per_turn
 }
 
 impl RunBranch {

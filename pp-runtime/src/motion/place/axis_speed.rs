@@ -57,7 +57,7 @@ impl Placer {
         let mut minutes = [0.0_f64; 2];
         for part in 2..=parts as u32 {
             let after = at(part)?;
-            for index in (0..self.chain.len()).filter(|index| self.linear.mask & (1 << index) != 0) {
+            for &index in &self.linear.solved {
                 if let Some(speed) = self.speeds.per_axis[index] {
                     let [step, next] = [axes[index] - before[index], after[index] - axes[index]];
                     // For the part before the place between the two, and for the one after it.
@@ -78,7 +78,7 @@ impl Placer {
             axes[rotary.index] += share * (to.axes[rotary.index] - from.axes[rotary.index]);
         }
         let tip: Point3<f64> = from.pose.tip + (to.pose.tip - from.pose.tip) * share;
-        self.machine.linear_axes(&tip, &axes)
+        self.machine.set_linear_axes(&tip, &mut axes).then_some(axes)
     }
 
     /// Bound of the third derivative of the linear axes by the share of the block, mm.

@@ -325,12 +325,16 @@ impl Placer {
     /// Whether the rotary axes go evenly in a whole motion between two poses on one branch: between their words, hence inside
     /// their limits.
     pub(crate) fn goes_evenly(&self, (a, start): (&Pose, &RotaryWords), (b, end): (&Pose, &RotaryWords)) -> bool {
-        let (from, to) = (self.all_words(start), self.all_words(end));
         let bound = || self.machine.motion(&self.axes_of(start), &self.axes_of(end)).axis;
-        !(self.is_near_pole(a) || self.is_near_pole(b))
-            && self.rotary_travel(&from, &to) <= LARGEST_EVEN
-            && self.rotary.grid.is_empty()
+        self.may_go_evenly((a, &self.all_words(start)), (b, &self.all_words(end)))
             && self.even_rad.is_some_and(|tolerance| bound() <= EVEN_SHARE * tolerance)
+    }
+
+    /// Whether the rotary axes may go evenly between two poses, as far as the tool axis keeps to its tolerance.
+    fn may_go_evenly(&self, (a, start): (&Pose, &[i64; MAX_AXES]), (b, end): (&Pose, &[i64; MAX_AXES])) -> bool {
+        !(self.is_near_pole(a) || self.is_near_pole(b))
+            && self.rotary_travel(start, end) <= LARGEST_EVEN
+            && !self.has_indexed_axes()
     }
 }
 
@@ -437,11 +441,9 @@ impl Certifier<'_> {
             (false, true) => Some(from.branch),
             _ => (from.branch == to.branch).then_some(from.branch),
         };
-        let wide = self.placer.rotary_travel(&from.words, &to.words) > LARGEST_EVEN;
         let even = law == RotationLaw::Even
             && branch.is_some()
-            && !(self.placer.is_near_pole(&from.pose) || self.placer.is_near_pole(&to.pose) || wide)
-            && self.placer.rotary.grid.is_empty();
+            && self.placer.may_go_evenly((&from.pose, &from.words), (&to.pose, &to.words));
         let even = Some(whole.bound).filter(|bound| even && bound.axis <= self.allowed.axis_rad);
         let path = CuttingPath { segment, branch, even, resolution, at: 0.0, pieces: Pieces::Graded { last: 1.0 } };
         Ok(CuttingPath { pieces: self.pieces(&path, (from, to), whole.share)?, ..path })

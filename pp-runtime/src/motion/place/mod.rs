@@ -473,7 +473,7 @@ impl Placer {
             Some(target) => *to = self.follow_course(pose, from, &target)?,
             None => self.choose_rotaries(pose, from, feed, to)?,
         }
-        if !self.rotary.grid.is_empty() {
+        if self.has_indexed_axes() {
             self.snap_to_index(to, from, feed)?;
         }
         self.solve_linear_in_travel(to)

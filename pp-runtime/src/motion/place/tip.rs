@@ -51,8 +51,7 @@ impl Placer {
     /// Positions of the solved linear axes, and the derivative of their values with respect to the tip at the rotary
     /// angles of `at`.
     pub(crate) fn axis_map(&self, at: &AxisPosition) -> Option<([usize; 3], Matrix3<f64>)> {
-        let mut linear = (0..self.chain.len()).filter(|index| self.linear.mask & (1 << index) != 0);
-        let solved = [linear.next()?, linear.next()?, linear.next()?];
+        let solved = *self.linear.solved.first_chunk()?;
         let values = |tip: &Point3<f64>| {
             let axes = self.machine.linear_axes(tip, &at.axes)?;
             Some(Vector3::from(solved.map(|index| axes[index])))
@@ -104,7 +103,7 @@ impl Placer {
     /// off their steps.
     pub(crate) fn axis_of_plane(&self, place: &AxisPosition) -> Result<UnitVector3<f64>, Fault> {
         let axis = place.pose.axis;
-        if self.rotary.grid.is_empty() {
+        if !self.has_indexed_axes() {
             return Ok(axis);
         }
         let off = angle_between(&self.machine.forward_kinematics(&place.axes).axis, &axis);
