@@ -1,6 +1,7 @@
 //! Machines of each family.
 
 use pp_runtime::machine;
+pub(crate) use tests::further::NutatingHead;
 
 machine! {
     /// A rotary table on a tilting table, centre lines apart.
@@ -64,14 +65,6 @@ machine! {
     chain: | X Y Z A B;
     d = { A: (4, 0, 210), B: (0, 0, 150) };
     signs = { A: -, B: - };
-}
-
-machine! {
-    /// A nutating head.
-    pub struct NutatingHead;
-    chain: X | Y Z C B;
-    axes = { B: Rx(45 deg) * Y };
-    d = { C: (0, 0, 210), B: (0, 25, 180) };
 }
 
 machine! {

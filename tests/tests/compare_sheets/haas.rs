@@ -22,16 +22,16 @@ fn tilting_table(b: Vector3<f64>, c: Vector3<f64>, position: &Position) -> Vecto
     b + rotated(&-Vector3::y(), position.angle('B'), &(rotary - b)) + position.length
 }
 
+/// By settings 255 to 257.
+fn older(printed: &Printed, position: &Position) -> Vector3<f64> {
+    let [x, y, z] = ["255", "256", "257"].map(|number| printed.value(number));
+    tilting_table(Vector3::new(x, 0.0, z), Vector3::new(x, y, 0.0), position)
+}
+
 #[test]
 fn older_settings_agree() {
-    agrees::<Umc>(Haas, |printed, position| {
-        let [x, y, z] = ["255", "256", "257"].map(|number| printed.value(number));
-        tilting_table(Vector3::new(x, 0.0, z), Vector3::new(x, y, 0.0), position)
-    });
-    agrees::<machines::SpinnerU5620>(Haas, |printed, position| {
-        let [x, y, z] = ["255", "256", "257"].map(|number| printed.value(number));
-        tilting_table(Vector3::new(x, 0.0, z), Vector3::new(x, y, 0.0), position)
-    });
+    agrees::<Umc>(Haas, older);
+    agrees::<machines::SpinnerU5620>(Haas, older);
 }
 
 #[test]

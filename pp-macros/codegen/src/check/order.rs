@@ -7,25 +7,19 @@ use crate::solve::solve;
 pub(crate) fn or_hold(model: &Model, axis: AxisId) -> String {
     let letter = model.axes[axis].letter;
     let hold = format!("`hold = {{ {letter}: 0 }};`");
-    let mut orders: Vec<String> = Vec::new();
     // Linear axes in the order Z Y X: the whole chain is probably listed from the tool.
     let linears: Vec<char> = model.solved_linears().map(|id| model.axes[id].letter).collect();
     let backwards = linears.len() == 3 && linears.iter().rev().is_sorted();
-    for reversed in [backwards, false] {
-        let other = if reversed { whole_reversed(model) } else { rotaries_exchanged(model) };
-        let Some(other) = other.filter(|other| solve(&mut other.clone()).is_ok()) else { continue };
-        let chain = chain(&other);
-        if !orders.iter().any(|known| known.ends_with(&chain)) {
-            let reason = if reversed {
-                "the axes are listed from the workpiece to the tool"
-            } else if model.axes[axis].side == Side::Workpiece {
-                "the axis next to the workpiece comes first"
-            } else {
-                "the axis next to the tool comes last"
-            };
-            orders.push(format!("{reason}: {chain}"));
-        }
-    }
+    let next_to = match model.axes[axis].side {
+        Side::Workpiece => "the axis next to the workpiece comes first",
+        Side::Tool => "the axis next to the tool comes last",
+    };
+    let others = [
+        backwards.then(|| ("the axes are listed from the workpiece to the tool", whole_reversed(model))),
+        rotaries_exchanged(model).map(|other| (next_to, other)),
+    ];
+    let solvable = others.into_iter().flatten().filter(|(_, other)| solve(&mut other.clone()).is_ok());
+    let orders: Vec<String> = solvable.map(|(reason, other)| format!("{reason}: {}", chain(&other))).collect();
     if orders.is_empty() {
         return format!("put {letter} in `hold`: {hold}");
     }
@@ -33,7 +27,7 @@ pub(crate) fn or_hold(model: &Model, axis: AxisId) -> String {
 }
 
 /// The chain from the other end.
-fn whole_reversed(model: &Model) -> Option<Model> {
+fn whole_reversed(model: &Model) -> Model {
     let mut other = model.clone();
     other.axes.reverse();
     for axis in &mut other.axes {
@@ -42,7 +36,7 @@ fn whole_reversed(model: &Model) -> Option<Model> {
             Side::Tool => Side::Workpiece,
         };
     }
-    Some(other)
+    other
 }
 
 /// The chain with its two solved rotary axes exchanged, if both are on one side of the frame.

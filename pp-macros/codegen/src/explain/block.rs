@@ -2,13 +2,13 @@
 //!
 //! Formulas that are computed step by step, because they are too long for a line, are left out with a comment.
 
+use super::chain::{letter, named, vector};
 use super::inverse::InverseFormulas;
 use super::linear::LinearFormulas;
 use super::section::Section;
 use crate::formula::Formula;
-use crate::model::{AxisId, Model};
+use crate::model::Model;
 use crate::solve::{Orientation, Solved};
-use crate::symbolic::PolyVector;
 
 type Equations = Vec<(Formula, Formula)>;
 
@@ -16,8 +16,8 @@ type Equations = Vec<(Formula, Formula)>;
 pub(crate) fn verify_blocks(model: &Model, solved: &Solved, inverse: &InverseFormulas) -> Section {
     let product = model.product();
     let axis = product.rotate(&model.tool_axis, &model.ring);
-    let mut first = of_vector(model, ["i", "j", "k"], &axis);
-    first.extend(of_vector(model, ["x", "y", "z"], &product.origin()));
+    let mut first = named(["i", "j", "k"], vector(model, &axis));
+    first.extend(named(["x", "y", "z"], vector(model, &product.origin())));
     let branches = rotary_equations(model, solved, inverse);
     first.extend(branches.first().cloned().unwrap_or_default());
     let linears = inverse.linear.as_ref().map(LinearFormulas::equations);
@@ -38,22 +38,19 @@ pub(crate) fn verify_blocks(model: &Model, solved: &Solved, inverse: &InverseFor
     section
 }
 
-fn of_vector(model: &Model, names: [&str; 3], vector: &PolyVector) -> Equations {
-    let formulas = vector.each_ref().map(|part| Formula::of_poly(model, &model.ring, part));
-    names.into_iter().map(Formula::name).zip(formulas).collect()
-}
-
 /// The rotary axes of each branch; empty where they are too long for a line.
 fn rotary_equations(model: &Model, solved: &Solved, inverse: &InverseFormulas) -> Vec<Equations> {
-    let letter = |axis: AxisId| Formula::name(model.axes[axis].letter.to_string());
     match &solved.orientation {
         Orientation::Fixed { .. } => Vec::new(),
-        Orientation::One(one) => inverse.one.iter().map(|angle| vec![(letter(one.rotary), angle.clone())]).collect(),
+        Orientation::One(one) => {
+            inverse.one.iter().map(|angle| vec![(letter(model, one.rotary), angle.clone())]).collect()
+        }
         Orientation::Two(two) => match inverse.two.clone() {
             None => Vec::new(),
             Some(closed) => {
-                let named = |angles: [Formula; 2]| two.rotaries.into_iter().map(letter).zip(angles).collect();
-                closed.roots_in_place().map(named).into()
+                let letters = two.rotaries.map(|axis| letter(model, axis));
+                let of_branch = |angles: [Formula; 2]| letters.clone().into_iter().zip(angles).collect();
+                closed.roots_in_place().map(of_branch).into()
             }
         },
     }

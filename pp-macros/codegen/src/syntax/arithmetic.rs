@@ -257,6 +257,11 @@ fn bare_call(input: ParseStream<'_>, place: Place<'_>, function: Phrase, name: S
     Ok(call)
 }
 
+/// The digits of a literal, and the letters after them.
+pub(super) fn split_unit(text: &str) -> (&str, &str) {
+    text.split_at(text.find(|c: char| c.is_ascii_alphabetic() && !matches!(c, 'e' | 'E')).unwrap_or(text.len()))
+}
+
 /// A literal with its unit, as a suffix (`45deg`) or as the next word (`45 deg`).
 fn number(input: ParseStream<'_>, place: Place<'_>, mut phrase: Phrase, literal: &Literal) -> syn::Result<Expr> {
     let text = literal.to_string().replace('_', "");
@@ -267,8 +272,7 @@ fn number(input: ParseStream<'_>, place: Place<'_>, mut phrase: Phrase, literal:
     if text.len() > 400 {
         return wrong("write at most 400 digits");
     }
-    let digits = text.find(|c: char| c.is_ascii_alphabetic() && !matches!(c, 'e' | 'E')).unwrap_or(text.len());
-    let (digits, suffix) = text.split_at(digits);
+    let (digits, suffix) = split_unit(&text);
     let Some(value) = decimal(digits) else {
         if text.starts_with('"') {
             return wrong("a number is written without quotes: `150.0`");

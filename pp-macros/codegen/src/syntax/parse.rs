@@ -57,12 +57,12 @@ fn declaration(input: ParseStream<'_>, source: &Source) -> syn::Result<Declarati
     let start = input.fork();
     let name: syn::Ident = input.parse()?;
     if input.peek(token::Brace) {
+        let (body, _) = source.take(input)?;
         source.report(
-            source.take(&input.fork())?.0,
+            body,
             "the struct has no body",
             format!("its fields come from `dims`: write `struct {name};` and `dims = {{ ... }};`"),
         );
-        input.parse::<TokenTree>()?;
         input.parse::<Option<Token![;]>>()?;
     } else {
         end(input, &start, source)?;

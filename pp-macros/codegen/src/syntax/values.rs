@@ -6,11 +6,11 @@ use proc_macro2::{Delimiter, TokenTree};
 use syn::parse::ParseStream;
 use syn::{Token, token};
 
-use super::arithmetic::expression;
+use super::arithmetic::{expression, split_unit};
 use super::ast::{Base, Direction, Limits, SpannedName};
 use super::entries::vector;
 use super::expr::{Expr, ExprKind, Unit, decimal};
-use super::source::{Source, expected, peek_mark, peeked, peeked_word, refused};
+use super::source::{Source, expected, peek_mark, peeked, refused};
 use crate::model::{AxisKind, Up, kind_of};
 use crate::report::Phrase;
 
@@ -27,11 +27,11 @@ pub(crate) fn sign(input: ParseStream<'_>, source: &Source, axis: &SpannedName) 
         _ => {}
     }
     let lower = words.to_lowercase();
-    let is = |known: &[&str]| known.iter().any(|known| lower.trim_start_matches(['+', '-']) == *known);
-    let minus = lower.starts_with('-') || is(&["minus", "negative", "reversed", "reverse", "inverted", "true"]);
-    let known = is(&["1", "1.0", &letter.to_lowercase()])
-        || is(&["minus", "negative", "reversed", "reverse", "inverted", "true", "plus", "positive", "normal", "false"]);
-    if !known {
+    let word = lower.trim_start_matches(['+', '-']);
+    let negative = ["minus", "negative", "reversed", "reverse", "inverted", "true"].contains(&word);
+    let positive = ["plus", "positive", "normal", "false"].contains(&word);
+    let minus = lower.starts_with('-') || negative;
+    if !(negative || positive || ["1", "1.0", &letter.to_lowercase()].contains(&word)) {
         return Err(refused(phrase, text, help));
     }
     source.report(phrase, text, format!("write `{letter}: {}`", if minus { '-' } else { '+' }));
@@ -140,7 +140,7 @@ fn after_group_is_range(input: ParseStream<'_>) -> bool {
 
 /// `free`, and what people write for it.
 fn endless(input: ParseStream<'_>, source: &Source, letter: &str) -> syn::Result<Option<Limits>> {
-    const ENDLESS: [&str; 8] = ["endless", "unlimited", "infinite", "none", "None", "continuous", "inf", "infinity"];
+    const ENDLESS: [&str; 6] = ["endless", "unlimited", "infinite", "none", "None", "continuous"];
     let help = format!("write `{letter}: free`");
     let ahead = input.fork();
     let (Some(_), words) = entry(&ahead, &Source::default())? else { return Ok(None) };
@@ -187,8 +187,7 @@ pub(crate) fn speed(input: ParseStream<'_>, source: &Source, axis: &SpannedName)
     let ahead = input.fork();
     let Ok(TokenTree::Literal(literal)) = ahead.parse() else { return expression(input, source) };
     let text = literal.to_string().replace('_', "");
-    let digits = text.find(|c: char| c.is_ascii_alphabetic() && !matches!(c, 'e' | 'E')).unwrap_or(text.len());
-    let (digits, suffix) = text.split_at(digits);
+    let (digits, suffix) = split_unit(&text);
     let (Some(value), Ok((_, words))) = (decimal(digits), entry(&ahead, &Source::default())) else {
         return expression(input, source);
     };
@@ -290,9 +289,6 @@ fn one_of(word: &SpannedName, names: [&str; 3], lenient: bool, source: &Source) 
 pub(crate) fn up(input: ParseStream<'_>, source: &Source) -> syn::Result<Up> {
     let help = "write the coordinate direction that is up at the machine: `up = Y;`, or `up = -Y;`";
     let negated = input.parse::<Option<Token![-]>>()?.is_some();
-    if peeked_word(input).is_none() {
-        return Err(expected(input, "X, Y or Z", help));
-    }
     let word = source.name(input, "X, Y or Z", help)?;
     match one_of(&word, ["X", "Y", "Z"], true, source) {
         Some(coordinate) => Ok(Up { coordinate, negated }),

@@ -24,23 +24,30 @@ pub(crate) struct Claims {
     pub(crate) not_negative: Vec<Poly>,
 }
 
+/// How a symbol follows from a polynomial.
+#[derive(Debug, Clone, Copy)]
+enum Dependence {
+    Reciprocal,
+    Root,
+}
+
 /// The poses at which an equation holds.
 #[derive(Debug, Clone)]
 pub(crate) struct Region {
     ring: Ring,
-    /// Roots, and reciprocals with their divisors, in the order in which they depend on each other.
-    dependent: Vec<(Symbol, Option<Poly>)>,
+    /// Roots with their radicands, and reciprocals with their divisors, in the order in which they depend on each other.
+    dependent: Vec<(Symbol, Dependence, Poly)>,
     claims: Claims,
 }
 
 impl Region {
     /// Where all claims hold, and all divisors and roots of the equation exist.
     pub(crate) fn new(ring: Ring, divisors: Vec<(Poly, Symbol)>, roots: Vec<Symbol>, claims: Claims) -> Self {
-        let reciprocals = divisors.into_iter().map(|(divisor, symbol)| (symbol, Some(divisor)));
-        let mut dependent: Vec<(Symbol, Option<Poly>)> =
-            reciprocals.chain(roots.into_iter().map(|root| (root, None))).collect();
+        let reciprocals = divisors.into_iter().map(|(divisor, symbol)| (symbol, Dependence::Reciprocal, divisor));
+        let roots = roots.into_iter().map(|root| (root, Dependence::Root, ring.square_of(root)));
+        let mut dependent: Vec<(Symbol, Dependence, Poly)> = reciprocals.chain(roots).collect();
         // One may contain an earlier one.
-        dependent.sort_by_key(|(symbol, _)| *symbol);
+        dependent.sort_by_key(|(symbol, ..)| *symbol);
         Self { ring, dependent, claims }
     }
 
@@ -59,14 +66,13 @@ impl Region {
 
     /// Adds the values of reciprocals and roots; false where one does not exist.
     fn add_dependent_values(&self, point: &mut Point) -> bool {
-        for (symbol, divisor) in &self.dependent {
-            let radicand = divisor.clone().unwrap_or_else(|| self.ring.square_of(*symbol));
-            let Some((value, rounding)) = self.value_at(&radicand, point) else { return false };
-            let value = match divisor {
-                Some(_) if value.abs() <= rounding => return false,
-                Some(_) => value.recip(),
-                None if value.abs() <= rounding => 0.0,
-                None => value.sqrt(),
+        for (symbol, dependence, of) in &self.dependent {
+            let Some((value, rounding)) = self.value_at(of, point) else { return false };
+            let value = match dependence {
+                Dependence::Reciprocal if value.abs() <= rounding => return false,
+                Dependence::Reciprocal => value.recip(),
+                Dependence::Root if value.abs() <= rounding => 0.0,
+                Dependence::Root => value.sqrt(),
             };
             if !value.is_finite() {
                 return false;
