@@ -26,6 +26,9 @@ pub enum Units {
 }
 
 impl Units {
+    /// All units, by name.
+    pub(crate) const NAMES: [(&'static str, Self); 2] = [("mm", Self::Millimetres), ("in", Self::Inches)];
+
     /// Length of one unit in mm.
     #[must_use]
     pub const fn in_mm(self) -> f64 {

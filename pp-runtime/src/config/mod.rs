@@ -41,9 +41,9 @@ options! {
     /// All options of a job, by stage.
     pub struct Config {
         /// Unit of CL data that does not state its own. Without it such data is refused.
-        cl_units: Option<Units> = None, key("cl_units", OneOf(&UNITS), "\"mm\"");
+        cl_units: Option<Units> = None, key("cl_units", OneOf(&Units::NAMES), "\"mm\"");
         /// Unit of the NC program. Without it the unit of the CL data is used.
-        output_units: Option<Units> = None, key("output_units", OneOf(&UNITS), "\"mm\"");
+        output_units: Option<Units> = None, key("output_units", OneOf(&Units::NAMES), "\"mm\"");
         /// How the CL data is read; its unit is in `cl_units`.
         cl: reading::ReadingOptions = reading::ReadingOptions::default(), keys();
         /// Set-up: machine, part and tools.
@@ -62,9 +62,6 @@ options! {
         given: BTreeSet<&'static str> = BTreeSet::new();
     }
 }
-
-/// Units of length, by name.
-const UNITS: [(&str, Units); 2] = [("mm", Units::Millimetres), ("in", Units::Inches)];
 
 /// Configuration of a control before any file is read: its number formats, else the defaults.
 #[must_use]

@@ -9,7 +9,7 @@ use crate::keys::{KeyReader, KeyScope, KeyTable, Keys};
 use crate::kinematics::{AnyMachine, Invalid, Machine};
 use crate::set_up::SetUp;
 
-use super::{Config, Rapid, UNITS};
+use super::{Config, Rapid, Units};
 
 impl Config {
     /// Reads a configuration file for the machine `M`.
@@ -43,7 +43,7 @@ impl Config {
         let units = file.get("units", r);
         if let Some(value) = units {
             r.mark_given("units");
-            if let Some(units) = r.choice(value, &UNITS) {
+            if let Some(units) = r.choice(value, &Units::NAMES) {
                 r.set_units(units);
             }
         }

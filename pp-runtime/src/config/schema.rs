@@ -6,14 +6,14 @@ use crate::keys::{KeyKind, KeyList, OneOf};
 use crate::kinematics::AnyMachine;
 
 use super::read::scope;
-use super::{Config, UNITS};
+use super::{Config, Units};
 
 /// Returns the JSON schema of a configuration file for `machine`. `config`: the defaults of the control.
 #[must_use]
 pub fn schema(machine: &dyn AnyMachine, config: &Config) -> String {
     let scope = scope(machine);
     let mut schema = KeyList::of(config, scope).schema();
-    schema["properties"]["units"] = OneOf(&UNITS).schema(&scope);
+    schema["properties"]["units"] = OneOf(&Units::NAMES).schema(&scope);
     schema["properties"]["units"]["description"] = json!("Unit of length of this file: \"mm\" or \"in\".");
     schema.insert("$schema".to_owned(), json!("https://json-schema.org/draft/2020-12/schema"));
     schema.insert("title".to_owned(), json!(format!("Set-up for {}", machine.name())));

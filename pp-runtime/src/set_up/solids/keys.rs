@@ -23,7 +23,7 @@ options! {
         /// STL file; its name counts from the folder of this file.
         stl: Option<String> = None, key("stl", OneLine, "\"vise.stl\"");
         /// Unit of the STL file: "mm" or "in".
-        unit: Units = Units::Millimetres, key("unit", OneOf(&UNITS));
+        unit: Units = Units::Millimetres, key("unit", OneOf(&Units::NAMES));
         /// Largest distance of the triangles of the STL file from the real surface.
         tolerance_mm: f64 = 0.0, key("tolerance", Measure::length(Bound::NotNegative));
         /// Two opposite corners of a box.
@@ -40,9 +40,6 @@ options! {
         set_ups: Vec<u32> = Vec::new(), key("set_ups", ListOf(Whole(1..=MOST_FRAMES)));
     }
 }
-
-/// Units of length, by name.
-const UNITS: [(&str, Units); 2] = [("mm", Units::Millimetres), ("in", Units::Inches)];
 
 /// Kind of key: one solid; with the name of the key.
 #[derive(Debug, Clone, Copy)]

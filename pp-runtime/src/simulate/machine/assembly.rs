@@ -3,7 +3,7 @@
 use nalgebra::{Isometry3, Point3, Translation3, UnitQuaternion, UnitVector3, Vector3};
 
 use super::body::{Body, Shapes};
-use super::clearance::{Clearances, STOCK};
+use super::clearance::{Clearances, STOCK, TOOL};
 use super::links::Links;
 use crate::kinematics::AnyMachine;
 use crate::set_up::{SetUp, SolidLink};
@@ -156,7 +156,7 @@ fn tool_bodies(links: &Links, tools: &ToolBodies, number: u32, tool: &ToolBody, 
         let Some((shapes, ball)) = Shapes::of_pieces(pieces) else { continue };
         bodies.push(Body {
             name: format!("{part} of tool {number}"),
-            groups: vec![part.to_owned(), "tool".to_owned()],
+            groups: vec![part.to_owned(), TOOL.to_owned()],
             link: links.spindle(),
             set_ups: Vec::new(),
             ball,

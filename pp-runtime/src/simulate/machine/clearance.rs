@@ -100,9 +100,9 @@ pub(crate) struct Clearances {
     clearance_mm: f64,
     /// Tools whose length is known.
     tools: Vec<u32>,
-    /// Motions that took part, and that did not.
-    pub(crate) motions: u64,
+    /// Parts of motions that are not certified.
     pub(crate) not_certified: u64,
+    /// Motions of tools whose length is unknown, by tool.
     pub(crate) unknown_length: BTreeMap<u32, u64>,
 }
 
@@ -189,7 +189,6 @@ impl Clearances {
             stock,
             clearance_mm,
             tools: lengths,
-            motions: 0,
             not_certified: 0,
             unknown_length: BTreeMap::new(),
         }
@@ -205,10 +204,12 @@ impl Clearances {
         self.pairs[pair].bodies.map(|body| self.bodies[body].name.as_str())
     }
 
-    /// Names of all bodies that take part.
+    /// Names of all bodies that take part, but for parts of tools.
     pub(crate) fn taking_part(&self) -> impl Iterator<Item = &str> {
         let in_pair = |index: usize| self.pairs.iter().any(|pair| pair.bodies.contains(&index));
-        (0..self.bodies.len()).filter(move |index| in_pair(*index)).map(|index| self.bodies[index].name.as_str())
+        let of_tool = |index: usize| self.bodies[index].groups.iter().any(|group| group == TOOL);
+        let taking = (0..self.bodies.len()).filter(move |index| in_pair(*index) && !of_tool(*index));
+        taking.map(|index| self.bodies[index].name.as_str())
     }
 
     /// The stock is clamped as it is in a set-up.
@@ -239,7 +240,6 @@ impl Clearances {
             self.lose();
             return Vec::new();
         }
-        self.motions += 1;
         let there = |body: usize| {
             let set_ups = &self.bodies[body].set_ups;
             set_ups.is_empty() || set_ups.contains(&set_up)
@@ -298,22 +298,15 @@ impl Clearances {
         }
         let share = f64::midpoint(from.0, to.0);
         let middle = (share, course.axes.at(share, &from.1));
-        let Some(ranges) = ranges else {
-            if halvings == 0 {
-                self.not_certified += 1;
+        if let Some(ranges) = ranges {
+            let values = self.values(course, &middle.1);
+            open.retain(|pair| {
+                let verdict = self.measure(course, *pair, (&middle.1, &values), &ranges, RESOLUTION_MM);
+                matches!(verdict, Verdict::Open)
+            });
+            if open.is_empty() {
                 return;
             }
-            self.part(course, from, middle, open.clone(), halvings - 1);
-            self.part(course, middle, to, open, halvings - 1);
-            return;
-        };
-        let values = self.values(course, &middle.1);
-        open.retain(|pair| {
-            let verdict = self.measure(course, *pair, (&middle.1, &values), &ranges, RESOLUTION_MM);
-            matches!(verdict, Verdict::Open)
-        });
-        if open.is_empty() {
-            return;
         }
         if halvings == 0 {
             self.not_certified += 1;
@@ -475,6 +468,9 @@ impl Course<'_> {
 
 /// Name of the stock, for `allow`.
 pub(crate) const STOCK: &str = "stock";
+
+/// Group of the parts of tools.
+pub(super) const TOOL: &str = "tool";
 
 fn is_allowed(allow: &[[String; 2]], one: &Body, two: &Body) -> bool {
     let has = |body: &Body, name: &String| body.name == *name || body.groups.contains(name);

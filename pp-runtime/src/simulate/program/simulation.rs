@@ -57,10 +57,7 @@ fn state(clearances: &Clearances, outcome: &mut Outcome, policy: &CheckPolicy, a
         });
     }
     outcome.clearances.sort_by(|a, b| a.distance_mm.total_cmp(&b.distance_mm));
-    clearances
-        .taking_part()
-        .filter(|name| !name.contains(" of tool "))
-        .for_each(|name| outcome.take_part(name.to_owned()));
+    clearances.taking_part().for_each(|name| outcome.take_part(name.to_owned()));
     for (tool, count) in &clearances.unknown_length {
         outcome.leave_out(format!("machine and fixtures in {count} motions of tool {tool}: its length is unknown"));
     }
