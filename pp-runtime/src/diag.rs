@@ -1,5 +1,22 @@
 //! Errors and warnings about CL data or a configuration file. They have line and column, not a copy of the
 //! source text.
+//!
+//! ```
+//! use pp_runtime::config::Config;
+//! use pp_runtime::diag::Severity;
+//! # pp_runtime::machine! {
+//! #     /// A table that rotates about Z on a table that tilts about X.
+//! #     pub struct Trunnion;
+//! #     chain: C A | X Y Z;
+//! # }
+//!
+//! let text = "[limits]\nD = [0, 1]\n";
+//! let faults = Config::read::<Trunnion>(text).expect_err("the machine has no such axis");
+//! assert_eq!(faults[0].severity, Severity::Error);
+//! let line = text.lines().nth(faults[0].location.line as usize - 1).expect("a line of the text");
+//! let column = faults[0].location.column as usize - 1;
+//! assert_eq!(&line[column..column + faults[0].length as usize], "D");
+//! ```
 
 use std::collections::BTreeMap;
 

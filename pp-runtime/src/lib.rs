@@ -1,9 +1,8 @@
-//! Runtime of machine-specific CNC postprocessors.
+#![doc = include_str!("../README.md")]
 //!
-//! Declare a machine with [`machine!`] and pass it to `cli::run`: the binary converts CL data (APT/CLS) to G-code for that
-//! machine. Data flows in one direction: CL text → records → motions → axis values → blocks → text.
+//! ## How it works
 //!
-//! Without default features only [`kinematics`] is built, under `no_std`.
+//! Data flows in one direction: CL text → records → motions → axis values → blocks → text.
 #![cfg_attr(not(feature = "std"), no_std)]
 // A library returns its errors and leaves output to its caller.
 #![cfg_attr(
@@ -22,6 +21,7 @@
 extern crate self as pp_runtime;
 
 pub use nalgebra;
+#[doc = include_str!("machine.md")]
 pub use pp_macros::machine;
 #[cfg(feature = "serde")]
 #[doc(hidden)]

@@ -2,6 +2,22 @@
 //!
 //! The CL reader produces the events, the planner consumes them. Lengths are in mm, angles in rad, feeds in mm/min or
 //! mm/rev, speeds in rev/min. Points and tool axes are in the workpiece frame, as the CL data gives it.
+//!
+//! ```
+//! use pp_runtime::cl::{ClReader, ReadingOptions};
+//! use pp_runtime::program::{Event, Units};
+//!
+//! let options = ReadingOptions { units: Some(Units::Inches), ..ReadingOptions::default() };
+//! let mut reader = ClReader::new(&b"GOTO/0,0,1\nFEDRAT/10,IPM\nGOTO/2,0,1\n"[..], options);
+//! let mut tips = Vec::new();
+//! while let Some((_, event)) = reader.next_event()? {
+//!     if let Event::Move(motion) = event {
+//!         tips.push(motion.pose.tip);
+//!     }
+//! }
+//! assert!(((tips[1] - tips[0]).norm() - 50.8).abs() < 1e-9);
+//! # Ok::<(), std::io::Error>(())
+//! ```
 
 use crate::kinematics::Pose;
 use crate::nalgebra::{Point3, UnitVector3};

@@ -23,7 +23,7 @@ const RUNTIME: &[(&str, &[&str])] = &[
     ("control", &["keys", "kinematics", "motion", "nc", "program", "set_up"]),
     ("check", &["cl", "diag", "kinematics", "program", "set_up"]),
     ("config", &["check", "cl", "control", "diag", "keys", "kinematics", "motion", "nc", "program", "set_up"]),
-    ("post", &["cl", "config", "control", "diag", "kinematics", "motion", "nc", "program", "set_up"]),
+    ("post", &["check", "cl", "config", "control", "diag", "kinematics", "motion", "nc", "program", "set_up"]),
     ("transformation", &["config", "kinematics"]),
     ("view", &["check", "cl", "kinematics", "post", "program", "set_up"]),
     ("simulate", &["check", "kinematics", "set_up", "view"]),

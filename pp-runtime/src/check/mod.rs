@@ -7,6 +7,33 @@
 //! block. Memory does not grow with the length of the program.
 //!
 //! It shares no code with the planner and the controls: [`CheckPolicy`] is all that it reads of a job.
+//!
+//! ```
+//! use std::io::Cursor;
+//!
+//! use pp_runtime::check::check;
+//! use pp_runtime::config::Config;
+//! use pp_runtime::control::LinuxCnc;
+//! use pp_runtime::post::{Job, post_checked};
+//! # pp_runtime::machine! {
+//! #     /// A table that rotates about Z on a table that tilts about X.
+//! #     pub struct Trunnion;
+//! #     chain: C A | X Y Z;
+//! # }
+//!
+//! let cl = "UNITS/MM\nLOADTL/1\nSPINDL/3000,CLW\nFEDRAT/500,MMPM\nGOTO/0,0,5,0,0,1\nGOTO/20,0,5,0,0.6,0.8\nFINI\n";
+//! let config = Config::default();
+//! let job = Job { cl_name: "plate.cls", config: &config, control: &LinuxCnc, units: None };
+//! let posted = post_checked::<Trunnion>(&job, &mut Cursor::new(cl))?;
+//! // Somebody edits the program.
+//! let edited = String::from_utf8(posted.program().expect("no findings").to_vec())?.replace("X20", "X21");
+//! let policy = config.check_policy::<Trunnion>(&LinuxCnc, None)?;
+//! let checked = check::<Trunnion>(&policy, Cursor::new(cl), edited.as_bytes())?;
+//! assert!(!checked.outcome.passed());
+//! // The record that the block should carry out.
+//! assert_eq!(checked.outcome.findings[0].location.line, 6);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod compare;
 mod expect;
@@ -36,6 +63,7 @@ use read::Reader;
 
 /// The reason why a program could not be checked.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum CheckError {
     /// The CL data cannot be read.
     #[error("cannot read the CL data: {0}")]
@@ -50,6 +78,7 @@ pub enum CheckError {
 
 /// Result of a check.
 #[derive(Debug, Clone, PartialEq, Default)]
+#[non_exhaustive]
 pub struct Checked {
     /// Figures and findings of the program.
     pub outcome: Outcome,

@@ -1,6 +1,21 @@
 //! Policy of a check: everything that it reads of a job, besides CL data, program and machine.
 //!
 //! Whoever configures a job builds it. Lengths in mm, angles in rad, feeds in mm/min and rad/min.
+//!
+//! ```
+//! use pp_runtime::config::Config;
+//! use pp_runtime::control::Haas;
+//! # pp_runtime::machine! {
+//! #     /// A table that rotates about Z on a table that tilts about X.
+//! #     pub struct Trunnion;
+//! #     chain: C A | X Y Z;
+//! # }
+//!
+//! let config = Config::read::<Trunnion>("tolerance = 0.005\n").expect("keys of this machine");
+//! let policy = config.check_policy::<Trunnion>(&Haas, None)?;
+//! assert!((policy.tolerances.path_mm - 0.005).abs() < 1e-12);
+//! # Ok::<(), pp_runtime::config::NotCheckable>(())
+//! ```
 
 use std::collections::BTreeMap;
 

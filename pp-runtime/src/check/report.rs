@@ -13,6 +13,7 @@ const MOST_CAUSES: usize = 200;
 
 /// A fault of a program: a block, or several in a row.
 #[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Finding {
     /// Record of the CL data that the block should carry out.
     pub location: Location,
@@ -79,6 +80,7 @@ impl Finding {
 
 /// Largest deviations of a program from its CL data, and the findings.
 #[derive(Debug, Clone, PartialEq, Default)]
+#[non_exhaustive]
 pub struct Outcome {
     /// Number of blocks that move an axis.
     pub blocks: u64,

@@ -8,6 +8,22 @@
 //! Reading goes on after an error, so that one run reports all errors of a file; no event is returned after the first.
 //! A record that is not understood is refused, never skipped: it might move the tool. The same bytes give the same
 //! events and diagnostics, whatever the size of the reads, so a file may be read twice.
+//!
+//! ```
+//! use pp_runtime::cl::{ClReader, ReadingOptions};
+//!
+//! let mut reader = ClReader::new(&b"UNITS/MM\nGOTO/0,0,5\nFEDRATE/100,MMPM\nGOTO/10,0,5\n"[..], ReadingOptions::default());
+//! let mut events = 0;
+//! while reader.next_event()?.is_some() {
+//!     events += 1;
+//! }
+//! // What is not understood is an error at its place, with a remedy.
+//! assert!(reader.failed());
+//! let fault = &reader.diagnostics()[0];
+//! assert_eq!((fault.location.line, fault.location.column), (3, 1));
+//! assert!(fault.help.as_deref().is_some_and(|help| help.contains("FEDRAT")));
+//! # Ok::<(), std::io::Error>(())
+//! ```
 
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 

@@ -3,6 +3,18 @@
 //! Exit status 0: done. 1: the CL data has errors or a check has findings; there is no file of the final name. 2: the
 //! run was not possible; a closed pipe is status 2 without a message. The program goes to standard output or to a file,
 //! messages go to standard error.
+//!
+//! ```no_run
+//! pp_runtime::machine! {
+//!     /// A table that rotates about Z on a table that tilts about X.
+//!     pub struct Trunnion;
+//!     chain: C A | X Y Z;
+//! }
+//!
+//! fn main() -> std::process::ExitCode {
+//!     pp_runtime::cli::run::<Trunnion>()
+//! }
+//! ```
 
 mod app;
 mod args;

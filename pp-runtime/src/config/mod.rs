@@ -3,6 +3,24 @@
 //! The stages declare their options as tables of keys. Here they are read from a file into [`Config`], printed as a
 //! commented sample, and described as a JSON schema. Values are in mm, rad and mm/min; a file states its own unit of
 //! length and has angles in degrees. No motion is planned or written here.
+//!
+//! ```
+//! use pp_runtime::config::Config;
+//! # pp_runtime::machine! {
+//! #     /// A table that rotates about Z on a table that tilts about X.
+//! #     pub struct Trunnion;
+//! #     chain: C A | X Y Z;
+//! # }
+//!
+//! let config = Config::read::<Trunnion>("part_origin = [0, 0, 40]\n\n[limits]\nA = [-30, 110]\n").expect("a configuration");
+//! assert!(config.is_given("part_origin"));
+//! assert!((config.set_up.part_origin[2] - 40.0).abs() < 1e-12);
+//!
+//! // All faults of a file are reported, each at its place.
+//! let faults = Config::read::<Trunnion>("part_orign = [0, 0, 40]\ntolerance = -1\n").expect_err("two faults");
+//! assert_eq!(faults.len(), 2);
+//! assert_eq!(faults[0].location.line, 1);
+//! ```
 
 mod checking;
 mod print;

@@ -10,6 +10,17 @@
 //!   and [`abilities`] states which functions of the control the planner may use. [`Layout`] is the part that the
 //!   encoder reads.
 //! - [`Encoder`]: converts steps to blocks.
+//!
+//! A control of one's own is a [`Control`] over one of these; its documentation has an example.
+//!
+//! ```
+//! use pp_runtime::control::{CONTROLS, by_name};
+//!
+//! assert!(by_name("Siemens").is_some());
+//! for control in CONTROLS {
+//!     println!("{}: {}", control.spellings().name, control.spellings().title);
+//! }
+//! ```
 
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 

@@ -2,6 +2,13 @@
 //!
 //! The tables of the controls and the blocks of a configuration are templates. A word whose field has no value is left
 //! out. A block with `{next}` is left out as a whole where no tool follows.
+//!
+//! ```
+//! use pp_runtime::control::template::{BadTemplate, Field, check};
+//!
+//! assert_eq!(check("T{tool} M6", &[Field::Tool]), Ok(()));
+//! assert_eq!(check("T{tol} M6", &[Field::Tool]), Err(BadTemplate::Field("tol".to_owned())));
+//! ```
 
 use std::fmt;
 
@@ -137,6 +144,7 @@ pub const OF_CYCLE: &[Field] = &[
 
 /// Error in a template.
 #[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum BadTemplate {
     /// An opening brace without a closing one, or the reverse.
     Brace,

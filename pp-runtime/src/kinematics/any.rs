@@ -5,6 +5,19 @@
 //!
 //! The methods have the names that they have in [`Machine`], so import one of the two traits, not both: on a machine whose
 //! type is known a call would be ambiguous. Methods of `dyn AnyMachine` need no import.
+//!
+//! ```
+//! use pp_runtime::kinematics::any::AnyMachine;
+//! # pp_runtime::machine! {
+//! #     /// A table that rotates about Z on a table that tilts about X.
+//! #     pub struct Trunnion;
+//! #     chain: C A | X Y Z;
+//! # }
+//!
+//! let machines: [Box<dyn AnyMachine>; 1] = [Box::new(Trunnion::default())];
+//! let letters: String = machines[0].axes().iter().map(|axis| axis.letter).collect();
+//! assert_eq!(letters, "CAXYZ");
+//! ```
 
 use nalgebra::{Point3, UnitVector3, Vector3};
 

@@ -9,12 +9,32 @@ use super::{
 };
 
 /// Tool tip and tool axis in the workpiece frame; no spin about the tool.
+///
+/// With the feature `serde` as `{"tip": [x, y, z], "axis": [i, j, k]}`; an axis that is not a unit vector is refused.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Pose {
     /// Tool tip, mm.
     pub tip: Point3<f64>,
     /// Unit vector from the tip to the spindle.
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "unit_vector"))]
     pub axis: UnitVector3<f64>,
+}
+
+/// Largest difference of the length of a tool axis from 1 where one is read: the rounding of a unit vector.
+#[cfg(feature = "serde")]
+const UNIT: f64 = 1e-12;
+
+/// Reads a unit vector.
+#[cfg(feature = "serde")]
+fn unit_vector<'de, D: serde::Deserializer<'de>>(source: D) -> Result<UnitVector3<f64>, D::Error> {
+    let vector: Vector3<f64> = serde::Deserialize::deserialize(source)?;
+    let length = super::math::sqrt(vector.norm_squared());
+    if (length - 1.0).abs() <= UNIT {
+        Ok(UnitVector3::new_unchecked(vector))
+    } else {
+        Err(serde::de::Error::custom(format_args!("the length of the tool axis is {length}, and must be 1")))
+    }
 }
 
 /// Kind of an axis.
@@ -58,6 +78,7 @@ impl Sign {
 
 /// Travel of an axis, inclusive; mm or rad.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Limits {
     /// Smallest value.
     pub lower: f64,

@@ -1,7 +1,28 @@
 //! Kinematics of a machine tool: its axes, poses, and the maps between axis values and poses.
 //!
 //! Units are millimetres and radians. *Forward* is always axes to pose, *inverse* pose to axes. Everything but `any`,
-//! the object-safe form of a machine, builds without `std` and allocates nothing; [`machine!`](crate::machine) implements [`Machine`] for one declared machine.
+//! the object-safe form of a machine, builds without `std` and allocates nothing; [`machine!`](crate::machine) implements
+//! [`Machine`] for one declared machine.
+//!
+//! ```
+//! use pp_runtime::kinematics::{Machine, Pose};
+//! use pp_runtime::nalgebra::{Point3, UnitVector3, Vector3};
+//! # pp_runtime::machine! {
+//! #     /// A table that rotates about Z on a table that tilts about X.
+//! #     pub struct Trunnion;
+//! #     chain: C A | X Y Z;
+//! # }
+//!
+//! let axis = UnitVector3::new_normalize(Vector3::new(0.0, -0.6, 0.8));
+//! let pose = Pose { tip: Point3::new(10.0, 20.0, 30.0), axis };
+//! let machine = Trunnion::default();
+//! for solution in machine.inverse_kinematics(&pose, &Trunnion::HELD).iter() {
+//!     let again = machine.forward_kinematics(&solution.axes);
+//!     assert!((again.tip - pose.tip).norm() < 1e-9);
+//! }
+//! ```
+//!
+//! [`nearest`] chooses among branches and revolutions, within the travel.
 
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
@@ -13,6 +34,7 @@ mod machine;
 pub(crate) mod machines;
 pub mod math;
 mod motion;
+mod nearest;
 #[cfg(feature = "simulate")]
 mod ranges;
 mod refusal;
@@ -27,6 +49,7 @@ pub use machine::{Axis, AxisKind, Dimension, DimensionKind, Joint, Limits, Machi
 #[cfg(feature = "simulate")]
 pub use motion::StepBound;
 pub use motion::{Curve, MotionBound, motion_of_joints, rates_of_joints};
+pub use nearest::{NotNearest, nearest};
 #[cfg(feature = "simulate")]
 pub use ranges::AxisRanges;
 pub use refusal::{Cone, Invalid, Unreachable};

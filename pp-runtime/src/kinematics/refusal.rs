@@ -4,6 +4,7 @@ use core::fmt;
 
 /// A dimension or set-up value with which the machine's formulas do not hold.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum Invalid {
     /// A dimension that the declaration requires, because each machine has its own, has no value.
     Required {
@@ -70,6 +71,7 @@ impl Cone {
 
 /// Reason why no axis values give the required tool axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum Unreachable {
     /// The required axis is not a unit vector of finite numbers.
     NotFinite,

@@ -5,6 +5,7 @@ use core::ops::Deref;
 
 /// Branch of the closed-form inverse. The first is the one that the papers print (`sin B >= 0` for a C-B table).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Branch {
     /// The first branch; the only one where both coincide.
     #[default]
@@ -18,6 +19,7 @@ pub type RotaryAngles = [f64; 2];
 
 /// Axis values for a pose, before whole turns and limits.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Solution<A> {
     /// Axis values in chain order, mm and rad.
     pub axes: A,

@@ -4,6 +4,29 @@
 //! last decimal. Decides branch and revolutions of the rotary axes, limits, feeds and the safe sequence between operations.
 //! Does not write the codes of a control and does not read CL text. Memory is constant, and nothing is allocated for a
 //! motion.
+//!
+//! The command line and [`post`](crate::post) run it. Its options are part of a configuration, its figures part of a report:
+//!
+//! ```
+//! use pp_runtime::config::Config;
+//! use pp_runtime::control::LinuxCnc;
+//! use pp_runtime::post::{Job, post_checked};
+//! # pp_runtime::machine! {
+//! #     /// A table that rotates about Z on a table that tilts about X.
+//! #     pub struct Trunnion;
+//! #     chain: C A | X Y Z;
+//! # }
+//!
+//! let cl = "UNITS/MM\nLOADTL/1\nSPINDL/3000,CLW\nFEDRAT/500,MMPM\nGOTO/0,0,5,0,0,1\nGOTO/20,0,5,0,0.6,0.8\nFINI\n";
+//! let inserted = |tolerance_mm: f64| {
+//!     let mut config = Config::default();
+//!     config.motion.tolerance_mm = tolerance_mm;
+//!     let job = Job { cl_name: "plate.cls", config: &config, control: &LinuxCnc, units: None };
+//!     post_checked::<Trunnion>(&job, &mut std::io::Cursor::new(cl)).map(|posted| posted.report.statistics.inserted)
+//! };
+//! assert!(inserted(0.001)? > inserted(0.1)?);
+//! # Ok::<(), pp_runtime::post::PostError>(())
+//! ```
 
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 

@@ -9,9 +9,12 @@
 //! 3. The last pass plans and writes motion by motion, in constant memory.
 //!
 //! The same input gives the same bytes.
+//!
+//! [`post_checked`] is the plain call, with an example; [`post`](post()) alone writes to a stream, in constant memory.
 
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
+mod checked;
 mod header;
 mod line_map;
 mod operations;
@@ -37,6 +40,7 @@ use crate::program::Location;
 use crate::program::Units;
 use crate::set_up::SetUp;
 
+pub use checked::{CheckedProgram, post_checked};
 use line_map::MappedEncoder;
 pub(crate) use line_map::OwnedPosition;
 pub use line_map::{LineMap, LineOrigin};
@@ -60,6 +64,7 @@ pub struct Job<'a> {
 
 /// Why a job could not be run.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum PostError {
     /// The CL data cannot be read.
     #[error("cannot read the CL data: {0}")]
@@ -78,6 +83,7 @@ pub enum PostError {
 
 /// Result of a job.
 #[derive(Debug, Clone, PartialEq, Default)]
+#[non_exhaustive]
 pub struct Report {
     /// Errors and warnings, in the order of the CL data.
     pub diagnostics: Vec<Diagnostic>,

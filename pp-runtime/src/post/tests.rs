@@ -1,5 +1,6 @@
 //! Tests of posting, from CL text to the bytes of a program.
 
+mod checked;
 mod header;
 mod operations;
 mod program;

@@ -3,6 +3,23 @@
 //!
 //! Data in mm, rad and mm/min that several stages read, and the table of its keys. Nothing is planned or written here.
 //! An option that only one stage reads belongs to that stage.
+//!
+//! ```
+//! use pp_runtime::config::{Config, GivenTool};
+//! # pp_runtime::machine! {
+//! #     /// A table that rotates about Z on a table that tilts about X.
+//! #     pub struct Trunnion;
+//! #     chain: C A | X Y Z;
+//! # }
+//!
+//! let mut config = Config::default();
+//! config.set_up.part_origin = [0.0, 0.0, 40.0];
+//! config.set_up.tools.insert(3, GivenTool { length_mm: Some(148.32), ..GivenTool::default() });
+//! // The same from a file.
+//! let file = "part_origin = [0, 0, 40]\n[tools.3]\nlength = 148.32\n";
+//! let read = Config::read::<Trunnion>(file).expect("a configuration");
+//! assert_eq!(read.set_up, config.set_up);
+//! ```
 
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 

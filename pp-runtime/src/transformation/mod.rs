@@ -8,6 +8,22 @@
 //! The formulas of the first two are those that were proven when the machine was compiled
 //! ([`CSource`](crate::kinematics::CSource)); only the frame around them is written here. The sheets are computed from the
 //! joints as declared. Nothing is written to files here.
+//!
+//! ```
+//! use pp_runtime::config::Config;
+//! use pp_runtime::transformation::{SheetControl, c_header, compare_sheet};
+//! # pp_runtime::machine! {
+//! #     /// A table that rotates about Z on a table that tilts about X.
+//! #     pub struct Trunnion;
+//! #     chain: C A | X Y Z;
+//! # }
+//!
+//! let machine = Trunnion::default();
+//! assert!(c_header(&machine, "trunnion")?.contains("int trunnion_inverse"));
+//! let sheet = compare_sheet(&machine, &Config::default(), SheetControl::Siemens)?;
+//! assert!(sheet.contains("TRAFO"), "{sheet}");
+//! # Ok::<(), pp_runtime::transformation::NotExpressible>(())
+//! ```
 
 mod c;
 pub mod linuxcnc;

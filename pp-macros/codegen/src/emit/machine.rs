@@ -34,11 +34,11 @@ pub(crate) fn item(
         let path = quote!(#runtime::serde).to_string().replace(' ', "");
         quote! {
             #[derive(#runtime::serde::Serialize, #runtime::serde::Deserialize)]
-            #[serde(crate = #path)]
+            #[serde(crate = #path, default, deny_unknown_fields)]
         }
     });
     quote! {
-        #[derive(::core::clone::Clone, ::core::fmt::Debug)]
+        #[derive(::core::clone::Clone, ::core::fmt::Debug, ::core::cmp::PartialEq)]
         #serde
         #(#attributes)*
         #(#[doc = #doc])*

@@ -3,6 +3,25 @@
 //! Written from what controls do, independent of what writes programs: no table is shared with `control`. A program is
 //! read as it streams by, and nothing is allocated for a block unless something is wrong with it. What is not known is a
 //! fault of its block, never passed over.
+//!
+//! ```
+//! use pp_runtime::check::{blocks, read::Action};
+//! use pp_runtime::config::Config;
+//! use pp_runtime::control::Fanuc;
+//! # pp_runtime::machine! {
+//! #     /// A table that rotates about Z on a table that tilts about X.
+//! #     pub struct Trunnion;
+//! #     chain: C A | X Y Z;
+//! # }
+//!
+//! let policy = Config::default().check_policy::<Trunnion>(&Fanuc, None)?;
+//! let blocks = blocks::<Trunnion>(&policy, &b"%\nO1\nG21 G90 G94 G17 G40 G80 G49\nG0 X10.\nG1 X20. F500.\nM30\n%\n"[..])?;
+//! let last_motion = blocks.iter().rfind(|block| block.written != 0).expect("an axis word");
+//! assert!((last_motion.values[2] - 20.0).abs() < 1e-12);
+//! assert_eq!(last_motion.action, Action::Feed);
+//! assert!(blocks.iter().all(|block| block.faults.is_empty()));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod block;
 mod codes;

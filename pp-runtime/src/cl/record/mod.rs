@@ -8,6 +8,13 @@
 //! A record prints as a statement that is read back as the same record. Numbers are written as decimals with the fewest
 //! digits that give the same number. Statements are not split into several lines. Text is written as UTF-8, so text in
 //! another encoding changes.
+//!
+//! ```
+//! let mut words = Vec::new();
+//! pp_runtime::cl::list_words(&mut words)?;
+//! assert!(String::from_utf8_lossy(&words).contains("GOTO"));
+//! # Ok::<(), std::io::Error>(())
+//! ```
 
 mod arc;
 mod comment;

@@ -1,6 +1,13 @@
 //! Mathematical functions that `core` does not have.
 //!
 //! They give the same bits on every system: a program does not depend on the library of the system on which it was posted.
+//!
+//! ```
+//! use pp_runtime::kinematics::math;
+//!
+//! let (sine, cosine) = math::sin_cos(math::atan2(3.0, 4.0));
+//! assert!((sine - 0.6).abs() < 1e-15 && (cosine - 0.8).abs() < 1e-15);
+//! ```
 
 pub(crate) mod arc_tangent;
 pub(crate) mod sin_cos;

@@ -7,6 +7,20 @@
 //!
 //! Sources: kinematics.h and control.c (`handle_kinematicsSwitch`) of LinuxCNC 2.9 and 2.10, its documentation of switchable
 //! kinematics, and its single-file components `millturn` and `xyzacb_trsrn` for the order of the calls.
+//!
+//! ```
+//! use pp_runtime::config::Config;
+//! use pp_runtime::transformation::linuxcnc;
+//! # pp_runtime::machine! {
+//! #     /// A table that rotates about Z on a table that tilts about X.
+//! #     pub struct Trunnion;
+//! #     chain: C A | X Y Z;
+//! # }
+//!
+//! let files = linuxcnc::files(&Trunnion::default(), &Config::default())?;
+//! assert!(files.iter().any(|file| file.name.ends_with(".comp") && file.text.contains("kinematicsInverse")));
+//! # Ok::<(), pp_runtime::transformation::NotExpressible>(())
+//! ```
 
 mod component;
 mod configuration;
