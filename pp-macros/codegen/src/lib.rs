@@ -1,7 +1,6 @@
-//! The engine of `machine!`: a declaration becomes exact algebra, a closed-form inverse, a proof, and Rust.
+#![doc = include_str!("../README.md")]
 //!
-//! An ordinary library, so that it can be tested, fuzzed and read; the proc-macro crate only calls [`expand_with`].
-//! Same input, same tokens: no I/O, no counters, no clock, no environment, no hash order.
+//! The proc-macro crate only calls [`expand_with`]. Same input, same tokens: no I/O, no counters, no clock, no environment, no hash order.
 // A library returns its errors and leaves output to its caller.
 #![cfg_attr(
     not(test),

@@ -8,7 +8,7 @@ use libfuzzer_sys::fuzz_target;
 use machines::SpinnerU5620;
 use pp_runtime::check::check;
 
-const CL_DATA: &[u8] = include_bytes!("../seeds/post/nx.cls");
+const CL_DATA: &[u8] = include_bytes!("../../../pp-runtime/src/cl/tests/whole/nx.cls");
 
 fuzz_target!(|data: &[u8]| {
     let Some((SetUp { control, config }, program)) = chosen(data) else { return };

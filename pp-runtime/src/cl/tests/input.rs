@@ -12,11 +12,11 @@ const MIXED: &str = "$$ NAME\nPARTNO/'A B'\nUNITS/MM\nTOOL PATH/P1,TOOL,T1\nLOAD
 
 /// Files of four CAM systems, with every record that can stay open.
 const WHOLE: [&str; 5] = [
-    include_str!("../../../../tests/fuzz/seeds/post/nx.cls"),
-    include_str!("../../../../tests/fuzz/seeds/post/catia.aptsource"),
-    include_str!("../../../../tests/fuzz/seeds/post/creo.ncl"),
-    include_str!("../../../../tests/fuzz/seeds/post/solidworks.apt"),
-    include_str!("../../../../tests/fuzz/seeds/post/others.cls"),
+    include_str!("whole/nx.cls"),
+    include_str!("whole/catia.aptsource"),
+    include_str!("whole/creo.ncl"),
+    include_str!("whole/solidworks.apt"),
+    include_str!("whole/others.cls"),
 ];
 
 /// Input that returns `size` bytes at a time.
