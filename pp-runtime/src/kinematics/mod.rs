@@ -22,7 +22,7 @@
 //! }
 //! ```
 //!
-//! [`nearest`] chooses among branches and revolutions, within the travel.
+//! [`nearest`](nearest()) chooses among branches and revolutions, within the travel.
 
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
