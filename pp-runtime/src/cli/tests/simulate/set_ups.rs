@@ -86,3 +86,41 @@ fn the_design_is_compared_where_the_part_lies_at_the_end() {
     let first = simulated_with(&shop, &two_sides(UPSIDE_DOWN, 0.3), &config(""), &["--save-stock", &saved]);
     assert_eq!(first.status, Status::Done, "{}", first.errors);
 }
+
+/// All six sides of a block by two set-ups: the face and the four sides from above, and the face from below.
+fn six_sides(second_frame: &str) -> String {
+    let face = "RAPID\nGOTO/-12,3,50,0,0,1\nRAPID\nGOTO/-12,3,5\nGOTO/-12,3,0\nGOTO/52,3,0\nGOTO/52,11,0\nGOTO/-12,11,0\n\
+        GOTO/-12,19,0\nGOTO/52,19,0\nGOTO/52,27,0\nGOTO/-12,27,0\nGOTO/-12,32,0\nGOTO/52,32,0\nRAPID\nGOTO/52,32,50\n";
+    let sides = "RAPID\nGOTO/-15,-5,50\nRAPID\nGOTO/-15,-5,5\nGOTO/-15,-5,-10.5\nGOTO/45,-5,-10.5\nGOTO/45,37,-10.5\n\
+        GOTO/-5,37,-10.5\nGOTO/-5,-15,-10.5\nRAPID\nGOTO/-5,-15,50\n";
+    format!(
+        "UNITS/MM\nMSYS/0,0,0,1,0,0,0,1,0\nTOOL PATH/TOP,TOOL,MILL\nTLDATA/MILL,10.0,0.0\nLOADTL/1\n\
+         SPINDL/RPM,3000,CLW\nFEDRAT/MMPM,500\n{face}{sides}END-OF-PATH\n{second_frame}TOOL PATH/BOTTOM,TOOL,MILL\n{face}FINI\n"
+    )
+}
+
+#[test]
+fn six_sides_of_a_block_are_the_finished_part_after_two_set_ups() {
+    let tool = TOOL.replace("flute_length = 8.0", "flute_length = 30.0");
+    let config = config("")
+        .replace(TOOL, &tool)
+        .replace("lower = [0.0, 0.0, -10.0]\nupper = [40.0, 32.0, 0.0]", "lower = [-1, -1, -11]\nupper = [41, 33, 1]");
+    let config = format!("{config}[solids]\ndesign = {{ box = [[0, 0, -10], [40, 32, 0]] }}\n");
+    let (outcome, json) = run(&six_sides(UPSIDE_DOWN), &config);
+    assert_eq!(outcome.status, Status::Done, "{}", outcome.errors);
+    assert_eq!(kinds(&json), Vec::<&str>::new(), "{}", outcome.errors);
+    let wanted = 42.0 * 34.0 * 12.0 - 40.0 * 32.0 * 10.0;
+    assert!((removed(&json) - wanted).abs() < 2e-3 * wanted, "{json}");
+    let design = &json["design"];
+    for side in ["gouge", "rest"] {
+        assert_eq!(design[format!("{side}_count")], 0, "{design}");
+        let largest = design[format!("largest_{side}_mm")].as_f64().expect("a distance");
+        assert!(largest < 2e-3, "{side}: {largest}");
+    }
+    // The part lies 0.03 mm too high or too low in the second set-up.
+    for (origin, count) in [("-9.97", "gouge_count"), ("-10.03", "rest_count")] {
+        let frame = UPSIDE_DOWN.replace("-10,", &format!("{origin},"));
+        let (outcome, json) = run(&six_sides(&frame), &config);
+        assert_eq!(json["design"][count], 1, "{origin}: {json} {}", outcome.errors);
+    }
+}
