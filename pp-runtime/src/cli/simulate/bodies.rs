@@ -151,8 +151,8 @@ fn stock(set_up: &SetUp, args: &SimulationArgs) -> Result<(TriDexel, String), Fa
     let [low, high] = stock.corners();
     let [x, y, z]: [f64; 3] = std::array::from_fn(|axis| high[axis] - low[axis]);
     let text = format!(
-        "stock: {what}, {x:.3} x {y:.3} x {z:.3} mm, pitch {pitch} mm ({whence}): nothing thinner is seen, {:.1} MB",
-        stock.bytes() as f64 / 1e6
+        "stock: {what}, {x:.3} x {y:.3} x {z:.3} mm, pitch {pitch} mm ({whence}): nothing thinner is seen, up to {:.1} MB",
+        stock.most_bytes() as f64 / 1e6
     );
     Ok((stock, text))
 }

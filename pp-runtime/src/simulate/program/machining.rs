@@ -24,8 +24,8 @@ pub(crate) const PATH_MM: f64 = 3e-3;
 /// Depth from which a contact counts, mm.
 pub(crate) const TOUCH_MM: f64 = 0.02;
 
-/// Pieces that are cut at once.
-const CHUNK: usize = 4096;
+/// Pieces that are cut at once: 0.5 MB, and as much again for each family of lines.
+const CHUNK: usize = 1024;
 
 /// Halvings of a motion.
 pub(super) const MOST_HALVINGS: u32 = 16;

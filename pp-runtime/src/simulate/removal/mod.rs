@@ -5,6 +5,7 @@
 //! side, however the tool turns and however closely a line grazes it: `sweep` has the mathematics. `surface` makes triangles of
 //! the stock.
 
+mod in_order;
 mod profile;
 mod stock;
 mod surface;

@@ -1,15 +1,17 @@
 //! The stock: three families of parallel lines, each with the parts that are material.
 //!
 //! A family has its lines along X, Y or Z, a pitch apart, in tiles of 16 x 16. A span of a line is two coordinates and the
-//! names of the pieces that cut there: 16 bytes. Where a line has several spans they are in a list of the tile. Within a tile
-//! lines are in blocks of 4 x 4; a block that a piece does not reach is left out as a whole, by the line in its middle and
-//! the tool grown by half its diagonal.
+//! names of the pieces that cut there: 16 bytes. Where a line has several spans they are in a list of the tile. A tile whose
+//! lines are all alike has one span for all of them, as in a blank that is not cut there, and where nothing is left. Within a
+//! tile lines are in blocks of 4 x 4; a block that a piece does not reach is left out as a whole, by the line in its middle
+//! and the tool grown by half its diagonal.
 //!
 //! Every line and piece is independent of the others, so tiles are cut by several threads, and each line is cut by the pieces
 //! in their order. The result does not depend on the number of threads.
 
 use std::sync::Mutex;
 
+use super::in_order::InOrder;
 use super::profile::Profile;
 use super::sweep::{Covered, LANES, Lines, SweptPiece, SweptSpace};
 
@@ -43,11 +45,53 @@ pub struct Filled {
 
 const NOTHING: Filled = Filled { low: f32::INFINITY, high: f32::NEG_INFINITY, low_id: 0, high_id: 0 };
 
+/// The single span of each line of a tile; a line without material, or with several spans, is empty here.
+#[derive(Debug, Clone)]
+enum Spans {
+    /// All lines have the same.
+    Alike(Filled),
+    /// Block by block.
+    Each(Box<[Filled; TILE * TILE]>),
+}
+
+impl Spans {
+    fn of(&self, line: usize) -> &Filled {
+        match self {
+            Self::Alike(span) => span,
+            Self::Each(spans) => &spans[line],
+        }
+    }
+
+    fn set(&mut self, line: usize, span: Filled) {
+        if let Self::Alike(all) = *self {
+            *self = Self::Each(Box::new([all; TILE * TILE]));
+        }
+        if let Self::Each(spans) = self {
+            spans[line] = span;
+        }
+    }
+
+    /// Keeps one span where all lines have the same.
+    fn join(&mut self) {
+        if let Self::Each(spans) = self
+            && spans.iter().all(|span| *span == spans[0])
+        {
+            *self = Self::Alike(spans[0]);
+        }
+    }
+
+    fn all_mut(&mut self) -> &mut [Filled] {
+        match self {
+            Self::Alike(span) => std::slice::from_mut(span),
+            Self::Each(spans) => &mut spans[..],
+        }
+    }
+}
+
 /// Lines side by side.
 #[derive(Debug, Clone)]
 struct Tile {
-    /// Block by block. A line without material, or with several spans, is empty here.
-    spans: Vec<Filled>,
+    spans: Spans,
     /// Lines with several spans, ascending.
     several: Vec<(u16, Vec<Filled>)>,
     /// Lowest and highest material of each block.
@@ -142,12 +186,13 @@ pub(crate) struct Removed {
 
 impl Tile {
     fn measure(&mut self) {
+        self.spans.join();
         self.blocks = [[f32::INFINITY, f32::NEG_INFINITY]; BLOCKS];
         let mut take = |line: usize, span: &Filled| {
             let [low, high] = &mut self.blocks[line / (BLOCK * BLOCK)];
             (*low, *high) = (low.min(span.low), high.max(span.high));
         };
-        self.spans.iter().enumerate().for_each(|(line, span)| take(line, span));
+        (0..TILE * TILE).for_each(|line| take(line, self.spans.of(line)));
         for (line, spans) in &self.several {
             spans.iter().for_each(|span| take(usize::from(*line), span));
         }
@@ -155,17 +200,16 @@ impl Tile {
 
     fn set(&mut self, line: usize, spans: &[Filled]) {
         self.several.retain(|(other, _)| usize::from(*other) != line);
-        self.spans[line] = NOTHING;
-        match spans {
-            [] => {}
-            [span] => self.spans[line] = *span,
-            _ => self.several.push((line as u16, spans.to_vec())),
+        self.spans.set(line, if let [span] = spans { *span } else { NOTHING });
+        if spans.len() > 1 {
+            self.several.push((line as u16, spans.to_vec()));
         }
     }
 
     fn of(&self, line: usize) -> &[Filled] {
-        if self.spans[line].low <= self.spans[line].high {
-            return &self.spans[line..=line];
+        let single = self.spans.of(line);
+        if single.low <= single.high {
+            return std::slice::from_ref(single);
         }
         let found = self.several.iter().find(|(other, _)| usize::from(*other) == line);
         found.map_or(&[], |(_, spans)| spans)
@@ -181,6 +225,14 @@ fn line_of(i: usize, j: usize) -> usize {
 fn position_of(line: usize) -> [usize; 2] {
     let (block, inside) = (line / (BLOCK * BLOCK), line % (BLOCK * BLOCK));
     [block % (TILE / BLOCK) * BLOCK + inside % BLOCK, block / (TILE / BLOCK) * BLOCK + inside / BLOCK]
+}
+
+/// The two coordinates of a line across it, mm.
+fn across_line(low: &[f64; 3], pitch: &[f64; 3], family: usize, line: [usize; 2]) -> [f64; 2] {
+    std::array::from_fn(|index| {
+        let axis = (family + 1 + index) % 3;
+        low[axis] + (line[index] as f64 + 0.5) * pitch[axis]
+    })
 }
 
 impl TriDexel {
@@ -214,7 +266,7 @@ impl TriDexel {
             let lines = [counts[(line + 1) % 3], counts[(line + 2) % 3]];
             let tiles = lines.map(|count| count.div_ceil(TILE));
             let tile = Tile {
-                spans: vec![NOTHING; TILE * TILE],
+                spans: Spans::Alike(NOTHING),
                 several: Vec::new(),
                 blocks: [[f32::INFINITY, f32::NEG_INFINITY]; BLOCKS],
             };
@@ -235,27 +287,37 @@ impl TriDexel {
         mut material: impl FnMut(usize, [usize; 2], [f64; 2], &mut Vec<[f64; 2]>),
     ) -> Result<Self, StockFault> {
         let mut stock = Self::empty(corners, pitch_mm)?;
-        let (mut parts, mut spans) = (Vec::new(), Vec::new());
-        for family in 0..3 {
-            let [columns, rows] = stock.families[family].lines;
-            for j in 0..rows {
-                for i in 0..columns {
-                    parts.clear();
-                    material(family, [i, j], stock.across(family, [i, j]), &mut parts);
-                    spans.clear();
-                    spans.extend(parts.iter().filter(|part| part[0] < part[1]).map(|part| Filled {
-                        low: part[0] as f32,
-                        high: part[1] as f32,
-                        ..NOTHING
-                    }));
-                    let held = &mut stock.families[family];
-                    let tile = &mut held.tiles[j / TILE * held.tiles_across + i / TILE];
-                    tile.set(line_of(i % TILE, j % TILE), &spans);
-                }
-            }
-            stock.families[family].tiles.iter_mut().for_each(Tile::measure);
-        }
+        let (low, pitch) = (stock.low, stock.pitch);
+        let mut parts = Vec::new();
+        stock.fill(|family, line, spans| {
+            parts.clear();
+            material(family, line, across_line(&low, &pitch, family, line), &mut parts);
+            spans.extend(parts.iter().filter(|part| part[0] < part[1]).map(|part| Filled {
+                low: part[0] as f32,
+                high: part[1] as f32,
+                ..NOTHING
+            }));
+        });
         Ok(stock)
+    }
+
+    /// Fills every line with its spans in their order: of a family and its two numbers, the first of which runs fastest.
+    fn fill(&mut self, mut spans_of: impl FnMut(usize, [usize; 2], &mut Vec<Filled>)) {
+        let mut spans = Vec::new();
+        for (family, held) in self.families.iter_mut().enumerate() {
+            let [columns, rows] = held.lines;
+            for (tiles, first) in held.tiles.chunks_mut(held.tiles_across).zip((0..rows).step_by(TILE)) {
+                for j in first..rows.min(first + TILE) {
+                    for i in 0..columns {
+                        spans.clear();
+                        spans_of(family, [i, j], &mut spans);
+                        tiles[i / TILE].set(line_of(i % TILE, j % TILE), &spans);
+                    }
+                }
+                // Before the next ones: tiles whose lines are alike are small from here on.
+                tiles.iter_mut().for_each(Tile::measure);
+            }
+        }
     }
 
     /// A box.
@@ -287,7 +349,7 @@ impl TriDexel {
     pub(crate) fn unnamed(mut self) -> Self {
         for tile in self.families.iter_mut().flat_map(|family| &mut family.tiles) {
             let several = tile.several.iter_mut().flat_map(|(_, spans)| spans);
-            for span in tile.spans.iter_mut().chain(several).filter(|span| span.low <= span.high) {
+            for span in tile.spans.all_mut().iter_mut().chain(several).filter(|span| span.low <= span.high) {
                 (span.low_id, span.high_id) = (u32::MAX, u32::MAX);
             }
         }
@@ -304,35 +366,22 @@ impl TriDexel {
         let counts = [0, 1, 2].map(|axis| self.counts()[from[axis]]);
         let mut stock = Self::of_counts([low, high], counts);
         stock.effort = self.effort;
-        for family in 0..3 {
-            let [u, v] = [(family + 1) % 3, (family + 2) % 3];
-            let mut spans = Vec::new();
-            for j in 0..counts[v] {
-                for i in 0..counts[u] {
-                    let mut node = [0; 3];
-                    for (axis, index) in [(u, i), (v, j)] {
-                        node[from[axis]] = if signs[axis] > 0.0 { index } else { counts[axis] - 1 - index };
-                    }
-                    let along = from[family];
-                    let line = [node[(along + 1) % 3], node[(along + 2) % 3]];
-                    let moved = |value: f32| (signs[family] * f64::from(value) + by[family]) as f32;
-                    spans.clear();
-                    spans.extend(self.spans(along, line).iter().map(|span| match signs[family] > 0.0 {
-                        true => Filled { low: moved(span.low), high: moved(span.high), ..*span },
-                        false => Filled {
-                            low: moved(span.high),
-                            high: moved(span.low),
-                            low_id: span.high_id,
-                            high_id: span.low_id,
-                        },
-                    }));
-                    spans.sort_by(|a, b| a.low.total_cmp(&b.low));
-                    let held = &mut stock.families[family];
-                    held.tiles[j / TILE * held.tiles_across + i / TILE].set(line_of(i % TILE, j % TILE), &spans);
-                }
+        stock.fill(|family, line, spans| {
+            let mut node = [0; 3];
+            for (axis, index) in [1, 2].map(|next| (family + next) % 3).into_iter().zip(line) {
+                node[from[axis]] = if signs[axis] > 0.0 { index } else { counts[axis] - 1 - index };
             }
-            stock.families[family].tiles.iter_mut().for_each(Tile::measure);
-        }
+            let along = from[family];
+            let line = [node[(along + 1) % 3], node[(along + 2) % 3]];
+            let moved = |value: f32| (signs[family] * f64::from(value) + by[family]) as f32;
+            spans.extend(self.spans(along, line).iter().map(|span| match signs[family] > 0.0 {
+                true => Filled { low: moved(span.low), high: moved(span.high), ..*span },
+                false => {
+                    Filled { low: moved(span.high), high: moved(span.low), low_id: span.high_id, high_id: span.low_id }
+                }
+            }));
+            spans.sort_by(|a, b| a.low.total_cmp(&b.low));
+        });
         stock
     }
 
@@ -343,17 +392,11 @@ impl TriDexel {
             std::array::from_fn(|axis| (self.counts()[axis] - steps[axis] / 2 - 1) / steps[axis] + 1);
         let high = std::array::from_fn(|axis| self.low[axis] + (counts[axis] * steps[axis]) as f64 * self.pitch[axis]);
         let mut stock = Self::of_counts([self.low, high], counts);
-        for family in 0..3 {
-            let [u, v] = [(family + 1) % 3, (family + 2) % 3];
-            for j in 0..counts[v] {
-                for i in 0..counts[u] {
-                    let spans = self.spans(family, [i * steps[u] + steps[u] / 2, j * steps[v] + steps[v] / 2]);
-                    let held = &mut stock.families[family];
-                    held.tiles[j / TILE * held.tiles_across + i / TILE].set(line_of(i % TILE, j % TILE), spans);
-                }
-            }
-            stock.families[family].tiles.iter_mut().for_each(Tile::measure);
-        }
+        stock.fill(|family, line, spans| {
+            let kept = [1, 2].map(|next| steps[(family + next) % 3]);
+            spans
+                .extend_from_slice(self.spans(family, [0, 1].map(|index| line[index] * kept[index] + kept[index] / 2)));
+        });
         stock
     }
 
@@ -393,10 +436,7 @@ impl TriDexel {
     }
 
     pub(crate) fn across(&self, family: usize, line: [usize; 2]) -> [f64; 2] {
-        std::array::from_fn(|index| {
-            let axis = (family + 1 + index) % 3;
-            self.low[axis] + (line[index] as f64 + 0.5) * self.pitch[axis]
-        })
+        across_line(&self.low, &self.pitch, family, line)
     }
 
     /// Shows the spans of every line of a family, with its two coordinates across.
@@ -464,14 +504,11 @@ impl TriDexel {
         })
     }
 
-    /// Memory of the lines, bytes.
+    /// Memory of the lines once no tile has lines that are alike, bytes; lines with several spans take more.
     #[must_use]
-    pub fn bytes(&self) -> usize {
-        let tile = |tile: &Tile| {
-            let several = tile.several.iter().map(|(_, spans)| 40 + spans.capacity() * size_of::<Filled>());
-            size_of::<Tile>() + tile.spans.capacity() * size_of::<Filled>() + several.sum::<usize>()
-        };
-        self.families.iter().flat_map(|family| &family.tiles).map(tile).sum()
+    pub fn most_bytes(&self) -> usize {
+        let tiles: usize = self.families.iter().map(|family| family.tiles.len()).sum();
+        tiles * (size_of::<Tile>() + TILE * TILE * size_of::<Filled>())
     }
 
     /// Cuts the stock by pieces in their order. `eps`: largest distance of a new end from the sweep of its piece, mm.
@@ -485,9 +522,8 @@ impl TriDexel {
             if removed.length > contact.longest {
                 contact.longest = removed.length;
                 contact.place[removed.family] = removed.middle;
-                for (axis, line) in [1, 2].map(|next| (removed.family + next) % 3).into_iter().zip(removed.line) {
-                    contact.place[axis] = low[axis] + (line as f64 + 0.5) * pitch[axis];
-                }
+                let [u, v] = [1, 2].map(|next| (removed.family + next) % 3);
+                [contact.place[u], contact.place[v]] = across_line(&low, &pitch, removed.family, removed.line);
             }
         });
         contacts
@@ -500,7 +536,7 @@ impl TriDexel {
         profiles: &[Profile],
         eps: f64,
         threads: usize,
-        mut show: impl FnMut(&Removed),
+        mut show: impl FnMut(&Removed) + Send,
     ) {
         let boxes: Vec<[[f64; 3]; 2]> =
             pieces.iter().map(|piece| piece.bounds(&profiles[piece.profile as usize])).collect();
@@ -534,44 +570,35 @@ impl TriDexel {
                 .filter(|(_, (_, list))| !list.is_empty())
                 .map(|(index, (tile, list))| (index, tile, list))
                 .collect();
-            let queue = Mutex::new(work.into_iter());
+            let queue = Mutex::new(work.into_iter().enumerate());
+            let total = &mut self.effort;
+            let in_order = Mutex::new(InOrder::new(|(index, cut): (usize, TileCut)| {
+                total.add(&cut.effort);
+                let corner = [index % across * TILE, index / across * TILE];
+                for (piece, at, length, middle) in cut.touches {
+                    let [i, j] = position_of(usize::from(at));
+                    let at = [corner[0] + i, corner[1] + j];
+                    show(&Removed { piece: piece as usize, family: line, line: at, length, middle });
+                }
+            }));
             let run = || {
-                let (mut done, mut effort) = (Vec::new(), Effort::default());
-                loop {
-                    let Some((index, tile, list)) = queue.lock().ok().and_then(|mut queue| queue.next()) else {
-                        return (done, effort);
-                    };
+                while let Some((turn, (index, tile, list))) = queue.lock().ok().and_then(|mut queue| queue.next()) {
                     let corner = [low[u] + (index % across) as f64 * tile_u, low[v] + (index / across) as f64 * tile_v];
                     let mut cut = TileCut { corner, pitch, eps, touches: Vec::new(), effort: Effort::default() };
                     for &piece in list {
                         let moved = &permuted[piece as usize];
                         cut.cut(tile, moved, &profiles[moved.profile as usize], piece);
                     }
-                    effort.add(&cut.effort);
-                    done.push((index, cut.touches));
+                    if let Ok(mut in_order) = in_order.lock() {
+                        in_order.give(turn, (index, cut));
+                    }
                 }
             };
-            let results: Vec<_> = if threads > 1 {
-                std::thread::scope(|scope| {
-                    let handles: Vec<_> = (0..threads).map(|_| scope.spawn(run)).collect();
-                    handles.into_iter().filter_map(|handle| handle.join().ok()).collect()
-                })
+            if threads > 1 {
+                // A thread that panics makes the scope panic.
+                std::thread::scope(|scope| (0..threads).for_each(|_| drop(scope.spawn(run))));
             } else {
-                vec![run()]
-            };
-            let mut touched: Vec<(usize, Vec<Touch>)> = Vec::new();
-            for (done, effort) in results {
-                touched.extend(done);
-                self.effort.add(&effort);
-            }
-            touched.sort_by_key(|(index, _)| *index);
-            for (index, touches) in touched {
-                let corner = [index % across * TILE, index / across * TILE];
-                for (piece, at, length, middle) in touches {
-                    let [i, j] = position_of(usize::from(at));
-                    let at = [corner[0] + i, corner[1] + j];
-                    show(&Removed { piece: piece as usize, family: line, line: at, length, middle });
-                }
+                run();
             }
         }
     }
@@ -683,7 +710,7 @@ impl TileCut {
                 continue;
             }
             for line in block * BLOCK * BLOCK..(block + 1) * BLOCK * BLOCK {
-                let span = tile.spans[line];
+                let span = *tile.spans.of(line);
                 if span.low < span.high && f64::from(span.high) >= bottom && f64::from(span.low) <= *top {
                     batch.add(line as u16, span, [bottom, *top]);
                     if batch.count == LANES {
@@ -756,11 +783,12 @@ impl TileCut {
             });
             [below, above]
         };
-        if tile.spans[line].low <= tile.spans[line].high {
-            match kept(&tile.spans[line]) {
+        let single = *tile.spans.of(line);
+        if single.low <= single.high {
+            match kept(&single) {
                 [Some(below), Some(above)] if below.high < above.low => tile.set(line, &[below, above]),
-                [Some(one), _] | [None, Some(one)] => tile.spans[line] = one,
-                [None, None] => tile.spans[line] = NOTHING,
+                [Some(one), _] | [None, Some(one)] => tile.spans.set(line, one),
+                [None, None] => tile.spans.set(line, NOTHING),
             }
             return;
         }
