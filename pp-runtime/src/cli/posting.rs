@@ -21,7 +21,7 @@ use super::messages::{Messages, headline};
 use super::outcome::{Failure, Status, Streams, is_standard};
 use super::output_file::{OutputFile, Rejected, rejected_path};
 use super::self_check::{self, CheckedOutput, Checking, SelfCheck, SelfChecked};
-use super::view::{PageFile, viewing_passes};
+use super::view::{PageFile, PagePart, viewing_passes};
 
 /// Writer of a program.
 pub(crate) type ProgramSink<'a> = BufWriter<&'a mut dyn Write>;
@@ -67,13 +67,15 @@ impl LineMap for BothMaps<'_> {
     }
 }
 
+/// Lines of the summary, or the reason to reject the program; and what the page of the program shows of it.
+pub(crate) type Finished = (Result<Vec<String>, String>, Box<dyn PagePart>);
+
 /// What is done with a program that is posted and checked, before it gets its final name.
 pub(crate) trait AfterPosting {
     /// Receives the text of the program.
     fn writer(&mut self) -> &mut dyn Write;
 
-    /// Lines of the summary, or the reason to reject the program. `source` is the CL data, anywhere; `terminal`: standard error
-    /// is one.
+    /// `source` is the CL data, anywhere; `terminal`: standard error is one.
     fn finish(
         self: Box<Self>,
         terminal: bool,
@@ -81,7 +83,7 @@ pub(crate) trait AfterPosting {
         run: &PostRun<'_>,
         source: &mut ClSource,
         messages: &mut Messages<'_>,
-    ) -> Result<Result<Vec<String>, String>, Failure>;
+    ) -> Result<Finished, Failure>;
 }
 
 #[cfg(feature = "simulate")]
@@ -144,19 +146,22 @@ pub(crate) fn run(
     };
     let ended = map.map_or(Ok(()), MapWriter::end);
     let mut written = written;
+    let mut page_part = None;
     if let (Some(after), Ok(summary)) = (after, &mut written.summary) {
-        let done = after.finish(streams.terminal, machine, &run, &mut source, &mut messages)?;
+        let (done, part) = after.finish(streams.terminal, machine, &run, &mut source, &mut messages)?;
         source.hide_progress();
         match done {
             Ok(lines) => summary.extend(lines),
             Err(reason) => written.summary = Err(reason),
         }
+        written.execution = written.execution.filter(|_| !part.executes_otherwise());
+        page_part = Some(part);
     }
     page.as_ref().map_or(Ok(()), PageFile::clear)?;
     let mut write_page = |messages: &mut Messages<'_>, written: Written| {
         let Some(page) = page.take() else { return Ok(()) };
         show_progress(&mut source, streams.terminal, &args.set_up, viewing_passes(&written));
-        let path = page.finish(machine, &run, &mut source, written)?;
+        let path = page.finish(machine, &run, None, &mut source, written, page_part.as_deref())?;
         source.hide_progress();
         messages.note(&format!("page: {}", path.display()));
         Ok(())

@@ -190,7 +190,7 @@ pub(crate) fn posted(
 }
 
 /// Writes a file that shows a program.
-pub(crate) fn write_to(
+fn write_to(
     target: &mut OutputFile,
     shown: &ViewedProgram<'_>,
     write: impl Fn(&ViewedProgram<'_>, &mut dyn Write) -> io::Result<()>,
@@ -201,7 +201,7 @@ pub(crate) fn write_to(
 }
 
 /// What is shown of a program that is in memory. `program`: its path, if it was not posted in this run.
-pub(crate) fn viewed<'p>(
+fn viewed<'p>(
     machine: &dyn AnyMachine,
     run: &PostRun<'_>,
     program: Option<&Path>,
@@ -238,6 +238,18 @@ fn stem(run: &PostRun<'_>) -> String {
     if is_standard(path) { "program".to_owned() } else { name.unwrap_or_default().to_string_lossy().into_owned() }
 }
 
+/// What the page of a program shows besides it.
+pub(crate) trait PagePart {
+    /// Policy by which the page executes the program.
+    fn policy(&self) -> &CheckPolicy;
+
+    /// Whether that differs from the policy of the run that posts.
+    fn executes_otherwise(&self) -> bool;
+
+    /// Adds it to the page.
+    fn add_to(&self, machine: &dyn AnyMachine, program: &mut ViewedProgram<'_>) -> io::Result<()>;
+}
+
 /// The page of a program that is being posted.
 pub(crate) struct PageFile {
     path: PathBuf,
@@ -256,18 +268,30 @@ impl PageFile {
         self.target.clear().map_err(|error| Failure::unwritable(&self.path, error))
     }
 
-    /// Writes the page, of a rejected program as well.
+    /// Writes the page, of a rejected program as well. `program`: its path, if it was not posted in this run.
     pub(crate) fn finish(
         self,
         machine: &dyn AnyMachine,
         run: &PostRun<'_>,
+        program: Option<&Path>,
         source: &mut ClSource,
         written: Written,
+        part: Option<&dyn PagePart>,
     ) -> Result<PathBuf, Failure> {
         let Self { path, mut target, posted } = self;
         let unwritable = |error| Failure::unwritable(&path, error);
-        let policy = run.policy(machine)?;
-        let program = viewed(machine, run, None, &policy, source, &posted, written)?;
+        let own;
+        let policy = match part {
+            Some(part) => part.policy(),
+            None => {
+                own = run.policy(machine)?;
+                &own
+            }
+        };
+        let mut program = viewed(machine, run, program, policy, source, &posted, written)?;
+        if let Some(part) = part {
+            part.add_to(machine, &mut program).map_err(unwritable)?;
+        }
         if let Some(what) = source.changed_since_opened() {
             return Err(Failure::Changed(source.name().to_owned(), what));
         }

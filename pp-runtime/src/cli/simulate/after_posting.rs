@@ -11,7 +11,7 @@ use super::super::cl_source::ClSource;
 use super::super::inputs::show_simulation;
 use super::super::messages::Messages;
 use super::super::outcome::Failure;
-use super::super::posting::{AfterPosting, PostRun};
+use super::super::posting::{AfterPosting, Finished, PostRun};
 use super::bodies::Bodies;
 use super::simulate;
 
@@ -50,16 +50,17 @@ impl AfterPosting for Posted<'_> {
         run: &PostRun<'_>,
         source: &mut ClSource,
         messages: &mut Messages<'_>,
-    ) -> Result<Result<Vec<String>, String>, Failure> {
+    ) -> Result<Finished, Failure> {
         let Self { bodies, mut text, args } = *self;
         let again = |error: io::Error| Failure::unwritable(run.output, error);
         text.rewind().map_err(again)?;
         source.rewind().map_err(|error| Failure::Unreadable(source.name().to_owned(), error))?;
         show_simulation(source, terminal, &args.set_up);
         let policy = run.policy(machine)?;
-        let simulated = simulate(machine, policy, (source, &mut text, run.output), bodies, &args.simulation, false)?;
+        let keep = args.view.is_some();
+        let simulated = simulate(machine, policy, (source, &mut text, run.output), bodies, &args.simulation, keep)?;
         simulated.findings(messages);
         let line = simulated.line();
-        Ok(if simulated.passed(&args.simulation) { Ok(vec![line]) } else { Err(line) })
+        Ok((if simulated.passed { Ok(vec![line]) } else { Err(line) }, Box::new(simulated)))
     }
 }

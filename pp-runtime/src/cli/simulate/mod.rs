@@ -11,7 +11,7 @@ mod page;
 mod saved_stock;
 
 use std::fs::File;
-use std::io::{BufReader, Seek as _, Write as _};
+use std::io::{self, BufReader, Seek as _, Write as _};
 use std::path::Path;
 use std::thread;
 
@@ -21,7 +21,7 @@ use crate::simulate::{
     LineRecords, Machined, Machining, Origin, Outcome, PartPlaces, Recording, Simulation, ToolBodies, clearances,
     without_solids,
 };
-use crate::view::{ClFacts, Collector, Motions, write_page};
+use crate::view::{ClFacts, Collector, Motions, ViewedProgram};
 
 use super::args::{MessageFormat, SimulateArgs, SimulationArgs};
 use super::check;
@@ -29,10 +29,9 @@ use super::cl_source::ClSource;
 use super::inputs::{open_cl_data, posting_passes, read_config, refuse_overwriting, show_progress, show_simulation};
 use super::messages::Messages;
 use super::outcome::{Failure, Status, Streams, is_standard, print};
-use super::output_file::OutputFile;
 use super::posting::{PostFn, PostRun, read_files};
 use super::self_check::Checking;
-use super::view::{self, IN_MEMORY};
+use super::view::{self, IN_MEMORY, PageFile, PagePart};
 pub(super) use after_posting::after_posting;
 use against_design::{AgainstDesign, Tolerances};
 use bodies::{Bodies, GivenDesign};
@@ -41,21 +40,44 @@ use page::Shown;
 
 /// Result of a simulation.
 struct Simulated {
+    /// Set-up and tools by which the program was executed.
+    policy: CheckPolicy,
+    /// A tool table has given lengths to them.
+    tool_table: bool,
     checked: Checked,
     outcome: Outcome,
     against: Option<AgainstDesign>,
     pitch_mm: [f64; 3],
     stock_mm: [[f64; 3]; 2],
+    /// No finding is one that the run must not have.
+    passed: bool,
     /// For a page.
     shown: Option<Shown>,
 }
 
+impl PagePart for Simulated {
+    fn policy(&self) -> &CheckPolicy {
+        &self.policy
+    }
+
+    fn executes_otherwise(&self) -> bool {
+        self.tool_table
+    }
+
+    fn add_to(&self, machine: &dyn AnyMachine, program: &mut ViewedProgram<'_>) -> io::Result<()> {
+        let Some(shown) = &self.shown else { return Ok(()) };
+        let placed = self.policy.set_up.machine_for(machine).map_err(io::Error::other)?;
+        let figures = serde_json::to_value(self.figures())?;
+        let sentences = (self.line(), self.outcome.summary());
+        let page = shown.page(&*placed, &self.policy.set_up, program, figures, sentences)?;
+        program.add_simulation(page);
+        Ok(())
+    }
+}
+
 impl Simulated {
-    /// Whether no finding is one that the run must not have.
-    fn passed(&self, args: &SimulationArgs) -> bool {
-        let collides = args.fails_on_collision() && self.outcome.count > 0;
-        let gouges = args.fails_on_gouge() && self.against.as_ref().is_some_and(AgainstDesign::gouges);
-        self.checked.fault.is_none() && self.checked.outcome.passed() && !collides && !gouges
+    fn figures(&self) -> Figures<'_> {
+        Figures::of(&self.outcome, self.against.as_ref(), self.passed, (self.pitch_mm, self.stock_mm))
     }
 
     /// The result in one line.
@@ -130,7 +152,7 @@ pub(crate) fn run(
     let mut program: File = match &args.program {
         _ if args.output.is_some() => {
             let path = args.output.as_deref().unwrap_or(shown);
-            let target = OutputFile::create(path).map_err(|error| Failure::unwritable(path, error))?;
+            let mut page_file = PageFile::create(path)?;
             show_progress(&mut source, streams.terminal, &args.set_up, posting_passes(&config));
             let (posted, written) = view::posted(machine, &run, args.program.as_deref(), &mut source, &mut messages)?;
             if let (None, Err(reason)) = (&args.program, &written.summary) {
@@ -142,7 +164,8 @@ pub(crate) fn run(
                 .and_then(|()| file.rewind())
                 .map_err(|error| Failure::unwritable(shown, error))?;
             source.rewind().map_err(unreadable)?;
-            page = Some((path, target, posted, written));
+            page_file.posted = posted;
+            page = Some((page_file, written));
             file
         }
         Some(path) => File::open(path).map_err(|error| Failure::unreadable(path, error))?,
@@ -162,7 +185,7 @@ pub(crate) fn run(
     let policy = run.policy(machine)?;
     show_simulation(&mut source, streams.terminal, &args.set_up);
     let keep = page.is_some();
-    let mut simulated = simulate(machine, policy, (&mut source, &mut program, shown), bodies, &args.simulation, keep)?;
+    let simulated = simulate(machine, policy, (&mut source, &mut program, shown), bodies, &args.simulation, keep)?;
     source.hide_progress();
     if let Some(what) = source.changed_since_opened() {
         return Err(Failure::Changed(name, what));
@@ -171,31 +194,19 @@ pub(crate) fn run(
     check::report(&simulated.checked, &name, &mut source, written.as_deref(), &mut messages).map_err(unreadable)?;
     messages.note(&simulated.checked.outcome.summary());
     simulated.report(&mut messages);
-    let passed = simulated.passed(&args.simulation);
-    let bodies = simulated.shown.take();
-    let Simulated { outcome, against, pitch_mm, stock_mm, .. } = &simulated;
-    let figures = Figures::of(outcome, against.as_ref(), passed, (*pitch_mm, *stock_mm));
-    if let (Some((path, mut target, posted, written)), Some(bodies)) = (page, bodies) {
-        let unwritable = |error| Failure::unwritable(path, error);
-        let policy = run.policy(machine)?;
-        let mut program = view::viewed(machine, &run, args.program.as_deref(), &policy, &mut source, &posted, written)?;
-        let figures = serde_json::to_value(&figures).map_err(|error| unwritable(error.into()))?;
-        let sentences = (simulated.line(), outcome.summary());
-        let placed = policy.set_up.machine_for(machine).map_err(|invalid| Failure::Argument(invalid.to_string()))?;
-        let shown = bodies.page(&*placed, &policy.set_up, &program, figures, sentences).map_err(unwritable)?;
-        program.add_simulation(shown);
-        view::write_to(&mut target, &program, write_page)
-            .and_then(|()| target.finish(|_| false))
-            .map_err(unwritable)?;
+    if let Some((page, mut written)) = page {
+        written.execution = written.execution.filter(|_| !simulated.executes_otherwise());
+        let part: &dyn PagePart = &simulated;
+        let path = page.finish(machine, &run, args.program.as_deref(), &mut source, written, Some(part))?;
         messages.note(&format!("page: {}", path.display()));
     }
     if args.format() == MessageFormat::Json {
         print(streams, |out| {
-            serde_json::to_writer(&mut *out, &figures)?;
+            serde_json::to_writer(&mut *out, &simulated.figures())?;
             out.write_all(b"\n")
         })?;
     }
-    Ok(if passed { Status::Done } else { Status::Rejected })
+    Ok(if simulated.passed { Status::Done } else { Status::Rejected })
 }
 
 /// Executes a program with the bodies of a job. Both files are at their start; `shown`: name of the program; `keep`: a page will
@@ -213,8 +224,10 @@ fn simulate(
     let Bodies { stock, stock_text, design, solids, tool_table } = bodies;
     let facts = ClFacts::read(&mut *source, policy.reading.clone()).map_err(unreadable)?;
     source.rewind().map_err(unreadable)?;
+    let given_table = tool_table.is_some();
     let table = tool_table.map_or_else(Vec::new, |table| table.apply(&mut policy.set_up, &facts));
-    let policy = &policy;
+    let owned = policy;
+    let policy = &owned;
     let tools = ToolBodies::of(&facts, &policy.set_up);
     let (pitch_mm, stock_mm) = (stock.pitch(), stock.corners());
     let placed = policy.set_up.machine_for(machine).map_err(|invalid| Failure::Argument(invalid.to_string()))?;
@@ -292,5 +305,18 @@ fn simulate(
         tools,
         places,
     });
-    Ok(Simulated { checked, outcome, against, pitch_mm, stock_mm, shown })
+    let collides = args.fails_on_collision() && outcome.count > 0;
+    let gouges = args.fails_on_gouge() && against.as_ref().is_some_and(AgainstDesign::gouges);
+    let passed = checked.fault.is_none() && checked.outcome.passed() && !collides && !gouges;
+    Ok(Simulated {
+        policy: owned,
+        tool_table: given_table,
+        checked,
+        outcome,
+        against,
+        pitch_mm,
+        stock_mm,
+        passed,
+        shown,
+    })
 }

@@ -36,7 +36,7 @@ pub(super) struct Shown {
 impl Shown {
     /// The part of the page. `line` and `summary`: the result as sentences.
     pub(super) fn page(
-        self,
+        &self,
         machine: &dyn AnyMachine,
         set_up: &SetUp,
         program: &ViewedProgram<'_>,
@@ -75,6 +75,7 @@ impl Shown {
             part_places: numbers.iter().map(|number| self.places.between(self.set_up, *number).map(matrix)).collect(),
             stages: self
                 .stages
+                .as_ref()
                 .map(|stages| stages.iter().map(|each| stage(each, index(each.set_up))).collect::<io::Result<_>>())
                 .transpose()?,
         })

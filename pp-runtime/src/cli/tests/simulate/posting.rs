@@ -92,3 +92,57 @@ fn a_length_in_the_tool_table_counts_and_is_compared_with_the_posted_one() {
     assert_eq!(none.status, Status::NotRun);
     assert!(none.errors.contains("tool.tbl is no tool table: line 1: "), "{}", none.errors);
 }
+
+/// The simulation on a page.
+fn simulation_of(page: &str) -> Option<Json> {
+    let (_, rest) = page.split_once("id=\"simulation\">")?;
+    let (json, _) = rest.split_once("</script>").expect("an end");
+    Some(serde_json::from_str(json).expect("JSON"))
+}
+
+#[test]
+fn the_page_of_a_posted_program_shows_its_simulation() {
+    let shop = Shop::new();
+    let config = format!("{CONFIG}{TOOL}");
+    let page = shop.arg("part.html");
+    let shown = |part: &str, more: &[&str]| {
+        let outcome = posted(&shop, part, &config, &[&["--view", &page], more].concat());
+        (outcome.status, simulation_of(&shop.text("part.html")))
+    };
+    assert_eq!(shown(PART, &[]), (Status::Done, None));
+    let (status, json) = shown(PART, &["--simulate", "--pitch", "1"]);
+    let json = json.expect("a simulation");
+    assert_eq!(status, Status::Done);
+    assert!(json["line"].as_str().is_some_and(|line| line.starts_with("simulated: 9 motions, 0 collisions")), "{json}");
+    assert!(json["stages"][0]["removed"]["rows"].as_u64() > Some(100), "{}", json["stages"]);
+    // That of a program that is rejected as well.
+    let low = PART.replace("GOTO/-10,8,5\nGOTO/-10,8,-2\n", "GOTO/10,8,-2\n");
+    let (status, json) = shown(&low, &["--simulate", "--pitch", "1", "--fail-on", "collision"]);
+    let json = json.expect("a simulation");
+    assert_eq!((status, &json["figures"]["passed"]), (Status::Rejected, &false.into()));
+    assert!(kinds(&json["figures"]).contains(&"rapid_through_stock"), "{json}");
+}
+
+#[test]
+fn a_page_has_the_tools_as_long_as_in_the_tool_table() {
+    let shop = Shop::new();
+    let config = format!("{CONFIG}{TOOL}");
+    shop.write("tool.tbl", "T1 P1 D10.0 Z+80.0\n");
+    let (table, page) = (shop.arg("tool.tbl"), shop.arg("part.html"));
+    // Height of the spindle over the tip with the last placement, as the page draws it.
+    let spindle = || {
+        let json = simulation_of(&shop.text("part.html")).expect("a simulation");
+        let last = |list: &Json| list.as_array().and_then(|all| all.last()).cloned().expect("a place");
+        last(&last(&json["link_places"]))[2].as_f64().expect("a height")
+    };
+    let heights = [&[][..], &["--tool-table", &table]].map(|more| {
+        simulated_with(&shop, PART, &config, &[&["-o", &page], more].concat());
+        let simulated = spindle();
+        posted(&shop, PART, &config, &[&["--simulate", "--pitch", "1", "--view", &page], more].concat());
+        [simulated, spindle()]
+    });
+    for (with_posted_length, with_the_table) in heights[0].iter().zip(&heights[1]) {
+        let shorter = with_posted_length - with_the_table;
+        assert!((shorter - 20.0).abs() < 1e-9, "{heights:?}");
+    }
+}
