@@ -299,17 +299,19 @@ fn a_motion_that_is_too_low_is_a_gouge_at_its_block_and_its_cl_line() {
 #[test]
 fn the_tolerance_of_the_triangles_of_the_design_is_added() {
     let shop = Shop::new();
-    // The face is 0.03 mm below the design; 0.01 mm are allowed.
-    shop.write("design.stl", &box_as_stl([[0.0, 0.0, -10.0], [40.0, 32.0, -1.97]]));
-    let design = shop.arg("design.stl");
-    let gouges = |design_mm: &str| {
-        let more = ["--json", "--design", &design, "--gouge-tolerance", "0.01", "--design-tolerance", design_mm];
-        let outcome = simulated_with(&shop, FACE, &format!("{CONFIG}{TOOL}"), &more);
-        let json: Json = serde_json::from_str(&outcome.output).unwrap_or_else(|_| panic!("{}", outcome.errors));
-        json["design"]["gouge_count"].as_u64().expect("a number")
-    };
-    assert_eq!([gouges("0"), gouges("0.01")].map(|count| count > 0), [true, true]);
-    assert_eq!(gouges("0.025"), 0);
+    // The face is 0.03 mm below the design, or above it; 0.01 mm are allowed.
+    for (top, option, count) in [(-1.97, "--gouge-tolerance", "gouge_count"), (-2.03, "--rest-tolerance", "rest_count")]
+    {
+        shop.write("design.stl", &box_as_stl([[0.0, 0.0, -10.0], [40.0, 32.0, top]]));
+        let design = shop.arg("design.stl");
+        let found = |design_mm: &str| {
+            let more = ["--json", "--design", &design, option, "0.01", "--design-tolerance", design_mm];
+            let outcome = simulated_with(&shop, FACE, &format!("{CONFIG}{TOOL}"), &more);
+            let json: Json = serde_json::from_str(&outcome.output).unwrap_or_else(|_| panic!("{}", outcome.errors));
+            json["design"][count].as_u64().expect("a number") > 0
+        };
+        assert_eq!(["0", "0.01", "0.025"].map(found), [true, true, false], "{count}");
+    }
 }
 
 #[test]
