@@ -6,7 +6,7 @@ use super::body::{Body, Shapes};
 use super::clearance::{Clearances, Meeting, MovingAxes, MovingBlock, Share};
 use super::links::Links;
 use super::reach::{Ball, Levers};
-use crate::kinematics::{AnyMachine, AxisKind, AxisRanges, AxisValues, Pose};
+use crate::kinematics::{AnyMachine, AxisKind, AxisRanges, AxisValues, Branch, Pose};
 use crate::set_up::{SetUp, SolidLink};
 use crate::simulate::bodies::{Mesh, block, turned};
 use crate::simulate::testing::{Random, machines};
@@ -171,23 +171,28 @@ impl MovingAxes for TestMotion<'_> {
                     false => (a * ((1.0 - share) * angle).sin() + b * (share * angle).sin()) / angle.sin(),
                 };
                 let tip = poses[0].tip + (poses[1].tip - poses[0].tip) * share;
-                let solutions = machine.inverse_kinematics(&Pose { tip, axis: UnitVector3::new_normalize(axis) }, near);
                 let rotary = |index: &usize| machine.axes()[*index].kind == AxisKind::Rotary;
-                let unwound = |mut values: AxisValues| {
+                let unwound = |mut values: AxisValues, near: &AxisValues| {
                     for index in (0..machine.axes().len()).filter(rotary) {
                         let turns = ((near[index] - values[index]) / std::f64::consts::TAU).round();
                         values[index] += turns * std::f64::consts::TAU;
                     }
                     values
                 };
-                let away = |values: &AxisValues| {
-                    (0..9)
-                        .filter(|index| *index < machine.axes().len() && rotary(index))
-                        .map(|index| (values[index] - near[index]).abs())
-                        .sum::<f64>()
+                let nearest = |pose: &Pose, near: &AxisValues, branch: Option<Branch>| {
+                    let away = |values: &AxisValues| -> f64 {
+                        let all = (0..machine.axes().len()).filter(rotary);
+                        all.map(|index| (values[index] - near[index]).abs()).sum()
+                    };
+                    let solutions = machine.inverse_kinematics(pose, near);
+                    let all = solutions.iter().filter(|solution| branch.is_none_or(|branch| solution.branch == branch));
+                    all.map(|solution| (unwound(solution.axes, near), solution.branch))
+                        .min_by(|a, b| away(&a.0).total_cmp(&away(&b.0)))
                 };
-                let all = solutions.iter().map(|solution| unwound(solution.axes));
-                all.min_by(|a, b| away(a).total_cmp(&away(b))).unwrap_or(*near)
+                // Past a pole the axes swing on the branch of the start; on the other one they would jump.
+                let branch = nearest(&poses[0], from, None).map(|(_, branch)| branch);
+                let pose = Pose { tip, axis: UnitVector3::new_normalize(axis) };
+                nearest(&pose, near, branch).map_or(*near, |(axes, _)| axes)
             }
         }
     }
