@@ -328,3 +328,25 @@ fn rotabl_next_before_an_operation_holds_for_its_first_motion_alone() {
         }
     }
 }
+
+#[test]
+fn an_operation_may_begin_where_the_last_one_ended() {
+    let own_safety = "[program]\nstart = ['G21']\n[control]\nsafety = ['G17 G40 G80 G90 G94 G54']\n".to_owned();
+    let safety = [
+        ("linuxcnc", own_safety),
+        ("linuxcnc", String::new()),
+        ("fanuc", String::new()),
+        ("siemens", String::new()),
+        ("heidenhain", String::new()),
+        ("haas", String::new()),
+    ];
+    for (first, next) in [("", ""), ("", "GOTO/5,5,-2\n"), ("RAPID\n", "GOTO/5,5,-2\n"), ("FEDRAT/MMPM,100\n", "")] {
+        let cl = format!(
+            "UNITS/MM\nLOADTL/1\nRAPID\nGOTO/10,0,5,0,0,1\nFEDRAT/MMPM,250\nGOTO/10,0,0\nGOTO/0,10,-2\n\
+             LOADTL/1\n{first}GOTO/0,10,-2\n{next}"
+        );
+        for (control, keys) in &safety {
+            passes::<SpinnerU5620>(control, keys, &cl);
+        }
+    }
+}

@@ -556,7 +556,13 @@ impl<R: Read> Comparison<'_, R> {
     /// The rewind that this approach comes back from, if the cut continues.
     fn rewind_of(&mut self, retracted: &Retracted, end: &ToolPose, current: &Current<'_>) -> Option<RewindPoint> {
         let rewind = retracted.rewind?;
-        if rewind.finished.is_none() || self.above(&rewind, end).is_some() {
+        // An operation may begin where the last one ended. It has a restart point, a way back has none; safety lines of the
+        // shop may say nothing.
+        let begins = self.progress.motion().filter(|next| next.starts).is_some_and(|next| {
+            let own_safety = self.rules.policy().shop.own_safety;
+            self.start.restarted || own_safety && self.rules.is_at(end, &self.approach_point(0, &next))
+        });
+        if rewind.finished.is_none() || !begins && self.above(&rewind, end).is_some() {
             return Some(rewind);
         }
         self.wet_retract(&rewind, current);
