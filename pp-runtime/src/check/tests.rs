@@ -2,6 +2,7 @@
 
 mod clear;
 mod order;
+mod poles;
 mod selected;
 
 use std::io::Cursor;

@@ -19,7 +19,8 @@ const ROTATED_TO: f64 = 1e-9;
 /// Distance from a tool axis that is not reached, rad.
 const UNREACHED: f64 = 0.1;
 
-/// Damping: a rotary axis that rotates the tool by less than a thousandth of its own angle is left alone.
+/// Largest damping. It falls with the square of the distance that is left: so an axis that hardly rotates the tool is left alone
+/// while the tool has far to go, and near the pole the last steps converge all the same.
 const DAMPED: f64 = 1e-8;
 
 /// Words and axis values of one machine, set-up and tool, by position in the chain.
@@ -390,8 +391,8 @@ impl Words {
 
     /// Words nearest to `words` whose rotary axes give the tool this axis on the workpiece.
     ///
-    /// Newton's method with the smallest step (normal equations, damped by [`DAMPED`]): near the pole, where a rotary axis
-    /// hardly rotates the tool, that axis is left alone. A step below `last_step_rad` is the last: the error after it is of
+    /// Newton's method with the smallest step (normal equations, damped by at most [`DAMPED`]): at the pole, where a rotary axis
+    /// does not rotate the tool, that axis is left alone. A step below `last_step_rad` is the last: the error after it is of
     /// the order of its square. `None` if it does not converge.
     pub(crate) fn rotated_to(
         &self,
@@ -410,7 +411,8 @@ impl Words {
             let (first, second) = (rotary.next()?, rotary.next());
             let columns = [rates[first], second.map_or(Vector3::zeros(), |second| rates[second])];
             let jacobian = Matrix3x2::from_columns(&columns);
-            let normal = jacobian.tr_mul(&jacobian) + Matrix2::identity() * DAMPED;
+            let damping = DAMPED.min(off.norm_squared());
+            let normal = jacobian.tr_mul(&jacobian) + Matrix2::identity() * damping;
             let step = normal.try_inverse()? * jacobian.tr_mul(&off);
             if step.norm() < ROTATED_TO {
                 // One rotary axis may not reach the axis: this is the nearest.
