@@ -64,7 +64,7 @@ fn execute(
     mut streams: Streams<'_>,
     post: PostFn<'_>,
 ) -> Status {
-    let command = match args::parse(machine.name(), own, args) {
+    let command = match args::parse(machine, own, args) {
         Ok(cli) => cli.command,
         Err(error) => return print_usage(&error, &mut streams),
     };

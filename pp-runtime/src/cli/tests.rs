@@ -283,6 +283,7 @@ fn bad_arguments_are_status_2_and_help_is_status_0() {
 fn help_calls_the_command_by_the_name_of_its_file() {
     let outcome = run_with(&["--version"], b"", &never);
     assert!(outcome.output.starts_with("sample_post "), "{}", outcome.output);
+    assert!(outcome.output.contains(" (kinematics "), "{}", outcome.output);
     let outcome = run_with(&["--help"], b"", &never);
     assert!(outcome.output.contains("Postprocessor for Sample"), "{}", outcome.output);
 }

@@ -1,6 +1,6 @@
 //! Kinematics of a machine tool: its axes, poses, and the maps between axis values and poses.
 //!
-//! Units are millimetres and radians. *Forward* is always axes to pose, *inverse* pose to axes. Everything but `any`,
+//! Units are millimetres and radians. *Forward* is always axes to pose, *inverse* pose to axes. Everything but `digest` and `any`,
 //! the object-safe form of a machine, builds without `std` and allocates nothing; [`machine!`](crate::machine) implements
 //! [`Machine`] for one declared machine.
 //!
@@ -28,6 +28,8 @@
 
 #[cfg(feature = "std")]
 pub mod any;
+#[cfg(feature = "std")]
+mod digest;
 mod explanation;
 mod machine;
 #[cfg(all(test, feature = "std"))]
@@ -44,6 +46,8 @@ mod solutions;
 pub(crate) use any::AnyMachine;
 #[cfg(feature = "std")]
 pub use any::{AxisValues, MAX_AXES};
+#[cfg(feature = "std")]
+pub use digest::digest;
 pub use explanation::{CSource, Explanation, Section};
 pub use machine::{Axis, AxisKind, Dimension, DimensionKind, Joint, Limits, Machine, Pose, Side, Sign};
 #[cfg(feature = "simulate")]

@@ -7,7 +7,7 @@ use std::io;
 use crate::cl::{ArcVote, Dialect, Insert};
 use crate::config::Config;
 use crate::control::{self, Control, Encoder, LengthGuard, LinearRapids};
-use crate::kinematics::{AnyMachine, Axis, AxisKind, Side, Sign};
+use crate::kinematics::{AnyMachine, Axis, AxisKind, DimensionKind, Side, Sign, digest};
 use crate::motion::{CutterPath, Links, StretchMode, StretchModes, TcpFrame, TipStart, ToolPosture, Wrap, rotaries_of};
 use crate::nc::{Decimal, write_decimal};
 use crate::program::Rotation;
@@ -357,10 +357,13 @@ impl Header<'_> {
         boxes.reduce(around).map(|(lower, upper)| Stock { lower, upper })
     }
 
-    /// Lines about axes, limits, work offset and tools. `tolerances`: the line about motions with rotary axes.
+    /// Lines about kinematics, axes, limits, work offset and tools. `tolerances`: the line about motions with rotary axes.
     pub(crate) fn machine_lines(&self, tolerances: Option<String>) -> Vec<String> {
         let config = self.job.config;
-        let mut lines: Vec<String> = (0..self.machine.axes().len()).map(|index| self.axis_line(index)).collect();
+        let mut lines =
+            vec![format!("KINEMATICS {} of pp-runtime {}", digest(self.machine), env!("CARGO_PKG_VERSION"))];
+        lines.extend(self.dimensions());
+        lines.extend((0..self.machine.axes().len()).map(|index| self.axis_line(index)));
         lines.extend(tolerances);
         lines.extend(self.rotary_words());
         lines.extend(mode_lines(self.machine, self.job.control, config, &self.survey.modes));
@@ -377,6 +380,19 @@ impl Header<'_> {
         lines.extend(rotary_entries(self.machine, self.job.control, config));
         lines.extend(self.survey.tools.iter().flat_map(|tool| self.tool_lines(tool)));
         lines
+    }
+
+    /// The dimensions in force; none where the machine has no dimensions.
+    fn dimensions(&self) -> Option<String> {
+        let values = self.machine.dimensions().iter().enumerate().map(|(index, dimension)| {
+            let value = self.machine.dimension(index);
+            match dimension.kind {
+                DimensionKind::Length => format!("{} = {value} mm", dimension.name),
+                DimensionKind::Angle => format!("{} = {} deg", dimension.name, rounded(value.to_degrees())),
+            }
+        });
+        let values: Vec<String> = values.collect();
+        (!values.is_empty()).then(|| format!("DIMENSIONS {}", values.join(", ")))
     }
 
     /// Required setting of the control for rotary words beyond 360; none where every rotary axis rolls over, or none

@@ -6,6 +6,7 @@
 (PROGRAMMED POINT tool tip)
 (TOLERANCE 0.0004 for arcs and curves)
 (CL data of NX, recognised from the file)
+(KINEMATICS *)
 (AXIS X+ moves the table against +X, as in ISO 841)
 (AXIS Y+ moves the tool along +Y, as in ISO 841)
 (AXIS Z+ moves the tool along +Z, as in ISO 841)

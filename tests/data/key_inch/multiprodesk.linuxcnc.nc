@@ -6,6 +6,7 @@
 (PROGRAMMED POINT tool tip)
 (TOLERANCE 0.0004 for arcs and curves)
 (CL data of NX, recognised from the file)
+(KINEMATICS *)
 (AXIS A+ rotates the table right-handed about +X, opposite to ISO 841)
 (AXIS Y+ moves the table along +Y, opposite to ISO 841)
 (AXIS X+ moves the tool along +X, as in ISO 841)

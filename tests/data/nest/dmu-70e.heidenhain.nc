@@ -12,78 +12,80 @@
 11 ; CL data of SolidWorks CAM, recognised from the file
 12 ; 2 arcs, sense by form, not confirmed by a neighbouring line
 13 ; CSYS changes 1 time: all points are read in one common frame
-14 ; AXIS C+ rotates the table left-handed about +Z, as in ISO 841
-15 ; AXIS B+ rotates the table left-handed about [0.0000, 0.7071, -0.7071], as in ISO 841
-16 ; AXIS X+ moves the tool along +X, as in ISO 841
-17 ; AXIS Y+ moves the tool along +Y, as in ISO 841
-18 ; AXIS Z+ moves the tool along +Z, as in ISO 841
-19 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg of its great circle
-20 ; ROTARY WORDS are absolute and may go below 0 and beyond 360: M127 is in force, so the axes do not take the shortest path
-21 ; linear limits not checked: no travel declared (X Y Z)
-22 ; valid only for part origin X0 Y0 Z0 from the reference point of the table; do not touch off again
-23 ; the entries of C and B in preset 1 must be zero
-24 ; T4 DIA 10 R0 L120, 2 operations, tip Z -15 to 60
-25 ; ASSUMED points of the CL data are coordinates from the part zero
-26 ; ASSUMED part_origin 0, 0, 0: the part zero is the reference point of the table
-27 ; ASSUMED work offset preset 1
-28 ; ASSUMED retract to machine coordinate 0 mm
-29 ; ASSUMED approach distance 50 mm along the tool axis
-30 ; [HOLDER=H1] 10MM END MILL
-31 ; Stock Size X40. Y60. Z40.
-32 M129
-33 PLANE RESET STAY
-34 M127
-35 CYCL DEF 247 DATUM SETTING ~
+14 ; KINEMATICS *
+15 ; DIMENSIONS d = 150 mm
+16 ; AXIS C+ rotates the table left-handed about +Z, as in ISO 841
+17 ; AXIS B+ rotates the table left-handed about [0.0000, 0.7071, -0.7071], as in ISO 841
+18 ; AXIS X+ moves the tool along +X, as in ISO 841
+19 ; AXIS Y+ moves the tool along +Y, as in ISO 841
+20 ; AXIS Z+ moves the tool along +Z, as in ISO 841
+21 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg of its great circle
+22 ; ROTARY WORDS are absolute and may go below 0 and beyond 360: M127 is in force, so the axes do not take the shortest path
+23 ; linear limits not checked: no travel declared (X Y Z)
+24 ; valid only for part origin X0 Y0 Z0 from the reference point of the table; do not touch off again
+25 ; the entries of C and B in preset 1 must be zero
+26 ; T4 DIA 10 R0 L120, 2 operations, tip Z -15 to 60
+27 ; ASSUMED points of the CL data are coordinates from the part zero
+28 ; ASSUMED part_origin 0, 0, 0: the part zero is the reference point of the table
+29 ; ASSUMED work offset preset 1
+30 ; ASSUMED retract to machine coordinate 0 mm
+31 ; ASSUMED approach distance 50 mm along the tool axis
+32 ; [HOLDER=H1] 10MM END MILL
+33 ; Stock Size X40. Y60. Z40.
+34 M129
+35 PLANE RESET STAY
+36 M127
+37 CYCL DEF 247 DATUM SETTING ~
   Q339=+1 ;DATUM NUMBER
-36 M9
-37 L Z+0 R0 FMAX M91
-38 TOOL CALL 4 Z S3000
+38 M9
 39 L Z+0 R0 FMAX M91
-40 M3
-41 L B+0 C+0 R0 FMAX
-42 L X+12.5 Y+20 R0 FMAX
-43 L Z+25 R0 FMAX
-44 M8
-45 L Z+3 R0 FMAX
-46 L Z-2 R0 F150.5
-47 CC X+10 Y+20
-48 C X+12.5 Y+20 DR+ F601.25
-49 L X+10
-50 L Z+60 R0 FMAX
-51 L X+30 R0 FMAX
-52 L Z+3 R0 FMAX
-53 L Z-5 F200.05
+40 TOOL CALL 4 Z S3000
+41 L Z+0 R0 FMAX M91
+42 M3
+43 L B+0 C+0 R0 FMAX
+44 L X+12.5 Y+20 R0 FMAX
+45 L Z+25 R0 FMAX
+46 M8
+47 L Z+3 R0 FMAX
+48 L Z-2 R0 F150.5
+49 CC X+10 Y+20
+50 C X+12.5 Y+20 DR+ F601.25
+51 L X+10
+52 L Z+60 R0 FMAX
+53 L X+30 R0 FMAX
 54 L Z+3 R0 FMAX
-55 L Z-4.5 R0 FMAX
-56 L Z-9
-57 L Z+3 R0 FMAX
-58 L Z-8.5 R0 FMAX
-59 L Z-12
-60 L Z+25 R0 FMAX
-61 M9
-62 L Z+125 R0 FMAX
-63 M129
-64 PLANE RESET STAY
-65 M127
-66 CYCL DEF 247 DATUM SETTING ~
+55 L Z-5 F200.05
+56 L Z+3 R0 FMAX
+57 L Z-4.5 R0 FMAX
+58 L Z-9
+59 L Z+3 R0 FMAX
+60 L Z-8.5 R0 FMAX
+61 L Z-12
+62 L Z+25 R0 FMAX
+63 M9
+64 L Z+125 R0 FMAX
+65 M129
+66 PLANE RESET STAY
+67 M127
+68 CYCL DEF 247 DATUM SETTING ~
   Q339=+1 ;DATUM NUMBER
-67 M9
-68 L Z+0 R0 FMAX M91
-69 ; T4 stays in the spindle
-70 TOOL CALL S3000
-71 M3
-72 L B+180 C+90 R0 FMAX
-73 L X-20 Y+160 R0 FMAX
-74 L Z+230 R0 FMAX
-75 M8
-76 L Z+195 R0 FMAX
-77 L Z+188 R0 F300
-78 CC X-25 Y+160
-79 C X-30 Y+160 DR+
-80 L Z+230
-81 M9
-82 L Z+330 R0 FMAX
-83 L Z+0 R0 FMAX M91
-84 M5
-85 M30
-86 END PGM NEST MM
+69 M9
+70 L Z+0 R0 FMAX M91
+71 ; T4 stays in the spindle
+72 TOOL CALL S3000
+73 M3
+74 L B+180 C+90 R0 FMAX
+75 L X-20 Y+160 R0 FMAX
+76 L Z+230 R0 FMAX
+77 M8
+78 L Z+195 R0 FMAX
+79 L Z+188 R0 F300
+80 CC X-25 Y+160
+81 C X-30 Y+160 DR+
+82 L Z+230
+83 M9
+84 L Z+330 R0 FMAX
+85 L Z+0 R0 FMAX M91
+86 M5
+87 M30
+88 END PGM NEST MM

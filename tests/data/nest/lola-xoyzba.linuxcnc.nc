@@ -8,6 +8,7 @@
 (CL data of SolidWorks CAM, recognised from the file)
 (2 arcs, sense by form, not confirmed by a neighbouring line)
 (CSYS changes 1 time: all points are read in one common frame)
+(KINEMATICS *)
 (AXIS X+ moves the table against +X, as in ISO 841)
 (AXIS Y+ moves the tool along +Y, as in ISO 841)
 (AXIS Z+ moves the tool along +Z, as in ISO 841)

@@ -8,6 +8,8 @@
 (CL data of SolidWorks CAM, recognised from the file)
 (2 arcs, sense by form, not confirmed by a neighbouring line)
 (CSYS changes 1 time: all points are read in one common frame)
+(KINEMATICS *)
+(DIMENSIONS d = 150 mm)
 (AXIS C+ rotates the table left-handed about +Z, as in ISO 841)
 (AXIS B+ rotates the table left-handed about +Y, as in ISO 841)
 (AXIS X+ moves the tool along +X, as in ISO 841)

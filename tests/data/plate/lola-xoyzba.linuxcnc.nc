@@ -7,6 +7,7 @@
 (TOLERANCE 0.001 for arcs and curves)
 (CL data of Creo, recognised from the file)
 (1 arc, sense by form, confirmed by 1 of 1 neighbouring lines)
+(KINEMATICS *)
 (AXIS X+ moves the table against +X, as in ISO 841)
 (AXIS Y+ moves the tool along +Y, as in ISO 841)
 (AXIS Z+ moves the tool along +Z, as in ISO 841)

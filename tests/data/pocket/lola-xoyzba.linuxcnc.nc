@@ -7,6 +7,7 @@
 (TOLERANCE 0.05 for arcs and curves)
 (CL data of NX, recognised from the file)
 (3 arcs, sense by form, confirmed by 3 of 3 neighbouring lines)
+(KINEMATICS *)
 (AXIS X+ moves the table against +X, as in ISO 841)
 (AXIS Y+ moves the tool along +Y, as in ISO 841)
 (AXIS Z+ moves the tool along +Z, as in ISO 841)

@@ -8,6 +8,7 @@
 (only operations 1 to 5 of 6; the program begins with a complete restart: modal codes, tool, offset, spindle)
 (CL data of NX, recognised from the file)
 (5 arcs, sense by form, confirmed by 4 of 4 neighbouring lines)
+(KINEMATICS *)
 (AXIS X+ moves the table against +X, as in ISO 841)
 (AXIS Y+ moves the tool along +Y, as in ISO 841)
 (AXIS Z+ moves the tool along +Z, as in ISO 841)

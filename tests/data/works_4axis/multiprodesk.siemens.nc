@@ -8,6 +8,7 @@
 ; only operations 1 to 5 of 6; the program begins with a complete restart: modal codes, tool, offset, spindle
 ; CL data of NX, recognised from the file
 ; 5 arcs, sense by form, confirmed by 4 of 4 neighbouring lines
+; KINEMATICS *
 ; AXIS A+ rotates the table right-handed about +X, opposite to ISO 841
 ; AXIS Y+ moves the table along +Y, opposite to ISO 841
 ; AXIS X+ moves the tool along +X, as in ISO 841

@@ -10,6 +10,8 @@
 (CL data of NX, recognised from the file)
 (3 arcs, sense by form, confirmed by 3 of 3 neighbouring lines)
 (2 frames, each transformed into the first of its set-up)
+(KINEMATICS *)
+(DIMENSIONS d = 150 mm)
 (AXIS C+ rotates the table left-handed about +Z, as in ISO 841)
 (AXIS B+ rotates the table left-handed about +Y, as in ISO 841)
 (AXIS X+ moves the tool along +X, as in ISO 841)

@@ -10,85 +10,87 @@
 9 ; TOLERANCE 0.01 for arcs and curves
 10 ; BLANK is the box around all cuts, without [stock] in the configuration
 11 ; CL data of NX, recognised from the file
-12 ; AXIS C+ rotates the table left-handed about +Z, as in ISO 841
-13 ; AXIS B+ rotates the table left-handed about +Y, as in ISO 841
-14 ; AXIS X+ moves the tool along +X, as in ISO 841
-15 ; AXIS Y+ moves the tool along +Y, as in ISO 841
-16 ; AXIS Z+ moves the tool along +Z, as in ISO 841
-17 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg of its great circle
-18 ; ROTARY WORDS are absolute and may go below 0 and beyond 360: M127 is in force, so the axes do not take the shortest path
-19 ; LINEAR WORDS are tip coordinates in a frame fixed to the table, aligned with the machine axes when its rotary axes are at zero; rotary axes move evenly
-20 ; linear limits not checked: no travel declared (X Y Z)
-21 ; the entries of C and B in preset 1 must be zero
-22 ; T4 ball 8 DIA 8 L130, 1 operation, tip Z 3 to 23.126
-23 ; ASSUMED work offset preset 1
-24 ; ASSUMED retract to machine coordinate 0 mm
-25 ; ASSUMED approach distance 50 mm along the tool axis
-26 ; ASSUMED all axes of a rapid arrive together, as the control is delivered
-27 * - PASSES
-28 M129
-29 PLANE RESET STAY
-30 M127
-31 CYCL DEF 247 DATUM SETTING ~
+12 ; KINEMATICS *
+13 ; DIMENSIONS d = 150 mm
+14 ; AXIS C+ rotates the table left-handed about +Z, as in ISO 841
+15 ; AXIS B+ rotates the table left-handed about +Y, as in ISO 841
+16 ; AXIS X+ moves the tool along +X, as in ISO 841
+17 ; AXIS Y+ moves the tool along +Y, as in ISO 841
+18 ; AXIS Z+ moves the tool along +Z, as in ISO 841
+19 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg of its great circle
+20 ; ROTARY WORDS are absolute and may go below 0 and beyond 360: M127 is in force, so the axes do not take the shortest path
+21 ; LINEAR WORDS are tip coordinates in a frame fixed to the table, aligned with the machine axes when its rotary axes are at zero; rotary axes move evenly
+22 ; linear limits not checked: no travel declared (X Y Z)
+23 ; the entries of C and B in preset 1 must be zero
+24 ; T4 ball 8 DIA 8 L130, 1 operation, tip Z 3 to 23.126
+25 ; ASSUMED work offset preset 1
+26 ; ASSUMED retract to machine coordinate 0 mm
+27 ; ASSUMED approach distance 50 mm along the tool axis
+28 ; ASSUMED all axes of a rapid arrive together, as the control is delivered
+29 * - PASSES
+30 M129
+31 PLANE RESET STAY
+32 M127
+33 CYCL DEF 247 DATUM SETTING ~
   Q339=+1 ;DATUM NUMBER
-32 FUNCTION RESET TCPM
-33 M9
-34 L Z+0 R0 FMAX M91
-35 TOOL CALL 4 Z S8000
+34 FUNCTION RESET TCPM
+35 M9
 36 L Z+0 R0 FMAX M91
-37 M3
-38 L B+25 C+0 R0 FMAX
-39 PLANE SPATIAL SPA+0 SPB+25 SPC+0 TURN MB MAX FMAX SEQ+ COORD ROT
-40 FN 20: WAIT FOR SYNC
-41 FN 18: SYSREAD QL1 = ID270 NR1 IDX5
-42 FN 18: SYSREAD QL2 = ID270 NR1 IDX6
-43 QL3 = ABS ( SIN ( ( QL1 - 25 ) / 2 ) ) + ABS ( SIN ( ( QL2 - 0 ) / 2 ) )
-44 FN 12: IF +QL3 LT +0.0009 GOTO LBL "PLANE1"
-45 ; after the plane call the axes are not at B25 C0
-46 FN 14: ERROR = 101
-47 LBL "PLANE1"
-48 L X+25.076 Y+0 R0 FMAX
-49 PLANE RESET STAY
-50 L B+25 C+0 R0 FMAX
-51 FUNCTION TCPM F TCP AXIS POS PATHCTRL AXIS
-52 L X+38.452 Y+0 Z+23.126 R0 FMAX
-53 M8
-54 L X+30 Z+5 B+25 C+0 R0 F600
-55 L X+29.672 Y+3.119 B+25.8764 C+6.2155 F1200
-56 L X+29.344 Y+6.237 B+27 C+12
-57 L X+28.375 Y+9.22 B+27.8699 C+18.1977
-58 L X+27.406 Y+12.202 B+29 C+24
-59 L X+25.838 Y+14.918 B+29.8641 C+30.1821
-60 L X+24.271 Y+17.634 B+31 C+36
-61 L X+32.604 Y+23.688 Z+22.143 R0 FMAX
-62 L X+34.223 Y+17.766 Z+22.063 B+29.1374 C+28.0061 R0 FMAX
-63 L X+35.842 Y+11.844 Z+21.982 B+27.8022 C+19.1727 R0 FMAX
-64 L X+37.461 Y+5.922 Z+21.901 B+27.0733 C+9.717 R0 FMAX
-65 L X+39.08 Y+0 Z+21.82 B+27 C+0 R0 FMAX
-66 L X+30 Z+4 F600
-67 L X+29.672 Y+3.119 B+27.8698 C+6.1977 F1200
-68 L X+29.344 Y+6.237 B+29 C+12.0001
-69 L X+28.375 Y+9.22 B+29.864 C+18.1821
-70 L X+27.406 Y+12.202 B+31 C+24
-71 L X+25.838 Y+14.918 B+31.8588 C+30.1682
-72 L X+24.271 Y+17.634 B+33 C+36
-73 L X+33.083 Y+24.036 Z+20.773 R0 FMAX
-74 L X+34.736 Y+18.027 Z+20.703 B+31.0979 C+27.9373 R0 FMAX
-75 L X+36.39 Y+12.018 Z+20.633 B+29.7503 C+19.0818 R0 FMAX
-76 L X+38.043 Y+6.009 Z+20.563 B+29.0353 C+9.6529 R0 FMAX
-77 L X+39.696 Y+0 Z+20.492 B+29 C+0 R0 FMAX
-78 L X+30 Z+3 F600
-79 L X+29.672 Y+3.119 B+29.864 C+6.182 F1200
-80 L X+29.344 Y+6.237 B+31 C+12
-81 L X+28.375 Y+9.22 B+31.8588 C+18.1682
-82 L X+27.406 Y+12.202 B+33 C+24
-83 L X+25.838 Y+14.918 B+33.8543 C+30.1559
-84 L X+24.271 Y+17.634 B+35 C+36
-85 L X+33.551 Y+24.376 Z+19.383 R0 FMAX
-86 M9
-87 L X+45.23 Y+32.862 Z+40 R0 FMAX
-88 FUNCTION RESET TCPM
-89 L Z+0 R0 FMAX M91
-90 M5
-91 M30
-92 END PGM NONAME MM
+37 TOOL CALL 4 Z S8000
+38 L Z+0 R0 FMAX M91
+39 M3
+40 L B+25 C+0 R0 FMAX
+41 PLANE SPATIAL SPA+0 SPB+25 SPC+0 TURN MB MAX FMAX SEQ+ COORD ROT
+42 FN 20: WAIT FOR SYNC
+43 FN 18: SYSREAD QL1 = ID270 NR1 IDX5
+44 FN 18: SYSREAD QL2 = ID270 NR1 IDX6
+45 QL3 = ABS ( SIN ( ( QL1 - 25 ) / 2 ) ) + ABS ( SIN ( ( QL2 - 0 ) / 2 ) )
+46 FN 12: IF +QL3 LT +0.0009 GOTO LBL "PLANE1"
+47 ; after the plane call the axes are not at B25 C0
+48 FN 14: ERROR = 101
+49 LBL "PLANE1"
+50 L X+25.076 Y+0 R0 FMAX
+51 PLANE RESET STAY
+52 L B+25 C+0 R0 FMAX
+53 FUNCTION TCPM F TCP AXIS POS PATHCTRL AXIS
+54 L X+38.452 Y+0 Z+23.126 R0 FMAX
+55 M8
+56 L X+30 Z+5 B+25 C+0 R0 F600
+57 L X+29.672 Y+3.119 B+25.8764 C+6.2155 F1200
+58 L X+29.344 Y+6.237 B+27 C+12
+59 L X+28.375 Y+9.22 B+27.8699 C+18.1977
+60 L X+27.406 Y+12.202 B+29 C+24
+61 L X+25.838 Y+14.918 B+29.8641 C+30.1821
+62 L X+24.271 Y+17.634 B+31 C+36
+63 L X+32.604 Y+23.688 Z+22.143 R0 FMAX
+64 L X+34.223 Y+17.766 Z+22.063 B+29.1374 C+28.0061 R0 FMAX
+65 L X+35.842 Y+11.844 Z+21.982 B+27.8022 C+19.1727 R0 FMAX
+66 L X+37.461 Y+5.922 Z+21.901 B+27.0733 C+9.717 R0 FMAX
+67 L X+39.08 Y+0 Z+21.82 B+27 C+0 R0 FMAX
+68 L X+30 Z+4 F600
+69 L X+29.672 Y+3.119 B+27.8698 C+6.1977 F1200
+70 L X+29.344 Y+6.237 B+29 C+12.0001
+71 L X+28.375 Y+9.22 B+29.864 C+18.1821
+72 L X+27.406 Y+12.202 B+31 C+24
+73 L X+25.838 Y+14.918 B+31.8588 C+30.1682
+74 L X+24.271 Y+17.634 B+33 C+36
+75 L X+33.083 Y+24.036 Z+20.773 R0 FMAX
+76 L X+34.736 Y+18.027 Z+20.703 B+31.0979 C+27.9373 R0 FMAX
+77 L X+36.39 Y+12.018 Z+20.633 B+29.7503 C+19.0818 R0 FMAX
+78 L X+38.043 Y+6.009 Z+20.563 B+29.0353 C+9.6529 R0 FMAX
+79 L X+39.696 Y+0 Z+20.492 B+29 C+0 R0 FMAX
+80 L X+30 Z+3 F600
+81 L X+29.672 Y+3.119 B+29.864 C+6.182 F1200
+82 L X+29.344 Y+6.237 B+31 C+12
+83 L X+28.375 Y+9.22 B+31.8588 C+18.1682
+84 L X+27.406 Y+12.202 B+33 C+24
+85 L X+25.838 Y+14.918 B+33.8543 C+30.1559
+86 L X+24.271 Y+17.634 B+35 C+36
+87 L X+33.551 Y+24.376 Z+19.383 R0 FMAX
+88 M9
+89 L X+45.23 Y+32.862 Z+40 R0 FMAX
+90 FUNCTION RESET TCPM
+91 L Z+0 R0 FMAX M91
+92 M5
+93 M30
+94 END PGM NONAME MM

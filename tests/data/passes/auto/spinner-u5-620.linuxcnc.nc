@@ -6,6 +6,8 @@
 (PROGRAMMED POINT tool tip)
 (TOLERANCE 0.01 for arcs and curves)
 (CL data of NX, recognised from the file)
+(KINEMATICS *)
+(DIMENSIONS d = 150 mm)
 (AXIS C+ rotates the table left-handed about +Z, as in ISO 841)
 (AXIS B+ rotates the table left-handed about +Y, as in ISO 841)
 (AXIS X+ moves the tool along +X, as in ISO 841)

@@ -8,6 +8,8 @@
 (only operations 1 to 5 of 6; the program begins with a complete restart: modal codes, tool, offset, spindle)
 (CL data of NX, recognised from the file)
 (5 arcs, sense by form, confirmed by 4 of 4 neighbouring lines)
+(KINEMATICS *)
+(DIMENSIONS d = 150 mm)
 (AXIS C+ rotates the table left-handed about +Z, as in ISO 841)
 (AXIS B+ rotates the table left-handed about +Y, as in ISO 841)
 (AXIS X+ moves the tool along +X, as in ISO 841)
