@@ -120,6 +120,8 @@ impl<'a> Machining<'a> {
                 true
             }
             Err(fault) => {
+                // Stated once, and the motions of this set-up are counted as those of an unknown place.
+                self.places.forget(set_up);
                 self.outcome.leave_out(format!("set-up {set_up}: {fault}"));
                 false
             }

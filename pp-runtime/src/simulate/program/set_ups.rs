@@ -76,6 +76,11 @@ impl PartPlaces {
         let [from, to] = [from, to].map(|number| self.to_first.get(&number));
         Some(to?.inverse() * from?)
     }
+
+    /// The part cannot be where a set-up has it: not known from here on.
+    pub(super) fn forget(&mut self, set_up: u32) {
+        self.to_first.remove(&set_up);
+    }
 }
 
 /// A stock moved. By quarter turns about the axes its lines stay lines; otherwise it is made anew of its surface, with an error

@@ -68,6 +68,18 @@ fn the_place_of_the_part_comes_from_a_key_or_is_not_known() {
 }
 
 #[test]
+fn a_stock_that_cannot_be_clamped_is_stated_once() {
+    // A mill of 100 mm leaves nothing of it, and the second set-up is turned by 30 degrees.
+    let part = two_sides("", 6.0).replace("TLDATA/MILL,10.0,0.0", "TLDATA/MILL,100.0,0.0").replace(",8,-6", ",8,-10.5");
+    let tool = TOOL.replace("diameter = 10.0", "diameter = 100.0").replace("flute_length = 8.0", "flute_length = 30.0");
+    let turned = "begins = \"BOTTOM\"\ncl_origin = [0.0, 0.0, 0.0]\ncl_rotation = [0.0, 0.0, 30.0]\n";
+    let (outcome, json) = run(&part, &config(turned).replace(TOOL, &tool));
+    let stated = |text: &str| json["not_checked"].to_string().matches(text).count();
+    assert_eq!(stated("set-up 2: the machined stock: it has no triangle"), 1, "{json} {}", outcome.errors);
+    assert_eq!(stated("in set-ups in which the place of the part is unknown"), 1, "{json}");
+}
+
+#[test]
 fn the_design_is_compared_where_the_part_lies_at_the_end() {
     let shop = Shop::new();
     let stock = "[solids]\ndesign = { box = [[0, 0, -10], [40, 32, 0]] }\n";
