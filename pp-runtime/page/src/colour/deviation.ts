@@ -1,11 +1,18 @@
 /** Colours for the distance of the machined stock from the design: red inside it, blue outside, darker beyond the limits. */
 
+import type { DesignFigures } from "../data/simulation.ts";
 import { fromOklch, type Rgb, type Theme } from "./scale.ts";
 
 /** Distances from which something is a gouge or rest material, mm. */
 export interface DeviationLimits {
   gouge: number;
   rest: number;
+}
+
+/** The limits of a comparison: its tolerances with what design and simulation may be off. */
+export function limitsOf(design: DesignFigures): DeviationLimits {
+  const besides = design.design_tolerance_mm + design.certified_mm;
+  return { gouge: design.gouge_tolerance_mm + besides, rest: design.rest_tolerance_mm + besides };
 }
 
 const GOUGE_HUE = 27;

@@ -1,6 +1,6 @@
 /** The result of a simulation: findings as places to jump to, deviations, clearances, volumes, and what was not checked. */
 
-import { deviationColour, plainColour } from "../colour/deviation.ts";
+import { deviationColour, limitsOf, plainColour } from "../colour/deviation.ts";
 import { cssColour, type Theme } from "../colour/scale.ts";
 import type { Triple } from "../data/contract.ts";
 import type { DesignFigures, Region, Simulation } from "../data/simulation.ts";
@@ -40,7 +40,7 @@ export class SimulationPanel {
   ) {
     const { figures } = simulation;
     const { design, findings } = figures;
-    const gouges = design ? design.gouge_count + (design.exceeds_stock_mm > limits(design).gouge ? 1 : 0) : 0;
+    const gouges = design ? design.gouge_count + (design.exceeds_stock_mm > limitsOf(design).gouge ? 1 : 0) : 0;
     const clean = figures.collisions === 0 && gouges === 0;
     this.root.append(element("h2", {}, "Simulation"), element("p", { class: clean ? "good" : "bad" }, simulation.line));
     if (design) this.root.append(this.legend);
@@ -72,7 +72,7 @@ export class SimulationPanel {
   restyle(theme: Theme): void {
     const { design } = this.simulation.figures;
     if (!design) return;
-    const { gouge, rest } = limits(design);
+    const { gouge, rest } = limitsOf(design);
     const entries: [string, string][] = [
       [cssColour(deviationColour(-6, theme)), `gouge, ${formatValue(6 * gouge)} mm and more`],
       [cssColour(deviationColour(-1.07, theme)), `gouge, from ${formatValue(gouge)} mm`],
@@ -134,7 +134,7 @@ export class SimulationPanel {
         place: found.place_mm,
         onStock: true,
       });
-    const { gouge, rest } = limits(design);
+    const { gouge, rest } = limitsOf(design);
     if (design.exceeds_stock_mm > gouge) {
       this.root.append(element("p", { class: "bad" }, `The design exceeds the box of the stock by ${fixed(design.exceeds_stock_mm, 3)} mm and is not compared there.`));
     }
@@ -181,11 +181,6 @@ export class SimulationPanel {
     if (sentences.length === 0) return;
     this.root.append(element("h2", {}, title), element("ul", { class: "warnings" }, ...sentences.map((text) => element("li", {}, text))));
   }
-}
-
-function limits(design: DesignFigures): { gouge: number; rest: number } {
-  const besides = design.design_tolerance_mm + design.certified_mm;
-  return { gouge: design.gouge_tolerance_mm + besides, rest: design.rest_tolerance_mm + besides };
 }
 
 const lines = (first: number, last: number, clLine: number): string => `${last > first ? `lines ${first} to ${last}` : `line ${first}`}, CL line ${clLine}`;

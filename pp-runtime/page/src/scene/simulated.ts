@@ -1,7 +1,7 @@
 /** The bodies of a simulation: machined stock, stock as it is cut, design, solids of the machine, and a place to look at. */
 
 import { BufferAttribute, BufferGeometry, Color, DoubleSide, EdgesGeometry, Group, LineSegments, Matrix4, Mesh, MeshLambertMaterial, type LineBasicMaterial } from "three";
-import { deviationColours, plainColour, type DeviationLimits } from "../colour/deviation.ts";
+import { deviationColours, limitsOf, plainColour, type DeviationLimits } from "../colour/deviation.ts";
 import type { Rgb, Theme } from "../colour/scale.ts";
 import type { Triple } from "../data/contract.ts";
 import type { Program } from "../data/program.ts";
@@ -47,8 +47,7 @@ export class SimulatedScene {
     private theme: Theme,
   ) {
     const { design } = simulation.figures;
-    const besides = design ? design.design_tolerance_mm + design.certified_mm : 0;
-    this.limits = design ? { gouge: design.gouge_tolerance_mm + besides, rest: design.rest_tolerance_mm + besides } : null;
+    this.limits = design ? limitsOf(design) : null;
     this.part.matrixAutoUpdate = false;
     this.cut = new Mesh(new BufferGeometry(), new MeshLambertMaterial({ flatShading: true }));
     this.cut.name = "stock as it is cut";
