@@ -24,6 +24,7 @@
 
 mod bodies;
 mod design;
+mod groups;
 mod machine;
 mod program;
 mod removal;

@@ -149,9 +149,8 @@ pub(crate) fn run(
         return Err(Failure::Argument("the program must be a file: it is read once the CL data is".to_owned()));
     }
     let mut page = None;
-    let mut program: File = match &args.program {
-        _ if args.output.is_some() => {
-            let path = args.output.as_deref().unwrap_or(shown);
+    let mut program: File = match (&args.output, &args.program) {
+        (Some(path), _) => {
             let mut page_file = PageFile::create(path)?;
             show_progress(&mut source, streams.terminal, &args.set_up, posting_passes(&config));
             let (posted, written) = view::posted(machine, &run, args.program.as_deref(), &mut source, &mut messages)?;
@@ -168,8 +167,8 @@ pub(crate) fn run(
             page = Some((page_file, written));
             file
         }
-        Some(path) => File::open(path).map_err(|error| Failure::unreadable(path, error))?,
-        None => {
+        (None, Some(path)) => File::open(path).map_err(|error| Failure::unreadable(path, error))?,
+        (None, None) => {
             show_progress(&mut source, streams.terminal, &args.set_up, posting_passes(&config));
             let mut file = tempfile::tempfile().map_err(|error| Failure::unwritable(shown, error))?;
             let written = run.write(machine, &mut source, &mut file, None, &mut messages)?;

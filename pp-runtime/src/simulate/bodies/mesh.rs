@@ -6,8 +6,9 @@
 
 use std::io::{self, Read, Seek, SeekFrom, Write};
 
-use nalgebra::Rotation3;
+use nalgebra::{Isometry3, Point3, Rotation3};
 
+use crate::simulate::groups::Groups;
 use crate::simulate::removal::{StockFault, TriDexel};
 
 /// Largest number of triangles.
@@ -173,6 +174,11 @@ impl Mesh {
         self.moved(|vertex| vertex.map(|value| by * value))
     }
 
+    /// The body where a place is the origin of its coordinates.
+    pub(crate) fn placed(self, place: &Isometry3<f64>) -> Self {
+        self.moved(|vertex| (place * Point3::from(vertex)).into())
+    }
+
     /// The body with its points elsewhere.
     pub(crate) fn moved(mut self, place: impl Fn([f64; 3]) -> [f64; 3]) -> Self {
         self.vertices.iter_mut().for_each(|vertex| *vertex = place(*vertex));
@@ -188,24 +194,14 @@ impl Mesh {
 
     /// A point of each part whose triangles hang together.
     pub(crate) fn points_of_parts(&self) -> Vec<[f64; 3]> {
-        let mut parents: Vec<u32> = (0..self.vertices.len() as u32).collect();
-        fn root(parents: &mut [u32], mut at: u32) -> u32 {
-            while parents[at as usize] != at {
-                parents[at as usize] = parents[parents[at as usize] as usize];
-                at = parents[at as usize];
-            }
-            at
-        }
+        let mut parts = Groups::of(self.vertices.len());
         for [a, b, c] in &self.faces {
-            for other in [b, c] {
-                let (one, two) = (root(&mut parents, *a), root(&mut parents, *other));
-                parents[one.max(two) as usize] = one.min(two);
-            }
+            [b, c].into_iter().for_each(|other| parts.join(*a as usize, *other as usize));
         }
-        let mut roots: Vec<u32> = self.faces.iter().map(|face| root(&mut parents, face[0])).collect();
-        roots.sort_unstable();
-        roots.dedup();
-        roots.into_iter().map(|root| self.vertices[root as usize]).collect()
+        let mut firsts: Vec<usize> = self.faces.iter().map(|face| parts.first(face[0] as usize)).collect();
+        firsts.sort_unstable();
+        firsts.dedup();
+        firsts.into_iter().map(|first| self.vertices[first]).collect()
     }
 
     /// Whether a point is inside: the triangles are seen from there all round. `point` is not on the surface.

@@ -9,10 +9,11 @@
 
 use std::collections::HashMap;
 
-use nalgebra::{Isometry3, Point3};
+use nalgebra::Isometry3;
 
 use super::nearest::Surface;
 use crate::simulate::bodies::Mesh;
+use crate::simulate::groups::Groups;
 use crate::simulate::removal::{EndValues, Filled, TriDexel};
 
 /// Regions that are kept; all are counted.
@@ -156,28 +157,21 @@ struct Parts {
     tolerance: f64,
     found: Deviations,
     hits: Vec<Hit>,
-    /// A hit of the same region with a lower number, or itself.
-    parents: Vec<usize>,
+    /// Hits of the same region.
+    regions: Groups,
     /// Hits of the last line of each column.
     columns: Vec<Vec<usize>>,
 }
 
 impl Parts {
     fn new(tolerance: f64) -> Self {
-        Self { tolerance, found: Deviations::default(), hits: Vec::new(), parents: Vec::new(), columns: Vec::new() }
-    }
-
-    fn root(&mut self, mut hit: usize) -> usize {
-        while self.parents[hit] != hit {
-            self.parents[hit] = self.parents[self.parents[hit]];
-            hit = self.parents[hit];
+        Self {
+            tolerance,
+            found: Deviations::default(),
+            hits: Vec::new(),
+            regions: Groups::default(),
+            columns: Vec::new(),
         }
-        hit
-    }
-
-    fn join(&mut self, one: usize, two: usize) {
-        let (one, two) = (self.root(one), self.root(two));
-        self.parents[one.max(two)] = one.min(two);
     }
 
     fn begin_family(&mut self, columns: usize) {
@@ -192,7 +186,7 @@ impl Parts {
                 (self.found.largest_mm, self.found.place_mm) = (hit.deviation, hit.place(hit.at));
             }
             if hit.deviation > self.tolerance + allowance(hit.origin) {
-                self.parents.push(self.hits.len());
+                self.regions.push();
                 self.hits.push(*hit);
             }
         }
@@ -202,7 +196,7 @@ impl Parts {
             for other in before.iter().chain(&beside) {
                 let ([low, high], [from, to]) = (self.hits[hit].ends, self.hits[*other].ends);
                 if low <= to + slack && from <= high + slack {
-                    self.join(hit, *other);
+                    self.regions.join(hit, *other);
                 }
             }
         }
@@ -216,7 +210,7 @@ impl Parts {
             for at in [hit.at, hit.ends[0], hit.ends[1]] {
                 let key = hit.place(at).map(|value| (value / cell).floor() as i64);
                 let first = *cells.entry(key).or_insert(index);
-                self.join(first, index);
+                self.regions.join(first, index);
             }
         }
         let keys: Vec<([i64; 3], usize)> = cells.iter().map(|(key, hit)| (*key, *hit)).collect();
@@ -224,7 +218,7 @@ impl Parts {
             for side in 14..27 {
                 let next = [x + side % 3 - 1, y + side / 3 % 3 - 1, z + side / 9 - 1];
                 if let Some(other) = cells.get(&next).copied() {
-                    self.join(hit, other);
+                    self.regions.join(hit, other);
                 }
             }
         }
@@ -234,7 +228,7 @@ impl Parts {
         self.join_families(cell);
         let mut boxes: HashMap<usize, (Hit, [[f64; 3]; 2])> = HashMap::new();
         for index in 0..self.hits.len() {
-            let (root, hit) = (self.root(index), self.hits[index]);
+            let (root, hit) = (self.regions.first(index), self.hits[index]);
             let [low, high] = hit.ends.map(|at| hit.place(at));
             let (worst, size) = boxes.entry(root).or_insert((hit, [low, high]));
             for axis in 0..3 {
@@ -281,7 +275,7 @@ impl Design {
 
     /// The design elsewhere.
     pub(crate) fn moved(self, place: &Isometry3<f64>) -> Self {
-        Self::new(self.mesh.moved(|vertex| (place * Point3::from(vertex)).into()))
+        Self::new(self.mesh.placed(place))
     }
 
     pub(crate) fn new(mesh: Mesh) -> Self {

@@ -1,6 +1,6 @@
 //! The bodies of a job: solids of machine and fixtures, stock, and the parts of each tool.
 
-use nalgebra::{Isometry3, Point3, Translation3, UnitQuaternion, UnitVector3, Vector3};
+use nalgebra::{Isometry3, Translation3, UnitQuaternion, UnitVector3, Vector3};
 
 use super::body::{Body, Shapes};
 use super::clearance::{Clearances, STOCK, TOOL};
@@ -170,5 +170,5 @@ fn tool_bodies(links: &Links, tools: &ToolBodies, number: u32, tool: &ToolBody, 
 /// A convex piece of a tool as triangles.
 fn revolved(profile: &Profile, place: &Isometry3<f64>) -> Mesh {
     let (vertices, faces) = turned(&profile.polygon(CHORD_MM), CHORD_MM);
-    Mesh::of_checked(vertices, faces).moved(|vertex| (place * Point3::from(vertex)).into())
+    Mesh::of_checked(vertices, faces).placed(place)
 }

@@ -5,7 +5,7 @@
 
 use std::collections::BTreeMap;
 
-use nalgebra::{Isometry3, Matrix3, Point3, Rotation3, Translation3, UnitQuaternion, Vector3};
+use nalgebra::{Isometry3, Matrix3, Rotation3, Translation3, UnitQuaternion, Vector3};
 
 use crate::set_up::SetUp;
 use crate::simulate::bodies::Mesh;
@@ -99,5 +99,5 @@ pub(super) fn moved(stock: &TriDexel, place: &Isometry3<f64>) -> Result<TriDexel
     let pitch = stock.pitch().into_iter().fold(f64::INFINITY, f64::min);
     let (vertices, faces) = stock.surface();
     let mesh = Mesh::new(vertices, faces).map_err(|fault| StockFault::new(format!("the machined stock: {fault}")))?;
-    Ok(mesh.moved(|vertex| (place * Point3::from(vertex)).into()).stock(pitch)?.unnamed())
+    Ok(mesh.placed(place).stock(pitch)?.unnamed())
 }
