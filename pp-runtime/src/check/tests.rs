@@ -278,7 +278,10 @@ GOTO/-20.726,47.908,-27.552
 GOTO/-10.032,64.619,5.538
 ";
     let program = posted_right::<HeadTable>("heidenhain", Mode::Tcp, "", data);
-    assert!(program.contains("Z-25.34\n49 L X-28.937 Y+48.782 R0 FMAX\n"), "{program}");
+    let blocks: Vec<&str> = program.lines().filter_map(|line| line.split_once(' ').map(|(_, block)| block)).collect();
+    let lift =
+        blocks.iter().position(|block| *block == "L X-28.937 Y+48.782 R0 FMAX").expect("the point of the second hole");
+    assert!(blocks[lift - 1].ends_with("Z-25.34"), "{program}");
 }
 
 /// RETRCT ends in the clearance plane; seen from the rounded place 0.4 µm below it that plane is 2.9 µm away along the tool.
