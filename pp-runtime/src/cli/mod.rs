@@ -44,7 +44,7 @@ use std::ffi::OsString;
 use crate::cl;
 use crate::config;
 use crate::control::Control;
-use crate::kinematics::AnyMachine;
+use crate::kinematics::{AnyMachine, digest};
 use crate::post::{Proof, prove};
 
 pub use app::{App, run, run_for, run_with};
@@ -64,9 +64,9 @@ fn execute(
     mut streams: Streams<'_>,
     post: PostFn<'_>,
 ) -> Status {
-    let command = match args::parse(machine, own, args) {
+    let command = match args::parse(machine.name(), own, args) {
         Ok(cli) => cli.command,
-        Err(error) => return print_usage(&error, &mut streams),
+        Err(error) => return print_usage(machine, &error, &mut streams),
     };
     let format = match &command {
         Command::Post(args) => args.set_up.message_format,
@@ -114,8 +114,11 @@ fn execute(
 }
 
 /// Prints help and version to standard output, errors of the command line to standard error.
-fn print_usage(error: &clap::Error, streams: &mut Streams<'_>) -> Status {
-    let text = error.render().to_string();
+fn print_usage(machine: &dyn AnyMachine, error: &clap::Error, streams: &mut Streams<'_>) -> Status {
+    let mut text = error.render().to_string();
+    if error.kind() == clap::error::ErrorKind::DisplayVersion {
+        text = format!("{} (kinematics {})\n", text.trim_end(), digest(machine));
+    }
     if error.use_stderr() {
         // If standard error is closed, the message is lost.
         let _ = streams.errors.write_all(text.as_bytes());

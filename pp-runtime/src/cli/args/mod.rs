@@ -11,7 +11,7 @@ use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand};
 use crate::cl::Insert;
 use crate::config::Config;
 use crate::control::Control;
-use crate::kinematics::{AnyMachine, digest};
+use crate::kinematics::AnyMachine;
 use crate::motion::{CourseOptions, Mode, Operations};
 use crate::transformation::SheetControl;
 
@@ -531,18 +531,12 @@ impl SetUpArgs {
 
 /// Parses the command line. Help and errors call the command by the name of its file. `own`: controls besides those of this
 /// crate; the first is the default.
-pub(crate) fn parse(
-    machine: &dyn AnyMachine,
-    own: &[&'static dyn Control],
-    args: &[OsString],
-) -> Result<Cli, clap::Error> {
+pub(crate) fn parse(machine: &str, own: &[&'static dyn Control], args: &[OsString]) -> Result<Cli, clap::Error> {
     let stem =
         args.first().and_then(|name| Path::new(name).file_stem()).map(|stem| stem.to_string_lossy().into_owned());
-    let machine_name = machine.name();
-    let name = stem.unwrap_or_else(|| machine_name.to_owned());
-    let version = format!("{} (kinematics {})", env!("CARGO_PKG_VERSION"), digest(machine));
-    let about = format!("Postprocessor for {machine_name}: converts CL data (APT/CLS) into NC programs");
-    let mut command = Cli::command().bin_name(&name).display_name(name).version(version).about(about);
+    let name = stem.unwrap_or_else(|| machine.to_owned());
+    let about = format!("Postprocessor for {machine}: converts CL data (APT/CLS) into NC programs");
+    let mut command = Cli::command().bin_name(&name).display_name(name).about(about);
     if !own.is_empty() {
         let names = ControlNames::with(own);
         let choice = |arg: clap::Arg| arg.value_parser(names.clone()).default_value(names.default_name());
