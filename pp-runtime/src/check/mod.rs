@@ -86,6 +86,14 @@ pub struct Checked {
     pub fault: Option<Diagnostic>,
 }
 
+impl Checked {
+    /// Whether the program carries out its CL data, which has no error.
+    #[must_use]
+    pub fn passed(&self) -> bool {
+        self.fault.is_none() && self.outcome.passed()
+    }
+}
+
 /// Compares a program with the CL data it was posted from.
 ///
 /// # Errors

@@ -54,7 +54,7 @@ pub(crate) fn run(machine: &dyn AnyMachine, args: &CheckArgs, streams: &mut Stre
     report(&checked, &name, &mut source, Some(&args.program.to_string_lossy()), &mut messages)
         .map_err(|error| Failure::Unreadable(name.clone(), error))?;
     messages.note(&checked.outcome.summary());
-    let passed = checked.fault.is_none() && checked.outcome.passed();
+    let passed = checked.passed();
     if args.format() == MessageFormat::Json {
         let figures = figures(&checked, passed);
         print(streams, |out| {

@@ -21,7 +21,7 @@ impl CheckedProgram {
     /// The program, if it is complete and the check has found nothing.
     #[must_use]
     pub fn program(&self) -> Option<&[u8]> {
-        let passed = self.checked.as_ref().is_some_and(|checked| checked.fault.is_none() && checked.outcome.passed());
+        let passed = self.checked.as_ref().is_some_and(Checked::passed);
         passed.then_some(&self.text)
     }
 

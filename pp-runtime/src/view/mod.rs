@@ -151,7 +151,7 @@ impl<'a> ViewedProgram<'a> {
 
     /// Whether the program does what the CL data asks for.
     pub(crate) fn passed(&self) -> bool {
-        self.checked.fault.is_none() && self.checked.outcome.passed()
+        self.checked.passed()
     }
 
     /// Result of the check.

@@ -306,7 +306,7 @@ fn simulate(
     });
     let collides = args.fails_on_collision() && outcome.count > 0;
     let gouges = args.fails_on_gouge() && against.as_ref().is_some_and(AgainstDesign::gouges);
-    let passed = checked.fault.is_none() && checked.outcome.passed() && !collides && !gouges;
+    let passed = checked.passed() && !collides && !gouges;
     Ok(Simulated {
         policy: owned,
         tool_table: given_table,
