@@ -64,46 +64,25 @@ mod tests {
     use super::*;
     use crate::kinematics::Machine;
 
-    mod declared {
-        crate::machine! {
-            pub struct Trunnion;
-            chain: C A | X Y Z;
-            dims = { d: 50 };
-            d = { C: (0, d, 0) };
-            limits = { A: -30..110 };
-        }
+    /// A trunnion in a module of its own, with one part that differs.
+    macro_rules! trunnion {
+        ($module:ident, $name:ident, $($differs:tt)*) => {
+            mod $module {
+                crate::machine! {
+                    pub(super) struct $name;
+                    chain: C A | X Y Z;
+                    dims = { d: 50 };
+                    d = { C: (0, d, 0) };
+                    $($differs)*
+                }
+            }
+        };
     }
 
-    mod renamed {
-        crate::machine! {
-            pub struct Same;
-            chain: C A | X Y Z;
-            dims = { d: 50 };
-            d = { C: (0, d, 0) };
-            limits = { A: -30..110 };
-        }
-    }
-
-    mod reversed {
-        crate::machine! {
-            pub struct Trunnion;
-            chain: C A | X Y Z;
-            dims = { d: 50 };
-            d = { C: (0, d, 0) };
-            limits = { A: -30..110 };
-            signs = { C: - };
-        }
-    }
-
-    mod longer {
-        crate::machine! {
-            pub struct Trunnion;
-            chain: C A | X Y Z;
-            dims = { d: 50 };
-            d = { C: (0, d, 0) };
-            limits = { A: -30..120 };
-        }
-    }
+    trunnion!(declared, Trunnion, limits = { A: -30..110 };);
+    trunnion!(renamed, Same, limits = { A: -30..110 };);
+    trunnion!(reversed, Trunnion, limits = { A: -30..110 }; signs = { C: - };);
+    trunnion!(longer, Trunnion, limits = { A: -30..120 };);
 
     #[test]
     fn each_part_of_the_kinematics_changes_the_digest_and_nothing_else_does() {
