@@ -386,7 +386,7 @@ pub enum Event<'a> {
     Stop,
     /// PPRINT: text for the operator.
     Message(&'a [u8]),
-    /// INSERT: block of NC text, as written.
+    /// INSERT, and a statement of the shop: block of NC text, as written.
     Insert(&'a [u8]),
     /// AUXFUN, PREFUN: an M or G code of the control.
     Code {

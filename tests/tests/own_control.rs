@@ -37,6 +37,48 @@ fn a_program_of_an_own_control_is_posted_and_passes_the_check() {
     assert!(!fanuc.contains("M140"));
 }
 
+#[test]
+fn a_statement_of_the_shop_is_its_block_on_every_control_and_the_check_insists_on_it() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = |name: &str, text: &str| {
+        let path = folder.path().join(name);
+        std::fs::write(&path, text).expect("a file");
+        path.to_str().expect("a path in UTF-8").to_owned()
+    };
+    // Before the second tool.
+    let cl = std::fs::read_to_string(two_tools()).expect("the sample");
+    let second = cl.match_indices("TOOL PATH").nth(1).expect("a second operation").0;
+    let cl = file("chuck.cls", &format!("{}CHUCK/OPEN\n{}", &cl[..second], &cl[second..]));
+    let words = "[cl.words]\n\"CHUCK/OPEN\" = \"M468\"\n";
+    let declared = file("declared.toml", &format!("{words}[control]\neffects = {{ M468 = \"none\" }}\n"));
+    let undeclared = file("undeclared.toml", words);
+    let app = App::new();
+    for control in ["linuxcnc", "fanuc", "siemens", "heidenhain", "haas"] {
+        let post = |config: &str| run(&app, &["post", &cl, "--quiet", "--control", control, "--config", config]);
+        let (status, program, messages) = post(&declared);
+        assert_eq!(status, Status::Done, "{control}: {messages}");
+        let is_block = |line: &&str| !line.contains("CHUCK") && line.split_whitespace().any(|word| word == "M468");
+        assert_eq!(program.lines().filter(is_block).count(), 1, "{control}");
+
+        let without: String = program.lines().filter(|line| !is_block(line)).map(|line| format!("{line}\n")).collect();
+        let lost = file("lost.nc", &without);
+        let (status, _, messages) = run(&app, &["check", &cl, &lost, "--control", control, "--config", &declared]);
+        assert_eq!(status, Status::Rejected, "{control}");
+        assert!(
+            messages.contains("has no block before this one") && messages.contains("CHUCK/OPEN"),
+            "{control}: {messages}"
+        );
+
+        // Without a declared effect nobody knows what the code does.
+        let (status, _, messages) = post(&undeclared);
+        assert_eq!(status, Status::Rejected, "{control}");
+        assert!(messages.contains("declare its effect in `[control] effects`"), "{control}: {messages}");
+    }
+    let (status, _, messages) = run(&app, &["post", &cl, "--quiet"]);
+    assert_eq!(status, Status::Rejected);
+    assert!(messages.contains("CHUCK is not a known word of CL data"), "{messages}");
+}
+
 /// The same codes without their effects.
 struct Undeclared;
 

@@ -5,7 +5,7 @@
 
 use std::io::Read;
 
-use super::record::nearest_word;
+use super::record::{if_harmless, nearest_word};
 use super::text::{ClFault, Help, Lexer, Statement};
 use crate::diag::{Diagnostic, LISTED_OF_A_KIND, Severity};
 use crate::program::Location;
@@ -53,7 +53,7 @@ impl Faults {
             Help::NearestTo(word) => match nearest_word(&word) {
                 Some(known) => format!("did you mean {known}?"),
                 None if word.is_empty() => "check whether this file is CL data".into(),
-                None => format!("if it moves no axis and changes no state, delete it or add `--inert {word}`"),
+                None => if_harmless(&word),
             },
         };
         self.diagnostics.push(Diagnostic {

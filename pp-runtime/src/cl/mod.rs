@@ -44,4 +44,4 @@ pub use self::meaning::{
     ArcVote, CycleArg, FeedLabel, Frames, Insert, ReadingOptions, Sense, SetUpBegins, StatedFrame, ToolArg,
 };
 pub use self::reader::{ClReader, ReadSeek};
-pub use self::record::{Record, list as list_words, not_inert};
+pub use self::record::{OwnStatement, Record, list as list_words, not_inert};

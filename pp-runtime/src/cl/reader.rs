@@ -131,6 +131,9 @@ impl<R: Read> ClReader<R> {
                 TextUse::Message => Event::Message(text(at)),
                 TextUse::Insert => Event::Insert(text(at)),
             },
+            QueuedEvent::Own(index) => {
+                Event::Insert(self.interpreter.options().own_statements[index].block().as_bytes())
+            }
             QueuedEvent::Spline => Event::Spline(self.interpreter.completed_curve()),
         };
         Ok(Some((location, event)))
@@ -281,7 +284,7 @@ impl<R: Read> ClReader<R> {
     fn read_record(&mut self, statement: &Statement, here: Location) {
         let text = self.lexer.text(statement);
         let mut lines = self.lexer.joined_lines(statement);
-        let record = parse(text, &self.interpreter.options().inert).and_then(|record| {
+        let record = parse(text, self.interpreter.options().given_meanings()).and_then(|record| {
             let lost = |(offset, line)| joined_record(text, offset, line);
             let lost = if record.takes_anything() { lines.find_map(lost) } else { None };
             lost.map_or(Ok(record), Err)
@@ -314,7 +317,7 @@ impl<R: Read> ClReader<R> {
             let location = Location { column: kept.location().column.saturating_add(column), ..kept.location() };
             (location, text.len().saturating_sub(at.start))
         };
-        let taken = parse(text, &self.interpreter.options().inert).and_then(|record| match record {
+        let taken = parse(text, self.interpreter.options().given_meanings()).and_then(|record| match record {
             Record::Subprogram(SubprogramRecord::Call { at, .. }) => {
                 Err(subprogram_fault(at, "CALSUB inside a subprogram is not supported"))
             }

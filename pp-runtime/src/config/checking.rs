@@ -259,6 +259,7 @@ impl Config {
         }
         self.cl.auxfun.iter().for_each(|code| add(&format!("M{code}"), OwnPlace::Insert, None));
         self.cl.prefun.iter().for_each(|code| add(&format!("G{code}"), OwnPlace::Insert, None));
+        self.cl.own_statements.iter().for_each(|own| add(own.block(), OwnPlace::Insert, None));
         lines
     }
 }

@@ -454,7 +454,7 @@ fn options_of_reading_cl_data_are_read() {
          cl_point = \"tip\"\n[set_ups.2]\nwork_offset = \"G55\"\n[cl]\ndialect = \"solidworks\"\ncolumns = 72\ninert = [\"aicc\", \"BREAK\"]\n\
          frames = \"main\"\ncircle_sense = \"cw\"\ninsert = \"write\"\ninsert_stop = true\nauxfun = [10, 11]\nprefun = [64]\n\
          feed_label = \"file-units\"\nfrom = \"move\"\nallow_lintol = true\ncycle.TAP.args = [\"depth\", \"pitch\"]\n\
-         loadtl.args = [\"ignored\", \"offset\"]\n",
+         loadtl.args = [\"ignored\", \"offset\"]\nwords.\"chuck / open\" = \"M68\"\n",
     );
     assert!(close(config.motion.tolerance_mm, 0.0254) && close(config.motion.defaults.peck_gap_mm, 0.508));
     assert_eq!((config.motion.defaults.tool, config.motion.allow_lintol), (Some(3), true));
@@ -468,6 +468,12 @@ fn options_of_reading_cl_data_are_read() {
     assert_eq!((cl.frames, cl.circle_sense), (Frames::Main, Some(Sense::Clockwise)));
     assert_eq!((cl.insert, cl.insert_stop, cl.from_move), (Insert::Write, true, true));
     assert_eq!((&cl.auxfun[..], &cl.prefun[..]), (&[10, 11][..], &[64][..]));
+    let own: Vec<_> = cl.own_statements.iter().map(|own| (own.statement(), own.block())).collect();
+    assert_eq!(own, [("CHUCK/OPEN", "M68")]);
+    assert_eq!(
+        faults("[cl.words]\n\"chuck/open\" = \"M68\"\n\"CHUCK/OPEN\" = \"M69\"\n\"GOTO/1\" = \"M1\"\n").len(),
+        2
+    );
     assert_eq!(cl.feed_label, FeedLabel::FileUnits);
     assert!(close(cl.default_feed_mm_per_min.unwrap(), 508.0));
     assert_eq!(cl.tool_args, [ToolArg::Ignored, ToolArg::Offset]);

@@ -238,6 +238,10 @@ pub(crate) fn reading(config: &Config, survey: &Survey) -> Vec<String> {
     if !config.cl.inert.is_empty() {
         list.push(format!("words ignored as inert: {}", config.cl.inert.join(" ")));
     }
+    if !config.cl.own_statements.is_empty() {
+        let meanings = config.cl.own_statements.iter().map(|own| format!("{} is {}", own.statement(), own.block()));
+        list.push(format!("statements of the shop: {}", meanings.collect::<Vec<_>>().join(", ")));
+    }
     if let Some(feed) = config.cl.default_feed_mm_per_min {
         list.push(format!("feed until the first FEDRAT: {feed} mm/min, as configured"));
     }

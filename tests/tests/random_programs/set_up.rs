@@ -62,6 +62,9 @@ pub(crate) fn set_up(random: &mut Random, kind: &MachineKind, control: &str, mod
     let registers = registers(control);
     let frames = if nx { file.frames(kind) } else { Frames::None };
     let code = file.maybe(0.2, "cl", "auxfun = [77]");
+    if code {
+        file.put("control", "effects = { M77 = \"none\" }");
+    }
     let centre = file.maybe(0.1, "", "cl_point = \"centre\"");
     let (axis_range, table) = (kind.axis_range, kind.table);
     let needs =

@@ -341,7 +341,9 @@ pub(super) fn place_of_line(place: OwnPlace, phase: &Phase, motions: u64, ended:
         }
         OwnPlace::Safety => phase.is_at_part().then_some("a line of `control.safety` at the part"),
         OwnPlace::ToolChange => phase.is_at_part().then_some("a line of `control.tool_change` at the part"),
-        OwnPlace::Insert => Some("a block of INSERT, AUXFUN or PREFUN that the CL data does not have here"),
+        OwnPlace::Insert => {
+            Some("a block of INSERT, AUXFUN, PREFUN or a statement of the shop that the CL data does not have here")
+        }
         OwnPlace::Clamp { .. } | OwnPlace::Coolant | OwnPlace::TipControl { .. } => None,
     }
 }

@@ -19,7 +19,7 @@ const IN_PLANE: f64 = 5e-4;
 const DWELL_ROUNDING: f64 = 6e-4;
 
 impl<R: Read> Comparison<'_, R> {
-    /// INSERT and codes of the CL data: a block that is copied, whatever it does.
+    /// INSERT, codes of the CL data and statements of the shop: a block that is copied.
     pub(super) fn is_raw(&mut self, phase: &Phase, current: &Current<'_>) -> bool {
         let here = phase.here();
         let index = (0..).find(|index| !self.is_needless(*index, here)).unwrap_or_default();
@@ -34,7 +34,9 @@ impl<R: Read> Comparison<'_, R> {
         if let Phase::Cutting(cutting) = phase {
             self.has_left(cutting, current);
         }
-        for fault in &current.block.faults[..current.block.frame_faults] {
+        // The text of INSERT is not judged; a line of the configuration has an effect, of its codes or declared.
+        let judged = if current.block.own.is_some() { current.block.faults.len() } else { current.block.frame_faults };
+        for fault in &current.block.faults[..judged] {
             self.found(current, &fault.text);
         }
         (0..=index).for_each(|_| self.progress.pass());

@@ -103,7 +103,7 @@ pub enum OwnPlace {
         /// It switches tip control on.
         on: bool,
     },
-    /// Text of INSERT, AUXFUN or PREFUN.
+    /// Text of INSERT, AUXFUN, PREFUN, or of a statement of the shop.
     Insert,
 }
 

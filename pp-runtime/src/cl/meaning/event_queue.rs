@@ -20,6 +20,8 @@ pub(crate) enum TextUse {
 pub(crate) enum QueuedEvent {
     Plain(Event<'static>),
     Text(TextUse, Span),
+    /// Block of a statement of the shop, by its index in the options.
+    Own(usize),
     Spline,
 }
 

@@ -181,6 +181,11 @@ impl RecordInterpreter {
             Record::Subprogram(SubprogramRecord::Define(_) | SubprogramRecord::End | SubprogramRecord::Call { .. }) => {
                 Ok(())
             }
+            Record::Own(_, index) => {
+                self.path.forget_position();
+                self.events.push(here, QueuedEvent::Own(*index));
+                Ok(())
+            }
             Record::Inert => Ok(()),
         }
     }
@@ -325,7 +330,10 @@ impl RecordInterpreter {
                 word,
                 at,
                 format!("{word} is refused: the effect of {}{number} on the machine is unknown", char::from(letter)),
-                format!("to output the code, allow it: `[cl] {key} = [{number}]`"),
+                format!(
+                    "to output the code, allow it: `[cl] {key} = [{number}]`; if the control does not have it itself, \
+                     declare its effect in `[control] effects`, too"
+                ),
             ));
         }
         self.path.forget_position();

@@ -8,7 +8,7 @@ use serde_json::{Map, Value as Json, json};
 use super::holes::CycleArg;
 use super::tool_numbers::ToolArg;
 use crate::cl::dialect::Dialect;
-use crate::cl::record::{ClCycleKind, not_inert};
+use crate::cl::record::{ClCycleKind, GivenMeanings, OwnStatement, not_inert};
 use crate::keys::{
     Bound, KeyKind, KeyReader, KeyScope, KeyTable, ListOf, Measure, OneLine, OneOf, Printed, TomlValue, Whole, YesNo,
     options,
@@ -103,6 +103,9 @@ options! {
         columns: Option<u32> = None, key("cl.columns", Whole(COLUMNS), "72");
         /// Words of CL data that are passed over, because they move no axis and change no state.
         inert: Vec<String> = Vec::new(), key("cl.inert", ListOf(InertWord));
+        /// Statements of the shop, and the block that is written for each. Its effect on the machine is that of its codes; that of
+        /// a code which the control does not have itself is declared in `[control] effects`.
+        own_statements: Vec<OwnStatement> = Vec::new(), key("cl.words", OwnStatements);
         /// A frame that differs from the first and is in no set-up: "refuse", or "main" (mapped into the first). With
         /// `[set_ups]` it belongs to the first set-up.
         frames: Frames = Frames::Refuse, key("cl.frames", OneOf(&Frames::NAMES));
@@ -132,6 +135,13 @@ options! {
         /// Meaning of the numbers of a CYCLE that have no word before them, in order: depth, clearance, return, step, dwell,
         /// pitch, feed.
         cycle_args: Vec<(ClCycleKind, Vec<CycleArg>)> = Vec::new(), key("cl.cycle", CycleNumbers);
+    }
+}
+
+impl ReadingOptions {
+    /// What the user says about words that are not read.
+    pub(crate) fn given_meanings(&self) -> GivenMeanings<'_> {
+        GivenMeanings { inert: &self.inert, own: &self.own_statements }
     }
 }
 
@@ -167,6 +177,41 @@ impl KeyKind for InertWord {
 
     fn schema(&self, scope: &KeyScope) -> Json {
         OneLine.schema(scope)
+    }
+}
+
+/// Kind of key: statements of the shop with their blocks: `"CHUCK/OPEN" = "M68"`.
+#[derive(Debug, Clone, Copy)]
+struct OwnStatements;
+
+impl KeyKind for OwnStatements {
+    type Value = Vec<OwnStatement>;
+
+    fn read(&self, r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<Self::Value> {
+        let mut read: Vec<OwnStatement> = Vec::new();
+        for (key, span, value) in r.entries(value) {
+            let Some(block) = r.line(value) else { continue };
+            match OwnStatement::new(&key, &block) {
+                Ok(own) if read.iter().any(|known| known.statement() == own.statement()) => {
+                    r.fault(span, format!("`{key}` is stated twice"), None);
+                }
+                Ok(own) => read.push(own),
+                Err(why) => r.fault(span, why, None),
+            }
+        }
+        Some(read)
+    }
+
+    fn print(&self, _value: &Self::Value) -> String {
+        "{}".to_owned()
+    }
+
+    fn schema(&self, scope: &KeyScope) -> Json {
+        json!({ "type": "object", "additionalProperties": OneLine.schema(scope) })
+    }
+
+    fn printed(&self, _scope: &KeyScope) -> Option<Printed> {
+        Some(Printed::Example("{ \"CHUCK/OPEN\" = \"M68\" }".to_owned()))
     }
 }
 

@@ -67,6 +67,7 @@ impl Permitted {
             Record::Subprogram(record) => match record {
                 SubprogramRecord::Define(_) | SubprogramRecord::End | SubprogramRecord::Call { .. } => Self::ORDINARY,
             },
+            Record::Own(..) => Self::ALONE,
             Record::Inert => Self::ANYWHERE,
         }
     }

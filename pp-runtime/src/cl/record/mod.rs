@@ -24,6 +24,7 @@ mod feed;
 mod machine;
 mod motion;
 mod nurbs;
+mod own;
 mod parse;
 mod program;
 mod spindle;
@@ -39,6 +40,7 @@ pub use self::feed::{FeedRecord, FeedUnit};
 pub use self::machine::MachineRecord;
 pub use self::motion::MotionRecord;
 pub use self::nurbs::NurbsRecord;
+pub use self::own::OwnStatement;
 pub use self::program::ProgramRecord;
 pub use self::subprogram::{SubprogramName, SubprogramRecord};
 pub use self::tool::{CutterRecord, MOST_TOOL_NUMBERS, ToolCallRecord, ToolRecord};
@@ -47,7 +49,8 @@ pub use self::words::{list, not_inert};
 pub use super::text::Span;
 
 pub(crate) use self::comment::{CatiaMatrix, comment_dialect, read_comment};
-pub(crate) use self::parse::{joined_record, next_goto, parse, record_dialect};
+pub(crate) use self::own::GivenMeanings;
+pub(crate) use self::parse::{if_harmless, joined_record, next_goto, parse, record_dialect};
 pub(crate) use self::words::nearest_word;
 
 use std::fmt::{self, Display, Formatter};
@@ -73,6 +76,8 @@ pub enum Record<'a> {
     Cycle(CycleRecord),
     /// Subprograms.
     Subprogram(SubprogramRecord),
+    /// A statement to which the shop has given a block, and its index among these.
+    Own(Text<'a>, usize),
     /// Record without effect.
     Inert,
 }
@@ -83,6 +88,8 @@ impl Record<'_> {
         match self {
             Self::Program(record) => record.takes_anything(),
             Self::Inert => true,
+            // The statement is compared as a whole.
+            Self::Own(..) => false,
             Self::Coordinates(_) | Self::Tool(_) | Self::Machine(_) | Self::Motion(_) => false,
             Self::Arc(_) | Self::Nurbs(_) | Self::Cycle(_) | Self::Subprogram(_) => false,
         }
@@ -102,6 +109,7 @@ impl Display for Record<'_> {
             Self::Nurbs(record) => record.fmt(out),
             Self::Cycle(record) => record.fmt(out),
             Self::Subprogram(record) => record.fmt(out),
+            Self::Own(statement, _) => statement.fmt(out),
             Self::Inert => out.write_str("$$"),
         }
     }

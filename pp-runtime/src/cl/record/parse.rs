@@ -7,7 +7,8 @@ use std::io::Read;
 
 use super::Record;
 use super::comment::remark_dialect;
-use super::values::Point;
+use super::own::GivenMeanings;
+use super::values::{Point, Text};
 use super::words::{GOTO, Handling, look_up};
 use crate::cl::dialect::Dialect;
 use crate::cl::text::{Args, ClFault, Help, Lexer, PhysicalLine, Span, quoted, skip_blanks};
@@ -16,14 +17,18 @@ use crate::diag::Severity;
 /// Largest number of bytes of an unknown word that its message shows.
 const LONGEST_NAME: usize = 32;
 
-/// Parses one statement that is not a comment. `text` is not empty. `inert`: words that the user has declared inert;
-/// words that are read, and words that affect the motion after them, are not passed over.
-pub(crate) fn parse<'a>(text: &'a [u8], inert: &[String]) -> Result<Record<'a>, ClFault> {
+/// Parses one statement that is not a comment. `text` is not empty. `given`: what the user says about words; words that
+/// are read, and words that affect the motion after them, are not passed over and have no other meaning.
+pub(crate) fn parse<'a>(text: &'a [u8], given: GivenMeanings<'_>) -> Result<Record<'a>, ClFault> {
     let word_at = major_word(text);
     let word = &text[word_at.start..word_at.end];
-    let declared = || inert.iter().any(|inert| word.eq_ignore_ascii_case(inert.as_bytes()));
+    let declared = || given.is_inert(word);
     let Some(row) = look_up(word) else {
-        return if declared() { Ok(Record::Inert) } else { Err(unknown(text, word_at)) };
+        return match own_statement(text, word_at, given) {
+            Some(own) => own,
+            None if declared() => Ok(Record::Inert),
+            None => Err(unknown(text, word_at)),
+        };
     };
     let name = row.word.name;
     let passed_over = row.is_note() && declared();
@@ -36,16 +41,17 @@ pub(crate) fn parse<'a>(text: &'a [u8], inert: &[String]) -> Result<Record<'a>, 
         }
         Handling::ReadText(_) if passed_over => Ok(Record::Inert),
         Handling::ReadText(read) => read(&mut Args::new(&row.word, text, word_at.end)),
-        Handling::Inert => Ok(Record::Inert),
-        Handling::Refused(_) if declared() => Ok(Record::Inert),
-        Handling::Refused(reason) => Err(ClFault::new(
-            name,
-            word_at,
-            format!("{name} is refused: {reason}"),
-            format!(
-                "suppress {name} in the CAM system; if it moves no axis and changes no state, add `--inert {name}`"
-            ),
-        )),
+        Handling::Inert => own_statement(text, word_at, given).unwrap_or(Ok(Record::Inert)),
+        Handling::Refused(reason) => match own_statement(text, word_at, given) {
+            Some(own) => own,
+            None if declared() => Ok(Record::Inert),
+            None => Err(ClFault::new(
+                name,
+                word_at,
+                format!("{name} is refused: {reason}"),
+                format!("suppress {name} in the CAM system; {}", if_harmless(name)),
+            )),
+        },
         Handling::Hazard(reason) => Err(ClFault::new(
             name,
             word_at,
@@ -99,7 +105,7 @@ pub(crate) fn next_goto<R: Read>(lexer: &mut Lexer<R>) -> Option<(PhysicalLine, 
 }
 
 /// Place of the major word; it may contain `-` and `_`. TOOL PATH is one word with a blank inside.
-fn major_word(text: &[u8]) -> Span {
+pub(super) fn major_word(text: &[u8]) -> Span {
     let length = |text: &[u8]| {
         text.iter().take_while(|byte| byte.is_ascii_alphanumeric() || matches!(byte, b'-' | b'_')).count()
     };
@@ -113,6 +119,36 @@ fn major_word(text: &[u8]) -> Span {
         }
     }
     Span { start: 0, end }
+}
+
+/// A statement whose word has a statement of the shop. Any other statement of that word is refused, unless the word is
+/// declared inert: it may be a misspelt one.
+fn own_statement<'a>(text: &'a [u8], word_at: Span, given: GivenMeanings<'_>) -> Option<Result<Record<'a>, ClFault>> {
+    let word = &text[word_at.start..word_at.end];
+    let mut known = given.beginning_with(word).peekable();
+    known.peek()?;
+    let whole = Span { start: 0, end: text.len() };
+    if let Some(index) = given.own(text) {
+        return Some(Ok(Record::Own(Text { bytes: text, at: whole }, index)));
+    }
+    if given.is_inert(word) {
+        return None;
+    }
+    let known: Vec<&str> = known.collect();
+    Some(Err(ClFault::new(
+        "statement of the shop",
+        whole,
+        format!("{} is not one of the statements in `[cl.words]`", quoted(text)),
+        format!("of this word it has {}", known.join(", ")),
+    )))
+}
+
+/// What a user can do about a word that changes nothing, or that is one of the shop.
+pub(crate) fn if_harmless(word: &str) -> String {
+    format!(
+        "if it moves no axis and changes no state, add `--inert {word}`; if it calls a block of the shop, state the \
+         block in `[cl.words]`"
+    )
 }
 
 fn unknown(text: &[u8], mut at: Span) -> ClFault {

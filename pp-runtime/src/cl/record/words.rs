@@ -241,10 +241,16 @@ pub(crate) fn look_up(word: &[u8]) -> Option<&'static Row> {
     }
 }
 
+/// Whether a text can be a major word.
+pub(super) fn is_word(text: &str) -> bool {
+    let of_word = |byte: u8| byte.is_ascii_alphanumeric() || matches!(byte, b'-' | b'_' | b' ');
+    !text.is_empty() && text.bytes().all(of_word)
+}
+
 /// Reason why a word cannot be declared inert; `None` if it can.
 #[must_use]
 pub fn not_inert(word: &str) -> Option<String> {
-    if word.is_empty() || !word.bytes().all(|byte| byte.is_ascii_alphanumeric() || matches!(byte, b'-' | b'_' | b' ')) {
+    if !is_word(word) {
         return Some(format!("`{word}` is not a word of CL data"));
     }
     let row = look_up(word.as_bytes())?;
@@ -262,7 +268,10 @@ pub fn not_inert(word: &str) -> Option<String> {
 /// # Errors
 /// Those of the output.
 pub fn list(out: &mut dyn Write) -> io::Result<()> {
-    writeln!(out, "Words of CL data. A word that is not listed is refused, unless `--inert WORD` declares it inert.")?;
+    writeln!(
+        out,
+        "Words of CL data. A word that is not listed is refused, unless `--inert WORD` declares it inert\nor `[cl.words]` of the configuration states the block of its statement."
+    )?;
     list_section(out, "Read", |Row { word: MajorWord { name, forms }, handling }| {
         let glue = if forms.starts_with(['/', ',', '[']) || forms.is_empty() { "" } else { " " };
         handling.is_read().then(|| format!("{name}{glue}{forms}"))

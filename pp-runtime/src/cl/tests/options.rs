@@ -1,7 +1,7 @@
 //! Options of the reader: records that are refused without one, and the meaning of others.
 
 use super::*;
-use crate::cl::{Dialect, FeedLabel, Insert};
+use crate::cl::{Dialect, FeedLabel, Insert, OwnStatement};
 
 #[test]
 fn insert_is_refused_a_comment_or_nc_text() {
@@ -31,6 +31,46 @@ fn the_meaning_of_a_feed_label_in_mm_in_an_inch_file_can_be_configured() {
     let label = |feed_label| ReadingOptions { feed_label, ..ReadingOptions::default() };
     assert!(events_without_places(text, label(FeedLabel::Trust))[0].ends_with("Some(PerMinute(10.0))"));
     assert!(events_without_places(text, label(FeedLabel::FileUnits))[0].ends_with("Some(PerMinute(254.0))"));
+}
+
+#[test]
+fn a_statement_of_the_shop_is_its_block_in_any_case_and_with_any_blanks() {
+    let own = |statement: &str, block: &str| ReadingOptions {
+        own_statements: vec![OwnStatement::new(statement, block).unwrap()],
+        ..mm()
+    };
+    for text in ["CHUCK/OPEN", "chuck / open", "CHUCK/$\nOPEN"] {
+        let found = events_without_places(&format!("{text}\nGOTO/0,0,0\n"), own("Chuck/Open", " M68 "));
+        assert_eq!(found[0], "insert M68", "{text}");
+    }
+    // Words that are refused or passed over may have one.
+    for text in ["BREAK", "PAINT/PATH"] {
+        let found = events_without_places(&format!("{text}\nGOTO/0,0,0\n"), own(text, "M68"));
+        assert_eq!(found.len(), 2, "{text}");
+    }
+    // Another statement of the word may be a misspelt one.
+    for text in ["CHUCK/OPN", "CHUCK", "CHUCK/OPEN,1"] {
+        let read = read_from(format!("{text}\nGOTO/0,0,0\n").as_bytes(), own("CHUCK/OPEN", "M68"));
+        assert!(read.diagnostics[0].text.contains("is not one of the statements in `[cl.words]`"), "{text}");
+        assert_eq!(read.diagnostics[0].help.as_deref(), Some("of this word it has CHUCK/OPEN"));
+        let inert = ReadingOptions { inert: vec!["CHUCK".to_owned()], ..own("CHUCK/OPEN", "M68") };
+        assert_eq!(events_without_places(&format!("{text}\nGOTO/0,0,0\n"), inert).len(), 1, "{text}");
+    }
+    // An arc does not go on after a block whose motion is not known.
+    let cut = "GOTO/10,0,0\nCIRCLE/0,0,0,0,0,1,10\nCHUCK/OPEN\nGOTO/0,10,0\n";
+    assert_eq!(errors_with(cut, own("CHUCK/OPEN", "M68")).len(), 1);
+}
+
+#[test]
+fn what_is_read_and_what_moves_something_has_no_other_meaning() {
+    for statement in
+        ["GOTO/1,2,3", "COOLNT/DOOR", "PPRINT", "CLAMP/XAXIS", "LOOP/START", "TURRET/1", "", "/OPEN", "A$B"]
+    {
+        assert!(OwnStatement::new(statement, "M68").is_err(), "{statement}");
+    }
+    for block in ["", "  ", "M68 (ö)", "M68\n"] {
+        assert!(OwnStatement::new("CHUCK/OPEN", block).is_err(), "{block}");
+    }
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Round trip: every kind of record is written as text and read back unchanged.
 
 use crate::cl::record::*;
-use crate::cl::record::{CatiaMatrix, parse, read_comment};
+use crate::cl::record::{CatiaMatrix, GivenMeanings, parse, read_comment};
 use crate::program::{Coolant, CutterSide, Dwell, Pressure, RotaryDirection, Rotation, Spindle, Units};
 use proptest::prelude::*;
 
@@ -277,7 +277,7 @@ fn read(text: &str) -> Record<'_> {
     if text.starts_with("$$") {
         read_comment(text.as_bytes(), &mut CatiaMatrix::default()).unwrap()
     } else {
-        parse(text.as_bytes(), &[]).unwrap_or_else(|fault| panic!("{text}: {}", fault.text))
+        parse(text.as_bytes(), GivenMeanings::default()).unwrap_or_else(|fault| panic!("{text}: {}", fault.text))
     }
 }
 

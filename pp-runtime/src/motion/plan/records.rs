@@ -218,7 +218,9 @@ impl<S: Sink> Records<'_, '_, S> {
         if self.planner.policy.options.lift_mm.is_some() {
             let fault =
                 Fault::new("a dry run writes no NC text of the CL data: it could move an axis or start the spindle");
-            return Err(fault.help("use `--insert comment`, or remove the record").into());
+            return Err(fault
+                .help("remove the record; for INSERT, `--insert comment` writes a comment instead")
+                .into());
         }
         if text.is_empty() || !text.iter().all(|byte| (b' '..=b'~').contains(byte)) {
             let fault = Fault::new(

@@ -1,0 +1,88 @@
+//! Statements to which the user gives a meaning: words declared inert, and statements of the shop.
+
+use super::parse::major_word;
+use super::words::{Handling, is_word, look_up};
+
+/// A statement of CL data and the NC block that is written in its place.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct OwnStatement {
+    /// The statement in capitals, without blanks: `CHUCK/OPEN`.
+    statement: String,
+    block: String,
+}
+
+impl OwnStatement {
+    /// A statement, in any case and with any blanks, and its block: `CHUCK/OPEN` and `M68`.
+    ///
+    /// # Errors
+    /// Says what is wrong with them: a word that is read, or whose statement changes the motions after it; a block that is
+    /// empty or not of printable ASCII characters.
+    pub fn new(statement: &str, block: &str) -> Result<Self, String> {
+        let word = &statement[..major_word(statement.as_bytes()).end];
+        if !is_word(word) || !statement.bytes().all(|byte| (b' '..=b'~').contains(&byte)) || statement.contains('$') {
+            return Err(format!("`{statement}` is not a statement of CL data"));
+        }
+        if let Some(row) = look_up(word.as_bytes()) {
+            match row.handling {
+                Handling::Inert | Handling::Refused(_) => {}
+                Handling::Read(_) | Handling::ReadText(_) => {
+                    return Err(format!("{word} is read, so its statements have no other meaning"));
+                }
+                Handling::Hazard(reason) => return Err(format!("no block takes the place of {word}: {reason}")),
+                Handling::Lathe => return Err(format!("no block takes the place of {word}: it belongs to turning")),
+            }
+        }
+        if block.trim().is_empty() || !block.bytes().all(|byte| (b' '..=b'~').contains(&byte)) {
+            return Err(
+                "a block has ASCII letters, digits and signs; others are read differently by controls".to_owned()
+            );
+        }
+        let statement = statement.bytes().filter(|byte| *byte != b' ').map(|byte| byte.to_ascii_uppercase() as char);
+        Ok(Self { statement: statement.collect(), block: block.trim().to_owned() })
+    }
+
+    /// The statement in capitals, without blanks.
+    #[must_use]
+    pub fn statement(&self) -> &str {
+        &self.statement
+    }
+
+    /// The block that is written in its place.
+    #[must_use]
+    pub fn block(&self) -> &str {
+        &self.block
+    }
+
+    fn is(&self, text: &[u8]) -> bool {
+        let written = text.iter().filter(|byte| !byte.is_ascii_whitespace()).map(u8::to_ascii_uppercase);
+        written.eq(self.statement.bytes())
+    }
+
+    fn word(&self) -> &[u8] {
+        &self.statement.as_bytes()[..major_word(self.statement.as_bytes()).end]
+    }
+}
+
+/// What the user says about words that are not read.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct GivenMeanings<'o> {
+    /// Words that are passed over.
+    pub(crate) inert: &'o [String],
+    pub(crate) own: &'o [OwnStatement],
+}
+
+impl<'o> GivenMeanings<'o> {
+    pub(crate) fn is_inert(self, word: &[u8]) -> bool {
+        self.inert.iter().any(|inert| word.eq_ignore_ascii_case(inert.as_bytes()))
+    }
+
+    /// Index of the statement of the shop that a statement is.
+    pub(crate) fn own(self, text: &[u8]) -> Option<usize> {
+        self.own.iter().position(|own| own.is(text))
+    }
+
+    /// The statements of the shop that begin with this word.
+    pub(crate) fn beginning_with(self, word: &[u8]) -> impl Iterator<Item = &'o str> {
+        self.own.iter().filter(move |own| word.eq_ignore_ascii_case(own.word())).map(OwnStatement::statement)
+    }
+}
