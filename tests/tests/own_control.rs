@@ -76,7 +76,7 @@ fn a_statement_of_the_shop_is_its_block_on_every_control_and_the_check_insists_o
     }
     let (status, _, messages) = run(&app, &["post", &cl, "--quiet"]);
     assert_eq!(status, Status::Rejected);
-    assert!(messages.contains("CHUCK is not a known word of CL data"), "{messages}");
+    assert!(messages.contains("`CHUCK` is not a known word of CL data"), "{messages}");
 }
 
 /// The same codes without their effects.
