@@ -13,7 +13,7 @@ use super::super::policy::RapidForm;
 use super::super::read::{Action, Block, CycleMove, MAX_AXES, Side};
 use super::super::rules::{BOTH, Deviation, LinkForm, ModalContext, StateFault};
 use super::hole::{CycleComparison, is_over, pose_at, words_at};
-use super::phase::{Cutting, FinishedMotion, Leaving, Phase, RapidSteps, RetractedLength, RewindPoint};
+use super::phase::{Cutting, FinishedMotion, Leaving, Phase, RapidSteps, RetractedLength, RewindPoint, axis_roundings};
 use super::rapid::{RapidPart, RapidRules, is_on_line, rollover_travel};
 use super::{Comparison, Current, Findings, Previous, retract};
 use crate::program::{Drilling, Feed, Location};
@@ -405,7 +405,7 @@ impl<R: Read> Comparison<'_, R> {
     ) -> bool {
         let block = current.block;
         // The cut was interrupted at a point that rounded words show.
-        let at_end = self.rules.is_near(end, &back.to, 2.0);
+        let at_end = self.rules.is_near(end, &back.to, [2.0, axis_roundings(cutting.finished.as_ref())]);
         if let (Action::Rapid, Some(item), true) = (block.action, cutting.perhaps_retract.take(), at_end) {
             // It was no rewind but the retract before a rapid, and this is the rapid.
             self.compare_state(current, &item.required);

@@ -134,7 +134,7 @@ impl Rules<'_> {
         let here = here.filter(|_| short || matches!(segment.shape, PathShape::Line));
         // A point that repeats needs no block, wherever the arcs before it have ended.
         let times = if short { drift(chords) } else { 1.0 };
-        here.is_some_and(|here| self.is_near(&here, &segment.to, times))
+        here.is_some_and(|here| self.is_near(&here, &segment.to, [times, 1.0]))
     }
 
     /// Share of a motion that is done when a block ends at `end`; `None` if it ends elsewhere.

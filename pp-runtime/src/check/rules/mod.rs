@@ -264,13 +264,13 @@ impl<'a> Rules<'a> {
 
     /// Whether a pose is another, apart from rounding.
     pub(super) fn is_at(&self, here: &ToolPose, there: &ToolPose) -> bool {
-        self.is_near(here, there, 1.0)
+        self.is_near(here, there, [1.0; 2])
     }
 
-    /// The same with a multiple of the allowance for the tip.
-    pub(super) fn is_near(&self, here: &ToolPose, there: &ToolPose, times: f64) -> bool {
-        (here.tip - there.tip).norm() <= times * self.rounding.tip_mm
-            && angle_between(&here.axis, &there.axis) <= self.axis_allowance(&there.axis)
+    /// The same with multiples of the allowances for tip and tool axis.
+    pub(super) fn is_near(&self, here: &ToolPose, there: &ToolPose, [tip, axis]: [f64; 2]) -> bool {
+        (here.tip - there.tip).norm() <= tip * self.rounding.tip_mm
+            && angle_between(&here.axis, &there.axis) <= axis * self.axis_allowance(&there.axis)
     }
 
     /// Allowance for a tool axis, rad: one near the pole is put there.

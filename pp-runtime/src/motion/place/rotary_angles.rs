@@ -269,6 +269,11 @@ impl Placer {
         }
         let mut place = self.position_at(&target_pose, from, &words);
         let reached = self.machine.forward_kinematics(&place.axes).axis;
+        // A path that is led through the pole may have been divided where its words are near those of the pole.
+        if pole.is_some() && self.writes_vectors() {
+            let at_pole = self.rotaries_at_pole(&target_pose, target_pose.axis, &place)?;
+            place = self.position_at(&target_pose, from, &at_pole.words);
+        }
         if angle_between(&reached, &target_pose.axis) > 2.0 * self.rotary.scale.angle(1) + REACH_TOLERANCE {
             return Err(Fault::new("the planned rotary angles do not give the tool axis of this point")
                 .help("this is a fault of the postprocessor, not of the CL data"));
