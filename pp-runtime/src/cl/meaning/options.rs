@@ -191,7 +191,7 @@ impl KeyKind for OwnStatements {
         let mut read: Vec<OwnStatement> = Vec::new();
         for (key, span, value) in r.entries(value) {
             let Some(block) = r.line(value) else { continue };
-            match OwnStatement::new(&key, &block) {
+            match OwnStatement::new(key, &block) {
                 Ok(own) if read.iter().any(|known| known.statement() == own.statement()) => {
                     r.fault(span, format!("`{key}` is stated twice"), None);
                 }
