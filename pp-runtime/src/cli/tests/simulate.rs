@@ -189,6 +189,9 @@ fn what_does_not_take_part_is_named() {
     let bare = PART.replace("TLDATA/MILL,10.0,0.0\n", "");
     states(&bare, "[tools]\n1 = { length = 100.0 }\n", "tool 1: neither the CL data nor `diameter` gives its diameter");
     states(&bare, "[tools]\n1 = { length = 100.0 }\n", "motions of tools without a shape");
+    let (outcome, json) = simulated(&bare, "[tools]\n1 = { length = 100.0 }\n");
+    assert!(outcome.errors.contains("removed: 0.000 cm"), "{}", outcome.errors);
+    assert_eq!(json["removed_mm3"].to_string(), "0.0");
     let wide = PART.replace("10.0,0.0", "10.0,7.0");
     states(&wide, TOOL, "a corner radius of 7 mm does not fit a radius of 5 mm");
 }

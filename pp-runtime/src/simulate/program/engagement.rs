@@ -93,7 +93,8 @@ impl Engagement {
 
     /// Volume of all operations, mm³.
     pub(crate) fn volume_mm3(&self) -> f64 {
-        self.operations.values().map(|removal| removal.volume_mm3).sum()
+        // Not `sum`: that of nothing is -0.
+        self.operations.values().fold(0.0, |volume, removal| volume + removal.volume_mm3)
     }
 
     /// The same by tool: volume, mm³, and time, min.
