@@ -3,19 +3,19 @@
 use std::borrow::Cow;
 use std::fs::File;
 use std::io::{self, Read};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use crate::config::{self, Config};
 use crate::control::{self, Control};
 use crate::kinematics::AnyMachine;
 
-use super::args::{MessageFormat, SetUpArgs};
+use super::args::{MessageFormat, NamedFile, SetUpArgs};
 use super::cl_source::{ClSource, LONG_INPUT_BYTES, same_file};
 use super::messages::Messages;
 use super::outcome::{Failure, is_standard};
 
-/// Largest configuration, bytes: some ten thousand tools.
-const LARGEST_CONFIG: u64 = 1 << 20;
+/// Largest configuration or tool table, bytes: some ten thousand tools.
+const LARGEST_TEXT: u64 = 1 << 20;
 
 /// The configuration of a run: defaults of the control, then the file, then the command line; the later takes
 /// precedence.
@@ -47,17 +47,7 @@ pub(crate) fn read_config_file(
     match path {
         None => Ok(start),
         Some(path) => {
-            let mut bytes = Vec::new();
-            let read = File::open(path).and_then(|file| file.take(LARGEST_CONFIG + 1).read_to_end(&mut bytes));
-            read.map_err(|error| Failure::unreadable(path, error))?;
-            if bytes.len() as u64 > LARGEST_CONFIG {
-                let what = format!("it is larger than {} MiB, the most for a configuration", LARGEST_CONFIG >> 20);
-                return Err(Failure::unreadable(path, io::Error::new(io::ErrorKind::FileTooLarge, what)));
-            }
-            let text = String::from_utf8(bytes).map_err(|error| {
-                let kind = io::ErrorKind::InvalidData;
-                Failure::unreadable(path, io::Error::new(kind, error.utf8_error().to_string()))
-            })?;
+            let text = read_text(path, "configuration")?;
             let mut config = start.read_over(machine, &text).map_err(|faults| {
                 messages.diagnostics(&path.display().to_string(), &mut text.as_bytes(), &faults);
                 Failure::Reported
@@ -66,6 +56,21 @@ pub(crate) fn read_config_file(
             Ok(config)
         }
     }
+}
+
+/// The text of a configuration or a tool table; `what`: which of them.
+pub(crate) fn read_text(path: &Path, what: &str) -> Result<String, Failure> {
+    let mut bytes = Vec::new();
+    let read = File::open(path).and_then(|file| file.take(LARGEST_TEXT + 1).read_to_end(&mut bytes));
+    read.map_err(|error| Failure::unreadable(path, error))?;
+    if bytes.len() as u64 > LARGEST_TEXT {
+        let text = format!("it is larger than {} MiB, the most for a {what}", LARGEST_TEXT >> 20);
+        return Err(Failure::unreadable(path, io::Error::new(io::ErrorKind::FileTooLarge, text)));
+    }
+    String::from_utf8(bytes).map_err(|error| {
+        let kind = io::ErrorKind::InvalidData;
+        Failure::unreadable(path, io::Error::new(kind, error.utf8_error().to_string()))
+    })
 }
 
 /// Opens the CL data. Standard input is copied to a temporary file, so that it can be read twice.
@@ -93,10 +98,24 @@ pub(crate) fn show_simulation(source: &mut ClSource, terminal: bool, args: &SetU
     }
 }
 
-/// Refuses an output file that would replace an input file or another output file. Each path with what it holds.
-pub(crate) fn refuse_overwriting(read: &[(&Path, &str)], written: &[(&Path, &str)]) -> Result<(), Failure> {
+/// The CL data as an input file, unless it is standard input.
+pub(crate) fn cl_file(path: &Path) -> Option<NamedFile<'_>> {
+    (!is_standard(path)).then_some((path, "CL data"))
+}
+
+/// Refuses an output file that would replace an input file or another output file. Inputs are the configuration, if it is a
+/// file, the files of its solids, and `read`.
+pub(crate) fn refuse_overwriting(
+    (config_file, config): (Option<&Path>, &Config),
+    read: &[NamedFile<'_>],
+    written: &[NamedFile<'_>],
+) -> Result<(), Failure> {
+    let solids: Vec<PathBuf> = config.set_up.solids.paths().collect();
+    let of_config = config_file.map(|path| (path, "configuration"));
+    let of_config: Vec<NamedFile<'_>> =
+        of_config.into_iter().chain(solids.iter().map(|path| (path.as_path(), "solid"))).collect();
     for (index, (path, _)) in written.iter().enumerate() {
-        let others = read.iter().chain(&written[..index]);
+        let others = read.iter().chain(&of_config).chain(&written[..index]);
         if let Some((other, what)) = others.into_iter().find(|(other, _)| same_file(path, other)) {
             return Err(Failure::Overwrites(path.display().to_string(), format!("the {what} {}", other.display())));
         }

@@ -37,7 +37,7 @@ pub(crate) fn run(
                 _ => machine_identifier(machine),
             };
             let header = c_header(&*set_up, &prefix.map_err(refused)?).map_err(refused)?;
-            write(args, &header, streams)
+            write(args, &config, &header, streams)
         }
         Target::LinuxCnc => {
             let Some(folder) = args.output.as_deref().filter(|path| !is_standard(path)) else {
@@ -58,19 +58,17 @@ pub(crate) fn run(
                     path.display()
                 )));
             }
-            write(args, &sheet, streams)
+            write(args, &config, &sheet, streams)
         }
     }
 }
 
 /// One file, or standard output.
-fn write(args: &KinematicsArgs, text: &str, streams: &mut Streams<'_>) -> Result<Status, Failure> {
+fn write(args: &KinematicsArgs, config: &Config, text: &str, streams: &mut Streams<'_>) -> Result<Status, Failure> {
     let Some(path) = args.output.as_deref().filter(|path| !is_standard(path)) else {
         return print(streams, |out| out.write_all(text.as_bytes()));
     };
-    if let Some(config) = &args.config {
-        refuse_overwriting(&[(config, "configuration")], &[(path, "output")])?;
-    }
+    refuse_overwriting((args.config.as_deref(), config), &[], &[(path, "output")])?;
     write_file(path, text)?;
     Ok(Status::Done)
 }

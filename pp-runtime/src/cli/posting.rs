@@ -12,10 +12,10 @@ use crate::kinematics::AnyMachine;
 use crate::post::{Job, LineMap, LineOrigin, PostError, Report};
 use crate::view::Execution;
 
-use super::args::{PostArgs, SetUpArgs};
+use super::args::{NamedFile, PostArgs};
 use super::check;
 use super::cl_source::{ClSource, same_file};
-use super::inputs::{self, cl_name, open_cl_data, posting_passes, read_config, show_progress};
+use super::inputs::{self, cl_file, cl_name, open_cl_data, posting_passes, read_config, show_progress};
 use super::map::{EndBuffer, MapFile, MapWriter};
 use super::messages::{Messages, headline};
 use super::outcome::{Failure, Status, Streams, is_standard};
@@ -104,7 +104,7 @@ pub(crate) fn run(
 ) -> Result<Status, Failure> {
     let mut messages = Messages::new(streams.errors, args.set_up.message_format);
     let config = read_config(machine, &args.set_up, &mut messages)?;
-    refuse_overwriting(args)?;
+    refuse_overwriting(args, &config)?;
     let mut after = after_posting(&config, args)?;
     let mut source = open_cl_data(&args.input, streams.input)?;
     let unwritable = |error| Failure::unwritable(&args.output, error);
@@ -337,26 +337,22 @@ fn reject(
 }
 
 /// Refuses an output file that would replace an input file or another output file.
-fn refuse_overwriting(args: &PostArgs) -> Result<(), Failure> {
+fn refuse_overwriting(args: &PostArgs, config: &Config) -> Result<(), Failure> {
     let output = Some(args.output.as_path()).filter(|path| !is_standard(path));
     // Standard output may be redirected to a file.
-    let besides = [args.map.as_deref(), args.view.as_deref()];
-    let onto_standard = |path: &&Path| output.is_none() && same_file(path, Path::new(STANDARD_OUTPUT));
-    if let Some(path) = besides.into_iter().flatten().find(onto_standard) {
+    let besides = args.files_written();
+    let onto_standard = |(path, _): &&NamedFile<'_>| output.is_none() && same_file(path, Path::new(STANDARD_OUTPUT));
+    if let Some((path, _)) = besides.iter().find(onto_standard) {
         let what = "the program on standard output".to_owned();
         return Err(Failure::Overwrites(path.display().to_string(), what));
     }
     let rejected = output.map(rejected_path);
-    let [map, page] = besides;
-    let written = [(output, "program"), (rejected.as_deref(), "rejected program"), (map, "map"), (page, "page")];
-    let written: Vec<(&Path, &str)> = written.into_iter().filter_map(|(path, what)| Some((path?, what))).collect();
-    inputs::refuse_overwriting(&read_files(&args.input, &args.set_up), &written)
-}
-
-/// Input files of a run that posts, with what they hold.
-pub(crate) fn read_files<'a>(input: &'a Path, set_up: &'a SetUpArgs) -> Vec<(&'a Path, &'static str)> {
-    let input = Some((input, "CL data")).filter(|(path, _)| !is_standard(path));
-    input.into_iter().chain(set_up.config.as_deref().map(|path| (path, "configuration"))).collect()
+    let program = [(output, "program"), (rejected.as_deref(), "rejected program")];
+    let program = program.into_iter().filter_map(|(path, what)| Some((path?, what)));
+    let written: Vec<NamedFile<'_>> = program.chain(besides).collect();
+    let mut read = args.files_read();
+    read.extend(cl_file(&args.input));
+    inputs::refuse_overwriting((args.set_up.config.as_deref(), config), &read, &written)
 }
 
 /// Path of standard output, on systems that have one.

@@ -12,14 +12,14 @@ use crate::check::CheckPolicy;
 use crate::kinematics::AnyMachine;
 use crate::view::{Reasons, Titles, ViewedProgram, is_document, path_and_axes, write_page, write_report};
 
-use super::args::{ReportArgs, ReportFile, SetUpArgs, ViewArgs};
+use super::args::{NamedFile, ReportArgs, ReportFile, SetUpArgs, ViewArgs};
 use super::check;
 use super::cl_source::ClSource;
-use super::inputs::{cl_name, open_cl_data, posting_passes, read_config, refuse_overwriting, show_progress};
+use super::inputs::{cl_file, cl_name, open_cl_data, posting_passes, read_config, refuse_overwriting, show_progress};
 use super::messages::{Messages, headline};
 use super::outcome::{Failure, Status, Streams, is_standard};
 use super::output_file::OutputFile;
-use super::posting::{PostFn, PostRun, Written, read_files};
+use super::posting::{PostFn, PostRun, Written};
 use super::self_check::Checking;
 
 /// Name of the program in memory, in messages.
@@ -122,11 +122,11 @@ fn show(
     let Request { input, program, set_up } = *request;
     let mut messages = Messages::new(streams.errors, set_up.message_format);
     let config = read_config(machine, set_up, &mut messages)?;
-    let mut read = read_files(input, set_up);
-    read.extend(program.map(|program| (program, "program")));
-    let files: Vec<(&Path, &str)> =
+    let read: Vec<NamedFile<'_>> =
+        program.map(|program| (program, "program")).into_iter().chain(cl_file(input)).collect();
+    let files: Vec<NamedFile<'_>> =
         outputs.iter().filter(|output| !is_standard(output.path)).map(|output| (output.path, output.what)).collect();
-    refuse_overwriting(&read, &files)?;
+    refuse_overwriting((set_up.config.as_deref(), &config), &read, &files)?;
     let mut source = open_cl_data(input, streams.input)?;
     let create = |output: &Output<'_>| -> Result<Option<OutputFile>, Failure> {
         let file = (!is_standard(output.path)).then(|| OutputFile::create(output.path));

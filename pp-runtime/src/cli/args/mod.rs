@@ -210,6 +210,33 @@ pub(crate) struct PostArgs {
     pub(crate) set_up: SetUpArgs,
 }
 
+impl PostArgs {
+    /// Input files besides CL data and configuration.
+    pub(crate) fn files_read(&self) -> Vec<NamedFile<'_>> {
+        #[cfg(feature = "simulate")]
+        let files = self.simulation.files_read();
+        #[cfg(not(feature = "simulate"))]
+        let files = Vec::new();
+        files
+    }
+
+    /// Output files besides the program.
+    pub(crate) fn files_written(&self) -> Vec<NamedFile<'_>> {
+        let files = [(&self.map, "map"), (&self.view, "page")];
+        #[cfg(feature = "simulate")]
+        let files = files.into_iter().chain([self.simulation.file_written()]);
+        given(files)
+    }
+}
+
+/// A file with what it holds.
+pub(crate) type NamedFile<'a> = (&'a Path, &'static str);
+
+/// The files that are given.
+fn given<'a>(files: impl IntoIterator<Item = (&'a Option<PathBuf>, &'static str)>) -> Vec<NamedFile<'a>> {
+    files.into_iter().filter_map(|(path, what)| Some((path.as_deref()?, what))).collect()
+}
+
 /// Arguments of `check`.
 #[derive(Debug, Args)]
 pub(crate) struct CheckArgs {
@@ -329,6 +356,18 @@ pub(crate) struct SimulationArgs {
 
 #[cfg(feature = "simulate")]
 impl SimulateArgs {
+    /// Input files besides CL data and configuration.
+    pub(crate) fn files_read(&self) -> Vec<NamedFile<'_>> {
+        let mut files = self.simulation.files_read();
+        files.extend(given([(&self.program, "program")]));
+        files
+    }
+
+    /// Output files.
+    pub(crate) fn files_written(&self) -> Vec<NamedFile<'_>> {
+        given([self.simulation.file_written(), (&self.output, "page")])
+    }
+
     /// Format of the messages.
     pub(crate) fn format(&self) -> MessageFormat {
         if self.json { MessageFormat::Json } else { self.set_up.message_format }
@@ -351,6 +390,16 @@ impl SimulationArgs {
             ("--fail-on", !self.fail_on.is_empty()),
         ];
         options.into_iter().find(|(_, given)| *given).map(|(name, _)| name)
+    }
+
+    /// Input files besides CL data, configuration and program.
+    fn files_read(&self) -> Vec<NamedFile<'_>> {
+        given([(&self.stock, "stock"), (&self.design, "design"), (&self.tool_table, "tool table")])
+    }
+
+    /// The output file, which may be given.
+    fn file_written(&self) -> (&Option<PathBuf>, &'static str) {
+        (&self.save_stock, "machined stock")
     }
 
     /// Whether a gouge is exit status 1.

@@ -11,6 +11,7 @@ use crate::set_up::{SetUp, Solid, SolidShape};
 use crate::simulate::{Design, MachineSolid, Mesh, SolidBody, SolidFault, StockFault, ToolTable, TriDexel};
 
 use super::super::args::SimulationArgs;
+use super::super::inputs::read_text;
 use super::super::outcome::Failure;
 
 /// Lines of a stock along its longest side, if no pitch is given: at most.
@@ -51,15 +52,27 @@ impl Bodies {
             return Err(Failure::Argument(text.to_owned()));
         }
         let (stock, stock_text) = stock(set_up, args)?;
-        let open = |file: &str| File::open(set_up.solids.path(file));
+        let open = |file: &str| open(&set_up.solids.path(file));
         let solids = MachineSolid::read(set_up, &open).map_err(|fault| in_solids(set_up, fault))?;
         let tool_table = args.tool_table.as_deref().map(|path| tool_table(path, unit)).transpose()?;
         Ok(Self { stock, stock_text, design, solids, tool_table })
     }
 }
 
+/// Opens a file that has an end: a device or a pipe may have none, and a pipe cannot be read twice.
+fn open(path: &Path) -> io::Result<File> {
+    if fs::metadata(path)?.is_file() {
+        File::open(path)
+    } else {
+        Err(io::Error::new(
+            io::ErrorKind::InvalidInput,
+            "it is no file on a disk, as a folder, a pipe or a device is none",
+        ))
+    }
+}
+
 fn tool_table(path: &Path, unit: Units) -> Result<ToolTable, Failure> {
-    let text = fs::read_to_string(path).map_err(|error| Failure::unreadable(path, error))?;
+    let text = read_text(path, "tool table")?;
     ToolTable::read(&text, unit.in_mm())
         .map_err(|fault| Failure::Argument(format!("{} is no tool table: {fault}", path.display())))
 }
@@ -88,10 +101,10 @@ fn closed(
             let shape = SolidShape::Stl { file: file.clone(), unit_mm: 1.0 };
             let (rotation, at_mm) = (Rotation3::identity(), [0.0; 3]);
             let solid = Solid { name: None, shape, rotation, at_mm, tolerance_mm: 0.0, set_ups: Vec::new() };
-            (SolidBody::of(&solid, CHORD_MM, &|_: &str| File::open(path)), file)
+            (SolidBody::of(&solid, CHORD_MM, &|_: &str| open(path)), file)
         }
         (None, Some(solid)) => {
-            let open = |file: &str| -> io::Result<File> { File::open(set_up.solids.path(file)) };
+            let open = |file: &str| open(&set_up.solids.path(file));
             let name = match &solid.shape {
                 SolidShape::Stl { file, .. } => set_up.solids.path(file).display().to_string(),
                 SolidShape::Box(_) => format!("box of `{what}` in `[solids]`"),

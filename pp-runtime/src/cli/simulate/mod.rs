@@ -26,10 +26,12 @@ use crate::view::{ClFacts, Collector, Motions, ViewedProgram};
 use super::args::{MessageFormat, SimulateArgs, SimulationArgs};
 use super::check;
 use super::cl_source::ClSource;
-use super::inputs::{open_cl_data, posting_passes, read_config, refuse_overwriting, show_progress, show_simulation};
+use super::inputs::{
+    cl_file, open_cl_data, posting_passes, read_config, refuse_overwriting, show_progress, show_simulation,
+};
 use super::messages::Messages;
 use super::outcome::{Failure, Status, Streams, is_standard, print};
-use super::posting::{PostFn, PostRun, read_files};
+use super::posting::{PostFn, PostRun};
 use super::self_check::Checking;
 use super::view::{self, IN_MEMORY, PageFile, PagePart};
 pub(super) use after_posting::after_posting;
@@ -122,17 +124,12 @@ pub(crate) fn run(
     let mut messages = Messages::new(streams.errors, args.format());
     let config = read_config(machine, &args.set_up, &mut messages)?;
     let bodies = Bodies::read(&config.set_up, &args.simulation, config.output_units.unwrap_or_default())?;
-    let mut read = read_files(&args.input, &args.set_up);
-    let SimulationArgs { stock, design, tool_table, .. } = &args.simulation;
-    let given = [(&args.program, "program"), (stock, "stock"), (design, "design"), (tool_table, "tool table")];
-    read.extend(given.into_iter().filter_map(|(path, what)| Some((path.as_deref()?, what))));
-    let written = [(&args.simulation.save_stock, "machined stock"), (&args.output, "page")];
-    let written: Vec<(&Path, &str)> =
-        written.into_iter().filter_map(|(path, what)| Some((path.as_deref()?, what))).collect();
     if args.output.as_deref().is_some_and(is_standard) {
         return Err(Failure::Argument("the page must be a file: give `-o REPORT.html`".to_owned()));
     }
-    refuse_overwriting(&read, &written)?;
+    let mut read = args.files_read();
+    read.extend(cl_file(&args.input));
+    refuse_overwriting((args.set_up.config.as_deref(), &config), &read, &args.files_written())?;
     let mut source = open_cl_data(&args.input, streams.input)?;
     let name = source.name().to_owned();
     let unreadable = |error| Failure::Unreadable(name.clone(), error);

@@ -88,6 +88,15 @@ impl Solids {
         lists.into_iter().chain(axes).flat_map(|(link, solids)| solids.iter().map(move |solid| (link, solid)))
     }
 
+    /// Paths of the files of all solids, of stock and design as well.
+    pub fn paths(&self) -> impl Iterator<Item = PathBuf> {
+        let all = self.stock.iter().chain(&self.design).chain(self.of_machine().map(|(_, solid)| solid));
+        all.filter_map(|solid| match &solid.shape {
+            SolidShape::Stl { file, .. } => Some(self.path(file)),
+            SolidShape::Box(_) | SolidShape::Cylinder { .. } | SolidShape::Turned(_) => None,
+        })
+    }
+
     /// Path of a file of a solid.
     #[must_use]
     pub fn path(&self, name: &str) -> PathBuf {

@@ -2,12 +2,93 @@
 
 use super::*;
 
+crate::machine! {
+    struct Declared;
+    chain: C B | X Y Z;
+    d = (0, 0, 50);
+}
+
 fn posted(shop: &Shop, part: &str, config: &str, more: &[&str]) -> Outcome {
     shop.write("part.cls", part);
     shop.write("shop.toml", config);
     let (cl, config, out) = (shop.arg("part.cls"), shop.arg("shop.toml"), shop.arg("part.ngc"));
     let arguments = [&["post", &cl, "--config", &config, "-o", &out], more].concat();
     run_on::<Cb>(&arguments, b"", &|job, source, sink, map| post_for(&Cb::default(), job, source, sink, map))
+}
+
+#[test]
+fn no_file_of_a_simulation_replaces_another_one() {
+    let shop = Shop::new();
+    let clamp = box_as_stl([[-5.0, -5.0, -30.0], [0.0, 0.0, -25.0]]);
+    for name in ["clamp.stl", "blank.stl", "stock.stl", "design.stl"] {
+        shop.write(name, &clamp);
+    }
+    shop.write("table.tbl", "T1 P1 Z100 D10\n");
+    let solids = "[solids]\nstock = \"blank.stl\"\nfixtures = { stl = \"clamp.stl\" }\n";
+    let config = format!("{CONFIG}{TOOL}{solids}");
+    let [stock, design, table, page, map] =
+        ["stock.stl", "design.stl", "table.tbl", "page.html", "map.csv"].map(|name| shop.arg(name));
+    let files = ["--stock", &stock, "--design", &design, "--tool-table", &table, "--view", &page, "--map", &map];
+    let inputs = [
+        ("part.cls", "the CL data"),
+        ("shop.toml", "the configuration"),
+        ("clamp.stl", "the solid"),
+        ("blank.stl", "the solid"),
+        ("stock.stl", "the stock"),
+        ("design.stl", "the design"),
+        ("table.tbl", "the tool table"),
+    ];
+    let outputs = [
+        ("part.ngc", "the program"),
+        ("part.ngc.rejected", "the rejected program"),
+        ("map.csv", "the map"),
+        ("page.html", "the page"),
+    ];
+    for (name, what) in inputs.into_iter().chain(outputs) {
+        let path = shop.arg(name);
+        let outcome = posted(&shop, PART, &config, &[&["--simulate", "--save-stock", &path], &files[..]].concat());
+        assert_eq!(outcome.status, Status::NotRun, "{name}: {}", outcome.errors);
+        assert!(outcome.errors.contains(&format!("would overwrite {what} ")), "{name}: {}", outcome.errors);
+        assert!(!shop.path("part.ngc").exists(), "{name}");
+    }
+    // Solids of the configuration are inputs of every command, and whatever is written.
+    for (name, what) in [("clamp.stl", "the solid"), ("stock.stl", "the stock")] {
+        let path = shop.arg(name);
+        let arguments = ["--simulate", "--stock", &stock, "--view", &path];
+        let outcome = posted(&shop, PART, &config, &arguments);
+        assert!(outcome.errors.contains(&format!("would overwrite {what} ")), "{name}: {}", outcome.errors);
+    }
+    let (cl, config, clamp_file) = (shop.arg("part.cls"), shop.arg("shop.toml"), shop.arg("clamp.stl"));
+    for arguments in [
+        vec!["view", &cl, "--config", &config, "-o", &clamp_file],
+        vec!["simulate", &cl, "--config", &config, "--stock", &stock, "--save-stock", &clamp_file],
+    ] {
+        let outcome =
+            run_on::<Cb>(&arguments, b"", &|job, source, sink, map| post_for(&Cb::default(), job, source, sink, map));
+        assert!(outcome.errors.contains("would overwrite the solid "), "{arguments:?}: {}", outcome.errors);
+    }
+    let arguments = ["kinematics", "--c", "--config", &config, "-o", &clamp_file];
+    let outcome = run_on::<Declared>(&arguments, b"", &echo);
+    assert!(outcome.errors.contains("would overwrite the solid "), "{}", outcome.errors);
+    assert_eq!(shop.text("clamp.stl"), clamp);
+}
+
+#[test]
+fn a_body_is_read_from_a_file_and_a_tool_table_up_to_a_size() {
+    let shop = Shop::new();
+    let folder = shop.arg("");
+    let endless = if cfg!(unix) { "/dev/zero" } else { &folder };
+    let refused = |option: &str, path: &str, text: &str| {
+        let outcome = posted(&shop, PART, &format!("{CONFIG}{TOOL}"), &["--simulate", option, path]);
+        assert_eq!(outcome.status, Status::NotRun, "{option} {path}: {}", outcome.errors);
+        assert!(outcome.errors.contains(text), "{option} {path}: {}", outcome.errors);
+    };
+    for option in ["--stock", "--design"] {
+        refused(option, &folder, "it is no file on a disk");
+        refused(option, endless, "it is no file on a disk");
+    }
+    shop.write("long.tbl", &"T1 P1 Z100 D10\n".repeat(100_000));
+    refused("--tool-table", &shop.arg("long.tbl"), "it is larger than 1 MiB, the most for a tool table");
 }
 
 #[test]
