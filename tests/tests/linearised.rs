@@ -78,6 +78,21 @@ fn swirl() -> Vec<Pose> {
     (0..=24).map(pose).collect()
 }
 
+/// Away from the centre line of B of the Spinner, while the tool rotates about B. In a block the tip has the second derivative
+/// `w w r + 2 w x v` (r from the centre line, v along the path, w of the tool). It is along v where the slope of the path is
+/// `-2 v / (w r)`: there the tip speeds up and slows down on its line, and nothing but the lag of the tool axis shows it.
+fn outward() -> Vec<Pose> {
+    let (radius_mm, step_mm, step_rad) = (300.0, 2.0, 4_f64.to_radians());
+    let down: f64 = 2.0 * step_mm / (step_rad * radius_mm);
+    let along = Vector3::new((1.0 - down * down).sqrt(), 0.0, -down);
+    let start = Point3::new(-PART[0], -PART[1], SpinnerU5620::default().d - PART[2]) + Vector3::x() * radius_mm;
+    let pose = |step: u32| {
+        let (across, up) = (0.3 + step_rad * f64::from(step)).sin_cos();
+        Pose { tip: start + along * (step_mm * f64::from(step)), axis: unit(Vector3::new(across, 0.0, up)) }
+    };
+    (0..4).map(pose).collect()
+}
+
 /// Path around a bar, for a machine with A only.
 fn around(steps: usize) -> Vec<Pose> {
     let pose = |step: usize| {
@@ -591,7 +606,7 @@ fn a_tool_axis_in_step_keeps_to_its_tolerance_and_any_lag_is_stated() {
         .zip(wide)
         .map(|(tip, axis)| Pose { tip: tip.into(), axis })
         .collect();
-    for poses in [wall(), swirl(), traverse(3.0, 12), past(0.01), wide] {
+    for poses in [wall(), swirl(), outward(), traverse(3.0, 12), past(0.01), wide] {
         for [even, in_step] in [lags::<SpinnerU5620>(&poses), lags::<Dmu70e>(&poses), lags::<HeadTable>(&poses)] {
             assert!(even[0] <= even[1] + 1e-4 && in_step[0] <= in_step[1] + 1e-4, "{even:?} {in_step:?}");
             assert!(in_step[0] <= tolerance && in_step[1] <= tolerance, "{in_step:?}");
