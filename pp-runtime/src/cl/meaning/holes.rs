@@ -171,20 +171,20 @@ fn named(cycle: &CycleCall, args: Option<&[CycleArg]>, dialect: Dialect) -> Resu
             "CYCLE/{word} has {} numbers without a word, whose meaning depends on a table of the CAM system",
             cycle.positionals
         );
-        let example = match (cycle.positionals, cycle.kind) {
-            (1, _) => "\"depth\"",
-            (2, ClCycleKind::Tap) => "\"depth\", \"pitch\"",
-            (2, _) => "\"depth\", \"clearance\"",
+        let example = match cycle.positionals {
+            1 => "\"depth\"",
+            2 => "\"depth\", \"clearance\"",
             _ => "\"depth\", \"clearance\", ..",
         };
-        let post = if cycle.positionals == 2 {
-            "\"Common ISO 4343 APT\" of Autodesk wrote it: `--dialect autodesk`; else "
+        let post = if cycle.positionals == OF_AUTODESK.len() && dialect == Dialect::Generic {
+            "if \"Common ISO 4343 APT\" of Autodesk wrote it, add `--dialect autodesk`; else "
         } else {
             ""
         };
         let help = format!(
             "{post}state their meaning, measured from a GOTO at the top of the hole, in the configuration: `[cl.cycle.{word}]`, \
-             `args = [{example}]`"
+             `args = [{example}]`, or another order of {names}",
+            names = CycleArg::NAMES.map(|(name, _)| name).join(", ")
         );
         return Err(ClFault::new("CYCLE", cycle.at, text, help));
     };
@@ -271,10 +271,21 @@ pub(crate) fn define(cycle: &CycleCall, context: &CycleContext<'_>) -> Result<Ho
     })
 }
 
+/// A cycle of which no word and none of its numbers is the clearance level.
+fn without_clearance(cycle: &CycleCall) -> ClFault {
+    let help = if cycle.positionals == 0 {
+        "program RAPTO or CLEAR".to_owned()
+    } else {
+        let word = cycle.kind.word();
+        format!("write CLEAR,level in this record, or name the number that is the level in `[cl.cycle.{word}]`, `args`")
+    };
+    ClFault::new("CYCLE", cycle.at, "this cycle has no clearance level", help)
+}
+
 /// Planes of a cycle of Autodesk.
 fn planes(cycle: &CycleCall, unit_mm: f64) -> Result<HolePlanes, ClFault> {
     let Some(clear) = cycle.clear else {
-        return Err(fault(cycle.at, "this cycle has no clearance level", "program RAPTO or CLEAR"));
+        return Err(without_clearance(cycle));
     };
     if cycle.back_to.is_some() || cycle.rapto.is_some_and(|rapto| rapto < 0.0) {
         return Err(fault(
@@ -346,9 +357,7 @@ fn clearance(cycle: &CycleCall, dialect: Dialect) -> Result<f64, ClFault> {
         (Some(_), None) => {
             return Err(fault(cycle.at, "RAPTO without CLEAR: the clearance level is unknown", "program CLEAR"));
         }
-        (None, None) => {
-            return Err(fault(cycle.at, "this cycle has no clearance level", "program RAPTO or CLEAR"));
-        }
+        (None, None) => return Err(without_clearance(cycle)),
     };
     if level < 0.0 {
         return Err(fault(
