@@ -253,6 +253,9 @@ fn numbers_outside_their_range_are_refused() {
         faults("units = 'in'\nfloor = 5000\n"),
         ["2:9: a length of 127 m is not plausible | the unit of this file is `in`"]
     );
+    let angle = "at most 1000000000 degrees are needed here";
+    assert_eq!(faults("[limits]\nB = [-1e300, 1e300]\n"), [format!("2:6: {angle}"), format!("2:14: {angle}")]);
+    assert_eq!(faults("[speeds]\nB = 1e10\n"), [format!("2:5: {angle}")]);
     assert_eq!(faults("[approach]\ndistance = 0\n"), ["2:12: a number above zero is needed here"]);
     assert_eq!(faults("[formats]\ninverse_time = 3\n"), ["2:16: a whole number from 6 to 12 is needed here"]);
     assert_eq!(faults("[tools.100000]\n").len(), 1);

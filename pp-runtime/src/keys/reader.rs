@@ -19,6 +19,9 @@ pub(crate) type TomlValue<'a> = &'a Spanned<DeValue<'a>>;
 /// Largest plausible length. A larger one is a typing error, or inches are read as millimetres or the reverse.
 const LONGEST_MM: f64 = 1e5;
 
+/// Largest angle, degrees: a word has nine digits before its point, and its units of a millionth of a degree are counted exactly.
+const LARGEST_DEG: f64 = 1e9;
+
 /// Range of a number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Bound {
@@ -210,7 +213,7 @@ impl<'t> KeyReader<'t> {
         self.fault(value.span(), format!("{wanted} is needed here, found {found}"), None);
     }
 
-    /// Reads a finite number and converts it to mm or rad, or leaves it.
+    /// Reads a finite number and converts it to mm or rad, or leaves it; an angle is one that a word can hold.
     pub(crate) fn number(&mut self, value: TomlValue<'_>, quantity: Quantity, bound: Bound) -> Option<f64> {
         let read = match value.get_ref() {
             DeValue::Integer(integer) if integer.radix() == 10 => integer.as_str().parse::<f64>().ok(),
@@ -231,6 +234,10 @@ impl<'t> KeyReader<'t> {
         };
         if let Some(wrong) = wrong {
             self.fault(value.span(), wrong, None);
+            return None;
+        }
+        if quantity == Quantity::Angle && number.abs() > LARGEST_DEG {
+            self.fault(value.span(), format!("at most {LARGEST_DEG} degrees are needed here"), None);
             return None;
         }
         Some(match quantity {
