@@ -404,7 +404,13 @@ impl Certifier<'_> {
     #[inline]
     fn axis_off(&self, place: &AxisPosition) -> f64 {
         let deviation = if place.at_pole { 0.0 } else { place.deviation_rad };
-        2.0 * (0.5 * self.placer.rotary.scale.angle(1) * self.placer.rotary.axes.len() as f64 + deviation)
+        self.axis_rounding() + 2.0 * deviation
+    }
+
+    /// The part of it that the rounding of the rotary words alone may have, rad.
+    #[inline]
+    fn axis_rounding(&self) -> f64 {
+        self.placer.rotary.scale.angle(1) * self.placer.rotary.axes.len() as f64
     }
 
     /// The path between two positions; `whole` is that motion as one piece.
@@ -424,6 +430,16 @@ impl Certifier<'_> {
                 self.allowed.tip_mm
             ))
             .help("increase `tolerance`, or give more decimals: `linear_mm` or `linear_inch` in [formats]"));
+        }
+        let rounding = self.axis_rounding();
+        if rounding >= self.allowed.axis_rad {
+            return Err(Fault::new(format_args!(
+                "the rotary words are too coarse for a tolerance of {:.4}° of the tool axis: their rounding alone rotates it by \
+                 up to {:.4}°",
+                self.allowed.axis_rad.to_degrees(),
+                rounding.to_degrees()
+            ))
+            .help("increase `axis_tolerance_path`, or give more decimals: `rotary` in [formats]"));
         }
         let Some(segment) = PathSegment::new(&from.pose, &to.pose) else {
             return Err(Fault::new(

@@ -115,6 +115,10 @@ fn what_cannot_be_certified_is_an_error_with_its_reason() {
     fine.motion.tolerance_mm = 0.0005;
     let (_, coarse) = error(&fine, cb(0.0, 30.0), cb(90.0, 30.0));
     assert!(coarse.contains("too coarse for a tolerance of 0.0005 mm"), "{coarse}");
+    let mut whole_degrees = config();
+    whole_degrees.formats.rotary = 0;
+    let (_, coarse) = error(&whole_degrees, cb(0.0, 30.0), cb(90.0, 30.0));
+    assert!(coarse.contains("the rotary words are too coarse for a tolerance of 0.1000°"), "{coarse}");
 }
 
 crate::machine! {
