@@ -12,9 +12,13 @@ use super::super::read::{MAX_AXES, State, TipControl};
 use crate::kinematics::{AnyMachine, AxisKind};
 use crate::set_up::{LengthMode, ProgramZero};
 
-/// Newton steps of rotary axes to a near tool axis, and the distance at which they end, rad.
+/// Newton steps of rotary axes to a near tool axis, and the distance at which they end, rad: a rotary axis whose rate is the tilt,
+/// as near the pole, is known to that over the tilt.
 const NEWTON_STEPS: u32 = 30;
-const ROTATED_TO: f64 = 1e-9;
+const ROTATED_TO: f64 = 1e-13;
+
+/// A step below which no nearer tool axis is reached, rad.
+const LEAST_STEP: f64 = 1e-9;
 
 /// Distance from a tool axis that is not reached, rad.
 const UNREACHED: f64 = 0.1;
@@ -414,7 +418,7 @@ impl Words {
             let damping = DAMPED.min(off.norm_squared());
             let normal = jacobian.tr_mul(&jacobian) + Matrix2::identity() * damping;
             let step = normal.try_inverse()? * jacobian.tr_mul(&off);
-            if step.norm() < ROTATED_TO {
+            if step.norm() < LEAST_STEP {
                 // One rotary axis may not reach the axis: this is the nearest.
                 return (off.norm() < UNREACHED).then_some(words);
             }
