@@ -4,7 +4,9 @@
 //! edge on which it is. An edge has the same side for both of its triangles, and a line that meets an edge exactly is moved
 //! aside by less than any number, so that a closed body is entered as often as it is left.
 
+use std::cmp::Reverse;
 use std::io::{self, Read, Seek, SeekFrom, Write};
+use std::ops::Range;
 
 use nalgebra::{Isometry3, Point3, Rotation3};
 
@@ -263,42 +265,11 @@ impl Mesh {
     }
 
     /// The lines of a family of a stock, with the parts of them that are inside.
-    pub(crate) fn lines_through(&self, stock: &TriDexel, family: usize) -> LinesThrough {
-        let mut crossings = Vec::new();
-        self.crossings(stock, family, &mut crossings);
-        // Lines come row by row.
-        crossings.sort_by(|a, b| (a.line[1], a.line[0]).cmp(&(b.line[1], b.line[0])).then(a.at.total_cmp(&b.at)));
-        LinesThrough { crossings, next: 0 }
-    }
-
-    /// Where the lines of a family pass through triangles.
-    fn crossings(&self, stock: &TriDexel, family: usize, crossings: &mut Vec<Crossing>) {
-        let (u, v) = ((family + 1) % 3, (family + 2) % 3);
-        let ([low, _], pitch, counts) = (stock.corners(), stock.pitch(), stock.lines(family));
-        for face in &self.faces {
-            let corners = face.map(|index| self.vertices[index as usize]);
-            let range = |axis: usize, count: usize| {
-                let ends = corners.map(|corner| (corner[axis] - low[axis]) / pitch[axis] - 0.5);
-                let (first, last) = (ends[0].min(ends[1]).min(ends[2]), ends[0].max(ends[1]).max(ends[2]));
-                (first - 1e-6).ceil().max(0.0) as usize..((last + 1e-6).floor() + 1.0).clamp(0.0, count as f64) as usize
-            };
-            for j in range(v, counts[1]) {
-                for i in range(u, counts[0]) {
-                    let at = stock.across(family, [i, j]);
-                    let side = |a: u32, b: u32| self.side([a, b], [u, v], at);
-                    let [a, b, c] = *face;
-                    let left = side(a, b);
-                    if side(b, c) == left && side(c, a) == left {
-                        crossings.push(Crossing {
-                            line: [i, j],
-                            at: height(&corners, [u, v, family], at),
-                            // Seen along the line a triangle that faces back is entered.
-                            enters: if left { -1 } else { 1 },
-                        });
-                    }
-                }
-            }
-        }
+    pub(crate) fn lines_through<'m>(&'m self, stock: &'m TriDexel, family: usize) -> LinesThrough<'m> {
+        let lines = Lines { mesh: self, stock, family };
+        let mut waiting: Vec<u32> = (0..self.faces.len() as u32).filter(|face| !lines.rows(*face).is_empty()).collect();
+        waiting.sort_by_cached_key(|face| Reverse(lines.rows(*face).start));
+        LinesThrough { lines, waiting, met: Vec::new(), end: 0, crossings: Vec::new(), next: 0 }
     }
 
     /// Whether a point is to the left of an edge: the same for an edge in both directions but for the sign.
@@ -327,15 +298,30 @@ struct Crossing {
     enters: i32,
 }
 
+/// Rows of lines whose crossings are held at a time.
+const ROWS: usize = 16;
+
 /// Lines through a body, row by row.
-pub(crate) struct LinesThrough {
+pub(crate) struct LinesThrough<'m> {
+    lines: Lines<'m>,
+    /// Triangles that no row has met so far, those of the first rows last.
+    waiting: Vec<u32>,
+    /// Triangles that the rows held have met, and those that follow may.
+    met: Vec<u32>,
+    /// The first row that is not held.
+    end: usize,
+    /// Those of the rows held, line by line.
     crossings: Vec<Crossing>,
     next: usize,
 }
 
-impl LinesThrough {
-    /// Adds the parts of the next line that are inside; returns whether it leaves the body as often as it enters it.
+impl LinesThrough<'_> {
+    /// Adds the parts of the next line that are inside; returns whether it leaves the body as often as it enters it. Lines
+    /// are asked for row by row.
     pub(crate) fn parts(&mut self, line: [usize; 2], parts: &mut Vec<[f64; 2]>) -> bool {
+        if line[1] >= self.end {
+            self.hold_rows(line[1]);
+        }
         let (mut depth, mut begin) = (0, 0.0);
         while let Some(crossing) = self.crossings.get(self.next).filter(|found| found.line == line) {
             self.next += 1;
@@ -348,6 +334,75 @@ impl LinesThrough {
             }
         }
         depth == 0
+    }
+
+    /// Finds the crossings of the rows from one on.
+    fn hold_rows(&mut self, first: usize) {
+        let Self { lines, waiting, met, end, crossings, next } = self;
+        (*end, *next) = (first + ROWS, 0);
+        while let Some(face) = waiting.pop_if(|face| lines.rows(*face).start < *end) {
+            met.push(face);
+        }
+        met.retain(|face| lines.rows(*face).end > first);
+        crossings.clear();
+        met.iter().for_each(|face| lines.cross(*face, first..*end, crossings));
+        crossings.sort_by(|a, b| (a.line[1], a.line[0]).cmp(&(b.line[1], b.line[0])).then(a.at.total_cmp(&b.at)));
+    }
+}
+
+/// A body and the lines of a family of a stock.
+#[derive(Clone, Copy)]
+struct Lines<'m> {
+    mesh: &'m Mesh,
+    stock: &'m TriDexel,
+    family: usize,
+}
+
+impl Lines<'_> {
+    /// Both directions across the lines.
+    fn across(&self) -> [usize; 2] {
+        [(self.family + 1) % 3, (self.family + 2) % 3]
+    }
+
+    /// Corners of a triangle.
+    fn corners(&self, face: u32) -> [[f64; 3]; 3] {
+        self.mesh.faces[face as usize].map(|index| self.mesh.vertices[index as usize])
+    }
+
+    /// Lines that may pass through a triangle: their numbers in the first or the second direction across.
+    fn numbers(&self, face: u32, direction: usize) -> Range<usize> {
+        let (axis, count) = (self.across()[direction], self.stock.lines(self.family)[direction]);
+        let (low, pitch) = (self.stock.corners()[0][axis], self.stock.pitch()[axis]);
+        let ends = self.corners(face).map(|corner| (corner[axis] - low) / pitch - 0.5);
+        let (first, last) = (ends[0].min(ends[1]).min(ends[2]), ends[0].max(ends[1]).max(ends[2]));
+        (first - 1e-6).ceil().max(0.0) as usize..((last + 1e-6).floor() + 1.0).clamp(0.0, count as f64) as usize
+    }
+
+    /// Rows with lines that may pass through a triangle.
+    fn rows(&self, face: u32) -> Range<usize> {
+        self.numbers(face, 1)
+    }
+
+    /// Where the lines of some rows pass through a triangle.
+    fn cross(&self, number: u32, rows: Range<usize>, crossings: &mut Vec<Crossing>) {
+        let (corners, [u, v]) = (self.corners(number), self.across());
+        let [a, b, c] = self.mesh.faces[number as usize];
+        let (columns, of_face) = (self.numbers(number, 0), self.rows(number));
+        for j in of_face.start.max(rows.start)..of_face.end.min(rows.end) {
+            for i in columns.clone() {
+                let at = self.stock.across(self.family, [i, j]);
+                let side = |a: u32, b: u32| self.mesh.side([a, b], [u, v], at);
+                let left = side(a, b);
+                if side(b, c) == left && side(c, a) == left {
+                    crossings.push(Crossing {
+                        line: [i, j],
+                        at: height(&corners, [u, v, self.family], at),
+                        // Seen along the line a triangle that faces back is entered.
+                        enters: if left { -1 } else { 1 },
+                    });
+                }
+            }
+        }
     }
 }
 
