@@ -1,11 +1,13 @@
 //! Bodies of triangles: files, shapes of the configuration, and the lines of a stock that are inside.
 
+mod centre_line;
 mod mesh;
 mod shapes;
 mod solid;
 #[cfg(test)]
 mod tests;
 
+pub(crate) use centre_line::CentreLine;
 pub use mesh::{Mesh, MeshFault};
 #[cfg(test)]
 pub(crate) use shapes::block;

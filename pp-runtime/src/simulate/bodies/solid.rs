@@ -3,6 +3,9 @@
 use std::fs::File;
 use std::io;
 
+use nalgebra::{Isometry3, Translation3};
+
+use super::centre_line::CentreLine;
 use super::mesh::{Mesh, MeshFault};
 use super::shapes::{self, Triangles, chord_of};
 use crate::set_up::{Solid, SolidShape};
@@ -13,6 +16,8 @@ pub(crate) struct SolidBody {
     pub(crate) mesh: Mesh,
     /// Largest distance of the real surface from the triangles, mm.
     pub(crate) tolerance_mm: f64,
+    /// Its axis, if it is a body of revolution.
+    pub(crate) axis: Option<CentreLine>,
     /// Fault of the file that does not prevent its use: it is open, or inside out.
     pub(crate) flaw: Option<String>,
 }
@@ -55,8 +60,15 @@ impl SolidBody {
                 turned(&outline, chord_mm)
             }
         };
+        let axis = match &solid.shape {
+            SolidShape::Cylinder { .. } | SolidShape::Turned(_) => {
+                let place = Isometry3::from_parts(Translation3::from(solid.at_mm), solid.rotation.into());
+                Some(CentreLine::z().placed(&place))
+            }
+            SolidShape::Stl { .. } | SolidShape::Box(_) => None,
+        };
         let mesh = mesh.moved(|point| solid.placed(point));
-        Ok(Self { mesh, tolerance_mm: shape_mm + solid.tolerance_mm, flaw })
+        Ok(Self { mesh, tolerance_mm: shape_mm + solid.tolerance_mm, axis, flaw })
     }
 }
 

@@ -7,7 +7,7 @@ use super::clearance::{Clearances, STOCK, TOOL};
 use super::links::Links;
 use crate::kinematics::AnyMachine;
 use crate::set_up::{SetUp, SolidLink};
-use crate::simulate::bodies::{CHORD_MM, Mesh, OpenFile, SolidBody, SolidFault, chord_of, turned};
+use crate::simulate::bodies::{CHORD_MM, CentreLine, Mesh, OpenFile, SolidBody, SolidFault, chord_of, turned};
 use crate::simulate::program::{ToolBodies, ToolBody};
 use crate::simulate::removal::{Profile, TriDexel};
 
@@ -98,6 +98,7 @@ pub(crate) fn clearances(
                     link,
                     set_ups: solid.set_ups.clone(),
                     ball,
+                    axis: solid.body.axis,
                     tolerance_mm: solid.body.tolerance_mm,
                     shapes,
                 };
@@ -137,6 +138,7 @@ fn stock_body(set_up: &SetUp, stock: &TriDexel) -> Option<Body> {
         link: 0,
         set_ups: vec![1],
         ball,
+        axis: None,
         tolerance_mm: 0.0,
         shapes,
     })
@@ -160,6 +162,7 @@ fn tool_bodies(links: &Links, tools: &ToolBodies, number: u32, tool: &ToolBody, 
             link: links.spindle(),
             set_ups: Vec::new(),
             ball,
+            axis: Some(CentreLine::z().placed(&place)),
             tolerance_mm: chord + CHORD_MM,
             shapes,
         });

@@ -4,8 +4,9 @@ use nalgebra::{Isometry3, Point3};
 use parry3d_f64::math::{Pose, Vector};
 use parry3d_f64::shape::{Compound, ConvexPolyhedron, Cuboid, SharedShape, TriMesh};
 
+use super::links::Links;
 use super::reach::Ball;
-use crate::simulate::bodies::Mesh;
+use crate::simulate::bodies::{CentreLine, Mesh};
 
 /// Part of the volume of its hull by which a convex body may be smaller: rounding.
 const CONVEX: f64 = 1e-6;
@@ -24,9 +25,41 @@ pub(crate) struct Body {
     /// Set-ups in which it is there; empty: all.
     pub(crate) set_ups: Vec<u32>,
     pub(crate) ball: Ball,
+    /// The real body is one of revolution about this line, in the coordinates of its link.
+    pub(crate) axis: Option<CentreLine>,
     /// Largest distance of the real surface from the shapes, mm.
     pub(crate) tolerance_mm: f64,
     pub(crate) shapes: Shapes,
+}
+
+/// Largest distance between the axis of a body of revolution and a centre line that are taken for one, mm.
+const COAXIAL_MM: f64 = 0.005;
+
+impl Body {
+    /// The first and the last link in whose coordinates the body stays where it is, and the tolerance to be added for that,
+    /// mm. They are its own, and those beyond rotary axes that rotate it about its own axis.
+    ///
+    /// A body of revolution fills the same space after any rotation about its axis. A centre line has the same coordinates in
+    /// the links on both of its sides. So where it is the axis of the body, the body is at rest in the link on the other side
+    /// too, at the coordinates that it has in its own; the same then holds for the next joint of that link.
+    ///
+    /// Where both lines are up to `e` apart, a motion `T` that moves no point of the body by more than `e` takes its axis to
+    /// the centre line. With `R` a rotation about the axis, which leaves the body as it is, the joint is `T R T⁻¹`: no point
+    /// of it is more than `2 e` from the same of `R`.
+    pub(crate) fn rests(&self, links: &Links) -> ([usize; 2], f64) {
+        let Some(axis) = &self.axis else { return ([self.link; 2], 0.0) };
+        let mut added_mm = 0.0;
+        let mut is_coaxial = |joint: usize| {
+            let ball = (self.ball.centre, self.ball.radius);
+            let away = links.centre_line(joint).map(|line| axis.away_from(&line, ball));
+            let away = away.filter(|away| *away <= COAXIAL_MM);
+            added_mm += 2.0 * away.unwrap_or(0.0);
+            away.is_some()
+        };
+        let before = (0..self.link).rev().take_while(|joint| is_coaxial(*joint)).count();
+        let after = (self.link..links.spindle()).take_while(|joint| is_coaxial(*joint)).count();
+        ([self.link - before, self.link + after], added_mm)
+    }
 }
 
 /// The shapes of a body: hulls contain it, and are near enough to leave out most of the work.

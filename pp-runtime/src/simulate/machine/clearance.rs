@@ -76,6 +76,9 @@ pub(crate) struct Meeting {
 pub(crate) struct Pair {
     /// The one nearer to the table first.
     pub(crate) bodies: [usize; 2],
+    /// Links in whose coordinates they are compared. They are at rest there (`Body::rests`), and only the axes between move them
+    /// against each other.
+    links: [usize; 2],
     /// Its tool, if one of them is part of a tool.
     tool: Option<u32>,
     /// One of them is the stock.
@@ -159,7 +162,13 @@ impl Clearances {
         clearance_mm: f64,
     ) -> Self {
         let tools: Vec<Option<u32>> = bodies.iter().map(|(_, tool)| *tool).collect();
-        let bodies: Vec<Body> = bodies.into_iter().map(|(body, _)| body).collect();
+        let mut bodies: Vec<Body> = bodies.into_iter().map(|(body, _)| body).collect();
+        let mut rests = Vec::new();
+        for body in &mut bodies {
+            let (at_rest, added_mm) = body.rests(&links);
+            body.tolerance_mm += added_mm;
+            rests.push(at_rest);
+        }
         let mut pairs = Vec::new();
         for one in 0..bodies.len() {
             for two in one + 1..bodies.len() {
@@ -170,8 +179,12 @@ impl Clearances {
                 if a.link == b.link || of_tools || cuts || is_allowed(allow, a, b) {
                     continue;
                 }
+                let [first, second] = if a.link < b.link { [one, two] } else { [two, one] };
+                // Each as far towards the other one as it is at rest.
+                let from = rests[first][1].min(bodies[second].link);
                 pairs.push(Pair {
-                    bodies: if a.link < b.link { [one, two] } else { [two, one] },
+                    bodies: [first, second],
+                    links: [from, rests[second][0].max(from)],
                     tool: tools[one].or(tools[two]),
                     stock: stock.is_some_and(|stock| stock == one || stock == two),
                     known: None,
@@ -376,7 +389,7 @@ impl Clearances {
             true => self.gap_at(course, pair, values, ranges),
             false => (gap, levers),
         };
-        let [one, _] = self.pairs[pair].bodies.map(|body| self.bodies[body].link);
+        let [one, _] = self.pairs[pair].links;
         let on_table = |point: Point3<f64>| self.links.between(0, one, values) * point;
         let (least, nearest) = match gap {
             Gap::Meets(place) => {
@@ -431,8 +444,9 @@ impl Clearances {
     /// Distance of a pair at a position, for a part of a motion.
     fn gap_at(&self, course: &Course<'_>, pair: usize, values: &AxisValues, ranges: &AxisRanges) -> (Gap, Levers) {
         let [one, two] = self.pairs[pair].bodies.map(|body| &self.bodies[body]);
-        let levers = Levers::of(&self.links, [one.link, two.link], [&one.ball, &two.ball], values);
-        let place = self.links.between(one.link, two.link, values);
+        let [from, to] = self.pairs[pair].links;
+        let levers = Levers::of(&self.links, [from, to], [&one.ball, &two.ball], values);
+        let place = self.links.between(from, to, values);
         let enough = self.wanted(course, pair) + levers.motion(&ranges.from(values)) + RESERVE_MM;
         (gap(one, two, &place, enough, self.pairs[pair].fresh), levers)
     }

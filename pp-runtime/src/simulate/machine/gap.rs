@@ -16,7 +16,7 @@ const ERROR: f64 = 1e-9;
 /// Distance of two bodies.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Gap {
-    /// They meet about at a place, in the coordinates of the first one's link.
+    /// They meet about at a place, in the coordinates in which the first one is compared.
     Meets(Point3<f64>),
     /// They are apart.
     Apart {
@@ -42,7 +42,7 @@ fn shapes(body: &Body) -> Vec<&dyn Shape> {
     }
 }
 
-/// Distance of two bodies. `place`: of the link of the second in the coordinates of the first one's; `enough_mm`: a
+/// Distance of two bodies. `place`: of the coordinates of the second in those of the first; `enough_mm`: a
 /// distance beyond which it need not be known. `fresh`: one may be inside the other, which only a jump can bring about.
 pub(crate) fn gap(one: &Body, two: &Body, place: &Isometry3<f64>, enough_mm: f64, fresh: bool) -> Gap {
     let centres = (place * two.ball.centre - one.ball.centre).norm();

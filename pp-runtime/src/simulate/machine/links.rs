@@ -8,6 +8,7 @@ use nalgebra::{Isometry3, Point3, Translation3, UnitQuaternion, Vector3};
 
 use crate::kinematics::{AnyMachine, AxisKind, AxisValues, Joint, Side};
 use crate::set_up::{SetUp, SolidLink};
+use crate::simulate::bodies::CentreLine;
 
 /// The links of a machine.
 pub(crate) struct Links {
@@ -58,10 +59,10 @@ impl Links {
         self.joints[joint].1 == AxisKind::Rotary
     }
 
-    /// Centre line of a rotary axis: a point and its direction, in the coordinates of the links on both of its sides.
-    pub(crate) fn centre_line(&self, joint: usize) -> (Point3<f64>, Vector3<f64>) {
-        let joint = &self.joints[joint].2;
-        (joint.point, joint.direction.into_inner())
+    /// Centre line of an axis, in the coordinates of the links on both of its sides; `None`: it is linear.
+    pub(crate) fn centre_line(&self, joint: usize) -> Option<CentreLine> {
+        let Joint { point, direction, .. } = self.joints[joint].2;
+        self.is_rotary(joint).then_some(CentreLine { point, direction })
     }
 
     /// Axis values of these links: of the words of a set-up with its part and tool. `offsets_mm`: machine coordinates of

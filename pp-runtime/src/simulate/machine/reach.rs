@@ -32,12 +32,11 @@ impl Levers {
     /// Of bodies on two links, the first one nearer to the table.
     pub(crate) fn of(links: &Links, [from, to]: [usize; 2], balls: [&Ball; 2], values: &AxisValues) -> Self {
         let mut levers = [None; MAX_AXES];
-        for joint in (from..to).filter(|joint| links.is_rotary(*joint)) {
-            let (point, direction) = links.centre_line(joint);
+        for joint in from..to {
+            let Some(line) = links.centre_line(joint) else { continue };
             let first = links.between(from, joint, values).inverse_transform_point(&balls[0].centre);
             let second = links.between(joint, to, values).transform_point(&balls[1].centre);
-            let lever = |centre: Point3<f64>, radius: f64| (centre - point).cross(&direction).norm() + radius;
-            levers[joint] = Some([lever(first, balls[0].radius), lever(second, balls[1].radius)]);
+            levers[joint] = Some([line.distance(&first) + balls[0].radius, line.distance(&second) + balls[1].radius]);
         }
         Self { values: *values, from, to, levers }
     }

@@ -1,6 +1,6 @@
 //! Distances of moving bodies against dense sampling with a distance of its own: triangle against triangle.
 
-use nalgebra::{Isometry3, Point3, UnitVector3, Vector3};
+use nalgebra::{Isometry3, Point3, UnitQuaternion, UnitVector3, Vector3};
 
 use super::body::{Body, Shapes};
 use super::clearance::{Clearances, Meeting, MovingAxes, MovingBlock, Share};
@@ -8,7 +8,7 @@ use super::links::Links;
 use super::reach::{Ball, Levers};
 use crate::kinematics::{AnyMachine, AxisKind, AxisRanges, AxisValues, Branch, Pose};
 use crate::set_up::{SetUp, SolidLink};
-use crate::simulate::bodies::{Mesh, block, turned};
+use crate::simulate::bodies::{CentreLine, Mesh, block, chord_of, turned};
 use crate::simulate::testing::{Random, machines};
 
 /// Random motions of each machine; more by `PP_MOTIONS`.
@@ -110,20 +110,61 @@ fn moved(triangles: &[Triangle], place: &Isometry3<f64>) -> Vec<Triangle> {
     triangles.iter().map(|triangle| triangle.map(|corner| place * corner)).collect()
 }
 
-/// Bodies of a machine: one for each link, about where they can meet.
-fn solids(random: &mut Random, machine: &dyn AnyMachine, links: &Links) -> Vec<(usize, Mesh)> {
+/// Largest distance of a turned body from its triangles, mm: few triangles.
+const CHORD_MM: f64 = 1.0;
+
+/// A body of a machine.
+struct TestSolid {
+    link: usize,
+    mesh: Mesh,
+    /// It is taken for a body of revolution about this line,
+    axis: Option<CentreLine>,
+    /// whose surface is no farther away than this, mm.
+    chord_mm: f64,
+}
+
+impl TestSolid {
+    fn new(link: usize, mesh: Mesh) -> Self {
+        Self { link, mesh, axis: None, chord_mm: 0.0 }
+    }
+
+    /// Turned about a line.
+    fn turned(link: usize, outline: &[[f64; 2]], line: &CentreLine) -> Self {
+        let (vertices, faces) = turned(outline, CHORD_MM);
+        let largest = outline.iter().map(|corner| corner[0]).fold(0.0, f64::max);
+        let rotation = UnitQuaternion::rotation_between_axis(&Vector3::z_axis(), &line.direction).unwrap_or_default();
+        let place = Isometry3::from_parts(line.point.into(), rotation);
+        let axis = Some(CentreLine::z().placed(&place));
+        let mesh = Mesh::new(vertices, faces).expect("a closed body").placed(&place);
+        Self { link, mesh, axis, chord_mm: chord_of(largest, CHORD_MM) }
+    }
+}
+
+/// Bodies of a machine: one for each link, about where they can meet. Some of those on rotary axes are turned about their
+/// centre lines.
+fn solids(random: &mut Random, machine: &dyn AnyMachine, links: &Links) -> Vec<TestSolid> {
     let mut all = Vec::new();
-    for axis in machine.axes() {
+    for (joint, axis) in machine.axes().iter().enumerate() {
         let link = links.number(SolidLink::Axis(axis.letter)).expect("a link");
+        if let Some(line) = links.centre_line(joint).filter(|_| random.unit() < 0.3) {
+            let along = line.direction.into_inner() * random.within(30.0);
+            // As centre lines are measured.
+            let aside = random.direction() * 0.002;
+            let line = CentreLine { point: line.point + along + aside, ..line };
+            let [foot, head] = [0, 1].map(|_| 10.0 + 30.0 * random.unit());
+            let height = 5.0 + 25.0 * random.unit();
+            all.push(TestSolid::turned(link, &[[0.0, 0.0], [foot, 0.0], [head, height], [0.0, height]], &line));
+            continue;
+        }
         let centre = match axis.kind {
             AxisKind::Rotary => [random.within(20.0), random.within(20.0), random.within(20.0)],
             AxisKind::Linear => [random.within(90.0), random.within(90.0), 90.0 + random.within(40.0)],
         };
         let size = 25.0 + 15.0 * random.unit();
-        all.push((link, lump(random, centre, size)));
+        all.push(TestSolid::new(link, lump(random, centre, size)));
     }
     let frame = links.number(SolidLink::Frame).expect("a link");
-    all.push((frame, lump(random, [100.0, 0.0, -60.0], 50.0)));
+    all.push(TestSolid::new(frame, lump(random, [100.0, 0.0, -60.0], 50.0)));
     all
 }
 
@@ -244,6 +285,10 @@ struct Bodies {
 }
 
 impl Bodies {
+    fn of(links: Links, solids: &[TestSolid]) -> Self {
+        Self { links, meshes: solids.iter().map(|solid| (solid.link, triangles(&solid.mesh))).collect() }
+    }
+
     /// Distance of two bodies at a position.
     fn distance(&self, [one, two]: [usize; 2], values: &AxisValues) -> f64 {
         let (a, b) = (&self.meshes[one], &self.meshes[two]);
@@ -276,12 +321,22 @@ fn random_values(random: &mut Random, machine: &dyn AnyMachine, size: f64, aroun
 const BLOCK: MovingBlock =
     MovingBlock { line: 1, cl_line: 1, operation: 1, tool: 0, set_up: 1, offsets_mm: [0.0; 9], apart: false };
 
-fn clearances(machine: &dyn AnyMachine, solids: &[(usize, Mesh)], clearance_mm: f64) -> Clearances {
-    let bodies = solids.iter().enumerate().map(|(index, (link, mesh))| {
-        let (shapes, ball) = Shapes::of(mesh.clone()).expect("shapes");
-        let name = index.to_string();
-        (Body { name, groups: Vec::new(), link: *link, set_ups: Vec::new(), ball, tolerance_mm: 0.0, shapes }, None)
-    });
+fn body(solid: &TestSolid) -> Body {
+    let (shapes, ball) = Shapes::of(solid.mesh.clone()).expect("shapes");
+    Body {
+        name: String::new(),
+        groups: Vec::new(),
+        link: solid.link,
+        set_ups: Vec::new(),
+        ball,
+        axis: solid.axis,
+        tolerance_mm: solid.chord_mm,
+        shapes,
+    }
+}
+
+fn clearances(machine: &dyn AnyMachine, solids: &[TestSolid], clearance_mm: f64) -> Clearances {
+    let bodies = solids.iter().map(|solid| (body(solid), None));
     Clearances::new(Links::of(machine, &SetUp::default()), bodies.collect(), None, &[], clearance_mm)
 }
 
@@ -294,8 +349,7 @@ fn no_collision_of_a_random_motion_is_missed_and_none_is_invented() {
         for round in 0..rounds() {
             let links = Links::of(machine, &SetUp::default());
             let solids = solids(&mut random, machine, &links);
-            let meshes = solids.iter().map(|(link, mesh)| (*link, triangles(mesh))).collect();
-            let bodies = Bodies { links, meshes };
+            let bodies = Bodies::of(links, &solids);
             let clearance_mm = if round % 2 == 0 { 0.0 } else { 2.0 };
             let mut clearances = clearances(machine, &solids, clearance_mm);
             let from = random_values(&mut random, machine, 1.0, &[0.0; 9]);
@@ -322,12 +376,15 @@ fn no_collision_of_a_random_motion_is_missed_and_none_is_invented() {
             let certain = clearances.not_certified == 0;
             for (index, pair) in clearances.pairs().iter().enumerate() {
                 let about = format!("machine {number}, motion {round}, bodies {:?}", pair.bodies);
+                // Turned bodies are compared at any angle about their axis.
+                let off = |solid: &TestSolid| solid.axis.map_or(0.0, |_| solid.chord_mm + 0.01);
+                let chords: f64 = pair.bodies.iter().map(|body| off(&solids[*body])).sum();
                 let least = sampled(&motion, &|values| bodies.near(pair.bodies, values));
                 let meeting = meetings.iter().find(|meeting| meeting.pair == index);
                 if let Some(Meeting { least_mm, at, .. }) = meeting {
                     found += 1;
                     let there = bodies.distance(pair.bodies, &at.axes);
-                    assert!(there <= clearance_mm + 0.03, "{about}: {there} {least_mm:?}");
+                    assert!(there <= clearance_mm + 0.03 + 2.0 * chords, "{about}: {there} {least_mm:?}");
                 } else {
                     clear += 1;
                     assert!(!certain || least > clearance_mm, "{about}: {least} was missed");
@@ -336,10 +393,10 @@ fn no_collision_of_a_random_motion_is_missed_and_none_is_invented() {
                             let distance = smallest.distance_mm;
                             close += usize::from(distance < 10.0);
                             let there = bodies.distance(pair.bodies, &smallest.at.axes);
-                            assert!((distance - there).abs() < 1e-4, "{about}: {distance} {there}");
+                            assert!((distance - there).abs() < 1e-4 + chords, "{about}: {distance} {there}");
                             let wanted = least.min(super::clearance::SHOWN_MM);
                             assert!(
-                                !certain || distance <= wanted * 1.12 + 0.12 || least > 18.0,
+                                !certain || distance <= wanted * 1.12 + 0.12 + chords || least > 18.0,
                                 "{about}: {distance} {least}"
                             );
                         }
@@ -361,8 +418,7 @@ fn the_box_of_a_motion_whose_axes_arrive_in_any_order_is_compared_as_a_whole() {
         for round in 0..rounds() {
             let links = Links::of(machine, &SetUp::default());
             let solids = solids(&mut random, machine, &links);
-            let meshes = solids.iter().map(|(link, mesh)| (*link, triangles(mesh))).collect();
-            let bodies = Bodies { links, meshes };
+            let bodies = Bodies::of(links, &solids);
             let mut clearances = clearances(machine, &solids, 0.0);
             let from = random_values(&mut random, machine, 1.0, &[0.0; 9]);
             let to = random_values(&mut random, machine, 0.4, &from);
@@ -421,6 +477,34 @@ fn bodies_move_against_each_other_by_no_more_than_their_reach() {
 }
 
 #[test]
+fn a_body_of_revolution_is_at_rest_beyond_its_own_rotary_axis() {
+    let [spinner, ..] = machines();
+    let links = Links::of(&*spinner, &SetUp::default());
+    // C B | X Y Z: the table, the cradle, the bed.
+    let [table, cradle, bed] =
+        [SolidLink::Axis('C'), SolidLink::Axis('B'), SolidLink::Frame].map(|link| links.number(link));
+    let [table, cradle, bed] = [table, cradle, bed].map(|link| link.expect("a link"));
+    let line = links.centre_line(table).expect("a rotary axis");
+    let disc = [[0.0, -30.0], [120.0, -30.0], [120.0, 0.0], [0.0, 0.0]];
+    let rests = |link: usize, line: CentreLine| {
+        let (at_rest, added_mm) = body(&TestSolid::turned(link, &disc, &line)).rests(&links);
+        (at_rest, (added_mm * 1e6).round() / 1e6)
+    };
+    assert_eq!(rests(table, line), ([table, cradle], 0.0));
+    assert_eq!(rests(cradle, line), ([table, cradle], 0.0));
+    assert_eq!(rests(bed, line), ([bed, bed], 0.0));
+    // The sense of a line does not count; what it is off does.
+    assert_eq!(rests(table, CentreLine { direction: -line.direction, ..line }).0, [table, cradle]);
+    let aside = |mm: f64| CentreLine { point: line.point + Vector3::x() * mm, ..line };
+    assert_eq!(rests(table, aside(0.003)), ([table, cradle], 0.006));
+    assert_eq!(rests(table, aside(0.1)), ([table, table], 0.0));
+    let inclined = |angle: f64| UnitVector3::new_normalize(Vector3::new(angle, 0.0, 1.0));
+    assert_eq!(rests(table, CentreLine { direction: inclined(1e-3), ..line }).0, [table, table]);
+    assert_eq!(rests(table, CentreLine { direction: inclined(1e-5), ..line }).0, [table, cradle]);
+    assert_eq!(body(&TestSolid::new(table, lump(&mut Random(3), [0.0; 3], 20.0))).rests(&links).0, [table, table]);
+}
+
+#[test]
 fn a_body_inside_another_one_collides() {
     let shell = {
         // A hollow box: its inner surface faces into the hollow.
@@ -439,7 +523,8 @@ fn a_body_inside_another_one_collides() {
     let mut random = Random(5);
     for (x, collides) in [(0.0, false), (45.0, true), (200.0, false)] {
         let small = lump(&mut random, [0.0; 3], 4.0);
-        let solids = vec![(table.expect("a link"), shell.clone()), (spindle.expect("a link"), small)];
+        let solids = [(table, shell.clone()), (spindle, small)];
+        let solids = solids.map(|(link, mesh)| TestSolid::new(link.expect("a link"), mesh));
         let mut clearances = clearances(machine, &solids, 0.0);
         let motion = TestMotion { ends: [at(x), at(x + 0.1)], kind: Kind::Even };
         let found = clearances.motion(BLOCK, &motion, &[(0.0, at(x)), (1.0, at(x + 0.1))], &mut || None);
