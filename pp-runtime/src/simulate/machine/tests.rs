@@ -45,33 +45,52 @@ fn lump(random: &mut Random, centre: [f64; 3], size: f64) -> Mesh {
     Mesh::new(vertices.collect(), faces).expect("a closed body")
 }
 
-type Triangle = [Point3<f64>; 3];
+/// Numbers instead of vectors: without optimisation a hundred thousand distances take seconds and not minutes.
+type Corner = [f64; 3];
+type Triangle = [Corner; 3];
 
 fn triangles(mesh: &Mesh) -> Vec<Triangle> {
-    mesh.faces().iter().map(|face| face.map(|index| Point3::from(mesh.vertices()[index as usize]))).collect()
+    mesh.faces().iter().map(|face| face.map(|index| mesh.vertices()[index as usize])).collect()
+}
+
+fn minus(a: Corner, b: Corner) -> Corner {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+fn dot(a: Corner, b: Corner) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn cross(a: Corner, b: Corner) -> Corner {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+fn apart(a: Corner, b: Corner) -> f64 {
+    dot(minus(a, b), minus(a, b)).sqrt()
 }
 
 /// Distance of two segments.
-fn of_segments([a, b]: [Point3<f64>; 2], [c, d]: [Point3<f64>; 2]) -> f64 {
-    let (u, v, w) = (b - a, d - c, a - c);
-    let (uu, uv, vv, uw, vw) = (u.dot(&u), u.dot(&v), v.dot(&v), u.dot(&w), v.dot(&w));
+fn of_segments([a, b]: [Corner; 2], [c, d]: [Corner; 2]) -> f64 {
+    let (u, v, w) = (minus(b, a), minus(d, c), minus(a, c));
+    let (uu, uv, vv, uw, vw) = (dot(u, u), dot(u, v), dot(v, v), dot(u, w), dot(v, w));
     let determinant = uu * vv - uv * uv;
     let s = if determinant > 1e-12 * uu * vv { ((uv * vw - vv * uw) / determinant).clamp(0.0, 1.0) } else { 0.0 };
     let t = ((uv * s + vw) / vv).clamp(0.0, 1.0);
     let s = ((uv * t - uw) / uu).clamp(0.0, 1.0);
-    (w + u * s - v * t).norm()
+    let across = [w[0] + u[0] * s - v[0] * t, w[1] + u[1] * s - v[1] * t, w[2] + u[2] * s - v[2] * t];
+    dot(across, across).sqrt()
 }
 
 /// Distance of a point from the inside of a triangle; infinite beside it.
-fn from_face(point: Point3<f64>, [a, b, c]: Triangle) -> f64 {
-    let normal = (b - a).cross(&(c - a));
-    let inside = [(a, b), (b, c), (c, a)].into_iter().all(|(p, q)| (q - p).cross(&(point - p)).dot(&normal) >= 0.0);
-    if inside { (point - a).dot(&normal).abs() / normal.norm() } else { f64::INFINITY }
+fn from_face(point: Corner, [a, b, c]: Triangle) -> f64 {
+    let normal = cross(minus(b, a), minus(c, a));
+    let within = |p: Corner, q: Corner| dot(cross(minus(q, p), minus(point, p)), normal) >= 0.0;
+    let inside = within(a, b) && within(b, c) && within(c, a);
+    if inside { dot(minus(point, a), normal).abs() / dot(normal, normal).sqrt() } else { f64::INFINITY }
 }
 
-fn pierces([p, q]: [Point3<f64>; 2], triangle: Triangle) -> bool {
-    let [a, b, c] = triangle;
-    let volume = |x: Point3<f64>, y: Point3<f64>, z: Point3<f64>, w: Point3<f64>| (y - x).cross(&(z - x)).dot(&(w - x));
+fn pierces([p, q]: [Corner; 2], [a, b, c]: Triangle) -> bool {
+    let volume = |x: Corner, y: Corner, z: Corner, w: Corner| dot(cross(minus(y, x), minus(z, x)), minus(w, x));
     let (above, below) = (volume(a, b, c, p), volume(a, b, c, q));
     let sides = [volume(p, q, a, b), volume(p, q, b, c), volume(p, q, c, a)];
     above * below < 0.0 && (sides.iter().all(|side| *side > 0.0) || sides.iter().all(|side| *side < 0.0))
@@ -79,35 +98,43 @@ fn pierces([p, q]: [Point3<f64>; 2], triangle: Triangle) -> bool {
 
 /// Distance of two surfaces; 0 where they meet.
 fn distance(one: &[Triangle], two: &[Triangle]) -> f64 {
-    let ball = |[a, b, c]: &Triangle| {
-        let centre = Point3::from((a.coords + b.coords + c.coords) / 3.0);
-        (centre, [a, b, c].map(|corner| (corner - centre).norm()).into_iter().fold(0.0, f64::max))
+    let ball = |triangle: &Triangle| {
+        let [a, b, c] = *triangle;
+        let centre = [0, 1, 2].map(|axis| (a[axis] + b[axis] + c[axis]) / 3.0);
+        (centre, triangle.map(|corner| apart(corner, centre)).into_iter().fold(0.0, f64::max))
     };
     let (first, second): (Vec<_>, Vec<_>) = (one.iter().map(ball).collect(), two.iter().map(ball).collect());
-    let mut least = f64::INFINITY;
+    // The nearest first, so that most are never looked at.
+    let mut pairs = Vec::with_capacity(one.len() * two.len());
     for (a, (ca, ra)) in one.iter().zip(&first) {
         for (b, (cb, rb)) in two.iter().zip(&second) {
-            if (ca - cb).norm() - ra - rb > least {
-                continue;
+            pairs.push((apart(*ca, *cb) - ra - rb, a, b));
+        }
+    }
+    pairs.sort_unstable_by(|one, two| one.0.total_cmp(&two.0));
+    let mut least = f64::INFINITY;
+    for (bound, a, b) in pairs {
+        if bound > least {
+            break;
+        }
+        let edges = |[x, y, z]: Triangle| [[x, y], [y, z], [z, x]];
+        for edge in edges(*a) {
+            for other in edges(*b) {
+                least = least.min(of_segments(edge, other));
             }
-            let edges = |[x, y, z]: Triangle| [[x, y], [y, z], [z, x]];
-            for edge in edges(*a) {
-                for other in edges(*b) {
-                    least = least.min(of_segments(edge, other));
-                }
-            }
-            a.iter().for_each(|corner| least = least.min(from_face(*corner, *b)));
-            b.iter().for_each(|corner| least = least.min(from_face(*corner, *a)));
-            if edges(*a).iter().any(|edge| pierces(*edge, *b)) || edges(*b).iter().any(|edge| pierces(*edge, *a)) {
-                return 0.0;
-            }
+        }
+        a.iter().for_each(|corner| least = least.min(from_face(*corner, *b)));
+        b.iter().for_each(|corner| least = least.min(from_face(*corner, *a)));
+        if edges(*a).iter().any(|edge| pierces(*edge, *b)) || edges(*b).iter().any(|edge| pierces(*edge, *a)) {
+            return 0.0;
         }
     }
     least
 }
 
 fn moved(triangles: &[Triangle], place: &Isometry3<f64>) -> Vec<Triangle> {
-    triangles.iter().map(|triangle| triangle.map(|corner| place * corner)).collect()
+    let moved = |corner: Corner| (place * Point3::from(corner)).coords.into();
+    triangles.iter().map(|triangle| triangle.map(moved)).collect()
 }
 
 /// Largest distance of a turned body from its triangles, mm: few triangles.
@@ -301,12 +328,12 @@ impl Bodies {
         let place = self.links.between(a.0, b.0, values);
         let ball = |triangles: &[Triangle]| {
             let centre = triangles[0][0];
-            let farthest = triangles.iter().flatten().map(|corner| (corner - centre).norm()).fold(0.0, f64::max);
-            (centre, farthest)
+            let farthest = triangles.iter().flatten().map(|corner| apart(*corner, centre)).fold(0.0, f64::max);
+            (Point3::from(centre), farthest)
         };
         let ((ca, ra), (cb, rb)) = (ball(&a.1), ball(&b.1));
-        let apart = (place * cb - ca).norm() - ra - rb;
-        if apart > 21.0 { apart } else { self.distance(pair, values) }
+        let between = (place * cb - ca).norm() - ra - rb;
+        if between > 21.0 { between } else { self.distance(pair, values) }
     }
 }
 
