@@ -52,7 +52,10 @@ impl Mesh {
         if size > HEAD_BYTES + TRIANGLE_BYTES * MOST_TRIANGLES {
             return Err(MeshFault(format!("it has {size} bytes: more than {MOST_TRIANGLES} triangles")));
         }
-        let read = stl_io::read_stl(input).map_err(|error| MeshFault(format!("it is no STL file: {error}")))?;
+        let read = stl_io::read_stl(input).map_err(|error| match error.kind() {
+            io::ErrorKind::UnexpectedEof => MeshFault("it is no STL file, or ends before its last triangle".to_owned()),
+            _ => MeshFault(format!("it is no STL file: {error}")),
+        })?;
         let vertices: Vec<[f64; 3]> = read.vertices.iter().map(|vertex| vertex.0.map(f64::from)).collect();
         let faces = read.faces.iter().map(|face| face.vertices.map(|index| index as u32)).collect();
         Self::surface(vertices, faces)

@@ -42,5 +42,8 @@ fn a_mesh_that_is_open_inside_out_or_empty_is_refused() {
     assert!(fault(vec![[0, 1, 9999]]).contains("not there"));
     let read = |bytes: &[u8]| Mesh::read(&mut std::io::Cursor::new(bytes)).expect_err("no body").to_string();
     assert!(read(b"PARTNO A").contains("no STL file"));
+    let announced = [&[0; 80][..], &4_u32.to_le_bytes(), &[0; 50]].concat();
+    assert!(read(&announced).contains("ends before its last triangle"));
+    assert!(read(b"").contains("ends before its last triangle"));
     assert!(read(&[0; 84]).contains("no triangle"));
 }

@@ -32,11 +32,11 @@ impl Levers {
     /// Of bodies on two links, the first one nearer to the table.
     pub(crate) fn of(links: &Links, [from, to]: [usize; 2], balls: [&Ball; 2], values: &AxisValues) -> Self {
         let mut levers = [None; MAX_AXES];
-        for joint in from..to {
+        for (joint, lever) in levers.iter_mut().enumerate().take(to).skip(from) {
             let Some(line) = links.centre_line(joint) else { continue };
             let first = links.between(from, joint, values).inverse_transform_point(&balls[0].centre);
             let second = links.between(joint, to, values).transform_point(&balls[1].centre);
-            levers[joint] = Some([line.distance(&first) + balls[0].radius, line.distance(&second) + balls[1].radius]);
+            *lever = Some([line.distance(&first) + balls[0].radius, line.distance(&second) + balls[1].radius]);
         }
         Self { values: *values, from, to, levers }
     }

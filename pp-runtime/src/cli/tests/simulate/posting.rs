@@ -28,7 +28,20 @@ fn no_file_of_a_simulation_replaces_another_one() {
     let config = format!("{CONFIG}{TOOL}{solids}");
     let [stock, design, table, page, map] =
         ["stock.stl", "design.stl", "table.tbl", "page.html", "map.csv"].map(|name| shop.arg(name));
-    let files = ["--stock", &stock, "--design", &design, "--tool-table", &table, "--view", &page, "--map", &map];
+    let files = [
+        "--pitch",
+        "1",
+        "--stock",
+        &stock,
+        "--design",
+        &design,
+        "--tool-table",
+        &table,
+        "--view",
+        &page,
+        "--map",
+        &map,
+    ];
     let inputs = [
         ("part.cls", "the CL data"),
         ("shop.toml", "the configuration"),
