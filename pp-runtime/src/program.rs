@@ -22,6 +22,11 @@
 use crate::kinematics::Pose;
 use crate::nalgebra::{Point3, UnitVector3};
 
+/// Whether a text is a block of printable ASCII characters, which all controls read alike.
+pub(crate) fn is_nc_text(text: &[u8]) -> bool {
+    !text.is_empty() && text.iter().all(|byte| (b' '..=b'~').contains(byte))
+}
+
 /// Line and column in a text file. Both count from 1; columns count bytes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
 pub struct Location {

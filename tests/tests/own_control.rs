@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use examples::house_control::House;
 use machines::SpinnerU5620;
 use pp_runtime::cli::{App, Status, Streams};
-use pp_runtime::control::{Control, Fanuc, Spellings};
+use pp_runtime::control::{CONTROLS, Control, Fanuc, Spellings};
 
 /// Runs a command of the Spinner; status, standard output and messages.
 fn run(app: &App, args: &[&str]) -> (Status, String, String) {
@@ -53,7 +53,7 @@ fn a_statement_of_the_shop_is_its_block_on_every_control_and_the_check_insists_o
     let declared = file("declared.toml", &format!("{words}[control]\neffects = {{ M468 = \"none\" }}\n"));
     let undeclared = file("undeclared.toml", words);
     let app = App::new();
-    for control in ["linuxcnc", "fanuc", "siemens", "heidenhain", "haas"] {
+    for control in CONTROLS.iter().map(|control| control.spellings().name) {
         let post = |config: &str| run(&app, &["post", &cl, "--quiet", "--control", control, "--config", config]);
         let (status, program, messages) = post(&declared);
         assert_eq!(status, Status::Done, "{control}: {messages}");

@@ -2,6 +2,7 @@
 
 use super::parse::major_word;
 use super::words::{Handling, is_word, look_up};
+use crate::program::is_nc_text;
 
 /// A statement of CL data and the NC block that is written in its place.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -19,7 +20,7 @@ impl OwnStatement {
     /// empty or not of printable ASCII characters.
     pub fn new(statement: &str, block: &str) -> Result<Self, String> {
         let word = &statement[..major_word(statement.as_bytes()).end];
-        if !is_word(word) || !statement.bytes().all(|byte| (b' '..=b'~').contains(&byte)) || statement.contains('$') {
+        if !is_word(word) || !is_nc_text(statement.as_bytes()) || statement.contains('$') {
             return Err(format!("`{statement}` is not a statement of CL data"));
         }
         if let Some(row) = look_up(word.as_bytes()) {
@@ -32,7 +33,7 @@ impl OwnStatement {
                 Handling::Lathe => return Err(format!("no block takes the place of {word}: it belongs to turning")),
             }
         }
-        if block.trim().is_empty() || !block.bytes().all(|byte| (b' '..=b'~').contains(&byte)) {
+        if block.trim().is_empty() || !is_nc_text(block.as_bytes()) {
             return Err(
                 "a block has ASCII letters, digits and signs; others are read differently by controls".to_owned()
             );

@@ -3,7 +3,7 @@
 use std::ops::RangeInclusive;
 
 use crate::motion::options::Transition;
-use crate::program::{Dwell, Event, RotaryDirection, ToolCall};
+use crate::program::{Dwell, Event, RotaryDirection, ToolCall, is_nc_text};
 
 use crate::motion::fault::{Fault, Planned};
 use crate::motion::plan::Planner;
@@ -222,7 +222,7 @@ impl<S: Sink> Records<'_, '_, S> {
                 .help("remove the record; for INSERT, `--insert comment` writes a comment instead")
                 .into());
         }
-        if text.is_empty() || !text.iter().all(|byte| (b' '..=b'~').contains(byte)) {
+        if !is_nc_text(text) {
             let fault = Fault::new(
                 "INSERT is empty or contains characters that are not ASCII, which controls read differently",
             );
