@@ -1,4 +1,5 @@
-//! A control outside the crate, through the command line: posted, checked, explained, and refused where it is not declared.
+//! A control outside the crate and blocks of the shop, through the command line: posted, checked, explained, and refused
+//! where they are not declared.
 
 use std::path::{Path, PathBuf};
 
@@ -73,10 +74,91 @@ fn a_statement_of_the_shop_is_its_block_on_every_control_and_the_check_insists_o
         let (status, _, messages) = post(&undeclared);
         assert_eq!(status, Status::Rejected, "{control}");
         assert!(messages.contains("declare its effect in `[control] effects`"), "{control}: {messages}");
+
+        let end = file("end.toml", "[cl.words]\n\"CHUCK/OPEN\" = \"M30\"\n");
+        let (status, _, messages) = post(&end);
+        assert_eq!(status, Status::Rejected, "{control}");
+        assert!(messages.contains("the program ends at this block of the CL data"), "{control}: {messages}");
     }
     let (status, _, messages) = run(&app, &["post", &cl, "--quiet"]);
     assert_eq!(status, Status::Rejected);
     assert!(messages.contains("`CHUCK` is not a known word of CL data"), "{messages}");
+}
+
+/// Blocks of the shop at every place that the configuration has for them, each with a code of its own.
+const PLACES: [(&str, &str); 6] = [
+    ("program.start", "M461"),
+    ("program.end", "M462"),
+    ("control.safety", "M463"),
+    ("control.tool_change", "M464"),
+    ("program.operation_start", "M465"),
+    ("program.operation_end", "M466"),
+];
+
+#[test]
+fn a_block_of_the_shop_is_at_its_place_on_every_control_and_the_check_insists_on_it() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = |name: &str, text: &str| {
+        let path = folder.path().join(name);
+        std::fs::write(&path, text).expect("a file");
+        path.to_str().expect("a path in UTF-8").to_owned()
+    };
+    let app = App::new();
+    for control in CONTROLS {
+        let codes = control.spellings();
+        // As the control has them, with one block more. A line of the configuration is one line, and the safety blocks of
+        // Heidenhain need two for the datum.
+        let places = || PLACES.into_iter().filter(|(key, _)| codes.name != "heidenhain" || *key != "control.safety");
+        let with = |of_control: &[&'static str], code: &'static str| [of_control, &[code]].concat();
+        let keys: String = places()
+            .map(|(key, code)| match key {
+                "control.safety" => format!("{key} = {:?}\n", with(codes.safety, code)),
+                "control.tool_change" => format!("{key} = {:?}\n", with(codes.tool_change, code)),
+                "program.operation_start" => format!("{key} = [\"{code} Q{{tool}}\"]\n"),
+                _ => format!("{key} = [\"{code}\"]\n"),
+            })
+            .collect();
+        let declared = PLACES.map(|(_, code)| format!("{code} = \"none\"")).join(", ");
+        // A parameter of the code is part of the declared line.
+        let config = file(
+            "places.toml",
+            &format!("{keys}control.effects = {{ {declared}, \"M465 Q{{tool}}\" = \"position lost\" }}\n"),
+        );
+        let name = codes.name;
+        let arguments = ["--control", name, "--config", &config];
+        let (status, program, messages) = run(&app, &[&["post", &two_tools(), "--quiet"], &arguments[..]].concat());
+        assert_eq!(status, Status::Done, "{name}: {messages}\n{program}");
+        let order: Vec<&str> =
+            program.split_whitespace().filter(|word| PLACES.iter().any(|(_, code)| code == word)).collect();
+        let of_operation = ["M463", "M464", "M465", "M466"];
+        let operation = &of_operation[usize::from(places().count() < PLACES.len())..];
+        let expected = [&["M461"], operation, operation, &["M462"]].concat();
+        assert_eq!(order, expected, "{name}:\n{program}");
+        assert_eq!(program.matches("M465 Q1").count() + program.matches("M465 Q2").count(), 2, "{name}:\n{program}");
+
+        for (key, code) in places() {
+            for at in program.match_indices(code).map(|(at, _)| at) {
+                let start = program[..at].rfind('\n').map_or(0, |end| end + 1);
+                let end = at + program[at..].find('\n').expect("an end of line") + 1;
+                let lost = file("lost.nc", &[&program[..start], &program[end..]].concat());
+                let (status, _, messages) = run(&app, &[&["check", &two_tools(), &lost], &arguments[..]].concat());
+                assert_eq!(status, Status::Rejected, "{name} {key}");
+                let named = messages.contains(&format!("of `{key}` is missing")) && messages.contains(code);
+                assert!(named, "{name} {key}: {messages}");
+            }
+        }
+    }
+}
+
+#[test]
+fn no_block_of_the_shop_comes_between_operations_that_follow_each_other_at_the_part() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let config = folder.path().join("direct.toml");
+    std::fs::write(&config, "transition = \"direct\"\nprogram.operation_end = [\"M33\"]\n").expect("a file");
+    let config = config.to_str().expect("a path in UTF-8");
+    let (status, _, messages) = run(&App::new(), &["post", &two_tools(), "--quiet", "--config", config]);
+    assert_eq!(status, Status::NotRun);
+    assert!(messages.contains("remove `transition`, or `program.operation_end`"), "{messages}");
 }
 
 /// The same codes without their effects.

@@ -59,7 +59,7 @@ use crate::diag::Diagnostic;
 use crate::kinematics::{AnyMachine, Machine};
 use crate::program::Units;
 use compare::Checker;
-use read::Reader;
+use read::{PlacedLines, Reader};
 
 /// The reason why a program could not be checked.
 #[derive(Debug, thiserror::Error)]
@@ -145,8 +145,10 @@ fn run(
         Some(units) => units,
         None => expect::units_of(input, &policy.reading).map_err(CheckError::Input)?.unwrap_or_default(),
     };
-    let mut reader = Reader::new(program, vocabulary::vocabulary(&*machine, policy, units));
-    let mut checker = Checker::new(machine, policy, units, ClReader::new(input, policy.reading.clone()));
+    let vocabulary = vocabulary::vocabulary(&*machine, policy, units);
+    let lines = PlacedLines::of(vocabulary.clone());
+    let mut reader = Reader::new(program, vocabulary);
+    let mut checker = Checker::new(machine, policy, units, ClReader::new(input, policy.reading.clone()), lines);
     while let Some((block, text)) = reader.next_block().map_err(CheckError::Program)? {
         match &mut observer {
             Some(observer) => checker.observed(block, text, *observer),

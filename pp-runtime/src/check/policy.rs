@@ -358,7 +358,11 @@ impl ShopBlocks {
     /// Whether blocks of the shop may select modal functions that the control's own blocks leave alone.
     #[must_use]
     pub fn selects_modes(&self) -> bool {
-        self.own_safety || self.lines.iter().any(|line| matches!(line.place, OwnPlace::Start | OwnPlace::ToolChange))
+        self.own_safety
+            || self
+                .lines
+                .iter()
+                .any(|line| matches!(line.place, OwnPlace::Start | OwnPlace::ToolChange | OwnPlace::OperationStart))
     }
 }
 

@@ -51,7 +51,9 @@ impl Faults {
         let help = match fault.help {
             Help::Text(text) => text,
             Help::NearestTo(word) => match nearest_word(&word) {
-                Some(known) => format!("did you mean {known}?"),
+                Some(known) => {
+                    format!("did you mean {known}? A statement of the shop gets its block in `[cl.words]`")
+                }
                 None if word.is_empty() => "check whether this file is CL data".into(),
                 None => if_harmless(&word),
             },

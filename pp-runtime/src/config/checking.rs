@@ -223,6 +223,8 @@ impl Config {
         };
         control.program.start.iter().for_each(|line| add(line, OwnPlace::Start, None));
         control.program.end.iter().for_each(|line| add(line, OwnPlace::End, None));
+        control.program.operation_start.iter().for_each(|line| add(line, OwnPlace::OperationStart, None));
+        control.program.operation_end.iter().for_each(|line| add(line, OwnPlace::OperationEnd, None));
         control.safety.iter().flatten().for_each(|line| add(line, OwnPlace::Safety, None));
         control.tool_change.iter().flatten().for_each(|line| add(line, OwnPlace::ToolChange, None));
         for (letter, codes) in &self.motion.rotaries.clamp {

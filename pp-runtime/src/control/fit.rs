@@ -3,8 +3,8 @@
 
 use crate::kinematics::{AnyMachine, Side};
 use crate::motion::{
-    self, Abilities, CutterRadius, CycleAbilities, PathNorm, PlaneAbility, Registers, Smoothing, StretchMode,
-    TipAbility, TipStart, UsableModes, rotaries_of,
+    self, Abilities, CutterRadius, CycleAbilities, OperationBlocks, PathNorm, PlaneAbility, Registers, Smoothing,
+    StretchMode, TipAbility, TipStart, Transition, UsableModes, rotaries_of,
 };
 use crate::program::{Coolant, Pressure, Units};
 use crate::set_up::LengthMode;
@@ -138,7 +138,20 @@ fn unsupported(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
     if inverse && codes.inverse_time.is_none() {
         faults.push(format!("{title} has no inverse-time feed: set `control.path_norm` to \"xyz\" or \"xyz+deg\""));
     }
-    let blocks = [&demands.options.program.start, &demands.options.program.end]
+    let program = &options.program;
+    let of_operations = [
+        ("program.operation_start", program.operation_start.is_empty()),
+        ("program.operation_end", program.operation_end.is_empty()),
+    ];
+    if demands.motion.rapids.transition == Transition::Direct {
+        faults.extend(of_operations.iter().filter(|(_, empty)| !empty).map(|(key, _)| {
+            format!(
+                "with `transition = \"direct\"` operations follow each other at the part, where no blocks of the shop \
+                 belong: remove `transition`, or `{key}`"
+            )
+        }));
+    }
+    let blocks = [&program.start, &program.end, &program.operation_start, &program.operation_end]
         .into_iter()
         .chain(&options.tool_change)
         .chain(&options.safety)
@@ -298,5 +311,9 @@ pub fn abilities(control: &dyn Control, demands: Demands<'_>) -> Abilities {
             }
         }),
         guards_planes: demands.motion.guards.plane_guard && control.compares_rotary_positions(),
+        operation_blocks: OperationBlocks {
+            at_start: !demands.options.program.operation_start.is_empty(),
+            at_end: !demands.options.program.operation_end.is_empty(),
+        },
     }
 }

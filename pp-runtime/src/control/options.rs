@@ -103,12 +103,20 @@ options! {
 }
 
 options! {
-    /// Blocks and comments at the start and the end of the program. Blocks may hold fields as in `[control]`.
+    /// Blocks and comments at the start and the end of the program and of its operations. Blocks may hold fields as in
+    /// `[control]`.
     pub struct ProgramBlocks in "program" {
         /// Blocks after the program header.
         start: Vec<String> = Vec::new(), key("program.start", ListOf(TemplateBlock(OF_PROGRAM)));
         /// Blocks before the end code.
         end: Vec<String> = Vec::new(), key("program.end", ListOf(TemplateBlock(OF_PROGRAM)));
+        /// Blocks at the start of each operation: after the tool change, before length offset, spindle and approach.
+        /// Fields as in a tool change. The machine retracts after them, and everything is stated anew.
+        operation_start: Vec<String> = Vec::new(),
+            key("program.operation_start", ListOf(TemplateBlock(OF_TOOL)), "[\"M31\"]");
+        /// Blocks at the end of each operation, at the machine retract with the coolant off. Fields as in a tool change.
+        operation_end: Vec<String> = Vec::new(),
+            key("program.operation_end", ListOf(TemplateBlock(OF_TOOL)), "[\"M33\"]");
         /// Write machining times as comments at the end.
         times: bool = false, key("program.times", YesNo);
         /// Write the result of the check as a comment at the end, or that the program was not checked.

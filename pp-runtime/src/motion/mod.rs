@@ -59,8 +59,8 @@ pub(crate) use place::rotaries_of;
 pub use place::{PlaneAbility, PlaneAngles, PoseRule, TipAbility, TipStart, UsableModes, unsuited};
 pub(crate) use plan::hole_extent;
 pub use plan::{
-    Abilities, ChordedArcs, CutterRadius, FastestRotation, MovingAxes, OperationTime, Planner, ProofProgram, Registers,
-    Statistics, Sweep, Times,
+    Abilities, ChordedArcs, CutterRadius, FastestRotation, MovingAxes, OperationBlocks, OperationTime, Planner,
+    ProofProgram, Registers, Statistics, Sweep, Times,
 };
 pub use rotary::Cost;
 pub use source::{

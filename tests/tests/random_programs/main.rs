@@ -144,7 +144,7 @@ impl Case {
             Mode::Plane if control.spellings().plane.is_none() => Mode::Axes,
             mode => mode,
         };
-        let (set_up, needs) = set_up::set_up(random, kind, control.spellings().name, mode);
+        let (set_up, needs) = set_up::set_up(random, &mut Random::new(!seed), kind, control.spellings().name, mode);
         let cl = cl::program(random, needs);
         Self { kind, control, mode, set_up, cl }
     }

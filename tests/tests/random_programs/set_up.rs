@@ -7,8 +7,9 @@ use tests::random::Random;
 
 use super::cl::{AxisRange, FRAMES, Frames, Needs, TOOLS};
 
-/// Codes that machine builders add, for coolant and clamps, and those of AUXFUN.
-pub(crate) const BUILDER_CODES: [&str; 10] = ["M7", "M83", "M84", "M88", "M89", "M10", "M11", "M68", "M69", "M77"];
+/// Codes that machine builders add, for coolant and clamps, and those of AUXFUN and of the blocks of operations.
+pub(crate) const BUILDER_CODES: [&str; 12] =
+    ["M7", "M83", "M84", "M88", "M89", "M10", "M11", "M68", "M69", "M77", "M78", "M79"];
 
 /// Properties of a machine on which a set-up depends.
 #[derive(Debug, Clone, Copy)]
@@ -33,7 +34,14 @@ struct File<'r> {
 }
 
 /// A random configuration file, and the properties on which the CL data depends.
-pub(crate) fn set_up(random: &mut Random, kind: &MachineKind, control: &str, mode: Mode) -> (String, Needs) {
+/// `blocks` decides on the blocks of operations.
+pub(crate) fn set_up(
+    random: &mut Random,
+    blocks: &mut Random,
+    kind: &MachineKind,
+    control: &str,
+    mode: Mode,
+) -> (String, Needs) {
     let mut file = File { random, sections: BTreeMap::new() };
     file.put("", "units = \"mm\"");
     file.tolerances_and_defaults();
@@ -62,9 +70,8 @@ pub(crate) fn set_up(random: &mut Random, kind: &MachineKind, control: &str, mod
     let registers = registers(control);
     let frames = if nx { file.frames(kind) } else { Frames::None };
     let code = file.maybe(0.2, "cl", "auxfun = [77]");
-    if code {
-        file.put("control", "effects = { M77 = \"none\" }");
-    }
+    file.operation_blocks(blocks);
+    file.put("control", "effects = { M77 = \"none\", M78 = \"none\", M79 = \"none\" }");
     let centre = file.maybe(0.1, "", "cl_point = \"centre\"");
     let (axis_range, table) = (kind.axis_range, kind.table);
     let needs =
@@ -173,6 +180,19 @@ impl File<'_> {
         if self.random.chance(0.3) {
             self.put("machine_zero", "X = 0.0\nY = 0.0\nZ = -700.0");
             self.put("limits", "X = [-900.0, 900.0]\nY = [-900.0, 900.0]\nZ = [-1500.0, 900.0]");
+        }
+    }
+
+    /// Blocks of the shop at the start and the end of operations.
+    fn operation_blocks(&mut self, random: &mut Random) {
+        let keys = self.sections.get("").into_iter().flatten();
+        if keys.clone().any(|line| line.starts_with("transition")) {
+            return;
+        }
+        for (key, code) in [("operation_start", "M78"), ("operation_end", "M79")] {
+            if random.chance(0.15) {
+                self.put("program", format!("{key} = [\"{code}\"]"));
+            }
         }
     }
 

@@ -333,17 +333,19 @@ fn guarded(rules: &Rules<'_>, required: &Required) -> Option<LengthSource> {
 }
 
 /// What is wrong with the place of a line of the shop; `ended`: the CL data is done.
-pub(super) fn place_of_line(place: OwnPlace, phase: &Phase, motions: u64, ended: bool) -> Option<&'static str> {
-    match place {
-        OwnPlace::Start => (motions > 0).then_some("a line of `program.start` after the first motion"),
-        OwnPlace::End => {
-            (!ended || phase.is_at_part()).then_some("a line of `program.end` before the end of the CL data")
+pub(super) fn place_of_line(place: OwnPlace, phase: &Phase, motions: u64, ended: bool) -> Option<String> {
+    let wrong = match place {
+        OwnPlace::Start => (motions > 0).then_some("after the first motion"),
+        OwnPlace::End => (!ended || phase.is_at_part()).then_some("before the end of the CL data"),
+        OwnPlace::Safety | OwnPlace::ToolChange | OwnPlace::OperationStart | OwnPlace::OperationEnd => {
+            phase.is_at_part().then_some("at the part")
         }
-        OwnPlace::Safety => phase.is_at_part().then_some("a line of `control.safety` at the part"),
-        OwnPlace::ToolChange => phase.is_at_part().then_some("a line of `control.tool_change` at the part"),
         OwnPlace::Insert => {
-            Some("a block of INSERT, AUXFUN, PREFUN or a statement of the shop that the CL data does not have here")
+            let text =
+                "a block of INSERT, AUXFUN, PREFUN or a statement of the shop that the CL data does not have here";
+            return Some(text.to_owned());
         }
         OwnPlace::Clamp { .. } | OwnPlace::Coolant | OwnPlace::TipControl { .. } => None,
-    }
+    };
+    Some(format!("a line of `{}` {}", place.key()?, wrong?))
 }

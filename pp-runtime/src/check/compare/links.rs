@@ -39,6 +39,9 @@ impl<R: Read> Comparison<'_, R> {
         for fault in &current.block.faults[..judged] {
             self.found(current, &fault.text);
         }
+        if current.block.action == Action::End {
+            self.found(current, "the program ends at this block of the CL data: nothing after it is executed");
+        }
         (0..=index).for_each(|_| self.progress.pass());
         true
     }
@@ -49,9 +52,11 @@ impl<R: Read> Comparison<'_, R> {
         if let Some(own) = block.own {
             self.functions.line(own.place);
             let ended = self.progress.next().is_none();
-            if let Some(text) = place_of_line(own.place, phase, self.tally.motions(), ended) {
-                self.found(current, text);
-            }
+            let misplaced = place_of_line(own.place, phase, self.tally.motions(), ended);
+            self.found_any(current, misplaced);
+        }
+        if !phase.is_at_part() {
+            self.shop_lines.note(current.shown.text);
         }
         if block.restart {
             // Tip control ends with the safety line, if it is still on, in the part.
@@ -477,6 +482,10 @@ impl<R: Read> Comparison<'_, R> {
             self.found(current, "approach, but the CL data has no motion here");
             return cutting;
         };
+        let tool = self.progress.next().and_then(|item| item.required.tool);
+        for missing in self.shop_lines.approach(motion.starts, tool) {
+            self.found(current, &missing);
+        }
         if motion.starts {
             self.compare_start(current);
         }
@@ -750,10 +759,11 @@ impl<R: Read> Comparison<'_, R> {
         self.pass_needless(phase)?;
         let suits = |item: &ExpectedItem| matches!(item.action, ExpectedAction::Stop { optional: expected } if expected == optional);
         self.find_again(phase, suits, current)?;
-        let of_shop = current.block.own.is_some_and(|own| own.place == OwnPlace::ToolChange);
+        let stops = [OwnPlace::ToolChange, OwnPlace::OperationStart, OwnPlace::OperationEnd];
+        let of_shop = current.block.own.is_some_and(|own| stops.contains(&own.place));
         match self.progress.next() {
             Some(item) if suits(item) => self.progress.take(),
-            // The shop stops before its tool changes.
+            // The shop stops at its tool changes, and where operations start and end.
             _ if of_shop && phase.is_retracted() => return Ok(None),
             _ => self.found(current, "stop without STOP or OPSTOP in the CL data"),
         }
@@ -793,6 +803,9 @@ impl<R: Read> Comparison<'_, R> {
         }
         if !phase.is_retracted() {
             self.found(current, "end code before the machine has retracted");
+        }
+        for missing in self.shop_lines.end() {
+            self.found(current, &missing);
         }
         if let Some(text) = fault_at_end(&current.block.state) {
             self.found(current, &text);

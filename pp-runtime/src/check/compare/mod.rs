@@ -20,6 +20,7 @@ mod plane_guard;
 mod progress;
 mod rapid;
 mod retract;
+mod shop_lines;
 
 use std::io::{self, Read};
 
@@ -27,7 +28,7 @@ use super::Checked;
 use super::expect::{Expect, ExpectedAction, ExpectedItem};
 use super::geometry::ToolPose;
 use super::policy::CheckPolicy;
-use super::read::{Action, ArcMove, Block, Length, MAX_AXES, State, TipControl, WorkPlane};
+use super::read::{Action, ArcMove, Block, Length, MAX_AXES, PlacedLines, State, TipControl, WorkPlane};
 use super::report::{Shown, Tally};
 use super::rules::{ModalContext, Rules, StateFault, chord};
 use super::stream::{ExecutedBlock, Observer};
@@ -39,6 +40,7 @@ use clear::KeepOut;
 use functions::FunctionState;
 use phase::{Phase, Task};
 use progress::ClProgress;
+use shop_lines::ShopLines;
 
 /// A program while it is compared.
 pub(super) struct Checker<'a, R> {
@@ -57,6 +59,7 @@ struct Comparison<'a, R> {
     previous: Previous,
     start: StartState,
     functions: FunctionState,
+    shop_lines: ShopLines,
     /// Axes at their parking positions: bits.
     parked: u16,
     /// GOHOME has begun, and the axes have to be parked.
@@ -103,6 +106,7 @@ impl<'a, R: Read> Checker<'a, R> {
         policy: &'a CheckPolicy,
         units: Units,
         reader: ClReader<R>,
+        lines: PlacedLines,
     ) -> Self {
         let rules = Rules::new(machine, policy, units);
         let travel = Travel::new(&rules);
@@ -115,6 +119,7 @@ impl<'a, R: Read> Checker<'a, R> {
             previous: Previous::default(),
             start: StartState::default(),
             functions: FunctionState::default(),
+            shop_lines: ShopLines::new(lines),
             parked: 0,
             home: false,
         };

@@ -89,6 +89,10 @@ pub enum OwnPlace {
     Safety,
     /// `control.tool_change`.
     ToolChange,
+    /// `program.operation_start`.
+    OperationStart,
+    /// `program.operation_end`.
+    OperationEnd,
     /// Code of a rotary clamp.
     Clamp {
         /// Position of the axis in the chain.
@@ -105,6 +109,22 @@ pub enum OwnPlace {
     },
     /// Text of INSERT, AUXFUN, PREFUN, or of a statement of the shop.
     Insert,
+}
+
+impl OwnPlace {
+    /// Key of lines that have their place in the program; `None` where records or the planner decide when they come.
+    #[must_use]
+    pub fn key(self) -> Option<&'static str> {
+        Some(match self {
+            Self::Start => "program.start",
+            Self::End => "program.end",
+            Self::Safety => "control.safety",
+            Self::ToolChange => "control.tool_change",
+            Self::OperationStart => "program.operation_start",
+            Self::OperationEnd => "program.operation_end",
+            Self::Clamp { .. } | Self::Coolant | Self::TipControl { .. } | Self::Insert => return None,
+        })
+    }
 }
 
 /// A line that the user brought in, executed by its declared effect or by that of its key.

@@ -51,7 +51,7 @@ pub use block::{
 pub(crate) use facts::{Facts, GuardSource, LengthRegisters, PoseSelector, SmoothingWords};
 pub(crate) use language::table;
 pub(crate) use machine::AxisName;
-pub(crate) use own::OwnText;
+pub(crate) use own::{OwnText, PlacedLines};
 
 use draft::{Draft, fault};
 use facts::Form;

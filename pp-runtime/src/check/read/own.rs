@@ -4,12 +4,12 @@
 //! table does not have is executed by the effect that `[control] effects` declares for it, and only in a line of the
 //! configuration; clamp, coolant and tip control codes have the effect of their keys.
 
-use super::Vocabulary;
 use super::block::{Effect, OwnLine, OwnPlace};
 use super::draft::effect;
 use super::facts::{Facts, Form};
 use super::line::Line;
 use super::text::shown;
+use super::{Reader, Vocabulary};
 
 /// A line of the configuration.
 #[derive(Debug, Clone)]
@@ -237,6 +237,64 @@ pub(super) fn resolve(text: &[u8], line: &mut Line<'_>, declared: Option<Declare
     Some(OwnLine { place, effect })
 }
 
+/// Lines of the configuration that have a fixed place in a program, and those that have come.
+pub(crate) struct PlacedLines {
+    lines: Vec<PlacedLine>,
+    facts: Facts,
+    bare: Bare,
+}
+
+struct PlacedLine {
+    /// As in [`Vocabulary::own`].
+    text: Vec<u8>,
+    place: OwnPlace,
+    has_come: bool,
+}
+
+impl PlacedLines {
+    /// The lines of a vocabulary that every program must have. A comment is no block, and where no word of a line is without
+    /// a field, or no tool may follow, it may be left out.
+    pub(crate) fn of(mut vocabulary: Vocabulary) -> Self {
+        prepare(&mut vocabulary);
+        let facts = vocabulary.family.facts();
+        let number: &[u8] = if facts.form == Form::Statements { b"1 " } else { b"" };
+        let is_block = |text: &[u8]| {
+            let line = [number, text].concat();
+            Reader::new(&line[..], vocabulary.clone()).next_block().is_ok_and(|block| block.is_some())
+        };
+        let is_written = |text: &[u8]| {
+            let mut words = text.split(|byte| *byte == b' ');
+            words.any(|word| !word.contains(&b'{'))
+                && !text.windows(6).any(|field| field == b"{next}")
+                && is_block(text)
+        };
+        let placed = vocabulary.own.iter().filter(|own| own.place.key().is_some() && is_written(&own.text));
+        let lines =
+            placed.map(|own| PlacedLine { text: own.text.clone(), place: own.place, has_come: false }).collect();
+        Self { lines, facts, bare: Bare::default() }
+    }
+
+    /// Takes a line of the program.
+    pub(crate) fn note(&mut self, line: &[u8]) {
+        if self.lines.is_empty() {
+            return;
+        }
+        self.bare.forget();
+        let text = self.bare.text(line, &self.facts);
+        self.lines.iter_mut().filter(|own| matches(&own.text, text)).for_each(|own| own.has_come = true);
+    }
+
+    /// From now on none has come.
+    pub(crate) fn forget(&mut self) {
+        self.lines.iter_mut().for_each(|own| own.has_come = false);
+    }
+
+    /// Those that have not come.
+    pub(crate) fn missing(&self) -> impl Iterator<Item = (OwnPlace, String)> {
+        self.lines.iter().filter(|own| !own.has_come).map(|own| (own.place, shown(&own.text)))
+    }
+}
+
 /// Whether a line is a template with values for its fields. A word whose field has no value is left out.
 fn matches(template: &[u8], line: &[u8]) -> bool {
     if !template.contains(&b'{') {
@@ -290,7 +348,9 @@ fn fits(word: &[u8], text: &[u8]) -> bool {
 /// Whether a text can be the value of a field.
 fn is_value(field: &[u8], value: &[u8]) -> bool {
     match field {
-        b"tool" | b"next" | b"offset" | b"number" => value.iter().all(u8::is_ascii_digit),
+        // A tool may be called by its name.
+        b"tool" | b"next" => value.iter().all(|byte| byte.is_ascii_graphic() || *byte == b' '),
+        b"offset" | b"number" => value.iter().all(u8::is_ascii_digit),
         b"speed" | b"path_tolerance" => value.iter().all(|byte| byte.is_ascii_digit() || matches!(byte, b'.' | b'-')),
         b"units" | b"work_offset" => {
             value.iter().all(|byte| byte.is_ascii_alphanumeric() || matches!(byte, b'.' | b' '))

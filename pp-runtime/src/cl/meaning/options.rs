@@ -117,7 +117,8 @@ options! {
         insert: Insert = Insert::Refuse, key("cl.insert", OneOf(&Insert::NAMES));
         /// Treat INSERT/STOP as STOP.
         insert_stop: bool = false, key("cl.insert_stop", YesNo);
-        /// M codes that AUXFUN may output, and G codes that PREFUN may output.
+        /// M codes that AUXFUN may output, and G codes that PREFUN may output. As for the blocks of `words`, the effect of a
+        /// code that the control does not have itself is declared in `[control] effects`.
         auxfun: Vec<u32> = Vec::new(), key("cl.auxfun", ListOf(Whole(0..=LARGEST_CODE)));
         /// G codes that PREFUN may output.
         prefun: Vec<u32> = Vec::new(), also("cl.prefun", ListOf(Whole(0..=LARGEST_CODE)));

@@ -158,7 +158,10 @@ fn dangerous_words_are_refused_with_their_reason() {
 fn an_unknown_word_names_the_nearest_known_one() {
     let diagnostics = read_from(&b"GOTO/0,0,0\nGOTTO/1,2,3\nsfsdfsdf\n"[..], MM).diagnostics;
     assert_eq!(diagnostics[0].text, "`GOTTO` is not a known word of CL data");
-    assert_eq!(diagnostics[0].help.as_deref(), Some("did you mean GOTO?"));
+    assert_eq!(
+        diagnostics[0].help.as_deref(),
+        Some("did you mean GOTO? A statement of the shop gets its block in `[cl.words]`")
+    );
     assert_eq!(diagnostics[1].text, "`sfsdfsdf` is not a known word of CL data");
     assert!(!diagnostics[1].help.as_deref().unwrap().contains("mean"));
     assert_eq!(diagnostics.len(), 2);

@@ -219,6 +219,10 @@ impl<'a> Encoder<'a> {
                 out.set_smoothing(level);
                 Ok(())
             }
+            Step::OperationBlocks { at_end } => {
+                let program = &self.program;
+                out.configured_blocks(if at_end { &program.operation_end } else { &program.operation_start })
+            }
             Step::Raw { text } => out.raw(text),
         }
     }

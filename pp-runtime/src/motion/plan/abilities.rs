@@ -53,6 +53,17 @@ pub struct Abilities {
     pub plane: Option<PlaneAbility>,
     /// A program can stop where the control has tilted a plane with the rotary axes elsewhere.
     pub guards_planes: bool,
+    /// Blocks of the shop come at the start and at the end of each operation.
+    pub operation_blocks: OperationBlocks,
+}
+
+/// Places in an operation at which blocks of the shop come.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct OperationBlocks {
+    /// They come after the tool change, before spindle and approach.
+    pub at_start: bool,
+    /// They come after the machine retract.
+    pub at_end: bool,
 }
 
 impl Abilities {

@@ -49,7 +49,7 @@ use crate::motion::source::{Begins, ItemAction, LinePart, MotionIndex, Next, Pro
 use crate::motion::step::BlockReason;
 use crate::motion::step::Sink;
 
-pub use abilities::{Abilities, CutterRadius, Registers};
+pub use abilities::{Abilities, CutterRadius, OperationBlocks, Registers};
 pub use clamps::MovingAxes;
 pub(crate) use hole::hole_extent;
 pub use machining_time::{FastestRotation, OperationTime, Times};
@@ -85,6 +85,8 @@ pub struct Planner<'a, S> {
     usable: UsableModes,
     /// Largest feed of the operation, where one is set.
     feed_cap: Option<FeedCap>,
+    /// An operation has begun, and not ended.
+    in_operation: bool,
 }
 
 /// A motion, and the next one where the approach depends on it.
@@ -129,6 +131,7 @@ impl<'a, S: Sink> Planner<'a, S> {
             modes: ModeFollower::new(StretchModes::all(policy.options.mode_of_all().unwrap_or_default())),
             usable: UsableModes::default(),
             feed_cap: None,
+            in_operation: false,
         }
     }
 

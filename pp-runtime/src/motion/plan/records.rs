@@ -51,6 +51,9 @@ struct Records<'p, 'a, S> {
 
 impl<S: Sink> Records<'_, '_, S> {
     fn take(&mut self, event: &Event<'_>) -> Planned {
+        if self.between {
+            self.planner.end_operation()?;
+        }
         if matches!(event, Event::Stop | Event::OptionalStop | Event::Insert(_) | Event::Code { .. } | Event::Home) {
             kept_dwells(self.planner)?;
         }

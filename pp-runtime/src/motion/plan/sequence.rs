@@ -138,8 +138,9 @@ impl<S: Sink> Planner<'_, S> {
         self.mover.machine_retract()?;
         self.enter_mode()?;
         self.stop_spindle()?;
-        if let Some(tool) = wanted.or(self.tooling.current()) {
-            self.load_tool(tool, change)?;
+        match wanted.or(self.tooling.current()) {
+            Some(tool) => self.load_tool(tool, change)?,
+            None => self.start_operation()?,
         }
         self.apply_spindle(true)?;
         self.spindle.note_thread(false);
@@ -148,7 +149,39 @@ impl<S: Sink> Planner<'_, S> {
         self.approach(ahead, planned)
     }
 
-    /// Step 3 without the spindle.
+    /// The blocks of the shop at the start of an operation. They may leave every axis anywhere, and the spindle off.
+    fn start_operation(&mut self) -> Planned {
+        self.in_operation = true;
+        if !self.abilities.operation_blocks.at_start {
+            return Ok(());
+        }
+        self.mover.output_mut().step(&Step::OperationBlocks { at_end: false })?;
+        self.mover.position_mut().forget_retract();
+        self.spindle.reset();
+        self.coolant.forget();
+        self.mover.machine_retract()
+    }
+
+    /// The blocks of the shop at the end of the operation, if one has begun; the state of the machine is unknown after them.
+    pub(crate) fn end_operation(&mut self) -> Planned {
+        if !std::mem::take(&mut self.in_operation) || !self.abilities.operation_blocks.at_end {
+            return Ok(());
+        }
+        self.leave()?;
+        self.mover.output_mut().set_reason(BlockReason::End);
+        self.stop_coolant()?;
+        self.stop_spindle()?;
+        self.mover.output_mut().cancel_inverse_time()?;
+        self.mover.machine_retract()?;
+        self.mover.output_mut().step(&Step::OperationBlocks { at_end: true })?;
+        self.spindle.reset();
+        self.coolant.forget();
+        self.mover.position_mut().forget();
+        self.mover.output_mut().set_reason(BlockReason::Record);
+        Ok(())
+    }
+
+    /// Step 3 without the spindle, with the blocks of the shop.
     fn load_tool(&mut self, tool: LoadedTool, change: bool) -> Planned {
         self.tooling.load(tool, change);
         self.mover.set_gauge_length(tool.length_mm);
@@ -169,6 +202,7 @@ impl<S: Sink> Planner<'_, S> {
             self.spindle.reset();
             self.mover.machine_retract()?;
         }
+        self.start_operation()?;
         if self.mover.placer().gauge_line() {
             return Ok(());
         }
@@ -294,6 +328,7 @@ impl<S: Sink> Planner<'_, S> {
         self.cutter.check_end()?;
         records::kept_dwells(self)?;
         self.mover.output_mut().serve(at, BlockReason::LeadOut);
+        self.end_operation()?;
         self.leave()?;
         self.mover.output_mut().set_reason(BlockReason::End);
         self.stop_coolant()?;

@@ -216,6 +216,11 @@ pub enum Step<'a> {
         /// That of the operation; `None`: that of the configuration for the whole program.
         level: Option<Smoothing>,
     },
+    /// Blocks of the shop at the start or the end of an operation; after them the state of the machine is unknown.
+    OperationBlocks {
+        /// At its end.
+        at_end: bool,
+    },
     /// Block written unchanged; after it the state of the machine is unknown.
     Raw {
         /// Text of the block.
@@ -253,6 +258,8 @@ impl Step<'_> {
             Self::Message { .. } => "message",
             Self::WorkOffset { .. } => "work-offset",
             Self::Smoothing { .. } => "smoothing",
+            Self::OperationBlocks { at_end: false } => "operation-start",
+            Self::OperationBlocks { at_end: true } => "operation-end",
             Self::Raw { .. } => "insert",
         }
     }
