@@ -186,7 +186,7 @@ fn random(programs: &mut Vec<Posted>, count: usize, first: u64) {
             _ => &[Mode::Axes, Mode::Tcp, Mode::Plane, Mode::Auto],
         };
         let mode = modes[random.below(modes.len())];
-        let (config, needs) = set_up::set_up(random, kind, control, mode);
+        let (config, needs) = set_up::set_up(random, &mut Random::new(!seed), kind, control, mode);
         let cl = cl::program(random, needs);
         let title = format!("random {seed} {} {control} {}", kind.name, mode.name());
         let case = Case {
