@@ -26,8 +26,10 @@ mod explain;
 mod explain_block;
 mod inputs;
 mod kinematics;
+mod manual;
 mod map;
 mod messages;
+mod new;
 mod outcome;
 mod output_file;
 mod posting;
@@ -64,7 +66,8 @@ fn execute(
     mut streams: Streams<'_>,
     post: PostFn<'_>,
 ) -> Status {
-    let command = match args::parse(machine.name(), own, args) {
+    let definition = || args::definition(machine.name(), own, args);
+    let command = match args::parse(definition(), args) {
         Ok(cli) => cli.command,
         Err(error) => return print_usage(machine, &error, &mut streams),
     };
@@ -76,7 +79,12 @@ fn execute(
         Command::ExplainBlock(args) => args.set_up.message_format,
         #[cfg(feature = "simulate")]
         Command::Simulate(args) => args.format(),
-        Command::Config(_) | Command::Explain(_) | Command::Kinematics(_) => MessageFormat::Human,
+        Command::Config(_)
+        | Command::Explain(_)
+        | Command::Kinematics(_)
+        | Command::New(_)
+        | Command::Completions(_)
+        | Command::Man(_) => MessageFormat::Human,
     };
     let result = match command {
         Command::Post(args) => posting::run(machine, &args, &mut streams, post),
@@ -104,6 +112,9 @@ fn execute(
         Command::Explain(args) if args.cl => print(&mut streams, |out| cl::list_words(out)),
         Command::Explain(_) => print(&mut streams, |out| explain::text(machine, out)),
         Command::Kinematics(args) => kinematics::run(machine, &args, &mut streams),
+        Command::New(args) => new::run(&args, &mut streams),
+        Command::Completions(args) => manual::completions(definition(), args.shell, &mut streams),
+        Command::Man(args) => manual::pages(definition(), args.output.as_deref(), &mut streams),
     };
     result.unwrap_or_else(|failure| {
         if !matches!(failure, Failure::Reported) {

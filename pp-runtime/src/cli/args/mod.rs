@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 
 use clap::builder::PossibleValuesParser;
 use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand};
+use clap_complete::Shell;
 
 use crate::cl::Insert;
 use crate::config::Config;
@@ -53,6 +54,40 @@ pub(crate) enum Command {
     Explain(ExplainArgs),
     /// Write the kinematics of this machine for its control, as C, or as a sheet to compare with the control's parameters
     Kinematics(KinematicsArgs),
+    /// Make a folder with the postprocessor of another machine: declaration, configuration, sample and tests
+    New(NewArgs),
+    /// Print the completions of a shell for this command line
+    Completions(CompletionsArgs),
+    /// Print the manual page of this command line, for `man`
+    Man(ManArgs),
+}
+
+/// Arguments of `new`.
+#[derive(Debug, Args)]
+pub(crate) struct NewArgs {
+    /// Folder to make; its name is that of the postprocessor
+    #[arg(value_name = "FOLDER")]
+    pub(crate) folder: PathBuf,
+    /// Folder `pp-runtime` of a checkout on which the postprocessor depends. Without it the checkout from which this binary
+    /// was built, or the version of this binary from the registry
+    #[arg(long, value_name = "DIR")]
+    pub(crate) pp_runtime: Option<PathBuf>,
+}
+
+/// Arguments of `completions`.
+#[derive(Debug, Args)]
+pub(crate) struct CompletionsArgs {
+    /// Shell that reads them
+    #[arg(value_name = "SHELL")]
+    pub(crate) shell: Shell,
+}
+
+/// Arguments of `man`.
+#[derive(Debug, Args)]
+pub(crate) struct ManArgs {
+    /// Write the pages of all commands into this folder, instead of the page of the whole
+    #[arg(short, long, value_name = "FOLDER")]
+    pub(crate) output: Option<PathBuf>,
 }
 
 /// Arguments of `kinematics`.
@@ -578,9 +613,9 @@ impl SetUpArgs {
     }
 }
 
-/// Parses the command line. Help and errors call the command by the name of its file. `own`: controls besides those of this
-/// crate; the first is the default.
-pub(crate) fn parse(machine: &str, own: &[&'static dyn Control], args: &[OsString]) -> Result<Cli, clap::Error> {
+/// The command line of a machine. Help and errors call the command by the name of its file. `own`: controls besides those of
+/// this crate; the first is the default.
+pub(crate) fn definition(machine: &str, own: &[&'static dyn Control], args: &[OsString]) -> clap::Command {
     let stem =
         args.first().and_then(|name| Path::new(name).file_stem()).map(|stem| stem.to_string_lossy().into_owned());
     let name = stem.unwrap_or_else(|| machine.to_owned());
@@ -597,5 +632,10 @@ pub(crate) fn parse(machine: &str, own: &[&'static dyn Control], args: &[OsStrin
                 },
             );
     }
-    Cli::from_arg_matches(&command.try_get_matches_from(args)?)
+    command
+}
+
+/// Parses the arguments of a command line.
+pub(crate) fn parse(definition: clap::Command, args: &[OsString]) -> Result<Cli, clap::Error> {
+    Cli::from_arg_matches(&definition.try_get_matches_from(args)?)
 }
