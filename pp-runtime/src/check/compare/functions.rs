@@ -45,8 +45,8 @@ pub(super) struct FunctionState {
     /// Rotary axes that have moved since the approach, and those that were not clamped in a cut: bits.
     moved: u16,
     unclamped: u16,
-    /// The axes not clamped and moved in the cuts before a retract that may be a rewind.
-    interrupted: Option<(u16, u16)>,
+    /// The cuts before a retract that may be a rewind.
+    interrupted: Option<InterruptedCuts>,
 }
 
 impl FunctionState {
@@ -256,6 +256,9 @@ impl FunctionState {
         }
         // The control may rotate any of them.
         let moved = if block.action == Action::Orient { clamps } else { moved };
+        if let Some(interrupted) = &mut self.interrupted {
+            interrupted.rewound |= moved;
+        }
         let stuck = moved & clamps & !released;
         letter(rules, stuck).map(|letter| match state.clamped & stuck {
             0 => format!("{letter} moves, and its clamp has not been released"),
@@ -265,20 +268,21 @@ impl FunctionState {
 
     /// The cuts may go on after a rewind.
     pub(super) fn interrupt_cuts(&mut self) {
-        self.interrupted = Some((std::mem::take(&mut self.unclamped), std::mem::take(&mut self.moved)));
+        let (unclamped, moved) = (std::mem::take(&mut self.unclamped), std::mem::take(&mut self.moved));
+        self.interrupted = Some(InterruptedCuts { unclamped, moved, rewound: 0 });
         self.vector = None;
     }
 
     /// The cuts go on after a rewind.
     pub(super) fn resume_cuts(&mut self) {
-        let (unclamped, moved) = self.interrupted.take().unwrap_or_default();
+        let InterruptedCuts { unclamped, moved, rewound } = self.interrupted.take().unwrap_or_default();
         self.unclamped |= unclamped;
-        self.moved |= moved;
+        self.moved |= moved | rewound;
     }
 
     /// What is wrong with the clamps of cuts that did not go on.
     pub(super) fn end_of_interrupted(&mut self, rules: &Rules<'_>) -> Option<String> {
-        let (unclamped, moved) = self.interrupted.take()?;
+        let InterruptedCuts { unclamped, moved, .. } = self.interrupted.take()?;
         loose(rules, unclamped & !moved)
     }
 
@@ -287,6 +291,17 @@ impl FunctionState {
         self.vector = None;
         loose(rules, std::mem::take(&mut self.unclamped) & !std::mem::take(&mut self.moved))
     }
+}
+
+/// Rotary axes in the cuts before a retract that may be a rewind: bits.
+#[derive(Debug, Clone, Copy, Default)]
+struct InterruptedCuts {
+    /// Not clamped in a cut.
+    unclamped: u16,
+    /// Moved since the approach.
+    moved: u16,
+    /// Moved since the retract: if the cuts go on, by the rewind.
+    rewound: u16,
 }
 
 fn loose(rules: &Rules<'_>, bits: u16) -> Option<String> {

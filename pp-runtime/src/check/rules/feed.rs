@@ -49,7 +49,7 @@ pub(crate) struct Stroke {
     pub(crate) speed_rev_per_min: Option<f64>,
 }
 
-/// Largest ratio of a bound of the largest speed of an axis within a block to that speed.
+/// Largest ratio of the time of a block, where the speeds of axes within it are bounded, to the time that its slowest axis needs.
 const UNEVEN_BOUND: f64 = 1.015;
 
 /// Rules of F for one machine, control and set-up.
@@ -162,11 +162,7 @@ impl FeedLaw {
             let mut change = change.abs();
             if self.linear_bits & (1 << index) != 0 {
                 linear += change * change;
-                if let Some(uneven) = stroke.uneven {
-                    // A bound of the largest speed may exceed it.
-                    change = uneven[index] * if error > 0.0 { UNEVEN_BOUND } else { 1.0 };
-                }
-                change += error * self.unit_mm;
+                change = stroke.uneven.map_or(change, |uneven| uneven[index]) + error * self.unit_mm;
             } else if self.rotary_bits & (1 << index) != 0 {
                 degrees += change.to_degrees().powi(2);
                 rotation_rad = rotation_rad.max(change);
@@ -175,6 +171,9 @@ impl FeedLaw {
             if let Some(Some(speed)) = self.speeds.get(index) {
                 least_min = least_min.max(change / speed);
             }
+        }
+        if stroke.uneven.is_some() && error > 0.0 {
+            least_min *= UNEVEN_BOUND;
         }
         let linear_mm = linear.sqrt();
         let (length_mm, tip_rate_mm) = (stroke.length_mm, stroke.tip_rate_mm[0]);
