@@ -15,7 +15,7 @@ use crate::set_up::{LengthMode, ProgramZero};
 /// Newton steps of rotary axes to a near tool axis, and the distance at which they end, rad: a rotary axis whose rate is the tilt,
 /// as near the pole, is known to that over the tilt.
 const NEWTON_STEPS: u32 = 30;
-const ROTATED_TO: f64 = 1e-13;
+const ROTATED_TO: f64 = 1e-14;
 
 /// A step below which no nearer tool axis is reached, rad.
 const LEAST_STEP: f64 = 1e-9;
@@ -26,6 +26,9 @@ const UNREACHED: f64 = 0.1;
 /// Largest damping. It falls with the square of the distance that is left: so an axis that hardly rotates the tool is left alone
 /// while the tool has far to go, and near the pole the last steps converge all the same.
 const DAMPED: f64 = 1e-8;
+
+/// Smallest damping: at a tilt far below that of any tool vector, 1e-8 rad and less, the first axis is free, and its angle noise.
+const FREE: f64 = 1e-16;
 
 /// Words and axis values of one machine, set-up and tool, by position in the chain.
 #[derive(Debug, Clone)]
@@ -395,7 +398,7 @@ impl Words {
 
     /// Words nearest to `words` whose rotary axes give the tool this axis on the workpiece.
     ///
-    /// Newton's method with the smallest step (normal equations, damped by at most [`DAMPED`]): at the pole, where a rotary axis
+    /// Newton's method with the smallest step (normal equations, damped by [`FREE`] to [`DAMPED`]): at the pole, where a rotary axis
     /// does not rotate the tool, that axis is left alone. A step below `last_step_rad` is the last: the error after it is of
     /// the order of its square. `None` if it does not converge.
     pub(crate) fn rotated_to(
@@ -415,7 +418,7 @@ impl Words {
             let (first, second) = (rotary.next()?, rotary.next());
             let columns = [rates[first], second.map_or(Vector3::zeros(), |second| rates[second])];
             let jacobian = Matrix3x2::from_columns(&columns);
-            let damping = DAMPED.min(off.norm_squared());
+            let damping = DAMPED.min(off.norm_squared()).max(FREE);
             let normal = jacobian.tr_mul(&jacobian) + Matrix2::identity() * damping;
             let step = normal.try_inverse()? * jacobian.tr_mul(&off);
             if step.norm() < LEAST_STEP {

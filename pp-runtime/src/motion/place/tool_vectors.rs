@@ -82,15 +82,18 @@ impl Placer {
         .help("set `tcp_words = \"angles\"`, or a larger `axis_tolerance_path`, so that the motion can lead through the pole"))
     }
 
-    /// Pole to which these rotary words lead a pose near it, and the angle between the two, rad.
-    pub(crate) fn bend(&self, pose: &Pose, words: &RotaryWords) -> Option<(UnitVector3<f64>, f64)> {
+    /// Tool axis of a point at which a motion is divided, and its angle from that of the path, rad: that of the rotary words,
+    /// or the pole to which they lead. A limit holds for the words; the axis of the path may be beyond it by their rounding.
+    /// `None` where the axis of the path is right.
+    pub(crate) fn axis_where_divided(&self, pose: &Pose, words: &RotaryWords) -> Option<(UnitVector3<f64>, f64)> {
         let largest = self.largest_bend_rad.filter(|_| self.writes_vectors() && self.pole(&pose.axis).is_none())?;
         let reached = self.axis_at(words);
         let rounding = self.rotary.scale.angle(self.rotary.axes.len() as i64);
-        let pole = *self.poles.axes.iter().find(|pole| angle_between(pole, &reached) <= rounding)?;
-        let angle = angle_between(&pole, &pose.axis);
+        let off = |axis: &UnitVector3<f64>| angle_between(axis, &pose.axis);
         // The point of the path is found again from a rounded share of it.
-        (angle <= largest + rounding).then_some((pole, angle))
+        let leads_to = |pole: &&UnitVector3<f64>| angle_between(pole, &reached) <= rounding && off(pole) <= largest + rounding;
+        let axis = self.poles.axes.iter().find(leads_to).copied().unwrap_or(reached);
+        Some((axis, off(&axis)))
     }
 
     /// Whether a block rotates rotary axes by more than `angle_rad` although its tool vector does not change, so that

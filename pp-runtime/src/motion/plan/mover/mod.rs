@@ -113,11 +113,12 @@ impl<'a, S: Sink> Mover<'a, S> {
         }
     }
 
-    /// A pose of the motion at hand, led to the pole where its rotary words have the tool axis there.
+    /// A pose of the path at which the motion at hand is divided: where the control finds the rotary angles, the one of these
+    /// rotary words.
     pub(crate) fn bend(&mut self, pose: Pose, words: &RotaryWords) -> Pose {
-        let Some((pole, angle)) = self.placer.bend(&pose, words) else { return pose };
+        let Some((axis, angle)) = self.placer.axis_where_divided(&pose, words) else { return pose };
         self.bent_rad = self.bent_rad.max(angle);
-        Pose { axis: pole, ..pose }
+        Pose { axis, ..pose }
     }
 
     /// LINTOL: largest deviation of the tip from its path, mm.
