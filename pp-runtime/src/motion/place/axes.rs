@@ -155,8 +155,9 @@ impl LinearAxes {
 }
 
 impl Poles {
-    pub(crate) fn new(machine: &dyn AnyMachine, policy: Policy<'_>, rotaries: &[Rotary]) -> Self {
-        let tolerance_rad = policy.options.course.axis_tolerance_rad.max(REACH_TOLERANCE);
+    /// `least_rad`: smallest tolerance.
+    pub(crate) fn new(machine: &dyn AnyMachine, policy: Policy<'_>, rotaries: &[Rotary], least_rad: f64) -> Self {
+        let tolerance_rad = policy.options.course.axis_tolerance_rad.max(REACH_TOLERANCE).max(least_rad);
         Self { axes: poles(machine, rotaries), tolerance_rad }
     }
 }

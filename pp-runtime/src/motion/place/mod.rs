@@ -133,9 +133,12 @@ impl Placer {
         let head = rotaries_of(chain, Side::Tool).next().is_some();
         let rotary = RotaryAxes::new(chain, policy, &datum, &speeds, scale);
         let options = policy.options;
+        let largest_bend_rad = tool_vectors::largest_bend(policy, rotary.limited);
+        // A motion is led through a pole by a block there: words with the tool axis of the pole are at the pole.
+        let at_pole_rad = if largest_bend_rad.is_some() { 0.5 * scale.angle(1) } else { 0.0 };
         let mut placer = Self {
             part_origin: policy.set_up.part_origin.into(),
-            poles: Poles::new(&*machine, policy, &rotary.axes),
+            poles: Poles::new(&*machine, policy, &rotary.axes, at_pole_rad),
             linear: LinearAxes::new(&*machine, policy, units, head),
             speeds: AxisSpeeds {
                 timed: options.feed.keep_speeds && speeds.iter().any(Option::is_some),
@@ -149,7 +152,7 @@ impl Placer {
             head,
             gauge_line: policy.set_up.length_mode == LengthMode::Gauge,
             vectors: tool_vectors::has_vectors(policy),
-            largest_bend_rad: tool_vectors::largest_bend(policy, rotary.limited),
+            largest_bend_rad,
             even_rad: (options.tip.tool_posture == ToolPosture::Axes).then_some(options.axis_tolerance_path_rad),
             rotary,
             held: machine.held(),
