@@ -200,6 +200,11 @@ impl Tally {
         self.outcome.path_mm = self.outcome.path_mm.max(tip_mm);
     }
 
+    /// Largest deviation of the tip between the ends of a block so far, mm.
+    pub(super) fn largest_path_deviation(&self) -> f64 {
+        self.outcome.path_mm
+    }
+
     /// Largest deviation of the tip since the last call, mm; `None` if none has been measured.
     pub(super) fn take_deviation(&mut self, (tip_mm, path_mm): (f64, f64)) -> Option<f64> {
         let Outcome { tip_mm: tip, path_mm: path, .. } = &mut self.outcome;

@@ -1,5 +1,6 @@
 //! Programs that are written right, each of a kind whose check has to look twice.
 
+mod between;
 mod clear;
 mod order;
 mod poles;

@@ -11,7 +11,7 @@ use super::super::expect::{ClMotion, ExpectedAction, ExpectedItem, Required};
 use super::super::geometry::{PathShape, Segment, ToolPose, angle_between};
 use super::super::policy::RapidForm;
 use super::super::read::{Action, Block, CycleMove, MAX_AXES, Side};
-use super::super::rules::{BOTH, Deviation, LinkForm, ModalContext, StateFault};
+use super::super::rules::{BOTH, Deviation, DeviationBound, LinkForm, ModalContext, StateFault};
 use super::hole::{CycleComparison, is_over, pose_at, words_at};
 use super::phase::{Cutting, FinishedMotion, Leaving, Phase, RapidSteps, RetractedLength, RewindPoint, axis_roundings};
 use super::rapid::{RapidPart, RapidRules, is_on_line, rollover_travel};
@@ -83,6 +83,7 @@ impl<R: Read> Comparison<'_, R> {
             self.resume(cutting, current, &end)?;
         }
         cutting.here = Some(end);
+        self.arrived = Some(end);
         Ok(None)
     }
 
@@ -254,13 +255,13 @@ impl<R: Read> Comparison<'_, R> {
         }
         if at_feed == expects_feed && follows_path && known && !self.progress.is_lost() {
             let here = cutting.here.unwrap_or_else(|| self.rules.words().place(&self.previous.words, &block.state));
-            let deviation = self.compare_path(current, [&here, end], part);
+            let between = self.compare_path(current, ([&here, end], &on), part);
             if at_feed {
                 let along = match cutting.has_rested() {
                     true => self.rules.share_at(&part.segment, &here).min(part.share),
                     false => self.progress.along(),
                 };
-                self.compare_feed(current, part, ([&here, end], along), deviation.as_ref());
+                self.compare_feed(current, part, ([&here, end], along), between);
             }
         }
         self.end_rapid_steps(cutting, current);
@@ -332,20 +333,30 @@ impl<R: Read> Comparison<'_, R> {
         }
     }
 
-    /// Deviation from the path between the ends of a block, if it is measured.
-    fn compare_path(&mut self, current: &Current<'_>, ends: [&ToolPose; 2], part: &Part) -> Option<Deviation> {
+    /// Compares the path between the ends of a block; `on`: pose of the motion at its end.
+    fn compare_path(
+        &mut self,
+        current: &Current<'_>,
+        (ends, on): ([&ToolPose; 2], &ToolPose),
+        part: &Part,
+    ) -> BetweenEnds {
+        if let Some(bound) = self.small_deviation(current, (ends, on), part) {
+            return BetweenEnds::Within(bound);
+        }
         let path = self.rules.path(self.previous.words, current.block);
-        let deviation = self.rules.deviation(&path, ends, &part.segment, self.progress.along())?;
+        let along = self.progress.along();
+        let Some(deviation) = self.rules.deviation(&path, ends, &part.segment, along) else {
+            return BetweenEnds::Straight;
+        };
         self.tally.path_deviation(deviation.tip_mm);
-        let rounding = *self.rules.rounding();
-        let (tip, largest) = (deviation.tip_mm, part.required.tolerance_mm + rounding.tip_mm);
-        if tip > largest {
+        let (largest_mm, largest) = self.largest_between(part);
+        let tip = deviation.tip_mm;
+        if tip > largest_mm {
             let text =
-                format!("within this block the tip deviates from its path by {tip:.4} mm, allowed {largest:.4} mm");
+                format!("within this block the tip deviates from its path by {tip:.4} mm, allowed {largest_mm:.4} mm");
             self.found(current, &text);
         }
         let policy = self.rules.policy();
-        let largest = policy.tolerances.axis_path_rad + rounding.pole_rad;
         if deviation.axis_rad > largest && !policy.links.rewinds_in_cut {
             let (axis, largest) = (deviation.axis_rad.to_degrees(), largest.to_degrees());
             let text = format!(
@@ -355,7 +366,7 @@ impl<R: Read> Comparison<'_, R> {
         }
         // Where the tool axis rotates in the plane of its ends it is in step with the tip, within the tolerance of that.
         let length = part.segment.length();
-        let reach = if length > 0.0 { (part.required.tolerance_mm + rounding.tip_mm) / length } else { 1.0 };
+        let reach = if length > 0.0 { largest_mm / length } else { 1.0 };
         let lag = deviation.lag_rad - part.segment.turn() * reach;
         if lag > largest && deviation.axis_rad <= largest && !policy.links.rewinds_in_cut {
             let (lag, largest) = (lag.to_degrees(), largest.to_degrees());
@@ -364,7 +375,37 @@ impl<R: Read> Comparison<'_, R> {
             );
             self.found(current, &text);
         }
-        Some(deviation)
+        BetweenEnds::Measured(deviation)
+    }
+
+    /// Largest deviations of tip and tool axis from a motion between the ends of a block, mm and rad.
+    fn largest_between(&self, part: &Part) -> (f64, f64) {
+        let rounding = self.rules.rounding();
+        let axis_rad = self.rules.policy().tolerances.axis_path_rad + rounding.pole_rad;
+        (part.required.tolerance_mm + rounding.tip_mm, axis_rad)
+    }
+
+    /// Bounds of the deviation between the ends of a straight block, if they show that it is allowed, and no larger than the
+    /// largest so far: then nothing depends on its value.
+    fn small_deviation(
+        &self,
+        current: &Current<'_>,
+        (ends, on): ([&ToolPose; 2], &ToolPose),
+        part: &Part,
+    ) -> Option<DeviationBound> {
+        let block = current.block;
+        let straight = block.action == Action::Feed && matches!(part.segment.shape, PathShape::Line);
+        let by_axes = self.previous.pose.as_ref() == Some(ends[0]) && !self.rules.policy().words.axis_in_plane;
+        if !straight || !by_axes || block.state.has_frame() {
+            return None;
+        }
+        let along = self.progress.along();
+        let before = if along > 0.0 { part.segment.at(along).axis } else { part.segment.from.axis };
+        let path = self.rules.path(self.previous.words, block);
+        let bound = self.rules.deviation_bound(&path, ends, &part.segment, [&before, &on.axis])?;
+        let (tip_mm, axis_rad) = self.largest_between(part);
+        let small = bound.tip_mm <= tip_mm.min(self.tally.largest_path_deviation()) && bound.axis_rad <= axis_rad;
+        small.then_some(bound)
     }
 
     /// `ends`: poses before and after the block; `along`: share of the motion that was done before it.
@@ -373,7 +414,7 @@ impl<R: Read> Comparison<'_, R> {
         current: &Current<'_>,
         part: &Part,
         (ends, along): ([&ToolPose; 2], f64),
-        deviation: Option<&Deviation>,
+        between: BetweenEnds,
     ) {
         let (block, segment) = (current.block, &part.segment);
         let length = match segment.shape {
@@ -382,8 +423,19 @@ impl<R: Read> Comparison<'_, R> {
             _ if matches!(block.action, Action::Arc(_)) => (part.share - along) * segment.length(),
             _ => (segment.tip_at(part.share) - segment.tip_at(along)).norm(),
         };
-        let (words, lengths) = (&self.previous.words, (length, segment.length()));
-        let stroke = self.rules.stroke(words, block, lengths, deviation, part.feed, &part.required);
+        let (rules, words, lengths) = (&self.rules, &self.previous.words, (length, segment.length()));
+        let stroke = |deviation| rules.stroke(words, block, lengths, deviation, part.feed, &part.required);
+        let deviation = match between {
+            BetweenEnds::Straight => None,
+            BetweenEnds::Measured(deviation) => Some(deviation),
+            BetweenEnds::Within(bound) => {
+                if rules.is_feed_plainly_right(&stroke(None), &block.state, bound.tip_rate_mm, &part.required) {
+                    return;
+                }
+                rules.deviation(&rules.path(*words, block), ends, segment, self.progress.along())
+            }
+        };
+        let stroke = stroke(deviation.as_ref());
         let fault = self.rules.feed_fault(&stroke, &block.state, segment, [along, part.share]);
         self.found_any(current, fault);
     }
@@ -792,6 +844,15 @@ impl<R: Read> Comparison<'_, R> {
             self.progress.pass();
         }
     }
+}
+
+/// What is known of the deviation of a block from its motion between its ends.
+enum BetweenEnds {
+    /// Both are straight.
+    Straight,
+    /// Bounds that decide all but F.
+    Within(DeviationBound),
+    Measured(Deviation),
 }
 
 /// A part of a motion that a block carries out.

@@ -57,6 +57,8 @@ struct Comparison<'a, R> {
     travel: Travel,
     tally: Tally,
     previous: Previous,
+    /// Tip and tool axis after the block at hand, if it is one at the part.
+    arrived: Option<ToolPose>,
     start: StartState,
     functions: FunctionState,
     shop_lines: ShopLines,
@@ -72,7 +74,9 @@ struct Previous {
     words: [f64; MAX_AXES],
     /// Axes whose words are known: bits.
     known: u16,
-    /// Those whose words have had the same meaning since: bits.
+    /// Tip and tool axis of `words`, where these are axis positions at the part.
+    pose: Option<ToolPose>,
+    /// Axes whose words have had the same meaning since: bits.
     same_meaning: u16,
     /// Chords of the arcs by their angle since the words gave the position in their plane, in diameters.
     chords: f64,
@@ -117,6 +121,7 @@ impl<'a, R: Read> Checker<'a, R> {
             travel,
             rules,
             previous: Previous::default(),
+            arrived: None,
             start: StartState::default(),
             functions: FunctionState::default(),
             shop_lines: ShopLines::new(lines),
@@ -253,6 +258,7 @@ impl<R: Read> Comparison<'_, R> {
             self.travel.block(&self.rules, before, block, findings);
         }
         self.previous.words = block.values;
+        self.previous.pose = self.arrived.take().filter(|_| !block.state.has_frame());
         (self.previous.known, self.previous.same_meaning) = (block.known, block.known);
         Ok(next)
     }

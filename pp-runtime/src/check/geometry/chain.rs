@@ -19,6 +19,10 @@ struct Link {
     direction: Vector3<f64>,
     /// A point of the centre line, mm.
     point: Vector3<f64>,
+    /// Part of a vector along the direction, the rest of it, and that rest a quarter of a revolution on.
+    along: Matrix3<f64>,
+    across: Matrix3<f64>,
+    quarter: Matrix3<f64>,
 }
 
 /// The chain of a machine for one part and one tool.
@@ -33,6 +37,15 @@ pub(crate) struct Chain {
 pub(crate) struct ToolPose {
     pub(crate) tip: Vector3<f64>,
     pub(crate) axis: Vector3<f64>,
+}
+
+/// Bounds of a motion whose axis values change evenly, by the share of it that is done.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Swing {
+    /// Second derivative of the tip, mm.
+    pub(crate) bend_mm: f64,
+    /// Rotation of the tool axis, rad: that of all rotary axes together. Its square is the bound of the second derivative.
+    pub(crate) angle: f64,
 }
 
 /// Tip positions of a box of axis values.
@@ -76,11 +89,16 @@ impl Chain {
     pub(crate) fn of(machine: &dyn AnyMachine) -> Self {
         let link = |index: usize| {
             let joint = machine.joint(index);
+            let direction = joint.direction.into_inner() * joint.sign;
+            let along = direction * direction.transpose();
             Link {
                 rotary: machine.axes()[index].kind == AxisKind::Rotary,
                 workpiece: machine.axes()[index].side == Side::Workpiece,
-                direction: joint.direction.into_inner() * joint.sign,
+                direction,
                 point: joint.point.coords,
+                along,
+                across: Matrix3::identity() - along,
+                quarter: direction.cross_matrix(),
             }
         };
         Self { links: (0..machine.axes().len()).map(link).collect(), tool_axis: machine.tool_axis().into_inner() }
@@ -91,14 +109,39 @@ impl Chain {
         let (mut tip, mut axis) = (Vector3::zeros(), self.tool_axis);
         for (link, value) in self.links.iter().zip(values).rev() {
             if link.rotary {
-                let (sine, cosine) = value.sin_cos();
-                tip = link.point + link.rotated(tip - link.point, sine, cosine);
-                axis = link.rotated(axis, sine, cosine);
+                let rotation = link.rotation(*value);
+                tip = link.point + rotation * (tip - link.point);
+                axis = rotation * axis;
             } else {
                 tip += link.direction * *value;
             }
         }
         ToolPose { tip, axis }
+    }
+
+    /// Bounds of a motion to axis values, each of which changes evenly, by `change` in the whole motion, mm and rad.
+    ///
+    /// From the tool outwards, `r` being the tip in the frame of a link: a linear axis adds to its speed. A rotary axis leads the
+    /// arm `a = r - c` to `R a`, with the derivatives `ω n×Ra + R a'` and `ω² n×(n×Ra) + 2ω n×Ra' + R a''`. Arms are those at
+    /// the end of the motion, by their lengths where another axis rotates them, and no longer before it than by the speed.
+    pub(crate) fn swing(&self, values: &[f64; MAX_AXES], change: &[f64; MAX_AXES]) -> Swing {
+        // The tip from the last centre, and the length of what has been rotated about it.
+        let (mut arm, mut rotated_mm) = (Vector3::zeros(), 0.0);
+        let (mut step, mut speed_mm, mut bend_mm, mut angle) = (Vector3::zeros(), 0.0, 0.0, 0.0);
+        for ((link, value), change) in self.links.iter().zip(values).zip(change).rev() {
+            if !link.rotary {
+                (arm, step) = (arm + link.direction * *value, step + link.direction * *change);
+                continue;
+            }
+            let turn = change.abs();
+            let from_centre: Vector3<f64> = arm - link.point;
+            speed_mm += std::mem::take(&mut step).norm();
+            let lever_mm = link.direction.cross(&from_centre).norm() + rotated_mm + speed_mm;
+            (bend_mm, speed_mm) = (bend_mm + turn * (2.0 * speed_mm + turn * lever_mm), speed_mm + turn * lever_mm);
+            (arm, rotated_mm) = (link.point, rotated_mm + from_centre.norm());
+            angle += turn;
+        }
+        Swing { bend_mm, angle }
     }
 
     /// Tip positions of the axis values around `values`, each by `by` or less on its own, mm and rad.
@@ -113,12 +156,12 @@ impl Chain {
                 (tip, rates[index]) = (tip + link.direction * *value, link.direction);
                 continue;
             }
-            let (sine, cosine) = value.sin_cos();
-            let arm = link.rotated(tip - link.point, sine, cosine);
+            let rotation = link.rotation(*value);
+            let arm = rotation * (tip - link.point);
             let angle = by[index];
             let mut across_mm = 0.0;
             for nearer in index + 1..MAX_AXES {
-                rates[nearer] = link.rotated(rates[nearer], sine, cosine);
+                rates[nearer] = rotation * rates[nearer];
                 let added_mm = by[nearer] * link.direction.cross(&rates[nearer]).norm();
                 across_mm += added_mm;
                 bends_mm[nearer] += angle * added_mm;
@@ -136,10 +179,10 @@ impl Chain {
         for (index, (link, value)) in
             self.links.iter().zip(values).enumerate().rev().filter(|(_, (link, _))| link.rotary)
         {
-            let (sine, cosine) = value.sin_cos();
-            axis = link.rotated(axis, sine, cosine);
+            let rotation = link.rotation(*value);
+            axis = rotation * axis;
             for rate in &mut rates[index + 1..] {
-                *rate = link.rotated(*rate, sine, cosine);
+                *rate = rotation * *rate;
             }
             rates[index] = link.direction.cross(&axis);
         }
@@ -150,8 +193,7 @@ impl Chain {
     pub(crate) fn onto_workpiece(&self, point: Vector3<f64>, values: &[f64; MAX_AXES]) -> Vector3<f64> {
         let mut point = point;
         for (link, value) in self.links.iter().zip(values).rev().filter(|(link, _)| link.rotary && link.workpiece) {
-            let (sine, cosine) = value.sin_cos();
-            point = link.point + link.rotated(point - link.point, sine, cosine);
+            point = link.point + link.rotation(*value) * (point - link.point);
         }
         point
     }
@@ -171,10 +213,10 @@ impl Chain {
 }
 
 impl Link {
-    /// Rodrigues: the part along the direction stays, the rest turns.
-    fn rotated(&self, v: Vector3<f64>, sine: f64, cosine: f64) -> Vector3<f64> {
-        let along = self.direction * self.direction.dot(&v);
-        along + (v - along) * cosine + self.direction.cross(&v) * sine
+    /// Rodrigues: the part along the direction stays, the rest rotates.
+    fn rotation(&self, angle: f64) -> Matrix3<f64> {
+        let (sine, cosine) = angle.sin_cos();
+        self.along + self.across * cosine + self.quarter * sine
     }
 }
 
@@ -270,6 +312,42 @@ mod tests {
                 }
             }
             assert!(tightest > 0.7, "{tightest}");
+        }
+    }
+
+    #[test]
+    fn no_motion_bends_more_than_its_swing() {
+        let mut head = Head::default();
+        Machine::set_up(&mut head, Vector3::new(3.0, -4.0, 25.0), 120.0);
+        for chain in [Chain::of(&head), Chain::of(&Cb::default())] {
+            let mut tightest = [0.0_f64; 2];
+            for turn in 0..200 {
+                let at = 0.37 * f64::from(turn);
+                let scaled = |index: usize, value: f64| match chain.links.get(index) {
+                    Some(link) if link.rotary => 0.01 * value,
+                    Some(_) => value,
+                    None => 0.0,
+                };
+                let values: [f64; MAX_AXES] =
+                    std::array::from_fn(|index| scaled(index, 100.0 * (at + index as f64).sin()));
+                let change: [f64; MAX_AXES] =
+                    std::array::from_fn(|index| scaled(index, 20.0 * (at + 2.0 * index as f64).cos()));
+                let swing = chain.swing(&values, &change);
+                let place = |share: f64| {
+                    chain.place(&std::array::from_fn(|index| values[index] - change[index] * (1.0 - share)))
+                };
+                const STEP: f64 = 1e-3;
+                for point in 1..100 {
+                    let share = f64::from(point) / 100.0;
+                    let [a, b, c] = [-STEP, 0.0, STEP].map(|step| place(share + step));
+                    let tip = (a.tip - b.tip * 2.0 + c.tip).norm() / (STEP * STEP);
+                    let axis = (a.axis - b.axis * 2.0 + c.axis).norm() / (STEP * STEP);
+                    assert!(tip <= swing.bend_mm + 1e-5, "{turn} {share}: {tip} {swing:?}");
+                    assert!(axis <= swing.angle * swing.angle + 1e-7, "{turn} {share}: {axis} {swing:?}");
+                    tightest = [tightest[0].max(tip / swing.bend_mm), tightest[1].max(axis / swing.angle.powi(2))];
+                }
+            }
+            assert!(tightest.iter().all(|share| *share > 0.7), "{tightest:?}");
         }
     }
 

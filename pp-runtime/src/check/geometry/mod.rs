@@ -6,7 +6,7 @@ mod clearance;
 mod extrema;
 mod path;
 
-pub(super) use chain::{Chain, TipRegion, ToolPose};
+pub(super) use chain::{Chain, Swing, TipRegion, ToolPose};
 pub(super) use clearance::{depth_of_box, depth_of_line, distance_out, size};
 pub(super) use extrema::{Extent, PathPoint, Search};
 pub(crate) use path::angle_between;

@@ -73,7 +73,8 @@ pub(crate) struct FeedLaw {
     unit_mm: f64,
     /// One unit of a rotary word.
     unit_rad: f64,
-    decimals: u32,
+    /// Smallest F per minute: one unit of its last decimal.
+    smallest: f64,
     /// Significant digits of an inverse-time F.
     digits: u32,
     /// F applies to the tip path, whatever the axes do.
@@ -130,7 +131,7 @@ impl FeedLaw {
             reorient_rad_per_min: feed.reorient_rad_per_min,
             unit_mm: units.0,
             unit_rad: units.1,
-            decimals: policy.digits.feed,
+            smallest: 10_f64.powi(-(policy.digits.feed as i32)),
             digits: policy.digits.inverse_time,
             along_tip: policy.linear_of_all() == Some(LinearMeaning::TipCoordinates),
             per_mm: in_tenths / program.in_mm(),
@@ -215,10 +216,14 @@ impl FeedLaw {
         }
     }
 
+    /// Length of a tip path that is led evenly and takes the time of one with this largest speed, mm.
+    fn even_mm(&self, tip_rate_mm: f64) -> f64 {
+        (tip_rate_mm - ROUNDED_UNITS * self.unit_mm) / FASTER
+    }
+
     /// F of a motion at a feed of the tip, mm/min.
     fn value(&self, feed: f64, extent: &Extent) -> f64 {
-        let uneven_mm = (extent.tip_rate_mm - ROUNDED_UNITS * self.unit_mm) / FASTER;
-        let mut programmed = extent.length_mm.max(uneven_mm) / feed;
+        let mut programmed = extent.length_mm.max(self.even_mm(extent.tip_rate_mm)) / feed;
         if extent.length_mm < self.unit_mm {
             programmed = programmed.max(extent.rotation_rad / self.reorient_rad_per_min);
         }
@@ -229,7 +234,7 @@ impl FeedLaw {
         let needed = programmed.max(extent.least_min).max(counted / self.largest_mm_per_min);
         let minutes = needed.max(self.shortest_min);
         // A block that is held back for its shortest time alone has the smallest F at least.
-        let held = |value: f64| value.max(self.smallest().min(value * minutes / needed));
+        let held = |value: f64| value.max(self.smallest.min(value * minutes / needed));
         let counted = counted * if is_length { self.per_mm } else { 1.0 };
         if self.is_plain(extent) {
             let slowed = minutes > programmed * (1.0 + NOISE);
@@ -243,11 +248,6 @@ impl FeedLaw {
             (FeedMode::InverseTime, _) => (1.0 / minutes).min(self.largest_inverse_time),
             _ => held((counted / minutes).min(self.largest_word)),
         }
-    }
-
-    /// Smallest F per minute.
-    fn smallest(&self) -> f64 {
-        10_f64.powi(-(self.decimals as i32))
     }
 
     /// Time of a motion at the F in force, min; `None` without one.
@@ -273,8 +273,8 @@ impl FeedLaw {
     fn step(&self, mode: FeedMode, value: f64) -> f64 {
         match mode {
             // The last of its significant digits.
-            FeedMode::InverseTime => 10_f64.powi(value.abs().log10().floor() as i32 + 1 - self.digits as i32),
-            _ => 0.5 * 10_f64.powi(-(self.decimals as i32)),
+            FeedMode::InverseTime => 10_f64.powi(decade(value) + 1 - self.digits as i32),
+            _ => 0.5 * self.smallest,
         }
     }
 
@@ -294,6 +294,21 @@ impl FeedLaw {
         ((stroke.length_mm - error).max(0.0), (stroke.length_mm + error).min(stroke.longest_mm.max(stroke.length_mm)))
     }
 
+    /// The slowest and the fastest motion that rounded words may show, by all but their lengths.
+    fn slowest_and_fastest(&self, stroke: &Stroke, extent: &Extent) -> [Extent; 2] {
+        // Three words may be off by √3 units together, two rotary ones by √2.
+        let linear = if extent.linear_mm > 0.25 * self.unit_mm { 2.0 * self.unit_mm } else { 0.0 };
+        let rotary = if self.rotates(extent) { self.unit_rad } else { 0.0 };
+        [1.0, -1.0].map(|sign| Extent {
+            length_mm: stroke.length_mm,
+            tip_rate_mm: stroke.tip_rate_mm[usize::from(sign > 0.0)],
+            linear_mm: (extent.linear_mm - sign * linear).max(0.5 * linear),
+            rotary_deg: (extent.rotary_deg - sign * 1.5 * rotary.to_degrees()).max(0.0),
+            rotation_rad: (extent.rotation_rad + sign * rotary).max(rotary),
+            least_min: if self.needs_axes() { self.extent(stroke, sign).least_min } else { extent.least_min },
+        })
+    }
+
     /// Smallest and largest F of the paths that rounded words may show.
     fn bounds(&self, feed: f64, stroke: &Stroke, extent: &Extent) -> (f64, f64) {
         let (shortest, longest) = self.lengths(stroke, extent);
@@ -301,21 +316,35 @@ impl FeedLaw {
         let rests = self.unit_mm * (1.0 - NOISE);
         let lengths = [shortest, longest, rests, self.unit_mm];
         let lengths = lengths.into_iter().filter(|length| (shortest..=longest).contains(length));
-        // Three words may be off by √3 units together, two rotary ones by √2.
-        let linear = if extent.linear_mm > 0.25 * self.unit_mm { 2.0 * self.unit_mm } else { 0.0 };
-        let rotary = if self.rotates(extent) { self.unit_rad } else { 0.0 };
-        let ends = [1.0, -1.0].map(|sign| Extent {
-            length_mm: stroke.length_mm,
-            tip_rate_mm: stroke.tip_rate_mm[usize::from(sign > 0.0)],
-            linear_mm: (extent.linear_mm - sign * linear).max(0.5 * linear),
-            rotary_deg: (extent.rotary_deg - sign * 1.5 * rotary.to_degrees()).max(0.0),
-            rotation_rad: (extent.rotation_rad + sign * rotary).max(rotary),
-            least_min: self.extent(stroke, sign).least_min,
-        });
+        let ends = self.slowest_and_fastest(stroke, extent);
         lengths.fold((f64::INFINITY, 0.0), |(low, high), length_mm| {
             let [slow, fast] = ends.map(|end| self.value(feed, &Extent { length_mm, ..end }));
             (low.min(slow), high.max(fast))
         })
+    }
+
+    /// Whether a written F is between two values of F, but for its rounding.
+    fn is_between(&self, written: f64, mode: FeedMode, low: f64, high: f64) -> bool {
+        let noise = high * NOISE + self.step(mode, high);
+        (low - noise..=high + noise).contains(&written)
+    }
+
+    /// Whether F is between that of the longest path and that of the shortest, which are two of [`bounds`](Self::bounds): then
+    /// it is right. `tip_rate_mm`: largest lower bound of the speed of the tip times the time of the block; where it may lengthen
+    /// the time nothing is decided.
+    pub(crate) fn is_plainly_right(&self, stroke: &Stroke, state: &State, tip_rate_mm: f64) -> bool {
+        let (Some(programmed), Some(written)) = (Self::programmed(stroke), state.feed) else { return false };
+        let extent = self.extent(stroke, 0.0);
+        let mode = self.mode(&extent);
+        let (shortest, longest) = self.lengths(stroke, &extent);
+        if state.feed_mode != Some(mode) || self.even_mm(tip_rate_mm) > shortest {
+            return false;
+        }
+        let [slowest, fastest] = self.slowest_and_fastest(stroke, &extent);
+        let low = self.value(programmed, &Extent { length_mm: longest, ..slowest });
+        let high = self.value(programmed, &Extent { length_mm: shortest, ..fastest });
+        let within = mode != FeedMode::InverseTime || written <= self.largest_inverse_time;
+        within && self.is_between(written, mode, low, high)
     }
 
     /// Whether the tip may rest, as far as rounded ends show.
@@ -384,19 +413,15 @@ impl FeedLaw {
         let extent = self.extent(stroke, 0.0);
         let (mode, expected) = (self.mode(&extent), self.value(programmed, &extent));
         if let (Some(written), true) = (state.feed, state.feed_mode == Some(mode)) {
-            let suits = |low: f64, high: f64| {
-                let noise = high * NOISE + self.step(mode, high);
-                (low - noise..=high + noise).contains(&written)
-            };
             if mode == FeedMode::InverseTime && written > self.largest_inverse_time * (1.0 + NOISE) {
                 let largest = self.largest_inverse_time;
                 return Some(format!("F is {written} in inverse time, allowed at most {largest}"));
             }
-            if suits(expected, expected) {
+            if self.is_between(written, mode, expected, expected) {
                 return None;
             }
             let (low, high) = self.bounds(programmed, stroke, &extent);
-            if suits(low, high) {
+            if self.is_between(written, mode, low, high) {
                 return None;
             }
         }
@@ -412,6 +437,14 @@ impl FeedLaw {
             Some(written) => format!("F is {written} {unit}, expected {expected:.6}"),
         })
     }
+}
+
+/// The largest power of ten, as its exponent, that is not above a number.
+fn decade(value: f64) -> i32 {
+    // 0.30103 is log10(2); the binary exponent alone may be one decade short.
+    let binary = (value.abs().to_bits() >> 52) as i32 - 1023;
+    let below = (f64::from(binary) * std::f64::consts::LOG10_2).floor() as i32;
+    if value.abs() >= 10_f64.powi(below + 1) { below + 1 } else { below }
 }
 
 /// Whether the linear axes are perpendicular to each other: the path of the words is as long as that of the tip.
@@ -443,7 +476,7 @@ mod tests {
             reorient_rad_per_min: 1800_f64.to_radians(),
             unit_mm: 0.01,
             unit_rad: 1e-3_f64.to_radians(),
-            decimals: 2,
+            smallest: 0.01,
             digits: 6,
             along_tip: false,
             per_mm: 1.0,
@@ -471,6 +504,16 @@ mod tests {
         assert_eq!(feeds.map(|feed| passes(&law, &seen, FeedMode::PerMinute, feed)), [true, true, false, false]);
         // Nothing holds back a longer one.
         assert!(!passes(&law, &stroke(0.2, 0.0, 598.39), FeedMode::PerMinute, 591.13));
+    }
+
+    #[test]
+    fn the_decade_of_a_number_is_that_of_its_first_digit() {
+        for exponent in -20..20 {
+            for digit in [1.0, 1.000_000_1, 2.0, 4.999, 8.0, 9.999_999] {
+                let value: f64 = format!("{digit}e{exponent}").parse().expect("a number");
+                assert_eq!(decade(value), exponent, "{value}");
+            }
+        }
     }
 
     #[test]

@@ -67,6 +67,15 @@ pub(crate) struct Deviation {
     pub(crate) tip_rate_mm: f64,
 }
 
+/// Bounds of the deviation of a block from its motion, between its ends, from the rates of its axes alone.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct DeviationBound {
+    pub(crate) tip_mm: f64,
+    pub(crate) axis_rad: f64,
+    /// Largest speed of the tip times the time of the block, mm.
+    pub(crate) tip_rate_mm: f64,
+}
+
 /// Largest speed of a tip or an axis that is followed from point to point, as steps from one to the next.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct FastestStep<const N: usize> {
@@ -325,6 +334,48 @@ impl Rules<'_> {
         let corner = if step.dot(&segment.to.axis) > 0.0 { here.tip + along } else { segment.to.tip - along };
         let largest = (1.0 + drift(arrival.chords)) * self.rounding.tip_mm;
         ((end.tip - corner).norm() <= largest).then_some(0.0)
+    }
+
+    /// Bounds of [`deviation`](Self::deviation) for a block whose words are axis positions, on a straight motion; `None` where its
+    /// points are not beside the motion but beyond an end of it. `ends`: poses before and after the block; `on`: tool axes of the
+    /// motion near to them.
+    ///
+    /// A point that moves from 0 to 1 with a second derivative `b` is never farther than `b/8` from its chord, and no faster than
+    /// the chord by more than `b/2`; the parabola through three steps of a quarter at most adds `7/24 b` to that. Along the chord
+    /// the distance from a line is largest at the first or the last point that is compared. Angles are at most `π/2` chords of
+    /// unit vectors.
+    pub(crate) fn deviation_bound(
+        &self,
+        path: &BlockPath<'_>,
+        ends: [&ToolPose; 2],
+        segment: &Segment,
+        on: [&Vector3<f64>; 2],
+    ) -> Option<DeviationBound> {
+        let swing = self.words.swing(&path.before, &path.block.values);
+        let bent_mm = swing.bend_mm / 8.0;
+        let line = segment.to.tip - segment.from.tip;
+        let length = line.norm();
+        let (direction, chord) = (line / length, ends[1].tip - ends[0].tip);
+        let first = 1.0 / (points(swing.angle) + 1.0);
+        let mut tip_mm = 0.0_f64;
+        for share in [first, 1.0 - first] {
+            let from = ends[0].tip + chord * share - segment.from.tip;
+            let along = from.dot(&direction);
+            if !(bent_mm..=length - bent_mm).contains(&along) {
+                return None;
+            }
+            tip_mm = tip_mm.max((from - direction * along).norm());
+        }
+        let axis = [0, 1].map(|end| (ends[end].axis - on[end]).norm());
+        let axis = axis[0].max(axis[1]);
+        // The tool axis leaves its chord, and the motion that of the axes on it.
+        let turn = FRAC_PI_2 * (swing.angle + 2.0 * axis);
+        let bent_rad = (swing.angle * swing.angle + turn * turn) / 8.0;
+        Some(DeviationBound {
+            tip_mm: tip_mm + bent_mm,
+            axis_rad: FRAC_PI_2 * (axis + bent_rad),
+            tip_rate_mm: chord.norm() + (0.5 + 7.0 / 24.0) * swing.bend_mm,
+        })
     }
 
     /// Deviation of a block from its motion between its ends; `None` where words and motion are straight. `ends`: poses before

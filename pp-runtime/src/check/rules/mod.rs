@@ -22,7 +22,7 @@ use super::policy::{CheckPolicy, LinearMeaning, RapidForm};
 use super::read::{Action, Block, Facts, MAX_AXES, OwnPlace, State, TipControl, WorkOffset};
 pub(super) use feed::{FeedLaw, Stroke};
 use fit::FastestStep;
-pub(super) use fit::{Arrival, BOTH, BlockPath, Deviation, SHARE, chord, sweep};
+pub(super) use fit::{Arrival, BOTH, BlockPath, Deviation, DeviationBound, SHARE, chord, sweep};
 pub(super) use state::{FrameUse, ModalContext, StateFault, fault_at_end, tool_name};
 pub(super) use words::Words;
 
@@ -330,13 +330,23 @@ impl<'a> Rules<'a> {
         let rests = tip && length_mm < 0.5 * self.rounding.unit_mm && self.words.xyz().into_iter().all(same);
         let longest_mm = if rests { 0.0 } else { longest_mm };
         let change = std::array::from_fn(|index| to[index] - from[index]);
-        // Points between are followed to a part of the tolerance; a bound of the speed may exceed it by more.
-        let tolerances = [-0.25, 1.0].map(|share| share * required.tolerance_mm);
         let rate_mm = deviation.map_or(0.0, |found| found.tip_rate_mm);
-        let tip_rate_mm = if rate_mm > 0.0 { tolerances.map(|more| rate_mm + more) } else { [0.0; 2] };
+        let tip_rate_mm = if rate_mm > 0.0 { tip_rates(rate_mm, required) } else { [0.0; 2] };
         let speed_rev_per_min = required.spindle.map(|(speed, _)| speed);
         let uneven = self.uneven(before, block);
         Stroke { length_mm, longest_mm, tip_rate_mm, change, uneven, feed, speed_rev_per_min }
+    }
+
+    /// Whether F of a block that goes along a motion is right whatever the speed of the tip, up to a bound of it times the time of
+    /// the block; `false` where that is not decided. The tip of `stroke` is led evenly.
+    pub(super) fn is_feed_plainly_right(
+        &self,
+        stroke: &Stroke,
+        state: &State,
+        largest_rate_mm: f64,
+        required: &Required,
+    ) -> bool {
+        state.vector.is_none() && self.law.is_plainly_right(stroke, state, tip_rates(largest_rate_mm, required)[0])
     }
 
     /// Largest speeds of the axes in a block under tip control that rotates, times its time, by the axis values at many places
@@ -462,6 +472,12 @@ impl<'a> Rules<'a> {
             || form == LinkForm::Feed && at_feed
             || form == LinkForm::Rapids && block.action == Action::Rapid
     }
+}
+
+/// Bounds of the largest speed of the tip times the time of a block, mm, from that of a few points. They are followed to a part
+/// of the tolerance; a bound of the speed may exceed it by more.
+fn tip_rates(rate_mm: f64, required: &Required) -> [f64; 2] {
+    [-0.25, 1.0].map(|share| rate_mm + share * required.tolerance_mm)
 }
 
 /// Rotation between two places at which the axis values are compared, rad.

@@ -6,7 +6,7 @@
 
 use nalgebra::{Matrix2, Matrix3, Matrix3x2, Vector3};
 
-use super::super::geometry::{Chain, ToolPose};
+use super::super::geometry::{Chain, Swing, ToolPose};
 use super::super::policy::{CheckPolicy, TipFrame};
 use super::super::read::{MAX_AXES, State, TipControl};
 use crate::kinematics::{AnyMachine, AxisKind};
@@ -44,6 +44,9 @@ pub(crate) struct Words {
     offset_rad: [f64; MAX_AXES],
     /// Values of held axes, mm and rad.
     held: [f64; MAX_AXES],
+    /// Axis values are words times the first plus the second: 1 for solved axes, 0 for the others.
+    counts: [f64; MAX_AXES],
+    added: [f64; MAX_AXES],
     /// Tool axis with all axes at zero.
     tool_axis: Vector3<f64>,
     gauge_length_mm: f64,
@@ -96,6 +99,8 @@ impl Words {
             gauge_line: set_up.length_mode == LengthMode::Gauge,
             offset_rad: [0.0; MAX_AXES],
             held: [0.0; MAX_AXES],
+            counts: [0.0; MAX_AXES],
+            added: [0.0; MAX_AXES],
             gauge_length_mm: 0.0,
             tip_frame: policy.words.tip_frame,
             part_origin: set_up.part_origin.into(),
@@ -113,6 +118,7 @@ impl Words {
             words.offset_rad[index] = set_up.rotary_offset.get(&axis.letter).copied().unwrap_or(0.0);
             words.held[index] = held[index];
         }
+        words.take_offsets();
         words
     }
 
@@ -165,6 +171,7 @@ impl Words {
             machine.set_up(self.part_origin, gauge_length_mm);
             self.chain = Chain::of(machine);
             self.gauge_length_mm = gauge_length_mm;
+            self.take_offsets();
         }
         differs
     }
@@ -181,6 +188,7 @@ impl Words {
             self.zero_mm = self.along(&origin);
         }
         self.moved_mm = self.along(&(origin - self.first_origin));
+        self.take_offsets();
     }
 
     /// Position of the part zero from the reference point of the table, mm.
@@ -190,17 +198,22 @@ impl Words {
 
     /// Axis values for words, mm and rad.
     pub(crate) fn values(&self, words: &[f64; MAX_AXES]) -> [f64; MAX_AXES] {
+        std::array::from_fn(|index| self.counts[index] * words[index] + self.added[index])
+    }
+
+    /// Takes tool and part into the axis values of words.
+    fn take_offsets(&mut self) {
         let length = if self.gauge_line { self.gauge_length_mm } else { 0.0 };
-        std::array::from_fn(|index| {
+        for index in 0..MAX_AXES {
             let bit = 1 << index;
-            if self.axes.linear_bits & bit != 0 {
-                words[index] - self.zero_mm[index] - length * self.gauge_share[index]
+            (self.counts[index], self.added[index]) = if self.axes.linear_bits & bit != 0 {
+                (1.0, -self.zero_mm[index] - length * self.gauge_share[index])
             } else if self.axes.rotary_bits & bit != 0 {
-                words[index] + self.offset_rad[index]
+                (1.0, self.offset_rad[index])
             } else {
-                self.held[index]
-            }
-        })
+                (0.0, self.held[index])
+            };
+        }
     }
 
     /// Machine coordinate of a linear axis less its value and `machine_zero`, mm: the share of the gauge length, and the
@@ -389,6 +402,12 @@ impl Words {
     /// The chain with the part and the tool at hand.
     pub(crate) fn chain(&self) -> &Chain {
         &self.chain
+    }
+
+    /// Bounds of a straight motion of words that are axis positions.
+    pub(crate) fn swing(&self, from: &[f64; MAX_AXES], to: &[f64; MAX_AXES]) -> Swing {
+        let (from, to) = (self.values(from), self.values(to));
+        self.chain.swing(&to, &std::array::from_fn(|index| to[index] - from[index]))
     }
 
     /// Tool axis on the workpiece of known rotary words.
