@@ -191,6 +191,19 @@ pub enum RapidForm {
     Feed,
 }
 
+/// Form of the machine retract.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RetractRule {
+    /// To a machine coordinate.
+    MachineCoordinate,
+    /// To the reference position, through no other point.
+    ReferencePosition,
+    /// Along the tool axis to the end of the travel; to a machine coordinate before the first tool.
+    AlongTool,
+    /// By this number of blocks of the shop.
+    OwnBlocks(usize),
+}
+
 /// Motion between cuts.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LinkPolicy {
@@ -206,6 +219,10 @@ pub struct LinkPolicy {
     pub index_angle_rad: f64,
     /// Coordinate of the retract axis at the machine retract, mm.
     pub retract_mm: f64,
+    /// Form of the machine retract.
+    pub retract: RetractRule,
+    /// Home positions of the other linear axes, machine coordinates, to which they go before the rotary axes rotate.
+    pub home_mm: Option<BTreeMap<char, f64>>,
     /// Length of the retract along the tool axis, mm; without it out of the clearance geometry.
     pub retract_distance_mm: Option<f64>,
     /// Clearance geometry, until the CL data programs one.

@@ -11,6 +11,7 @@ use crate::program::Location;
 #[cfg(feature = "simulate")]
 use super::geometry::angle_between;
 use super::geometry::{PathShape, Segment, ToolPose};
+use super::policy::RetractRule;
 #[cfg(feature = "simulate")]
 use super::policy::TipFrame;
 use super::read::{Action, ArcMove, Block, CycleKind, CycleMove, FeedMode, MAX_AXES, State, TipControl};
@@ -101,6 +102,30 @@ impl ExecutedBlock<'_> {
         match words.axes(&block.values, &block.state) {
             Some(values) if block.known & solved == solved => (values, !0),
             _ => (values, block.known & given | !solved),
+        }
+    }
+
+    /// Machine coordinates to which the axes of `written` move, mm and rad; `None` where they do not move to positions of the
+    /// machine, or these are unknown. The reference position and the end of the travel are where the configuration has them.
+    #[must_use]
+    pub fn machine_values(&self) -> Option<[f64; MAX_AXES]> {
+        let links = &self.rules.policy().links;
+        let (retract, axes) = (self.rules.words().retract(), self.rules.axes());
+        let home = |index: usize| match index == retract {
+            true => Some(links.retract_mm),
+            false => links.home_mm.as_ref()?.get(&axes.get(index)?.letter).copied(),
+        };
+        match (self.block.action, links.retract) {
+            (Action::Machine, _) => Some(self.block.values),
+            (Action::Reference { direct: true }, RetractRule::ReferencePosition)
+            | (Action::EndOfTravel, RetractRule::AlongTool) => {
+                let mut values = self.block.values;
+                for index in (0..MAX_AXES).filter(|index| self.block.written & (1 << index) != 0) {
+                    values[index] = home(index)?;
+                }
+                Some(values)
+            }
+            _ => None,
         }
     }
 
@@ -198,7 +223,8 @@ impl ExecutedBlock<'_> {
             }
             Action::Nothing
             | Action::Machine
-            | Action::Reference
+            | Action::Reference { .. }
+            | Action::EndOfTravel
             | Action::Orient
             | Action::Dwell(_)
             | Action::ToolChange

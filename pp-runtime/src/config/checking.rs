@@ -2,13 +2,13 @@
 
 use crate::check::policy::{
     CheckPolicy, Digits, FeedPath, FeedPolicy, LinearMeaning, LinkPolicy, OperationRule, OperationSelection, RapidForm,
-    RolloverRule, RuledOperation, ShopBlocks, ShopLine, SmoothingLevel, StateDefaults, TipFrame, Tolerances,
-    WordPolicy,
+    RetractRule, RolloverRule, RuledOperation, ShopBlocks, ShopLine, SmoothingLevel, StateDefaults, TipFrame,
+    Tolerances, WordPolicy,
 };
 use crate::check::read::{Effect, Family, OwnPlace, coolant};
 use crate::cl::ReadingOptions;
-use crate::control::{self, Control, LineEffect};
-use crate::kinematics::{AnyMachine, Machine, Side};
+use crate::control::{self, Control, LineEffect, RetractForm, Spellings};
+use crate::kinematics::{AnyMachine, AxisKind, Machine, Side};
 use crate::motion::{
     CutterPath, Links, Mode, OperationChoice, OperationEntry, Operations, PathNorm, Rapid, Rewind, Smoothing,
     StretchMode, TcpFrame, TcpWords, ToolPosture, Transition, Wrap, rotaries_of,
@@ -65,7 +65,7 @@ impl Config {
             words: self.word_policy(),
             digits: self.digits(),
             tolerances: self.tolerances(),
-            links: self.link_policy(),
+            links: self.link_policy(machine, control.spellings()),
             feed: self.feed_policy(),
             defaults: self.state_defaults(),
             selection: self.motion.selected.as_ref().map(|operations| match operations {
@@ -123,8 +123,8 @@ impl Config {
         }
     }
 
-    fn link_policy(&self) -> LinkPolicy {
-        let motion = &self.motion;
+    fn link_policy(&self, machine: &dyn AnyMachine, codes: &Spellings) -> LinkPolicy {
+        let (motion, control) = (&self.motion, &self.control);
         LinkPolicy {
             rapid: match motion.rapids.rapid {
                 Rapid::Direct => RapidForm::OneBlock,
@@ -136,6 +136,16 @@ impl Config {
             direct: motion.rapids.transition == Transition::Direct,
             index_angle_rad: motion.rapids.index_angle_rad,
             retract_mm: motion.retract.position_mm(),
+            retract: match (control.retract_form(codes), control.own_retract()) {
+                (_, Some(blocks)) => RetractRule::OwnBlocks(blocks.len()),
+                (Some(RetractForm::ReferencePosition { .. }), None) => RetractRule::ReferencePosition,
+                (Some(RetractForm::AlongTool { .. }), None) => RetractRule::AlongTool,
+                (Some(RetractForm::MachineCoordinate) | None, None) => RetractRule::MachineCoordinate,
+            },
+            home_mm: motion.retract.home_on_indexing.then(|| {
+                let others = machine.axes().iter().filter(|axis| axis.kind == AxisKind::Linear && !axis.held);
+                others.map(|axis| (axis.letter, motion.retract.home_mm(axis.letter))).collect()
+            }),
             retract_distance_mm: motion.retract.distance_mm,
             clearance: motion.retract.clearance,
             rewinds_in_cut: motion.retract.rewind == Rewind::Follow,
@@ -227,6 +237,9 @@ impl Config {
         control.program.operation_end.iter().for_each(|line| add(line, OwnPlace::OperationEnd, None));
         control.safety.iter().flatten().for_each(|line| add(line, OwnPlace::Safety, None));
         control.tool_change.iter().flatten().for_each(|line| add(line, OwnPlace::ToolChange, None));
+        for (index, line) in control.own_retract().into_iter().flatten().enumerate() {
+            add(line, OwnPlace::Retract { index }, None);
+        }
         for (letter, codes) in &self.motion.rotaries.clamp {
             if let Some(axis) = machine.axes().iter().position(|axis| axis.letter == *letter) {
                 add(&codes.on, OwnPlace::Clamp { axis, on: true }, None);

@@ -157,7 +157,8 @@ fn an_unknown_key_without_a_near_one_lists_what_is_known() {
     assert_eq!(
         faults("[retract]\nspeed = 3\n"),
         [
-            "2:1: unknown key `retract.speed` | known keys are `position`, `distance`, `clearance`, `rewind`, `rewind_dry`"
+            "2:1: unknown key `retract.speed` | known keys are `position`, `home_on_indexing`, `xy`, `distance`, `clearance`, \
+         `rewind`, `rewind_dry`, `method`"
         ]
     );
 }
@@ -322,10 +323,7 @@ fn dimensions_and_part_origin_reach_the_machine() {
 
 #[test]
 fn an_axis_cannot_be_parked_outside_its_travel() {
-    assert_eq!(
-        faults("[park]\nB = 111\n"),
-        ["2:5: B cannot be parked there: its travel is -5.0000 to 110.0000 degrees"]
-    );
+    assert_eq!(faults("[park]\nB = 111\n"), ["2:5: B cannot be there: its travel is -5.0000 to 110.0000 degrees"]);
     read("park = { B = 110 }\n");
     read("park = { B = 111 }\nlimits = { B = [-5, 120] }\n");
 }

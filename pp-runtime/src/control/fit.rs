@@ -1,6 +1,7 @@
 //! Fit of a configuration to a control: settings that the control does not support, and the functions that the planner
 //! may use (the [`Abilities`] of `motion`).
 
+use crate::keys::list;
 use crate::kinematics::{AnyMachine, Side};
 use crate::motion::{
     self, Abilities, CutterRadius, CycleAbilities, OperationBlocks, PathNorm, PlaneAbility, Registers, Smoothing,
@@ -10,10 +11,10 @@ use crate::program::{Coolant, Pressure, Units};
 use crate::set_up::LengthMode;
 
 use super::dialects::{
-    ArcCentre, Control, CycleCodes, CycleForm, LengthCall, LinearRapids, PlaneGuard, RadiusGuard, Spellings,
-    ThreadCodes, TipControlCodes, coolant_index,
+    ArcCentre, Control, CycleCodes, CycleForm, LengthCall, LinearRapids, PlaneGuard, RadiusGuard, RetractForm,
+    Spellings, ThreadCodes, TipControlCodes, coolant_index,
 };
-use super::options::{ControlFunction, Demands};
+use super::options::{ControlFunction, Demands, RetractMethod};
 
 /// Largest number of characters of a tool name.
 const LONGEST_TOOL_NAME: usize = 32;
@@ -134,6 +135,7 @@ fn unsupported(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
             "no setting of {title} takes the place of the word of the tool posture: leave `control.posture_word` out"
         ));
     }
+    faults.extend(unsupported_retract(codes, options.retract_method.as_ref()));
     let inverse = matches!(options.path_norm, Some(PathNorm::G93Minutes | PathNorm::G93Seconds));
     if inverse && codes.inverse_time.is_none() {
         faults.push(format!("{title} has no inverse-time feed: set `control.path_norm` to \"xyz\" or \"xyz+deg\""));
@@ -153,6 +155,7 @@ fn unsupported(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
     }
     let blocks = [&program.start, &program.end, &program.operation_start, &program.operation_end]
         .into_iter()
+        .chain(options.own_retract())
         .chain(&options.tool_change)
         .chain(&options.safety)
         .flatten();
@@ -163,6 +166,30 @@ fn unsupported(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
         ));
     }
     faults
+}
+
+/// Reason why the control has no such machine retract.
+fn unsupported_retract(codes: &Spellings, method: Option<&RetractMethod>) -> Option<String> {
+    let title = codes.title;
+    let name = match method? {
+        RetractMethod::Named(name) if codes.retracts.iter().any(|retract| retract.name == name) => return None,
+        RetractMethod::Named(name) => name,
+        // The check knows each block by its text.
+        RetractMethod::Blocks(blocks) => {
+            let repeated = (1..blocks.len()).find(|&index| blocks[..index].contains(&blocks[index]))?;
+            return Some(format!("`retract.method` has the block `{}` twice: write it once", blocks[repeated]));
+        }
+    };
+    let names = list(codes.retracts.iter().map(|retract| retract.name), '"');
+    let instead = format!("`retract.method` may be {names}, or a list of blocks");
+    Some(match name.as_str() {
+        "G28" => format!("in absolute mode G28 leads through the point of its words, which is at the part: {instead}"),
+        "clearance" => format!(
+            "a tool at the clearance geometry is clear of the part in one position of the rotary axes only, and at a restart \
+             point its position is unknown: {instead}; a nearer `retract.position` shortens the retract"
+        ),
+        name => format!("{title} has no machine retract `{name}`: {instead}"),
+    })
 }
 
 /// Tip control: that of the control, or the codes of the configuration.
@@ -310,6 +337,7 @@ pub fn abilities(control: &dyn Control, demands: Demands<'_>) -> Abilities {
                 ends_after_retract: plane.cancelled_after_retract,
             }
         }),
+        retracts_along_tool: matches!(demands.options.retract_form(codes), Some(RetractForm::AlongTool { .. })),
         guards_planes: demands.motion.guards.plane_guard && control.compares_rotary_positions(),
         operation_blocks: OperationBlocks {
             at_start: !demands.options.program.operation_start.is_empty(),

@@ -39,4 +39,4 @@ pub use encode::Encoder;
 pub(crate) use encode::{legible, lines_of};
 pub use fit::{abilities, unfit, usable_modes};
 pub use layout::Layout;
-pub use options::{ControlFunction, ControlOptions, Demands, LineEffect, ProgramBlocks};
+pub use options::{ControlFunction, ControlOptions, Demands, LineEffect, ProgramBlocks, RetractMethod};

@@ -12,6 +12,7 @@ use crate::motion::{self, PathNorm, Policy, Smoothing};
 use crate::nc::Formats;
 use crate::set_up::SetUp;
 
+use super::dialects::{MachineRetract, RetractForm, Spellings};
 use super::template::{self, BadTemplate, Field, OF_PROGRAM, OF_TOOL};
 
 /// The data of a job that a control may read: for the encoder, and to find settings that it does not support.
@@ -97,6 +98,11 @@ options! {
         effects: BTreeMap<String, LineEffect> = BTreeMap::new(), key("control.effects", LineEffects);
         /// Axis names that differ from the axis letters.
         axes: BTreeMap<char, String> = BTreeMap::new(), key("control.axes", AXIS_NAMES);
+        /// Machine retract: by a code of the control, "G53" or "G91 G28" (LinuxCNC, Fanuc, Haas), "SUPA" (Siemens), "M91" or
+        /// "M140" (Heidenhain: along the tool axis to the end of the travel), or by blocks of your own, as a list. Without it
+        /// the first of these. The reference position of G28 and the end of the travel must be `position`. Out of tip control
+        /// that ends with the length offset (Fanuc, Haas) the retract is always that of G53.
+        retract_method: Option<RetractMethod> = None, key("retract.method", RetractMethods, "\"G91 G28\"");
         /// Blocks around the program.
         program: ProgramBlocks = ProgramBlocks::default(), keys();
     }
@@ -126,6 +132,15 @@ options! {
     }
 }
 
+/// The machine retract as the configuration selects it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum RetractMethod {
+    /// One of the control, by its name.
+    Named(String),
+    /// These blocks.
+    Blocks(Vec<String>),
+}
+
 /// A function that is an option of controls.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ControlFunction {
@@ -143,6 +158,25 @@ impl ControlFunction {
 }
 
 impl ControlOptions {
+    /// Blocks that take the place of the machine retract of the control.
+    pub(crate) fn own_retract(&self) -> Option<&Vec<String>> {
+        match &self.retract_method {
+            Some(RetractMethod::Blocks(blocks)) => Some(blocks),
+            Some(RetractMethod::Named(_)) | None => None,
+        }
+    }
+
+    /// Form of the machine retract on a control; `None` for blocks of the configuration, and for a name that the control does
+    /// not have.
+    pub(crate) fn retract_form(&self, codes: &Spellings) -> Option<RetractForm> {
+        let form = |retract: &MachineRetract| retract.form;
+        match &self.retract_method {
+            None => codes.retracts.first().map(form),
+            Some(RetractMethod::Named(name)) => codes.retracts.iter().find(|retract| retract.name == name).map(form),
+            Some(RetractMethod::Blocks(_)) => None,
+        }
+    }
+
     /// Whether a function of the control is installed.
     pub(crate) fn has(&self, function: ControlFunction) -> bool {
         self.functions.as_ref().is_none_or(|installed| installed.contains(&function))
@@ -311,6 +345,36 @@ impl KeyKind for LineEffects {
 
     fn printed(&self, _scope: &KeyScope) -> Option<Printed> {
         Some(Printed::Example("{ \"M77\" = \"none\" }".to_owned()))
+    }
+}
+
+/// Value of a key: the name of a machine retract, or its blocks.
+#[derive(Debug, Clone, Copy)]
+struct RetractMethods;
+
+impl KeyKind for RetractMethods {
+    type Value = RetractMethod;
+
+    fn read(&self, r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<RetractMethod> {
+        if value.get_ref().as_array().is_none() {
+            return r.line(value).map(|name| RetractMethod::Named(name.trim().to_owned()));
+        }
+        let blocks = ListOf(TemplateBlock(OF_PROGRAM)).read(r, value)?;
+        if blocks.is_empty() {
+            r.fault(value.span(), "a retract needs a block", None);
+        }
+        Some(RetractMethod::Blocks(blocks))
+    }
+
+    fn print(&self, value: &RetractMethod) -> String {
+        match value {
+            RetractMethod::Named(name) => OneLine.print(name),
+            RetractMethod::Blocks(blocks) => ListOf(OneLine).print(blocks),
+        }
+    }
+
+    fn schema(&self, scope: &KeyScope) -> Json {
+        json!({ "anyOf": [OneLine.schema(scope), ListOf(OneLine).schema(scope)] })
     }
 }
 

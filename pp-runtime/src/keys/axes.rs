@@ -16,8 +16,20 @@ use super::{KeyKind, KeyScope};
 pub(crate) enum AxisSet {
     /// Every axis of the machine.
     All,
+    /// Linear axes that the inverse kinematics solves for.
+    Linear,
     /// Rotary axes that the inverse kinematics solves for.
     Solved,
+}
+
+impl AxisSet {
+    fn has(self, axis: &Axis) -> bool {
+        match self {
+            Self::All => true,
+            Self::Linear => axis.kind == AxisKind::Linear && !axis.held,
+            Self::Solved => solved(axis),
+        }
+    }
 }
 
 /// One entry of a table whose keys are axes.
@@ -63,7 +75,7 @@ impl<V> KeyKind for PerAxis<V> {
 
     fn schema(&self, scope: &KeyScope) -> Json {
         let mut properties = Map::new();
-        for axis in scope.axes.iter().filter(|axis| self.axes == AxisSet::All || solved(axis)) {
+        for axis in scope.axes.iter().filter(|axis| self.axes.has(axis)) {
             properties.insert(axis.letter.to_string(), (self.schema)());
         }
         json!({ "type": "object", "properties": properties, "additionalProperties": false })
@@ -97,9 +109,10 @@ fn entries<'a>(r: &mut KeyReader<'_>, set: AxisSet, value: TomlValue<'a>) -> Vec
     let mut read = Vec::new();
     for (key, span, value) in r.entries(value) {
         match axes.iter().find(|axis| axis.letter.to_string() == key) {
-            Some(axis) if set == AxisSet::Solved && !solved(axis) => {
-                let help = format!("solved rotary axes are {}", letters(axes, solved));
-                r.fault(value.span(), format!("{} is not a solved rotary axis", axis.letter), Some(help));
+            Some(axis) if !set.has(axis) => {
+                let what = if set == AxisSet::Linear { "linear" } else { "rotary" };
+                let help = format!("solved {what} axes are {}", letters(axes, |axis| set.has(axis)));
+                r.fault(value.span(), format!("{} is not a solved {what} axis", axis.letter), Some(help));
             }
             Some(axis) => read.push(AxisEntry { axis, span, value }),
             None => {

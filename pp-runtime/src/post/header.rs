@@ -6,7 +6,7 @@ use std::io;
 
 use crate::cl::{ArcVote, Dialect, Insert};
 use crate::config::Config;
-use crate::control::{self, Control, Encoder, LengthGuard, LinearRapids};
+use crate::control::{self, Control, Encoder, LengthGuard, LinearRapids, RetractForm};
 use crate::kinematics::{AnyMachine, Axis, AxisKind, DimensionKind, Side, Sign, digest};
 use crate::motion::{CutterPath, Links, StretchMode, StretchModes, TcpFrame, TipStart, ToolPosture, Wrap, rotaries_of};
 use crate::nc::{Decimal, write_decimal};
@@ -156,6 +156,7 @@ pub(crate) fn set_up(control: &dyn Control, config: &Config, survey: &Survey) ->
             "part rotation {x}, {y}, {z}: the CL data is rotated by these degrees about X, then Y, then Z of the table"
         ));
     }
+    list.extend(retract(control, config));
     if let Some(lift) = config.motion.lift_mm {
         list.push(format!(
             "DRY RUN: every point is {lift} mm further out along the tool axis, spindle and coolant off"
@@ -172,6 +173,29 @@ pub(crate) fn set_up(control: &dyn Control, config: &Config, survey: &Survey) ->
         );
     }
     list
+}
+
+/// What the machine retract needs where it is no motion to a machine coordinate, and the home positions.
+fn retract(control: &dyn Control, config: &Config) -> Vec<String> {
+    let (retract, position) = (&config.motion.retract, config.motion.retract.position_mm());
+    let method = match (config.control.own_retract(), config.control.retract_form(control.spellings())) {
+        (Some(blocks), _) => {
+            Some(format!("machine retract by {}: it must end at machine coordinate {position} mm", blocks.join(", ")))
+        }
+        (None, Some(RetractForm::ReferencePosition { .. })) => {
+            Some(format!("machine retract to the reference position, which must be machine coordinate {position} mm"))
+        }
+        (None, Some(RetractForm::AlongTool { .. })) => {
+            Some(format!("machine retract to the end of the travel, which must be machine coordinate {position} mm"))
+        }
+        (None, Some(RetractForm::MachineCoordinate) | None) => None,
+    };
+    let given: Vec<String> = retract.xy_mm.iter().map(|(letter, mm)| format!("{letter} {mm} mm")).collect();
+    let home = retract.home_on_indexing.then(|| {
+        let positions = if given.is_empty() { String::new() } else { format!("{}, else ", given.join(", ")) };
+        format!("before the rotary axes rotate the other linear axes go to machine coordinate {positions}0 mm")
+    });
+    method.into_iter().chain(home).collect()
 }
 
 /// Required rotary entries of the work offset: those of the table always, those of the head only where `rotary_offset`

@@ -276,14 +276,16 @@ impl Observer for Collector<'_> {
         match executed.block.action {
             Action::Nothing | Action::ToolChange | Action::Stop | Action::OptionalStop | Action::End => {}
             Action::Dwell(seconds) => self.wait(executed, seconds),
-            Action::Machine => {
-                self.follow_placement(executed, false);
-                self.go_to_machine_position(executed);
-            }
-            Action::Reference => {
-                self.joined = false;
-                self.forget(executed.block.written);
-            }
+            Action::Machine | Action::Reference { .. } | Action::EndOfTravel => match executed.machine_values() {
+                Some(values) => {
+                    self.follow_placement(executed, false);
+                    self.go_to_machine_position(executed, &values);
+                }
+                None => {
+                    self.joined = false;
+                    self.forget(executed.block.written);
+                }
+            },
             Action::Orient => {
                 self.follow_placement(executed, false);
                 self.orient(executed);
@@ -390,14 +392,14 @@ impl<'a> Collector<'a> {
     }
 
     /// To words that are machine coordinates.
-    fn go_to_machine_position(&mut self, executed: &ExecutedBlock<'_>) {
+    fn go_to_machine_position(&mut self, executed: &ExecutedBlock<'_>, values: &[f64; MAX_AXES]) {
         let (from, block) = (self.position(), executed.block);
         for (index, axis) in self.axes.iter().enumerate().filter(|(index, _)| block.written & (1 << index) != 0) {
             let zero_mm = match axis.kind {
                 AxisKind::Linear => self.set_up.machine_zero.get(&axis.letter).copied(),
                 AxisKind::Rotary => Some(0.0),
             };
-            self.coordinates[index] = zero_mm.map(|zero_mm| block.values[index] - zero_mm);
+            self.coordinates[index] = zero_mm.map(|zero_mm| values[index] - zero_mm);
         }
         self.by_axes(executed, from);
     }

@@ -360,7 +360,7 @@ pub(super) fn place_of_line(place: OwnPlace, phase: &Phase, motions: u64, ended:
                 "a block of INSERT, AUXFUN, PREFUN or a statement of the shop that the CL data does not have here";
             return Some(text.to_owned());
         }
-        OwnPlace::Clamp { .. } | OwnPlace::Coolant | OwnPlace::TipControl { .. } => None,
+        OwnPlace::Retract { .. } | OwnPlace::Clamp { .. } | OwnPlace::Coolant | OwnPlace::TipControl { .. } => None,
     };
     Some(format!("a line of `{}` {}", place.key()?, wrong?))
 }

@@ -2,14 +2,14 @@
 
 use std::io::{self, Read};
 
-use super::super::expect::{ClMotion, ExpectedAction, ExpectedItem};
+use super::super::expect::{ClMotion, ExpectedAction, ExpectedItem, SpindleState};
 use super::super::geometry::{PathShape, Segment, ToolPose, angle_between};
-use super::super::policy::LinearMeaning;
+use super::super::policy::{LinearMeaning, RetractRule};
 use super::super::read::{Action, Block, Length, OwnPlace, TipControl, stated};
 use super::super::rules::{BOTH, FrameUse, ModalContext, fault_at_end, tool_name};
 use super::functions::place_of_line;
 use super::phase::{Cutting, Phase, Retracted, RetractedLength, RewindPoint, axis_roundings};
-use super::{Comparison, Current, StartState, parking, plane_guard, retract};
+use super::{Comparison, Current, StartState, machine_move, parking, plane_guard, retract};
 use crate::program::Clearance;
 
 /// Largest angle between the tool axis and the normal of its plane where words have many decimals, rad.
@@ -91,7 +91,7 @@ impl<R: Read> Comparison<'_, R> {
         }
         let facts = *self.rules.facts();
         let changed = matches!(length, Some(Length::Register(_))) && length != block.state.length;
-        if facts.length_moves && changed && block.action != Action::Machine {
+        if facts.length_moves && changed && !block.action.leaves_words() {
             self.found(
                 current,
                 "length compensation is switched off before the machine has retracted: the tool may move by its length",
@@ -145,35 +145,85 @@ impl<R: Read> Comparison<'_, R> {
         }
     }
 
-    /// A block in machine coordinates.
-    pub(super) fn machine_coordinates(
+    /// A block to a position of the machine.
+    pub(super) fn machine_position(&mut self, phase: &mut Phase, current: &Current<'_>) -> io::Result<Option<Phase>> {
+        self.pass_needless(phase)?;
+        let block = current.block;
+        if let Some(text) = machine_move::fault_of_retract(&self.rules, &self.previous, block) {
+            if !self.goes_home(phase, current) && !self.parks_linear(phase, current) {
+                self.found(current, &text);
+                if block.action != Action::Machine {
+                    return Ok(Some(self.forget(phase)));
+                }
+            }
+            return Ok(None);
+        }
+        self.machine_retract(phase, current).map(Some)
+    }
+
+    /// The other linear axes to their home positions, before the rotary axes rotate; whether the block does that.
+    fn goes_home(&mut self, phase: &mut Phase, current: &Current<'_>) -> bool {
+        let Phase::Retracted(retracted) = phase else { return false };
+        let homes = retracted.step == 0 && machine_move::goes_home(&self.rules, current.block);
+        if homes {
+            retracted.homed |= current.block.written;
+            // The spindle is on for the cut that comes.
+            let finished = retracted.rewind.and_then(|rewind| rewind.finished).map(|finished| finished.required);
+            let cut = self.progress.next().map(|item| item.required).or(finished);
+            let spindle = cut.and_then(|required| self.rules.spindle_in_cut(&required));
+            self.state_at_machine_position(spindle, current);
+        }
+        homes
+    }
+
+    /// Linear axes to their parking positions; whether the block does that.
+    fn parks_linear(&mut self, phase: &mut Phase, current: &Current<'_>) -> bool {
+        let block = current.block;
+        let begun = matches!(phase, Phase::Retracted(retracted) if retracted.parks) || self.progress.next().is_none();
+        let parks = block.action == Action::Machine
+            && phase.is_retracted()
+            && begun
+            && parking::moves_linear(&self.rules, block);
+        if parks {
+            self.state_at_machine_position(self.spindle_may_be(block, phase.is_stopped()), current);
+            self.parked |= block.written;
+        }
+        parks
+    }
+
+    /// State of a block to a home or parking position.
+    fn state_at_machine_position(&mut self, spindle: Option<SpindleState>, current: &Current<'_>) {
+        let block = current.block;
+        let context = ModalContext { dry: true, ..ModalContext::default() };
+        let fault = self.rules.fault_at_retract(block, false, spindle, context);
+        self.found_state(current, fault);
+    }
+
+    /// The block of the shop at this position of its machine retract; the phase after the last of them.
+    pub(super) fn own_retract(
         &mut self,
+        index: usize,
         phase: &mut Phase,
         current: &Current<'_>,
     ) -> io::Result<Option<Phase>> {
         self.pass_needless(phase)?;
-        let block = current.block;
-        let index = self.rules.words().retract();
-        let position = self.rules.policy().links.retract_mm;
-        let there = (block.values[index] - position).abs() <= 0.6 * self.rules.rounding().unit_mm;
-        if block.written != 1 << index || !there {
-            let parks =
-                matches!(phase, Phase::Retracted(retracted) if retracted.parks) || self.progress.next().is_none();
-            if phase.is_retracted() && parks && parking::moves_linear(&self.rules, block) {
-                let spindle = self.spindle_may_be(block, phase.is_stopped());
-                let context = ModalContext { dry: true, ..ModalContext::default() };
-                let fault = self.rules.fault_at_retract(&block.state, false, spindle, context);
-                self.found_state(current, fault);
-                self.parked |= block.written;
-            } else {
-                self.found(
-                    current,
-                    &format!("motion in machine coordinates: expected the retract, which moves its axis alone to {position} mm"),
-                );
-            }
+        let RetractRule::OwnBlocks(count) = self.rules.policy().links.retract else { return Ok(None) };
+        if index != self.own_retract {
+            self.found(current, "the blocks of `retract.method` are incomplete, or in another order");
+        }
+        self.own_retract = index + 1;
+        if self.own_retract < count {
             return Ok(None);
         }
-        if let Some(text) = self.travel.machine_coordinate(index, block.values[index]) {
+        self.own_retract = 0;
+        self.machine_retract(phase, current).map(Some)
+    }
+
+    /// The machine retract.
+    fn machine_retract(&mut self, phase: &mut Phase, current: &Current<'_>) -> io::Result<Phase> {
+        let block = current.block;
+        let (index, position) = (self.rules.words().retract(), self.rules.policy().links.retract_mm);
+        if let Some(text) = self.travel.machine_coordinate(index, position) {
             self.tally.outside_limits(self.progress.location(), current.shown, &text);
         }
         self.is_complete(phase, current);
@@ -201,7 +251,7 @@ impl<R: Read> Comparison<'_, R> {
             arc_plane: self.previous.arc_plane.filter(|_| matches!(phase, Phase::Cutting(_) | Phase::Unknown { .. })),
         };
         let spindle = self.spindle_may_be(current.block, retracted.stopped);
-        let fault = self.rules.fault_at_retract(&block.state, tilts, spindle, context);
+        let fault = self.rules.fault_at_retract(block, tilts, spindle, context);
         self.found_state(current, fault);
         self.start.retracted = true;
         if matches!(self.progress.next(), Some(ExpectedItem { action: ExpectedAction::Home, .. })) {
@@ -209,7 +259,7 @@ impl<R: Read> Comparison<'_, R> {
             retracted.parks = true;
             (self.home, self.parked) = (true, 0);
         }
-        Ok(Some(Phase::Retracted(retracted)))
+        Ok(Phase::Retracted(retracted))
     }
 
     /// GOHOME is over: every axis with a parking position must be there.
@@ -282,7 +332,7 @@ impl<R: Read> Comparison<'_, R> {
 
     /// State in which the spindle may be at the retract position: as in the last cut, or as a SPINDL after it requests; off
     /// after a stop.
-    fn spindle_may_be(&self, block: &Block, stopped: bool) -> Option<super::super::expect::SpindleState> {
+    fn spindle_may_be(&self, block: &Block, stopped: bool) -> Option<SpindleState> {
         block.state.spindle.flatten().filter(|_| !stopped)?;
         let requested = self.progress.requested_spindle().flatten();
         let in_cut = self.progress.last().and_then(|required| required.spindle);
@@ -319,6 +369,7 @@ impl<R: Read> Comparison<'_, R> {
             written if written & (rotary | last) == 0 => 2,
             _ => 0,
         };
+        let turned = moved & rotary != 0;
         let parks = retracted.parks && step == 1 && parking::moves_rotary(&self.rules, &self.previous, block);
         // A cut goes on with the spindle on, and its rotary axes rotate first; at the end it is off before the axes are parked.
         let rotates = step == 1 || retracted.step >= 1;
@@ -361,6 +412,12 @@ impl<R: Read> Comparison<'_, R> {
             );
         }
         self.moves_once(retracted, enters_tip_control, current);
+        if turned && machine_move::is_not_home(&self.rules, retracted.homed) {
+            self.found(
+                current,
+                "the rotary axes rotate before the linear axes are at their home positions (`home_on_indexing`)",
+            );
+        }
         if let Some(since) = &mut retracted.since_plane {
             *since |= block.written & rotary;
             if enters_tip_control && *since != rotary {

@@ -14,6 +14,7 @@ mod cutting;
 mod functions;
 mod hole;
 mod links;
+mod machine_move;
 mod parking;
 mod phase;
 mod plane_guard;
@@ -28,7 +29,7 @@ use super::Checked;
 use super::expect::{Expect, ExpectedAction, ExpectedItem};
 use super::geometry::ToolPose;
 use super::policy::CheckPolicy;
-use super::read::{Action, ArcMove, Block, Length, MAX_AXES, PlacedLines, State, TipControl, WorkPlane};
+use super::read::{Action, ArcMove, Block, Length, MAX_AXES, OwnPlace, PlacedLines, State, TipControl, WorkPlane};
 use super::report::{Shown, Tally};
 use super::rules::{ModalContext, Rules, StateFault, chord};
 use super::stream::{ExecutedBlock, Observer};
@@ -64,6 +65,8 @@ struct Comparison<'a, R> {
     shop_lines: ShopLines,
     /// Axes at their parking positions: bits.
     parked: u16,
+    /// Blocks of the shop's machine retract that have come.
+    own_retract: usize,
     /// GOHOME has begun, and the axes have to be parked.
     home: bool,
 }
@@ -84,6 +87,7 @@ struct Previous {
     arc_plane: Option<WorkPlane>,
     length: Option<Length>,
     tilted: bool,
+    tip_control: bool,
 }
 
 /// Blocks since the last complete state began.
@@ -126,6 +130,7 @@ impl<'a, R: Read> Checker<'a, R> {
             functions: FunctionState::default(),
             shop_lines: ShopLines::new(lines),
             parked: 0,
+            own_retract: 0,
             home: false,
         };
         Self { comparison, phase: Phase::Unknown { stopped: false }, before: State::default() }
@@ -152,7 +157,13 @@ impl<'a, R: Read> Checker<'a, R> {
             return Ok(());
         }
         comparison.before_task(phase, &current);
-        let next = if block.action.moves() {
+        let own_retract = block.own.and_then(|own| match own.place {
+            OwnPlace::Retract { index } => Some(index),
+            _ => None,
+        });
+        let next = if let Some(index) = own_retract {
+            comparison.own_retract(index, phase, &current)?
+        } else if block.action.moves() {
             comparison.moving(task, phase, &current)?
         } else {
             comparison.standing(task, phase, &current)?
@@ -160,6 +171,7 @@ impl<'a, R: Read> Checker<'a, R> {
         if let Some(next) = next {
             *phase = next;
         }
+        comparison.previous.tip_control = block.state.tip_control != TipControl::Off;
         Ok(())
     }
 
@@ -222,17 +234,12 @@ impl<R: Read> Comparison<'_, R> {
         let fault = self.functions.clamps(block, moved, &self.rules, at_part);
         self.found_any(current, fault);
         let linear = block.written & self.rules.words().linear_bits() != 0;
-        if block.action != Action::Machine && (linear || block.state.tip_control != TipControl::Off) {
+        if !block.action.leaves_words() && (linear || block.state.tip_control != TipControl::Off) {
             self.parked = 0;
         }
         let keep_out = KeepOut::of(self, phase, block);
         let next = match (task, &mut *phase) {
-            (Task::MachineCoordinates, phase) => self.machine_coordinates(phase, current)?,
-            (Task::ReferencePoint, phase) => {
-                let text = "motion to the reference point: its path is unknown, and the position after it";
-                self.found(current, text);
-                Some(self.forget(phase))
-            }
+            (Task::MachinePosition, phase) => self.machine_position(phase, current)?,
             (Task::Approach, Phase::Retracted(retracted)) => self.approach(retracted, current)?,
             (Task::Cycle, phase) => self.cycle(phase, current)?,
             (Task::Cut, Phase::Cutting(cutting)) => self.cut(cutting, current)?,
@@ -250,7 +257,7 @@ impl<R: Read> Comparison<'_, R> {
         let entered = keep_out.and_then(|keep_out| keep_out.fault(&self.rules, &self.previous, block));
         self.found_any(current, entered);
         self.follow_arcs(block);
-        if matches!(block.action, Action::Machine | Action::Reference) {
+        if block.action.leaves_words() {
             self.travel.machine_block(&self.rules, block);
         } else {
             let findings = Findings { tally: &mut self.tally, at: current.at, shown: current.shown };

@@ -85,6 +85,8 @@ pub(super) struct Retracted {
     pub(crate) stopped: bool,
     /// Axes may move to their parking positions.
     pub(crate) parks: bool,
+    /// Axes that have gone to their home positions: bits.
+    pub(crate) homed: u16,
 }
 
 /// The point at which the cut is interrupted to rewind rotary axes.
@@ -146,10 +148,8 @@ pub(super) enum Task {
     Dwell,
     Stop,
     End,
-    /// Machine coordinates: the machine retract, or a parking position.
-    MachineCoordinates,
-    /// To the reference point, by a path that is unknown.
-    ReferencePoint,
+    /// To a position of the machine: the machine retract, a home position, or a parking position.
+    MachinePosition,
     /// The control positions the rotary axes to the tilted plane.
     Orient,
     OrientElsewhere,
@@ -174,8 +174,9 @@ impl Phase {
             (_,                  Action::Stop | Action::OptionalStop) => Task::Stop,               // unknown
             (_,                  Action::Dwell(_))                    => Task::Dwell,              // the same
             (_,                  Action::End)                         => Task::End,                // ended
-            (_,                  Action::Machine)                     => Task::MachineCoordinates, // retracted
-            (_,                  Action::Reference)                   => Task::ReferencePoint,     // unknown
+            (_,                  Action::Machine)                     => Task::MachinePosition,    // retracted
+            (_,                  Action::Reference { .. })            => Task::MachinePosition,    // retracted, unknown
+            (_,                  Action::EndOfTravel)                 => Task::MachinePosition,    // retracted, unknown
             (Self::Retracted(_), Action::Orient)                      => Task::Orient,             // the same
             (_,                  Action::Orient)                      => Task::OrientElsewhere,    // the same
             (Self::Retracted(_), Action::Rapid)                       => Task::Approach,           // retracted, cutting

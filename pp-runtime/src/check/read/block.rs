@@ -93,6 +93,11 @@ pub enum OwnPlace {
     OperationStart,
     /// `program.operation_end`.
     OperationEnd,
+    /// `retract.method`.
+    Retract {
+        /// Position in the list, from 0.
+        index: usize,
+    },
     /// Code of a rotary clamp.
     Clamp {
         /// Position of the axis in the chain.
@@ -122,7 +127,9 @@ impl OwnPlace {
             Self::ToolChange => "control.tool_change",
             Self::OperationStart => "program.operation_start",
             Self::OperationEnd => "program.operation_end",
-            Self::Clamp { .. } | Self::Coolant | Self::TipControl { .. } | Self::Insert => return None,
+            Self::Retract { .. } | Self::Clamp { .. } | Self::Coolant | Self::TipControl { .. } | Self::Insert => {
+                return None;
+            }
         })
     }
 }
@@ -230,7 +237,12 @@ pub enum Action {
     /// At rapid to machine coordinates; where the axes stand in the program is not known behind it.
     Machine,
     /// To the reference position of the axes of `written`, through the point of `values`; as above.
-    Reference,
+    Reference {
+        /// That point is where they are: every word is a distance of 0.
+        direct: bool,
+    },
+    /// The axis of `written` along the tool axis to the end of its travel; as above.
+    EndOfTravel,
     /// A code that turns the rotary axes into the tilted plane, or to 0 at its end.
     Orient,
     /// A wait, seconds.
@@ -257,8 +269,21 @@ impl Action {
     pub const fn moves(&self) -> bool {
         matches!(
             self,
-            Self::Rapid | Self::Feed | Self::Arc(_) | Self::Cycle(_) | Self::Machine | Self::Reference | Self::Orient
+            Self::Rapid
+                | Self::Feed
+                | Self::Arc(_)
+                | Self::Cycle(_)
+                | Self::Machine
+                | Self::Reference { .. }
+                | Self::EndOfTravel
+                | Self::Orient
         )
+    }
+
+    /// Whether axes move to positions of the machine: their words are unknown afterwards.
+    #[must_use]
+    pub const fn leaves_words(&self) -> bool {
+        matches!(self, Self::Machine | Self::Reference { .. } | Self::EndOfTravel)
     }
 
     /// Whether the tool moves at feed.

@@ -56,6 +56,7 @@ impl Line<'_> {
             }
             Means::Dwell => draft.dwells = true,
             Means::Reference => draft.reference = true,
+            Means::EndOfTravel => draft.end_of_travel = true,
             Means::Machine => draft.machine = true,
             Means::Plane(plane) => draft.plane = Some(plane),
             Means::Units(units) => draft.units = Some(units),

@@ -171,6 +171,7 @@ pub(super) struct Draft {
     pub(crate) pitch: Option<f64>,
     pub(crate) machine: bool,
     pub(crate) reference: bool,
+    pub(crate) end_of_travel: bool,
     pub(crate) units: Option<Units>,
     pub(crate) distances: Option<bool>,
     pub(crate) plane: Option<WorkPlane>,

@@ -71,6 +71,8 @@ pub(crate) struct Facts {
     pub(crate) length_moves: bool,
     /// Length compensation is off in a block of machine coordinates.
     pub(crate) length_off_at_machine_coordinates: bool,
+    /// A motion to the reference position cancels length compensation.
+    pub(crate) reference_cancels_length: bool,
     /// Tool radii have registers of their own: D.
     pub(crate) radius_registers: bool,
     /// Cutter compensation takes the radius of the tool, to which the tool call adds DR.
@@ -160,6 +162,8 @@ const ISO: Facts = Facts {
     registers: LengthRegisters::Shared,
     length_moves: true,
     length_off_at_machine_coordinates: true,
+    // Fanuc B-63844EN, p. 204; Haas 96-8000, G28.
+    reference_cancels_length: true,
     radius_registers: true,
     radius_delta: false,
     radius_guard: false,
@@ -218,6 +222,7 @@ impl Family {
                 reference_beside_motion: false,
                 length_moves: false,
                 length_off_at_machine_coordinates: false,
+                reference_cancels_length: false,
                 tap_stops_spindle: false,
                 guard_in_mm: true,
                 rapids_interpolated: true,

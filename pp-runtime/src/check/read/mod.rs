@@ -144,6 +144,8 @@ pub(crate) struct Reader<R> {
     number: u64,
     /// The line has been joined of several.
     joined: bool,
+    /// The shop has blocks of its own for the machine retract.
+    own_retract: bool,
     /// A block has moved.
     moved: bool,
     draft: Draft,
@@ -161,6 +163,7 @@ impl<R: Read> Reader<R> {
             Form::Keywords => Syntax::Siemens(Siemens::default()),
             Form::Statements => Syntax::Heidenhain(Heidenhain::default()),
         };
+        let own_retract = vocabulary.own.iter().any(|own| matches!(own.place, OwnPlace::Retract { .. }));
         let machine = Interpreter::new(vocabulary.axes.clone(), facts, vocabulary.rounding);
         Self {
             input: BufReader::with_capacity(1 << 16, input),
@@ -173,6 +176,7 @@ impl<R: Read> Reader<R> {
             bare: Bare::default(),
             number: 0,
             joined: false,
+            own_retract,
             moved: false,
             draft: Draft::default(),
             empty: Draft::default(),
@@ -246,6 +250,11 @@ impl<R: Read> Reader<R> {
         let stops = line.draft.stop.is_some() && !vocabulary.own.is_empty();
         if declared.is_some() || switched || stops || line.fault_count() > 0 {
             self.block.own = own::resolve(self.bare.text(&self.line, &self.facts), &mut line, declared, switched);
+            is_block |= self.block.own.is_some();
+        }
+        if self.own_retract && self.block.own.is_none() {
+            let own = own::resolve(self.bare.text(&self.line, &self.facts), &mut line, None, false);
+            self.block.own = own.filter(|own| matches!(own.place, OwnPlace::Retract { .. }));
             is_block |= self.block.own.is_some();
         }
         if let [b'/', rest @ ..] = self.line.trim_ascii_start() {

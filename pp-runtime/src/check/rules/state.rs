@@ -115,17 +115,22 @@ impl Rules<'_> {
         }
     }
 
-    /// In machine coordinates; `tilts`: a plane may still be tilted; `spindle_on`: the state in which the spindle may be.
+    /// At a position of the machine; `tilts`: a plane may still be tilted; `spindle_on`: the state in which the spindle may be.
     pub(crate) fn fault_at_retract(
         &self,
-        state: &State,
+        block: &Block,
         tilts: bool,
         spindle_on: Option<SpindleState>,
         context: ModalContext,
     ) -> Option<StateFault> {
+        // The block of a reference position has distances, G91.
+        let distances = block.action == Action::Reference { direct: true };
+        let state =
+            &State { incremental: if distances { Some(false) } else { block.state.incremental }, ..block.state };
         let tip_control = (state.tip_control != TipControl::Off)
             .then(|| "machine coordinates are programmed while tip control is on".to_owned());
-        let length = (self.facts.length_off_at_machine_coordinates && state.length != Some(Length::Off))
+        let coordinate = block.action == Action::Machine;
+        let length = (coordinate && self.facts.length_off_at_machine_coordinates && state.length != Some(Length::Off))
             .then(|| "machine coordinates are programmed before length compensation is switched off".to_owned());
         let found = self
             .everywhere(state, Side::None, context)
@@ -164,7 +169,8 @@ impl Rules<'_> {
         spindle(state, required).is_none()
     }
 
-    fn spindle_in_cut(&self, required: &Required) -> Option<SpindleState> {
+    /// State of the spindle in a cut; a dry run has it off.
+    pub(crate) fn spindle_in_cut(&self, required: &Required) -> Option<SpindleState> {
         required.spindle.filter(|_| self.policy.links.dry_lift_mm.is_none())
     }
 

@@ -9,6 +9,9 @@
 //! `G43` takes their sum, and so does the guard. Both are in the unit of the program. `#3000` stops with an alarm of at
 //! most 26 characters.
 //!
+//! `G91 G28 Z0.` moves Z to the reference position, through the point where it is. It cancels the length offset on its way
+//! there, as `G53` does (B-63844EN, p. 204).
+//!
 //! D is a radius where parameter 5004#2 is 0, and a diameter where it is 1 (from memory).
 //!
 //! `G43.4 H` starts tip control in the block that moves to the first point, which is one of length compensation only
@@ -28,8 +31,8 @@ use crate::nc::{Formats, Numerals};
 
 use super::control::{Control, LengthGuard, numbered};
 use super::spellings::{
-    ArcCodes, CommentStyle, CycleCodes, CycleForm, HoleCycles, Spellings, ThreadCodes, TiltedPlaneCodes,
-    TipControlCodes, ToolAxisWords, ascii_in_brackets,
+    ArcCodes, CommentStyle, CycleCodes, CycleForm, HoleCycles, MachineRetract, Spellings, ThreadCodes,
+    TiltedPlaneCodes, TipControlCodes, ToolAxisWords, ascii_in_brackets,
 };
 
 /// The Fanuc dialect.
@@ -78,6 +81,7 @@ static SPELLINGS: Spellings = Spellings {
             ..CycleCodes::ISO
         }),
     }),
+    retracts: &[MachineRetract::to_machine_coordinate("G53"), MachineRetract::to_reference_position(true)],
     dwell: &["G4 P{milliseconds}"],
     smoothing: [&["G05.1 Q1"], &["G05.1 Q1"], &["G05.1 Q1"]],
     smoothing_off: &["G05.1 Q0"],

@@ -19,6 +19,9 @@
 //! is an option, the entry of B in the work offset is 0: UMC manual, p. 56, and the page of G254). `G49` ends tip control in
 //! the block of `G53`.
 //!
+//! `G91 G28 Z0.` moves Z to machine zero, through the point where it is, and cancels the length offset (mill manual 96-8000,
+//! G28).
+//!
 //! `G268` tilts a plane, with the length offset active before it, and `G253` rotates the axes; `Q123` is the order of its
 //! angles: about X, then Y, then Z of the work offset. From memory: no page of Haas that states it was found, and the header of a
 //! program with planes asks for it.
@@ -28,8 +31,8 @@ use crate::nc::{Formats, Numerals};
 
 use super::control::{Control, LengthGuard, numbered};
 use super::spellings::{
-    ArcCodes, CommentStyle, CycleCodes, CycleForm, HoleCycles, Spellings, TiltedPlaneCodes, TipControlCodes,
-    ascii_in_brackets,
+    ArcCodes, CommentStyle, CycleCodes, CycleForm, HoleCycles, MachineRetract, Spellings, TiltedPlaneCodes,
+    TipControlCodes, ascii_in_brackets,
 };
 
 /// The Haas dialect.
@@ -72,6 +75,7 @@ static SPELLINGS: Spellings = Spellings {
         "D must hold wear only",
     ],
     machine: ["G53 G00", ""],
+    retracts: &[MachineRetract::to_machine_coordinate("G53"), MachineRetract::to_reference_position(true)],
     tool_change: &["T{tool} M06", "T{next}"],
     spindle: ["S{speed} M03", "S{speed} M04"],
     spindle_off: "M05",

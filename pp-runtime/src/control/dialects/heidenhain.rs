@@ -33,6 +33,10 @@
 //! coordinates are rotated and not the axis (TNC7 user's manual 81762x-17, COORD ROT and TABLE ROT). Both are switched
 //! off before a tool call and before M91.
 //!
+//! `L M140 MB MAX` retracts along the tool axis to the end of the travel, at rapid without F, as Autodesk's public post writes it
+//! (`useM140`). It needs the tool axis of a tool call before it (programs of that post call `TOOL CALL Z` first); up to the first
+//! tool call the retract is therefore M91.
+//!
 //! A position with M99 calls the cycle that was defined last. Each cycle moves from the set-up clearance Q200 above the
 //! surface Q203 down by Q201, and afterwards at rapid to Q204 above the surface. Cycle 200 is used without pecking.
 //! Cycle 205 retracts to Q200 after each step Q202 and returns at rapid to Q258 = Q259 above the last depth. Cycle 203
@@ -48,7 +52,7 @@ use crate::nc::{Formats, Numerals};
 use super::control::{Control, LengthGuard, PlaneGuard, numbered};
 use super::spellings::{
     ArcCentre, ArcCodes, CommentStyle, CycleDefinitions, CycleForm, HoleCycles, LengthCall, LengthCodes, LinearRapids,
-    Spellings, TiltedPlaneCodes, TipControlCodes, ToolAxisWords, printable,
+    MachineRetract, RetractForm, Spellings, TiltedPlaneCodes, TipControlCodes, ToolAxisWords, printable,
 };
 
 /// The Heidenhain dialect.
@@ -183,6 +187,10 @@ static SPELLINGS: Spellings = Spellings {
         "the tool call takes the radius off (DR)",
     ],
     machine: ["L", "R0 FMAX M91"],
+    retracts: &[
+        MachineRetract::to_machine_coordinate("M91"),
+        MachineRetract { name: "M140", form: RetractForm::AlongTool { block: "L M140 MB MAX" } },
+    ],
     tool_change: &["TOOL CALL {tool} Z S{speed} DR{radius_delta}", "TOOL DEF {next}"],
     tool_name: Some(["\"", "\""]),
     tool_name_byte: |byte| byte.is_ascii_uppercase() || byte.is_ascii_digit() || b"#$%&,-._@".contains(&byte),

@@ -9,7 +9,7 @@ use crate::nc::{Formats, Numerals};
 
 use super::spellings::{
     ArcCentre, ArcCodes, CommentStyle, CycleCodes, CycleForm, HoleCycles, LengthCall, LengthCodes, LinearRapids,
-    Spellings, ThreadCodes, ascii_in_brackets,
+    MachineRetract, Spellings, ThreadCodes, ascii_in_brackets,
 };
 
 impl Spellings {
@@ -48,6 +48,7 @@ impl Spellings {
         compensation: ["G41 D{radius}", "G42 D{radius}", "G40"],
         radius_data: ["D must hold the radius of the tool", "D must hold wear only"],
         machine: ["G53 G0", ""],
+        retracts: &[MachineRetract::to_machine_coordinate("G53")],
         tool_change: &["T{tool} M6", "T{next}"],
         tool_name: None,
         tool_name_byte: |_| false,

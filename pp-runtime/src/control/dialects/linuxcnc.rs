@@ -5,7 +5,8 @@
 //! wherever one of them moves. `#5403` is the length of the tool in the spindle in the tool table, whatever H is in
 //! force, in the unit of the machine and not of the program. `G64` without P would round corners without bound at high
 //! speed. The axes of a rapid arrive together (handbook, node 53). `G41 D` offsets the path by half the diameter in the tool
-//! table (handbook, nodes 85 and 86). Tip control is only switched by codes of the configuration; there is no tilted plane.
+//! table (handbook, nodes 85 and 86). `G28 Z` moves Z to the position that `G28.1` has stored (parameters 5161 to 5166), through
+//! the point of its word (G-code documentation, G28). Tip control is only switched by codes of the configuration; there is no tilted plane.
 
 use std::borrow::Cow;
 
@@ -13,8 +14,8 @@ use crate::motion::CycleAbilities;
 
 use super::control::{Control, LengthGuard, numbered};
 use super::spellings::{
-    ArcCodes, CommentStyle, CycleCodes, CycleForm, HoleCycles, LengthCall, LengthCodes, LinearRapids, Spellings,
-    ThreadCodes, ascii_in_brackets,
+    ArcCodes, CommentStyle, CycleCodes, CycleForm, HoleCycles, LengthCall, LengthCodes, LinearRapids, MachineRetract,
+    Spellings, ThreadCodes, ascii_in_brackets,
 };
 
 /// The LinuxCNC dialect.
@@ -46,6 +47,7 @@ static SPELLINGS: Spellings = Spellings {
         "the tool table must hold twice the wear, and no diameter",
     ],
     preselect: false,
+    retracts: &[MachineRetract::to_machine_coordinate("G53"), MachineRetract::to_reference_position(false)],
     // G43 moves nothing, and G53 leaves it in force.
     length: LengthCodes {
         call: LengthCall::Alone,

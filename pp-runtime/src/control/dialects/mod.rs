@@ -17,7 +17,8 @@ pub use control::{Control, LengthGuard, PlaneGuard, RadiusGuard};
 pub(crate) use spellings::coolant_index;
 pub use spellings::{
     ArcCentre, ArcCodes, CommentStyle, CycleCodes, CycleDefinitions, CycleForm, HoleCycles, LengthCall, LengthCodes,
-    LinearRapids, Spellings, ThreadCodes, TiltedPlaneCodes, TipControlCodes, ToolAxisWords,
+    LinearRapids, MachineRetract, RetractForm, Spellings, ThreadCodes, TiltedPlaneCodes, TipControlCodes,
+    ToolAxisWords,
 };
 
 /// Declares the list of controls and the public name of each.

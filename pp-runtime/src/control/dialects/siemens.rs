@@ -49,8 +49,8 @@ use crate::nc::Formats;
 
 use super::control::{Control, LengthGuard, PlaneGuard, RadiusGuard, numbered};
 use super::spellings::{
-    ArcCodes, CommentStyle, CycleDefinitions, CycleForm, HoleCycles, LengthCall, LengthCodes, LinearRapids, Spellings,
-    TiltedPlaneCodes, TipControlCodes, ToolAxisWords, printable,
+    ArcCodes, CommentStyle, CycleDefinitions, CycleForm, HoleCycles, LengthCall, LengthCodes, LinearRapids,
+    MachineRetract, Spellings, TiltedPlaneCodes, TipControlCodes, ToolAxisWords, printable,
 };
 
 /// The Siemens dialect.
@@ -108,6 +108,7 @@ static SPELLINGS: Spellings = Spellings {
     compensation: ["G41", "G42", "G40"],
     radius_data: ["the cutting edge must hold the radius of the tool", "the cutting edge must hold wear only"],
     machine: ["SUPA G0", "D0"],
+    retracts: &[MachineRetract::to_machine_coordinate("SUPA")],
     tool_change: &["T{tool}", "M6", "T{next}"],
     tool_name: Some(["=\"", "\""]),
     tool_name_byte: |byte| (b' '..=b'~').contains(&byte) && byte != b'"',

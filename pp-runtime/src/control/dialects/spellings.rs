@@ -78,6 +78,9 @@ pub struct Spellings {
     pub radius_data: [&'static str; 2],
     /// Codes before and after the words of a rapid in machine coordinates.
     pub machine: [&'static str; 2],
+    /// Machine retracts that the control has, by the names of `retract.method`; the first one where the configuration names
+    /// none.
+    pub retracts: &'static [MachineRetract],
     /// Tool change, and preselection of the next tool.
     pub tool_change: &'static [&'static str],
     /// Text before and after the name of a tool that is called by name, in the place of `{tool}`; `None` if tools have numbers
@@ -320,6 +323,49 @@ pub struct TiltedPlaneCodes {
     pub cancelled_after_retract: bool,
     /// Condition on the machine, printed in the program header; empty if there is none.
     pub note: &'static str,
+}
+
+/// A machine retract of a control.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct MachineRetract {
+    /// Name in the configuration: its code.
+    pub name: &'static str,
+    /// Form of its blocks.
+    pub form: RetractForm,
+}
+
+/// Form of a machine retract.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RetractForm {
+    /// To a machine coordinate, with the codes of [`Spellings::machine`].
+    MachineCoordinate,
+    /// To the reference position, whose machine coordinate is a setting of the control.
+    ReferencePosition {
+        /// Codes before the axis words, which are 0: distances to the point that the axes pass.
+        code: &'static str,
+        /// Block after it.
+        after: &'static str,
+        /// It cancels the length offset.
+        cancels_length: bool,
+    },
+    /// Out along the tool axis to the end of the travel, which takes a tool call before it.
+    AlongTool {
+        /// Block.
+        block: &'static str,
+    },
+}
+
+impl MachineRetract {
+    /// To a machine coordinate by the code of this name.
+    pub const fn to_machine_coordinate(name: &'static str) -> Self {
+        Self { name, form: RetractForm::MachineCoordinate }
+    }
+
+    /// To the reference position by G28, in incremental mode so that the axes pass no other point.
+    pub const fn to_reference_position(cancels_length: bool) -> Self {
+        let form = RetractForm::ReferencePosition { code: "G91 G28", after: "G90", cancels_length };
+        Self { name: "G91 G28", form }
+    }
 }
 
 /// Block in which a length offset is called.

@@ -34,7 +34,8 @@ impl FrameWriter {
     pub(crate) fn tip_control(&self, on: bool, out: &mut ModalWriter<'_>) -> io::Result<()> {
         out.select_xy_plane()?;
         out.modal().forget(After::FrameChange);
-        out.set_tip_control(on);
+        let with_length = self.tip_control.is_none() && out.codes().tip.as_ref().is_some_and(|tip| tip.off.is_empty());
+        out.set_tip_control(on, with_length);
         if let Some(codes) = &self.tip_control {
             return out.block(&codes[usize::from(!on)]);
         }
@@ -88,7 +89,7 @@ impl FrameWriter {
     pub(crate) fn restart(&self, number: u32, out: &mut ModalWriter<'_>) -> io::Result<()> {
         out.smooth(false)?;
         out.modal().forget(After::Anything);
-        out.set_tip_control(false);
+        out.set_tip_control(false, false);
         out.set_offset_lost(false);
         out.writer_mut().number_next(number);
         if let Some(safety) = &self.safety {

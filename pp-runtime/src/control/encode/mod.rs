@@ -172,6 +172,8 @@ impl<'a> Encoder<'a> {
             Step::Arc { ref words, circle, feed } => out.arc(words, circle, feed),
             Step::Rapid { ref words } => out.rapid(words),
             Step::Machine { ref words } => out.machine_rapid(words),
+            Step::Retract { ref words } => out.retract(words),
+            Step::Home { ref words } => out.home(words),
             Step::Restart { number } => self.frames.restart(number, out),
             Step::PerMinute => {
                 out.feed_mode(codes.per_minute);

@@ -232,6 +232,14 @@ impl ModalState {
         self.length = length;
     }
 
+    /// A motion to a position of the machine has cancelled the length offset; the next motion calls it again.
+    pub(crate) fn cancel_length(&mut self) {
+        self.length = match self.length {
+            LengthState::On(register) | LengthState::Pending(register) => LengthState::Pending(register),
+            LengthState::Off | LengthState::Unknown => LengthState::Off,
+        };
+    }
+
     pub(crate) fn is_speed(&self, speed: Decimal) -> bool {
         self.speed == Some(speed)
     }

@@ -127,12 +127,24 @@ pub(crate) const PARK: PerAxis<f64> = PerAxis {
             && !(limits.lower - slack..=limits.upper + slack).contains(&position)
         {
             let travel = show_limits(axis, limits, r.units());
-            r.fault(value.span(), format!("{} cannot be parked there: its travel is {travel}", axis.letter), None);
+            r.fault(value.span(), format!("{} cannot be there: its travel is {travel}", axis.letter), None);
         }
         Some(position)
     },
     printed: |_, axis| (axis.kind == AxisKind::Rotary).then(|| Printed::Example("0.0".to_owned())),
     schema: || json!({ "type": "number" }),
+};
+
+/// Home positions of linear axes.
+pub(crate) const HOME: PerAxis<f64> = PerAxis {
+    axes: AxisSet::Linear,
+    section: false,
+    read: PARK.read,
+    printed: |_, axis| {
+        let linear = axis.kind == AxisKind::Linear && !axis.held && axis.letter != 'Z';
+        linear.then(|| Printed::Example("0.0".to_owned()))
+    },
+    schema: PARK.schema,
 };
 
 /// Rollover of the words of endless axes.

@@ -1,9 +1,11 @@
 //! Options of motion between cuts: rapids, transitions, approach and retract.
 
+use std::collections::BTreeMap;
+
 use crate::keys::{Assumed, Bound, Measure, OneOf, YesNo, options};
 use crate::program::Clearance;
 
-use super::keys::Geometry;
+use super::keys::{Geometry, HOME};
 
 options! {
     /// Motion between cuts.
@@ -34,6 +36,12 @@ options! {
         /// Machine coordinate of the retract axis.
         position_mm: Option<f64> = None,
             key("retract.position", Assumed(Measure::length(Bound::Any), Self::POSITION_MM));
+        /// The other linear axes go to their home positions before the rotary axes rotate, and before they are programmed where
+        /// their position is unknown: at the start, after a tool change or a stop.
+        home_on_indexing: bool = false, key("retract.home_on_indexing", YesNo);
+        /// Home positions of these axes for `home_on_indexing`, machine coordinates; 0 where none is given. With "G91 G28" they
+        /// are the reference positions.
+        xy_mm: BTreeMap<char, f64> = BTreeMap::new(), key("retract.xy", HOME);
         /// Distance along the tool axis. Without it, up to the clearance geometry: `clearance`, or CLEARP of the
         /// CL data.
         distance_mm: Option<f64> = None, key("retract.distance", Measure::length(Bound::Positive), "100.0");
@@ -114,6 +122,12 @@ impl Rewind {
 impl Retract {
     /// Default machine coordinate of the retract axis, mm.
     pub const POSITION_MM: f64 = 0.0;
+
+    /// Home position of another linear axis, machine coordinate, mm.
+    #[must_use]
+    pub fn home_mm(&self, letter: char) -> f64 {
+        self.xy_mm.get(&letter).copied().unwrap_or(0.0)
+    }
 
     /// Machine coordinate of the retract axis, mm.
     #[must_use]

@@ -91,7 +91,8 @@ impl Placer {
         let rounding = self.rotary.scale.angle(self.rotary.axes.len() as i64);
         let off = |axis: &UnitVector3<f64>| angle_between(axis, &pose.axis);
         // The point of the path is found again from a rounded share of it.
-        let leads_to = |pole: &&UnitVector3<f64>| angle_between(pole, &reached) <= rounding && off(pole) <= largest + rounding;
+        let leads_to =
+            |pole: &&UnitVector3<f64>| angle_between(pole, &reached) <= rounding && off(pole) <= largest + rounding;
         let axis = self.poles.axes.iter().find(leads_to).copied().unwrap_or(reached);
         Some((axis, off(&axis)))
     }

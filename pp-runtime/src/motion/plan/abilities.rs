@@ -51,6 +51,8 @@ pub struct Abilities {
     pub tip: Option<TipAbility>,
     /// Tilted planes, if the control has them.
     pub plane: Option<PlaneAbility>,
+    /// The machine retract leads along the tool axis, wherever that points.
+    pub retracts_along_tool: bool,
     /// A program can stop where the control has tilted a plane with the rotary axes elsewhere.
     pub guards_planes: bool,
     /// Blocks of the shop come at the start and at the end of each operation.

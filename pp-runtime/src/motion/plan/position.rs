@@ -21,6 +21,8 @@ pub(crate) struct Position {
     moved: bool,
     /// The tool is at `place`.
     known: bool,
+    /// The rotary axes are at the angles of `place`.
+    rotary_known: bool,
     /// The retract axis is at its retract position.
     retracted: bool,
     /// Linear words are tip coordinates: tip control is on, or a plane is tilted.
@@ -39,6 +41,7 @@ impl Position {
             place: reference,
             moved: false,
             known: false,
+            rotary_known: false,
             retracted: false,
             in_frame: false,
             lead_out: LeadOut::default(),
@@ -69,6 +72,16 @@ impl Position {
         self.retracted
     }
 
+    /// Whether the rotary axes are at the angles of the place.
+    pub(crate) fn knows_rotary_axes(&self) -> bool {
+        self.rotary_known
+    }
+
+    /// Another tool comes into the spindle: the change may move any axis.
+    pub(crate) fn change_tool(&mut self) {
+        self.rotary_known = false;
+    }
+
     /// Whether linear words are tip coordinates.
     pub(crate) fn is_in_frame(&self) -> bool {
         self.in_frame
@@ -94,6 +107,7 @@ impl Position {
         self.place = *place;
         self.moved = true;
         self.known = true;
+        self.rotary_known = true;
         self.retracted = false;
     }
 
@@ -112,6 +126,7 @@ impl Position {
     /// Forgets the position: anything may have moved the machine.
     pub(crate) fn forget(&mut self) {
         self.known = false;
+        self.rotary_known = false;
         self.retracted = false;
     }
 
@@ -129,6 +144,7 @@ impl Position {
     /// The program is entered here: the tool may be anywhere.
     pub(crate) fn enter(&mut self) {
         self.known = false;
+        self.rotary_known = false;
     }
 
     /// The retract axis is at its retract position; linear words are axis positions again.

@@ -199,6 +199,7 @@ impl<S: Sink> Planner<'_, S> {
         if change {
             // The change may leave every axis anywhere, and the spindle off.
             self.mover.position_mut().forget_retract();
+            self.mover.position_mut().change_tool();
             self.spindle.reset();
             self.mover.machine_retract()?;
         }

@@ -30,6 +30,14 @@ pub struct AxisWords {
 }
 
 impl AxisWords {
+    /// Adds the words of other axes.
+    pub(crate) fn add(&mut self, other: &Self) {
+        for index in (0..MAX_AXES).filter(|&index| other.has(index)) {
+            self.units[index] = other.units[index];
+        }
+        self.mask |= other.mask;
+    }
+
     /// Whether the block may have a word of this axis.
     #[must_use]
     #[inline]
@@ -86,6 +94,17 @@ pub enum Step<'a> {
     /// Rapid in machine coordinates; all its words are written. After it the positions of these axes in program
     /// coordinates are unknown.
     Machine {
+        /// End point, machine coordinates.
+        words: AxisWords,
+    },
+    /// The retract axis to its machine position, by the machine retract of the configuration. After it the position of this
+    /// axis in program coordinates is unknown.
+    Retract {
+        /// End point, machine coordinate.
+        words: AxisWords,
+    },
+    /// Other linear axes to their home positions, as the retract axis where that goes to its reference position.
+    Home {
         /// End point, machine coordinates.
         words: AxisWords,
     },
@@ -238,7 +257,7 @@ impl Step<'_> {
             Self::Cycle { .. } => "cycle",
             Self::CutterCompensation { .. } => "compensation",
             Self::Rapid { .. } => "rapid",
-            Self::Machine { .. } => "machine-coordinates",
+            Self::Machine { .. } | Self::Retract { .. } | Self::Home { .. } => "machine-coordinates",
             Self::Restart { .. } => "restart",
             Self::PerMinute => "feed-mode",
             Self::Tool { .. } => "tool",

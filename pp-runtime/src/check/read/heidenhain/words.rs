@@ -59,6 +59,11 @@ fn sense(line: &mut Line<'_>, start: usize) -> bool {
     line.draft.pitch.replace(sense).is_none()
 }
 
+/// `MB MAX` after M140: no other distance is known.
+fn end_of_travel(line: &mut Line<'_>) -> bool {
+    line.at.words("MB MAX") && line.draft.feed.is_none()
+}
+
 /// Letters and a number, with an `I` in front of those that are distances.
 fn word(line: &mut Line<'_>) -> bool {
     let start = line.at.column();
@@ -82,7 +87,7 @@ fn word(line: &mut Line<'_>) -> bool {
         b"TX" | b"TY" | b"TZ" => line.vector(usize::from(letters[1] - b'X'), number.value),
         // R0 is the radius correction.
         b"R" if number.negative || number.value > 0.0 => line.draft.radius.replace(number.value).is_none(),
-        b"M" => return line.code(b'M', number, start),
+        b"M" => return line.code(b'M', number, start) && (!line.draft.end_of_travel || end_of_travel(line)),
         _ => return false,
     };
     line.once(first, letters, start);

@@ -26,6 +26,12 @@ const OWN: &[Row] = &[
     Row::new("M14", Means::SpindleAndFlood(Rotation::CounterClockwise), group::SPINDLE, M),
     Row::new("M91", Means::Machine, group::ALONE, M),
     Row::new("M99", Means::CallCycle, group::CALL, M),
+    Row::new(
+        "M140",
+        Means::EndOfTravel,
+        group::ALONE,
+        "Autodesk's public post for the TNC, M140 MB MAX; at rapid without F",
+    ),
     Row::new("M126", Means::ShortestWay(true), group::WAY, M),
     Row::new("M127", Means::ShortestWay(false), group::WAY, M),
     Row::new("M128", Means::TipControl(true), group::TIP, M),

@@ -13,6 +13,8 @@ pub(in super::super) enum Means {
     Hole(Pattern),
     Dwell,
     Reference,
+    /// The tool axis to the end of its travel.
+    EndOfTravel,
     Machine,
     Plane(WorkPlane),
     Units(Units),
@@ -199,6 +201,7 @@ impl Means {
             Self::Hole(Pattern::Bore) => "boring cycle, out with the spindle off",
             Self::Dwell => "dwell",
             Self::Reference => "motion to the reference position through a point",
+            Self::EndOfTravel => "with MB MAX: retract along the tool axis to the end of the travel",
             Self::Machine => "machine coordinates in this block",
             Self::Plane(_) => "working plane",
             Self::Units(Units::Millimetres) => "millimetres",
@@ -271,6 +274,7 @@ impl Means {
             }
             Self::Dwell => ["S", "none", "none"],
             Self::Reference => ["position", "position unknown", "written axes, or all"],
+            Self::EndOfTravel => ["tool call", "position unknown", "the tool axis"],
             Self::Machine => ["motion code", "position unknown", "written axes"],
             Self::Plane(_) => ["none", "plane", "none"],
             Self::Units(_) => ["none", "unit, restart point", "none"],

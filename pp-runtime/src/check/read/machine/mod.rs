@@ -211,7 +211,7 @@ impl Interpreter {
     #[cold]
     fn in_unknown_frame(&mut self, block: &mut Block) {
         self.known = 0;
-        if block.action.moves() && !matches!(block.action, Action::Machine | Action::Reference) {
+        if block.action.moves() && !block.action.leaves_words() {
             let text = "motion while tip control or a tilted plane may be active, after a line with the effect \"state lost\": \
                         switch both off before";
             fault(&mut block.faults, 0, text);
@@ -220,7 +220,7 @@ impl Interpreter {
 
     /// Machine coordinates stay in the block alone.
     fn act_values(&self, block: &Block) -> [f64; MAX_AXES] {
-        if matches!(block.action, Action::Machine | Action::Reference) { block.values } else { self.values }
+        if block.action.leaves_words() { block.values } else { self.values }
     }
 
     /// The effect that the user has declared.
@@ -285,7 +285,7 @@ impl Interpreter {
         if stops && self.facts.motion_codes_execute {
             self.code_alone(draft, &mut block.faults);
         }
-        let others = draft.written != 0 || draft.reference || draft.machine;
+        let others = draft.written != 0 || draft.reference || draft.machine || draft.end_of_travel;
         if (alone || block.action == Action::ToolChange) && others {
             fault(&mut block.faults, 0, "axis words in a block with another function");
         }

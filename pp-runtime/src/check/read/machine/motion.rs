@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use super::super::super::policy::RolloverRule;
-use super::super::block::{Action, Block, CycleKind, CycleMove, Fault, MAX_AXES, TipControl};
+use super::super::block::{Action, Block, CycleKind, CycleMove, Fault, Length, MAX_AXES, TipControl};
 use super::super::draft::{Code, Draft, fault};
 use super::Interpreter;
 use super::arc;
@@ -20,6 +20,9 @@ impl Interpreter {
         let turns = draft.vector_written != 0 && self.state.tip_control != TipControl::Off;
         if draft.reference {
             return self.reference(draft, block);
+        }
+        if draft.end_of_travel {
+            return self.end_of_travel(draft, block);
         }
         if draft.written == 0 && !turns {
             if draft.call {
@@ -141,7 +144,28 @@ impl Interpreter {
         {
             tilt.oriented = false;
         }
-        Action::Reference
+        let z = self.linear[2].map_or(0, |z| 1 << z);
+        if self.facts.reference_cancels_length && block.written & z != 0 {
+            self.state.length = Some(Length::Off);
+        }
+        let distances = self.state.incremental == Some(true) && draft.absolute & draft.written == 0;
+        let still = |index: usize| draft.written & (1 << index) == 0 || draft.axes[index] == 0.0;
+        Action::Reference { direct: draft.written != 0 && distances && (0..MAX_AXES).all(still) }
+    }
+
+    /// The tool axis to the end of its travel.
+    fn end_of_travel(&mut self, draft: &Draft, block: &mut Block) -> Action {
+        if draft.written != 0 {
+            fault(&mut block.faults, 0, "axis words together with the retract along the tool axis");
+        }
+        let Some(axis) = self.normal().filter(|_| self.state.tool.is_some()) else {
+            fault(&mut block.faults, 0, "retract along the tool axis before a tool call, which names this axis");
+            return Action::Nothing;
+        };
+        block.values = self.values;
+        block.written = 1 << axis;
+        self.known &= !block.written;
+        Action::EndOfTravel
     }
 
     fn machine_block(&mut self, draft: &Draft, block: &mut Block) -> Action {

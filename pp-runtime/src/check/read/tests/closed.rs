@@ -116,7 +116,7 @@ fn codes_that_move_change_or_repeat_and_are_not_in_the_table_are_faults() {
         "M103 F50",
         "M116",
         "M136",
-        "M140 MB MAX",
+        "M140 MB 50",
         "L X+5 R5 FMAX",
         "L X+5 DR+ FMAX",
         "L X+5 FMAX F100",

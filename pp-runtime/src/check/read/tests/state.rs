@@ -10,12 +10,22 @@ fn a_reference_motion_moves_every_axis_or_those_written_through_their_point() {
     for family in [Family::LinuxCnc, Family::Fanuc, Family::Haas] {
         for code in ["G28", "G30"] {
             let all = last(family, &format!("{PLAIN}{AT}{code}"));
-            assert_eq!((all.action, all.written, all.known), (Action::Reference, 0b11111, 0), "{code}");
+            assert_eq!(
+                (all.action, all.written, all.known),
+                (Action::Reference { direct: false }, 0b11111, 0),
+                "{code}"
+            );
             let down = last(family, &format!("{PLAIN}{AT}{code} Z-200."));
-            assert_eq!((down.action, down.written, down.values[4]), (Action::Reference, 1 << 4, -200.0), "{code}");
+            assert_eq!(
+                (down.action, down.written, down.values[4]),
+                (Action::Reference { direct: false }, 1 << 4, -200.0),
+                "{code}"
+            );
             assert_eq!(down.known, 0b01111);
             let up = last(family, &format!("{PLAIN}{AT}G91 {code} Z50."));
             assert_eq!((up.written, up.values[4]), (1 << 4, 53.0), "{code}");
+            let still = last(family, &format!("{PLAIN}{AT}G91 {code} Z0."));
+            assert_eq!((still.action, still.written), (Action::Reference { direct: true }, 1 << 4), "{code}");
         }
         assert_eq!(faults(family, &format!("{PLAIN}G91 G28 Z0.\n")), [""; 0]);
         assert!(!faults(family, &format!("{PLAIN}G91 G28 Z5.\n")).is_empty());

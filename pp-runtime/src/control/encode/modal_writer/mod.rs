@@ -1,14 +1,15 @@
 //! Writer of blocks that leaves out modal words in force: axis words, motion code, feed mode, F.
 //!
-//! The writer owns the modal state and enters every word that it writes. [`motion`] and [`arcs`] write the blocks that
-//! move the machine; the methods here write templates and everything else that changes the state.
+//! The writer owns the modal state and enters every word that it writes. [`motion`], [`arcs`] and [`retract`] write the blocks
+//! that move the machine; the methods here write templates and everything else that changes the state.
 
 mod arcs;
 mod motion;
+mod retract;
 
 use std::io::{self, Write};
 
-use crate::control::dialects::{Control, Spellings, ToolAxisWords};
+use crate::control::dialects::{Control, RetractForm, Spellings, ToolAxisWords};
 use crate::control::layout::Layout;
 use crate::motion::{AxisWords, Smoothing, ToolPosture, VECTOR_DECIMALS};
 use crate::nc::{Decimal, Numbering, Numerals, Writer};
@@ -51,6 +52,11 @@ pub(crate) struct ModalWriter<'a> {
     tip_control: bool,
     /// Tip control may have cancelled the work offset.
     offset_lost: bool,
+    /// Tip control ends with the code that cancels the length offset, in the next block of machine coordinates.
+    ends_tip_control: bool,
+    /// Machine retract of the control, and the blocks that take its place.
+    retract: Option<RetractForm>,
+    own_retract: Vec<String>,
     /// Side of cutter compensation from the next feed block on, true for left; `None`: off.
     side: Option<bool>,
     modal: ModalState,
@@ -130,6 +136,9 @@ impl<'a> ModalWriter<'a> {
             tip_length_code: tip_length_code(codes, layout, vectors),
             tip_control: false,
             offset_lost: false,
+            ends_tip_control: false,
+            retract: layout.options.retract_form(codes),
+            own_retract: layout.options.own_retract().cloned().unwrap_or_default(),
             side: None,
             modal: ModalState::default(),
             values: values(control, layout, numerals),
@@ -158,9 +167,10 @@ impl<'a> ModalWriter<'a> {
         &mut self.values
     }
 
-    /// Notes that tip control is on, or off.
-    pub(crate) fn set_tip_control(&mut self, on: bool) {
+    /// Notes that tip control is on, or off; `with_length`: it ends with the code that cancels the length offset.
+    pub(crate) fn set_tip_control(&mut self, on: bool, with_length: bool) {
         self.tip_control = on;
+        self.ends_tip_control = !on && with_length;
     }
 
     /// Notes that the work offset may have been cancelled, or is in force.

@@ -1,4 +1,4 @@
-//! Straight motions: rapids, feed blocks, rapids in machine coordinates. Length offset and cutter compensation take
+//! Straight motions: rapids and feed blocks. Length offset and cutter compensation take
 //! effect in a motion and are written here too.
 
 use std::io;
@@ -7,7 +7,7 @@ use crate::control::dialects::LengthCall;
 use crate::motion::{AxisWords, FeedWord};
 
 use super::ModalWriter;
-use crate::control::encode::modal_state::{After, LengthState};
+use crate::control::encode::modal_state::LengthState;
 
 impl ModalWriter<'_> {
     /// Writes a straight motion at feed, unless no axis word changes.
@@ -51,29 +51,6 @@ impl ModalWriter<'_> {
         self.call_length(words)?;
         self.axis_words(words, false);
         self.writer.code(along.map_or(self.codes.rapid_end, |(_, end)| end));
-        self.end()
-    }
-
-    /// Writes a rapid in machine coordinates. The motion code is unknown after it, and some controls cancel the length
-    /// offset in it.
-    pub(crate) fn machine_rapid(&mut self, words: &AxisWords) -> io::Result<()> {
-        self.smooth(false)?;
-        self.select_xy_plane()?;
-        let length = &self.codes.length;
-        if length.cancelled_by_machine_coordinates {
-            if matches!(self.modal.length(), LengthState::On(_) | LengthState::Unknown) {
-                self.writer.code(length.off);
-            }
-            self.modal.set_length(match self.modal.length() {
-                LengthState::On(register) | LengthState::Pending(register) => LengthState::Pending(register),
-                LengthState::Off | LengthState::Unknown => LengthState::Off,
-            });
-        }
-        let [before, after] = self.codes.machine;
-        self.writer.code(before);
-        self.axis_words(words, true);
-        self.writer.code(after);
-        self.modal.forget(After::MachineRapid(words));
         self.end()
     }
 

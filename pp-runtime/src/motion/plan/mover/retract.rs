@@ -6,7 +6,12 @@ use crate::motion::options::StretchMode;
 use crate::motion::fault::{Fault, Planned};
 use crate::motion::place::{AxisPosition, TipEntry};
 use crate::motion::plan::mover::Mover;
-use crate::motion::step::{AxisWords, Sink, Step};
+use crate::motion::step::{AxisWords, MAX_AXES, Sink, Step};
+
+/// Positions in the chain of the axes of a mask.
+fn indices(mask: u16) -> impl Iterator<Item = usize> {
+    (0..MAX_AXES).filter(move |index| mask & (1 << index) != 0)
+}
 
 impl<S: Sink> Mover<'_, S> {
     /// Writes a safety line, at which the program can be entered.
@@ -26,6 +31,13 @@ impl<S: Sink> Mover<'_, S> {
         if self.restarts == 0 {
             self.restart()?;
         }
+        if self.abilities.retracts_along_tool && !self.placer.retracts_along_tool() {
+            let fault = Fault::new(
+                "the machine retract leads along the tool axis (M140), which a rotary axis in the head tilts, or which is not \
+                 parallel to the retract axis",
+            );
+            return Err(fault.help("set `retract.method` to a retract in machine coordinates").into());
+        }
         let words = self.placer.retract_words(self.policy.options.retract.position_mm())?;
         let off = match (self.placer.mode(), self.abilities.plane) {
             _ if !self.position.is_in_frame() => None,
@@ -37,7 +49,7 @@ impl<S: Sink> Mover<'_, S> {
         if let Some((off, false)) = off {
             self.output.step(&off)?;
         }
-        self.output.step(&Step::Machine { words })?;
+        self.output.step(&Step::Retract { words })?;
         if let Some((off, true)) = off {
             self.output.step(&off)?;
         }
@@ -78,6 +90,7 @@ impl<S: Sink> Mover<'_, S> {
         };
         let by_plane = entry.is_some_and(|entry| entry.is_in_plane());
         let plane = self.placer.mode() == StretchMode::Plane || by_plane;
+        self.home_before_rotation(above)?;
         self.clamps.open(&self.position.place().words, &above.words, plane, &mut self.output)?;
         self.rapid_alone(above, rotary)?;
         if let Some(TipEntry { words, frame: of_words }) = entry {
@@ -109,6 +122,22 @@ impl<S: Sink> Mover<'_, S> {
         };
         self.rapid_alone(above, linear & !last)?;
         self.rapid(above, last)
+    }
+
+    /// Moves the linear axes other than the retract axis to their home positions, where the rotary axes may rotate on the way to
+    /// a place and the configuration asks for it.
+    fn home_before_rotation(&mut self, to: &AxisPosition) -> Planned {
+        let (retract, rotary) = (&self.policy.options.retract, self.placer.rotary_mask());
+        let rotates = |index: usize| self.position.place().words[index] != to.words[index];
+        let rests = self.position.knows_rotary_axes() && !indices(rotary).any(rotates);
+        if !retract.home_on_indexing || rotary == 0 || rests {
+            return Ok(());
+        }
+        let mut words = AxisWords::default();
+        for index in indices(self.placer.linear_mask() & !(1 << self.placer.retract_axis())) {
+            words.add(&self.placer.machine_words(index, retract.home_mm(self.placer.chain()[index].letter))?);
+        }
+        Ok(self.output.step(&Step::Home { words })?)
     }
 
     /// Compares the rotary axes with their positions after a tilted plane, whose call may choose another solution.
@@ -158,8 +187,7 @@ impl<S: Sink> Mover<'_, S> {
             if index == self.placer.retract_axis() {
                 last = Some(words);
             } else {
-                others.mask |= words.mask;
-                others.units[index] = words.units[index];
+                others.add(&words);
             }
         }
         if others.mask != 0 {
