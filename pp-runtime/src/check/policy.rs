@@ -191,6 +191,17 @@ pub enum RapidForm {
     Feed,
 }
 
+/// Optional stops that the CL data does not program.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum StopRule {
+    /// None.
+    None,
+    /// After the last operation of a tool.
+    ToolChanges,
+    /// After each operation.
+    Operations,
+}
+
 /// Form of the machine retract.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum RetractRule {
@@ -235,6 +246,8 @@ pub struct LinkPolicy {
     pub approach_mm: f64,
     /// The machine retracts before a stop.
     pub retracts_for_stop: bool,
+    /// Optional stops that the CL data does not program.
+    pub optional_stops: StopRule,
     /// Dwell after the spindle is switched on, s.
     pub spindle_dwell_s: f64,
     /// Parking position of axes at the end: mm in machine coordinates, rad.

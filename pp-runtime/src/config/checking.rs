@@ -2,7 +2,7 @@
 
 use crate::check::policy::{
     CheckPolicy, Digits, FeedPath, FeedPolicy, LinearMeaning, LinkPolicy, OperationRule, OperationSelection, RapidForm,
-    RetractRule, RolloverRule, RuledOperation, ShopBlocks, ShopLine, SmoothingLevel, StateDefaults, TipFrame,
+    RetractRule, RolloverRule, RuledOperation, ShopBlocks, ShopLine, SmoothingLevel, StateDefaults, StopRule, TipFrame,
     Tolerances, WordPolicy,
 };
 use crate::check::read::{Effect, Family, OwnPlace, coolant};
@@ -10,8 +10,8 @@ use crate::cl::ReadingOptions;
 use crate::control::{self, Control, LineEffect, RetractForm, Spellings};
 use crate::kinematics::{AnyMachine, AxisKind, Machine, Side};
 use crate::motion::{
-    CutterPath, Links, Mode, OperationChoice, OperationEntry, Operations, PathNorm, Rapid, Rewind, Smoothing,
-    StretchMode, TcpFrame, TcpWords, ToolPosture, Transition, Wrap, rotaries_of,
+    CutterPath, Links, Mode, OperationChoice, OperationEntry, Operations, OptionalStops, PathNorm, Rapid, Rewind,
+    Smoothing, StretchMode, TcpFrame, TcpWords, ToolPosture, Transition, Wrap, rotaries_of,
 };
 use crate::program::Units;
 use crate::set_up::LengthMode;
@@ -152,6 +152,11 @@ impl Config {
             rewinds_dry: motion.retract.rewind_dry,
             approach_mm: motion.approach.distance_mm,
             retracts_for_stop: motion.stop_retract,
+            optional_stops: match motion.optional_stops {
+                OptionalStops::None => StopRule::None,
+                OptionalStops::ToolChanges => StopRule::ToolChanges,
+                OptionalStops::Operations => StopRule::Operations,
+            },
             spindle_dwell_s: motion.spindle_dwell_s,
             park: motion.park.clone(),
             dry_lift_mm: motion.lift_mm,

@@ -52,8 +52,8 @@ pub use modes::{ModeFinder, StretchModes};
 pub use options::{
     Approach, ArcForm, ArcOptions, ArcOutput, ClampCodes, CourseOptions, CutterPath, CycleOptions, CycleOutput,
     Defaults, FeedLimits, GuardOptions, Links, Mode, MotionOptions, OperationChoice, OperationEntry, OperationSettings,
-    OperationTable, Operations, PathNorm, Policy, Rapid, RapidOptions, Retract, Rewind, RotaryOptions, Singular,
-    Smoothing, StretchMode, TcpFrame, TcpWords, TipOptions, ToolPosture, Transition, Wrap,
+    OperationTable, Operations, OptionalStops, PathNorm, Policy, Rapid, RapidOptions, Retract, Rewind, RotaryOptions,
+    Singular, Smoothing, StretchMode, TcpFrame, TcpWords, TipOptions, ToolPosture, Transition, Wrap,
 };
 pub(crate) use place::rotaries_of;
 pub use place::{PlaneAbility, PlaneAngles, PoseRule, TipAbility, TipStart, UsableModes, unsuited};

@@ -53,6 +53,9 @@ options! {
         spindle_dwell_s: f64 = 0.0, key("spindle_dwell", Measure::plain(Bound::NotNegative).unless(no_dwell));
         /// Retract before STOP and OPSTOP.
         stop_retract: bool = true, key("stop_retract", YesNo);
+        /// Optional stops (M1) that the CL data does not program: "none", "tool_changes" (after the last operation of each tool)
+        /// or "operations" (after each operation). None comes where the CL data stops there, and none at the end.
+        optional_stops: OptionalStops = OptionalStops::None, key("optional_stops", OneOf(&OptionalStops::NAMES));
         /// Park positions of axes at the end of the program: degrees, and machine coordinates of linear axes. Axes
         /// without one do not move.
         park: BTreeMap<char, f64> = BTreeMap::new(), key("park", PARK);
@@ -157,6 +160,22 @@ options! {
 
 /// Largest number for `auto_planes`.
 const MOST_PLANES: u32 = 1000;
+
+/// Optional stops that the CL data does not program.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum OptionalStops {
+    /// None.
+    None,
+    /// After the last operation before a change to another tool.
+    ToolChanges,
+    /// After each operation.
+    Operations,
+}
+
+impl OptionalStops {
+    pub(crate) const NAMES: [(&'static str, Self); 3] =
+        [("none", Self::None), ("tool_changes", Self::ToolChanges), ("operations", Self::Operations)];
+}
 
 /// Angle of the first rotary axis where it is free.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -4,7 +4,7 @@
 use std::collections::{BTreeMap, VecDeque};
 
 use super::super::geometry::{ArcPath, PathShape, bezier, tool_pose};
-use super::super::policy::{CheckPolicy, OperationSelection};
+use super::super::policy::{CheckPolicy, OperationSelection, StopRule};
 use super::super::read::{LengthRegisters, Side, coolant};
 use super::hole::{ExpectedHole, HoleStep, unfolded};
 use super::operations::{self, RulesInForce};
@@ -99,6 +99,8 @@ struct Operation {
     starts: bool,
     /// The position of the machine is known.
     position_known: bool,
+    /// Something has moved since the last stop, INSERT, GOHOME or set-up.
+    worked: bool,
     /// A tool record is in this start.
     called: bool,
     /// The tool has changed in this start.
@@ -133,6 +135,7 @@ impl<'a> ClState<'a> {
             number: 0,
             starts: true,
             position_known: false,
+            worked: false,
             called: false,
             changed: false,
             named: false,
@@ -194,6 +197,7 @@ impl<'a> ClState<'a> {
             Event::SafeSequence => self.begin_anew(),
             Event::SetUp(number) => {
                 self.begin_anew();
+                self.operation.worked = false;
                 self.required.set_up = number;
                 self.required.clearance = self.policy.links.clearance;
             }
@@ -250,7 +254,24 @@ impl<'a> ClState<'a> {
         self.hole = None;
     }
 
+    /// The optional stop after an operation for which the configuration asks; `other_tool`: another tool comes.
+    fn stop_after_operation(&mut self, at: Location, other_tool: bool) {
+        let wanted = match self.policy.links.optional_stops {
+            StopRule::None => false,
+            StopRule::ToolChanges => other_tool,
+            StopRule::Operations => true,
+        };
+        let ends = match &self.policy.selection {
+            Some(OperationSelection::Range(_, Some(last))) => self.operation.number >= *last,
+            Some(OperationSelection::Range(_, None) | OperationSelection::From(_)) | None => false,
+        };
+        if wanted && self.operation.worked && !ends {
+            self.interrupt(at, ExpectedAction::Stop { optional: true });
+        }
+    }
+
     fn begin_operation(&mut self, at: Location, name: &[u8]) {
+        self.stop_after_operation(at, false);
         self.begin();
         let name = String::from_utf8_lossy(name);
         if !self.policy.operations.is_empty() {
@@ -302,11 +323,15 @@ impl<'a> ClState<'a> {
     }
 
     fn interrupt(&mut self, at: Location, action: ExpectedAction) {
+        self.operation.worked = false;
         self.begin_anew();
         self.push(at, action);
     }
 
     fn tool(&mut self, at: Option<Location>, call: &ToolCall) {
+        if let Some(at) = at {
+            self.stop_after_operation(at, self.required.tool != Some(call.number));
+        }
         self.begin_anew();
         let before = self.calls.get(&call.number).copied().unwrap_or_default();
         let given = self.policy.set_up.tools.get(&call.number);
@@ -379,6 +404,7 @@ impl<'a> ClState<'a> {
             self.take_rules(at);
         }
         self.operation.position_known = true;
+        self.operation.worked = true;
         self.required.spindle = self.spindle_state();
         self.required.coolant = self.coolant_bits();
         let to = tool_pose(&motion.pose);

@@ -23,6 +23,8 @@ pub(crate) struct Position {
     known: bool,
     /// The rotary axes are at the angles of `place`.
     rotary_known: bool,
+    /// The CL data has moved the tool since the position was forgotten.
+    worked: bool,
     /// The retract axis is at its retract position.
     retracted: bool,
     /// Linear words are tip coordinates: tip control is on, or a plane is tilted.
@@ -42,6 +44,7 @@ impl Position {
             moved: false,
             known: false,
             rotary_known: false,
+            worked: false,
             retracted: false,
             in_frame: false,
             lead_out: LeadOut::default(),
@@ -77,6 +80,11 @@ impl Position {
         self.rotary_known
     }
 
+    /// Whether the CL data has moved the tool since the position was forgotten, at a stop.
+    pub(crate) fn has_worked(&self) -> bool {
+        self.worked
+    }
+
     /// Another tool comes into the spindle: the change may move any axis.
     pub(crate) fn change_tool(&mut self) {
         self.rotary_known = false;
@@ -108,6 +116,7 @@ impl Position {
         self.moved = true;
         self.known = true;
         self.rotary_known = true;
+        self.worked = true;
         self.retracted = false;
     }
 
@@ -127,6 +136,7 @@ impl Position {
     pub(crate) fn forget(&mut self) {
         self.known = false;
         self.rotary_known = false;
+        self.worked = false;
         self.retracted = false;
     }
 

@@ -2,7 +2,7 @@
 
 use std::ops::RangeInclusive;
 
-use crate::motion::options::Transition;
+use crate::motion::options::{OptionalStops, Transition};
 use crate::program::{Dwell, Event, RotaryDirection, ToolCall, is_nc_text};
 
 use crate::motion::fault::{Fault, Planned};
@@ -120,8 +120,21 @@ impl<S: Sink> Records<'_, '_, S> {
         Ok(())
     }
 
+    /// The optional stop of the configuration after an operation, unless the CL data stops there, or nothing comes after it.
+    /// `other_tool`: another tool comes.
+    fn stop_after_operation(&mut self, other_tool: bool) -> Planned {
+        let wanted = match self.planner.policy.options.optional_stops {
+            OptionalStops::None => false,
+            OptionalStops::ToolChanges => other_tool,
+            OptionalStops::Operations => true,
+        };
+        let worked = self.planner.mover.position().has_worked() && self.planner.selection.next_is_written();
+        if wanted && worked { self.stop(true) } else { Ok(()) }
+    }
+
     /// TOOL PATH.
     fn name_operation(&mut self, name: &[u8]) -> Planned {
+        self.stop_after_operation(false)?;
         if self.planner.policy.options.rapids.transition == Transition::Safe {
             self.leave()?;
             // The retract belongs to the operation before, so its blocks come before the name of this one.
@@ -140,8 +153,10 @@ impl<S: Sink> Records<'_, '_, S> {
     fn call_tool(&mut self, call: &ToolCall) -> Planned {
         let tool = self.resolve(call)?;
         let (next, current) = (self.planner.tooling.next(), self.planner.tooling.current());
+        let other = next.or(current).is_none_or(|known| known.number != tool.number);
+        self.stop_after_operation(other)?;
         self.leave()?;
-        if next.or(current).is_none_or(|known| known.number != tool.number) {
+        if other {
             self.planner.spindle.change_tool(next.is_none());
         }
         self.planner.tooling.prepare(tool);

@@ -1,0 +1,140 @@
+//! Optional stops that the configuration adds after operations and before tool changes: where they are, and a check that
+//! misses none and takes no other.
+
+use std::io::Cursor;
+
+use machines::SpinnerU5620;
+use pp_runtime::check::check;
+use pp_runtime::config::{Config, starting_point};
+use pp_runtime::control::{self, Control};
+use pp_runtime::motion::Operations;
+use pp_runtime::post::{Job, post};
+
+/// Five operations with two tools; the third ends with an optional stop, the fourth begins with a stop.
+const CL: &str = "UNITS/MM
+TOOL PATH/OP1,TOOL,T
+LOADTL/1,LENGTH,100
+SPINDL/RPM,2000,CLW
+CUT
+TOOL PATH/OP2,TOOL,T
+LOADTL/1
+CUT
+TOOL PATH/OP3,TOOL,U
+LOADTL/2,LENGTH,110
+SPINDL/RPM,1000,CLW
+CUT
+OPSTOP
+TOOL PATH/OP4,TOOL,U
+CUT
+STOP
+LOADTL/1
+SPINDL/RPM,2000,CLW
+CUT
+FINI
+";
+
+const CUT: &str = "RAPID
+GOTO/0,0,30,0,0,1
+FEDRAT/MMPM,300
+GOTO/0,0,20
+RAPID
+GOTO/0,0,60
+";
+
+fn cl() -> String {
+    CL.replace("CUT\n", CUT)
+}
+
+fn config(control: &dyn Control, stops: &str, retract: bool) -> Config {
+    let text = format!("mode = 'axes'\noptional_stops = '{stops}'\nstop_retract = {retract}\n");
+    starting_point(control).read_over(&SpinnerU5620::default(), &text).unwrap_or_else(|faults| panic!("{faults:?}"))
+}
+
+fn findings(config: &Config, control: &dyn Control, program: &str) -> Vec<String> {
+    let policy = config.check_policy::<SpinnerU5620>(control, None).expect("it can be checked");
+    let checked = check::<SpinnerU5620>(&policy, Cursor::new(cl()), program.as_bytes()).expect("it can be read");
+    checked.outcome.findings.into_iter().map(|finding| finding.text).collect()
+}
+
+fn posted(config: &Config, control: &'static dyn Control) -> String {
+    let job = Job { cl_name: "part.cls", config, control, units: None };
+    let mut program = Vec::new();
+    let report = post::<SpinnerU5620>(&job, &mut Cursor::new(cl()), &mut program).expect("it can run");
+    let program = String::from_utf8(program).expect("ASCII");
+    assert!(!report.failed, "{program}\n{:?}", report.diagnostics);
+    let found = findings(config, control, &program);
+    assert!(found.is_empty(), "{program}\n{found:?}");
+    program
+}
+
+/// Lines without their numbers.
+fn bare(program: &str) -> Vec<&str> {
+    program.lines().map(|line| line.trim_start_matches(|c: char| c.is_ascii_digit()).trim_start()).collect()
+}
+
+/// Stops, and the operations in whose blocks they are: that of the last name before each.
+fn stops<'p>(program: &'p str, codes: &[&'static str; 2]) -> Vec<(&'p str, usize)> {
+    let mut operation = 0;
+    let mut found = Vec::new();
+    for line in bare(program) {
+        if let Some(number) = (1..=4).find(|number| line.contains(&format!("OP{number}"))) {
+            operation = number;
+        }
+        if codes.contains(&line) {
+            found.push((line, operation));
+        }
+    }
+    found
+}
+
+#[test]
+fn optional_stops_come_after_operations_or_before_tool_changes() {
+    for control in control::CONTROLS {
+        let codes = control.spellings().stop;
+        let [stop, optional] = codes;
+        for retract in [true, false] {
+            for (name, expected) in [
+                ("none", vec![(optional, 3), (stop, 4)]),
+                // The name of an operation comes before its tool.
+                ("tool_changes", vec![(optional, 3), (optional, 3), (stop, 4)]),
+                ("operations", vec![(optional, 1), (optional, 2), (optional, 3), (stop, 4)]),
+            ] {
+                let program = posted(&config(*control, name, retract), *control);
+                assert_eq!(stops(&program, &codes), expected, "{} {name}\n{program}", control.spellings().name);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_stop_that_is_lost_or_another_one_is_found() {
+    for control in control::CONTROLS {
+        let [stop, optional] = control.spellings().stop;
+        let [none, all] = ["none", "operations"].map(|name| config(*control, name, true));
+        let program = posted(&all, *control);
+        assert!(!findings(&none, *control, &program).is_empty());
+        assert!(!findings(&all, *control, &posted(&none, *control)).is_empty());
+        let numbered = control.spellings().numbers_every_line;
+        let lines: Vec<&str> = program.lines().collect();
+        let is_optional = |line: &str| bare(line)[0] == optional;
+        for at in (0..lines.len()).filter(|&at| is_optional(lines[at])) {
+            // A comment keeps the numbers of the lines.
+            let lost = if numbered { lines[at].replace(optional, "; NO STOP") } else { String::new() };
+            for line in [lost, lines[at].replace(optional, stop)] {
+                let edited = [&lines[..at], &[line.as_str()], &lines[at + 1..]].concat().join("\n");
+                assert!(!findings(&all, *control, &edited).is_empty(), "{edited}");
+            }
+        }
+    }
+}
+
+#[test]
+fn selected_operations_end_without_a_stop() {
+    for control in control::CONTROLS {
+        let [_, optional] = control.spellings().stop;
+        let mut config = config(*control, "operations", true);
+        config.motion.selected = Some(Operations::Range(1, Some(2)));
+        let program = posted(&config, *control);
+        assert_eq!(stops(&program, &control.spellings().stop), [(optional, 1)], "{program}");
+    }
+}
