@@ -248,7 +248,12 @@ fn pose_difference<M: Machine>(
     if std::mem::discriminant(&was.action) != std::mem::discriminant(&is.action) {
         return Some(format!("{:?} became {:?}", was.action, is.action));
     }
-    if let Some(what) = state_difference(&was.state, &is.state) {
+    // Nothing is cut in a machine retract: the spindle may be off before it.
+    let mut state = is.state;
+    if was.action == Action::Machine && state.spindle.flatten().is_none() {
+        (state.spindle, state.speed) = (was.state.spindle, was.state.speed);
+    }
+    if let Some(what) = state_difference(&was.state, &state) {
         return Some(what);
     }
     let all = (1_u16 << M::AXES.len()) - 1;
