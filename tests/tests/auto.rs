@@ -15,6 +15,9 @@ use pp_runtime::post::{Job, post};
 
 const HEAD: &str = "UNITS/MM\nTOOL PATH/OP,TOOL,T\nLOADTL/1,LENGTH,100\nSPINDL/RPM,2000,CLW\n";
 
+/// The part zero is the reference point of the table.
+const ORIGIN: &str = "part_origin = [0.0, 0.0, 0.0]\n";
+
 const KEYS: &str = "[retract]\ndistance = 40.0\n";
 
 /// A tool axis that is tilted about Y by some degrees.
@@ -63,7 +66,8 @@ fn posted<M: Machine>(control: &str, keys: &str, operation: &str) -> Result<Stri
 
 fn posted_in<M: Machine>(mode: &str, control: &str, keys: &str, operation: &str) -> Result<String, (u64, String)> {
     let control = control::by_name(control).expect("a control");
-    let mut config = starting_point(control).read_over(&M::default(), &format!("{keys}\n{KEYS}")).expect("valid keys");
+    let mut config =
+        starting_point(control).read_over(&M::default(), &format!("{ORIGIN}{keys}\n{KEYS}")).expect("valid keys");
     config.motion.mode = Mode::NAMES.into_iter().find(|(name, _)| *name == mode).expect("a mode").1;
     let cl = format!("{HEAD}{operation}END-OF-PATH\nFINI\n");
     let job = Job { cl_name: "auto.cls", config: &config, control, units: None };

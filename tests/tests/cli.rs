@@ -511,7 +511,7 @@ fn comment_text(lines: &[&str]) -> String {
 fn a_program_ends_with_the_result_of_its_check() {
     for (control, end) in [("linuxcnc", 1), ("fanuc", 2), ("siemens", 1), ("heidenhain", 2), ("haas", 2)] {
         let shop = Shop::with(format!("{HEAD}GOTO/1,2,3\nGOTO/40,2,3,0.6,0,0.8\n"));
-        shop.write("shop.toml", "[program]\nchecked = true\ntimes = true\n");
+        shop.write("shop.toml", "part_origin = [0.0, 0.0, 0.0]\n[program]\nchecked = true\ntimes = true\n");
         let with = ["part.cls", "--control", control, "--mode", "axes", "--config", "shop.toml"];
         let plain = shop.run(&["post", "part.cls", "--control", control, "--mode", "axes"]);
         assert!(!String::from_utf8_lossy(&plain.output).to_lowercase().contains("um of"), "{control}");

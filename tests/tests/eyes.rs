@@ -49,6 +49,7 @@ impl Set {
         let config = starting_point(self.control).read_over(&M::default(), text);
         let mut config = config.unwrap_or_else(|faults| panic!("{text}: {faults:?}"));
         config.motion.mode = self.mode;
+        config.given.insert("part_origin");
         config
     }
 

@@ -23,7 +23,8 @@ impl Posted {
     fn new(control: &str, config: &str, data: &str) -> Self {
         let control = control::by_name(control).expect("a control");
         let config = starting_point(control).read_over(&SpinnerU5620::default(), config).expect("a configuration");
-        let config = Config { output_units: Some(Units::Millimetres), ..config };
+        let mut config = Config { output_units: Some(Units::Millimetres), ..config };
+        config.given.insert("part_origin");
         let mut program = Vec::new();
         let job = post::Job { cl_name: "part.cls", config: &config, control, units: None };
         let report = post::<SpinnerU5620>(&job, &mut Cursor::new(data), &mut program).expect("it can be written");

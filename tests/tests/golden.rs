@@ -31,11 +31,15 @@ type Part = (&'static str, Option<&'static str>, &'static [&'static str]);
 const FIVE_AXES: &[&str] = &["dmu-70e", "lola-xoyzba", "spinner-u5-620"];
 
 const PARTS: &[Part] = &[
-    ("examples/cl/two_tools.cls", None, FIVE_AXES),
-    ("tests/data/blade/blade.cls", None, FIVE_AXES),
-    ("tests/data/facets/facets.aptsource", None, FIVE_AXES),
-    ("tests/data/rim/rim.ncl", None, FIVE_AXES),
-    ("tests/data/key_inch/key_inch.cls", None, &["dmu-70e", "lola-xoyzba", "multiprodesk", "spinner-u5-620"]),
+    ("examples/cl/two_tools.cls", Some("tests/data/two_tools/two_tools.toml"), FIVE_AXES),
+    ("tests/data/blade/blade.cls", Some("tests/data/blade/blade.toml"), FIVE_AXES),
+    ("tests/data/facets/facets.aptsource", Some("tests/data/facets/facets.toml"), FIVE_AXES),
+    ("tests/data/rim/rim.ncl", Some("tests/data/rim/rim.toml"), FIVE_AXES),
+    (
+        "tests/data/key_inch/key_inch.cls",
+        Some("tests/data/key_inch/key_inch.toml"),
+        &["dmu-70e", "lola-xoyzba", "multiprodesk", "spinner-u5-620"],
+    ),
     ("tests/data/coil/coil.cls", Some("tests/data/coil/coil.toml"), &["multiprodesk"]),
     ("tests/data/pocket/pocket.cls", Some("tests/data/pocket/pocket.toml"), FIVE_AXES),
     ("tests/data/plate/plate.ncl", Some("tests/data/plate/plate.toml"), FIVE_AXES),

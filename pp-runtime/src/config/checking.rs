@@ -57,7 +57,18 @@ impl Config {
         if !unfit.is_empty() {
             return Err(NotCheckable(unfit.join("\n")));
         }
-        Ok(CheckPolicy {
+        Ok(self.for_control(control).policy_of_check(machine, control, family, cl_units))
+    }
+
+    /// The policy, of a configuration that suits its control.
+    fn policy_of_check(
+        &self,
+        machine: &dyn AnyMachine,
+        control: &dyn Control,
+        family: Family,
+        cl_units: Option<Units>,
+    ) -> CheckPolicy {
+        CheckPolicy {
             family,
             reading: ReadingOptions { units: cl_units.or(self.cl_units), ..self.cl.clone() },
             output_units: self.output_units,
@@ -74,7 +85,7 @@ impl Config {
             }),
             shop: self.shop_blocks(machine, control),
             operations: self.motion.operations.entries.iter().map(rule).collect(),
-        })
+        }
     }
 
     fn word_policy(&self) -> WordPolicy {

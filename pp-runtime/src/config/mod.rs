@@ -34,7 +34,7 @@ mod tests;
 use std::collections::BTreeSet;
 
 use crate::cl as reading;
-use crate::control::{Control, ControlOptions, Demands};
+use crate::control::{Control, ControlOptions, Demands, take_out_lacking};
 use crate::keys::{OneOf, options};
 use crate::motion::{self, Policy};
 use crate::nc;
@@ -78,6 +78,8 @@ options! {
         ///
         /// Keys by axis, dimension or tool are not listed: their maps hold only what is given.
         given: BTreeSet<&'static str> = BTreeSet::new();
+        /// Settings that the control of the job lacks, one sentence each: see [`for_control`](Self::for_control).
+        left_out: Vec<String> = Vec::new();
     }
 }
 
@@ -90,6 +92,22 @@ pub fn starting_point(control: &dyn Control) -> Config {
 impl Config {
     /// Step of the block numbers where they are requested without a step.
     pub const LINE_NUMBER_STEP: u32 = 10;
+
+    /// The configuration as a control carries it out: without the settings that the control lacks and a program does without,
+    /// which [`left_out`](Self::left_out) names. Posting and check use this form, so that one file serves several controls.
+    #[must_use]
+    pub fn for_control(&self, control: &dyn Control) -> Self {
+        let mut config = self.clone();
+        let lacking = take_out_lacking(control, &mut config.control, &mut config.motion.operations);
+        config.left_out.extend(lacking);
+        config
+    }
+
+    /// Whether no part origin is given, so that the part zero is taken to be the reference point of the table.
+    #[must_use]
+    pub fn part_origin_is_assumed(&self) -> bool {
+        !self.is_given("part_origin") && self.set_up.part_origin.iter().all(|value| value.abs() <= 0.0)
+    }
 
     /// Whether `key` (`retract.position`) is given, not assumed.
     #[must_use]

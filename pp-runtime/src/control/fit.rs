@@ -1,11 +1,11 @@
-//! Fit of a configuration to a control: settings that the control does not support, and the functions that the planner
-//! may use (the [`Abilities`] of `motion`).
+//! Fit of a configuration to a control: settings that the control does not support and a program is not safe without, and the
+//! functions that the planner may use (the [`Abilities`] of `motion`).
 
 use crate::keys::list;
 use crate::kinematics::{AnyMachine, Side};
 use crate::motion::{
-    self, Abilities, CutterRadius, CycleAbilities, OperationBlocks, PathNorm, PlaneAbility, Registers, Smoothing,
-    StretchMode, TipAbility, TipStart, Transition, UsableModes, rotaries_of,
+    self, Abilities, CutterRadius, CycleAbilities, OperationBlocks, PlaneAbility, Registers, StretchMode, TipAbility,
+    TipStart, Transition, UsableModes, rotaries_of,
 };
 use crate::program::{Coolant, Pressure, Units};
 use crate::set_up::LengthMode;
@@ -22,8 +22,9 @@ const LONGEST_TOOL_NAME: usize = 32;
 /// Rounding of an indexing step that is converted from degrees, as a share of it.
 const STEP_NOISE: f64 = 1e-9;
 
-/// Settings that the control does not support, and reasons why machine, control and configuration do not suit the mode.
-/// One sentence each; empty if a program can be written. In mode `auto` a setting may still be missing for a stretch.
+/// Settings that the control does not support and a program is not safe without, and reasons why machine, control and
+/// configuration do not suit the mode. One sentence each; empty if a program can be written. In mode `auto` a setting may
+/// still be missing for a stretch. What a program does without is in [`take_out_lacking`](super::take_out_lacking).
 #[must_use]
 pub fn unfit(machine: &dyn AnyMachine, control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
     let Abilities { tip, plane, .. } = abilities(control, demands);
@@ -77,20 +78,12 @@ fn unsupported(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
                 .push(format!("{title} permits no axis name `{name}`: correct the name of {letter} in `control.axes`"));
         }
     }
-    if options.program_number.is_some_and(|number| number.to_string().len() > codes.number_digits) {
-        faults.push(match codes.number_digits {
-            0 => format!("programs of {title} have no number: leave `control.program_number` out"),
-            digits => format!("`control.program_number` has too many digits: {title} permits at most {digits}"),
-        });
-    }
-    if options.file_header && control.file_header("NAME").is_empty() {
-        faults.push(format!("{title} has no file header: leave `control.file_header` out"));
+    let digits = codes.number_digits;
+    if digits > 0 && options.program_number.is_some_and(|number| number.to_string().len() > digits) {
+        faults.push(format!("`control.program_number` has too many digits: {title} permits at most {digits}"));
     }
     if codes.length.call == LengthCall::WithTool && demands.set_up.length_mode == LengthMode::Gauge {
         faults.push(format!("{title} activates the tool length in every tool call: set `length_mode = \"tip\"`"));
-    }
-    if codes.numbers_every_line && demands.options.program.line_numbers.is_some() {
-        faults.push(format!("every line of a program for {title} has a number anyway: remove `program.line_numbers`"));
     }
     // The check could not tell the pressures from each other.
     let through = |index: usize| options.coolant[index].as_ref().map(|[on, _]| on.as_str());
@@ -104,42 +97,7 @@ fn unsupported(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
             ));
         }
     }
-    if options.smoothing != Smoothing::None && codes.smoothing[0].is_empty() {
-        faults.push(format!("{title} has no smoothing levels: leave `control.smoothing` out and set `path_tolerance`"));
-    }
-    let mut smoothing = codes.smoothing.iter().chain(&codes.smoothing_with_angle).copied().flatten();
-    let stated = smoothing.any(|block| block.contains("{angle}"));
-    let smooths = options.smoothing != Smoothing::None || demands.motion.operations.smooths();
-    if smooths && options.smoothing_angle_rad.is_some() && !stated {
-        faults.push(format!(
-            "smoothing of {title} has no tolerance for rotary axes: leave `control.smoothing_angle` out"
-        ));
-    }
-    let known = [
-        (ControlFunction::TipControl, "tip_control", codes.tip.is_some() || options.tip_control.is_some()),
-        (ControlFunction::Planes, "planes", codes.plane.is_some()),
-        (
-            ControlFunction::DynamicOffset,
-            "dynamic_offset",
-            codes.tip.as_ref().is_some_and(|tip| tip.dynamic_offset.is_some()),
-        ),
-    ];
-    for (_, name, _) in known.iter().filter(|(function, _, can)| {
-        !can && options.functions.as_ref().is_some_and(|installed| installed.contains(function))
-    }) {
-        faults.push(format!("{title} cannot have the function `{name}`: remove it from `control.functions`"));
-    }
-    let posture = codes.tip.as_ref().map_or("", |tip| tip.posture_setting[0]);
-    if !options.posture_word && (posture.is_empty() || options.tip_control.is_some()) {
-        faults.push(format!(
-            "no setting of {title} takes the place of the word of the tool posture: leave `control.posture_word` out"
-        ));
-    }
     faults.extend(unsupported_retract(codes, options.retract_method.as_ref()));
-    let inverse = matches!(options.path_norm, Some(PathNorm::G93Minutes | PathNorm::G93Seconds));
-    if inverse && codes.inverse_time.is_none() {
-        faults.push(format!("{title} has no inverse-time feed: set `control.path_norm` to \"xyz\" or \"xyz+deg\""));
-    }
     let program = &options.program;
     let of_operations = [
         ("program.operation_start", program.operation_start.is_empty()),
@@ -238,11 +196,8 @@ fn unreadable_axis(control: &dyn Control, demands: Demands<'_>) -> Option<String
 /// Reasons why tools cannot be called by their names.
 fn unsuited_names(machine: &dyn AnyMachine, codes: &Spellings, demands: Demands<'_>) -> Vec<String> {
     let (title, set_up) = (codes.title, demands.set_up);
-    if !demands.options.tool_names {
+    if !demands.options.tool_names || codes.tool_name.is_none() {
         return Vec::new();
-    }
-    if codes.tool_name.is_none() {
-        return vec![format!("{title} calls tools by number: leave `control.tool_names` out")];
     }
     let mut faults = Vec::new();
     let names = || set_up.tools.iter().filter_map(|(number, tool)| Some((number, tool.name.as_ref()?)));
@@ -326,7 +281,6 @@ pub fn abilities(control: &dyn Control, demands: Demands<'_>) -> Abilities {
         arc_planes: codes.arcs.planes.map(|plane| plane.is_some()),
         vectors_take_arc_words: vectors_take_arc_words(codes),
         arc_radius_tolerance_mm: codes.arcs.radius_tolerance_mm,
-        smooths: !codes.smoothing[0].is_empty(),
         helix_by_angle: codes.arcs.centre == ArcCentre::Pole,
         tip: tip_ability(control, demands),
         plane: codes.plane.as_ref().filter(|_| demands.options.has(ControlFunction::Planes)).map(|plane| {

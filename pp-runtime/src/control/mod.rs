@@ -7,7 +7,7 @@
 //!   [`CONTROLS`].
 //! - [`template`]: blocks with named fields, used in tables and configurations.
 //! - [`ControlOptions`]: settings of a job for its control; [`unfit`] lists those that the control does not support,
-//!   and [`abilities`] states which functions of the control the planner may use. [`Layout`] is the part that the
+//!   [`take_out_lacking`] leaves those out that a program does without, and [`abilities`] states which functions of the control the planner may use. [`Layout`] is the part that the
 //!   encoder reads.
 //! - [`Encoder`]: converts steps to blocks.
 //!
@@ -27,6 +27,7 @@
 mod dialects;
 mod encode;
 mod fit;
+mod lacking;
 mod layout;
 mod options;
 pub mod template;
@@ -38,5 +39,6 @@ pub use dialects::*;
 pub use encode::Encoder;
 pub(crate) use encode::{legible, lines_of};
 pub use fit::{abilities, unfit, usable_modes};
+pub use lacking::take_out_lacking;
 pub use layout::Layout;
 pub use options::{ControlFunction, ControlOptions, Demands, LineEffect, ProgramBlocks, RetractMethod};

@@ -155,6 +155,15 @@ pub enum ControlFunction {
 impl ControlFunction {
     const NAMES: [(&'static str, Self); 3] =
         [("tip_control", Self::TipControl), ("planes", Self::Planes), ("dynamic_offset", Self::DynamicOffset)];
+
+    /// Name in a file.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::TipControl => "tip_control",
+            Self::Planes => "planes",
+            Self::DynamicOffset => "dynamic_offset",
+        }
+    }
 }
 
 impl ControlOptions {

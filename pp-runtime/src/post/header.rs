@@ -45,6 +45,33 @@ fn offset_name(control: &dyn Control, word: &str) -> String {
     format!("{}{spelled}", control.spellings().offset_title)
 }
 
+/// Whether words of the program depend on the place of the part on the table.
+fn depends_on_part_origin(machine: &dyn AnyMachine, control: &dyn Control, config: &Config, survey: &Survey) -> bool {
+    // A control that takes tip coordinates in the frame of the part needs no part origin: the work offset holds it.
+    // Where X and Y come as axis positions over the approach point of tip control, it is needed as well.
+    let abilities = control::abilities(control, config.demands());
+    let by_axes = abilities.enters_tip_control_by_axes() || abilities.plane.is_none();
+    let positions = survey.modes.has(StretchMode::Axes) || survey.modes.has(StretchMode::Tcp) && by_axes;
+    (positions || !is_part_frame(config)) && rotaries(machine, Side::Workpiece).next().is_some()
+}
+
+/// Whether words of the program are positions of the axes, or coordinates in a frame that does not go with the part, on a
+/// machine with a rotary axis in the table.
+pub(crate) fn has_positions(machine: &dyn AnyMachine, control: &dyn Control, config: &Config, survey: &Survey) -> bool {
+    let abilities = control::abilities(control, config.demands());
+    let moved_zero = TipStart::WithMotion { dynamic_offset: true };
+    let comes_by_axes = abilities.enters_tip_control_by_axes()
+        && abilities.plane.is_none()
+        && abilities.tip.is_some_and(|tip| tip.start != moved_zero);
+    let tip = survey.modes.has(StretchMode::Tcp) && (comes_by_axes || !is_part_frame(config));
+    (survey.modes.has(StretchMode::Axes) || tip) && rotaries(machine, Side::Workpiece).next().is_some()
+}
+
+/// Whether coordinates under tip control are in the frame of the part.
+fn is_part_frame(config: &Config) -> bool {
+    config.motion.tip.tcp_frame.is_none_or(|frame| frame == TcpFrame::TableAtZero)
+}
+
 /// Settings that were assumed because they were not given, one sentence each.
 pub(crate) fn assumptions(
     machine: &dyn AnyMachine,
@@ -60,13 +87,8 @@ pub(crate) fn assumptions(
     if !survey.file.states_frame {
         list.push("points of the CL data are coordinates from the part zero".to_owned());
     }
-    // A control that takes tip coordinates in the frame of the part needs no part origin: the work offset holds it.
-    // Where X and Y come as axis positions over the approach point of tip control, it is needed as well.
     let abilities = control::abilities(control, config.demands());
-    let by_axes = abilities.enters_tip_control_by_axes() || abilities.plane.is_none();
-    let positions = survey.modes.has(StretchMode::Axes) || survey.modes.has(StretchMode::Tcp) && by_axes;
-    let known = !positions && config.motion.tip.tcp_frame.is_none_or(|frame| frame == TcpFrame::TableAtZero);
-    if !known && rotaries(machine, Side::Workpiece).next().is_some() && !config.is_given("part_origin") {
+    if depends_on_part_origin(machine, control, config, survey) && config.part_origin_is_assumed() {
         list.push("part_origin 0, 0, 0: the part zero is the reference point of the table".to_owned());
     }
     if !config.is_given("work_offset") {
@@ -132,6 +154,7 @@ pub(crate) fn set_up(control: &dyn Control, config: &Config, survey: &Survey) ->
              offset, spindle"
         ));
     }
+    list.extend(config.left_out.iter().cloned());
     list.extend(operations::settings(config, &survey.settings));
     for (&number, further) in &config.set_up.set_ups {
         let begins = match &further.begins {

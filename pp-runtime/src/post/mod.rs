@@ -335,6 +335,8 @@ pub fn post_for(
     if !unfit.is_empty() {
         return Err(PostError::Unfit(unfit.join("\n")));
     }
+    let config = job.config.for_control(job.control);
+    let job = &Job { config: &config, ..*job };
     let mut text = ClText::new(job, input)?;
     let ready = job.config.set_up.machine_for(machine);
     let usable = control::usable_modes(ready.as_deref().unwrap_or(machine), job.control, job.config.demands());
@@ -342,6 +344,13 @@ pub fn post_for(
     if let (Some(Err(missing)), None) = (&survey.selected, survey.first_error) {
         // Errors of the CL data are reported first: they may be why operations are missing.
         return Err(PostError::Operations(missing.clone()));
+    }
+    if let Some(tilted) = survey.tilted
+        && !control::is_default_family(job.control)
+        && job.config.part_origin_is_assumed()
+        && header::has_positions(machine, job.control, job.config, &survey)
+    {
+        survey.refuse(unknown_part_origin(tilted));
     }
     let mut report = Report::of(machine, job, &survey);
     let machine = match &ready {
@@ -368,6 +377,23 @@ pub fn post_for(
     pass.write(text.reader()?, mapped, course, moving, &mut report)?;
     report.diagnostics.sort_by_key(|diagnostic| diagnostic.location);
     Ok(report)
+}
+
+/// The error that the place of the part on a table that rotates is not known.
+fn unknown_part_origin(location: Location) -> Diagnostic {
+    Diagnostic {
+        severity: Severity::Error,
+        location,
+        length: 1,
+        count: 1,
+        text: "the table rotates under words that are positions of the axes, and the place of the part on it is not known"
+            .to_owned(),
+        help: Some(
+            "measure the part zero from the reference point of the table and give `part_origin`, [0.0, 0.0, 0.0] included; in \
+             mode tcp and plane the work offset is enough"
+                .to_owned(),
+        ),
+    }
 }
 
 /// The CL text; each pass reads it from its start.

@@ -55,7 +55,7 @@ pub fn prove(machine: &dyn AnyMachine, proof: &Proof<'_>) -> Result<Vec<u8>, Str
     // A dry run with a distance of 0: no spindle, no coolant. Mode `axes`, because the declaration of the machine is to
     // be shown, not the control's own tip control or tilted plane.
     let slow = given.motion.rapids.reorient_rad_per_min.min(MAX_ROTARY_SPEED_RAD_PER_MIN);
-    let mut config = given.clone();
+    let mut config = given.for_control(proof.control);
     config.motion.lift_mm = Some(0.0);
     config.motion.mode = Mode::Axes;
     config.motion.operations = OperationTable::default();

@@ -28,6 +28,9 @@ const MOST_TOOLS: usize = 1000;
 /// Largest number of tool changes that are known in advance, for the next tool at a tool change; bounds the memory.
 const MOST_CHANGES: usize = 10_000;
 
+/// Largest distance of a tool axis from that of the machine that is the same axis in the digits of CL data.
+const UPRIGHT: f64 = 1e-6;
+
 /// A tool of the program and its use.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct ToolUse {
@@ -110,6 +113,8 @@ pub(crate) struct Survey {
     pub(crate) names: OperationNames,
     /// Numbers of the operations to be posted, `None` for all; a sentence if they do not exist.
     pub(crate) selected: Option<Result<RangeInclusive<u64>, String>>,
+    /// First motion whose tool axis is not that of the machine with its rotary axes at zero.
+    pub(crate) tilted: Option<Location>,
 }
 
 /// Number of stretches by the motion of the tool axis. A stretch is the part of an operation between two changes of the
@@ -133,6 +138,13 @@ impl Stretches {
 }
 
 impl Survey {
+    /// Adds an error. Nothing is posted from the place of the first one.
+    pub(crate) fn refuse(&mut self, error: Diagnostic) {
+        let first = self.first_error.map_or(error.location, |first| first.min(error.location));
+        self.first_error = Some(first);
+        self.diagnostics.push(error);
+    }
+
     /// Runs the first pass: reads the whole file once, for the survey and the course.
     pub(crate) fn take(
         machine: &dyn AnyMachine,
@@ -276,15 +288,18 @@ impl Surveyor {
             ItemAction::Line { motion, index, .. } => {
                 let at: [f64; 3] = motion.pose.tip.into();
                 self.begin(index);
+                self.note_axis(item.at, &motion.pose);
                 self.moved(!motion.rapid, [at; 2], &motion.pose);
             }
             ItemAction::Arc { arc, index } => {
                 self.begin(index);
+                self.note_axis(item.at, &arc.end);
                 self.moved(true, extent(arc), &arc.end);
             }
             ItemAction::Hole { hole, index } => {
                 let [over, inside] = hole_extent(hole);
                 self.begin(index);
+                self.note_axis(item.at, &hole.top);
                 self.moved(false, over, &hole.top);
                 self.moved(true, inside, &hole.top);
             }
@@ -425,6 +440,12 @@ impl Surveyor {
         }
         if let Some(index) = self.tool {
             self.survey.tools[index].operations += 1;
+        }
+    }
+
+    fn note_axis(&mut self, at: Location, pose: &Pose) {
+        if self.survey.tilted.is_none() && (pose.axis.into_inner() - self.tool_axis.into_inner()).norm() > UPRIGHT {
+            self.survey.tilted = Some(at);
         }
     }
 

@@ -20,7 +20,6 @@
 (the entries of C and B in G54 must be zero)
 (T5 DIA 16 R0 L132.5 H5, 3 operations, tip Z -13.517 to 58.514)
 (T6 DIA 6 R0 L97.25 H6, 1 operation, tip Z -4.281 to 61.011)
-(ASSUMED part_origin 0, 0, 0: the part zero is the reference point of the table)
 (ASSUMED work offset G54)
 (ASSUMED retract to machine coordinate 0 mm)
 (ASSUMED approach distance 50 mm along the tool axis)

@@ -17,7 +17,6 @@
 (valid only for part origin X0 Y0 Z0 from the reference point of the table; do not touch off again)
 (the entries of A in G54 must be zero)
 (T12 DIA 0.375 R0 L4.75 H12, 1 operation, tip Z -0.2227 to 2.8269)
-(ASSUMED part_origin 0, 0, 0: the part zero is the reference point of the table)
 (ASSUMED work offset G54)
 (ASSUMED retract to machine coordinate 0 mm)
 (ASSUMED approach distance 50 mm along the tool axis)

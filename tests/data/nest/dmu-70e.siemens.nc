@@ -22,7 +22,6 @@
 ; the entries of C and B in G54 must be zero
 ; T4 DIA 10 R0 L120 D1, 2 operations, tip Z -15 to 60
 ; ASSUMED points of the CL data are coordinates from the part zero
-; ASSUMED part_origin 0, 0, 0: the part zero is the reference point of the table
 ; ASSUMED work offset G54
 ; ASSUMED retract to machine coordinate 0 mm
 ; ASSUMED approach distance 50 mm along the tool axis

@@ -24,32 +24,31 @@
 23 ; valid only for part origin X0 Y0 Z0 from the reference point of the table; do not touch off again
 24 ; the entries of C and B in preset 1 must be zero
 25 ; T3 DIA 0.25 L4, 1 operation, tip Z -0.4 to 1
-26 ; ASSUMED part_origin 0, 0, 0: the part zero is the reference point of the table
-27 ; ASSUMED work offset preset 1
-28 ; ASSUMED retract to machine coordinate 0 mm
-29 ; ASSUMED approach distance 50 mm along the tool axis
-30 ; ASSUMED F is in 1/10 inch/min, in cycles (Q206) as well
-31 M129
-32 PLANE RESET STAY
-33 M127
-34 CYCL DEF 247 DATUM SETTING ~
+26 ; ASSUMED work offset preset 1
+27 ; ASSUMED retract to machine coordinate 0 mm
+28 ; ASSUMED approach distance 50 mm along the tool axis
+29 ; ASSUMED F is in 1/10 inch/min, in cycles (Q206) as well
+30 M129
+31 PLANE RESET STAY
+32 M127
+33 CYCL DEF 247 DATUM SETTING ~
   Q339=+1 ;DATUM NUMBER
-35 M9
-36 L Z+0 R0 FMAX M91
-37 TOOL CALL 3 Z S3000
-38 L Z+0 R0 FMAX M91
-39 M3
-40 L B+0 C+0 R0 FMAX
-41 L X+0 Y+0.5 R0 FMAX
-42 L Z+1 R0 FMAX
-43 L Z-0.1 R0 F200
-44 L X+1
-45 CC X+1 Y+0.25
-46 C X+1 Y+0 DR-
-47 L X+0
-48 L Y-0.25
-49 L Z+1
-50 CYCL DEF 203 UNIVERSAL DRILLING ~
+34 M9
+35 L Z+0 R0 FMAX M91
+36 TOOL CALL 3 Z S3000
+37 L Z+0 R0 FMAX M91
+38 M3
+39 L B+0 C+0 R0 FMAX
+40 L X+0 Y+0.5 R0 FMAX
+41 L Z+1 R0 FMAX
+42 L Z-0.1 R0 F200
+43 L X+1
+44 CC X+1 Y+0.25
+45 C X+1 Y+0 DR-
+46 L X+0
+47 L Y-0.25
+48 L Z+1
+49 CYCL DEF 203 UNIVERSAL DRILLING ~
   Q200=+0.1 ;SET-UP CLEARANCE ~
   Q201=-0.4 ;DEPTH ~
   Q206=+40 ;FEED RATE FOR PLNGNG ~
@@ -63,11 +62,11 @@
   Q211=+0 ;DWELL TIME AT DEPTH ~
   Q208=+99999 ;RETRACTION FEED RATE ~
   Q256=+0.0197 ;DIST FOR CHIP BRKNG
-51 L X+0.25 Y+0.25 R0 FMAX M99
-52 L X+0.75 R0 FMAX M99
-53 L Z+1 R0 FMAX
-54 L Z+3 R0 FMAX
-55 L Z+0 R0 FMAX M91
-56 M5
-57 M30
-58 END PGM PLATE INCH
+50 L X+0.25 Y+0.25 R0 FMAX M99
+51 L X+0.75 R0 FMAX M99
+52 L Z+1 R0 FMAX
+53 L Z+3 R0 FMAX
+54 L Z+0 R0 FMAX M91
+55 M5
+56 M30
+57 END PGM PLATE INCH

@@ -22,7 +22,6 @@
 ; T1 DIA 10 R0 L110 D1, 1 operation, tip Z -2 to 20
 ; T2 DIA 5 L130 D1, 2 operations, tip Z -15 to 60
 ; ASSUMED unit of the CL data is mm, as given; the CL file states none
-; ASSUMED part_origin 0, 0, 0: the part zero is the reference point of the table
 ; ASSUMED work offset G54
 ; ASSUMED retract to machine coordinate 0 mm
 ; ASSUMED approach distance 50 mm along the tool axis

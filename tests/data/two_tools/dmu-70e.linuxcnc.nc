@@ -20,7 +20,6 @@
 (the entries of C and B in G54 must be zero)
 (T1 DIA 20 R0 L120 H1, 1 operation, tip Z -26 to 49.301)
 (T2 DIA 8 R0 L95 H2, 1 operation, tip Z -3.759 to 52.623)
-(ASSUMED part_origin 0, 0, 0: the part zero is the reference point of the table)
 (ASSUMED work offset G54)
 (ASSUMED retract to machine coordinate 0 mm)
 (ASSUMED approach distance 50 mm along the tool axis)

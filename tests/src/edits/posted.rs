@@ -155,6 +155,7 @@ fn posted<M: Machine>(case: &Case<'_>, control: &'static dyn Control) -> Result<
     let config = starting_point(control).read_over(&M::default(), case.config);
     let mut config = config.map_err(|faults| faults[0].text.clone())?;
     config.motion.mode = case.mode;
+    config.given.insert("part_origin");
     if let Some((first, last)) = case.operations {
         config.motion.selected = Some(Operations::Range(first, Some(last)));
     }

@@ -173,6 +173,7 @@ fn run<M: Machine>(case: &Case) -> Outcome {
     let config = match starting_point(case.control).read_over(&M::default(), &case.set_up) {
         Ok(mut config) => {
             config.motion.mode = case.mode;
+            config.given.insert("part_origin");
             config
         }
         Err(faults) => return Outcome::Unsuited(faults[0].text.clone()),

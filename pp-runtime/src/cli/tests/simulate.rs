@@ -70,7 +70,8 @@ fn all_modes_and_controls_cut_the_same_volume() {
     for control in ["linuxcnc", "fanuc", "siemens", "heidenhain", "haas"] {
         for mode in ["axes", "tcp"] {
             let more = ["--json", "--control", control, "--mode", mode];
-            let config = format!("{CONFIG}{TOOL}").replace("[stock]", "[retract]\nposition = 0.0\n[stock]");
+            let config = format!("part_origin = [0.0, 0.0, 0.0]\n{CONFIG}{TOOL}")
+                .replace("[stock]", "[retract]\nposition = 0.0\n[stock]");
             let outcome = simulated_with(&Shop::new(), TILTING, &config, &more);
             let Ok(json) = serde_json::from_str::<Json>(&outcome.output) else {
                 assert!(mode == "tcp", "{control} {mode}: {}", outcome.errors);

@@ -39,6 +39,13 @@ controls! {
     haas::Haas,
 }
 
+/// Whether the language of a control is that of the default of the command line, for which a first program without a set-up file
+/// is posted.
+#[must_use]
+pub fn is_default_family(control: &dyn Control) -> bool {
+    CONTROLS.first().is_some_and(|default| default.spellings().name == control.family())
+}
+
 /// The control with this name of the command line; upper or lower case.
 #[must_use]
 pub fn by_name(name: &str) -> Option<&'static dyn Control> {

@@ -43,8 +43,6 @@ pub struct Abilities {
     pub vectors_take_arc_words: bool,
     /// Largest difference between the distances of both ends of an arc from its centre.
     pub arc_radius_tolerance_mm: f64,
-    /// Smoothing has levels, with codes that switch it on and off.
-    pub smooths: bool,
     /// A helix is programmed by its angle: it ends where its rounded centre leads.
     pub helix_by_angle: bool,
     /// Tip control, if the control has it.

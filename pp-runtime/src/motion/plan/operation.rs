@@ -1,10 +1,10 @@
 //! Settings of the operation that begins: mode, smoothing, tolerance and largest feed.
 //!
-//! The first pass has chosen the modes and the course by the same settings. A setting that machine or control cannot carry
+//! The first pass has chosen the modes and the course by the same settings. A mode that machine or control cannot carry
 //! out is refused here, where the operation begins, with its entry and key.
 
 use crate::motion::fault::{Fault, Planned};
-use crate::motion::options::{OperationChoice, Smoothing};
+use crate::motion::options::OperationChoice;
 use crate::motion::plan::Planner;
 use crate::motion::source::{Chosen, OperationStart};
 use crate::motion::step::{Sink, Step};
@@ -49,14 +49,6 @@ pub(crate) fn begin<S: Sink>(planner: &mut Planner<'_, S>, start: &OperationStar
     {
         let refused = Fault::new(missing).context(entry(mode.by, "mode", mode.value.name()));
         return Err(refused.help("the mode of the program, or \"auto\", may suit this operation").into());
-    }
-    if let Some(smoothing) = chosen.smoothing
-        && smoothing.value != Smoothing::None
-        && !planner.abilities.smooths
-    {
-        let refused = Fault::new("this control has no smoothing levels");
-        let entry = entry(smoothing.by, "smoothing", smoothing.value.name());
-        return Err(refused.context(entry).help("leave the key out").into());
     }
     planner.mover.set_tip_tolerance(start.tolerance_mm);
     planner.feed_cap = chosen.largest_feed_mm_per_min.as_ref().map(FeedCap::of);

@@ -46,7 +46,10 @@ fn a_siemens_program_begins_with_the_name_of_its_file_where_that_is_wanted() {
     let text = String::from_utf8(out).expect("ASCII");
     assert!(text.starts_with("%_N_OP_10__A_BRACKET_WITH_A__MPF\n;$PATH=/_N_MPF_DIR\n; PROGRAM"), "{}", &text[..90]);
     assert_eq!(control::unfit(&Cb::default(), &Siemens, config.demands()), Vec::<String>::new());
-    assert_eq!(control::unfit(&Cb::default(), &LinuxCnc, config.demands()).len(), 1);
+    let (text, report) = posted::<Cb>(&config, PART);
+    let left_out = "LinuxCNC has no file header: `control.file_header` is left out";
+    assert!(report.set_up.iter().any(|line| line == left_out), "{:?}", report.set_up);
+    assert!(text.contains(&format!("({left_out})")), "{text}");
 }
 
 #[test]

@@ -147,6 +147,39 @@ fn input_and_output_errors_are_told_apart() {
     assert!(matches!(output, Err(PostError::Output(error)) if error.kind() == io::ErrorKind::BrokenPipe));
 }
 
+/// The control of a first trial is the exception: it posts with the assumption, and says so.
+#[test]
+fn a_table_that_rotates_under_axis_positions_needs_the_place_of_the_part() {
+    let errors = |control: &dyn Control, change: fn(&mut Config), text: &str| {
+        let mut config = crate::config::starting_point(control);
+        config.motion.mode = crate::motion::Mode::Axes;
+        change(&mut config);
+        let job = Job { cl_name: "bracket.cls", config: &config, control, units: None };
+        let report = post::<Cb>(&job, &mut Cursor::new(text), &mut Vec::new()).expect("memory neither fails nor fills");
+        let errors = report.diagnostics.into_iter().filter(|found| found.severity == Severity::Error);
+        errors.map(|error| (error.location.line, error.text)).collect::<Vec<_>>()
+    };
+    let upright = PART.replace(",0.5,0,0.8660254", "");
+    let given: [fn(&mut Config); 2] = [
+        |config| {
+            config.given.insert("part_origin");
+        },
+        |config| config.set_up.part_origin = [0.0, 0.0, 80.0],
+    ];
+    for control in control::CONTROLS.iter().copied() {
+        let found = errors(control, |_| {}, PART);
+        if control::is_default_family(control) {
+            assert_eq!(found, []);
+        } else {
+            assert_eq!(found.len(), 1, "{found:?}");
+            assert_eq!(found[0].0, 19, "the first motion with a tilted tool: {found:?}");
+            assert!(found[0].1.contains("the place of the part on it is not known"), "{found:?}");
+        }
+        given.iter().for_each(|given| assert_eq!(errors(control, *given, PART), []));
+        assert_eq!(errors(control, |_| {}, &upright), []);
+    }
+}
+
 #[test]
 fn an_empty_file_is_no_program() {
     let mut config = Config::default();

@@ -1,0 +1,115 @@
+//! Settings that a control lacks and a program does without, so that one file serves several controls.
+//!
+//! Each is taken out and named with what the program has in its place. That holds for smoothing, for the form of the program
+//! (number, file header, block numbers), for functions that are offered and not asked for, and for a meaning of F that the
+//! control cannot have. What a program is not safe without is refused by [`unfit`](super::unfit): a work offset, an axis name,
+//! a length that would be active, a program number with more digits than the control stores, blocks that it cannot read.
+
+use crate::motion::{OperationTable, PathNorm, Smoothing};
+
+use super::dialects::{Control, Spellings};
+use super::options::{ControlFunction, ControlOptions};
+
+/// Takes the settings that the control lacks out of the options. Returns one sentence each: the setting, and what the program
+/// has instead.
+pub fn take_out_lacking(
+    control: &dyn Control,
+    options: &mut ControlOptions,
+    operations: &mut OperationTable,
+) -> Vec<String> {
+    let codes = control.spellings();
+    let title = codes.title;
+    let mut lacking = smoothing(codes, options, operations);
+    let mut add = |lacks: bool, sentence: &str| {
+        if lacks {
+            lacking.push(format!("{title} {sentence}"));
+        }
+        lacks
+    };
+    if add(
+        codes.number_digits == 0 && options.program_number.is_some(),
+        "has no program numbers: `control.program_number` is left out",
+    ) {
+        options.program_number = None;
+    }
+    if add(
+        options.file_header && control.file_header("NAME").is_empty(),
+        "has no file header: `control.file_header` is left out",
+    ) {
+        options.file_header = false;
+    }
+    if add(
+        codes.numbers_every_line && options.program.line_numbers.is_some(),
+        "numbers every line: `program.line_numbers` is left out",
+    ) {
+        options.program.line_numbers = None;
+    }
+    if add(
+        options.tool_names && codes.tool_name.is_none(),
+        "calls tools by number: `control.tool_names` is left out, the numbers are those of the CL data",
+    ) {
+        options.tool_names = false;
+    }
+    let swivel = codes.plane.as_ref().is_some_and(|plane| plane.on.iter().any(|block| block.contains("{swivel_data}")));
+    if add(options.swivel_data.is_some() && !swivel, "has no swivel data: `control.swivel_data` is left out") {
+        options.swivel_data = None;
+    }
+    let inverse = matches!(options.path_norm, Some(PathNorm::G93Minutes | PathNorm::G93Seconds));
+    if add(
+        inverse && codes.inverse_time.is_none(),
+        "has no inverse-time feed: `control.path_norm` is left out, F is that of the control's own path",
+    ) {
+        options.path_norm = None;
+    }
+    let setting = codes.tip.as_ref().map_or("", |tip| tip.posture_setting[0]);
+    if add(
+        !options.posture_word && (setting.is_empty() || options.tip_control.is_some()),
+        "has no setting that takes the place of the word of the tool posture: `control.posture_word = false` is left out",
+    ) {
+        options.posture_word = true;
+    }
+    let own_tip_codes = options.tip_control.is_some();
+    for function in options.functions.iter_mut() {
+        function.retain(|function| {
+            let can = function.can_be_in(codes, own_tip_codes);
+            let name = function.name();
+            !add(!can, &format!("cannot have the function `{name}`: it is left out of `control.functions`"))
+        });
+    }
+    lacking
+}
+
+/// Smoothing, and its tolerance for rotary axes.
+fn smoothing(codes: &Spellings, options: &mut ControlOptions, operations: &mut OperationTable) -> Vec<String> {
+    let title = codes.title;
+    let mut lacking = Vec::new();
+    let smooths = options.smoothing != Smoothing::None || operations.smooths();
+    if smooths && codes.smoothing[0].is_empty() {
+        lacking.push(format!("{title} has no smoothing levels: smoothing is left out, `path_tolerance` is in force"));
+        options.smoothing = Smoothing::None;
+        options.smoothing_angle_rad = None;
+        for entry in &mut operations.entries {
+            entry.settings.smoothing = None;
+        }
+    }
+    let mut blocks = codes.smoothing.iter().chain(&codes.smoothing_with_angle).copied().flatten();
+    let states_angle = blocks.any(|block| block.contains("{angle}"));
+    if smooths && options.smoothing_angle_rad.is_some() && !states_angle {
+        lacking.push(format!(
+            "smoothing of {title} has no tolerance for rotary axes: `control.smoothing_angle` is left out"
+        ));
+        options.smoothing_angle_rad = None;
+    }
+    lacking
+}
+
+impl ControlFunction {
+    /// Whether a control can have the function. `own_tip_codes`: the configuration has codes of tip control.
+    fn can_be_in(self, codes: &Spellings, own_tip_codes: bool) -> bool {
+        match self {
+            Self::TipControl => codes.tip.is_some() || own_tip_codes,
+            Self::Planes => codes.plane.is_some(),
+            Self::DynamicOffset => codes.tip.as_ref().is_some_and(|tip| tip.dynamic_offset.is_some()),
+        }
+    }
+}
