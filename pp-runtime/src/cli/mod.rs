@@ -95,8 +95,10 @@ fn execute(
         #[cfg(feature = "simulate")]
         Command::Simulate(args) => simulate::run(machine, &args, &mut streams, post),
         Command::Config(args) => {
-            let config = config::starting_point(args.control());
-            let text = if args.schema { config::schema(machine, &config) } else { config::print(machine, &config) };
+            let text = match args.schema {
+                true => config::schema(machine, &config::starting_point(args.control())),
+                false => config::print(machine, args.control()),
+            };
             print(&mut streams, |out| out.write_all(text.as_bytes()))
         }
         Command::Explain(args) if args.latex => print(&mut streams, |out| explain::latex(machine, out)),

@@ -2,23 +2,27 @@
 
 use std::fmt::Write as _;
 
+use crate::control::Control;
 use crate::keys::{KeyList, KeyRow, Printed};
 use crate::kinematics::AnyMachine;
 
-use super::Config;
 use super::read::scope;
+use super::starting_point;
 
 /// Largest width of a comment line, in characters.
 const WIDTH: usize = 120;
 
-/// Returns a configuration file for `machine` with every default commented out. `config`: the defaults of the
-/// control, or [`Config::default`].
+/// Returns a configuration file for `machine` and `control` with every default commented out, and with the places at the
+/// machine where its numbers are found.
 ///
 /// A line that begins with `#` and a key is a default; a line that begins with `# e.g.` shows a key without default.
-/// Read back unchanged the file gives [`Config::default`], so that unchanged keys stay marked as assumed.
+/// Read back unchanged the file gives the [`starting_point`], so that unchanged keys stay marked as assumed.
 #[must_use]
-pub fn print(machine: &dyn AnyMachine, config: &Config) -> String {
-    let list = KeyList::of(config, scope(machine));
+pub fn print(machine: &dyn AnyMachine, control: &dyn Control) -> String {
+    let mut list = KeyList::of(&starting_point(control), scope(machine));
+    for found in control.spellings().found_at {
+        list.add_note(found.key, &found.comment());
+    }
     let mut text = format!(
         r#"# Set-up for {}.
 #
@@ -68,6 +72,7 @@ fn print_above(out: &mut String, rows: &[KeyRow]) -> std::fmt::Result {
         }
         group = row.group;
         print_comment(out, &row.text)?;
+        print_comment(out, &row.note)?;
         print_key(out, row.path, &row.printed)?;
     }
     Ok(())
@@ -77,6 +82,7 @@ fn print_section(out: &mut String, section: &str, list: &KeyList) -> std::fmt::R
     writeln!(out)?;
     let entries = list.rows().iter().find(|row| row.path == section);
     print_comment(out, entries.map_or_else(|| list.heading(section), |row| &row.text))?;
+    print_comment(out, entries.map_or("", |row| &row.note))?;
     writeln!(out, "[{section}]")?;
     if let Some(Printed::Section(entries)) = entries.map(|row| &row.printed) {
         for (name, printed) in entries {
@@ -86,6 +92,7 @@ fn print_section(out: &mut String, section: &str, list: &KeyList) -> std::fmt::R
     for row in list.rows() {
         if let Some((_, key)) = row.path.split_once('.').filter(|(head, _)| *head == section) {
             print_comment(out, &row.text)?;
+            print_comment(out, &row.note)?;
             print_key(out, key, &row.printed)?;
         }
     }

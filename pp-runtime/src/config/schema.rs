@@ -30,6 +30,7 @@ mod tests {
     use super::super::print;
     use super::super::sample::Sample as Machine5;
     use super::*;
+    use crate::control::LinuxCnc;
     use crate::keys::{KeyReader, KeyTable};
 
     fn of_sample() -> Json {
@@ -42,7 +43,7 @@ mod tests {
             let default = line.strip_prefix('#').filter(|rest| !rest.is_empty() && !rest.starts_with(' '));
             line.strip_prefix("# e.g. ").or(default).unwrap_or(line).to_owned() + "\n"
         };
-        print(&Machine5::default(), &Config::default()).lines().map(on).collect()
+        print(&Machine5::default(), &LinuxCnc).lines().map(on).collect()
     }
 
     #[test]

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 
 use proptest::prelude::*;
 
+use crate::control::{CONTROLS, LinuxCnc};
 use crate::kinematics::Limits;
 use crate::kinematics::Machine as _;
 use crate::program::Rotation;
@@ -32,10 +33,26 @@ fn close(left: f64, right: f64) -> bool {
 
 #[test]
 fn the_printed_file_reads_back_as_the_default() {
-    let mut config = read(&print(&Sample::default(), &Config::default()));
+    let mut config = read(&print(&Sample::default(), &LinuxCnc));
     assert_eq!(config.given, BTreeSet::from(["units"]));
     config.given.clear();
     assert_eq!(config, Config::default());
+}
+
+/// Each control has its pages and parameters, with their source or a mark that none is public.
+#[test]
+fn the_printed_file_states_where_each_number_is_found_at_the_machine() {
+    for control in CONTROLS.iter().copied() {
+        let text = print(&Sample::default(), control);
+        let joined = text.replace("\n# ", " ");
+        let found_at = control.spellings().found_at;
+        for found in found_at {
+            assert!(joined.contains(&found.comment()), "{} {}: {text}", control.spellings().name, found.key);
+        }
+        for key in ["part_origin", "machine_zero", "tools", "dimensions", "limits", "speeds"] {
+            assert_eq!(found_at.iter().filter(|found| found.key == key).count(), 1, "{key}");
+        }
+    }
 }
 
 #[test]
@@ -45,7 +62,7 @@ fn an_empty_file_is_the_default() {
 
 #[test]
 fn every_default_of_the_printed_file_is_the_default_when_enabled() {
-    let text: String = print(&Sample::default(), &Config::default())
+    let text: String = print(&Sample::default(), &LinuxCnc)
         .lines()
         .map(|line| match line.strip_prefix('#') {
             Some(setting) if !setting.is_empty() && !setting.starts_with(' ') => format!("{setting}\n"),
@@ -82,7 +99,7 @@ fn every_default_of_the_printed_file_is_the_default_when_enabled() {
 
 #[test]
 fn every_example_of_the_printed_file_is_accepted() {
-    let text: String = print(&Sample::default(), &Config::default())
+    let text: String = print(&Sample::default(), &LinuxCnc)
         .lines()
         .map(|line| format!("{}\n", line.strip_prefix("# e.g. ").unwrap_or(line)))
         .collect();
@@ -309,7 +326,7 @@ fn a_required_dimension_is_asked_for_by_the_name_of_its_key() {
     let config = Config::read::<Individual>("[dimensions]\nheight = 62.5\n").expect("a configuration");
     assert_eq!(config.set_up.dimensions.get("height"), Some(&62.5));
     // The printed file is an example to fill in.
-    let printed = print(&Individual::default(), &Config::default());
+    let printed = print(&Individual::default(), &LinuxCnc);
     assert!(printed.contains("# e.g. height = 150.0"), "{printed}");
 }
 

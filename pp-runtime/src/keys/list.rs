@@ -27,6 +27,8 @@ pub(crate) struct KeyRow {
     pub(crate) group: usize,
     /// Description; empty where the row before describes this key, too.
     pub(crate) text: String,
+    /// Note on the machine and the control of the sample; empty without one.
+    pub(crate) note: String,
     /// Default or example.
     pub(crate) printed: Printed,
     /// JSON schema of the value.
@@ -96,7 +98,15 @@ impl KeyList {
     /// The part of [`row`](Self::row) that does not depend on the kind of key, so that it is compiled once.
     #[inline(never)]
     fn add(&mut self, path: &'static str, comment: &[&str], printed: Printed, schema: Json) {
-        self.rows.push(KeyRow { path, group: self.group, text: first_paragraph(comment), printed, schema });
+        let (group, text, note) = (self.group, first_paragraph(comment), String::new());
+        self.rows.push(KeyRow { path, group, text, note, printed, schema });
+    }
+
+    /// Adds a note to the key of this path.
+    pub(crate) fn add_note(&mut self, path: &str, note: &str) {
+        for row in self.rows.iter_mut().filter(|row| row.path == path) {
+            note.clone_into(&mut row.note);
+        }
     }
 }
 

@@ -31,7 +31,7 @@ use crate::nc::{Formats, Numerals};
 
 use super::control::{Control, LengthGuard, numbered};
 use super::spellings::{
-    ArcCodes, CommentStyle, CycleCodes, CycleForm, HoleCycles, MachineRetract, Spellings, ThreadCodes,
+    ArcCodes, CommentStyle, CycleCodes, CycleForm, FoundAt, HoleCycles, MachineRetract, Spellings, ThreadCodes,
     TiltedPlaneCodes, TipControlCodes, ToolAxisWords, ascii_in_brackets,
 };
 
@@ -124,6 +124,47 @@ static SPELLINGS: Spellings = Spellings {
         note: "G53.1 must take the pose that rotates the rotary axes least; they are in it already",
     }),
     rotary_note: "the axes must not roll over (parameter 1008#0 = 0)",
+    found_at: &[
+        FoundAt {
+            key: "part_origin",
+            place: "the work offset of the part (OFFSET, WORK) less that of the reference point of the table, both \
+                    touched off with the same tool and with the rotary axes at zero; parameters 19700 to 19702 have a \
+                    point of the first rotary axis of the table in machine coordinates",
+            source: "A-79348E, p. 82",
+        },
+        FoundAt {
+            key: "machine_zero",
+            place: "the work offset of the part (OFFSET, WORK) where the lengths in the offset page are counted from \
+                    the gauge line; else the machine coordinates (POS, ALL) with the gauge line on the part zero and \
+                    the rotary axes at zero",
+            source: "",
+        },
+        FoundAt {
+            key: "tools",
+            place: "the length of H (OFFSET, GEOM(H)), if it is counted from the gauge line",
+            source: "",
+        },
+        FoundAt {
+            key: "dimensions",
+            place: "parameters 19703 to 19705 (from the first to the second rotary axis of the table) and 19709 to \
+                    19714 (from the tool axis to the rotary axes of the head); `kinematics --fanuc` prints each with \
+                    the value that it must have",
+            source: "A-79348E, p. 82 to 84",
+        },
+        FoundAt {
+            key: "limits",
+            place: "parameters 1320 (positive) and 1321 (negative) of each axis, in machine coordinates (SYSTEM, \
+                    PARAM)",
+            source: "cnc.wiki, stored stroke limit G22 and G23",
+        },
+        FoundAt {
+            key: "speeds",
+            place: "parameter 1420, rapid traverse of each axis, and 1430, its largest feed: the smaller one (SYSTEM, \
+                    PARAM)",
+            source: "",
+        },
+        FoundAt { key: "tcp_frame", place: "parameter 19696#5", source: "A-79348E, p. 19" },
+    ],
     ..Spellings::ISO
 };
 

@@ -31,7 +31,7 @@ use crate::nc::{Formats, Numerals};
 
 use super::control::{Control, LengthGuard, numbered};
 use super::spellings::{
-    ArcCodes, CommentStyle, CycleCodes, CycleForm, HoleCycles, MachineRetract, Spellings, TiltedPlaneCodes,
+    ArcCodes, CommentStyle, CycleCodes, CycleForm, FoundAt, HoleCycles, MachineRetract, Spellings, TiltedPlaneCodes,
     TipControlCodes, ascii_in_brackets,
 };
 
@@ -114,6 +114,44 @@ static SPELLINGS: Spellings = Spellings {
                must take the pose of the actual axis positions",
     }),
     rotary_note: "the axes must not take the shortest path to an angle beyond 360",
+    found_at: &[
+        FoundAt {
+            key: "part_origin",
+            place: "the work offset of the part (OFFSET, WORK) less that of the reference point of the table, both \
+                    touched off with the same tool and with the rotary axes at zero",
+            source: "",
+        },
+        FoundAt {
+            key: "machine_zero",
+            place: "the work offset of the part (OFFSET, WORK) where the lengths in the tool page are counted from \
+                    the gauge line; else the machine coordinates (POSITION, MACHINE) with the gauge line on the part \
+                    zero and the rotary axes at zero",
+            source: "",
+        },
+        FoundAt {
+            key: "tools",
+            place: "the length in the tool page (OFFSET, TOOL), if it is counted from the gauge line",
+            source: "",
+        },
+        FoundAt {
+            key: "dimensions",
+            place: "settings 255 to 257 (machine rotary zero point X, Y, Z), in newer software 300 to 305; \
+                    `kinematics --haas` prints each with the value that it must have",
+            source: "",
+        },
+        FoundAt {
+            key: "limits",
+            place: "the travels of the machine in its manual, in machine coordinates: no page of the control was \
+                    found that shows them",
+            source: "",
+        },
+        FoundAt {
+            key: "speeds",
+            place: "the largest rapids of the machine in its specification: no page of the control was found that \
+                    shows them",
+            source: "",
+        },
+    ],
     ..Spellings::ISO
 };
 

@@ -51,8 +51,8 @@ use crate::nc::{Formats, Numerals};
 
 use super::control::{Control, LengthGuard, PlaneGuard, numbered};
 use super::spellings::{
-    ArcCentre, ArcCodes, CommentStyle, CycleDefinitions, CycleForm, HoleCycles, LengthCall, LengthCodes, LinearRapids,
-    MachineRetract, RetractForm, Spellings, TiltedPlaneCodes, TipControlCodes, ToolAxisWords, printable,
+    ArcCentre, ArcCodes, CommentStyle, CycleDefinitions, CycleForm, FoundAt, HoleCycles, LengthCall, LengthCodes,
+    LinearRapids, MachineRetract, RetractForm, Spellings, TiltedPlaneCodes, TipControlCodes, ToolAxisWords, printable,
 };
 
 /// The Heidenhain dialect.
@@ -253,6 +253,35 @@ static SPELLINGS: Spellings = Spellings {
         note: "the master axis of SEQ must be the rotary axis nearest the tool",
     }),
     rotary_note: "M127 is in force, so the axes do not take the shortest path",
+    found_at: &[
+        FoundAt {
+            key: "part_origin",
+            place: "the row of the preset table that the program uses: on a machine with a rotary table it holds the \
+                    distance of the datum from the centre of the table; less that of the reference point of the \
+                    table, where this is another point",
+            source: "iTNC 530 ISO manual 6/2010, p. 467",
+        },
+        FoundAt {
+            key: "machine_zero",
+            place: "the position display REF (MOD, Position display) with the gauge line on the part zero and the \
+                    rotary axes at zero",
+            source: "TNC 407 manual, p. 295",
+        },
+        FoundAt { key: "tools", place: "L of the tool table", source: "" },
+        FoundAt {
+            key: "dimensions",
+            place: "the kinematics description of the machine builder, after the code number of the builder; \
+                    `kinematics --heidenhain` prints each step with the value that it must have",
+            source: "Technical Manual iTNC 530, 07/2013, p. 670 and 722",
+        },
+        FoundAt {
+            key: "limits",
+            place: "the software limit switches, which FN 18: SYSREAD Q1 = ID230 NR2 IDX1 (negative, axis 1) and NR3 \
+                    (positive) read, in REF coordinates",
+            source: "Technical Manual TNC 426/430, p. 7-30",
+        },
+        FoundAt { key: "speeds", place: "machine parameter maxFeed of each axis; MP1010 on the iTNC 530", source: "" },
+    ],
 };
 
 /// Axes in the order of their numbers.

@@ -2,7 +2,7 @@
 //!
 //! [`Spellings::ISO`] has no name, no tip control and no tilted plane. Every other entry is shared by at least two of
 //! the controls; differences are in the file of the control, with their source. Entries that no two controls share
-//! (name, title, line length, rotary note) are empty here, and a test refuses a control that leaves them empty.
+//! (name, title, line length, rotary note, where numbers are found) are empty here, and a test refuses a control that leaves them empty.
 
 use crate::motion::{CycleAbilities, PathNorm, Registers};
 use crate::nc::{Formats, Numerals};
@@ -69,6 +69,7 @@ impl Spellings {
         tip: None,
         plane: None,
         rotary_note: "",
+        found_at: &[],
     };
 }
 

@@ -14,8 +14,8 @@ use crate::motion::CycleAbilities;
 
 use super::control::{Control, LengthGuard, numbered};
 use super::spellings::{
-    ArcCodes, CommentStyle, CycleCodes, CycleForm, HoleCycles, LengthCall, LengthCodes, LinearRapids, MachineRetract,
-    Spellings, ThreadCodes, ascii_in_brackets,
+    ArcCodes, CommentStyle, CycleCodes, CycleForm, FoundAt, HoleCycles, LengthCall, LengthCodes, LinearRapids,
+    MachineRetract, Spellings, ThreadCodes, ascii_in_brackets,
 };
 
 /// The LinuxCNC dialect.
@@ -56,6 +56,47 @@ static SPELLINGS: Spellings = Spellings {
         ..LengthCodes::ISO
     },
     rotary_note: "the axes must not be wrapped (WRAPPED_ROTARY = 0)",
+    found_at: &[
+        FoundAt {
+            key: "part_origin",
+            place: "the work offset of the part (`#5221` to `#5223` for G54) less that of the reference point of the \
+                    table, both touched off with the same tool and with the rotary axes at zero",
+            source: "linuxcnc.org, G-code overview",
+        },
+        FoundAt {
+            key: "machine_zero",
+            place: "the work offset of the part (`#5221` to `#5223` for G54), if the lengths in the tool table are \
+                    counted from the gauge line",
+            source: "linuxcnc.org, G-code overview",
+        },
+        FoundAt {
+            key: "tools",
+            place: "Z of the tool table, if it is counted from the gauge line",
+            source: "linuxcnc.org, tool compensation",
+        },
+        FoundAt {
+            key: "dimensions",
+            place: "the pins of the kinematics (`halcmd show pin kins`), on xyzac-trt-kins x-rot-point to \
+                    z-rot-point, y-offset and z-offset; `kinematics --linuxcnc` writes a module with the dimensions \
+                    of this file",
+            source: "linuxcnc.org, 5-axis kinematics",
+        },
+        FoundAt {
+            key: "limits",
+            place: "MIN_LIMIT and MAX_LIMIT of [AXIS_X] to [AXIS_C] in the INI file",
+            source: "linuxcnc.org, INI configuration",
+        },
+        FoundAt {
+            key: "speeds",
+            place: "MAX_VELOCITY of [AXIS_X] to [AXIS_C] in the INI file, times 60: it is per second",
+            source: "linuxcnc.org, INI configuration",
+        },
+        FoundAt {
+            key: "control.tip_control",
+            place: "the M-codes of the REMAP lines in the INI file that switch the kinematics",
+            source: "linuxcnc.org, switchable kinematics",
+        },
+    ],
     ..Spellings::ISO
 };
 

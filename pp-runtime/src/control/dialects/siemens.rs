@@ -49,7 +49,7 @@ use crate::nc::Formats;
 
 use super::control::{Control, LengthGuard, PlaneGuard, RadiusGuard, numbered};
 use super::spellings::{
-    ArcCodes, CommentStyle, CycleDefinitions, CycleForm, HoleCycles, LengthCall, LengthCodes, LinearRapids,
+    ArcCodes, CommentStyle, CycleDefinitions, CycleForm, FoundAt, HoleCycles, LengthCall, LengthCodes, LinearRapids,
     MachineRetract, Spellings, TiltedPlaneCodes, TipControlCodes, ToolAxisWords, printable,
 };
 
@@ -167,6 +167,44 @@ static SPELLINGS: Spellings = Spellings {
         note: "the direction reference of the swivel data must be the rotary axis nearest the tool",
     }),
     rotary_note: "the axes must not be modulo axes (MD30310 = 0)",
+    found_at: &[
+        FoundAt {
+            key: "part_origin",
+            place: "the work offset of the part (Parameter, Work offset) less that of the reference point of the \
+                    table, both touched off with the same tool and with the rotary axes at zero",
+            source: "",
+        },
+        FoundAt {
+            key: "machine_zero",
+            place: "the work offset of the part (Parameter, Work offset) where the lengths in the tool list are \
+                    counted from the gauge line; else the machine coordinates (Machine, Act. values MCS) with the \
+                    gauge line on the part zero and the rotary axes at zero",
+            source: "",
+        },
+        FoundAt {
+            key: "tools",
+            place: "length 1 of the cutting edge (Parameter, Tool list), if it is counted from the gauge line",
+            source: "",
+        },
+        FoundAt {
+            key: "dimensions",
+            place: "MD24550 to MD24560 (base tool, joint offset, joint offset of the part) and the swivel data record \
+                    $TC_CARR1 to $TC_CARR20; `kinematics --siemens` prints each with the value that it must have",
+            source: "IM9 12/2017, p. 572",
+        },
+        FoundAt {
+            key: "limits",
+            place: "MD36100 and MD36110 of each axis, POS_LIMIT_MINUS and POS_LIMIT_PLUS, in machine coordinates \
+                    (Startup, Machine data)",
+            source: "",
+        },
+        FoundAt { key: "speeds", place: "MD32000 of each axis, MAX_AX_VELO (Startup, Machine data)", source: "" },
+        FoundAt {
+            key: "control.swivel_data",
+            place: "name of the swivel data record: the second argument of CYCLE800 in a program of the machine",
+            source: "",
+        },
+    ],
     ..Spellings::ISO
 };
 

@@ -123,6 +123,31 @@ pub struct Spellings {
     pub plane: Option<TiltedPlaneCodes>,
     /// Condition on the rotary axes of the machine where words go beyond 360°; printed in the program header.
     pub rotary_note: &'static str,
+    /// Where the numbers of a set-up file are found at the control; printed with their keys by `config`.
+    pub found_at: &'static [FoundAt],
+}
+
+/// Where a number of the set-up file is found at the control.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct FoundAt {
+    /// Key of the number, as in the file: `machine_zero`, `control.swivel_data`.
+    pub key: &'static str,
+    /// Page, parameter or softkey of the control.
+    pub place: &'static str,
+    /// Document and page; empty if it is from memory, because no public page was found.
+    pub source: &'static str,
+}
+
+impl FoundAt {
+    /// The comment that is printed with the key.
+    #[must_use]
+    pub fn comment(&self) -> String {
+        let Self { place, source, .. } = self;
+        match *source {
+            "" => format!("At the machine: {place} (from memory: no public page was found)."),
+            source => format!("At the machine: {place} ({source})."),
+        }
+    }
 }
 
 /// Codes of arcs and helices.

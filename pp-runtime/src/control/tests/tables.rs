@@ -6,8 +6,9 @@ use crate::control::template::{self, Field};
 #[test]
 fn every_control_states_what_no_two_of_them_share() {
     for control in CONTROLS {
-        let Spellings { name, title, line_length, rotary_note, .. } = control.spellings();
+        let Spellings { name, title, line_length, rotary_note, found_at, .. } = control.spellings();
         assert!(!name.is_empty() && !title.is_empty() && *line_length > 0 && !rotary_note.is_empty(), "{name}");
+        assert!(!found_at.is_empty(), "{name}");
         let others = CONTROLS.iter().filter(|other| other.spellings().name.eq_ignore_ascii_case(name));
         assert_eq!(others.count(), 1, "{name} is the name of one control");
     }
