@@ -111,6 +111,82 @@ pub enum Coolant {
     Off,
 }
 
+impl Coolant {
+    /// The kinds that have codes, in the order in which they are switched on.
+    pub const KINDS: [Self; 7] = [
+        Self::Flood,
+        Self::Mist,
+        Self::Through,
+        Self::Air,
+        Self::ThroughAt(Pressure::Low),
+        Self::ThroughAt(Pressure::Medium),
+        Self::ThroughAt(Pressure::High),
+    ];
+
+    /// Names of the kinds in a set-up file, in the order of [`KINDS`](Self::KINDS).
+    pub const NAMES: [&'static str; 7] =
+        ["flood", "mist", "through", "air", "through_low", "through_medium", "through_high"];
+
+    /// Place of a kind among [`KINDS`](Self::KINDS); that of flood for `On`, none for `Off`.
+    #[must_use]
+    pub fn index(self) -> Option<usize> {
+        let kind = if self == Self::On { Self::Flood } else { self };
+        Self::KINDS.iter().position(|known| *known == kind)
+    }
+}
+
+/// Kinds of coolant that are on together.
+///
+/// ```
+/// use pp_runtime::program::{Coolant, Coolants};
+///
+/// let both = Coolants::of(Coolant::Through).with(Coolant::Flood);
+/// assert_eq!(both.kinds().collect::<Vec<_>>(), [Coolant::Flood, Coolant::Through]);
+/// assert!(Coolants::of(Coolant::Off).is_empty());
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Coolants {
+    /// Bit `i` is set for the kind at place `i`.
+    bits: u8,
+}
+
+impl Coolants {
+    /// The kind of a command alone; empty for `Off`.
+    #[must_use]
+    pub fn of(kind: Coolant) -> Self {
+        Self::default().with(kind)
+    }
+
+    /// These and one more.
+    #[must_use]
+    pub fn with(self, kind: Coolant) -> Self {
+        Self { bits: self.bits | kind.index().map_or(0, |index| 1 << index) }
+    }
+
+    /// Whether a kind is among them.
+    #[must_use]
+    pub fn has(self, kind: Coolant) -> bool {
+        kind.index().is_some_and(|index| self.bits & (1 << index) != 0)
+    }
+
+    /// Whether there are none.
+    #[must_use]
+    pub fn is_empty(self) -> bool {
+        self.bits == 0
+    }
+
+    /// The kinds, in the order in which they are switched on.
+    pub fn kinds(self) -> impl Iterator<Item = Coolant> {
+        Coolant::KINDS.into_iter().filter(move |kind| self.has(*kind))
+    }
+}
+
+impl FromIterator<Coolant> for Coolants {
+    fn from_iter<I: IntoIterator<Item = Coolant>>(kinds: I) -> Self {
+        kinds.into_iter().fold(Self::default(), Self::with)
+    }
+}
+
 /// Pressure of coolant, as CL data names it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Pressure {

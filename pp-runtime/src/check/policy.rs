@@ -20,7 +20,7 @@
 use std::collections::BTreeMap;
 
 use crate::cl::ReadingOptions;
-use crate::program::{Clearance, Coolant, Rotation, Units};
+use crate::program::{Clearance, Coolants, Rotation, Units};
 use crate::set_up::SetUp;
 
 use super::read::{Effect, Family, OwnPlace};
@@ -297,8 +297,8 @@ pub struct StateDefaults {
     pub speed_rev_per_min: Option<f64>,
     /// Sense of rotation where the CL data programs none.
     pub rotation: Option<Rotation>,
-    /// Kind of coolant that COOLNT/ON means.
-    pub coolant: Coolant,
+    /// Kinds of coolant that COOLNT/ON means, on together.
+    pub coolant: Coolants,
     /// Distance above the last depth to which a peck returns at rapid, mm.
     pub peck_gap_mm: f64,
 }

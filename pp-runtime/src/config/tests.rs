@@ -8,7 +8,7 @@ use proptest::prelude::*;
 use crate::control::{CONTROLS, LinuxCnc};
 use crate::kinematics::Limits;
 use crate::kinematics::Machine as _;
-use crate::program::Rotation;
+use crate::program::{Coolant, Coolants, Pressure, Rotation};
 
 use super::sample::Sample;
 use super::*;
@@ -368,6 +368,24 @@ fn a_field_that_does_not_exist_is_found_where_the_file_is_read() {
     );
     assert_eq!(faults("[program]\nstart = ['T{tool}']\n").len(), 1, "no tool has been called there");
     assert_eq!(faults("[control]\nsafety = ['G90 {units']\n").len(), 1);
+}
+
+#[test]
+fn coolant_of_a_tool_is_one_kind_or_several_that_are_on_together() {
+    let coolant = |value: &str| read(&format!("[tools.1]\ncoolant = {value}\n")).set_up.tools[&1].coolant;
+    assert_eq!(coolant("'air'"), Some(Coolants::of(Coolant::Air)));
+    let both = Coolants::of(Coolant::Flood).with(Coolant::ThroughAt(Pressure::High));
+    assert_eq!(coolant("['through_high', 'flood']"), Some(both));
+    assert_eq!(read("[defaults]\ncoolant = ['mist', 'air']\n").motion.defaults.coolant.kinds().count(), 2);
+    for (value, expected) in [
+        ("[]", "expected one or more kinds of coolant, each once"),
+        ("['flood', 'flood']", "expected one or more kinds of coolant, each once"),
+        ("['through', 'through_low']", "coolant through the spindle has one pressure at a time"),
+    ] {
+        let found = faults(&format!("[tools.1]\ncoolant = {value}\n"));
+        assert!(found.len() == 1 && found[0].contains(expected), "{value}: {found:?}");
+    }
+    assert_eq!(faults("[tools.1]\ncoolant = ['flod']\n").len(), 1);
 }
 
 #[test]

@@ -7,12 +7,12 @@ use crate::motion::{
     self, Abilities, CutterRadius, CycleAbilities, OperationBlocks, PlaneAbility, Registers, StretchMode, TipAbility,
     TipStart, Transition, UsableModes, rotaries_of,
 };
-use crate::program::{Coolant, Pressure, Units};
+use crate::program::{Coolant, Units};
 use crate::set_up::LengthMode;
 
 use super::dialects::{
     ArcCentre, Control, CycleCodes, CycleForm, LengthCall, LinearRapids, PlaneGuard, RadiusGuard, RetractForm,
-    Spellings, ThreadCodes, TipControlCodes, coolant_index,
+    Spellings, ThreadCodes, TipControlCodes,
 };
 use super::options::{ControlFunction, Demands, RetractMethod};
 
@@ -259,16 +259,13 @@ fn cycle_abilities(codes: &Spellings, demands: Demands<'_>) -> CycleAbilities {
 #[must_use]
 pub fn abilities(control: &dyn Control, demands: Demands<'_>) -> Abilities {
     let codes = control.spellings();
-    let has = |kind: Coolant| {
-        let index = coolant_index(kind).unwrap_or_default();
-        demands.options.coolant[index].is_some() || codes.coolant.get(index).copied().flatten().is_some()
+    let has = |kind: &Coolant| {
+        kind.index().is_some_and(|index| {
+            demands.options.coolant[index].is_some() || codes.coolant.get(index).copied().flatten().is_some()
+        })
     };
     Abilities {
-        flood: has(Coolant::Flood),
-        mist: has(Coolant::Mist),
-        through: has(Coolant::Through),
-        pressures: Pressure::WORDS.map(|(_, pressure)| has(Coolant::ThroughAt(pressure))),
-        air: has(Coolant::Air),
+        coolants: Coolant::KINDS.into_iter().filter(has).collect(),
         length_call_may_move: codes.length.call == LengthCall::WithZ,
         registers: codes.length.registers,
         linear_rapids: demands.options.linear_rapids.unwrap_or(codes.linear_rapids != LinearRapids::No),

@@ -10,6 +10,7 @@ use crate::keys::{
 };
 use crate::motion::{self, PathNorm, Policy, Smoothing};
 use crate::nc::Formats;
+use crate::program::Coolant;
 use crate::set_up::SetUp;
 
 use super::dialects::{MachineRetract, RetractForm, Spellings};
@@ -230,9 +231,6 @@ const PATH_NORMS: [(&str, PathNorm); 4] = [
     ("g93_s", PathNorm::G93Seconds),
 ];
 
-/// Kinds of coolant in the order of [`ControlOptions::coolant`].
-const COOLANTS: [&str; 7] = ["flood", "mist", "through", "air", "through_low", "through_medium", "through_high"];
-
 /// Smallest path tolerance, mm. In inches, with six decimals, it is still greater than zero.
 const SMALLEST_PATH_TOLERANCE: f64 = 0.0001;
 
@@ -294,10 +292,10 @@ impl KeyKind for CoolantCodes {
     fn read(&self, r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<Self::Value> {
         let mut codes = [const { None }; 7];
         for (key, span, value) in r.entries(value) {
-            let Some(kind) = COOLANTS.iter().position(|kind| *kind == key) else {
-                let help = match nearest(key, COOLANTS.into_iter()) {
+            let Some(kind) = Coolant::NAMES.iter().position(|kind| *kind == key) else {
+                let help = match nearest(key, Coolant::NAMES.into_iter()) {
                     Some(near) => format!("did you mean `{near}`?"),
-                    None => format!("kinds of coolant: {}", list(COOLANTS.into_iter(), '`')),
+                    None => format!("kinds of coolant: {}", list(Coolant::NAMES.into_iter(), '`')),
                 };
                 r.fault(span, format!("unknown kind of coolant `{key}`"), Some(help));
                 continue;
@@ -313,7 +311,7 @@ impl KeyKind for CoolantCodes {
 
     fn schema(&self, scope: &KeyScope) -> Json {
         let kinds: Map<String, Json> =
-            COOLANTS.iter().map(|kind| ((*kind).to_owned(), OnAndOff.schema(scope))).collect();
+            Coolant::NAMES.iter().map(|kind| ((*kind).to_owned(), OnAndOff.schema(scope))).collect();
         json!({ "type": "object", "properties": kinds, "additionalProperties": false })
     }
 

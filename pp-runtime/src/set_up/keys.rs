@@ -12,6 +12,8 @@ use crate::keys::{
 };
 use crate::kinematics::{AxisKind, Dimension, DimensionKind, Limits};
 
+use crate::program::{Coolant, Coolants};
+
 use super::{FurtherSetUp, GivenTool, LARGEST_TOOL, MOST_FRAMES, Stock};
 
 /// Work offsets that the help lists.
@@ -42,6 +44,48 @@ impl KeyKind for OffsetWord {
 
     fn schema(&self, _scope: &KeyScope) -> Json {
         json!({ "type": "string" })
+    }
+}
+
+/// Kind of key: kinds of coolant that are on together, one name or a list of names.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct CoolantKinds;
+
+impl CoolantKinds {
+    fn names() -> [(&'static str, Coolant); 7] {
+        std::array::from_fn(|index| (Coolant::NAMES[index], Coolant::KINDS[index]))
+    }
+}
+
+impl KeyKind for CoolantKinds {
+    type Value = Coolants;
+
+    fn read(&self, r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<Coolants> {
+        let names = Self::names();
+        if value.get_ref().as_array().is_none() {
+            return r.choice(value, &names).map(Coolants::of);
+        }
+        let values = r.list(value)?;
+        let kinds: Vec<Coolant> = values.iter().filter_map(|value| r.choice(value, &names)).collect();
+        let together: Coolants = kinds.iter().copied().collect();
+        let through = |kind: &&Coolant| matches!(kind, Coolant::Through | Coolant::ThroughAt(_));
+        if kinds.len() != together.kinds().count() || values.is_empty() {
+            r.fault(value.span(), "expected one or more kinds of coolant, each once", None);
+        } else if kinds.iter().filter(through).count() > 1 {
+            r.fault(value.span(), "coolant through the spindle has one pressure at a time", None);
+        }
+        Some(together)
+    }
+
+    fn print(&self, value: &Coolants) -> String {
+        let names: Vec<String> =
+            value.kinds().filter_map(|kind| Some(format!("\"{}\"", Coolant::NAMES[kind.index()?]))).collect();
+        if names.len() == 1 { names.concat() } else { format!("[{}]", names.join(", ")) }
+    }
+
+    fn schema(&self, _scope: &KeyScope) -> Json {
+        let kind = json!({ "enum": Coolant::NAMES });
+        json!({ "anyOf": [kind, { "type": "array", "items": kind, "minItems": 1, "uniqueItems": true }] })
     }
 }
 

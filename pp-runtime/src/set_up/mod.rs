@@ -34,8 +34,9 @@ use nalgebra::Rotation3;
 
 use crate::keys::{Bound, LengthPoint, ListOf, Measure, OneLine, OneOf, Whole, YesNo, options};
 use crate::kinematics::Limits;
-use crate::program::{Coolant, Rotation};
+use crate::program::{Coolants, Rotation};
 
+pub(crate) use keys::CoolantKinds;
 use keys::{
     BlankCorners, DimensionTable, LIMITS, MACHINE_ZERO, OffsetWord, ROTARY_OFFSET, SPEEDS, START_POSITION, SetUpTable,
     ToolTable,
@@ -188,8 +189,9 @@ options! {
         speed_rev_per_min: Option<f64> = None, key("speed", Measure::plain(Bound::Positive), "8000");
         /// Sense of rotation, if the CL data programs none: CLW (M3) or CCLW (M4).
         rotation: Option<Rotation> = None, key("direction", OneOf(&ROTATIONS), "\"CLW\"");
-        /// Kind of coolant that COOLNT/ON means for this tool.
-        coolant: Option<Coolant> = None, key("coolant", OneOf(&COOLANTS), "\"flood\"");
+        /// Coolant that COOLNT/ON means for this tool: one of "flood", "mist", "through", "air", "through_low",
+        /// "through_medium" and "through_high", or several that are on together, `["flood", "through"]`.
+        coolant: Option<Coolants> = None, key("coolant", CoolantKinds, "\"flood\"");
         /// Point of this tool that the CL data programs: "tip", or "centre" of the corner radius.
         cl_point: Option<ClPoint> = None, key("cl_point", OneOf(&ClPoint::NAMES), "\"tip\"");
         /// Shape of the cutting part, for `simulate`: "mill" (flat, bull or ball end, tapered too), "drill", "disc" (T-slot),
@@ -244,10 +246,6 @@ pub(crate) const MOST_FRAMES: u32 = 100;
 /// Senses of rotation of the spindle, by name.
 pub(crate) const ROTATIONS: [(&str, Rotation); 2] =
     [("CLW", Rotation::Clockwise), ("CCLW", Rotation::CounterClockwise)];
-
-/// Kinds of coolant, by name.
-pub(crate) const COOLANTS: [(&str, Coolant); 4] =
-    [("flood", Coolant::Flood), ("mist", Coolant::Mist), ("through", Coolant::Through), ("air", Coolant::Air)];
 
 /// Largest number of a tool or of its offset register.
 pub(crate) const LARGEST_TOOL: u32 = 99_999;

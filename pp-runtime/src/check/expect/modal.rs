@@ -12,8 +12,8 @@ use super::{ClMotion, ExpectedAction, ExpectedItem, Required, SpindleState};
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::Pose;
 use crate::program::{
-    Arc, Clearance, Compensation, Coolant, CutterSide, Drilling, Dwell, Event, Feed, Hole, Location, Move, Pressure,
-    Rotation, Spindle, Spline, ToolCall,
+    Arc, Clearance, Compensation, Coolant, Coolants, CutterSide, Drilling, Dwell, Event, Feed, Hole, Location, Move,
+    Pressure, Rotation, Spindle, Spline, ToolCall,
 };
 
 /// A line is perpendicular to the tool within this height, mm, or half a unit of coarser words: points of CL data are
@@ -489,10 +489,14 @@ impl<'a> ClState<'a> {
             return 0;
         }
         let given = self.required.tool.and_then(|tool| self.policy.set_up.tools.get(&tool));
-        let kind = match self.coolant {
+        let kinds = match self.coolant {
             Coolant::On => given.and_then(|tool| tool.coolant).unwrap_or(self.policy.defaults.coolant),
-            kind => kind,
+            kind => Coolants::of(kind),
         };
+        kinds.kinds().map(|kind| self.coolant_bit(kind)).fold(0, |bits, bit| bits | bit)
+    }
+
+    fn coolant_bit(&self, kind: Coolant) -> u8 {
         match kind {
             Coolant::On | Coolant::Flood => coolant::FLOOD,
             Coolant::Mist => coolant::MIST,

@@ -33,6 +33,29 @@ fn the_pressure_of_coolant_through_the_spindle_is_written_where_codes_are_config
 }
 
 #[test]
+fn kinds_of_coolant_that_a_tool_needs_together_are_switched_on_and_off_together() {
+    let data = cuts("COOLNT/ON");
+    let codes = "control.coolant = { flood = [\"M8\", \"M9\"], through = [\"M51\", \"M59\"], through_high = [\"M52\", \"M59\"] }\n";
+    for control in ["linuxcnc", "fanuc", "siemens", "heidenhain", "haas"] {
+        for (kind, on) in [("through", "M51"), ("through_high", "M52")] {
+            let set_up = format!("{codes}tools.1.coolant = [\"{kind}\", \"flood\"]\n");
+            let program = posted_right::<Mill>(control, Mode::Axes, &set_up, &data);
+            let at = |code: &str| program.rfind(&format!("{code}\n")).unwrap_or_else(|| panic!("{code}: {program}"));
+            assert!(at("M8") < at(on) && at(on) < at("M9") && at("M9") < at("M59"), "{control} {program}");
+            for (was, is) in [(on, "M8"), ("M8", on), ("M59", "M9")] {
+                let (was, is) = (format!("{was}\n"), format!("{is}\n"));
+                let last = program.rfind(&was).expect("it is there");
+                let changed = format!("{}{is}{}", &program[..last], &program[last + was.len()..]);
+                assert_told::<Mill>(control, Mode::Axes, &set_up, &data, &changed);
+            }
+            // For another tool it is what the defaults say.
+            let other = set_up.replace("tools.1", "tools.2");
+            assert!(!posted_right::<Mill>(control, Mode::Axes, &other, &data).contains(on), "{control}");
+        }
+    }
+}
+
+#[test]
 fn gohome_retracts_with_no_parking_position_on_every_control() {
     let data = format!("{}GOHOME\nGOTO/5,5,10\nGOTO/5,5,0\nGOTO/5,5,20\nGOHOME\n", cuts("COOLNT/ON"));
     for control in ["linuxcnc", "fanuc", "siemens", "heidenhain", "haas"] {

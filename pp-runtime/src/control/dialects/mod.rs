@@ -14,7 +14,6 @@ mod siemens;
 mod spellings;
 
 pub use control::{Control, LengthGuard, PlaneGuard, RadiusGuard};
-pub(crate) use spellings::coolant_index;
 pub use spellings::{
     ArcCentre, ArcCodes, CommentStyle, CycleCodes, CycleDefinitions, CycleForm, FoundAt, HoleCycles, LengthCall,
     LengthCodes, LinearRapids, MachineRetract, RetractForm, Spellings, ThreadCodes, TiltedPlaneCodes, TipControlCodes,

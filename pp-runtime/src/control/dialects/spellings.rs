@@ -6,7 +6,7 @@ use crate::motion::PathNorm;
 use crate::motion::{CycleAbilities, PlaneAngles, PoseRule, Registers};
 use crate::nc::Formats;
 use crate::nc::Numerals;
-use crate::program::{Coolant, Pressure, Rotation};
+use crate::program::Rotation;
 
 /// Codes of a control.
 #[derive(Debug, Clone)]
@@ -413,20 +413,6 @@ pub enum LinearRapids {
     AsDelivered,
     /// Always.
     Always,
-}
-
-/// Index of a kind of coolant in [`Spellings::coolant`] and in the configuration, which has the pressures after the kinds.
-pub(crate) fn coolant_index(coolant: Coolant) -> Option<usize> {
-    match coolant {
-        Coolant::On | Coolant::Flood => Some(0),
-        Coolant::Mist => Some(1),
-        Coolant::Through => Some(2),
-        Coolant::Air => Some(3),
-        Coolant::ThroughAt(Pressure::Low) => Some(4),
-        Coolant::ThroughAt(Pressure::Medium) => Some(5),
-        Coolant::ThroughAt(Pressure::High) => Some(6),
-        Coolant::Off => None,
-    }
 }
 
 impl Spellings {

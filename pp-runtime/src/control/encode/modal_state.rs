@@ -6,7 +6,7 @@
 
 use crate::motion::{AxisWords, CannedCycle, MAX_AXES};
 use crate::nc::Decimal;
-use crate::program::Coolant;
+use crate::program::{Coolant, Coolants};
 
 /// The length offset in force.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -62,8 +62,8 @@ pub(crate) struct ModalState {
     length: LengthState,
     /// Spindle speed, where it is written in its own block.
     speed: Option<Decimal>,
-    /// Kind of coolant that is on.
-    coolant: Option<Coolant>,
+    /// Kinds of coolant that are known to be on.
+    coolant: Coolants,
     /// Code of the arc plane.
     plane: Option<&'static str>,
     /// Cycle that a position calls, where its definition survives other motions.
@@ -248,13 +248,13 @@ impl ModalState {
         self.speed = speed;
     }
 
-    pub(crate) fn set_coolant(&mut self, kind: Coolant) {
-        self.coolant = Some(kind);
+    pub(crate) fn add_coolant(&mut self, kind: Coolant) {
+        self.coolant = self.coolant.with(kind);
     }
 
-    /// Enters that coolant is off; returns the kind that was on.
-    pub(crate) fn take_coolant(&mut self) -> Option<Coolant> {
-        self.coolant.take()
+    /// Enters that coolant is off; returns the kinds that were on.
+    pub(crate) fn take_coolants(&mut self) -> Coolants {
+        std::mem::take(&mut self.coolant)
     }
 
     /// Cycle that a position calls.

@@ -2,7 +2,7 @@
 
 use std::io;
 
-use crate::control::dialects::{Spellings, coolant_index};
+use crate::control::dialects::Spellings;
 use crate::control::layout::Layout;
 use crate::nc::Decimal;
 use crate::program::{Coolant, Rotation};
@@ -43,7 +43,7 @@ impl SpindleCoolantWriter {
 
     /// On and off codes of a kind of coolant.
     fn codes(&self, kind: Coolant, codes: &'static Spellings) -> Option<[&str; 2]> {
-        let index = coolant_index(kind)?;
+        let index = kind.index()?;
         let given = self.coolant[index].as_ref().map(|[on, off]| [on.as_str(), off.as_str()]);
         given.or(codes.coolant.get(index).copied().flatten())
     }
@@ -51,14 +51,23 @@ impl SpindleCoolantWriter {
     /// Switches coolant on.
     pub(crate) fn coolant(&self, kind: Coolant, out: &mut ModalWriter<'_>) -> io::Result<()> {
         let code = self.codes(kind, out.codes()).map_or("", |[on, _]| on);
-        out.modal().set_coolant(kind);
+        out.modal().add_coolant(kind);
         out.block(code)
     }
 
-    /// Switches coolant off, with the code of the kind that is on, or with the general code if that is unknown.
+    /// Switches coolant off, with the code of each kind that is on, or with the general code if none is known to be on. A
+    /// code that several kinds have is written once.
     pub(crate) fn coolant_off(&self, out: &mut ModalWriter<'_>) -> io::Result<()> {
-        let (codes, kind) = (out.codes(), out.modal().take_coolant());
-        let own = kind.and_then(|kind| self.codes(kind, codes));
-        out.block(own.map_or(codes.coolant_off, |[_, off]| off))
+        let (codes, on) = (out.codes(), out.modal().take_coolants());
+        let mut written: Vec<&str> = Vec::new();
+        for code in on.kinds().filter_map(|kind| self.codes(kind, codes)).map(|[_, off]| off) {
+            if !written.contains(&code) {
+                written.push(code);
+            }
+        }
+        if written.is_empty() {
+            written.push(codes.coolant_off);
+        }
+        written.into_iter().try_for_each(|code| out.block(code))
     }
 }

@@ -1,8 +1,8 @@
 //! Options of cuts: arcs, cycles, cutter compensation, feeds, and defaults for what the CL data leaves out.
 
 use crate::keys::{Bound, Measure, OneOf, Whole, YesNo, options};
-use crate::program::{Coolant, Rotation};
-use crate::set_up::{COOLANTS, LARGEST_TOOL, ROTATIONS};
+use crate::program::{Coolant, Coolants, Rotation};
+use crate::set_up::{CoolantKinds, LARGEST_TOOL, ROTATIONS};
 
 /// Output of arcs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -102,10 +102,8 @@ options! {
         speed_rev_per_min: Option<f64> = None, also("defaults.speed", Measure::plain(Bound::Positive), "8000");
         /// Sense of rotation of the spindle: CLW (M3) or CCLW (M4).
         rotation: Option<Rotation> = None, key("defaults.direction", OneOf(&ROTATIONS), "\"CLW\"");
-        /// Coolant for COOLNT/ON: "flood", "mist", "through" or "air".
-        ///
-        /// Never [`Coolant::On`] or [`Coolant::Off`].
-        coolant: Coolant = Coolant::Flood, key("defaults.coolant", OneOf(&COOLANTS));
+        /// Coolant for COOLNT/ON, as `coolant` of a tool: one kind, or several that are on together.
+        coolant: Coolants = Coolants::of(Coolant::Flood), key("defaults.coolant", CoolantKinds);
         /// Tool for CL data without a tool call before its first motion. Without it such data is refused.
         tool: Option<u32> = None, key("defaults.tool", Whole(1..=LARGEST_TOOL), "1");
         /// Distance above the last step at which the rapid back into a hole ends.

@@ -1,6 +1,7 @@
 //! Abilities of a control, as far as planning depends on them.
 
 use crate::motion::options::PathNorm;
+use crate::program::Coolants;
 
 use crate::motion::place::PlaneAbility;
 use crate::motion::place::{TipAbility, TipStart};
@@ -9,16 +10,8 @@ use crate::motion::step::CycleAbilities;
 /// Abilities of a control; the planner uses no function for which the control has no code.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Abilities {
-    /// Flood coolant.
-    pub flood: bool,
-    /// Mist coolant.
-    pub mist: bool,
-    /// Coolant through the spindle.
-    pub through: bool,
-    /// The same at low, medium and high pressure.
-    pub pressures: [bool; 3],
-    /// Air.
-    pub air: bool,
+    /// Kinds of coolant that have codes.
+    pub coolants: Coolants,
     /// Calling or cancelling a length offset may move the axis by the length.
     pub length_call_may_move: bool,
     /// Numbering of the length offset registers.

@@ -3,7 +3,7 @@
 use std::io;
 
 use crate::motion::options::Policy;
-use crate::program::{Coolant as Kind, Pressure};
+use crate::program::{Coolant, Coolants};
 
 use crate::motion::fault::{Fault, Planned};
 use crate::motion::plan::abilities::Abilities;
@@ -14,34 +14,21 @@ use crate::motion::step::{Sink, Step};
 /// Coolant while a program is planned.
 #[derive(Debug, Clone)]
 pub(crate) struct CoolantState {
-    request: Kind,
+    request: Coolant,
     /// As written; `None` if unknown.
-    written: Option<Kind>,
+    written: Option<Coolants>,
 }
 
 impl Default for CoolantState {
     fn default() -> Self {
-        Self { request: Kind::Off, written: None }
+        Self { request: Coolant::Off, written: None }
     }
 }
 
 impl CoolantState {
     /// COOLNT. A pressure that the control has no code for is left out.
-    pub(crate) fn request<S: Sink>(&mut self, kind: Kind, abilities: &Abilities, output: &mut Output<S>) {
-        self.request = kind;
-        let Kind::ThroughAt(pressure) = kind else { return };
-        if !abilities.pressures[pressure as usize] {
-            self.request = Kind::Through;
-            let (word, key) = match pressure {
-                Pressure::Low => ("LOW", "through_low"),
-                Pressure::Medium => ("MEDIUM", "through_medium"),
-                Pressure::High => ("HIGH", "through_high"),
-            };
-            let text = format!("coolant through the spindle is switched on without its pressure: {word} has no code");
-            let help =
-                format!("configure its codes for on and off: `[control] coolant = {{ {key} = [\"M..\", \"M..\"] }}`");
-            output.remark(Fault::new(text).help(help));
-        }
+    pub(crate) fn request<S: Sink>(&mut self, kind: Coolant, abilities: &Abilities, output: &mut Output<S>) {
+        self.request = without_pressure(kind, abilities, output);
     }
 
     /// Forgets the state.
@@ -58,42 +45,63 @@ impl CoolantState {
         output: &mut Output<S>,
     ) -> Planned {
         let given = tool.and_then(|tool| policy.set_up.tools.get(&tool.number));
-        let kind = match self.request {
-            Kind::On => given.and_then(|tool| tool.coolant).unwrap_or(policy.options.defaults.coolant),
-            kind => kind,
+        let kinds: Coolants = match self.request {
+            Coolant::On => {
+                let kinds = given.and_then(|tool| tool.coolant).unwrap_or(policy.options.defaults.coolant);
+                kinds.kinds().map(|kind| without_pressure(kind, abilities, output)).collect()
+            }
+            kind => Coolants::of(kind),
         };
-        let missing = match kind {
-            Kind::On | Kind::Flood => (!abilities.flood).then_some("flood"),
-            Kind::Mist => (!abilities.mist).then_some("mist"),
-            Kind::ThroughAt(_) => None,
-            Kind::Through => (!abilities.through).then_some("coolant through the spindle"),
-            Kind::Air => (!abilities.air).then_some("air"),
-            Kind::Off => None,
-        };
-        if let Some(missing) = missing {
-            return Err(Fault::new(format_args!("this control has no code for {missing}"))
-                .help("configure its codes for on and off: `[control] coolant = { air = [\"M83\", \"M84\"] }`")
+        if let Some(missing) = kinds.kinds().find(|kind| !abilities.coolants.has(*kind)) {
+            let (name, key) = match missing {
+                Coolant::Mist => ("mist", "mist"),
+                Coolant::Through | Coolant::ThroughAt(_) => ("coolant through the spindle", "through"),
+                Coolant::Air => ("air", "air"),
+                Coolant::On | Coolant::Off | Coolant::Flood => ("flood", "flood"),
+            };
+            return Err(Fault::new(format_args!("this control has no code for {name}"))
+                .help(format_args!(
+                    "configure its codes for on and off: `[control] coolant = {{ {key} = [\"M83\", \"M84\"] }}`"
+                ))
                 .into());
         }
-        if kind == Kind::Off || policy.options.lift_mm.is_some() {
+        if kinds.is_empty() || policy.options.lift_mm.is_some() {
             return Ok(self.stop(output)?);
         }
-        if self.written != Some(kind) {
-            if self.written.is_some_and(|before| before != Kind::Off) {
+        if self.written != Some(kinds) {
+            if self.written.is_some_and(|before| !before.is_empty()) {
                 output.step(&Step::CoolantOff)?;
             }
-            self.written = Some(kind);
-            output.step(&Step::Coolant { kind })?;
+            self.written = Some(kinds);
+            for kind in kinds.kinds() {
+                output.step(&Step::Coolant { kind })?;
+            }
         }
         Ok(())
     }
 
     /// Writes coolant off, unless it is off.
     pub(crate) fn stop<S: Sink>(&mut self, output: &mut Output<S>) -> io::Result<()> {
-        if self.written != Some(Kind::Off) {
-            self.written = Some(Kind::Off);
+        if !self.written.is_some_and(Coolants::is_empty) {
+            self.written = Some(Coolants::default());
             output.step(&Step::CoolantOff)?;
         }
         Ok(())
     }
+}
+
+/// A kind of coolant without the pressure that the control has no code for, with a remark.
+fn without_pressure<S: Sink>(kind: Coolant, abilities: &Abilities, output: &mut Output<S>) -> Coolant {
+    let Coolant::ThroughAt(pressure) = kind else { return kind };
+    if abilities.coolants.has(kind) {
+        return kind;
+    }
+    let word = pressure.word();
+    let text = format!("coolant through the spindle is switched on without its pressure: {word} has no code");
+    let help = format!(
+        "configure its codes for on and off: `[control] coolant = {{ through_{} = [\"M..\", \"M..\"] }}`",
+        word.to_lowercase()
+    );
+    output.remark(Fault::new(text).help(help));
+    Coolant::Through
 }
