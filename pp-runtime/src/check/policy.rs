@@ -332,6 +332,8 @@ pub struct OperationRule {
     pub linear: Option<Option<LinearMeaning>>,
     /// Smoothing in cuts; `Some(None)`: off.
     pub smoothing: Option<Option<SmoothingLevel>>,
+    /// Largest deviation where the control blends or smooths, mm.
+    pub blending_mm: Option<f64>,
     /// Largest deviation of the tip from its path, mm.
     pub path_mm: Option<f64>,
     /// Largest feed of the tip in feed motions, mm/min.
@@ -366,6 +368,8 @@ pub struct ShopBlocks {
     pub guards_planes: bool,
     /// Smoothing in cuts.
     pub smoothing: Option<SmoothingLevel>,
+    /// Numbers of rough, medium and finish, where the program states them.
+    pub smoothing_levels: Option<[u32; 3]>,
     /// Tolerance of smoothing for rotary axes, where the program states it.
     pub smoothing_angle_rad: Option<f64>,
     /// The path in the CL data is that of the tool centre where cutter compensation is on.

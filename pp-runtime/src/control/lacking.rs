@@ -92,6 +92,11 @@ fn smoothing(codes: &Spellings, options: &mut ControlOptions, operations: &mut O
             entry.settings.smoothing = None;
         }
     }
+    let has_levels = codes.smoothing[0].iter().any(|block| block.contains("{smoothing_level}"));
+    if options.smoothing_levels.is_some() && !has_levels {
+        lacking.push(format!("{title} has no numbers of smoothing levels: `control.smoothing_levels` is left out"));
+        options.smoothing_levels = None;
+    }
     let mut blocks = codes.smoothing.iter().chain(&codes.smoothing_with_angle).copied().flatten();
     let states_angle = blocks.any(|block| block.contains("{angle}"));
     if smooths && options.smoothing_angle_rad.is_some() && !states_angle {

@@ -8,7 +8,7 @@ use crate::keys::{
     AxisSet, Bound, KeyKind, KeyReader, KeyScope, ListOf, Measure, OneLine, OneOf, PerAxis, Printed, TomlValue, Whole,
     YesNo, list, nearest, options,
 };
-use crate::motion::{self, PathNorm, Policy, Smoothing};
+use crate::motion::{self, PathNorm, Policy, Smoothing, nearly_zero};
 use crate::nc::Formats;
 use crate::program::Coolant;
 use crate::set_up::SetUp;
@@ -67,6 +67,10 @@ options! {
         coolant: [Option<[String; 2]>; 7] = [const { None }; 7], key("control.coolant", CoolantCodes);
         /// Smoothing by the control within `path_tolerance`: "none", "rough", "medium" or "finish".
         smoothing: Smoothing = Smoothing::None, key("control.smoothing", OneOf(&Smoothing::NAMES));
+        /// Numbers of the levels "rough", "medium" and "finish" where they are a word of their own (Fanuc: R of G05.1 Q1, 1 for
+        /// speed to 10 for accuracy, an option of the control). Without it the word is left out, and all levels are one.
+        smoothing_levels: Option<[u32; 3]> = None,
+            key("control.smoothing_levels", ThreeLevels, "[1, 5, 10]");
         /// Largest deviation of the tool axis while the control smooths; in degrees in the file (Heidenhain: TA of cycle
         /// 32).
         smoothing_angle_rad: Option<f64> = None,
@@ -231,18 +235,6 @@ const PATH_NORMS: [(&str, PathNorm); 4] = [
     ("g93_s", PathNorm::G93Seconds),
 ];
 
-/// Smallest path tolerance, mm. In inches, with six decimals, it is still greater than zero.
-const SMALLEST_PATH_TOLERANCE: f64 = 0.0001;
-
-fn nearly_zero(tolerance: f64) -> Option<String> {
-    (tolerance < SMALLEST_PATH_TOLERANCE).then(|| {
-        format!(
-            "a tolerance below {SMALLEST_PATH_TOLERANCE} mm could be written as 0, which removes the limit on the \
-             deviation from the path"
-        )
-    })
-}
-
 /// Names of axes on the control.
 const AXIS_NAMES: PerAxis<String> = PerAxis {
     axes: AxisSet::All,
@@ -254,6 +246,34 @@ const AXIS_NAMES: PerAxis<String> = PerAxis {
     },
     schema: || json!({ "type": "string" }),
 };
+
+/// Value of a key: numbers of the three levels of smoothing.
+#[derive(Debug, Clone, Copy)]
+struct ThreeLevels;
+
+impl KeyKind for ThreeLevels {
+    type Value = [u32; 3];
+
+    fn read(&self, r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<[u32; 3]> {
+        let levels = ListOf(Whole(1..=10)).read(r, value)?;
+        let levels = <[u32; 3]>::try_from(levels).ok();
+        if levels.is_none() {
+            r.fault(value.span(), "expected three numbers: [rough, medium, finish]", None);
+        }
+        levels
+    }
+
+    fn print(&self, levels: &[u32; 3]) -> String {
+        format!("{levels:?}")
+    }
+
+    fn schema(&self, scope: &KeyScope) -> Json {
+        let mut schema = ListOf(Whole(1..=10)).schema(scope);
+        schema["minItems"] = json!(3);
+        schema["maxItems"] = json!(3);
+        schema
+    }
+}
 
 /// Value of a key: two codes, on and off.
 #[derive(Debug, Clone, Copy)]

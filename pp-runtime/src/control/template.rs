@@ -64,6 +64,8 @@ fields! {
     Milliseconds = "milliseconds",
     /// Largest deviation of the tool axis while the control smooths, degrees.
     Angle = "angle",
+    /// Number of the level of smoothing.
+    SmoothingLevel = "smoothing_level",
     /// Code that switches shortest-path rotation of rotary axes on or off.
     RotaryPath = "rotary_path",
     /// Motion of the tool axis under tip control.

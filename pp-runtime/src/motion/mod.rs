@@ -49,6 +49,7 @@ pub use fault::PlanningError;
 pub(crate) use geometry::extent;
 pub use geometry::{ArcPlane, Circle};
 pub use modes::{ModeFinder, StretchModes};
+pub(crate) use options::nearly_zero;
 pub use options::{
     Approach, ArcForm, ArcOptions, ArcOutput, ClampCodes, CourseOptions, CutterPath, CycleOptions, CycleOutput,
     Defaults, FeedLimits, GuardOptions, Links, Mode, MotionOptions, OperationChoice, OperationEntry, OperationSettings,

@@ -229,6 +229,18 @@ const DWELL: RangeInclusive<f64> = 0.001..=600.0;
 /// Largest axis tolerance at the pole, rad: a wider one would change the path.
 const LARGEST_AXIS_TOLERANCE: f64 = 5_f64.to_radians();
 
+/// Smallest tolerance of blending and smoothing, mm. In inches, with six decimals, it is still greater than zero.
+const SMALLEST_PATH_TOLERANCE: f64 = 0.0001;
+
+pub(crate) fn nearly_zero(tolerance: f64) -> Option<String> {
+    (tolerance < SMALLEST_PATH_TOLERANCE).then(|| {
+        format!(
+            "a tolerance below {SMALLEST_PATH_TOLERANCE} mm could be written as 0, which removes the limit on the \
+             deviation from the path"
+        )
+    })
+}
+
 fn beyond_words(tolerance: f64) -> Option<String> {
     outside(&MotionOptions::TOLERANCE, tolerance)
 }

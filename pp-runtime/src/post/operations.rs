@@ -156,6 +156,7 @@ fn differences(config: &Config, settings: &OperationSettings) -> Vec<String> {
     [
         mode,
         smoothing.map(|level| format!("smoothing {}", level.name())),
+        settings.path_tolerance_mm.map(|tolerance| format!("path tolerance {tolerance} mm")),
         singular.map(|singular| format!("singular {}", Singular::name(singular))),
         tolerance.map(|tolerance| format!("tolerance {tolerance} mm")),
         feed,

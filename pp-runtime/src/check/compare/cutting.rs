@@ -7,7 +7,7 @@
 use std::f64::consts::PI;
 use std::io::{self, Read};
 
-use super::super::expect::{ClMotion, ExpectedAction, ExpectedItem, Required};
+use super::super::expect::{ClMotion, ExpectedAction, ExpectedItem, Required, RequiredSmoothing};
 use super::super::geometry::{PathShape, Segment, ToolPose, angle_between};
 use super::super::policy::RapidForm;
 use super::super::read::{Action, Block, CycleMove, MAX_AXES, Side};
@@ -469,9 +469,10 @@ impl<R: Read> Comparison<'_, R> {
         }
         let goes_on = self.progress.next().filter(|_| self.progress.motion().is_some_and(|motion| !motion.starts));
         let required = goes_on.map(|item| item.required).or(cutting.finished.as_ref().map(|motion| motion.required));
-        let expected = required.and_then(|required| required.smoothing);
-        let smoothing = self.functions.smoothing(&block.state, &self.rules, expected);
-        self.found_any(current, smoothing);
+        if let Some(required) = required {
+            let smoothing = self.functions.smoothing(&block.state, &self.rules, required.smoothing);
+            self.found_any(current, smoothing);
+        }
         let (before, known) = (self.previous.words, self.previous.known);
         let rotary = self.rules.words().rotary_bits();
         let rotated = self.rules.words().rotary_travel(&before, &block.values);
@@ -768,7 +769,8 @@ impl<R: Read> Comparison<'_, R> {
             let stopped = self.functions.cut_after_thread();
             self.found_any(current, stopped);
         }
-        let fault = self.functions.smoothing(&block.state, &self.rules, None);
+        let off = RequiredSmoothing { level: None, ..required.smoothing };
+        let fault = self.functions.smoothing(&block.state, &self.rules, off);
         self.found_any(current, fault);
         let (hole, spindle) = (expected.hole, required.spindle);
         let comparison = CycleComparison { rules: &self.rules, block, cycle, hole: &hole, spindle };

@@ -3,7 +3,7 @@
 
 use nalgebra::Vector3;
 
-use super::super::expect::Required;
+use super::super::expect::{Required, RequiredSmoothing};
 use super::super::policy::{LinearMeaning, SmoothingLevel};
 use super::super::read::{
     Action, Block, Guard, GuardSource, Length, LengthSource, OwnPlace, PathMode, Smoothing, SmoothingWords, State,
@@ -180,14 +180,15 @@ impl FunctionState {
         &mut self,
         state: &State,
         rules: &Rules<'_>,
-        expected: Option<SmoothingLevel>,
+        expected: RequiredSmoothing,
     ) -> Option<String> {
-        let mode = self.path_mode(state, rules);
+        let blending = expected.blending_mm;
+        let mode = self.path_mode(state, rules, blending);
         if mode.is_some() {
             return mode;
         }
         let policy = rules.policy();
-        match (expected, state.smoothing) {
+        match (expected.level, state.smoothing) {
             (None, Smoothing::Off) => None,
             (None, Smoothing::On { .. }) => Some("smoothing is on, expected off".to_owned()),
             (Some(_), Smoothing::Off) => Some("smoothing is off, expected on".to_owned()),
@@ -198,11 +199,11 @@ impl FunctionState {
                     SmoothingLevel::Medium => 1,
                     SmoothingLevel::Finish => 2,
                 };
-                let blending = policy.tolerances.blending_mm;
-                if tolerance && !is_blending(tolerance_mm, rules) {
+                let level_word = levels[index].or(policy.shop.smoothing_levels.map(|levels| levels[index] as u8));
+                if tolerance && !is_blending(tolerance_mm, blending, rules) {
                     return Some(format!("smoothing {}, expected within {blending} mm", shown(tolerance_mm)));
                 }
-                if levels[index] != written {
+                if level_word != written {
                     return Some("smoothing of another level than that of the configuration".to_owned());
                 }
                 let angles = [policy.shop.smoothing_angle_rad, state.smoothing_angle_rad];
@@ -215,15 +216,14 @@ impl FunctionState {
     }
 
     /// What is wrong with the motion from block to block.
-    fn path_mode(&mut self, state: &State, rules: &Rules<'_>) -> Option<String> {
-        let blending = rules.policy().tolerances.blending_mm;
+    fn path_mode(&mut self, state: &State, rules: &Rules<'_>, blending: f64) -> Option<String> {
         let written = state.path_mode;
         if rules.facts().path_tolerance && !rules.policy().shop.own_safety {
             let tolerance = match written {
                 Some(PathMode::Continuous { tolerance_mm, joining_mm: None }) => tolerance_mm,
                 _ => None,
             };
-            return (!is_blending(tolerance, rules))
+            return (!is_blending(tolerance, blending, rules))
                 .then(|| format!("blocks are blended {} (G64 P), expected within {blending} mm", shown(tolerance)));
         }
         // Blending without a limit is the mode after switching on.
@@ -321,9 +321,9 @@ fn is_angle(angles: [Option<f64>; 2]) -> bool {
     }
 }
 
-/// Whether a programmed tolerance is the one of the configuration.
-fn is_blending(tolerance_mm: Option<f64>, rules: &Rules<'_>) -> bool {
-    let off = tolerance_mm.map(|written| (written - rules.policy().tolerances.blending_mm).abs());
+/// Whether a programmed tolerance is the one that is required.
+fn is_blending(tolerance_mm: Option<f64>, required_mm: f64, rules: &Rules<'_>) -> bool {
+    let off = tolerance_mm.map(|written| (written - required_mm).abs());
     off.is_some_and(|off| off <= ROUNDED * rules.units().in_mm())
 }
 

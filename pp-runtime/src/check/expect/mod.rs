@@ -58,10 +58,19 @@ pub(super) struct Required {
     pub(crate) allowance_mm: f64,
     /// Meaning of linear words in the operation; `None`: the program decides.
     pub(crate) linear: Option<LinearMeaning>,
-    /// Smoothing in the cuts of the operation.
-    pub(crate) smoothing: Option<SmoothingLevel>,
+    /// Smoothing in the cuts of the operation, and largest deviation where the control blends or smooths.
+    pub(crate) smoothing: RequiredSmoothing,
     /// Geometry that the tool leaves before rotary axes rotate.
     pub(crate) clearance: Option<Clearance>,
+}
+
+/// Smoothing in cuts.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct RequiredSmoothing {
+    /// `None`: off.
+    pub(crate) level: Option<SmoothingLevel>,
+    /// Largest deviation where the control blends or smooths, mm.
+    pub(crate) blending_mm: f64,
 }
 
 /// A motion of the CL data.

@@ -8,7 +8,7 @@ use super::super::policy::{CheckPolicy, OperationSelection, StopRule};
 use super::super::read::{LengthRegisters, Side, coolant};
 use super::hole::{ExpectedHole, HoleStep, unfolded};
 use super::operations::{self, RulesInForce};
-use super::{ClMotion, ExpectedAction, ExpectedItem, Required, SpindleState};
+use super::{ClMotion, ExpectedAction, ExpectedItem, Required, RequiredSmoothing, SpindleState};
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::Pose;
 use crate::program::{
@@ -128,7 +128,7 @@ impl<'a> ClState<'a> {
             radius_mm: None,
             tolerance_mm: policy.tolerances.path_mm,
             linear: policy.words.linear,
-            smoothing: policy.shop.smoothing,
+            smoothing: RequiredSmoothing { level: policy.shop.smoothing, blending_mm: policy.tolerances.blending_mm },
             clearance: policy.links.clearance,
         };
         let operation = Operation {
@@ -427,7 +427,10 @@ impl<'a> ClState<'a> {
             }
         };
         self.required.linear = self.rules.linear.unwrap_or(self.policy.words.linear);
-        self.required.smoothing = self.rules.smoothing.unwrap_or(self.policy.shop.smoothing);
+        self.required.smoothing = RequiredSmoothing {
+            level: self.rules.smoothing.unwrap_or(self.policy.shop.smoothing),
+            blending_mm: self.rules.blending_mm.unwrap_or(self.policy.tolerances.blending_mm),
+        };
         self.required.allowance_mm = self.rules.allowance_mm.unwrap_or(0.0);
         self.take_tolerance();
     }

@@ -9,6 +9,7 @@ use super::super::policy::{LinearMeaning, OperationRule, RuledOperation, Smoothi
 pub(super) struct RulesInForce {
     pub(super) linear: Option<Option<LinearMeaning>>,
     pub(super) smoothing: Option<Option<SmoothingLevel>>,
+    pub(super) blending_mm: Option<f64>,
     pub(super) path_mm: Option<f64>,
     pub(super) largest_feed_mm_per_min: Option<f64>,
     pub(super) allowance_mm: Option<f64>,
@@ -19,6 +20,7 @@ pub(super) fn in_force(rules: &[OperationRule], number: u64, name: &str) -> Resu
     Ok(RulesInForce {
         linear: one(rules, (number, name), |rule| rule.linear).ok_or("mode")?,
         smoothing: one(rules, (number, name), |rule| rule.smoothing).ok_or("smoothing")?,
+        blending_mm: one(rules, (number, name), |rule| rule.blending_mm).ok_or("path_tolerance")?,
         path_mm: one(rules, (number, name), |rule| rule.path_mm).ok_or("tolerance")?,
         largest_feed_mm_per_min: one(rules, (number, name), |rule| rule.largest_feed_mm_per_min)
             .ok_or("largest_feed")?,
@@ -88,6 +90,7 @@ mod tests {
             of,
             linear: None,
             smoothing: None,
+            blending_mm: None,
             path_mm,
             largest_feed_mm_per_min,
             allowance_mm: None,

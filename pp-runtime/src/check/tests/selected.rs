@@ -55,6 +55,52 @@ fn kinds_of_coolant_that_a_tool_needs_together_are_switched_on_and_off_together(
     }
 }
 
+/// Two operations of three axes with the same tool.
+fn rough_and_finish() -> String {
+    let operation = |name: &str, z: i32| {
+        format!(
+            "TOOL PATH/{name},TOOL,D10\nLOADTL/1\nSPINDL/RPM,2000,CLW\nFEDRAT/300,MMPM\nRAPID\nGOTO/0,0,50\nGOTO/0,0,{z}\n\
+             GOTO/20,0,{z}\nGOTO/20,20,{z}\nGOTO/20,20,50\nEND-OF-PATH\n"
+        )
+    };
+    format!("UNITS/MM\n{}{}", operation("ROUGH", 1), operation("FINISH", 0))
+}
+
+#[test]
+fn level_and_tolerance_of_smoothing_are_those_of_the_operation() {
+    let data = rough_and_finish();
+    let set_up = "path_tolerance = 0.01\n[control]\nsmoothing = \"medium\"\nsmoothing_levels = [1, 5, 10]\n\
+                  [operations]\n\"ROUGH\" = { smoothing = \"rough\", path_tolerance = 0.05 }\n\
+                  \"FINISH\" = { smoothing = \"finish\" }\n";
+    for (control, rough, finish) in [
+        ("linuxcnc", "G64 P0.05", "G64 P0.01"),
+        ("fanuc", "G05.1 Q1 R1", "G05.1 Q1 R10"),
+        ("haas", "G187 P1 E0.05", "G187 P3 E0.01"),
+        ("siemens", "CYCLE832(0.05,3,1)", "CYCLE832(0.01,1,1)"),
+        ("heidenhain", "CYCL DEF 32.1 T0.05", "CYCL DEF 32.1 T0.01"),
+    ] {
+        let program = posted_right::<Mill>(control, Mode::Axes, set_up, &data);
+        let at = |block: &str| program.find(&format!("{block}\n")).unwrap_or_else(|| panic!("{block}: {program}"));
+        assert!(at(rough) < at(finish), "{program}");
+        for (was, is) in [(rough, finish), (finish, rough)] {
+            let changed = program.replace(&format!("{was}\n"), &format!("{is}\n"));
+            assert_told::<Mill>(control, Mode::Axes, set_up, &data, &changed);
+        }
+        if control == "fanuc" {
+            for level in ["", " R5", " R11"] {
+                let changed = program.replace(&format!("{rough}\n"), &format!("G05.1 Q1{level}\n"));
+                assert_told::<Mill>(control, Mode::Axes, set_up, &data, &changed);
+            }
+        }
+        // Without a safe sequence between them the second operation has its tolerance all the same.
+        let direct = format!("transition = \"direct\"\n{set_up}");
+        let direct = posted_right::<Mill>(control, Mode::Axes, &direct, &data);
+        assert!(direct.contains(&format!("{finish}\n")), "{control} {direct}");
+    }
+    let plain = set_up.replace("smoothing_levels = [1, 5, 10]\n", "");
+    assert!(posted_right::<Mill>("fanuc", Mode::Axes, &plain, &data).contains("G05.1 Q1\n"));
+}
+
 #[test]
 fn gohome_retracts_with_no_parking_position_on_every_control() {
     let data = format!("{}GOHOME\nGOTO/5,5,10\nGOTO/5,5,0\nGOTO/5,5,20\nGOHOME\n", cuts("COOLNT/ON"));

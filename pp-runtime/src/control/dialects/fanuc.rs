@@ -12,6 +12,9 @@
 //! `G91 G28 Z0.` moves Z to the reference position, through the point where it is. It cancels the length offset on its way
 //! there, as `G53` does (B-63844EN, p. 204).
 //!
+//! R of `G05.1 Q1` is the level of machining condition selection, an option: 1 for speed to 10 for accuracy. Autodesk's public
+//! post for Fanuc writes it (`setSmoothing`); the range is from memory.
+//!
 //! D is a radius where parameter 5004#2 is 0, and a diameter where it is 1 (from memory).
 //!
 //! `G43.4 H` starts tip control in the block that moves to the first point, which is one of length compensation only
@@ -83,7 +86,7 @@ static SPELLINGS: Spellings = Spellings {
     }),
     retracts: &[MachineRetract::to_machine_coordinate("G53"), MachineRetract::to_reference_position(true)],
     dwell: &["G4 P{milliseconds}"],
-    smoothing: [&["G05.1 Q1"], &["G05.1 Q1"], &["G05.1 Q1"]],
+    smoothing: [&["G05.1 Q1 R{smoothing_level}"]; 3],
     smoothing_off: &["G05.1 Q0"],
     tip: Some(TipControlCodes {
         on: &[],

@@ -218,6 +218,7 @@ static SPELLINGS: Spellings = Spellings {
     ],
     smoothing_with_angle: [&[], &[], &[]],
     smoothing_off: &["CYCL DEF 32.0 TOLERANCE", "CYCL DEF 32.1"],
+    blending: &[],
     rotary_path: ["M127", "M126"],
     tip: Some(TipControlCodes {
         on: &["FUNCTION TCPM F TCP AXIS POS PATHCTRL {posture}"],

@@ -65,6 +65,7 @@ impl Spellings {
         smoothing: [&[], &[], &[]],
         smoothing_with_angle: [&[], &[], &[]],
         smoothing_off: &[],
+        blending: &[],
         rotary_path: ["", ""],
         tip: None,
         plane: None,

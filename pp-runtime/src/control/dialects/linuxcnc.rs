@@ -33,6 +33,7 @@ static SPELLINGS: Spellings = Spellings {
     // Its planner knows the coordinates only: github.com/LinuxCNC/linuxcnc, issue 97 (following errors of the joints).
     tip_control_holds_axis_speeds: false,
     safety: &["{units} G17 G40 G49 G80 G90 G94 {work_offset} G64 P{path_tolerance}"],
+    blending: &["G64 P{path_tolerance}"],
     arcs: ArcCodes {
         // If the radii differ by more, the interpreter of version 2.9 also compares their ratio.
         radius_tolerance_mm: 0.001_27,

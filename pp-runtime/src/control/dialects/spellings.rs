@@ -115,6 +115,8 @@ pub struct Spellings {
     pub smoothing_with_angle: [&'static [&'static str]; 3],
     /// Smoothing off.
     pub smoothing_off: &'static [&'static str],
+    /// Blocks that state the tolerance of blending, where the safety blocks do; empty where blocks are not blended within one.
+    pub blending: &'static [&'static str],
     /// Codes for rotary axes that rotate as their words state, and by the shortest path.
     pub rotary_path: [&'static str; 2],
     /// Codes of tip control; `None` if only the configuration can state them.

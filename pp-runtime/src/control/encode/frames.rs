@@ -92,6 +92,8 @@ impl FrameWriter {
         out.set_tip_control(false, false);
         out.set_offset_lost(false);
         out.writer_mut().number_next(number);
+        // Blocks of the shop state the blending as the shop wants it.
+        out.note_blending();
         if let Some(safety) = &self.safety {
             return out.fill_all(safety);
         }

@@ -217,8 +217,8 @@ impl<'a> Encoder<'a> {
                 out.values().work_offset = self.control.work_offset(word).unwrap_or_else(|| word.to_owned());
                 Ok(())
             }
-            Step::Smoothing { level } => {
-                out.set_smoothing(level);
+            Step::Smoothing { level, tolerance_mm } => {
+                out.set_smoothing(level, tolerance_mm);
                 Ok(())
             }
             Step::OperationBlocks { at_end } => {

@@ -76,8 +76,8 @@ pub(crate) struct ModalState {
 pub(crate) enum SmoothingState {
     #[default]
     Off,
-    /// On, at this level.
-    On(usize),
+    /// On, at this level and with this tolerance.
+    On(usize, Decimal),
     /// It was on before a block that may have switched it off.
     Unknown,
 }
@@ -86,7 +86,7 @@ impl SmoothingState {
     const fn forgotten(self) -> Self {
         match self {
             Self::Off => Self::Off,
-            Self::On(_) | Self::Unknown => Self::Unknown,
+            Self::On(..) | Self::Unknown => Self::Unknown,
         }
     }
 }

@@ -40,6 +40,7 @@ fn settings_that_a_control_does_not_support_are_refused() {
 fn settings_that_a_program_does_without_are_left_out_where_the_control_lacks_them() {
     let mut all = Config::default();
     all.control.smoothing = Smoothing::Finish;
+    all.control.smoothing_levels = Some([1, 5, 10]);
     all.control.smoothing_angle_rad = Some(0.001);
     all.control.program_number = Some(1234);
     all.control.file_header = true;
@@ -61,7 +62,8 @@ fn settings_that_a_program_does_without_are_left_out_where_the_control_lacks_the
         let title = control.spellings().title;
         assert!(on_control.left_out.iter().all(|sentence| sentence.contains(title)), "{:?}", on_control.left_out);
         let keys = [
-            "smoothing levels",
+            "has no smoothing levels",
+            "smoothing_levels",
             "smoothing_angle",
             "program_number",
             "file_header",
@@ -81,15 +83,15 @@ fn settings_that_a_program_does_without_are_left_out_where_the_control_lacks_the
     };
     assert_eq!(
         left_out(&LinuxCnc),
-        "smoothing levels program_number file_header tool_names swivel_data posture_word `tip_control` `planes` \
+        "has no smoothing levels smoothing_levels program_number file_header tool_names swivel_data posture_word `tip_control` `planes` \
          `dynamic_offset`"
     );
     assert_eq!(left_out(&Fanuc), "smoothing_angle file_header tool_names swivel_data `dynamic_offset`");
-    assert_eq!(left_out(&Haas), "smoothing_angle file_header tool_names swivel_data posture_word");
-    assert_eq!(left_out(&Siemens), "program_number posture_word `dynamic_offset`");
+    assert_eq!(left_out(&Haas), "smoothing_levels smoothing_angle file_header tool_names swivel_data posture_word");
+    assert_eq!(left_out(&Siemens), "smoothing_levels program_number posture_word `dynamic_offset`");
     assert_eq!(
         left_out(&Heidenhain),
-        "program_number file_header line_numbers swivel_data path_norm posture_word `dynamic_offset`"
+        "smoothing_levels program_number file_header line_numbers swivel_data path_norm posture_word `dynamic_offset`"
     );
     let linuxcnc = all.for_control(&LinuxCnc);
     assert_eq!(linuxcnc.motion.operations.entries[0].settings, OperationSettings::default());

@@ -16,12 +16,14 @@ fn every_control_states_what_no_two_of_them_share() {
 
 #[test]
 fn every_table_holds_fields_that_exist() {
-    let all = [template::OF_TOOL, &[Field::Seconds, Field::Milliseconds, Field::Angle, Field::RotaryPath]].concat();
+    let more = [Field::Seconds, Field::Milliseconds, Field::Angle, Field::SmoothingLevel, Field::RotaryPath];
+    let all = [template::OF_TOOL, &more].concat();
     for control in CONTROLS {
         let codes = control.spellings();
         let blocks = [codes.opening, codes.closing, codes.safety, codes.tool_change, codes.dwell, codes.smoothing_off];
         let single = [codes.length.code, codes.speed.unwrap_or_default(), codes.spindle[0], codes.spindle[1]];
-        for block in blocks.into_iter().chain(codes.smoothing).flatten().copied().chain(single) {
+        for block in blocks.into_iter().chain(codes.smoothing).chain([codes.blending]).flatten().copied().chain(single)
+        {
             assert_eq!(template::check(block, &all), Ok(()), "{} {block}", codes.name);
         }
         if let Some(HoleCycles { form: CycleForm::Definitions(cycle), .. }) = &codes.cycles {

@@ -11,7 +11,7 @@ use crate::keys::{
     options,
 };
 
-use super::{Mode, Singular, beyond_words};
+use super::{Mode, Singular, beyond_words, nearly_zero};
 
 /// Smoothing of the path by the control.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -62,6 +62,9 @@ options! {
         mode: Option<Mode> = None, key("mode", OneOf(&Mode::NAMES), "\"tcp\"");
         /// Smoothing by the control, as `control.smoothing`.
         smoothing: Option<Smoothing> = None, key("smoothing", OneOf(&Smoothing::NAMES), "\"finish\"");
+        /// Largest deviation where the control blends or smooths, as `path_tolerance`.
+        path_tolerance_mm: Option<f64> = None,
+            key("path_tolerance", Measure::length(Bound::Positive).unless(nearly_zero), "0.05");
         /// Angle of a free first rotary axis, as `singular`.
         singular: Option<Singular> = None, key("singular", OneOf(&Singular::NAMES), "\"previous\"");
         /// Largest deviation of chords and of the tip, as `tolerance`.
@@ -133,10 +136,11 @@ impl OperationTable {
         self.entries.iter().any(|entry| entry.settings.mode.is_some())
     }
 
-    /// Whether an entry sets smoothing.
+    /// Whether an entry sets smoothing or its tolerance.
     #[must_use]
     pub fn sets_smoothing(&self) -> bool {
-        self.entries.iter().any(|entry| entry.settings.smoothing.is_some())
+        let sets = |settings: &OperationSettings| settings.smoothing.is_some() || settings.path_tolerance_mm.is_some();
+        self.entries.iter().any(|entry| sets(&entry.settings))
     }
 
     /// Whether an entry switches smoothing on.

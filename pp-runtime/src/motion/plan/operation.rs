@@ -54,7 +54,8 @@ pub(crate) fn begin<S: Sink>(planner: &mut Planner<'_, S>, start: &OperationStar
     planner.feed_cap = chosen.largest_feed_mm_per_min.as_ref().map(FeedCap::of);
     if planner.policy.options.operations.sets_smoothing() {
         let level = chosen.smoothing.map(|smoothing| smoothing.value);
-        planner.mover.output_mut().step(&Step::Smoothing { level })?;
+        let tolerance_mm = chosen.path_tolerance_mm.map(|tolerance| tolerance.value);
+        planner.mover.output_mut().step(&Step::Smoothing { level, tolerance_mm })?;
     }
     Ok(())
 }

@@ -26,6 +26,8 @@ pub struct ChosenSettings<'t> {
     pub mode: Option<Chosen<'t, Mode>>,
     /// Smoothing by the control.
     pub smoothing: Option<Chosen<'t, Smoothing>>,
+    /// Largest deviation where the control blends or smooths, mm.
+    pub path_tolerance_mm: Option<Chosen<'t, f64>>,
     /// Angle of a free first rotary axis.
     pub singular: Option<Chosen<'t, Singular>>,
     /// Largest deviation of chords and of the tip, mm.
@@ -41,6 +43,7 @@ impl ChosenSettings<'_> {
         OperationSettings {
             mode: self.mode.map(|chosen| chosen.value),
             smoothing: self.smoothing.map(|chosen| chosen.value),
+            path_tolerance_mm: self.path_tolerance_mm.map(|chosen| chosen.value),
             singular: self.singular.map(|chosen| chosen.value),
             tolerance_mm: self.tolerance_mm.map(|chosen| chosen.value),
             largest_feed_mm_per_min: self.largest_feed_mm_per_min.map(|chosen| chosen.value),
@@ -185,6 +188,7 @@ impl OperationTable {
         Ok(ChosenSettings {
             mode: merge.key("mode", |settings| settings.mode)?,
             smoothing: merge.key("smoothing", |settings| settings.smoothing)?,
+            path_tolerance_mm: merge.key("path_tolerance", |settings| settings.path_tolerance_mm)?,
             singular: merge.key("singular", |settings| settings.singular)?,
             tolerance_mm: merge.key("tolerance", |settings| settings.tolerance_mm)?,
             largest_feed_mm_per_min: merge.key("largest_feed", |settings| settings.largest_feed_mm_per_min)?,

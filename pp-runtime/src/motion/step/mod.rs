@@ -234,6 +234,8 @@ pub enum Step<'a> {
     Smoothing {
         /// That of the operation; `None`: that of the configuration for the whole program.
         level: Option<Smoothing>,
+        /// Largest deviation where the control blends or smooths, mm; `None`: as for the level.
+        tolerance_mm: Option<f64>,
     },
     /// Blocks of the shop at the start or the end of an operation; after them the state of the machine is unknown.
     OperationBlocks {

@@ -5,7 +5,7 @@
 //! | P, X | G4 | a dwell: seconds on LinuxCNC, milliseconds on Fanuc and Haas where it has no point |
 //! | P | G54.1, G154 | number of the work offset |
 //! | P, Q | G64 on LinuxCNC | largest deviation from the path, and that up to which blocks are joined |
-//! | Q | G5.1 | smoothing on or off |
+//! | Q, R | G5.1 | smoothing on or off, and its level |
 //! | P, E | G187 | level and tolerance of the smoothing |
 //! | P | G43.4 on Fanuc | how the rotary axes move between two points |
 //! | P | G2, G3 on LinuxCNC | revolutions of a helix |
@@ -148,7 +148,12 @@ impl Reading<'_, '_> {
         let smoothing = match smoother {
             Smoother::Contour => match self.loose.q.take().and_then(whole) {
                 Some(0) => Some(Smoothing::Off),
-                Some(1) => Some(Smoothing::On { tolerance_mm: None, level: None }),
+                Some(1) => {
+                    let level = self.loose.r.take().map(|word| whole(word).filter(|level| (1..=10).contains(level)));
+                    let known = level.is_none_or(|level| level.is_some());
+                    let level = level.flatten().map(|level| level as u8);
+                    known.then_some(Smoothing::On { tolerance_mm: None, level })
+                }
                 _ => None,
             },
             Smoother::Level => {

@@ -17,7 +17,8 @@ const OWN: &[Row] = &[
         group::SMOOTHING,
         "Fanuc B-63944EN/02 (2004), AI contour control (from memory)",
     )
-    .needs("Q"),
+    .needs("Q")
+    .takes("R"),
     Row::new("G43.4", Means::Length(LengthCode::TipControl), group::LENGTH, "Fanuc A-79294E, p. 11; A-79348E, p. 16")
         .needs("H")
         .takes("P"),

@@ -41,9 +41,15 @@ pub(crate) struct ModalWriter<'a> {
     numerals: Numerals,
     /// Every block holds every word.
     every_word: bool,
-    /// Smoothing of the configuration, and that of the cuts that come.
-    usual_smoothing: Smoothing,
-    smoothing: Smoothing,
+    /// Smoothing of the configuration, and that of the cuts that come, with their tolerances in the unit of the program.
+    usual_smoothing: (Smoothing, Decimal),
+    smoothing: (Smoothing, Decimal),
+    /// Numbers of the levels of smoothing.
+    smoothing_levels: Option<[u32; 3]>,
+    /// Unit of lengths, mm.
+    unit_mm: f64,
+    /// Tolerance of the blending in force, where the safety blocks state it.
+    blending: Decimal,
     /// Words for the tool axis as a vector, where it is written instead of rotary words.
     vectors: Option<&'static ToolAxisWords>,
     /// Code that calls the length offset and switches on tip control, where one does both.
@@ -91,11 +97,15 @@ fn tip_length_code(codes: &Spellings, layout: &Layout, vectors: Option<&ToolAxis
     vectors.map_or(tip.with_length, |vectors| vectors.with_length)
 }
 
+/// A tolerance in the unit of the program. The configuration was refused if it cannot be written with six decimals.
+fn path_tolerance(tolerance: f64) -> Decimal {
+    Decimal::fixed(tolerance, 6).unwrap_or_default()
+}
+
 /// Values of the template fields at the start of the program.
 fn values(control: &dyn Control, layout: &Layout, numerals: Numerals) -> Values {
     let (codes, options) = (control.spellings(), &layout.options);
-    // The configuration was refused if the tolerance cannot be written with six decimals.
-    let path_tolerance = Decimal::fixed(layout.path_tolerance, 6).unwrap_or_default();
+    let path_tolerance = path_tolerance(layout.path_tolerance);
     Values {
         name: program_name(codes, layout),
         number: format!("{:0width$}", options.program_number.unwrap_or(1), width = codes.number_digits),
@@ -130,8 +140,11 @@ impl<'a> ModalWriter<'a> {
             z: layout.axes.iter().position(|&(letter, _)| letter == 'Z'),
             numerals,
             every_word: layout.options.every_word,
-            usual_smoothing: layout.options.smoothing,
-            smoothing: layout.options.smoothing,
+            usual_smoothing: (layout.options.smoothing, path_tolerance(layout.path_tolerance)),
+            smoothing: (layout.options.smoothing, path_tolerance(layout.path_tolerance)),
+            smoothing_levels: layout.options.smoothing_levels,
+            unit_mm: layout.units.in_mm(),
+            blending: path_tolerance(layout.path_tolerance),
             vectors,
             tip_length_code: tip_length_code(codes, layout, vectors),
             tip_control: false,
@@ -351,45 +364,66 @@ impl<'a> ModalWriter<'a> {
         Ok(())
     }
 
-    /// Sets the smoothing of the cuts that come; `None`: that of the configuration.
-    pub(crate) fn set_smoothing(&mut self, level: Option<Smoothing>) {
-        self.smoothing = level.unwrap_or(self.usual_smoothing);
+    /// Sets the smoothing of the cuts that come, and its tolerance, mm; `None`: that of the configuration.
+    pub(crate) fn set_smoothing(&mut self, level: Option<Smoothing>, tolerance_mm: Option<f64>) {
+        let (usual_level, usual) = self.usual_smoothing;
+        let tolerance = tolerance_mm.map_or(usual, |mm| path_tolerance(mm / self.unit_mm));
+        self.smoothing = (level.unwrap_or(usual_level), tolerance);
+        self.values.path_tolerance = text(tolerance, Numerals { plus: false, ..self.numerals });
+    }
+
+    /// Notes that the safety blocks have stated the tolerance of the blending.
+    pub(crate) fn note_blending(&mut self) {
+        self.blending = self.smoothing.1;
     }
 
     /// Switches smoothing on or off, where that of the cuts differs from the one in force. `cuts`: a cut comes. Where it is
     /// unknown, the next cut decides.
     #[inline]
     pub(crate) fn smooth(&mut self, cuts: bool) -> io::Result<()> {
-        let wanted = match self.smoothing.level() {
-            Some(level) if cuts => SmoothingState::On(level),
+        let (level, tolerance) = self.smoothing;
+        let wanted = match level.level() {
+            Some(level) if cuts => SmoothingState::On(level, tolerance),
             _ => SmoothingState::Off,
         };
         let before = self.modal.smoothing();
         let waits = before == SmoothingState::Unknown && !cuts;
-        if before == wanted || waits { Ok(()) } else { self.switch_smoothing(before, wanted) }
+        if before != wanted && !waits {
+            self.switch_smoothing(before, wanted)?;
+        }
+        if cuts && self.blending != tolerance { self.blend() } else { Ok(()) }
+    }
+
+    /// Writes the tolerance of the blending, which no safety block has stated.
+    #[cold]
+    fn blend(&mut self) -> io::Result<()> {
+        self.note_blending();
+        self.fill_all(self.codes.blending)
     }
 
     #[cold]
     fn switch_smoothing(&mut self, before: SmoothingState, after: SmoothingState) -> io::Result<()> {
         let codes = self.codes;
-        let begins = |state| match state {
-            SmoothingState::On(level) if self.values.angle_deg.is_some() => {
-                let angled = codes.smoothing_with_angle[level];
-                if angled.is_empty() { codes.smoothing[level] } else { angled }
-            }
-            SmoothingState::On(level) => codes.smoothing[level],
-            SmoothingState::Off | SmoothingState::Unknown => &[],
+        let begins = |state, values: &mut Values| {
+            let SmoothingState::On(level, _) = state else { return Vec::new() };
+            values.smoothing_level = self.smoothing_levels.map(|levels| levels[level]);
+            let angled = codes.smoothing_with_angle[level];
+            let blocks = if values.angle_deg.is_some() && !angled.is_empty() { angled } else { codes.smoothing[level] };
+            blocks.iter().filter_map(|block| values.fill(block)).collect()
         };
-        let [on_before, on] = [before, after].map(begins);
+        let on_before: Vec<String> = begins(before, &mut self.values);
+        let on = begins(after, &mut self.values);
         self.modal.set_smoothing(after);
-        if on_before == on && before != SmoothingState::Unknown {
+        let same_tolerance =
+            !matches!((before, after), (SmoothingState::On(_, one), SmoothingState::On(_, other)) if one != other);
+        if on_before == on && same_tolerance && before != SmoothingState::Unknown {
             // The control has one level.
             return Ok(());
         }
         if on.is_empty() || !on_before.is_empty() {
             self.fill_all(codes.smoothing_off)?;
         }
-        self.fill_all(on)?;
+        on.iter().try_for_each(|block| self.block(block))?;
         self.modal.forget(After::Smoothing);
         Ok(())
     }
