@@ -389,6 +389,23 @@ fn coolant_of_a_tool_is_one_kind_or_several_that_are_on_together() {
 }
 
 #[test]
+fn a_blank_is_a_box_or_a_cylinder_about_the_part_zero() {
+    let stock = |text: &str| read(&format!("[stock]\n{text}")).set_up.stock.expect("a blank");
+    let round = stock("diameter = 80\nbottom = -40\ntop = 0\n");
+    assert_eq!(round, Stock { lower: [-40.0, -40.0, -40.0], upper: [40.0, 40.0, 0.0], round: true });
+    assert!(!stock("lower = [0, 0, 0]\nupper = [1, 1, 1]\n").round);
+    for (text, expected) in [
+        ("diameter = 80\n", "needs its diameter, its bottom and its top"),
+        ("diameter = 80\nbottom = 0\ntop = 0\n", "`bottom` must be below `top`"),
+        ("lower = [0, 0, 0]\ndiameter = 80\nbottom = -1\ntop = 0\n", "not both"),
+        ("diameter = -80\nbottom = -1\ntop = 0\n", "a number above zero is needed here"),
+    ] {
+        let found = faults(&format!("[stock]\n{text}"));
+        assert!(found.len() == 1 && found[0].contains(expected), "{text}: {found:?}");
+    }
+}
+
+#[test]
 fn coolant_codes_are_given_in_pairs_for_kinds_that_exist() {
     let config = read("[control]\ncoolant = { through = ['M88', 'M89'] }\n");
     assert_eq!(config.control.coolant[2], Some(["M88".to_owned(), "M89".to_owned()]));

@@ -6,7 +6,7 @@ use std::io;
 
 use crate::cl::{ArcVote, Dialect, Insert};
 use crate::config::Config;
-use crate::control::{self, Control, Encoder, LengthGuard, LinearRapids, RetractForm};
+use crate::control::{self, BlankWords, Control, Encoder, LengthGuard, LinearRapids, RetractForm};
 use crate::kinematics::{AnyMachine, Axis, AxisKind, DimensionKind, Side, Sign, digest};
 use crate::motion::{CutterPath, Links, StretchMode, StretchModes, TcpFrame, TipStart, ToolPosture, Wrap, rotaries_of};
 use crate::nc::{Decimal, write_decimal};
@@ -324,8 +324,9 @@ pub(crate) fn unchecked_limits(axes: &[(char, &'static str)]) -> Vec<String> {
 impl Header<'_> {
     pub(crate) fn write(&self, assumptions: &[String], encoder: &mut Encoder<'_>) -> io::Result<()> {
         let blank = self.blank();
-        encoder.open(blank.as_ref())?;
         let config = self.job.config;
+        let given = config.set_up.stock.is_some();
+        encoder.open(blank.as_ref().map(|blank| (blank, given)))?;
         let mut name = b"PROGRAM ".to_vec();
         name.extend_from_slice(if self.survey.name.is_empty() { b"without name" } else { &self.survey.name });
         encoder.comment(&name)?;
@@ -342,9 +343,13 @@ impl Header<'_> {
             format!("PROGRAMMED POINT {}", programmed_point(config)),
             format!("TOLERANCE {} for arcs and curves", self.length(config.motion.tolerance_mm)),
         ];
-        let shown = blank.is_some() && !self.job.control.blank("", "").is_empty();
-        if shown && config.set_up.stock.is_none() {
+        if blank.is_some() && !given && !self.job.control.blank(&BlankWords::default()).is_empty() {
             lines.push("BLANK is the box around all cuts, without [stock] in the configuration".to_owned());
+        }
+        if config.set_up.stock.is_some_and(|stock| stock.round) && blank.is_some_and(|blank| !blank.round) {
+            lines.push(
+                "BLANK is the box around the cylinder of [stock], which is not about X0 Y0 of the program".to_owned(),
+            );
         }
         lines.extend(set_up(self.job.control, config, self.survey));
         lines.extend(config.motion.compensation.map(|path| match path {
@@ -379,8 +384,8 @@ impl Header<'_> {
         self.survey.modes.has(StretchMode::Axes) || self.survey.modes.has(StretchMode::Tcp)
     }
 
-    /// Box of the blank in the coordinates of the program, mm: that of the configuration, or else one around all cuts
-    /// and the tool's radius. None where all cuts lie in one plane, and none in length mode `gauge`.
+    /// The blank in the coordinates of the program, mm: that of the configuration, or else a box around all cuts and the
+    /// tool's radius. A cylinder that is not about X0 Y0 becomes the box around it. None where all cuts lie in one plane, and none in length mode `gauge`.
     fn blank(&self) -> Option<Stock> {
         let config = self.job.config;
         let mut blank = config.set_up.stock.or_else(|| self.around_cuts())?;
@@ -389,6 +394,8 @@ impl Header<'_> {
                 blank.lower[index] += origin;
                 blank.upper[index] += origin;
             }
+            let [x, y, _] = config.set_up.part_origin;
+            blank.round &= x.abs() <= 0.0 && y.abs() <= 0.0;
         }
         let flat = (0..3).any(|index| blank.upper[index] - blank.lower[index] < MIN_BLANK_MM);
         Some(blank).filter(|_| !flat && config.set_up.length_mode == LengthMode::Tip)
@@ -405,7 +412,7 @@ impl Header<'_> {
         let around = |one: ([f64; 3], [f64; 3]), other: ([f64; 3], [f64; 3])| {
             (std::array::from_fn(|i| one.0[i].min(other.0[i])), std::array::from_fn(|i| one.1[i].max(other.1[i])))
         };
-        boxes.reduce(around).map(|(lower, upper)| Stock { lower, upper })
+        boxes.reduce(around).map(|(lower, upper)| Stock { lower, upper, round: false })
     }
 
     /// Lines about kinematics, axes, limits, work offset and tools. `tolerances`: the line about motions with rotary axes.

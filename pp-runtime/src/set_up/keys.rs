@@ -197,9 +197,36 @@ impl KeyKind for ToolTable {
     }
 }
 
-/// Kind of key: the two corners of the blank.
+/// Kind of key: the blank, by the two corners of a box, or by diameter, bottom and top of a cylinder.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct BlankCorners;
+
+impl BlankCorners {
+    /// A cylinder. `corners`: there are corners as well.
+    fn cylinder(
+        r: &mut KeyReader<'_>,
+        value: &TomlValue<'_>,
+        round: [Option<TomlValue<'_>>; 3],
+        corners: bool,
+    ) -> Option<Stock> {
+        let [Some(diameter), Some(bottom), Some(top)] = round else {
+            let help = "diameter = 80, bottom = -40 and top = 0".to_owned();
+            r.fault(value.span(), "a round blank needs its diameter, its bottom and its top", Some(help));
+            return None;
+        };
+        if corners {
+            r.fault(value.span(), "a blank is a box with corners, or a cylinder with a diameter, not both", None);
+        }
+        let diameter = r.length(diameter, Bound::Positive);
+        let [bottom, top] = [bottom, top].map(|level| r.length(level, Bound::Any));
+        let (radius, bottom, top) = (0.5 * diameter?, bottom?, top?);
+        if bottom >= top {
+            r.fault(value.span(), "this blank is empty: `bottom` must be below `top`", None);
+            return None;
+        }
+        Some(Stock { lower: [-radius, -radius, bottom], upper: [radius, radius, top], round: true })
+    }
+}
 
 impl KeyKind for BlankCorners {
     type Value = Stock;
@@ -207,7 +234,12 @@ impl KeyKind for BlankCorners {
     fn read(&self, r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<Stock> {
         let mut table = KeyTable::of(r, "stock", Some(value));
         let [lower, upper] = ["lower", "upper"].map(|key| table.get(key, r));
+        let round = ["diameter", "bottom", "top"].map(|key| table.get(key, r));
         table.close(r);
+        if round.iter().any(Option::is_some) {
+            let both = lower.is_some() || upper.is_some();
+            return Self::cylinder(r, &value, round, both);
+        }
         let corners = [lower, upper].map(|corner| corner.and_then(|corner| LengthPoint.read(r, corner)));
         let [Some(lower), Some(upper)] = corners else {
             if lower.is_some() != upper.is_some() {
@@ -220,7 +252,7 @@ impl KeyKind for BlankCorners {
             r.fault(value.span(), "this blank is empty: each value of `lower` must be below that of `upper`", None);
             return None;
         }
-        Some(Stock { lower, upper })
+        Some(Stock { lower, upper, round: false })
     }
 
     fn print(&self, _value: &Stock) -> String {
@@ -231,7 +263,13 @@ impl KeyKind for BlankCorners {
         let corner = LengthPoint.schema(scope);
         json!({
             "type": "object",
-            "properties": { "lower": corner.clone(), "upper": corner },
+            "properties": {
+                "lower": corner.clone(),
+                "upper": corner,
+                "diameter": { "type": "number", "exclusiveMinimum": 0 },
+                "bottom": { "type": "number" },
+                "top": { "type": "number" },
+            },
             "additionalProperties": false
         })
     }

@@ -94,8 +94,9 @@ options! {
         /// operation; without both the second set-up is the second frame. Between set-ups the axes are parked and the program
         /// stops (M0).
         set_ups: BTreeMap<u32, FurtherSetUp> = BTreeMap::new(), key("set_ups", SetUpTable);
-        /// Corners of the blank as it lies on the table, for the graphics of a Heidenhain control (BLK FORM). Without them
-        /// a box around all cuts is output.
+        /// The blank as it lies on the table, for the graphics of the control (BLK FORM of Heidenhain, WORKPIECE of Siemens) and
+        /// for `simulate`: the corners `lower` and `upper` of a box, or `diameter`, `bottom` and `top` of a cylinder along Z
+        /// about the part zero. Without it a Heidenhain program has a box around all cuts.
         stock: Option<Stock> = None, key("stock", BlankCorners);
         /// Solids for `simulate` and `view`: an STL file (`"head.stl"`), or a table with `stl`, `box` (two corners), `cylinder`
         /// (diameter, height) or `turned` (an outline of diameters and heights), with `at`, `rotate`, `name`; several in a
@@ -250,13 +251,15 @@ pub(crate) const ROTATIONS: [(&str, Rotation); 2] =
 /// Largest number of a tool or of its offset register.
 pub(crate) const LARGEST_TOOL: u32 = 99_999;
 
-/// Box around the blank, mm, for the graphics of the control.
+/// The blank, mm, for the graphics of the control: a box, or a cylinder along Z.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stock {
-    /// Corner with the smallest X, Y and Z.
+    /// Corner of the box, or of the box around the cylinder, with the smallest X, Y and Z.
     pub lower: [f64; 3],
     /// Corner with the largest X, Y and Z.
     pub upper: [f64; 3],
+    /// It is a cylinder.
+    pub round: bool,
 }
 
 /// Zero point of the linear words.

@@ -6,17 +6,20 @@ use nalgebra::Vector3;
 use super::super::expect::{Required, RequiredSmoothing};
 use super::super::policy::{LinearMeaning, SmoothingLevel};
 use super::super::read::{
-    Action, Block, Guard, GuardSource, Length, LengthSource, OwnPlace, PathMode, Smoothing, SmoothingWords, State,
-    stated,
+    Action, BlankPart, Block, Guard, GuardSource, Length, LengthSource, OwnPlace, PathMode, Smoothing, SmoothingWords,
+    State, stated,
 };
 use super::super::rules::Rules;
 use super::phase::Phase;
 use crate::kinematics::Axis;
 use crate::program::Rotation;
-use crate::set_up::LengthMode;
+use crate::set_up::{LengthMode, ProgramZero};
 
 /// Tolerances are written to six decimals, in the unit of the program.
 const ROUNDED: f64 = 6e-7;
+
+/// Thickness below which a blank is not written, mm.
+const THINNEST_BLANK_MM: f64 = 0.1;
 
 /// Rounding of the numbers of a guard, mm.
 const GUARD_ROUNDING: f64 = 1e-3;
@@ -47,6 +50,18 @@ pub(super) struct FunctionState {
     unclamped: u16,
     /// The cuts before a retract that may be a rewind.
     interrupted: Option<InterruptedCuts>,
+    /// The blank as far as the program has defined it, in its unit.
+    blank: Blank,
+    /// It has been compared with that of the configuration.
+    blank_is_compared: bool,
+}
+
+/// The blank of a program: corners, and whether it is a cylinder.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+struct Blank {
+    lower: Option<[f64; 3]>,
+    upper: Option<[f64; 3]>,
+    round: bool,
 }
 
 impl FunctionState {
@@ -111,8 +126,49 @@ impl FunctionState {
         }
     }
 
+    /// Takes a part of the definition of the blank.
+    pub(super) fn blank(&mut self, part: BlankPart) {
+        match part {
+            BlankPart::Lower(corner) => (self.blank.lower, self.blank.round) = (Some(corner), false),
+            BlankPart::Upper(corner) => self.blank.upper = Some(corner),
+            BlankPart::Whole { lower, upper, round } => {
+                self.blank = Blank { lower: Some(lower), upper: Some(upper), round };
+            }
+        }
+    }
+
+    /// What is wrong with the blank, where the first operation begins; one around all cuts may have any size.
+    fn blank_fault(&mut self, rules: &Rules<'_>) -> Option<&'static str> {
+        if std::mem::replace(&mut self.blank_is_compared, true) || !rules.facts().blank {
+            return None;
+        }
+        let set_up = &rules.policy().set_up;
+        let mut stock = set_up.stock.filter(|_| set_up.length_mode == LengthMode::Tip)?;
+        if (0..3).any(|index| stock.upper[index] - stock.lower[index] < THINNEST_BLANK_MM) {
+            return None;
+        }
+        if set_up.program_zero == ProgramZero::Table {
+            let origin = set_up.part_origin;
+            for index in 0..3 {
+                stock.lower[index] += origin[index];
+                stock.upper[index] += origin[index];
+            }
+            stock.round &= origin[0].abs() <= 0.0 && origin[1].abs() <= 0.0;
+        }
+        let (Some(lower), Some(upper)) = (self.blank.lower, self.blank.upper) else {
+            return Some("the blank of the configuration, [stock], is missing at the head of the program");
+        };
+        let unit_mm = rules.units().in_mm();
+        let near = |one: [f64; 3], other: [f64; 3]| {
+            one.iter().zip(other).all(|(one, other)| (one * unit_mm - other).abs() <= rules.rounding().unit_mm)
+        };
+        let same = near(lower, stock.lower) && near(upper, stock.upper) && self.blank.round == stock.round;
+        (!same).then_some("the blank of the program differs from that of the configuration, [stock]")
+    }
+
     /// What is missing where an operation begins.
-    pub(super) fn start(&self, rules: &Rules<'_>, required: &Required, block: &Block) -> Vec<String> {
+    pub(super) fn start(&mut self, rules: &Rules<'_>, required: &Required, block: &Block) -> Vec<String> {
+        let blank = self.blank_fault(rules).map(str::to_owned);
         let policy = rules.policy();
         // Where the program chooses the meaning of its words, the length matters in positions of rotated axes only.
         let positions = match rules.meaning() {
@@ -131,7 +187,7 @@ impl FunctionState {
         };
         let clamp = letter(rules, rules.clamps() & !self.clamps_stated);
         let clamp = clamp.map(|letter| format!("the clamp of {letter} is neither on nor off after the restart point"));
-        guard.into_iter().chain(clamp).collect()
+        guard.into_iter().chain(clamp).chain(blank).collect()
     }
 
     /// Notes a line of the shop.

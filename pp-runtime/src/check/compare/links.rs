@@ -78,6 +78,9 @@ impl<R: Read> Comparison<'_, R> {
             let fault = self.functions.radius_guard(largest_mm, block.state.length);
             self.found_any(current, fault);
         }
+        if let Some(part) = block.blank {
+            self.functions.blank(part);
+        }
         if let Some(guard) = &block.plane_guard {
             let fault = plane_guard::fault(guard, phase, &self.rules, &self.previous);
             self.found_any(current, fault);

@@ -154,6 +154,31 @@ pub struct ArcMove {
     pub by_angle: bool,
 }
 
+/// Part of the definition of the blank for the graphics of the control, in the unit of the program.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum BlankPart {
+    /// Lower corner of a box.
+    Lower([f64; 3]),
+    /// Upper corner of a box.
+    Upper([f64; 3]),
+    /// Corners of a box, or of the box around a cylinder along Z.
+    Whole {
+        /// Lower corner.
+        lower: [f64; 3],
+        /// Upper corner.
+        upper: [f64; 3],
+        /// It is a cylinder.
+        round: bool,
+    },
+}
+
+impl BlankPart {
+    /// A cylinder about X0 Y0.
+    pub(super) fn cylinder(radius: f64, bottom: f64, top: f64) -> Self {
+        Self::Whole { lower: [-radius, -radius, bottom], upper: [radius, radius, top], round: true }
+    }
+}
+
 /// How a cycle makes a hole.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum CycleKind {
@@ -330,6 +355,8 @@ pub struct Block {
     pub radius_guard_mm: Option<f64>,
     /// A guard of rotary positions that ends with this block.
     pub plane_guard: Option<RotaryGuard>,
+    /// A part of the definition of the blank.
+    pub blank: Option<BlankPart>,
     /// The block is a line that the user brought in.
     pub own: Option<OwnLine>,
     /// What is wrong with it.
@@ -354,6 +381,7 @@ impl Default for Block {
             guard: None,
             radius_guard_mm: None,
             plane_guard: None,
+            blank: None,
             own: None,
             faults: Vec::new(),
             frame_faults: 0,

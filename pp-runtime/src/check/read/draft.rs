@@ -5,7 +5,8 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::block::{
-    CycleKind, Fault, FeedMode, Guard, MAX_AXES, PathMode, RotaryGuard, Side, Smoothing, WorkOffset, WorkPlane,
+    BlankPart, CycleKind, Fault, FeedMode, Guard, MAX_AXES, PathMode, RotaryGuard, Side, Smoothing, WorkOffset,
+    WorkPlane,
 };
 use super::language::{PathCode, Pattern, Plane, Smoother, letters};
 use crate::program::{Rotation, Units};
@@ -195,6 +196,7 @@ pub(super) struct Draft {
     pub(crate) guard: Option<Guard>,
     pub(crate) radius_guard_mm: Option<f64>,
     pub(crate) plane_guard: Option<RotaryGuard>,
+    pub(crate) blank: Option<BlankPart>,
     /// DR of a tool call; `None` within: not programmed in a call without a tool number.
     pub(crate) radius_delta_mm: Option<Option<f64>>,
     /// Address letters of the block, those that its codes take, and those that they need.

@@ -155,6 +155,8 @@ pub(crate) struct Facts {
     pub(crate) pose: PoseSelector,
     /// The program selects whether rotary axes take the shorter way (M126, M127).
     pub(crate) rotary_path_selected: bool,
+    /// A program defines the blank for the graphics (BLK FORM, WORKPIECE).
+    pub(crate) blank: bool,
 }
 
 const ISO: Facts = Facts {
@@ -207,6 +209,7 @@ const ISO: Facts = Facts {
     smoothing: SmoothingWords { tolerance: false, levels: [None; 3] },
     pose: PoseSelector::Nearest,
     rotary_path_selected: false,
+    blank: false,
 };
 
 impl Family {
@@ -282,6 +285,7 @@ impl Family {
                 // CYCLE832: 1 finish, 2 medium, 3 rough; _DIR of CYCLE800.
                 smoothing: SmoothingWords { tolerance: true, levels: [Some(3), Some(2), Some(1)] },
                 pose: PoseSelector::Higher,
+                blank: true,
                 ..ISO
             },
             Self::Heidenhain => Facts {
@@ -311,6 +315,7 @@ impl Family {
                 smoothing: SmoothingWords { tolerance: true, levels: [Some(1), Some(1), Some(0)] },
                 pose: PoseSelector::Sign,
                 rotary_path_selected: true,
+                blank: true,
                 ..ISO
             },
         }

@@ -55,6 +55,45 @@ fn kinds_of_coolant_that_a_tool_needs_together_are_switched_on_and_off_together(
     }
 }
 
+#[test]
+fn the_blank_of_the_configuration_is_at_the_head_of_the_program_on_controls_with_graphics() {
+    let data = cuts("COOLNT/ON");
+    let cuboid = "stock = { lower = [-5, -6, -20.5], upper = [30, 31, 0] }\n";
+    let round = "stock = { diameter = 81, bottom = -20.5, top = 2 }\n";
+    for (control, set_up, lines) in [
+        ("heidenhain", cuboid, "BLK FORM 0.1 Z X-5 Y-6 Z-20.5\n2 BLK FORM 0.2 X+30 Y+31 Z+0\n"),
+        ("heidenhain", round, "BLK FORM CYLINDER Z R40.5 L22.5 DIST+2\n"),
+        ("siemens", cuboid, "WORKPIECE(,\"\",,\"BOX\",112,0,-20.5,-80,-5,-6,30,31)\n"),
+        ("siemens", round, "WORKPIECE(,\"\",,\"CYLINDER\",192,2,-20.5,-20.5,81)\n"),
+    ] {
+        let program = posted_right::<Mill>(control, Mode::Axes, set_up, &data);
+        assert!(program.contains(lines), "{program}");
+        let found = |changed: &str| again::<Mill>(control, Mode::Axes, set_up, &data, changed).join("\n");
+        assert!(found(&program.replacen("-20.5", "-20.4", 1).replacen("L22.5", "L22.4", 1)).contains("differs"));
+        let without: String = match control {
+            "siemens" => program.replace(lines, ""),
+            _ => posted_right::<Mill>(control, Mode::Axes, "stock = { diameter = 9, bottom = 0, top = 1 }\n", &data),
+        };
+        let text = found(&without);
+        assert!(text.contains(if control == "siemens" { "is missing" } else { "differs" }), "{text}");
+        // In inches it is written in inches.
+        let inches = posted_right::<Mill>(control, Mode::Axes, &format!("output_units = \"in\"\n{set_up}"), &data);
+        assert!(!inches.contains(lines), "{inches}");
+    }
+    // About another point it is the box around it.
+    let moved = format!("program_zero = \"table\"\npart_origin = [1, 0, 10]\n{round}");
+    let program = posted_right::<Mill>("heidenhain", Mode::Axes, &moved, &data);
+    assert!(
+        program.contains("BLK FORM 0.1 Z X-39.5 Y-40.5 Z-10.5\n") && program.contains("not about X0 Y0"),
+        "{program}"
+    );
+    for control in ["linuxcnc", "fanuc", "haas"] {
+        posted_right::<Mill>(control, Mode::Axes, round, &data);
+    }
+    // Without it a Siemens program has none, and one of a TNC a box around the cuts.
+    assert!(!posted_right::<Mill>("siemens", Mode::Axes, "", &data).contains("WORKPIECE"));
+}
+
 /// Two operations of three axes with the same tool.
 fn rough_and_finish() -> String {
     let operation = |name: &str, z: i32| {

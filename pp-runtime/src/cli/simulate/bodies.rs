@@ -7,7 +7,7 @@ use std::path::Path;
 use nalgebra::Rotation3;
 
 use crate::program::Units;
-use crate::set_up::{SetUp, Solid, SolidShape};
+use crate::set_up::{SetUp, Solid, SolidShape, Stock};
 use crate::simulate::{Design, MachineSolid, Mesh, SolidBody, SolidFault, StockFault, ToolTable, TriDexel};
 
 use super::super::args::SimulationArgs;
@@ -135,6 +135,22 @@ fn design(set_up: &SetUp, args: &SimulationArgs) -> Result<Option<GivenDesign>, 
     }))
 }
 
+/// The triangles of a round blank.
+fn round_blank(blank: &Stock) -> Result<Mesh, Failure> {
+    let [diameter, height] = [blank.upper[0] - blank.lower[0], blank.upper[2] - blank.lower[2]];
+    let solid = Solid {
+        name: None,
+        shape: SolidShape::Cylinder { diameter, height },
+        rotation: Rotation3::identity(),
+        at_mm: [0.0, 0.0, blank.lower[2]],
+        tolerance_mm: 0.0,
+        set_ups: Vec::new(),
+    };
+    let unread = |file: &str| open(Path::new(file));
+    let body = SolidBody::of(&solid, CHORD_MM, &unread);
+    Ok(body.map_err(|_| Failure::Argument("the cylinder of `[stock]` has no volume".to_owned()))?.mesh)
+}
+
 /// The stock, and a sentence about it and its pitch.
 fn stock(set_up: &SetUp, args: &SimulationArgs) -> Result<(TriDexel, String), Failure> {
     let pitch = |[low, high]: [[f64; 3]; 2]| {
@@ -149,14 +165,19 @@ fn stock(set_up: &SetUp, args: &SimulationArgs) -> Result<(TriDexel, String), Fa
             let pitch = pitch(mesh.corners());
             (mesh.stock(pitch).map_err(refused)?, pitch, what)
         }
+        (None, Some(blank)) if blank.round => {
+            let mesh = round_blank(&blank)?;
+            let pitch = pitch(mesh.corners());
+            (mesh.stock(pitch).map_err(refused)?, pitch, "cylinder of `[stock]`".to_owned())
+        }
         (None, Some(blank)) => {
             let corners = [blank.lower, blank.upper];
             let pitch = pitch(corners);
             (TriDexel::block(corners, pitch).map_err(refused)?, pitch, "box of `[stock]`".to_owned())
         }
         (None, None) => {
-            let text = "no stock: give `--stock S.stl`, `stock` in `[solids]`, or the corners of the blank, `[stock]` with \
-                        `lower` and `upper`";
+            let text = "no stock: give `--stock S.stl`, `stock` in `[solids]`, or the blank, `[stock]` with `lower` and `upper` or \
+                        with `diameter`, `bottom` and `top`";
             return Err(Failure::Argument(text.to_owned()));
         }
     };

@@ -65,6 +65,20 @@ fn a_right_program_has_the_volume_of_its_cuts_and_no_collision() {
 }
 
 #[test]
+fn a_round_blank_is_a_cylinder_about_the_part_zero() {
+    let config =
+        CONFIG.replace("lower = [0.0, 0.0, -10.0]\nupper = [40.0, 32.0, 0.0]", "diameter = 40\nbottom = -10\ntop = 0");
+    let (outcome, round) = simulated(PART, TOOL);
+    assert_eq!(outcome.status, Status::Done, "{}", outcome.errors);
+    let outcome = simulated_with(&Shop::new(), PART, &format!("{config}{TOOL}"), &["--json"]);
+    assert!(outcome.errors.contains("cylinder of `[stock]`, 40.000 x 40.000 x 10.000 mm"), "{}", outcome.errors);
+    let json: Json = serde_json::from_str(&outcome.output).unwrap_or_else(|_| panic!("{}", outcome.errors));
+    // The groove at Y8 lies half in it, and the face is outside.
+    let [part, whole] = [&json, &round].map(|json| json["removed_mm3"].as_f64().expect("a volume"));
+    assert!(part > 0.2 * whole && part < 0.8 * whole, "{part} {whole}");
+}
+
+#[test]
 fn all_modes_and_controls_cut_the_same_volume() {
     let mut volumes: Vec<f64> = Vec::new();
     for control in ["linuxcnc", "fanuc", "siemens", "heidenhain", "haas"] {

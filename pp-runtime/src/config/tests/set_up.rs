@@ -73,7 +73,7 @@ fn the_length_guard_can_be_forced_and_widened() {
 fn a_blank_has_two_corners() {
     let read = |text: &str| Config::read::<Sample>(&format!("[stock]\n{text}\n"));
     let config = read("lower = [-5, -4, -3]\nupper = [5, 4, 0]").expect("right");
-    assert_eq!(config.set_up.stock, Some(Stock { lower: [-5.0, -4.0, -3.0], upper: [5.0, 4.0, 0.0] }));
+    assert_eq!(config.set_up.stock, Some(Stock { lower: [-5.0, -4.0, -3.0], upper: [5.0, 4.0, 0.0], round: false }));
     assert_eq!(read("").expect("right").set_up.stock, None);
     for wrong in ["lower = [-5, -4, -3]", "lower = [-5, -4, 0]\nupper = [5, 4, 0]", "lower = 5\nupper = [5, 4, 0]"] {
         assert_eq!(read(wrong).expect_err("wrong").len(), 1, "{wrong}");

@@ -99,10 +99,9 @@ pub trait Control: Sync {
         self.base().map_or_else(Vec::new, |base| base.file_header(name))
     }
 
-    /// Lines that define the box of the blank for the graphics of the control. `lower`, `upper`: corners as words X Y
-    /// Z.
-    fn blank(&self, lower: &str, upper: &str) -> Vec<String> {
-        self.base().map_or_else(Vec::new, |base| base.blank(lower, upper))
+    /// Lines that define the blank for the graphics of the control; empty if the control has none.
+    fn blank(&self, blank: &BlankWords) -> Vec<String> {
+        self.base().map_or_else(Vec::new, |base| base.blank(blank))
     }
 
     /// Blocks that compare the tool length of the control with the posted length, and stop the program with a message
@@ -127,6 +126,19 @@ pub trait Control: Sync {
     fn compares_rotary_positions(&self) -> bool {
         !self.plane_guard(&PlaneGuard { label: 1, axes: vec![("C".to_owned(), 0.0)] }).is_empty()
     }
+}
+
+/// Numbers of a blank as they are written, in the unit and the coordinates of the program.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct BlankWords {
+    /// X, Y and Z of the lower corner.
+    pub lower: [String; 3],
+    /// X, Y and Z of the upper corner.
+    pub upper: [String; 3],
+    /// Radius, diameter and height, where it is a cylinder along Z about X0 Y0.
+    pub round: Option<[String; 3]>,
+    /// It is that of the configuration, not a box around all cuts.
+    pub given: bool,
 }
 
 /// Radius of a tool that must be wear only, because the path is that of the tool centre.

@@ -9,6 +9,9 @@
 //! `L .. FMAX` is a straight line in which all axes of the block move together (iTNC 530 ISO manual 60642x-03, p. 211: G00
 //! straight line at rapid traverse; the axes of one block move simultaneously).
 //!
+//! `BLK FORM CYLINDER Z R L DIST` is a round blank about X0 Y0: radius, height, and the distance of its top from the datum. The
+//! words are those of FreeCAD's public post for Heidenhain; that DIST counts to the top is from memory.
+//!
 //! Length guard: `FN 18` reads the length (ID50 NR1) and the oversize (NR4) of the tool from the tool table, whose sum
 //! `TOOL CALL` takes; always in millimetres, whatever the unit of the program. `QL` parameters are local to this
 //! program. `FN 14` stops with an error number, so the message is a comment before it.
@@ -49,7 +52,7 @@
 use crate::motion::{CycleAbilities, PathNorm, PlaneAngles, PoseRule, Registers};
 use crate::nc::{Formats, Numerals};
 
-use super::control::{Control, LengthGuard, PlaneGuard, numbered};
+use super::control::{BlankWords, Control, LengthGuard, PlaneGuard, numbered};
 use super::spellings::{
     ArcCentre, ArcCodes, CommentStyle, CycleDefinitions, CycleForm, FoundAt, HoleCycles, LengthCall, LengthCodes,
     LinearRapids, MachineRetract, RetractForm, Spellings, TiltedPlaneCodes, TipControlCodes, ToolAxisWords, printable,
@@ -313,8 +316,13 @@ impl Control for Heidenhain {
         numbered(word, "", 0..=999).then(|| word.to_owned())
     }
 
-    fn blank(&self, lower: &str, upper: &str) -> Vec<String> {
-        vec![format!("BLK FORM 0.1 Z {lower}"), format!("BLK FORM 0.2 {upper}")]
+    fn blank(&self, blank: &BlankWords) -> Vec<String> {
+        let BlankWords { lower, upper, round, .. } = blank;
+        if let Some([radius, _, height]) = round {
+            return vec![format!("BLK FORM CYLINDER Z R{radius} L{height} DIST{}", upper[2])];
+        }
+        let words = |[x, y, z]: &[String; 3]| format!("X{x} Y{y} Z{z}");
+        vec![format!("BLK FORM 0.1 Z {}", words(lower)), format!("BLK FORM 0.2 {}", words(upper))]
     }
 
     fn length_guard(&self, guard: &LengthGuard) -> Vec<String> {

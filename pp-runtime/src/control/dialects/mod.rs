@@ -13,7 +13,7 @@ mod linuxcnc;
 mod siemens;
 mod spellings;
 
-pub use control::{Control, LengthGuard, PlaneGuard, RadiusGuard};
+pub use control::{BlankWords, Control, LengthGuard, PlaneGuard, RadiusGuard};
 pub use spellings::{
     ArcCentre, ArcCodes, CommentStyle, CycleCodes, CycleDefinitions, CycleForm, FoundAt, HoleCycles, LengthCall,
     LengthCodes, LinearRapids, MachineRetract, RetractForm, Spellings, ThreadCodes, TiltedPlaneCodes, TipControlCodes,

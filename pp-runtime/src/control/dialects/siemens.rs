@@ -9,6 +9,10 @@
 //! G2, 7.3). `M0` stops with the message displayed, and `M30` after it ends the program. Alarms of `SETAL` would need
 //! alarm texts in the machine.
 //!
+//! `WORKPIECE(,"",,"BOX",112,ZA,ZI,-80,XA,YA,XI,YI)` and `WORKPIECE(,"",,"CYLINDER",192,ZA,ZI,ZB,XA)` are the blank of the
+//! graphics: top, bottom, and the corners or the diameter; 16, 32, 64 and 128 of the mask make XI, YI, ZI and ZB absolute.
+//! Read in public posts and programs of ShopMill and ShopTurn (github.com); no page of a manual was found.
+//!
 //! Plane guard: `$AA_IW[B]` is the position of an axis in the workpiece coordinate system, in which the rotary words are, too;
 //! reading it stops the look-ahead, as for all variables of the main run, `$A` (Programming Guide Advanced 04.00, 15.2.37,
 //! p. 15-558). `SIN` is in degrees; the sine of half the difference is zero at whole turns as well.
@@ -47,7 +51,7 @@
 use crate::motion::{CycleAbilities, PlaneAngles, PoseRule, Registers};
 use crate::nc::Formats;
 
-use super::control::{Control, LengthGuard, PlaneGuard, RadiusGuard, numbered};
+use super::control::{BlankWords, Control, LengthGuard, PlaneGuard, RadiusGuard, numbered};
 use super::spellings::{
     ArcCodes, CommentStyle, CycleDefinitions, CycleForm, FoundAt, HoleCycles, LengthCall, LengthCodes, LinearRapids,
     MachineRetract, Spellings, TiltedPlaneCodes, TipControlCodes, ToolAxisWords, printable,
@@ -236,6 +240,15 @@ impl Control for Siemens {
     fn file_header(&self, name: &str) -> Vec<String> {
         // File names have at most 24 characters.
         vec![format!("%_N_{}_MPF", &name[..name.len().min(24)]), ";$PATH=/_N_MPF_DIR".to_owned()]
+    }
+
+    fn blank(&self, blank: &BlankWords) -> Vec<String> {
+        let BlankWords { lower: [x, y, z], upper: [to_x, to_y, top], round, given } = blank;
+        match round {
+            _ if !given => Vec::new(),
+            Some([_, diameter, _]) => vec![format!("WORKPIECE(,\"\",,\"CYLINDER\",192,{top},{z},{z},{diameter})")],
+            None => vec![format!("WORKPIECE(,\"\",,\"BOX\",112,{top},{z},-80,{x},{y},{to_x},{to_y})")],
+        }
     }
 
     fn length_guard(&self, guard: &LengthGuard) -> Vec<String> {

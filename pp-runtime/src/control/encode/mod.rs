@@ -21,7 +21,7 @@ use crate::nc::{Decimal, WrittenLine};
 use crate::program::Units;
 use crate::set_up::Stock;
 
-use super::dialects::{Control, LengthGuard, PlaneGuard, RadiusGuard, Spellings};
+use super::dialects::{BlankWords, Control, LengthGuard, PlaneGuard, RadiusGuard, Spellings};
 use super::layout::Layout;
 use super::options::ProgramBlocks;
 
@@ -76,28 +76,29 @@ impl<'a> Encoder<'a> {
         }
     }
 
-    /// Writes the first lines of a program. `blank`: box of the blank, mm.
+    /// Writes the first lines of a program. `blank`: the blank, mm, and whether it is that of the configuration.
     ///
     /// # Errors
     /// Errors of the output.
-    pub fn open(&mut self, blank: Option<&Stock>) -> io::Result<()> {
+    pub fn open(&mut self, blank: Option<(&Stock, bool)>) -> io::Result<()> {
         if self.file_header {
             let header = self.control.file_header(&plain(&self.out.values().name));
             header.iter().try_for_each(|line| self.out.writer_mut().line(line.as_bytes()))?;
         }
         self.out.lines(self.codes.opening)?;
-        let Some(Stock { lower, upper }) = blank else { return Ok(()) };
-        let [lower, upper] = [lower, upper].map(|corner| self.point(corner));
-        self.control.blank(&lower, &upper).iter().try_for_each(|line| self.out.writer_mut().line(line.as_bytes()))
+        let Some((stock, given)) = blank else { return Ok(()) };
+        let words = self.blank_words(stock, given);
+        self.control.blank(&words).iter().try_for_each(|line| self.out.writer_mut().line(line.as_bytes()))
     }
 
-    /// A point as words X Y Z.
-    fn point(&self, point: &[f64; 3]) -> String {
-        let words = ["X", "Y", "Z"].iter().zip(point).map(|(letter, mm)| {
-            let value = Decimal::fixed(mm / self.units.in_mm(), self.linear).unwrap_or_default();
-            format!("{letter}{}", self.out.number(value))
-        });
-        words.collect::<Vec<_>>().join(" ")
+    /// Numbers of the blank. Sizes have no sign.
+    fn blank_words(&self, stock: &Stock, given: bool) -> BlankWords {
+        let decimal = |mm: f64| Decimal::fixed(mm / self.units.in_mm(), self.linear).unwrap_or_default();
+        let corner = |corner: [f64; 3]| corner.map(|mm| self.out.number(decimal(mm)));
+        let Stock { lower, upper, round } = *stock;
+        let [diameter, height] = [upper[0] - lower[0], upper[2] - lower[2]];
+        let sizes = [0.5 * diameter, diameter, height].map(|mm| self.out.size(decimal(mm)));
+        BlankWords { lower: corner(lower), upper: corner(upper), round: round.then_some(sizes), given }
     }
 
     /// Writes the blocks of the configuration after the header.

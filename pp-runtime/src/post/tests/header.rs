@@ -24,7 +24,8 @@ fn a_heidenhain_program_begins_with_the_blank_of_the_configuration_or_a_box_arou
     };
     assert_eq!(blank(wider, PART)[0], "1 BLK FORM 0.1 Z X-6 Y-6 Z-3");
     let given: fn(&mut Config) = |config| {
-        config.set_up.stock = Some(crate::set_up::Stock { lower: [-50.0, -40.0, -30.5], upper: [50.0, 40.0, 0.0] });
+        config.set_up.stock =
+            Some(crate::set_up::Stock { lower: [-50.0, -40.0, -30.5], upper: [50.0, 40.0, 0.0], round: false });
         config.set_up.part_origin = [0.0, 0.0, 80.0];
         config.set_up.program_zero = crate::set_up::ProgramZero::Table;
     };

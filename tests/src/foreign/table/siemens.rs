@@ -147,7 +147,7 @@ fn call(
             command.tilt = Some(swivel(number).ok_or("CYCLE800 in a form that is unknown here")?);
             command.code(Meaning::Tilt)
         }
-        "MSG" => command.code(Meaning::Idle),
+        "MSG" | "WORKPIECE" => command.code(Meaning::Idle),
         "CYCLE832" => {
             command.code(Meaning::Smoothing)?;
             for index in (0..SMOOTHING).filter(|_| !arguments.is_empty()) {

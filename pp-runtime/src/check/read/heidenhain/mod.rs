@@ -18,7 +18,7 @@ mod words;
 use self::cycles::Sequence;
 use self::guard::LengthGuard;
 use self::plane_guard::PlaneGuardLines;
-use super::block::{FeedMode, Side, WorkPlane};
+use super::block::{BlankPart, FeedMode, Side, WorkPlane};
 use super::draft::Code;
 use super::language::{Means, Statement};
 use super::line::Line;
@@ -156,17 +156,33 @@ fn begin(line: &mut Line<'_>) -> bool {
     draft.units.is_some()
 }
 
-/// `BLK FORM 0.1 Z X-10 Y-10 Z-10`, `BLK FORM 0.2 X+10 Y+10 Z+0`.
+/// `BLK FORM 0.1 Z X-10 Y-10 Z-10`, `BLK FORM 0.2 X+10 Y+10 Z+0`, `BLK FORM CYLINDER Z R40 L50 DIST+0`.
 fn blank(line: &mut Line<'_>) -> bool {
-    line.at.blanks();
-    let corner = line.at.number().map(|number| number.value);
-    if !matches!(corner, Some(0.1 | 0.2)) || (corner == Some(0.1) && !line.at.word(b"Z")) {
-        return false;
-    }
-    [b'X', b'Y', b'Z'].into_iter().all(|letter| {
+    line.draft.blank = blank_part(line).filter(|_| ended(line));
+    line.draft.blank.is_some()
+}
+
+fn blank_part(line: &mut Line<'_>) -> Option<BlankPart> {
+    let number = |line: &mut Line<'_>, letters: &[u8]| {
         line.at.blanks();
-        line.at.take(letter) && line.at.number().is_some()
-    }) && ended(line)
+        let rest = line.at.rest();
+        rest.starts_with(letters).then(|| line.at.skip(letters.len()))?;
+        line.at.number().map(|number| number.value)
+    };
+    line.at.blanks();
+    if line.at.word(b"CYLINDER") {
+        line.at.word(b"Z").then_some(())?;
+        let (radius, height) = (number(line, b"R")?, number(line, b"L")?);
+        let top = number(line, b"DIST")?;
+        return Some(BlankPart::cylinder(radius, top - height, top));
+    }
+    let corner = line.at.number()?.value;
+    let first = matches!(corner, 0.1);
+    if !matches!(corner, 0.1 | 0.2) || (first && !line.at.word(b"Z")) {
+        return None;
+    }
+    let point = [number(line, b"X")?, number(line, b"Y")?, number(line, b"Z")?];
+    Some(if first { BlankPart::Lower(point) } else { BlankPart::Upper(point) })
 }
 
 /// `5` or `"MILL_D12"`: number of a tool, if there is one; an error if it is unknown.

@@ -21,6 +21,9 @@ pub(in super::super) struct Item {
     pub(crate) role: Role,
 }
 
+/// Number of the list of the blank, which is read as a whole.
+pub(in super::super) const WORKPIECE: u32 = 1;
+
 /// Meaning of an argument or a parameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in super::super) enum Role {
@@ -208,6 +211,13 @@ pub(super) const SIEMENS: &[List] = &[
             arg("S_OTOL", Role::Takes(Slot::AxisTolerance)),
         ],
         source: ONE,
+    },
+    List {
+        name: "WORKPIECE",
+        number: WORKPIECE,
+        meaning: "blank for the graphics: \"BOX\",112,ZA,ZI,-80,XA,YA,XI,YI or \"CYLINDER\",192,ZA,ZI,ZB,XA after three gaps",
+        items: &[arg("blank", Role::Text)],
+        source: "public posts and programs of ShopMill and ShopTurn; no page of a manual was found",
     },
     List {
         name: "MSG",

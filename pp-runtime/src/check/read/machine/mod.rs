@@ -158,6 +158,7 @@ impl Interpreter {
         block.guard = draft.guard;
         block.radius_guard_mm = draft.radius_guard_mm;
         block.plane_guard = draft.plane_guard;
+        block.blank = draft.blank;
         block.action = Action::Nothing;
         block.written = draft.written;
         if draft.only_moves {

@@ -1,9 +1,9 @@
 //! Calls of a Siemens control by their lists of arguments: cycles at a point, CYCLE800, CYCLE832, MSG.
 
-use super::super::block::{CycleKind, Smoothing};
+use super::super::block::{BlankPart, CycleKind, Smoothing};
 use super::super::draft::{Cycle, TiltCode, group};
 use super::super::frames;
-use super::super::language::arguments::{Item, SLOTS, Slot};
+use super::super::language::arguments::{Item, SLOTS, Slot, WORKPIECE};
 use super::super::language::{List, Role};
 use super::super::line::Line;
 use super::super::text::same;
@@ -36,6 +36,10 @@ pub(super) fn call(line: &mut Line<'_>, name: &[u8]) -> bool {
         return false;
     };
     let start = line.at.column();
+    if list.number == WORKPIECE {
+        line.draft.blank = workpiece(line);
+        return line.draft.blank.is_some();
+    }
     line.at.skip(1);
     line.at.blanks();
     let none = line.at.take(b')');
@@ -68,6 +72,26 @@ pub(super) fn call(line: &mut Line<'_>, name: &[u8]) -> bool {
         }
     }
     true
+}
+
+/// `(,"",,"BOX",112,ZA,ZI,-80,XA,YA,XI,YI)` or `(,"",,"CYLINDER",192,ZA,ZI,ZB,XA)`.
+fn workpiece(line: &mut Line<'_>) -> Option<BlankPart> {
+    let rest = line.at.rest();
+    let end = rest.iter().position(|byte| *byte == b')')?;
+    let text = std::str::from_utf8(&rest[..end]).ok()?;
+    let round = text.starts_with("(,\"\",,\"CYLINDER\",192,");
+    let numbers = text.strip_prefix(if round { "(,\"\",,\"CYLINDER\",192," } else { "(,\"\",,\"BOX\",112," })?;
+    let numbers: Vec<f64> = numbers.split(',').map(|number| number.parse().ok()).collect::<Option<_>>()?;
+    line.at.skip(end + 1);
+    match (round, &numbers[..]) {
+        (true, &[top, bottom, end, diameter]) if (bottom - end).abs() <= 0.0 => {
+            Some(BlankPart::cylinder(0.5 * diameter, bottom, top))
+        }
+        (false, &[top, bottom, _, x, y, to_x, to_y]) => {
+            Some(BlankPart::Whole { lower: [x, y, bottom], upper: [to_x, to_y, top], round: false })
+        }
+        _ => None,
+    }
 }
 
 /// The arguments up to the closing bracket, each by its role.

@@ -201,6 +201,11 @@ impl<'a> ModalWriter<'a> {
         text(number, self.numerals)
     }
 
+    /// A number in the form of axis words, without a sign of its own.
+    pub(crate) fn size(&self, number: Decimal) -> String {
+        text(number, Numerals { plus: false, ..self.numerals })
+    }
+
     /// Writes a block of one code.
     pub(crate) fn block(&mut self, code: &str) -> io::Result<()> {
         self.writer.code(code);
