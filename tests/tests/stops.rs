@@ -138,3 +138,65 @@ fn selected_operations_end_without_a_stop() {
         assert_eq!(stops(&program, &control.spellings().stop), [(optional, 1)], "{program}");
     }
 }
+
+/// Texts for the operator before, in and between operations; one with signs that not every control has.
+fn cl_with_texts() -> String {
+    let text = cl().replace("TOOL PATH/OP2,", "PPRINT CHECK THE CLAMPS\nTOOL PATH/OP2,");
+    let long = "PPRINT TURN THE PART BY 90° (SIDE \"B\")\nSTOP";
+    text.replace("STOP\nLOADTL", &format!("{long}\nLOADTL")).replacen("FEDRAT", "PPRINT START\nFEDRAT", 1)
+}
+
+fn displaying(control: &dyn Control, key: &str) -> Config {
+    let text = format!("mode = 'axes'\n[program]\nmessages = '{key}'\n");
+    starting_point(control).read_over(&SpinnerU5620::default(), &text).unwrap_or_else(|faults| panic!("{faults:?}"))
+}
+
+fn with_texts(config: &Config, control: &'static dyn Control) -> String {
+    let job = Job { cl_name: "part.cls", config, control, units: None };
+    let mut program = Vec::new();
+    let report = post::<SpinnerU5620>(&job, &mut Cursor::new(cl_with_texts()), &mut program).expect("it can run");
+    let program = String::from_utf8(program).expect("ASCII");
+    assert!(!report.failed, "{program}\n{:?}", report.diagnostics);
+    program
+}
+
+fn findings_with_texts(config: &Config, control: &dyn Control, program: &str) -> Vec<String> {
+    let policy = config.check_policy::<SpinnerU5620>(control, None).expect("it can be checked");
+    let checked =
+        check::<SpinnerU5620>(&policy, Cursor::new(cl_with_texts()), program.as_bytes()).expect("it can be read");
+    checked.outcome.findings.into_iter().map(|finding| finding.text).collect()
+}
+
+#[test]
+fn texts_are_displayed_where_the_control_displays_them() {
+    for (name, texts) in [
+        ("linuxcnc", ["(MSG, START)", "(MSG, CHECK THE CLAMPS)", "(MSG, TURN THE PART BY 90 deg [SIDE \"B\"])"]),
+        ("siemens", ["MSG(\"START\")", "MSG(\"CHECK THE CLAMPS\")", "MSG(\"TURN THE PART BY 90 deg (SIDE 'B')\")"]),
+    ] {
+        let control = control::by_name(name).expect("a control");
+        let config = displaying(control, "display");
+        let program = with_texts(&config, control);
+        assert!(findings_with_texts(&config, control, &program).is_empty());
+        let lines: Vec<&str> = program.lines().collect();
+        let places =
+            texts.map(|text| lines.iter().position(|line| *line == text).unwrap_or_else(|| panic!("{program}")));
+        assert!(places.is_sorted(), "{program}");
+        for (at, other) in places.into_iter().zip(texts.into_iter().cycle().skip(1)) {
+            let lost = [&lines[..at], &lines[at + 1..]].concat().join("\n");
+            let changed = [&lines[..at], &[other], &lines[at + 1..]].concat().join("\n");
+            let twice = [&lines[..at], &[lines[at], lines[at]], &lines[at + 1..]].concat().join("\n");
+            for edited in [lost, changed, twice] {
+                assert!(!findings_with_texts(&config, control, &edited).is_empty(), "{edited}");
+            }
+        }
+        // As comments they are no part of what is compared.
+        let plain = displaying(control, "comment");
+        assert!(!findings_with_texts(&config, control, &with_texts(&plain, control)).is_empty());
+    }
+    for name in ["fanuc", "haas", "heidenhain"] {
+        let control = control::by_name(name).expect("a control");
+        let config = displaying(control, "display");
+        let unfit = control::unfit(&SpinnerU5620::default(), control, config.demands()).join("\n");
+        assert!(unfit.contains("displays a text only where the program stops"), "{unfit}");
+    }
+}

@@ -386,6 +386,8 @@ pub struct ShopBlocks {
     pub tool_names: bool,
     /// Name of the swivel data record.
     pub swivel_data: String,
+    /// Texts of PPRINT are displayed.
+    pub displays_messages: bool,
 }
 
 impl ShopBlocks {

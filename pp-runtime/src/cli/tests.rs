@@ -238,7 +238,7 @@ fn the_command_line_takes_precedence_over_the_configuration_file() {
     assert_eq!((config.cl_units, units), (Some(Units::Inches), Some(Units::Inches)));
     assert!(config.cl.units_confirmed, "the command line answers for this file");
     assert_eq!(config.output_units, Some(Units::Millimetres));
-    assert_eq!(config.control.program.line_numbers, Some(Config::LINE_NUMBER_STEP));
+    assert_eq!(config.control.program.line_numbers, crate::control::BlockNumbers::Step(Config::LINE_NUMBER_STEP));
     assert!(config.is_given("output_units"));
 }
 

@@ -7,7 +7,7 @@ use crate::check::policy::{
 };
 use crate::check::read::{Effect, Family, OwnPlace, coolant};
 use crate::cl::ReadingOptions;
-use crate::control::{self, Control, LineEffect, RetractForm, Spellings};
+use crate::control::{self, Control, LineEffect, Messages, RetractForm, Spellings};
 use crate::kinematics::{AnyMachine, AxisKind, Machine, Side};
 use crate::motion::{
     CutterPath, Links, Mode, OperationChoice, OperationEntry, Operations, OptionalStops, PathNorm, Rapid, Rewind,
@@ -236,6 +236,7 @@ impl Config {
                 .map(|(text, effect)| (text.clone(), declared(*effect)))
                 .chain(of_job.effects().iter().map(|(text, effect)| ((*text).to_owned(), declared(*effect))))
                 .collect(),
+            displays_messages: control.program.messages == Messages::Display,
             tool_names: control.tool_names,
             swivel_data: control.swivel_data.clone().unwrap_or_default(),
         }

@@ -8,7 +8,7 @@
 use crate::motion::{OperationTable, PathNorm, Smoothing};
 
 use super::dialects::{Control, Spellings};
-use super::options::{ControlFunction, ControlOptions};
+use super::options::{BlockNumbers, ControlFunction, ControlOptions, Messages};
 
 /// Takes the settings that the control lacks out of the options. Returns one sentence each: the setting, and what the program
 /// has instead.
@@ -39,10 +39,16 @@ pub fn take_out_lacking(
         options.file_header = false;
     }
     if add(
-        codes.numbers_every_line && options.program.line_numbers.is_some(),
+        codes.numbers_every_line && options.program.line_numbers != BlockNumbers::Restarts,
         "numbers every line: `program.line_numbers` is left out",
     ) {
-        options.program.line_numbers = None;
+        options.program.line_numbers = BlockNumbers::Restarts;
+    }
+    if add(
+        options.program.messages == Messages::Display && codes.message.is_none(),
+        "displays a text only where the program stops: `program.messages` is left out, PPRINT is a comment",
+    ) {
+        options.program.messages = Messages::Comment;
     }
     if add(
         options.tool_names && codes.tool_name.is_none(),

@@ -41,4 +41,7 @@ pub(crate) use encode::{legible, lines_of};
 pub use fit::{abilities, unfit, usable_modes};
 pub use lacking::take_out_lacking;
 pub use layout::Layout;
-pub use options::{ControlFunction, ControlOptions, Demands, LineEffect, ProgramBlocks, RetractMethod};
+pub use options::{
+    BlockNumbers, ControlFunction, ControlOptions, Demands, LineEffect, Messages, ProgramBlocks, ProgramHeader,
+    RetractMethod,
+};

@@ -132,8 +132,15 @@ options! {
         times: bool = false, key("program.times", YesNo);
         /// Write the result of the check as a comment at the end, or that the program was not checked.
         checked: bool = false, key("program.checked", YesNo);
-        /// Step of the block numbers. Without this key blocks have no numbers.
-        line_numbers: Option<u32> = None, key("program.line_numbers", Whole(1..=1000), "10");
+        /// Blocks with a number: every block, in steps of this number (10), the "restarts" (the first block of each
+        /// operation), the "tool_changes" (that of an operation that changes the tool), or "none".
+        line_numbers: BlockNumbers = BlockNumbers::Restarts, key("program.line_numbers", NumberedBlocks);
+        /// Texts of PPRINT: a "comment", or "display" where the control displays a text while the program runs (LinuxCNC,
+        /// Siemens).
+        messages: Messages = Messages::Comment, key("program.messages", OneOf(&Messages::NAMES));
+        /// Comments at the start: "full", or "short" (set-up and tools, without axis directions, reading of the CL data and
+        /// assumptions, which the summary of posting still has).
+        header: ProgramHeader = ProgramHeader::Full, key("program.header", OneOf(&ProgramHeader::NAMES));
     }
 }
 
@@ -144,6 +151,55 @@ pub enum RetractMethod {
     Named(String),
     /// These blocks.
     Blocks(Vec<String>),
+}
+
+/// Blocks with a number.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum BlockNumbers {
+    /// Every block, in this step.
+    Step(u32),
+    /// The first block of each restart point.
+    Restarts,
+    /// The same where the tool changes.
+    ToolChanges,
+    /// None.
+    None,
+}
+
+impl BlockNumbers {
+    const NAMES: [(&'static str, Self); 3] =
+        [("restarts", Self::Restarts), ("tool_changes", Self::ToolChanges), ("none", Self::None)];
+
+    /// Whether every block has a number.
+    pub(crate) fn are_on_every_block(self) -> bool {
+        matches!(self, Self::Step(_))
+    }
+}
+
+/// Texts for the operator.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Messages {
+    /// Comments in the program.
+    Comment,
+    /// Texts that the control displays.
+    Display,
+}
+
+impl Messages {
+    const NAMES: [(&'static str, Self); 2] = [("comment", Self::Comment), ("display", Self::Display)];
+}
+
+/// Comments at the start of a program.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ProgramHeader {
+    /// All.
+    Full,
+    /// Set-up and tools.
+    Short,
+}
+
+impl ProgramHeader {
+    const NAMES: [(&'static str, Self); 2] = [("full", Self::Full), ("short", Self::Short)];
 }
 
 /// A function that is an option of controls.
@@ -372,6 +428,37 @@ impl KeyKind for LineEffects {
 
     fn printed(&self, _scope: &KeyScope) -> Option<Printed> {
         Some(Printed::Example("{ \"M77\" = \"none\" }".to_owned()))
+    }
+}
+
+/// Value of a key: the step of block numbers, or the blocks that have one.
+#[derive(Debug, Clone, Copy)]
+struct NumberedBlocks;
+
+impl NumberedBlocks {
+    const STEP: Whole = Whole(1..=1000);
+    const NAMES: OneOf<BlockNumbers> = OneOf(&BlockNumbers::NAMES);
+}
+
+impl KeyKind for NumberedBlocks {
+    type Value = BlockNumbers;
+
+    fn read(&self, r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<BlockNumbers> {
+        match value.get_ref().is_str() {
+            true => Self::NAMES.read(r, value),
+            false => Self::STEP.read(r, value).map(BlockNumbers::Step),
+        }
+    }
+
+    fn print(&self, value: &BlockNumbers) -> String {
+        match value {
+            BlockNumbers::Step(step) => Self::STEP.print(step),
+            BlockNumbers::Restarts | BlockNumbers::ToolChanges | BlockNumbers::None => Self::NAMES.print(value),
+        }
+    }
+
+    fn schema(&self, scope: &KeyScope) -> Json {
+        json!({ "anyOf": [Self::STEP.schema(scope), Self::NAMES.schema(scope)] })
     }
 }
 

@@ -69,7 +69,7 @@ const SPEED: Decimal = Decimal { units: 3000, decimals: 0 };
 fn short_program() -> Vec<Step<'static>> {
     let (z, x) = (0b0100, 0b1000);
     vec![
-        Step::Restart { number: 1 },
+        Step::Restart { number: 1, changes_tool: false },
         Step::CoolantOff,
         Step::Machine { words: only(z, [0; 4]) },
         Step::Tool { number: 5, offset: 6, next: Some(7), speed: Some(SPEED), radius_delta: None, change: true },

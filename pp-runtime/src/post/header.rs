@@ -6,7 +6,7 @@ use std::io;
 
 use crate::cl::{ArcVote, Dialect, Insert};
 use crate::config::Config;
-use crate::control::{self, BlankWords, Control, Encoder, LengthGuard, LinearRapids, RetractForm};
+use crate::control::{self, BlankWords, Control, Encoder, LengthGuard, LinearRapids, ProgramHeader, RetractForm};
 use crate::kinematics::{AnyMachine, Axis, AxisKind, DimensionKind, Side, Sign, digest};
 use crate::motion::{CutterPath, Links, StretchMode, StretchModes, TcpFrame, TipStart, ToolPosture, Wrap, rotaries_of};
 use crate::nc::{Decimal, write_decimal};
@@ -330,6 +330,19 @@ impl Header<'_> {
         let mut name = b"PROGRAM ".to_vec();
         name.extend_from_slice(if self.survey.name.is_empty() { b"without name" } else { &self.survey.name });
         encoder.comment(&name)?;
+        let lines = match config.control.program.header {
+            ProgramHeader::Full => self.full(assumptions, blank.as_ref()),
+            ProgramHeader::Short => self.short(),
+        };
+        for line in lines {
+            encoder.comment(line.as_bytes())?;
+        }
+        encoder.start()
+    }
+
+    /// Lines of the header after the name of the program. `blank`: that of the program, for the graphics of the control.
+    fn full(&self, assumptions: &[String], blank: Option<&Stock>) -> Vec<String> {
+        let config = self.job.config;
         let mut lines = vec![
             format!("CL FILE {}", self.job.cl_name),
             format!(
@@ -343,6 +356,7 @@ impl Header<'_> {
             format!("PROGRAMMED POINT {}", programmed_point(config)),
             format!("TOLERANCE {} for arcs and curves", self.length(config.motion.tolerance_mm)),
         ];
+        let given = config.set_up.stock.is_some();
         if blank.is_some() && !given && !self.job.control.blank(&BlankWords::default()).is_empty() {
             lines.push("BLANK is the box around all cuts, without [stock] in the configuration".to_owned());
         }
@@ -352,14 +366,7 @@ impl Header<'_> {
             );
         }
         lines.extend(set_up(self.job.control, config, self.survey));
-        lines.extend(config.motion.compensation.map(|path| match path {
-            CutterPath::Centre => {
-                format!("CUTTER COMPENSATION of the centre path: {}", self.job.control.spellings().radius_data[1])
-            }
-            CutterPath::Contour => {
-                format!("CUTTER COMPENSATION of the contour: {}", self.job.control.spellings().radius_data[0])
-            }
-        }));
+        lines.extend(self.compensation());
         lines.extend(reading(config, self.survey));
         let has_rotaries =
             rotaries(self.machine, Side::Workpiece).chain(rotaries(self.machine, Side::Tool)).next().is_some();
@@ -373,10 +380,29 @@ impl Header<'_> {
         });
         lines.extend(self.machine_lines(tolerances));
         lines.extend(assumptions.iter().map(|assumption| format!("ASSUMED {assumption}")));
-        for line in lines {
-            encoder.comment(line.as_bytes())?;
-        }
-        encoder.start()
+        lines
+    }
+
+    /// The same with what the operator needs for this job alone: set-up, offsets and tools.
+    fn short(&self) -> Vec<String> {
+        let (config, control) = (self.job.config, self.job.control);
+        let mut lines = vec![
+            format!("MACHINE {}, MODE {}", self.machine.name(), modes(config, self.survey)),
+            format!("UNITS {}, WORK OFFSET {}", self.units.name(), work_offset(control, config)),
+        ];
+        lines.extend(set_up(control, config, self.survey));
+        lines.extend(self.compensation());
+        lines.extend(self.set_up_lines());
+        lines
+    }
+
+    /// What the radius data of the control must hold.
+    fn compensation(&self) -> Option<String> {
+        let data = &self.job.control.spellings().radius_data;
+        self.job.config.motion.compensation.map(|path| match path {
+            CutterPath::Centre => format!("CUTTER COMPENSATION of the centre path: {}", data[1]),
+            CutterPath::Contour => format!("CUTTER COMPENSATION of the contour: {}", data[0]),
+        })
     }
 
     /// Whether rotary axes move in cuts.
@@ -426,6 +452,14 @@ impl Header<'_> {
         lines.extend(self.rotary_words());
         lines.extend(mode_lines(self.machine, self.job.control, config, &self.survey.modes));
         lines.extend(unchecked_limits(&self.unchecked));
+        lines.extend(self.set_up_lines());
+        lines
+    }
+
+    /// Lines about part origin, work offset and tools.
+    fn set_up_lines(&self) -> Vec<String> {
+        let config = self.job.config;
+        let mut lines = Vec::new();
         if self.survey.modes.has(StretchMode::Axes) && rotaries(self.machine, Side::Workpiece).next().is_some() {
             for (number, part) in config.set_up.clampings() {
                 let which = if config.set_up.set_ups.is_empty() { String::new() } else { format!("SET-UP {number}: ") };

@@ -9,7 +9,7 @@ mod refusals;
 use std::io::Cursor;
 
 use super::*;
-use crate::control::LinuxCnc;
+use crate::control::{BlockNumbers, LinuxCnc};
 use crate::kinematics::machines::Cb;
 
 const PART: &str = "\

@@ -97,9 +97,13 @@ impl<M: Machine> Sink for Listener<M> {
             Step::Rapid { words } => {
                 self.take(words);
             }
-            Step::Machine { .. } | Step::Restart { .. } | Step::Tool { .. } => {
+            Step::Machine { .. }
+            | Step::Retract { .. }
+            | Step::Home { .. }
+            | Step::Restart { .. }
+            | Step::Tool { .. } => {
                 let framed = self.state.plane.is_some() || self.state.start.is_some() || self.state.moved_zero;
-                let machine = matches!(step, Step::Machine { .. });
+                let machine = matches!(step, Step::Machine { .. } | Step::Retract { .. });
                 assert!(!framed || machine && self.state.plane.is_some(), "{step:?} under tip control");
             }
             Step::TipControl { on } => {

@@ -15,6 +15,7 @@ mod functions;
 mod hole;
 mod links;
 mod machine_move;
+mod messages;
 mod parking;
 mod phase;
 mod plane_guard;
@@ -69,6 +70,8 @@ struct Comparison<'a, R> {
     own_retract: usize,
     /// GOHOME has begun, and the axes have to be parked.
     home: bool,
+    /// The last line began a guard, whose text is its own.
+    guarded: bool,
 }
 
 /// Words and modes after the last block.
@@ -132,6 +135,7 @@ impl<'a, R: Read> Checker<'a, R> {
             parked: 0,
             own_retract: 0,
             home: false,
+            guarded: false,
         };
         Self { comparison, phase: Phase::Unknown { stopped: false }, before: State::default() }
     }
@@ -148,6 +152,7 @@ impl<'a, R: Read> Checker<'a, R> {
         for fault in &block.faults {
             comparison.found(&current, &fault.text);
         }
+        comparison.messages(&current);
         if !phase.is_at_part() {
             comparison.rules.follow_frame(&block.state);
         }

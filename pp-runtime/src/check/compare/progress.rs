@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 use std::io::{self, Read};
 
-use super::super::expect::{ClMotion, Expect, ExpectedAction, ExpectedItem, Required, SpindleState};
+use super::super::expect::{ClMotion, Expect, ExpectedAction, ExpectedItem, ExpectedMessage, Required, SpindleState};
 use super::super::geometry::{PathShape, Segment, ToolPose, angle_between};
 use super::super::rules::{Arrival, Rules};
 use crate::diag::Diagnostic;
@@ -98,6 +98,23 @@ impl<'a, R: Read> ClProgress<'a, R> {
 
     pub(super) fn is_approached(&self) -> bool {
         self.approached
+    }
+
+    /// A line displays this text, letters and digits only; false if the CL data has another one here.
+    pub(super) fn displays(&mut self, text: &[u8]) -> bool {
+        let Some(message) = self.expect.next_message() else { return false };
+        let Some(rest) = message.text.strip_prefix(text).map(<[u8]>::to_vec) else { return false };
+        if rest.is_empty() || message.may_be_cut {
+            self.expect.pop_message();
+        } else {
+            message.text = rest;
+        }
+        true
+    }
+
+    /// A text that should have been displayed before now; `all`: at any time.
+    pub(super) fn overdue_message(&mut self, all: bool) -> Option<ExpectedMessage> {
+        if all { self.expect.pop_message() } else { self.expect.overdue_message() }
     }
 
     /// First error of the CL data.

@@ -22,6 +22,7 @@ use super::policy::{CheckPolicy, LinearMeaning, SmoothingLevel};
 use super::read::Side;
 pub(super) use hole::{ExpectedHole, SAME_LEVEL};
 use modal::ClState;
+pub(super) use modal::legible;
 use placement::Placement;
 
 /// Number of items that are read ahead, so that a block can be found among them.
@@ -113,6 +114,18 @@ pub(super) enum ExpectedAction {
     Home,
 }
 
+/// A text that the control must display.
+#[derive(Debug, Clone)]
+pub(super) struct ExpectedMessage {
+    pub(crate) at: Location,
+    /// What is left of it, letters and digits only.
+    pub(crate) text: Vec<u8>,
+    /// It may end early: the name of an operation.
+    pub(crate) may_be_cut: bool,
+    /// Number of items before it.
+    after: u64,
+}
+
 /// The items of a program.
 pub(super) struct Expect<'a, R> {
     reader: ClReader<R>,
@@ -168,6 +181,23 @@ impl<'a, R: Read> Expect<'a, R> {
     /// Spindle state that the last SPINDL before the next item requests.
     pub(super) fn requested_spindle(&self) -> Option<Option<SpindleState>> {
         self.queue.front().map_or(self.state.requested_spindle(), |item| item.requested_spindle)
+    }
+
+    /// The next text that the control must display.
+    pub(super) fn next_message(&mut self) -> Option<&mut ExpectedMessage> {
+        self.state.messages().front_mut()
+    }
+
+    /// Takes the next text.
+    pub(super) fn pop_message(&mut self) -> Option<ExpectedMessage> {
+        self.state.messages().pop_front()
+    }
+
+    /// Takes the next text if an item after it is done.
+    pub(super) fn overdue_message(&mut self) -> Option<ExpectedMessage> {
+        let done = self.state.pushed() - self.queue.len() as u64;
+        let after = self.next_message()?.after;
+        if after < done { self.pop_message() } else { None }
     }
 
     /// First error of the CL data.

@@ -8,7 +8,7 @@ use super::super::policy::{CheckPolicy, OperationSelection, StopRule};
 use super::super::read::{LengthRegisters, Side, coolant};
 use super::hole::{ExpectedHole, HoleStep, unfolded};
 use super::operations::{self, RulesInForce};
-use super::{ClMotion, ExpectedAction, ExpectedItem, Required, RequiredSmoothing, SpindleState};
+use super::{ClMotion, ExpectedAction, ExpectedItem, ExpectedMessage, Required, RequiredSmoothing, SpindleState};
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::Pose;
 use crate::program::{
@@ -50,6 +50,9 @@ pub(super) struct ClState<'a> {
     /// Number of holes so far.
     holes: u64,
     items: VecDeque<ExpectedItem>,
+    /// Number of items so far.
+    pushed: u64,
+    messages: VecDeque<ExpectedMessage>,
 }
 
 /// Requests of SPINDL.
@@ -160,6 +163,8 @@ impl<'a> ClState<'a> {
             hole: None,
             holes: 0,
             items: VecDeque::new(),
+            pushed: 0,
+            messages: VecDeque::new(),
         }
     }
 
@@ -187,6 +192,7 @@ impl<'a> ClState<'a> {
             Event::From(pose) if self.operation.starts => self.here = Some(pose),
             Event::ClearancePlane(plane) => self.required.clearance = Some(Clearance::Plane(plane)),
             Event::Delay(dwell) => self.delay(at, dwell),
+            Event::Message(text) => self.message(at, text, false),
             Event::Stop => self.interrupt(at, ExpectedAction::Stop { optional: false }),
             Event::OptionalStop => self.interrupt(at, ExpectedAction::Stop { optional: true }),
             Event::Home => self.interrupt(at, ExpectedAction::Home),
@@ -210,8 +216,7 @@ impl<'a> ClState<'a> {
             | Event::Name(_)
             | Event::MachineName(_)
             | Event::Preselect(_)
-            | Event::RotaryDirection(_)
-            | Event::Message(_) => {}
+            | Event::RotaryDirection(_) => {}
         }
     }
 
@@ -270,6 +275,30 @@ impl<'a> ClState<'a> {
         }
     }
 
+    /// Texts that the control must display.
+    pub(super) fn messages(&mut self) -> &mut VecDeque<ExpectedMessage> {
+        &mut self.messages
+    }
+
+    /// Number of items so far.
+    pub(super) fn pushed(&self) -> u64 {
+        self.pushed
+    }
+
+    /// A text that the control displays, where the configuration asks for it; before the first motion of an operation it
+    /// belongs to that.
+    fn message(&mut self, at: Location, text: &[u8], may_be_cut: bool) {
+        let operation = &self.operation;
+        let (number, reached) = match operation.starts {
+            true => (operation.number + 1, operation.reached || operation.named),
+            false => (operation.number, operation.reached),
+        };
+        let text = legible(text);
+        if self.policy.shop.displays_messages && !text.is_empty() && self.is_selected(number, reached) {
+            self.messages.push_back(ExpectedMessage { at, text, may_be_cut, after: self.pushed });
+        }
+    }
+
     fn begin_operation(&mut self, at: Location, name: &[u8]) {
         self.stop_after_operation(at, false);
         self.begin();
@@ -279,6 +308,9 @@ impl<'a> ClState<'a> {
         }
         if let Some(OperationSelection::From(selected)) = &self.policy.selection {
             self.operation.named |= name.trim().eq_ignore_ascii_case(selected.trim());
+        }
+        if self.policy.family.facts().names_are_messages {
+            self.message(at, name.as_bytes(), true);
         }
     }
 
@@ -530,16 +562,21 @@ impl<'a> ClState<'a> {
         }
     }
 
-    fn push(&mut self, at: Location, action: ExpectedAction) {
-        let selected = match &self.policy.selection {
+    /// Whether an operation is in the program; `reached`: the one selected by name, or after it.
+    fn is_selected(&self, number: u64, reached: bool) -> bool {
+        match &self.policy.selection {
             None => true,
             Some(OperationSelection::Range(first, last)) => {
-                let number = self.operation.number.max(1);
+                let number = number.max(1);
                 number >= *first && last.is_none_or(|last| number <= last)
             }
-            Some(OperationSelection::From(_)) => self.operation.reached,
-        };
-        if selected {
+            Some(OperationSelection::From(_)) => reached,
+        }
+    }
+
+    fn push(&mut self, at: Location, action: ExpectedAction) {
+        if self.is_selected(self.operation.number, self.operation.reached) {
+            self.pushed += 1;
             self.items.push_back(ExpectedItem {
                 at,
                 required: self.required,
@@ -561,4 +598,10 @@ fn contradiction(location: Location, property: &str) -> Diagnostic {
         text: format!("entries of `[operations]` have different values of `{property}` for this operation"),
         help: Some("give this operation an entry by its number".to_owned()),
     }
+}
+
+/// Letters and digits of a text in capitals: what is left of it in the characters of any control.
+pub(crate) fn legible(text: &[u8]) -> Vec<u8> {
+    let text = String::from_utf8_lossy(text).replace('°', "deg").replace('µ', "u");
+    text.bytes().filter(u8::is_ascii_alphanumeric).map(|byte| byte.to_ascii_uppercase()).collect()
 }

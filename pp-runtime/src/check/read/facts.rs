@@ -123,6 +123,10 @@ pub(crate) struct Facts {
     pub(crate) comments_give_orders: bool,
     /// A semicolon begins a comment; otherwise it ends the block.
     pub(crate) semicolon_comments: bool,
+    /// Marks before and after a text that the control displays.
+    pub(crate) message: Option<[&'static str; 2]>,
+    /// Names of operations are written in the same form.
+    pub(crate) names_are_messages: bool,
     /// Programs have a number, which begins them.
     pub(crate) program_numbers: bool,
     /// A motion code is executed in its own block, without axis words as well, and compensation is not switched on twice.
@@ -193,6 +197,8 @@ const ISO: Facts = Facts {
     tool_call_alone: false,
     comments_give_orders: false,
     semicolon_comments: false,
+    message: None,
+    names_are_messages: false,
     program_numbers: true,
     motion_codes_execute: false,
     feed_mode_clears_feed: false,
@@ -234,6 +240,7 @@ impl Family {
                 least_increments: false,
                 tool_call_alone: true,
                 comments_give_orders: true,
+                message: Some(["(MSG,", ")"]),
                 semicolon_comments: true,
                 program_numbers: false,
                 motion_codes_execute: true,
@@ -271,6 +278,8 @@ impl Family {
                 radius_registers: false,
                 radius_guard: true,
                 plane_guard: true,
+                message: Some(["MSG(\"", "\")"]),
+                names_are_messages: true,
                 tap_stops_spindle: false,
                 rapids_interpolated: true,
                 tool_axis_interpolation: true,

@@ -11,7 +11,7 @@ use clap_complete::Shell;
 
 use crate::cl::Insert;
 use crate::config::Config;
-use crate::control::Control;
+use crate::control::{BlockNumbers, Control};
 use crate::kinematics::AnyMachine;
 use crate::motion::{CourseOptions, Mode, Operations};
 use crate::transformation::SheetControl;
@@ -606,7 +606,10 @@ impl SetUpArgs {
         };
         cl.from_move |= self.from.is_some();
         if self.line_numbers {
-            config.control.program.line_numbers.get_or_insert(Config::LINE_NUMBER_STEP);
+            let numbers = &mut config.control.program.line_numbers;
+            if !numbers.are_on_every_block() {
+                *numbers = BlockNumbers::Step(Config::LINE_NUMBER_STEP);
+            }
             config.given.insert("program.line_numbers");
         }
         Ok(())

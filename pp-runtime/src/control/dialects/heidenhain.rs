@@ -129,6 +129,7 @@ static SPELLINGS: Spellings = Spellings {
     numbers_every_line: true,
     comment: CommentStyle { marks: ["; ", ""], length: 200, byte: commented },
     operation: Some(["* - ", ""]),
+    message: None,
     opening: &["BEGIN PGM {name} {units}"],
     end: "M30",
     closing: &["END PGM {name} {units}"],

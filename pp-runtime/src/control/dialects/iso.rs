@@ -23,6 +23,7 @@ impl Spellings {
         numbers_every_line: false,
         comment: CommentStyle { marks: ["(", ")"], length: 72, byte: ascii_in_brackets },
         operation: None,
+        message: None,
         opening: &[],
         end: "M30",
         closing: &[],

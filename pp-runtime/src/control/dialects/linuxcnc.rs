@@ -6,7 +6,7 @@
 //! force, in the unit of the machine and not of the program. `G64` without P would round corners without bound at high
 //! speed. The axes of a rapid arrive together (handbook, node 53). `G41 D` offsets the path by half the diameter in the tool
 //! table (handbook, nodes 85 and 86). `G28 Z` moves Z to the position that `G28.1` has stored (parameters 5161 to 5166), through
-//! the point of its word (G-code documentation, G28). Tip control is only switched by codes of the configuration; there is no tilted plane.
+//! the point of its word (G-code documentation, G28). `(MSG, text)` displays a text (G-code overview, comments). Tip control is only switched by codes of the configuration; there is no tilted plane.
 
 use std::borrow::Cow;
 
@@ -15,7 +15,7 @@ use crate::motion::CycleAbilities;
 use super::control::{Control, LengthGuard, numbered};
 use super::spellings::{
     ArcCodes, CommentStyle, CycleCodes, CycleForm, FoundAt, HoleCycles, LengthCall, LengthCodes, LinearRapids,
-    MachineRetract, Spellings, ThreadCodes, ascii_in_brackets,
+    MachineRetract, MessageStyle, Spellings, ThreadCodes, ascii_in_brackets,
 };
 
 /// The LinuxCNC dialect.
@@ -28,6 +28,7 @@ static SPELLINGS: Spellings = Spellings {
     line_length: 254,
     // 254 bytes, less two brackets and the "- " before a text that would be a command.
     comment: CommentStyle { marks: ["(", ")"], length: 250, byte: ascii_in_brackets },
+    message: Some(MessageStyle { marks: ["(MSG, ", ")"], length: 246 }),
     end: "M2",
     linear_rapids: LinearRapids::Always,
     // Its planner knows the coordinates only: github.com/LinuxCNC/linuxcnc, issue 97 (following errors of the joints).

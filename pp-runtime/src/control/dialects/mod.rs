@@ -16,8 +16,8 @@ mod spellings;
 pub use control::{BlankWords, Control, LengthGuard, PlaneGuard, RadiusGuard};
 pub use spellings::{
     ArcCentre, ArcCodes, CommentStyle, CycleCodes, CycleDefinitions, CycleForm, FoundAt, HoleCycles, LengthCall,
-    LengthCodes, LinearRapids, MachineRetract, RetractForm, Spellings, ThreadCodes, TiltedPlaneCodes, TipControlCodes,
-    ToolAxisWords,
+    LengthCodes, LinearRapids, MachineRetract, MessageStyle, RetractForm, Spellings, ThreadCodes, TiltedPlaneCodes,
+    TipControlCodes, ToolAxisWords,
 };
 
 /// Declares the list of controls and the public name of each.

@@ -54,7 +54,7 @@ use crate::nc::Formats;
 use super::control::{BlankWords, Control, LengthGuard, PlaneGuard, RadiusGuard, numbered};
 use super::spellings::{
     ArcCodes, CommentStyle, CycleDefinitions, CycleForm, FoundAt, HoleCycles, LengthCall, LengthCodes, LinearRapids,
-    MachineRetract, Spellings, TiltedPlaneCodes, TipControlCodes, ToolAxisWords, printable,
+    MachineRetract, MessageStyle, Spellings, TiltedPlaneCodes, TipControlCodes, ToolAxisWords, printable,
 };
 
 /// The Siemens dialect.
@@ -68,6 +68,8 @@ static SPELLINGS: Spellings = Spellings {
     line_length: 512,
     comment: CommentStyle { marks: ["; ", ""], length: 200, byte: printable },
     operation: Some(["MSG(\"", "\")"]),
+    // At most 124 characters (from memory).
+    message: Some(MessageStyle { marks: ["MSG(\"", "\")"], length: 124 }),
     units: ["G710", "G700"],
     linear_rapids: LinearRapids::AsDelivered,
     safety: &["TRAFOOF", "CYCLE800()", "{units} G17 G40 G64 G90 G94 {work_offset}"],

@@ -27,6 +27,8 @@ pub struct Spellings {
     pub comment: CommentStyle,
     /// Text before and after the name of an operation; `None` if the name is written as a comment.
     pub operation: Option<[&'static str; 2]>,
+    /// Form of a text that the control displays while the program runs; `None` if it displays none without a stop.
+    pub message: Option<MessageStyle>,
     /// First lines of the program.
     pub opening: &'static [&'static str],
     /// Last block.
@@ -260,6 +262,15 @@ pub struct CommentStyle {
     pub length: usize,
     /// Byte written for a byte of the text.
     pub byte: fn(u8) -> u8,
+}
+
+/// Form of a text that the control displays.
+#[derive(Debug, Clone, Copy)]
+pub struct MessageStyle {
+    /// Marks before and after the text.
+    pub marks: [&'static str; 2],
+    /// Largest number of bytes of text in one line.
+    pub length: usize,
 }
 
 /// Codes that call and cancel the length offset.

@@ -4,6 +4,7 @@
 use std::io;
 
 use crate::control::layout::Layout;
+use crate::control::options::BlockNumbers;
 use crate::motion::PoseRule;
 use crate::nc::Decimal;
 
@@ -18,6 +19,9 @@ pub(crate) struct FrameWriter {
     tip_control: Option<[String; 2]>,
     safety: Option<Vec<String>>,
     tool_change: Option<Vec<String>>,
+    numbers: BlockNumbers,
+    /// Restart points with a tool change so far.
+    tool_changes: u32,
 }
 
 impl FrameWriter {
@@ -27,6 +31,8 @@ impl FrameWriter {
             tip_control: layout.options.tip_control.clone(),
             safety: layout.options.safety.clone(),
             tool_change: layout.options.tool_change.clone(),
+            numbers: layout.program.line_numbers,
+            tool_changes: 0,
         }
     }
 
@@ -85,15 +91,21 @@ impl FrameWriter {
         Ok(())
     }
 
-    /// Writes the blocks of a restart point, the first one with this block number.
-    pub(crate) fn restart(&self, number: u32, out: &mut ModalWriter<'_>) -> io::Result<()> {
+    /// Writes the blocks of a restart point, the first one with this block number if it has one. `changes_tool`: a tool change
+    /// follows.
+    pub(crate) fn restart(&mut self, number: u32, changes_tool: bool, out: &mut ModalWriter<'_>) -> io::Result<()> {
         out.smooth(false)?;
         out.modal().forget(After::Anything);
         out.set_tip_control(false, false);
         out.set_offset_lost(false);
-        out.writer_mut().number_next(number);
         // Blocks of the shop state the blending as the shop wants it.
         out.note_blending();
+        self.tool_changes += u32::from(changes_tool);
+        match self.numbers {
+            BlockNumbers::Step(_) | BlockNumbers::Restarts => out.writer_mut().number_next(number),
+            BlockNumbers::ToolChanges if changes_tool => out.writer_mut().number_next(self.tool_changes),
+            BlockNumbers::ToolChanges | BlockNumbers::None => {}
+        }
         if let Some(safety) = &self.safety {
             return out.fill_all(safety);
         }

@@ -21,9 +21,9 @@ use crate::nc::{Decimal, WrittenLine};
 use crate::program::Units;
 use crate::set_up::Stock;
 
-use super::dialects::{BlankWords, Control, LengthGuard, PlaneGuard, RadiusGuard, Spellings};
+use super::dialects::{BlankWords, Control, LengthGuard, MessageStyle, PlaneGuard, RadiusGuard, Spellings};
 use super::layout::Layout;
-use super::options::ProgramBlocks;
+use super::options::{Messages, ProgramBlocks};
 
 use frames::FrameWriter;
 use holes::HoleWriter;
@@ -175,7 +175,7 @@ impl<'a> Encoder<'a> {
             Step::Machine { ref words } => out.machine_rapid(words),
             Step::Retract { ref words } => out.retract(words),
             Step::Home { ref words } => out.home(words),
-            Step::Restart { number } => self.frames.restart(number, out),
+            Step::Restart { number, changes_tool } => self.frames.restart(number, changes_tool, out),
             Step::PerMinute => {
                 out.feed_mode(codes.per_minute);
                 out.end()
@@ -213,7 +213,7 @@ impl<'a> Encoder<'a> {
             Step::CoolantOff => self.spindle_coolant.coolant_off(out),
             Step::Stop { optional } => self.stop(optional),
             Step::Operation { name } => self.operation(name),
-            Step::Message { text } => self.comment(text),
+            Step::Message { text } => self.message(text),
             Step::WorkOffset { word } => {
                 out.values().work_offset = self.control.work_offset(word).unwrap_or_else(|| word.to_owned());
                 Ok(())
@@ -275,16 +275,32 @@ impl<'a> Encoder<'a> {
         Ok(())
     }
 
-    /// Writes the name of an operation, as a message or a comment.
-    fn operation(&mut self, name: &[u8]) -> io::Result<()> {
-        let Some([before, after]) = self.codes.operation else {
-            return self.comment(&[b"OPERATION ", name].concat());
-        };
+    /// Writes a text for the operator, as the configuration selects.
+    fn message(&mut self, text: &[u8]) -> io::Result<()> {
+        let shown = self.codes.message.filter(|_| self.program.messages == Messages::Display);
+        let Some(MessageStyle { marks, length }) = shown else { return self.comment(text) };
+        let text = legible(text);
+        for piece in lines_of(&text, length) {
+            self.displayed(marks, piece)?;
+        }
+        Ok(())
+    }
+
+    /// Writes a line that the control displays, or uses as a heading.
+    fn displayed(&mut self, [before, after]: [&str; 2], text: &[u8]) -> io::Result<()> {
         self.line.clear();
         self.line.extend_from_slice(before.as_bytes());
-        self.line.extend(name.iter().take(self.codes.comment.length).map(|&byte| self.control.message(byte)));
+        self.line.extend(text.iter().map(|&byte| self.control.message(byte)));
         self.line.extend_from_slice(after.as_bytes());
         self.out.writer_mut().line(&self.line)
+    }
+
+    /// Writes the name of an operation, as a message or a comment.
+    fn operation(&mut self, name: &[u8]) -> io::Result<()> {
+        match self.codes.operation {
+            Some(marks) => self.displayed(marks, &name[..name.len().min(self.codes.comment.length)]),
+            None => self.comment(&[b"OPERATION ", name].concat()),
+        }
     }
 }
 

@@ -33,7 +33,7 @@ fn some_arcs(control: &dyn Control, options: ControlOptions, radius: Option<i64>
     let helix = round(ArcPlane::Xy, [0, 10_000, 0], [10_000, 0, -2_500], [0, 0], true);
     let upright = round(ArcPlane::Zx, [10_000, 0, -2_500], [0, 0, 7_500], [-2_500, 0], false);
     let mut blocks = vec![
-        Step::Restart { number: 1 },
+        Step::Restart { number: 1, changes_tool: false },
         Step::Feed { words: linear([10_000, 0, 0]), feed: per_minute(500) },
         Step::Arc { words: linear([0, 10_000, 0]), circle: &quarter, feed: FEED },
         Step::Arc { words: linear([0, 10_000, 0]), circle: &whole, feed: FEED },
@@ -94,7 +94,7 @@ fn after_a_helix_heidenhain_writes_a_full_circle_by_its_angle() {
     let half = round(ArcPlane::Xy, [0, 10_000, -2_500], [0, -10_000, -2_500], [0, 0], true);
     let again = round(ArcPlane::Xy, [0, -10_000, -2_500], [0, -10_000, -2_500], [0, 0], true);
     let blocks = [
-        Step::Restart { number: 1 },
+        Step::Restart { number: 1, changes_tool: false },
         Step::Feed { words: linear([10_000, 0, 0]), feed: per_minute(500) },
         Step::Arc { words: linear([0, 10_000, -2_500]), circle: &helix, feed: FEED },
         Step::Arc { words: linear([0, 10_000, -2_500]), circle: &whole, feed: FEED },
@@ -140,7 +140,7 @@ proptest! {
             }));
             here = circles.last().and_then(|circle| circle.map(|(end, _)| end)).unwrap_or(*to);
         }
-        let mut blocks = vec![Step::Restart { number: 1 }, Step::Rapid { words: linear([0; 3]) }];
+        let mut blocks = vec![Step::Restart { number: 1, changes_tool: false }, Step::Rapid { words: linear([0; 3]) }];
         for ((to, _, kind), circle) in path.iter().zip(&circles) {
             let at = circle.map_or(*to, |(end, _)| end);
             match circle {
@@ -151,7 +151,7 @@ proptest! {
                 }
             }
             if *kind == 7 {
-                blocks.extend([Step::Restart { number: 2 }, Step::Rapid { words: linear(at) }]);
+                blocks.extend([Step::Restart { number: 2, changes_tool: false }, Step::Rapid { words: linear(at) }]);
             }
         }
         let read: Vec<_> = CONTROLS.iter().map(|control| {

@@ -100,7 +100,12 @@ fn heidenhain_keeps_a_definition_until_it_changes_or_may_have_changed() {
     assert_eq!(text[1..9], definition[1..]);
     assert_eq!(text[9..], ["1 L X+10 Y+20 R0 FMAX M99", "2 L X+0 Y+0 Z+9 R0 FMAX", "3 L X+10 Y+20 R0 FMAX M99"]);
     let tool = Step::Tool { number: 2, offset: 2, next: None, speed: None, radius_delta: None, change: true };
-    for between in [Step::Stop { optional: false }, Step::Restart { number: 3 }, Step::Raw { text: b"M64" }, tool] {
+    for between in [
+        Step::Stop { optional: false },
+        Step::Restart { number: 3, changes_tool: false },
+        Step::Raw { text: b"M64" },
+        tool,
+    ] {
         let text = steps(&Heidenhain, &milling(), &[call, between, call]);
         assert_eq!(text.iter().filter(|line| line.contains("CYCL DEF 200")).count(), 2, "{text:#?}");
     }
@@ -282,7 +287,7 @@ proptest! {
     /// Each hole is written as it is and where it is, and none is drilled twice, whatever comes between them.
     #[test]
     fn every_hole_is_written_as_it_is(holes in prop::collection::vec((any_cycle(), 0_u8..8), 1..20)) {
-        let mut blocks = vec![Step::Restart { number: 1 }];
+        let mut blocks = vec![Step::Restart { number: 1, changes_tool: false }];
         for (cycle, between) in &holes {
             match between {
                 0 => blocks.push(Step::Rapid { words: linear([7_000, 7_000, 90_000]) }),

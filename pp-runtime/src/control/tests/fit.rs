@@ -44,7 +44,7 @@ fn settings_that_a_program_does_without_are_left_out_where_the_control_lacks_the
     all.control.smoothing_angle_rad = Some(0.001);
     all.control.program_number = Some(1234);
     all.control.file_header = true;
-    all.control.program.line_numbers = Some(10);
+    all.control.program.line_numbers = BlockNumbers::Step(10);
     all.control.tool_names = true;
     all.control.swivel_data = Some("TABLE".to_owned());
     all.control.posture_word = false;

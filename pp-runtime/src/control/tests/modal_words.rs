@@ -18,7 +18,9 @@ fn a_block_in_which_nothing_changes_is_not_written() {
 #[test]
 fn everything_is_written_again_after_a_restart_a_stop_and_a_block_of_the_cl_data() {
     let feed = Step::Feed { words: words([0; 4]), feed: per_minute(100) };
-    for between in [Step::Stop { optional: false }, Step::Raw { text: b"M64" }, Step::Restart { number: 7 }] {
+    for between in
+        [Step::Stop { optional: false }, Step::Raw { text: b"M64" }, Step::Restart { number: 7, changes_tool: false }]
+    {
         for control in CONTROLS {
             let text = steps(*control, &layout(), &[feed, between, feed]);
             let (first, last) = (&text[0], &text[text.len() - 1]);
@@ -28,7 +30,7 @@ fn everything_is_written_again_after_a_restart_a_stop_and_a_block_of_the_cl_data
         }
     }
     assert_eq!(
-        steps(&LinuxCnc, &layout(), &[feed, Step::Restart { number: 7 }, feed]),
+        steps(&LinuxCnc, &layout(), &[feed, Step::Restart { number: 7, changes_tool: false }, feed]),
         ["G94 G1 X0 Z0 A0 C0 F100", "N7 G21 G17 G40 G49 G80 G90 G94 G55 G64 P0.01", "G1 X0 Z0 A0 C0 F100"]
     );
 }
@@ -43,7 +45,7 @@ fn any_step() -> impl Strategy<Value = Step<'static>> {
         }),
         4 => (few(), 1_u16..16).prop_map(|(to, mask)| Step::Rapid { words: only(mask, to) }),
         1 => few().prop_map(|to| Step::Machine { words: only(0b0100, to) }),
-        1 => Just(Step::Restart { number: 3 }),
+        1 => Just(Step::Restart { number: 3, changes_tool: false }),
         1 => Just(Step::PerMinute),
         1 => Just(Step::Tool { number: 2, offset: 2, next: None, speed: None, radius_delta: None, change: true }),
         1 => Just(Step::Length { offset: 2 }),
@@ -92,8 +94,17 @@ fn f_is_written_again_where_tip_control_or_a_plane_has_begun() {
     for (tip_control, on, off) in
         [(true, Step::TipControl { on: true }, Step::TipControl { on: false }), (false, plane, Step::PlaneOff)]
     {
-        let blocks =
-            [Step::Restart { number: 1 }, Step::Length { offset: 6 }, on, cut(1), cut(2), off, on, cut(3), cut(4)];
+        let blocks = [
+            Step::Restart { number: 1, changes_tool: false },
+            Step::Length { offset: 6 },
+            on,
+            cut(1),
+            cut(2),
+            off,
+            on,
+            cut(3),
+            cut(4),
+        ];
         for control in CONTROLS.iter().filter(|control| control.spellings().tip.is_some()) {
             let lines = steps(*control, &Layout { tip_control, planes: !tip_control, ..layout() }, &blocks);
             let with_f = lines.iter().filter(|line| line.contains("F800")).count();

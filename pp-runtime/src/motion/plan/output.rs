@@ -105,9 +105,9 @@ impl<S: Sink> Output<S> {
     }
 
     /// Writes a safety line, after which feed per minute is in force.
-    pub(crate) fn restart(&mut self, number: u32) -> io::Result<()> {
+    pub(crate) fn restart(&mut self, number: u32, changes_tool: bool) -> io::Result<()> {
         self.inverse_time = false;
-        self.step(&Step::Restart { number })
+        self.step(&Step::Restart { number, changes_tool })
     }
 
     /// Counts a feed motion. `rotation`: letter and angle, rad, of the rotary axis that rotates most.

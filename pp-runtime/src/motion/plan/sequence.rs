@@ -130,7 +130,8 @@ impl<S: Sink> Planner<'_, S> {
             self.mover.machine_retract()?;
         }
         // The program can be entered here, so the state is complete, with the retract.
-        self.mover.restart()?;
+        let tool = wanted.or(self.tooling.current());
+        self.mover.restart(change && tool.is_some())?;
         self.mover.position_mut().forget_retract();
         // Where the program is entered here, the state of the coolant is unknown.
         self.coolant.forget();
@@ -138,7 +139,7 @@ impl<S: Sink> Planner<'_, S> {
         self.mover.machine_retract()?;
         self.enter_mode()?;
         self.stop_spindle()?;
-        match wanted.or(self.tooling.current()) {
+        match tool {
             Some(tool) => self.load_tool(tool, change)?,
             None => self.start_operation()?,
         }

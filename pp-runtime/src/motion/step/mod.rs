@@ -113,6 +113,8 @@ pub enum Step<'a> {
     Restart {
         /// Number of the safety line, from 1.
         number: u32,
+        /// A tool change follows.
+        changes_tool: bool,
     },
     /// Feed per minute from here on.
     PerMinute,

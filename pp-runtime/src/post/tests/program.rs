@@ -68,7 +68,7 @@ fn blocks_of_the_configuration_come_after_the_header_and_before_the_end() {
     let mut config = Config::default();
     config.control.program.start = vec!["G64 P0.01".into()];
     config.control.program.end = vec!["M64 P0".into()];
-    config.control.program.line_numbers = Some(5);
+    config.control.program.line_numbers = BlockNumbers::Step(5);
     let (text, _) = posted::<Cb>(&config, PART);
     assert_eq!(blocks(&text)[..3], ["G64 P0.01", "(OPERATION ROUGH)", "N5 G21 G17 G40 G49 G80 G90 G94 G54 G64 P0.01"]);
     assert!(text.contains("M64 P0\nN"), "{text}");

@@ -11,6 +11,7 @@ use std::io::{self, Write};
 
 use crate::control::dialects::{Control, RetractForm, Spellings, ToolAxisWords};
 use crate::control::layout::Layout;
+use crate::control::options::BlockNumbers;
 use crate::motion::{AxisWords, Smoothing, ToolPosture, VECTOR_DECIMALS};
 use crate::nc::{Decimal, Numbering, Numerals, Writer};
 use crate::program::Units;
@@ -129,8 +130,8 @@ impl<'a> ModalWriter<'a> {
         let numerals = Numerals { point: layout.options.point.unwrap_or(codes.numerals.point), ..codes.numerals };
         let numbering = match (codes.numbers_every_line, layout.program.line_numbers) {
             (true, _) => Numbering::EveryLine,
-            (false, Some(step)) => Numbering::Step(step),
-            (false, None) => Numbering::None,
+            (false, BlockNumbers::Step(step)) => Numbering::Step(step),
+            (false, BlockNumbers::Restarts | BlockNumbers::ToolChanges | BlockNumbers::None) => Numbering::None,
         };
         let vectors = codes.tip.as_ref().and_then(|tip| tip.vectors.as_ref()).filter(|_| layout.vectors);
         Self {

@@ -14,10 +14,10 @@ fn indices(mask: u16) -> impl Iterator<Item = usize> {
 }
 
 impl<S: Sink> Mover<'_, S> {
-    /// Writes a safety line, at which the program can be entered.
-    pub(crate) fn restart(&mut self) -> Planned {
+    /// Writes a safety line, at which the program can be entered. `changes_tool`: a tool change follows.
+    pub(crate) fn restart(&mut self, changes_tool: bool) -> Planned {
         self.restarts += 1;
-        self.output.restart(self.restarts)?;
+        self.output.restart(self.restarts, changes_tool)?;
         self.clamps.forget();
         self.position.leave_frame();
         Ok(())
@@ -29,7 +29,7 @@ impl<S: Sink> Mover<'_, S> {
             return Ok(());
         }
         if self.restarts == 0 {
-            self.restart()?;
+            self.restart(false)?;
         }
         if self.abilities.retracts_along_tool && !self.placer.retracts_along_tool() {
             let fault = Fault::new(

@@ -1,0 +1,35 @@
+//! Texts for the operator that the control displays: each as in the CL data, in its place among the motions.
+
+use std::io::Read;
+
+use super::super::expect::legible;
+use super::super::read::Action;
+use super::{Comparison, Current};
+
+/// Text that a line displays, if it does.
+fn displayed<'t>(line: &'t [u8], [before, after]: [&str; 2]) -> Option<&'t [u8]> {
+    line.strip_prefix(before.as_bytes())?.strip_suffix(after.as_bytes())
+}
+
+impl<R: Read> Comparison<'_, R> {
+    /// Compares the text of a line, and reports those that should have come before it.
+    pub(super) fn messages(&mut self, current: &Current<'_>) {
+        let Some(marks) = self.rules.facts().message.filter(|_| self.rules.policy().shop.displays_messages) else {
+            return;
+        };
+        let line = current.shown.text.trim_ascii();
+        let guarded = std::mem::replace(&mut self.guarded, line.starts_with(b"IF "));
+        let of_shop = |line: &[u8]| self.rules.policy().shop.lines.iter().any(|own| own.text.as_bytes() == line);
+        if let Some(text) = displayed(line, marks).filter(|_| !guarded && !of_shop(line))
+            && !self.progress.displays(&legible(text))
+        {
+            self.found(current, "this text is not the next one of PPRINT, or of an operation, in the CL data");
+        }
+        let ended = current.block.action == Action::End;
+        while let Some(message) = self.progress.overdue_message(ended) {
+            let text = String::from_utf8_lossy(&message.text);
+            let text = format!("the text \"{text}\" of the CL data is not displayed before this block");
+            self.tally.found(message.at, current.shown, &text);
+        }
+    }
+}
