@@ -32,10 +32,11 @@ const VECTOR_PROGRAMS: u64 = 90;
 
 /// Seeds of programs with tool vectors that their own check has rejected: rewinds at a point whose rotary words are near those of
 /// the pole (95, 310), or that is known to its own rounding only (196, 1037, 1057, 1105, 1193), or away from the words with which
-/// the tool comes back (1429, 3325, 3434); near the pole an axis that the check found beyond its limit (1406, 61137), a motion that
-/// was divided just beyond a limit (2446), and one that was not led through the pole, whose words it had (62677).
-const VECTORS_ONCE_REJECTED: [u64; 14] =
-    [95, 196, 310, 1037, 1057, 1105, 1193, 1406, 1429, 2446, 3325, 3434, 61137, 62677];
+/// the tool comes back (1429, 3325, 3434), or whose place on its motion only the tip shows (74480); near the pole an axis that the
+/// check found beyond its limit (1406, 61137, 78461), a motion that was divided just beyond a limit (2446), and one that was not led
+/// through the pole, whose words it had (62677).
+const VECTORS_ONCE_REJECTED: [u64; 16] =
+    [95, 196, 310, 1037, 1057, 1105, 1193, 1406, 1429, 2446, 3325, 3434, 61137, 62677, 74480, 78461];
 
 /// Seeds of programs that their own check has rejected: rotations past the pole whose tool axis gets ahead of the tip, one
 /// (41451) that goes on after a rewind at the end of the program, and last pieces of a motion that rounding shows as none.

@@ -13,7 +13,7 @@ use super::super::policy::RapidForm;
 use super::super::read::{Action, Block, CycleMove, MAX_AXES, Side};
 use super::super::rules::{BOTH, Deviation, DeviationBound, LinkForm, ModalContext, StateFault};
 use super::hole::{CycleComparison, is_over, pose_at, words_at};
-use super::phase::{Cutting, FinishedMotion, Leaving, Phase, RapidSteps, RetractedLength, RewindPoint, axis_roundings};
+use super::phase::{COMES_BACK, Cutting, FinishedMotion, Leaving, Phase, RapidSteps, RetractedLength, RewindPoint};
 use super::rapid::{RapidPart, RapidRules, is_on_line, rollover_travel};
 use super::{Comparison, Current, Findings, Previous, retract};
 use crate::program::{Drilling, Feed, Location};
@@ -457,7 +457,7 @@ impl<R: Read> Comparison<'_, R> {
     ) -> bool {
         let block = current.block;
         // The cut was interrupted at a point that rounded words show.
-        let at_end = self.rules.is_near(end, &back.to, [2.0, axis_roundings(cutting.finished.as_ref())]);
+        let at_end = self.rules.is_near(end, &back.to, [COMES_BACK; 2]);
         if let (Action::Rapid, Some(item), true) = (block.action, cutting.perhaps_retract.take(), at_end) {
             // It was no rewind but the retract before a rapid, and this is the rapid.
             self.compare_state(current, &item.required);
@@ -674,24 +674,10 @@ impl<R: Read> Comparison<'_, R> {
         let here = cutting.here?;
         let continues = self.progress.continues_cut();
         let wet = !continues && block.state.coolant.is_some_and(|coolant| coolant != 0);
-        match cutting.finished.filter(|finished| finished.at_feed) {
-            Some(finished)
-                if continues || wet || finished.required.coolant == 0 || self.rules.policy().links.rewinds_dry =>
-            {
-                let on_path = || finished.segment.at(self.rules.share_at(&finished.segment, &here));
-                // Blocks that were taken for the rest of the motion may have led on.
-                let pose = if cutting.has_rested() { here } else { ToolPose { axis: here.axis, ..on_path() } };
-                Some(RewindPoint { pose, out, finished: Some(finished), wet })
-            }
-            _ => continues.then(|| {
-                let on_path = self.progress.on_path(&here);
-                // A rotation past the pole keeps to the tolerance of the tool axis only.
-                let follows =
-                    angle_between(&on_path.axis, &here.axis) <= BOTH * self.rules.axis_allowance(&on_path.axis);
-                let axis = if follows { on_path.axis } else { here.axis };
-                RewindPoint { pose: ToolPose { axis, ..on_path }, out, finished: None, wet }
-            }),
-        }
+        let dry = self.rules.policy().links.rewinds_dry;
+        let may_go_on = |finished: &FinishedMotion| continues || wet || finished.required.coolant == 0 || dry;
+        let finished = cutting.finished.filter(|finished| finished.at_feed && may_go_on(finished));
+        (finished.is_some() || continues).then_some(RewindPoint { pose: here, out, finished, wet })
     }
 
     /// A cycle returns to the level where it began: the tool first comes to that level over its hole, and down again to a

@@ -8,7 +8,7 @@ use super::super::policy::{LinearMeaning, RetractRule};
 use super::super::read::{Action, Block, Length, OwnPlace, TipControl, stated};
 use super::super::rules::{BOTH, FrameUse, ModalContext, fault_at_end, tool_name};
 use super::functions::place_of_line;
-use super::phase::{Cutting, Phase, Retracted, RetractedLength, RewindPoint, axis_roundings};
+use super::phase::{COMES_BACK, Cutting, Phase, Retracted, RetractedLength, RewindPoint};
 use super::{Comparison, Current, StartState, machine_move, parking, plane_guard, retract};
 use crate::program::Clearance;
 
@@ -678,7 +678,7 @@ impl<R: Read> Comparison<'_, R> {
             let along = (end.tip - pose.tip).dot(&pose.axis);
             rewind.out.unwrap_or(ToolPose { tip: pose.tip + pose.axis * along, axis: pose.axis })
         });
-        let largest_rad = axis_roundings(rewind.finished.as_ref()) * self.rules.axis_allowance(&pose.axis);
+        let largest_rad = COMES_BACK * self.rules.axis_allowance(&pose.axis);
         if back.is_none() || angle_between(&pose.axis, &end.axis) > largest_rad {
             self.found(current, "after the rewind the tool does not return above the point that it left");
         }

@@ -4,7 +4,7 @@ use super::super::expect::{ExpectedItem, Required};
 use super::super::geometry::{Segment, ToolPose, angle_between};
 use super::super::policy::LinearMeaning;
 use super::super::read::{Action, MAX_AXES};
-use super::super::rules::{BOTH, SHARE};
+use super::super::rules::SHARE;
 use crate::program::Feed;
 
 /// A motion within this angle of the tool axis leads along it, rad.
@@ -101,11 +101,9 @@ pub(super) struct RewindPoint {
     pub(crate) wet: bool,
 }
 
-/// Allowances for a tool axis within which the tool comes back to the point at which a cut was interrupted: a point within a
-/// motion is known to its own rounding only. `finished`: the motion that the cut had ended.
-pub(super) fn axis_roundings(finished: Option<&FinishedMotion>) -> f64 {
-    if finished.is_some() { 1.0 } else { BOTH }
-}
+/// Allowances within which the tool comes back to the point at which a cut was interrupted: the words with which it left and
+/// those with which it comes back are both rounded.
+pub(super) const COMES_BACK: f64 = 2.0;
 
 /// Length of the last motions out along the tool axis.
 #[derive(Debug, Clone, Copy, Default)]

@@ -27,9 +27,6 @@ const UNREACHED: f64 = 0.1;
 /// while the tool has far to go, and near the pole the last steps converge all the same.
 const DAMPED: f64 = 1e-8;
 
-/// Smallest damping: at a tilt far below that of any tool vector, 1e-8 rad and less, the first axis is free, and its angle noise.
-const FREE: f64 = 1e-16;
-
 /// Words and axis values of one machine, set-up and tool, by position in the chain.
 #[derive(Debug, Clone)]
 pub(crate) struct Words {
@@ -417,7 +414,7 @@ impl Words {
 
     /// Words nearest to `words` whose rotary axes give the tool this axis on the workpiece.
     ///
-    /// Newton's method with the smallest step (normal equations, damped by [`FREE`] to [`DAMPED`]): at the pole, where a rotary axis
+    /// Newton's method with the smallest step (normal equations, damped by at most [`DAMPED`]): at the pole, where a rotary axis
     /// does not rotate the tool, that axis is left alone. A step below `last_step_rad` is the last: the error after it is of
     /// the order of its square. `None` if it does not converge.
     pub(crate) fn rotated_to(
@@ -437,16 +434,16 @@ impl Words {
             let (first, second) = (rotary.next()?, rotary.next());
             let columns = [rates[first], second.map_or(Vector3::zeros(), |second| rates[second])];
             let jacobian = Matrix3x2::from_columns(&columns);
-            let damping = DAMPED.min(off.norm_squared()).max(FREE);
+            let damping = DAMPED.min(off.norm_squared());
             let normal = jacobian.tr_mul(&jacobian) + Matrix2::identity() * damping;
             let step = normal.try_inverse()? * jacobian.tr_mul(&off);
-            if step.norm() < LEAST_STEP {
-                // One rotary axis may not reach the axis: this is the nearest.
-                return (off.norm() < UNREACHED).then_some(words);
-            }
             words[first] += step.x;
             if let Some(second) = second {
                 words[second] += step.y;
+            }
+            if step.norm() < LEAST_STEP {
+                // One rotary axis may not reach the axis: this is the nearest.
+                return (off.norm() < UNREACHED).then_some(words);
             }
             if step.norm() < last_step_rad {
                 return Some(words);

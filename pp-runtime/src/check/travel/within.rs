@@ -24,6 +24,10 @@ const SAME_POSITION: f64 = 1e-3;
 /// Largest step of the tool axis, in distances from the pole: a longer one might lead past it to the other position.
 const STEP_PAST_POLE: f64 = 0.5;
 
+/// Angle to a pole, rad, below which the angle of the first rotary axis is noise: it is known to 1e-14 rad over this. The tool
+/// vectors of a program are at the pole, or ten times as far from it.
+const FREE_AT_POLE: f64 = 1e-8;
+
 /// Number of values of each rotary axis from which another position is looked for.
 const SEEDS: u32 = 9;
 
@@ -79,6 +83,9 @@ impl Travel {
         let off_pole = |axis: &Vector3<f64>| rules.off_pole_rad(axis).max(AT_POLE);
         let at = |share: f64, near: &PathPoint| {
             let axis = rotation.at(share).axis;
+            if share < 1.0 && rules.off_pole_rad(&axis) < FREE_AT_POLE && rotation.turn() > FREE_AT_POLE {
+                return None;
+            }
             let farther = off_pole(&axis).max(off_pole(&rotation.at(near.share).axis));
             if (share - near.share).abs() * rotation.turn() > STEP_PAST_POLE * farther {
                 return None;
