@@ -44,24 +44,17 @@ impl Placer {
             let index = rotary.index;
             let word = place.words[index];
             let snapped = nearest_step(word, step);
-            let (letter, degrees) =
-                (self.chain[index].letter, |word| rotary.degrees_for_display(word, self.rotary.scale));
             place.words[index] = snapped;
             place.axes[index] = rotary.angle(snapped, self.rotary.scale);
             let reached = self.machine.forward_kinematics(&place.axes).axis;
             let deviation = angle_between(&reached, &place.pose.axis);
             if deviation > self.poles.tolerance_rad + 2.0 * self.rotary.scale.angle(1) || !rotary.contains(snapped) {
-                return Err(Fault::new(format_args!(
-                    "{letter} would have to rotate to {}°, which is not a multiple of its indexing step of {}°",
-                    degrees(word),
-                    self.rotary.scale.degrees(step)
-                ))
-                .help(
-                    "move the tool axis of the operation to a step in CAM, or increase `axis_tolerance` in [course]",
-                ));
+                return Err(self.between_steps(&rotary, word, step));
             }
             place.deviation_rad = place.deviation_rad.max(deviation);
             if feed && snapped != from.words[index] {
+                let letter = self.chain[index].letter;
+                let degrees = |word| rotary.degrees_for_display(word, self.rotary.scale);
                 return Err(Fault::new(format_args!(
                     "{letter} would have to rotate from {}° to {}° in the cut, but it is an indexed axis",
                     degrees(from.words[index]),
@@ -71,6 +64,39 @@ impl Placer {
             }
         }
         Ok(())
+    }
+
+    /// The fault that an indexed axis would have to rotate to a word between its steps.
+    #[cold]
+    fn between_steps(&self, rotary: &Rotary, word: i64, step: i64) -> Fault {
+        let scale = self.rotary.scale;
+        Fault::new(format_args!(
+            "{} would have to rotate to {}°, which is not a multiple of its indexing step of {}°",
+            self.chain[rotary.index].letter,
+            rotary.degrees_for_display(word, scale),
+            scale.degrees(step)
+        ))
+        .help("move the tool axis of the operation to a step in CAM, or increase `axis_tolerance` in [course]")
+    }
+
+    /// The fault that words of the course do not give a tool axis: an indexed axis is at a step there.
+    #[cold]
+    fn not_reached(&self, axis: &UnitVector3<f64>, place: &AxisPosition) -> Fault {
+        let (solutions, scale) = (self.machine.rotary_axes(axis, &place.axes), self.rotary.scale);
+        let between = self.rotary.grid.iter().find_map(|&(rotary, step)| {
+            let solved = self.rotary.axes.iter().position(|axis| axis.index == rotary.index)?;
+            let at = place.words[rotary.index];
+            let near = |solution: &Solution<RotaryAngles>| {
+                let word = rotary.word(solution.axes[solved], scale);
+                rotary.without_limits().nearest(word, at, scale.units_per_turn).unwrap_or(word)
+            };
+            let word = solutions.iter().map(near).min_by_key(|word| word.abs_diff(at))?;
+            (word != at).then(|| self.between_steps(&rotary, word, step))
+        });
+        between.unwrap_or_else(|| {
+            Fault::new("the planned rotary angles do not give the tool axis of this point")
+                .help("this is a fault of the postprocessor, not of the CL data")
+        })
     }
 
     /// Keeps indexed axes at their angles inside a cut; refuses a deviation of the tool axis beyond the tolerance.
@@ -274,9 +300,9 @@ impl Placer {
             let at_pole = self.rotaries_at_pole(&target_pose, target_pose.axis, &place)?;
             place = self.position_at(&target_pose, from, &at_pole.words);
         }
-        if angle_between(&reached, &target_pose.axis) > 2.0 * self.rotary.scale.angle(1) + REACH_TOLERANCE {
-            return Err(Fault::new("the planned rotary angles do not give the tool axis of this point")
-                .help("this is a fault of the postprocessor, not of the CL data"));
+        let off_step = if self.has_indexed_axes() { self.poles.tolerance_rad } else { REACH_TOLERANCE };
+        if angle_between(&reached, &target_pose.axis) > 2.0 * self.rotary.scale.angle(1) + off_step {
+            return Err(self.not_reached(&target_pose.axis, &place));
         }
         let solutions = self.machine.rotary_axes(&target_pose.axis, &place.axes);
         let off = |solution: &Solution<RotaryAngles>| -> f64 {

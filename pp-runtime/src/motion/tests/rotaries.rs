@@ -429,6 +429,18 @@ fn an_indexed_axis_is_on_its_steps_and_never_rotates_in_a_cut() {
         "{:?}",
         between.error()
     );
+    // The course sets words of its own, which are steps.
+    let mut preferred = config.clone();
+    preferred.motion.course.prefer = Some(('C', true));
+    let between = with(&preferred, &[cb(101.0, 30.0)]);
+    assert!(
+        between.error().text.contains("101°, which is not a multiple of its indexing step of 5°"),
+        "{:?}",
+        between.error()
+    );
+    preferred.motion.course.axis_tolerance_rad = 1_f64.to_radians();
+    let near = with(&preferred, &[cb(101.0, 30.0)]);
+    assert!(near.diagnostics.is_empty() && near.lines.contains(&"G0 B30 C100".to_owned()), "{}", near.text());
     let turning = with(&config, &[cb(35.0, 30.0), cb(40.0, 30.0)]);
     assert!(turning.error().text.contains("from 35° to 40° in the cut"), "{:?}", turning.error());
     config.motion.course.axis_tolerance_rad = 1_f64.to_radians();
