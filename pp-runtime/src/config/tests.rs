@@ -274,11 +274,22 @@ fn numbers_outside_their_range_are_refused() {
     let angle = "at most 1000000000 degrees are needed here";
     assert_eq!(faults("[limits]\nB = [-1e300, 1e300]\n"), [format!("2:6: {angle}"), format!("2:14: {angle}")]);
     assert_eq!(faults("[speeds]\nB = 1e10\n"), [format!("2:5: {angle}")]);
+    assert_eq!(faults("part_rotation = [1e300, 0, 0]\n"), [format!("1:18: {angle}")]);
+    assert_eq!(faults("[speeds]\nX = 1e-300\n"), ["2:5: at least 0.000000001 is needed here"]);
+    assert_eq!(faults("[speeds]\nX = 1e300\n"), ["2:5: at most 1000000000 is needed here"]);
     assert_eq!(faults("[approach]\ndistance = 0\n"), ["2:12: a number above zero is needed here"]);
     assert_eq!(faults("[formats]\ninverse_time = 3\n"), ["2:16: a whole number from 6 to 12 is needed here"]);
     assert_eq!(faults("[tools.100000]\n").len(), 1);
     assert_eq!(faults("[tools.07]\n").len(), 1);
     assert_eq!(faults("[tools.7]\nlength = -3\n"), ["2:10: a number that is not negative is needed here"]);
+}
+
+#[test]
+fn two_axes_have_no_name_in_common() {
+    let both = |name: &str, axes: &str| format!("2:8: {axes} would both be named `{name}` on the control");
+    assert_eq!(faults("[control]\naxes = { X = \"Y\" }\n"), [both("Y", "X and Y")]);
+    assert_eq!(faults("[control]\naxes = { X = \"U1\", Z = \"U1\" }\n"), [both("U1", "X and Z")]);
+    assert_eq!(faults("[control]\naxes = { X = \"Y\", Y = \"X\" }\n"), [String::new(); 0]);
 }
 
 #[test]

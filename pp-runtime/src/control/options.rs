@@ -102,7 +102,7 @@ options! {
         /// or "measures". The check refuses them without it.
         effects: BTreeMap<String, LineEffect> = BTreeMap::new(), key("control.effects", LineEffects);
         /// Axis names that differ from the axis letters.
-        axes: BTreeMap<char, String> = BTreeMap::new(), key("control.axes", AXIS_NAMES);
+        axes: BTreeMap<char, String> = BTreeMap::new(), key("control.axes", AxisNames);
         /// Machine retract: by a code of the control, "G53" or "G91 G28" (LinuxCNC, Fanuc, Haas), "SUPA" (Siemens), "M91" or
         /// "M140" (Heidenhain: along the tool axis to the end of the travel), or by blocks of your own, as a list. Without it
         /// the first of these. The reference position of G28 and the end of the travel must be `position`. Out of tip control
@@ -291,7 +291,11 @@ const PATH_NORMS: [(&str, PathNorm); 4] = [
     ("g93_s", PathNorm::G93Seconds),
 ];
 
-/// Names of axes on the control.
+/// Kind of key: names of axes on the control. An axis without one has its letter as its name.
+#[derive(Debug, Clone, Copy)]
+struct AxisNames;
+
+/// The names as a table, each on its own.
 const AXIS_NAMES: PerAxis<String> = PerAxis {
     axes: AxisSet::All,
     section: false,
@@ -328,6 +332,39 @@ impl KeyKind for ThreeLevels {
         schema["minItems"] = json!(3);
         schema["maxItems"] = json!(3);
         schema
+    }
+}
+
+impl KeyKind for AxisNames {
+    type Value = BTreeMap<char, String>;
+
+    fn read(&self, r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<BTreeMap<char, String>> {
+        let names = AXIS_NAMES.read(r, value)?;
+        let mut axis_of = BTreeMap::new();
+        for axis in r.scope().axes {
+            let name = names.get(&axis.letter).cloned().unwrap_or_else(|| axis.letter.to_string());
+            if let Some(other) = axis_of.insert(name.clone(), axis.letter) {
+                let text = format!("{other} and {} would both be named `{name}` on the control", axis.letter);
+                r.fault(value.span(), text, None);
+            }
+        }
+        Some(names)
+    }
+
+    fn print(&self, value: &BTreeMap<char, String>) -> String {
+        AXIS_NAMES.print(value)
+    }
+
+    fn schema(&self, scope: &KeyScope) -> Json {
+        AXIS_NAMES.schema(scope)
+    }
+
+    fn printed(&self, scope: &KeyScope) -> Option<Printed> {
+        AXIS_NAMES.printed(scope)
+    }
+
+    fn counts(&self) -> bool {
+        AXIS_NAMES.counts()
     }
 }
 

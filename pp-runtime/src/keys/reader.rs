@@ -19,8 +19,11 @@ pub(crate) type TomlValue<'a> = &'a Spanned<DeValue<'a>>;
 /// Largest plausible length. A larger one is a typing error, or inches are read as millimetres or the reverse.
 const LONGEST_MM: f64 = 1e5;
 
-/// Largest angle, degrees: a word has nine digits before its point, and its units of a millionth of a degree are counted exactly.
-const LARGEST_DEG: f64 = 1e9;
+/// Largest number: a word has nine digits before its point, and units of a millionth are counted exactly.
+const LARGEST: f64 = 1e9;
+
+/// Smallest number above zero, where zero is not permitted: a thousandth of the last digit of any word.
+const SMALLEST: f64 = 1e-9;
 
 /// Range of a number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -213,8 +216,26 @@ impl<'t> KeyReader<'t> {
         self.fault(value.span(), format!("{wanted} is needed here, found {found}"), None);
     }
 
-    /// Reads a finite number and converts it to mm or rad, or leaves it; an angle is one that a word can hold.
+    /// Reads a number of a plausible size and converts it to mm or rad, or leaves it.
     pub(crate) fn number(&mut self, value: TomlValue<'_>, quantity: Quantity, bound: Bound) -> Option<f64> {
+        let number = self.as_written(value, quantity, bound)?;
+        Some(match quantity {
+            Quantity::Plain => number,
+            Quantity::Angle => number.to_radians(),
+            Quantity::Length => {
+                self.lengths = true;
+                number * self.units.in_mm()
+            }
+        })
+    }
+
+    /// Reads an angle, degrees.
+    pub(crate) fn degrees(&mut self, value: TomlValue<'_>) -> Option<f64> {
+        self.as_written(value, Quantity::Angle, Bound::Any)
+    }
+
+    /// Reads a number of a plausible size, in the unit of the file.
+    fn as_written(&mut self, value: TomlValue<'_>, quantity: Quantity, bound: Bound) -> Option<f64> {
         let read = match value.get_ref() {
             DeValue::Integer(integer) if integer.radix() == 10 => integer.as_str().parse::<f64>().ok(),
             DeValue::Float(float) => float.as_str().parse::<f64>().ok(),
@@ -228,26 +249,15 @@ impl<'t> KeyReader<'t> {
             return None;
         };
         let wrong = match bound {
-            Bound::Any => None,
-            Bound::NotNegative => (number < 0.0).then_some("a number that is not negative is needed here"),
-            Bound::Positive => (number <= 0.0).then_some("a number above zero is needed here"),
+            Bound::NotNegative if number < 0.0 => "a number that is not negative is needed here".to_owned(),
+            Bound::Positive if number <= 0.0 => "a number above zero is needed here".to_owned(),
+            Bound::Positive if number < SMALLEST => format!("at least {SMALLEST} is needed here"),
+            _ if number.abs() <= LARGEST => return Some(number),
+            _ if quantity == Quantity::Angle => format!("at most {LARGEST} degrees are needed here"),
+            _ => format!("at most {LARGEST} is needed here"),
         };
-        if let Some(wrong) = wrong {
-            self.fault(value.span(), wrong, None);
-            return None;
-        }
-        if quantity == Quantity::Angle && number.abs() > LARGEST_DEG {
-            self.fault(value.span(), format!("at most {LARGEST_DEG} degrees are needed here"), None);
-            return None;
-        }
-        Some(match quantity {
-            Quantity::Plain => number,
-            Quantity::Angle => number.to_radians(),
-            Quantity::Length => {
-                self.lengths = true;
-                number * self.units.in_mm()
-            }
-        })
+        self.fault(value.span(), wrong, None);
+        None
     }
 
     /// Reads a plausible length, mm.

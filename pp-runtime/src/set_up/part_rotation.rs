@@ -44,7 +44,7 @@ fn part_rotation(r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<Rotation
     if entries.iter().all(|entry| entry.get_ref().is_array()) {
         return matrix(r, value, [x, y, z]);
     }
-    let [x, y, z] = [x, y, z].map(|angle| r.number(angle, Quantity::Plain, Bound::Any));
+    let [x, y, z] = [x, y, z].map(|angle| r.degrees(angle));
     let [(sx, cx), (sy, cy), (sz, cz)] = [x?, y?, z?].map(sine_and_cosine);
     let about_x = Matrix3::new(1.0, 0.0, 0.0, 0.0, cx, -sx, 0.0, sx, cx);
     let about_y = Matrix3::new(cy, 0.0, sy, 0.0, 1.0, 0.0, -sy, 0.0, cy);

@@ -9,8 +9,8 @@ use crate::program::{Rotation, Spindle};
 /// Words of constant surface speed, which belongs to turning.
 const SURFACE_SPEED: [&str; 3] = ["SFM", "SMM", "MAXRPM"];
 
-/// Smallest speed that does not round to S0 in a word without decimals.
-const SLOWEST_REV_PER_MIN: f64 = 0.5;
+/// Smallest speed that does not round to S0 in a word with the most decimals; planning knows how many the word has.
+const SLOWEST_REV_PER_MIN: f64 = 5e-4;
 
 /// Largest plausible speed; a larger one has a wrong exponent.
 const FASTEST_REV_PER_MIN: f64 = 1e6;
@@ -92,7 +92,7 @@ fn speed(arg: Arg<'_>) -> Result<f64, ClFault> {
     }
     if value < SLOWEST_REV_PER_MIN {
         return fault(
-            format!("a spindle speed of {value} rev/min rounds to 0"),
+            format!("a spindle speed of {} rev/min rounds to 0", quoted(arg.text)),
             "check the speed of this tool in the CAM system",
         );
     }

@@ -95,8 +95,9 @@ fn a_length_offset_belongs_to_the_tool_called_before_it() {
 
 #[test]
 fn a_spindle_speed_that_rounds_to_nothing_is_refused() {
-    refused("SPINDL/    0.3980,RPM,CLW\nGOTO/0,0,0\n", "1:12+6 a spindle speed of 0.398 rev/min rounds to 0");
-    assert_eq!(errors("SPINDL/.5,RPM,CLW\nGOTO/0,0,0\n"), [""; 0]);
+    refused("SPINDL/    0.0004,RPM,CLW\nGOTO/0,0,0\n", "1:12+6 a spindle speed of `0.0004` rev/min rounds to 0");
+    // The decimals of the word decide.
+    assert_eq!(errors("SPINDL/.0005,RPM,CLW\nGOTO/0,0,0\n"), [""; 0]);
 }
 
 /// The tool calls of a file, as their events.

@@ -131,7 +131,12 @@ impl SpindleRequest {
             .help("`[formats] speed_whole` is the number of digits before the decimal point"));
         }
         if word.units <= 0 {
-            return Err(Fault::new(format_args!("a spindle speed of {speed} rev/min is written as S0 or below")));
+            let fault = Fault::new(format_args!("a spindle speed of {speed} rev/min is written as S0 or below"));
+            return Err(if speed > 0.0 {
+                fault.help("`[formats] speed` is the number of decimals of S")
+            } else {
+                fault
+            });
         }
         if given.is_some_and(|tool| tool.left_handed) && rotation == Rotation::Clockwise {
             return Err(Fault::new(

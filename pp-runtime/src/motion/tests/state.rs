@@ -75,6 +75,8 @@ fn spindle_speeds_that_make_no_sense_are_refused() {
     assert_eq!(text(&config, 8000.0, Rotation::Clockwise), None);
     assert!(text(&config, 8000.1, Rotation::Clockwise).is_some_and(|text| text.contains("spindle_max")));
     assert!(text(&config, 0.4, Rotation::Clockwise).is_some_and(|text| text.contains("S0")));
+    config.formats.speed = 1;
+    assert_eq!(text(&config, 0.4, Rotation::Clockwise), None);
     config.set_up.tools.insert(1, GivenTool { left_handed: true, ..GivenTool::default() });
     assert!(text(&config, 100.0, Rotation::Clockwise).is_some_and(|text| text.contains("counter-clockwise")));
     assert_eq!(text(&config, 100.0, Rotation::CounterClockwise), None);
