@@ -376,6 +376,8 @@ pub struct ShopBlocks {
     pub compensated_centre: bool,
     /// Largest wear of a tool, mm.
     pub largest_wear_mm: f64,
+    /// F of a thread is per revolution, where its cycle takes an F.
+    pub thread_per_revolution: bool,
     /// Threads are cut with the feed synchronised to the spindle.
     pub rigid_tapping: bool,
     /// Lines that the configuration brings into the program.

@@ -11,7 +11,7 @@ use crate::control::{self, Control, LineEffect, Messages, RetractForm, Spellings
 use crate::kinematics::{AnyMachine, AxisKind, Machine, Side};
 use crate::motion::{
     CutterPath, Links, Mode, OperationChoice, OperationEntry, Operations, OptionalStops, PathNorm, Rapid, Rewind,
-    Smoothing, StretchMode, TcpFrame, TcpWords, ToolPosture, Transition, Wrap, rotaries_of,
+    Smoothing, StretchMode, TcpFrame, TcpWords, ThreadFeed, ToolPosture, Transition, Wrap, rotaries_of,
 };
 use crate::program::Units;
 use crate::set_up::LengthMode;
@@ -228,6 +228,7 @@ impl Config {
             compensated_centre: self.motion.compensation == Some(CutterPath::Centre),
             largest_wear_mm: self.motion.largest_wear_mm,
             rigid_tapping: self.motion.cycles.rigid,
+            thread_per_revolution: self.motion.cycles.thread_feed == ThreadFeed::PerRevolution,
             lines: self.shop_lines(machine, of_job),
             // What the job declares takes precedence over its control.
             effects: control

@@ -4,8 +4,8 @@
 use crate::keys::list;
 use crate::kinematics::{AnyMachine, Side};
 use crate::motion::{
-    self, Abilities, CutterRadius, CycleAbilities, OperationBlocks, PlaneAbility, Registers, StretchMode, TipAbility,
-    TipStart, Transition, UsableModes, rotaries_of,
+    self, Abilities, CutterRadius, CycleAbilities, OperationBlocks, PlaneAbility, Registers, StretchMode, ThreadFeed,
+    TipAbility, TipStart, Transition, UsableModes, rotaries_of,
 };
 use crate::program::{Coolant, Units};
 use crate::set_up::LengthMode;
@@ -84,6 +84,9 @@ fn unsupported(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
     }
     if codes.length.call == LengthCall::WithTool && demands.set_up.length_mode == LengthMode::Gauge {
         faults.push(format!("{title} activates the tool length in every tool call: set `length_mode = \"tip\"`"));
+    }
+    if demands.motion.cycles.thread_feed == ThreadFeed::PerRevolution && codes.per_revolution.is_empty() {
+        faults.push(format!("threads of {title} take their pitch in any case: leave `cycles.thread_feed` out"));
     }
     // The check could not tell the pressures from each other.
     let through = |index: usize| options.coolant[index].as_ref().map(|[on, _]| on.as_str());

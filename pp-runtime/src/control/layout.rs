@@ -5,7 +5,9 @@ use std::collections::BTreeMap;
 use super::options::Demands;
 use super::options::{ControlOptions, ProgramBlocks};
 use crate::kinematics::{AnyMachine, AxisKind, Side};
-use crate::motion::{Abilities, StretchMode, StretchModes, TcpWords, TipStart, ToolPosture, Wrap, rotaries_of};
+use crate::motion::{
+    Abilities, StretchMode, StretchModes, TcpWords, ThreadFeed, TipStart, ToolPosture, Wrap, rotaries_of,
+};
 use crate::program::Units;
 
 /// The data of a job that the encoder reads.
@@ -37,6 +39,8 @@ pub struct Layout {
     pub vectors: bool,
     /// Threads are cut by rigid tapping (spindle angle synchronised with the feed).
     pub rigid: bool,
+    /// F of a thread is its pitch (feed per revolution), where the cycle takes an F.
+    pub thread_per_revolution: bool,
     /// Names of the tools that are called by name; empty where they are called by number.
     pub tool_names: BTreeMap<u32, String>,
     /// Settings for the control.
@@ -76,6 +80,7 @@ impl Layout {
             posture: demands.motion.tip.tool_posture,
             vectors: demands.motion.tip.tcp_words == TcpWords::Vectors,
             rigid: demands.motion.cycles.rigid,
+            thread_per_revolution: demands.motion.cycles.thread_feed == ThreadFeed::PerRevolution,
             tool_names: named_tools(demands),
             options: demands.options.clone(),
             program: demands.options.program.clone(),

@@ -22,7 +22,7 @@ use keys::{PARK, Preference};
 use operations::OperationsTable;
 
 pub use cutting::{
-    ArcForm, ArcOptions, ArcOutput, CutterPath, CycleOptions, CycleOutput, Defaults, FeedLimits, PathNorm,
+    ArcForm, ArcOptions, ArcOutput, CutterPath, CycleOptions, CycleOutput, Defaults, FeedLimits, PathNorm, ThreadFeed,
 };
 pub use links::{Approach, Links, Rapid, RapidOptions, Retract, Rewind, Transition};
 pub use operations::{OperationChoice, OperationEntry, OperationSettings, OperationTable, Smoothing};

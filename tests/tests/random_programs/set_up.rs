@@ -60,6 +60,7 @@ pub(crate) fn set_up(
     file.words(kind, control);
     file.tip_control(kind, control, mode);
     file.operations(kind, control, mode);
+    file.retracts_and_stops(kind, control);
     let compensation = mode != Mode::Tcp && (mode == Mode::Plane || !kind.head) && file.random.chance(0.4);
     if compensation {
         let path = ["centre", "contour"][file.random.below(2)];
@@ -340,6 +341,39 @@ impl File<'_> {
             if control == "linuxcnc" {
                 self.put("control", "tip_control = [\"M428\", \"M429\"]");
             }
+        }
+    }
+
+    /// Machine retracts, stops, block numbers and texts of each control, from random numbers of their own.
+    fn retracts_and_stops(&mut self, kind: &MachineKind, control: &str) {
+        let mut random = Random::new(self.random.clone().bits().rotate_left(20));
+        let methods: &[&str] = match control {
+            "siemens" => &["\"SUPA\""],
+            "heidenhain" => &["\"M91\""],
+            _ => &["\"G53\"", "\"G91 G28\""],
+        };
+        let texts: &[&str] =
+            if matches!(control, "linuxcnc" | "siemens") { &["\"display\""] } else { &["\"comment\""] };
+        let threads: &[&str] = if matches!(control, "fanuc" | "haas") { &["\"revolution\""] } else { &["\"minute\""] };
+        let homes: &[&str] = if kind.rotaries.is_empty() { &["false"] } else { &["true", "true\nxy = { Y = -50.0 }"] };
+        let keys: [(f64, &str, &str, &[&str]); 6] = [
+            (0.5, "retract", "method", methods),
+            (0.2, "retract", "home_on_indexing", homes),
+            (0.3, "", "optional_stops", &["\"tool_changes\"", "\"operations\""]),
+            (0.3, "program", "messages", texts),
+            (0.2, "program", "header", &["\"short\""]),
+            (0.4, "cycles", "thread_feed", threads),
+        ];
+        for (chance, section, key, values) in keys {
+            let value = values[random.below(values.len())];
+            if random.chance(chance) {
+                self.put(section, format!("{key} = {value}"));
+            }
+        }
+        let numbered = |lines: &Vec<String>| lines.iter().any(|line| line.starts_with("line_numbers"));
+        if control != "heidenhain" && random.chance(0.2) && !self.sections.get("program").is_some_and(numbered) {
+            let blocks = ["tool_changes", "none"][random.below(2)];
+            self.put("program", format!("line_numbers = \"{blocks}\""));
         }
     }
 

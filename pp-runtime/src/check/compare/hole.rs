@@ -109,7 +109,9 @@ impl CycleComparison<'_> {
 
     /// What is wrong with kind, feed and dwell.
     pub(super) fn faults(&self) -> impl Iterator<Item = String> {
-        [self.kind_fault(), self.gap_fault(), self.feed_fault(), self.dwell_fault()].into_iter().flatten()
+        [self.kind_fault(), self.thread_fault(), self.gap_fault(), self.feed_fault(), self.dwell_fault()]
+            .into_iter()
+            .flatten()
     }
 
     fn kind_fault(&self) -> Option<String> {
@@ -131,6 +133,18 @@ impl CycleComparison<'_> {
             _ => false,
         };
         (!same).then(|| format!("the cycle makes {}, expected {}", self.cycle.kind, expected_kind(hole)))
+    }
+
+    /// Feed mode of a thread.
+    fn thread_fault(&self) -> Option<String> {
+        let active = self.block.state.feed_mode == Some(FeedMode::PerRevolution);
+        let expected = self.rules.policy().shop.thread_per_revolution;
+        (self.block.action.is_thread() && active != expected).then(|| match expected {
+            true => "feed per revolution is not active in this thread (`cycles.thread_feed`)".to_owned(),
+            false => {
+                "feed per revolution is active in this thread, expected per minute (`cycles.thread_feed`)".to_owned()
+            }
+        })
     }
 
     /// Retract that breaks the chip, and distance above the last depth.

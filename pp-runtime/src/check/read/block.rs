@@ -289,6 +289,12 @@ impl Action {
         matches!(self, Self::Cycle(CycleMove { kind: CycleKind::Tap(_), .. }))
     }
 
+    /// Whether a thread is cut.
+    #[must_use]
+    pub const fn is_thread(&self) -> bool {
+        matches!(self, Self::Cycle(CycleMove { kind: CycleKind::Tap(_) | CycleKind::FloatingTap(_), .. }))
+    }
+
     /// Whether an axis moves.
     #[must_use]
     pub const fn moves(&self) -> bool {

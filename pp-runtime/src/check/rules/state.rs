@@ -54,7 +54,12 @@ impl Rules<'_> {
 
     /// The same without the tool.
     pub(crate) fn fault_in_cut(&self, block: &Block, required: &Required, context: ModalContext) -> Option<String> {
-        let state = &block.state;
+        let mut state = block.state;
+        if block.action.is_thread() && state.feed_mode == Some(FeedMode::PerRevolution) {
+            // That of a thread is compared with its cycle.
+            state.feed_mode = Some(FeedMode::PerMinute);
+        }
+        let state = &state;
         let offset_path = required.side != Side::None;
         let side = if offset_path && self.is_mirrored(block) { required.side.across() } else { required.side };
         self.everywhere(state, side, context)

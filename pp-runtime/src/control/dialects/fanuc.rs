@@ -17,6 +17,8 @@
 //!
 //! D is a radius where parameter 5004#2 is 0, and a diameter where it is 1 (from memory).
 //!
+//! In `G95` F of a thread is its pitch, as in Autodesk's public posts for Fanuc and Haas (`useG95forTapping`).
+//!
 //! `G43.4 H` starts tip control in the block that moves to the first point, which is one of length compensation only
 //! (A-79348E, p. 16): never with rotary words, never alone. X and Y are over this point before it: over a tilted table in
 //! `G68.2`, which `G69` ends, as in Autodesk's public post for Fanuc (`writeInitialPositioning`), and the rotary words are
@@ -85,6 +87,7 @@ static SPELLINGS: Spellings = Spellings {
         }),
     }),
     retracts: &[MachineRetract::to_machine_coordinate("G53"), MachineRetract::to_reference_position(true)],
+    per_revolution: "G95",
     dwell: &["G4 P{milliseconds}"],
     smoothing: [&["G05.1 Q1 R{smoothing_level}"]; 3],
     smoothing_off: &["G05.1 Q0"],

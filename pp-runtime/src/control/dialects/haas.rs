@@ -19,6 +19,8 @@
 //! is an option, the entry of B in the work offset is 0: UMC manual, p. 56, and the page of G254). `G49` ends tip control in
 //! the block of `G53`.
 //!
+//! In `G95` F of a thread is its pitch, as in Autodesk's public posts for Haas (`useG95forTapping`).
+//!
 //! `G91 G28 Z0.` moves Z to machine zero, through the point where it is, and cancels the length offset (mill manual 96-8000,
 //! G28).
 //!
@@ -82,6 +84,7 @@ static SPELLINGS: Spellings = Spellings {
     coolant_off: "M09",
     coolant: [Some(["M08", "M09"]), None, Some(["M88", "M89"]), None],
     stop: ["M00", "M01"],
+    per_revolution: "G95",
     dwell: &["G04 P{seconds}"],
     smoothing: [&["G187 P1 E{path_tolerance}"], &["G187 P2 E{path_tolerance}"], &["G187 P3 E{path_tolerance}"]],
     smoothing_off: &["G187"],

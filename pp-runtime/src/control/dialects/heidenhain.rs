@@ -143,6 +143,7 @@ static SPELLINGS: Spellings = Spellings {
         "CYCL DEF 247 DATUM SETTING ~\n  Q339=+{work_offset} ;DATUM NUMBER",
     ],
     per_minute: "",
+    per_revolution: "",
     offset_title: "preset ",
     inverse_time: None,
     largest_inverse_time: f64::INFINITY,

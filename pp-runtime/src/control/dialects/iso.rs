@@ -32,6 +32,7 @@ impl Spellings {
         units: ["G21", "G20"],
         safety: &["{units} G17 G40 G49 G80 G90 G94 {work_offset}"],
         per_minute: "G94",
+        per_revolution: "",
         offset_title: "",
         inverse_time: Some("G93"),
         largest_inverse_time: f64::INFINITY,

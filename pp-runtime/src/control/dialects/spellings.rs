@@ -45,6 +45,8 @@ pub struct Spellings {
     pub safety: &'static [&'static str],
     /// Code of feed per minute.
     pub per_minute: &'static str,
+    /// Code of feed per revolution, for threads; empty where their cycle takes the pitch.
+    pub per_revolution: &'static str,
     /// Text before the word of a work offset in the program header.
     pub offset_title: &'static str,
     /// Code of inverse-time feed, F in 1/min; `None` if the control has none.

@@ -19,20 +19,26 @@ pub(crate) struct HoleWriter {
     in_force: Option<CannedCycle>,
     /// Threads are cut by rigid tapping.
     rigid: bool,
+    /// F of a thread is its pitch.
+    thread_per_revolution: bool,
     units: Units,
 }
 
 impl HoleWriter {
     pub(crate) fn new(layout: &Layout) -> Self {
-        Self { in_force: None, rigid: layout.rigid, units: layout.units }
+        let Layout { rigid, thread_per_revolution, units, .. } = *layout;
+        Self { in_force: None, rigid, thread_per_revolution, units }
     }
 
-    /// Cancels the cycle in force; the next motion writes its motion code, the word of the tool axis and F again.
+    /// Cancels the cycle in force, and feed per revolution of a thread; the next motion writes its motion code, the word of the tool axis and F again.
     pub(crate) fn end_cycle(&mut self, out: &mut ModalWriter<'_>) -> io::Result<()> {
         let Some(cycle) = self.in_force.take() else { return Ok(()) };
         out.modal().forget(After::HoleCycle { z: cycle.z });
         match out.codes().cycles.as_ref().map(|cycles| &cycles.form) {
             Some(CycleForm::Codes(CycleCodes { end, .. }) | CycleForm::Definitions(CycleDefinitions { end, .. })) => {
+                if self.thread_per_revolution && matches!(cycle.kind, CannedKind::Tap { .. }) {
+                    out.feed_mode(out.codes().per_minute);
+                }
                 out.block(end)
             }
             None => Ok(()),
@@ -77,12 +83,25 @@ impl HoleWriter {
             }
             (CannedKind::Tap { .. }, ThreadCodes::Motion(code)) => code,
         };
-        out.feed_mode(out.codes().per_minute);
+        let feed = match cycle.kind {
+            CannedKind::Tap { pitch, .. } if self.thread_per_revolution => {
+                out.feed_mode(out.codes().per_revolution);
+                pitch
+            }
+            CannedKind::Drill
+            | CannedKind::Peck { .. }
+            | CannedKind::ChipBreak { .. }
+            | CannedKind::Ream
+            | CannedKind::Tap { .. } => {
+                out.feed_mode(out.codes().per_minute);
+                cycle.feed
+            }
+        };
         out.writer_mut().code(codes.returns[usize::from(cycle.back != cycle.clearance)]);
         out.writer_mut().code(code);
         out.modal().forget_axes(&cycle.words);
         out.axis_words(&cycle.words, false);
-        cycle_words(cycle, codes.dwell, out)?;
+        cycle_words(cycle, feed, codes.dwell, out)?;
         self.in_force = Some(*cycle);
         Ok(())
     }
@@ -182,7 +201,7 @@ impl HoleWriter {
 }
 
 /// Writes the words `Z R Q P F` of a cycle, and ends the block.
-fn cycle_words(cycle: &CannedCycle, dwell: &str, out: &mut ModalWriter<'_>) -> io::Result<()> {
+fn cycle_words(cycle: &CannedCycle, feed: Decimal, dwell: &str, out: &mut ModalWriter<'_>) -> io::Result<()> {
     let decimals = out.decimals(cycle.z);
     let mut bottom = AxisWords { mask: 1 << cycle.z, ..AxisWords::default() };
     bottom.units[cycle.z] = cycle.bottom;
@@ -195,6 +214,6 @@ fn cycle_words(cycle: &CannedCycle, dwell: &str, out: &mut ModalWriter<'_>) -> i
         out.values().seconds = Some(seconds);
         out.code(dwell);
     }
-    out.feed_word(cycle.feed);
+    out.feed_word(feed);
     out.end()
 }

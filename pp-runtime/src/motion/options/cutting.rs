@@ -66,7 +66,23 @@ options! {
         output: CycleOutput = CycleOutput::Native, key("cycles.output", OneOf(&CycleOutput::NAMES));
         /// Rigid tapping, where the control has a code for it (M29 of Fanuc).
         rigid: bool = true, key("cycles.rigid", YesNo);
+        /// F of a thread: per "minute", or per "revolution" (G95), where F is the pitch (Fanuc, Haas; the other controls take the
+        /// pitch in any case).
+        thread_feed: ThreadFeed = ThreadFeed::PerMinute, key("cycles.thread_feed", OneOf(&ThreadFeed::NAMES));
     }
+}
+
+/// F of a thread, on controls whose cycle takes an F.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ThreadFeed {
+    /// Pitch times speed.
+    PerMinute,
+    /// The pitch.
+    PerRevolution,
+}
+
+impl ThreadFeed {
+    const NAMES: [(&'static str, Self); 2] = [("minute", Self::PerMinute), ("revolution", Self::PerRevolution)];
 }
 
 /// Path in the CL data while CUTCOM is on.

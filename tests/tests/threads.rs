@@ -1,0 +1,90 @@
+//! Threads with F per revolution: their blocks on the controls whose cycle takes an F, and a check that finds another feed mode.
+
+use std::io::Cursor;
+
+use machines::SpinnerU5620;
+use pp_runtime::check::check;
+use pp_runtime::config::{Config, starting_point};
+use pp_runtime::control::{self, Control};
+use pp_runtime::post::{Job, post};
+
+/// Two threads and a hole, a cut before and after them.
+const CL: &str = "UNITS/MM
+TOOL PATH/TAPS,TOOL,T
+LOADTL/1,LENGTH,100
+SPINDL/RPM,500,CLW
+RAPID
+GOTO/0,0,30,0,0,1
+FEDRAT/MMPM,300
+GOTO/0,0,20
+CYCLE/TAP,RAPTO,3,FEDTO,-8,RTRCTO,10,MMPR,1.25
+GOTO/0,0,10
+GOTO/10,0,10
+CYCLE/OFF
+CYCLE/DRILL,RAPTO,3,FEDTO,-8,RTRCTO,10,MMPM,200
+GOTO/20,0,10
+CYCLE/OFF
+FEDRAT/MMPM,300
+GOTO/20,0,25
+RAPID
+GOTO/20,0,60
+FINI
+";
+
+fn config(control: &dyn Control, feed: &str, rigid: bool) -> Config {
+    let text = format!("mode = 'axes'\n[cycles]\nthread_feed = '{feed}'\nrigid = {rigid}\n");
+    starting_point(control).read_over(&SpinnerU5620::default(), &text).unwrap_or_else(|faults| panic!("{faults:?}"))
+}
+
+fn findings(config: &Config, control: &dyn Control, program: &str) -> Vec<String> {
+    let policy = config.check_policy::<SpinnerU5620>(control, None).expect("it can be checked");
+    let checked = check::<SpinnerU5620>(&policy, Cursor::new(CL), program.as_bytes()).expect("it can be read");
+    checked.outcome.findings.into_iter().map(|finding| finding.text).collect()
+}
+
+fn posted(config: &Config, control: &'static dyn Control) -> String {
+    let job = Job { cl_name: "part.cls", config, control, units: None };
+    let mut program = Vec::new();
+    let report = post::<SpinnerU5620>(&job, &mut Cursor::new(CL), &mut program).expect("it can run");
+    let program = String::from_utf8(program).expect("ASCII");
+    assert!(!report.failed, "{program}\n{:?}", report.diagnostics);
+    let found = findings(config, control, &program);
+    assert!(found.is_empty(), "{program}\n{found:?}");
+    program
+}
+
+#[test]
+fn f_of_a_thread_is_its_pitch_in_feed_per_revolution() {
+    for (name, rigid) in [("fanuc", true), ("fanuc", false), ("haas", true)] {
+        let control = control::by_name(name).expect("a control");
+        let [per_minute, config] = ["minute", "revolution"].map(|feed| config(control, feed, rigid));
+        let program = posted(&config, control);
+        let lines: Vec<&str> = program.lines().collect();
+        let thread =
+            lines.iter().position(|line| line.starts_with("G95 G98 G84 ")).unwrap_or_else(|| panic!("{program}"));
+        assert!(lines[thread].ends_with(" F1.25"), "{program}");
+        assert_eq!(lines[thread + 1..thread + 3], ["X10.", "G80"], "{program}");
+        let next = lines[thread + 3..].iter().position(|line| line.starts_with("G94 G98 G81 ")).expect("the hole");
+        assert!(!lines[thread + 3..thread + 3 + next].iter().any(|line| line.contains('F')), "{program}");
+        for (before, after) in
+            [("G95 G98", "G94 G98"), ("G95 G98", "G98"), ("G94 G98 G81", "G98 G81"), ("F1.25", "F1.5")]
+        {
+            let edited = program.replace(before, after);
+            assert_ne!(edited, program);
+            assert!(!findings(&config, control, &edited).is_empty(), "{before} -> {after}\n{edited}");
+        }
+        let plain = posted(&per_minute, control);
+        assert!(!plain.contains("G95"), "{plain}");
+        assert!(!findings(&config, control, &plain).is_empty() && !findings(&per_minute, control, &program).is_empty());
+    }
+}
+
+#[test]
+fn controls_that_take_the_pitch_refuse_it() {
+    for name in ["linuxcnc", "siemens", "heidenhain"] {
+        let control = control::by_name(name).expect("a control");
+        let config = config(control, "revolution", true);
+        let unfit = control::unfit(&SpinnerU5620::default(), control, config.demands()).join("\n");
+        assert!(unfit.contains("take their pitch in any case: leave `cycles.thread_feed` out"), "{unfit}");
+    }
+}
