@@ -23,7 +23,7 @@ pub(crate) struct Position {
     known: bool,
     /// The rotary axes are at the angles of `place`.
     rotary_known: bool,
-    /// The CL data has moved the tool since the position was forgotten.
+    /// The CL data has moved the tool since the last interruption.
     worked: bool,
     /// The retract axis is at its retract position.
     retracted: bool,
@@ -80,13 +80,13 @@ impl Position {
         self.rotary_known
     }
 
-    /// Whether the CL data has moved the tool since the position was forgotten, at a stop.
+    /// Whether the CL data has moved the tool since the last interruption.
     pub(crate) fn has_worked(&self) -> bool {
         self.worked
     }
 
-    /// Another tool comes into the spindle: the change may move any axis.
-    pub(crate) fn change_tool(&mut self) {
+    /// A tool change or blocks of the shop may move any axis: the angles of the rotary axes are unknown.
+    pub(crate) fn forget_rotary_axes(&mut self) {
         self.rotary_known = false;
     }
 
@@ -136,8 +136,14 @@ impl Position {
     pub(crate) fn forget(&mut self) {
         self.known = false;
         self.rotary_known = false;
-        self.worked = false;
         self.retracted = false;
+    }
+
+    /// Forgets the position at a stop, or where the CL data or another set-up interrupts the operations: what has moved
+    /// needs no stop any more.
+    pub(crate) fn interrupt(&mut self) {
+        self.forget();
+        self.worked = false;
     }
 
     /// Forgets that the retract axis is at its retract position.

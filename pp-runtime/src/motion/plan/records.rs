@@ -205,7 +205,7 @@ impl<S: Sink> Records<'_, '_, S> {
         // The operator may have done anything.
         planner.spindle.forget();
         planner.coolant.forget();
-        planner.mover.position_mut().forget();
+        planner.mover.position_mut().interrupt();
         Ok(())
     }
 
@@ -256,7 +256,7 @@ impl<S: Sink> Records<'_, '_, S> {
         planner.mover.output_mut().step(&Step::Raw { text })?;
         planner.spindle.reset();
         planner.coolant.forget();
-        planner.mover.position_mut().forget();
+        planner.mover.position_mut().interrupt();
         Ok(())
     }
 
@@ -265,7 +265,7 @@ impl<S: Sink> Records<'_, '_, S> {
         self.leave()?;
         self.planner.mover.machine_retract()?;
         self.planner.mover.park()?;
-        self.planner.mover.position_mut().forget();
+        self.planner.mover.position_mut().interrupt();
         Ok(())
     }
 
@@ -277,7 +277,7 @@ impl<S: Sink> Records<'_, '_, S> {
         self.planner.mover.set_part_origin(part.part_origin);
         let word = part.work_offset;
         self.leave()?;
-        self.planner.mover.position_mut().forget();
+        self.planner.mover.position_mut().interrupt();
         // CLEARP was given in the other set-up.
         self.planner.clearance.change_set_up();
         Ok(self.planner.mover.output_mut().step(&Step::WorkOffset { word })?)

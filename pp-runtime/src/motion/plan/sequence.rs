@@ -158,6 +158,7 @@ impl<S: Sink> Planner<'_, S> {
         }
         self.mover.output_mut().step(&Step::OperationBlocks { at_end: false })?;
         self.mover.position_mut().forget_retract();
+        self.mover.position_mut().forget_rotary_axes();
         self.spindle.reset();
         self.coolant.forget();
         self.mover.machine_retract()
@@ -200,7 +201,7 @@ impl<S: Sink> Planner<'_, S> {
         if change {
             // The change may leave every axis anywhere, and the spindle off.
             self.mover.position_mut().forget_retract();
-            self.mover.position_mut().change_tool();
+            self.mover.position_mut().forget_rotary_axes();
             self.spindle.reset();
             self.mover.machine_retract()?;
         }
