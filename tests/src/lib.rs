@@ -28,5 +28,7 @@ pub mod heap;
 pub mod linuxcnc;
 pub mod page;
 
+#[cfg(doctest)]
+mod book;
 #[cfg(test)]
 mod reference;

@@ -130,7 +130,7 @@ fn each_machine_posts_a_sample_without_options() {
 
 #[test]
 fn the_commands_of_the_readmes_work() {
-    for readme in ["README.md", "examples/cl/README.md", "docs/cam-systems.md"] {
+    for readme in ["README.md", "examples/cl/README.md"] {
         let text = fs::read_to_string(workspace().join(readme)).expect("the README exists");
         let command = |line: &&str| line.starts_with("cargo run ") && line.contains(" -- post ");
         let line = text.lines().find(command).unwrap_or_else(|| panic!("{readme} has no command that posts"));
@@ -149,24 +149,6 @@ fn the_commands_of_the_readmes_work() {
             None => run.output,
         };
         assert!(program.ends_with(b"\nM2\n"), "{readme}");
-    }
-}
-
-#[test]
-fn the_configurations_in_the_page_of_cam_systems_are_read() {
-    let text = fs::read_to_string(workspace().join("docs/cam-systems.md")).expect("the page exists");
-    let blocks: Vec<&str> = text.split("```toml\n").skip(1).filter_map(|block| block.split("```").next()).collect();
-    assert!(blocks.len() > 1, "{text}");
-    let shop = Shop::with(format!("{HEAD}GOTO/1,2,3\n"));
-    for block in blocks {
-        shop.write("set-up.toml", block);
-        let run = shop.run(&["post", "part.cls", "--config", "set-up.toml"]);
-        assert_eq!(run.status, 0, "{block}\n{}", run.errors);
-    }
-    // Every word in small letters after `--` is an option of `post`.
-    let help = String::from_utf8(shop.run(&["post", "--help"]).output).expect("ASCII");
-    for option in text.split("`--").skip(1).filter_map(|rest| rest.split([' ', '`']).next()) {
-        assert!(help.contains(&format!("--{option} ")) || help.contains(&format!("--{option}\n")), "--{option}");
     }
 }
 

@@ -84,8 +84,8 @@ fn every_machine_has_its_test_its_binary_and_its_row_in_the_table() {
         let of = |name: &str| file.strip_prefix(name).is_some_and(|rest| rest.starts_with('-'));
         assert!(papers.into_iter().any(of) || names.iter().any(|name| of(name)), "{file} is for no machine");
     }
-    let table = fs::read_to_string(workspace().join("docs/machines.md")).expect("docs/machines.md");
+    let table = fs::read_to_string(workspace().join("docs/src/machines.md")).expect("docs/src/machines.md");
     for name in NAMES {
-        assert!(table.contains(&format!("| `{name}` |")), "{name} is not in docs/machines.md");
+        assert!(table.contains(&format!("| `{name}` |")), "{name} is not in docs/src/machines.md");
     }
 }

@@ -1,0 +1,165 @@
+//! The book in `docs`, without mdBook: every listing is run, read or compiled, and every link leads somewhere.
+//!
+//! The language of a listing decides what is done with it:
+//!
+//! | listing | |
+//! |---|---|
+//! | `console` | its commands are run in the folder of the chapter, and their output is compared |
+//! | any language and the name of a file, Rust as `rust,ignore` | the file: compared if the folder of the chapter or the workspace has it, else written to the folder, for a command below |
+//! | `toml` | read as a configuration |
+//! | `rust`, `rust,no_run`, `rust,compile_fail` | compiled as documentation test of `tests/src/book.rs` |
+//!
+//! A listing of another kind is an error. The folder of a chapter is empty at its start but for `examples`. A line `...` in a
+//! listing means any number of lines.
+//!
+//! `PP_BLESS=1 cargo test --workspace --test book` writes the outputs into the chapters, without `...`: read every changed line,
+//! and shorten it.
+
+mod chapter;
+mod folder;
+mod machines;
+mod messages;
+
+use std::fs;
+
+use chapter::{Chapter, Listing, Part};
+use folder::Folder;
+use machines::COMMANDS;
+use pp_runtime::config::Config;
+use tests::binaries::workspace;
+
+/// Whether the files are rewritten.
+fn bless() -> bool {
+    std::env::var_os("PP_BLESS").is_some_and(|value| value == "1")
+}
+
+/// Fails with what was found, if anything was.
+fn assert_none(found: &[String]) {
+    assert!(found.is_empty(), "{}", found.join("\n"));
+}
+
+/// Does with a listing what its language asks for.
+fn try_listing(chapter: &Chapter, listing: &Listing, folder: &mut Folder) -> Result<(), String> {
+    match (listing.language.as_str(), &listing.file) {
+        ("console", None) => return folder.run(listing),
+        ("rust" | "rust,no_run" | "rust,compile_fail", None) => is_compiled(chapter)?,
+        ("toml", None) => {
+            let faults = |faults| format!("is no configuration: {faults:?}");
+            Config::read::<::machines::SpinnerU5620>(&listing.text()).map_err(faults)?;
+        }
+        (_, Some(_)) => (),
+        (language, None) => return Err(format!("a listing `{language}` without the name of a file has no rule")),
+    }
+    match &listing.file {
+        Some(name) => folder.file(name, listing),
+        None => Ok(()),
+    }
+}
+
+/// Whether the Rust of a chapter is compiled by the documentation tests.
+fn is_compiled(chapter: &Chapter) -> Result<(), String> {
+    let list = fs::read_to_string(workspace().join("tests/src/book.rs")).expect("the list of chapters with Rust");
+    let row = format!("docs/src/{}\"", chapter.name);
+    if list.contains(&row) { Ok(()) } else { Err("this chapter is not in tests/src/book.rs".into()) }
+}
+
+/// All chapters in one test: commands are run in the current folder of the process.
+#[test]
+fn every_listing_is_what_its_commands_write() {
+    let mut found = Vec::new();
+    for mut chapter in Chapter::all() {
+        let mut folder = Folder::new();
+        folder.enter();
+        for listing in chapter.listings() {
+            if let Err(fault) = try_listing(&chapter, &listing, &mut folder) {
+                found.push(format!("docs/src/{}:{}: {fault}", chapter.name, listing.line + 1));
+            }
+        }
+        found.extend(folder.unread().map(|name| format!("docs/src/{}: no command reads {name}", chapter.name)));
+        if bless() {
+            chapter.rewrite(folder.outputs());
+        }
+        folder::leave();
+    }
+    assert_none(&found);
+}
+
+#[test]
+fn every_page_is_in_the_summary_and_every_link_leads_somewhere() {
+    let source = chapter::source();
+    let mut found = Vec::new();
+    let listed: Vec<String> = Chapter::all().into_iter().map(|chapter| chapter.name).collect();
+    for entry in fs::read_dir(&source).expect("the chapters") {
+        let name = entry.expect("an entry").file_name().into_string().expect("a name in UTF-8");
+        if name.ends_with(".md") && name != chapter::SUMMARY && !listed.contains(&name) {
+            found.push(format!("{name} is not in the summary"));
+        }
+    }
+    for chapter in Chapter::all() {
+        for link in chapter.links() {
+            if link.contains("://") {
+                continue;
+            }
+            let (file, heading) = link.split_once('#').unwrap_or((&link, ""));
+            let target = if file.is_empty() { &chapter.name } else { file };
+            if !source.join(target).exists() {
+                found.push(format!("{}: {link} leads nowhere", chapter.name));
+            } else if !heading.is_empty() && !Chapter::read(target).headings().any(|other| other == heading) {
+                found.push(format!("{}: {link} is no heading", chapter.name));
+            }
+        }
+    }
+    assert_none(&found);
+}
+
+#[test]
+fn every_option_in_the_chapters_is_one_of_a_command() {
+    let help: String = COMMANDS.iter().map(|command| machines::run("spinner-u5-620", &[command, "--help"]).1).collect();
+    let mut found = Vec::new();
+    for chapter in Chapter::all() {
+        for option in chapter.options() {
+            let is_one = |rest: &str| !rest.starts_with(|next: char| next.is_ascii_alphanumeric() || next == '-');
+            if !help.split(option.as_str()).skip(1).any(is_one) {
+                found.push(format!("{}: no command has {option}", chapter.name));
+            }
+        }
+    }
+    assert_none(&found);
+}
+
+/// The runner itself: outputs that differ are found.
+#[test]
+fn a_listing_matches_its_lines_and_nothing_else() {
+    let part = |shown: &str, real: &str| Part::of(shown).is_in(real);
+    assert!(part("a\nb\n", "a\nb\n") && part("", "") && part("...\n", "") && part("...\n", "a\n"));
+    assert!(
+        part("a\n...\nd\n", "a\nb\nc\nd\n") && part("...\nb\n...\n", "a\nb\nc\n") && part("a\n...\nb\n", "a\nb\nb\n")
+    );
+    for (shown, real) in [
+        ("a\n", ""),
+        ("", "a\n"),
+        ("a\n", "a\nb\n"),
+        ("a\n...\nd\n", "a\nd\ne\n"),
+        ("...\nb\n", "b\na\n"),
+        ("a\n...\na\n", "a\n"),
+        ("...\nb\n...\na\n...\n", "a\nb\n"),
+    ] {
+        assert!(!part(shown, real), "{shown:?} is taken for {real:?}");
+    }
+}
+
+#[test]
+fn a_command_or_a_listing_without_a_rule_is_an_error() {
+    let mut folder = Folder::new();
+    let chapter = Chapter::of(
+        "none.md",
+        "```console\n$ milling post\n```\n```text\na\n```\n```rust\nfn a() {}\n```\n```toml\nfoo = 1\n```\n",
+    );
+    let faults: Vec<String> =
+        chapter.listings().iter().filter_map(|listing| try_listing(&chapter, listing, &mut folder).err()).collect();
+    let expected = ["`milling` is no command", "has no rule", "is not in tests/src/book.rs", "is no configuration"];
+    assert_eq!(faults.len(), expected.len(), "{faults:?}");
+    for (fault, expected) in faults.iter().zip(expected) {
+        assert!(fault.contains(expected), "{fault}");
+    }
+}
