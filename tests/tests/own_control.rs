@@ -2,11 +2,12 @@
 //! where they are not declared.
 
 use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
 
 use examples::house_control::House;
 use machines::SpinnerU5620;
 use pp_runtime::cli::{App, Status, Streams};
-use pp_runtime::control::{CONTROLS, Control, Fanuc, Spellings};
+use pp_runtime::control::{CONTROLS, Control, Fanuc, LineEffect, Spellings};
 
 /// Runs a command of the Spinner; status, standard output and messages.
 fn run(app: &App, args: &[&str]) -> (Status, String, String) {
@@ -216,4 +217,86 @@ fn a_method_that_an_own_control_changes_is_its_own() {
     assert_eq!(House.work_offset("G55").as_deref(), Some("G55"));
     assert_eq!(House.work_offset("G54.1 P3"), None);
     assert_eq!(Undeclared.work_offset("G54.1 P3"), Fanuc.work_offset("G54.1 P3"));
+}
+
+#[test]
+fn a_tool_change_by_a_macro_passes_the_check_on_every_control_and_a_wrong_or_lost_tool_is_found() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = |name: &str, text: &str| {
+        let path = folder.path().join(name);
+        std::fs::write(&path, text).expect("a file");
+        path.to_str().expect("a path in UTF-8").to_owned()
+    };
+    let app = App::new();
+    for control in CONTROLS.iter().map(|control| control.spellings().name) {
+        let call = match control {
+            "siemens" => "L9001(",
+            "heidenhain" => "M106 Q",
+            "linuxcnc" => "O<change> CALL [",
+            _ => "G65 P9001 T",
+        };
+        let closed = match control {
+            "siemens" => ")",
+            "linuxcnc" => "]",
+            _ => "",
+        };
+        let line = format!("{call}{{tool}}{closed}");
+        let config = file(
+            "macro.toml",
+            &format!(
+                "[control]\ntool_change = [\"{line}\", \"M120\"]\n\
+                 effects = {{ \"{line}\" = \"tool change\", M120 = \"none\" }}\n"
+            ),
+        );
+        let arguments = ["--control", control, "--config", &config];
+        let (status, program, messages) = run(&app, &[&["post", &two_tools(), "--quiet"], &arguments[..]].concat());
+        assert_eq!(status, Status::Done, "{control}: {messages}\n{program}");
+        let second = format!("{call}2{closed}");
+        assert_eq!(program.matches(&second).count(), 1, "{control}:\n{program}");
+        let check =
+            |text: &str| run(&app, &[&["check", &two_tools(), &file("edited.nc", text)], &arguments[..]].concat());
+        let (status, _, messages) = check(&program.replace(&second, &format!("{call}9{closed}")));
+        assert_eq!(status, Status::Rejected, "{control}");
+        assert!(messages.contains("change to T9, but the CL data requires T2"), "{control}: {messages}");
+        let kept: String =
+            program.lines().filter(|line| !line.contains(&second)).map(|line| format!("{line}\n")).collect();
+        let (status, _, messages) = check(&kept);
+        assert_eq!(status, Status::Rejected, "{control}");
+        assert!(messages.contains(&format!("`{line}` of `control.tool_change` is missing")), "{control}: {messages}");
+        assert!(messages.contains("T1 is in the spindle, expected T2"), "{control}: {messages}");
+    }
+}
+
+/// A macro changes the tool.
+struct Macro(&'static [(&'static str, LineEffect)]);
+
+static BY_MACRO: LazyLock<Spellings> = LazyLock::new(|| Spellings {
+    name: "macro",
+    title: "Macro control",
+    tool_change: &["G65 P9001 T{tool}", "M120"],
+    ..Fanuc.spellings().clone()
+});
+
+impl Control for Macro {
+    fn spellings(&self) -> &'static Spellings {
+        &BY_MACRO
+    }
+    fn base(&self) -> Option<&'static dyn Control> {
+        Some(&Fanuc)
+    }
+    fn effects(&self) -> &'static [(&'static str, LineEffect)] {
+        self.0
+    }
+}
+
+#[test]
+fn an_own_control_declares_its_tool_change_with_the_field_of_the_tool() {
+    static DECLARED: Macro = Macro(&[("G65 P9001 T{tool}", LineEffect::ToolChange), ("M120", LineEffect::None)]);
+    static WITHOUT: Macro = Macro(&[("G65 P9001", LineEffect::ToolChange)]);
+    let (status, program, messages) = run(&App::new().control(&DECLARED), &["post", &two_tools(), "--quiet"]);
+    assert_eq!(status, Status::Done, "{messages}");
+    assert!(program.contains("G65 P9001 T2\nM120\n"), "{program}");
+    let (status, _, messages) = run(&App::new().control(&WITHOUT), &["post", &two_tools(), "--quiet"]);
+    assert_eq!(status, Status::NotRun, "{messages}");
+    assert!(messages.contains("`G65 P9001` has no field {tool}"), "{messages}");
 }

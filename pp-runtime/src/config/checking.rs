@@ -339,6 +339,7 @@ fn declared(effect: LineEffect) -> Effect {
         LineEffect::None => Effect::None,
         LineEffect::Coolant => Effect::Coolant,
         LineEffect::Spindle => Effect::Spindle,
+        LineEffect::ToolChange => Effect::ToolChange,
         LineEffect::Stop => Effect::Stop,
         LineEffect::PositionLost => Effect::PositionLost,
         LineEffect::StateLost => Effect::StateLost,

@@ -506,6 +506,10 @@ fn effects_of_lines_are_read_by_their_text() {
     let found = faults("[control]\neffects = { M77 = \"nothing\" }\n");
     assert!(found.len() == 1 && found[0].contains("none"), "{found:?}");
     assert_eq!(faults("[control]\neffects = { \"\" = \"none\" }\n").len(), 1);
+    let change = read("[control]\neffects = { \"G65 P9001 T{tool}\" = \"tool change\" }\n").control.effects;
+    assert_eq!(change["G65 P9001 T{tool}"], LineEffect::ToolChange);
+    let found = faults("[control]\neffects = { \"G65 P9001\" = \"tool change\" }\n");
+    assert!(found.len() == 1 && found[0].contains("has no field {tool}"), "{found:?}");
 }
 
 #[test]

@@ -101,6 +101,7 @@ fn unsupported(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
         }
     }
     faults.extend(unsupported_retract(codes, options.retract_method.as_ref()));
+    faults.extend(control.effects().iter().filter_map(|(text, effect)| effect.refusal(text)));
     let program = &options.program;
     let of_operations = [
         ("program.operation_start", program.operation_start.is_empty()),

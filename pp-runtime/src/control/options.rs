@@ -98,8 +98,9 @@ options! {
         /// Write every word in every block, modal words included.
         every_word: bool = false, key("control.every_word", YesNo);
         /// Effect of lines and words that the check does not know, by their text: lines of `[program]`, `safety`,
-        /// `tool_change` and INSERT, and codes in them. "none", "coolant", "spindle", "stop", "position lost", "state lost"
-        /// or "measures". The check refuses them without it.
+        /// `tool_change` and INSERT, and codes in them. "none", "coolant", "spindle", "stop", "position lost", "state lost",
+        /// "measures", or "tool change" for a line with the field {tool}: that tool is in the spindle afterwards, as after the
+        /// tool change of the control (`"G65 P9001 T{tool}" = "tool change"`). The check refuses them without it.
         effects: BTreeMap<String, LineEffect> = BTreeMap::new(), key("control.effects", LineEffects);
         /// Axis names that differ from the axis letters.
         axes: BTreeMap<char, String> = BTreeMap::new(), key("control.axes", AxisNames);
@@ -270,10 +271,13 @@ pub enum LineEffect {
     StateLost,
     /// It measures; the positions of the axes are unknown afterwards.
     Measures,
+    /// The tool of its field `{tool}` is in the spindle afterwards, as after the tool change of the control: spindle off, the
+    /// positions of the axes unknown. For whole lines only, by their text as configured: `G65 P9001 T{tool}`.
+    ToolChange,
 }
 
 impl LineEffect {
-    const NAMES: [(&'static str, Self); 7] = [
+    const NAMES: [(&'static str, Self); 8] = [
         ("none", Self::None),
         ("coolant", Self::Coolant),
         ("spindle", Self::Spindle),
@@ -281,7 +285,18 @@ impl LineEffect {
         ("position lost", Self::PositionLost),
         ("state lost", Self::StateLost),
         ("measures", Self::Measures),
+        ("tool change", Self::ToolChange),
     ];
+
+    /// The reason why a line or a word cannot have this effect.
+    pub(crate) fn refusal(self, text: &str) -> Option<String> {
+        let is_called = text.contains(&format!("{{{}}}", Field::Tool.name()));
+        (self == Self::ToolChange && !is_called).then(|| {
+            format!(
+                "`{text}` has no field {{tool}}: which tool a line with the effect \"tool change\" calls is unknown"
+            )
+        })
+    }
 }
 
 const PATH_NORMS: [(&str, PathNorm); 4] = [
@@ -449,6 +464,10 @@ impl KeyKind for LineEffects {
                 continue;
             }
             if let Some(effect) = r.choice(value, &LineEffect::NAMES) {
+                if let Some(reason) = effect.refusal(text) {
+                    let help = "write the line as it is in the configuration: \"G65 P9001 T{tool}\" = \"tool change\"";
+                    r.fault(span, reason, Some(help.to_owned()));
+                }
                 effects.insert(text.to_owned(), effect);
             }
         }

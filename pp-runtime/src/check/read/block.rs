@@ -72,6 +72,8 @@ pub enum Effect {
     Measures,
     /// Positions are unknown afterwards.
     PositionLost,
+    /// The tool of its field `{tool}` is in the spindle afterwards, as after the tool change of the control.
+    ToolChange,
     /// The program stops.
     Stop,
     /// Positions and modal state are unknown afterwards.

@@ -4,7 +4,7 @@
 //! table does not have is executed by the effect that `[control] effects` declares for it, and only in a line of the
 //! configuration; clamp, coolant and tip control codes have the effect of their keys.
 
-use super::block::{Effect, OwnLine, OwnPlace};
+use super::block::{Effect, OwnLine, OwnPlace, WorkPlane};
 use super::draft::effect;
 use super::facts::{Facts, Form};
 use super::line::Line;
@@ -164,7 +164,8 @@ fn search(line: &[u8], vocabulary: &Vocabulary, bare: &Bare, blanked: &mut Vec<u
 
 fn bits(declared: Effect) -> u8 {
     match declared {
-        Effect::None => 0,
+        // A tool change is a code of the block, not something that happens to it.
+        Effect::None | Effect::ToolChange => 0,
         Effect::Coolant => effect::COOLANT,
         Effect::Spindle => effect::SPINDLE,
         Effect::Measures | Effect::PositionLost => effect::POSITION,
@@ -203,6 +204,38 @@ pub(super) fn switch(text: &[u8], line: &mut Line<'_>) -> bool {
     found
 }
 
+/// Executes the tool change of the control with the tool that a line calls: the value of its field `{tool}`.
+fn change_tool(called: Option<&[u8]>, line: &mut Line<'_>) {
+    let Some(called) = called else {
+        line.fault(0, "tool change without a tool number");
+        return;
+    };
+    // `5`, `"MILL 10"`, `="MILL 10"`
+    let value = called.strip_prefix(b"=").unwrap_or(called);
+    let name = value.strip_prefix(b"\"").and_then(|name| name.strip_suffix(b"\""));
+    let number = match name {
+        Some(name) => line.tool_of(name),
+        None => std::str::from_utf8(called)
+            .ok()
+            .filter(|text| text.bytes().all(|byte| byte.is_ascii_digit()))
+            .and_then(|text| text.parse().ok()),
+    };
+    let Some(number) = number else {
+        line.fault(0, format!("tool change to `{}`, which is no tool of the configuration", shown(called)));
+        return;
+    };
+    line.called(name.is_some(), 0);
+    let of_table = line.facts().plane_by_tool_call;
+    let draft = &mut *line.draft;
+    (draft.tool, draft.change) = (Some(number), true);
+    if of_table {
+        // Working plane, length and radius are those of the tool call in it.
+        draft.length_with_tool = true;
+        draft.plane = Some(WorkPlane::Xy);
+        draft.radius_delta_mm = Some(Some(0.0));
+    }
+}
+
 /// The own line that a line is, and what is wrong with it: an effect that is not declared.
 #[cold]
 pub(super) fn resolve(text: &[u8], line: &mut Line<'_>, declared: Option<Declared>, switched: bool) -> Option<OwnLine> {
@@ -214,6 +247,10 @@ pub(super) fn resolve(text: &[u8], line: &mut Line<'_>, declared: Option<Declare
     if let Some(Declared { bits, whole, .. }) = declared {
         line.draft.effects = bits;
         line.draft.speaks();
+        if effect == Some(Effect::ToolChange) {
+            let called = line.vocabulary().effects.iter().find_map(|(key, _)| filled(key, text)).flatten();
+            change_tool(called, line);
+        }
         if whole || line.fault_count() == line.draft.frame_faults {
             return Some(OwnLine { place: place.unwrap_or(OwnPlace::Insert), effect });
         }
@@ -297,52 +334,65 @@ impl PlacedLines {
 
 /// Whether a line is a template with values for its fields. A word whose field has no value is left out.
 fn matches(template: &[u8], line: &[u8]) -> bool {
+    filled(template, line).is_some()
+}
+
+/// The value of `{tool}` in a line, `None` within if it has none; `None` if the line is not the template with values for its
+/// fields.
+fn filled<'a>(template: &[u8], line: &'a [u8]) -> Option<Option<&'a [u8]>> {
     if !template.contains(&b'{') {
-        return template == line;
+        return (template == line).then_some(None);
     }
     let split = |text: &[u8]| text.iter().position(|byte| *byte == b' ').unwrap_or(text.len());
     let (end, word_end) = (split(template), split(line));
     let (word, rest) = (&template[..end], template.get(end + 1..));
     let after = line.get(word_end + 1..);
     let goes_on = match (rest, after) {
-        (None, None) => true,
-        (Some(rest), Some(after)) => matches(rest, after),
+        (None, None) => Some(None),
+        (Some(rest), Some(after)) => filled(rest, after),
         // The words that are left have no value.
-        (Some(rest), None) => rest.split(|byte| *byte == b' ').all(|word| word.contains(&b'{')),
-        (None, Some(_)) => false,
+        (Some(rest), None) => rest.split(|byte| *byte == b' ').all(|word| word.contains(&b'{')).then_some(None),
+        (None, Some(_)) => None,
     };
-    if goes_on && fits(word, &line[..word_end]) {
-        return true;
+    if let Some(tool) = goes_on
+        && let Some(own) = filled_word(word, &line[..word_end])
+    {
+        return Some(own.or(tool));
     }
     // A value with a blank in it: `G54.1 P3`, a name.
     if word.contains(&b'{') {
         if let Some(rest) = rest
-            && matches(rest, line)
+            && let Some(tool) = filled(rest, line)
         {
-            return true;
+            return Some(tool);
         }
-        return line.iter().enumerate().filter(|(_, byte)| **byte == b' ').any(|(blank, _)| {
+        return line.iter().enumerate().filter(|(_, byte)| **byte == b' ').find_map(|(blank, _)| {
             let next = line[blank + 1..].iter().position(|byte| *byte == b' ').map(|at| blank + 1 + at);
-            let stop = next.unwrap_or(line.len());
-            fits(word, &line[..stop])
-                && match rest {
-                    Some(rest) => next.is_some_and(|next| matches(rest, &line[next + 1..])),
-                    None => next.is_none(),
-                }
+            let own = filled_word(word, &line[..next.unwrap_or(line.len())])?;
+            let tool = match (rest, next) {
+                (Some(rest), Some(next)) => filled(rest, &line[next + 1..])?,
+                (None, None) => None,
+                (Some(_), None) | (None, Some(_)) => return None,
+            };
+            Some(own.or(tool))
         });
     }
-    false
+    None
 }
 
-/// Whether a text is a word of a template.
-fn fits(word: &[u8], text: &[u8]) -> bool {
-    let Some(open) = word.iter().position(|byte| *byte == b'{') else { return word == text };
-    let Some(close) = word.iter().position(|byte| *byte == b'}') else { return false };
+/// The same for a word of a template.
+fn filled_word<'a>(word: &[u8], text: &'a [u8]) -> Option<Option<&'a [u8]>> {
+    let Some(open) = word.iter().position(|byte| *byte == b'{') else { return (word == text).then_some(None) };
+    let close = word.iter().position(|byte| *byte == b'}')?;
     if !text.starts_with(&word[..open]) {
-        return false;
+        return None;
     }
     let (field, rest, value) = (&word[open + 1..close], &word[close + 1..], &text[open..]);
-    (1..=value.len()).any(|length| is_value(field, &value[..length]) && fits(rest, &value[length..]))
+    (1..=value.len()).find_map(|length| {
+        let (value, after) = value.split_at(length);
+        let tool = is_value(field, value).then(|| filled_word(rest, after)).flatten()?;
+        Some(if field == b"tool" { Some(value) } else { tool })
+    })
 }
 
 /// Whether a text can be the value of a field.

@@ -58,6 +58,8 @@ pub trait Control: Sync {
 
     /// Effects of the lines and words that the [`family`](Self::family) does not have, or has with another meaning; as in
     /// `[control] effects` of the configuration. The check refuses what is neither in the language of the family nor here.
+    ///
+    /// A line that changes the tool by a macro has its text as in the table: `("G65 P9001 T{tool}", LineEffect::ToolChange)`.
     fn effects(&self) -> &'static [(&'static str, LineEffect)] {
         self.base().map_or(&[], Control::effects)
     }

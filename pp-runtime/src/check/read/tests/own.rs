@@ -235,3 +235,50 @@ fn after_a_lost_state_tip_control_and_plane_are_unknown_until_they_are_programme
     // The retract in machine coordinates needs neither.
     assert_eq!(of(Family::Fanuc, &format!("{ISO}{plane}M77\n{ISO}G53 G0 Z0.\n")), (0, Vec::new()));
 }
+
+#[test]
+fn a_line_that_changes_the_tool_has_the_tool_of_its_field() {
+    let of = |family: Family, template: &str, by_name: bool, program: &str| {
+        let vocabulary = Vocabulary {
+            own: vec![own(template, OwnPlace::ToolChange)],
+            effects: vec![(template.as_bytes().to_vec(), Effect::ToolChange)],
+            tools_by_name: by_name,
+            ..vocabulary(family)
+        };
+        let mut reader = Reader::new(program.as_bytes(), vocabulary);
+        let mut last = None;
+        while let Some((block, _)) = reader.next_block().expect("text in memory") {
+            last = Some(block.clone());
+        }
+        last.expect("a block")
+    };
+    let macro_call = "G65 P9001 T{tool} H{offset}";
+    for (family, template, by_name, line, tool) in [
+        (Family::Fanuc, macro_call, false, "N5 G65 P9001 T12 H3 (DRILL)", 12),
+        (Family::Haas, macro_call, false, "G65  P9001 T12", 12),
+        (Family::LinuxCnc, "O<change> CALL [{tool}]", false, "O<change> CALL [12]", 12),
+        (Family::Siemens, "L9001({tool})", false, "L9001(12)", 12),
+        (Family::Siemens, "CHANGE T{tool} D1", true, "CHANGE T=\"MILL 10\" D1", 7),
+        (Family::Heidenhain, "CALL PGM CHANGE Q{tool}", false, "1 CALL PGM CHANGE Q12", 12),
+        (Family::Heidenhain, "CALL PGM CHANGE {tool}", true, "1 CALL PGM CHANGE \"MILL 10\"", 7),
+    ] {
+        let head = if family == Family::Heidenhain { "0 M8\n".to_owned() } else { HEAD.to_owned() };
+        let block = of(family, template, by_name, &format!("{head}{line}\n"));
+        assert_eq!(block.faults, [], "{line}");
+        assert_eq!((block.action, block.state.tool, block.state.spindle), (Action::ToolChange, Some(tool), Some(None)));
+        assert_eq!((block.known, block.own.map(|own| own.place)), (0, Some(OwnPlace::ToolChange)), "{line}");
+        let length = if family == Family::Heidenhain { Some(Length::Register(tool)) } else { None };
+        assert_eq!(block.state.length, length, "{line}");
+    }
+    // No tool, no tool of the configuration, and a tool that is called in the other way.
+    for (by_name, line, text) in [
+        (false, "G65 P9001", "without a tool number"),
+        (false, "G65 P9001 T5.", "no tool of the configuration"),
+        (true, "G65 P9001 T5", "expected its name"),
+        (false, "G65 P9001 T=\"MILL 10\"", "expected its number"),
+        (true, "G65 P9001 T=\"MILL 11\"", "no tool of the configuration"),
+    ] {
+        let block = of(Family::Fanuc, macro_call, by_name, &format!("{line}\n"));
+        assert!(block.faults.iter().any(|fault| fault.text.contains(text)), "{line}: {:?}", block.faults);
+    }
+}
