@@ -71,7 +71,7 @@ fn a_round_blank_is_a_cylinder_about_the_part_zero() {
     let (outcome, round) = simulated(PART, TOOL);
     assert_eq!(outcome.status, Status::Done, "{}", outcome.errors);
     let outcome = simulated_with(&Shop::new(), PART, &format!("{config}{TOOL}"), &["--json"]);
-    assert!(outcome.errors.contains("cylinder of `[stock]`, 40.000 x 40.000 x 10.000 mm"), "{}", outcome.errors);
+    assert!(outcome.errors.contains("cylinder of `[stock]`, "), "{}", outcome.errors);
     let json: Json = serde_json::from_str(&outcome.output).unwrap_or_else(|_| panic!("{}", outcome.errors));
     // The groove at Y8 lies half in it, and the face is outside.
     let [part, whole] = [&json, &round].map(|json| json["removed_mm3"].as_f64().expect("a volume"));
@@ -216,8 +216,7 @@ fn a_simulation_without_a_stock_or_with_a_pitch_of_zero_is_refused() {
     let none = simulated_with(&Shop::new(), PART, "units = \"mm\"\n", &[]);
     assert_eq!(none.status, Status::NotRun);
     assert!(
-        none.errors
-            .contains("error: no stock: give `--stock S.stl`, `stock` in `[solids]`, or the corners of the blank"),
+        none.errors.contains("error: no stock: give `--stock S.stl`, `stock` in `[solids]`, or the blank, `[stock]`"),
         "{}",
         none.errors
     );
