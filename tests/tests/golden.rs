@@ -15,6 +15,7 @@
 //! | `plate` | Creo in inches: circles, a list of points, GODLTA, chip breaking |
 //! | `nest` | SolidWorks CAM: full circles, two CSYS, INSERT as a comment |
 //! | `mixed` | a whole job in mode `auto`: two set-ups, vertical, tilted and simultaneous operations |
+//! | `shop` | one set-up file for all controls: smoothing by operation, a round blank, settings that a control lacks |
 //! | `passes` | mode `auto`: one-way passes, and links between them |
 //! | `works`, `works_4axis` | arcs, a helix, 3+2, every cycle, simultaneous motion, a rewind, a thread, stops; in each mode |
 //! | `pads` | a set-up with tool lengths, part origin, retract along the axis, limits, parking |
@@ -86,6 +87,9 @@ const MIXED: (&str, &str) = ("tests/data/mixed/mixed.cls", "tests/data/mixed/mix
 /// One-way passes with a rotating tool axis, linked as in the CL data.
 const PASSES: (&str, &str) = ("tests/data/passes/passes.cls", "tests/data/passes/passes.toml");
 
+/// One set-up file for all controls: smoothing by operation, a round blank, settings that a control lacks.
+const SHOP: (&str, &str) = ("tests/data/shop/shop.cls", "tests/data/shop/shop.toml");
+
 /// One golden program.
 struct Golden {
     cl: &'static str,
@@ -135,6 +139,7 @@ fn goldens() -> Vec<Golden> {
         })
     });
     let jobs = [MIXED, PASSES].into_iter().flat_map(|job| [(job, "spinner-u5-620"), (job, "dmu-70e")]);
+    let jobs = jobs.chain([(SHOP, "spinner-u5-620")]);
     let auto = jobs.flat_map(|((cl, config), machine)| {
         let posted = move |&control: &&'static str| Golden {
             cl,

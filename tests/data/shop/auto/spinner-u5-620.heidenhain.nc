@@ -1,0 +1,129 @@
+0 BEGIN PGM SHOP MM
+1 BLK FORM CYLINDER Z R50 L40 DIST+0
+2 ; PROGRAM SHOP
+3 ; CL FILE shop.cls
+4 ; MACHINE SpinnerU5620, CONTROL Heidenhain TNC, MODE auto (plane)
+5 ; UNITS mm, WORK OFFSET preset 1
+6 ; PART ORIGIN X0 Y0 Z50 from the reference point of the table
+7 ; PROGRAMMED POINT tool tip
+8 ; TOLERANCE 0.01 for arcs and curves
+9 ; Heidenhain TNC has no program numbers: `control.program_number` is left out
+10 ; Heidenhain TNC has no swivel data: `control.swivel_data` is left out
+11 ; operation 1 FACE_ROUGH: smoothing rough, path tolerance 0.05 mm
+12 ; CL data of NX, recognised from the file
+13 ; KINEMATICS *
+14 ; DIMENSIONS d = 150 mm
+15 ; AXIS C+ rotates the table left-handed about +Z, as in ISO 841
+16 ; AXIS B+ rotates the table left-handed about +Y, as in ISO 841
+17 ; AXIS X+ moves the tool along +X, as in ISO 841
+18 ; AXIS Y+ moves the tool along +Y, as in ISO 841
+19 ; AXIS Z+ moves the tool along +Z, as in ISO 841
+20 ; LINEAR WORDS are tip coordinates in the tilted plane, from the same zero
+21 ; MODE plane: the master axis of SEQ must be the rotary axis nearest the tool
+22 ; linear limits not checked: no travel declared (X Y Z)
+23 ; the entries of C and B in preset 1 must be zero
+24 ; T1 mill 12 DIA 12 L120, 1 operation, tip Z -2 to 60
+25 ; T2 drill 8 L140, 1 operation, tip Z -26 to 60
+26 ; T3 ball 6 DIA 6 R3 L110, 1 operation, tip Z 19.799 to 50.912
+27 ; ASSUMED retract to machine coordinate 0 mm
+28 ; ASSUMED approach distance 50 mm along the tool axis
+29 * - FACE_ROUGH
+30 M129
+31 PLANE RESET STAY
+32 M127
+33 CYCL DEF 247 DATUM SETTING ~
+  Q339=+1 ;DATUM NUMBER
+34 M9
+35 L Z+0 R0 FMAX M91
+36 TOOL CALL 1 Z S4000
+37 TOOL DEF 2
+38 L Z+0 R0 FMAX M91
+39 M3
+40 L B+0 C+0 R0 FMAX
+41 L X-40 Y-10 R0 FMAX
+42 L Z+60 R0 FMAX
+43 M8
+44 L Z+2 R0 FMAX
+45 CYCL DEF 32.0 TOLERANCE
+46 CYCL DEF 32.1 T0.05
+47 CYCL DEF 32.2 HSC-MODE:1
+48 L Z-2 R0 F400
+49 L X+40 F1200
+50 L Y+10
+51 L X-40
+52 L Z+60 R0 FMAX
+53 M9
+54 * - DRILL
+55 CYCL DEF 32.0 TOLERANCE
+56 CYCL DEF 32.1
+57 M129
+58 PLANE RESET STAY
+59 M127
+60 CYCL DEF 247 DATUM SETTING ~
+  Q339=+1 ;DATUM NUMBER
+61 M9
+62 L Z+0 R0 FMAX M91
+63 TOOL CALL 2 Z S2500
+64 TOOL DEF 3
+65 L Z+0 R0 FMAX M91
+66 M3
+67 L B+0 C+0 R0 FMAX
+68 L X+20 Y+0 R0 FMAX
+69 L Z+60 R0 FMAX
+70 M8
+71 CYCL DEF 200 DRILLING ~
+  Q200=+3 ;SET-UP CLEARANCE ~
+  Q201=-24 ;DEPTH ~
+  Q206=+250 ;FEED RATE FOR PLNGNG ~
+  Q202=+24 ;PLUNGING DEPTH ~
+  Q210=+0 ;DWELL TIME AT TOP ~
+  Q203=-2 ;SURFACE COORDINATE ~
+  Q204=+10 ;2ND SET-UP CLEARANCE ~
+  Q211=+0 ;DWELL TIME AT DEPTH
+72 L X+20 Y+0 R0 FMAX M99
+73 L X-20 R0 FMAX M99
+74 L Z+60 R0 FMAX
+75 M9
+76 * - FINISH_45
+77 M129
+78 PLANE RESET STAY
+79 M127
+80 CYCL DEF 247 DATUM SETTING ~
+  Q339=+1 ;DATUM NUMBER
+81 M9
+82 L Z+0 R0 FMAX M91
+83 TOOL CALL 3 Z S9000
+84 TOOL DEF 1
+85 L Z+0 R0 FMAX M91
+86 M3
+87 L B+45 C+0 R0 FMAX
+88 PLANE SPATIAL SPA+0 SPB+45 SPC+0 TURN MB MAX FMAX SEQ+ COORD ROT
+89 FN 20: WAIT FOR SYNC
+90 FN 18: SYSREAD QL1 = ID270 NR1 IDX5
+91 FN 18: SYSREAD QL2 = ID270 NR1 IDX6
+92 QL3 = ABS ( SIN ( ( QL1 - 45 ) / 2 ) ) + ABS ( SIN ( ( QL2 - 0 ) / 2 ) )
+93 FN 12: IF +QL3 LT +0.0009 GOTO LBL "PLANE1"
+94 ; after the plane call the axes are not at B45 C0
+95 FN 14: ERROR = 101
+96 LBL "PLANE1"
+97 L X+0 Y-20 R0 FMAX
+98 L Z+72 R0 FMAX
+99 M8
+100 L Z+32 R0 FMAX
+101 CYCL DEF 32.0 TOLERANCE
+102 CYCL DEF 32.1 T0.01
+103 CYCL DEF 32.2 HSC-MODE:0
+104 L Z+29 R0 F500
+105 L Y+20 F1800
+106 L X+1
+107 L Y-20
+108 L Z+71 R0 FMAX
+109 M9
+110 L Z+131 R0 FMAX
+111 CYCL DEF 32.0 TOLERANCE
+112 CYCL DEF 32.1
+113 PLANE RESET STAY
+114 L Z+0 R0 FMAX M91
+115 M5
+116 M30
+117 END PGM SHOP MM
