@@ -328,10 +328,10 @@ impl<'a, S: Sink> Mover<'a, S> {
     /// Adds up the rotation of the rotary axes while the tip rests and the tool axis keeps to its tolerance, and refuses more than
     /// `course.rotation_at_pole` permits. Without a tolerance of the tool axis the tool swings, as configured.
     fn note_rotation_on_spot(&mut self, to: &AxisPosition, tolerance: PathTolerance) -> Result<(), Fault> {
-        let (from, unit_mm) = (*self.here(), self.placer.unit_mm());
+        let (from, unit_mm) = (self.here(), self.placer.unit_mm());
         let near = |tip: &Point3<f64>| (to.pose.tip - tip).norm() <= unit_mm;
-        let keeps_axis = angle_between(&from.pose.axis, &to.pose.axis) <= tolerance.axis_rad;
-        if !(near(&from.pose.tip) && keeps_axis && tolerance.axis_rad.is_finite()) {
+        let keeps_axis = || angle_between(&from.pose.axis, &to.pose.axis) <= tolerance.axis_rad;
+        if !(near(&from.pose.tip) && tolerance.axis_rad.is_finite() && keeps_axis()) {
             return Ok(());
         }
         let before = if near(&self.spot.0) { self.spot.1 } else { 0.0 };
