@@ -179,8 +179,8 @@ impl ExecutedBlock<'_> {
     /// Whether the control rotates the tool axis evenly in a plane between the ends of the block.
     fn rotates_in_plane(&self) -> bool {
         let state = &self.block.state;
-        let together = self.block.action == Action::Feed
-            || self.block.action == Action::Rapid && self.rules.rapids_are_interpolated();
+        let together =
+            self.block.action.is_feed() || self.block.action.is_rapid() && self.rules.rapids_are_interpolated();
         let tip_control = matches!(state.tip_control, TipControl::On { .. });
         state.vector.is_some() || together && tip_control && self.rules.policy().words.axis_in_plane
     }
@@ -188,8 +188,8 @@ impl ExecutedBlock<'_> {
     fn legs_of(&self, from: [f64; MAX_AXES], to: [f64; MAX_AXES], axis: Option<Vector3<f64>>) -> Vec<Leg<'_>> {
         let block = self.block;
         let leg = |action: Action, state: State, from: [f64; MAX_AXES], to: [f64; MAX_AXES]| Leg {
-            rapid: action == Action::Rapid,
-            together: action != Action::Rapid || self.rules.rapids_are_interpolated(),
+            rapid: action.is_rapid(),
+            together: !action.is_rapid() || self.rules.rapids_are_interpolated(),
             block: Block { action, state, values: to, faults: Vec::new(), ..block.clone() },
             from,
             axis,

@@ -19,7 +19,7 @@ use std::io::Read;
 
 use super::super::geometry::{angle_between, depth_of_box, depth_of_line, size};
 use super::super::policy::LinearMeaning;
-use super::super::read::{Action, Block, MAX_AXES};
+use super::super::read::{Block, MAX_AXES};
 use super::super::rules::Rules;
 use super::{Comparison, Phase, Previous};
 use crate::program::Clearance;
@@ -39,7 +39,7 @@ impl KeepOut {
     /// Geometry that a block must stay out of; `None` where it cannot run into it.
     pub(super) fn of<R: Read>(comparison: &Comparison<'_, R>, phase: &Phase, block: &Block) -> Option<Self> {
         let rules = &comparison.rules;
-        if block.action != Action::Rapid || rules.policy().links.direct || rules.rapids_are_interpolated() {
+        if !block.action.is_rapid() || rules.policy().links.direct || rules.rapids_are_interpolated() {
             return None;
         }
         let (clearance, approaches) = match phase {

@@ -6,6 +6,7 @@
 
 use std::f64::consts::PI;
 use std::io::{self, Read};
+use std::rc::Rc;
 
 use super::super::expect::{ClMotion, ExpectedAction, ExpectedItem, Required, RequiredSmoothing};
 use super::super::geometry::{PathShape, Segment, ToolPose, angle_between};
@@ -40,7 +41,7 @@ impl<R: Read> Comparison<'_, R> {
         };
         self.progress.set_lost(true);
         let next = self.cut(&mut cutting, current)?;
-        Ok(Some(next.unwrap_or(Phase::Cutting(cutting))))
+        Ok(Some(next.unwrap_or_else(|| Phase::Cutting(Box::new(cutting)))))
     }
 
     /// A block at the part.
@@ -52,7 +53,7 @@ impl<R: Read> Comparison<'_, R> {
         }
         self.stays_in_plane(current);
         let end = self.rules.pose(block);
-        let rapid = block.action == Action::Rapid;
+        let rapid = block.action.is_rapid();
         let rapids_at_feed = self.rules.policy().links.rapid == RapidForm::Feed;
         if cutting.back.is_none() {
             cutting.perhaps_retract = if rapid { self.rapid_or_retract(cutting, &end) } else { None };
@@ -65,7 +66,7 @@ impl<R: Read> Comparison<'_, R> {
             && !self.progress.is_approached()
             && let Some(leaving) = self.retract(cutting, current, &end)?
         {
-            return Ok(Some(Phase::Leaving(leaving)));
+            return Ok(Some(Phase::Leaving(Box::new(leaving))));
         }
         // Motions that need no block may come before the hole.
         let may_lift = rapid || rapids_at_feed;
@@ -78,7 +79,7 @@ impl<R: Read> Comparison<'_, R> {
                 return Ok(None);
             }
             if rapid && let Some(leaving) = self.retract(cutting, current, &end)? {
-                return Ok(Some(Phase::Leaving(leaving)));
+                return Ok(Some(Phase::Leaving(Box::new(leaving))));
             }
             self.resume(cutting, current, &end)?;
         }
@@ -113,10 +114,13 @@ impl<R: Read> Comparison<'_, R> {
     /// In a tilted plane the rotary axes stay where the plane has them.
     fn stays_in_plane(&mut self, current: &Current<'_>) {
         let block = current.block;
+        if block.state.tilt.is_none() {
+            return;
+        }
         let known = self.previous.known & block.written & self.rules.words().rotary_bits();
         let limit = 1.5 * self.rules.rounding().unit_rad;
         let moved = |index: usize| (block.values[index] - self.previous.words[index]).abs() > limit;
-        if block.state.tilt.is_some() && (0..MAX_AXES).any(|index| known & (1 << index) != 0 && moved(index)) {
+        if (0..MAX_AXES).any(|index| known & (1 << index) != 0 && moved(index)) {
             self.found(current, "rotary axes move out of the tilted plane at the part");
         }
     }
@@ -143,7 +147,7 @@ impl<R: Read> Comparison<'_, R> {
         loop {
             self.progress.fill(2)?;
             let Some(item) = self.progress.next() else { return Ok(false) };
-            let (at, required, in_hole) = (item.at, item.required, item.hole.is_some());
+            let (at, required, in_hole) = (item.at, Rc::clone(&item.required), item.hole.is_some());
             let motion = match item.action {
                 ExpectedAction::Motion(motion) => motion,
                 ExpectedAction::Dwell { .. } => {
@@ -158,7 +162,7 @@ impl<R: Read> Comparison<'_, R> {
             let segment = self.progress.segment(&motion, cutting.here, end);
             // A full circle ends where it began, like a motion to the same point before it; so does a rapid after a cut
             // of no length.
-            let other = matches!(block.action, Action::Arc(_)) || (block.action == Action::Rapid && !motion.rapid);
+            let other = matches!(block.action, Action::Arc(_)) || (block.action.is_rapid() && !motion.rapid);
             let needless = self.rules.needs_no_block(&segment, cutting.here, chords);
             // A block that continues from the end of a motion belongs to a later one, and so does one with another feed.
             let belongs = || {
@@ -176,6 +180,7 @@ impl<R: Read> Comparison<'_, R> {
             if let Some(share) = share {
                 let feed = self.rules.feed_of(&motion);
                 let ClMotion { rapid, starts, .. } = motion;
+                let (segment, required) = (&segment, &required);
                 self.travelled(cutting, current, end, &Part { segment, rapid, starts, feed, share, at, required });
                 return Ok(true);
             }
@@ -213,7 +218,7 @@ impl<R: Read> Comparison<'_, R> {
             let stroke = rules.stroke(words, block, lengths, deviation.as_ref(), feed, required);
             rules.feed_fault(&stroke, &block.state, segment, [0.0, 1.0])
         };
-        block.action != Action::Feed || fault().is_none()
+        !block.action.is_feed() || fault().is_none()
     }
 
     /// A rapid down to a hole may stop on its way: a cycle of the control returns to where it began.
@@ -224,7 +229,7 @@ impl<R: Read> Comparison<'_, R> {
     }
 
     /// A block that carries out a part of a motion: its state, its path, its feed.
-    fn travelled(&mut self, cutting: &mut Cutting, current: &Current<'_>, end: &ToolPose, part: &Part) {
+    fn travelled(&mut self, cutting: &mut Cutting, current: &Current<'_>, end: &ToolPose, part: &Part<'_>) {
         let block = current.block;
         let on = part.segment.at(part.share);
         if !part.rapid || part.share >= 1.0 {
@@ -233,14 +238,14 @@ impl<R: Read> Comparison<'_, R> {
             let on_circle = angle <= BOTH * self.rules.axis_allowance(&on.axis);
             self.tally.deviation((end.tip - on.tip).norm(), if on_circle { angle } else { 0.0 });
         }
-        self.compare_state(current, &part.required);
+        self.compare_state(current, part.required);
         let stopped = if part.rapid { None } else { self.functions.cut_after_thread() };
         self.found_any(current, stopped);
         if part.required.side != Side::None {
             let unguarded = self.functions.cut_with_radius(&self.rules);
             self.found_any(current, unguarded);
         }
-        let at_feed = block.action != Action::Rapid;
+        let at_feed = !block.action.is_rapid();
         let known = self.rules.is_known(block, self.previous.known);
         let RapidRules { expects_feed, follows_path, link, .. } = self.rapid_rules(cutting, current, part);
         if at_feed != expects_feed {
@@ -258,7 +263,7 @@ impl<R: Read> Comparison<'_, R> {
             let between = self.compare_path(current, ([&here, end], &on), part);
             if at_feed {
                 let along = match cutting.has_rested() {
-                    true => self.rules.share_at(&part.segment, &here).min(part.share),
+                    true => self.rules.share_at(part.segment, &here).min(part.share),
                     false => self.progress.along(),
                 };
                 self.compare_feed(current, part, ([&here, end], along), between);
@@ -267,11 +272,11 @@ impl<R: Read> Comparison<'_, R> {
         self.end_rapid_steps(cutting, current);
         // The machine retracts along the axis that it has: tool axes of the CL data that it cannot tell apart are one.
         cutting.retract.follow(&ToolPose { axis: end.axis, ..on });
-        self.progress.advance((part.at, part.required), part.share);
+        self.progress.advance((part.at, Rc::clone(part.required)), part.share);
         self.start.restarted = false;
         cutting.finished = (part.share >= 1.0).then_some(FinishedMotion {
-            segment: part.segment,
-            required: part.required,
+            segment: *part.segment,
+            required: Rc::clone(part.required),
             feed: part.feed,
             at_feed,
             link,
@@ -286,7 +291,7 @@ impl<R: Read> Comparison<'_, R> {
     }
 
     /// Rules of a block that carries out a part of a motion.
-    fn rapid_rules(&mut self, cutting: &mut Cutting, current: &Current<'_>, part: &Part) -> RapidRules {
+    fn rapid_rules(&mut self, cutting: &mut Cutting, current: &Current<'_>, part: &Part<'_>) -> RapidRules {
         if !part.rapid {
             return RapidRules::CUT;
         }
@@ -338,14 +343,14 @@ impl<R: Read> Comparison<'_, R> {
         &mut self,
         current: &Current<'_>,
         (ends, on): ([&ToolPose; 2], &ToolPose),
-        part: &Part,
+        part: &Part<'_>,
     ) -> BetweenEnds {
         if let Some(bound) = self.small_deviation(current, (ends, on), part) {
             return BetweenEnds::Within(bound);
         }
         let path = self.rules.path(self.previous.words, current.block);
         let along = self.progress.along();
-        let Some(deviation) = self.rules.deviation(&path, ends, &part.segment, along) else {
+        let Some(deviation) = self.rules.deviation(&path, ends, part.segment, along) else {
             return BetweenEnds::Straight;
         };
         self.tally.path_deviation(deviation.tip_mm);
@@ -379,7 +384,7 @@ impl<R: Read> Comparison<'_, R> {
     }
 
     /// Largest deviations of tip and tool axis from a motion between the ends of a block, mm and rad.
-    fn largest_between(&self, part: &Part) -> (f64, f64) {
+    fn largest_between(&self, part: &Part<'_>) -> (f64, f64) {
         let rounding = self.rules.rounding();
         let axis_rad = self.rules.policy().tolerances.axis_path_rad + rounding.pole_rad;
         (part.required.tolerance_mm + rounding.tip_mm, axis_rad)
@@ -391,10 +396,10 @@ impl<R: Read> Comparison<'_, R> {
         &self,
         current: &Current<'_>,
         (ends, on): ([&ToolPose; 2], &ToolPose),
-        part: &Part,
+        part: &Part<'_>,
     ) -> Option<DeviationBound> {
         let block = current.block;
-        let straight = block.action == Action::Feed && matches!(part.segment.shape, PathShape::Line);
+        let straight = block.action.is_feed() && matches!(part.segment.shape, PathShape::Line);
         let by_axes = self.previous.pose.as_ref() == Some(ends[0]) && !self.rules.policy().words.axis_in_plane;
         if !straight || !by_axes || block.state.has_frame() {
             return None;
@@ -402,7 +407,7 @@ impl<R: Read> Comparison<'_, R> {
         let along = self.progress.along();
         let before = if along > 0.0 { part.segment.at(along).axis } else { part.segment.from.axis };
         let path = self.rules.path(self.previous.words, block);
-        let bound = self.rules.deviation_bound(&path, ends, &part.segment, [&before, &on.axis])?;
+        let bound = self.rules.deviation_bound(&path, ends, part.segment, [&before, &on.axis])?;
         let (tip_mm, axis_rad) = self.largest_between(part);
         let small = bound.tip_mm <= tip_mm.min(self.tally.largest_path_deviation()) && bound.axis_rad <= axis_rad;
         small.then_some(bound)
@@ -412,11 +417,11 @@ impl<R: Read> Comparison<'_, R> {
     fn compare_feed(
         &mut self,
         current: &Current<'_>,
-        part: &Part,
+        part: &Part<'_>,
         (ends, along): ([&ToolPose; 2], f64),
         between: BetweenEnds,
     ) {
-        let (block, segment) = (current.block, &part.segment);
+        let (block, segment) = (current.block, part.segment);
         let length = match segment.shape {
             // The tips show it; the tool axis may be elsewhere, as at the pole.
             PathShape::Line => segment.length_between(ends.map(|end| &end.tip)),
@@ -424,12 +429,12 @@ impl<R: Read> Comparison<'_, R> {
             _ => (segment.tip_at(part.share) - segment.tip_at(along)).norm(),
         };
         let (rules, words, lengths) = (&self.rules, &self.previous.words, (length, segment.length()));
-        let stroke = |deviation| rules.stroke(words, block, lengths, deviation, part.feed, &part.required);
+        let stroke = |deviation| rules.stroke(words, block, lengths, deviation, part.feed, part.required);
         let deviation = match between {
             BetweenEnds::Straight => None,
             BetweenEnds::Measured(deviation) => Some(deviation),
             BetweenEnds::Within(bound) => {
-                if rules.is_feed_plainly_right(&stroke(None), &block.state, bound.tip_rate_mm, &part.required) {
+                if rules.is_feed_plainly_right(&stroke(None), &block.state, bound.tip_rate_mm, part.required) {
                     return;
                 }
                 rules.deviation(&rules.path(*words, block), ends, segment, self.progress.along())
@@ -444,7 +449,7 @@ impl<R: Read> Comparison<'_, R> {
     fn is_rapid_after_retract(&self, cutting: &Cutting, block: &Block, end: &ToolPose) -> bool {
         let suits = |motion: ClMotion| motion.rapid && !motion.starts && self.rules.is_at(end, &motion.to);
         let done = cutting.back.is_some() && cutting.finished.is_some() && cutting.perhaps_retract.is_none();
-        done && block.action == Action::Rapid && self.progress.motion().is_some_and(suits)
+        done && block.action.is_rapid() && self.progress.motion().is_some_and(suits)
     }
 
     /// The way back to the point at which the rotary axes were rewound.
@@ -464,13 +469,13 @@ impl<R: Read> Comparison<'_, R> {
             cutting.back = None;
             return true;
         }
-        if block.action == Action::Rapid || !at_end {
+        if block.action.is_rapid() || !at_end {
             return false;
         }
         let goes_on = self.progress.next().filter(|_| self.progress.motion().is_some_and(|motion| !motion.starts));
-        let required = goes_on.map(|item| item.required).or(cutting.finished.as_ref().map(|motion| motion.required));
-        if let Some(required) = required {
-            let smoothing = self.functions.smoothing(&block.state, &self.rules, required.smoothing);
+        let required = goes_on.map(|item| &item.required).or(cutting.finished.as_ref().map(|motion| &motion.required));
+        if let Some(expected) = required.map(|required| required.smoothing) {
+            let smoothing = self.functions.smoothing(&block.state, &self.rules, expected);
             self.found_any(current, smoothing);
         }
         let (before, known) = (self.previous.words, self.previous.known);
@@ -485,9 +490,9 @@ impl<R: Read> Comparison<'_, R> {
         }
         // The cut may have been interrupted just before the end of a motion, or just after it.
         let feed = self.progress.motion().map(|motion| self.rules.feed_of(&motion));
-        let next = self.progress.next().map(|item| item.required).zip(feed);
-        let finished = cutting.finished.as_ref().map(|finished| (finished.required, finished.feed));
-        let fault = |(required, programmed): &(Required, Option<Feed>)| {
+        let next = self.progress.next().map(|item| Rc::clone(&item.required)).zip(feed);
+        let finished = cutting.finished.as_ref().map(|finished| (Rc::clone(&finished.required), finished.feed));
+        let fault = |(required, programmed): &(Rc<Required>, Option<Feed>)| {
             let state = self.rules.fault_at_path(block, required, self.modal_context());
             let feed = state.is_none() && self.rules.is_known(block, known);
             let stroke =
@@ -573,7 +578,7 @@ impl<R: Read> Comparison<'_, R> {
         let links = &self.rules.policy().links;
         let unit_rad = self.rules.rounding().unit_rad;
         let far = links.direct || links.index_angle_rad >= PI - unit_rad;
-        let rotates = far && block.action == Action::Rapid;
+        let rotates = far && block.action.is_rapid();
         if !rotates || rollover_travel(&self.rules, &before, &block.values) <= unit_rad {
             return false;
         }
@@ -676,7 +681,7 @@ impl<R: Read> Comparison<'_, R> {
         let wet = !continues && block.state.coolant.is_some_and(|coolant| coolant != 0);
         let dry = self.rules.policy().links.rewinds_dry;
         let may_go_on = |finished: &FinishedMotion| continues || wet || finished.required.coolant == 0 || dry;
-        let finished = cutting.finished.filter(|finished| finished.at_feed && may_go_on(finished));
+        let finished = cutting.finished.as_ref().filter(|finished| finished.at_feed && may_go_on(finished)).cloned();
         (finished.is_some() || continues).then_some(RewindPoint { pose: here, out, finished, wet })
     }
 
@@ -688,7 +693,7 @@ impl<R: Read> Comparison<'_, R> {
         else {
             return false;
         };
-        let (required, hole, next) = (*required, expected.hole, *next);
+        let (required, hole, next) = (Rc::clone(required), expected.hole, *next);
         let (top, axis) = (hole.top.tip.coords, hole.top.axis.into_inner());
         let tip_mm = self.rules.rounding().tip_mm;
         let at = |height: f64| self.rules.is_at(end, &ToolPose { tip: top + axis * height, axis });
@@ -700,7 +705,7 @@ impl<R: Read> Comparison<'_, R> {
         let lifts = over && (at(hole.return_mm) && !asked || !next.rapid && at(hole.clearance_mm));
         if lifts {
             self.compare_state(current, &required);
-            if current.block.action == Action::Rapid {
+            if current.block.action.is_rapid() {
                 if self.rotates(current.block) {
                     self.rotates_at_part(current);
                 }
@@ -734,7 +739,7 @@ impl<R: Read> Comparison<'_, R> {
         if let Some(count) = self.items_before_hole(block, cycle)? {
             self.skip(count, phase.here(), current);
         }
-        let item = self.progress.next().and_then(|item| Some((item.hole?, item.required)));
+        let item = self.progress.next().and_then(|item| Some((item.hole?, Rc::clone(&item.required))));
         let end = pose_at(&self.rules, block, cycle.back_to);
         let Some((expected, required)) = item else {
             self.found(current, "cycle, but the CL data has no hole here");
@@ -779,7 +784,7 @@ impl<R: Read> Comparison<'_, R> {
         self.progress.set_lost(false);
         let mut cutting = match phase {
             Phase::Cutting(cutting) => std::mem::take(cutting),
-            _ => Cutting::default(),
+            _ => Box::default(),
         };
         cutting.retract = RetractedLength::starting(back, way_out_mm);
         cutting.here = end.or(Some(back));
@@ -844,8 +849,8 @@ enum BetweenEnds {
 }
 
 /// A part of a motion that a block carries out.
-struct Part {
-    segment: Segment,
+struct Part<'p> {
+    segment: &'p Segment,
     rapid: bool,
     starts: bool,
     /// Feed of a block that is no rapid.
@@ -853,5 +858,5 @@ struct Part {
     /// Share of the motion that is done after the block.
     share: f64,
     at: Location,
-    required: Required,
+    required: &'p Rc<Required>,
 }

@@ -299,7 +299,7 @@ impl FunctionState {
         let released = state.clamps_known & !state.clamped;
         if at_part {
             self.moved |= moved;
-            if block.action != Action::Rapid {
+            if !block.action.is_rapid() {
                 self.unclamped |= clamps & !state.clamped;
             }
             let before = std::mem::replace(&mut self.vector, state.vector);

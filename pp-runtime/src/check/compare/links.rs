@@ -1,6 +1,7 @@
 //! Blocks between cuts: machine retract, tool change, approach, stop and end, as the specification requires them.
 
 use std::io::{self, Read};
+use std::rc::Rc;
 
 use super::super::expect::{ClMotion, ExpectedAction, ExpectedItem, SpindleState};
 use super::super::geometry::{PathShape, Segment, ToolPose, angle_between};
@@ -67,8 +68,8 @@ impl<R: Read> Comparison<'_, R> {
             self.functions.restart();
         }
         if let Some(guard) = block.guard {
-            let required = self.progress.next().map(|item| item.required);
-            let fault = self.functions.guard(guard, block.state.length, &self.rules, required.as_ref());
+            let required = self.progress.next().map(|item| &*item.required);
+            let fault = self.functions.guard(guard, block.state.length, &self.rules, required);
             self.found_any(current, fault);
             if matches!(phase, Phase::Retracted(retracted) if retracted.step >= 2) {
                 self.found(current, "the length guard comes after linear axes have moved in the approach");
@@ -111,8 +112,8 @@ impl<R: Read> Comparison<'_, R> {
         if retracted.step > 0 && !retracted.parks {
             self.found(current, "the approach before this block does not end at an approach point");
         }
-        if let Some(rewind) = retracted.rewind {
-            self.wet_retract(&rewind, current);
+        if let Some(rewind) = &retracted.rewind {
+            self.wet_retract(rewind, current);
         }
     }
 
@@ -262,7 +263,7 @@ impl<R: Read> Comparison<'_, R> {
             retracted.parks = true;
             (self.home, self.parked) = (true, 0);
         }
-        Ok(Phase::Retracted(retracted))
+        Ok(Phase::Retracted(Box::new(retracted)))
     }
 
     /// GOHOME is over: every axis with a parking position must be there.
@@ -298,12 +299,12 @@ impl<R: Read> Comparison<'_, R> {
                 }
             }
             Phase::Leaving(leaving) => Retracted {
-                rewind: leaving.rewind,
+                rewind: leaving.rewind.take(),
                 perhaps_retract: leaving.perhaps_retract.take(),
                 ..Retracted::default()
             },
             Phase::Retracted(retracted) => Retracted {
-                rewind: retracted.rewind,
+                rewind: retracted.rewind.take(),
                 perhaps_retract: retracted.perhaps_retract.take(),
                 parks: retracted.parks,
                 stopped,
@@ -377,7 +378,8 @@ impl<R: Read> Comparison<'_, R> {
         // A cut goes on with the spindle on, and its rotary axes rotate first; at the end it is off before the axes are parked.
         let rotates = step == 1 || retracted.step >= 1;
         let spindle_on = block.state.spindle.flatten().is_some();
-        let continues = spindle_on && rotates && retracted.rewind.is_some_and(|rewind| rewind.finished.is_some());
+        let continues =
+            spindle_on && rotates && retracted.rewind.as_ref().is_some_and(|rewind| rewind.finished.is_some());
         if self.progress.next().is_none() && !continues || parks {
             self.park(retracted, current);
             return Ok(None);
@@ -430,8 +432,9 @@ impl<R: Read> Comparison<'_, R> {
                 );
             }
         }
-        let finished = retracted.rewind.and_then(|rewind| rewind.finished).map(|finished| finished.required);
-        if let Some(required) = self.progress.next().map(|item| item.required).or(finished) {
+        let finished =
+            retracted.rewind.as_ref().and_then(|rewind| rewind.finished.as_ref()).map(|finished| &finished.required);
+        if let Some(required) = self.progress.next().map(|item| &item.required).or(finished).cloned() {
             let context = ModalContext { dry: retracted.rewind.is_none(), ..ModalContext::default() };
             let frame = match before_tip_control {
                 true => FrameUse::BeforeTipControl,
@@ -447,14 +450,14 @@ impl<R: Read> Comparison<'_, R> {
             if !self.rules.is_known(block, block.known) {
                 self.found(current, "the position of an axis is unknown at the approach point");
                 self.progress.set_lost(true);
-                return Ok(Some(Phase::Cutting(Cutting::default())));
+                return Ok(Some(Phase::Cutting(Box::default())));
             }
             let end = self.rules.pose(block);
             if enters_tip_control {
                 self.is_over_approach_point(retracted, current, &end);
             }
             self.compare_plane(current, &end);
-            return Ok(Some(Phase::Cutting(self.arrive(retracted, current, &end))));
+            return Ok(Some(Phase::Cutting(Box::new(self.arrive(retracted, current, &end)))));
         }
         Ok(None)
     }
@@ -530,9 +533,9 @@ impl<R: Read> Comparison<'_, R> {
             self.cuts_have_ended(current);
         }
         if let Some(rewind) = rewind {
-            cutting.finished = rewind.finished;
             cutting.perhaps_retract = retracted.perhaps_retract.take();
             cutting.back = Some(Box::new(self.come_back(&rewind, current, end)));
+            cutting.finished = rewind.finished;
             return cutting;
         }
         self.progress.restart_motion();
@@ -626,7 +629,7 @@ impl<R: Read> Comparison<'_, R> {
 
     /// The rewind that this approach comes back from, if the cut continues.
     fn rewind_of(&mut self, retracted: &Retracted, end: &ToolPose, current: &Current<'_>) -> Option<RewindPoint> {
-        let rewind = retracted.rewind?;
+        let rewind = retracted.rewind.clone()?;
         // An operation may begin where the last one ended. It has a restart point, a way back has none; safety lines of the
         // shop may say nothing.
         let begins = self.progress.motion().filter(|next| next.starts).is_some_and(|next| {
@@ -711,7 +714,7 @@ impl<R: Read> Comparison<'_, R> {
         if !self.start.retracted {
             self.found(current, "operation starts without the machine retract after its restart point");
         }
-        if let Some(required) = self.progress.next().map(|item| item.required) {
+        if let Some(required) = self.progress.next().map(|item| Rc::clone(&item.required)) {
             for fault in self.functions.start(&self.rules, &required, current.block) {
                 self.found(current, &fault);
             }

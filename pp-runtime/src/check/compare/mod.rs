@@ -315,7 +315,7 @@ impl<R: Read> Comparison<'_, R> {
     /// The tool of the next motion gives the chain its length, and its set-up the part.
     fn take_tool(&mut self) {
         if let Some(item) = self.progress.next() {
-            let required = item.required;
+            let required = &item.required;
             self.rules.set_part(required.set_up);
             self.rules.set_tool(required.gauge_length_mm.unwrap_or(0.0));
         }

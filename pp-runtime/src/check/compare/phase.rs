@@ -1,5 +1,7 @@
 //! Phases of a program, each with the data that has a meaning in it.
 
+use std::rc::Rc;
+
 use super::super::expect::{ExpectedItem, Required};
 use super::super::geometry::{Segment, ToolPose, angle_between};
 use super::super::policy::LinearMeaning;
@@ -19,11 +21,11 @@ pub(super) enum Phase {
         stopped: bool,
     },
     /// On the path of the CL data.
-    Cutting(Cutting),
+    Cutting(Box<Cutting>),
     /// Retracted along the tool axis; the machine retract is next.
-    Leaving(Leaving),
+    Leaving(Box<Leaving>),
     /// At the retract position, or in the approach from it.
-    Retracted(Retracted),
+    Retracted(Box<Retracted>),
     /// After the end code.
     Ended,
 }
@@ -49,7 +51,7 @@ pub(super) struct Cutting {
 impl Cutting {
     /// Whether blocks have been taken for the rest of the last motion.
     pub(super) fn has_rested(&self) -> bool {
-        self.finished.is_some_and(|finished| finished.rotated_rad > 0.0)
+        self.finished.as_ref().is_some_and(|finished| finished.rotated_rad > 0.0)
     }
 }
 
@@ -90,7 +92,7 @@ pub(super) struct Retracted {
 }
 
 /// The point at which the cut is interrupted to rewind rotary axes.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub(super) struct RewindPoint {
     pub(crate) pose: ToolPose,
     /// End of the retract along the tool axis.
@@ -121,10 +123,10 @@ pub(super) struct RapidSteps {
 }
 
 /// A motion that is done.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub(super) struct FinishedMotion {
     pub(crate) segment: Segment,
-    pub(crate) required: Required,
+    pub(crate) required: Rc<Required>,
     /// Feed of a block that is no rapid.
     pub(crate) feed: Option<Feed>,
     /// It was run at feed.

@@ -2,6 +2,7 @@
 
 use std::cmp::Ordering;
 use std::io::{self, Read};
+use std::rc::Rc;
 
 use super::super::expect::{ClMotion, Expect, ExpectedAction, ExpectedItem, ExpectedMessage, Required, SpindleState};
 use super::super::geometry::{PathShape, Segment, ToolPose, angle_between};
@@ -23,7 +24,7 @@ pub(super) struct ClProgress<'a, R> {
     /// Share of the next motion that is done.
     along: f64,
     /// Record and state of the last motion.
-    last: Option<(Location, Required)>,
+    last: Option<(Location, Rc<Required>)>,
     /// The last block carried out nothing: the start of the next one is not judged.
     lost: bool,
     /// The approach to the next motion is done.
@@ -68,7 +69,7 @@ impl<'a, R: Read> ClProgress<'a, R> {
     /// Record of the next item, or of the last motion.
     pub(super) fn location(&self) -> Location {
         let next = self.next().map(|item| item.at);
-        next.or(self.last.map(|(at, _)| at)).unwrap_or_default()
+        next.or(self.last.as_ref().map(|(at, _)| *at)).unwrap_or_default()
     }
 
     /// Number of the operation of the next item, or of the last motion; 0 before the first.
@@ -85,7 +86,7 @@ impl<'a, R: Read> ClProgress<'a, R> {
 
     /// State of the last motion.
     pub(super) fn last(&self) -> Option<&Required> {
-        self.last.as_ref().map(|(_, required)| required)
+        self.last.as_ref().map(|(_, required)| &**required)
     }
 
     pub(super) fn along(&self) -> f64 {
@@ -158,9 +159,9 @@ impl<'a, R: Read> ClProgress<'a, R> {
     /// Whether an item ahead needs no block.
     pub(super) fn is_needless(&self, index: usize, rules: &Rules<'_>, here: Option<ToolPose>, chords: f64) -> bool {
         let Some(ExpectedItem { action: ExpectedAction::Motion(motion), .. }) = self.get(index) else { return false };
-        here.is_some_and(|here| {
+        here.filter(|here| !motion.starts && rules.may_need_no_block(here, &motion.to, chords)).is_some_and(|here| {
             let segment = Segment { from: here, to: motion.to, shape: motion.shape };
-            !motion.starts && rules.needs_no_block(&segment, Some(here), chords)
+            rules.needs_no_block(&segment, Some(here), chords)
         })
     }
 
@@ -192,7 +193,7 @@ impl<'a, R: Read> ClProgress<'a, R> {
     }
 
     /// A block has carried out the next motion up to a share.
-    pub(super) fn advance(&mut self, item: (Location, Required), share: f64) {
+    pub(super) fn advance(&mut self, item: (Location, Rc<Required>), share: f64) {
         self.along = share;
         self.lost = false;
         self.last = Some(item);

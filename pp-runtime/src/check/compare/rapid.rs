@@ -1,7 +1,7 @@
 //! Rapids of the CL data at the part: links, which rotate the tool without a retract, and rapids in steps.
 
 use super::super::policy::RapidForm;
-use super::super::read::{Action, Block, MAX_AXES};
+use super::super::read::{Block, MAX_AXES};
 use super::super::rules::{LinkForm, Rules};
 use super::phase::RapidSteps;
 use crate::kinematics::Axis;
@@ -47,7 +47,7 @@ impl RapidRules {
         if rapid.approaches {
             return Self { expects_feed: false, follows_path: false, link: false, lacks_retract: rotates };
         }
-        let at_feed = block.action != Action::Rapid;
+        let at_feed = !block.action.is_rapid();
         let (form, all_at_feed) = (rules.link_form(), rules.policy().links.rapid == RapidForm::Feed);
         let link = rapid.begun || !rapid.ends || rotates;
         let expects_feed = match form {

@@ -11,6 +11,7 @@ mod placement;
 
 use std::collections::VecDeque;
 use std::io::{self, Read, SeekFrom};
+use std::rc::Rc;
 
 use crate::cl::{ClReader, ReadSeek, ReadingOptions};
 use crate::diag::{Diagnostic, Severity};
@@ -89,7 +90,7 @@ pub(super) struct ClMotion {
 #[derive(Debug, Clone)]
 pub(super) struct ExpectedItem {
     pub(crate) at: Location,
-    pub(crate) required: Required,
+    pub(crate) required: Rc<Required>,
     /// The hole of the motion, which a cycle of the control may make.
     pub(crate) hole: Option<ExpectedHole>,
     /// Spindle state that the last SPINDL before it requests, if that is after a motion of its operation.
@@ -131,7 +132,6 @@ pub(super) struct Expect<'a, R> {
     reader: ClReader<R>,
     placement: Placement,
     state: ClState<'a>,
-    queue: VecDeque<ExpectedItem>,
     ended: bool,
 }
 
@@ -145,7 +145,6 @@ impl<'a, R: Read> Expect<'a, R> {
             reader,
             placement: Placement::new(rotations.collect(), policy.links.dry_lift_mm),
             state: ClState::new(policy, head, unit_mm),
-            queue: VecDeque::new(),
             ended: false,
         }
     }
@@ -153,12 +152,12 @@ impl<'a, R: Read> Expect<'a, R> {
     /// Reads ahead and returns the items that are known.
     pub(super) fn ahead(&mut self) -> io::Result<&VecDeque<ExpectedItem>> {
         self.fill(AHEAD)?;
-        Ok(&self.queue)
+        Ok(self.state.items())
     }
 
     /// Reads until `count` items are known, or the CL data ends.
     pub(super) fn fill(&mut self, count: usize) -> io::Result<()> {
-        while self.queue.len() < count && !self.ended {
+        while self.state.items().len() < count && !self.ended {
             self.read()?;
         }
         Ok(())
@@ -166,21 +165,21 @@ impl<'a, R: Read> Expect<'a, R> {
 
     /// An item ahead, 0 the next.
     pub(super) fn get(&self, index: usize) -> Option<&ExpectedItem> {
-        self.queue.get(index)
+        self.state.items().get(index)
     }
 
     /// Puts an item back that has been taken.
     pub(super) fn push_front(&mut self, item: ExpectedItem) {
-        self.queue.push_front(item);
+        self.state.items_mut().push_front(item);
     }
 
     pub(super) fn pop(&mut self) -> Option<ExpectedItem> {
-        self.queue.pop_front()
+        self.state.items_mut().pop_front()
     }
 
     /// Spindle state that the last SPINDL before the next item requests.
     pub(super) fn requested_spindle(&self) -> Option<Option<SpindleState>> {
-        self.queue.front().map_or(self.state.requested_spindle(), |item| item.requested_spindle)
+        self.state.items().front().map_or(self.state.requested_spindle(), |item| item.requested_spindle)
     }
 
     /// The next text that the control must display.
@@ -213,7 +212,6 @@ impl<'a, R: Read> Expect<'a, R> {
         };
         let placed = self.placement.of(&event);
         self.state.event(at, placed.as_ref().unwrap_or(&event));
-        self.queue.append(self.state.items());
         Ok(())
     }
 }

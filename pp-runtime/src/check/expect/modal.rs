@@ -2,6 +2,7 @@
 //! to a motion, where an operation begins, and what is posted.
 
 use std::collections::{BTreeMap, VecDeque};
+use std::rc::Rc;
 
 use super::super::geometry::{ArcPath, PathShape, bezier, tool_pose};
 use super::super::policy::{CheckPolicy, OperationSelection, StopRule};
@@ -27,7 +28,10 @@ pub(super) struct ClState<'a> {
     head: bool,
     /// One unit of linear words.
     unit_mm: f64,
-    required: Required,
+    /// Shared with the items that require it.
+    required: Rc<Required>,
+    /// Spindle and coolant may be others since the last motion.
+    process_due: bool,
     calls: BTreeMap<u32, ToolCall>,
     spindle: SpindleRecords,
     coolant: Coolant,
@@ -148,7 +152,8 @@ impl<'a> ClState<'a> {
             policy,
             head,
             unit_mm,
-            required,
+            required: Rc::new(required),
+            process_due: true,
             calls: BTreeMap::new(),
             spindle: SpindleRecords::default(),
             coolant: Coolant::Off,
@@ -168,8 +173,12 @@ impl<'a> ClState<'a> {
         }
     }
 
-    /// Items of the events so far, to be taken out.
-    pub(super) fn items(&mut self) -> &mut VecDeque<ExpectedItem> {
+    /// Items of the events so far that have not been taken.
+    pub(super) fn items(&self) -> &VecDeque<ExpectedItem> {
+        &self.items
+    }
+
+    pub(super) fn items_mut(&mut self) -> &mut VecDeque<ExpectedItem> {
         &mut self.items
     }
 
@@ -178,7 +187,13 @@ impl<'a> ClState<'a> {
         self.spindle.in_operation
     }
 
+    /// The state of the next motions, to be changed.
+    fn require(&mut self) -> &mut Required {
+        Rc::make_mut(&mut self.required)
+    }
+
     pub(super) fn event(&mut self, at: Location, event: &Event<'_>) {
+        self.process_due |= !matches!(event, Event::Move(_));
         match *event {
             Event::Move(motion) => self.line(at, &motion),
             Event::Arc(arc) => self.arc(at, &arc),
@@ -190,7 +205,7 @@ impl<'a> ClState<'a> {
             Event::Coolant(coolant) => self.coolant = coolant,
             Event::Compensation(compensation) => self.compensate(compensation),
             Event::From(pose) if self.operation.starts => self.here = Some(pose),
-            Event::ClearancePlane(plane) => self.required.clearance = Some(Clearance::Plane(plane)),
+            Event::ClearancePlane(plane) => self.require().clearance = Some(Clearance::Plane(plane)),
             Event::Delay(dwell) => self.delay(at, dwell),
             Event::Message(text) => self.message(at, text, false),
             Event::Stop => self.interrupt(at, ExpectedAction::Stop { optional: false }),
@@ -204,8 +219,8 @@ impl<'a> ClState<'a> {
             Event::SetUp(number) => {
                 self.begin_anew();
                 self.operation.worked = false;
-                self.required.set_up = number;
-                self.required.clearance = self.policy.links.clearance;
+                self.require().set_up = number;
+                self.require().clearance = self.policy.links.clearance;
             }
             Event::Tolerance(stated) => {
                 self.stated_mm = stated;
@@ -336,7 +351,7 @@ impl<'a> ClState<'a> {
         request.register = asked.register.or(request.register.filter(|_| asked.side == CutterSide::On));
         let tool = self.required.tool.unwrap_or(0);
         let given = self.policy.set_up.tools.get(&tool).and_then(|tool| tool.radius_offset);
-        self.required.radius_register = given.or(request.register).unwrap_or(tool);
+        self.require().radius_register = given.or(request.register).unwrap_or(tool);
     }
 
     /// The next motion begins an operation.
@@ -365,6 +380,7 @@ impl<'a> ClState<'a> {
             self.stop_after_operation(at, self.required.tool != Some(call.number));
         }
         self.begin_anew();
+        self.process_due = true;
         let before = self.calls.get(&call.number).copied().unwrap_or_default();
         let given = self.policy.set_up.tools.get(&call.number);
         let length_mm = call.length_mm.or(before.length_mm);
@@ -372,17 +388,17 @@ impl<'a> ClState<'a> {
         let diameter_mm = call.diameter_mm.or(before.diameter_mm);
         self.calls.insert(call.number, ToolCall { length_mm, length_offset, diameter_mm, ..*call });
         if self.required.tool != Some(call.number) {
-            self.required.called = at;
+            self.require().called = at;
             self.spindle.now = if self.operation.called { SpindleRecord::default() } else { self.spindle.in_start };
             self.operation.changed = true;
         }
         self.operation.called = true;
-        self.required.tool = Some(call.number);
+        self.require().tool = Some(call.number);
         let diameter_mm = diameter_mm.or(given.and_then(|tool| tool.diameter_mm));
-        self.required.radius_mm = diameter_mm.map(|diameter| 0.5 * diameter);
-        self.required.gauge_length_mm = given.and_then(|tool| tool.length_mm).or(length_mm);
+        self.require().radius_mm = diameter_mm.map(|diameter| 0.5 * diameter);
+        self.require().gauge_length_mm = given.and_then(|tool| tool.length_mm).or(length_mm);
         let offset = given.and_then(|tool| tool.offset).or(length_offset);
-        self.required.register = match self.policy.family.facts().registers {
+        self.require().register = match self.policy.family.facts().registers {
             LengthRegisters::Shared => offset.unwrap_or(call.number),
             // Edges count from 1 in each tool. CL data whose numbers are those of the tools means none of them.
             LengthRegisters::Edges => offset.filter(|offset| *offset != call.number).unwrap_or(1),
@@ -402,7 +418,9 @@ impl<'a> ClState<'a> {
     fn line(&mut self, at: Location, motion: &Move) {
         self.call_default_tool();
         if self.compensation.side == Side::None || self.is_perpendicular(motion) {
-            self.required.side = self.compensation.side;
+            if self.required.side != self.compensation.side {
+                self.require().side = self.compensation.side;
+            }
         }
         self.motion(at, motion, PathShape::Line);
     }
@@ -432,13 +450,16 @@ impl<'a> ClState<'a> {
             operation.starts = false;
             operation.called = false;
             operation.changed = false;
-            self.required.operation = operation.number;
+            self.require().operation = operation.number;
             self.take_rules(at);
         }
         self.operation.position_known = true;
         self.operation.worked = true;
-        self.required.spindle = self.spindle_state();
-        self.required.coolant = self.coolant_bits();
+        if std::mem::take(&mut self.process_due) {
+            let (spindle, coolant) = (self.spindle_state(), self.coolant_bits());
+            let required = self.require();
+            (required.spindle, required.coolant) = (spindle, coolant);
+        }
         let to = tool_pose(&motion.pose);
         let feed = motion.feed.map(|feed| if self.in_thread() { feed } else { self.capped(feed) });
         self.push(at, ExpectedAction::Motion(ClMotion { to, shape, rapid: motion.rapid, feed, starts }));
@@ -458,12 +479,13 @@ impl<'a> ClState<'a> {
                 RulesInForce::default()
             }
         };
-        self.required.linear = self.rules.linear.unwrap_or(self.policy.words.linear);
-        self.required.smoothing = RequiredSmoothing {
+        self.require().linear = self.rules.linear.unwrap_or(self.policy.words.linear);
+        let smoothing = RequiredSmoothing {
             level: self.rules.smoothing.unwrap_or(self.policy.shop.smoothing),
             blending_mm: self.rules.blending_mm.unwrap_or(self.policy.tolerances.blending_mm),
         };
-        self.required.allowance_mm = self.rules.allowance_mm.unwrap_or(0.0);
+        self.require().smoothing = smoothing;
+        self.require().allowance_mm = self.rules.allowance_mm.unwrap_or(0.0);
         self.take_tolerance();
     }
 
@@ -472,7 +494,7 @@ impl<'a> ClState<'a> {
         let tolerances = &self.policy.tolerances;
         let largest = self.rules.path_mm.unwrap_or(tolerances.path_mm);
         let allowed = |stated: &f64| tolerances.stated_may_be_larger || *stated <= largest;
-        self.required.tolerance_mm = self.stated_mm.filter(allowed).unwrap_or(largest);
+        self.require().tolerance_mm = self.stated_mm.filter(allowed).unwrap_or(largest);
     }
 
     /// A feed, at most the largest of the operation.
@@ -579,7 +601,7 @@ impl<'a> ClState<'a> {
             self.pushed += 1;
             self.items.push_back(ExpectedItem {
                 at,
-                required: self.required,
+                required: Rc::clone(&self.required),
                 hole: self.expected_hole(),
                 requested_spindle: self.spindle.in_operation,
                 action,

@@ -297,6 +297,18 @@ impl Action {
         matches!(self, Self::Cycle(CycleMove { kind: CycleKind::Tap(_) | CycleKind::FloatingTap(_), .. }))
     }
 
+    /// Whether the axes go to their values, each as fast as it can.
+    #[must_use]
+    pub const fn is_rapid(&self) -> bool {
+        matches!(self, Self::Rapid)
+    }
+
+    /// Whether the axes go to their values together.
+    #[must_use]
+    pub const fn is_feed(&self) -> bool {
+        matches!(self, Self::Feed)
+    }
+
     /// Whether an axis moves.
     #[must_use]
     pub const fn moves(&self) -> bool {

@@ -228,7 +228,27 @@ pub(super) struct Draft {
     pub(crate) groups: u32,
 }
 
+/// The words of a block that moves axes and does nothing else.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Moves {
+    pub(crate) number: Option<u64>,
+    pub(crate) axes: [f64; MAX_AXES],
+    pub(crate) written: u16,
+    pub(crate) negative: u16,
+    pub(crate) feed: Option<f64>,
+    pub(crate) letters: u32,
+}
+
 impl Draft {
+    /// Takes the words of a block that has no others.
+    pub(super) fn take(&mut self, moves: Moves) {
+        let Moves { number, axes, written, negative, feed, letters } = moves;
+        (self.number, self.axes, self.feed, self.letters) = (number, axes, feed, letters);
+        (self.written, self.negative) = (written, negative);
+        self.only_moves = true;
+        self.speaks();
+    }
+
     /// Forgets everything but the block number.
     pub(super) fn forget_codes(&mut self) {
         let Self { number, frame_faults, .. } = *self;

@@ -284,7 +284,7 @@ impl<R: Read> Reader<R> {
         let (mut long, mut any) = (false, false);
         loop {
             let before = self.line.len();
-            let read = (&mut self.input).take(LONGEST as u64).read_until(b'\n', &mut self.line)?;
+            let read = self.take_line()?;
             if read == 0 {
                 return Ok(any.then_some(long));
             }
@@ -314,6 +314,26 @@ impl<R: Read> Reader<R> {
             self.joined = true;
             if long {
                 self.line.truncate(before);
+            }
+        }
+    }
+
+    /// Appends the bytes up to the next line end, at most [`LONGEST`]; their number, the line end included.
+    fn take_line(&mut self) -> io::Result<usize> {
+        let mut read = 0;
+        loop {
+            let buffer = match self.input.fill_buf() {
+                Err(error) if error.kind() == io::ErrorKind::Interrupted => continue,
+                buffer => buffer?,
+            };
+            let buffer = &buffer[..buffer.len().min(LONGEST - read)];
+            let end = memchr::memchr(b'\n', buffer).map(|end| end + 1);
+            let count = end.unwrap_or(buffer.len());
+            self.line.extend_from_slice(&buffer[..count]);
+            self.input.consume(count);
+            read += count;
+            if end.is_some() || count == 0 {
+                return Ok(read);
             }
         }
     }

@@ -279,6 +279,14 @@ pub(in crate::check) struct WordsFrame {
 }
 
 impl State {
+    /// Takes what a block of axis words, F and S may have changed in another state that was the same before.
+    pub(super) fn take_moves(&mut self, now: &Self) {
+        (self.feed, self.speed) = (now.feed, now.speed);
+        if let (Some(tilt), Some(now)) = (&mut self.tilt, &now.tilt) {
+            tilt.oriented = now.oriented;
+        }
+    }
+
     /// Linear words count in a frame: the positions of the axes follow from all words together.
     pub(crate) fn has_frame(&self) -> bool {
         self.tip_control != TipControl::Off || self.tilt.is_some() || self.dynamic_offset

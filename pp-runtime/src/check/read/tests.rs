@@ -11,6 +11,7 @@ mod cycles;
 mod frame;
 mod guards;
 mod heidenhain;
+mod moves;
 mod own;
 mod planes;
 mod state;

@@ -169,30 +169,40 @@ impl<'a> Cursor<'a> {
     }
 
     /// Takes a number: sign, digits, a point; no exponent, at least one digit.
+    #[inline]
     pub(super) fn number(&mut self) -> Option<Number> {
-        let (start, mut at) = (self.at, self.at);
-        let negative = self.line.get(at) == Some(&b'-');
-        at += usize::from(negative || self.line.get(at) == Some(&b'+'));
-        let (mut mantissa, mut digits, mut decimals, mut point) = (0_u64, 0, 0, false);
-        while let Some(&byte) = self.line.get(at) {
-            match byte {
-                b'0'..=b'9' if digits < MOST_DIGITS => {
-                    mantissa = mantissa * 10 + u64::from(byte - b'0');
-                    digits += 1;
-                    decimals += usize::from(point);
-                }
-                b'.' if !point => point = true,
-                _ => break,
-            }
-            at += 1;
-        }
-        if digits == 0 || self.line.get(at).is_some_and(|next| next.is_ascii_digit() || *next == b'.') {
-            self.at = start;
+        let negative = self.line.get(self.at) == Some(&b'-');
+        let first = self.at + usize::from(negative || self.line.get(self.at) == Some(&b'+'));
+        let (whole, end) = self.digits(0, first);
+        let point = self.line.get(end) == Some(&b'.');
+        let (mantissa, end, decimals) = if point {
+            let (mantissa, behind) = self.digits(whole, end + 1);
+            (mantissa, behind, behind - end - 1)
+        } else {
+            (whole, end, 0)
+        };
+        let digits = end - first - usize::from(point);
+        if digits == 0 || digits > MOST_DIGITS || self.line.get(end) == Some(&b'.') {
             return None;
         }
-        self.at = at;
+        self.at = end;
         let value = mantissa as f64 / TENS[decimals];
         Some(Number { value: if negative { -value } else { value }, point, negative })
+    }
+
+    /// Digits from a column on behind others, and the column after them; of too many the value has no meaning.
+    #[inline]
+    fn digits(&self, before: i64, column: usize) -> (i64, usize) {
+        let (mut value, mut count) = (before, 0);
+        for byte in self.line.get(column..).unwrap_or_default() {
+            let digit = byte.wrapping_sub(b'0');
+            if digit > 9 {
+                break;
+            }
+            value = value.wrapping_mul(10).wrapping_add(i64::from(digit));
+            count += 1;
+        }
+        (value, column + count)
     }
 }
 

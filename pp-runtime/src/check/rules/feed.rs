@@ -60,8 +60,8 @@ pub(crate) struct FeedLaw {
     perpendicular: bool,
     rotary_bits: u16,
     linear_bits: u16,
-    /// Largest speeds of the axes, mm/min and rad/min.
-    speeds: Vec<Option<f64>>,
+    /// Axes with largest speeds, mm/min and rad/min.
+    speeds: Vec<(usize, f64)>,
     largest_mm_per_min: f64,
     /// Largest F of inverse-time feed.
     largest_inverse_time: f64,
@@ -118,13 +118,16 @@ impl FeedLaw {
         });
         let (whole, digits) = (policy.digits.feed_whole as i32, policy.digits.inverse_time as i32);
         let (bound, last_digit) = (10_f64.powi(whole), 10_f64.powi(whole - digits));
+        let speed = |(index, speed): (usize, &Option<f64>)| {
+            speed.filter(|_| feed.keeps_axis_speeds).map(|speed| (index, speed))
+        };
         Self {
             path: feed.path.unwrap_or(usual),
             largest_word: bound - 10_f64.powi(-(policy.digits.feed as i32)),
             perpendicular: is_perpendicular(machine),
             linear_bits: bits.0,
             rotary_bits: bits.1,
-            speeds: travel.speeds.iter().map(|speed| speed.filter(|_| feed.keeps_axis_speeds)).collect(),
+            speeds: travel.speeds.iter().enumerate().filter_map(speed).collect(),
             largest_mm_per_min: feed.largest_mm_per_min.unwrap_or(f64::INFINITY),
             largest_inverse_time: inverse_time.min(bound - last_digit),
             shortest_min: feed.shortest_block_s / 60.0,
@@ -145,7 +148,7 @@ impl FeedLaw {
 
     /// Whether largest speeds of axes may hold a block back.
     pub(crate) fn needs_axes(&self) -> bool {
-        self.speeds.iter().any(Option::is_some)
+        !self.speeds.is_empty()
     }
 
     /// Feed of the tip, mm/min; `None` where none is known.
@@ -156,29 +159,39 @@ impl FeedLaw {
         }
     }
 
-    /// What the words show. `error`: share of one unit that is added to the motion of each axis.
-    fn extent(&self, stroke: &Stroke, error: f64) -> Extent {
-        let (mut linear, mut degrees, mut rotation_rad, mut least_min) = (0.0_f64, 0.0_f64, 0.0_f64, 0.0_f64);
+    /// What the words show.
+    fn extent(&self, stroke: &Stroke) -> Extent {
+        let (mut linear, mut degrees, mut rotation_rad) = (0.0_f64, 0.0_f64, 0.0_f64);
         for (index, change) in stroke.change.iter().enumerate() {
-            let mut change = change.abs();
             if self.linear_bits & (1 << index) != 0 {
                 linear += change * change;
-                change = stroke.uneven.map_or(change, |uneven| uneven[index]) + error * self.unit_mm;
             } else if self.rotary_bits & (1 << index) != 0 {
-                degrees += change.to_degrees().powi(2);
-                rotation_rad = rotation_rad.max(change);
-                change += error * self.unit_rad;
-            }
-            if let Some(Some(speed)) = self.speeds.get(index) {
-                least_min = least_min.max(change / speed);
+                let rotation = change.abs();
+                degrees += rotation.to_degrees().powi(2);
+                rotation_rad = rotation_rad.max(rotation);
             }
         }
-        if stroke.uneven.is_some() && error > 0.0 {
-            least_min *= UNEVEN_BOUND;
-        }
+        let least_min = self.least_min(stroke, 0.0);
         let linear_mm = linear.sqrt();
         let (length_mm, tip_rate_mm) = (stroke.length_mm, stroke.tip_rate_mm[0]);
         Extent { length_mm, tip_rate_mm, linear_mm, rotary_deg: degrees.sqrt(), rotation_rad, least_min }
+    }
+
+    /// Time that the axes need at their largest speeds, minutes. `error`: share of one unit that is added
+    /// to the motion of each axis.
+    fn least_min(&self, stroke: &Stroke, error: f64) -> f64 {
+        let times = self.speeds.iter().map(|&(index, speed)| {
+            let mut change = stroke.change[index].abs();
+            if self.linear_bits & (1 << index) != 0 {
+                change = stroke.uneven.map_or(change, |uneven| uneven[index]) + error * self.unit_mm;
+            } else if self.rotary_bits & (1 << index) != 0 {
+                change += error * self.unit_rad;
+            }
+            change / speed
+        });
+        // A bounded time may exceed that of any axis.
+        let bound = if stroke.uneven.is_some() && error > 0.0 { UNEVEN_BOUND } else { 1.0 };
+        bound * times.fold(0.0, f64::max)
     }
 
     /// Whether a rotary axis rotates.
@@ -253,7 +266,7 @@ impl FeedLaw {
     /// Time of a motion at the F in force, min; `None` without one.
     pub(crate) fn minutes(&self, stroke: &Stroke, state: &State) -> Option<f64> {
         let feed = state.feed.filter(|feed| *feed > 0.0)?;
-        let extent = self.extent(stroke, 0.0);
+        let extent = self.extent(stroke);
         let minutes = match state.feed_mode? {
             FeedMode::InverseTime if self.path == FeedPath::InverseSeconds => 1.0 / (60.0 * feed),
             FeedMode::InverseTime => 1.0 / feed,
@@ -305,7 +318,7 @@ impl FeedLaw {
             linear_mm: (extent.linear_mm - sign * linear).max(0.5 * linear),
             rotary_deg: (extent.rotary_deg - sign * 1.5 * rotary.to_degrees()).max(0.0),
             rotation_rad: (extent.rotation_rad + sign * rotary).max(rotary),
-            least_min: if self.needs_axes() { self.extent(stroke, sign).least_min } else { extent.least_min },
+            least_min: self.least_min(stroke, sign),
         })
     }
 
@@ -334,7 +347,7 @@ impl FeedLaw {
     /// the time nothing is decided.
     pub(crate) fn is_plainly_right(&self, stroke: &Stroke, state: &State, tip_rate_mm: f64) -> bool {
         let (Some(programmed), Some(written)) = (Self::programmed(stroke), state.feed) else { return false };
-        let extent = self.extent(stroke, 0.0);
+        let extent = self.extent(stroke);
         let mode = self.mode(&extent);
         let (shortest, longest) = self.lengths(stroke, &extent);
         if state.feed_mode != Some(mode) || self.even_mm(tip_rate_mm) > shortest {
@@ -349,12 +362,12 @@ impl FeedLaw {
 
     /// Whether the tip may rest, as far as rounded ends show.
     pub(crate) fn may_be_still(&self, stroke: &Stroke) -> bool {
-        self.lengths(stroke, &self.extent(stroke, 0.0)).0 < self.unit_mm
+        self.lengths(stroke, &self.extent(stroke)).0 < self.unit_mm
     }
 
     /// Whether the tip may move, as far as rounded ends show.
     pub(crate) fn may_move(&self, stroke: &Stroke) -> bool {
-        self.lengths(stroke, &self.extent(stroke, 0.0)).1 >= self.unit_mm
+        self.lengths(stroke, &self.extent(stroke)).1 >= self.unit_mm
     }
 
     /// Where only the tool axis rotates, and the rotation of the rotary axes is unknown: degrees a minute, at most those of
@@ -380,7 +393,7 @@ impl FeedLaw {
     ) -> Option<String> {
         let programmed = Self::programmed(stroke)?;
         let still = Stroke { change: [0.0; MAX_AXES], ..*stroke };
-        let extent = self.extent(&still, 0.0);
+        let extent = self.extent(&still);
         let (mode, (low, most)) = (self.mode(&extent), self.bounds(programmed, &still, &extent));
         let feed = state.feed.unwrap_or(0.0);
         let high = most * (1.0 + NOISE) + self.step(mode, most);
@@ -392,11 +405,11 @@ impl FeedLaw {
         if suits(NEARLY * low) {
             return None;
         }
-        let linear = self.speeds.iter().enumerate().filter(|(index, _)| self.linear_bits & (1 << index) != 0);
-        let slowest = linear.filter_map(|(_, speed)| *speed).fold(f64::INFINITY, f64::min);
+        let linear = self.speeds.iter().filter(|(index, _)| self.linear_bits & (1 << index) != 0);
+        let slowest = linear.map(|(_, speed)| *speed).fold(f64::INFINITY, f64::min);
         let held_back = |change: &[f64; MAX_AXES]| {
             let stroke = Stroke { change: change.map(|change| EXCURSION * change), ..*stroke };
-            let held = Extent { least_min: self.extent(&stroke, 1.0).least_min, ..extent };
+            let held = Extent { least_min: self.least_min(&stroke, 1.0), ..extent };
             self.bounds(programmed, &stroke, &held).0
         };
         let least = match changes() {
@@ -410,7 +423,7 @@ impl FeedLaw {
     /// What is wrong with F; `None` if it is right.
     pub(crate) fn wrong(&self, stroke: &Stroke, state: &State) -> Option<String> {
         let programmed = Self::programmed(stroke)?;
-        let extent = self.extent(stroke, 0.0);
+        let extent = self.extent(stroke);
         let (mode, expected) = (self.mode(&extent), self.value(programmed, &extent));
         if let (Some(written), true) = (state.feed, state.feed_mode == Some(mode)) {
             if mode == FeedMode::InverseTime && written > self.largest_inverse_time * (1.0 + NOISE) {
@@ -441,9 +454,9 @@ impl FeedLaw {
 
 /// The largest power of ten, as its exponent, that is not above a number.
 fn decade(value: f64) -> i32 {
-    // 0.30103 is log10(2); the binary exponent alone may be one decade short.
-    let binary = (value.abs().to_bits() >> 52) as i32 - 1023;
-    let below = (f64::from(binary) * std::f64::consts::LOG10_2).floor() as i32;
+    // The factor is log10(2) times 2^32, exact enough for every exponent; by the binary exponent alone the decade may be one short.
+    let binary = (value.abs().to_bits() >> 52) as i64 - 1023;
+    let below = ((binary * 1_292_913_986) >> 32) as i32;
     if value.abs() >= 10_f64.powi(below + 1) { below + 1 } else { below }
 }
 

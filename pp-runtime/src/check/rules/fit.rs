@@ -139,11 +139,20 @@ impl Rules<'_> {
 
     /// Whether rounded words of the end of a motion are those already active.
     pub(crate) fn needs_no_block(&self, segment: &Segment, here: Option<ToolPose>, chords: f64) -> bool {
+        let here = here.filter(|here| self.may_need_no_block(here, &segment.to, chords));
+        if here.is_none() {
+            return false;
+        }
         let short = segment.length() <= 2.0 * self.rounding.tip_mm;
         let here = here.filter(|_| short || matches!(segment.shape, PathShape::Line));
         // A point that repeats needs no block, wherever the arcs before it have ended.
         let times = if short { drift(chords) } else { 1.0 };
         here.is_some_and(|here| self.is_near(&here, &segment.to, [times, 1.0]))
+    }
+
+    /// The same for a motion of which only the end is known: no path allows more.
+    pub(crate) fn may_need_no_block(&self, here: &ToolPose, to: &ToolPose, chords: f64) -> bool {
+        self.is_near(here, to, [drift(chords), 1.0])
     }
 
     /// Share of a motion that is done when a block ends at `end`; `None` if it ends elsewhere.
@@ -230,7 +239,7 @@ impl Rules<'_> {
     fn rotated_on_spot(&self, segment: &Segment, block: &Block, end: &ToolPose, arrival: &Arrival) -> Option<f64> {
         let tip_mm = 2.0 * self.rounding.tip_mm;
         let rests = |here: ToolPose| (here.tip - end.tip).norm() <= tip_mm;
-        let on_line = matches!(segment.shape, PathShape::Line) && block.action == Action::Feed;
+        let on_line = matches!(segment.shape, PathShape::Line) && block.action.is_feed();
         if !on_line || !arrival.here.is_some_and(rests) || self.off_pole_rad(&end.axis) > NEAR_POLE {
             return None;
         }

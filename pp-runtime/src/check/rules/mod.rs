@@ -19,7 +19,7 @@ use crate::program::{Feed, Units};
 use super::expect::{ClMotion, Required};
 use super::geometry::{Segment, ToolPose, angle_between};
 use super::policy::{CheckPolicy, LinearMeaning, RapidForm};
-use super::read::{Action, Block, Facts, MAX_AXES, OwnPlace, State, TipControl, WorkOffset};
+use super::read::{Block, Facts, MAX_AXES, OwnPlace, State, TipControl, WorkOffset};
 pub(super) use feed::{FeedLaw, Stroke};
 use fit::FastestStep;
 pub(super) use fit::{Arrival, BOTH, BlockPath, Deviation, DeviationBound, SHARE, chord, sweep};
@@ -319,17 +319,17 @@ impl<'a> Rules<'a> {
         feed: Option<Feed>,
         required: &Required,
     ) -> Stroke {
-        let axes = |words: &[f64; MAX_AXES]| match self.law.needs_axes() {
-            true => self.words.axes(words, &block.state).unwrap_or_else(|| self.words.values(words)),
-            false => self.words.values(words),
+        let axes = |words: &[f64; MAX_AXES]| self.words.axes(words, &block.state);
+        let axes = if self.law.needs_axes() { axes(before).zip(axes(&block.values)) } else { None };
+        let change = match axes {
+            Some((from, to)) => std::array::from_fn(|index| to[index] - from[index]),
+            None => self.words.change(before, &block.values),
         };
-        let (from, to) = (axes(before), axes(&block.values));
         // Where the same coordinates of the tip are programmed again, rounding hides no motion.
         let same = |index: Option<usize>| index.is_none_or(|index| (before[index] - block.values[index]).abs() < 1e-12);
         let tip = self.meaning == LinearMeaning::TipCoordinates;
         let rests = tip && length_mm < 0.5 * self.rounding.unit_mm && self.words.xyz().into_iter().all(same);
         let longest_mm = if rests { 0.0 } else { longest_mm };
-        let change = std::array::from_fn(|index| to[index] - from[index]);
         let rate_mm = deviation.map_or(0.0, |found| found.tip_rate_mm);
         let tip_rate_mm = if rate_mm > 0.0 { tip_rates(rate_mm, required) } else { [0.0; 2] };
         let speed_rev_per_min = required.spindle.map(|(speed, _)| speed);
@@ -466,11 +466,11 @@ impl<'a> Rules<'a> {
 
     /// Whether a block may be a piece of a rapid of the CL data.
     fn may_be_in_pieces(&self, block: &Block) -> bool {
-        let at_feed = block.action == Action::Feed;
+        let at_feed = block.action.is_feed();
         let form = self.link_form();
         self.policy.links.rapid == RapidForm::Feed
             || form == LinkForm::Feed && at_feed
-            || form == LinkForm::Rapids && block.action == Action::Rapid
+            || form == LinkForm::Rapids && block.action.is_rapid()
     }
 }
 

@@ -4,7 +4,7 @@ use std::fmt::Display;
 
 use super::super::expect::{Required, SpindleState};
 use super::super::policy::{LinearMeaning, RolloverRule};
-use super::super::read::{Action, Block, Facts, FeedMode, Length, Side, State, TipControl, WorkOffset, WorkPlane};
+use super::super::read::{Block, Facts, FeedMode, Length, Side, State, TipControl, WorkOffset, WorkPlane};
 use super::{Rules, apart};
 use crate::program::Location;
 use crate::set_up::{LengthMode, SetUp};
@@ -63,7 +63,7 @@ impl Rules<'_> {
         let offset_path = required.side != Side::None;
         let side = if offset_path && self.is_mirrored(block) { required.side.across() } else { required.side };
         self.everywhere(state, side, context)
-            .or_else(|| if block.action == Action::Rapid { inverse_time(state) } else { None })
+            .or_else(|| if block.action.is_rapid() { inverse_time(state) } else { None })
             .or_else(|| self.frame(block, FrameUse::AsMeant))
             .or_else(|| self.meaning_of_operation(block, required))
             .or_else(|| self.offsets(state, required, true))

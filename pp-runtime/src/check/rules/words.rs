@@ -198,6 +198,11 @@ impl Words {
         std::array::from_fn(|index| self.counts[index] * words[index] + self.added[index])
     }
 
+    /// Change of the axis values from words to others, mm and rad.
+    pub(crate) fn change(&self, from: &[f64; MAX_AXES], to: &[f64; MAX_AXES]) -> [f64; MAX_AXES] {
+        std::array::from_fn(|index| self.counts[index] * (to[index] - from[index]))
+    }
+
     /// Takes tool and part into the axis values of words.
     fn take_offsets(&mut self) {
         let length = if self.gauge_line { self.gauge_length_mm } else { 0.0 };
@@ -274,7 +279,7 @@ impl Words {
     /// The same with the rotary words that the control has chosen.
     pub(crate) fn axes_with_rotary(&self, words: &[f64; MAX_AXES], state: &State) -> Option<[f64; MAX_AXES]> {
         let values = self.values(words);
-        match (state.tip_control, state.tilt) {
+        match (&state.tip_control, &state.tilt) {
             (TipControl::Off, None) if state.dynamic_offset => self.with_moved_zero(words),
             (TipControl::Off, None) => Some(values),
             _ => self.axes_at(self.place(words, state).tip, values),
@@ -403,8 +408,7 @@ impl Words {
 
     /// Bounds of a straight motion of words that are axis positions.
     pub(crate) fn swing(&self, from: &[f64; MAX_AXES], to: &[f64; MAX_AXES]) -> Swing {
-        let (from, to) = (self.values(from), self.values(to));
-        self.chain.swing(&to, &std::array::from_fn(|index| to[index] - from[index]))
+        self.chain.swing(&self.values(to), &self.change(from, to))
     }
 
     /// Tool axis on the workpiece of known rotary words.

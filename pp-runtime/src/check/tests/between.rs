@@ -32,8 +32,12 @@ fn decided<M: Machine>() -> f64 {
     let reader = ClReader::new(Cursor::new(data), policy.reading.clone());
     let mut expect = Expect::new(rules.machine(), reader, &policy, rules.rounding().unit_mm);
     expect.fill(1).expect("memory");
-    let required =
-        expect.get(0).filter(|item| matches!(item.action, ExpectedAction::Motion(_))).expect("a motion").required;
+    let required = expect
+        .get(0)
+        .filter(|item| matches!(item.action, ExpectedAction::Motion(_)))
+        .expect("a motion")
+        .required
+        .clone();
     let (linear, rotary) = (rules.words().linear_bits(), rules.words().rotary_bits());
     let mut noise = Noise(7);
     let (mut right, mut decided) = (0.0, 0.0);

@@ -16,7 +16,7 @@ mod within;
 use nalgebra::Vector3;
 
 use super::geometry::{Extent, ToolPose};
-use super::read::{Action, Block, MAX_AXES, TipControl};
+use super::read::{Block, MAX_AXES, TipControl};
 use super::report::{Shown, Tally};
 use super::rules::{Rules, Words, sweep};
 use crate::kinematics::{Axis, AxisKind, Limits};

@@ -9,7 +9,7 @@ use std::f64::consts::{PI, TAU};
 use super::super::geometry::{PathPoint, PathShape, Search, Segment};
 use super::super::read::PoseSelector;
 use super::super::rules::{AT_POLE, BlockPath};
-use super::{Action, Block, Extent, Findings, MAX_AXES, Rules, TipControl, ToolPose, Travel, Vector3, sweep};
+use super::{Block, Extent, Findings, MAX_AXES, Rules, TipControl, ToolPose, Travel, Vector3, sweep};
 
 /// Largest distance between points of a block, rad: of the rotary axes, of which two may add up, and of an arc; unless
 /// there were more points than this.
@@ -47,15 +47,16 @@ impl Travel {
             self.rotated = Some(block.values);
         }
         let known = known & block.known & words.linear_bits() == words.linear_bits();
-        let Some(rotated) = rotated else { return };
+        let sweep = sweep(block);
+        let tip_control = block.state.tip_control != TipControl::Off;
+        let Some(rotated) = rotated.filter(|_| by_control || tip_control || sweep > 0.0) else { return };
         // The start of linear axes may be unknown; the rotation of the rotary ones is known.
         let from = words.with_rotary(if known { *before } else { block.values }, &rotated);
         let angle = match block.state.tip_control {
             TipControl::On { .. } if !by_control => words.rotary_travel(&from, &block.values),
             _ => 0.0,
         };
-        let sweep = sweep(block);
-        let together = block.action != Action::Rapid || rules.rapids_are_interpolated();
+        let together = !block.action.is_rapid() || rules.rapids_are_interpolated();
         if by_control || (angle > 0.0 && known && rules.policy().words.axis_in_plane && together) {
             self.in_plane(rules, block, from, angle, findings);
         } else if !known || (angle <= 0.0 && sweep <= 0.0) {

@@ -15,6 +15,7 @@ mod loose;
 use self::cycle::CycleWords;
 use self::guard::Guards;
 use self::loose::Loose;
+use super::draft::Moves;
 use super::language::{Address, Letters, Pattern, letters};
 use super::line::Line;
 use super::text::{Number, shown, whole};
@@ -68,6 +69,10 @@ impl Iso {
         if line.at.rest().is_empty() {
             return false;
         }
+        if self.moves(line) {
+            self.began = true;
+            return true;
+        }
         let due = std::mem::take(&mut self.thread_due);
         if let Some(is_block) = self.without_words(line) {
             if due {
@@ -86,6 +91,47 @@ impl Iso {
         }
         self.thread_due = line.draft.rigid && line.draft.hole.is_none() || due && !says;
         self.ended |= line.draft.end;
+        true
+    }
+
+    /// Reads a line of axis words and F, each once and with a point, after a block number at most: most lines of a program. `false`
+    /// if it is another, or may mean something else; then nothing has been read.
+    fn moves(&self, line: &mut Line<'_>) -> bool {
+        if !self.cycle.is_off() || self.rigid || self.thread_due || self.guards.is_open() {
+            return false;
+        }
+        let (mut at, draft) = (line.at, &*line.draft);
+        let mut moves = Moves { axes: draft.axes, ..Moves::default() };
+        while !at.ended() {
+            let Some(letter) = at.peek() else { return false };
+            at.skip(1);
+            let (Some(address), Some(number)) = (line.language().address(letter), at.number()) else { return false };
+            let bit = 1 << (letter - b'A');
+            let number_of_block = address == Address::BlockNumber && moves.letters == 0 && !number.negative;
+            if moves.letters & bit != 0 || number.point == number_of_block {
+                return false;
+            }
+            moves.letters |= bit;
+            match address {
+                Address::Axis => {
+                    let Some(index) = line.axis(&[letter]) else { return false };
+                    moves.axes[index] = number.value;
+                    moves.written |= 1 << index;
+                    moves.negative |= u16::from(number.negative) << index;
+                }
+                Address::Feed if number.value > 0.0 => moves.feed = Some(number.value),
+                Address::BlockNumber => match whole(number) {
+                    Some(number) => moves.number = Some(u64::from(number)),
+                    None => return false,
+                },
+                _ => return false,
+            }
+        }
+        if moves.written == 0 {
+            return false;
+        }
+        line.at = at;
+        line.draft.take(moves);
         true
     }
 

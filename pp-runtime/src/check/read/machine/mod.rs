@@ -27,6 +27,10 @@ pub(crate) struct AxisName {
 #[derive(Debug)]
 pub(super) struct Interpreter {
     axes: Vec<AxisName>,
+    /// Rotary axes: bits by position.
+    rotary: u16,
+    /// The set-up has rules for rotary axes beyond a revolution.
+    has_rollover: bool,
     /// Positions of X Y Z.
     linear: [Option<usize>; 3],
     /// Position of the axis with a name of one letter, A to Z.
@@ -90,7 +94,10 @@ impl Interpreter {
             let index = axes.iter().position(|axis| axis.name == [b'A' + letter as u8])?;
             u8::try_from(index).ok()
         });
+        let rotary = axes.iter().enumerate().filter(|(_, axis)| axis.rotary);
         Self {
+            rotary: rotary.fold(0, |bits, (index, _)| bits | 1 << index),
+            has_rollover: axes.iter().any(|axis| axis.rollover.is_some()),
             axes,
             linear,
             by_letter,
@@ -145,11 +152,6 @@ impl Interpreter {
         self.state.units.map_or(1.0, Units::in_mm)
     }
 
-    fn mask(&self, rotary: bool) -> u16 {
-        let bits = self.axes.iter().enumerate().filter(|(_, axis)| axis.rotary == rotary);
-        bits.fold(0, |mask, (index, _)| mask | 1 << index)
-    }
-
     /// Does what a draft says and leaves it in the block.
     pub(super) fn execute(&mut self, draft: &Draft, block: &mut Block) {
         block.number = draft.number;
@@ -182,7 +184,13 @@ impl Interpreter {
         self.suffer(draft.effects, block);
         block.values = self.act_values(block);
         block.known = self.known;
-        block.state = self.state;
+        // The block has the state of the block before.
+        if draft.only_moves && draft.effects == 0 {
+            block.state.take_moves(&self.state);
+        } else {
+            block.state = self.state;
+        }
+        debug_assert!(block.state == self.state, "{:?} {:?}", block.state, self.state);
     }
 
     /// Notes what a block says in so many words.

@@ -88,7 +88,7 @@ impl Interpreter {
         }
         let reframed = frames.is_some_and(|frames| frames != now.frame());
         if (now.work_offset, now.units) != before || reframed {
-            self.known &= !self.mask(false);
+            self.known &= self.rotary;
         }
     }
 
@@ -184,7 +184,7 @@ impl Interpreter {
             _ => {}
         }
         if draft.tilt == Some(TiltCode::Zero) {
-            let rotary = self.mask(true);
+            let rotary = self.rotary;
             (0..MAX_AXES).filter(|index| rotary & (1 << index) != 0).for_each(|index| self.values[index] = 0.0);
             self.known = rotary;
         }

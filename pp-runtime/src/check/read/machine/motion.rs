@@ -43,7 +43,7 @@ impl Interpreter {
         if draft.machine {
             return self.machine_block(draft, block);
         }
-        let rotary = draft.written & self.mask(true);
+        let rotary = draft.written & self.rotary;
         if draft.vector_written != 0 && rotary != 0 {
             fault(&mut block.faults, 0, "rotary words together with a tool axis");
         }
@@ -136,10 +136,10 @@ impl Interpreter {
             }
         }
         if draft.written == 0 {
-            block.written = self.mask(true) | self.mask(false);
+            block.written = (1 << self.axes.len()) - 1;
         }
         self.known &= !block.written;
-        if block.written & self.mask(true) != 0
+        if block.written & self.rotary != 0
             && let Some(tilt) = &mut self.state.tilt
         {
             tilt.oriented = false;
@@ -171,7 +171,7 @@ impl Interpreter {
     fn machine_block(&mut self, draft: &Draft, block: &mut Block) -> Action {
         self.words(draft, block);
         self.known &= !draft.written;
-        if draft.written & self.mask(true) != 0
+        if draft.written & self.rotary != 0
             && let Some(tilt) = &mut self.state.tilt
         {
             tilt.oriented = false;
@@ -205,7 +205,7 @@ impl Interpreter {
                 continue;
             }
             let bit = 1 << index;
-            let rotary = self.axes[index].rotary;
+            let rotary = self.rotary & bit != 0;
             let value = if rotary { draft.axes[index].to_radians() } else { draft.axes[index] * unit };
             let incremental =
                 draft.incremental & bit != 0 || (self.state.incremental == Some(true) && draft.absolute & bit == 0);
@@ -226,8 +226,7 @@ impl Interpreter {
     /// Where a rotary axis ends whose word says `value`.
     fn turned(&self, index: usize, value: f64, negative: bool, faults: &mut Vec<Fault>) -> f64 {
         // Where the set-up says which axes roll over, the short way is for these.
-        let said = self.axes.iter().any(|axis| axis.rollover.is_some());
-        let any = if self.state.shortest && !said { Some(RolloverRule::Shortest) } else { None };
+        let any = if self.state.shortest && !self.has_rollover { Some(RolloverRule::Shortest) } else { None };
         let wrap = self.axes[index].rollover.or(any);
         let Some(wrap) = wrap else { return value };
         if self.known & (1 << index) == 0 {
