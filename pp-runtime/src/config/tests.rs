@@ -289,7 +289,7 @@ fn two_axes_have_no_name_in_common() {
     let both = |name: &str, axes: &str| format!("2:8: {axes} would both be named `{name}` on the control");
     assert_eq!(faults("[control]\naxes = { X = \"Y\" }\n"), [both("Y", "X and Y")]);
     assert_eq!(faults("[control]\naxes = { X = \"U1\", Z = \"U1\" }\n"), [both("U1", "X and Z")]);
-    assert_eq!(faults("[control]\naxes = { X = \"Y\", Y = \"X\" }\n"), [String::new(); 0]);
+    assert_eq!(read("[control]\naxes = { X = \"Y\", Y = \"X\" }\n").control.axes.len(), 2);
 }
 
 #[test]

@@ -19,7 +19,7 @@ pub(crate) type TomlValue<'a> = &'a Spanned<DeValue<'a>>;
 /// Largest plausible length. A larger one is a typing error, or inches are read as millimetres or the reverse.
 const LONGEST_MM: f64 = 1e5;
 
-/// Largest number: a word has nine digits before its point, and units of a millionth are counted exactly.
+/// Largest length, speed or angle: a word has nine digits before its point, and units of a millionth are counted exactly.
 const LARGEST: f64 = 1e9;
 
 /// Smallest number above zero, where zero is not permitted: a thousandth of the last digit of any word.
@@ -252,7 +252,7 @@ impl<'t> KeyReader<'t> {
             Bound::NotNegative if number < 0.0 => "a number that is not negative is needed here".to_owned(),
             Bound::Positive if number <= 0.0 => "a number above zero is needed here".to_owned(),
             Bound::Positive if number < SMALLEST => format!("at least {SMALLEST} is needed here"),
-            _ if number.abs() <= LARGEST => return Some(number),
+            _ if quantity == Quantity::Plain || number.abs() <= LARGEST => return Some(number),
             _ if quantity == Quantity::Angle => format!("at most {LARGEST} degrees are needed here"),
             _ => format!("at most {LARGEST} is needed here"),
         };
