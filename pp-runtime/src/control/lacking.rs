@@ -75,8 +75,8 @@ pub fn take_out_lacking(
         options.posture_word = true;
     }
     let own_tip_codes = options.tip_control.is_some();
-    for function in options.functions.iter_mut() {
-        function.retain(|function| {
+    if let Some(functions) = &mut options.functions {
+        functions.retain(|function| {
             let can = function.can_be_in(codes, own_tip_codes);
             let name = function.name();
             !add(!can, &format!("cannot have the function `{name}`: it is left out of `control.functions`"))

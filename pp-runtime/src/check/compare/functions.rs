@@ -149,11 +149,11 @@ impl FunctionState {
         }
         if set_up.program_zero == ProgramZero::Table {
             let origin = set_up.part_origin;
-            for index in 0..3 {
-                stock.lower[index] += origin[index];
-                stock.upper[index] += origin[index];
-            }
             stock.round &= origin[0].abs() <= 0.0 && origin[1].abs() <= 0.0;
+            for (index, origin) in origin.into_iter().enumerate() {
+                stock.lower[index] += origin;
+                stock.upper[index] += origin;
+            }
         }
         let (Some(lower), Some(upper)) = (self.blank.lower, self.blank.upper) else {
             return Some("the blank of the configuration, [stock], is missing at the head of the program");
