@@ -112,7 +112,7 @@ fn every_example_of_the_printed_file_is_accepted() {
     assert_eq!(operations, ["[operations.3]", "[operations.\"FINISH*\"]"]);
     assert_eq!(config.motion.operations.entries[1].settings.tolerance_mm, Some(0.02));
     assert_eq!(config.motion.retract.distance_mm, Some(100.0));
-    assert_eq!(config.control.program.line_numbers, crate::control::BlockNumbers::Step(Config::LINE_NUMBER_STEP));
+    assert_eq!(config.control.program.line_numbers, crate::control::BlockNumbers::Restarts);
     assert!(!config.file_units_assumed);
 }
 

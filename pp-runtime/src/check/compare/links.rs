@@ -172,9 +172,10 @@ impl<R: Read> Comparison<'_, R> {
         if homes {
             retracted.homed |= current.block.written;
             // The spindle is on for the cut that comes.
-            let finished = retracted.rewind.and_then(|rewind| rewind.finished).map(|finished| finished.required);
-            let cut = self.progress.next().map(|item| item.required).or(finished);
-            let spindle = cut.and_then(|required| self.rules.spindle_in_cut(&required));
+            let rewind = retracted.rewind.as_ref();
+            let finished = rewind.and_then(|rewind| rewind.finished.as_ref()).map(|finished| &finished.required);
+            let cut = self.progress.next().map(|item| &item.required).or(finished);
+            let spindle = cut.and_then(|required| self.rules.spindle_in_cut(required));
             self.state_at_machine_position(spindle, current);
         }
         homes

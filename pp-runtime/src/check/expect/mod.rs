@@ -194,7 +194,7 @@ impl<'a, R: Read> Expect<'a, R> {
 
     /// Takes the next text if an item after it is done.
     pub(super) fn overdue_message(&mut self) -> Option<ExpectedMessage> {
-        let done = self.state.pushed() - self.queue.len() as u64;
+        let done = self.state.pushed() - self.state.items().len() as u64;
         let after = self.next_message()?.after;
         if after < done { self.pop_message() } else { None }
     }

@@ -4,7 +4,7 @@ use std::fmt::Display;
 
 use super::super::expect::{Required, SpindleState};
 use super::super::policy::{LinearMeaning, RolloverRule};
-use super::super::read::{Block, Facts, FeedMode, Length, Side, State, TipControl, WorkOffset, WorkPlane};
+use super::super::read::{Action, Block, Facts, FeedMode, Length, Side, State, TipControl, WorkOffset, WorkPlane};
 use super::{Rules, apart};
 use crate::program::Location;
 use crate::set_up::{LengthMode, SetUp};
