@@ -25,7 +25,8 @@ struct Checked {
 /// Posts CL data and checks the program after `edit`.
 fn checked<M: Machine>(control: &str, keys: &str, cl: &str, edit: impl Fn(&str) -> String) -> Checked {
     let control = control::by_name(control).expect("a control");
-    let keys = format!("{keys}{DEFAULTS}");
+    let origin = if keys.contains("part_origin") { "" } else { "part_origin = [0.0, 0.0, 0.0]\n" };
+    let keys = format!("{origin}{keys}{DEFAULTS}");
     let config = starting_point(control).read_over(&M::default(), &keys).expect("valid keys");
     let job = Job { cl_name: "near.cls", config: &config, control, units: None };
     let mut program = Vec::new();

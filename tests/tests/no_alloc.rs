@@ -91,6 +91,7 @@ fn a_motion_is_read_planned_and_written_without_allocating() {
         let control = control::by_name(control).expect("a control");
         let mut config = starting_point(control);
         config.motion.mode = mode;
+        config.set_up.part_origin = [0.0, 0.0, 20.0];
         config.motion.tip.tcp_frame = Some(TcpFrame::TableAtZero);
         config.motion.retract.distance_mm = Some(50.0);
         let count = |points: u32| {

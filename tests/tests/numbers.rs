@@ -34,7 +34,7 @@ FINI
 ";
 
 fn config(control: &dyn Control, keys: &str) -> Config {
-    let text = format!("mode = 'axes'\n[program]\n{keys}\n");
+    let text = format!("mode = 'axes'\npart_origin = [0.0, 0.0, 0.0]\n[program]\n{keys}\n");
     starting_point(control).read_over(&SpinnerU5620::default(), &text).unwrap_or_else(|faults| panic!("{faults:?}"))
 }
 
