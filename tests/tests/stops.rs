@@ -200,3 +200,21 @@ fn texts_are_displayed_where_the_control_displays_them() {
         assert!(unfit.contains("displays a text only where the program stops"), "{unfit}");
     }
 }
+
+#[test]
+fn an_operation_with_blocks_of_the_shop_at_its_end_stops_after_them() {
+    for control in control::CONTROLS {
+        let text = "mode = 'axes'\noptional_stops = 'operations'\n[program]\noperation_end = ['M77']\n[control]\n\
+                    effects = { M77 = 'none' }\n";
+        let config = starting_point(*control).read_over(&SpinnerU5620::default(), text).expect("it can be read");
+        let program = posted(&config, *control);
+        let codes = control.spellings().stop;
+        let [stop, optional] = codes;
+        let expected = [(optional, 1), (optional, 2), (optional, 3), (stop, 4)];
+        assert_eq!(stops(&program, &codes), expected, "{program}");
+        let lines = bare(&program);
+        for at in (0..lines.len()).filter(|&at| codes.contains(&lines[at])) {
+            assert!(lines[..at].iter().rposition(|line| *line == "M77").is_some_and(|end| at - end < 6), "{program}");
+        }
+    }
+}
