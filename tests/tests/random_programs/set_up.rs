@@ -350,7 +350,8 @@ impl File<'_> {
         let methods: &[&str] = match control {
             "siemens" => &["\"SUPA\""],
             "heidenhain" => &["\"M91\""],
-            _ => &["\"G53\"", "\"G91 G28\""],
+            // The foreign interpreter refuses every motion to a reference position.
+            _ => &["\"G53\""],
         };
         let texts: &[&str] =
             if matches!(control, "linuxcnc" | "siemens") { &["\"display\""] } else { &["\"comment\""] };
