@@ -176,7 +176,9 @@ impl<R: Read> Comparison<'_, R> {
             let finished = rewind.and_then(|rewind| rewind.finished.as_ref()).map(|finished| &finished.required);
             let cut = self.progress.next().map(|item| &item.required).or(finished);
             let spindle = cut.and_then(|required| self.rules.spindle_in_cut(required));
-            self.state_at_machine_position(spindle, current);
+            // As in an approach, the coolant may be on where a cut goes on after a rewind.
+            let dry = retracted.rewind.is_none();
+            self.state_at_machine_position(spindle, dry, current);
         }
         homes
     }
@@ -190,16 +192,16 @@ impl<R: Read> Comparison<'_, R> {
             && begun
             && parking::moves_linear(&self.rules, block);
         if parks {
-            self.state_at_machine_position(self.spindle_may_be(block, phase.is_stopped()), current);
+            self.state_at_machine_position(self.spindle_may_be(block, phase.is_stopped()), true, current);
             self.parked |= block.written;
         }
         parks
     }
 
     /// State of a block to a home or parking position.
-    fn state_at_machine_position(&mut self, spindle: Option<SpindleState>, current: &Current<'_>) {
+    fn state_at_machine_position(&mut self, spindle: Option<SpindleState>, dry: bool, current: &Current<'_>) {
         let block = current.block;
-        let context = ModalContext { dry: true, ..ModalContext::default() };
+        let context = ModalContext { dry, ..ModalContext::default() };
         let fault = self.rules.fault_at_retract(block, false, spindle, context);
         self.found_state(current, fault);
     }
