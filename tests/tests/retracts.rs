@@ -71,7 +71,7 @@ fn renumbered(control: &dyn Control, lines: &[&str]) -> String {
     let numbered = control.spellings().numbers_every_line;
     let mut number = 0;
     let lines = lines.iter().map(|line| {
-        let starts = !(line.starts_with('Q') && line.contains(';')) && !line.starts_with("Q339");
+        let starts = !(line.starts_with("Q339") || line.starts_with('Q') && line.contains(';'));
         let text = if numbered && starts { format!("{number} {line}\n") } else { format!("{line}\n") };
         number += u32::from(starts);
         text

@@ -417,10 +417,9 @@ impl<'a> ClState<'a> {
 
     fn line(&mut self, at: Location, motion: &Move) {
         self.call_default_tool();
-        if self.compensation.side == Side::None || self.is_perpendicular(motion) {
-            if self.required.side != self.compensation.side {
-                self.require().side = self.compensation.side;
-            }
+        let side = self.compensation.side;
+        if side != self.required.side && (side == Side::None || self.is_perpendicular(motion)) {
+            self.require().side = side;
         }
         self.motion(at, motion, PathShape::Line);
     }

@@ -44,14 +44,15 @@ fn decided<M: Machine>() -> f64 {
     for turn in 0..1000 {
         let size = 10_f64.powf(2.0 * noise.next() - 1.0);
         let mut words = [[0.0; MAX_AXES]; 2];
-        for index in 0..MAX_AXES {
+        let [first, last] = &mut words;
+        for (index, (from, to)) in first.iter_mut().zip(last).enumerate() {
             let (place, step) = match 1 << index {
                 bit if linear & bit != 0 => (200.0, size),
                 bit if rotary & bit != 0 => (2.0, 0.03 * size),
                 _ => (0.0, 0.0),
             };
-            words[0][index] = place * noise.next();
-            words[1][index] = words[0][index] + step * noise.next();
+            *from = place * noise.next();
+            *to = *from + step * noise.next();
         }
         let mut block = Block { action: Action::Feed, values: words[1], ..Block::default() };
         let ends = words.map(|words| rules.pose_from(&words, &block));
