@@ -300,3 +300,47 @@ fn an_own_control_declares_its_tool_change_with_the_field_of_the_tool() {
     assert_eq!(status, Status::NotRun, "{messages}");
     assert!(messages.contains("`G65 P9001` has no field {tool}"), "{messages}");
 }
+
+/// Flood by codes of its own.
+struct Wet;
+
+static WET: LazyLock<Spellings> = LazyLock::new(|| Spellings {
+    name: "wet",
+    title: "Wet control",
+    coolant: [Some(["M51", "M59"]), None, None, None],
+    ..Fanuc.spellings().clone()
+});
+
+impl Control for Wet {
+    fn spellings(&self) -> &'static Spellings {
+        &WET
+    }
+    fn base(&self) -> Option<&'static dyn Control> {
+        Some(&Fanuc)
+    }
+}
+
+#[test]
+fn the_coolant_codes_of_an_own_control_take_the_place_of_those_of_its_base() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = |name: &str, text: &str| {
+        let path = folder.path().join(name);
+        std::fs::write(&path, text).expect("a file");
+        path.to_str().expect("a path in UTF-8").to_owned()
+    };
+    let app = App::new().control(&Wet);
+    let (status, program, messages) = run(&app, &["post", &two_tools(), "--quiet"]);
+    assert_eq!(status, Status::Done, "{messages}");
+    assert!(program.contains("M51\n") && program.contains("M59\n"), "{program}");
+    assert!(!program.contains("M8\n") && !program.contains("M9\n"), "{program}");
+    let of_base = file("base.nc", &program.replace("M51\n", "M8\n").replace("M59\n", "M9\n"));
+    let (status, _, messages) = run(&app, &["check", &two_tools(), &of_base]);
+    assert_eq!(status, Status::Rejected, "{messages}");
+    assert!(messages.contains("`M8` is no coolant code of this machine: its code is `M51`"), "{messages}");
+    // A configuration takes precedence over its control.
+    let config = file("wet.toml", "[control]\ncoolant = { flood = [\"M61\", \"M69\"] }\n");
+    let (status, program, messages) = run(&app, &["post", &two_tools(), "--quiet", "--config", &config]);
+    assert_eq!(status, Status::Done, "{messages}");
+    let control = file("control.nc", &program.replace("M61\n", "M51\n").replace("M69\n", "M59\n"));
+    assert_eq!(run(&app, &["check", &two_tools(), &control, "--config", &config]).0, Status::Rejected);
+}

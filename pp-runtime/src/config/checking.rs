@@ -274,8 +274,11 @@ impl Config {
             differing(own.safety, known.safety).for_each(|line| add(line, OwnPlace::Safety, None));
             differing(own.tool_change, known.tool_change).for_each(|line| add(line, OwnPlace::ToolChange, None));
             differing(own.closing, known.closing).for_each(|line| add(line, OwnPlace::End, None));
-            for ((codes, known), bit) in own.coolant.into_iter().zip(known.coolant).zip(kinds) {
-                if let Some([on, off]) = codes.filter(|codes| Some(*codes) != known) {
+            // What the configuration has takes the place of the codes of its control.
+            let replaced = control.coolant.iter().map(Option::is_some);
+            for (((codes, known), bit), replaced) in own.coolant.into_iter().zip(known.coolant).zip(kinds).zip(replaced)
+            {
+                if let Some([on, off]) = codes.filter(|codes| Some(*codes) != known && !replaced) {
                     add(on, OwnPlace::Coolant, Some((bit, true)));
                     add(off, OwnPlace::Coolant, Some((bit, false)));
                 }

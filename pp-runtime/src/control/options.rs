@@ -63,7 +63,9 @@ options! {
         /// Preselect the next tool at each tool change.
         preselect: Option<bool> = None, key("control.preselect", YesNo, "true");
         /// On and off code of each kind of coolant: flood, mist, through (the spindle), air; and of its pressures
-        /// (COOLNT/THRU,HIGH): through_low, through_medium, through_high.
+        /// (COOLNT/THRU,HIGH): through_low, through_medium, through_high. They take the place of those of the control, and the
+        /// check refuses the codes that they replace. Each kind is switched off by its own code; where it is unknown which are
+        /// on, flood and mist are switched off.
         coolant: [Option<[String; 2]>; 7] = [const { None }; 7], key("control.coolant", CoolantCodes);
         /// Smoothing by the control within `path_tolerance`: "none", "rough", "medium" or "finish".
         smoothing: Smoothing = Smoothing::None, key("control.smoothing", OneOf(&Smoothing::NAMES));

@@ -1,10 +1,11 @@
 //! Execution of codes: the row of a code fills the draft of its block.
 
-use super::block::{WorkOffset, coolant};
+use super::block::{OwnPlace, WorkOffset, coolant};
 use super::draft::{Code, LengthCode, TiltCode, group};
 use super::facts::Form;
 use super::language::{Letters, Means, PathCode, Row};
 use super::line::Line;
+use super::own::OwnText;
 use super::text::{Number, shown, tenths};
 
 impl Line<'_> {
@@ -38,15 +39,43 @@ impl Line<'_> {
         let several = row.group == group::FREE || row.group == group::COOLANT && facts.several_coolant_codes;
         let first = several || draft.groups & (1 << row.group) == 0;
         draft.groups |= 1 << row.group;
-        self.fill(row.means, code);
+        self.fill(row.means, code, column);
         if !first {
             let text = shown(self.read_from(column));
             self.fault(column, format!("`{text}` together with another code of its group"));
         }
     }
 
-    fn fill(&mut self, means: Means, code: u32) {
+    /// The kinds of coolant that a code of the control switches on this machine: not those that have another code in the
+    /// configuration, or on a control of one's own. A code that has none is a fault.
+    fn kinds_of(&mut self, coolant: u8, on: bool, code: u32, column: usize) -> u8 {
+        let own = self.vocabulary().own.iter().filter(|own| own.place == OwnPlace::Coolant);
+        let (mut kinds, mut instead) = (coolant, None);
+        for bit in (0..u8::BITS).map(|index| 1 << index).filter(|bit| coolant & bit != 0) {
+            let switches = |own: &&OwnText| own.coolant.is_some_and(|(bits, is_on)| bits & bit != 0 && is_on == on);
+            let mut codes = own.clone().filter(switches).peekable();
+            let first = codes.peek().copied();
+            if first.is_some() && !codes.any(|own| is_m_code(&own.text, code)) {
+                kinds &= !bit;
+                instead = instead.or(first);
+            }
+        }
+        if let Some(own) = instead.filter(|_| kinds == 0) {
+            let text = shown(self.read_from(column));
+            let text = format!("`{text}` is no coolant code of this machine: its code is `{}`", shown(&own.text));
+            self.fault(column, text);
+        }
+        kinds
+    }
+
+    fn fill(&mut self, means: Means, code: u32, column: usize) {
         let facts = self.facts();
+        let coolant = match means {
+            Means::CoolantOn(bits) => self.kinds_of(bits, true, code, column),
+            Means::CoolantOff(bits) => self.kinds_of(bits, false, code, column),
+            Means::SpindleAndFlood(_) => self.kinds_of(coolant::FLOOD, true, code, column),
+            _ => 0,
+        };
         let draft = &mut *self.draft;
         match means {
             Means::Motion(code) => draft.code = Some(code),
@@ -84,11 +113,11 @@ impl Line<'_> {
             Means::Spindle(turns) => draft.spindle = Some(turns),
             Means::SpindleAndFlood(turns) => {
                 draft.spindle = Some(Some(turns));
-                draft.coolant_on |= coolant::FLOOD;
+                draft.coolant_on |= coolant;
             }
             Means::ToolChange => draft.change = true,
-            Means::CoolantOn(bits) => draft.coolant_on |= bits,
-            Means::CoolantOff(bits) => draft.coolant_off |= bits,
+            Means::CoolantOn(_) => draft.coolant_on |= coolant,
+            Means::CoolantOff(_) => draft.coolant_off |= coolant,
             Means::Rigid => draft.rigid = true,
             Means::TipControl(on) => {
                 draft.tip_control = Some(on);
@@ -164,6 +193,12 @@ impl Line<'_> {
             self.fault(0, text);
         }
     }
+}
+
+/// Whether a text is an M code of this number, in tenths, with or without leading zeros.
+fn is_m_code(text: &[u8], code: u32) -> bool {
+    let number = std::str::from_utf8(text).ok().and_then(|text| text.strip_prefix('M')?.parse::<u32>().ok());
+    number.is_some_and(|number| number.checked_mul(10) == Some(code))
 }
 
 /// The letters of some bits.

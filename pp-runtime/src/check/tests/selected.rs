@@ -56,6 +56,32 @@ fn kinds_of_coolant_that_a_tool_needs_together_are_switched_on_and_off_together(
 }
 
 #[test]
+fn a_coolant_code_that_the_configuration_replaces_is_a_finding() {
+    let data = cuts("COOLNT/ON");
+    let set_up = "control.coolant = { flood = [\"M181\", \"M189\"] }\n";
+    for control in ["linuxcnc", "fanuc", "siemens", "heidenhain", "haas"] {
+        let program = posted_right::<Mill>(control, Mode::Axes, set_up, &data);
+        let first_off = program.find("M189\n").unwrap_or_else(|| panic!("{program}"));
+        let on = program.find("M181\n").unwrap_or_else(|| panic!("{program}"));
+        assert!(first_off < on && !program.contains("M8\n") && !program.contains("M08\n"), "{control} {program}");
+        let told = |changed: &str| again::<Mill>(control, Mode::Axes, set_up, &data, changed).join("\n");
+        let found = told(&program.replace("M181\n", "M8\n"));
+        assert!(found.contains("`M8` is no coolant code of this machine: its code is `M181`"), "{control}: {found}");
+        let last = program.rfind("M189\n").expect("it is there");
+        let found = told(&format!("{}M9\n{}", &program[..last], &program[last + 5..]));
+        assert!(!found.is_empty(), "{control}: {program}");
+        let both = "control.coolant = { flood = [\"M181\", \"M189\"], mist = [\"M182\", \"M189\"] }\n";
+        let program = posted_right::<Mill>(control, Mode::Axes, both, &data);
+        let found = again::<Mill>(control, Mode::Axes, both, &data, &program.replace("M189\n", "M9\n")).join("\n");
+        assert!(found.contains("`M9` is no coolant code of this machine: its code is `M189`"), "{control}: {found}");
+        // A code of the same spelling stays what it is.
+        let same = "control.coolant = { flood = [\"M7\", \"M9\"], mist = [\"M8\", \"M9\"] }\n";
+        posted_right::<Mill>(control, Mode::Axes, same, &data);
+        posted_right::<Mill>(control, Mode::Axes, same, &cuts("COOLNT/MIST"));
+    }
+}
+
+#[test]
 fn the_blank_of_the_configuration_is_at_the_head_of_the_program_on_controls_with_graphics() {
     let data = cuts("COOLNT/ON");
     let cuboid = "stock = { lower = [-5, -6, -20.5], upper = [30, 31, 0] }\n";

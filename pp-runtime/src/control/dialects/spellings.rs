@@ -102,10 +102,11 @@ pub struct Spellings {
     pub spindle: [&'static str; 2],
     /// Spindle stop.
     pub spindle_off: &'static str,
-    /// Coolant off.
+    /// Coolant off where it is unknown which kinds are on, for a control that has codes for neither flood nor mist: theirs are
+    /// written otherwise.
     pub coolant_off: &'static str,
-    /// On and off codes of flood, mist, coolant through the spindle, and air. Codes for a pressure are those of the
-    /// configuration.
+    /// On and off codes of flood, mist, coolant through the spindle, and air. Those of the configuration take their place, and
+    /// codes for a pressure are those of the configuration alone. Each kind is switched off by its own code.
     pub coolant: [Option<[&'static str; 2]>; 4],
     /// Program stop, and optional stop.
     pub stop: [&'static str; 2],

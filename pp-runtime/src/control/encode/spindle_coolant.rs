@@ -55,10 +55,13 @@ impl SpindleCoolantWriter {
         out.block(code)
     }
 
-    /// Switches coolant off, with the code of each kind that is on, or with the general code if none is known to be on. A
-    /// code that several kinds have is written once.
+    /// Switches coolant off, with the code of each kind that is on. Where none is known to be on, those of flood and mist,
+    /// which may be on; the general code of the control where it has neither. A code that several kinds have is written once.
     pub(crate) fn coolant_off(&self, out: &mut ModalWriter<'_>) -> io::Result<()> {
-        let (codes, on) = (out.codes(), out.modal().take_coolants());
+        let (codes, mut on) = (out.codes(), out.modal().take_coolants());
+        if on.is_empty() {
+            on = [Coolant::Flood, Coolant::Mist].into_iter().collect();
+        }
         let mut written: Vec<&str> = Vec::new();
         for code in on.kinds().filter_map(|kind| self.codes(kind, codes)).map(|[_, off]| off) {
             if !written.contains(&code) {

@@ -25,7 +25,13 @@ fn coolant_is_switched_off_by_the_code_of_its_kind() {
     assert_eq!(steps(&Haas, &layout(), &blocks), ["M09", "M88", "M89", "M09"]);
     let mut options = ControlOptions::default();
     options.coolant[2] = Some(["M51".to_owned(), "M59".to_owned()]);
-    assert_eq!(steps(&LinuxCnc, &layout_with(options), &blocks), ["M9", "M51", "M59", "M9"]);
+    assert_eq!(steps(&LinuxCnc, &layout_with(options.clone()), &blocks), ["M9", "M51", "M59", "M9"]);
+    // Flood and mist have codes of the shop: each is switched off by its own, wherever it may be on.
+    options.coolant[0] = Some(["M181".to_owned(), "M189".to_owned()]);
+    assert_eq!(steps(&LinuxCnc, &layout_with(options.clone()), &blocks), ["M189", "M9", "M51", "M59", "M189", "M9"]);
+    options.coolant[1] = Some(["M182".to_owned(), "M189".to_owned()]);
+    assert_eq!(steps(&LinuxCnc, &layout_with(options.clone()), &blocks), ["M189", "M51", "M59", "M189"]);
+    assert_eq!(steps(&Haas, &layout_with(options), &blocks), ["M189", "M51", "M59", "M189"]);
 }
 
 #[test]
