@@ -232,6 +232,13 @@ impl Tally {
         self.add(Finding::new(at, shown, cause, None));
     }
 
+    /// Adds a finding that every block until the next tool change repeats: the first is listed, the others are counted.
+    #[cold]
+    pub(super) fn found_once(&mut self, at: Location, shown: Shown<'_>, cause: &str) {
+        self.outcome.count += 1;
+        self.add_to(cause.to_owned(), 1, Finding::new(at, shown, cause, None));
+    }
+
     /// Adds a finding about a block that matches nothing; such blocks in a row are one finding.
     #[cold]
     pub(super) fn found_lost(&mut self, at: Location, shown: Shown<'_>, cause: &str) {
@@ -254,7 +261,11 @@ impl Tally {
     }
 
     fn add(&mut self, found: Finding) {
-        let mut kind = found.diagnostic().kind();
+        self.add_to(found.diagnostic().kind(), LISTED_OF_A_KIND, found);
+    }
+
+    /// `most`: largest number of findings of this kind that are listed.
+    fn add_to(&mut self, mut kind: String, most: u64, found: Finding) {
         if self.causes.len() >= MOST_CAUSES && !self.by_text.contains_key(&kind) {
             kind = "other findings".to_owned();
         }
@@ -266,7 +277,7 @@ impl Tally {
         let Some(cause) = causes.get_mut(index) else { return };
         match &mut cause.further {
             Some(further) => further.count += 1,
-            None if (cause.listed.len() as u64) < LISTED_OF_A_KIND => cause.listed.push(found),
+            None if (cause.listed.len() as u64) < most => cause.listed.push(found),
             further => *further = Some(found),
         }
     }

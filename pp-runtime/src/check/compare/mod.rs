@@ -301,9 +301,10 @@ impl<R: Read> Comparison<'_, R> {
 
     /// Adds a finding about its modal state.
     fn found_state(&mut self, current: &Current<'_>, fault: Option<StateFault>) {
-        if let Some(StateFault { text, called }) = fault {
-            let at = called.unwrap_or_else(|| self.progress.location());
-            self.tally.found(at, current.shown, &text);
+        match fault {
+            Some(StateFault { text, called: Some(at) }) => self.tally.found_once(at, current.shown, &text),
+            Some(StateFault { text, called: None }) => self.found(current, &text),
+            None => {}
         }
     }
 

@@ -80,6 +80,20 @@ pub enum Effect {
     StateLost,
 }
 
+impl Effect {
+    /// All, with their names in a configuration.
+    pub(crate) const NAMES: [(&'static str, Self); 8] = [
+        ("none", Self::None),
+        ("coolant", Self::Coolant),
+        ("spindle", Self::Spindle),
+        ("stop", Self::Stop),
+        ("position lost", Self::PositionLost),
+        ("state lost", Self::StateLost),
+        ("measures", Self::Measures),
+        ("tool change", Self::ToolChange),
+    ];
+}
+
 /// Place of a user's line in the configuration.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum OwnPlace {

@@ -51,7 +51,7 @@ impl Line<'_> {
     fn kinds_of(&mut self, coolant: u8, on: bool, code: u32, column: usize) -> u8 {
         let own = self.vocabulary().own.iter().filter(|own| own.place == OwnPlace::Coolant);
         let (mut kinds, mut instead) = (coolant, None);
-        for bit in (0..u8::BITS).map(|index| 1 << index).filter(|bit| coolant & bit != 0) {
+        for bit in (0..u8::BITS).map(|index| 1_u8 << index).filter(|bit| coolant & bit != 0) {
             let switches = |own: &&OwnText| own.coolant.is_some_and(|(bits, is_on)| bits & bit != 0 && is_on == on);
             let mut codes = own.clone().filter(switches).peekable();
             let first = codes.peek().copied();

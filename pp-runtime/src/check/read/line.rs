@@ -59,6 +59,11 @@ impl<'a> Line<'a> {
         self.faults.len()
     }
 
+    /// The first of its faults that are not of its frame.
+    pub(super) fn first_fault(&self) -> Option<&str> {
+        self.faults.get(self.draft.frame_faults).map(|fault| fault.text.as_str())
+    }
+
     /// Takes away its faults except those of its frame.
     pub(super) fn excuse(&mut self) {
         self.faults.truncate(self.draft.frame_faults);

@@ -207,7 +207,7 @@ pub(super) fn switch(text: &[u8], line: &mut Line<'_>) -> bool {
 /// Executes the tool change of the control with the tool that a line calls: the value of its field `{tool}`.
 fn change_tool(called: Option<&[u8]>, line: &mut Line<'_>) {
     let Some(called) = called else {
-        line.fault(0, "tool change without a tool number");
+        line.fault(0, "tool change without a tool number: the field {tool} has no value");
         return;
     };
     // `5`, `"MILL 10"`, `="MILL 10"`
@@ -262,12 +262,17 @@ pub(super) fn resolve(text: &[u8], line: &mut Line<'_>, declared: Option<Declare
     }
     if line.fault_count() > line.draft.frame_faults {
         // What it does is unknown, so nothing of it is executed.
+        let reason = line.first_fault().unwrap_or_default().to_owned();
         line.draft.forget_codes();
         line.excuse();
+        let own = line.vocabulary().own.iter().find(|own| matches(&own.text, text));
+        let key = shown(own.map_or(text, |own| own.text.as_slice()));
+        let others: Vec<String> = Effect::NAMES[1..].iter().map(|(name, _)| format!("\"{name}\"")).collect();
         let text = format!(
-            "`{}` is a line of configuration or control with a code that the check does not know: declare its effect in \
-             `[control] effects`",
-            shown(text)
+            "`{}` is a line of configuration or control that the check cannot execute: {reason}; correct it, or declare its \
+             effect in `[control] effects`: `\"{key}\" = \"none\"`, or {} (a control in Rust: in `Control::effects`)",
+            shown(text),
+            others.join(", ")
         );
         line.fault(0, text);
     }

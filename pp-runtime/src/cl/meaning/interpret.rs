@@ -332,7 +332,8 @@ impl RecordInterpreter {
                 format!("{word} is refused: the effect of {}{number} on the machine is unknown", char::from(letter)),
                 format!(
                     "to output the code, allow it: `[cl] {key} = [{number}]`; if the control does not have it itself, \
-                     declare its effect in `[control] effects`, too"
+                     declare its effect in `[control] effects`, too: `{letter}{number} = \"none\"`",
+                    letter = char::from(letter)
                 ),
             ));
         }

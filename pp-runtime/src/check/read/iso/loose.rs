@@ -246,7 +246,7 @@ impl Reading<'_, '_> {
     fn tool_words(&mut self) {
         let (tool, change) = (self.line.draft.tool.is_some(), self.line.draft.change);
         if change && !tool && self.line.machine().state().selected.is_none() {
-            self.line.fault(0, "tool change without a tool number");
+            self.line.fault(0, "tool change without a tool number: no T has been programmed");
         }
         if tool && !change && self.line.facts().tool_call_alone && self.line.draft.written != 0 {
             self.line.fault(0, "tool call in a block with axis motion");
