@@ -111,7 +111,7 @@ fn main() {
     assert!(text.contains("the length of the tool axis is 2, and must be 1"), "{text}");
     refusal::<Pose>(r#"{"tip": [0.0, 0.0, 0.0], "axis": [0.0, 0.0, 1.0], "spin": 1.0}"#);
 
-    let solution = nearest(&machine, &pose, &Trunnion::HELD).unwrap();
+    let solution = nearest(&machine, &pose, &Trunnion::HELD, None).unwrap();
     assert_eq!(from_str::<Solution<[f64; 5]>>(&to_string(&solution).unwrap()).unwrap(), solution);
     let limits = Trunnion::AXES[1].limits.unwrap();
     assert_eq!(from_str::<Limits>(&to_string(&limits).unwrap()).unwrap(), limits);

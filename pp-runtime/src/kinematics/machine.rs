@@ -97,7 +97,8 @@ pub struct Axis {
     pub side: Side,
     /// Sign of the word.
     pub sign: Sign,
-    /// Declared travel, mm or rad; `None` is endless (`free`). A default: configuration may change it.
+    /// Declared travel: of a rotary axis in axis values, rad; of a linear axis in machine coordinates, mm. `None` is endless
+    /// (`free`). A default: configuration may change it.
     pub limits: Option<Limits>,
     /// Declared largest speed, mm/min or rad/min; `None` is unlimited. A default: configuration may change it.
     pub speed: Option<f64>,

@@ -18,7 +18,8 @@ pub enum NotNearest {
     OutsideTravel {
         /// The first such axis of the first branch.
         axis: char,
-        /// Its value there, mm or rad: a rotary axis as near to the present value as whole revolutions permit.
+        /// Machine coordinate of a linear axis there, mm; value of a rotary axis, rad, as near to the present one as whole
+        /// revolutions permit.
         value: f64,
     },
 }
@@ -30,7 +31,9 @@ impl fmt::Display for NotNearest {
             Self::OutsideTravel { axis: axis @ 'A'..='C', value } => {
                 write!(f, "{axis} is outside its travel, at {} degrees", value.to_degrees())
             }
-            Self::OutsideTravel { axis, value } => write!(f, "{axis} is outside its travel, at {value} mm"),
+            Self::OutsideTravel { axis, value } => {
+                write!(f, "{axis} is outside its travel, at machine coordinate {value} mm")
+            }
         }
     }
 }
@@ -40,6 +43,11 @@ impl core::error::Error for NotNearest {}
 /// The solution of a pose in which the rotary axes rotate least from `now`, in sum over the axes; of equal ones the first
 /// branch. Whole revolutions are added, and no solved axis leaves its declared travel. A rotary axis that is free at the pole, and
 /// held axes, keep their value of `now`.
+///
+/// The travel of a rotary axis is in axis values, that of a linear axis in machine coordinates. `machine_zero`: machine
+/// coordinate of each linear axis at axis value 0, mm, with the part of the gauge length that lies along the axis; in the order of
+/// the chain, and what it has for rotary axes is not read. It is the key `machine_zero` of a configuration plus that part of the
+/// length. Without it the travel of linear axes is not compared, as in a program that is posted without that key.
 ///
 /// The choice is made for one pose; a program is planned as a whole by `motion`.
 ///
@@ -59,18 +67,26 @@ impl core::error::Error for NotNearest {}
 /// let pose = Pose { tip: Point3::new(10.0, 0.0, 0.0), axis };
 /// // C has been rotated by two revolutions and a bit.
 /// let now = [725_f64.to_radians(), 0.0, 0.0, 0.0, 0.0];
-/// let found = nearest(&table, &pose, &now)?;
+/// let found = nearest(&table, &pose, &now, None)?;
 /// assert!((found.axes[0].to_degrees() - 720.0).abs() < 1e-9 && (found.axes[1].to_degrees() - 45.0).abs() < 1e-9);
+/// // With the part zero at machine coordinates X-480 Y-250 Z-400, and a tool of 120 mm on it.
+/// let zero = [0.0, 0.0, -480.0, -250.0, -280.0];
+/// assert_eq!(nearest(&table, &pose, &now, Some(&zero))?, found);
 /// # Ok::<(), pp_runtime::kinematics::NotNearest>(())
 /// ```
 ///
 /// # Errors
 /// [`NotNearest`]: no axis values give the pose, or none within the travel.
-pub fn nearest<M: Machine>(machine: &M, pose: &Pose, now: &M::Axes) -> Result<Solution<M::Axes>, NotNearest> {
+pub fn nearest<M: Machine>(
+    machine: &M,
+    pose: &Pose,
+    now: &M::Axes,
+    machine_zero: Option<&M::Axes>,
+) -> Result<Solution<M::Axes>, NotNearest> {
     let mut best: Option<Candidate<M::Axes>> = None;
     let mut outside = None;
     for solution in machine.inverse_kinematics(pose, now).iter() {
-        match within_travel::<M>(solution, now) {
+        match within_travel::<M>(solution, now, machine_zero) {
             Ok(candidate) => {
                 if best.as_ref().is_none_or(|best| candidate.rotation < best.rotation) {
                     best = Some(candidate);
@@ -98,18 +114,26 @@ struct Candidate<A> {
 }
 
 /// A solution with the revolutions that bring it nearest to `now`; or the first axis outside its travel.
-fn within_travel<M: Machine>(solution: &Solution<M::Axes>, now: &M::Axes) -> Result<Candidate<M::Axes>, NotNearest> {
+fn within_travel<M: Machine>(
+    solution: &Solution<M::Axes>,
+    now: &M::Axes,
+    machine_zero: Option<&M::Axes>,
+) -> Result<Candidate<M::Axes>, NotNearest> {
     let mut found = Candidate { solution: *solution, rotation: 0.0 };
-    let values = found.solution.axes.as_mut().iter_mut().zip(now.as_ref());
-    for (axis, (value, now)) in M::AXES.iter().zip(values).filter(|(axis, _)| !axis.held) {
-        if axis.kind == AxisKind::Rotary {
-            *value += TAU * revolutions(*value, *now, axis.limits.as_ref());
-            found.rotation += math::abs(*value - now);
-        }
-        if let Some(limits) = &axis.limits
-            && !(limits.lower - ROUNDING..=limits.upper + ROUNDING).contains(value)
+    let values = found.solution.axes.as_mut().iter_mut().zip(now.as_ref()).enumerate();
+    for (axis, (index, (value, now))) in M::AXES.iter().zip(values).filter(|(axis, _)| !axis.held) {
+        let compared = match axis.kind {
+            AxisKind::Rotary => {
+                *value += TAU * revolutions(*value, *now, axis.limits.as_ref());
+                found.rotation += math::abs(*value - now);
+                Some(*value)
+            }
+            AxisKind::Linear => machine_zero.map(|zero| *value + zero.as_ref()[index]),
+        };
+        if let (Some(limits), Some(value)) = (&axis.limits, compared)
+            && !(limits.lower - ROUNDING..=limits.upper + ROUNDING).contains(&value)
         {
-            return Err(NotNearest::OutsideTravel { axis: axis.letter, value: *value });
+            return Err(NotNearest::OutsideTravel { axis: axis.letter, value });
         }
     }
     Ok(found)
@@ -170,7 +194,7 @@ mod tests {
             let values = [random(-7.0, 5.2), random(-1.5, 2.5), random(-200.0, 200.0), random(-90.0, 90.0), 0.0];
             let pose = machine.forward_kinematics(&values);
             let now = [random(-6.9, 5.2), random(-0.5, 1.9), 0.0, 0.0, 0.0];
-            match (nearest(&machine, &pose, &now), least_by_trying(&pose, &now)) {
+            match (nearest(&machine, &pose, &now, Some(&[0.0; 5])), least_by_trying(&pose, &now)) {
                 (Ok(solution), Some(least)) => {
                     let axes = solution.axes;
                     let rotation = (axes[0] - now[0]).abs() + (axes[1] - now[1]).abs();
@@ -191,12 +215,29 @@ mod tests {
     fn a_pose_out_of_reach_has_its_reason() {
         let machine = Table::default();
         let pose = Pose { tip: Point3::new(f64::NAN, 0.0, 0.0), axis: nalgebra::Vector3::z_axis() };
-        assert_eq!(nearest(&machine, &pose, &[0.0; 5]), Err(NotNearest::Unreachable(Unreachable::NotFinite)));
+        assert_eq!(nearest(&machine, &pose, &[0.0; 5], None), Err(NotNearest::Unreachable(Unreachable::NotFinite)));
         let far = Pose { tip: Point3::new(400.0, 0.0, 0.0), axis: nalgebra::Vector3::z_axis() };
         // C keeps its value at the pole, so X is too short.
         assert!(matches!(
-            nearest(&machine, &far, &[0.0; 5]),
+            nearest(&machine, &far, &[0.0; 5], Some(&[0.0; 5])),
             Err(NotNearest::OutsideTravel { axis: 'X', value }) if (value - 400.0).abs() < 1e-9
         ));
+    }
+
+    #[test]
+    fn the_travel_of_linear_axes_is_in_machine_coordinates() {
+        let machine = Table::default();
+        let at = |x: f64, zero: Option<f64>| {
+            let pose = Pose { tip: Point3::new(x, 0.0, 0.0), axis: nalgebra::Vector3::z_axis() };
+            nearest(&machine, &pose, &[0.0; 5], zero.map(|zero| [9.0, 9.0, zero, 0.0, 0.0]).as_ref())
+        };
+        // X -400..300: the part zero is at machine coordinate -350.
+        assert!(at(400.0, Some(-350.0)).is_ok() && at(-45.0, Some(-350.0)).is_ok());
+        assert!(matches!(
+            at(-60.0, Some(-350.0)),
+            Err(NotNearest::OutsideTravel { axis: 'X', value }) if (value + 410.0).abs() < 1e-9
+        ));
+        // Where it is unknown the travel is not compared.
+        assert!(at(400.0, None).is_ok() && at(-450.0, None).is_ok());
     }
 }
