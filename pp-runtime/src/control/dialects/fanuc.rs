@@ -109,7 +109,7 @@ static SPELLINGS: Spellings = Spellings {
         }),
         frame_is_set: true,
         frame_settings: [
-            "no manual names a parameter for this frame, so prove it at the first G43.4 over a tilted table",
+            "parameter 19696#5 = 0, in the manual the frame at G43.4, so prove this one at the first G43.4 over a tilted table",
             "parameter 19696#5 = 0",
             "parameter 19696#5 = 1",
         ],
@@ -169,7 +169,12 @@ static SPELLINGS: Spellings = Spellings {
                     PARAM)",
             source: "",
         },
-        FoundAt { key: "tcp_frame", place: "parameter 19696#5", source: "A-79348E, p. 19" },
+        FoundAt {
+            key: "tcp_frame",
+            place: "parameter 19696#5: 0 is \"table_at_start\", 1 is \"not_turning\"; \"table_at_zero\" is in no manual, so prove \
+                    it at the machine with 0",
+            source: "A-79348E, p. 19",
+        },
     ],
     ..Spellings::ISO
 };

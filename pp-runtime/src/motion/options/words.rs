@@ -122,7 +122,8 @@ options! {
     /// Tip control, in mode `tcp`.
     pub struct TipOptions {
         /// Frame of tip coordinates while a table rotates: fixed to the table at zero ("table_at_zero") or at the start
-        /// of tip control ("table_at_start"), or fixed in the machine ("not_turning"). Fanuc: parameter 19696#5.
+        /// of tip control ("table_at_start"), or fixed in the machine ("not_turning"). Fanuc: parameter 19696#5 = 0
+        /// is "table_at_start" in the manual, 1 "not_turning"; "table_at_zero" has the same 0, and must be proven.
         ///
         /// Without it: the frame of the control, where it has only one.
         tcp_frame: Option<TcpFrame> = None, key("tcp_frame", OneOf(&TcpFrame::NAMES), "\"table_at_zero\"");

@@ -167,9 +167,11 @@ impl Faults<'_> {
         let table = rotaries(machine.axes(), Side::Workpiece).next().is_some();
         let head = rotaries(machine.axes(), Side::Tool).next().is_some();
         if ability.frame_is_parameter && table && tip.tcp_frame.is_none() {
-            let text =
-                "a parameter of the machine (19696#5) selects the frame of the tip coordinates while the table rotates";
-            self.setting(text, "give `tcp_frame`: \"table_at_zero\", \"table_at_start\" or \"not_turning\"");
+            let text = "parameter 19696#5 of the machine selects the frame of the tip coordinates while the table rotates: 0 is \
+                        that of the table at G43.4, 1 one that does not rotate (A-79348E, p. 19)";
+            let instead = "read the parameter and give `tcp_frame`: \"table_at_start\" for 0, \"not_turning\" for 1; \
+                           \"table_at_zero\" for a control that is proven to keep the frame of the table at zero with 0";
+            self.setting(text, instead);
         }
         if !ability.frame_is_parameter && tip.tcp_frame.is_some_and(|frame| frame != TcpFrame::TableAtZero) {
             let text = format!("{control} has its tip coordinates in the frame of the table at zero");
