@@ -3,6 +3,7 @@
 //!
 //! ```
 //! use pp_runtime::config::Config;
+//! use pp_runtime::control::LinuxCnc;
 //! use pp_runtime::diag::Severity;
 //! # pp_runtime::machine! {
 //! #     /// A table that rotates about Z on a table that tilts about X.
@@ -11,7 +12,7 @@
 //! # }
 //!
 //! let text = "[limits]\nD = [0, 1]\n";
-//! let faults = Config::read::<Trunnion>(text).expect_err("the machine has no such axis");
+//! let faults = Config::read::<Trunnion>(text, &LinuxCnc).expect_err("the machine has no such axis");
 //! assert_eq!(faults[0].severity, Severity::Error);
 //! let line = text.lines().nth(faults[0].location.line as usize - 1).expect("a line of the text");
 //! let column = faults[0].location.column as usize - 1;

@@ -8,6 +8,7 @@ use std::path::Path;
 use machines::{Dmu70e, LolaXoyzba, SpinnerU5620};
 use nalgebra::Vector3;
 use pp_runtime::config::Config;
+use pp_runtime::control::LinuxCnc;
 use pp_runtime::kinematics::{AxisKind, Machine, Pose};
 use serde_json::Value;
 use tests::binaries::{binary, workspace};
@@ -93,7 +94,7 @@ fn assert_complete(posted: &Posted) {
 /// Checks that tips agree with the axis values by the oracle, and with the points of their records.
 fn assert_tips<M: Machine>(posted: &Posted, config: &str) {
     let text = fs::read_to_string(workspace().join(config)).expect("a configuration");
-    let config = Config::read::<M>(&text).expect("a valid configuration");
+    let config = Config::read::<M>(&text, &LinuxCnc).expect("a valid configuration");
     let mut machine = config.set_up.machine::<M>().expect("a valid machine");
     let cl = fs::read_to_string(workspace().join(CL)).expect("CL data");
     let records: Vec<&str> = cl.lines().collect();

@@ -8,6 +8,7 @@ use std::fs;
 
 use machines::{Dmu70e, LolaXoyzba, MultiProDesk, SpinnerU5620};
 use pp_runtime::config::Config;
+use pp_runtime::control::LinuxCnc;
 use pp_runtime::kinematics::{Axis, AxisKind, Machine};
 use pp_runtime::nalgebra::Point3;
 use tempfile::TempDir;
@@ -79,7 +80,7 @@ fn feeds<M: Machine>(trace: &Trace) -> Vec<Vec<f64>> {
 
 /// The matrices of a machine with the part origin of a configuration.
 fn oracle<M: Machine>(case: &Case) -> Oracle {
-    let config = Config::read::<M>(case.config).expect("a configuration");
+    let config = Config::read::<M>(case.config, &LinuxCnc).expect("a configuration");
     let mut machine = config.set_up.machine::<M>().expect("valid");
     machine.set_up(config.set_up.part_origin.into(), case.length);
     Oracle::of(&machine)

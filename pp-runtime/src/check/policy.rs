@@ -11,7 +11,7 @@
 //! #     chain: C A | X Y Z;
 //! # }
 //!
-//! let config = Config::read::<Trunnion>("tolerance = 0.005\n").expect("keys of this machine");
+//! let config = Config::read::<Trunnion>("tolerance = 0.005\n", &Haas).expect("keys of this machine");
 //! let policy = config.check_policy::<Trunnion>(&Haas, None)?;
 //! assert!((policy.tolerances.path_mm - 0.005).abs() < 1e-12);
 //! # Ok::<(), pp_runtime::config::NotCheckable>(())

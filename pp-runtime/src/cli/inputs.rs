@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 
 use crate::config::{self, Config};
 use crate::control::{self, Control};
+use crate::diag::Diagnostic;
 use crate::kinematics::AnyMachine;
 
 use super::args::{MessageFormat, NamedFile, SetUpArgs};
@@ -45,7 +46,14 @@ pub(crate) fn read_config_file(
 ) -> Result<Config, Failure> {
     let start = config::starting_point(control);
     match path {
-        None => Ok(start),
+        // The defaults are no configuration of a machine with required dimensions.
+        None => start.read_over(machine, "").map_err(|faults| {
+            let with_help = |fault: &Diagnostic| match &fault.help {
+                Some(help) => format!("{}; {help} (`--config`)", fault.text),
+                None => fault.text.clone(),
+            };
+            Failure::Argument(faults.iter().map(with_help).collect::<Vec<_>>().join("\n"))
+        }),
         Some(path) => {
             let text = read_text(path, "configuration")?;
             let mut config = start.read_over(machine, &text).map_err(|faults| {

@@ -6,18 +6,19 @@
 //!
 //! ```
 //! use pp_runtime::config::Config;
+//! use pp_runtime::control::LinuxCnc;
 //! # pp_runtime::machine! {
 //! #     /// A table that rotates about Z on a table that tilts about X.
 //! #     pub struct Trunnion;
 //! #     chain: C A | X Y Z;
 //! # }
 //!
-//! let config = Config::read::<Trunnion>("part_origin = [0, 0, 40]\n\n[limits]\nA = [-30, 110]\n").expect("a configuration");
+//! let config = Config::read::<Trunnion>("part_origin = [0, 0, 40]\n\n[limits]\nA = [-30, 110]\n", &LinuxCnc).expect("a configuration");
 //! assert!(config.is_given("part_origin"));
 //! assert!((config.set_up.part_origin[2] - 40.0).abs() < 1e-12);
 //!
 //! // All faults of a file are reported, each at its place.
-//! let faults = Config::read::<Trunnion>("part_orign = [0, 0, 40]\ntolerance = -1\n").expect_err("two faults");
+//! let faults = Config::read::<Trunnion>("part_orign = [0, 0, 40]\ntolerance = -1\n", &LinuxCnc).expect_err("two faults");
 //! assert_eq!(faults.len(), 2);
 //! assert_eq!(faults[0].location.line, 1);
 //! ```
@@ -56,7 +57,8 @@ pub use print::print;
 pub use schema::schema;
 
 options! {
-    /// All options of a job, by stage.
+    /// All options of a job, by stage. The default is that of LinuxCNC; for another control take its [`starting_point`], or
+    /// [`read`](Config::read) a file.
     pub struct Config {
         /// Unit of CL data that does not state its own. Without it such data is refused.
         cl_units: Option<Units> = None, key("cl_units", OneOf(&Units::NAMES), "\"mm\"");

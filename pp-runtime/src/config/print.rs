@@ -24,8 +24,9 @@ pub fn print(machine: &dyn AnyMachine, control: &dyn Control) -> String {
         list.add_note(found.key, &found.comment());
     }
     let mut text = format!(
-        r#"# Set-up for {}.
+        r#"# Set-up for {}, control {}: for commands with `--control {}`.
 #
+# `--control` belongs to the command, not to this file: number formats that are not set here are those of that control.
 # A line that begins with `#` and a key shows a default: remove the `#` and change the value.
 # A line that begins with `# e.g.` shows a key that has no default.
 # A key that is not set here is marked as assumed in the summary and in the header of the program.
@@ -34,7 +35,9 @@ pub fn print(machine: &dyn AnyMachine, control: &dyn Control) -> String {
 # Unit of length of this file: "mm" or "in".
 units = "mm"
 "#,
-        machine.name()
+        machine.name(),
+        control.spellings().title,
+        control.spellings().name
     );
     // Writing to a string cannot fail.
     let _ = print_above(&mut text, list.rows());

@@ -3,24 +3,25 @@
 use toml::de::DeTable;
 
 use crate::cl::SetUpBegins;
-use crate::control::CONTROLS;
+use crate::control::{CONTROLS, Control};
 use crate::diag::Diagnostic;
 use crate::keys::{KeyReader, KeyScope, KeyTable, Keys};
-use crate::kinematics::{AnyMachine, Invalid, Machine};
-use crate::set_up::SetUp;
+use crate::kinematics::{AnyMachine, Machine};
 
-use super::{Config, Rapid, Units};
+use super::{Config, Rapid, Units, starting_point};
 
 impl Config {
-    /// Reads a configuration file for the machine `M`.
+    /// Reads a configuration file for the machine `M` and a control, which has number formats of its own: the configuration with
+    /// which the command line posts. A job has the same control.
     ///
     /// # Errors
     /// All faults of the file, in the order of the text.
-    pub fn read<M: Machine>(text: &str) -> Result<Self, Vec<Diagnostic>> {
-        Self::default().read_over(&M::default(), text)
+    pub fn read<M: Machine>(text: &str, control: &dyn Control) -> Result<Self, Vec<Diagnostic>> {
+        starting_point(control).read_over(&M::default(), text)
     }
 
-    /// Reads a configuration file for `machine` over the values of `self`, the defaults of a control.
+    /// Reads a configuration file for `machine` over the values of `self`: those of a control are its
+    /// [`starting_point`].
     ///
     /// # Errors
     /// All faults of the file, in the order of the text.
@@ -91,15 +92,8 @@ impl Config {
             && let Err(invalid) = self.set_up.machine_for(machine)
         {
             let span = file.get("dimensions", r).map_or(0..0, |value| value.span());
-            let name = machine.name();
-            let (text, help) = match invalid {
-                Invalid::Required { name: dimension } => {
-                    let text = format!("`dimensions.{dimension}` is missing: each {name} has its own value");
-                    (text, Some(SetUp::remedy(&invalid)))
-                }
-                _ => (format!("the kinematics of {name} are invalid with these dimensions: {invalid}"), None),
-            };
-            r.fault(span, text, help);
+            let (text, help) = self.set_up.refusal(machine, &invalid);
+            r.fault(span, text, Some(help));
         }
     }
 }

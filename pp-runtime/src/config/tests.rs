@@ -14,12 +14,12 @@ use super::sample::Sample;
 use super::*;
 
 fn read(text: &str) -> Config {
-    Config::read::<Sample>(text).unwrap_or_else(|faults| panic!("{faults:#?}"))
+    Config::read::<Sample>(text, &LinuxCnc).unwrap_or_else(|faults| panic!("{faults:#?}"))
 }
 
 /// The faults as `line:column: text` and, if there is one, ` | help`.
 fn faults(text: &str) -> Vec<String> {
-    let faults = Config::read::<Sample>(text).expect_err("the file has a fault");
+    let faults = Config::read::<Sample>(text, &LinuxCnc).expect_err("the file has a fault");
     let show = |fault: crate::diag::Diagnostic| {
         let help = fault.help.map_or(String::new(), |help| format!(" | {help}"));
         format!("{}:{}: {}{help}", fault.location.line, fault.location.column, fault.text)
@@ -316,7 +316,9 @@ fn an_unknown_dimension_names_the_nearest() {
 fn dimensions_for_which_the_formulas_fail_are_refused() {
     assert_eq!(
         faults("[dimensions]\nd = 0\n"),
-        ["1:1: the kinematics of Sample are invalid with these dimensions: `d` is zero: the table has no height"]
+        [
+            "1:1: the kinematics of Sample are invalid with these dimensions: `d` is zero: the table has no height | correct the dimensions in the configuration"
+        ]
     );
 }
 
@@ -328,13 +330,40 @@ crate::machine! {
     dims = { height: required };
 }
 
+crate::machine! {
+    /// A table with two dimensions that each machine has of its own.
+    struct Pair;
+    chain: C B | X Y Z;
+    d = (reach, 0, height);
+    dims = { reach: required, height: required };
+}
+
+#[test]
+fn all_required_dimensions_that_are_missing_are_named_at_once() {
+    let of = |text: &str| Config::read::<Pair>(text, &LinuxCnc).map_err(|faults| faults[0].text.clone());
+    let both = "`dimensions.reach`, `dimensions.height` are missing: each Pair has its own values";
+    assert_eq!(of(""), Err(both.to_owned()));
+    let one = "`dimensions.height` is missing: each Pair has its own value";
+    assert_eq!(of("[dimensions]\nreach = 3\n"), Err(one.to_owned()));
+    assert!(of("[dimensions]\nreach = 3\nheight = 4\n").is_ok());
+}
+
+#[test]
+fn the_effects_of_lines_have_the_same_names_in_a_configuration_and_in_the_check() {
+    for (name, effect) in crate::check::read::Effect::NAMES {
+        let config = read(&format!("[control.effects]\n\"M77 T{{tool}}\" = \"{name}\"\n"));
+        let policy = config.check_policy::<Sample>(&LinuxCnc, None).expect("it fits");
+        assert_eq!(policy.shop.effects, [("M77 T{tool}".to_owned(), effect)]);
+    }
+}
+
 #[test]
 fn a_required_dimension_is_asked_for_by_the_name_of_its_key() {
-    let faults = Config::read::<Individual>("[dimensions]\n").expect_err("the height is missing");
+    let faults = Config::read::<Individual>("[dimensions]\n", &LinuxCnc).expect_err("the height is missing");
     assert_eq!(faults[0].text, "`dimensions.height` is missing: each Individual has its own value");
     let help = "measure it at the machine, and write `height = ...` in the section `[dimensions]` of the configuration";
     assert_eq!(faults[0].help.as_deref(), Some(help));
-    let config = Config::read::<Individual>("[dimensions]\nheight = 62.5\n").expect("a configuration");
+    let config = Config::read::<Individual>("[dimensions]\nheight = 62.5\n", &LinuxCnc).expect("a configuration");
     assert_eq!(config.set_up.dimensions.get("height"), Some(&62.5));
     // The printed file is an example to fill in.
     let printed = print(&Individual::default(), &LinuxCnc);
@@ -430,7 +459,9 @@ fn coolant_codes_are_given_in_pairs_for_kinds_that_exist() {
 #[test]
 fn a_file_is_read_on_top_of_the_digits_of_the_control() {
     let start = crate::config::starting_point(&crate::control::Fanuc);
-    let config = start.read_over(&Sample::default(), "[formats]\nfeed = 1\n").expect("no fault");
+    let read = |text: &str| Config::read::<Sample>(text, &crate::control::Fanuc).expect("no fault");
+    assert_eq!(read("").formats, start.formats);
+    let config = read("[formats]\nfeed = 1\n");
     assert_eq!((config.formats.rotary, config.formats.feed, config.formats.linear_whole), (3, 1, 6));
 }
 
@@ -470,7 +501,7 @@ proptest! {
     #[test]
     fn any_file_is_read_or_refused(lines in proptest::collection::vec(any_line(), 0..8)) {
         let text = lines.join("\n");
-        if let Err(faults) = Config::read::<Sample>(&text) {
+        if let Err(faults) = Config::read::<Sample>(&text, &LinuxCnc) {
             prop_assert!(!faults.is_empty());
             for fault in faults {
                 prop_assert!(fault.location.line >= 1 && fault.location.column >= 1 && fault.length >= 1);

@@ -32,7 +32,8 @@ impl CheckedProgram {
     }
 }
 
-/// Posts CL data for a machine and checks the program, as the command `post` does.
+/// Posts CL data for a machine and checks the program, as the command `post` does. The result of the check is in
+/// [`CheckedProgram::checked`]; the comment of `program.checked` is written by the command alone.
 ///
 /// ```
 /// use pp_runtime::config::Config;

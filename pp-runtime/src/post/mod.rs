@@ -150,14 +150,15 @@ impl Report {
     }
 
     /// Adds the error that the dimensions of the machine are invalid; nothing is written then.
-    fn refuse(&mut self, machine: &dyn AnyMachine, invalid: &Invalid) {
+    fn refuse(&mut self, machine: &dyn AnyMachine, set_up: &SetUp, invalid: &Invalid) {
+        let (text, help) = set_up.refusal(machine, invalid);
         self.fault(Diagnostic {
             severity: Severity::Error,
             location: Location::default(),
             length: 1,
             count: 1,
-            text: format!("the dimensions of {} are not valid: {invalid}", machine.name()),
-            help: Some(SetUp::remedy(invalid)),
+            text,
+            help: Some(help),
         });
     }
 
@@ -356,7 +357,7 @@ pub fn post_for(
     let machine = match &ready {
         Ok(ready) => &**ready,
         Err(invalid) => {
-            report.refuse(machine, invalid);
+            report.refuse(machine, &job.config.set_up, invalid);
             return Ok(report);
         }
     };

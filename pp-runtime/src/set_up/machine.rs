@@ -1,6 +1,6 @@
 //! Applies a set-up to a machine: dimensions, travel and speeds for this job.
 
-use crate::kinematics::{AnyMachine, Axis, Invalid, Limits, Machine};
+use crate::kinematics::{AnyMachine, Axis, Dimension, Invalid, Limits, Machine};
 
 use super::SetUp;
 
@@ -46,16 +46,32 @@ impl SetUp {
         machine.validate()
     }
 
-    /// Remedy for dimensions with which the formulas of a machine do not hold.
-    pub(crate) fn remedy(invalid: &Invalid) -> String {
+    /// The reason why the formulas of a machine do not hold with these dimensions, and the remedy. All dimensions that are
+    /// missing are named.
+    pub(crate) fn refusal(&self, machine: &dyn AnyMachine, invalid: &Invalid) -> (String, String) {
+        let name = machine.name();
         match invalid {
-            Invalid::Required { name } => {
-                format!(
-                    "measure it at the machine, and write `{name} = ...` in the section `[dimensions]` of the configuration"
-                )
+            Invalid::Required { .. } => {
+                let dimensions = machine.dimensions();
+                let is_missing = |dimension: &&Dimension| {
+                    dimension.default.is_nan() && !self.dimensions.contains_key(dimension.name)
+                };
+                let missing: Vec<&str> = dimensions.iter().filter(is_missing).map(|dimension| dimension.name).collect();
+                let keys = missing.iter().map(|name| format!("`dimensions.{name}`")).collect::<Vec<_>>().join(", ");
+                let lines = missing.iter().map(|name| format!("`{name} = ...`")).collect::<Vec<_>>().join(", ");
+                let (are, values, them) = match missing.len() {
+                    1 => ("is", "its own value", "it"),
+                    _ => ("are", "its own values", "them"),
+                };
+                let text = format!("{keys} {are} missing: each {name} has {values}");
+                let help = format!(
+                    "measure {them} at the machine, and write {lines} in the section `[dimensions]` of the configuration"
+                );
+                (text, help)
             }
             Invalid::NotFinite { .. } | Invalid::Zero { .. } => {
-                "correct the dimensions in the configuration".to_owned()
+                let text = format!("the kinematics of {name} are invalid with these dimensions: {invalid}");
+                (text, "correct the dimensions in the configuration".to_owned())
             }
         }
     }

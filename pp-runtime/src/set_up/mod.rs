@@ -6,6 +6,7 @@
 //!
 //! ```
 //! use pp_runtime::config::{Config, GivenTool};
+//! use pp_runtime::control::LinuxCnc;
 //! # pp_runtime::machine! {
 //! #     /// A table that rotates about Z on a table that tilts about X.
 //! #     pub struct Trunnion;
@@ -17,7 +18,7 @@
 //! config.set_up.tools.insert(3, GivenTool { length_mm: Some(148.32), ..GivenTool::default() });
 //! // The same from a file.
 //! let file = "part_origin = [0, 0, 40]\n[tools.3]\nlength = 148.32\n";
-//! let read = Config::read::<Trunnion>(file).expect("a configuration");
+//! let read = Config::read::<Trunnion>(file, &LinuxCnc).expect("a configuration");
 //! assert_eq!(read.set_up, config.set_up);
 //! ```
 

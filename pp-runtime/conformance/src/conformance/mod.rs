@@ -110,7 +110,10 @@ impl fmt::Display for Fault {
 /// poses each (default 2000).
 ///
 /// A machine with `required` dimensions needs a sample of them, in mm and rad:
-/// `conformance!(Trunnion, trunnion, sample = { height: 120.5 });`.
+/// `conformance!(Trunnion, kinematics, sample = { height: 120.5 });`.
+///
+/// In `src` it needs `#[cfg(test)]`: a dev-dependency is there for tests only. In `tests/` a module with the name of the crate
+/// hides the crate, so `$name` is another one.
 #[macro_export]
 macro_rules! conformance {
     ($machine:ty, $name:ident $(, sample = $sample:tt)?) => {

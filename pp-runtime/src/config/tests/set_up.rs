@@ -4,14 +4,15 @@ use nalgebra::{Matrix3, Rotation3};
 
 use super::super::sample::Sample;
 use super::super::{ClampCodes, Config, LengthMode, ProgramZero, Stock};
+use crate::control::LinuxCnc;
 
 fn rotation(text: &str) -> Rotation3<f64> {
-    let config = Config::read::<Sample>(&format!("part_rotation = {text}\n"));
+    let config = Config::read::<Sample>(&format!("part_rotation = {text}\n"), &LinuxCnc);
     config.unwrap_or_else(|faults| panic!("{faults:#?}")).set_up.part_rotation
 }
 
 fn fault(text: &str) -> String {
-    let faults = Config::read::<Sample>(&format!("part_rotation = {text}\n")).expect_err("it is wrong");
+    let faults = Config::read::<Sample>(&format!("part_rotation = {text}\n"), &LinuxCnc).expect_err("it is wrong");
     assert_eq!(faults.len(), 1);
     faults[0].text.clone()
 }
@@ -56,14 +57,14 @@ fn a_matrix_that_is_no_rotation_is_refused() {
 
 #[test]
 fn program_zero_and_length_mode_are_words() {
-    let config = Config::read::<Sample>("program_zero = 'table'\nlength_mode = 'gauge'\n").expect("right");
+    let config = Config::read::<Sample>("program_zero = 'table'\nlength_mode = 'gauge'\n", &LinuxCnc).expect("right");
     assert_eq!((config.set_up.program_zero, config.set_up.length_mode), (ProgramZero::Table, LengthMode::Gauge));
-    assert!(Config::read::<Sample>("length_mode = 'spindle'\n").is_err());
+    assert!(Config::read::<Sample>("length_mode = 'spindle'\n", &LinuxCnc).is_err());
 }
 
 #[test]
 fn the_length_guard_can_be_forced_and_widened() {
-    let read = |text: &str| Config::read::<Sample>(text);
+    let read = |text: &str| Config::read::<Sample>(text, &LinuxCnc);
     let config = read("length_guard = true\nlength_tolerance = 0.05\n").expect("right");
     assert_eq!((config.motion.guards.length_guard, config.motion.guards.length_tolerance_mm), (Some(true), 0.05));
     assert!(read("length_tolerance = 0.00001\n").is_err() && read("length_tolerance = 5\n").is_err());
@@ -71,7 +72,7 @@ fn the_length_guard_can_be_forced_and_widened() {
 
 #[test]
 fn a_blank_has_two_corners() {
-    let read = |text: &str| Config::read::<Sample>(&format!("[stock]\n{text}\n"));
+    let read = |text: &str| Config::read::<Sample>(&format!("[stock]\n{text}\n"), &LinuxCnc);
     let config = read("lower = [-5, -4, -3]\nupper = [5, 4, 0]").expect("right");
     assert_eq!(config.set_up.stock, Some(Stock { lower: [-5.0, -4.0, -3.0], upper: [5.0, 4.0, 0.0], round: false }));
     assert_eq!(read("").expect("right").set_up.stock, None);
@@ -82,7 +83,7 @@ fn a_blank_has_two_corners() {
 
 #[test]
 fn a_clamp_has_two_m_codes() {
-    let read = |text: &str| Config::read::<Sample>(&format!("[clamp]\n{text}\n"));
+    let read = |text: &str| Config::read::<Sample>(&format!("[clamp]\n{text}\n"), &LinuxCnc);
     let config = read("C = { on = 'M10', off = 'M64 P1' }").expect("right");
     assert_eq!(config.motion.rotaries.clamp[&'C'], ClampCodes { on: "M10".to_owned(), off: "M64 P1".to_owned() });
     for wrong in [
@@ -99,7 +100,7 @@ fn a_clamp_has_two_m_codes() {
 
 #[test]
 fn an_offset_belongs_to_a_rotary_axis_that_is_solved() {
-    let read = |text: &str| Config::read::<Sample>(&format!("[rotary_offset]\n{text}\n"));
+    let read = |text: &str| Config::read::<Sample>(&format!("[rotary_offset]\n{text}\n"), &LinuxCnc);
     let config = read("C = 12.5").expect("right");
     assert!((config.set_up.rotary_offset[&'C'].to_degrees() - 12.5).abs() < 1e-12);
     assert_eq!(read("X = 1").expect_err("linear")[0].text, "X is not a solved rotary axis");
