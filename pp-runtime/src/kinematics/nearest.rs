@@ -231,11 +231,11 @@ mod tests {
             let pose = Pose { tip: Point3::new(x, 0.0, 0.0), axis: nalgebra::Vector3::z_axis() };
             nearest(&machine, &pose, &[0.0; 5], zero.map(|zero| [9.0, 9.0, zero, 0.0, 0.0]).as_ref())
         };
-        // X -400..300: the part zero is at machine coordinate -350.
-        assert!(at(400.0, Some(-350.0)).is_ok() && at(-45.0, Some(-350.0)).is_ok());
+        // X -150..150: the part zero is at machine coordinate -350.
+        assert!(at(400.0, Some(-350.0)).is_ok() && at(205.0, Some(-350.0)).is_ok());
         assert!(matches!(
-            at(-60.0, Some(-350.0)),
-            Err(NotNearest::OutsideTravel { axis: 'X', value }) if (value + 410.0).abs() < 1e-9
+            at(190.0, Some(-350.0)),
+            Err(NotNearest::OutsideTravel { axis: 'X', value }) if (value + 160.0).abs() < 1e-9
         ));
         // Where it is unknown the travel is not compared.
         assert!(at(400.0, None).is_ok() && at(-450.0, None).is_ok());
