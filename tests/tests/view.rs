@@ -7,11 +7,14 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
+use machine_library::XyzacTrt;
+use pp_runtime::config::Config;
 use pp_runtime::kinematics::{AxisKind, Machine};
+use pp_runtime::nalgebra::{Matrix3, Vector3};
 use serde_json::Value;
 use tests::binaries::{SAMPLES, binary, example_config, golden_programs, workspace};
 use tests::golden::Golden;
-use tests::oracle::angle_between;
+use tests::oracle::{Oracle, angle_between};
 use tests::page::{Page, number};
 use tests::with_machine;
 
@@ -410,5 +413,143 @@ fn the_machine_is_followed_through_its_retracts() {
             }
         }
         assert!(retracts > 0, "{}", given.0);
+    }
+}
+
+/// Axis values of a program for LinuxCNC, followed word by word: mm and degrees, in the order of the chain; `None`: unknown.
+struct Followed {
+    oracle: Oracle,
+    letters: Vec<char>,
+    values: Vec<Option<f64>>,
+    /// Lowest and highest of all values since every axis was known.
+    extremes: Vec<(f64, f64)>,
+}
+
+impl Followed {
+    fn new<M: Machine>(oracle: Oracle) -> Self {
+        let letters: Vec<char> = M::AXES.iter().map(|axis| axis.letter).collect();
+        let (values, extremes) = (vec![None; letters.len()], vec![(f64::INFINITY, f64::NEG_INFINITY); letters.len()]);
+        Self { oracle, letters, values, extremes }
+    }
+
+    fn tip(&self, values: &[f64]) -> Vector3<f64> {
+        let linear = |letter: &char| "XYZ".contains(*letter);
+        let si: Vec<f64> = values
+            .iter()
+            .zip(&self.letters)
+            .map(|(value, letter)| if linear(letter) { *value } else { value.to_radians() })
+            .collect();
+        self.oracle.forward(&si).tip.coords
+    }
+
+    /// Values that put the tip at a point, with the rotary axes of `values`.
+    fn with_tip(&self, point: &Vector3<f64>, values: &[f64]) -> Vec<f64> {
+        let mut solved = values.to_vec();
+        let linear: Vec<usize> = (0..solved.len()).filter(|index| "XYZ".contains(self.letters[*index])).collect();
+        linear.iter().for_each(|&index| solved[index] = 0.0);
+        let zero = self.tip(&solved);
+        let columns: Vec<Vector3<f64>> = linear
+            .iter()
+            .map(|&index| {
+                let mut moved = solved.clone();
+                moved[index] = 1.0;
+                self.tip(&moved) - zero
+            })
+            .collect();
+        let change = Matrix3::from_columns(&columns).try_inverse().expect("three directions") * (point - zero);
+        linear.iter().zip(change.iter()).for_each(|(&index, value)| solved[index] = *value);
+        solved
+    }
+
+    /// To words; under tip control X, Y and Z are those of the tip on the workpiece, and all words change evenly.
+    fn go(&mut self, words: &BTreeMap<char, f64>, tip_control: bool) {
+        let known = |values: &[Option<f64>]| values.iter().copied().collect::<Option<Vec<f64>>>();
+        let from = known(&self.values);
+        let word = |letter: &char| words.get(letter).copied();
+        let written: Vec<Option<f64>> =
+            self.letters.iter().zip(&self.values).map(|(letter, value)| word(letter).or(*value)).collect();
+        match (from, tip_control) {
+            (Some(from), true) => {
+                let start = self.tip(&from);
+                let end = Vector3::from(['X', 'Y', 'Z'].map(|letter| word(&letter)))
+                    .zip_map(&start, |word, value| word.unwrap_or(value));
+                let to = known(&written).expect("all are known");
+                for sample in 0..=16 {
+                    let share = f64::from(sample) / 16.0;
+                    let rotary: Vec<f64> = from.iter().zip(&to).map(|(from, to)| from + (to - from) * share).collect();
+                    let values = self.with_tip(&start.lerp(&end, share), &rotary);
+                    self.values = values.iter().copied().map(Some).collect();
+                    self.note();
+                }
+            }
+            (_, false) => self.values = written,
+            (None, true) => panic!("tip control is switched on at an unknown position"),
+        }
+        self.note();
+    }
+
+    fn note(&mut self) {
+        if self.values.iter().all(Option::is_some) {
+            for (value, (low, high)) in self.values.iter().flatten().zip(&mut self.extremes) {
+                (*low, *high) = (low.min(*value), high.max(*value));
+            }
+        }
+    }
+}
+
+#[test]
+fn extremes_of_a_sheet_under_tip_control_of_linuxcnc_are_those_of_the_axes() {
+    const GAUGE_MM: f64 = 120.0;
+    const ZERO_MM: [f64; 3] = [3.25, -4.5, -190.0];
+    let keys = "units = 'mm'\npart_origin = [0, 0, 20]\nmode = 'tcp'\n\
+                machine_zero = { X = 3.25, Y = -4.5, Z = -190.0 }\n[retract]\nposition = 119.0\n\
+                [dimensions]\ny_offset = 0.5\nz_offset = 25.5\n[control]\ntip_control = ['M428', 'M429']\n";
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = |name: &str| folder.path().join(name).display().to_string();
+    fs::write(path("keys.toml"), keys).expect("it can be written");
+    let cl = "examples/cl/concave.aptsource";
+    let mut files = ["post", "report"].into_iter().zip(["part.nc", "sheet.json"]).map(|(command, name)| {
+        let output = run(binary("xyzac-trt"), &[command, cl, "--config", &path("keys.toml")], path(name).as_ref());
+        read(&output, path(name).as_ref())
+    });
+    let (program, sheet) = (files.next().expect("a program"), files.next().expect("a sheet"));
+
+    let mut machine = Config::read::<XyzacTrt>(keys).expect("keys").set_up.machine::<XyzacTrt>().expect("valid");
+    machine.set_up([0.0, 0.0, 20.0].into(), GAUGE_MM);
+    let mut followed = Followed::new::<XyzacTrt>(Oracle::of(&machine));
+    let (mut tip_control, mut switched) = (false, 0);
+    for line in program.lines().filter(|line| !line.starts_with(['(', '%'])) {
+        let words: Vec<(char, f64)> = line
+            .split_whitespace()
+            .filter_map(|word| Some((word.chars().next()?, word.get(1..)?.parse().ok()?)))
+            .collect();
+        let code = |code: (char, f64)| words.contains(&code);
+        let mut axes: BTreeMap<char, f64> =
+            words.iter().copied().filter(|(letter, _)| followed.letters.contains(letter)).collect();
+        if code(('G', 53.0)) {
+            for ((letter, zero), gauge) in ['X', 'Y', 'Z'].iter().zip(ZERO_MM).zip([0.0, 0.0, GAUGE_MM]) {
+                axes.entry(*letter).and_modify(|word| *word -= zero + gauge);
+            }
+        }
+        if code(('M', 428.0)) || code(('M', 429.0)) {
+            tip_control = code(('M', 428.0));
+            switched += u32::from(tip_control);
+        } else if !axes.is_empty() {
+            followed.go(&axes, tip_control);
+        }
+    }
+    assert!(switched > 5, "{switched}");
+
+    let sheet: Value = serde_json::from_str(&sheet).expect("JSON");
+    let rows = sheet["set_ups"][0]["axes"].as_array().expect("rows");
+    assert_eq!(rows.len(), followed.letters.len());
+    for row in rows {
+        let letter = row["letter"].as_str().and_then(|text| text.chars().next()).expect("a letter");
+        let index = followed.letters.iter().position(|here| *here == letter).expect("an axis");
+        let added = "XYZ".find(letter).map_or(0.0, |axis| ZERO_MM[axis] + [0.0, 0.0, GAUGE_MM][axis]);
+        let (low, high) = followed.extremes[index];
+        let [lowest, highest] = ["lowest", "highest"].map(|key| number(&row[key]) - added);
+        assert!((lowest - low).abs() < 0.02 && (highest - high).abs() < 0.02, "{letter}: {row} for {low} to {high}");
+        assert!(row.get("outside_limits").is_none(), "{row}");
     }
 }

@@ -47,7 +47,7 @@ pub struct ExecutedBlock<'b> {
     pub findings: u64,
     /// Largest deviation of the tip from the path of the CL data, mm; `None` where it is not measured.
     pub deviation_mm: Option<f64>,
-    /// Words before the block, and the bits of those that are known.
+    /// Words before the block, and the bits of those that are known and have the same meaning in the block.
     pub(super) from: [f64; MAX_AXES],
     pub(super) known: u16,
     pub(super) rules: &'b Rules<'b>,
@@ -168,12 +168,11 @@ impl ExecutedBlock<'_> {
     pub fn legs_from(&self, position: &AxisValues) -> Vec<Leg<'_>> {
         let (block, words) = (self.block, self.rules.words());
         let Some(here) = words.words_at(position, &block.state) else { return Vec::new() };
-        let same = if self.before.frame() == block.state.frame() { self.known } else { 0 };
         let or_here = |known: u16, stated: &[f64; MAX_AXES]| {
             std::array::from_fn(|index| if known & (1 << index) == 0 { here[index] } else { stated[index] })
         };
         let axis = self.rotates_in_plane().then(|| words.chain().place(position).axis);
-        self.legs_of(or_here(same & block.known, &self.from), or_here(block.known, &block.values), axis)
+        self.legs_of(or_here(self.known & block.known, &self.from), or_here(block.known, &block.values), axis)
     }
 
     /// Whether the control rotates the tool axis evenly in a plane between the ends of the block.

@@ -32,6 +32,9 @@ pub(crate) struct Sheet<'a> {
     jog_sheet: Option<&'a [&'static str]>,
 }
 
+/// Largest difference of coordinates that are printed alike, mm or degrees.
+const SAME_COORDINATE: f64 = 5e-4;
+
 /// A clamping of the part and what is done in it.
 #[derive(Debug, Serialize)]
 struct SetUp {
@@ -57,6 +60,8 @@ struct AxisExtremes {
     limits: Option<[f64; 2]>,
     /// The axis has limits, perhaps of coordinates that are unknown.
     has_limits: bool,
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    outside_limits: bool,
 }
 
 /// A tool with its operations.
@@ -290,7 +295,10 @@ impl SetUp {
     fn extremes(&self) -> Body {
         let row = |axis: &AxisExtremes| {
             let limits = match axis.limits {
-                Some([lower, upper]) => format!("{} to {}", short(lower), short(upper)),
+                Some([lower, upper]) => {
+                    let mark = if axis.outside_limits { ": OUTSIDE" } else { "" };
+                    format!("{} to {}{mark}", short(lower), short(upper))
+                }
                 None if axis.has_limits => "machine coordinates, not comparable without `machine_zero`".to_owned(),
                 None => "none".to_owned(),
             };
@@ -330,6 +338,12 @@ fn set_up(program: &ViewedProgram<'_>, number: u32, clamping: &Clamping<'_>, ope
         let here = here.filter(|(point, _)| executed.placements[point.placement].set_up == number);
         let (lowest, highest) =
             here.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), (_, value)| (low.min(value), high.max(value)));
+        let limits_here = limits[index]
+            .filter(|_| program.has_coordinates(index))
+            .map(|limits| [limits.lower, limits.upper].map(shown));
+        let outside = |[lower, upper]: [f64; 2]| {
+            shown(lowest) < lower - SAME_COORDINATE || shown(highest) > upper + SAME_COORDINATE
+        };
         (lowest <= highest).then(|| AxisExtremes {
             letter: axis.letter,
             unit: if rotary { "°" } else { "mm" },
@@ -337,9 +351,8 @@ fn set_up(program: &ViewedProgram<'_>, number: u32, clamping: &Clamping<'_>, ope
             has_limits: limits[index].is_some(),
             lowest: shown(lowest),
             highest: shown(highest),
-            limits: limits[index]
-                .filter(|_| program.has_coordinates(index))
-                .map(|limits| [limits.lower, limits.upper].map(shown)),
+            limits: limits_here,
+            outside_limits: limits_here.is_some_and(outside),
         })
     };
     SetUp {

@@ -200,7 +200,7 @@ impl<'a, R: Read> Checker<'a, R> {
             findings,
             deviation_mm,
             from,
-            known,
+            known: known & block.known_before,
             rules: &self.comparison.rules,
         });
         self.before = block.state;
@@ -266,7 +266,7 @@ impl<R: Read> Comparison<'_, R> {
             self.travel.machine_block(&self.rules, block);
         } else {
             let findings = Findings { tally: &mut self.tally, at: current.at, shown: current.shown };
-            let before = (&self.previous.words, self.previous.known);
+            let before = (&self.previous.words, self.previous.known & block.known_before);
             self.travel.block(&self.rules, before, block, findings);
         }
         self.previous.words = block.values;

@@ -376,6 +376,8 @@ pub struct Block {
     pub values: [f64; MAX_AXES],
     /// Axes whose value is known: bits by position.
     pub known: u16,
+    /// Axes whose value before the block is known, and has had its present meaning since it was programmed: bits.
+    pub known_before: u16,
     /// Axes whose words stand in the block.
     pub written: u16,
     /// A complete state begins here: the block names the unit, or what stands for it.
@@ -409,6 +411,7 @@ impl Default for Block {
             state: State::default(),
             values: [0.0; MAX_AXES],
             known: 0,
+            known_before: 0,
             written: 0,
             restart: false,
             stated: 0,

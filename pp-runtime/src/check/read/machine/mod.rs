@@ -168,6 +168,7 @@ impl Interpreter {
         } else if draft.groups != 0 || draft.written != 0 || draft.vector_written != 0 {
             self.set_state(draft, &mut block.faults);
         }
+        block.known_before = self.known;
         if !draft.only_moves {
             self.state_bits(draft, block.restart);
         }
