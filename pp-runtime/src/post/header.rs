@@ -221,15 +221,13 @@ fn retract(control: &dyn Control, config: &Config) -> Vec<String> {
     method.into_iter().chain(home).collect()
 }
 
-/// Required rotary entries of the work offset: those of the table always, those of the head only where `rotary_offset`
-/// is used.
+/// Required rotary entries of the work offset, those of the table first.
 fn rotary_entries(machine: &dyn AnyMachine, control: &dyn Control, config: &Config) -> Vec<String> {
     let offsets: Vec<String> =
         config.set_up.clampings().map(|(_, part)| offset_name(control, part.work_offset)).collect();
     let entries_of = offsets.join(" and ");
-    let used = !config.set_up.rotary_offset.is_empty();
-    let mut letters: Vec<char> = rotaries(machine, Side::Workpiece).map(|axis| axis.letter).collect();
-    letters.extend(rotaries(machine, Side::Tool).filter(|_| used).map(|axis| axis.letter));
+    let axes = [Side::Workpiece, Side::Tool].into_iter().flat_map(|side| rotaries(machine, side));
+    let letters = axes.map(|axis| axis.letter);
     let (mut list, mut zero) = (Vec::new(), String::new());
     for letter in letters {
         match config.set_up.rotary_offset.get(&letter) {

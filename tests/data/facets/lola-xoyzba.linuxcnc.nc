@@ -15,6 +15,7 @@
 (WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg of its great circle)
 (ROTARY WORDS are absolute and may go below 0 and beyond 360: the axes must not be wrapped [WRAPPED_ROTARY = 0])
 (linear limits not checked: no travel declared [X Y Z])
+(the entries of B and A in G54 must be zero)
 (T5 DIA 16 R0 L132.5 H5, 3 operations, tip Z -13.517 to 58.514)
 (T5 posted with L = 132.5: H5 must hold exactly this)
 (T6 DIA 6 R0 L97.25 H6, 1 operation, tip Z -4.281 to 61.011)

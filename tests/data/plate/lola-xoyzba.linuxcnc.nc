@@ -16,6 +16,7 @@
 (WHILE A ROTARY AXIS MOVES the tip stays within 0.001 of its line at feed, the tool axis within 0.1 deg of its great circle)
 (ROTARY WORDS are absolute and may go below 0 and beyond 360: the axes must not be wrapped [WRAPPED_ROTARY = 0])
 (linear limits not checked: no travel declared [X Y Z])
+(the entries of B and A in G54 must be zero)
 (T3 DIA 0.25 L4 H3, 1 operation, tip Z -0.4 to 1)
 (T3 posted with L = 4: H3 must hold exactly this)
 (ASSUMED work offset G54)

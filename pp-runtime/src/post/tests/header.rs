@@ -120,6 +120,7 @@ fn a_program_for_a_head_states_the_length_it_was_posted_with() {
     assert_eq!(report.diagnostics, []);
     assert!(text.contains("(T1 posted with L = 95.5: H1 must hold exactly this)"), "{text}");
     assert!(!text.contains("touch off"));
+    assert!(text.contains("(the entries of B and A in G54 must be zero)"), "{text}");
 }
 
 #[test]

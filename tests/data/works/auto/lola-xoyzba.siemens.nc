@@ -20,6 +20,7 @@
 ; LINEAR WORDS in planes are tip coordinates in the tilted plane, from the same zero
 ; MODE plane: the direction reference of the swivel data must be the rotary axis nearest the tool
 ; linear limits not checked: no travel declared (X Y Z)
+; the entries of B and A in G54 must be zero
 ; T1 DIA 10 R0 L110 D1, 3 operations, tip Z -7.398 to 36.793
 ; T2 DIA 5 L130 D1, 1 operation, tip Z -15.078 to 28.689
 ; T3 DIA 6 L95 D1, 1 operation, tip Z -10 to 25

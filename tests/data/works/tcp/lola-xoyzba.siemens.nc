@@ -18,6 +18,7 @@
 ; ROTARY WORDS are absolute and may go below 0 and beyond 360: the axes must not be modulo axes (MD30310 = 0)
 ; LINEAR WORDS are tip coordinates in a frame fixed to the table, aligned with the machine axes when its rotary axes are at zero; rotary axes move evenly
 ; linear limits not checked: no travel declared (X Y Z)
+; the entries of B and A in G54 must be zero
 ; T1 DIA 10 R0 L110 D1, 3 operations, tip Z -7.398 to 36.793
 ; T2 DIA 5 L130 D1, 1 operation, tip Z -15.078 to 28.689
 ; ASSUMED unit of the CL data is mm, as given; the CL file states none
