@@ -179,7 +179,8 @@ pub(crate) struct ExplainArgs {
     /// the code takes (those without brackets are needed), group of which a block has one code, source
     #[arg(long, conflicts_with_all = ["latex", "cl", "proof_program"])]
     pub(crate) codes: bool,
-    /// Print a proof program for the machine instead: the tip stays on one point while each rotary axis runs its travel
+    /// Print a proof program for the machine instead: the tip stays on one point while each rotary axis runs its travel.
+    /// Its words are axis positions whatever `mode` is: it shows the declaration, not the tip control of the control
     #[arg(long, conflicts_with_all = ["latex", "cl"])]
     pub(crate) proof_program: bool,
     #[command(flatten)]
