@@ -23,3 +23,13 @@ conformance!(XyzabTdr, xyzab_tdr, sample = { x_offset: -20.0, z_offset: -10.0 })
 conformance!(XyzacTrt, xyzac_trt, sample = { y_offset: 20.0, z_offset: 10.0 });
 conformance!(XyzacbTrsrn, xyzacb_trsrn, sample = { x_offset: 0.0, y_offset: 50.0, y_pivot: 120.0, z_pivot: 200.0 });
 conformance!(XyzbcTrt, xyzbc_trt, sample = { x_offset: -20.0, z_offset: -15.0 });
+
+#[test]
+fn required_dimensions_without_a_sample_are_named_in_one_sentence() {
+    let fault = pp_conformance::conformance::find_fault::<HaasTrunnion>(1).expect("its dimensions are required");
+    assert_eq!(
+        fault.details,
+        "machine HaasTrunnion: give a sample of its dimensions, in mm and rad, such as `sample = { tilt_y: 100.0, tilt_z: \
+         100.0 }`, as the last argument of `conformance!`"
+    );
+}

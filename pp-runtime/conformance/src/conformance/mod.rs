@@ -203,6 +203,22 @@ pub fn find_fault<M: Machine>(poses: usize) -> Option<Fault> {
 }
 
 fn perform(declared: &dyn Subject, check: Check, poses: usize) -> Result<(), Fault> {
+    let dimensions = declared.dimensions().iter().enumerate();
+    let missing: Vec<String> = dimensions
+        .filter(|(index, _)| declared.dimension(*index).is_nan())
+        .map(|(_, dimension)| format!("{}: 100.0", dimension.name))
+        .collect();
+    if !missing.is_empty() {
+        return Err(Fault {
+            rule: "every `required` dimension has a value",
+            details: format!(
+                "machine {}: give a sample of its dimensions, in mm and rad, such as `sample = {{ {} }}`, as the last argument of \
+                 `conformance!`",
+                declared.name(),
+                missing.join(", ")
+            ),
+        });
+    }
     if check == Check::Declaration {
         return declaration(declared);
     }
