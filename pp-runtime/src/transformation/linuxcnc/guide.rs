@@ -16,7 +16,7 @@ pub(super) fn readme(module: &Module<'_>) -> String {
          | `{name}.comp` | the kinematics module, C for `halcompile` |\n\
          | `{stem}.ini`, `{stem}.hal` | a simulated machine to try it, and the lines to copy into your own configuration |\n\
          | `m428.ngc`, `m429.ngc` | tip control on and off, as remapped codes |\n\
-         | `tool.tbl` | tools of the set-up file |\n\n\
+         | `tool.tbl` | tools of `[tools]` in the set-up file; lengths that only the CL data has are not in it: enter these |\n\n\
          ## Try it\n\n\
          ```sh\n\
          sudo apt install linuxcnc-uspace linuxcnc-uspace-dev\n\
