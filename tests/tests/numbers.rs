@@ -132,7 +132,7 @@ fn the_name_of_an_operation_comes_before_its_blocks_and_after_those_of_the_last(
             let of_operation = |line: &&str| {
                 line.contains(name) && (line.contains("OPERATION ") || line.contains("MSG(") || line.contains("* - "))
             };
-            lines.iter().position(|line| of_operation(line)).expect("a name")
+            lines.iter().position(of_operation).expect("a name")
         };
         let places = ["FACE", "WALL", "SLOT"].map(named);
         assert!(places.is_sorted(), "{program}");

@@ -9,6 +9,7 @@ use std::process::{Command, Output};
 
 use machine_library::XyzacTrt;
 use pp_runtime::config::Config;
+use pp_runtime::control::LinuxCnc;
 use pp_runtime::kinematics::{AxisKind, Machine};
 use pp_runtime::nalgebra::{Matrix3, Vector3};
 use serde_json::Value;
@@ -514,7 +515,8 @@ fn extremes_of_a_sheet_under_tip_control_of_linuxcnc_are_those_of_the_axes() {
     });
     let (program, sheet) = (files.next().expect("a program"), files.next().expect("a sheet"));
 
-    let mut machine = Config::read::<XyzacTrt>(keys).expect("keys").set_up.machine::<XyzacTrt>().expect("valid");
+    let mut machine =
+        Config::read::<XyzacTrt>(keys, &LinuxCnc).expect("keys").set_up.machine::<XyzacTrt>().expect("valid");
     machine.set_up([0.0, 0.0, 20.0].into(), GAUGE_MM);
     let mut followed = Followed::new::<XyzacTrt>(Oracle::of(&machine));
     let (mut tip_control, mut switched) = (false, 0);

@@ -26,6 +26,7 @@ use chapter::{Chapter, Listing, Part};
 use folder::Folder;
 use machines::COMMANDS;
 use pp_runtime::config::Config;
+use pp_runtime::control::LinuxCnc;
 use tests::binaries::workspace;
 
 /// Whether the files are rewritten.
@@ -45,7 +46,7 @@ fn try_listing(chapter: &Chapter, listing: &Listing, folder: &mut Folder) -> Res
         ("rust" | "rust,no_run" | "rust,compile_fail", None) => is_compiled(chapter)?,
         ("toml", None) => {
             let faults = |faults| format!("is no configuration: {faults:?}");
-            Config::read::<::machines::SpinnerU5620>(&listing.text()).map_err(faults)?;
+            Config::read::<::machines::SpinnerU5620>(&listing.text(), &LinuxCnc).map_err(faults)?;
         }
         (_, Some(_)) => (),
         (language, None) => return Err(format!("a listing `{language}` without the name of a file has no rule")),
