@@ -275,8 +275,8 @@ fn a_line_that_changes_the_tool_has_the_tool_of_its_field() {
         (false, "G65 P9001", "without a tool number"),
         (false, "G65 P9001 T5.", "no tool of the configuration"),
         (true, "G65 P9001 T5", "expected its name"),
-        (false, "G65 P9001 T=\"MILL 10\"", "expected its number"),
-        (true, "G65 P9001 T=\"MILL 11\"", "no tool of the configuration"),
+        (false, "G65 P9001 T=\"7\"", "expected its number"),
+        (true, "G65 P9001 T=\"MILL\"", "no tool of the configuration"),
     ] {
         let block = of(Family::Fanuc, macro_call, by_name, &format!("{line}\n"));
         assert!(block.faults.iter().any(|fault| fault.text.contains(text)), "{line}: {:?}", block.faults);
