@@ -83,9 +83,8 @@ fn blocks_have_numbers_where_the_configuration_asks_for_them() {
     }
     let heidenhain = control::by_name("heidenhain").expect("a control");
     for keys in ["line_numbers = 'none'", "line_numbers = 'tool_changes'", "line_numbers = 10"] {
-        let config = config(heidenhain, keys);
-        let unfit = control::unfit(&SpinnerU5620::default(), heidenhain, config.demands()).join("\n");
-        assert!(unfit.contains("every line of a program for Heidenhain TNC has a number anyway"), "{unfit}");
+        let program = posted(heidenhain, keys);
+        assert!(program.contains("Heidenhain TNC numbers every line"), "{program}");
     }
 }
 

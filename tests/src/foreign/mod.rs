@@ -243,6 +243,9 @@ impl Run<'_> {
             return Err("something follows the end code".to_owned());
         }
         self.reached |= self.options.entry.is_some_and(|entry| line >= entry.line);
+        if ["BLK FORM ", "WORKPIECE("].iter().any(|blank| text.contains(blank)) {
+            self.trace.blank.push(text.to_owned());
+        }
         match self.guards.line(control, line, &content)? {
             Outcome::NotAGuard => {}
             Outcome::GoesOn => {

@@ -8,6 +8,8 @@ use super::state::{Cycle, CycleKind, FeedMode, Length, MotionMode, Spindle, Stat
 /// An executed program.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Trace {
+    /// Lines that define the blank for the graphics of the control.
+    pub blank: Vec<String>,
     /// Comments without their marks, with their lines.
     pub comments: Vec<(usize, String)>,
     /// Blocks, in the order of execution.

@@ -56,7 +56,7 @@ impl<R: Read> Comparison<'_, R> {
             let misplaced = place_of_line(own.place, phase, self.tally.motions(), ended);
             self.found_any(current, misplaced);
         }
-        if !phase.is_at_part() {
+        if !phase.is_at_part() || !current.block.action.moves() {
             self.shop_lines.note(current.shown.text);
         }
         if block.restart {

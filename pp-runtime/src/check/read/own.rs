@@ -304,13 +304,18 @@ impl PlacedLines {
             let line = [number, text].concat();
             Reader::new(&line[..], vocabulary.clone()).next_block().is_ok_and(|block| block.is_some())
         };
-        let is_written = |text: &[u8]| {
-            let mut words = text.split(|byte| *byte == b' ');
-            words.any(|word| !word.contains(&b'{'))
-                && !text.windows(6).any(|field| field == b"{next}")
-                && is_block(text)
+        let is_written = |own: &&OwnText| {
+            // A tool change has a tool.
+            let fields = |word: &[u8]| word.iter().filter(|byte| **byte == b'{').count();
+            let of_tool = |word: &[u8]| fields(word) == 1 && word.windows(6).any(|field| field == b"{tool}");
+            let has_value = |word: &[u8]| own.place == OwnPlace::ToolChange && of_tool(word);
+            let mut words = own.text.split(|byte| *byte == b' ');
+            own.place.key().is_some()
+                && words.any(|word| fields(word) == 0 || has_value(word))
+                && !own.text.windows(6).any(|field| field == b"{next}")
+                && is_block(&own.text)
         };
-        let placed = vocabulary.own.iter().filter(|own| own.place.key().is_some() && is_written(&own.text));
+        let placed = vocabulary.own.iter().filter(is_written);
         let lines =
             placed.map(|own| PlacedLine { text: own.text.clone(), place: own.place, has_come: false }).collect();
         Self { lines, facts, bare: Bare::default() }

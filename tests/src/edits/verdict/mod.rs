@@ -73,6 +73,9 @@ pub fn verdict(original: &Trace, edited: &Result<Trace, Refused>, allowed: Allow
             None => {}
         }
     }
+    if edited.blank != original.blank {
+        soft = soft.or_else(|| Some("the blank of the graphics".to_owned()));
+    }
     if edited.blocks.last().map(|block| &block.effect) != original.blocks.last().map(|block| &block.effect) {
         soft = soft.or_else(|| Some("the last block".to_owned()));
     }
