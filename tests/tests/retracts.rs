@@ -35,7 +35,7 @@ FINI
 
 fn config<M: Machine>(control: &dyn Control, keys: &str) -> Result<Config, String> {
     let mode = if keys.contains("mode") { "" } else { "mode = 'axes'\n" };
-    let text = format!("{mode}{keys}");
+    let text = format!("part_origin = [0.0, 0.0, 0.0]\n{mode}{keys}");
     starting_point(control).read_over(&M::default(), &text).map_err(|faults| format!("{text}: {faults:?}"))
 }
 

@@ -55,7 +55,9 @@ work_offset = \"G55\"
 
 fn config<M: Machine>(control: &'static dyn Control, mode: &str, keys: &str) -> Config {
     let keys = if control.spellings().name == "fanuc" { keys.to_owned() } else { keys.replace("tcp_frame", "#") };
-    let text = format!("mode = '{mode}'\n{keys}");
+    let given = keys.split('[').next().is_some_and(|keys| keys.contains("part_origin"));
+    let origin = if given { "" } else { "part_origin = [0.0, 0.0, 0.0]\n" };
+    let text = format!("mode = '{mode}'\n{origin}{keys}");
     starting_point(control).read_over(&M::default(), &text).unwrap_or_else(|faults| panic!("{text}: {faults:?}"))
 }
 
