@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
 use machine_library::XyzacTrt;
+use pp_runtime::cli::{Status, Streams, run_with};
 use pp_runtime::config::Config;
 use pp_runtime::control::LinuxCnc;
 use pp_runtime::kinematics::{AxisKind, Machine};
@@ -508,10 +509,13 @@ fn extremes_of_a_sheet_under_tip_control_of_linuxcnc_are_those_of_the_axes() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = |name: &str| folder.path().join(name).display().to_string();
     fs::write(path("keys.toml"), keys).expect("it can be written");
-    let cl = "examples/cl/concave.aptsource";
+    let cl = workspace().join("examples/cl/concave.aptsource").display().to_string();
     let mut files = ["post", "report"].into_iter().zip(["part.nc", "sheet.json"]).map(|(command, name)| {
-        let output = run(binary("xyzac-trt"), &[command, cl, "--config", &path("keys.toml")], path(name).as_ref());
-        read(&output, path(name).as_ref())
+        let args = ["xyzac-trt", command, &cl, "--config", &path("keys.toml"), "-o", &path(name)].map(Into::into);
+        let (mut output, mut errors) = (Vec::new(), Vec::new());
+        let streams = Streams { input: &mut &b""[..], output: &mut output, errors: &mut errors, terminal: false };
+        assert_eq!(run_with::<XyzacTrt>(&args, streams), Status::Done, "{}", String::from_utf8_lossy(&errors));
+        fs::read_to_string(path(name)).expect("a file")
     });
     let (program, sheet) = (files.next().expect("a program"), files.next().expect("a sheet"));
 
