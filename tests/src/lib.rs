@@ -9,6 +9,7 @@
 //! - [`agreement`]: compares the product's own reader with the foreign interpreter, on the same program.
 //! - [`linuxcnc`]: a real control: its interpreter alone, and the whole control, simulated.
 //! - [`golden`]: golden programs with all that their check needs.
+//! - [`posting`]: CL data posted in memory, and compared by the check.
 //! - [`page`]: the data of a page, decoded, and its machine multiplied out.
 //! - [`binaries`]: the machines' binaries, built and run.
 //!
@@ -27,6 +28,7 @@ pub mod golden;
 pub mod heap;
 pub mod linuxcnc;
 pub mod page;
+pub mod posting;
 
 #[cfg(doctest)]
 mod book;

@@ -4,12 +4,12 @@
 use std::io::Cursor;
 
 use machines::{Dmu70e, LolaXoyzba, SpinnerU5620};
-use pp_runtime::check::check;
 use pp_runtime::config::{Config, starting_point};
 use pp_runtime::control::{self, Control};
 use pp_runtime::diag::Severity;
 use pp_runtime::kinematics::Machine;
 use pp_runtime::post::{Job, post};
+use tests::posting::findings;
 
 const CONTROLS: [&str; 5] = ["linuxcnc", "fanuc", "siemens", "heidenhain", "haas"];
 
@@ -62,12 +62,6 @@ fn posted<M: Machine>(config: &Config, control: &'static dyn Control, cl: &str) 
     let error = report.diagnostics.into_iter().find(|found| found.severity == Severity::Error);
     assert!(error.is_none(), "{}: {error:?}", control.spellings().name);
     String::from_utf8(program).expect("ASCII")
-}
-
-fn findings<M: Machine>(config: &Config, control: &'static dyn Control, cl: &str, program: &str) -> Vec<String> {
-    let policy = config.check_policy::<M>(control, None).expect("it can be checked");
-    let checked = check::<M>(&policy, Cursor::new(cl), program.as_bytes()).expect("it can be read");
-    checked.outcome.findings.into_iter().map(|finding| finding.text).collect()
 }
 
 /// The blocks between two rotations of the table.

@@ -9,7 +9,6 @@ use std::io::Cursor;
 
 use machines::{Dmu70e, LolaXoyzba, SpinnerU5620};
 use nalgebra::{Point3, UnitVector3, Vector3};
-use pp_runtime::check::check;
 use pp_runtime::config::{Config, Mode, starting_point};
 use pp_runtime::control as product;
 use pp_runtime::kinematics::{AxisKind, Machine, Pose};
@@ -17,6 +16,7 @@ use pp_runtime::post::{Job, Report, post};
 use tests::block::{angle_to_arc, distance_to_line};
 use tests::foreign::{Control, Effect, Executed, Feed, Options, run};
 use tests::oracle::Oracle;
+use tests::posting::findings;
 
 /// Samples of a block.
 const POINTS: usize = 200;
@@ -107,12 +107,6 @@ fn posted<M: Machine>(control: Control, config: &Config, cl: &str) -> (Report, S
     let found = findings::<M>(config, control, cl, &text);
     assert!(found.is_empty(), "{text}\n{found:?}");
     (report, text)
-}
-
-fn findings<M: Machine>(config: &Config, control: &dyn product::Control, cl: &str, program: &str) -> Vec<String> {
-    let policy = config.check_policy::<M>(control, None).expect("it can be checked");
-    let checked = check::<M>(&policy, Cursor::new(cl), program.as_bytes()).expect("it can be read");
-    checked.outcome.findings.iter().map(|found| found.text.clone()).collect()
 }
 
 /// Tip and tool axis of words.

@@ -1,11 +1,9 @@
 //! Block numbers, the header and the comments of operations, as the configuration selects them.
 
-use std::io::Cursor;
-
 use machines::SpinnerU5620;
 use pp_runtime::config::{Config, starting_point};
 use pp_runtime::control::{self, Control};
-use pp_runtime::post::{Job, post};
+use tests::posting::{self, bare};
 
 /// Three operations, the second with the tool of the first.
 const CL: &str = "UNITS/MM
@@ -38,19 +36,9 @@ fn config(control: &dyn Control, keys: &str) -> Config {
     starting_point(control).read_over(&SpinnerU5620::default(), &text).unwrap_or_else(|faults| panic!("{faults:?}"))
 }
 
-/// The program, which its own check has read.
+/// The program, which passes its check.
 fn posted(control: &'static dyn Control, keys: &str) -> String {
-    let config = config(control, keys);
-    let job = Job { cl_name: "part.cls", config: &config, control, units: None };
-    let mut program = Vec::new();
-    let report = post::<SpinnerU5620>(&job, &mut Cursor::new(CL), &mut program).expect("it can run");
-    let program = String::from_utf8(program).expect("ASCII");
-    assert!(!report.failed, "{program}\n{:?}", report.diagnostics);
-    let policy = config.check_policy::<SpinnerU5620>(control, None).expect("it can be checked");
-    let checked = pp_runtime::check::check::<SpinnerU5620>(&policy, Cursor::new(CL), program.as_bytes());
-    let found = checked.expect("it can be read").outcome.findings;
-    assert!(found.is_empty(), "{program}\n{found:?}");
-    program
+    posting::posted::<SpinnerU5620>(&config(control, keys), control, CL)
 }
 
 /// Controls whose blocks may do without a number.
@@ -102,8 +90,7 @@ fn a_short_header_has_the_set_up_and_the_tools() {
     for control in control::CONTROLS {
         let [full, short] = ["header = 'full'", "header = 'short'"].map(|keys| posted(*control, keys));
         assert_eq!(full, posted(*control, ""));
-        let unnumbered = |line: &str| line.trim_start_matches(|c: char| c.is_ascii_digit()).trim_start().to_owned();
-        let [full, short] = [&full, &short].map(|text| text.lines().map(unnumbered).collect::<Vec<_>>());
+        let [full, short] = [bare(&full), bare(&short)];
         assert!(short.len() + 10 < full.len(), "{short:?}");
         let text = short.join("\n").to_uppercase();
         for wanted in ["SPINNERU5620", "WORK OFFSET", "T1 L100", "T2 L110", "DO NOT TOUCH OFF AGAIN", "MUST BE ZERO"] {
@@ -113,12 +100,12 @@ fn a_short_header_has_the_set_up_and_the_tools() {
             assert!(!text.contains(other), "{other}\n{text}");
         }
         // Nothing else differs.
-        let left: Vec<&String> = full.iter().filter(|line| !short.contains(line)).collect();
+        let left: Vec<&&str> = full.iter().filter(|line| !short.contains(line)).collect();
         assert!(left.iter().all(|line| line.starts_with(['(', ';'])), "{left:?}");
-        let blocks = |lines: &[String]| -> Vec<String> {
-            lines.iter().filter(|line| !line.starts_with(['(', ';'])).cloned().collect()
+        let blocks = |lines: Vec<&str>| -> Vec<String> {
+            lines.into_iter().filter(|line| !line.starts_with(['(', ';'])).map(str::to_owned).collect()
         };
-        assert_eq!(blocks(&full), blocks(&short));
+        assert_eq!(blocks(full), blocks(short));
     }
 }
 

@@ -1,14 +1,12 @@
 //! Settings of single operations (`[operations]`): each changes the blocks of its operations alone, the check accepts the
 //! program, and refuses one that was posted with other settings.
 
-use std::io::Cursor;
-
 use machines::SpinnerU5620;
-use pp_runtime::check::check;
 use pp_runtime::config::{Config, starting_point};
 use pp_runtime::control::{self, Control};
 use pp_runtime::diag::{Diagnostic, Severity};
-use pp_runtime::post::{Job, Report, post};
+use pp_runtime::post::Report;
+use tests::posting::{findings, posted, written};
 
 /// A tilted face, a blade with a curve, and holes with a thread: three operations with names, the second with a stop in it.
 const CL: &str = "UNITS/MM
@@ -72,26 +70,7 @@ fn config(control: &'static dyn Control, keys: &str) -> Config {
 }
 
 fn post_with(config: &Config, control: &'static dyn Control, cl: &str) -> (String, Report) {
-    let job = Job { cl_name: "part.cls", config, control, units: None };
-    let mut program = Vec::new();
-    let report = post::<SpinnerU5620>(&job, &mut Cursor::new(cl), &mut program).expect("it can run");
-    (String::from_utf8(program).expect("ASCII"), report)
-}
-
-/// The program, which passes its check.
-fn posted(config: &Config, control: &'static dyn Control, cl: &str) -> String {
-    let (program, report) = post_with(config, control, cl);
-    assert!(!report.failed, "{program}\n{:?}", report.diagnostics);
-    let found = findings(config, control, cl, &program);
-    assert!(found.is_empty(), "{program}\n{found:?}");
-    program
-}
-
-fn findings(config: &Config, control: &'static dyn Control, cl: &str, program: &str) -> Vec<String> {
-    let policy = config.check_policy::<SpinnerU5620>(control, None).expect("it can be checked");
-    let checked = check::<SpinnerU5620>(&policy, Cursor::new(cl), program.as_bytes()).expect("it can be read");
-    let fault = checked.fault.map(|fault| fault.text);
-    checked.outcome.findings.into_iter().map(|finding| finding.text).chain(fault).collect()
+    written::<SpinnerU5620>(config, control, cl).expect("it can run")
 }
 
 /// Faults of the CL data with this configuration: line, severity, text and help.
@@ -130,11 +109,12 @@ fn differs(
 ) -> [String; 2] {
     let name = format!("{}: {keys}", control.spellings().name);
     let [plain, own] = [base.to_owned(), format!("{base}{keys}")].map(|keys| config(control, &keys));
-    let [without, with] = [&plain, &own].map(|config| posted(config, control, CL));
+    let [without, with] = [&plain, &own].map(|config| posted::<SpinnerU5620>(config, control, CL));
     let [one, other] = [&without, &with].map(|program| by_operation(program));
     let differ: Vec<bool> = one.iter().zip(&other).map(|(one, other)| one != other).collect();
     assert_eq!(differ, expected, "{name}\n{one:#?}\n{other:#?}");
-    let found = [findings(&own, control, CL, &without), findings(&plain, control, CL, &with)];
+    let found =
+        [findings::<SpinnerU5620>(&own, control, CL, &without), findings::<SpinnerU5620>(&plain, control, CL, &with)];
     assert_eq!([!found[0].is_empty(), !found[1].is_empty()], refused, "{name}\n{without}\n{with}\n{found:?}");
     [without, with]
 }
@@ -171,7 +151,7 @@ fn an_operation_may_leave_the_mode_of_the_program_to_its_content() {
         let [_, chosen] = differs(*control, ("", text), [true, true, false], [false, true]);
         let mut auto = config(*control, "");
         auto.motion.mode = pp_runtime::config::Mode::Auto;
-        assert_eq!(by_operation(&posted(&auto, *control, CL)), by_operation(&chosen));
+        assert_eq!(by_operation(&posted::<SpinnerU5620>(&auto, *control, CL)), by_operation(&chosen));
     }
 }
 
@@ -201,7 +181,7 @@ fn a_level_of_smoothing_changes_between_operations_without_a_retract() {
         let keys = "[operations.'one']\nsmoothing = 'rough'\n[operations.2]\nsmoothing = 'finish'\n";
         let mut config = config(*control, keys);
         config.motion.rapids.transition = pp_runtime::config::Transition::Direct;
-        let program = posted(&config, *control, cl);
+        let program = posted::<SpinnerU5620>(&config, *control, cl);
         let off = control.spellings().smoothing_off[0];
         let switched = program.lines().filter(|line| line.ends_with(off) || line.contains("CYCL DEF 32.0")).count();
         assert!(switched >= 1, "{program}");
@@ -216,7 +196,7 @@ fn smoothing_that_is_on_before_a_copied_block_is_off_in_the_next_operation() {
     let mut config = config(control, "[cl]\nauxfun = [77]\n[operations.1]\nsmoothing = 'rough'\n");
     config.control.effects.insert("M77".to_owned(), pp_runtime::control::LineEffect::None);
     let cl = CL.replace("GOTO/0,20,20\n", "GOTO/0,20,20\nAUXFUN/77\n");
-    let program = posted(&config, control, &cl);
+    let program = posted::<SpinnerU5620>(&config, control, &cl);
     let [before, after] = [program.find("M77"), program.find("\nG187\n")].map(|at| at.expect("both"));
     assert!(before < after, "{program}");
 }
@@ -248,9 +228,9 @@ fn lintol_narrows_the_tolerance_of_its_operation() {
     let cl = stated("0.3");
     let (program, report) = post_with(&config, control, &cl);
     assert!(report.diagnostics.is_empty(), "{:?}", report.diagnostics);
-    let found = findings(&config, control, &cl, &program);
+    let found = findings::<SpinnerU5620>(&config, control, &cl, &program);
     assert!(found.is_empty(), "{program}\n{found:?}");
-    assert!(!findings(&config, control, &stated("0.001"), &program).is_empty(), "{program}");
+    assert!(!findings::<SpinnerU5620>(&config, control, &stated("0.001"), &program).is_empty(), "{program}");
     let (_, report) = post_with(&config, control, &stated("0.9"));
     assert_eq!(
         report.diagnostics[0].text,
@@ -290,7 +270,7 @@ fn a_thread_that_is_faster_than_the_largest_feed_is_refused() {
     let cl =
         CL.replace("CYCLE/DRILL,RAPTO,3,FEDTO,-8,RTRCTO,10,MMPM,200", "CYCLE/TAP,RAPTO,5,FEDTO,-8,RTRCTO,10,MMPR,1");
     let keys = |feed: u32| config(control, &format!("[operations.'*']\nlargest_feed = {feed}\n"));
-    posted(&keys(500), control, &cl);
+    posted::<SpinnerU5620>(&keys(500), control, &cl);
     let (_, report) = post_with(&keys(499), control, &cl);
     let fault = report.diagnostics.iter().find(|fault| fault.severity == Severity::Error).expect("refused");
     assert_eq!(
@@ -305,15 +285,15 @@ fn a_free_axis_is_where_the_operation_has_it() {
     let cl = CL.replace("0.5,0,0.8660254", "0.3,0.4,0.8660254").replace("0.2588190,0,", "0,0.2588190,");
     for control in control::CONTROLS {
         let [zero, previous] = ["", "[operations.boss]\nsingular = 'previous'\n"].map(|keys| config(*control, keys));
-        let [at_zero, stays] = [&zero, &previous].map(|config| posted(config, *control, &cl));
+        let [at_zero, stays] = [&zero, &previous].map(|config| posted::<SpinnerU5620>(config, *control, &cl));
         let [one, other] = [&at_zero, &stays].map(|program| by_operation(program));
         assert_eq!((&one[0], &one[1]), (&other[0], &other[1]));
         assert_ne!(one[2], other[2], "{stays}");
         // The same the other way round.
         let back = config(*control, "singular = 'previous'\n[operations.boss]\nsingular = 'zero'\n");
-        assert_eq!(by_operation(&posted(&back, *control, &cl))[2], one[2]);
+        assert_eq!(by_operation(&posted::<SpinnerU5620>(&back, *control, &cl))[2], one[2]);
         // The cut is the same at every angle: the check accepts both.
-        assert!(findings(&previous, *control, &cl, &at_zero).is_empty());
+        assert!(findings::<SpinnerU5620>(&previous, *control, &cl, &at_zero).is_empty());
     }
 }
 
@@ -323,8 +303,8 @@ fn a_free_axis_at_zero_in_the_next_operation_stays_in_this_one() {
     let cl = CL.replace("0.5,0,0.8660254", "0.3,0.4,0.8660254").replace("0.2588190,0,", "0,0.2588190,");
     let control = control::by_name("haas").expect("a control");
     let config = config(control, "[operations.boss]\nsingular = 'previous'\n");
-    let alone = by_operation(&posted(&config, control, &cl));
-    let program = posted(&config, control, &cl.replace("FINI\n", last));
+    let alone = by_operation(&posted::<SpinnerU5620>(&config, control, &cl));
+    let program = posted::<SpinnerU5620>(&config, control, &cl.replace("FINI\n", last));
     let (boss, last) = program.split_at(program.find("LAST").expect("its comment"));
     let approach = alone[2].iter().find(|block| block.contains(" C")).expect("its angle");
     assert!(boss.contains(approach.as_str()) && !approach.ends_with(" C0."), "{approach}\n{program}");
@@ -373,12 +353,12 @@ fn entries_that_contradict_each_other_are_refused_with_both_names() {
         )
     );
     // The check refuses them as well.
-    let program = posted(&config(control, ""), control, CL);
-    let found = findings(&config(control, keys), control, CL, &program);
+    let program = posted::<SpinnerU5620>(&config(control, ""), control, CL);
+    let found = findings::<SpinnerU5620>(&config(control, keys), control, CL, &program);
     assert!(found.iter().any(|text| text.contains("different values of `largest_feed`")), "{found:?}");
     // A name decides for both operations of that name.
     let keys = format!("{keys}[operations.'finish blade']\nlargest_feed = 350\n");
-    posted(&config(control, &keys), control, CL);
+    posted::<SpinnerU5620>(&config(control, &keys), control, CL);
 }
 
 #[test]
@@ -429,7 +409,7 @@ fn settings_hold_for_an_operation_that_is_posted_alone() {
     for (first, last) in [(1, 1), (2, 2), (2, 3), (3, 4)] {
         let mut config = config(control, keys);
         config.motion.selected = Some(pp_runtime::config::Operations::Range(first, Some(last)));
-        let program = posted(&config, control, CL);
+        let program = posted::<SpinnerU5620>(&config, control, CL);
         let levels = [program.contains("G187 P1"), program.contains("G187 P3")];
         assert_eq!(levels, [first == 1, first <= 2 && last >= 2], "{program}");
     }

@@ -19,6 +19,13 @@ fn run(app: &App, args: &[&str]) -> (Status, String, String) {
     (status, text(output), text(errors))
 }
 
+/// Writes a file into a folder; its path.
+fn written(folder: &Path, name: &str, text: &str) -> String {
+    let path = folder.join(name);
+    std::fs::write(&path, text).expect("a file");
+    path.to_str().expect("a path in UTF-8").to_owned()
+}
+
 fn two_tools() -> String {
     let path: PathBuf = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples/cl/two_tools.cls");
     path.to_str().expect("a path in UTF-8").to_owned()
@@ -42,11 +49,7 @@ fn a_program_of_an_own_control_is_posted_and_passes_the_check() {
 #[test]
 fn a_statement_of_the_shop_is_its_block_on_every_control_and_the_check_insists_on_it() {
     let folder = tempfile::tempdir().expect("a folder");
-    let file = |name: &str, text: &str| {
-        let path = folder.path().join(name);
-        std::fs::write(&path, text).expect("a file");
-        path.to_str().expect("a path in UTF-8").to_owned()
-    };
+    let file = |name: &str, text: &str| written(folder.path(), name, text);
     // Before the second tool.
     let cl = std::fs::read_to_string(two_tools()).expect("the sample");
     let second = cl.match_indices("TOOL PATH").nth(1).expect("a second operation").0;
@@ -99,11 +102,7 @@ const PLACES: [(&str, &str); 6] = [
 #[test]
 fn a_block_of_the_shop_is_at_its_place_on_every_control_and_the_check_insists_on_it() {
     let folder = tempfile::tempdir().expect("a folder");
-    let file = |name: &str, text: &str| {
-        let path = folder.path().join(name);
-        std::fs::write(&path, text).expect("a file");
-        path.to_str().expect("a path in UTF-8").to_owned()
-    };
+    let file = |name: &str, text: &str| written(folder.path(), name, text);
     let app = App::new();
     for control in CONTROLS {
         let codes = control.spellings();
@@ -154,10 +153,9 @@ fn a_block_of_the_shop_is_at_its_place_on_every_control_and_the_check_insists_on
 #[test]
 fn no_block_of_the_shop_comes_between_operations_that_follow_each_other_at_the_part() {
     let folder = tempfile::tempdir().expect("a folder");
-    let config = folder.path().join("direct.toml");
-    std::fs::write(&config, "transition = \"direct\"\nprogram.operation_end = [\"M33\"]\n").expect("a file");
-    let config = config.to_str().expect("a path in UTF-8");
-    let (status, _, messages) = run(&App::new(), &["post", &two_tools(), "--quiet", "--config", config]);
+    let keys = "transition = \"direct\"\nprogram.operation_end = [\"M33\"]\n";
+    let config = written(folder.path(), "direct.toml", keys);
+    let (status, _, messages) = run(&App::new(), &["post", &two_tools(), "--quiet", "--config", &config]);
     assert_eq!(status, Status::NotRun);
     assert!(messages.contains("remove `transition`, or `program.operation_end`"), "{messages}");
 }
@@ -222,11 +220,7 @@ fn a_method_that_an_own_control_changes_is_its_own() {
 #[test]
 fn a_tool_change_by_a_macro_passes_the_check_on_every_control_and_a_wrong_or_lost_tool_is_found() {
     let folder = tempfile::tempdir().expect("a folder");
-    let file = |name: &str, text: &str| {
-        let path = folder.path().join(name);
-        std::fs::write(&path, text).expect("a file");
-        path.to_str().expect("a path in UTF-8").to_owned()
-    };
+    let file = |name: &str, text: &str| written(folder.path(), name, text);
     let app = App::new();
     for control in CONTROLS.iter().map(|control| control.spellings().name) {
         let call = match control {
@@ -323,11 +317,7 @@ impl Control for Wet {
 #[test]
 fn the_coolant_codes_of_an_own_control_take_the_place_of_those_of_its_base() {
     let folder = tempfile::tempdir().expect("a folder");
-    let file = |name: &str, text: &str| {
-        let path = folder.path().join(name);
-        std::fs::write(&path, text).expect("a file");
-        path.to_str().expect("a path in UTF-8").to_owned()
-    };
+    let file = |name: &str, text: &str| written(folder.path(), name, text);
     let app = App::new().control(&Wet);
     let (status, program, messages) = run(&app, &["post", &two_tools(), "--quiet"]);
     assert_eq!(status, Status::Done, "{messages}");

@@ -1,14 +1,11 @@
 //! Machine retracts of each control (`retract.method`) and home positions before the rotary axes rotate: their blocks, and a
 //! check that finds them lost or changed.
 
-use std::io::Cursor;
-
 use machines::{LolaXoyzba, SpinnerU5620};
-use pp_runtime::check::check;
 use pp_runtime::config::{Config, starting_point};
 use pp_runtime::control::{self, Control};
 use pp_runtime::kinematics::Machine;
-use pp_runtime::post::{Job, post};
+use tests::posting::{self, bare, written};
 
 /// A tilted face, and another one with the same tool.
 const CL: &str = "UNITS/MM
@@ -42,28 +39,17 @@ fn config<M: Machine>(control: &dyn Control, keys: &str) -> Result<Config, Strin
 /// The program, or why there is none.
 fn posted<M: Machine>(control: &'static dyn Control, keys: &str) -> Result<String, String> {
     let config = config::<M>(control, keys)?;
-    let job = Job { cl_name: "part.cls", config: &config, control, units: None };
-    let mut program = Vec::new();
-    let report = post::<M>(&job, &mut Cursor::new(CL), &mut program).map_err(|error| error.to_string())?;
+    let (program, report) = written::<M>(&config, control, CL).map_err(|error| error.to_string())?;
     if report.failed {
         return Err(report.diagnostics.iter().map(|found| format!("{}; {:?}\n", found.text, found.help)).collect());
     }
-    let program = String::from_utf8(program).expect("ASCII");
     let found = findings::<M>(control, keys, &program);
     assert!(found.is_empty(), "{keys}\n{program}\n{found:?}");
     Ok(program)
 }
 
 fn findings<M: Machine>(control: &'static dyn Control, keys: &str, program: &str) -> Vec<String> {
-    let config = config::<M>(control, keys).expect("it was read");
-    let policy = config.check_policy::<M>(control, None).expect("it can be checked");
-    let checked = check::<M>(&policy, Cursor::new(CL), program.as_bytes()).expect("it can be read");
-    checked.outcome.findings.into_iter().map(|finding| finding.text).collect()
-}
-
-/// Lines without their numbers.
-fn bare(program: &str) -> Vec<&str> {
-    program.lines().map(|line| line.trim_start_matches(|c: char| c.is_ascii_digit()).trim_start()).collect()
+    posting::findings::<M>(&config::<M>(control, keys).expect("it was read"), control, CL, program)
 }
 
 /// Lines in the numbers of which there is no gap.
@@ -218,11 +204,8 @@ fn blocks_of_the_shop_take_the_place_of_the_retract() {
                 assert!(!findings::<SpinnerU5620>(control, &keys, &edited).is_empty(), "{block}\n{edited}");
             }
         }
-        let method = config::<SpinnerU5620>(control, &keys.replace("method", "#"));
-        let plain = method.expect("it can be read");
-        let policy = plain.check_policy::<SpinnerU5620>(control, None).expect("it can be checked");
-        let checked = check::<SpinnerU5620>(&policy, Cursor::new(CL), program.as_bytes()).expect("it can be read");
-        assert!(!checked.outcome.findings.is_empty(), "{name}: without the key these blocks are no retract\n{program}");
+        let found = findings::<SpinnerU5620>(control, &keys.replace("method", "#"), &program);
+        assert!(!found.is_empty(), "{name}: without the key these blocks are no retract\n{program}");
     }
     let twice = "[retract]\nmethod = ['G90', 'G90']\n";
     let config = config::<SpinnerU5620>(by_name("fanuc"), twice).expect("it can be read");
@@ -276,13 +259,6 @@ fn x_and_y_stay_where_the_rotary_axes_do() {
     let control = by_name("fanuc");
     let cl = CL.replace("GOTO/5,0,30,0,0,1", "GOTO/5,0,40,0.5,0,0.8660254");
     let config = config::<SpinnerU5620>(control, keys).expect("it can be read");
-    let job = Job { cl_name: "part.cls", config: &config, control, units: None };
-    let mut program = Vec::new();
-    let report = post::<SpinnerU5620>(&job, &mut Cursor::new(&cl), &mut program).expect("it can run");
-    let program = String::from_utf8(program).expect("ASCII");
-    assert!(!report.failed, "{program}");
+    let program = posting::posted::<SpinnerU5620>(&config, control, &cl);
     assert_eq!(bare(&program).iter().filter(|line| **line == "G53 G0 X0. Y0.").count(), 1, "{program}");
-    let policy = config.check_policy::<SpinnerU5620>(control, None).expect("it can be checked");
-    let checked = check::<SpinnerU5620>(&policy, Cursor::new(&cl), program.as_bytes()).expect("it can be read");
-    assert!(checked.outcome.findings.is_empty(), "{program}\n{:?}", checked.outcome.findings);
 }

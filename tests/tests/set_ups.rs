@@ -1,15 +1,12 @@
 //! Several set-ups in one program: each is posted as it would be alone, with its own part origin, rotation and work offset,
 //! and between two of them the axes are parked and the program stops.
 
-use std::io::Cursor;
-
 use machines::{Dmu70e, LolaXoyzba, SpinnerU5620};
-use pp_runtime::check::check;
 use pp_runtime::config::{Config, starting_point};
 use pp_runtime::control::{self, Control};
 use pp_runtime::diag::Severity;
 use pp_runtime::kinematics::Machine;
-use pp_runtime::post::{Job, post};
+use tests::posting::{findings, written};
 
 const FIRST: &str = "TOOL PATH/OP10,TOOL,T
 MSYS/0,0,0,1,0,0,0,1,0
@@ -63,22 +60,13 @@ fn config<M: Machine>(control: &'static dyn Control, mode: &str, keys: &str) -> 
 
 /// The program, which passes its check; the first error with its line.
 fn posted<M: Machine>(config: &Config, control: &'static dyn Control, cl: &str) -> Result<String, (u64, String)> {
-    let job = Job { cl_name: "part.cls", config, control, units: None };
-    let mut program = Vec::new();
-    let report = post::<M>(&job, &mut Cursor::new(cl), &mut program).expect("it can run");
+    let (text, report) = written::<M>(config, control, cl).expect("it can run");
     if let Some(error) = report.diagnostics.into_iter().find(|found| found.severity == Severity::Error) {
         return Err((error.location.line, format!("{}; {}", error.text, error.help.unwrap_or_default())));
     }
-    let text = String::from_utf8(program).expect("ASCII");
     let found = findings::<M>(config, control, cl, &text);
     assert!(found.is_empty(), "{text}\n{found:?}");
     Ok(text)
-}
-
-fn findings<M: Machine>(config: &Config, control: &'static dyn Control, cl: &str, program: &str) -> Vec<String> {
-    let policy = config.check_policy::<M>(control, None).expect("it can be checked");
-    let checked = check::<M>(&policy, Cursor::new(cl), program.as_bytes()).expect("it can be read");
-    checked.outcome.findings.into_iter().map(|finding| finding.text).collect()
 }
 
 /// Blocks with axis words, from the block on that holds the first tool call in the operation of this name. Numbers at the

@@ -1,14 +1,11 @@
 //! Optional stops that the configuration adds after operations and before tool changes: where they are, and a check that
 //! misses none and takes no other.
 
-use std::io::Cursor;
-
 use machines::SpinnerU5620;
-use pp_runtime::check::check;
 use pp_runtime::config::{Config, starting_point};
 use pp_runtime::control::{self, Control};
 use pp_runtime::motion::Operations;
-use pp_runtime::post::{Job, post};
+use tests::posting::{self, bare, written};
 
 /// Five operations with two tools; the third ends with an optional stop, the fourth begins with a stop.
 const CL: &str = "UNITS/MM
@@ -51,25 +48,11 @@ fn config(control: &dyn Control, stops: &str, retract: bool) -> Config {
 }
 
 fn findings(config: &Config, control: &dyn Control, program: &str) -> Vec<String> {
-    let policy = config.check_policy::<SpinnerU5620>(control, None).expect("it can be checked");
-    let checked = check::<SpinnerU5620>(&policy, Cursor::new(cl()), program.as_bytes()).expect("it can be read");
-    checked.outcome.findings.into_iter().map(|finding| finding.text).collect()
+    posting::findings::<SpinnerU5620>(config, control, &cl(), program)
 }
 
 fn posted(config: &Config, control: &'static dyn Control) -> String {
-    let job = Job { cl_name: "part.cls", config, control, units: None };
-    let mut program = Vec::new();
-    let report = post::<SpinnerU5620>(&job, &mut Cursor::new(cl()), &mut program).expect("it can run");
-    let program = String::from_utf8(program).expect("ASCII");
-    assert!(!report.failed, "{program}\n{:?}", report.diagnostics);
-    let found = findings(config, control, &program);
-    assert!(found.is_empty(), "{program}\n{found:?}");
-    program
-}
-
-/// Lines without their numbers.
-fn bare(program: &str) -> Vec<&str> {
-    program.lines().map(|line| line.trim_start_matches(|c: char| c.is_ascii_digit()).trim_start()).collect()
+    posting::posted::<SpinnerU5620>(config, control, &cl())
 }
 
 /// Stops, and the operations in whose blocks they are: that of the last name before each.
@@ -152,19 +135,13 @@ fn displaying(control: &dyn Control, key: &str) -> Config {
 }
 
 fn with_texts(config: &Config, control: &'static dyn Control) -> String {
-    let job = Job { cl_name: "part.cls", config, control, units: None };
-    let mut program = Vec::new();
-    let report = post::<SpinnerU5620>(&job, &mut Cursor::new(cl_with_texts()), &mut program).expect("it can run");
-    let program = String::from_utf8(program).expect("ASCII");
+    let (program, report) = written::<SpinnerU5620>(config, control, &cl_with_texts()).expect("it can run");
     assert!(!report.failed, "{program}\n{:?}", report.diagnostics);
     program
 }
 
 fn findings_with_texts(config: &Config, control: &dyn Control, program: &str) -> Vec<String> {
-    let policy = config.check_policy::<SpinnerU5620>(control, None).expect("it can be checked");
-    let checked =
-        check::<SpinnerU5620>(&policy, Cursor::new(cl_with_texts()), program.as_bytes()).expect("it can be read");
-    checked.outcome.findings.into_iter().map(|finding| finding.text).collect()
+    posting::findings::<SpinnerU5620>(config, control, &cl_with_texts(), program)
 }
 
 #[test]

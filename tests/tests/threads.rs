@@ -1,12 +1,9 @@
 //! Threads with F per revolution: their blocks on the controls whose cycle takes an F, and a check that finds another feed mode.
 
-use std::io::Cursor;
-
 use machines::SpinnerU5620;
-use pp_runtime::check::check;
 use pp_runtime::config::{Config, starting_point};
 use pp_runtime::control::{self, Control};
-use pp_runtime::post::{Job, post};
+use tests::posting::{findings, posted};
 
 /// Two threads and a hole, a cut before and after them.
 const CL: &str = "UNITS/MM
@@ -36,29 +33,12 @@ fn config(control: &dyn Control, feed: &str, rigid: bool) -> Config {
     starting_point(control).read_over(&SpinnerU5620::default(), &text).unwrap_or_else(|faults| panic!("{faults:?}"))
 }
 
-fn findings(config: &Config, control: &dyn Control, program: &str) -> Vec<String> {
-    let policy = config.check_policy::<SpinnerU5620>(control, None).expect("it can be checked");
-    let checked = check::<SpinnerU5620>(&policy, Cursor::new(CL), program.as_bytes()).expect("it can be read");
-    checked.outcome.findings.into_iter().map(|finding| finding.text).collect()
-}
-
-fn posted(config: &Config, control: &'static dyn Control) -> String {
-    let job = Job { cl_name: "part.cls", config, control, units: None };
-    let mut program = Vec::new();
-    let report = post::<SpinnerU5620>(&job, &mut Cursor::new(CL), &mut program).expect("it can run");
-    let program = String::from_utf8(program).expect("ASCII");
-    assert!(!report.failed, "{program}\n{:?}", report.diagnostics);
-    let found = findings(config, control, &program);
-    assert!(found.is_empty(), "{program}\n{found:?}");
-    program
-}
-
 #[test]
 fn f_of_a_thread_is_its_pitch_in_feed_per_revolution() {
     for (name, rigid) in [("fanuc", true), ("fanuc", false), ("haas", true)] {
         let control = control::by_name(name).expect("a control");
         let [per_minute, config] = ["minute", "revolution"].map(|feed| config(control, feed, rigid));
-        let program = posted(&config, control);
+        let program = posted::<SpinnerU5620>(&config, control, CL);
         let lines: Vec<&str> = program.lines().collect();
         let thread =
             lines.iter().position(|line| line.starts_with("G95 G98 G84 ")).unwrap_or_else(|| panic!("{program}"));
@@ -67,11 +47,17 @@ fn f_of_a_thread_is_its_pitch_in_feed_per_revolution() {
         for (before, after) in [("G95 G98", "G94 G98"), ("G95 G98", "G98"), ("G94 G80", "G80"), ("F1.25", "F1.5")] {
             let edited = program.replace(before, after);
             assert_ne!(edited, program);
-            assert!(!findings(&config, control, &edited).is_empty(), "{before} -> {after}\n{edited}");
+            assert!(
+                !findings::<SpinnerU5620>(&config, control, CL, &edited).is_empty(),
+                "{before} -> {after}\n{edited}"
+            );
         }
-        let plain = posted(&per_minute, control);
+        let plain = posted::<SpinnerU5620>(&per_minute, control, CL);
         assert!(!plain.contains("G95"), "{plain}");
-        assert!(!findings(&config, control, &plain).is_empty() && !findings(&per_minute, control, &program).is_empty());
+        assert!(
+            !findings::<SpinnerU5620>(&config, control, CL, &plain).is_empty()
+                && !findings::<SpinnerU5620>(&per_minute, control, CL, &program).is_empty()
+        );
     }
 }
 
