@@ -151,6 +151,46 @@ fn a_block_of_the_shop_is_at_its_place_on_every_control_and_the_check_insists_on
 }
 
 #[test]
+fn a_block_may_stand_at_several_places_and_the_check_insists_on_each() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = |name: &str, text: &str| written(folder.path(), name, text);
+    let app = App::new();
+    let places = ["start", "operation_start", "operation_end", "end"];
+    let config = file(
+        "places.toml",
+        &format!(
+            "[program]\n{}[control]\neffects = {{ M470 = \"none\" }}\n",
+            places.map(|place| format!("{place} = [\"M470\"]\n")).concat()
+        ),
+    );
+    for control in CONTROLS.iter().map(|control| control.spellings().name) {
+        let arguments = ["--control", control, "--config", &config];
+        let (status, program, messages) = run(&app, &[&["post", &two_tools(), "--quiet"], &arguments[..]].concat());
+        assert_eq!(status, Status::Done, "{control}: {messages}\n{program}");
+        let check =
+            |text: &str| run(&app, &[&["check", &two_tools(), &file("edited.nc", text)], &arguments[..]].concat());
+        let lines: Vec<&str> = program.split_inclusive('\n').collect();
+        let of_shop: Vec<usize> =
+            (0..lines.len()).filter(|&at| lines[at].split_whitespace().any(|word| word == "M470")).collect();
+        assert_eq!(of_shop.len(), 1 + 2 + 2 + 1, "{control}:\n{program}");
+        for &at in &of_shop {
+            let (status, _, messages) = check(&[&lines[..at], &lines[at + 1..]].concat().concat());
+            assert_eq!(status, Status::Rejected, "{control}, line {}", at + 1);
+            assert!(
+                messages.contains("`M470` of `program.") && messages.contains("is missing"),
+                "{control}: {messages}"
+            );
+        }
+        // At the part is the place of none of them.
+        let cut =
+            (of_shop[1]..of_shop[2]).rfind(|&at| lines[at].contains(" F") || lines[at].contains('X')).expect("a cut");
+        let (status, _, messages) = check(&[&lines[..cut], &[lines[of_shop[1]]], &lines[cut..]].concat().concat());
+        assert_eq!(status, Status::Rejected, "{control}");
+        assert!(messages.contains("a line of `program.start` after the first motion"), "{control}: {messages}");
+    }
+}
+
+#[test]
 fn no_block_of_the_shop_comes_between_operations_that_follow_each_other_at_the_part() {
     let folder = tempfile::tempdir().expect("a folder");
     let keys = "transition = \"direct\"\nprogram.operation_end = [\"M33\"]\n";

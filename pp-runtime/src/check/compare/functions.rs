@@ -191,9 +191,11 @@ impl FunctionState {
     }
 
     /// Notes a line of the shop.
-    pub(super) fn line(&mut self, place: OwnPlace) {
-        if let OwnPlace::Clamp { axis, .. } = place {
-            self.clamps_stated |= 1 << axis;
+    pub(super) fn line(&mut self, places: &[OwnPlace]) {
+        for place in places {
+            if let OwnPlace::Clamp { axis, .. } = place {
+                self.clamps_stated |= 1 << axis;
+            }
         }
     }
 
@@ -403,20 +405,25 @@ fn guarded(rules: &Rules<'_>, required: &Required) -> Option<LengthSource> {
     }
 }
 
-/// What is wrong with the place of a line of the shop; `ended`: the CL data is done.
-pub(super) fn place_of_line(place: OwnPlace, phase: &Phase, motions: u64, ended: bool) -> Option<String> {
-    let wrong = match place {
+/// What is wrong with the place of a line of the shop that stands at these places of the configuration: nothing if it may come
+/// here for one of them; `ended`: the CL data is done.
+pub(super) fn place_of_line(places: &[OwnPlace], phase: &Phase, motions: u64, ended: bool) -> Option<String> {
+    let wrong = |place: &OwnPlace| match place {
         OwnPlace::Start => (motions > 0).then_some("after the first motion"),
         OwnPlace::End => (!ended || phase.is_at_part()).then_some("before the end of the CL data"),
         OwnPlace::Safety | OwnPlace::ToolChange | OwnPlace::OperationStart | OwnPlace::OperationEnd => {
             phase.is_at_part().then_some("at the part")
         }
-        OwnPlace::Insert => {
-            let text =
-                "a block of INSERT, AUXFUN, PREFUN or a statement of the shop that the CL data does not have here";
-            return Some(text.to_owned());
-        }
+        OwnPlace::Insert => Some("that the CL data does not have here"),
         OwnPlace::Retract { .. } | OwnPlace::Clamp { .. } | OwnPlace::Coolant | OwnPlace::TipControl { .. } => None,
     };
-    Some(format!("a line of `{}` {}", place.key()?, wrong?))
+    let mut faults = places.iter().map(|place| {
+        let what = place.key().map_or_else(
+            || "a block of INSERT, AUXFUN, PREFUN or a statement of the shop".to_owned(),
+            |key| format!("a line of `{key}`"),
+        );
+        wrong(place).map(|wrong| format!("{what} {wrong}"))
+    });
+    let first = faults.next().flatten()?;
+    faults.all(|fault| fault.is_some()).then_some(first)
 }

@@ -50,10 +50,10 @@ impl<R: Read> Comparison<'_, R> {
     /// Changes of state that must not happen at the part.
     pub(super) fn before_task(&mut self, phase: &mut Phase, current: &Current<'_>) {
         let block = current.block;
-        if let Some(own) = block.own {
-            self.functions.line(own.place);
+        if let Some(own) = &block.own {
+            self.functions.line(&own.places);
             let ended = self.progress.next().is_none();
-            let misplaced = place_of_line(own.place, phase, self.tally.motions(), ended);
+            let misplaced = place_of_line(&own.places, phase, self.tally.motions(), ended);
             self.found_any(current, misplaced);
         }
         if !phase.is_at_part() || !current.block.action.moves() {
@@ -204,6 +204,19 @@ impl<R: Read> Comparison<'_, R> {
         let context = ModalContext { dry, ..ModalContext::default() };
         let fault = self.rules.fault_at_retract(block, false, spindle, context);
         self.found_state(current, fault);
+    }
+
+    /// Position in the machine retract of the shop of a line that has these places: the one that comes next, or another
+    /// where the line has no place but the retract.
+    pub(super) fn own_retract_block(&self, places: &[OwnPlace]) -> Option<usize> {
+        let of_retract = |place: &OwnPlace| match place {
+            OwnPlace::Retract { index } => Some(*index),
+            _ => None,
+        };
+        let next = places.iter().filter_map(of_retract).find(|index| *index == self.own_retract);
+        next.or_else(|| {
+            if places.iter().all(|place| of_retract(place).is_some()) { of_retract(places.first()?) } else { None }
+        })
     }
 
     /// The block of the shop at this position of its machine retract; the phase after the last of them.
@@ -826,7 +839,8 @@ impl<R: Read> Comparison<'_, R> {
         let suits = |item: &ExpectedItem| matches!(item.action, ExpectedAction::Stop { optional: expected } if expected == optional);
         self.find_again(phase, suits, current)?;
         let stops = [OwnPlace::ToolChange, OwnPlace::OperationStart, OwnPlace::OperationEnd];
-        let of_shop = current.block.own.is_some_and(|own| stops.contains(&own.place));
+        let of_shop =
+            current.block.own.as_ref().is_some_and(|own| own.places.iter().any(|place| stops.contains(place)));
         match self.progress.next() {
             Some(item) if suits(item) => self.progress.take(),
             // The shop stops at its tool changes, and where operations start and end.

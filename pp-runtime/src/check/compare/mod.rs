@@ -30,7 +30,7 @@ use super::Checked;
 use super::expect::{Expect, ExpectedAction, ExpectedItem};
 use super::geometry::ToolPose;
 use super::policy::CheckPolicy;
-use super::read::{Action, ArcMove, Block, Length, MAX_AXES, OwnPlace, PlacedLines, State, TipControl, WorkPlane};
+use super::read::{Action, ArcMove, Block, Length, MAX_AXES, PlacedLines, State, TipControl, WorkPlane};
 use super::report::{Shown, Tally};
 use super::rules::{ModalContext, Rules, StateFault, chord};
 use super::stream::{ExecutedBlock, Observer};
@@ -162,11 +162,8 @@ impl<'a, R: Read> Checker<'a, R> {
             return Ok(());
         }
         comparison.before_task(phase, &current);
-        let own_retract = block.own.and_then(|own| match own.place {
-            OwnPlace::Retract { index } => Some(index),
-            _ => None,
-        });
-        let next = if let Some(index) = own_retract {
+        let own_places = block.own.as_ref().map_or(&[][..], |own| &own.places);
+        let next = if let Some(index) = comparison.own_retract_block(own_places) {
             comparison.own_retract(index, phase, &current)?
         } else if block.action.moves() {
             comparison.moving(task, phase, &current)?

@@ -51,8 +51,9 @@ impl ShopLines {
     }
 
     fn missing(&self, at: &str, needed: impl Fn(OwnPlace) -> bool) -> Vec<String> {
-        let missing = self.lines.missing().filter(|(place, _)| needed(*place));
+        let missing = self.lines.missing(needed);
         missing
+            .into_iter()
             .map(|(place, text)| format!("`{text}` of `{}` is missing {at}", place.key().unwrap_or_default()))
             .collect()
     }

@@ -151,10 +151,10 @@ impl OwnPlace {
 }
 
 /// A line that the user brought in, executed by its declared effect or by that of its key.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct OwnLine {
-    /// Where the configuration has it; the first place of several.
-    pub place: OwnPlace,
+    /// Where the configuration has it.
+    pub places: Vec<OwnPlace>,
     /// Strongest effect that `[control] effects` declares for it.
     pub effect: Option<Effect>,
 }

@@ -146,8 +146,6 @@ pub(crate) struct Reader<R> {
     joined: bool,
     /// The shop has blocks of its own for the machine retract.
     own_retract: bool,
-    /// A block has moved.
-    moved: bool,
     draft: Draft,
     /// The draft with which a line begins.
     empty: Draft,
@@ -177,7 +175,6 @@ impl<R: Read> Reader<R> {
             number: 0,
             joined: false,
             own_retract,
-            moved: false,
             draft: Draft::default(),
             empty: Draft::default(),
             block: Block::default(),
@@ -209,7 +206,6 @@ impl<R: Read> Reader<R> {
             if is_block || !self.block.faults.is_empty() {
                 self.block.line = self.number;
                 self.machine.execute(&self.draft, &mut self.block);
-                self.moved |= self.block.action.moves();
                 if self.joined {
                     // As the program has it.
                     self.line.iter_mut().filter(|byte| **byte == GOES_ON).for_each(|byte| *byte = b'~');
@@ -254,7 +250,7 @@ impl<R: Read> Reader<R> {
         }
         if self.own_retract && self.block.own.is_none() {
             let own = own::resolve(self.bare.text(&self.line, &self.facts), &mut line, None, false);
-            self.block.own = own.filter(|own| matches!(own.place, OwnPlace::Retract { .. }));
+            self.block.own = own.filter(|own| own.places.iter().any(|place| matches!(place, OwnPlace::Retract { .. })));
             is_block |= self.block.own.is_some();
         }
         if let [b'/', rest @ ..] = self.line.trim_ascii_start() {
@@ -263,9 +259,6 @@ impl<R: Read> Reader<R> {
             } else if rest.iter().all(|byte| byte.is_ascii_whitespace() || *byte == b';') {
                 line.fault(0, "block delete without a block");
             }
-        }
-        if matches!(self.block.own, Some(OwnLine { place: OwnPlace::Start, .. })) && self.moved {
-            line.fault(0, "a line of `[program] start` after the first motion");
         }
         if line.draft.effects & draft::effect::STATE != 0 {
             match &mut self.syntax {

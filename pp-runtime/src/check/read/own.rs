@@ -239,10 +239,8 @@ fn change_tool(called: Option<&[u8]>, line: &mut Line<'_>) {
 /// The own line that a line is, and what is wrong with it: an effect that is not declared.
 #[cold]
 pub(super) fn resolve(text: &[u8], line: &mut Line<'_>, declared: Option<Declared>, switched: bool) -> Option<OwnLine> {
-    let mut own = line.vocabulary().own.iter().filter(|own| matches(&own.text, text));
-    let switches =
-        |place: OwnPlace| matches!(place, OwnPlace::Clamp { .. } | OwnPlace::Coolant | OwnPlace::TipControl { .. });
-    let place = if switched { own.find(|own| switches(own.place)) } else { own.next() }.map(|own| own.place);
+    let own = line.vocabulary().own.iter().filter(|own| matches(&own.text, text));
+    let mut places: Vec<OwnPlace> = own.map(|own| own.place).collect();
     let effect = declared.map(|declared| declared.effect);
     if let Some(Declared { bits, whole, .. }) = declared {
         line.draft.effects = bits;
@@ -252,13 +250,18 @@ pub(super) fn resolve(text: &[u8], line: &mut Line<'_>, declared: Option<Declare
             change_tool(called, line);
         }
         if whole || line.fault_count() == line.draft.frame_faults {
-            return Some(OwnLine { place: place.unwrap_or(OwnPlace::Insert), effect });
+            if places.is_empty() {
+                places.push(OwnPlace::Insert);
+            }
+            return Some(OwnLine { places, effect });
         }
     }
-    let place = place?;
+    if places.is_empty() {
+        return None;
+    }
     if switched {
         line.excuse();
-        return Some(OwnLine { place, effect });
+        return Some(OwnLine { places, effect });
     }
     if line.fault_count() > line.draft.frame_faults {
         // What it does is unknown, so nothing of it is executed.
@@ -276,10 +279,10 @@ pub(super) fn resolve(text: &[u8], line: &mut Line<'_>, declared: Option<Declare
         );
         line.fault(0, text);
     }
-    Some(OwnLine { place, effect })
+    Some(OwnLine { places, effect })
 }
 
-/// Lines of the configuration that have a fixed place in a program, and those that have come.
+/// Lines of the configuration that have a fixed place in a program, and how often each has come.
 pub(crate) struct PlacedLines {
     lines: Vec<PlacedLine>,
     facts: Facts,
@@ -290,7 +293,8 @@ struct PlacedLine {
     /// As in [`Vocabulary::own`].
     text: Vec<u8>,
     place: OwnPlace,
-    has_come: bool,
+    /// How often it has come, for whatever place.
+    times: usize,
 }
 
 impl PlacedLines {
@@ -316,8 +320,7 @@ impl PlacedLines {
                 && is_block(&own.text)
         };
         let placed = vocabulary.own.iter().filter(is_written);
-        let lines =
-            placed.map(|own| PlacedLine { text: own.text.clone(), place: own.place, has_come: false }).collect();
+        let lines = placed.map(|own| PlacedLine { text: own.text.clone(), place: own.place, times: 0 }).collect();
         Self { lines, facts, bare: Bare::default() }
     }
 
@@ -328,17 +331,20 @@ impl PlacedLines {
         }
         self.bare.forget();
         let text = self.bare.text(line, &self.facts);
-        self.lines.iter_mut().filter(|own| matches(&own.text, text)).for_each(|own| own.has_come = true);
+        self.lines.iter_mut().filter(|own| matches(&own.text, text)).for_each(|own| own.times += 1);
     }
 
     /// From now on none has come.
     pub(crate) fn forget(&mut self) {
-        self.lines.iter_mut().for_each(|own| own.has_come = false);
+        self.lines.iter_mut().for_each(|own| own.times = 0);
     }
 
-    /// Those that have not come.
-    pub(crate) fn missing(&self) -> impl Iterator<Item = (OwnPlace, String)> {
-        self.lines.iter().filter(|own| !own.has_come).map(|own| (own.place, shown(&own.text)))
+    /// Those of the needed places that have not come. A text that is needed several times must come as often.
+    pub(crate) fn missing(&self, needed: impl Fn(OwnPlace) -> bool) -> Vec<(OwnPlace, String)> {
+        let needed: Vec<&PlacedLine> = self.lines.iter().filter(|own| needed(own.place)).collect();
+        let comes_as = |index: usize| needed[..=index].iter().filter(|own| own.text == needed[index].text).count();
+        let missing = needed.iter().enumerate().filter(|(index, own)| own.times < comes_as(*index));
+        missing.map(|(_, own)| (own.place, shown(&own.text))).collect()
     }
 }
 

@@ -16,6 +16,10 @@ fn with(family: Family, own: Vec<OwnText>, effects: &[(&str, Effect)], program: 
     blocks
 }
 
+fn places(block: &Block) -> &[OwnPlace] {
+    block.own.as_ref().map_or(&[], |own| &own.places)
+}
+
 const HEAD: &str = "G21 G17 G40 G49 G80 G90 G94 G54\nS500 M3\nM8\nG0 X1. Y2. Z3. B0. C0.\n";
 
 #[test]
@@ -31,7 +35,11 @@ fn a_line_without_a_declared_effect_is_a_fault_that_names_it() {
         assert!(blocks[0].faults.len() == 1 && fault.contains(line) && fault.contains("[control] effects"), "{fault}");
         let blocks = with(family, vec![own(line, OwnPlace::Start)], &[(line, Effect::None)], program);
         assert_eq!(blocks[0].faults, [], "{family:?}");
-        assert_eq!(blocks[0].own, Some(OwnLine { place: OwnPlace::Start, effect: Some(Effect::None) }), "{family:?}");
+        assert_eq!(
+            blocks[0].own,
+            Some(OwnLine { places: vec![OwnPlace::Start], effect: Some(Effect::None) }),
+            "{family:?}"
+        );
         // A line that is not in the configuration stays a fault.
         let blocks = with(family, Vec::new(), &[], program);
         assert!(blocks[0].faults[0].text.contains("is not known"), "{family:?}");
@@ -67,7 +75,7 @@ fn a_declared_word_stands_beside_codes_that_are_read() {
     let blocks = with(Family::Fanuc, lines.clone(), &effects, program);
     blocks.iter().for_each(|block| assert_eq!(block.faults, []));
     assert_eq!((blocks[1].action, blocks[1].state.tool), (Action::ToolChange, Some(5)));
-    assert_eq!(blocks[1].own.map(|own| own.place), Some(OwnPlace::ToolChange));
+    assert_eq!(places(&blocks[1]), [OwnPlace::ToolChange]);
     assert_eq!(blocks[2].state.work_offset, Some(WorkOffset::Further(3)));
     assert_eq!((blocks[1].state.coolant, blocks[2].state.coolant), (Some(coolant::FLOOD), None));
     // The word in a line of another form is a fault, and so is a word that has no effect.
@@ -78,15 +86,6 @@ fn a_declared_word_stands_beside_codes_that_are_read() {
 }
 
 #[test]
-fn a_line_of_the_start_is_a_fault_after_the_first_motion() {
-    let lines = || vec![own("M77", OwnPlace::Start)];
-    let effects = [("M77", Effect::None)];
-    assert_eq!(with(Family::Fanuc, lines(), &effects, "M77\nG21\nG0 X5.\n")[0].faults, []);
-    let late = with(Family::Fanuc, lines(), &effects, &format!("{HEAD}M77\n"));
-    assert!(late.last().expect("a block").faults[0].text.contains("after the first motion"));
-}
-
-#[test]
 fn clamps_are_known_once_their_codes_have_come() {
     let clamp = |text: &str, axis: usize, on: bool| own(text, OwnPlace::Clamp { axis, on });
     let lines = vec![clamp("M10", 0, true), clamp("M11", 0, false), clamp("M10", 1, true), clamp("M69", 1, false)];
@@ -94,15 +93,15 @@ fn clamps_are_known_once_their_codes_have_come() {
     let clamps: Vec<_> = blocks.iter().map(|block| (block.state.clamped, block.state.clamps_known)).collect();
     assert_eq!(clamps, [(3, 3), (2, 3), (0, 3)]);
     blocks.iter().for_each(|block| assert_eq!(block.faults, []));
-    assert_eq!(blocks[0].own.map(|own| own.place), Some(OwnPlace::Clamp { axis: 0, on: true }));
+    assert_eq!(places(&blocks[0]), [0, 1].map(|axis| OwnPlace::Clamp { axis, on: true }));
 }
 
 #[test]
 fn a_text_of_insert_has_the_effect_that_is_declared_for_it() {
     let blocks = with(Family::Fanuc, Vec::new(), &[("G65 P9000", Effect::Measures)], &format!("{HEAD}G65 P9000\n"));
     let last = blocks.last().expect("a block");
-    let measures = OwnLine { place: OwnPlace::Insert, effect: Some(Effect::Measures) };
-    assert_eq!((&last.faults[..], last.known, last.own), (&[][..], 0, Some(measures)));
+    let measures = OwnLine { places: vec![OwnPlace::Insert], effect: Some(Effect::Measures) };
+    assert_eq!((&last.faults[..], last.known, &last.own), (&[][..], 0, &Some(measures)));
 }
 
 #[test]
@@ -147,8 +146,8 @@ fn a_line_of_the_shop_is_known_by_its_words_whatever_its_number_and_comments() {
                 "{text}"
             );
             let measured = of(&text.replace("M10", "M77 P5"));
-            let wanted = OwnLine { place: OwnPlace::Insert, effect: Some(Effect::Measures) };
-            assert_eq!((&measured[0].faults[..], measured[0].own), (&[][..], Some(wanted)), "{family:?}: {text}");
+            let wanted = OwnLine { places: vec![OwnPlace::Insert], effect: Some(Effect::Measures) };
+            assert_eq!((&measured[0].faults[..], &measured[0].own), (&[][..], &Some(wanted)), "{family:?}: {text}");
             // Another code is no line of the shop.
             assert!(!of(&text.replace("M10", "M12"))[0].faults.is_empty(), "{family:?}: {text}");
         }
@@ -179,8 +178,8 @@ fn comments_and_numbers_hide_nothing_of_a_line_of_the_shop() {
     let lines = vec![own("T{tool} M6 M77", OwnPlace::ToolChange)];
     let of = |text: &str| with(Family::Fanuc, lines.clone(), &[("M77", Effect::Coolant)], text);
     let (inside, beside) = (of("T5 M6 (M77 )\n"), of("N5 T5 (MILL) M6 M77 (M78)\n"));
-    assert_eq!((&inside[0].faults[..], inside[0].own), (&[][..], None));
-    assert_eq!((&beside[0].faults[..], beside[0].own.map(|own| own.place)), (&[][..], Some(OwnPlace::ToolChange)));
+    assert_eq!((&inside[0].faults[..], &inside[0].own), (&[][..], &None));
+    assert_eq!((&beside[0].faults[..], places(&beside[0])), (&[][..], &[OwnPlace::ToolChange][..]));
 }
 
 #[test]
@@ -266,7 +265,7 @@ fn a_line_that_changes_the_tool_has_the_tool_of_its_field() {
         let block = of(family, template, by_name, &format!("{head}{line}\n"));
         assert_eq!(block.faults, [], "{line}");
         assert_eq!((block.action, block.state.tool, block.state.spindle), (Action::ToolChange, Some(tool), Some(None)));
-        assert_eq!((block.known, block.own.map(|own| own.place)), (0, Some(OwnPlace::ToolChange)), "{line}");
+        assert_eq!((block.known, places(&block)), (0, &[OwnPlace::ToolChange][..]), "{line}");
         let length = if family == Family::Heidenhain { Some(Length::Register(tool)) } else { None };
         assert_eq!(block.state.length, length, "{line}");
     }
