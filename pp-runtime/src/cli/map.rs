@@ -10,7 +10,7 @@ use serde::ser::{SerializeMap as _, Serializer};
 use crate::control::Control;
 use crate::kinematics::{AnyMachine, Axis, AxisKind, Branch};
 use crate::motion::ReachedPosition;
-use crate::post::{LineMap, LineOrigin};
+use crate::post::{LineMap, LineOrigin, ProgramEnd};
 
 use super::outcome::{Failure, NamedWriter};
 use super::output_file::OutputFile;
@@ -148,16 +148,16 @@ impl<'a> EndBuffer<'a> {
         Self { line_map, end: Vec::new() }
     }
 
-    /// Hands the lines on. `inserted`: number of lines inserted before the `last` ones; `counted`: every line has a
-    /// line number (Heidenhain).
-    pub(crate) fn end(self, inserted: usize, last: usize, counted: bool) -> io::Result<()> {
+    /// Hands the lines on. `inserted`: number of lines inserted before the end of the program.
+    pub(crate) fn end(self, inserted: usize, program_end: ProgramEnd) -> io::Result<()> {
+        let counted = program_end.counted;
         let Self { line_map, end } = self;
         let later = |origin: &LineOrigin<'static>, lines: u32| LineOrigin {
             line: origin.line + u64::from(lines),
             number: origin.number.map(|number| if counted { number + lines } else { number }),
             ..*origin
         };
-        let (before, after) = end.split_at(end.len().saturating_sub(last));
+        let (before, after) = end.split_at(end.len().saturating_sub(program_end.lines));
         before.iter().try_for_each(|origin| line_map.line(origin))?;
         let more = u32::try_from(inserted).unwrap_or_default();
         if let Some(first) = after.first() {

@@ -6,10 +6,10 @@ use std::path::Path;
 
 use crate::check::{CheckPolicy, Checked};
 use crate::config::Config;
-use crate::control::{self, Control};
+use crate::control::{Control, comments};
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::AnyMachine;
-use crate::post::{Job, LineMap, LineOrigin, PostError, Report};
+use crate::post::{Job, LineMap, LineOrigin, PostError, ProgramEnd, Report};
 use crate::view::Execution;
 
 use super::args::{NamedFile, PostArgs};
@@ -222,7 +222,7 @@ impl PostRun<'_> {
         let name = source.name().to_owned();
         let unreadable = |error| Failure::Unreadable(name.clone(), error);
         let unwritable = |error| Failure::unwritable(output, error);
-        let (closing, counted) = (1 + control.spellings().closing.len(), control.spellings().numbers_every_line);
+        let end = ProgramEnd::of(control);
         let check = match self.checking {
             Checking::Off => None,
             Checking::Findings | Checking::Points => {
@@ -230,16 +230,15 @@ impl PostRun<'_> {
                 Some(SelfCheck::start(machine, self.policy(machine)?, source, points)?)
             }
         };
-        let mut output_with_check = CheckedOutput::new(out, check, closing);
+        let mut output_with_check = CheckedOutput::new(out, check, end);
         let mut map = line_map.map(EndBuffer::new);
         let report = self.report(source, &mut output_with_check, map.as_mut().map(|map| map as &mut dyn LineMap))?;
         if !report.diagnostics.is_empty() {
             source.rewind().map_err(unreadable)?;
             messages.diagnostics(&name, source, &report.diagnostics);
         }
-        let end_map = |map: Option<EndBuffer<'_>>, lines| {
-            map.map_or(Ok(()), |map| map.end(lines, closing, counted)).map_err(unwritable)
-        };
+        let end_map =
+            |map: Option<EndBuffer<'_>>, lines| map.map_or(Ok(()), |map| map.end(lines, end)).map_err(unwritable);
         if let Some(reason) = error_of(&report, &name) {
             output_with_check.close().map_err(unwritable)?;
             end_map(map, 0)?;
@@ -258,9 +257,9 @@ impl PostRun<'_> {
                 execution: self_checked.and_then(SelfChecked::execution),
             });
         }
-        let verdict = verdict(checked);
+        let verdict = checked.map_or_else(|| "not checked".to_owned(), |checked| checked.outcome.summary());
         let footer = if config.control.program.checked { comments(control, &verdict) } else { Vec::new() };
-        output_with_check.close_before_end(&footer, counted).map_err(unwritable)?;
+        output_with_check.close_before_end(&footer).map_err(unwritable)?;
         end_map(map, footer.len())?;
         let assumed = "assumed: lengths of the configuration file are in mm (`units` is not set there)";
         let mut summary: Vec<String> = config.file_units_assumed.then(|| assumed.to_owned()).into_iter().collect();
@@ -305,11 +304,6 @@ fn error_of(report: &Report, name: &str) -> Option<String> {
     let first: Option<&Diagnostic> = errors.min_by_key(|found| found.location);
     let unnamed = || report.failed.then(|| "the CL data has errors".to_owned());
     first.map(|found| headline(name, found)).or_else(unnamed)
-}
-
-/// The result of the check in one line.
-fn verdict(checked: Option<&Checked>) -> String {
-    checked.map_or_else(|| "not checked".to_owned(), |checked| checked.outcome.summary())
 }
 
 /// Moves an incomplete program to `OUT.rejected` and reports it; the final name does not exist afterwards.
@@ -360,18 +354,6 @@ const STANDARD_OUTPUT: &str = "/dev/stdout";
 
 /// First word of the first line of a rejected program, inside the comment.
 const REJECTED: &str = "REJECTED ";
-
-/// A text as comments of the control, split into lines of the length that the control allows.
-fn comments(control: &dyn Control, text: &str) -> Vec<Vec<u8>> {
-    let text = control::legible(text.as_bytes());
-    let lines = control::lines_of(&text, control.spellings().comment.length);
-    let spelled = lines.map(|text| {
-        let mut line = Vec::new();
-        control.comment(text, &mut line);
-        line
-    });
-    spelled.collect()
-}
 
 /// Whether a line is the first line of a rejected program.
 fn is_rejected(control: &dyn Control, line: &[u8]) -> bool {

@@ -12,6 +12,7 @@ use std::thread::{self, JoinHandle};
 use crate::check::{CheckError, CheckPolicy, Checked, Finding, check_for};
 use crate::config::Config;
 use crate::kinematics::AnyMachine;
+use crate::post::ProgramEnd;
 use crate::view::Execution;
 
 use super::check::report;
@@ -164,16 +165,14 @@ impl Read for PieceReader {
 pub(crate) struct CheckedOutput<'a> {
     out: &'a mut dyn Write,
     check: Option<SelfCheck>,
-    /// Number of lines of the program's end: the end code and the lines after it.
-    end_lines: usize,
+    end: ProgramEnd,
     /// Bytes held back, which may be the end.
     held: Vec<u8>,
 }
 
 impl<'a> CheckedOutput<'a> {
-    /// `end_lines`: number of lines from the end code to the end of the program.
-    pub(crate) fn new(out: &'a mut dyn Write, check: Option<SelfCheck>, end_lines: usize) -> Self {
-        Self { out, check, end_lines, held: Vec::new() }
+    pub(crate) fn new(out: &'a mut dyn Write, check: Option<SelfCheck>, end: ProgramEnd) -> Self {
+        Self { out, check, end, held: Vec::new() }
     }
 
     /// Result of the check, once everything is written; `None` without a check.
@@ -189,40 +188,18 @@ impl<'a> CheckedOutput<'a> {
 
     /// Writes comments instead of the end.
     pub(crate) fn close_with(self, comments: &[Vec<u8>]) -> io::Result<()> {
-        let kept = self.bytes_before_end();
-        self.out.write_all(&self.held[..kept])?;
-        comments.iter().try_for_each(|comment| write_line(self.out, None, comment))?;
-        self.out.flush()
-    }
-
-    /// Writes comments before the end. `counted`: every line begins with its line number, which goes up by one
-    /// (Heidenhain).
-    pub(crate) fn close_before_end(self, comments: &[Vec<u8>], counted: bool) -> io::Result<()> {
-        let kept = self.bytes_before_end();
-        self.out.write_all(&self.held[..kept])?;
-        let mut number = if counted { split_line_number(&self.held[kept..]).map(|(number, _)| number) } else { None };
+        self.out.write_all(&self.held[..self.end.position(&self.held)])?;
         for comment in comments {
-            write_line(self.out, number, comment)?;
-            number = number.map(|number| number + 1);
-        }
-        for line in self.held[kept..].split_inclusive(|byte| *byte == b'\n') {
-            let line = line.strip_suffix(b"\n").unwrap_or(line);
-            match (number, split_line_number(line)) {
-                (Some(now), Some((_, text))) => {
-                    write_line(self.out, number, text)?;
-                    number = Some(now + 1);
-                }
-                _ => write_line(self.out, None, line)?,
-            }
+            self.out.write_all(comment)?;
+            self.out.write_all(b"\n")?;
         }
         self.out.flush()
     }
 
-    /// Number of bytes held back that come before the end.
-    fn bytes_before_end(&self) -> usize {
-        let body = self.held.len() - usize::from(self.held.last() == Some(&b'\n'));
-        let mut ends = memchr::memrchr_iter(b'\n', &self.held[..body]);
-        ends.nth(self.end_lines - 1).map_or(0, |end| end + 1)
+    /// Writes comments before the end.
+    pub(crate) fn close_before_end(self, comments: &[Vec<u8>]) -> io::Result<()> {
+        self.end.write_with(self.out, &self.held, comments)?;
+        self.out.flush()
     }
 }
 
@@ -233,7 +210,7 @@ impl Write for CheckedOutput<'_> {
         }
         self.held.extend_from_slice(bytes);
         if self.held.len() >= PIECE_BYTES {
-            let kept = self.bytes_before_end();
+            let kept = self.end.position(&self.held);
             self.out.write_all(&self.held[..kept])?;
             self.held.drain(..kept);
         }
@@ -243,20 +220,4 @@ impl Write for CheckedOutput<'_> {
     fn flush(&mut self) -> io::Result<()> {
         self.out.flush()
     }
-}
-
-/// Writes a line, with its line number if it has one.
-fn write_line(out: &mut dyn Write, number: Option<u64>, text: &[u8]) -> io::Result<()> {
-    if let Some(number) = number {
-        write!(out, "{number} ")?;
-    }
-    out.write_all(text)?;
-    out.write_all(b"\n")
-}
-
-/// Line number at the start of a line, and the text after it.
-fn split_line_number(line: &[u8]) -> Option<(u64, &[u8])> {
-    let blank = line.iter().position(|byte| *byte == b' ')?;
-    let number = str::from_utf8(&line[..blank]).ok()?.parse().ok()?;
-    Some((number, &line[blank + 1..]))
 }

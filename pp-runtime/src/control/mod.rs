@@ -37,7 +37,7 @@ mod tests;
 // Every control by name, and the types of its table.
 pub use dialects::*;
 pub use encode::Encoder;
-pub(crate) use encode::{legible, lines_of};
+pub(crate) use encode::comments;
 pub use fit::{abilities, unfit, usable_modes};
 pub use lacking::take_out_lacking;
 pub use layout::Layout;

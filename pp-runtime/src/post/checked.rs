@@ -3,9 +3,10 @@
 use std::io::{Read, Seek, SeekFrom};
 
 use crate::check::{CheckError, Checked, check};
+use crate::control::comments;
 use crate::kinematics::Machine;
 
-use super::{Job, PostError, Report, post};
+use super::{Job, PostError, ProgramEnd, Report, post};
 
 /// A posted program and the result of its check.
 #[derive(Debug)]
@@ -33,7 +34,7 @@ impl CheckedProgram {
 }
 
 /// Posts CL data for a machine and checks the program, as the command `post` does. The result of the check is in
-/// [`CheckedProgram::checked`]; the comment of `program.checked` is written by the command alone.
+/// [`CheckedProgram::checked`], and with `program.checked` a comment at the end of a program without findings.
 ///
 /// ```
 /// use pp_runtime::config::Config;
@@ -72,5 +73,10 @@ pub fn post_checked<M: Machine>(job: &Job<'_>, input: &mut (impl Read + Seek)) -
         CheckError::Program(error) => PostError::Output(error),
         CheckError::Impossible(reason) => PostError::Unfit(reason),
     })?;
+    if job.config.control.program.checked && checked.passed() {
+        let comments = comments(job.control, &checked.outcome.summary());
+        let posted = std::mem::take(&mut text);
+        ProgramEnd::of(job.control).write_with(&mut text, &posted, &comments).map_err(PostError::Output)?;
+    }
     Ok(CheckedProgram { report, checked: Some(checked), text })
 }

@@ -15,6 +15,7 @@
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
 mod checked;
+mod ending;
 mod header;
 mod line_map;
 mod operations;
@@ -41,6 +42,7 @@ use crate::program::Units;
 use crate::set_up::SetUp;
 
 pub use checked::{CheckedProgram, post_checked};
+pub(crate) use ending::ProgramEnd;
 use line_map::MappedEncoder;
 pub(crate) use line_map::OwnedPosition;
 pub use line_map::{LineMap, LineOrigin};

@@ -30,8 +30,9 @@ use holes::HoleWriter;
 use modal_state::After;
 use modal_writer::ModalWriter;
 use spindle_coolant::SpindleCoolantWriter;
+pub(crate) use text::comments;
 use text::plain;
-pub(crate) use text::{legible, lines_of};
+use text::{legible, lines_of};
 
 /// Writes steps in the codes of a control, and leaves out words that are in force.
 pub struct Encoder<'a> {

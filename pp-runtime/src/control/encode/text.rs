@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use crate::control::dialects::Spellings;
+use crate::control::dialects::{Control, Spellings};
 use crate::control::layout::Layout;
 
 /// First line of a text, at most `length` bytes and up to a blank if there is one, and the rest of the text.
@@ -25,6 +25,18 @@ pub(crate) fn lines_of(text: &[u8], length: usize) -> impl Iterator<Item = &[u8]
         Some(line)
     });
     lines.filter(|line| !line.is_empty())
+}
+
+/// A text as comments of a control, in lines of the length that it allows.
+pub(crate) fn comments(control: &dyn Control, text: &str) -> Vec<Vec<u8>> {
+    let text = legible(text.as_bytes());
+    let lines = lines_of(&text, control.spellings().comment.length);
+    let spelled = lines.map(|text| {
+        let mut line = Vec::new();
+        control.comment(text, &mut line);
+        line
+    });
+    spelled.collect()
 }
 
 /// A text with letters instead of signs that few controls have (`°`, `µ`).

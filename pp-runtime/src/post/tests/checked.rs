@@ -4,7 +4,7 @@ use std::io::{Seek as _, SeekFrom};
 use std::sync::LazyLock;
 
 use super::*;
-use crate::control::Spellings;
+use crate::control::{CONTROLS, Spellings};
 
 /// LinuxCNC with a code before the tool change that its family does not have, and whose effect it does not declare.
 struct Undeclared;
@@ -39,6 +39,31 @@ fn the_checked_program_is_the_posted_one() {
     assert_eq!(program.program(), Some(text.as_bytes()));
     assert_eq!(program.report, report);
     assert!(program.checked.expect("a check").outcome.blocks > 0);
+}
+
+#[test]
+fn the_figures_of_the_check_come_before_the_end_where_they_are_wanted() {
+    for control in CONTROLS.iter().copied() {
+        let post = |keys: &str| {
+            let config =
+                Config::read::<Cb>(&format!("part_origin = [0.0, 0.0, 0.0]\nretract.distance = 50.0\n{keys}"), control);
+            let config = config.expect("a configuration");
+            let posted = post_checked::<Cb>(&job(&config, control), &mut Cursor::new(PART)).expect("it fits");
+            let findings = posted.checked.as_ref().map(|checked| &checked.outcome.findings);
+            assert!(posted.program().is_some(), "{:?} {findings:?}", posted.report.diagnostics);
+            String::from_utf8(posted.unchecked_text().to_vec()).expect("UTF-8")
+        };
+        let (without, with) = (post(""), post("program.checked = true\n"));
+        let lines = |text: &str| -> Vec<String> {
+            text.lines().map(|line| line.trim_start_matches(char::is_numeric).to_owned()).collect()
+        };
+        let (without, with) = (lines(&without), lines(&with));
+        let body = without.len() - ProgramEnd::of(control).lines;
+        let after = with.len() - ProgramEnd::of(control).lines;
+        assert_eq!((&with[..body], &with[after..]), (&without[..body], &without[body..]));
+        let comment = with[body..after].concat().to_uppercase();
+        assert!(comment.contains("CHECKED") && comment.contains("MOTION BLOCKS"), "{comment}");
+    }
 }
 
 #[test]
