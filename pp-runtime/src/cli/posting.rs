@@ -4,7 +4,7 @@
 use std::io::{self, BufWriter, Seek as _, Write};
 use std::path::Path;
 
-use crate::check::{CheckPolicy, Checked};
+use crate::check::CheckPolicy;
 use crate::config::Config;
 use crate::control::{Control, comments};
 use crate::diag::{Diagnostic, Severity};

@@ -82,7 +82,9 @@ options! {
         /// active, or the "gauge" line, without length offset.
         length_mode: LengthMode = LengthMode::Tip, key("length_mode", OneOf(&LengthMode::NAMES));
         /// Work offset of the control: "G54", and "G59.1" (LinuxCNC), "G54.1 P3" (Fanuc), "G154 P3" (Haas), "G505"
-        /// (Siemens) or the row of the datum table, "3" (Heidenhain; G54 to G59 are rows 1 to 6).
+        /// (Siemens) or the row of the datum table, "3" (Heidenhain; G54 to G59 are rows 1 to 6). It must hold the machine
+        /// coordinates at which the gauge line, without tool and with the rotary axes at zero, is on the zero point of
+        /// `program_zero`: for the part zero those of `machine_zero`.
         work_offset: String = "G54".to_owned(), key("work_offset", OffsetWord);
         /// Machine coordinate of each linear axis at the zero position, without tool. Without it linear limits are not
         /// checked.
@@ -163,6 +165,13 @@ impl SetUp {
         let FurtherSetUp { part_origin, part_rotation, work_offset, .. } = self.set_ups.get(&number)?;
         let work_offset = work_offset.as_deref().unwrap_or(&self.work_offset);
         Some(Clamping { part_origin: *part_origin, part_rotation: *part_rotation, work_offset })
+    }
+
+    /// Linear entries of the work offset of the first set-up where `machine_zero` gives them, mm: machine coordinates at which
+    /// the gauge line is on the part zero.
+    #[must_use]
+    pub fn work_offset_mm(&self) -> Option<&BTreeMap<char, f64>> {
+        (self.program_zero == ProgramZero::Part).then_some(&self.machine_zero)
     }
 
     /// All set-ups with their numbers.

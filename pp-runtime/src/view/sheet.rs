@@ -1,5 +1,6 @@
 //! Facts about a program as lists and tables: for the summary of the page and for the set-up sheet.
 
+use std::collections::BTreeMap;
 use std::io;
 
 use serde::Serialize;
@@ -40,6 +41,8 @@ const SAME_COORDINATE: f64 = 5e-4;
 struct SetUp {
     number: u32,
     work_offset: String,
+    /// Its linear entries, as far as the configuration gives them, mm.
+    entries_mm: BTreeMap<char, f64>,
     part_origin: [f64; 3],
     part_rotation: [f64; 3],
     seconds: f64,
@@ -276,7 +279,9 @@ impl SetUp {
         let rotated = self.part_rotation.iter().any(|angle| angle.abs() > 0.0);
         let [a, b, c] = self.part_rotation.map(short);
         let rotation = if rotated { format!(", rotated by {a}°, {b}°, {c}° about X, Y, Z") } else { String::new() };
-        format!("work offset {}; {origin}{rotation}", self.work_offset)
+        let entries: String = self.entries_mm.iter().map(|(letter, mm)| format!(" {letter}{}", short(*mm))).collect();
+        let entries = if entries.is_empty() { entries } else { format!(" must hold{entries} mm") };
+        format!("work offset {}{entries}; {origin}{rotation}", self.work_offset)
     }
 
     fn operations(&self) -> Body {
@@ -358,6 +363,7 @@ fn set_up(program: &ViewedProgram<'_>, number: u32, clamping: &Clamping<'_>, ope
     SetUp {
         number,
         work_offset: clamping.work_offset.to_owned(),
+        entries_mm: program.policy.set_up.work_offset_mm().filter(|_| number == 1).cloned().unwrap_or_default(),
         part_origin: clamping.part_origin,
         part_rotation: part_angles(&clamping.part_rotation),
         seconds: operations.iter().map(|operation| operation.seconds).sum(),
