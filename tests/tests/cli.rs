@@ -490,6 +490,21 @@ fn comment_text(lines: &[&str]) -> String {
 }
 
 #[test]
+fn each_reason_that_a_set_up_file_does_not_fit_is_an_error_of_its_own() {
+    let shop = Shop::with(format!("{HEAD}GOTO/1,2,3\n"));
+    shop.write(
+        "shop.toml",
+        "part_origin = [0, 0, 0]\ncontrol.tool_names = true\ntools.1.name = \"A B\"\ntools.2.name = \"C D\"\n",
+    );
+    let run = shop.run(&["post", "part.cls", "--control", "heidenhain", "--config", "shop.toml"]);
+    let reasons = [("A B", 1), ("C D", 2)];
+    let expected = reasons.map(|(name, number)| {
+        format!("error: Heidenhain TNC permits no tool name `{name}`: correct `[tools.{number}] name`\n")
+    });
+    assert_eq!((run.status, run.errors), (2, expected.concat()));
+}
+
+#[test]
 fn a_program_ends_with_the_result_of_its_check() {
     for (control, end) in [("linuxcnc", 1), ("fanuc", 2), ("siemens", 1), ("heidenhain", 2), ("haas", 2)] {
         let shop = Shop::with(format!("{HEAD}GOTO/1,2,3\nGOTO/40,2,3,0.6,0,0.8\n"));

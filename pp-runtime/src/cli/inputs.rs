@@ -34,7 +34,7 @@ pub(crate) fn read_config(
 /// Refuses a configuration that asks for something that control or machine cannot do.
 pub(crate) fn refuse_unfit(machine: &dyn AnyMachine, control: &dyn Control, config: &Config) -> Result<(), Failure> {
     let unfit = control::unfit(machine, control, config.demands());
-    if unfit.is_empty() { Ok(()) } else { Err(Failure::Argument(unfit.join("\n"))) }
+    if unfit.is_empty() { Ok(()) } else { Err(Failure::Arguments(unfit)) }
 }
 
 /// The configuration of a file over the defaults of a control.
@@ -52,7 +52,7 @@ pub(crate) fn read_config_file(
                 Some(help) => format!("{}; {help} (`--config`)", fault.text),
                 None => fault.text.clone(),
             };
-            Failure::Argument(faults.iter().map(with_help).collect::<Vec<_>>().join("\n"))
+            Failure::Arguments(faults.iter().map(with_help).collect())
         }),
         Some(path) => {
             let text = read_text(path, "configuration")?;

@@ -119,8 +119,11 @@ fn execute(
         Command::Man(args) => manual::pages(definition(), args.output.as_deref(), &mut streams),
     };
     result.unwrap_or_else(|failure| {
-        if !matches!(failure, Failure::Reported) {
-            Messages::new(streams.errors, format).error(&failure.to_string());
+        let mut messages = Messages::new(streams.errors, format);
+        match failure {
+            Failure::Reported => {}
+            Failure::Arguments(reasons) => reasons.iter().for_each(|reason| messages.error(reason)),
+            failure => messages.error(&failure.to_string()),
         }
         Status::NotRun
     })

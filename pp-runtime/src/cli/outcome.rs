@@ -47,6 +47,9 @@ pub(crate) enum Failure {
     Overwrites(String, String),
     #[error("{0}")]
     Argument(String),
+    /// Several reasons, each an error of its own.
+    #[error("{}", .0.join("; "))]
+    Arguments(Vec<String>),
     /// The message has already been written, or nobody can read it.
     #[error("")]
     Reported,

@@ -198,6 +198,10 @@ pub(crate) fn fill(text: &str, value: impl Fn(Field) -> Option<String>) -> Optio
             written.push_str(before);
             let field = Field::ALL.iter().copied().find(|field| field.name() == name);
             match field.and_then(&value).filter(|value| !value.is_empty()) {
+                // A name is assigned to an address, `T="MILL 10"`; elsewhere it is the text alone, `L9001("MILL 10")`.
+                Some(value) if !written.ends_with(|byte: char| byte.is_ascii_alphanumeric()) => {
+                    written.push_str(value.strip_prefix('=').unwrap_or(&value));
+                }
                 Some(value) => written.push_str(&value),
                 None if field == Some(Field::Next) => return None,
                 None => missing = true,
@@ -236,6 +240,15 @@ mod tests {
     fn a_block_with_the_next_tool_is_left_out_without_one() {
         assert_eq!(filled("TOOL DEF {next}", Some(6), None).as_deref(), Some("TOOL DEF 6"));
         assert_eq!(filled("TOOL DEF {next}", None, None), None);
+    }
+
+    #[test]
+    fn a_name_is_assigned_to_an_address_and_stands_alone_elsewhere() {
+        let called = |text: &str| fill(text, |_| Some("=\"MILL 10\"".to_owned())).expect("a block");
+        assert_eq!(called("T{tool} D1"), "T=\"MILL 10\" D1");
+        assert_eq!(called("T={tool} D1"), "T=\"MILL 10\" D1");
+        assert_eq!(called("L9001({tool},1)"), "L9001(\"MILL 10\",1)");
+        assert_eq!(called("CHANGE {tool}"), "CHANGE \"MILL 10\"");
     }
 
     #[test]

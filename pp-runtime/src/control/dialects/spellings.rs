@@ -88,7 +88,7 @@ pub struct Spellings {
     /// Tool change, and preselection of the next tool.
     pub tool_change: &'static [&'static str],
     /// Text before and after the name of a tool that is called by name, in the place of `{tool}`; `None` if tools have numbers
-    /// only.
+    /// only. An equals sign before is written after an address only: `T="MILL 10"`, but `L9001("MILL 10")`.
     pub tool_name: Option<[&'static str; 2]>,
     /// Whether a name of a tool may have this byte.
     pub tool_name_byte: fn(u8) -> bool,
