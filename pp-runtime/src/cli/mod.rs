@@ -104,10 +104,16 @@ fn execute(
         Command::Explain(args) if args.latex => print(&mut streams, |out| explain::latex(machine, out)),
         Command::Explain(args) if args.proof_program => print_proof_program(machine, &args.proof, &mut streams),
         Command::Explain(args) if args.codes => {
-            let name = args.proof.control().family();
-            print(&mut streams, |out| match crate::check::read::Family::of_control(name) {
-                Some(family) => crate::check::codes(family, out),
-                None => writeln!(out, "the check cannot read programs for {name}"),
+            let control = args.proof.control();
+            print(&mut streams, |out| match crate::check::read::Family::of_control(control.family()) {
+                Some(family) => {
+                    crate::check::codes(family, out)?;
+                    let title = control.spellings().title;
+                    control.effects().iter().try_for_each(|(text, effect)| {
+                        writeln!(out, "{text:<16}  declared by {title} with the effect \"{}\"", effect.name())
+                    })
+                }
+                None => writeln!(out, "the check cannot read programs for {}", control.family()),
             })
         }
         Command::Explain(args) if args.verify => print(&mut streams, |out| explain::verify(machine, out)),

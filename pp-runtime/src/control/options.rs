@@ -290,6 +290,11 @@ impl LineEffect {
         ("tool change", Self::ToolChange),
     ];
 
+    /// Name, as in configuration files.
+    pub(crate) fn name(self) -> &'static str {
+        Self::NAMES.iter().find(|(_, effect)| *effect == self).map_or("", |(name, _)| name)
+    }
+
     /// The reason why a line or a word cannot have this effect.
     pub(crate) fn refusal(self, text: &str) -> Option<String> {
         let is_called = text.contains(&format!("{{{}}}", Field::Tool.name()));
