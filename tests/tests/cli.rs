@@ -129,30 +129,6 @@ fn each_machine_posts_a_sample_without_options() {
 }
 
 #[test]
-fn the_commands_of_the_readmes_work() {
-    for readme in ["README.md", "examples/cl/README.md"] {
-        let text = fs::read_to_string(workspace().join(readme)).expect("the README exists");
-        let command = |line: &&str| line.starts_with("cargo run ") && line.contains(" -- post ");
-        let line = text.lines().find(command).unwrap_or_else(|| panic!("{readme} has no command that posts"));
-        let words: Vec<&str> = line.split_whitespace().collect();
-        let after = |word: &str| words.iter().position(|other| *other == word).map(|index| &words[index + 1..]);
-        let machine = after("--bin").expect("a machine")[0];
-        let arguments = after("--").expect("arguments");
-        let input = Path::new(arguments.iter().find(|word| word.starts_with("examples/")).expect("a sample"));
-        let shop = Shop::new();
-        fs::create_dir_all(shop.path().join(input.parent().expect("a folder"))).expect("a folder");
-        fs::copy(workspace().join(input), shop.path().join(input)).expect("the sample of the README exists");
-        let run = shop.run_on(machine, arguments);
-        assert_eq!(run.status, 0, "{readme}: {}", run.errors);
-        let program = match after("-o") {
-            Some(output) => shop.read(output[0]),
-            None => run.output,
-        };
-        assert!(program.ends_with(b"\nM2\n"), "{readme}");
-    }
-}
-
-#[test]
 fn a_file_and_standard_output_get_the_same_bytes() {
     let shop = Shop::with(fs::read(example("two_tools.cls")).expect("a sample"));
     let (to_file, to_output) = (shop.post(), shop.run(&["post", "part.cls"]));

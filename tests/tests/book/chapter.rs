@@ -2,7 +2,7 @@
 
 use std::fs;
 use std::ops::Range;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use tests::binaries::workspace;
 
@@ -10,14 +10,15 @@ use tests::binaries::workspace;
 pub(crate) const SUMMARY: &str = "SUMMARY.md";
 
 /// The folder of the chapters.
-pub(crate) fn source() -> PathBuf {
-    workspace().join("docs/src")
-}
+pub(crate) const SOURCE: &str = "docs/src";
 
-/// A chapter of the book.
+/// Pages beside the book that are read and tried like its chapters.
+const READMES: [&str; 2] = ["README.md", "examples/cl/README.md"];
+
+/// A chapter of the book, or a page beside it.
 pub(crate) struct Chapter {
-    /// Name of its file.
-    pub(crate) name: String,
+    /// Its file, from the workspace.
+    pub(crate) path: PathBuf,
     lines: Vec<String>,
 }
 
@@ -43,24 +44,37 @@ impl Listing {
 }
 
 impl Chapter {
-    pub(crate) fn of(name: &str, text: &str) -> Self {
-        Self { name: name.to_owned(), lines: text.lines().map(str::to_owned).collect() }
+    pub(crate) fn of(path: PathBuf, text: &str) -> Self {
+        Self { path, lines: text.lines().map(str::to_owned).collect() }
     }
 
-    pub(crate) fn read(name: &str) -> Self {
-        let text = fs::read_to_string(source().join(name)).unwrap_or_else(|error| panic!("{name}: {error}"));
-        Self::of(name, &text)
+    pub(crate) fn read(path: PathBuf) -> Self {
+        let text = fs::read_to_string(workspace().join(&path));
+        let text = text.unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+        Self::of(path, &text)
     }
 
     /// The chapters in the order of the summary.
+    pub(crate) fn of_book() -> Vec<Self> {
+        let source = Path::new(SOURCE);
+        Self::read(source.join(SUMMARY)).links().map(|name| Self::read(source.join(name))).collect()
+    }
+
+    /// The chapters, and the pages beside the book.
     pub(crate) fn all() -> Vec<Self> {
-        Self::read(SUMMARY).links().map(|name| Self::read(&name)).collect()
+        let beside = READMES.iter().map(|path| Self::read(path.into()));
+        beside.chain(Self::of_book()).collect()
+    }
+
+    /// The file to which a link leads, from the workspace.
+    pub(crate) fn target(&self, link: &str) -> PathBuf {
+        if link.is_empty() { self.path.clone() } else { self.path.with_file_name(link) }
     }
 
     pub(crate) fn listings(&self) -> Vec<Listing> {
         let fences: Vec<usize> =
             (0..self.lines.len()).filter(|line| self.lines[*line].trim_start().starts_with("```")).collect();
-        assert!(fences.len().is_multiple_of(2), "{}: a listing has no end", self.name);
+        assert!(fences.len().is_multiple_of(2), "{}: a listing has no end", self.path.display());
         let listing = |pair: &[usize]| {
             let mut words = self.lines[pair[0]].trim_start_matches([' ', '`']).split_whitespace().map(str::to_owned);
             let language = words.next().unwrap_or_default();
@@ -129,7 +143,7 @@ impl Chapter {
             self.lines.splice(range, text.lines().map(str::to_owned));
         }
         let text: String = self.lines.iter().map(|line| format!("{line}\n")).collect();
-        fs::write(source().join(&self.name), text).expect("a chapter can be written");
+        fs::write(workspace().join(&self.path), text).expect("a chapter can be written");
     }
 }
 

@@ -23,8 +23,20 @@ mod quickstart;
 mod house_control;
 
 /// The commands of every machine.
-pub(crate) const COMMANDS: [&str; 9] =
-    ["post", "check", "view", "report", "simulate", "explain-block", "config", "explain", "kinematics"];
+pub(crate) const COMMANDS: [&str; 12] = [
+    "post",
+    "check",
+    "view",
+    "report",
+    "simulate",
+    "explain-block",
+    "config",
+    "explain",
+    "kinematics",
+    "new",
+    "completions",
+    "man",
+];
 
 type Entry = fn(&[OsString], Streams<'_>) -> Status;
 

@@ -1,4 +1,4 @@
-//! The book in `docs`, without mdBook: every listing is run, read or compiled, and every link leads somewhere.
+//! The book in `docs`, without mdBook, and the READMEs: every listing is run, read or compiled, and every link leads somewhere.
 //!
 //! The language of a listing decides what is done with it:
 //!
@@ -7,6 +7,7 @@
 //! | `console` | its commands are run in the folder of the chapter, and their output is compared |
 //! | any language and the name of a file, Rust as `rust,ignore` | the file: compared if the folder of the chapter or the workspace has it, else written to the folder, for a command below |
 //! | `toml` | read as a configuration |
+//! | `sh` | too long for this test: each line is a command of `.ci` or of the template |
 //! | `rust`, `rust,no_run`, `rust,compile_fail` | compiled as documentation test of `tests/src/book.rs` |
 //!
 //! A listing of another kind is an error. The folder of a chapter is empty at its start but for `examples`. A line `...` in a
@@ -21,8 +22,9 @@ mod machines;
 mod messages;
 
 use std::fs;
+use std::path::{Path, PathBuf};
 
-use chapter::{Chapter, Listing, Part};
+use chapter::{Chapter, Listing, Part, SOURCE};
 use folder::Folder;
 use machines::COMMANDS;
 use pp_runtime::config::Config;
@@ -44,6 +46,7 @@ fn try_listing(chapter: &Chapter, listing: &Listing, folder: &mut Folder) -> Res
     match (listing.language.as_str(), &listing.file) {
         ("console", None) => return folder.run(listing),
         ("rust" | "rust,no_run" | "rust,compile_fail", None) => is_compiled(chapter)?,
+        ("sh", None) => is_run_elsewhere(listing)?,
         ("toml", None) => {
             let faults = |faults| format!("is no configuration: {faults:?}");
             Config::read::<::machines::SpinnerU5620>(&listing.text(), &LinuxCnc).map_err(faults)?;
@@ -60,8 +63,21 @@ fn try_listing(chapter: &Chapter, listing: &Listing, folder: &mut Folder) -> Res
 /// Whether the Rust of a chapter is compiled by the documentation tests.
 fn is_compiled(chapter: &Chapter) -> Result<(), String> {
     let list = fs::read_to_string(workspace().join("tests/src/book.rs")).expect("the list of chapters with Rust");
-    let row = format!("docs/src/{}\"", chapter.name);
+    let row = format!("{}\"", chapter.path.display());
     if list.contains(&row) { Ok(()) } else { Err("this chapter is not in tests/src/book.rs".into()) }
+}
+
+/// Files whose commands are run in other ways than by this test.
+const ELSEWHERE: [&str; 4] =
+    [".ci/run", ".ci/packages", "pp-runtime/template/README.md", "pp-runtime/template/release.sh"];
+
+/// Whether each line of a listing is a command of [`ELSEWHERE`].
+fn is_run_elsewhere(listing: &Listing) -> Result<(), String> {
+    let texts = ELSEWHERE.map(|file| fs::read_to_string(workspace().join(file)).expect("a file of the workspace"));
+    match listing.lines.iter().find(|line| !texts.iter().any(|text| text.contains(line.as_str()))) {
+        Some(line) => Err(format!("`{line}` is a command of none of {ELSEWHERE:?}")),
+        None => Ok(()),
+    }
 }
 
 /// All chapters in one test: commands are run in the current folder of the process.
@@ -73,10 +89,10 @@ fn every_listing_is_what_its_commands_write() {
         folder.enter();
         for listing in chapter.listings() {
             if let Err(fault) = try_listing(&chapter, &listing, &mut folder) {
-                found.push(format!("docs/src/{}:{}: {fault}", chapter.name, listing.line + 1));
+                found.push(format!("{}:{}: {fault}", chapter.path.display(), listing.line + 1));
             }
         }
-        found.extend(folder.unread().map(|name| format!("docs/src/{}: no command reads {name}", chapter.name)));
+        found.extend(folder.unread().map(|name| format!("{}: no command reads {name}", chapter.path.display())));
         if bless() {
             chapter.rewrite(folder.outputs());
         }
@@ -87,12 +103,11 @@ fn every_listing_is_what_its_commands_write() {
 
 #[test]
 fn every_page_is_in_the_summary_and_every_link_leads_somewhere() {
-    let source = chapter::source();
     let mut found = Vec::new();
-    let listed: Vec<String> = Chapter::all().into_iter().map(|chapter| chapter.name).collect();
-    for entry in fs::read_dir(&source).expect("the chapters") {
+    let listed: Vec<PathBuf> = Chapter::of_book().into_iter().map(|chapter| chapter.path).collect();
+    for entry in fs::read_dir(workspace().join(SOURCE)).expect("the chapters") {
         let name = entry.expect("an entry").file_name().into_string().expect("a name in UTF-8");
-        if name.ends_with(".md") && name != chapter::SUMMARY && !listed.contains(&name) {
+        if name.ends_with(".md") && name != chapter::SUMMARY && !listed.contains(&Path::new(SOURCE).join(&name)) {
             found.push(format!("{name} is not in the summary"));
         }
     }
@@ -102,11 +117,11 @@ fn every_page_is_in_the_summary_and_every_link_leads_somewhere() {
                 continue;
             }
             let (file, heading) = link.split_once('#').unwrap_or((&link, ""));
-            let target = if file.is_empty() { &chapter.name } else { file };
-            if !source.join(target).exists() {
-                found.push(format!("{}: {link} leads nowhere", chapter.name));
+            let target = chapter.target(file);
+            if !workspace().join(&target).exists() {
+                found.push(format!("{}: {link} leads nowhere", chapter.path.display()));
             } else if !heading.is_empty() && !Chapter::read(target).headings().any(|other| other == heading) {
-                found.push(format!("{}: {link} is no heading", chapter.name));
+                found.push(format!("{}: {link} is no heading", chapter.path.display()));
             }
         }
     }
@@ -121,7 +136,7 @@ fn every_option_in_the_chapters_is_one_of_a_command() {
         for option in chapter.options() {
             let is_one = |rest: &str| !rest.starts_with(|next: char| next.is_ascii_alphanumeric() || next == '-');
             if !help.split(option.as_str()).skip(1).any(is_one) {
-                found.push(format!("{}: no command has {option}", chapter.name));
+                found.push(format!("{}: no command has {option}", chapter.path.display()));
             }
         }
     }
@@ -153,12 +168,18 @@ fn a_listing_matches_its_lines_and_nothing_else() {
 fn a_command_or_a_listing_without_a_rule_is_an_error() {
     let mut folder = Folder::new();
     let chapter = Chapter::of(
-        "none.md",
-        "```console\n$ milling post\n```\n```text\na\n```\n```rust\nfn a() {}\n```\n```toml\nfoo = 1\n```\n",
+        "none.md".into(),
+        "```console\n$ milling post\n```\n```text\na\n```\n```rust\nfn a() {}\n```\n```toml\nfoo = 1\n```\n```sh\nmilling all\n```\n",
     );
     let faults: Vec<String> =
         chapter.listings().iter().filter_map(|listing| try_listing(&chapter, listing, &mut folder).err()).collect();
-    let expected = ["`milling` is no command", "has no rule", "is not in tests/src/book.rs", "is no configuration"];
+    let expected = [
+        "`milling` is no command",
+        "has no rule",
+        "is not in tests/src/book.rs",
+        "is no configuration",
+        "is a command of none of",
+    ];
     assert_eq!(faults.len(), expected.len(), "{faults:?}");
     for (fault, expected) in faults.iter().zip(expected) {
         assert!(fault.contains(expected), "{fault}");

@@ -13,6 +13,7 @@
 //! - all others: the CL data.
 
 use std::fs;
+use tests::binaries::workspace;
 
 use serde_json::Value;
 
@@ -130,7 +131,7 @@ fn the_page_of_messages_has_what_is_printed() {
         }
     }
     assert_none(&found);
-    let path = chapter::source().join("messages.md");
+    let path = workspace().join(chapter::SOURCE).join("messages.md");
     let written = fs::read_to_string(&path).unwrap_or_default();
     if bless() {
         fs::write(&path, page).expect("the page can be written");
