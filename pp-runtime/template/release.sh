@@ -6,6 +6,9 @@ cd "$(dirname "$0")"
 name={{project-name}}
 built=${CARGO_TARGET_DIR:-target}
 
+# The versions of the last test, if there was one.
+[ -f Cargo.lock ] || cargo generate-lockfile
+
 rm -rf dist
 mkdir dist
 for target in x86_64-unknown-linux-musl x86_64-pc-windows-gnu; do

@@ -48,6 +48,7 @@ use crate::config;
 use crate::control::Control;
 use crate::kinematics::{AnyMachine, digest};
 use crate::post::{Proof, prove};
+use crate::view::drawing;
 
 pub use app::{App, run, run_for, run_with};
 pub use outcome::{Status, Streams};
@@ -102,6 +103,7 @@ fn execute(
             print(&mut streams, |out| out.write_all(text.as_bytes()))
         }
         Command::Explain(args) if args.latex => print(&mut streams, |out| explain::latex(machine, out)),
+        Command::Explain(args) if args.drawing => print_drawing(machine, &args.proof, &mut streams),
         Command::Explain(args) if args.proof_program => print_proof_program(machine, &args.proof, &mut streams),
         Command::Explain(args) if args.codes => {
             let control = args.proof.control();
@@ -150,6 +152,18 @@ fn print_usage(machine: &dyn AnyMachine, error: &clap::Error, streams: &mut Stre
         Ok(()) => Status::Done,
         Err(_) => Status::NotRun,
     }
+}
+
+/// Writes the drawing of the machine, with the dimensions of a configuration if there is one.
+fn print_drawing(machine: &dyn AnyMachine, args: &ProofArgs, streams: &mut Streams<'_>) -> Result<Status, Failure> {
+    let mut measured = machine.to_boxed();
+    if args.config.is_some() {
+        let mut messages = Messages::new(streams.errors, MessageFormat::Human);
+        let config = read_config_file(machine, args.config.as_deref(), args.control(), &mut messages)?;
+        measured = config.set_up.machine_for(machine).map_err(|invalid| Failure::Argument(invalid.to_string()))?;
+    }
+    let text = drawing(&*measured).map_err(|error| Failure::Argument(error.to_string()))?;
+    print(streams, |out| out.write_all(text.as_bytes()))
 }
 
 /// Writes the proof program; writes nothing if it cannot be planned.

@@ -9,6 +9,7 @@
 
 mod cl_facts;
 mod columns;
+mod drawing;
 mod executed;
 mod head;
 mod html;
@@ -35,6 +36,7 @@ use executed::{Executed, Point};
 pub(crate) use cl_facts::ClFacts;
 #[cfg(feature = "simulate")]
 pub(crate) use cl_facts::ClTool;
+pub(crate) use drawing::drawing;
 pub(crate) use executed::Collector;
 #[cfg(feature = "simulate")]
 pub(crate) use executed::{ExecutedMotion, Motions, Place};

@@ -23,7 +23,7 @@ const VIEW_HEIGHT: u32 = 760;
 const PLOT_HEIGHT: u32 = 260;
 
 /// Heights of text.
-const TITLE: u32 = 30;
+pub(super) const TITLE: u32 = 30;
 const LABEL: u32 = 22;
 
 /// Largest number of points of all lines of one colour in a view or a plot; more would not be seen.
@@ -43,15 +43,15 @@ const ARROW: f64 = 0.12;
 
 const FEED: RGBColor = RGBColor(0x0b, 0x5c, 0xad);
 const RAPID: RGBColor = RGBColor(0xd9, 0x7b, 0x1c);
-const LIMIT: RGBColor = RGBColor(0xc6, 0x28, 0x28);
-const CENTRE_LINE: RGBColor = RGBColor(0x2e, 0x7d, 0x32);
-const PART: RGBColor = RGBColor(0x60, 0x60, 0x60);
+pub(super) const LIMIT: RGBColor = RGBColor(0xc6, 0x28, 0x28);
+pub(super) const CENTRE_LINE: RGBColor = RGBColor(0x2e, 0x7d, 0x32);
+pub(super) const PART: RGBColor = RGBColor(0x60, 0x60, 0x60);
 
 /// Drawing area of an SVG.
 type Area<'a> = DrawingArea<SVGBackend<'a>, plotters::coord::Shift>;
 
 /// Chart with numbers along both axes.
-type Chart<'a, 'b> = ChartContext<'b, SVGBackend<'a>, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
+pub(super) type Chart<'a, 'b> = ChartContext<'b, SVGBackend<'a>, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
 
 /// Projections: title, names of the two directions, and the directions.
 const VIEWS: [(&str, [&str; 2], [usize; 2]); 3] = [
@@ -60,12 +60,12 @@ const VIEWS: [(&str, [&str; 2], [usize; 2]); 3] = [
     ("from the right", ["Y", "Z"], [1, 2]),
 ];
 
-fn failed(error: impl std::fmt::Display) -> io::Error {
+pub(super) fn failed(error: impl std::fmt::Display) -> io::Error {
     io::Error::other(format!("picture: {error}"))
 }
 
 /// Draws an SVG of this height.
-fn svg(height: u32, draw: impl FnOnce(&Area<'_>) -> io::Result<()>) -> io::Result<String> {
+pub(super) fn svg(height: u32, draw: impl FnOnce(&Area<'_>) -> io::Result<()>) -> io::Result<String> {
     let mut text = String::new();
     {
         let area = SVGBackend::with_string(&mut text, (WIDTH, height)).into_drawing_area();
@@ -271,7 +271,7 @@ fn draw_runs(
 }
 
 /// Begins a view whose range holds these points.
-fn view<'a, 'b>(
+pub(super) fn view<'a, 'b>(
     area: &'b Area<'a>,
     title: &str,
     names: [&str; 2],

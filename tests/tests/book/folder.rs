@@ -9,7 +9,7 @@ use tempfile::TempDir;
 use tests::binaries::workspace;
 
 use crate::chapter::{Listing, Part};
-use crate::machines;
+use crate::{bless, machines};
 
 /// A temporary folder with the samples of the project.
 pub(crate) struct Folder {
@@ -107,6 +107,18 @@ impl Folder {
         fs::write(path, listing.text()).expect("a file can be written");
         self.unread.insert(name.to_owned());
         Ok(())
+    }
+
+    /// Compares a picture of a chapter with the one that its commands have written, or keeps that one.
+    pub(crate) fn picture(&self, kept: &Path) -> Result<(), String> {
+        let name = kept.file_name().and_then(|name| name.to_str()).expect("a name");
+        let written = fs::read(self.path(name)).map_err(|_| format!("no command writes the picture {name}"))?;
+        if bless() {
+            fs::write(kept, written).expect("a picture can be written");
+            return Ok(());
+        }
+        let same = fs::read(kept).is_ok_and(|picture| picture == written);
+        if same { Ok(()) } else { Err(format!("{name} is not what its command writes")) }
     }
 
     /// Runs the commands of a listing.

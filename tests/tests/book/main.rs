@@ -10,7 +10,7 @@
 //! | `sh` | too long for this test: each line is a command of `.ci` or of the template |
 //! | `rust`, `rust,no_run`, `rust,compile_fail` | compiled as documentation test of `tests/src/book.rs` |
 //!
-//! A listing of another kind is an error. The folder of a chapter is empty at its start but for `examples`. A line `...` in a
+//! A listing of another kind is an error, and a picture in SVG is one that a command of its chapter writes. The folder of a chapter is empty at its start but for `examples`. A line `...` in a
 //! listing means any number of lines.
 //!
 //! `PP_BLESS=1 cargo test --workspace --test book` writes the outputs into the chapters, without `...`: read every changed line,
@@ -91,6 +91,10 @@ fn every_listing_is_what_its_commands_write() {
             if let Err(fault) = try_listing(&chapter, &listing, &mut folder) {
                 found.push(format!("{}:{}: {fault}", chapter.path.display(), listing.line + 1));
             }
+        }
+        for picture in chapter.links().filter(|link| link.ends_with(".svg")) {
+            let fault = folder.picture(&workspace().join(chapter.target(&picture))).err();
+            found.extend(fault.map(|fault| format!("{}: {fault}", chapter.path.display())));
         }
         found.extend(folder.unread().map(|name| format!("{}: no command reads {name}", chapter.path.display())));
         if bless() {

@@ -181,8 +181,12 @@ pub(crate) struct ExplainArgs {
     pub(crate) codes: bool,
     /// Print a proof program for the machine instead: the tip stays on one point while each rotary axis runs its travel.
     /// Its words are axis positions whatever `mode` is: it shows the declaration, not the tip control of the control
-    #[arg(long, conflicts_with_all = ["latex", "cl"])]
+    #[arg(long, conflicts_with_all = ["latex", "cl"], group = "of_configuration")]
     pub(crate) proof_program: bool,
+    /// Print a drawing instead, SVG: the machine at zero from two sides, with its dimensions, and which way the positive words
+    /// rotate it
+    #[arg(long, conflicts_with_all = ["latex", "cl", "codes", "verify", "proof_program"], group = "of_configuration")]
+    pub(crate) drawing: bool,
     #[command(flatten)]
     pub(crate) proof: ProofArgs,
 }
@@ -194,7 +198,7 @@ pub(crate) struct ProofArgs {
     #[arg(long, value_name = "NAME", value_parser = ControlNames::with(&[]), default_value = ControlNames::with(&[]).default_name())]
     control: ChosenControl,
     /// Configuration file of machine and set-up (see `config`)
-    #[arg(long, value_name = "FILE.toml", requires = "proof_program")]
+    #[arg(long, value_name = "FILE.toml", requires = "of_configuration")]
     pub(crate) config: Option<PathBuf>,
     /// Point of the part at which the tip is held, mm; without it the part zero
     #[arg(
