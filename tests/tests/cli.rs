@@ -152,18 +152,18 @@ fn standard_input_gives_the_program_of_the_file() {
 }
 
 #[test]
-fn bad_cl_data_removes_an_earlier_program_and_a_good_run_the_rejected_one() {
+fn bad_cl_data_sets_an_earlier_program_aside_and_a_good_run_the_rejected_one() {
     let shop = Shop::with(format!("{HEAD}GOTO/1,2,3\n"));
     assert_eq!(shop.post().status, 0);
     assert_eq!(shop.names(), ["part.cls", "part.nc"]);
     shop.write("part.cls", format!("{HEAD}GOTO/1,2\n"));
     let run = shop.post();
     assert_eq!(run.status, 1);
-    assert_eq!(shop.names(), ["part.cls", "part.nc.rejected"]);
-    assert!(run.errors.contains("the earlier part.nc was removed"), "{}", run.errors);
+    assert_eq!(shop.names(), ["part.cls", "part.nc.earlier", "part.nc.rejected"]);
+    assert!(run.errors.contains("the earlier part.nc is in part.nc.earlier now"), "{}", run.errors);
     shop.write("part.cls", format!("{HEAD}GOTO/1,2,3\n"));
     assert_eq!(shop.post().status, 0);
-    assert_eq!(shop.names(), ["part.cls", "part.nc"]);
+    assert_eq!(shop.names(), ["part.cls", "part.nc", "part.nc.earlier"]);
 }
 
 #[test]
@@ -478,6 +478,39 @@ fn each_reason_that_a_set_up_file_does_not_fit_is_an_error_of_its_own() {
         format!("error: Heidenhain TNC permits no tool name `{name}`: correct `[tools.{number}] name`\n")
     });
     assert_eq!((run.status, run.errors), (2, expected.concat()));
+}
+
+#[test]
+fn a_set_up_file_that_names_its_control_is_posted_for_it_and_for_no_other() {
+    let shop = Shop::with(format!("{HEAD}GOTO/1,2,3\n"));
+    shop.write("shop.toml", "part_origin = [0, 0, 0]\ncontrol.name = \"haas\"\n");
+    for config in [&["--config", "shop.toml"][..], &["--config=shop.toml"]] {
+        let run = shop.run(&[&["post", "part.cls"], config].concat());
+        assert_eq!(run.status, 0, "{}", run.errors);
+        assert!(run.errors.contains("control Haas") && run.output.starts_with(b"%\nO00001"), "{}", run.errors);
+        let run = shop.run(&[&["post", "part.cls", "--control", "fanuc"], config].concat());
+        assert_eq!(run.status, 2);
+        assert!(run.errors.contains("is for `haas`, and the program for `fanuc`"), "{}", run.errors);
+    }
+    shop.write("shop.toml", "control.name = \"hass\"\n");
+    let run = shop.run(&["post", "part.cls", "--config", "shop.toml"]);
+    assert!(run.status == 2 && run.errors.contains("is for `hass`"), "{}", run.errors);
+}
+
+#[test]
+fn an_m_function_of_the_control_itself_is_no_code_of_the_shop() {
+    let shop = Shop::with(format!("{HEAD}GOTO/1,2,3\n"));
+    for (control, keys, code) in [
+        ("siemens", "clamp = { C = { on = \"M18\", off = \"M19\" } }\n", "M19"),
+        ("haas", "clamp = { C = { on = \"M30\", off = \"M31\" } }\n", "M30"),
+        ("heidenhain", "control.coolant = { air = [\"M25\", \"M05\"] }\n", "M05"),
+        ("linuxcnc", "control.tip_control = [\"M428\", \"M2\"]\n", "M2"),
+    ] {
+        shop.write("shop.toml", keys);
+        let run = shop.run(&["post", "part.cls", "--control", control, "--config", "shop.toml"]);
+        assert_eq!(run.status, 2, "{control}: {}", run.errors);
+        assert!(run.errors.contains(&format!("`{code}` of `")) && run.errors.contains("itself"), "{}", run.errors);
+    }
 }
 
 #[test]

@@ -374,7 +374,7 @@ fn a_program_is_the_same_with_a_page_and_a_rejected_one_has_a_page() {
     fs::write(&cl, text).expect("it can be written");
     let output = dmu(&["post", &cl, "-o", &with, "--view", &html]);
     assert_eq!(output.status.code(), Some(1), "{}", errors(&output));
-    assert_eq!(files(folder.path()), ["page.html", "part.cls", "with.nc.rejected", "without.nc"]);
+    assert_eq!(files(folder.path()), ["page.html", "part.cls", "with.nc.earlier", "with.nc.rejected", "without.nc"]);
     let page = Page::decoded(&fs::read_to_string(&html).expect("a page"));
     assert!(page.points() > 5 && page.head["summary"][0].as_str().is_some_and(|line| line.starts_with("rejected: ")));
 }

@@ -1,8 +1,8 @@
 //! The file of the program: its final name holds a complete program, or does not exist.
 //!
 //! The program is written to a temporary file in the same folder and renamed when it is complete. An incomplete program
-//! goes to `OUT.rejected` instead, with the reason in its first line, and an earlier OUT is removed: otherwise an old
-//! program could be run in place of the one that failed.
+//! goes to `OUT.rejected` instead, with the reason in its first line, and an earlier OUT is set aside as `OUT.earlier`: otherwise an
+//! old program could be run in place of the one that failed, and it may have been edited by hand.
 
 use std::ffi::OsString;
 use std::fs::{self, File, OpenOptions};
@@ -30,8 +30,8 @@ enum Destination {
 pub(crate) struct Rejected {
     /// File of the rejected program; `None` if it went to a device.
     pub(crate) path: Option<PathBuf>,
-    /// An earlier program under the final name was removed.
-    pub(crate) removed: bool,
+    /// Where an earlier program under the final name was set aside.
+    pub(crate) earlier: Option<PathBuf>,
 }
 
 impl OutputFile {
@@ -79,27 +79,34 @@ impl OutputFile {
         Ok(first_line(&rejected).is_ok_and(|line| is_rejected(&line)) && fs::remove_file(rejected).is_ok())
     }
 
-    /// Removes the file of the final name. Returns whether there was one.
-    fn remove(&self) -> io::Result<bool> {
+    /// Removes an earlier file of the final name.
+    pub(crate) fn clear(&self) -> io::Result<()> {
         if let Destination::Direct(_) = self.destination {
-            return Ok(false);
+            return Ok(());
         }
         match fs::remove_file(&self.path) {
-            Ok(()) => Ok(true),
-            Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(false),
+            Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
+            _ => Ok(()),
+        }
+    }
+
+    /// Gives an earlier program under the final name the name `OUT.earlier`, if there is one.
+    fn set_aside(&self) -> io::Result<Option<PathBuf>> {
+        if let Destination::Direct(_) = self.destination {
+            return Ok(None);
+        }
+        let earlier = with_ending(&self.path, ".earlier");
+        match fs::rename(&self.path, &earlier) {
+            Ok(()) => Ok(Some(earlier)),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
             Err(error) => Err(error),
         }
     }
 
-    /// Removes an earlier file of the final name.
-    pub(crate) fn clear(&self) -> io::Result<()> {
-        self.remove().map(drop)
-    }
-
-    /// Writes the program to `OUT.rejected` with `reason` as its first line, and removes the file of the final name.
+    /// Writes the program to `OUT.rejected` with `reason` as its first line, and sets an earlier file of the final name aside.
     pub(crate) fn reject(self, reason: &[u8]) -> io::Result<Rejected> {
-        let removed = self.remove()?;
-        let Destination::Renamed(mut file) = self.destination else { return Ok(Rejected { path: None, removed }) };
+        let earlier = self.set_aside()?;
+        let Destination::Renamed(mut file) = self.destination else { return Ok(Rejected { path: None, earlier }) };
         let path = rejected_path(&self.path);
         let mut write = || {
             let mut whole = temporary_next_to(&path)?;
@@ -110,7 +117,7 @@ impl OutputFile {
             whole.persist(&path)
         };
         match write() {
-            Ok(()) => Ok(Rejected { path: Some(path), removed }),
+            Ok(()) => Ok(Rejected { path: Some(path), earlier }),
             Err(error) => Err(of_file(&path, error)),
         }
     }
@@ -118,8 +125,12 @@ impl OutputFile {
 
 /// Name of a rejected program: `OUT.rejected`.
 pub(crate) fn rejected_path(path: &Path) -> PathBuf {
+    with_ending(path, ".rejected")
+}
+
+fn with_ending(path: &Path, ending: &str) -> PathBuf {
     let mut name = OsString::from(path);
-    name.push(".rejected");
+    name.push(ending);
     name.into()
 }
 

@@ -262,7 +262,8 @@ impl PostRun<'_> {
         output_with_check.close_before_end(&footer).map_err(unwritable)?;
         end_map(map, footer.len())?;
         let assumed = "assumed: lengths of the configuration file are in mm (`units` is not set there)";
-        let mut summary: Vec<String> = config.file_units_assumed.then(|| assumed.to_owned()).into_iter().collect();
+        let mut summary = vec![format!("machine {}, control {}", machine.name(), control.spellings().title)];
+        summary.extend(config.file_units_assumed.then(|| assumed.to_owned()));
         summary.append(&mut report.summary());
         summary.push(verdict);
         Ok(Written { report, summary: Ok(summary), execution: self_checked.and_then(SelfChecked::execution) })
@@ -322,8 +323,9 @@ fn reject(
     let out = args.output.display();
     messages.note(&match rejected {
         Rejected { path: None, .. } => format!("rejected: the program on {out} is incomplete and must not be run"),
-        Rejected { path: Some(path), removed } => {
-            let earlier = if removed { format!("; the earlier {out} was removed") } else { String::new() };
+        Rejected { path: Some(path), earlier } => {
+            let earlier = earlier.map(|earlier| format!("; the earlier {out} is in {} now", earlier.display()));
+            let earlier = earlier.unwrap_or_default();
             format!("rejected: {out} was not written; the incomplete program is in {}{earlier}", path.display())
         }
     });

@@ -165,7 +165,8 @@ fn an_error_in_the_cl_data_leaves_only_a_rejected_program() {
     shop.write("part.ngc", "yesterday");
     let outcome = shop.post(&[], &fails_in_line_2);
     assert_eq!(outcome.status, Status::Rejected);
-    assert_eq!(shop.names(), ["part.cls", "part.ngc.rejected"]);
+    assert_eq!(shop.names(), ["part.cls", "part.ngc.earlier", "part.ngc.rejected"]);
+    assert_eq!(shop.text("part.ngc.earlier"), "yesterday");
     let rejected = shop.text("part.ngc.rejected");
     let lines: Vec<&str> = rejected.lines().collect();
     assert!(lines[0].starts_with("(REJECTED ") && lines[0].ends_with("GOTO needs 3 or 6 numbers [found 1])"));
@@ -178,7 +179,7 @@ fn an_error_in_the_cl_data_leaves_only_a_rejected_program() {
             "{input}:2:6: error: GOTO needs 3 or 6 numbers (found 1)\n  |\n2 | GOTO/1.0\n  |      ^^^\n  |\n  = \
              help: write X, Y and Z\n{input}: 1 error\n\
              rejected: {output} was not written; the incomplete program is in {output}.rejected; \
-             the earlier {output} was removed\n"
+             the earlier {output} is in {output}.earlier now\n"
         )
     );
 }

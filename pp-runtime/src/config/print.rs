@@ -16,7 +16,8 @@ const WIDTH: usize = 120;
 /// machine where its numbers are found.
 ///
 /// A line that begins with `#` and a key is a default; a line that begins with `# e.g.` shows a key without default.
-/// Read back unchanged the file gives the [`starting_point`], so that unchanged keys stay marked as assumed.
+/// Read back unchanged the file gives the [`starting_point`] with the name of its control, so that unchanged keys stay marked as
+/// assumed.
 #[must_use]
 pub fn print(machine: &dyn AnyMachine, control: &dyn Control) -> String {
     let mut list = KeyList::of(&starting_point(control), scope(machine));
@@ -24,9 +25,9 @@ pub fn print(machine: &dyn AnyMachine, control: &dyn Control) -> String {
         list.add_note(found.key, &found.comment());
     }
     let mut text = format!(
-        r#"# Set-up for {}, control {}: for commands with `--control {}`.
+        r#"# Set-up for {}, control {}. With `--config` and this file commands need no `--control`: see `name` in `[control]`.
 #
-# `--control` belongs to the command, not to this file: number formats that are not set here are those of that control.
+# Number formats that are not set here are those of the control.
 # A line that begins with `#` and a key shows a default: remove the `#` and change the value.
 # A line that begins with `# e.g.` shows a key that has no default.
 # A key that is not set here is marked as assumed in the summary and in the header of the program.
@@ -37,12 +38,11 @@ units = "mm"
 "#,
         machine.name(),
         control.spellings().title,
-        control.spellings().name
     );
     // Writing to a string cannot fail.
     let _ = print_above(&mut text, list.rows());
     for section in sections(list.rows()) {
-        let _ = print_section(&mut text, section, &list);
+        let _ = print_section(&mut text, section, &list, control.spellings().name);
     }
     text
 }
@@ -81,7 +81,8 @@ fn print_above(out: &mut String, rows: &[KeyRow]) -> std::fmt::Result {
     Ok(())
 }
 
-fn print_section(out: &mut String, section: &str, list: &KeyList) -> std::fmt::Result {
+/// `control`: name of the control, which is the only key that is set.
+fn print_section(out: &mut String, section: &str, list: &KeyList, control: &str) -> std::fmt::Result {
     writeln!(out)?;
     let entries = list.rows().iter().find(|row| row.path == section);
     print_comment(out, entries.map_or_else(|| list.heading(section), |row| &row.text))?;
@@ -96,7 +97,10 @@ fn print_section(out: &mut String, section: &str, list: &KeyList) -> std::fmt::R
         if let Some((_, key)) = row.path.split_once('.').filter(|(head, _)| *head == section) {
             print_comment(out, &row.text)?;
             print_comment(out, &row.note)?;
-            print_key(out, key, &row.printed)?;
+            match row.path {
+                "control.name" => writeln!(out, "{key} = \"{control}\"")?,
+                _ => print_key(out, key, &row.printed)?,
+            }
         }
     }
     Ok(())

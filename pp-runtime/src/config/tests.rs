@@ -32,9 +32,10 @@ fn close(left: f64, right: f64) -> bool {
 }
 
 #[test]
-fn the_printed_file_reads_back_as_the_default() {
+fn the_printed_file_reads_back_as_the_default_with_the_name_of_its_control() {
     let mut config = read(&print(&Sample::default(), &LinuxCnc));
-    assert_eq!(config.given, BTreeSet::from(["units"]));
+    assert_eq!(config.given, BTreeSet::from(["control.name", "units"]));
+    assert_eq!(config.control.name.take().as_deref(), Some("linuxcnc"));
     config.given.clear();
     assert_eq!(config, Config::default());
 }
@@ -81,6 +82,7 @@ fn every_default_of_the_printed_file_is_the_default_when_enabled() {
     plain.set_up.limits = BTreeMap::new();
     plain.set_up.speeds = BTreeMap::new();
     plain.given = BTreeSet::new();
+    plain.control.name = None;
     // The assumed zero, given explicitly.
     assert_eq!(plain.motion.retract.position_mm.take(), Some(Retract::POSITION_MM));
     assert_eq!(plain, Config::default());

@@ -65,6 +65,13 @@ fn unsupported(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
     let (codes, options) = (control.spellings(), &demands.options);
     let title = codes.title;
     let mut faults = Vec::new();
+    if let Some(name) = options.name.as_ref().filter(|name| *name != codes.name) {
+        faults.push(format!(
+            "this configuration is for `{name}`, and the program for `{}`: leave `--control` out, or `control.name` of a file that \
+             serves several controls",
+            codes.name
+        ));
+    }
     let own = std::iter::once(("work_offset", &demands.set_up.work_offset));
     let further = demands.set_up.set_ups.values().filter_map(|set_up| set_up.work_offset.as_ref());
     for (key, offset) in own.chain(further.map(|offset| ("set_ups", offset))) {
@@ -87,6 +94,18 @@ fn unsupported(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
     }
     if demands.motion.cycles.thread_feed == ThreadFeed::PerRevolution && codes.per_revolution.is_empty() {
         faults.push(format!("threads of {title} take their pitch in any case: leave `cycles.thread_feed` out"));
+    }
+    let named =
+        |key: &str, codes: &[String; 2]| codes.iter().map(|code| (key.to_owned(), code.clone())).collect::<Vec<_>>();
+    let clamps = demands.motion.rotaries.clamp.iter();
+    let of_shop = clamps
+        .flat_map(|(letter, codes)| named(&format!("clamp.{letter}"), &[codes.on.clone(), codes.off.clone()]))
+        .chain(options.coolant.iter().flatten().flat_map(|codes| named("control.coolant", codes)))
+        .chain(options.tip_control.iter().flat_map(|codes| named("control.tip_control", codes)));
+    for (key, code) in of_shop.filter(|(_, code)| m_function(code).is_some_and(|number| codes.own_m.contains(&number)))
+    {
+        faults
+            .push(format!("`{code}` of `{key}` is an M function of {title} itself: enter that of the machine builder"));
     }
     // The check could not tell the pressures from each other.
     let through = |index: usize| options.coolant[index].as_ref().map(|[on, _]| on.as_str());
@@ -128,6 +147,13 @@ fn unsupported(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
         ));
     }
     faults
+}
+
+/// Number of the M function with which a block begins.
+fn m_function(block: &str) -> Option<u16> {
+    let number = block.trim().strip_prefix('M')?;
+    let end = number.find(|letter: char| !letter.is_ascii_digit()).unwrap_or(number.len());
+    number[..end].parse().ok()
 }
 
 /// Reason why the control has no such machine retract.

@@ -45,6 +45,9 @@ options! {
     pub struct ControlOptions in "control" {
         /// Largest deviation from the programmed path where the control blends blocks.
         path_tolerance_mm: f64 = 0.01, key("path_tolerance", Measure::length(Bound::Positive).unless(nearly_zero));
+        /// Control for which this file is: the default of `--control`. With another `--control` it is refused; a file that serves
+        /// several controls leaves the key out.
+        name: Option<String> = None, key("control.name", OneLine, "\"haas\"");
         /// Program number. Without this key it is 1.
         program_number: Option<u32> = None, key("control.program_number", Whole(1..=99_999), "1234");
         /// Program name. Without this key it is the name in the CL data.

@@ -467,6 +467,11 @@ impl Header<'_> {
                 ));
             }
         }
+        let entries = config.set_up.work_offset_mm().filter(|_| self.job.control.spellings().offset_has_coordinates);
+        if let Some(entries) = entries.filter(|entries| !entries.is_empty()) {
+            let entries: String = entries.iter().map(|(letter, mm)| format!(" {letter}{}", self.length(*mm))).collect();
+            lines.push(format!("{} must hold{entries}", work_offset(self.job.control, config)));
+        }
         lines.extend(rotary_entries(self.machine, self.job.control, config));
         lines.extend(self.survey.tools.iter().flat_map(|tool| self.tool_lines(tool)));
         lines

@@ -82,9 +82,10 @@ options! {
         /// active, or the "gauge" line, without length offset.
         length_mode: LengthMode = LengthMode::Tip, key("length_mode", OneOf(&LengthMode::NAMES));
         /// Work offset of the control: "G54", and "G59.1" (LinuxCNC), "G54.1 P3" (Fanuc), "G154 P3" (Haas), "G505"
-        /// (Siemens) or the row of the datum table, "3" (Heidenhain; G54 to G59 are rows 1 to 6). It must hold the machine
+        /// (Siemens) or the row of the preset table, "3" (Heidenhain; G54 to G59 are rows 1 to 6). It must hold the machine
         /// coordinates at which the gauge line, without tool and with the rotary axes at zero, is on the zero point of
-        /// `program_zero`: for the part zero those of `machine_zero`.
+        /// `program_zero`: for the part zero those of `machine_zero`. A preset of Heidenhain is set at the machine, by
+        /// touching off or probing, not typed in.
         work_offset: String = "G54".to_owned(), key("work_offset", OffsetWord);
         /// Machine coordinate of each linear axis at the zero position, without tool. Without it linear limits are not
         /// checked.

@@ -360,10 +360,13 @@ fn set_up(program: &ViewedProgram<'_>, number: u32, clamping: &Clamping<'_>, ope
             outside_limits: limits_here.is_some_and(outside),
         })
     };
+    let set_up = &program.policy.set_up;
+    // A preset of Heidenhain is set by touching off or probing.
+    let has_entries = number == 1 && !program.policy.family.facts().offset_rows;
     SetUp {
         number,
         work_offset: clamping.work_offset.to_owned(),
-        entries_mm: program.policy.set_up.work_offset_mm().filter(|_| number == 1).cloned().unwrap_or_default(),
+        entries_mm: set_up.work_offset_mm().filter(|_| has_entries).cloned().unwrap_or_default(),
         part_origin: clamping.part_origin,
         part_rotation: part_angles(&clamping.part_rotation),
         seconds: operations.iter().map(|operation| operation.seconds).sum(),

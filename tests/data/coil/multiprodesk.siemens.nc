@@ -14,6 +14,7 @@
 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg of its great circle
 ; ROTARY WORDS are absolute and may go below 0 and beyond 360: the axes must not be modulo axes (MD30310 = 0)
 ; valid only for part origin X35 Y4.5 Z62 from the reference point of the table; do not touch off again
+; G55 must hold X-180 Y-95 Z-310
 ; the entries of A in G55 must be zero
 ; T4 DIA 4 R2 L92.3 D1, 1 operation, tip Z -18.388 to 47.342
 MSG("COIL")

@@ -16,6 +16,7 @@
 (WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg of its great circle)
 (ROTARY WORDS are absolute and may go below 0 and beyond 360: the axes must not be wrapped [WRAPPED_ROTARY = 0])
 (valid only for part origin X12.5 Y-8 Z40 from the reference point of the table; do not touch off again)
+(G57 must hold X20 Y-15 Z-520)
 (the entries of C and B in G57 must be zero)
 (T21 bull 12 DIA 12 R1 L120.25 H21, 1 operation, tip Z -9.4 to 0.521)
 (T22 DIA 12 R1 L96.5 H52, 1 operation, tip Z -3.3 to -1.375)

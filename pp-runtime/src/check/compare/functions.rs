@@ -43,6 +43,8 @@ pub(super) struct FunctionState {
     stopped_by_thread: bool,
     /// Rotary axes whose clamps have been switched since a complete state began: bits.
     clamps_stated: u16,
+    /// Tip control by codes of the shop has been switched since then.
+    tip_control_stated: bool,
     /// Tool axis of the last block at the part.
     vector: Option<Vector3<f64>>,
     /// Rotary axes that have moved since the approach, and those that were not clamped in a cut: bits.
@@ -70,6 +72,7 @@ impl FunctionState {
         self.guard = None;
         self.radius_guard_mm = None;
         self.clamps_stated = 0;
+        self.tip_control_stated = false;
     }
 
     /// Takes the guard of a block; what is wrong with it.
@@ -187,14 +190,20 @@ impl FunctionState {
         };
         let clamp = letter(rules, rules.clamps() & !self.clamps_stated);
         let clamp = clamp.map(|letter| format!("the clamp of {letter} is neither on nor off after the restart point"));
-        guard.into_iter().chain(clamp).chain(blank).collect()
+        // At power-on tip control may be on, and the program before may have left it on.
+        let of_shop = |place: &OwnPlace| matches!(place, OwnPlace::TipControl { .. });
+        let tip_control = !self.tip_control_stated && policy.shop.lines.iter().any(|line| of_shop(&line.place));
+        let tip_control = tip_control.then(|| "tip control is neither on nor off after the restart point".to_owned());
+        guard.into_iter().chain(clamp).chain(tip_control).chain(blank).collect()
     }
 
     /// Notes a line of the shop.
     pub(super) fn line(&mut self, places: &[OwnPlace]) {
         for place in places {
-            if let OwnPlace::Clamp { axis, .. } = place {
-                self.clamps_stated |= 1 << axis;
+            match place {
+                OwnPlace::Clamp { axis, .. } => self.clamps_stated |= 1 << axis,
+                OwnPlace::TipControl { .. } => self.tip_control_stated = true,
+                _ => {}
             }
         }
     }

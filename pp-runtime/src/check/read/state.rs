@@ -83,7 +83,7 @@ pub enum WorkOffset {
     Code(u32),
     /// `G54.1 P`, `G154 P`.
     Further(u32),
-    /// A row of the datum table.
+    /// A row of the preset table.
     Row(u32),
 }
 
@@ -102,7 +102,7 @@ impl fmt::Display for WorkOffset {
             Self::Code(tenths) if tenths % 10 == 0 => write!(f, "G{}", tenths / 10),
             Self::Code(tenths) => write!(f, "G{}.{}", tenths / 10, tenths % 10),
             Self::Further(number) => write!(f, "P{number} of the additional work offsets"),
-            Self::Row(row) => write!(f, "row {row} of the datum table"),
+            Self::Row(row) => write!(f, "row {row} of the preset table"),
         }
     }
 }

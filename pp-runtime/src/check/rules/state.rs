@@ -427,7 +427,7 @@ pub(super) fn offsets(set_up: &SetUp, facts: &Facts) -> Vec<(u32, WorkOffset)> {
     set_up.clampings().filter_map(|(number, part)| Some((number, offset(part.work_offset, facts)?))).collect()
 }
 
-/// `G54`, `G59.1`, `G505`, `G54.1 P3`, `G154 P2`; or a row of the datum table.
+/// `G54`, `G59.1`, `G505`, `G54.1 P3`, `G154 P2`; or a row of the preset table.
 fn offset(word: &str, facts: &Facts) -> Option<WorkOffset> {
     let word = word.trim();
     if facts.offset_rows {

@@ -375,3 +375,18 @@ fn tools_are_called_by_their_names_where_the_control_can() {
     assert!(refused::<Mill>("heidenhain", Mode::Axes, &guarded)[0].contains("length_guard"));
     posted_right::<Mill>("siemens", Mode::Axes, &guarded, &data);
 }
+
+#[test]
+fn tip_control_by_codes_of_the_shop_is_off_at_each_restart_point_whatever_the_program_uses() {
+    let data = cuts("COOLNT/ON");
+    for (control, codes, off) in [
+        ("linuxcnc", "\"M428\", \"M429\"", "M429"),
+        ("fanuc", "\"G43.4 H1\", \"M177\"", "M177"),
+        ("siemens", "\"TRAORI(2)\", \"M177\"", "M177"),
+    ] {
+        let set_up = format!("control.tip_control = [{codes}]\n");
+        let program = posted_right::<Mill>(control, Mode::Axes, &set_up, &data);
+        let line = program.lines().find(|line| line.ends_with(off)).unwrap_or_else(|| panic!("{control}: {program}"));
+        assert_told::<Mill>(control, Mode::Axes, &set_up, &data, &program.replace(&format!("{line}\n"), ""));
+    }
+}

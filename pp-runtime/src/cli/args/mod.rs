@@ -16,6 +16,8 @@ use crate::kinematics::AnyMachine;
 use crate::motion::{CourseOptions, Mode, Operations};
 use crate::transformation::SheetControl;
 
+use super::inputs::read_text;
+
 pub(crate) use values::{BlockName, MessageFormat, ReportFile};
 use values::{
     BranchName, ChosenControl, ControlNames, DialectName, FramesName, FromName, InsertName, SenseName, UnitsName,
@@ -629,9 +631,11 @@ pub(crate) fn definition(machine: &str, own: &[&'static dyn Control], args: &[Os
     let name = stem.unwrap_or_else(|| machine.to_owned());
     let about = format!("Postprocessor for {machine}: converts CL data (APT/CLS) into NC programs");
     let mut command = Cli::command().bin_name(&name).display_name(name).about(about);
-    if !own.is_empty() {
-        let names = ControlNames::with(own);
-        let choice = |arg: clap::Arg| arg.value_parser(names.clone()).default_value(names.default_name());
+    let names = ControlNames::with(own);
+    let of_file = control_of_file(args).and_then(|name| names.find(&name));
+    if !own.is_empty() || of_file.is_some() {
+        let default = of_file.unwrap_or(names.default_name());
+        let choice = |arg: clap::Arg| arg.value_parser(names.clone()).default_value(default);
         let takes_control = |command: &clap::Command| command.get_arguments().any(|arg| arg.get_id() == "control");
         command =
             command.mut_subcommands(
@@ -641,6 +645,17 @@ pub(crate) fn definition(machine: &str, own: &[&'static dyn Control], args: &[Os
             );
     }
     command
+}
+
+/// `control.name` of the configuration that the arguments name, if it can be read; where it cannot, the command says so.
+fn control_of_file(args: &[OsString]) -> Option<String> {
+    let of_option = |index: usize| match args[index].to_str()? {
+        "--config" => args.get(index + 1).map(PathBuf::from),
+        option => option.strip_prefix("--config=").map(PathBuf::from),
+    };
+    let path = (0..args.len()).find_map(of_option)?;
+    let table: toml::Table = read_text(&path, "configuration").ok()?.parse().ok()?;
+    Some(table.get("control")?.get("name")?.as_str()?.to_owned())
 }
 
 /// Parses the arguments of a command line.

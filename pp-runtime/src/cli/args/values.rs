@@ -41,6 +41,11 @@ impl ControlNames {
         self.0.first().map_or("", |control| control.spellings().name)
     }
 
+    /// The control of this name.
+    pub(crate) fn find(&self, name: &str) -> Option<&'static str> {
+        self.0.iter().map(|control| control.spellings().name).find(|known| *known == name)
+    }
+
     fn names(&self) -> PossibleValuesParser {
         PossibleValuesParser::new(self.0.iter().map(|control| control.spellings().name))
     }

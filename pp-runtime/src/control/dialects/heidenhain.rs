@@ -127,6 +127,10 @@ static SPELLINGS: Spellings = Spellings {
     numerals: Numerals { point: false, plus: true },
     line_length: 250,
     numbers_every_line: true,
+    // iTNC 530 ISO manual 6/2010, p. 467: with a rotary table a preset counts from its centre.
+    offset_has_coordinates: false,
+    // Overview of the M functions in the manuals of the iTNC 530.
+    own_m: &[0, 1, 2, 3, 4, 5, 6, 13, 14, 30, 89, 90, 91, 92, 94, 97, 98, 99],
     comment: CommentStyle { marks: ["; ", ""], length: 200, byte: commented },
     operation: Some(["* - ", ""]),
     message: None,
@@ -309,7 +313,7 @@ impl Control for Heidenhain {
         &SPELLINGS
     }
 
-    /// Row of the datum table; G54 to G59 are rows 1 to 6.
+    /// Row of the preset table; G54 to G59 are rows 1 to 6.
     fn work_offset(&self, word: &str) -> Option<String> {
         if numbered(word, "G", 54..=59) {
             let number: u32 = word.strip_prefix('G')?.parse().ok()?;

@@ -21,6 +21,9 @@ impl Spellings {
         numerals: Numerals { point: false, plus: false },
         line_length: 0,
         numbers_every_line: false,
+        offset_has_coordinates: true,
+        // LinuxCNC, M codes; Fanuc B-63944EN/02 (2004), auxiliary function; Haas 96-8000 (1999), M codes.
+        own_m: &[0, 1, 2, 3, 4, 5, 6, 19, 30, 98, 99],
         comment: CommentStyle { marks: ["(", ")"], length: 72, byte: ascii_in_brackets },
         operation: None,
         message: None,

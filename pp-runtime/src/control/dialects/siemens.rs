@@ -71,6 +71,8 @@ static SPELLINGS: Spellings = Spellings {
     // At most 124 characters (from memory).
     message: Some(MessageStyle { marks: ["MSG(\"", "\")"], length: 124 }),
     units: ["G710", "G700"],
+    // Function manual 840D sl, S1: M19 positions the spindle, M40 to M45 are gear stages, M70 makes it an axis.
+    own_m: &[0, 1, 2, 3, 4, 5, 6, 17, 19, 30, 40, 41, 42, 43, 44, 45, 70],
     linear_rapids: LinearRapids::AsDelivered,
     safety: &["TRAFOOF", "CYCLE800()", "{units} G17 G40 G64 G90 G94 {work_offset}"],
     arcs: ArcCodes {

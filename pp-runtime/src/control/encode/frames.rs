@@ -125,12 +125,11 @@ impl FrameWriter {
         if dynamic_offset {
             self.dynamic_offset(false, out)?;
         }
-        if tip_control {
-            match (&self.tip_control, &codes.tip) {
-                (Some([_, off]), _) => out.block(off)?,
-                (None, Some(tip)) => out.fill_all(tip.reset)?,
-                (None, None) => {}
-            }
+        match (&self.tip_control, &codes.tip) {
+            // Whatever the program uses: kinematics of LinuxCNC may begin in tip control.
+            (Some([_, off]), _) => out.block(off)?,
+            (None, Some(tip)) if tip_control => out.fill_all(tip.reset)?,
+            (None, _) => {}
         }
         match &codes.plane {
             Some(plane) if planes => out.fill_all(plane.reset),

@@ -326,7 +326,7 @@ pub(super) const HEIDENHAIN: &[List] = &[
     List {
         name: "CYCL DEF 247",
         number: 2470,
-        meaning: "work offset: row of the datum table",
+        meaning: "work offset: row of the preset table",
         items: &[q(339, "row", Role::Whole(Slot::Row))],
         source: TNC,
     },
