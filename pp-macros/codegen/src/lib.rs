@@ -89,7 +89,7 @@ fn compile_declaration(declaration: &Declaration, errors: &mut Errors) -> Result
     let mut solved = solved.map_err(|refusals| check::refused(&refusals, &model, &phrases, errors))?;
     let proofs = proof::prove(&model, &mut solved);
     let proofs = proofs.map_err(|claim| check::unproven(&claim, &phrases, errors))?;
-    let verified = verify::verify(&declaration.verify, &model, &mut solved, errors);
+    let verified = verify::verify(declaration, &model, &mut solved, errors);
     errors.propagate()?;
     let explanation = explain::explain(&model, &solved, proofs, &verified);
     Ok(Compiled { model, solved, verified, explanation })

@@ -83,6 +83,17 @@ pub enum Side {
     Tool,
 }
 
+impl Side {
+    /// The other side of the frame.
+    #[must_use]
+    pub fn across(self) -> Self {
+        match self {
+            Self::Workpiece => Self::Tool,
+            Self::Tool => Self::Workpiece,
+        }
+    }
+}
+
 /// One axis of the chain.
 #[derive(Debug, Clone)]
 pub struct Axis {
@@ -115,11 +126,21 @@ pub struct Axis {
 pub struct Dimension {
     /// Field name.
     pub name: String,
-    /// Default in mm or degrees; `None` if each machine has its own (`required`); then it is a length, or an angle that
-    /// only directions of linear axes depend on.
+    /// Default in mm or degrees; `None` if each machine has its own (`required`).
     pub default: Option<BigRational>,
+    /// Approximate value of a required angle, degrees: the order of the two solutions is fixed there. An angle without it
+    /// and without default is one that only directions of linear axes depend on.
+    pub near: Option<BigRational>,
     /// Its symbols in the formulas.
     pub quantity: Quantity,
+}
+
+impl Dimension {
+    /// Default, or the approximate value of a required angle; mm or degrees.
+    #[must_use]
+    pub fn known(&self) -> Option<&BigRational> {
+        self.default.as_ref().or(self.near.as_ref())
+    }
 }
 
 /// The symbols by which a dimension enters the formulas.
@@ -296,7 +317,8 @@ impl Model {
         values
     }
 
-    /// Default values of `hold` and `dims`, for their symbols; what is required keeps its symbols.
+    /// Default values of `hold` and `dims`, for their symbols, and approximate values of required angles; what else is
+    /// required keeps its symbols.
     #[must_use]
     pub fn defaults(&mut self) -> BTreeMap<Symbol, Poly> {
         let mut values = BTreeMap::new();
@@ -310,7 +332,7 @@ impl Model {
             }
         }
         for dimension in &self.dimensions {
-            let Some(default) = &dimension.default else { continue };
+            let Some(default) = dimension.known() else { continue };
             match dimension.quantity {
                 Quantity::Length(symbol) => {
                     values.insert(symbol, Poly::from(Surd::from(default.clone())));

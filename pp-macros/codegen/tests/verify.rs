@@ -263,14 +263,40 @@ fn remedied(equation: &str, help: &str) -> Vec<String> {
     }
 }
 
+/// The declarations of a help line, each the machine with the field that the line names.
+fn redeclared(machine: &str, help: &str) -> Vec<String> {
+    let Some(changes) = help.strip_prefix("it follows with ") else { return Vec::new() };
+    let changes = changes.split("; if the declaration is right").next().unwrap_or_default();
+    let fields = changes.split('`').skip(1).step_by(2);
+    let without = |name: &str| {
+        let others = machine.split_inclusive(';').filter(|field| {
+            let known = field.trim_start().split([' ', ':']).next();
+            known != Some(name)
+        });
+        others.collect::<String>()
+    };
+    fields.map(|field| format!("{} {field}", without(field.split([' ', ':']).next().unwrap_or_default()))).collect()
+}
+
 #[test]
 fn a_help_makes_the_equation_true() {
-    let mut helped = 0;
+    let (mut helped, mut redeclared_count) = (0, 0);
     for paper in PAPERS {
         for (equation, _) in paper.equations {
             for mutant in mutants(equation) {
                 let Err(messages) = outcome(paper.machine, paper.assumptions, &mutant) else { continue };
                 let help = messages[0].split("help: ").nth(1).expect("a help");
+                for machine in redeclared(paper.machine, help) {
+                    let found = outcome(&machine, paper.assumptions, &mutant);
+                    assert!(found.is_ok(), "{mutant}: {help}, {machine}: {found:?}");
+                    redeclared_count += 1;
+                }
+                let help = match help.strip_prefix("it follows with ") {
+                    Some(help) => {
+                        help.split_once("; if the declaration is right: ").map_or("no single change", |(_, own)| own)
+                    }
+                    None => help,
+                };
                 let remedied = remedied(&mutant, help);
                 if remedied.is_empty() {
                     assert!(
@@ -287,7 +313,7 @@ fn a_help_makes_the_equation_true() {
             }
         }
     }
-    assert!(helped > 250, "{helped}");
+    assert!(helped > 250 && redeclared_count > 30, "{helped} equations, {redeclared_count} declarations");
 }
 
 /// Further equations that hold, in forms that no paper prints.
@@ -328,6 +354,43 @@ fn assumptions_are_stated_and_made() {
     assert!(machine("k = (1 + cos(B)) / 2;").is_err());
     assert!(machine("k = (1 + cos(B)) / 2; where beta = 45 deg;").is_err());
     machine("k = sin(beta)^2 * cos(B) + 1 - sin(beta)^2; where beta = 90 deg - alpha;").expect("holds");
+}
+
+/// Names of a block may be expressions, of one another and of everything that equations mention; their roots and divisors
+/// give the equation its conditions.
+#[test]
+fn names_of_a_block_are_expressions() {
+    let machine = "chain: C | X Y Z B; d = { B: (0, 0, pivot) }; dims = { pivot: 150.0 };";
+    let x = "X = x * cos(C) + y * sin(C) + L * sin(B)";
+    for (assumptions, equation, holds) in [
+        ("where L = gauge + pivot;", x, Some("")),
+        ("where q = pivot; where L = gauge + q;", x, Some("")),
+        ("where L = gauge + 2 * pivot;", x, None),
+        ("where L = gauge - pivot;", x, None),
+        ("where q = sin(B);", "i^2 + j^2 = q^2", Some("")),
+        ("where r = sqrt(i^2 + j^2);", "r = sin(B)", Some("sin B >= 0 (the first branch)")),
+        ("where r = 1 / sin(B);", "i * r = cos(-C)", Some("sin B != 0")),
+        ("where c = atan2(j, i);", "C = c", Some("sin B > 0 (the first branch)")),
+    ] {
+        let found = outcome(machine, assumptions, equation);
+        assert_eq!(found.as_deref().ok(), holds, "{assumptions} {equation}: {found:?}");
+    }
+}
+
+/// Tangents, and those of half angles.
+#[test]
+fn tangents_are_quotients() {
+    for (equation, holds) in [
+        ("tan(C) = j / i", Some("cos C != 0, cos C sin B != 0")),
+        ("tan(B/2) = sqrt(i^2 + j^2) / (1 + k)", Some("sin B >= 0 (the first branch), 1 + cos B != 0")),
+        ("tan(0.5 * B)^2 = (1 - k) / (1 + k)", Some("1 + cos B != 0")),
+        ("tan(B / 2) = (1 - k) / (i * cos(C) + j * sin(C))", Some("1 + cos B != 0, sin B != 0")),
+        ("tan(B/2) = sqrt(i^2 + j^2) / (1 - k)", None),
+        ("tan(C) = i / j", None),
+    ] {
+        let found = outcome(SPINNER.machine, "", equation);
+        assert_eq!(found.as_deref().ok(), holds, "{equation}: {found:?}");
+    }
 }
 
 /// A divisor that depends on dimensions alone is tested when a configuration is read.

@@ -340,6 +340,43 @@ crate::machine! {
     dims = { reach: required, height: required };
 }
 
+crate::machine! {
+    /// A nutating head whose inclination must be measured.
+    struct Nutating;
+    chain: X Y | Z C B;
+    dims = { tilt: required near 45 deg };
+    axes = { B: Rx(tilt) * Y };
+}
+
+crate::machine! {
+    /// The same with an inclination of its own.
+    struct NutatingAsDrawn;
+    chain: X Y | Z C B;
+    dims = { tilt: 45 deg };
+    axes = { B: Rx(tilt) * Y };
+}
+
+#[test]
+fn a_measured_angle_has_the_solutions_of_the_angle_that_it_is_near() {
+    use crate::kinematics::Pose;
+    use nalgebra::{UnitVector3, Vector3};
+    let missing = Config::read::<Nutating>("", &LinuxCnc).map_err(|faults| faults[0].text.clone());
+    assert_eq!(missing.err().as_deref(), Some("`dimensions.tilt` is missing: each Nutating has its own value"));
+    assert!(Nutating::default().tilt.is_nan());
+    let text = "[dimensions]\ntilt = 44.9\n";
+    let measured = Config::read::<Nutating>(text, &LinuxCnc).expect("a configuration").set_up.machine::<Nutating>();
+    let drawn = Config::read::<NutatingAsDrawn>(text, &LinuxCnc).expect("a configuration");
+    let drawn = drawn.set_up.machine::<NutatingAsDrawn>().expect("valid");
+    let measured = measured.expect("valid");
+    let axis = UnitVector3::new_normalize(Vector3::new(0.3, -0.2, 0.8));
+    let pose = Pose { tip: [10.0, 20.0, 30.0].into(), axis };
+    let [ours, theirs] = [measured.inverse_kinematics(&pose), drawn.inverse_kinematics(&pose)];
+    assert_eq!(ours.len(), 2);
+    for (ours, theirs) in ours.iter().zip(theirs.iter()) {
+        assert!(ours.axes.iter().zip(&theirs.axes).all(|(ours, theirs)| close(*ours, *theirs)), "{ours:?} {theirs:?}");
+    }
+}
+
 #[test]
 fn all_required_dimensions_that_are_missing_are_named_at_once() {
     let of = |text: &str| Config::read::<Pair>(text, &LinuxCnc).map_err(|faults| faults[0].text.clone());

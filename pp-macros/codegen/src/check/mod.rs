@@ -174,10 +174,10 @@ fn check_offsets(declaration: &Declaration, axes: &[Axis], errors: &mut Errors) 
     }
 }
 
-/// Refuses an angle without default that a rotary axis or the tool depends on: the order of the two solutions is fixed at the
-/// default.
+/// Refuses an angle of unknown size that a rotary axis or the tool depends on: the order of the two solutions is fixed at
+/// its default or approximate value.
 fn check_required_angles(declaration: &Declaration, dimensions: &[Dimension], errors: &mut Errors) {
-    for dimension in dimensions.iter().filter(|dimension| dimension.default.is_none()) {
+    for dimension in dimensions.iter().filter(|dimension| dimension.known().is_none()) {
         let name = &dimension.name;
         let rotary = |key: &SpannedName| kind_of(&key.name) == Some(AxisKind::Rotary);
         let directions = declaration.directions.iter().filter(|entry| rotary(&entry.key)).map(|entry| &entry.value);
@@ -186,8 +186,8 @@ fn check_required_angles(declaration: &Declaration, dimensions: &[Dimension], er
         if matches!(dimension.quantity, Quantity::Angle(..)) && angles.any(|(_, angle)| angle.mentions(name)) {
             errors.push(
                 entry.key.phrase,
-                format!("the angle `{name}` needs a default"),
-                format!("a rotary axis or the tool depends on it, and the order of the two solutions is fixed at the default: write `{name}: 45 deg`"),
+                format!("the angle `{name}` needs an approximate value"),
+                format!("a rotary axis or the tool depends on it, and the order of the two solutions is fixed there: write `{name}: required near 45 deg` with the angle of the drawing, or `{name}: 45 deg` if all machines have it"),
             );
         }
     }
@@ -241,17 +241,29 @@ fn dimensions(
             errors.push(key.phrase, format!("`{name}` is given twice in `dims`"), "keep one of the two");
             continue;
         }
-        let (default, unit) = match value {
-            DimensionValue::RequiredLength => (None, Some(Unit::Millimetre)),
-            DimensionValue::RequiredAngle => (None, Some(Unit::Degree)),
-            DimensionValue::Given(value) => match quantity::default(value, declaration) {
-                Ok((number, unit)) => (Some(number), unit),
-                Err(fault) => {
-                    fault.report(errors);
-                    unreadable.add_entry("dims", name);
-                    continue;
-                }
+        let declared = match value {
+            DimensionValue::RequiredLength => Ok((None, None, Some(Unit::Millimetre))),
+            DimensionValue::RequiredAngle(None) => Ok((None, None, Some(Unit::Degree))),
+            DimensionValue::Given(value) => {
+                quantity::default(value, declaration).map(|(number, unit)| (Some(number), None, unit))
+            }
+            DimensionValue::RequiredAngle(Some(value)) => match quantity::default(value, declaration) {
+                Ok((number, Some(Unit::Degree))) => Ok((None, Some(number), Some(Unit::Degree))),
+                Ok(_) => Err(Fault::new(
+                    value.phrase,
+                    "only a required angle has an approximate value",
+                    format!("write `{name}: required` for a length, `{name}: required near 45 deg` for an angle"),
+                )),
+                Err(fault) => Err(fault),
             },
+        };
+        let (default, near, unit) = match declared {
+            Ok(declared) => declared,
+            Err(fault) => {
+                fault.report(errors);
+                unreadable.add_entry("dims", name);
+                continue;
+            }
         };
         let quantity = if unit == Some(Unit::Degree) {
             let (sine, cosine) = ring.sin_cos(format!("sin_{name}"), format!("cos_{name}"));
@@ -259,7 +271,7 @@ fn dimensions(
         } else {
             Quantity::Length(ring.symbol(local_name(name)))
         };
-        dimensions.push(Dimension { name: name.clone(), default, quantity });
+        dimensions.push(Dimension { name: name.clone(), default, near, quantity });
     }
     dimensions
 }

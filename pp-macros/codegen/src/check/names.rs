@@ -18,6 +18,7 @@ const RESERVED: &[&str] = &[
     "gauge_length",
     "sin",
     "cos",
+    "tan",
     "asin",
     "acos",
     "atan2",
@@ -30,6 +31,7 @@ const RESERVED: &[&str] = &[
     "free",
     "where",
     "required",
+    "near",
     "in",
     // Reserved since edition 2024.
     "gen",

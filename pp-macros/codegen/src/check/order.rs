@@ -1,6 +1,6 @@
 //! Chains that are listed in another order than from workpiece to tool.
 
-use crate::model::{Axis, AxisId, Model, Side};
+use crate::model::{Axis, AxisId, AxisKind, Model, Side};
 use crate::solve::solve;
 
 /// Help for a rotary axis that cannot tilt the tool: the order in which it could, if there is one; then `hold`.
@@ -14,9 +14,15 @@ pub(crate) fn or_hold(model: &Model, axis: AxisId) -> String {
         Side::Workpiece => "the axis next to the workpiece comes first",
         Side::Tool => "the axis next to the tool comes last",
     };
+    // Linear axes before the frame and the rotary axis after it: the tool side is probably listed first.
+    let tool_side_first = !backwards
+        && model.axes[axis].side == Side::Tool
+        && model.solved_linears().all(|id| model.axes[id].side == Side::Workpiece);
     let others = [
         backwards.then(|| ("the axes are listed from the workpiece to the tool", whole_reversed(model))),
         rotaries_exchanged(model).map(|other| (next_to, other)),
+        tool_side_first.then(|| ("with both rotary axes in the table", both_in_the_table(model, axis))),
+        tool_side_first.then(|| ("the side of the workpiece comes before `|`", sides_exchanged(model))),
     ];
     let solvable = others.into_iter().flatten().filter(|(_, other)| solve(&mut other.clone()).is_ok());
     let orders: Vec<String> = solvable.map(|(reason, other)| format!("{reason}: {}", chain(&other))).collect();
@@ -31,11 +37,30 @@ fn whole_reversed(model: &Model) -> Model {
     let mut other = model.clone();
     other.axes.reverse();
     for axis in &mut other.axes {
-        axis.side = match axis.side {
-            Side::Workpiece => Side::Tool,
-            Side::Tool => Side::Workpiece,
-        };
+        axis.side = axis.side.across();
     }
+    other
+}
+
+/// The chain with all rotary axes before the frame, `first` at the workpiece, and the linear axes after it.
+fn both_in_the_table(model: &Model, first: AxisId) -> Model {
+    let mut other = model.clone();
+    let next_to_workpiece = other.axes.remove(first);
+    other.axes.insert(0, next_to_workpiece);
+    other.axes.sort_by_key(|axis| axis.kind == AxisKind::Linear);
+    for axis in &mut other.axes {
+        axis.side = if axis.kind == AxisKind::Linear { Side::Tool } else { Side::Workpiece };
+    }
+    other
+}
+
+/// The chain with what is after the frame before it.
+fn sides_exchanged(model: &Model) -> Model {
+    let mut other = model.clone();
+    for axis in &mut other.axes {
+        axis.side = axis.side.across();
+    }
+    other.axes.sort_by_key(|axis| axis.side == Side::Tool);
     other
 }
 

@@ -119,7 +119,7 @@ impl<'a> MachineAtDefaults<'a> {
         let held = if axis.held.is_some() { " (held)" } else { "" };
         match axis.kind {
             AxisKind::Linear if self.unknown.contains(&id) => {
-                let names = self.model.dimensions.iter().filter(|dimension| dimension.default.is_none());
+                let names = self.model.dimensions.iter().filter(|dimension| dimension.known().is_none());
                 let names: Vec<&str> = names.map(|dimension| dimension.name.as_str()).collect();
                 format!("{}{held}: its direction depends on {}", axis.letter, names.join(", "))
             }

@@ -1,6 +1,8 @@
 //! Where each quantity of the formulas comes from that is neither pose nor axis value.
 
 use super::section::{Line, Section, line};
+use num_rational::BigRational;
+
 use crate::formula::Formula;
 use crate::model::{AxisKind, Dimension, Model, Quantity, Side};
 use crate::symbolic::{PolyVector, Surd, Symbol};
@@ -43,11 +45,13 @@ fn dimension_line(dimension: &Dimension) -> Line {
         Quantity::Angle(..) => ("an angle of the machine", "°"),
     };
     let line = line("").math(&Formula::name(name.clone())).words(&format!(": {what}, "));
-    let line = match &dimension.default {
-        Some(value) => {
-            line.words("declared as ").math(&Formula::Number(Surd::from(value.clone()))).words(&format!("{unit}; "))
+    let number = |value: &BigRational| Formula::Number(Surd::from(value.clone()));
+    let line = match (&dimension.default, &dimension.near) {
+        (Some(value), _) => line.words("declared as ").math(&number(value)).words(&format!("{unit}; ")),
+        (None, Some(value)) => {
+            line.words("near ").math(&number(value)).words(&format!("{unit}, each machine has its own; "))
         }
-        None => line.words("not declared: each machine has its own; "),
+        (None, None) => line.words("not declared: each machine has its own; "),
     };
     line.words(&format!("`dimensions.{name}` of the configuration."))
 }

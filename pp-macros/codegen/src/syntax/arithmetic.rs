@@ -16,7 +16,7 @@ const DEEPEST: usize = 64;
 const LARGEST_POWER: u32 = 64;
 
 /// Functions that may be written without parentheses before a single name, as in `sin B`.
-const FUNCTIONS: [&str; 5] = ["sin", "cos", "asin", "acos", "sqrt"];
+const FUNCTIONS: [&str; 6] = ["sin", "cos", "tan", "asin", "acos", "sqrt"];
 
 /// Units of length and angle, with the unit that they are stored in and the factor to it.
 fn unit_named(name: &str) -> Option<(Unit, i64, i64)> {

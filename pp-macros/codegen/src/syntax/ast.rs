@@ -1,5 +1,7 @@
 //! Syntax tree of a declaration.
 
+use std::fmt;
+
 use super::expr::Expr;
 use crate::model::Up;
 use crate::report::Phrase;
@@ -38,6 +40,30 @@ pub struct Declaration {
     pub speeds: Vec<Assign<Expr>>,
     /// `verify "source" { equations }`
     pub verify: Vec<Verify>,
+}
+
+impl Declaration {
+    /// The same machine, without attributes, visibility, runtime and equations.
+    pub(crate) fn kinematics(&self) -> Self {
+        Self {
+            attributes: Vec::new(),
+            visibility: syn::Visibility::Inherited,
+            name: self.name.clone(),
+            chain: self.chain.clone(),
+            offsets: self.offsets.clone(),
+            signs: self.signs.clone(),
+            directions: self.directions.clone(),
+            dimensions: self.dimensions.clone(),
+            tool_axis: self.tool_axis.clone(),
+            up: self.up,
+            runtime: None,
+            unreadable: self.unreadable.clone(),
+            hold: self.hold.clone(),
+            limits: self.limits.clone(),
+            speeds: self.speeds.clone(),
+            verify: Vec::new(),
+        }
+    }
 }
 
 /// Fields and entries that could not be read: no later message complains that they are missing.
@@ -140,8 +166,8 @@ pub enum DimensionValue {
     Given(Expr),
     /// `required`: each machine has its own length.
     RequiredLength,
-    /// `required deg`: each machine has its own angle.
-    RequiredAngle,
+    /// `required deg`: each machine has its own angle; `required near 45 deg`: about this one.
+    RequiredAngle(Option<Expr>),
 }
 
 /// Three components in parentheses.
@@ -182,4 +208,44 @@ pub enum Limits {
     Free,
     /// Lower and upper end, inclusive.
     Range(Box<(Expr, Expr)>),
+}
+
+/// As it is written in an equation: `k = cos(B)`.
+impl fmt::Display for Equation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} = {}", self.left, self.right)
+    }
+}
+
+/// The field as it should be written: `chain: C B | X Y Z;`.
+impl fmt::Display for Chain {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut words: Vec<&str> = self.axes.iter().map(|axis| axis.name.as_str()).collect();
+        for (place, _) in self.bars.iter().rev() {
+            words.insert((*place).min(words.len()), "|");
+        }
+        write!(f, "chain: {};", words.join(" "))
+    }
+}
+
+/// `(0, 0, d)`
+impl fmt::Display for Vector {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let parts: Vec<String> = self.parts.iter().map(ToString::to_string).collect();
+        write!(f, "({})", parts.join(", "))
+    }
+}
+
+/// `Rx(-45 deg) * -Y`
+impl fmt::Display for Direction {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (coordinate, angle) in &self.rotations {
+            write!(f, "R{}({angle}) * ", ["x", "y", "z"][*coordinate])?;
+        }
+        f.write_str(if self.negated { "-" } else { "" })?;
+        match &self.base {
+            Base::Coordinate(coordinate) => f.write_str(["X", "Y", "Z"][*coordinate]),
+            Base::Vector(vector) => vector.fmt(f),
+        }
+    }
 }

@@ -141,16 +141,16 @@ impl Form {
                 chain.bars.is_empty() && marks.len() == 1 && mark.name != "," && (1..chain.axes.len()).contains(place);
             if frame {
                 chain.bars.push((*place, mark.phrase));
-                source.report(mark.phrase, text, format!("the machine frame is written `|`: `{}`", written(chain)));
+                source.report(mark.phrase, text, format!("the machine frame is written `|`: `{chain}`"));
             } else {
-                source.report(mark.phrase, text, format!("separate the letters by blanks: `{}`", written(chain)));
+                source.report(mark.phrase, text, format!("separate the letters by blanks: `{chain}`"));
             }
         } else if let Some(enclosed) = enclosed {
-            source.report(enclosed, "the chain has no brackets and no quotes", format!("write `{}`", written(chain)));
+            source.report(enclosed, "the chain has no brackets and no quotes", format!("write `{chain}`"));
         } else if joined {
-            source.report(chain.phrase, "axis letters are written apart", format!("write `{}`", written(chain)));
+            source.report(chain.phrase, "axis letters are written apart", format!("write `{chain}`"));
         } else if lower_case {
-            source.report(chain.phrase, "axis letters are capitals", format!("write `{}`", written(chain)));
+            source.report(chain.phrase, "axis letters are capitals", format!("write `{chain}`"));
         }
         report_numbered(&numbered, source);
     }
@@ -182,13 +182,4 @@ fn report_numbered(numbered: &[SpannedName], source: &Source) {
 
 fn distinct(letters: &[String]) -> bool {
     letters.iter().enumerate().all(|(place, letter)| !letters[..place].contains(letter))
-}
-
-/// A chain as it should be written.
-fn written(chain: &Chain) -> String {
-    let mut words: Vec<&str> = chain.axes.iter().map(|axis| axis.name.as_str()).collect();
-    for (place, _) in chain.bars.iter().rev() {
-        words.insert((*place).min(words.len()), "|");
-    }
-    format!("chain: {};", words.join(" "))
 }

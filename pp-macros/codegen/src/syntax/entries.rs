@@ -148,7 +148,11 @@ pub(crate) fn dimension(input: ParseStream<'_>, source: &Source, name: &SpannedN
     }
     source.take(input)?;
     match peeked_word(input).as_deref() {
-        Some("deg") => source.take(input).map(|_| DimensionValue::RequiredAngle),
+        Some("deg") => source.take(input).map(|_| DimensionValue::RequiredAngle(None)),
+        Some("near") => {
+            source.take(input)?;
+            expression(input, source).map(|near| DimensionValue::RequiredAngle(Some(near)))
+        }
         Some("mm") => source.take(input).map(|_| DimensionValue::RequiredLength),
         _ => Ok(DimensionValue::RequiredLength),
     }

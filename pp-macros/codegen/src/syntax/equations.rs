@@ -4,7 +4,7 @@ use proc_macro2::{Delimiter, TokenTree};
 use syn::Token;
 use syn::parse::ParseStream;
 
-use super::arithmetic::{expression, side};
+use super::arithmetic::side;
 use super::ast::{Assign, Equation, Verify};
 use super::source::{Source, expected, last_token, peeked, peeked_word, refused};
 
@@ -86,7 +86,7 @@ fn statement(content: ParseStream<'_>, source: &Source, block: &mut Verify) -> s
         let help = "give the name a value, for example `where alpha = -45 deg;`";
         let key = source.name(content, "a name", help)?;
         equals(content, source, "where alpha = -45 deg;")?;
-        block.assumptions.push(Assign { key, value: expression(content, source)? });
+        block.assumptions.push(Assign { key, value: side(content, source)? });
     } else {
         let known = source.mistakes();
         let left = side(content, source)?;

@@ -46,7 +46,7 @@ pub(crate) enum Condition {
 
 /// Decides an equation.
 pub(crate) fn decide(scope: &mut Scope<'_>, equation: &Equation) -> Result<Verdict, Fault> {
-    scope.algebra_mut().begin();
+    scope.begin();
     let left = scope.value(&equation.left)?;
     let right = scope.value(&equation.right)?;
     Decision { scope, expr: &equation.right, eliminated: Vec::new() }.equal(left, right, equation)

@@ -1,5 +1,8 @@
 //! The value of an expression.
 
+use num_bigint::BigInt;
+use num_rational::BigRational;
+
 use super::scope::Scope;
 use super::value::{Angle, Inverse, Value};
 use crate::check::Fault;
@@ -67,6 +70,8 @@ impl Scope<'_> {
 
     fn call(&mut self, expr: &Expr, name: &str, arguments: &[Expr]) -> Result<Value, Fault> {
         match (name, arguments) {
+            ("tan", [argument]) => self.value(&tangent(expr, argument)),
+            ("sin" | "cos", [argument]) if half_of(argument).is_some() => Err(half_angle(expr, name, argument)),
             ("sin" | "cos", [argument]) => {
                 let angle = self.angle(argument)?;
                 let part = match (name, &angle.inverse) {
@@ -94,7 +99,7 @@ impl Scope<'_> {
                     Angle { cosine: part.clone(), sine: other, inverse: Some(Inverse::Cosine(part, false)) }
                 }))
             }
-            ("sin" | "cos" | "sqrt" | "asin" | "acos", _) => Err(Fault::new(
+            ("sin" | "cos" | "tan" | "sqrt" | "asin" | "acos", _) => Err(Fault::new(
                 expr.phrase,
                 format!("`{name}` takes one argument, found {}", arguments.len()),
                 format!("write `{name}(...)` of one expression"),
@@ -136,9 +141,51 @@ impl Scope<'_> {
     }
 }
 
+/// `sin(a) / cos(a)`, and for half an angle `sin(a) / (1 + cos(a))`: the tangent has the same value in every revolution.
+fn tangent(expr: &Expr, argument: &Expr) -> Expr {
+    let with = |kind: ExprKind| Expr { phrase: expr.phrase, kind };
+    let call = |name: &str, of: &Expr| with(ExprKind::Call(name.into(), vec![of.clone()]));
+    let (of, divisor) = match half_of(argument) {
+        Some(whole) => {
+            let one = with(ExprKind::Number(BigRational::from(BigInt::from(1)), None));
+            (whole, with(ExprKind::Binary(Box::new(one), '+', Box::new(call("cos", whole)))))
+        }
+        None => (argument, call("cos", argument)),
+    };
+    with(ExprKind::Binary(Box::new(call("sin", of)), '/', Box::new(divisor)))
+}
+
+/// The angle of which an expression is half: `B / 2`, `0.5 * B`.
+fn half_of(expr: &Expr) -> Option<&Expr> {
+    let is = |expr: &Expr, above: i32, below: i32| {
+        let wanted = BigRational::new(BigInt::from(above), BigInt::from(below));
+        matches!(&expr.kind, ExprKind::Number(value, None) if *value == wanted)
+    };
+    match &expr.kind {
+        ExprKind::Binary(whole, '/', two) if is(two, 2, 1) => Some(whole),
+        ExprKind::Binary(half, '*', whole) if is(half, 1, 2) => Some(whole),
+        ExprKind::Binary(whole, '*', half) if is(half, 1, 2) => Some(whole),
+        _ => None,
+    }
+}
+
+/// The sine or cosine of half an angle.
+fn half_angle(expr: &Expr, name: &str, argument: &Expr) -> Fault {
+    let whole = half_of(argument).map(ToString::to_string).unwrap_or_default();
+    let (sign, square) = if name == "sin" { ('-', "sin") } else { ('+', "cos") };
+    Fault::new(
+        expr.phrase,
+        format!("the sign of `{expr}` changes from one revolution to the next"),
+        format!(
+            "write `(1 {sign} cos({whole})) / 2` for `{square}({argument})^2`, `sin({whole}) / 2` for the product of \
+             both, or use `tan({argument})`"
+        ),
+    )
+}
+
 /// What a function that is not known probably means.
 fn function_meant(name: &str, arguments: &[Expr]) -> String {
-    const FUNCTIONS: [&str; 6] = ["sin", "cos", "asin", "acos", "atan2", "sqrt"];
+    const FUNCTIONS: [&str; 7] = ["sin", "cos", "tan", "asin", "acos", "atan2", "sqrt"];
     let all: Vec<String> = arguments.iter().map(ToString::to_string).collect();
     let all = all.join(", ");
     let lower = name.to_lowercase();
@@ -152,7 +199,7 @@ fn function_meant(name: &str, arguments: &[Expr]) -> String {
         ("atan" | "arctan" | "arctan2" | "atan_2", [_, _]) => format!("write `atan2({all})`"),
         ("arcsin", _) => format!("write `asin({all})`"),
         ("arccos", _) => format!("write `acos({all})`"),
-        ("tan" | "tg", [argument]) => format!("write `sin({argument}) / cos({argument})`"),
+        ("tg", _) => format!("write `tan({all})`"),
         ("cot" | "ctg", [argument]) => format!("write `cos({argument}) / sin({argument})`"),
         ("sec", [argument]) => format!("write `1 / cos({argument})`"),
         ("csc" | "cosec", [argument]) => format!("write `1 / sin({argument})`"),
@@ -162,7 +209,7 @@ fn function_meant(name: &str, arguments: &[Expr]) -> String {
             match FUNCTIONS.iter().find(|known| **known == lower).copied().or_else(|| suggest::nearest(name, FUNCTIONS))
             {
                 Some(known) => format!("write `{known}({all})`"),
-                None => "the functions are sin, cos, asin, acos, atan2 and sqrt".into(),
+                None => "the functions are sin, cos, tan, asin, acos, atan2 and sqrt".into(),
             }
         }
     }

@@ -2,11 +2,13 @@
 //!
 //! Every name except axis letters is replaced by the forward product; the rest is decided by remainders (`decide`). The
 //! message for a false equation has the formula that does follow, the difference, and the one small change that would
-//! make it true, if there is one (`repair`).
+//! make it true, if there is one (`repair`). Where one change of the declaration makes all equations of a block follow,
+//! that change is the message (`redeclare`).
 
 mod algebra;
 mod decide;
 mod evaluate;
+mod redeclare;
 mod repair;
 mod scope;
 mod value;
@@ -15,16 +17,18 @@ mod witness;
 use std::collections::BTreeMap;
 
 use decide::{Condition, Verdict, decide};
+use redeclare::{Redeclared, redeclared};
 use scope::Scope;
 use value::Value;
 use witness::{Region, has_witness};
 
+use crate::check::Fault;
 use crate::formula::{Formula, first_branch};
 use crate::model::{AxisId, AxisKind, Model};
-use crate::report::Errors;
+use crate::report::{Errors, Phrase};
 use crate::solve::{Orientation, SideCondition, Solved};
 use crate::symbolic::{Interpreter, Matrix, Poly, Ring, Sign, Surd, sign_of};
-use crate::syntax::{Equation, Expr, ExprKind, Unit, Verify};
+use crate::syntax::{Declaration, Equation, Expr, ExprKind, Unit, Verify};
 
 /// Products of monomials allowed for the search for a remedy; an equation of a paper needs a hundredth of it.
 const MOST_REPAIR_WORK: usize = 50_000;
@@ -53,15 +57,28 @@ pub struct Proven {
     divisors: Vec<Poly>,
 }
 
-/// Decides all equations; reports each that does not hold.
-pub fn verify(blocks: &[Verify], model: &Model, solved: &mut Solved, errors: &mut Errors) -> Vec<Verified> {
-    if blocks.is_empty() {
+/// Decides all equations; reports each that does not hold, or the change of the declaration with which all of them do.
+pub fn verify(declaration: &Declaration, model: &Model, solved: &mut Solved, errors: &mut Errors) -> Vec<Verified> {
+    if declaration.verify.is_empty() {
         return Vec::new();
     }
     let product = model.product();
     let derived = Derived::new(model, solved);
-    let verified: Vec<Verified> =
-        blocks.iter().filter_map(|block| verify_block(block, model, &derived, &product, errors)).collect();
+    let mut verified = Vec::new();
+    let (mut holding, mut failing) = (Vec::new(), Vec::new());
+    for block in &declaration.verify {
+        let decided = Block::new(model, derived.ring.clone(), &product, block).map(|block| block.decided(&derived));
+        let Decided { proven, failures, faults } =
+            decided.unwrap_or_else(|faults| Decided { faults, ..Decided::default() });
+        match (failures.is_empty(), faults.is_empty()) {
+            (true, true) => holding.push(block),
+            (false, true) => failing.push((block, failures)),
+            (_, false) => failures.into_iter().for_each(|failure| failure.report(errors)),
+        }
+        faults.into_iter().for_each(|fault| fault.report(errors));
+        verified.extend(proven);
+    }
+    report_failing(declaration, failing, &holding, errors);
     for Verified { source, equations, .. } in &verified {
         for divisor in equations.iter().flat_map(|equation| &equation.divisors) {
             let divisor = solved.graph.declared(divisor);
@@ -72,6 +89,65 @@ pub fn verify(blocks: &[Verify], model: &Model, solved: &mut Solved, errors: &mu
         }
     }
     verified
+}
+
+/// Reports blocks with equations that do not hold: by the change of the declaration with which all of them follow, or
+/// equation by equation.
+fn report_failing(
+    declaration: &Declaration,
+    failing: Vec<(&Verify, Vec<Failure>)>,
+    holding: &[&Verify],
+    errors: &mut Errors,
+) {
+    let blocks: Vec<&Verify> = failing.iter().map(|(block, _)| *block).collect();
+    let count = failing.iter().map(|(_, failures)| failures.len()).sum();
+    let mut changes = redeclared(declaration, &blocks, holding, count);
+    // One change that makes several blocks follow is likelier than one for each.
+    let contains = |changes: &[Redeclared], field: &str| changes.iter().any(|change| change.field == field);
+    let fields: Vec<String> = changes.iter().flatten().map(|change| change.field.clone()).collect();
+    let for_all = |field: &str| changes.iter().all(|changes| contains(changes, field));
+    let for_all: Vec<String> = fields.into_iter().filter(|field| for_all(field)).collect();
+    let mut reported: Vec<String> = Vec::new();
+    for ((block, failures), own) in failing.into_iter().zip(&mut changes) {
+        if !for_all.is_empty() {
+            own.retain(|change| for_all.contains(&change.field));
+        }
+        if own.is_empty() {
+            failures.into_iter().for_each(|failure| failure.report(errors));
+        } else if !own.iter().all(|change| reported.contains(&change.field)) {
+            report_redeclared(block, &failures, own, errors);
+            reported.extend(own.iter().map(|change| change.field.clone()));
+        }
+    }
+}
+
+/// Reports a block all of whose equations follow after one of some changes of the declaration.
+fn report_redeclared(block: &Verify, failures: &[Failure], changes: &[Redeclared], errors: &mut Errors) {
+    let [first, ..] = failures else { return };
+    let count = match (failures.len(), block.equations.len()) {
+        (1, 1) => "the equation".to_string(),
+        (2, 2) => "both equations".to_string(),
+        (failed, all) if failed == all => format!("all {all} equations"),
+        (1, all) => format!("1 of {all} equations"),
+        (failed, all) => format!("{failed} of {all} equations"),
+    };
+    let verb = if failures.len() == 1 { "does" } else { "do" };
+    let mut text = format!("{count} of \"{}\" {verb} not follow from this declaration", block.source);
+    text += &format!("\n  {:<12}{}", if failures.len() == 1 { "equation:" } else { "the first:" }, first.equation);
+    for line in first.lines.iter().skip(usize::from(first.is_false)) {
+        text += &format!("\n  {line}");
+    }
+    let subject = if block.equations.len() == 1 { "it follows" } else { "all equations follow" };
+    let fields: Vec<String> = changes.iter().map(|change| format!("`{}`", change.field)).collect();
+    let mut help = match &fields[..] {
+        [only] => format!("{subject} with {only}"),
+        several => format!("{subject} with one of these changes: {}", several.join(", or ")),
+    };
+    if let [Failure { remedy: Some(remedy), .. }] = failures {
+        help += &format!("; if the declaration is right: {remedy}");
+    }
+    let phrase = if let [only] = changes { only.phrase } else { block.phrase };
+    errors.push(phrase, text, help);
 }
 
 /// Formulas of the solver, as polynomials.
@@ -139,43 +215,109 @@ impl Derived {
     }
 }
 
-fn verify_block(
-    block: &Verify,
-    model: &Model,
-    derived: &Derived,
-    product: &Matrix,
-    errors: &mut Errors,
-) -> Option<Verified> {
-    let mut scope = match Scope::new(model, derived.ring.clone(), product, block) {
-        Ok(scope) => scope,
-        Err(faults) => {
-            faults.into_iter().for_each(|fault| fault.report(errors));
-            return None;
-        }
-    };
-    let branches = derived.branches(&scope);
-    let mut equations = Vec::new();
-    let mut solution = OneSolution::default();
-    for equation in &block.equations {
-        if equation.left.to_string() == equation.right.to_string() {
-            errors.push(
-                equation.phrase,
-                "this equation proves nothing: both sides are the same",
-                "write the formula of the source on the right",
-            );
-            continue;
-        }
-        match decide(&mut scope, equation) {
-            Ok(Verdict::Holds(conditions, region)) => {
-                let proven = proven(&scope, equation, &conditions, &branches);
-                solution.add(&scope, equation, region, &proven, errors);
-                equations.push(proven);
-            }
-            Ok(verdict) => report(&scope, equation, &verdict, derived, errors),
-            Err(fault) => fault.report(errors),
-        }
+/// A block, with the meaning of its names on a machine.
+struct Block<'a> {
+    block: &'a Verify,
+    scope: Scope<'a>,
+}
+
+/// What has been decided about the equations of a block.
+#[derive(Default)]
+struct Decided {
+    /// `None` if the block cannot be evaluated.
+    proven: Option<Verified>,
+    /// Equations that do not hold, in source order.
+    failures: Vec<Failure>,
+    /// Equations and names that cannot be evaluated.
+    faults: Vec<Fault>,
+}
+
+/// An equation that does not hold on the machine as declared.
+struct Failure {
+    phrase: Phrase,
+    /// As written.
+    equation: String,
+    /// True if it does not follow from the chain; false if it does on another branch, or at no pose.
+    is_false: bool,
+    /// The message, line by line.
+    lines: Vec<String>,
+    /// The change of the equation that makes it true.
+    remedy: Option<String>,
+}
+
+impl Failure {
+    fn report(self, errors: &mut Errors) {
+        let help = "no single change makes it true; compare `signs`, `d` and `axes` with the source as well";
+        errors.push(self.phrase, self.lines.join("\n  "), self.remedy.unwrap_or_else(|| help.into()));
     }
-    scope.unused_names(block).into_iter().for_each(|fault| fault.report(errors));
+}
+
+impl<'a> Block<'a> {
+    /// A block on a machine with the product `T(q)`; the ring has the symbols of the machine.
+    fn new(model: &'a Model, ring: Ring, product: &Matrix, block: &'a Verify) -> Result<Self, Vec<Fault>> {
+        Ok(Self { block, scope: Scope::new(model, ring, product, block)? })
+    }
+
+    /// True if all equations hold, at a common pose; and the products of monomials that were computed.
+    fn follows(mut self) -> (bool, usize) {
+        let mut solution = OneSolution::default();
+        let mut work = 0;
+        for (place, equation) in self.block.equations.iter().enumerate() {
+            let verdict = decide(&mut self.scope, equation);
+            work += self.scope.algebra().work();
+            let Ok(Verdict::Holds(_, region)) = verdict else { return (false, work) };
+            if solution.add(&self.scope, place, region).is_err() {
+                return (false, work);
+            }
+        }
+        (true, work)
+    }
+
+    /// Decides every equation.
+    fn decided(mut self, derived: &Derived) -> Decided {
+        let Self { block, scope } = &mut self;
+        let branches = derived.branches(scope);
+        let (mut failures, mut faults) = (Vec::new(), Vec::new());
+        let mut proofs: Vec<Option<Proven>> = Vec::new();
+        let mut solution = OneSolution::default();
+        for (place, equation) in block.equations.iter().enumerate() {
+            let verdict = match equation.left.to_string() == equation.right.to_string() {
+                true => Err(Fault::new(
+                    equation.phrase,
+                    "this equation proves nothing: both sides are the same",
+                    "write the formula of the source on the right",
+                )),
+                false => decide(scope, equation),
+            };
+            let proof = match verdict {
+                Ok(Verdict::Holds(conditions, region)) => {
+                    let proof = proven(scope, equation, &conditions, &branches);
+                    if let Err(other) = solution.add(scope, place, region) {
+                        failures.push(contradiction(block, place, &proof, other, &proofs));
+                    }
+                    Some(proof)
+                }
+                Ok(verdict) => {
+                    failures.extend(failure(scope, equation, &verdict, derived));
+                    None
+                }
+                Err(fault) => {
+                    faults.push(fault);
+                    None
+                }
+            };
+            proofs.push(proof);
+        }
+        faults.extend(scope.unused_names(block));
+        let assumptions = assumptions(scope, block);
+        let equations = proofs.into_iter().flatten().collect();
+        let proven = Some(Verified { source: block.source.clone(), assumptions, equations });
+        Decided { proven, failures, faults }
+    }
+}
+
+/// Values given by `where`, and set-up symbols that are zero.
+fn assumptions(scope: &Scope<'_>, block: &Verify) -> Vec<String> {
     let mut assumptions: Vec<String> =
         block.assumptions.iter().map(|assumption| format!("{} = {}", assumption.key.name, assumption.value)).collect();
     let zero = scope.unmentioned(block);
@@ -185,41 +327,60 @@ fn verify_block(
         [_, _, _] => assumptions.push("part = 0".into()),
         _ => assumptions.extend(parts.iter().map(|name| format!("{name} = 0"))),
     }
-    Some(Verified { source: block.source.clone(), assumptions, equations })
+    assumptions
 }
 
-/// Equations of a block that hold in a part of the poses only. They describe one solution, so these parts have a pose in
-/// common: the formulas of the two branches are never mixed.
+/// Equations of a block that hold in a part of the poses only, by their place in the block. They describe one solution, so
+/// these parts have a pose in common: the formulas of the two branches are never mixed.
 #[derive(Default)]
-struct OneSolution<'a> {
-    parts: Vec<(&'a Equation, Region, String)>,
+struct OneSolution {
+    parts: Vec<(usize, Region)>,
 }
 
-impl<'a> OneSolution<'a> {
-    /// Adds an equation, or reports that it contradicts those before it.
-    fn add(&mut self, scope: &Scope<'_>, equation: &'a Equation, region: Region, proven: &Proven, errors: &mut Errors) {
+impl OneSolution {
+    /// Adds an equation; an error if it contradicts those before it, with the one that it contradicts alone, if any.
+    fn add(&mut self, scope: &Scope<'_>, place: usize, region: Region) -> Result<(), Option<usize>> {
         if region.is_everywhere() {
-            return;
+            return Ok(());
         }
-        let holds = proven.holds.join(" and ");
-        let mut regions: Vec<&Region> = self.parts.iter().map(|(_, region, _)| region).collect();
+        let mut regions: Vec<&Region> = self.parts.iter().map(|(_, region)| region).collect();
         regions.push(&region);
         if has_witness(scope, &regions) {
-            self.parts.push((equation, region, holds));
-            return;
+            self.parts.push((place, region));
+            return Ok(());
         }
-        let pair = self.parts.iter().find(|(_, known, _)| !has_witness(scope, &[known, &region]));
-        let (others, where_others) = match pair {
-            Some((other, _, condition)) => {
-                (format!("`{} = {}`", other.left, other.right), format!("that one holds where {condition}"))
-            }
-            None => ("the equations before it".into(), "they hold on one branch only".into()),
-        };
-        errors.push(
-            equation.phrase,
-            format!("this equation and {others} hold at no common pose\n  {where_others}\n  this one holds where {holds}"),
-            "a block describes one solution: correct a sign, or put the formulas of the other branch into a block of their own",
-        );
+        Err(self.parts.iter().find(|(_, known)| !has_witness(scope, &[known, &region])).map(|(place, _)| *place))
+    }
+}
+
+/// The message of an equation that holds at no pose at which those before it do; `other` is the one that it contradicts.
+fn contradiction(
+    block: &Verify,
+    place: usize,
+    proof: &Proven,
+    other: Option<usize>,
+    proofs: &[Option<Proven>],
+) -> Failure {
+    let equation = &block.equations[place];
+    let other = other.and_then(|other| proofs[other].as_ref().map(|proof| (&block.equations[other], proof)));
+    let (others, where_others) = match other {
+        Some((other, proof)) => (
+            format!("`{} = {}`", other.left, other.right),
+            format!("that one holds where {}", proof.holds.join(" and ")),
+        ),
+        None => ("the equations before it".into(), "they hold on one branch only".into()),
+    };
+    let remedy = "a block describes one solution: correct a sign, or put the formulas of the other branch into a block of their own";
+    Failure {
+        phrase: equation.phrase,
+        equation: equation.to_string(),
+        is_false: false,
+        lines: vec![
+            format!("this equation and {others} hold at no common pose"),
+            where_others,
+            format!("this one holds where {}", proof.holds.join(" and ")),
+        ],
+        remedy: Some(remedy.into()),
     }
 }
 
@@ -250,35 +411,31 @@ fn proven(scope: &Scope<'_>, equation: &Equation, conditions: &[Condition], bran
     }
 }
 
-/// Reports an equation that does not hold.
-fn report(scope: &Scope<'_>, equation: &Equation, verdict: &Verdict, derived: &Derived, errors: &mut Errors) {
+/// The message of an equation that does not hold.
+fn failure(scope: &Scope<'_>, equation: &Equation, verdict: &Verdict, derived: &Derived) -> Option<Failure> {
     let left = &equation.left;
-    match verdict {
-        Verdict::Holds(..) => {}
-        Verdict::Opposite => errors.push(
-            equation.phrase,
-            format!("this formula gives `{left} + 180 deg` at every pose"),
-            "change the sign of both arguments",
+    let (is_false, lines, remedy) = match verdict {
+        Verdict::Holds(..) => return None,
+        Verdict::Opposite => (
+            false,
+            vec![format!("this formula gives `{left} + 180 deg` at every pose")],
+            Some("change the sign of both arguments".into()),
         ),
-        Verdict::Nowhere => errors.push(
-            equation.phrase,
-            format!("this formula for `{left}` holds at no pose"),
-            "check the signs of roots and arguments",
+        Verdict::Nowhere => (
+            false,
+            vec![format!("this formula for `{left}` holds at no pose")],
+            Some("check the signs of roots and arguments".into()),
         ),
         Verdict::False(gap) => {
             let change = repair(scope, equation);
             let (gap, missing) = difference(scope, equation, gap, derived);
-            let mut text = format!("this equation for `{left}` does not follow from the chain");
-            if let Some(derived) = derived.formula(scope, left) {
-                text += &format!("\n  derived:    {left} = {derived}");
-            }
-            text += &format!("\n  {gap}");
-            let help = change.or(missing).unwrap_or_else(|| {
-                "no single change makes it true; compare `signs`, `d` and `axes` with the source as well".into()
-            });
-            errors.push(equation.phrase, text, help);
+            let mut lines = vec![format!("this equation for `{left}` does not follow from the chain")];
+            lines.extend(derived.formula(scope, left).map(|derived| format!("derived:    {left} = {derived}")));
+            lines.push(gap);
+            (true, lines, change.or(missing))
         }
-    }
+    };
+    Some(Failure { phrase: equation.phrase, equation: equation.to_string(), is_false, lines, remedy })
 }
 
 /// The first single change of the right side that makes an equation true.

@@ -15,16 +15,14 @@ pub(crate) struct Change {
 pub(crate) fn changes(expr: &Expr, model: &Model) -> Vec<Change> {
     let mut found = Vec::new();
     collect_changes(expr, true, model, &mut found, &|inner| inner);
-    changes_of_names(expr, model, &mut found);
+    changes_of_names(expr, &mut found);
     found.sort_by_key(|change| change.rank);
     found
 }
 
 /// Changes of every occurrence of a name: the source counts it in the opposite direction, or measures the angle from
 /// another direction.
-fn changes_of_names(expr: &Expr, model: &Model, found: &mut Vec<Change>) {
-    let rotary =
-        |name: &str| model.axes.iter().any(|axis| axis.kind == AxisKind::Rotary && axis.letter.to_string() == name);
+fn changes_of_names(expr: &Expr, found: &mut Vec<Change>) {
     for name in expr.names() {
         let is_call = |call: &Expr, function: &str| match &call.kind {
             ExprKind::Call(known, arguments) if known == function => {
@@ -49,12 +47,9 @@ fn changes_of_names(expr: &Expr, model: &Model, found: &mut Vec<Change>) {
             let name = matches!(&part.kind, ExprKind::Name(known) if known == name);
             name.then(|| Expr { phrase: part.phrase, kind: ExprKind::Neg(Box::new(part.clone())) })
         });
-        let mut words = format!(
+        let words = format!(
             "it is true with `-{name}` in place of `{name}`: the source counts {name} in the opposite direction"
         );
-        if rotary(name) {
-            words += &format!("; if the machine does so as well, declare `signs = {{ {name}: - }};`");
-        }
         found.push(Change { expr: reversed, words, rank: 6 });
     }
 }
@@ -155,7 +150,7 @@ fn changes_of_parts(expr: &Expr, model: &Model, found: &mut Vec<Change>, whole: 
 }
 
 /// `-e`, with the sign at the first factor.
-fn negated(expr: &Expr) -> Expr {
+pub(crate) fn negated(expr: &Expr) -> Expr {
     let kind = match &expr.kind {
         ExprKind::Binary(left, operator @ ('*' | '/'), right) => {
             ExprKind::Binary(Box::new(negated(left)), *operator, right.clone())

@@ -8,7 +8,7 @@ use crate::check::{self, DimensionNames, Fault};
 use crate::model::{AxisId, AxisKind, Model, Quantity};
 use crate::suggest;
 use crate::symbolic::{Matrix, Poly, PolyVector, Ring, Symbol};
-use crate::syntax::{Assign, Expr, ExprKind, Unit, Unreadable, Verify};
+use crate::syntax::{Assign, Expr, Unreadable, Verify};
 
 /// Names of one block of equations, and the algebra of the current equation.
 #[derive(Debug, Clone)]
@@ -16,7 +16,13 @@ pub(crate) struct Scope<'a> {
     algebra: Algebra<'a>,
     /// Values of set-up symbols, dimensions and held axes in this block.
     assumed: BTreeMap<Symbol, Poly>,
-    locals: Vec<(String, Value)>,
+    /// Names that `where` introduces, each with its expression: it may have roots and divisors, which belong to the
+    /// equation that mentions it.
+    locals: Vec<(String, Expr)>,
+    /// Values of the locals in the current equation, as far as it mentions them.
+    values: Vec<Option<Value>>,
+    /// Number of locals that can be mentioned: those before the one that is evaluated.
+    visible: usize,
     /// Values of x y z and i j k.
     tip: PolyVector,
     axis: PolyVector,
@@ -29,6 +35,8 @@ impl<'a> Scope<'a> {
             algebra: Algebra::new(model, ring),
             assumed: BTreeMap::new(),
             locals: Vec::new(),
+            values: Vec::new(),
+            visible: 0,
             tip: product.origin(),
             axis: product.rotate(&model.tool_axis, &model.ring),
         };
@@ -50,7 +58,31 @@ impl<'a> Scope<'a> {
         }
         scope.tip = scope.tip.clone().map(|part| scope.assumed(&part));
         scope.axis = scope.axis.clone().map(|part| scope.assumed(&part));
-        Ok(scope)
+        for place in 0..scope.locals.len() {
+            scope.begin();
+            faults.extend(scope.local(place).err());
+        }
+        if faults.is_empty() { Ok(scope) } else { Err(faults) }
+    }
+
+    /// Begins an equation.
+    pub(crate) fn begin(&mut self) {
+        self.algebra.begin();
+        self.values = vec![None; self.locals.len()];
+    }
+
+    /// The value of a name that `where` introduces.
+    fn local(&mut self, place: usize) -> Result<Value, Fault> {
+        if let Some(value) = &self.values[place] {
+            return Ok(value.clone());
+        }
+        let expr = self.locals[place].1.clone();
+        let visible = std::mem::replace(&mut self.visible, place);
+        let value = self.value(&expr);
+        self.visible = visible;
+        let value = value?;
+        self.values[place] = Some(value.clone());
+        Ok(value)
     }
 
     /// The machine.
@@ -80,7 +112,7 @@ impl<'a> Scope<'a> {
 
     /// The same names with x y z as unknowns.
     pub(crate) fn with_free_tip(&self) -> Self {
-        Self { tip: self.model().symbols.tip.map(Poly::from), ..self.clone() }
+        Self { tip: self.model().symbols.tip.map(Poly::from), values: vec![None; self.locals.len()], ..self.clone() }
     }
 
     /// Set-up symbols that a block does not mention: they are zero in it.
@@ -88,7 +120,7 @@ impl<'a> Scope<'a> {
         let [x, y, z] = self.model().symbols.part;
         let known = [("gauge", self.model().symbols.gauge), ("part_x", x), ("part_y", y), ("part_z", z)];
         let mentioned = |name: &str| {
-            block.assumptions.iter().any(|assumption| assumption.key.name == name)
+            block.assumptions.iter().any(|assumption| assumption.key.name == name || assumption.value.mentions(name))
                 || block.equations.iter().any(|equation| equation.left.mentions(name) || equation.right.mentions(name))
         };
         known.into_iter().filter(|(name, _)| !mentioned(name)).collect()
@@ -166,20 +198,16 @@ impl<'a> Scope<'a> {
                     "`where` gives a value to a dimension, to `gauge`, `part_x`, `part_y`, `part_z`, to a held axis, or to a new name",
                 ));
             }
-            None if is_angle(value, self.model()) => {
-                let (sine, cosine) = check::angle(value, &names, self.algebra.ring_mut())?;
-                self.locals.push((key.name.clone(), Value::Angle(Angle { cosine, sine, inverse: None })));
-            }
             None => {
-                let length = check::length(value, &names, self.ring())?;
-                self.locals.push((key.name.clone(), Value::Number(length)));
+                self.locals.push((key.name.clone(), value.clone()));
+                self.visible = self.locals.len();
             }
         }
         Ok(())
     }
 
     /// The value of a name.
-    pub(crate) fn name(&self, name: &str, expr: &Expr) -> Result<Value, Fault> {
+    pub(crate) fn name(&mut self, name: &str, expr: &Expr) -> Result<Value, Fault> {
         let symbols = &self.model().symbols;
         if let Some(place) = ["x", "y", "z"].iter().position(|known| *known == name) {
             return Ok(Value::Number(self.tip[place].clone()));
@@ -204,8 +232,8 @@ impl<'a> Scope<'a> {
         if let Some(place) = ["part_x", "part_y", "part_z"].iter().position(|known| *known == name) {
             return Ok(number(symbols.part[place]));
         }
-        if let Some((_, value)) = self.locals.iter().find(|(known, _)| known == name) {
-            return Ok(value.clone());
+        if let Some(place) = self.locals[..self.visible].iter().position(|(known, _)| known == name) {
+            return self.local(place);
         }
         match self.model().dimensions.iter().find(|dimension| dimension.name == name) {
             Some(dimension) => Ok(match dimension.quantity {
@@ -219,6 +247,9 @@ impl<'a> Scope<'a> {
     /// What a name that is unknown probably means.
     fn help_for(&self, name: &str) -> String {
         let model = self.model();
+        if self.locals.iter().any(|(known, _)| known == name) {
+            return format!("write the line `where {name} = ...;` before the one that mentions it");
+        }
         if name.eq_ignore_ascii_case("pi") {
             return "angles are in degrees: write `180 deg`".into();
         }
@@ -271,18 +302,4 @@ impl<'a> Scope<'a> {
 /// Names with a meaning of their own.
 fn is_taken(name: &str) -> bool {
     check::is_reserved(name)
-}
-
-/// True if an assumption gives an angle: it names one, or has the unit `deg`.
-fn is_angle(expr: &Expr, model: &Model) -> bool {
-    let dimension = |name: &str| {
-        model.dimensions.iter().any(|known| known.name == name && matches!(known.quantity, Quantity::Angle(..)))
-    };
-    match &expr.kind {
-        ExprKind::Number(_, unit) => *unit == Some(Unit::Degree),
-        ExprKind::Name(name) => dimension(name),
-        ExprKind::Neg(inner) => is_angle(inner, model),
-        ExprKind::Binary(left, _, right) => is_angle(left, model) || is_angle(right, model),
-        ExprKind::Power(..) | ExprKind::Call(..) => false,
-    }
 }

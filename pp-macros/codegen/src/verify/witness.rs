@@ -136,7 +136,7 @@ pub(crate) fn has_witness(scope: &Scope<'_>, regions: &[&Region]) -> bool {
 fn defaults(scope: &Scope<'_>) -> Point {
     let mut values = Point::new();
     for dimension in &scope.model().dimensions {
-        let Some(default) = dimension.default.as_ref().map(to_f64) else { continue };
+        let Some(default) = dimension.known().map(to_f64) else { continue };
         match dimension.quantity {
             Quantity::Length(symbol) => drop(values.insert(symbol, default)),
             Quantity::Angle(sine, cosine) => {

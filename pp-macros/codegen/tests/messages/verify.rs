@@ -25,7 +25,8 @@ fn a_lost_sign_is_named() {
     check_errors(
         "pub struct Spinner;
 chain: C B | X Y Z; d = (0, 0, d); dims = { d: 150.0 };
-verify \"Spinner U5-620, eq. (4) with the lost sign\" {
+verify \"Spinner U5-620, j and eq. (4) with the lost sign\" {
+    j = sin(B) * sin(C);
     Y = x * sin(C) + y * cos(C);
 //  ^^^^^^^^^^^^^^^^^^^^^^^^^^^ this equation for `Y` does not follow from the chain
 //  |   derived:    Y = -x * sin(C) + y * cos(C)
@@ -42,15 +43,30 @@ fn an_angle_measured_from_another_direction_is_named() {
     check_errors(
         "pub struct Dmu;
 chain: C B | X Y Z; axes = { B: Rx(alpha) * Y }; dims = { alpha: -45 deg };
+//                           ^^^^^^^^^^^^^^^^ both equations of \"DMU 70e, eqs. (6) and (7) as printed\" do not follow from this declaration
+//  |   the first:  B = acos((k - cos(alpha)^2) / sin(alpha)^2)
+//  |   not zero:   -(1 - 2 * sin(alpha)^2) * (1 - cos(B)) * sin(alpha)^2
+// help: all equations follow with `axes = { B: Rx(-90 deg - alpha) * Y };`
 verify \"DMU 70e, eqs. (6) and (7) as printed\" {
+    B = acos((k - cos(alpha)^2) / sin(alpha)^2);
+    C = atan2(-(j * sin(alpha) * sin(B) + i * sin(alpha) * cos(alpha) * (1 - cos(B))), -i * sin(alpha) * sin(B) + j * sin(alpha) * cos(alpha) * (1 - cos(B)));
+}
+",
+    );
+}
+
+/// Of two equations, one has a misprint, and one is true: no declaration makes both true.
+#[test]
+fn an_equation_that_no_declaration_makes_true_is_reported_alone() {
+    check_errors(
+        "pub struct Dmu;
+chain: C B | X Y Z; axes = { B: Rx(alpha) * Y }; dims = { alpha: -45 deg };
+verify \"from memory\" {
+    k = cos(alpha)^2 * cos(B) + sin(alpha)^2;
     B = acos((k - cos(alpha)^2) / sin(alpha)^2);
 //  ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ this equation for `B` does not follow from the chain
 //  |   not zero:   -(1 - 2 * sin(alpha)^2) * (1 - cos(B)) * sin(alpha)^2
 // help: exchange `sin(alpha)` and `cos(alpha)` wherever they occur
-    C = atan2(-(j * sin(alpha) * sin(B) + i * sin(alpha) * cos(alpha) * (1 - cos(B))), -i * sin(alpha) * sin(B) + j * sin(alpha) * cos(alpha) * (1 - cos(B)));
-//  ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ this equation for `C` does not follow from the chain
-//  |   not zero:   (sin(alpha) + cos(alpha)) * (1 - cos(B)) * cos(alpha) * sin(B) * sin(alpha)
-// help: no single change makes it true; compare `signs`, `d` and `axes` with the source as well
 }
 ",
     );
@@ -77,12 +93,13 @@ fn an_axis_that_the_source_counts_in_the_opposite_direction_is_named() {
     check_errors(
         "pub struct M;
 chain: C B | X Y Z;
-verify \"a control whose B rotates in the opposite direction\" {
-    Z = -x * sin(B) * cos(C) - y * sin(B) * sin(C) + z * cos(B);
-//  ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ this equation for `Z` does not follow from the chain
+//       ^ the equation of \"a control whose B rotates in the opposite direction\" does not follow from this declaration
+//  |   equation:   Z = -x * sin(B) * cos(C) - y * sin(B) * sin(C) + z * cos(B)
 //  |   derived:    Z = (x * cos(C) + y * sin(C)) * sin(B) + z * cos(B)
 //  |   difference: 2 * (x * cos(C) + y * sin(C)) * sin(B)
-// help: it is true with `-B` in place of `B`: the source counts B in the opposite direction; if the machine does so as well, declare `signs = { B: - };`
+// help: it follows with `signs = { B: - };`; if the declaration is right: it is true with `-B` in place of `B`: the source counts B in the opposite direction
+verify \"a control whose B rotates in the opposite direction\" {
+    Z = -x * sin(B) * cos(C) - y * sin(B) * sin(C) + z * cos(B);
 }
 ",
     );
@@ -129,8 +146,8 @@ verify \"kinds\" {
 //      ^^^^^ an angle can be added to or subtracted from an angle, or multiplied by a whole number
     k = sqrt(C);
 //           ^ expected a number, but `C` is an angle
-    k = tan(B);
-//      ^^^^^^ `tan` is not a function of `verify`
+    k = cot(B);
+//      ^^^^^^ `cot` is not a function of `verify`
     k = cos(B, C);
 //      ^^^^^^^^^ `cos` takes one argument, found 2
     B = atan2(k);

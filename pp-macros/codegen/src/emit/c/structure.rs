@@ -25,7 +25,7 @@ pub(super) fn default(model: &Model, code: &mut Code) {
     code.function("The declared dimensions; no part origin, no gauge length.", signature, |code| {
         code.line("m->part_origin[0] = m->part_origin[1] = m->part_origin[2] = 0.0;");
         code.line("m->gauge_length = 0.0;");
-        for Dimension { name, quantity, default } in &model.dimensions {
+        for Dimension { name, quantity, default, .. } in &model.dimensions {
             let field = model.c_field(name);
             let Some(default) = default else {
                 code.line(format!("m->{field} = NAN; /* required */"));
