@@ -465,6 +465,11 @@ pub enum Event<'a> {
     OptionalStop,
     /// STOP.
     Stop,
+    /// OPSKIP: the blocks after this one may be skipped at the control, or no longer. Each is between two operations.
+    BlockSkip {
+        /// ON.
+        on: bool,
+    },
     /// PPRINT: text for the operator.
     Message(&'a [u8]),
     /// INSERT, and a statement of the shop: block of NC text, as written.

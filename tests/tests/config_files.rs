@@ -194,3 +194,27 @@ fn each_example_posts_a_part_without_warnings_and_checks_every_limit() {
         assert!(program.lines().count() > 60, "{}", path.display());
     }
 }
+
+/// Names in backticks in the last column of the table of functions in the chapter that compares with other posts.
+fn keys_of_compared_functions() -> Vec<String> {
+    let chapter = fs::read_to_string(workspace().join("docs/src/comparison.md")).expect("the chapter");
+    let table = chapter
+        .split("\n## ")
+        .find(|section| section.starts_with("Functions that shops ask for"))
+        .expect("the section");
+    let rows = table.lines().filter(|line| line.starts_with("| ")).skip(1);
+    let last = rows.map(|row| row.trim_end_matches(['|', ' ']).rsplit('|').next().expect("a column").to_owned());
+    let named = |column: String| column.split('`').skip(1).step_by(2).map(str::to_owned).collect::<Vec<String>>();
+    last.flat_map(named).collect()
+}
+
+#[test]
+fn every_key_that_the_table_of_functions_names_is_a_key_of_the_configuration() {
+    let schema = schema("spinner-u5-620", "siemens");
+    let keys = keys_of_compared_functions();
+    assert!(keys.len() > 40, "{keys:?}");
+    for key in keys {
+        let pointer: String = key.split('.').map(|part| format!("/properties/{part}")).collect();
+        assert!(schema.pointer(&pointer).is_some(), "{key}");
+    }
+}

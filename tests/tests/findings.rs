@@ -337,7 +337,7 @@ fn findings_use_the_terms_of_the_shop_floor() {
         ("G54", "G55", "work offset is G55, expected G54"),
         ("S1000", "S1500", "S is 1500, expected 1000"),
         ("G43 H1", "G43 H7", "length compensation is register 7, expected register 1"),
-        ("X11.", "/X11.", "a switch of the control decides whether this block is executed (block delete)"),
+        ("X11.", "/X11.", "the operator may skip this block (`/`), without OPSKIP/ON in the CL data here"),
     ] {
         let found = edited(from, to);
         assert!(found.contains(expected) && !found.contains("Some("), "{from} {to}: {found}");

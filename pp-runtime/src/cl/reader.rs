@@ -295,7 +295,7 @@ impl<R: Read> ClReader<R> {
             _ if self.subprograms.is_open() => self.subprograms.keep(text, here),
             Record::Subprogram(SubprogramRecord::Call { name, at }) => {
                 self.interpreter.take(&record, here)?;
-                self.subprograms.call(name, at)
+                self.subprograms.call(name, at, here)
             }
             record => self.interpreter.take(&record, here),
         });
@@ -349,6 +349,14 @@ impl<R: Read> ClReader<R> {
             );
             let help = "nothing needs to be done if their directions are right; with more digits of i, j, k the warning is absent";
             self.faults.add_about_file(Severity::Warning, reading.axis().first_normalised(), text, help);
+        }
+        if let Some((first, calls)) = self.subprograms.calls() {
+            let text = format!(
+                "calls of subprograms (CALSUB): {calls}; their records are written in full at each call, since the program has no \
+                 subprograms of the control; this is the first"
+            );
+            let help = "nothing needs to be done: each call is planned and checked where it is, with its own tool axis and state";
+            self.faults.add_about_file(Severity::Warning, first, text, help);
         }
         if let Some((largest_mm, first)) = reading.tool().largest_cutter()
             && reading.units().are_only_given()

@@ -47,6 +47,8 @@ pub(crate) struct Subprograms {
     open: Option<(SubprogramName, usize)>,
     /// Next statement, and one past the last, of the subprogram that is being run.
     running: Option<(usize, usize)>,
+    /// First call, and number of calls.
+    calls: Option<(Location, u64)>,
 }
 
 impl Subprograms {
@@ -98,14 +100,20 @@ impl Subprograms {
         Ok(())
     }
 
+    /// First CALSUB, and how many there were; `None` without one.
+    pub(crate) fn calls(&self) -> Option<(Location, u64)> {
+        self.calls
+    }
+
     /// CALSUB; refused inside a subprogram and for a name that is not defined.
-    pub(crate) fn call(&mut self, name: SubprogramName, at: Span) -> Result<(), ClFault> {
+    pub(crate) fn call(&mut self, name: SubprogramName, at: Span, here: Location) -> Result<(), ClFault> {
         if self.running.is_some() {
             return Err(subprogram_fault(at, "CALSUB inside a subprogram is not supported"));
         }
         let known = self.known.get(&name);
         let known = known.ok_or_else(|| subprogram_fault(at, "no DEFSUB with this name comes before the call"))?;
         self.running = Some((known.first, known.after));
+        self.calls.get_or_insert((here, 0)).1 += 1;
         Ok(())
     }
 

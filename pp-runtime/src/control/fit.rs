@@ -320,6 +320,7 @@ pub fn abilities(control: &dyn Control, demands: Demands<'_>) -> Abilities {
         }),
         retracts_along_tool: matches!(demands.options.retract_form(codes), Some(RetractForm::AlongTool { .. })),
         guards_planes: demands.motion.guards.plane_guard && control.compares_rotary_positions(),
+        skips_guards: codes.skips_guards,
         operation_blocks: OperationBlocks {
             at_start: !demands.options.program.operation_start.is_empty(),
             at_end: !demands.options.program.operation_end.is_empty(),

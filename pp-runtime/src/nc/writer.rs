@@ -47,6 +47,8 @@ pub struct Writer<'a> {
     blocks: u64,
     /// Number of the current block.
     number: Option<u32>,
+    /// Lines begin with the mark of block skip.
+    skippable: bool,
     journal: Option<Journal>,
 }
 
@@ -82,6 +84,7 @@ impl<'a> Writer<'a> {
             single_number: None,
             blocks: 0,
             number: None,
+            skippable: false,
             journal: None,
         }
     }
@@ -89,6 +92,11 @@ impl<'a> Writer<'a> {
     /// Gives the next block a number even where blocks are not numbered.
     pub fn number_next(&mut self, number: u32) {
         self.single_number = Some(number);
+    }
+
+    /// Begins each line from here on with `/`, the mark of block skip, or no longer.
+    pub fn set_skippable(&mut self, skippable: bool) {
+        self.skippable = skippable;
     }
 
     #[inline]
@@ -118,6 +126,7 @@ impl<'a> Writer<'a> {
     }
 
     fn begin_block(&mut self) {
+        self.mark_skippable();
         match self.numbering {
             Numbering::Step(step) => {
                 let number = self.next_number;
@@ -130,6 +139,12 @@ impl<'a> Writer<'a> {
                     self.number("N", number);
                 }
             }
+        }
+    }
+
+    fn mark_skippable(&mut self) {
+        if self.skippable {
+            self.append(b"/");
         }
     }
 
@@ -198,6 +213,7 @@ impl<'a> Writer<'a> {
     /// # Errors
     /// Errors of the output.
     pub fn line(&mut self, text: &[u8]) -> io::Result<()> {
+        self.mark_skippable();
         if self.numbering == Numbering::EveryLine {
             self.number_line();
         }
@@ -297,6 +313,28 @@ mod tests {
             writer.end()
         });
         assert_eq!(text, "N3 G90\nG0\n");
+    }
+
+    #[test]
+    fn lines_that_may_be_skipped_begin_with_their_mark_before_the_number() {
+        let text = |numbering| {
+            written(numbering, |writer| {
+                writer.code("G0");
+                writer.end()?;
+                writer.set_skippable(true);
+                writer.end()?;
+                writer.word("X", thousandths(1), Numerals::default());
+                writer.code("M8");
+                writer.end()?;
+                writer.line(b"(A)")?;
+                writer.set_skippable(false);
+                writer.code("M2");
+                writer.end()
+            })
+        };
+        assert_eq!(text(Numbering::None), "G0\n/X0.001 M8\n/(A)\nM2\n");
+        assert_eq!(text(Numbering::Step(5)), "N5 G0\n/N10 X0.001 M8\n/(A)\nN15 M2\n");
+        assert_eq!(text(Numbering::EveryLine), "0 G0\n/1 X0.001 M8\n/2 (A)\n3 M2\n");
     }
 
     #[test]

@@ -362,6 +362,7 @@ impl Surveyor {
             | Event::RotaryDirection(_)
             | Event::Delay(_)
             | Event::OptionalStop
+            | Event::BlockSkip { .. }
             | Event::Stop
             | Event::Message(_)
             | Event::Insert(_)

@@ -401,7 +401,11 @@ impl<R: Read> Comparison<'_, R> {
             return Ok(None);
         }
         while let Some(ExpectedItem {
-            action: ExpectedAction::Stop { .. } | ExpectedAction::Raw(_) | ExpectedAction::Home,
+            action:
+                ExpectedAction::Stop { .. }
+                | ExpectedAction::BlockSkip { .. }
+                | ExpectedAction::Raw(_)
+                | ExpectedAction::Home,
             ..
         }) = self.progress.next()
         {
@@ -874,12 +878,63 @@ impl<R: Read> Comparison<'_, R> {
         }
     }
 
+    /// Blocks that may be skipped begin and end where OPSKIP does, with the machine retracted. What is in force after them is what
+    /// the reader knows whether they were executed or not.
+    pub(super) fn block_skip(&mut self, phase: &mut Phase, current: &Current<'_>) -> io::Result<()> {
+        let on = current.block.skippable;
+        let is = |index: usize, on: bool| {
+            matches!(self.progress.get(index), Some(ExpectedItem { action: ExpectedAction::BlockSkip { on: expected }, .. })
+                if *expected == on)
+        };
+        if !on && !self.skippable && is(0, true) && is(1, false) {
+            // Nothing comes between them.
+            self.progress.take();
+            self.progress.take();
+        }
+        if std::mem::replace(&mut self.skippable, on) == on {
+            return Ok(());
+        }
+        self.pass_needless(phase)?;
+        match self.progress.next().map(|item| &item.action) {
+            Some(ExpectedAction::BlockSkip { on: expected }) if *expected == on => self.progress.take(),
+            // Without OPSKIP/OFF they end with the CL data.
+            None if !on => {}
+            _ if on => {
+                self.found(current, "the operator may skip this block (`/`), without OPSKIP/ON in the CL data here")
+            }
+            _ => self.found(current, "this block is always executed (no `/`), without OPSKIP/OFF in the CL data here"),
+        }
+        self.cuts_have_ended(current);
+        self.is_parked(current);
+        self.is_complete(phase, current);
+        if phase.is_at_part() {
+            let text = "blocks that may be skipped begin and end with the machine retracted: expected the retract before this block";
+            self.found(current, text);
+            let fault = self.functions.end_of_cuts(&self.rules);
+            self.found_any(current, fault);
+        }
+        if self.previous.runs {
+            let text = "blocks that may be skipped begin and end with spindle and coolant off: one of them is on before this block";
+            self.found(current, text);
+        }
+        self.previous.known &= current.block.known_before;
+        // A complete state that may be skipped, or that came before, is none for what comes after.
+        self.start = StartState::default();
+        self.functions.restart();
+        self.forget(phase);
+        *phase = Phase::Unknown { stopped: true };
+        Ok(())
+    }
+
     /// The end code.
     pub(super) fn end(&mut self, phase: &mut Phase, current: &Current<'_>) -> io::Result<Phase> {
         self.progress.fill(1)?;
         self.pass_needless(phase)?;
         if self.progress.next().is_some() {
             self.found(current, "end code before the end of the CL data");
+        }
+        if self.skippable {
+            self.found(current, "the operator may skip the end code (`/`)");
         }
         if !phase.is_retracted() {
             self.found(current, "end code before the machine has retracted");

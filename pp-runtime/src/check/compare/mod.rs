@@ -70,6 +70,8 @@ struct Comparison<'a, R> {
     own_retract: usize,
     /// GOHOME has begun, and the axes have to be parked.
     home: bool,
+    /// The last block may be skipped.
+    skippable: bool,
     /// The last line began a guard, whose text is its own.
     guarded: bool,
 }
@@ -91,6 +93,8 @@ struct Previous {
     length: Option<Length>,
     tilted: bool,
     tip_control: bool,
+    /// The spindle or the coolant is known to be on.
+    runs: bool,
 }
 
 /// Blocks since the last complete state began.
@@ -135,6 +139,7 @@ impl<'a, R: Read> Checker<'a, R> {
             parked: 0,
             own_retract: 0,
             home: false,
+            skippable: false,
             guarded: false,
         };
         Self { comparison, phase: Phase::Unknown { stopped: false }, before: State::default() }
@@ -145,6 +150,7 @@ impl<'a, R: Read> Checker<'a, R> {
         let Self { comparison, phase, .. } = self;
         comparison.progress.fill(2)?;
         let current = Current { block, shown: Shown { line: block.line, text }, at: comparison.progress.location() };
+        comparison.block_skip(phase, &current)?;
         if comparison.is_raw(phase, &current) {
             *phase = comparison.forget(phase);
             return Ok(());
@@ -173,7 +179,9 @@ impl<'a, R: Read> Checker<'a, R> {
         if let Some(next) = next {
             *phase = next;
         }
-        comparison.previous.tip_control = block.state.tip_control != TipControl::Off;
+        let state = &block.state;
+        comparison.previous.tip_control = state.tip_control != TipControl::Off;
+        comparison.previous.runs = state.spindle.flatten().is_some() || state.coolant.is_some_and(|on| on != 0);
         Ok(())
     }
 

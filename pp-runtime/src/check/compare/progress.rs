@@ -298,6 +298,12 @@ impl<'a, R: Read> ClProgress<'a, R> {
             Some(ExpectedAction::Stop { .. }) => {
                 "the stop (STOP or OPSTOP) of the CL data is not in the program before this block".to_owned()
             }
+            Some(ExpectedAction::BlockSkip { on: true }) => {
+                "OPSKIP/ON of the CL data: this block must be one that may be skipped (`/`)".to_owned()
+            }
+            Some(ExpectedAction::BlockSkip { on: false }) => {
+                "OPSKIP/OFF of the CL data: this block must be one that is always executed, without `/`".to_owned()
+            }
             Some(ExpectedAction::Raw(_)) => "the text of INSERT is not in the program before this block".to_owned(),
             Some(ExpectedAction::Home) => "the retract of GOHOME is not in the program before this block".to_owned(),
             Some(ExpectedAction::Dwell { .. }) | None => "this block matches no motion of the CL data".to_owned(),

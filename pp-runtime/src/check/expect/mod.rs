@@ -105,6 +105,10 @@ pub(super) enum ExpectedAction {
     Stop {
         optional: bool,
     },
+    /// The blocks after it may be skipped, or no longer.
+    BlockSkip {
+        on: bool,
+    },
     /// `of_tool`: after the record of a tool and before its first motion, so that it may come before or after the retract.
     Dwell {
         seconds: f64,

@@ -57,6 +57,8 @@ pub(super) struct ClState<'a> {
     /// Number of items so far.
     pushed: u64,
     messages: VecDeque<ExpectedMessage>,
+    /// OPSKIP/ON is in force.
+    skippable: bool,
 }
 
 /// Requests of SPINDL.
@@ -170,6 +172,7 @@ impl<'a> ClState<'a> {
             items: VecDeque::new(),
             pushed: 0,
             messages: VecDeque::new(),
+            skippable: false,
         }
     }
 
@@ -210,6 +213,7 @@ impl<'a> ClState<'a> {
             Event::Message(text) => self.message(at, text, false),
             Event::Stop => self.interrupt(at, ExpectedAction::Stop { optional: false }),
             Event::OptionalStop => self.interrupt(at, ExpectedAction::Stop { optional: true }),
+            Event::BlockSkip { on } => self.block_skip(at, on),
             Event::Home => self.interrupt(at, ExpectedAction::Home),
             Event::Insert(text) => self.interrupt(at, ExpectedAction::Raw(text.to_vec())),
             Event::Code { letter, number } => {
@@ -367,6 +371,16 @@ impl<'a> ClState<'a> {
     fn begin_anew(&mut self) {
         self.begin();
         self.operation.position_known = false;
+    }
+
+    /// OPSKIP.
+    fn block_skip(&mut self, at: Location, on: bool) {
+        let begins = on && self.is_selected(self.operation.number, self.operation.reached);
+        if begins == self.skippable || on && !begins {
+            return;
+        }
+        self.skippable = begins;
+        self.interrupt(at, ExpectedAction::BlockSkip { on });
     }
 
     fn interrupt(&mut self, at: Location, action: ExpectedAction) {

@@ -78,6 +78,7 @@ impl Placement {
             | Event::RotaryDirection(_)
             | Event::Delay(_)
             | Event::OptionalStop
+            | Event::BlockSkip { .. }
             | Event::Stop
             | Event::Message(_)
             | Event::Insert(_)

@@ -393,6 +393,8 @@ pub struct Block {
     pub plane_guard: Option<RotaryGuard>,
     /// A part of the definition of the blank.
     pub blank: Option<BlankPart>,
+    /// The operator may have it skipped: it begins with the mark of block skip.
+    pub skippable: bool,
     /// The block is a line that the user brought in.
     pub own: Option<OwnLine>,
     /// What is wrong with it.
@@ -419,6 +421,7 @@ impl Default for Block {
             radius_guard_mm: None,
             plane_guard: None,
             blank: None,
+            skippable: false,
             own: None,
             faults: Vec::new(),
             frame_faults: 0,

@@ -83,7 +83,7 @@ impl<'a> Line<'a> {
         self.draft.frame_faults += 1;
     }
 
-    /// Takes a block number: the first word of the line, after the mark of block delete at most.
+    /// Takes a block number: the first word of the line.
     pub(super) fn block_number(&mut self, number: Number, column: usize) {
         let point = number.point && !self.facts.block_number_has_point;
         self.draft.number = whole(number).filter(|_| !point && !number.negative).map(u64::from);
@@ -95,7 +95,7 @@ impl<'a> Line<'a> {
         let is_word = |byte: &u8| {
             let within = comments && (comment || *byte == b'(');
             comment = within && *byte != b')';
-            !within && !matches!(byte, b' ' | b'\t' | b'\r' | b'/')
+            !within && !matches!(byte, b' ' | b'\t' | b'\r')
         };
         if self.at.before(column).iter().any(is_word) {
             self.fault(column, "block number after the first word of its block");

@@ -69,6 +69,15 @@ const LONGEST: usize = 1 << 16;
 /// Byte order marks, and what a text that begins with one is written in.
 const MARKS: [(&[u8], &str); 3] = [(b"\xEF\xBB\xBF", "UTF-8"), (b"\xFF\xFE", "UTF-16"), (b"\xFE\xFF", "UTF-16")];
 
+/// Whether a line begins with IF or ENDIF, after its number.
+fn begins_condition(text: &[u8]) -> bool {
+    let mut words = text.split(|byte| !byte.is_ascii_alphanumeric()).filter(|word| !word.is_empty());
+    let numbered =
+        |word: &&[u8]| word.len() > 1 && matches!(word[0], b'N' | b'n') && word[1..].iter().all(u8::is_ascii_digit);
+    let first = words.find(|word| !numbered(word)).unwrap_or_default();
+    [&b"IF"[..], b"ELSE", b"ENDIF"].iter().any(|word| first.eq_ignore_ascii_case(word))
+}
+
 /// Kinds of programs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Family {
@@ -144,6 +153,8 @@ pub(crate) struct Reader<R> {
     number: u64,
     /// The line has been joined of several.
     joined: bool,
+    /// What was in force before the blocks at hand, where they may be skipped.
+    before_skip: Option<Box<Interpreter>>,
     /// The shop has blocks of its own for the machine retract.
     own_retract: bool,
     draft: Draft,
@@ -174,6 +185,7 @@ impl<R: Read> Reader<R> {
             bare: Bare::default(),
             number: 0,
             joined: false,
+            before_skip: None,
             own_retract,
             draft: Draft::default(),
             empty: Draft::default(),
@@ -190,6 +202,8 @@ impl<R: Read> Reader<R> {
             self.block.own = None;
             self.draft = self.empty;
             let mark = if begins { self.byte_order_mark() } else { None };
+            let marked = self.take_skip_mark();
+            self.follow_skip(marked);
             let is_block = long || self.read_line();
             if long {
                 let text = format!("this line is longer than {LONGEST} bytes and has not been read");
@@ -228,6 +242,74 @@ impl<R: Read> Reader<R> {
         Some(encoding)
     }
 
+    /// Takes away the mark of block skip at the beginning of the line; whether there was one.
+    fn take_skip_mark(&mut self) -> bool {
+        let Some(at) = self.line.iter().position(|byte| !byte.is_ascii_whitespace()) else { return false };
+        if self.line[at] != b'/' {
+            return false;
+        }
+        self.line.drain(..=at);
+        let text = match self.line.trim_ascii_start() {
+            [] | [b';'] => "block skip without a block",
+            [b'0'..=b'9', ..] if self.facts.form != Form::Statements => {
+                "block skip with a number: the check knows the mark `/` alone"
+            }
+            text if self.facts.form == Form::Keywords && begins_condition(text) => {
+                "block skip before IF or ENDIF: the control executes it whatever the switch is set to"
+            }
+            _ => return true,
+        };
+        fault(&mut self.block.faults, 0, text.to_owned());
+        true
+    }
+
+    /// Blocks that may be skipped begin or end. After them is known what is the same whether they were skipped or not.
+    fn follow_skip(&mut self, marked: bool) {
+        let in_guard = match &self.syntax {
+            Syntax::Iso(iso) => iso.is_in_guard(),
+            Syntax::Siemens(siemens) => siemens.is_in_guard(),
+            Syntax::Heidenhain(heidenhain) => heidenhain.is_in_guard(),
+        };
+        if marked == self.block.skippable || !in_guard && self.is_comment() {
+            return;
+        }
+        if in_guard {
+            fault(&mut self.block.faults, 0, "block skip begins or ends within a guard");
+        }
+        self.block.skippable = marked;
+        match self.before_skip.take() {
+            Some(before) => {
+                self.machine.join(&before);
+                self.block.state = *self.machine.state();
+                self.forget();
+            }
+            None => self.before_skip = Some(Box::new(self.machine.clone())),
+        }
+    }
+
+    /// Whether the line is empty, or a comment alone that the control does not display.
+    fn is_comment(&self) -> bool {
+        let mut text = self.line.trim_ascii();
+        if self.facts.message.is_some_and(|[before, _]| text.starts_with(before.as_bytes())) {
+            return false;
+        }
+        if self.facts.form == Form::Statements {
+            let digits = text.iter().take_while(|byte| byte.is_ascii_digit()).count();
+            text = text[digits..].trim_ascii_start();
+        }
+        matches!(text, [] | [b';' | b'*' | b'%', ..])
+            || matches!(text, [b'(', inner @ .., b')'] if !inner.contains(&b')'))
+    }
+
+    /// Forgets what the family remembers from one line to the next.
+    fn forget(&mut self) {
+        match &mut self.syntax {
+            Syntax::Iso(iso) => iso.forget(),
+            Syntax::Siemens(siemens) => siemens.forget(),
+            Syntax::Heidenhain(heidenhain) => heidenhain.forget(),
+        }
+    }
+
     fn read_line(&mut self) -> bool {
         let vocabulary = &self.vocabulary;
         // Lines and words with a declared effect are blanked out: the rest of their line is read by the table.
@@ -253,19 +335,8 @@ impl<R: Read> Reader<R> {
             self.block.own = own.filter(|own| own.places.iter().any(|place| matches!(place, OwnPlace::Retract { .. })));
             is_block |= self.block.own.is_some();
         }
-        if let [b'/', rest @ ..] = self.line.trim_ascii_start() {
-            if line.draft.groups | u32::from(line.draft.written) != 0 {
-                line.fault(0, "a switch of the control decides whether this block is executed (block delete)");
-            } else if rest.iter().all(|byte| byte.is_ascii_whitespace() || *byte == b';') {
-                line.fault(0, "block delete without a block");
-            }
-        }
-        if line.draft.effects & draft::effect::STATE != 0 {
-            match &mut self.syntax {
-                Syntax::Iso(iso) => iso.forget(),
-                Syntax::Siemens(siemens) => siemens.forget(),
-                Syntax::Heidenhain(heidenhain) => heidenhain.forget(),
-            }
+        if self.draft.effects & draft::effect::STATE != 0 {
+            self.forget();
         }
         is_block
     }

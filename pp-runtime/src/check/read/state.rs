@@ -287,6 +287,77 @@ impl State {
         }
     }
 
+    /// Takes out what differs from another state, except the frame: it is unknown which of the two is in force.
+    pub(super) fn join(&mut self, other: &Self) {
+        fn keep<T: PartialEq>(value: &mut Option<T>, other: &Option<T>) {
+            if value != other {
+                *value = None;
+            }
+        }
+        let Self {
+            tool,
+            selected,
+            length,
+            diameter,
+            radius_delta_mm,
+            work_offset,
+            cancelled_offset,
+            units,
+            incremental,
+            plane,
+            spindle,
+            speed,
+            coolant,
+            side,
+            feed_mode,
+            feed,
+            tip_control: _,
+            in_plane,
+            in_workpiece,
+            vector,
+            tilt: _,
+            dynamic_offset: _,
+            to_initial,
+            shortest,
+            shortest_stated,
+            smoothing,
+            smoothing_angle_rad,
+            path_mode,
+            clamped,
+            clamps_known,
+        } = self;
+        keep(tool, &other.tool);
+        keep(selected, &other.selected);
+        keep(length, &other.length);
+        keep(diameter, &other.diameter);
+        keep(radius_delta_mm, &other.radius_delta_mm);
+        keep(work_offset, &other.work_offset);
+        keep(cancelled_offset, &other.cancelled_offset);
+        keep(units, &other.units);
+        keep(incremental, &other.incremental);
+        keep(plane, &other.plane);
+        keep(spindle, &other.spindle);
+        keep(speed, &other.speed);
+        keep(coolant, &other.coolant);
+        keep(side, &other.side);
+        keep(feed_mode, &other.feed_mode);
+        keep(feed, &other.feed);
+        keep(in_plane, &other.in_plane);
+        keep(in_workpiece, &other.in_workpiece);
+        keep(vector, &other.vector);
+        keep(to_initial, &other.to_initial);
+        keep(smoothing_angle_rad, &other.smoothing_angle_rad);
+        keep(path_mode, &other.path_mode);
+        if *shortest != other.shortest {
+            (*shortest, *shortest_stated) = (false, false);
+        }
+        *shortest_stated &= other.shortest_stated;
+        if *smoothing == Smoothing::Off {
+            *smoothing = other.smoothing;
+        }
+        *clamps_known &= other.clamps_known & !(*clamped ^ other.clamped);
+    }
+
     /// Linear words count in a frame: the positions of the axes follow from all words together.
     pub(crate) fn has_frame(&self) -> bool {
         self.tip_control != TipControl::Off || self.tilt.is_some() || self.dynamic_offset

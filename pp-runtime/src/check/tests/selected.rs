@@ -177,11 +177,11 @@ fn gohome_retracts_with_no_parking_position_on_every_control() {
 }
 
 #[test]
-fn blocks_between_opskip_on_and_off_are_in_the_program_with_a_comment_that_they_are_never_skipped() {
+fn blocks_between_opskip_on_and_off_have_the_mark_of_block_skip() {
     let data = cuts("COOLNT/ON").replace("GOTO/20,0,0\n", "OPSKIP/ON\nGOTO/20,0,0\nOPSKIP/OFF\n");
-    let program = posted_right::<Mill>("fanuc", Mode::Axes, "", &data);
-    assert!(program.contains("(OPSKIP ON IGNORED, NEXT BLOCKS ARE NEVER SKIPPED)\n"), "{program}");
-    assert!(program.contains("X20.") && !program.contains("\n/"), "{program}");
+    let program = posted_right::<Mill>("fanuc", Mode::Axes, "[retract]\ndistance = 20\n", &data);
+    let at = program.find("X20.").expect("the cut");
+    assert!(program[..at].rfind("\n/") > program[..at].rfind("\nN"), "{program}");
 }
 
 /// A blade in miniature: short blocks in which the rotary axes rotate.

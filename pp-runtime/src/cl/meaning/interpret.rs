@@ -255,25 +255,10 @@ impl RecordInterpreter {
             ProgramRecord::Code { letter, number, at } => return self.code(*letter, *number, *at, here),
             ProgramRecord::OptionalStop => self.emit(here, Event::OptionalStop),
             ProgramRecord::Stop => self.emit(here, Event::Stop),
-            ProgramRecord::BlockSkip { on, at } => self.block_skip(*on, *at, here),
+            ProgramRecord::BlockSkip { on } => self.emit(here, Event::BlockSkip { on: *on }),
             ProgramRecord::EndOfPath | ProgramRecord::End | ProgramRecord::Fini | ProgramRecord::Rewind => {}
         }
         Ok(())
-    }
-
-    /// OPSKIP: blocks that are skipped would leave position and modal state of the program to the block skip switch.
-    fn block_skip(&mut self, on: bool, at: Span, here: Location) {
-        if !on {
-            return;
-        }
-        self.events.warn(ClFault::new(
-            "OPSKIP",
-            at,
-            "OPSKIP/ON is ignored: the blocks after it are always executed, whatever the block skip switch is set to",
-            "a skipped block would leave the blocks after it at another position; post optional operations as a \
-             program of their own (`--ops`)",
-        ));
-        self.emit(here, Event::Message(b"OPSKIP ON ignored, next blocks are never skipped"));
     }
 
     fn begin_operation(&mut self) {

@@ -39,8 +39,6 @@ pub enum ProgramRecord<'a> {
     BlockSkip {
         /// ON.
         on: bool,
-        /// Place of the argument, for messages.
-        at: Span,
     },
     /// `END`.
     End,
@@ -98,7 +96,7 @@ pub(crate) fn code<'a>(letter: u8, args: &mut Args<'_>) -> Result<ProgramRecord<
 pub(crate) fn block_skip<'a>(args: &mut Args<'_>) -> Result<ProgramRecord<'a>, ClFault> {
     let arg = args.needed()?;
     let on = arg.among(&[("ON", true), ("OFF", false)]).ok_or_else(|| args.not_understood(arg))?;
-    Ok(ProgramRecord::BlockSkip { on, at: arg.at })
+    Ok(ProgramRecord::BlockSkip { on })
 }
 
 /// REWIND.
@@ -132,7 +130,7 @@ impl Display for ProgramRecord<'_> {
             }
             Self::OptionalStop => out.write_str("OPSTOP"),
             Self::Stop => out.write_str("STOP"),
-            Self::BlockSkip { on, .. } => write_on_off("OPSKIP", *on, out),
+            Self::BlockSkip { on } => write_on_off("OPSKIP", *on, out),
             Self::End => out.write_str("END"),
             Self::Fini => out.write_str("FINI"),
             Self::Rewind => out.write_str("REWIND/0"),

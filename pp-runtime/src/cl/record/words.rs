@@ -137,7 +137,7 @@ static TABLE: &[Row] = &[
     row("MSYS", Read(|args| coordinates::machine_system(args).map(Coordinates)), "/x,y,z,i1,j1,k1,i2,j2,k2"),
     row("MULTAX", Read(|args| coordinates::multi_axis(args).map(Coordinates)), "[/ON|OFF]"),
     row("NURBS", Read(|_| Ok(Nurbs(NurbsRecord::Begin))), "/ and KNOT and CNTRL after it"),
-    row("OPSKIP", Read(|args| program::block_skip(args).map(Program)), "/ON|OFF; ON causes a warning: no block is skipped"),
+    row("OPSKIP", Read(|args| program::block_skip(args).map(Program)), "/ON|OFF; the blocks between begin with the mark of block skip"),
     row("OPSTOP", Read(|_| Ok(Program(ProgramRecord::OptionalStop))), ""),
     row("ORIGIN", Read(|args| coordinates::origin(args).map(Coordinates)), "/x,y,z; /NOMORE; /0"),
     row("OUTTOL", Inert, ""),

@@ -77,13 +77,12 @@ fn cutcom_on_waits_for_its_side() {
 }
 
 #[test]
-fn block_skip_is_ignored_with_a_warning_and_a_message() {
+fn opskip_begins_and_ends_blocks_that_may_be_skipped() {
     let outcome = read_from(&b"GOTO/0,0,0\nOPSKIP/ON\nGOTO/1,0,0\nOPSKIP/OFF\n"[..], MM);
-    assert_eq!(outcome.events.len(), 3, "{:?}", outcome.events);
-    assert!(outcome.events[1].contains("OPSKIP ON ignored"), "{:?}", outcome.events);
-    let [warning] = &outcome.diagnostics[..] else { panic!("{:?}", outcome.diagnostics) };
-    assert_eq!((warning.severity, warning.location.line), (Severity::Warning, 2));
-    assert!(warning.text.contains("always executed"), "{}", warning.text);
+    let skips: Vec<&String> = outcome.events.iter().filter(|event| event.contains("BlockSkip")).collect();
+    assert_eq!(skips.len(), 2, "{:?}", outcome.events);
+    assert!(skips[0].contains("on: true") && skips[1].contains("on: false"), "{skips:?}");
+    assert_eq!(outcome.diagnostics, []);
 }
 
 #[test]

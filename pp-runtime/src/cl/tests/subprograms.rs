@@ -23,6 +23,15 @@ fn a_subprogram_may_have_a_name() {
 }
 
 #[test]
+fn calls_of_subprograms_are_one_warning_that_they_are_written_in_full() {
+    let text = "DEFSUB/1\nGODLTA/1,0,0\nENDSUB\nGOTO/0,0,0\nCALSUB/1\nGOTO/0,5,0\nCALSUB/1\n";
+    let [warning] = &read_from(text.as_bytes(), MM).diagnostics[..] else { panic!("one warning") };
+    assert_eq!((warning.severity, warning.location.line), (Severity::Warning, 5));
+    assert!(warning.text.starts_with("calls of subprograms (CALSUB): 2; their records are written in full"));
+    assert_eq!(read_from(&b"DEFSUB/1\nGODLTA/1,0,0\nENDSUB\nGOTO/0,0,0\n"[..], MM).diagnostics, []);
+}
+
+#[test]
 fn a_subprogram_is_executed_where_it_is_called() {
     let text = "DEFSUB/1\nGODLTA/1,0,0\nPPRINT there\nENDSUB\nGOTO/0,0,0\nCALSUB/1\nGOTO/0,5,0\nCALSUB/1\n";
     let found = events(text);

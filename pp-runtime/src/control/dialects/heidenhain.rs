@@ -20,6 +20,9 @@
 //! B C: TNC 426/430 Technical Manual, p. 7-30). `FN 20: WAIT FOR SYNC` is before it, so that the look-ahead has not passed the
 //! call (TNC 640 user's manual, FN 20; from memory). The sine of half the difference is zero at whole turns as well.
 //!
+//! `/` before the number marks a block that the operator may have skipped, as Autodesk's public post for the TNC writes it
+//! (`writeOptionalBlock`).
+//!
 //! `TOOL CALL "NAME"` and `TOOL DEF "NAME"` take the name of the tool table, as Autodesk's public post writes them
 //! (`toolAsName`): at most 32 capitals, digits and some signs (TNC 640 ISO manual 1/2015, p. 170).
 //!
@@ -134,6 +137,7 @@ static SPELLINGS: Spellings = Spellings {
     comment: CommentStyle { marks: ["; ", ""], length: 200, byte: commented },
     operation: Some(["* - ", ""]),
     message: None,
+    skips_guards: true,
     opening: &["BEGIN PGM {name} {units}"],
     end: "M30",
     closing: &["END PGM {name} {units}"],

@@ -20,6 +20,9 @@
 //! `T="NAME"` calls a tool by its name in the tool management (Fundamentals 05/2017; a name has at most 32 characters, from
 //! memory).
 //!
+//! `/` before the block number marks a block that the operator may have skipped (SINUMERIK ONE programming manual NC
+//! programming 12/2019, p. 52). Blocks with IF and ENDIF cannot be skipped (from memory), so no guard comes among such blocks.
+//!
 //! `G41` offsets the path by the whole radius of the active edge. Where the path is that of the tool centre a guard reads
 //! `$P_TOOLR`, the active radius with wear (System Variables 6FC5397-6AP40-3BA1, 03/2013), in the unit of the program.
 //!
@@ -70,6 +73,7 @@ static SPELLINGS: Spellings = Spellings {
     operation: Some(["MSG(\"", "\")"]),
     // At most 124 characters (from memory).
     message: Some(MessageStyle { marks: ["MSG(\"", "\")"], length: 124 }),
+    skips_guards: false,
     units: ["G710", "G700"],
     // Function manual 840D sl, S1: M19 positions the spindle, M40 to M45 are gear stages, M70 makes it an axis.
     own_m: &[0, 1, 2, 3, 4, 5, 6, 17, 19, 30, 40, 41, 42, 43, 44, 45, 70],

@@ -29,6 +29,8 @@ pub struct Spellings {
     pub operation: Option<[&'static str; 2]>,
     /// Form of a text that the control displays while the program runs; `None` if it displays none without a stop.
     pub message: Option<MessageStyle>,
+    /// Guards may be in blocks with the mark of block skip.
+    pub skips_guards: bool,
     /// First lines of the program.
     pub opening: &'static [&'static str],
     /// Last block.

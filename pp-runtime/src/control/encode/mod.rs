@@ -213,6 +213,12 @@ impl<'a> Encoder<'a> {
             Step::Coolant { kind } => self.spindle_coolant.coolant(kind, out),
             Step::CoolantOff => self.spindle_coolant.coolant_off(out),
             Step::Stop { optional } => self.stop(optional),
+            Step::BlockSkip { on } => {
+                out.smooth(false)?;
+                out.modal().forget(After::Anything);
+                out.writer_mut().set_skippable(on);
+                Ok(())
+            }
             Step::Operation { name } => self.operation(name),
             Step::Message { text } => self.message(text),
             Step::WorkOffset { word } => {

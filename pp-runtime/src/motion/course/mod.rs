@@ -240,6 +240,7 @@ impl Navigator {
             | Event::Tolerance(_)
             | Event::Delay(_)
             | Event::OptionalStop
+            | Event::BlockSkip { .. }
             | Event::Stop
             | Event::Message(_)
             | Event::Insert(_)

@@ -46,6 +46,8 @@ pub struct Abilities {
     pub retracts_along_tool: bool,
     /// A program can stop where the control has tilted a plane with the rotary axes elsewhere.
     pub guards_planes: bool,
+    /// Comparisons of the control may be in blocks that are skipped.
+    pub skips_guards: bool,
     /// Blocks of the shop come at the start and at the end of each operation.
     pub operation_blocks: OperationBlocks,
 }

@@ -95,6 +95,7 @@ impl CutterCompensation {
             Event::Tool(_) => "a tool is called",
             Event::Operation(_) | Event::SafeSequence => "another operation begins",
             Event::Stop | Event::OptionalStop => "the program stops",
+            Event::BlockSkip { .. } => "OPSKIP follows",
             Event::SetUp(_) => "another frame follows",
             Event::Home => "GOHOME follows",
             Event::From(_) => "FROM follows",
@@ -333,7 +334,7 @@ pub(crate) fn guard<S: Sink>(planner: &mut Planner<'_, S>, tool: &LoadedTool) ->
     let needed = options.compensation == Some(CutterPath::Centre) && planner.tooling.may_be_compensated(tool.number);
     if needed && planner.abilities.cutter_radius == (CutterRadius::OfTool { guarded: true }) {
         let wear = options.largest_wear_mm;
-        planner.mover.output_mut().step(&Step::RadiusGuard { tool: tool.number, wear })?;
+        planner.mover.output_mut().guard(&Step::RadiusGuard { tool: tool.number, wear })?;
     }
     Ok(())
 }

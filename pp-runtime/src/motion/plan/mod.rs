@@ -120,7 +120,7 @@ impl<'a, S: Sink> Planner<'a, S> {
             policy,
             abilities,
             upside_down: upside_down && policy.options.guards.table_check,
-            mover: Mover::new(machine, policy, units, abilities, Output::new(sink)),
+            mover: Mover::new(machine, policy, units, abilities, Output::new(sink, abilities.skips_guards)),
             tooling: Tooling::default(),
             spindle: SpindleState::default(),
             coolant: CoolantState::default(),

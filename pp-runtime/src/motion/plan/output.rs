@@ -7,7 +7,7 @@ use std::io;
 use crate::diag::{Diagnostic, Severity};
 use crate::program::Location;
 
-use crate::motion::fault::Fault;
+use crate::motion::fault::{Fault, Planned};
 use crate::motion::place::AxisPosition;
 use crate::motion::plan::feed::Pace;
 use crate::motion::plan::machining_time::Times;
@@ -17,6 +17,16 @@ use crate::motion::step::{FeedWord, Sink, Step};
 
 /// Largest deviation of the tool axis that is rounding of arithmetic, rad.
 const NO_DEVIATION: f64 = 1e-12;
+
+/// Whether the steps at hand may be skipped at the control.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+enum Skippable {
+    /// They are always executed.
+    #[default]
+    No,
+    /// They may be skipped; `any`: there has been one.
+    Yes { any: bool },
+}
 
 /// Writes steps, and keeps times, statistics and remarks on them.
 #[derive(Debug)]
@@ -30,19 +40,25 @@ pub(crate) struct Output<S> {
     shown: bool,
     /// Inverse time is in force.
     inverse_time: bool,
+    skippable: Skippable,
+    /// Comparisons of the control may be in blocks that are skipped.
+    skips_guards: bool,
     statistics: Statistics,
     times: Times,
     warnings: Vec<Diagnostic>,
 }
 
 impl<S: Sink> Output<S> {
-    pub(crate) fn new(sink: S) -> Self {
+    /// `skips_guards`: comparisons of the control may be in blocks that are skipped.
+    pub(crate) fn new(sink: S, skips_guards: bool) -> Self {
         Self {
             sink,
             at: None,
             reason: BlockReason::Head,
             shown: true,
             inverse_time: false,
+            skippable: Skippable::No,
+            skips_guards,
             statistics: Statistics::default(),
             times: Times::default(),
             warnings: Vec::new(),
@@ -76,6 +92,42 @@ impl<S: Sink> Output<S> {
         self.emit(step, self.reason, None)
     }
 
+    /// Writes a comparison of the control with what was posted.
+    ///
+    /// # Errors
+    /// [`Fault`] where it may be skipped, and the control executes it all the same.
+    pub(crate) fn guard(&mut self, step: &Step<'_>) -> Planned {
+        if self.is_skippable() && !self.skips_guards {
+            let fault = Fault::new(
+                "a guard of tool length, radius or rotary positions comes between OPSKIP/ON and OPSKIP/OFF, and the control \
+                 executes its IF whatever the block skip switch is set to",
+            );
+            return Err(fault
+                .help("set `length_guard = false` and `plane_guard = false`, or post the optional operations as a program of their own (`--ops`)")
+                .into());
+        }
+        Ok(self.step(step)?)
+    }
+
+    /// Whether the following steps may be skipped at the control.
+    pub(crate) fn is_skippable(&self) -> bool {
+        self.skippable != Skippable::No
+    }
+
+    /// Whether there has been a block since they may.
+    pub(crate) fn has_skippable(&self) -> bool {
+        self.skippable == Skippable::Yes { any: true }
+    }
+
+    /// The following steps may be skipped, or no longer. Steps that are not written cannot begin that.
+    pub(crate) fn set_skippable(&mut self, on: bool) -> io::Result<()> {
+        if on && !self.shown {
+            return Ok(());
+        }
+        self.skippable = if on { Skippable::Yes { any: false } } else { Skippable::No };
+        self.emit(&Step::BlockSkip { on }, self.reason, None)
+    }
+
     /// Writes one step and the position after it. `inserted`: reason for a point that the record does not name.
     #[inline]
     pub(crate) fn move_step(
@@ -89,9 +141,22 @@ impl<S: Sink> Output<S> {
 
     #[inline]
     fn emit(&mut self, step: &Step<'_>, reason: BlockReason, reached: Option<ReachedPosition<'_>>) -> io::Result<()> {
+        if let Skippable::Yes { any } = &mut self.skippable {
+            let is_block = !matches!(
+                step,
+                Step::BlockSkip { .. }
+                    | Step::Operation { .. }
+                    | Step::Message { .. }
+                    | Step::WorkOffset { .. }
+                    | Step::Smoothing { .. }
+            );
+            *any |= is_block;
+        }
         // The next restart point needs the work offset, and its cuts their smoothing, even where the steps around it are not
         // written.
-        if self.shown || matches!(step, Step::WorkOffset { .. } | Step::Smoothing { .. }) {
+        if self.shown
+            || matches!(step, Step::WorkOffset { .. } | Step::Smoothing { .. } | Step::BlockSkip { on: false })
+        {
             self.sink.step(step, &Provenance { at: self.at, reason, reached })
         } else {
             Ok(())

@@ -54,7 +54,15 @@ impl<S: Sink> Records<'_, '_, S> {
         if self.between {
             self.planner.end_operation()?;
         }
-        if matches!(event, Event::Stop | Event::OptionalStop | Event::Insert(_) | Event::Code { .. } | Event::Home) {
+        if matches!(
+            event,
+            Event::Stop
+                | Event::OptionalStop
+                | Event::BlockSkip { .. }
+                | Event::Insert(_)
+                | Event::Code { .. }
+                | Event::Home
+        ) {
             kept_dwells(self.planner)?;
         }
         match *event {
@@ -77,6 +85,7 @@ impl<S: Sink> Records<'_, '_, S> {
             Event::Tool(call) => self.call_tool(&call),
             Event::Stop => self.stop(false),
             Event::OptionalStop => self.stop(true),
+            Event::BlockSkip { on } => self.planner.skip_blocks(on),
             Event::Delay(dwell) if self.between && self.planner.tooling.dwell_later(dwell) => Ok(()),
             Event::Delay(dwell) => delay(self.planner, dwell),
             Event::MachineName(name) => {

@@ -91,6 +91,7 @@ impl<S: Sink> Planner<'_, S> {
     fn begin_operation(&mut self, number: u64) -> Result<bool, crate::motion::plan::ItemError> {
         let opening = self.selection.begin(number);
         if opening.ends {
+            self.skip_blocks(false)?;
             self.leave()?;
             self.mover.output_mut().set_reason(BlockReason::End);
             self.stop_coolant()?;
@@ -120,7 +121,7 @@ impl<S: Sink> Planner<'_, S> {
             return Ok(());
         }
         let (wanted, other) = self.tooling.take_next();
-        let change = enters || other;
+        let change = enters || other || self.tooling.is_uncertain();
         if self.continues() && !change {
             return self.start_directly(ahead, planned);
         }
@@ -183,6 +184,33 @@ impl<S: Sink> Planner<'_, S> {
         Ok(())
     }
 
+    /// OPSKIP: the blocks from here on may be skipped, or no longer. The machine retracts before both, with the spindle off, and
+    /// its state is unknown after both, so that the blocks after them are complete whether blocks were skipped or not.
+    pub(crate) fn skip_blocks(&mut self, on: bool) -> Planned {
+        if on == self.mover.output().is_skippable() {
+            return Ok(());
+        }
+        if on || self.mover.output().has_skippable() {
+            self.leave()?;
+            self.mover.output_mut().set_reason(BlockReason::Record);
+            self.stop_coolant()?;
+            self.mover.output_mut().cancel_inverse_time()?;
+            self.mover.machine_retract()?;
+            self.spindle.stop(self.mover.output_mut())?;
+        } else {
+            let fault =
+                Fault::new("no motion, stop or NC text comes between OPSKIP/ON and OPSKIP/OFF: nothing is skipped");
+            let help = "what other records between them set holds for the blocks after OPSKIP/OFF, whether blocks are skipped \
+                        or not";
+            self.mover.output_mut().remark(fault.help(help));
+        }
+        self.mover.output_mut().set_skippable(on)?;
+        self.tooling.skip(on);
+        self.coolant.forget();
+        self.mover.position_mut().interrupt();
+        Ok(())
+    }
+
     /// Step 3 without the spindle, with the blocks of the shop.
     fn load_tool(&mut self, tool: LoadedTool, change: bool) -> Planned {
         self.tooling.load(tool, change);
@@ -214,7 +242,7 @@ impl<S: Sink> Planner<'_, S> {
         let label = self.mover.restarts();
         if let Some(length) = tool.length_mm.filter(|_| guarded) {
             let (tolerance, offset, tool) = (self.policy.options.guards.length_tolerance_mm, tool.offset, tool.number);
-            self.mover.output_mut().step(&Step::LengthGuard { label, tool, offset, length, tolerance })?;
+            self.mover.output_mut().guard(&Step::LengthGuard { label, tool, offset, length, tolerance })?;
         }
         cutter::guard(self, &tool)
     }
@@ -323,6 +351,10 @@ impl<S: Sink> Planner<'_, S> {
 
     /// The end of the program up to the end code: coolant off, retract, spindle off, park.
     pub(crate) fn end(&mut self, at: Location) -> Planned {
+        if !self.selection.is_over() {
+            self.mover.output_mut().serve(at, BlockReason::Record);
+            self.skip_blocks(false)?;
+        }
         if self.selection.is_over() {
             self.mover.output_mut().show(true);
             self.mover.output_mut().serve(at, BlockReason::End);

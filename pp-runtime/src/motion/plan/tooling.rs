@@ -22,6 +22,10 @@ pub(crate) struct Tooling {
     compensated: Option<BTreeSet<u32>>,
     /// Tool changes so far.
     changes: usize,
+    /// The tool before the blocks that may be skipped.
+    before_skip: Option<LoadedTool>,
+    /// Another tool may be in the spindle, as blocks were skipped or not.
+    uncertain: bool,
 }
 
 impl Tooling {
@@ -90,8 +94,25 @@ impl Tooling {
 
     /// Sets the tool in the spindle.
     pub(crate) fn load(&mut self, tool: LoadedTool, change: bool) {
+        let again = self.uncertain && self.current.is_some_and(|current| current.number == tool.number);
         self.current = Some(tool);
-        self.changes += usize::from(change);
+        self.changes += usize::from(change && !again);
+        self.uncertain = false;
+    }
+
+    /// Blocks that may be skipped begin or end here.
+    pub(crate) fn skip(&mut self, begins: bool) {
+        if begins {
+            self.before_skip = self.current;
+        } else {
+            let number = |tool: Option<LoadedTool>| tool.map(|tool| tool.number);
+            self.uncertain |= number(self.before_skip) != number(self.current);
+        }
+    }
+
+    /// Whether another tool may be in the spindle than the last one called.
+    pub(crate) fn is_uncertain(&self) -> bool {
+        self.uncertain
     }
 
     /// The tool after this one, where it is the tool of the last change; after the last one the first, for the next part.

@@ -186,6 +186,7 @@ impl Lookahead {
             | Event::Hole(_)
             | Event::Home
             | Event::OptionalStop
+            | Event::BlockSkip { .. }
             | Event::Stop
             | Event::Insert(_)
             | Event::Code { .. } => return None,

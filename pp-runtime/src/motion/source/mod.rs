@@ -226,6 +226,7 @@ impl Expansion<'_> {
             }
             Event::Stop
             | Event::OptionalStop
+            | Event::BlockSkip { .. }
             | Event::SafeSequence
             | Event::SetUp(_)
             | Event::Home

@@ -98,6 +98,7 @@ impl Setting {
             | Event::RotaryDirection(_)
             | Event::Delay(_)
             | Event::OptionalStop
+            | Event::BlockSkip { .. }
             | Event::Stop
             | Event::Message(_)
             | Event::Insert(_)

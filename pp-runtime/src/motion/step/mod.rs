@@ -217,6 +217,11 @@ pub enum Step<'a> {
         /// Stops only where the operator has enabled optional stops.
         optional: bool,
     },
+    /// The following blocks may be skipped at the control, or no longer; after it the state of the machine is unknown.
+    BlockSkip {
+        /// They may, from here.
+        on: bool,
+    },
     /// Beginning of an operation.
     Operation {
         /// Name in the CL data.
@@ -277,6 +282,7 @@ impl Step<'_> {
             Self::Dwell { .. } => "dwell",
             Self::Coolant { .. } | Self::CoolantOff => "coolant",
             Self::Stop { .. } => "stop",
+            Self::BlockSkip { .. } => "block-skip",
             Self::Operation { .. } => "operation",
             Self::Message { .. } => "message",
             Self::WorkOffset { .. } => "work-offset",

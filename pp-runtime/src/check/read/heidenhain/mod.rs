@@ -69,6 +69,11 @@ impl Heidenhain {
         true
     }
 
+    /// The line before belongs to a guard that has not ended.
+    pub(super) fn is_in_guard(&self) -> bool {
+        self.guard.is_open() || self.plane_guard.is_open()
+    }
+
     /// Forgets what stays in force.
     pub(super) fn forget(&mut self) {
         (self.pole, self.sequence) = ([None; 3], Sequence::default());

@@ -148,6 +148,11 @@ impl Iso {
         }
     }
 
+    /// The line before belongs to a guard that has not ended.
+    pub(super) fn is_in_guard(&self) -> bool {
+        self.guards.is_open()
+    }
+
     /// Forgets what stays in force.
     pub(super) fn forget(&mut self) {
         (self.cycle, self.vectors, self.modal) = (CycleWords::default(), false, 0);
@@ -205,7 +210,6 @@ impl Reading<'_, '_> {
                     self.semicolon();
                     break;
                 }
-                Some(b'/') if start == 0 => self.line.at.skip(1),
                 _ => match self.line.at.letter_and_number() {
                     Some((letter, number)) => self.word(letter.to_ascii_uppercase(), number, start),
                     None => {

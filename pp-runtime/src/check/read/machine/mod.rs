@@ -9,7 +9,7 @@ mod modes;
 mod motion;
 
 use super::super::policy::RolloverRule;
-use super::block::{Action, Block, MAX_AXES, State, stated};
+use super::block::{Action, Block, MAX_AXES, State, TipControl, stated};
 use super::draft::{Code, Cycle, Draft, LengthCode, TiltCode, effect, fault};
 use super::facts::Facts;
 use crate::program::Units;
@@ -24,7 +24,7 @@ pub(crate) struct AxisName {
 }
 
 /// State and position of a control.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct Interpreter {
     axes: Vec<AxisName>,
     /// Rotary axes: bits by position.
@@ -121,6 +121,34 @@ impl Interpreter {
     /// What is in force.
     pub(super) fn state(&self) -> &State {
         &self.state
+    }
+
+    /// After blocks that were executed or not, `before` being the state before them: what is the same in both cases.
+    pub(super) fn join(&mut self, before: &Self) {
+        let same = (0..MAX_AXES).filter(|&index| self.values[index].to_bits() == before.values[index].to_bits());
+        self.known &= before.known & same.fold(0, |bits, index| bits | 1 << index);
+        self.stated &= before.stated;
+        if self.modal != before.modal {
+            self.modal = None;
+        }
+        self.cycle = self.cycle.or(before.cycle);
+        let (now, then) = (&mut self.state, &before.state);
+        self.frames.unknown |= before.frames.unknown;
+        self.frames.used |= before.frames.used;
+        self.frames.stated &= before.frames.stated;
+        if now.tip_control != then.tip_control {
+            self.frames.unknown |= Frames::TIP_CONTROL;
+            now.tip_control = TipControl::Off;
+        }
+        if now.tilt != then.tilt {
+            self.frames.unknown |= Frames::PLANE;
+            now.tilt = None;
+        }
+        if now.dynamic_offset != then.dynamic_offset {
+            self.frames.unknown |= Frames::DYNAMIC_OFFSET;
+            now.dynamic_offset = false;
+        }
+        now.join(then);
     }
 
     /// Axis by its position in the chain.

@@ -30,6 +30,11 @@ impl Open {
 }
 
 impl Guards {
+    /// A guard has begun.
+    pub(super) fn is_open(&self) -> bool {
+        self.open.is_some()
+    }
+
     /// A line of a guard: whether it is a block. `None` if it is none of a guard.
     #[inline]
     pub(super) fn line(&mut self, line: &mut Line<'_>) -> Option<bool> {

@@ -53,9 +53,6 @@ impl Siemens {
         let mut modal_call = false;
         while !line.at.ended() && line.at.peek() != Some(b';') {
             let start = line.at.column();
-            if start == 0 && line.at.take(b'/') {
-                continue;
-            }
             if !item(line, &mut modal_call) {
                 let mut from = line.at;
                 from.go_to(start);
@@ -79,6 +76,11 @@ impl Siemens {
         path(line);
         self.cycle(line, modal_call);
         true
+    }
+
+    /// The line before belongs to a guard that has not ended.
+    pub(super) fn is_in_guard(&self) -> bool {
+        self.guard.is_open()
     }
 
     /// Forgets what stays in force.

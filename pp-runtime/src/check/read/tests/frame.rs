@@ -35,7 +35,9 @@ fn a_block_number_is_the_first_word_of_its_block() {
         refused(family, &["N5 N6 G0 X5."], "two N words");
         refused(family, &["N3.06 G0 X5.", "N-4 G0 X5."], "no whole number");
         accepted(family, &["N5 G0 X5.", "N5", "N0", "  N5 X5."]);
-        refused(family, &["/N5 G0 X5."], "block delete");
+        assert!(last(family, "/N5 G0 X5.").skippable && !last(family, "N5 G0 X5.").skippable);
+        refused(family, &["/2 G0 X5."], "block skip with a number");
+        refused(family, &["//G0 X5.", "G0 / X5."], "is not a word");
     }
     for family in [Family::Fanuc, Family::Haas] {
         refused(family, &["N5. G0 X5."], "no whole number");
@@ -51,9 +53,9 @@ fn a_block_number_is_the_first_word_of_its_block() {
 }
 
 #[test]
-fn block_delete_without_a_block_is_a_fault() {
+fn block_skip_without_a_block_is_a_fault() {
     for family in [Family::LinuxCnc, Family::Fanuc, Family::Haas, Family::Siemens] {
-        refused(family, &["/", "  /", "/ "], "block delete");
+        refused(family, &["/", "  /", "/ "], "block skip without a block");
     }
     assert!(!of(Family::Heidenhain, "/").is_empty());
 }

@@ -147,7 +147,7 @@ impl<S: Sink> Mover<'_, S> {
         if self.abilities.guards_planes && mask != 0 {
             self.plane_guards += 1;
             let words = self.placer.words(at, mask);
-            self.output.step(&Step::PlaneGuard { label: self.plane_guards, words })?;
+            self.output.guard(&Step::PlaneGuard { label: self.plane_guards, words })?;
         }
         Ok(())
     }

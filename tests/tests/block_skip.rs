@@ -1,0 +1,197 @@
+//! OPSKIP: blocks that the operator may have skipped. The program is right for the CL data with them where they are executed,
+//! and for the CL data without them where they are skipped; the check insists on each mark.
+
+use machines::SpinnerU5620;
+use pp_runtime::config::{Config, starting_point};
+use pp_runtime::control::{self, Control};
+use tests::posting::{findings, posted, written};
+
+const FIRST: &str = "UNITS/MM
+TOOL PATH/OP1,TOOL,T
+LOADTL/1,LENGTH,100
+SPINDL/RPM,2000,CLW
+COOLNT/ON
+RAPID
+GOTO/0,0,30,0,0,1
+FEDRAT/MMPM,300
+GOTO/0,0,20
+GOTO/10,0,20
+RAPID
+GOTO/10,0,60
+";
+
+/// With another tool, a tilted tool axis, and a stop.
+const SKIPPED: &str = "TOOL PATH/OP2,TOOL,U
+LOADTL/2,LENGTH,110
+SPINDL/RPM,1000,CLW
+COOLNT/ON
+RAPID
+GOTO/0,0,30,0.5,0,0.8660254
+FEDRAT/MMPM,200
+GOTO/0,0,20
+RAPID
+GOTO/20,0,54.641016
+OPSTOP
+";
+
+const LAST: &str = "TOOL PATH/OP3,TOOL,T
+LOADTL/1
+SPINDL/RPM,2000,CLW
+COOLNT/ON
+RAPID
+GOTO/5,5,30,0,0,1
+FEDRAT/MMPM,300
+GOTO/5,5,20
+RAPID
+GOTO/5,5,60
+FINI
+";
+
+fn with_skip() -> String {
+    [FIRST, "OPSKIP/ON\n", SKIPPED, "OPSKIP/OFF\n", LAST].concat()
+}
+
+fn config(control: &dyn Control, keys: &str) -> Config {
+    let text = format!("part_origin = [0.0, 0.0, 0.0]\n{keys}");
+    starting_point(control).read_over(&SpinnerU5620::default(), &text).unwrap_or_else(|faults| panic!("{faults:?}"))
+}
+
+/// Whether a line goes on with the one before it.
+fn continues(line: &str, control: &dyn Control) -> bool {
+    control.spellings().numbers_every_line && line.starts_with(' ')
+}
+
+/// A program without the lines of a selection, and lines numbered anew where the control numbers every line.
+fn only(program: &str, control: &dyn Control, wanted: impl Fn(&str) -> bool) -> String {
+    let mut text = String::new();
+    let mut number = 0;
+    let mut keeps = false;
+    for line in program.lines() {
+        // A line that goes on belongs to the one before it.
+        let continues = continues(line, control);
+        keeps = if continues { keeps } else { wanted(line) };
+        if !keeps {
+            continue;
+        }
+        let line = line.strip_prefix('/').unwrap_or(line);
+        if control.spellings().numbers_every_line && !continues {
+            text += &format!("{number}{}\n", line.trim_start_matches(|c: char| c.is_ascii_digit()));
+            number += 1;
+        } else {
+            text += &format!("{line}\n");
+        }
+    }
+    text
+}
+
+#[test]
+fn the_program_is_right_with_the_marked_blocks_and_without_them() {
+    for control in control::CONTROLS {
+        for mode in ["axes", "auto"] {
+            let config = config(
+                *control,
+                &format!("mode = '{mode}'\nlength_guard = false\nplane_guard = false\n[control]\npreselect = false\n"),
+            );
+            let program = posted::<SpinnerU5620>(&config, *control, &with_skip());
+            let lines = program.lines().filter(|line| !continues(line, *control));
+            let marked: Vec<usize> =
+                (0..).zip(lines).filter(|(_, line)| line.starts_with('/')).map(|(at, _)| at).collect();
+            let [first, .., last] = marked[..] else { panic!("no marks: {program}") };
+            assert_eq!(marked.len(), last - first + 1, "one stretch: {program}");
+            let executed = only(&program, *control, |_| true);
+            let found = findings::<SpinnerU5620>(&config, *control, &[FIRST, SKIPPED, LAST].concat(), &executed);
+            assert!(found.is_empty(), "{executed}\n{found:?}");
+            let skipped = only(&program, *control, |line| !line.starts_with('/'));
+            let found = findings::<SpinnerU5620>(&config, *control, &[FIRST, LAST].concat(), &skipped);
+            assert!(found.is_empty(), "{skipped}\n{found:?}");
+        }
+    }
+}
+
+#[test]
+fn a_mark_that_is_lost_or_at_another_block_is_found() {
+    for control in control::CONTROLS {
+        let config = config(*control, "mode = 'auto'\nlength_guard = false\nplane_guard = false\n");
+        let program = posted::<SpinnerU5620>(&config, *control, &with_skip());
+        let lines: Vec<&str> = program.lines().collect();
+        let comment = |line: &str| {
+            let text = line.trim_start_matches(|c: char| c.is_ascii_digit() || c == '/').trim_start();
+            text.is_empty() || text.starts_with(['(', ';', '%', '*', 'O']) || line.starts_with(' ')
+        };
+        let last = lines.iter().rposition(|line| line.starts_with('/')).expect("a mark");
+        let mut edits = 0;
+        for at in 0..lines.len() {
+            // The last of them switches off a spindle that is off already.
+            if at == last || comment(lines[at]) || lines[at].contains("BLK FORM") || lines[at].contains(" PGM ") {
+                continue;
+            }
+            let changed = match lines[at].strip_prefix('/') {
+                Some(always) => always.to_owned(),
+                None => format!("/{}", lines[at]),
+            };
+            let edited = [&lines[..at], &[changed.as_str()], &lines[at + 1..]].concat().join("\n");
+            let found = findings::<SpinnerU5620>(&config, *control, &with_skip(), &edited);
+            assert!(!found.is_empty(), "{}: line {}: {changed}", control.spellings().name, at + 1);
+            edits += 1;
+        }
+        assert!(edits > 30);
+        // The tool in the spindle depends on the switch, so it is called again, although the last record calls T1 as before.
+        let call = |line: &&str| line.contains("T1") || line.contains("T=1") || line.contains("TOOL CALL 1");
+        assert!(lines[last..].iter().any(|line| call(&line)), "{program}");
+    }
+}
+
+#[test]
+fn the_tool_before_and_after_skipped_blocks_is_called_again_where_it_may_be_another() {
+    for control in control::CONTROLS {
+        let config = config(*control, "mode = 'axes'\nlength_guard = false\nplane_guard = false\n");
+        // Without a record of a tool after the stretch: T2 goes on, and may not have been called.
+        let data = with_skip().replace("LOADTL/1\nSPINDL/RPM,2000,CLW\nCOOLNT/ON\nRAPID\nGOTO/5", "RAPID\nGOTO/5");
+        let program = posted::<SpinnerU5620>(&config, *control, &data);
+        let last = program.lines().collect::<Vec<_>>();
+        let at = last.iter().rposition(|line| line.starts_with('/')).expect("a mark");
+        let change = (at..last.len())
+            .find(|&at| ["T2 M6", "T2 M06", "T2", "T=2"].contains(&last[at]) || last[at].contains("TOOL CALL 2"));
+        let change = change.unwrap_or_else(|| panic!("{program}"));
+        let removed = [&last[..change], &last[change + 1..]].concat().join("\n");
+        assert!(!findings::<SpinnerU5620>(&config, *control, &data, &removed).is_empty(), "{removed}");
+    }
+}
+
+#[test]
+fn opskip_before_the_first_motion_and_up_to_the_end_is_posted() {
+    for control in control::CONTROLS {
+        let config = config(*control, "mode = 'axes'\nlength_guard = false\nplane_guard = false\n");
+        for data in [
+            FIRST.replace("TOOL PATH/OP1", "OPSKIP/ON\nTOOL PATH/OP1") + "OPSKIP/OFF\n" + LAST,
+            FIRST.to_owned() + "OPSKIP/ON\n" + LAST,
+            FIRST.to_owned() + "OPSKIP/ON\nOPSKIP/ON\nPPRINT A\nOPSKIP/OFF\nOPSKIP/OFF\n" + LAST,
+        ] {
+            posted::<SpinnerU5620>(&config, *control, &data);
+        }
+    }
+}
+
+#[test]
+fn opskip_around_no_block_is_a_remark() {
+    for control in control::CONTROLS {
+        let config = config(*control, "mode = 'axes'\n");
+        let data = FIRST.to_owned() + "OPSKIP/ON\nCOOLNT/OFF\nOPSKIP/OFF\n" + LAST;
+        let (program, report) = written::<SpinnerU5620>(&config, *control, &data).expect("it can run");
+        assert!(!report.failed, "{program}\n{:?}", report.diagnostics);
+        let remarks = report.diagnostics.iter().filter(|remark| remark.text.contains("nothing is skipped")).count();
+        assert_eq!(remarks, 1, "{:?}", report.diagnostics);
+    }
+}
+
+#[test]
+fn a_guard_that_cannot_be_skipped_is_refused() {
+    for control in control::CONTROLS {
+        let config = config(*control, "mode = 'axes'\nlength_guard = true\n");
+        let (program, report) = written::<SpinnerU5620>(&config, *control, &with_skip()).expect("it can run");
+        let refused =
+            report.diagnostics.iter().any(|fault| fault.text.contains("whatever the block skip switch is set to"));
+        assert_eq!(refused, control.spellings().name == "siemens", "{program}\n{:?}", report.diagnostics);
+        assert_eq!(report.failed, refused, "{program}\n{:?}", report.diagnostics);
+    }
+}
