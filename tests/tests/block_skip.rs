@@ -116,13 +116,23 @@ fn a_mark_that_is_lost_or_at_another_block_is_found() {
         let lines: Vec<&str> = program.lines().collect();
         let comment = |line: &str| {
             let text = line.trim_start_matches(|c: char| c.is_ascii_digit() || c == '/').trim_start();
-            text.is_empty() || text.starts_with(['(', ';', '%', '*', 'O']) || line.starts_with(' ')
+            // The name of an operation is no text that the configuration wants to be displayed.
+            text.is_empty()
+                || text.starts_with(['(', ';', '%', '*', 'O'])
+                || text.starts_with("MSG(")
+                || line.starts_with(' ')
         };
-        let last = lines.iter().rposition(|line| line.starts_with('/')).expect("a mark");
+        let marked = |at: &usize| lines[*at].starts_with('/') && !comment(lines[*at]);
+        let last = (0..lines.len()).rfind(marked).expect("a mark");
         let mut edits = 0;
         for at in 0..lines.len() {
-            // The last of them switches off a spindle that is off already.
-            if at == last || comment(lines[at]) || lines[at].contains("BLK FORM") || lines[at].contains(" PGM ") {
+            // The last of them switches off a spindle that is off already, and M129 a tip control that is.
+            if at == last
+                || lines[at].ends_with(" M129")
+                || comment(lines[at])
+                || lines[at].contains("BLK FORM")
+                || lines[at].contains(" PGM ")
+            {
                 continue;
             }
             let changed = match lines[at].strip_prefix('/') {

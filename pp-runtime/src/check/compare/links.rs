@@ -267,7 +267,7 @@ impl<R: Read> Comparison<'_, R> {
         let tilts = phase.is_at_part() || (phase.is_unknown() && !links.retracts_for_stop);
         let context = ModalContext {
             dry,
-            no_plane: phase.is_unknown(),
+            no_plane: phase.is_unknown() || phase.is_stopped(),
             arc_plane: self.previous.arc_plane.filter(|_| matches!(phase, Phase::Cutting(_) | Phase::Unknown { .. })),
         };
         let spindle = self.spindle_may_be(current.block, retracted.stopped);
@@ -922,7 +922,10 @@ impl<R: Read> Comparison<'_, R> {
         self.start = StartState::default();
         self.functions.restart();
         self.forget(phase);
-        *phase = Phase::Unknown { stopped: true };
+        *phase = match phase.is_retracted() {
+            true => Phase::Retracted(Box::new(Retracted { stopped: true, ..Retracted::default() })),
+            false => Phase::Unknown { stopped: true },
+        };
         Ok(())
     }
 

@@ -2,12 +2,21 @@
 
 use super::*;
 
+/// Events of a file whose only remark is that its subprograms are written in full.
+#[track_caller]
+fn called(text: &str) -> Vec<String> {
+    let outcome = read_from(text.as_bytes(), MM);
+    let [remark] = &outcome.diagnostics[..] else { panic!("{:?}", outcome.diagnostics) };
+    assert!(remark.text.contains("written in full"), "{remark:?}");
+    outcome.events
+}
+
 #[test]
 fn many_subprograms_take_no_more_time_than_their_text_and_their_number_is_bounded() {
     let define = |count: u32| (0..count).map(|n| format!("DEFSUB/{n}\nENDSUB\n")).collect::<String>();
     // A search through all known subprograms for each new one took a minute here.
     let text = format!("{}GOTO/0,0,0\nCALSUB/99999\n", define(100_000));
-    assert_eq!(events(&text).len(), 1);
+    assert_eq!(called(&text).len(), 1);
     let found = errors(&format!("{}GOTO/0,0,0\n", define(100_002)));
     assert_eq!(found[0], "200001:1+13 the file defines too many subprograms");
     assert_eq!(found.len(), 2);
@@ -16,7 +25,7 @@ fn many_subprograms_take_no_more_time_than_their_text_and_their_number_is_bounde
 #[test]
 fn a_subprogram_may_have_a_name() {
     let text = "DEFSUB / Pocket_1\nGODLTA/1,0,0\nENDSUB\nGOTO/0,0,0\nCALSUB / POCKET_1\n";
-    assert_eq!(events(text)[1], "2:1 feed 1 0 0 axis 0 0 1 None");
+    assert_eq!(called(text)[1], "2:1 feed 1 0 0 axis 0 0 1 None");
     refused(&text.replace("POCKET_1", "POCKET_2"), "5:10+8 no DEFSUB with this name comes before the call");
     let long = "A".repeat(33);
     refused(&format!("GOTO/0,0,0\nCALSUB/{long}\n"), "2:8+33 the name of a subprogram has at most 32 characters");
@@ -34,7 +43,7 @@ fn calls_of_subprograms_are_one_warning_that_they_are_written_in_full() {
 #[test]
 fn a_subprogram_is_executed_where_it_is_called() {
     let text = "DEFSUB/1\nGODLTA/1,0,0\nPPRINT there\nENDSUB\nGOTO/0,0,0\nCALSUB/1\nGOTO/0,5,0\nCALSUB/1\n";
-    let found = events(text);
+    let found = called(text);
     assert_eq!(
         found,
         [

@@ -208,6 +208,8 @@ impl<S: Sink> Planner<'_, S> {
         self.tooling.skip(on);
         self.coolant.forget();
         self.mover.position_mut().interrupt();
+        // Skipped or not, the machine is there.
+        self.mover.position_mut().retract();
         Ok(())
     }
 
