@@ -370,7 +370,7 @@ fn a_measured_angle_has_the_solutions_of_the_angle_that_it_is_near() {
     let measured = measured.expect("valid");
     let axis = UnitVector3::new_normalize(Vector3::new(0.3, -0.2, 0.8));
     let pose = Pose { tip: [10.0, 20.0, 30.0].into(), axis };
-    let [ours, theirs] = [measured.inverse_kinematics(&pose), drawn.inverse_kinematics(&pose)];
+    let [ours, theirs] = [measured.inverse_kinematics(&pose, &[0.0; 5]), drawn.inverse_kinematics(&pose, &[0.0; 5])];
     assert_eq!(ours.len(), 2);
     for (ours, theirs) in ours.iter().zip(theirs.iter()) {
         assert!(ours.axes.iter().zip(&theirs.axes).all(|(ours, theirs)| close(*ours, *theirs)), "{ours:?} {theirs:?}");
