@@ -147,7 +147,7 @@ fn a_mark_that_is_lost_or_at_another_block_is_found() {
         assert!(edits > 30);
         // The tool in the spindle depends on the switch, so it is called again, although the last record calls T1 as before.
         let call = |line: &&str| line.contains("T1") || line.contains("T=1") || line.contains("TOOL CALL 1");
-        assert!(lines[last..].iter().any(|line| call(&line)), "{program}");
+        assert!(lines[last..].iter().any(call), "{program}");
     }
 }
 
