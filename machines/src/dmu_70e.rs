@@ -11,8 +11,12 @@ machine! {
     dims = { d: 150.0 };
     limits = { B: 0..180, C: free };
 
-    // (6) and (7) are printed for any alpha, but are correct at 45° only: for the B axis of the paper, (0, cos(alpha),
-    // sin(alpha)), sine and cosine of alpha must be exchanged.
+    // (6) and (7) are printed for any alpha, but for the B axis of the paper, (0, cos(alpha), sin(alpha)), they are correct at
+    // 45° only. For any alpha, with the axis `Rx(alpha) * Y`, these follow:
+    //     B = acos((k - sin(alpha)^2) / cos(alpha)^2)
+    //     C = atan2(j * cos(alpha) * sin(B) - i * sin(alpha) * cos(alpha) * (1 - cos(B)),
+    //               i * cos(alpha) * sin(B) + j * sin(alpha) * cos(alpha) * (1 - cos(B)))
+    // Signs of (7), (9) and (13), and (11) as a whole, are restored: copies of the paper have lost them.
     verify "My et al., Deckel Maho DMU 70e, tool axis and eqs. (6)-(9), (11)-(13)" {
         where alpha = -45 deg;
         i = sin(B) * cos(C) / sqrt(2) + sin(C) * (1 - cos(B)) / 2;

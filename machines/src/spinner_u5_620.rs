@@ -10,6 +10,7 @@ machine! {
     dims = { d: 150.0 };
     limits = { B: -5..110, C: free };
 
+    // The first sign of (4) is restored: copies of the paper have lost it.
     verify "My et al., Spinner U5-620, tool axis and eqs. (1)-(5)" {
         i = sin(B) * cos(C);
         j = sin(B) * sin(C);

@@ -5,6 +5,12 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use machine_library::{HaasTrunnion, ObliqueYLathe};
+use machines::{LolaXoyzba, SpinnerU5620};
+use pp_runtime::config::Config;
+use pp_runtime::control::LinuxCnc;
+use pp_runtime::kinematics::{AxisKind, Machine, Pose};
+use pp_runtime::nalgebra::{Point3, Vector3};
 use serde_json::Value;
 use tests::binaries::{binary, workspace};
 
@@ -217,4 +223,44 @@ fn every_key_that_the_table_of_functions_names_is_a_key_of_the_configuration() {
         let pointer: String = key.split('.').map(|part| format!("/properties/{part}")).collect();
         assert!(schema.pointer(&pointer).is_some(), "{key}");
     }
+}
+
+/// `table_zero` gives the `machine_zero` that leads to the same place: the axes have to move from the reference point of the table to
+/// the part zero.
+fn machine_zero_follows<M: Machine>(dimensions: &str) {
+    let (letters, origin) = (['X', 'Y', 'Z'], Vector3::new(12.3, -4.5, 45.6));
+    let text = format!(
+        "units = \"mm\"\npart_origin = [{}, {}, {}]\ntable_zero = {{ X = -381.0, Y = -254.0, Z = -550.0 }}\n{dimensions}",
+        origin.x, origin.y, origin.z
+    );
+    let config = Config::read::<M>(&text, &LinuxCnc).expect("a configuration");
+    let mut machine: M = Config::read::<M>(&format!("units = \"mm\"\n{dimensions}"), &LinuxCnc)
+        .expect("a configuration")
+        .set_up
+        .machine()
+        .expect("a machine");
+    machine.set_up(Vector3::zeros(), 0.0);
+    let pose = Pose { tip: Point3::from(origin), axis: machine.tool_axis() };
+    let held = M::HELD;
+    let solutions = machine.inverse_kinematics(&pose, &held);
+    let at_zero = |values: &&M::Axes| {
+        M::AXES.iter().zip(values.as_ref()).all(|(axis, value)| axis.kind == AxisKind::Linear || value.abs() < 1e-9)
+    };
+    let values = solutions.iter().map(|solution| &solution.axes).find(at_zero).expect("the rotary axes at zero");
+    for (letter, table) in letters.into_iter().zip([-381.0, -254.0, -550.0]) {
+        let index = M::AXES.iter().position(|axis| axis.letter == letter).expect("an axis");
+        let expected = table + values.as_ref()[index];
+        let found = config.set_up.machine_zero[&letter];
+        assert!((found - expected).abs() < 1e-9, "{} {letter}: {found} {expected}", M::NAME);
+    }
+    let both = Config::read::<M>(&format!("machine_zero = {{ X = 1.0 }}\n{text}"), &LinuxCnc).expect_err("both");
+    assert!(both[0].text.contains("`machine_zero` beside `table_zero`"), "{both:?}");
+}
+
+#[test]
+fn machine_coordinates_of_the_part_zero_follow_from_those_of_the_table() {
+    machine_zero_follows::<SpinnerU5620>("");
+    machine_zero_follows::<LolaXoyzba>("");
+    machine_zero_follows::<HaasTrunnion>("[dimensions]\ntilt_y = 0.5\ntilt_z = 60.0\n");
+    machine_zero_follows::<ObliqueYLathe>("[dimensions]\nslant = 30.0\n");
 }

@@ -7,6 +7,7 @@ use crate::control::{CONTROLS, Control};
 use crate::diag::Diagnostic;
 use crate::keys::{KeyReader, KeyScope, KeyTable, Keys};
 use crate::kinematics::{AnyMachine, Machine};
+use crate::motion::along_axes;
 
 use super::{Config, Rapid, Units, starting_point};
 
@@ -50,6 +51,7 @@ impl Config {
         }
         self.read(file, r);
         file.close(r);
+        self.set_machine_zero(machine, r, file);
         self.given.extend(r.given());
         self.file_units_assumed = r.has_lengths() && units.is_none();
         let points = self.set_up.tools.iter().filter_map(|(&tool, given)| Some((tool, given.cl_point?)));
@@ -61,6 +63,25 @@ impl Config {
         });
         self.cl.set_ups.extend(begins);
         self.check(machine, r, file);
+    }
+
+    /// The machine coordinates of the part zero from those of the reference point of the table.
+    fn set_machine_zero(&mut self, machine: &dyn AnyMachine, r: &mut KeyReader<'_>, file: &mut KeyTable<'_>) {
+        if self.set_up.table_zero.is_empty() || r.has_faults() {
+            return;
+        }
+        if !self.set_up.machine_zero.is_empty() {
+            let span = file.get("machine_zero", r).map_or(0..0, |value| value.span());
+            let help = "`machine_zero` follows from `table_zero` and `part_origin`: give one of the two".to_owned();
+            r.fault(span, "`machine_zero` beside `table_zero`", Some(help));
+            return;
+        }
+        // Without its required dimensions nothing is posted.
+        let machine = self.set_up.machine_for(machine).unwrap_or_else(|_| machine.to_boxed());
+        let moved_mm = along_axes(&*machine, &self.set_up.part_origin.into());
+        let letters = machine.axes().iter().map(|axis| axis.letter).zip(moved_mm);
+        let of_part = letters.filter_map(|(letter, mm)| Some((letter, self.set_up.table_zero.get(&letter)? + mm)));
+        self.set_up.machine_zero = of_part.collect();
     }
 
     /// Refuses a frame that is in two set-ups, and a work offset of two.

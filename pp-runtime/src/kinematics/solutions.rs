@@ -80,6 +80,15 @@ impl<A> Deref for Solutions<A> {
     }
 }
 
+impl<'a, A> IntoIterator for &'a Solutions<A> {
+    type Item = &'a Solution<A>;
+    type IntoIter = core::slice::Iter<'a, Solution<A>>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.iter()
+    }
+}
+
 impl<A: fmt::Debug> fmt::Debug for Solutions<A> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_list().entries(self.iter()).finish()

@@ -364,22 +364,26 @@ pub(crate) const ROTARY_OFFSET: PerAxis<f64> = PerAxis {
 pub(crate) const MACHINE_ZERO: PerAxis<f64> = PerAxis {
     axes: AxisSet::All,
     section: false,
-    read: |r, AxisEntry { axis, span, value }| {
-        if axis.kind == AxisKind::Rotary {
-            let linear = letters(r.scope().axes, |axis| axis.kind == AxisKind::Linear);
-            let text = format!("{} is a rotary axis; `machine_zero` is for linear axes", axis.letter);
-            r.fault(
-                span.clone(),
-                text,
-                Some(format!("linear axes are {linear}; for a rotary axis use `rotary_offset`")),
-            );
-            return None;
-        }
-        r.length(value, Bound::Any)
-    },
+    read: |r, entry| linear_coordinate(r, entry, "machine_zero"),
     printed: |_, axis| (axis.kind == AxisKind::Linear).then(|| Printed::Example("0.0".to_owned())),
     schema: any_number,
 };
+
+/// The same for the reference point of the table.
+pub(crate) const TABLE_ZERO: PerAxis<f64> =
+    PerAxis { read: |r, entry| linear_coordinate(r, entry, "table_zero"), ..MACHINE_ZERO };
+
+/// Reads the machine coordinate of a linear axis.
+fn linear_coordinate(r: &mut KeyReader<'_>, entry: &AxisEntry<'_>, key: &str) -> Option<f64> {
+    if entry.axis.kind == AxisKind::Rotary {
+        let linear = letters(r.scope().axes, |axis| axis.kind == AxisKind::Linear);
+        let text = format!("{} is a rotary axis; `{key}` is for linear axes", entry.axis.letter);
+        let help = format!("linear axes are {linear}; for a rotary axis use `rotary_offset`");
+        r.fault(entry.span.clone(), text, Some(help));
+        return None;
+    }
+    r.length(entry.value, Bound::Any)
+}
 
 /// Position of the axes at the start of a program.
 pub(crate) const START_POSITION: PerAxis<f64> = PerAxis {

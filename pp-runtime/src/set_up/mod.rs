@@ -40,7 +40,7 @@ use crate::program::{Coolants, Rotation};
 pub(crate) use keys::CoolantKinds;
 use keys::{
     BlankCorners, DimensionTable, LIMITS, MACHINE_ZERO, OffsetWord, ROTARY_OFFSET, SPEEDS, START_POSITION, SetUpTable,
-    ToolTable,
+    TABLE_ZERO, ToolTable,
 };
 use part_rotation::PartRotation;
 use solids::SolidTable;
@@ -87,9 +87,13 @@ options! {
         /// `program_zero`: for the part zero those of `machine_zero`. A preset of Heidenhain is set at the machine, by
         /// touching off or probing, not typed in.
         work_offset: String = "G54".to_owned(), key("work_offset", OffsetWord);
-        /// Machine coordinate of each linear axis at the zero position, without tool. Without it linear limits are not
-        /// checked.
+        /// Machine coordinate of each linear axis with the gauge line, without tool, on the part zero and the rotary axes at
+        /// zero: where a tool touches the part zero, less its length along the tool. Without it linear limits are not checked.
+        /// It changes with `part_origin`; `table_zero` does not.
         machine_zero: BTreeMap<char, f64> = BTreeMap::new(), key("machine_zero", MACHINE_ZERO);
+        /// The same with the gauge line on the reference point of the table: a constant of the machine, from which `machine_zero`
+        /// follows for any `part_origin`. Give one of the two.
+        table_zero: BTreeMap<char, f64> = BTreeMap::new(), key("table_zero", TABLE_ZERO);
         /// Position of the axes when the program begins, linear axes in machine coordinates, for `simulate` and `view`. Without
         /// it the machine is nowhere until its position is programmed.
         start_position: BTreeMap<char, f64> = BTreeMap::new(), key("start_position", START_POSITION);
