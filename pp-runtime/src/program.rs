@@ -310,6 +310,11 @@ pub enum Drilling {
         /// Retract after each step; `None`: as configured.
         retract_mm: Option<f64>,
     },
+    /// BORE with ORIENT: in at feed, spindle stopped at an angle, the tip moved off the wall, out at rapid.
+    FineBore {
+        /// Angle at which the spindle stops, as the control counts it.
+        orient_rad: f64,
+    },
     /// TAP.
     Tap {
         /// Pitch of the thread, mm per revolution, if the CL data states it.
@@ -474,6 +479,8 @@ pub enum Event<'a> {
     Message(&'a [u8]),
     /// INSERT, and a statement of the shop: block of NC text, as written.
     Insert(&'a [u8]),
+    /// A statement at which a probe measures from where the tool is: blocks, one or more.
+    Probe(&'a [String]),
     /// AUXFUN, PREFUN: an M or G code of the control.
     Code {
         /// `M` or `G`.

@@ -55,3 +55,26 @@ pub fn findings<M: Machine>(config: &Config, control: &dyn Control, cl: &str, pr
 pub fn bare(program: &str) -> Vec<&str> {
     program.lines().map(|line| line.trim_start_matches(|c: char| c.is_ascii_digit()).trim_start()).collect()
 }
+
+/// Lines as a program; a control that numbers every line has no gap in the numbers.
+#[must_use]
+pub fn renumbered(control: &dyn Control, lines: &[&str]) -> String {
+    let numbered = control.spellings().numbers_every_line;
+    let mut number = 0;
+    let lines = lines.iter().map(|line| {
+        let starts = !(line.starts_with("Q339") || line.starts_with('Q') && line.contains(';'));
+        let text = if numbered && starts { format!("{number} {line}\n") } else { format!("{line}\n") };
+        number += u32::from(starts);
+        text
+    });
+    lines.collect()
+}
+
+/// Programs without one of the lines that `wanted` selects.
+#[must_use]
+pub fn without(program: &str, control: &dyn Control, wanted: impl Fn(&[&str]) -> bool) -> Vec<String> {
+    let lines = bare(program);
+    let chosen: Vec<usize> = (0..lines.len()).filter(|&at| wanted(&lines[at..])).collect();
+    let shorter = chosen.into_iter().map(|at| renumbered(control, &[&lines[..at], &lines[at + 1..]].concat()));
+    shorter.collect()
+}

@@ -5,7 +5,7 @@ use machines::{LolaXoyzba, SpinnerU5620};
 use pp_runtime::config::{Config, starting_point};
 use pp_runtime::control::{self, Control};
 use pp_runtime::kinematics::Machine;
-use tests::posting::{self, bare, written};
+use tests::posting::{self, bare, renumbered, without, written};
 
 /// A tilted face, and another one with the same tool.
 const CL: &str = "UNITS/MM
@@ -52,19 +52,6 @@ fn findings<M: Machine>(control: &'static dyn Control, keys: &str, program: &str
     posting::findings::<M>(&config::<M>(control, keys).expect("it was read"), control, CL, program)
 }
 
-/// Lines in the numbers of which there is no gap.
-fn renumbered(control: &dyn Control, lines: &[&str]) -> String {
-    let numbered = control.spellings().numbers_every_line;
-    let mut number = 0;
-    let lines = lines.iter().map(|line| {
-        let starts = !(line.starts_with("Q339") || line.starts_with('Q') && line.contains(';'));
-        let text = if numbered && starts { format!("{number} {line}\n") } else { format!("{line}\n") };
-        number += u32::from(starts);
-        text
-    });
-    lines.collect()
-}
-
 fn by_name(name: &str) -> &'static dyn Control {
     control::by_name(name).expect("a control")
 }
@@ -97,14 +84,6 @@ fn each_control_retracts_by_the_codes_that_it_has() {
             assert!(!found.is_empty(), "{name} {method}: {other}\n{program}");
         }
     }
-}
-
-/// Programs without one of the lines that `wanted` selects.
-fn without(program: &str, control: &dyn Control, wanted: impl Fn(&[&str]) -> bool) -> Vec<String> {
-    let lines = bare(program);
-    let chosen: Vec<usize> = (0..lines.len()).filter(|&at| wanted(&lines[at..])).collect();
-    let shorter = chosen.into_iter().map(|at| renumbered(control, &[&lines[..at], &lines[at + 1..]].concat()));
-    shorter.collect()
 }
 
 #[test]

@@ -380,6 +380,10 @@ pub struct ShopBlocks {
     pub thread_per_revolution: bool,
     /// Threads are cut with the feed synchronised to the spindle.
     pub rigid_tapping: bool,
+    /// Direction along X and Y in which a tool leaves the wall of a bore, of length 1; 0, 0 if it is not configured.
+    pub bore_direction: [f64; 2],
+    /// Distance by which it does, mm.
+    pub bore_shift_mm: f64,
     /// Lines that the configuration brings into the program.
     pub lines: Vec<ShopLine>,
     /// Declared effects of lines and words that are in no table, by their text.

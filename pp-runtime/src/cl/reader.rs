@@ -131,9 +131,10 @@ impl<R: Read> ClReader<R> {
                 TextUse::Message => Event::Message(text(at)),
                 TextUse::Insert => Event::Insert(text(at)),
             },
-            QueuedEvent::Own(index) => {
-                Event::Insert(self.interpreter.options().own_statements[index].block().as_bytes())
-            }
+            QueuedEvent::Own(index) => match self.interpreter.options().given_meanings().own_at(index) {
+                Some(own) if own.probes() => Event::Probe(own.blocks()),
+                own => Event::Insert(own.and_then(|own| own.blocks().first()).map_or(b"", |block| block.as_bytes())),
+            },
             QueuedEvent::Spline => Event::Spline(self.interpreter.completed_curve()),
         };
         Ok(Some((location, event)))

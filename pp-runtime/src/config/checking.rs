@@ -10,8 +10,8 @@ use crate::cl::ReadingOptions;
 use crate::control::{self, Control, LineEffect, Messages, RetractForm, Spellings};
 use crate::kinematics::{AnyMachine, AxisKind, Machine, Side};
 use crate::motion::{
-    CutterPath, Links, Mode, OperationChoice, OperationEntry, Operations, OptionalStops, PathNorm, Rapid, Rewind,
-    Smoothing, StretchMode, TcpFrame, TcpWords, ThreadFeed, ToolPosture, Transition, Wrap, rotaries_of,
+    BoreRetract, CutterPath, Links, Mode, OperationChoice, OperationEntry, Operations, OptionalStops, PathNorm, Rapid,
+    Rewind, Smoothing, StretchMode, TcpFrame, TcpWords, ThreadFeed, ToolPosture, Transition, Wrap, rotaries_of,
 };
 use crate::program::Units;
 use crate::set_up::LengthMode;
@@ -229,6 +229,14 @@ impl Config {
             largest_wear_mm: self.motion.largest_wear_mm,
             rigid_tapping: self.motion.cycles.rigid,
             thread_per_revolution: self.motion.cycles.thread_feed == ThreadFeed::PerRevolution,
+            bore_direction: match self.motion.cycles.bore_retract {
+                None => [0.0, 0.0],
+                Some(BoreRetract::PlusX) => [1.0, 0.0],
+                Some(BoreRetract::MinusX) => [-1.0, 0.0],
+                Some(BoreRetract::PlusY) => [0.0, 1.0],
+                Some(BoreRetract::MinusY) => [0.0, -1.0],
+            },
+            bore_shift_mm: self.motion.cycles.bore_shift_mm,
             lines: self.shop_lines(machine, of_job),
             // What the job declares takes precedence over its control.
             effects: control
@@ -236,11 +244,18 @@ impl Config {
                 .iter()
                 .map(|(text, effect)| (text.clone(), declared(*effect)))
                 .chain(of_job.effects().iter().map(|(text, effect)| ((*text).to_owned(), declared(*effect))))
+                .chain(self.measuring_lines().map(|line| (line.clone(), Effect::Measures)))
                 .collect(),
             displays_messages: control.program.messages == Messages::Display,
             tool_names: control.tool_names,
             swivel_data: control.swivel_data.clone().unwrap_or_default(),
         }
+    }
+
+    /// The lines that measure, whatever their codes do.
+    fn measuring_lines(&self) -> impl Iterator<Item = &String> {
+        let of_tools = self.control.measure_tool.iter().chain(&self.control.check_tool);
+        of_tools.chain(self.cl.probes.iter().flat_map(|probe| probe.blocks()))
     }
 
     /// The lines that the configuration brings into a program, and those of its control that its family does not have.
@@ -258,6 +273,12 @@ impl Config {
         control.tool_change.iter().flatten().for_each(|line| add(line, OwnPlace::ToolChange, None));
         for (index, line) in control.own_retract().into_iter().flatten().enumerate() {
             add(line, OwnPlace::Retract { index }, None);
+        }
+        control.measure_tool.iter().for_each(|line| add(line, OwnPlace::MeasureTool, None));
+        control.check_tool.iter().for_each(|line| add(line, OwnPlace::CheckTool, None));
+        for (number, tool) in &self.set_up.tools {
+            tool.start.iter().for_each(|line| add(line, OwnPlace::ToolStart { tool: *number }, None));
+            tool.end.iter().for_each(|line| add(line, OwnPlace::ToolEnd { tool: *number }, None));
         }
         for (letter, codes) in &self.motion.rotaries.clamp {
             if let Some(axis) = machine.axes().iter().position(|axis| axis.letter == *letter) {
@@ -296,7 +317,8 @@ impl Config {
         }
         self.cl.auxfun.iter().for_each(|code| add(&format!("M{code}"), OwnPlace::Insert, None));
         self.cl.prefun.iter().for_each(|code| add(&format!("G{code}"), OwnPlace::Insert, None));
-        self.cl.own_statements.iter().for_each(|own| add(own.block(), OwnPlace::Insert, None));
+        let statements = self.cl.own_statements.iter().chain(&self.cl.probes);
+        statements.flat_map(|own| own.blocks()).for_each(|block| add(block, OwnPlace::Insert, None));
         lines
     }
 }

@@ -606,7 +606,7 @@ fn options_of_reading_cl_data_are_read() {
     assert_eq!((cl.frames, cl.circle_sense), (Frames::Main, Some(Sense::Clockwise)));
     assert_eq!((cl.insert, cl.insert_stop, cl.from_move), (Insert::Write, true, true));
     assert_eq!((&cl.auxfun[..], &cl.prefun[..]), (&[10, 11][..], &[64][..]));
-    let own: Vec<_> = cl.own_statements.iter().map(|own| (own.statement(), own.block())).collect();
+    let own: Vec<_> = cl.own_statements.iter().map(|own| (own.statement(), own.blocks()[0].as_str())).collect();
     assert_eq!(own, [("CHUCK/OPEN", "M68")]);
     assert_eq!(
         faults("[cl.words]\n\"chuck/open\" = \"M68\"\n\"CHUCK/OPEN\" = \"M69\"\n\"GOTO/1\" = \"M1\"\n").len(),

@@ -15,6 +15,7 @@ use super::dialects::{
     Spellings, ThreadCodes, TipControlCodes,
 };
 use super::options::{ControlFunction, Demands, RetractMethod};
+use super::template::{self, OF_TOOL};
 
 /// Largest number of characters of a tool name.
 const LONGEST_TOOL_NAME: usize = 32;
@@ -121,6 +122,22 @@ fn unsupported(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
     }
     faults.extend(unsupported_retract(codes, options.retract_method.as_ref()));
     faults.extend(control.effects().iter().filter_map(|(text, effect)| effect.refusal(text)));
+    for (number, tool) in &demands.set_up.tools {
+        for (wanted, blocks, key, of_tool) in [
+            (tool.measured, &options.measure_tool, "measure_tool", "measured"),
+            (tool.checked, &options.check_tool, "check_tool", "checked"),
+        ] {
+            if wanted && blocks.is_empty() {
+                faults.push(format!(
+                    "T{number} has `{of_tool} = true`, but `cycles.{key}` has no blocks for it: give those of the machine"
+                ));
+            }
+        }
+        faults.extend(tool.start.iter().chain(&tool.end).filter_map(|block| {
+            let fault = template::check(block, OF_TOOL).err()?;
+            Some(format!("in the block `{block}` of `[tools.{number}]` {fault}"))
+        }));
+    }
     let program = &options.program;
     let of_operations = [
         ("program.operation_start", program.operation_start.is_empty()),
@@ -137,6 +154,8 @@ fn unsupported(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
     let blocks = [&program.start, &program.end, &program.operation_start, &program.operation_end]
         .into_iter()
         .chain(options.own_retract())
+        .chain([&options.measure_tool, &options.check_tool])
+        .chain(demands.set_up.tools.values().flat_map(|tool| [&tool.start, &tool.end]))
         .chain(&options.tool_change)
         .chain(&options.safety)
         .flatten();

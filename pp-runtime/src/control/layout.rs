@@ -43,6 +43,8 @@ pub struct Layout {
     pub thread_per_revolution: bool,
     /// Names of the tools that are called by name; empty where they are called by number.
     pub tool_names: BTreeMap<u32, String>,
+    /// Blocks of the shop at the start and the end of tools, by tool number.
+    pub blocks_of_tools: BTreeMap<u32, [Vec<String>; 2]>,
     /// Settings for the control.
     pub options: ControlOptions,
     /// Blocks at the start and the end of the program.
@@ -82,6 +84,7 @@ impl Layout {
             rigid: demands.motion.cycles.rigid,
             thread_per_revolution: demands.motion.cycles.thread_feed == ThreadFeed::PerRevolution,
             tool_names: named_tools(demands),
+            blocks_of_tools: blocks_of_tools(demands),
             options: demands.options.clone(),
             program: demands.options.program.clone(),
         }
@@ -92,4 +95,9 @@ impl Layout {
 fn named_tools(demands: Demands<'_>) -> BTreeMap<u32, String> {
     let tools = demands.set_up.tools.iter().filter(|_| demands.options.tool_names);
     tools.filter_map(|(number, tool)| Some((*number, tool.name.clone()?))).collect()
+}
+
+fn blocks_of_tools(demands: Demands<'_>) -> BTreeMap<u32, [Vec<String>; 2]> {
+    let tools = demands.set_up.tools.iter().filter(|(_, tool)| !tool.start.is_empty() || !tool.end.is_empty());
+    tools.map(|(number, tool)| (*number, [tool.start.clone(), tool.end.clone()])).collect()
 }

@@ -100,6 +100,14 @@ options! {
         /// of travel limits and clearance geometry use this. Without it as the control is delivered: together on LinuxCNC,
         /// Siemens and Heidenhain.
         linear_rapids: Option<bool> = None, key("control.linear_rapids", YesNo, "true");
+        /// Blocks that measure the tool in the spindle, for tools with `measured = true`: after the tool change, with the machine
+        /// retracted before and after them, and before the length guard. Fields as in a tool change.
+        measure_tool: Vec<String> = Vec::new(),
+            key("cycles.measure_tool", ListOf(TemplateBlock(OF_TOOL)), "[\"G65 P9023 A12. T{tool}\"]");
+        /// Blocks that look for breakage of the tool in the spindle, for tools with `checked = true`: with the machine retracted
+        /// and the spindle off, before the next tool and at the end of the program.
+        check_tool: Vec<String> = Vec::new(),
+            key("cycles.check_tool", ListOf(TemplateBlock(OF_TOOL)), "[\"G65 P9023 A22. T{tool}\"]");
         /// Write every word in every block, modal words included.
         every_word: bool = false, key("control.every_word", YesNo);
         /// Effect of lines and words that the check does not know, by their text: lines of `[program]`, `safety`,

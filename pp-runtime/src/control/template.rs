@@ -106,6 +106,14 @@ fields! {
     PitchUnit = "pitch_unit",
     /// Sense of rotation of the spindle: 3 or 4, as in M3 and M4.
     Rotation = "rotation",
+    /// Shift along X off the wall of a bore.
+    ShiftX = "shift_x",
+    /// Shift along Y off the wall of a bore.
+    ShiftY = "shift_y",
+    /// Direction off the wall of a bore: 1 -X, 2 -Y, 3 +X, 4 +Y.
+    Quadrant = "quadrant",
+    /// Angle at which the spindle stops, degrees.
+    Orient = "orient",
 }
 
 /// Fields that have a value in the whole program.
@@ -140,6 +148,10 @@ pub const OF_CYCLE: &[Field] = &[
     Field::Pitch,
     Field::PitchUnit,
     Field::Rotation,
+    Field::ShiftX,
+    Field::ShiftY,
+    Field::Quadrant,
+    Field::Orient,
     Field::Seconds,
     Field::Speed,
 ];

@@ -51,10 +51,11 @@ pub use geometry::{ArcPlane, Circle};
 pub use modes::{ModeFinder, StretchModes};
 pub(crate) use options::nearly_zero;
 pub use options::{
-    Approach, ArcForm, ArcOptions, ArcOutput, ClampCodes, CourseOptions, CutterPath, CycleOptions, CycleOutput,
-    Defaults, FeedLimits, GuardOptions, Links, Mode, MotionOptions, OperationChoice, OperationEntry, OperationSettings,
-    OperationTable, Operations, OptionalStops, PathNorm, Policy, Rapid, RapidOptions, Retract, Rewind, RotaryOptions,
-    Singular, Smoothing, StretchMode, TcpFrame, TcpWords, ThreadFeed, TipOptions, ToolPosture, Transition, Wrap,
+    Approach, ArcForm, ArcOptions, ArcOutput, BoreRetract, ClampCodes, CourseOptions, CutterPath, CycleOptions,
+    CycleOutput, Defaults, FeedLimits, GuardOptions, Links, Mode, MotionOptions, OperationChoice, OperationEntry,
+    OperationSettings, OperationTable, Operations, OptionalStops, PathNorm, Policy, Rapid, RapidOptions, Retract,
+    Rewind, RotaryOptions, Singular, Smoothing, StretchMode, TcpFrame, TcpWords, ThreadFeed, TipOptions, ToolPosture,
+    Transition, Wrap,
 };
 pub use place::{PlaneAbility, PlaneAngles, PoseRule, TipAbility, TipStart, UsableModes, unsuited};
 pub(crate) use place::{along_axes, rotaries_of};
@@ -68,6 +69,6 @@ pub use source::{
     Begins, Chosen, ChosenSettings, ItemAction, LinePart, MotionIndex, Next, OperationStart, ProgramItem, Source, Stage,
 };
 pub use step::{
-    AxisWords, BlockReason, CannedCycle, CannedKind, CycleAbilities, DiscardSteps, FeedWord, MAX_AXES, Provenance,
-    ReachedPosition, Sink, Step, VECTOR_DECIMALS,
+    AxisWords, BlockReason, CannedCycle, CannedKind, CycleAbilities, DiscardSteps, FeedWord, FineBoreAbility, MAX_AXES,
+    Provenance, ReachedPosition, Sink, Step, ToolRoutine, VECTOR_DECIMALS,
 };

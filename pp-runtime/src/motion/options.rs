@@ -22,7 +22,8 @@ use keys::{PARK, Preference};
 use operations::OperationsTable;
 
 pub use cutting::{
-    ArcForm, ArcOptions, ArcOutput, CutterPath, CycleOptions, CycleOutput, Defaults, FeedLimits, PathNorm, ThreadFeed,
+    ArcForm, ArcOptions, ArcOutput, BoreRetract, CutterPath, CycleOptions, CycleOutput, Defaults, FeedLimits, PathNorm,
+    ThreadFeed,
 };
 pub use links::{Approach, Links, Rapid, RapidOptions, Retract, Rewind, Transition};
 pub use operations::{OperationChoice, OperationEntry, OperationSettings, OperationTable, Smoothing};
@@ -56,6 +57,8 @@ options! {
         /// Optional stops (M1) that the CL data does not program: "none", "tool_changes" (after the last operation of each tool)
         /// or "operations" (after each operation). None comes where the CL data stops there, and none at the end.
         optional_stops: OptionalStops = OptionalStops::None, key("optional_stops", OneOf(&OptionalStops::NAMES));
+        /// Preselect the first tool at the last tool change, for the next part, where tools are preselected.
+        preselect_first: bool = true, key("control.preselect_first", YesNo);
         /// Park positions of axes at the end of the program: degrees, and machine coordinates of linear axes. Axes
         /// without one do not move.
         park: BTreeMap<char, f64> = BTreeMap::new(), key("park", PARK);

@@ -6,7 +6,9 @@ use std::io;
 
 use crate::cl::{ArcVote, Dialect, Insert};
 use crate::config::Config;
-use crate::control::{self, BlankWords, Control, Encoder, LengthGuard, LinearRapids, ProgramHeader, RetractForm};
+use crate::control::{
+    self, BlankWords, Control, CycleForm, Encoder, LengthGuard, LinearRapids, ProgramHeader, RetractForm,
+};
 use crate::kinematics::{AnyMachine, Axis, AxisKind, DimensionKind, Side, Sign, digest};
 use crate::motion::{CutterPath, Links, StretchMode, StretchModes, TcpFrame, TipStart, ToolPosture, Wrap, rotaries_of};
 use crate::nc::{Decimal, write_decimal};
@@ -284,8 +286,13 @@ pub(crate) fn reading(config: &Config, survey: &Survey) -> Vec<String> {
         list.push(format!("words ignored as inert: {}", config.cl.inert.join(" ")));
     }
     if !config.cl.own_statements.is_empty() {
-        let meanings = config.cl.own_statements.iter().map(|own| format!("{} is {}", own.statement(), own.block()));
+        let meanings =
+            config.cl.own_statements.iter().map(|own| format!("{} is {}", own.statement(), own.blocks().join(" ")));
         list.push(format!("statements of the shop: {}", meanings.collect::<Vec<_>>().join(", ")));
+    }
+    if !config.cl.probes.is_empty() {
+        let statements: Vec<&str> = config.cl.probes.iter().map(|probe| probe.statement()).collect();
+        list.push(format!("statements of probes: {}", statements.join(" ")));
     }
     if let Some(feed) = config.cl.default_feed_mm_per_min {
         list.push(format!("feed until the first FEDRAT: {feed} mm/min, as configured"));
@@ -357,6 +364,12 @@ impl Header<'_> {
         let given = config.set_up.stock.is_some();
         if blank.is_some() && !given && !self.job.control.blank(&BlankWords::default()).is_empty() {
             lines.push("BLANK is the box around all cuts, without [stock] in the configuration".to_owned());
+            // BLK FORM FILE of newer Heidenhain controls: no public page with its words was found.
+            if config.set_up.solids.stock.is_some() {
+                lines.push(
+                    "the solid `stock` of [solids] is for the simulation, and not passed to the control".to_owned(),
+                );
+            }
         }
         if config.set_up.stock.is_some_and(|stock| stock.round) && blank.is_some_and(|blank| !blank.round) {
             lines.push(
@@ -365,6 +378,7 @@ impl Header<'_> {
         }
         lines.extend(set_up(self.job.control, config, self.survey));
         lines.extend(self.compensation());
+        lines.extend(self.fine_boring());
         lines.extend(reading(config, self.survey));
         let has_rotaries =
             rotaries(self.machine, Side::Workpiece).chain(rotaries(self.machine, Side::Tool)).next().is_some();
@@ -390,6 +404,7 @@ impl Header<'_> {
         ];
         lines.extend(set_up(control, config, self.survey));
         lines.extend(self.compensation());
+        lines.extend(self.fine_boring());
         lines.extend(self.set_up_lines());
         lines
     }
@@ -401,6 +416,19 @@ impl Header<'_> {
             CutterPath::Centre => format!("CUTTER COMPENSATION of the centre path: {}", data[1]),
             CutterPath::Contour => format!("CUTTER COMPENSATION of the contour: {}", data[0]),
         })
+    }
+
+    /// How the tool leaves the wall of a bore where the spindle has stopped at its angle.
+    fn fine_boring(&self) -> Option<String> {
+        let cycles = &self.job.config.motion.cycles;
+        let direction = cycles.bore_retract?.name();
+        let setting = match &self.job.control.spellings().cycles.as_ref()?.form {
+            CycleForm::Codes(codes) if codes.fine_bore.is_empty() => return None,
+            CycleForm::Codes(codes) => codes.bore_setting,
+            CycleForm::Definitions(_) => "",
+        };
+        let setting = if setting.is_empty() { String::new() } else { format!(": {setting} must be {direction}") };
+        Some(format!("FINE BORING: the tool leaves the wall along {direction} by {} mm{setting}", cycles.bore_shift_mm))
     }
 
     /// Whether rotary axes move in cuts.

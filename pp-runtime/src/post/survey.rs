@@ -366,6 +366,7 @@ impl Surveyor {
             | Event::Stop
             | Event::Message(_)
             | Event::Insert(_)
+            | Event::Probe(_)
             | Event::Code { .. } => {}
         }
     }

@@ -208,6 +208,15 @@ options! {
         /// Coolant that COOLNT/ON means for this tool: one of "flood", "mist", "through", "air", "through_low",
         /// "through_medium" and "through_high", or several that are on together, `["flood", "through"]`.
         coolant: Option<Coolants> = None, key("coolant", CoolantKinds, "\"flood\"");
+        /// Measure the tool after each change to it, with the blocks of `cycles.measure_tool`.
+        measured: bool = false, key("measured", YesNo);
+        /// Look for breakage of the tool when it has cut, with the blocks of `cycles.check_tool`.
+        checked: bool = false, key("checked", YesNo);
+        /// Blocks after each change to it, at the machine retract: chip conveyor, air. After them everything is stated anew.
+        start: Vec<String> = Vec::new(), key("start", ListOf(OneLine), "[\"M31\"]");
+        /// Blocks when it has cut, before the next tool and at the end of the program, at the machine retract with spindle and
+        /// coolant off.
+        end: Vec<String> = Vec::new(), key("end", ListOf(OneLine), "[\"M33\"]");
         /// Point of this tool that the CL data programs: "tip", or "centre" of the corner radius.
         cl_point: Option<ClPoint> = None, key("cl_point", OneOf(&ClPoint::NAMES), "\"tip\"");
         /// Shape of the cutting part, for `simulate`: "mill" (flat, bull or ball end, tapered too), "drill", "disc" (T-slot),

@@ -239,7 +239,7 @@ impl<R: Read> Comparison<'_, R> {
             self.tally.deviation((end.tip - on.tip).norm(), if on_circle { angle } else { 0.0 });
         }
         self.compare_state(current, part.required);
-        let stopped = if part.rapid { None } else { self.functions.cut_after_thread() };
+        let stopped = if part.rapid { None } else { self.functions.cut_with_spindle_off() };
         self.found_any(current, stopped);
         if part.required.side != Side::None {
             let unguarded = self.functions.cut_with_radius(&self.rules);
@@ -756,8 +756,8 @@ impl<R: Read> Comparison<'_, R> {
             self.found(current, "cycle without an approach before it");
         }
         self.compare_state(current, &required);
-        if !block.action.is_rigid_thread() {
-            let stopped = self.functions.cut_after_thread();
+        if !block.action.is_rigid_thread() && !self.rules.facts().stops_spindle(&block.action) {
+            let stopped = self.functions.cut_with_spindle_off();
             self.found_any(current, stopped);
         }
         let off = RequiredSmoothing { level: None, ..required.smoothing };

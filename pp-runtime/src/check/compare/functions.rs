@@ -37,10 +37,10 @@ pub(super) struct FunctionState {
     rotation: Option<Rotation>,
     /// Mode of the first cut, where blocks of the shop may select it.
     path_mode: Option<PathMode>,
-    /// The spindle has been programmed since a complete state or a thread that stops it.
+    /// The spindle has been programmed since a complete state or a cycle that stops it.
     spindle_stated: bool,
-    /// A thread has stopped the spindle.
-    stopped_by_thread: bool,
+    /// A cycle has stopped the spindle.
+    stopped_by_cycle: bool,
     /// Rotary axes whose clamps have been switched since a complete state began: bits.
     clamps_stated: u16,
     /// Tip control by codes of the shop has been switched since then.
@@ -213,10 +213,8 @@ impl FunctionState {
         let rotation = block.state.spindle.flatten();
         let stated = block.stated & stated::SPINDLE != 0;
         let first = !std::mem::replace(&mut self.spindle_stated, stated) && stated;
-        self.stopped_by_thread &= !stated;
-        if block.action.is_rigid_thread() {
-            self.stopped_by_thread = rules.facts().tap_stops_spindle;
-        }
+        self.stopped_by_cycle &= !stated;
+        self.stopped_by_cycle |= rules.facts().stops_spindle(&block.action);
         let dwell = rules.policy().links.spindle_dwell_s;
         if dwell <= 0.0 {
             return None;
@@ -236,10 +234,10 @@ impl FunctionState {
         None
     }
 
-    /// What is wrong with the spindle in a cut after a thread.
-    pub(super) fn cut_after_thread(&mut self) -> Option<String> {
-        std::mem::take(&mut self.stopped_by_thread)
-            .then(|| "the control has switched the spindle off after the thread: M3 or M4 is missing".to_owned())
+    /// What is wrong with the spindle in a cut after a cycle that stops it.
+    pub(super) fn cut_with_spindle_off(&mut self) -> Option<String> {
+        std::mem::take(&mut self.stopped_by_cycle)
+            .then(|| "the control has switched the spindle off after the cycle: M3 or M4 is missing".to_owned())
     }
 
     /// What is wrong with smoothing and path mode in a cut; `expected`: its smoothing, off in a cycle of the control.
@@ -420,9 +418,14 @@ pub(super) fn place_of_line(places: &[OwnPlace], phase: &Phase, motions: u64, en
     let wrong = |place: &OwnPlace| match place {
         OwnPlace::Start => (motions > 0).then_some("after the first motion"),
         OwnPlace::End => (!ended || phase.is_at_part()).then_some("before the end of the CL data"),
-        OwnPlace::Safety | OwnPlace::ToolChange | OwnPlace::OperationStart | OwnPlace::OperationEnd => {
-            phase.is_at_part().then_some("at the part")
-        }
+        OwnPlace::Safety
+        | OwnPlace::ToolChange
+        | OwnPlace::OperationStart
+        | OwnPlace::OperationEnd
+        | OwnPlace::MeasureTool
+        | OwnPlace::CheckTool
+        | OwnPlace::ToolStart { .. }
+        | OwnPlace::ToolEnd { .. } => phase.is_at_part().then_some("at the part"),
         OwnPlace::Insert => Some("that the CL data does not have here"),
         OwnPlace::Retract { .. } | OwnPlace::Clamp { .. } | OwnPlace::Coolant | OwnPlace::TipControl { .. } => None,
     };

@@ -4,7 +4,7 @@
 
 use super::super::expect::{ExpectedHole, SAME_LEVEL, SpindleState};
 use super::super::geometry::{ToolPose, angle_between, tool_pose};
-use super::super::read::{Block, CycleKind, CycleMove, FeedMode, MAX_AXES};
+use super::super::read::{Block, CycleKind, CycleMove, FeedMode, FineBore, MAX_AXES};
 use super::super::rules::{Rules, Stroke};
 use crate::program::{Drilling, Dwell, Feed, Hole, Rotation};
 
@@ -13,6 +13,12 @@ const DWELL_ROUNDING: f64 = 6e-4;
 
 /// Largest relative error of a pitch: 4 µm in a thread 20 mm long.
 const PITCH: f64 = 2e-4;
+
+/// Rounding of the angle at which the spindle stops, degrees.
+const ORIENT_ROUNDING: f64 = 6e-4;
+
+/// Difference of two directions along axes.
+const SAME_DIRECTION: f64 = 1e-6;
 
 /// Rounding of a length, in units of its word.
 const ROUNDED: f64 = 0.51;
@@ -109,9 +115,8 @@ impl CycleComparison<'_> {
 
     /// What is wrong with kind, feed and dwell.
     pub(super) fn faults(&self) -> impl Iterator<Item = String> {
-        [self.kind_fault(), self.thread_fault(), self.gap_fault(), self.feed_fault(), self.dwell_fault()]
-            .into_iter()
-            .flatten()
+        let [thread, bore] = [self.thread_fault(), self.bore_fault()];
+        [self.kind_fault(), thread, bore, self.gap_fault(), self.feed_fault(), self.dwell_fault()].into_iter().flatten()
     }
 
     fn kind_fault(&self) -> Option<String> {
@@ -126,6 +131,7 @@ impl CycleComparison<'_> {
                 (step - later_mm).abs() <= unit && (step - first_mm).abs() <= unit
             }
             (CycleKind::ChipBreak(step), Drilling::ChipBreak { step_mm, .. }) => (step - step_mm).abs() <= unit,
+            (CycleKind::FineBore(_), Drilling::FineBore { .. }) => true,
             (CycleKind::Tap(pitch), Drilling::Tap { pitch_mm }) => self.is_pitch(pitch, pitch_mm),
             (CycleKind::FloatingTap(pitch), Drilling::Tap { pitch_mm }) => {
                 !self.rules.policy().shop.rigid_tapping && self.is_pitch(pitch, pitch_mm)
@@ -145,6 +151,31 @@ impl CycleComparison<'_> {
                 "feed per revolution is active in this thread, expected per minute (`cycles.thread_feed`)".to_owned()
             }
         })
+    }
+
+    /// Direction and distance off the wall of a bore, and the angle at which the spindle stops, as far as the program states
+    /// them.
+    fn bore_fault(&self) -> Option<String> {
+        let (CycleKind::FineBore(bore), Drilling::FineBore { orient_rad }) = (self.cycle.kind, self.hole.drilling)
+        else {
+            return None;
+        };
+        let (shop, angle) = (&self.rules.policy().shop, orient_rad.to_degrees());
+        let [x, y] = shop.bore_direction;
+        if let Some(direction) = bore.direction.filter(|[a, b]| (a - x).abs() + (b - y).abs() > SAME_DIRECTION) {
+            return Some(format!(
+                "the tool leaves the wall of the bore along X{} Y{}, expected X{x} Y{y} (`cycles.bore_retract`)",
+                direction[0], direction[1]
+            ));
+        }
+        if let Some(shift) = bore.shift_mm
+            && (shift - shop.bore_shift_mm).abs() > ROUNDED * self.rules.rounding().unit_mm
+        {
+            let expected = shop.bore_shift_mm;
+            return Some(format!("the tool leaves the wall of the bore by {shift} mm, expected {expected} mm"));
+        }
+        let written = bore.angle_deg.filter(|written| (written - angle).abs() > ORIENT_ROUNDING);
+        written.map(|written| format!("the spindle stops at {written}°, expected {angle}°"))
     }
 
     /// Retract that breaks the chip, and distance above the last depth.
@@ -227,6 +258,7 @@ fn expected_kind(hole: &Hole) -> CycleKind {
         Drilling::Ream => CycleKind::Ream,
         Drilling::Peck { later_mm, .. } => CycleKind::Peck(later_mm),
         Drilling::ChipBreak { step_mm, .. } => CycleKind::ChipBreak(step_mm),
+        Drilling::FineBore { .. } => CycleKind::FineBore(FineBore::default()),
         Drilling::Tap { pitch_mm } => CycleKind::Tap(pitch_mm.unwrap_or(0.0)),
     }
 }

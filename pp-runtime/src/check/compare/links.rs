@@ -6,7 +6,7 @@ use std::rc::Rc;
 use super::super::expect::{ClMotion, ExpectedAction, ExpectedItem, SpindleState};
 use super::super::geometry::{PathShape, Segment, ToolPose, angle_between};
 use super::super::policy::{LinearMeaning, RetractRule};
-use super::super::read::{Action, Block, Length, OwnPlace, TipControl, stated};
+use super::super::read::{Action, Block, Effect, Length, OwnLine, OwnPlace, TipControl, stated};
 use super::super::rules::{BOTH, FrameUse, ModalContext, fault_at_end, tool_name};
 use super::functions::place_of_line;
 use super::phase::{COMES_BACK, Cutting, Phase, Retracted, RetractedLength, RewindPoint};
@@ -24,16 +24,20 @@ impl<R: Read> Comparison<'_, R> {
     pub(super) fn is_raw(&mut self, phase: &Phase, current: &Current<'_>) -> bool {
         let here = phase.here();
         let index = (0..).find(|index| !self.is_needless(*index, here)).unwrap_or_default();
-        let Some(ExpectedItem { action: ExpectedAction::Raw(expected), .. }) = self.progress.get(index) else {
-            return false;
+        let (expected, probe) = match self.progress.get(index).map(|item| &item.action) {
+            Some(ExpectedAction::Raw(text)) => (text, None),
+            Some(ExpectedAction::Probe { text, first }) => (text, Some(*first)),
+            _ => return false,
         };
         let (text, expected) = (current.shown.text, expected.trim_ascii_end());
         let numbered = text.iter().position(|byte| *byte == b' ').map_or(text, |at| &text[at + 1..]);
         if text != expected && !(current.block.number.is_some() && numbered == expected) {
             return false;
         }
-        if let Phase::Cutting(cutting) = phase {
-            self.has_left(cutting, current);
+        match (phase, probe) {
+            (_, Some(first)) => self.probes(phase, first, current),
+            (Phase::Cutting(cutting), None) => self.has_left(cutting, current),
+            _ => {}
         }
         // The text of INSERT is not judged; a line of the configuration has an effect, of its codes or declared.
         let judged = if current.block.own.is_some() { current.block.faults.len() } else { current.block.frame_faults };
@@ -47,6 +51,20 @@ impl<R: Read> Comparison<'_, R> {
         true
     }
 
+    /// A block with which a probe measures: the first where the last motion has ended.
+    fn probes(&mut self, phase: &Phase, first: bool, current: &Current<'_>) {
+        let state = &current.block.state;
+        if first && !matches!(phase, Phase::Cutting(_)) {
+            self.found(current, "the tool is not at the point at which the probe measures");
+        }
+        if first && state.spindle.flatten().is_some() {
+            self.found(current, "the spindle is on where a probe measures");
+        }
+        if first && state.coolant.is_some_and(|on| on != 0) {
+            self.found(current, "the coolant is on where a probe measures");
+        }
+    }
+
     /// Changes of state that must not happen at the part.
     pub(super) fn before_task(&mut self, phase: &mut Phase, current: &Current<'_>) {
         let block = current.block;
@@ -55,9 +73,17 @@ impl<R: Read> Comparison<'_, R> {
             let ended = self.progress.next().is_none();
             let misplaced = place_of_line(&own.places, phase, self.tally.motions(), ended);
             self.found_any(current, misplaced);
+            let register = self.progress.next().map(|item| item.required.register);
+            let of_another = self.shop_lines.values_fault(own, block.state.tool, register);
+            self.found_any(current, of_another);
+            if needs_retract(own) {
+                self.start.retracted = false;
+                self.shop_lines.lose_retract();
+            }
         }
         if !phase.is_at_part() || !current.block.action.moves() {
-            self.shop_lines.note(current.shown.text);
+            let of_another = self.shop_lines.note(current.shown.text, block.state.tool);
+            self.found_any(current, of_another);
         }
         if block.restart {
             // Tip control ends with the safety line, if it is still on, in the part.
@@ -274,6 +300,7 @@ impl<R: Read> Comparison<'_, R> {
         let fault = self.rules.fault_at_retract(block, tilts, spindle, context);
         self.found_state(current, fault);
         self.start.retracted = true;
+        self.shop_lines.note_retract();
         if matches!(self.progress.next(), Some(ExpectedItem { action: ExpectedAction::Home, .. })) {
             self.progress.take();
             retracted.parks = true;
@@ -405,6 +432,7 @@ impl<R: Read> Comparison<'_, R> {
                 ExpectedAction::Stop { .. }
                 | ExpectedAction::BlockSkip { .. }
                 | ExpectedAction::Raw(_)
+                | ExpectedAction::Probe { .. }
                 | ExpectedAction::Home,
             ..
         }) = self.progress.next()
@@ -565,7 +593,8 @@ impl<R: Read> Comparison<'_, R> {
             self.found(current, "approach, but the CL data has no motion here");
             return cutting;
         };
-        let tool = self.progress.next().and_then(|item| item.required.tool);
+        let of_item = |item: &ExpectedItem| (item.required.tool, item.required.register);
+        let tool = self.progress.next().map_or((None, 0), of_item);
         for missing in self.shop_lines.approach(motion.starts, tool) {
             self.found(current, &missing);
         }
@@ -939,7 +968,7 @@ impl<R: Read> Comparison<'_, R> {
         if self.skippable {
             self.found(current, "the operator may skip the end code (`/`)");
         }
-        if !phase.is_retracted() {
+        if !phase.is_retracted() || self.shop_lines.needs_retract() {
             self.found(current, "end code before the machine has retracted");
         }
         for missing in self.shop_lines.end() {
@@ -953,4 +982,27 @@ impl<R: Read> Comparison<'_, R> {
         self.parking_positions(current);
         Ok(Phase::Ended)
     }
+}
+
+/// Whether the machine has to retract after a line of the shop, although it was at its retract before.
+fn needs_retract(own: &OwnLine) -> bool {
+    let is_lost = matches!(own.effect, Some(Effect::Measures | Effect::PositionLost | Effect::StateLost));
+    let has_retract = |place: &OwnPlace| match place {
+        OwnPlace::MeasureTool
+        | OwnPlace::CheckTool
+        | OwnPlace::ToolStart { .. }
+        | OwnPlace::ToolEnd { .. }
+        | OwnPlace::OperationStart => true,
+        OwnPlace::Start
+        | OwnPlace::End
+        | OwnPlace::Safety
+        | OwnPlace::ToolChange
+        | OwnPlace::OperationEnd
+        | OwnPlace::Retract { .. }
+        | OwnPlace::Clamp { .. }
+        | OwnPlace::Coolant
+        | OwnPlace::TipControl { .. }
+        | OwnPlace::Insert => false,
+    };
+    is_lost && own.places.iter().any(has_retract)
 }

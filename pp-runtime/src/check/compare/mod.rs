@@ -135,7 +135,7 @@ impl<'a, R: Read> Checker<'a, R> {
             arrived: None,
             start: StartState::default(),
             functions: FunctionState::default(),
-            shop_lines: ShopLines::new(lines),
+            shop_lines: ShopLines::new(lines, policy),
             parked: 0,
             own_retract: 0,
             home: false,

@@ -305,6 +305,9 @@ impl<'a, R: Read> ClProgress<'a, R> {
                 "OPSKIP/OFF of the CL data: this block must be one that is always executed, without `/`".to_owned()
             }
             Some(ExpectedAction::Raw(_)) => "the text of INSERT is not in the program before this block".to_owned(),
+            Some(ExpectedAction::Probe { text, .. }) => {
+                format!("`{}` of `cycles.probe` is missing before this block", String::from_utf8_lossy(text))
+            }
             Some(ExpectedAction::Home) => "the retract of GOHOME is not in the program before this block".to_owned(),
             Some(ExpectedAction::Dwell { .. }) | None => "this block matches no motion of the CL data".to_owned(),
         }

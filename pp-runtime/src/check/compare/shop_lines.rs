@@ -1,37 +1,97 @@
 //! Lines that the configuration brings into a program at fixed places: that none of them is lost.
 //!
 //! They come while the tool is away from the part, so what has come since it was there is compared where it comes back, and
-//! at the end code.
+//! at the end code. A line about a tool is about the tool in the spindle.
 
-use super::super::read::{OwnPlace, PlacedLines};
+use std::collections::BTreeSet;
+
+use super::super::policy::CheckPolicy;
+use super::super::read::{OwnLine, OwnPlace, PlacedLines};
+use crate::set_up::GivenTool;
+
+/// A tool and the register of its length.
+type ToolAndRegister = (Option<u32>, u32);
 
 /// The lines that have come since the tool was at the part.
 pub(super) struct ShopLines {
     lines: PlacedLines,
     /// Tool of the last approach at which an operation began; `None` before the first.
-    last_tool: Option<Option<u32>>,
+    last_tool: Option<ToolAndRegister>,
+    /// Tools that are measured after their change, and those that are checked for breakage when they have cut.
+    measured: BTreeSet<u32>,
+    checked: BTreeSet<u32>,
+    /// A line has left the axes anywhere since the last machine retract.
+    needs_retract: bool,
 }
 
 impl ShopLines {
-    pub(super) fn new(lines: PlacedLines) -> Self {
-        Self { lines, last_tool: None }
+    pub(super) fn new(lines: PlacedLines, policy: &CheckPolicy) -> Self {
+        let dry = policy.links.dry_lift_mm.is_some();
+        let tools = |wanted: fn(&GivenTool) -> bool| {
+            let tools = policy.set_up.tools.iter().filter(|(_, tool)| wanted(tool) && !dry);
+            tools.map(|(number, _)| *number).collect()
+        };
+        let (measured, checked) = (tools(|tool| tool.measured), tools(|tool| tool.checked));
+        Self { lines, last_tool: None, measured, checked, needs_retract: false }
     }
 
-    /// Takes a line of the program.
-    pub(super) fn note(&mut self, text: &[u8]) {
-        self.lines.note(text);
+    /// Takes a line of the program that comes with this tool in the spindle. Returns what is wrong with it.
+    pub(super) fn note(&mut self, text: &[u8], tool: Option<u32>) -> Option<String> {
+        let of_others = self.lines.note(text, tool);
+        of_others.then(|| format!("a line of another tool in `[tools]`, but T{} is in the spindle", tool.unwrap_or(0)))
     }
 
-    /// An approach has ended: what is missing before it. `starts`: an operation begins there, with this tool.
-    pub(super) fn approach(&mut self, starts: bool, tool: Option<u32>) -> Vec<String> {
+    /// A line has left the axes anywhere.
+    pub(super) fn lose_retract(&mut self) {
+        self.needs_retract = true;
+    }
+
+    /// The machine has retracted.
+    pub(super) fn note_retract(&mut self) {
+        self.needs_retract = false;
+    }
+
+    /// Whether the machine has to retract again after a line.
+    pub(super) fn needs_retract(&self) -> bool {
+        self.needs_retract
+    }
+
+    /// What is wrong with the values of a line about a tool. `spindle`: tool in the spindle; `next`: register of the operation
+    /// that follows.
+    pub(super) fn values_fault(&self, own: &OwnLine, spindle: Option<u32>, next: Option<u32>) -> Option<String> {
+        let key = own.places.first()?.key()?;
+        let of_next = |place: &OwnPlace| matches!(place, OwnPlace::MeasureTool | OwnPlace::OperationStart);
+        let last = self.last_tool.map(|(_, register)| register);
+        let registers = own.places.iter().map(|place| if of_next(place) { next } else { last });
+        if let (Some(tool), Some(spindle)) = (own.values.tool, spindle)
+            && tool != spindle
+        {
+            return Some(format!("this line of `{key}` is for T{tool}, but T{spindle} is in the spindle"));
+        }
+        let offset = own.values.offset?;
+        let mut others = registers.flatten().filter(|register| *register != offset);
+        let wrong = others.clone().count() == own.places.len();
+        let register = others.next().filter(|_| wrong)?;
+        Some(format!("this line of `{key}` is for length register {offset}, but that of the tool is {register}"))
+    }
+
+    /// An approach has ended: what is missing before it. `starts`: an operation begins there, with this tool and register.
+    pub(super) fn approach(&mut self, starts: bool, (tool, register): ToolAndRegister) -> Vec<String> {
         let mut missing = Vec::new();
         if starts {
-            let before = self.last_tool.replace(tool);
+            let before = self.last_tool.replace((tool, register)).map(|(tool, _)| tool);
             let changes = tool.is_some() && before != Some(tool);
+            let measured = changes && tool.is_some_and(|tool| self.measured.contains(&tool));
+            let checked = changes && self.is_checked(before);
+            let ends = |of| changes && before == Some(Some(of));
             missing = self.missing("before this operation", |place| match place {
                 OwnPlace::Start => before.is_none(),
                 OwnPlace::OperationEnd => before.is_some(),
                 OwnPlace::ToolChange => changes,
+                OwnPlace::MeasureTool => measured,
+                OwnPlace::CheckTool => checked,
+                OwnPlace::ToolStart { tool: of } => changes && tool == Some(of),
+                OwnPlace::ToolEnd { tool: of } => ends(of),
                 OwnPlace::Safety | OwnPlace::OperationStart => true,
                 _ => false,
             });
@@ -43,11 +103,20 @@ impl ShopLines {
     /// The end code: what is missing before it.
     pub(super) fn end(&mut self) -> Vec<String> {
         let began = self.last_tool.is_some();
+        let tool = self.last_tool.map(|(tool, _)| tool);
+        let checked = self.is_checked(tool);
         self.missing("before the end code", |place| match place {
             OwnPlace::End => true,
             OwnPlace::OperationEnd => began,
+            OwnPlace::CheckTool => checked,
+            OwnPlace::ToolEnd { tool: of } => tool == Some(Some(of)),
             _ => false,
         })
+    }
+
+    /// Whether a tool that has cut is checked for breakage.
+    fn is_checked(&self, tool: Option<Option<u32>>) -> bool {
+        tool.flatten().is_some_and(|tool| self.checked.contains(&tool))
     }
 
     fn missing(&self, at: &str, needed: impl Fn(OwnPlace) -> bool) -> Vec<String> {

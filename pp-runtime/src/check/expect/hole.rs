@@ -63,7 +63,9 @@ pub(crate) fn unfolded(hole: &Hole, here: Option<&Pose>, peck_gap_mm: f64) -> Ve
     let (first, later) = match hole.drilling {
         Drilling::Peck { first_mm, later_mm } => (first_mm, later_mm),
         Drilling::ChipBreak { step_mm, .. } => (step_mm, step_mm),
-        Drilling::Drill | Drilling::Ream | Drilling::Tap { .. } => (hole.depth_mm, hole.depth_mm),
+        Drilling::Drill | Drilling::Ream | Drilling::FineBore { .. } | Drilling::Tap { .. } => {
+            (hole.depth_mm, hole.depth_mm)
+        }
     };
     let mut depth = first.min(hole.depth_mm);
     for _ in 0..MOST_STEPS {

@@ -116,6 +116,13 @@ pub(super) enum ExpectedAction {
     },
     /// A block that is copied from the CL data.
     Raw(Vec<u8>),
+    /// A block with which a probe measures; the `first` where the last motion has ended.
+    Probe {
+        /// Its text.
+        text: Vec<u8>,
+        /// No other comes before it.
+        first: bool,
+    },
     Home,
 }
 

@@ -216,6 +216,12 @@ impl<'a> ClState<'a> {
             Event::BlockSkip { on } => self.block_skip(at, on),
             Event::Home => self.interrupt(at, ExpectedAction::Home),
             Event::Insert(text) => self.interrupt(at, ExpectedAction::Raw(text.to_vec())),
+            Event::Probe(blocks) => {
+                for (index, block) in blocks.iter().enumerate() {
+                    let text = block.as_bytes().to_vec();
+                    self.interrupt(at, ExpectedAction::Probe { text, first: index == 0 });
+                }
+            }
             Event::Code { letter, number } => {
                 self.interrupt(at, ExpectedAction::Raw(format!("{}{number}", char::from(letter)).into_bytes()));
             }

@@ -82,6 +82,7 @@ impl Placement {
             | Event::Stop
             | Event::Message(_)
             | Event::Insert(_)
+            | Event::Probe(_)
             | Event::Code { .. } => return None,
         })
     }

@@ -114,6 +114,20 @@ pub enum OwnPlace {
         /// Position in the list, from 0.
         index: usize,
     },
+    /// `cycles.measure_tool`.
+    MeasureTool,
+    /// `cycles.check_tool`.
+    CheckTool,
+    /// `start` of a tool.
+    ToolStart {
+        /// Its number.
+        tool: u32,
+    },
+    /// `end` of a tool.
+    ToolEnd {
+        /// Its number.
+        tool: u32,
+    },
     /// Code of a rotary clamp.
     Clamp {
         /// Position of the axis in the chain.
@@ -143,6 +157,10 @@ impl OwnPlace {
             Self::ToolChange => "control.tool_change",
             Self::OperationStart => "program.operation_start",
             Self::OperationEnd => "program.operation_end",
+            Self::MeasureTool => "cycles.measure_tool",
+            Self::CheckTool => "cycles.check_tool",
+            Self::ToolStart { .. } => "tools.N.start",
+            Self::ToolEnd { .. } => "tools.N.end",
             Self::Retract { .. } | Self::Clamp { .. } | Self::Coolant | Self::TipControl { .. } | Self::Insert => {
                 return None;
             }
@@ -157,6 +175,17 @@ pub struct OwnLine {
     pub places: Vec<OwnPlace>,
     /// Strongest effect that `[control] effects` declares for it.
     pub effect: Option<Effect>,
+    /// Values of its fields.
+    pub values: OwnValues,
+}
+
+/// Values of the fields of a line that the user brought in, where it has them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct OwnValues {
+    /// `{tool}`.
+    pub tool: Option<u32>,
+    /// `{offset}`.
+    pub offset: Option<u32>,
 }
 
 /// A circle or a helix in the plane of the state.
@@ -210,8 +239,30 @@ pub enum CycleKind {
     Tap(f64),
     /// The same, not synchronised: the pitch is that of F and S.
     FloatingTap(f64),
-    /// G86, G76: in at feed, out with the spindle still or turned.
+    /// G86: in at feed, out with the spindle off.
     Bore,
+    /// G76, CYCLE86, cycle 202: in at feed, spindle stopped at an angle, off the wall, out at rapid.
+    FineBore(FineBore),
+}
+
+/// Retract of a tool from the wall of a bore, as far as the program states it.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct FineBore {
+    /// Distance, mm.
+    pub shift_mm: Option<f64>,
+    /// Direction along X and Y, of length 1; 0, 0 if there is no shift.
+    pub direction: Option<[f64; 2]>,
+    /// Angle at which the spindle stops, degrees.
+    pub angle_deg: Option<f64>,
+}
+
+impl FineBore {
+    /// By a shift along X and Y, mm.
+    pub(super) fn by_shift(shift: [f64; 2], angle_deg: Option<f64>) -> Self {
+        let length = shift[0].hypot(shift[1]);
+        let direction = shift.map(|part| if length > 0.0 { part / length } else { 0.0 });
+        Self { shift_mm: Some(length), direction: Some(direction), angle_deg }
+    }
 }
 
 impl fmt::Display for CycleKind {
@@ -220,6 +271,7 @@ impl fmt::Display for CycleKind {
             Self::Drill => f.write_str("a drilled hole"),
             Self::Ream => f.write_str("a reamed hole"),
             Self::Bore => f.write_str("a bored hole"),
+            Self::FineBore(_) => f.write_str("a bore with the spindle stopped at an angle"),
             Self::Peck(step) => write!(f, "a peck-drilled hole, full retract after each {step} mm"),
             Self::ChipBreak(step) => write!(f, "a peck-drilled hole, chip break after each {step} mm"),
             Self::Tap(pitch) if *pitch < 0.0 => write!(f, "a left-hand thread with a pitch of {} mm", -pitch),

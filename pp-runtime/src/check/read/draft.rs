@@ -5,8 +5,8 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::block::{
-    BlankPart, CycleKind, Fault, FeedMode, Guard, MAX_AXES, PathMode, RotaryGuard, Side, Smoothing, WorkOffset,
-    WorkPlane,
+    BlankPart, CycleKind, Fault, FeedMode, FineBore, Guard, MAX_AXES, PathMode, RotaryGuard, Side, Smoothing,
+    WorkOffset, WorkPlane,
 };
 use super::language::{PathCode, Pattern, Plane, Smoother, letters};
 use crate::program::{Rotation, Units};
@@ -120,6 +120,9 @@ impl Cycle {
             CycleKind::ChipBreak(step) => CycleKind::ChipBreak(step * unit),
             CycleKind::Tap(pitch) => CycleKind::Tap(pitch * unit),
             CycleKind::FloatingTap(pitch) => CycleKind::FloatingTap(pitch * unit),
+            CycleKind::FineBore(bore) => {
+                CycleKind::FineBore(FineBore { shift_mm: bore.shift_mm.map(|shift| shift * unit), ..bore })
+            }
             kind => kind,
         };
         let back_to = self.back_to.map(|level| level * unit);

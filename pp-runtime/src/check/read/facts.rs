@@ -1,6 +1,7 @@
 //! Properties of the families of controls on which reader and comparison depend.
 
 use super::Family;
+use super::block::{Action, CycleKind, CycleMove};
 
 /// Numbering of the registers that hold the length of a tool.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -83,6 +84,8 @@ pub(crate) struct Facts {
     pub(crate) plane_guard: bool,
     /// The control has switched the spindle off after a thread that is in step with it.
     pub(crate) tap_stops_spindle: bool,
+    /// The control has switched the spindle off after a bore with the spindle stopped at an angle.
+    pub(crate) bore_stops_spindle: bool,
     /// A length guard compares in mm, whatever the unit of the program.
     pub(crate) guard_in_mm: bool,
     /// F of an inch program counts tenths of an inch.
@@ -176,6 +179,7 @@ const ISO: Facts = Facts {
     plane_guard: false,
     // Rigid tapping: Fanuc B-63944EN/02 (2004), Haas 96-8000 (from memory).
     tap_stops_spindle: true,
+    bore_stops_spindle: false,
     guard_in_mm: false,
     feed_in_tenths_of_inch: false,
     feed_counts_degrees: false,
@@ -217,6 +221,17 @@ const ISO: Facts = Facts {
     rotary_path_selected: false,
     blank: false,
 };
+
+impl Facts {
+    /// Whether the control has switched the spindle off after a block.
+    pub(crate) fn stops_spindle(&self, action: &Action) -> bool {
+        match action {
+            Action::Cycle(CycleMove { kind: CycleKind::Tap(_), .. }) => self.tap_stops_spindle,
+            Action::Cycle(CycleMove { kind: CycleKind::FineBore(_), .. }) => self.bore_stops_spindle,
+            _ => false,
+        }
+    }
+}
 
 impl Family {
     /// The properties of the family.
@@ -281,6 +296,7 @@ impl Family {
                 message: Some(["MSG(\"", "\")"]),
                 names_are_messages: true,
                 tap_stops_spindle: false,
+                bore_stops_spindle: true,
                 rapids_interpolated: true,
                 tool_axis_interpolation: true,
                 tool_axis_frame: true,

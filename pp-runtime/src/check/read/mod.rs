@@ -44,9 +44,9 @@ mod tests;
 use std::io::{self, BufRead, BufReader, Read};
 
 pub use block::{
-    Action, ArcMove, BlankPart, Block, CycleKind, CycleMove, Effect, Fault, FeedMode, Guard, Length, LengthSource,
-    MAX_AXES, OwnLine, OwnPlace, PathMode, RotaryGuard, Side, Smoothing, State, Tilt, TipControl, WorkOffset,
-    WorkPlane, coolant, stated,
+    Action, ArcMove, BlankPart, Block, CycleKind, CycleMove, Effect, Fault, FeedMode, FineBore, Guard, Length,
+    LengthSource, MAX_AXES, OwnLine, OwnPlace, OwnValues, PathMode, RotaryGuard, Side, Smoothing, State, Tilt,
+    TipControl, WorkOffset, WorkPlane, coolant, stated,
 };
 pub(crate) use facts::{Facts, GuardSource, LengthRegisters, PoseSelector, SmoothingWords};
 pub(crate) use language::table;

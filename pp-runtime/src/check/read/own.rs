@@ -4,7 +4,7 @@
 //! table does not have is executed by the effect that `[control] effects` declares for it, and only in a line of the
 //! configuration; clamp, coolant and tip control codes have the effect of their keys.
 
-use super::block::{Effect, OwnLine, OwnPlace, WorkPlane};
+use super::block::{Effect, OwnLine, OwnPlace, OwnValues, WorkPlane};
 use super::draft::effect;
 use super::facts::{Facts, Form};
 use super::line::Line;
@@ -204,27 +204,30 @@ pub(super) fn switch(text: &[u8], line: &mut Line<'_>) -> bool {
     found
 }
 
+/// The tool that a value of `{tool}` calls: `5`, `"MILL 10"`, `="MILL 10"`. `None` if it is no tool of the configuration.
+fn called_tool(called: &[u8], line: &mut Line<'_>) -> Option<u32> {
+    let value = called.strip_prefix(b"=").unwrap_or(called);
+    let name = value.strip_prefix(b"\"").and_then(|name| name.strip_suffix(b"\""));
+    let number = name.map_or_else(|| whole(called), |name| line.tool_of(name));
+    if number.is_none() {
+        line.fault(0, format!("`{}` is no tool of the configuration", shown(called)));
+    } else {
+        line.called(name.is_some(), 0);
+    }
+    number
+}
+
+fn whole(text: &[u8]) -> Option<u32> {
+    std::str::from_utf8(text).ok().filter(|text| text.bytes().all(|byte| byte.is_ascii_digit()))?.parse().ok()
+}
+
 /// Executes the tool change of the control with the tool that a line calls: the value of its field `{tool}`.
 fn change_tool(called: Option<&[u8]>, line: &mut Line<'_>) {
     let Some(called) = called else {
         line.fault(0, "tool change without a tool number: the field {tool} has no value");
         return;
     };
-    // `5`, `"MILL 10"`, `="MILL 10"`
-    let value = called.strip_prefix(b"=").unwrap_or(called);
-    let name = value.strip_prefix(b"\"").and_then(|name| name.strip_suffix(b"\""));
-    let number = match name {
-        Some(name) => line.tool_of(name),
-        None => std::str::from_utf8(called)
-            .ok()
-            .filter(|text| text.bytes().all(|byte| byte.is_ascii_digit()))
-            .and_then(|text| text.parse().ok()),
-    };
-    let Some(number) = number else {
-        line.fault(0, format!("tool change to `{}`, which is no tool of the configuration", shown(called)));
-        return;
-    };
-    line.called(name.is_some(), 0);
+    let Some(number) = called_tool(called, line) else { return };
     let of_table = line.facts().plane_by_tool_call;
     let draft = &mut *line.draft;
     (draft.tool, draft.change) = (Some(number), true);
@@ -242,18 +245,19 @@ pub(super) fn resolve(text: &[u8], line: &mut Line<'_>, declared: Option<Declare
     let own = line.vocabulary().own.iter().filter(|own| matches(&own.text, text));
     let mut places: Vec<OwnPlace> = own.map(|own| own.place).collect();
     let effect = declared.map(|declared| declared.effect);
+    let values = values(text, line);
     if let Some(Declared { bits, whole, .. }) = declared {
         line.draft.effects = bits;
         line.draft.speaks();
         if effect == Some(Effect::ToolChange) {
-            let called = line.vocabulary().effects.iter().find_map(|(key, _)| filled(key, text)).flatten();
+            let called = line.vocabulary().effects.iter().find_map(|(key, _)| filled(key, text)).and_then(|of| of.tool);
             change_tool(called, line);
         }
         if whole || line.fault_count() == line.draft.frame_faults {
             if places.is_empty() {
                 places.push(OwnPlace::Insert);
             }
-            return Some(OwnLine { places, effect });
+            return Some(OwnLine { places, effect, values });
         }
     }
     if places.is_empty() {
@@ -261,7 +265,7 @@ pub(super) fn resolve(text: &[u8], line: &mut Line<'_>, declared: Option<Declare
     }
     if switched {
         line.excuse();
-        return Some(OwnLine { places, effect });
+        return Some(OwnLine { places, effect, values });
     }
     if line.fault_count() > line.draft.frame_faults {
         // What it does is unknown, so nothing of it is executed.
@@ -279,7 +283,20 @@ pub(super) fn resolve(text: &[u8], line: &mut Line<'_>, declared: Option<Declare
         );
         line.fault(0, text);
     }
-    Some(OwnLine { places, effect })
+    Some(OwnLine { places, effect, values })
+}
+
+/// Values of the fields of a line that is about the tool in the spindle. In a tool change the codes have them.
+fn values(text: &[u8], line: &mut Line<'_>) -> OwnValues {
+    let is_of_tool = |own: &&OwnText| {
+        matches!(
+            own.place,
+            OwnPlace::MeasureTool | OwnPlace::CheckTool | OwnPlace::OperationStart | OwnPlace::OperationEnd
+        )
+    };
+    let mut own = line.vocabulary().own.iter().filter(is_of_tool);
+    let Some(filled) = own.find_map(|own| filled(&own.text, text)) else { return OwnValues::default() };
+    OwnValues { tool: filled.tool.and_then(|called| called_tool(called, line)), offset: filled.offset.and_then(whole) }
 }
 
 /// Lines of the configuration that have a fixed place in a program, and how often each has come.
@@ -312,7 +329,8 @@ impl PlacedLines {
             // A tool change has a tool.
             let fields = |word: &[u8]| word.iter().filter(|byte| **byte == b'{').count();
             let of_tool = |word: &[u8]| fields(word) == 1 && word.windows(6).any(|field| field == b"{tool}");
-            let has_value = |word: &[u8]| own.place == OwnPlace::ToolChange && of_tool(word);
+            let is_of_tool = matches!(own.place, OwnPlace::ToolChange | OwnPlace::MeasureTool | OwnPlace::CheckTool);
+            let has_value = |word: &[u8]| is_of_tool && of_tool(word);
             let mut words = own.text.split(|byte| *byte == b' ');
             own.place.key().is_some()
                 && words.any(|word| fields(word) == 0 || has_value(word))
@@ -324,14 +342,26 @@ impl PlacedLines {
         Self { lines, facts, bare: Bare::default() }
     }
 
-    /// Takes a line of the program.
-    pub(crate) fn note(&mut self, line: &[u8]) {
+    /// Takes a line of the program that comes with this tool in the spindle. Returns whether it is one of other tools alone.
+    pub(crate) fn note(&mut self, line: &[u8], tool: Option<u32>) -> bool {
         if self.lines.is_empty() {
-            return;
+            return false;
         }
         self.bare.forget();
         let text = self.bare.text(line, &self.facts);
-        self.lines.iter_mut().filter(|own| matches(&own.text, text)).for_each(|own| own.times += 1);
+        let (mut is_of_others, mut may_come) = (false, false);
+        for own in self.lines.iter_mut().filter(|own| matches(&own.text, text)) {
+            own.times += 1;
+            let of_other = match own.place {
+                OwnPlace::ToolStart { tool: of } | OwnPlace::ToolEnd { tool: of } => {
+                    tool.is_some_and(|tool| tool != of)
+                }
+                _ => false,
+            };
+            is_of_others |= of_other;
+            may_come |= !of_other;
+        }
+        is_of_others && !may_come
     }
 
     /// From now on none has come.
@@ -353,52 +383,66 @@ fn matches(template: &[u8], line: &[u8]) -> bool {
     filled(template, line).is_some()
 }
 
-/// The value of `{tool}` in a line, `None` within if it has none; `None` if the line is not the template with values for its
-/// fields.
-fn filled<'a>(template: &[u8], line: &'a [u8]) -> Option<Option<&'a [u8]>> {
+/// Values of fields in a line, as written.
+#[derive(Debug, Clone, Copy, Default)]
+struct Filled<'a> {
+    tool: Option<&'a [u8]>,
+    offset: Option<&'a [u8]>,
+}
+
+impl Filled<'_> {
+    fn or(self, other: Self) -> Self {
+        Self { tool: self.tool.or(other.tool), offset: self.offset.or(other.offset) }
+    }
+}
+
+/// The values of fields in a line; `None` if the line is not the template with values for its fields.
+fn filled<'a>(template: &[u8], line: &'a [u8]) -> Option<Filled<'a>> {
     if !template.contains(&b'{') {
-        return (template == line).then_some(None);
+        return (template == line).then(Filled::default);
     }
     let split = |text: &[u8]| text.iter().position(|byte| *byte == b' ').unwrap_or(text.len());
     let (end, word_end) = (split(template), split(line));
     let (word, rest) = (&template[..end], template.get(end + 1..));
     let after = line.get(word_end + 1..);
     let goes_on = match (rest, after) {
-        (None, None) => Some(None),
+        (None, None) => Some(Filled::default()),
         (Some(rest), Some(after)) => filled(rest, after),
         // The words that are left have no value.
-        (Some(rest), None) => rest.split(|byte| *byte == b' ').all(|word| word.contains(&b'{')).then_some(None),
+        (Some(rest), None) => rest.split(|byte| *byte == b' ').all(|word| word.contains(&b'{')).then(Filled::default),
         (None, Some(_)) => None,
     };
-    if let Some(tool) = goes_on
+    if let Some(others) = goes_on
         && let Some(own) = filled_word(word, &line[..word_end])
     {
-        return Some(own.or(tool));
+        return Some(own.or(others));
     }
     // A value with a blank in it: `G54.1 P3`, a name.
     if word.contains(&b'{') {
         if let Some(rest) = rest
-            && let Some(tool) = filled(rest, line)
+            && let Some(others) = filled(rest, line)
         {
-            return Some(tool);
+            return Some(others);
         }
         return line.iter().enumerate().filter(|(_, byte)| **byte == b' ').find_map(|(blank, _)| {
             let next = line[blank + 1..].iter().position(|byte| *byte == b' ').map(|at| blank + 1 + at);
             let own = filled_word(word, &line[..next.unwrap_or(line.len())])?;
-            let tool = match (rest, next) {
+            let others = match (rest, next) {
                 (Some(rest), Some(next)) => filled(rest, &line[next + 1..])?,
-                (None, None) => None,
+                (None, None) => Filled::default(),
                 (Some(_), None) | (None, Some(_)) => return None,
             };
-            Some(own.or(tool))
+            Some(own.or(others))
         });
     }
     None
 }
 
 /// The same for a word of a template.
-fn filled_word<'a>(word: &[u8], text: &'a [u8]) -> Option<Option<&'a [u8]>> {
-    let Some(open) = word.iter().position(|byte| *byte == b'{') else { return (word == text).then_some(None) };
+fn filled_word<'a>(word: &[u8], text: &'a [u8]) -> Option<Filled<'a>> {
+    let Some(open) = word.iter().position(|byte| *byte == b'{') else {
+        return (word == text).then(Filled::default);
+    };
     let close = word.iter().position(|byte| *byte == b'}')?;
     if !text.starts_with(&word[..open]) {
         return None;
@@ -406,8 +450,13 @@ fn filled_word<'a>(word: &[u8], text: &'a [u8]) -> Option<Option<&'a [u8]>> {
     let (field, rest, value) = (&word[open + 1..close], &word[close + 1..], &text[open..]);
     (1..=value.len()).find_map(|length| {
         let (value, after) = value.split_at(length);
-        let tool = is_value(field, value).then(|| filled_word(rest, after)).flatten()?;
-        Some(if field == b"tool" { Some(value) } else { tool })
+        let others = is_value(field, value).then(|| filled_word(rest, after)).flatten()?;
+        let own = match field {
+            b"tool" => Filled { tool: Some(value), ..Filled::default() },
+            b"offset" => Filled { offset: Some(value), ..Filled::default() },
+            _ => Filled::default(),
+        };
+        Some(own.or(others))
     })
 }
 

@@ -29,6 +29,8 @@ fn the_name_of_an_operation_comes_after_the_retract_of_the_one_before() {
 fn the_last_tool_preselects_the_first() {
     let program = posted_right::<Mill>("fanuc", Mode::Axes, "", TWO_OPERATIONS);
     assert!(program.contains("T1 M6\nT2\n") && program.contains("T2 M6\nT1\n"), "{program}");
+    let not_wanted = posted_right::<Mill>("fanuc", Mode::Axes, "control.preselect_first = false\n", TWO_OPERATIONS);
+    assert!(not_wanted.contains("T1 M6\nT2\n") && !not_wanted.contains("\nT1\n"), "{not_wanted}");
     let one = TWO_OPERATIONS.split("TOOL PATH/SECOND").next().expect("the first operation");
     assert!(!posted_right::<Mill>("fanuc", Mode::Axes, "", one).contains("\nT1\n"));
 }
@@ -38,6 +40,12 @@ fn a_blank_around_the_cuts_is_named_in_the_header() {
     let note = "BLANK is the box around all cuts";
     let program = posted_right::<Mill>("heidenhain", Mode::Axes, "", TWO_OPERATIONS);
     assert!(program.contains("BLK FORM 0.1 Z X+0 Y+0 Z+0\n") && program.contains(note), "{program}");
+    let solid = "solids.stock = { box = [[-10, -10, -30], [40, 20, 0]] }\n";
+    let program = posted_right::<Mill>("heidenhain", Mode::Axes, solid, TWO_OPERATIONS);
+    assert!(
+        program.contains(note) && program.contains("the solid `stock` of [solids] is for the simulation"),
+        "{program}"
+    );
     let stock = "stock = { lower = [-10, -10, -30], upper = [40, 20, 0] }\n";
     let program = posted_right::<Mill>("heidenhain", Mode::Axes, stock, TWO_OPERATIONS);
     assert!(program.contains("BLK FORM 0.1 Z X-10 Y-10 Z-30\n") && !program.contains(note), "{program}");

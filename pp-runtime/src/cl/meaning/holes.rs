@@ -408,11 +408,18 @@ fn drilling(cycle: &CycleCall, feed: Option<Feed>, pitch: Option<f64>, unit_mm: 
         Some(_) => Err(fault(cycle.at, "the step of a cycle must be above 0", "program STEP,depth")),
         None => Err(fault(cycle.at, "this cycle has no step", "program STEP, INCR or SUBPECK with a depth")),
     };
-    if cycle.orient_deg.is_some() || cycle.kind == ClCycleKind::Back {
+    if cycle.kind == ClCycleKind::Back {
         return Err(fault(
             cycle.at,
-            "this cycle stops the spindle at an angle in the hole: only a canned cycle of the control can do that",
-            "to retract at feed, write BORE without ORIENT and its angle; else write the motions themselves as GOTO",
+            "back boring leads the tool off the centre through the hole: its CL data does not state how wide that is",
+            "write the motions themselves as GOTO, or program this cycle at the control",
+        ));
+    }
+    if cycle.orient_deg.is_some() && cycle.kind != ClCycleKind::Bore {
+        return Err(fault(
+            cycle.at,
+            format!("ORIENT stops the spindle at an angle, which does not belong to {}", cycle.kind.word()),
+            "write BORE with ORIENT, or this cycle without it",
         ));
     }
     let any = cycle.back.or(cycle.first_step).or(cycle.step);
@@ -433,7 +440,11 @@ fn drilling(cycle: &CycleCall, feed: Option<Feed>, pitch: Option<f64>, unit_mm: 
         ClCycleKind::Drill | ClCycleKind::Face | ClCycleKind::Csink | ClCycleKind::Thru | ClCycleKind::Cbore => {
             Drilling::Drill
         }
-        ClCycleKind::Bore | ClCycleKind::Ream | ClCycleKind::Back => Drilling::Ream,
+        ClCycleKind::Bore => match cycle.orient_deg {
+            Some(orient) => Drilling::FineBore { orient_rad: orient.to_radians() },
+            None => Drilling::Ream,
+        },
+        ClCycleKind::Ream | ClCycleKind::Back => Drilling::Ream,
         ClCycleKind::Deep => {
             let later = steps(cycle.step)?;
             let first = if cycle.first_step.is_some() { steps(cycle.first_step)? } else { later };

@@ -106,6 +106,10 @@ options! {
         /// Statements of the shop, and the block that is written for each. Its effect on the machine is that of its codes; that of
         /// a code which the control does not have itself is declared in `[control] effects`.
         own_statements: Vec<OwnStatement> = Vec::new(), key("cl.words", OwnStatements);
+        /// Statements at which a probe measures from where the tool is, and their blocks: macros of the probe. A rapid leads
+        /// there; spindle and coolant are off; after the blocks the machine retracts, and everything is stated anew. Their
+        /// effect needs no declaration.
+        probes: Vec<OwnStatement> = Vec::new(), key("cycles.probe", Probes);
         /// A frame that differs from the first and is in no set-up: "refuse", or "main" (mapped into the first). With
         /// `[set_ups]` it belongs to the first set-up.
         frames: Frames = Frames::Refuse, key("cl.frames", OneOf(&Frames::NAMES));
@@ -142,7 +146,7 @@ options! {
 impl ReadingOptions {
     /// What the user says about words that are not read.
     pub(crate) fn given_meanings(&self) -> GivenMeanings<'_> {
-        GivenMeanings { inert: &self.inert, own: &self.own_statements }
+        GivenMeanings { inert: &self.inert, own: &self.own_statements, probes: &self.probes }
     }
 }
 
@@ -213,6 +217,41 @@ impl KeyKind for OwnStatements {
 
     fn printed(&self, _scope: &KeyScope) -> Option<Printed> {
         Some(Printed::Example("{ \"CHUCK/OPEN\" = \"M68\" }".to_owned()))
+    }
+}
+
+/// Kind of key: statements at which a probe measures, with their blocks: `"PROBE/BORE,20" = ["G65 P9814 D20."]`.
+#[derive(Debug, Clone, Copy)]
+struct Probes;
+
+impl KeyKind for Probes {
+    type Value = Vec<OwnStatement>;
+
+    fn read(&self, r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<Self::Value> {
+        let mut read: Vec<OwnStatement> = Vec::new();
+        for (key, span, value) in r.entries(value) {
+            let Some(blocks) = ListOf(OneLine).read(r, value) else { continue };
+            match OwnStatement::probing(key, &blocks) {
+                Ok(own) if read.iter().any(|known| known.statement() == own.statement()) => {
+                    r.fault(span, format!("`{key}` is stated twice"), None);
+                }
+                Ok(own) => read.push(own),
+                Err(why) => r.fault(span, why, None),
+            }
+        }
+        Some(read)
+    }
+
+    fn print(&self, _value: &Self::Value) -> String {
+        "{}".to_owned()
+    }
+
+    fn schema(&self, scope: &KeyScope) -> Json {
+        json!({ "type": "object", "additionalProperties": ListOf(OneLine).schema(scope) })
+    }
+
+    fn printed(&self, _scope: &KeyScope) -> Option<Printed> {
+        Some(Printed::Example("{ \"PROBE/BORE,20\" = [\"G65 P9810 Z-5. F3000.\", \"G65 P9814 D20.\"] }".to_owned()))
     }
 }
 

@@ -4,12 +4,16 @@ use super::parse::major_word;
 use super::words::{Handling, is_word, look_up};
 use crate::program::is_nc_text;
 
-/// A statement of CL data and the NC block that is written in its place.
+/// Word of a cycle at which a probe measures.
+const PROBE_CYCLE: &str = "CYCLE/PROBE";
+
+/// A statement of CL data and the NC blocks that are written in its place.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct OwnStatement {
     /// The statement in capitals, without blanks: `CHUCK/OPEN`.
     statement: String,
-    block: String,
+    blocks: Vec<String>,
+    probes: bool,
 }
 
 impl OwnStatement {
@@ -19,11 +23,27 @@ impl OwnStatement {
     /// Says what is wrong with them: a word that is read, or whose statement changes the motions after it; a block that is
     /// empty or not of printable ASCII characters.
     pub fn new(statement: &str, block: &str) -> Result<Self, String> {
+        Self::of(statement, &[block.to_owned()], false)
+    }
+
+    /// A statement at which a probe measures from where the tool is, and the blocks for it: `PROBE/BORE,20`. The word may be
+    /// CYCLE, with PROBE after it.
+    ///
+    /// # Errors
+    /// Those of [`new`](Self::new), and that there is no block.
+    pub fn probing(statement: &str, blocks: &[String]) -> Result<Self, String> {
+        Self::of(statement, blocks, true)
+    }
+
+    fn of(statement: &str, blocks: &[String], probes: bool) -> Result<Self, String> {
         let word = &statement[..major_word(statement.as_bytes()).end];
         if !is_word(word) || !is_nc_text(statement.as_bytes()) || statement.contains('$') {
             return Err(format!("`{statement}` is not a statement of CL data"));
         }
-        if let Some(row) = look_up(word.as_bytes()) {
+        let capitals: String =
+            statement.bytes().filter(|byte| *byte != b' ').map(|byte| byte.to_ascii_uppercase() as char).collect();
+        let is_cycle = probes && (capitals == PROBE_CYCLE || capitals.starts_with(&format!("{PROBE_CYCLE},")));
+        if let Some(row) = look_up(word.as_bytes()).filter(|_| !is_cycle) {
             match row.handling {
                 Handling::Inert | Handling::Refused(_) => {}
                 Handling::Read(_) | Handling::ReadText(_) => {
@@ -33,13 +53,14 @@ impl OwnStatement {
                 Handling::Lathe => return Err(format!("no block takes the place of {word}: it belongs to turning")),
             }
         }
-        if block.trim().is_empty() || !is_nc_text(block.as_bytes()) {
+        let is_block = |block: &String| !block.trim().is_empty() && is_nc_text(block.as_bytes());
+        if blocks.is_empty() || !blocks.iter().all(is_block) {
             return Err(
                 "a block has ASCII letters, digits and signs; others are read differently by controls".to_owned()
             );
         }
-        let statement = statement.bytes().filter(|byte| *byte != b' ').map(|byte| byte.to_ascii_uppercase() as char);
-        Ok(Self { statement: statement.collect(), block: block.trim().to_owned() })
+        let blocks = blocks.iter().map(|block| block.trim().to_owned()).collect();
+        Ok(Self { statement: capitals, blocks, probes })
     }
 
     /// The statement in capitals, without blanks.
@@ -48,10 +69,16 @@ impl OwnStatement {
         &self.statement
     }
 
-    /// The block that is written in its place.
+    /// The blocks that are written in its place, one or more.
     #[must_use]
-    pub fn block(&self) -> &str {
-        &self.block
+    pub fn blocks(&self) -> &[String] {
+        &self.blocks
+    }
+
+    /// Whether a probe measures there.
+    #[must_use]
+    pub fn probes(&self) -> bool {
+        self.probes
     }
 
     fn is(&self, text: &[u8]) -> bool {
@@ -70,6 +97,7 @@ pub(crate) struct GivenMeanings<'o> {
     /// Words that are passed over.
     pub(crate) inert: &'o [String],
     pub(crate) own: &'o [OwnStatement],
+    pub(crate) probes: &'o [OwnStatement],
 }
 
 impl<'o> GivenMeanings<'o> {
@@ -77,13 +105,23 @@ impl<'o> GivenMeanings<'o> {
         self.inert.iter().any(|inert| word.eq_ignore_ascii_case(inert.as_bytes()))
     }
 
+    /// The statements of the shop.
+    fn all(self) -> impl Iterator<Item = &'o OwnStatement> {
+        self.own.iter().chain(self.probes)
+    }
+
     /// Index of the statement of the shop that a statement is.
     pub(crate) fn own(self, text: &[u8]) -> Option<usize> {
-        self.own.iter().position(|own| own.is(text))
+        self.all().position(|own| own.is(text))
+    }
+
+    /// The statement of the shop of an index.
+    pub(crate) fn own_at(self, index: usize) -> Option<&'o OwnStatement> {
+        self.all().nth(index)
     }
 
     /// The statements of the shop that begin with this word.
     pub(crate) fn beginning_with(self, word: &[u8]) -> impl Iterator<Item = &'o str> {
-        self.own.iter().filter(move |own| word.eq_ignore_ascii_case(own.word())).map(OwnStatement::statement)
+        self.all().filter(move |own| word.eq_ignore_ascii_case(own.word())).map(OwnStatement::statement)
     }
 }

@@ -34,6 +34,9 @@ pub(crate) fn parse<'a>(text: &'a [u8], given: GivenMeanings<'_>) -> Result<Reco
     let passed_over = row.is_note() && declared();
     match row.handling {
         Handling::Read(read) => {
+            if let Some(own) = own_record(text, given) {
+                return Ok(own);
+            }
             let mut args = Args::after_slash(&row.word, text, word_at.end)?;
             let read = read(&mut args).and_then(|record| args.finish().map(|()| record));
             // A turning tool is refused all the same.
@@ -121,6 +124,12 @@ pub(super) fn major_word(text: &[u8]) -> Span {
     Span { start: 0, end }
 }
 
+/// The statement of the shop that a statement is.
+fn own_record<'a>(text: &'a [u8], given: GivenMeanings<'_>) -> Option<Record<'a>> {
+    let index = given.own(text)?;
+    Some(Record::Own(Text { bytes: text, at: Span { start: 0, end: text.len() } }, index))
+}
+
 /// A statement whose word has a statement of the shop. Any other statement of that word is refused, unless the word is
 /// declared inert: it may be a misspelt one.
 fn own_statement<'a>(text: &'a [u8], word_at: Span, given: GivenMeanings<'_>) -> Option<Result<Record<'a>, ClFault>> {
@@ -128,8 +137,8 @@ fn own_statement<'a>(text: &'a [u8], word_at: Span, given: GivenMeanings<'_>) ->
     let mut known = given.beginning_with(word).peekable();
     known.peek()?;
     let whole = Span { start: 0, end: text.len() };
-    if let Some(index) = given.own(text) {
-        return Some(Ok(Record::Own(Text { bytes: text, at: whole }, index)));
+    if let Some(own) = own_record(text, given) {
+        return Some(Ok(own));
     }
     if given.is_inert(word) {
         return None;

@@ -15,7 +15,7 @@ fn no_help_asks_for_another_output_where_an_edit_an_option_or_a_key_is_a_remedy(
         ("TRACUT/2,0,0,0,0,2,0,0,0,0,2,0\nGOTO/0,0,0\n".to_owned(), "delete TRACUT"),
         ("AUTOPS\nGOTO/0,0,0\n".to_owned(), "delete AUTOPS"),
         (format!("{nx}CYCLE/DRILL,FEDTO,-3,RAPTO,3,CLEAR,2\nGOTO/0,0,0\n"), "delete the one"),
-        (format!("{nx}CYCLE/BORE,FEDTO,-3,RAPTO,3,ORIENT,0\nGOTO/0,0,0\n"), "BORE without ORIENT"),
+        (format!("{nx}CYCLE/REAM,FEDTO,-3,RAPTO,3,ORIENT,0\nGOTO/0,0,0\n"), "BORE with ORIENT"),
         (format!("{nx}CYCLE/DRILL,FEDTO,0,RAPTO,3\nGOTO/0,0,0\n"), "write the depth in this record"),
         ("GOTO/1,0,0\nCIRCLE/0,0,0,1\nGOTO/0,1,0\n".to_owned(), "`--circle-sense ccw`"),
     ] {

@@ -101,8 +101,8 @@ fn a_cycle_that_would_not_make_the_hole_is_refused() {
     assert_eq!(nx("DRILL,RAPTO,3,FEDTO,-5,RTRCTO,2"), "the return level of this cycle lies below its clearance level");
     assert_eq!(nx("DRILL,DEEP,RAPTO,3,FEDTO,-5"), "this cycle has no step");
     assert_eq!(nx("DRILL,RAPTO,3,FEDTO,-5,STEP,2"), "this cycle has a word that does not belong to DRILL");
-    assert!(nx("BORE,RAPTO,3,FEDTO,-5,ORIENT,0").contains("stops the spindle at an angle"));
-    assert!(nx("BACK,RAPTO,3,FEDTO,-5").contains("stops the spindle at an angle"));
+    assert!(nx("REAM,RAPTO,3,FEDTO,-5,ORIENT,0").contains("which does not belong to REAM"));
+    assert!(nx("BACK,RAPTO,3,FEDTO,-5").contains("back boring leads the tool off the centre"));
     assert_eq!(nx("MILL,RAPTO,3"), "CYCLE with `MILL` is not supported");
     let low = errors(&format!("{NX}GOTO/0,0,1\nCYCLE/DRILL,RAPTO,3,FEDTO,-5,RTRCTO,AUTO\nGOTO/1,0,0\n"));
     assert!(low[0].contains("the level before the cycle lies 1.0000 mm above this hole"), "{low:?}");

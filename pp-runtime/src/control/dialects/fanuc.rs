@@ -31,7 +31,7 @@
 //! `G68.2` takes Euler angles about Z, the new X and the new Z, and `G53.1` rotates the axes. Of several poses it takes the one that rotates the master axis least (B-63784EN, tool axis direction control), so the axes are
 //! rotated to the planned pose before it.
 
-use crate::motion::{CycleAbilities, PlaneAngles, PoseRule};
+use crate::motion::{CycleAbilities, FineBoreAbility, PlaneAngles, PoseRule};
 use crate::nc::{Formats, Numerals};
 
 use super::control::{Control, LengthGuard, numbered};
@@ -78,10 +78,14 @@ static SPELLINGS: Spellings = Spellings {
             tap_dwell: true,
             tap_stops_spindle: true,
             tap_uses_feed: true,
+            fine_bore: Some(FineBoreAbility { states_angle: false, fixed_shift_um: None, stops_spindle: false }),
             ..CycleAbilities::CODES
         },
         form: CycleForm::Codes(CycleCodes {
             thread: ThreadCodes::Cycle { codes: ["G84", "G74"], rigid: "M29 S{speed}" },
+            // Q is the shift without its direction, which parameter 5148 has (6240 of the 15i: operator's manual, p. 315).
+            fine_bore: "G76",
+            bore_setting: "parameter 5148",
             dwell: "P{milliseconds}",
             ..CycleCodes::ISO
         }),

@@ -28,7 +28,7 @@
 //! angles: about X, then Y, then Z of the work offset. From memory: no page of Haas that states it was found, and the header of a
 //! program with planes asks for it.
 
-use crate::motion::{CycleAbilities, PlaneAngles, PoseRule};
+use crate::motion::{CycleAbilities, FineBoreAbility, PlaneAngles, PoseRule};
 use crate::nc::{Formats, Numerals};
 
 use super::control::{Control, LengthGuard, numbered};
@@ -68,9 +68,12 @@ static SPELLINGS: Spellings = Spellings {
             ream_higher: true,
             tap_stops_spindle: true,
             tap_uses_feed: true,
+            fine_bore: Some(FineBoreAbility { states_angle: false, fixed_shift_um: None, stops_spindle: false }),
             ..CycleAbilities::CODES
         },
-        form: CycleForm::Codes(CycleCodes::ISO),
+        // Without Q, I and J are direction and distance of the shift: mill operator's manual 96-8000, p. 187 and 188. With Q
+        // the direction would be that of setting 27.
+        form: CycleForm::Codes(CycleCodes { fine_bore: "G76", bore_shift_by_axis: true, ..CycleCodes::ISO }),
     }),
     radius_data: [
         "D must hold the radius of the tool where setting 40 is RADIUS, its diameter where it is DIAMETER",

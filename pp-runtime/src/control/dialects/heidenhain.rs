@@ -52,7 +52,7 @@
 //! 640). F in cycles, Q206, is in the same unit as elsewhere in the program, in tenths of an inch as well: from memory, since no
 //! public page states it; the header of an inch program with cycles says so.
 
-use crate::motion::{CycleAbilities, PathNorm, PlaneAngles, PoseRule, Registers};
+use crate::motion::{CycleAbilities, FineBoreAbility, PathNorm, PlaneAngles, PoseRule, Registers};
 use crate::nc::{Formats, Numerals};
 
 use super::control::{BlankWords, Control, LengthGuard, PlaneGuard, numbered};
@@ -83,6 +83,18 @@ const REAMING: &str = "CYCL DEF 201 REAMING ~\n\
     \x20 Q208=+0 ;RETRACTION FEED RATE ~\n\
     \x20 Q203={surface} ;SURFACE COORDINATE ~\n\
     \x20 Q204={higher} ;2ND SET-UP CLEARANCE";
+
+/// Directions Q214, as Autodesk's public post has them: 1 -X, 2 -Y, 3 +X, 4 +Y.
+const BORING: &str = "CYCL DEF 202 BORING ~\n\
+    \x20 Q200={clearance} ;SET-UP CLEARANCE ~\n\
+    \x20 Q201={depth} ;DEPTH ~\n\
+    \x20 Q206=+{feed} ;FEED RATE FOR PLNGNG ~\n\
+    \x20 Q211=+{seconds} ;DWELL TIME AT DEPTH ~\n\
+    \x20 Q208=+99999 ;RETRACTION FEED RATE ~\n\
+    \x20 Q203={surface} ;SURFACE COORDINATE ~\n\
+    \x20 Q204={higher} ;2ND SET-UP CLEARANCE ~\n\
+    \x20 Q214=+{quadrant} ;DISENGAGING DIRECTN ~\n\
+    \x20 Q336={orient} ;ANGLE OF SPINDLE";
 
 const UNIVERSAL_DRILLING: &str = "CYCL DEF 203 UNIVERSAL DRILLING ~\n\
     \x20 Q200={clearance} ;SET-UP CLEARANCE ~\n\
@@ -179,6 +191,8 @@ static SPELLINGS: Spellings = Spellings {
             programs_gap: true,
             tap_stops_spindle: true,
             pitch_decimals: 4,
+            // 0.2 mm, and the spindle as before: cycle 202 in the manuals of cycle programming (from memory).
+            fine_bore: Some(FineBoreAbility { states_angle: true, fixed_shift_um: Some(200), stops_spindle: false }),
             ..CycleAbilities::CODES
         },
         form: CycleForm::Definitions(CycleDefinitions {
@@ -187,6 +201,7 @@ static SPELLINGS: Spellings = Spellings {
             peck: &[UNIVERSAL_PECKING],
             chip_break: &[UNIVERSAL_DRILLING],
             ream: &[REAMING],
+            fine_bore: &[BORING],
             thread: &[RIGID_TAPPING],
             call: "M99",
             end: "",

@@ -105,6 +105,9 @@ impl CycleCodes {
         chip_break: "G73",
         ream: ["G85", "G89"],
         thread: ThreadCodes::Cycle { codes: ["G84", "G74"], rigid: "" },
+        fine_bore: "",
+        bore_setting: "",
+        bore_shift_by_axis: false,
         dwell: "P{seconds}",
         end: "G80",
     };

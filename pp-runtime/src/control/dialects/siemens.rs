@@ -51,7 +51,7 @@
 //! multiple of the step (from memory: the last two steps share the rest equally): in any case there are as many steps as in the
 //! CL data, and none is longer.
 
-use crate::motion::{CycleAbilities, PlaneAngles, PoseRule, Registers};
+use crate::motion::{CycleAbilities, FineBoreAbility, PlaneAngles, PoseRule, Registers};
 use crate::nc::Formats;
 
 use super::control::{BlankWords, Control, LengthGuard, PlaneGuard, RadiusGuard, numbered};
@@ -96,6 +96,8 @@ static SPELLINGS: Spellings = Spellings {
             peck_dwell: true,
             returns_to_any_level: true,
             programs_gap: true,
+            // The cycle starts the spindle in the sense SDIR and stops it at POSS: Cycles PGZ, CYCLE86.
+            fine_bore: Some(FineBoreAbility { states_angle: true, fixed_shift_um: None, stops_spindle: true }),
             ..CycleAbilities::CODES
         },
         form: CycleForm::Definitions(CycleDefinitions {
@@ -110,6 +112,10 @@ static SPELLINGS: Spellings = Spellings {
                 "MCALL CYCLE83({back},{surface},{clearance},{bottom},,,{step},0,0,0,1,0,,,{gap},{seconds})",
             ],
             ream: &["MCALL CYCLE85({back},{surface},{clearance},{bottom},,{seconds},{feed},{feed})"],
+            fine_bore: &[
+                "F{feed}",
+                "MCALL CYCLE86({back},{surface},{clearance},{bottom},,{seconds},{rotation},{shift_x},{shift_y},0,{orient})",
+            ],
             thread: &[
                 "MCALL CYCLE84({back},{surface},{clearance},{bottom},,{seconds},{rotation},,{pitch},0,{speed},{speed},,{pitch_unit})",
             ],

@@ -211,6 +211,12 @@ pub struct CycleCodes {
     pub ream: [&'static str; 2],
     /// Tapping.
     pub thread: ThreadCodes,
+    /// Boring with an oriented spindle.
+    pub fine_bore: &'static str,
+    /// Setting of the control that has the direction off the wall, where the program does not state it.
+    pub bore_setting: &'static str,
+    /// Its shift off the wall is I or J; otherwise Q, in the direction that is set in the control.
+    pub bore_shift_by_axis: bool,
     /// Word of the dwell, as a template.
     pub dwell: &'static str,
     /// Code that cancels the cycle.
@@ -230,6 +236,8 @@ pub struct CycleDefinitions {
     pub chip_break: &'static [&'static str],
     /// Reaming: retract at feed.
     pub ream: &'static [&'static str],
+    /// Boring with an oriented spindle.
+    pub fine_bore: &'static [&'static str],
     /// Tapping.
     pub thread: &'static [&'static str],
     /// Code after the words of a position that calls the cycle. The definition then survives other motions. Empty if

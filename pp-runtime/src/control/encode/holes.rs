@@ -74,6 +74,7 @@ impl HoleWriter {
             (CannedKind::Peck { .. }, _) => codes.peck,
             (CannedKind::ChipBreak { .. }, _) => codes.chip_break,
             (CannedKind::Ream, _) => codes.ream[usize::from(cycle.dwell.is_some())],
+            (CannedKind::FineBore { .. }, _) => codes.fine_bore,
             (CannedKind::Tap { left, speed, .. }, ThreadCodes::Cycle { codes, rigid }) => {
                 if self.rigid {
                     out.values().speed = Some(speed);
@@ -92,6 +93,7 @@ impl HoleWriter {
             | CannedKind::Peck { .. }
             | CannedKind::ChipBreak { .. }
             | CannedKind::Ream
+            | CannedKind::FineBore { .. }
             | CannedKind::Tap { .. } => {
                 out.feed_mode(out.codes().per_minute);
                 cycle.feed
@@ -101,7 +103,7 @@ impl HoleWriter {
         out.writer_mut().code(code);
         out.modal().forget_axes(&cycle.words);
         out.axis_words(&cycle.words, false);
-        cycle_words(cycle, feed, codes.dwell, out)?;
+        cycle_words(cycle, feed, codes, out)?;
         self.in_force = Some(*cycle);
         Ok(())
     }
@@ -154,6 +156,7 @@ impl HoleWriter {
             (CannedKind::Peck { .. }, ..) => blocks.peck,
             (CannedKind::ChipBreak { .. }, ..) => blocks.chip_break,
             (CannedKind::Ream, ..) => blocks.ream,
+            (CannedKind::FineBore { .. }, ..) => blocks.fine_bore,
             (CannedKind::Tap { speed, .. }, ..) => {
                 out.values().speed = Some(speed);
                 blocks.thread
@@ -201,18 +204,27 @@ impl HoleWriter {
 }
 
 /// Writes the words `Z R Q P F` of a cycle, and ends the block.
-fn cycle_words(cycle: &CannedCycle, feed: Decimal, dwell: &str, out: &mut ModalWriter<'_>) -> io::Result<()> {
+fn cycle_words(cycle: &CannedCycle, feed: Decimal, codes: &CycleCodes, out: &mut ModalWriter<'_>) -> io::Result<()> {
     let decimals = out.decimals(cycle.z);
     let mut bottom = AxisWords { mask: 1 << cycle.z, ..AxisWords::default() };
     bottom.units[cycle.z] = cycle.bottom;
     out.axis_words(&bottom, true);
     out.word("R", Decimal { units: cycle.clearance, decimals });
-    if let CannedKind::Peck { step: units, .. } | CannedKind::ChipBreak { step: units, .. } = cycle.kind {
-        out.word("Q", Decimal { units, decimals });
+    match cycle.kind {
+        CannedKind::Peck { step: units, .. } | CannedKind::ChipBreak { step: units, .. } => {
+            out.word("Q", Decimal { units, decimals });
+        }
+        CannedKind::FineBore { direction, shift, .. } if codes.bore_shift_by_axis => {
+            for (word, step) in ["I", "J"].into_iter().zip(direction.steps()).filter(|(_, step)| *step != 0) {
+                out.word(word, Decimal { units: step * shift, decimals });
+            }
+        }
+        CannedKind::FineBore { shift: units, .. } => out.word("Q", Decimal { units, decimals }),
+        CannedKind::Drill | CannedKind::Ream | CannedKind::Tap { .. } => {}
     }
     if let Some(seconds) = cycle.dwell {
         out.values().seconds = Some(seconds);
-        out.code(dwell);
+        out.code(codes.dwell);
     }
     out.feed_word(feed);
     out.end()

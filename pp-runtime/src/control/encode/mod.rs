@@ -16,7 +16,7 @@ mod values;
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 
-use crate::motion::{Provenance, Sink, Step};
+use crate::motion::{Provenance, Sink, Step, ToolRoutine};
 use crate::nc::{Decimal, WrittenLine};
 use crate::program::Units;
 use crate::set_up::Stock;
@@ -49,6 +49,11 @@ pub struct Encoder<'a> {
     /// The file begins with the name of the program.
     file_header: bool,
     program: ProgramBlocks,
+    /// Blocks of the shop that measure a tool, and that look for its breakage.
+    measure_tool: Vec<String>,
+    check_tool: Vec<String>,
+    /// Blocks of the shop at the start and the end of tools, by tool number.
+    blocks_of_tools: BTreeMap<u32, [Vec<String>; 2]>,
     units: Units,
     /// Decimals of linear words.
     linear: u32,
@@ -71,6 +76,9 @@ impl<'a> Encoder<'a> {
             tool_names: layout.tool_names.clone(),
             file_header: layout.options.file_header,
             program: layout.program.clone(),
+            measure_tool: layout.options.measure_tool.clone(),
+            check_tool: layout.options.check_tool.clone(),
+            blocks_of_tools: layout.blocks_of_tools.clone(),
             units: layout.units,
             linear: layout.linear,
             line: Vec::with_capacity(256),
@@ -183,6 +191,16 @@ impl<'a> Encoder<'a> {
             }
             Step::Tool { number, offset, next, speed, radius_delta, change } => {
                 self.tool([number, offset], next, speed, radius_delta, change)
+            }
+            Step::ToolRoutine { tool, routine } => {
+                let of_tool = self.blocks_of_tools.get(&tool);
+                let blocks = match routine {
+                    ToolRoutine::Measure => Some(&self.measure_tool),
+                    ToolRoutine::Check => Some(&self.check_tool),
+                    ToolRoutine::Start => of_tool.map(|[start, _]| start),
+                    ToolRoutine::End => of_tool.map(|[_, end]| end),
+                };
+                blocks.map_or(Ok(()), |blocks| out.configured_blocks(blocks))
             }
             Step::Length { offset } => out.length(offset),
             Step::CutterCompensation { left, register } => {

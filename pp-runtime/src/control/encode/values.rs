@@ -1,7 +1,7 @@
 //! Values of template fields: data of the program, and of the tool, plane and hole that are being written.
 
 use crate::control::template::{self, Field};
-use crate::motion::{CannedCycle, CannedKind};
+use crate::motion::{BoreRetract, CannedCycle, CannedKind};
 use crate::nc::{Decimal, Numerals, write_number};
 use crate::program::Units;
 
@@ -64,6 +64,7 @@ impl Values {
         let unsigned = Numerals { plus: false, ..self.numerals };
         let hole = self.hole.as_ref();
         let tapped = hole.and_then(|hole| thread(&hole.cycle));
+        let bore = hole.and_then(|hole| Some((hole, bore(&hole.cycle)?)));
         let level = |units: fn(&CannedCycle) -> i64| hole.map(|hole| hole.length(units(&hole.cycle), self.numerals));
         match field {
             Field::Name => Some(self.name.clone()),
@@ -103,7 +104,20 @@ impl Values {
                 text(Decimal { units: if left { -pitch.units } else { pitch.units }, ..pitch }, self.numerals)
             }),
             Field::PitchUnit => hole.map(|hole| if hole.units == Units::Inches { "3" } else { "1" }.to_owned()),
-            Field::Rotation => tapped.map(|(_, left)| if left { "4" } else { "3" }.to_owned()),
+            Field::Rotation => hole
+                .and_then(|hole| match hole.cycle.kind {
+                    CannedKind::Tap { left, .. } | CannedKind::FineBore { left, .. } => Some(left),
+                    _ => None,
+                })
+                .map(|left| if left { "4" } else { "3" }.to_owned()),
+            Field::ShiftX => {
+                bore.map(|(hole, bore)| hole.length(bore.direction.steps()[0] * bore.shift, self.numerals))
+            }
+            Field::ShiftY => {
+                bore.map(|(hole, bore)| hole.length(bore.direction.steps()[1] * bore.shift, self.numerals))
+            }
+            Field::Quadrant => bore.map(|(_, bore)| quadrant(bore.direction).to_owned()),
+            Field::Orient => bore.map(|(_, bore)| text(bore.orient, self.numerals)),
         }
     }
 }
@@ -119,7 +133,7 @@ impl HoleValues {
 fn steps(cycle: &CannedCycle) -> Option<[i64; 2]> {
     match cycle.kind {
         CannedKind::Peck { step, gap } | CannedKind::ChipBreak { step, gap } => Some([step, gap]),
-        CannedKind::Drill | CannedKind::Ream | CannedKind::Tap { .. } => None,
+        CannedKind::Drill | CannedKind::Ream | CannedKind::FineBore { .. } | CannedKind::Tap { .. } => None,
     }
 }
 
@@ -133,6 +147,33 @@ fn count(cycle: &CannedCycle) -> Option<String> {
 fn thread(cycle: &CannedCycle) -> Option<(Decimal, bool)> {
     match cycle.kind {
         CannedKind::Tap { pitch, left, .. } => Some((pitch, left)),
-        CannedKind::Drill | CannedKind::Ream | CannedKind::Peck { .. } | CannedKind::ChipBreak { .. } => None,
+        CannedKind::Drill
+        | CannedKind::Ream
+        | CannedKind::FineBore { .. }
+        | CannedKind::Peck { .. }
+        | CannedKind::ChipBreak { .. } => None,
+    }
+}
+
+/// Values of a bore with an oriented spindle.
+struct Bore {
+    direction: BoreRetract,
+    shift: i64,
+    orient: Decimal,
+}
+
+fn bore(cycle: &CannedCycle) -> Option<Bore> {
+    match cycle.kind {
+        CannedKind::FineBore { direction, shift, orient, .. } => Some(Bore { direction, shift, orient }),
+        _ => None,
+    }
+}
+
+fn quadrant(direction: BoreRetract) -> &'static str {
+    match direction {
+        BoreRetract::MinusX => "1",
+        BoreRetract::MinusY => "2",
+        BoreRetract::PlusX => "3",
+        BoreRetract::PlusY => "4",
     }
 }

@@ -27,7 +27,7 @@ fn every_table_holds_fields_that_exist() {
             assert_eq!(template::check(block, &all), Ok(()), "{} {block}", codes.name);
         }
         if let Some(HoleCycles { form: CycleForm::Definitions(cycle), .. }) = &codes.cycles {
-            let blocks = [cycle.drill, cycle.peck, cycle.chip_break, cycle.ream, cycle.thread];
+            let blocks = [cycle.drill, cycle.peck, cycle.chip_break, cycle.ream, cycle.fine_bore, cycle.thread];
             let plain = cycle.plain_drill.into_iter().flatten();
             for block in blocks.into_iter().flatten().chain(plain) {
                 assert_eq!(template::check(block, template::OF_CYCLE), Ok(()), "{} {block}", codes.name);

@@ -244,6 +244,7 @@ impl Navigator {
             | Event::Stop
             | Event::Message(_)
             | Event::Insert(_)
+            | Event::Probe(_)
             | Event::Code { .. } => {}
         }
     }

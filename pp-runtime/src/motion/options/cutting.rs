@@ -69,6 +69,52 @@ options! {
         /// F of a thread: per "minute", or per "revolution" (G95), where F is the pitch (Fanuc, Haas; the other controls take the
         /// pitch in any case).
         thread_feed: ThreadFeed = ThreadFeed::PerMinute, key("cycles.thread_feed", OneOf(&ThreadFeed::NAMES));
+        /// Direction in which the tool leaves the wall of a bore where the spindle has stopped at its angle (BORE with ORIENT),
+        /// away from the cutting edge: "+X", "-X", "+Y" or "-Y" of the program. Such a bore is refused without it.
+        bore_retract: Option<BoreRetract> = None, key("cycles.bore_retract", OneOf(&BoreRetract::NAMES), "\"-X\"");
+        /// Distance by which it leaves the wall.
+        bore_shift_mm: f64 = 0.2, key("cycles.bore_shift", Measure::length(Bound::Positive));
+    }
+}
+
+/// Direction in which the tool leaves the wall of a bore, in the XY plane of the program.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum BoreRetract {
+    /// +X.
+    PlusX,
+    /// -X.
+    MinusX,
+    /// +Y.
+    PlusY,
+    /// -Y.
+    MinusY,
+}
+
+impl BoreRetract {
+    /// Names, as in configuration files.
+    pub(crate) const NAMES: [(&'static str, Self); 4] =
+        [("+X", Self::PlusX), ("-X", Self::MinusX), ("+Y", Self::PlusY), ("-Y", Self::MinusY)];
+
+    /// Its name.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::PlusX => "+X",
+            Self::MinusX => "-X",
+            Self::PlusY => "+Y",
+            Self::MinusY => "-Y",
+        }
+    }
+
+    /// Unit steps along X and Y.
+    #[must_use]
+    pub const fn steps(self) -> [i64; 2] {
+        match self {
+            Self::PlusX => [1, 0],
+            Self::MinusX => [-1, 0],
+            Self::PlusY => [0, 1],
+            Self::MinusY => [0, -1],
+        }
     }
 }
 

@@ -36,6 +36,11 @@ impl CoolantState {
         self.written = None;
     }
 
+    /// Whether coolant is known to be on.
+    pub(crate) fn is_on(&self) -> bool {
+        self.written.is_some_and(|kinds| !kinds.is_empty())
+    }
+
     /// Writes the requested state, unless it is in force.
     pub(crate) fn apply<S: Sink>(
         &mut self,

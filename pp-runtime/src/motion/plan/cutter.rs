@@ -99,6 +99,7 @@ impl CutterCompensation {
             Event::SetUp(_) => "another frame follows",
             Event::Home => "GOHOME follows",
             Event::From(_) => "FROM follows",
+            Event::Probe(_) => "a probe measures",
             Event::Insert(_) | Event::Code { .. } => "NC text of the CL data follows",
             Event::Name(_)
             | Event::MachineName(_)

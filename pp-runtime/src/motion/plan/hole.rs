@@ -25,6 +25,9 @@ const MOST_STEPS: u32 = 10_000;
 /// Largest distance between equal levels, mm.
 const SAME_LEVEL: f64 = 1e-9;
 
+/// Decimals of the angle at which the spindle stops.
+const ORIENT_DECIMALS: u32 = 3;
+
 /// Largest relative rounding of a pitch: 4 µm in a thread 20 mm long.
 const PITCH: f64 = 2e-4;
 
@@ -51,7 +54,9 @@ fn steps(hole: &Hole) -> Result<impl Iterator<Item = f64>, Fault> {
     let (first, later) = match hole.drilling {
         Drilling::Peck { first_mm: first, later_mm: later } => (first, later),
         Drilling::ChipBreak { step_mm: step, .. } => (step, step),
-        Drilling::Drill | Drilling::Ream | Drilling::Tap { .. } => (hole.depth_mm, hole.depth_mm),
+        Drilling::Drill | Drilling::Ream | Drilling::FineBore { .. } | Drilling::Tap { .. } => {
+            (hole.depth_mm, hole.depth_mm)
+        }
     };
     if (hole.depth_mm - first) / later > f64::from(MOST_STEPS - 1) {
         let text =
@@ -103,6 +108,12 @@ impl<S: Sink> HoleRun<'_, '_, S> {
                 let text =
                     format!("tapping synchronises spindle and feed, which only a cycle of the control does: {why}");
                 Err(Fault::new(text).help("remove the tapping from the CL data and program it at the control").into())
+            }
+            Err(why) if matches!(self.hole.drilling, Drilling::FineBore { .. }) => {
+                let text = format!("only a cycle of the control bores with an oriented spindle: {why}");
+                let help =
+                    "to retract at feed, write BORE without ORIENT and its angle; else program it at the control";
+                Err(Fault::new(text).help(help).into())
             }
             Err(_) => self.run_by_motions(),
         }
@@ -172,6 +183,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
                     | Drilling::Peck { .. }
                     | Drilling::Drill
                     | Drilling::Ream
+                    | Drilling::FineBore { .. }
                     | Drilling::Tap { .. } => self.planner.policy.options.defaults.peck_gap_mm,
                 };
                 self.rapid_to((back - before).min(hole.clearance_mm))?;
@@ -285,10 +297,50 @@ impl<S: Sink> HoleRun<'_, '_, S> {
                 Err("the tapping cycle of this control has no dwell at the bottom")
             }
             Drilling::Tap { pitch_mm: pitch } => Ok(self.thread(pitch)?),
+            Drilling::FineBore { orient_rad } => self.fine_bore(orient_rad)?,
             Drilling::Drill | Drilling::Ream | Drilling::Peck { .. } | Drilling::ChipBreak { .. } => {
                 Err("no cycle of this control moves the tool in the same way")
             }
         })
+    }
+
+    /// Boring with the spindle stopped at an angle, or the reason why there is no cycle for it.
+    fn fine_bore(&self, orient_rad: f64) -> Result<Result<CannedKind, NoCycle>, Fault> {
+        let options = &self.planner.policy.options.cycles;
+        let Some(can) = self.planner.abilities.cycles.fine_bore else {
+            return Ok(Err("this control has no such cycle"));
+        };
+        if self.planner.mover.placer().mode() != StretchMode::Axes {
+            return Ok(Err(
+                "the direction off the wall is that of a machine axis, so it needs `mode = \"axes\"`, of its operation too",
+            ));
+        }
+        let Some(direction) = options.bore_retract else {
+            return Err(Fault::new("the direction in which the tool leaves the wall of this bore is unknown").help(
+                "set `cycles.bore_retract` to the direction away from the cutting edge where the spindle has stopped: \
+                 \"+X\", \"-X\", \"+Y\" or \"-Y\"",
+            ));
+        };
+        let Some((_, rotation)) = self.planner.spindle.running() else {
+            return Err(Fault::new("boring with the spindle off").help("give SPINDL/ON before it"));
+        };
+        let degrees = orient_rad.to_degrees();
+        if !can.states_angle && degrees.abs() > SAME_LEVEL {
+            let text =
+                format!("the machine stops the spindle at its own angle, and the CL data asks for {degrees} degrees");
+            return Err(Fault::new(text).help("write ORIENT,0 and mount the tool for the angle of the machine"));
+        }
+        let shift_mm = options.bore_shift_mm;
+        if let Some(fixed) = can.fixed_shift_um.map(|shift| f64::from(shift) * 1e-3)
+            && (fixed - shift_mm).abs() > SAME_LEVEL
+        {
+            let text = format!("this control moves the tool off the wall by {fixed} mm, not by {shift_mm} mm");
+            return Err(Fault::new(text).help("leave `cycles.bore_shift` out"));
+        }
+        let shift = (shift_mm / self.planner.mover.placer().unit_mm()).round() as i64;
+        let orient = Decimal::fixed(degrees, ORIENT_DECIMALS)
+            .map_err(|_| Fault::new("the angle at which the spindle stops is too large for a word"))?;
+        Ok(Ok(CannedKind::FineBore { direction, shift, orient, left: rotation == Rotation::CounterClockwise }))
     }
 
     /// The tapping cycle at the spindle speed as written.
@@ -330,7 +382,11 @@ impl<S: Sink> HoleRun<'_, '_, S> {
             CannedKind::Tap { pitch, speed, .. } => {
                 self.planner.thread_feed(pitch.value() * feeds.unit_mm() * speed.value())?
             }
-            CannedKind::Drill | CannedKind::Peck { .. } | CannedKind::ChipBreak { .. } | CannedKind::Ream => {
+            CannedKind::Drill
+            | CannedKind::Peck { .. }
+            | CannedKind::ChipBreak { .. }
+            | CannedKind::Ream
+            | CannedKind::FineBore { .. } => {
                 let feed = hole.feed.ok_or_else(|| Fault::new("a hole without feed"))?;
                 self.planner.rate(Some(feed))?
             }
@@ -362,7 +418,10 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         let here = self.planner.mover.placer().written(self.planner.mover.here());
         let height = self.height().max(hole.clearance_mm);
         let thread = matches!(cycle.kind, CannedKind::Tap { .. });
-        if !thread {
+        // Whether the spindle is off after it, where the cycle switches it on by itself.
+        let bore = can.fine_bore.filter(|_| matches!(cycle.kind, CannedKind::FineBore { .. }));
+        let bore_stops = bore.is_some_and(|bore| bore.stops_spindle);
+        if !thread && !bore_stops {
             self.planner.restart_after_thread()?;
         }
         self.planner.mover.watch_plunge(&hole.level(height), &hole.level(hole.clearance_mm));
@@ -381,8 +440,8 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         output.set_reason(BlockReason::Record);
         mover.write_motion(&Step::Cycle { cycle }, &back)?;
         mover.output_mut().statistics_mut().cycles += 1;
-        if thread {
-            self.planner.spindle.note_thread(can.tap_stops_spindle);
+        if thread || bore_stops {
+            self.planner.spindle.note_thread(bore_stops || can.tap_stops_spindle);
         }
         let bottom = hole.level(-hole.depth_mm);
         let position = mover.position_mut();

@@ -2,7 +2,7 @@
 
 use std::ops::RangeInclusive;
 
-use crate::motion::options::{OptionalStops, Transition};
+use crate::motion::options::{OptionalStops, StretchMode, Transition};
 use crate::program::{Dwell, Event, RotaryDirection, ToolCall, is_nc_text};
 
 use crate::motion::fault::{Fault, Planned};
@@ -60,6 +60,7 @@ impl<S: Sink> Records<'_, '_, S> {
                 | Event::OptionalStop
                 | Event::BlockSkip { .. }
                 | Event::Insert(_)
+                | Event::Probe(_)
                 | Event::Code { .. }
                 | Event::Home
         ) {
@@ -102,6 +103,7 @@ impl<S: Sink> Records<'_, '_, S> {
             Event::Compensation(asked) => crate::motion::plan::cutter::request(self.planner, &asked),
             Event::RotaryDirection(turning) => self.set_rotation_sense(turning),
             Event::Insert(text) => self.raw(text),
+            Event::Probe(blocks) => self.probe(blocks),
             Event::Code { letter, number } => self.raw(format!("{}{number}", char::from(letter)).as_bytes()),
             Event::Tolerance(tolerance) => {
                 self.planner.mover.set_tip_tolerance(tolerance.unwrap_or(self.planner.policy.options.tolerance_mm));
@@ -263,6 +265,41 @@ impl<S: Sink> Records<'_, '_, S> {
             planner.mover.machine_retract()?;
         }
         planner.mover.output_mut().step(&Step::Raw { text })?;
+        planner.spindle.reset();
+        planner.coolant.forget();
+        planner.mover.position_mut().interrupt();
+        Ok(())
+    }
+
+    /// Blocks with which a probe measures from where the tool is; after them position and state of the machine are unknown.
+    fn probe(&mut self, blocks: &[String]) -> Planned {
+        let planner = &mut *self.planner;
+        let fault = |text: &str, help: &str| Err(Fault::new(text).help(help).into());
+        if planner.policy.options.lift_mm.is_some() {
+            return fault("a dry run does not probe: it would measure where nothing is", "post it without the dry run");
+        }
+        if !planner.mover.position().is_known() {
+            return fault(
+                "a probe measures here, and no motion leads to its point",
+                "program RAPID and GOTO before it",
+            );
+        }
+        if planner.mover.placer().mode() == StretchMode::Tcp {
+            return fault(
+                "macros of a probe do not run under tip control",
+                "set `mode = \"axes\"` or \"plane\" for its operation in `[operations]`",
+            );
+        }
+        if planner.spindle.running().is_some() {
+            return fault("the spindle is on where a probe measures", "give SPINDL/OFF before the motion to its point");
+        }
+        if planner.coolant.is_on() {
+            return fault("the coolant is on where a probe measures", "give COOLNT/OFF before the motion to its point");
+        }
+        planner.mover.output_mut().cancel_inverse_time()?;
+        for block in blocks {
+            planner.mover.output_mut().step(&Step::Raw { text: block.as_bytes() })?;
+        }
         planner.spindle.reset();
         planner.coolant.forget();
         planner.mover.position_mut().interrupt();

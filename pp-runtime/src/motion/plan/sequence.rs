@@ -23,7 +23,7 @@ use crate::motion::plan::{MotionAndNext, Planner, cutter, records};
 use crate::motion::rotary::RotaryTarget;
 use crate::motion::source::Next;
 use crate::motion::step::BlockReason;
-use crate::motion::step::{Sink, Step};
+use crate::motion::step::{Sink, Step, ToolRoutine};
 
 /// Largest distance of a point that lies on a line, mm.
 const ON_LINE: f64 = 0.001;
@@ -96,6 +96,8 @@ impl<S: Sink> Planner<'_, S> {
             self.mover.output_mut().set_reason(BlockReason::End);
             self.stop_coolant()?;
             self.mover.output_mut().cancel_inverse_time()?;
+            self.end_tool()?;
+            self.stop_coolant()?;
             self.mover.machine_retract()?;
             self.spindle.stop(self.mover.output_mut())?;
             self.mover.output_mut().times_mut().forget_empty();
@@ -126,6 +128,9 @@ impl<S: Sink> Planner<'_, S> {
             return self.start_directly(ahead, planned);
         }
         self.leave()?;
+        if other && !enters {
+            self.end_tool()?;
+        }
         self.mover.output_mut().set_reason(BlockReason::Start);
         if self.retracts_before_restart() && !enters {
             self.mover.machine_retract()?;
@@ -151,13 +156,19 @@ impl<S: Sink> Planner<'_, S> {
         self.approach(ahead, planned)
     }
 
-    /// The blocks of the shop at the start of an operation. They may leave every axis anywhere, and the spindle off.
+    /// The blocks of the shop at the start of an operation.
     fn start_operation(&mut self) -> Planned {
         self.in_operation = true;
         if !self.abilities.operation_blocks.at_start {
             return Ok(());
         }
-        self.mover.output_mut().step(&Step::OperationBlocks { at_end: false })?;
+        self.shop_blocks(&Step::OperationBlocks { at_end: false })
+    }
+
+    /// Blocks of the shop at the machine retract, and the retract after them. They may leave every axis anywhere, and spindle
+    /// and coolant on or off.
+    fn shop_blocks(&mut self, blocks: &Step<'_>) -> Planned {
+        self.mover.output_mut().step(blocks)?;
         self.mover.position_mut().forget_retract();
         self.mover.position_mut().forget_rotary_axes();
         self.spindle.reset();
@@ -223,7 +234,7 @@ impl<S: Sink> Planner<'_, S> {
         self.mover.output_mut().step(&Step::Tool {
             number: tool.number,
             offset: tool.offset,
-            next: self.tooling.following(tool.number),
+            next: self.tooling.following(tool.number, self.policy.options.preselect_first),
             speed: spindle.map(|(speed, _)| speed),
             radius_delta,
             change,
@@ -234,6 +245,8 @@ impl<S: Sink> Planner<'_, S> {
             self.mover.position_mut().forget_rotary_axes();
             self.spindle.reset();
             self.mover.machine_retract()?;
+            self.tool_routine(tool.number, ToolRoutine::Measure)?;
+            self.tool_routine(tool.number, ToolRoutine::Start)?;
         }
         self.start_operation()?;
         if self.mover.placer().gauge_line() {
@@ -247,6 +260,40 @@ impl<S: Sink> Planner<'_, S> {
             self.mover.output_mut().guard(&Step::LengthGuard { label, tool, offset, length, tolerance })?;
         }
         cutter::guard(self, &tool)
+    }
+
+    /// Blocks of the shop for the tool that has cut, at the machine retract with spindle and coolant off.
+    fn end_tool(&mut self) -> Planned {
+        let Some(tool) = self.tooling.current().map(|tool| tool.number) else { return Ok(()) };
+        if ![ToolRoutine::End, ToolRoutine::Check].into_iter().any(|routine| self.has_routine(tool, routine)) {
+            return Ok(());
+        }
+        self.mover.output_mut().set_reason(BlockReason::End);
+        self.stop_coolant()?;
+        self.mover.output_mut().cancel_inverse_time()?;
+        self.mover.machine_retract()?;
+        self.spindle.stop(self.mover.output_mut())?;
+        self.tool_routine(tool, ToolRoutine::End)?;
+        self.tool_routine(tool, ToolRoutine::Check)
+    }
+
+    /// Whether a tool has such blocks. In a dry run none that start the spindle.
+    fn has_routine(&self, tool: u32, routine: ToolRoutine) -> bool {
+        let dry = self.policy.options.lift_mm.is_some();
+        self.policy.set_up.tools.get(&tool).is_some_and(|tool| match routine {
+            ToolRoutine::Measure => tool.measured && !dry,
+            ToolRoutine::Check => tool.checked && !dry,
+            ToolRoutine::Start => !tool.start.is_empty(),
+            ToolRoutine::End => !tool.end.is_empty(),
+        })
+    }
+
+    /// Blocks of the shop for the tool in the spindle, if it has such.
+    fn tool_routine(&mut self, tool: u32, routine: ToolRoutine) -> Planned {
+        if !self.has_routine(tool, routine) {
+            return Ok(());
+        }
+        self.shop_blocks(&Step::ToolRoutine { tool, routine })
     }
 
     /// Spindle and coolant of an operation that continues from the end of the last one: course changes may cut before its
@@ -368,6 +415,7 @@ impl<S: Sink> Planner<'_, S> {
         self.end_operation()?;
         self.leave()?;
         self.mover.output_mut().set_reason(BlockReason::End);
+        self.end_tool()?;
         self.stop_coolant()?;
         self.mover.output_mut().cancel_inverse_time()?;
         self.mover.machine_retract()?;

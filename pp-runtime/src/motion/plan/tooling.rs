@@ -115,10 +115,11 @@ impl Tooling {
         self.uncertain
     }
 
-    /// The tool after this one, where it is the tool of the last change; after the last one the first, for the next part.
-    pub(crate) fn following(&self, number: u32) -> Option<u32> {
+    /// The tool after this one, where it is the tool of the last change; after the last one the `first`, for the next part.
+    pub(crate) fn following(&self, number: u32, first: bool) -> Option<u32> {
         let known = self.order.get(self.changes.checked_sub(1)?..)?;
-        let next = known.first().filter(|first| **first == number).and(known.get(1).or(self.order.first()));
+        let next =
+            known.first().filter(|known| **known == number).and(known.get(1).or(self.order.first().filter(|_| first)));
         next.copied().filter(|next| *next != number)
     }
 }

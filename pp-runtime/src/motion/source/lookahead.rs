@@ -189,6 +189,7 @@ impl Lookahead {
             | Event::BlockSkip { .. }
             | Event::Stop
             | Event::Insert(_)
+            | Event::Probe(_)
             | Event::Code { .. } => return None,
         })
     }

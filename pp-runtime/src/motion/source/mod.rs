@@ -231,6 +231,7 @@ impl Expansion<'_> {
             | Event::SetUp(_)
             | Event::Home
             | Event::Insert(_)
+            | Event::Probe(_)
             | Event::Code { .. } => {
                 self.operations.interrupt();
                 self.boundary(event, to)

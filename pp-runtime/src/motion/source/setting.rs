@@ -102,6 +102,7 @@ impl Setting {
             | Event::Stop
             | Event::Message(_)
             | Event::Insert(_)
+            | Event::Probe(_)
             | Event::Code { .. } => *event,
         }
     }

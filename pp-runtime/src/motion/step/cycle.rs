@@ -2,6 +2,7 @@
 
 use crate::nc::Decimal;
 
+use crate::motion::options::BoreRetract;
 use crate::motion::step::AxisWords;
 
 /// Cycles that a control has.
@@ -35,6 +36,19 @@ pub struct CycleAbilities {
     pub tap_uses_feed: bool,
     /// Decimals of the pitch.
     pub pitch_decimals: u32,
+    /// Boring with an oriented spindle, if the control has it.
+    pub fine_bore: Option<FineBoreAbility>,
+}
+
+/// Boring with an oriented spindle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct FineBoreAbility {
+    /// The program states the angle at which the spindle stops. Otherwise it is set in the machine.
+    pub states_angle: bool,
+    /// Distance by which the control moves the tool off the wall, µm; `None`: the program states it.
+    pub fixed_shift_um: Option<u32>,
+    /// The spindle is off after the cycle, which switches it on by itself.
+    pub stops_spindle: bool,
 }
 
 impl CycleAbilities {
@@ -55,6 +69,7 @@ impl CycleAbilities {
         tap_stops_spindle: false,
         tap_uses_feed: false,
         pitch_decimals: 6,
+        fine_bore: None,
     };
 }
 
@@ -79,6 +94,17 @@ pub enum CannedKind {
     },
     /// In and out at feed.
     Ream,
+    /// In at feed, spindle stopped at an angle, off the wall, out at rapid.
+    FineBore {
+        /// Direction in which the tool leaves the wall.
+        direction: BoreRetract,
+        /// Distance by which it does.
+        shift: i64,
+        /// Angle at which the spindle stops, degrees.
+        orient: Decimal,
+        /// The spindle runs counter-clockwise.
+        left: bool,
+    },
     /// Tapping.
     Tap {
         /// Units of length per revolution.

@@ -12,7 +12,7 @@ use crate::motion::geometry::Circle;
 use crate::motion::options::Smoothing;
 
 pub use crate::kinematics::MAX_AXES;
-pub use cycle::{CannedCycle, CannedKind, CycleAbilities};
+pub use cycle::{CannedCycle, CannedKind, CycleAbilities, FineBoreAbility};
 pub use provenance::{BlockReason, Provenance, ReachedPosition};
 
 /// Decimals of the components of a tool axis, as in CL data.
@@ -53,6 +53,19 @@ pub enum FeedWord {
     PerMinute(Decimal),
     /// Inverse time, for this block only.
     InverseTime(Decimal),
+}
+
+/// Use of the blocks of the shop for the tool in the spindle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ToolRoutine {
+    /// `cycles.measure_tool`.
+    Measure,
+    /// Its `start`.
+    Start,
+    /// Its `end`.
+    End,
+    /// `cycles.check_tool`.
+    Check,
 }
 
 /// One block.
@@ -132,6 +145,13 @@ pub enum Step<'a> {
         radius_delta: Option<f64>,
         /// False if the tool is in the spindle already.
         change: bool,
+    },
+    /// Blocks of the shop for the tool in the spindle; after them the state of the machine is unknown.
+    ToolRoutine {
+        /// Number of the tool.
+        tool: u32,
+        /// Their use.
+        routine: ToolRoutine,
     },
     /// Length offset of the following motions.
     Length {
@@ -270,6 +290,12 @@ impl Step<'_> {
             Self::Restart { .. } => "restart",
             Self::PerMinute => "feed-mode",
             Self::Tool { .. } => "tool",
+            Self::ToolRoutine { routine, .. } => match routine {
+                ToolRoutine::Measure => "tool-measurement",
+                ToolRoutine::Start => "tool-start",
+                ToolRoutine::End => "tool-end",
+                ToolRoutine::Check => "tool-check",
+            },
             Self::Length { .. } => "length-offset",
             Self::TipControl { .. } => "tip-control",
             Self::Plane { .. } | Self::PlaneOff => "plane",

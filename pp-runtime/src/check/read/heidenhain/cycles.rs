@@ -1,6 +1,6 @@
 //! Cycles: CYCL DEF with its parameters, by the lists of the language.
 
-use super::super::block::{CycleKind, Smoothing, WorkOffset};
+use super::super::block::{CycleKind, FineBore, Smoothing, WorkOffset};
 use super::super::draft::Cycle;
 use super::super::language::arguments::{SLOTS, Slot};
 use super::super::language::{List, Role};
@@ -191,6 +191,22 @@ fn hole(line: &mut Line<'_>, number: u32, q: &Numbers) -> Option<Cycle> {
     let kind = match number {
         200 => step.map_or(CycleKind::Drill, CycleKind::Peck),
         201 => CycleKind::Ream,
+        202 => {
+            let quadrant = q.get(Slot::Quadrant);
+            let direction = match quadrant {
+                1.0 => [-1.0, 0.0],
+                2.0 => [0.0, -1.0],
+                3.0 => [1.0, 0.0],
+                4.0 => [0.0, 1.0],
+                _ => {
+                    line.fault(0, format!("Q214 is {quadrant}, expected the direction off the wall: 1 to 4"));
+                    [0.0; 2]
+                }
+            };
+            // The control moves it by a distance of its own.
+            let angle_deg = Some(q.get(Slot::Angle));
+            CycleKind::FineBore(FineBore { shift_mm: None, direction: Some(direction), angle_deg })
+        }
         203 => match step {
             Some(step) => {
                 let breaks = q.get(Slot::Breaks);

@@ -1,6 +1,6 @@
 //! Canned cycles: the code, and words that stay in force until another motion code.
 
-use super::super::block::{CycleKind, FeedMode};
+use super::super::block::{CycleKind, FeedMode, FineBore};
 use super::super::draft::{Code, Cycle};
 use super::super::language::{Pattern, letters};
 use super::Reading;
@@ -12,6 +12,8 @@ pub(super) struct CycleWords {
     reference: Option<f64>,
     bottom: Option<f64>,
     step: Option<f64>,
+    /// I and J, which shift a tool off the wall of a bore.
+    shift: Option<[f64; 2]>,
     dwell: f64,
     /// M29 came before it.
     rigid: bool,
@@ -52,6 +54,13 @@ impl Reading<'_, '_> {
         if let Some(p) = self.loose.p.take() {
             self.iso.cycle.dwell = self.wait(p);
         }
+        if self.iso.cycle.pattern == Some(Pattern::FineBore) && self.line.draft.centre_written & 4 == 0 {
+            let unit = self.line.unit();
+            let draft = &mut *self.line.draft;
+            if std::mem::take(&mut draft.centre_written) != 0 {
+                self.iso.cycle.shift = Some([draft.centre[0] * unit, draft.centre[1] * unit]);
+            }
+        }
         let words = self.iso.cycle;
         match (self.kind(), words.reference, words.bottom) {
             (Some(kind), Some(reference), Some(bottom)) => {
@@ -88,6 +97,11 @@ impl Reading<'_, '_> {
             Pattern::Drill => CycleKind::Drill,
             Pattern::Ream => CycleKind::Ream,
             Pattern::Bore => CycleKind::Bore,
+            Pattern::FineBore => CycleKind::FineBore(match (words.step, words.shift) {
+                // Q has no direction: it is set in the control.
+                (Some(shift), _) => FineBore { shift_mm: Some(shift.abs()), ..FineBore::default() },
+                (None, shift) => FineBore::by_shift(shift?, None),
+            }),
             Pattern::Peck => CycleKind::Peck(words.step.filter(|step| *step > 0.0)?),
             Pattern::ChipBreak => CycleKind::ChipBreak(words.step.filter(|step| *step > 0.0)?),
             Pattern::Tap { left } => CycleKind::Tap(tap(left)),

@@ -37,6 +37,9 @@ const OWN: &[Row] = &[
         .takes("IJK"),
     Row::new("G69", Means::TiltOff, group::TILT, "Fanuc B-63784EN, tilted working plane"),
     Row::new("G74", Means::Hole(Pattern::TapAfterRigid { left: true }), group::MOTION, RIGID).needs("R").takes("P"),
+    Row::new("G76", Means::Hole(Pattern::FineBore), group::MOTION, "Fanuc 15i operator's manual, p. 315")
+        .needs("RQ")
+        .takes("P"),
     Row::new("G84", Means::Hole(Pattern::TapAfterRigid { left: false }), group::MOTION, RIGID).needs("R").takes("P"),
     Row::new("M7", Means::CoolantOn(coolant::MIST), group::COOLANT, M),
     Row::new("M13", Means::SpindleAndFlood(Rotation::Clockwise), group::SPINDLE, M),

@@ -12,6 +12,9 @@ const M: &str = "Haas 96-8000 (mill operator's manual), M codes; haascnc.com, pa
 const OWN: &[Row] = &[
     Row::new("G4", Means::Dwell, group::ALONE, G).needs("P"),
     Row::new("G74", Means::Hole(Pattern::Tap { left: true }), group::MOTION, G).needs("R"),
+    Row::new("G76", Means::Hole(Pattern::FineBore), group::MOTION, "Haas 96-8000 (mill operator's manual), p. 187")
+        .needs("R")
+        .takes("PIJ"),
     Row::new("G84", Means::Hole(Pattern::Tap { left: false }), group::MOTION, G).needs("R"),
     Row::new("G154", Means::FurtherOffset, group::OFFSET, G).needs("P"),
     Row::new("G187", Means::Smoothing(Smoother::Level), group::SMOOTHING, G).takes("PE"),

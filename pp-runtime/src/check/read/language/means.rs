@@ -145,6 +145,8 @@ pub(in super::super) enum Pattern {
         left: bool,
     },
     Bore,
+    /// The spindle stops at an angle, and the tool leaves the wall.
+    FineBore,
 }
 
 /// How the words of a tilted plane count.
@@ -199,6 +201,7 @@ impl Means {
             Self::Hole(Pattern::FloatingTap { left: false }) => "thread, right-hand, floating",
             Self::Hole(Pattern::FloatingTap { left: true }) => "thread, left-hand, floating",
             Self::Hole(Pattern::Bore) => "boring cycle, out with the spindle off",
+            Self::Hole(Pattern::FineBore) => "boring cycle, spindle stopped at an angle, off the wall, out at rapid",
             Self::Dwell => "dwell",
             Self::Reference => "motion to the reference position through a point",
             Self::EndOfTravel => "with MB MAX: retract along the tool axis to the end of the travel",

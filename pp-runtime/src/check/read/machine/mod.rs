@@ -206,7 +206,7 @@ impl Interpreter {
         if self.frames.unknown != 0 {
             self.in_unknown_frame(block);
         }
-        if block.action.is_rigid_thread() && self.facts.tap_stops_spindle {
+        if self.facts.stops_spindle(&block.action) {
             self.stated &= !stated::SPINDLE;
             block.stated = self.stated;
         }

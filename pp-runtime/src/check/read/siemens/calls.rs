@@ -1,6 +1,6 @@
 //! Calls of a Siemens control by their lists of arguments: cycles at a point, CYCLE800, CYCLE832, MSG.
 
-use super::super::block::{BlankPart, CycleKind, Smoothing};
+use super::super::block::{BlankPart, CycleKind, FineBore, Smoothing};
 use super::super::draft::{Cycle, TiltCode, group};
 use super::super::frames;
 use super::super::language::arguments::{Item, SLOTS, Slot, WORKPIECE};
@@ -192,6 +192,11 @@ fn cycle(line: &mut Line<'_>, number: u32, numbers: &Numbers) -> Option<Cycle> {
             }
         }
         84 => thread(line, numbers),
+        86 => {
+            sense(line, "SDIR", numbers);
+            let shift = [Slot::ShiftX, Slot::ShiftY].map(|slot| numbers.value(slot));
+            CycleKind::FineBore(FineBore::by_shift(shift, Some(numbers.value(Slot::Angle))))
+        }
         85 => {
             let (into, out) = (numbers.value(Slot::Feed), numbers.value(Slot::FeedOut));
             if !same(into, out) {
@@ -206,22 +211,22 @@ fn cycle(line: &mut Line<'_>, number: u32, numbers: &Numbers) -> Option<Cycle> {
     Some(Cycle { kind, reference, bottom, back_to, dwell: numbers.value(Slot::Dwell), feed, gap })
 }
 
+/// The sense of rotation in a cycle is that of the spindle.
+fn sense(line: &mut Line<'_>, name: &str, numbers: &Numbers) {
+    let sense = match numbers.value(Slot::Sense) {
+        3.0 => Rotation::Clockwise,
+        4.0 => Rotation::CounterClockwise,
+        other => return line.fault(0, format!("{name} is {other}, expected 3 or 4")),
+    };
+    if line.machine().state().spindle.flatten().is_some_and(|rotates| rotates != sense) {
+        line.fault(0, format!("{name} is not the sense in which the spindle rotates"));
+    }
+}
+
 /// CYCLE84: the pitch in the unit of the program. Sense and speeds are those of the spindle.
 fn thread(line: &mut Line<'_>, numbers: &Numbers) -> CycleKind {
+    sense(line, "SDAC", numbers);
     let state = line.machine().state();
-    let sense = match numbers.value(Slot::Sense) {
-        3.0 => Some(Rotation::Clockwise),
-        4.0 => Some(Rotation::CounterClockwise),
-        other => {
-            line.fault(0, format!("SDAC is {other}, expected 3 or 4"));
-            None
-        }
-    };
-    if let (Some(sense), Some(Some(turns))) = (sense, state.spindle)
-        && sense != turns
-    {
-        line.fault(0, "SDAC is not the sense in which the spindle rotates");
-    }
     let speed = numbers.value(Slot::Speed);
     let out = numbers.value(Slot::SpeedOut);
     let wanted = state.speed.unwrap_or(speed);

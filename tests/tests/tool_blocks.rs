@@ -1,0 +1,214 @@
+//! Blocks of the shop for a tool, on every control: it is measured, its conveyor starts and stops, and it is checked for
+//! breakage. Their places in a program, and a check that finds them lost, misplaced, and for another tool.
+
+use machines::SpinnerU5620;
+use pp_runtime::config::{Config, starting_point};
+use pp_runtime::control::{self, Control};
+use pp_runtime::motion::Operations;
+use tests::posting::{self, bare, posted, renumbered, without};
+
+/// Three operations, the first and the last with tool 1.
+const CL: &str = "UNITS/MM
+TOOL PATH/OP1,TOOL,T
+LOADTL/1,LENGTH,100
+SPINDL/RPM,2000,CLW
+COOLNT/ON
+CUT
+TOOL PATH/OP2,TOOL,U
+LOADTL/2,LENGTH,110
+SPINDL/RPM,1000,CLW
+CUT
+TOOL PATH/OP3,TOOL,T
+LOADTL/1
+SPINDL/RPM,2000,CLW
+CUT
+TOOL PATH/OP4,TOOL,T
+LOADTL/1
+CUT
+FINI
+";
+
+const CUT: &str = "RAPID
+GOTO/0,0,30,0,0,1
+FEDRAT/MMPM,300
+GOTO/0,0,20
+RAPID
+GOTO/0,0,60
+";
+
+const CONTROLS: [&str; 5] = ["linuxcnc", "fanuc", "haas", "siemens", "heidenhain"];
+
+fn cl() -> String {
+    CL.replace("CUT\n", CUT)
+}
+
+fn by_name(name: &str) -> &'static dyn Control {
+    control::by_name(name).expect("a control")
+}
+
+/// Blocks as shops have them: macros of Fanuc and Haas with words, a call of a program elsewhere.
+fn blocks(name: &str) -> [&'static str; 2] {
+    match name {
+        "fanuc" | "haas" => ["G65 P9023 A12. T{tool} H{offset}", "G65 P9023 A22. T{tool} H{offset}"],
+        "siemens" => ["MEASURE_TOOL({tool})", "CHECK_TOOL({tool})"],
+        "heidenhain" => ["CALL PGM TNC:\\MEASURE.H", "CALL PGM TNC:\\CHECK.H"],
+        _ => ["M471 P{tool} Q{offset}", "M472 P{tool} Q{offset}"],
+    }
+}
+
+/// The blocks up to their first field.
+fn starts(name: &str) -> [&'static str; 2] {
+    blocks(name).map(|block| block.split('{').next().unwrap_or_default())
+}
+
+fn config(name: &str, keys: &str) -> Config {
+    let [measure, check] = blocks(name);
+    // There the length is that of the tool's row.
+    let register = if name == "heidenhain" { "" } else { "offset = 12, " };
+    let text = format!(
+        "mode = 'axes'\n{keys}\n[cycles]\nmeasure_tool = ['{measure}']\ncheck_tool = ['{check}']\n\
+         [control]\neffects = {{ M31 = 'none', M33 = 'none' }}\n\
+         [tools]\n1 = {{ measured = true, checked = true, {register}start = ['M31'], end = ['M33'] }}\n2 = {{ checked = true }}\n"
+    );
+    starting_point(by_name(name))
+        .read_over(&SpinnerU5620::default(), &text)
+        .unwrap_or_else(|faults| panic!("{faults:?}"))
+}
+
+/// A block with the values of a tool.
+fn of(block: &str, tool: u32) -> String {
+    let register = if tool == 1 { 12 } else { tool };
+    block.replace("{tool}", &tool.to_string()).replace("{offset}", &register.to_string())
+}
+
+#[test]
+fn a_tool_is_measured_after_its_change_and_checked_when_it_has_cut() {
+    for name in CONTROLS {
+        let config = config(name, "");
+        let program = posted::<SpinnerU5620>(&config, by_name(name), &cl());
+        let [measure, check] = blocks(name);
+        let wanted = [
+            (of(measure, 1), 1),
+            ("M31".to_owned(), 1),
+            ("M33".to_owned(), 1),
+            (of(check, 1), 1),
+            (of(check, 2), 2),
+            (of(measure, 1), 1),
+            ("M31".to_owned(), 1),
+            ("M33".to_owned(), 1),
+            (of(check, 1), 1),
+        ];
+        let lines = bare(&program);
+        let found = lines.iter().filter(|line| wanted.iter().any(|(text, _)| text == *line));
+        assert_eq!(found.collect::<Vec<_>>(), wanted.iter().map(|(text, _)| text).collect::<Vec<_>>(), "{program}");
+    }
+}
+
+/// Blocks around those of the shop where tool 1 is changed for tool 2, from the retract on, to the safety line of tool 2.
+const AT_THE_CHANGE: &[(&str, &[&str])] = &[
+    ("linuxcnc", &["M9", "G53 G0 Z0", "M5", "M33", "G53 G0 Z0", "M472 P1 Q12", "G53 G0 Z0"]),
+    ("fanuc", &["M9", "G49 G53 G0 Z0.", "M5", "M33", "G49 G53 G0 Z0.", "G65 P9023 A22. T1 H12", "G49 G53 G0 Z0."]),
+    ("haas", &["M09", "G49 G53 G00 Z0.", "M05", "M33", "G49 G53 G00 Z0.", "G65 P9023 A22. T1 H12", "G49 G53 G00 Z0."]),
+    ("siemens", &["M9", "SUPA G0 Z0 D0", "M5", "M33", "SUPA G0 Z0 D0", "CHECK_TOOL(1)", "SUPA G0 Z0 D0"]),
+    (
+        "heidenhain",
+        &["M9", "L Z+0 R0 FMAX M91", "M5", "M33", "L Z+0 R0 FMAX M91", "CALL PGM TNC:\\CHECK.H", "L Z+0 R0 FMAX M91"],
+    ),
+];
+
+#[test]
+fn the_machine_retracts_before_and_after_the_blocks_with_spindle_and_coolant_off() {
+    for (name, expected) in AT_THE_CHANGE {
+        let program = posted::<SpinnerU5620>(&config(name, ""), by_name(name), &cl());
+        let lines = bare(&program);
+        assert!(lines.windows(expected.len()).any(|lines| &lines == expected), "{name}\n{program}");
+    }
+}
+
+#[test]
+fn a_lost_block_and_one_for_another_tool_are_found() {
+    for name in CONTROLS {
+        let (control, config) = (by_name(name), config(name, ""));
+        let program = posted::<SpinnerU5620>(&config, control, &cl());
+        let found = |edited: &str| posting::findings::<SpinnerU5620>(&config, control, &cl(), edited);
+        let starts = starts(name);
+        let is_of_shop =
+            |line: &str| line == "M31" || line == "M33" || starts.iter().any(|start| line.starts_with(start));
+        let shorter = without(&program, control, |rest| is_of_shop(rest[0]));
+        assert_eq!(shorter.len(), 9, "{name}\n{program}");
+        for edited in shorter {
+            assert!(!found(&edited).is_empty(), "{name}\n{edited}");
+        }
+        // The retract after each of them.
+        let lines = bare(&program);
+        let retract = lines[lines.iter().position(|line| is_of_shop(line)).expect("a block") + 1];
+        let after: Vec<usize> =
+            (1..lines.len()).filter(|&at| is_of_shop(lines[at - 1]) && lines[at] == retract).collect();
+        assert_eq!(after.len(), 9, "{name}\n{program}");
+        // Others follow before an axis moves after all but the last.
+        let lost = after.iter().filter(|&&at| {
+            let edited = renumbered(control, &[&lines[..at], &lines[at + 1..]].concat());
+            !found(&edited).is_empty()
+        });
+        assert_eq!(lost.copied().last(), after.last().copied(), "{name}\n{program}");
+        for (at, line) in lines.iter().enumerate().filter(|(_, line)| is_of_shop(line)) {
+            for (was, is) in [("T1", "T2"), ("H12", "H1"), ("P1", "P2"), ("Q12", "Q1"), ("(1)", "(2)"), ("M31", "M33")]
+            {
+                if line.contains(was) {
+                    let other = line.replace(was, is);
+                    let mut edited = lines.clone();
+                    edited[at] = &other;
+                    assert!(!found(&renumbered(control, &edited)).is_empty(), "{name}: {other}\n{program}");
+                }
+            }
+        }
+        // The start of tool 1 where tool 2 is in the spindle.
+        let mut checks = (0..lines.len()).filter(|&at| lines[at].starts_with(starts[1]));
+        let second = checks.nth(1).expect("the check of tool 2");
+        let edited = renumbered(control, &[&lines[..second], &["M31"], &lines[second..]].concat());
+        let told = found(&edited).join("\n");
+        assert!(told.contains("a line of another tool in `[tools]`, but T2 is in the spindle"), "{name}: {told}");
+    }
+}
+
+#[test]
+fn chosen_operations_measure_their_tools_alone_and_check_them_at_their_end() {
+    for name in CONTROLS {
+        let mut config = config(name, "");
+        config.motion.selected = Some(Operations::Range(2, Some(3)));
+        let program = posted::<SpinnerU5620>(&config, by_name(name), &cl());
+        let lines = bare(&program);
+        let count = |start: &str| lines.iter().filter(|line| line.starts_with(start)).count();
+        let [measure, check] = starts(name);
+        assert_eq!([measure, "M31", "M33", check].map(count), [1, 1, 1, 2], "{name}\n{program}");
+    }
+}
+
+#[test]
+fn a_dry_run_measures_nothing() {
+    for name in CONTROLS {
+        let mut config = config(name, "");
+        config.motion.lift_mm = Some(50.0);
+        let program = posted::<SpinnerU5620>(&config, by_name(name), &cl());
+        let lines = bare(&program);
+        let [measure, check] = starts(name);
+        assert!(!lines.iter().any(|line| line.starts_with(measure) || line.starts_with(check)), "{name}\n{program}");
+        assert_eq!(lines.iter().filter(|line| **line == "M31").count(), 2, "{name}\n{program}");
+    }
+}
+
+#[test]
+fn a_tool_to_be_measured_needs_the_blocks_for_it() {
+    let text = "mode = 'axes'\ntools = { 1 = { measured = true }, 2 = { checked = true, start = ['M31 P{tol}'] } }\n";
+    for name in CONTROLS {
+        let control = by_name(name);
+        let config = starting_point(control).read_over(&SpinnerU5620::default(), text).expect("it can be read");
+        let refused = control::unfit(&SpinnerU5620::default(), control, config.demands());
+        let expected = [
+            "T1 has `measured = true`, but `cycles.measure_tool` has no blocks for it: give those of the machine",
+            "T2 has `checked = true`, but `cycles.check_tool` has no blocks for it: give those of the machine",
+            "in the block `M31 P{tol}` of `[tools.2]` `{tol}` is not a field of this block",
+        ];
+        assert_eq!(refused, expected, "{name}");
+    }
+}
