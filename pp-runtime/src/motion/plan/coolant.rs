@@ -64,9 +64,12 @@ impl CoolantState {
                 Coolant::Air => ("air", "air"),
                 Coolant::On | Coolant::Off | Coolant::Flood => ("flood", "flood"),
             };
-            return Err(Fault::new(format_args!("this control has no code for {name}"))
+            let asks =
+                if self.request == Coolant::On { "`coolant` of the tool, or of `[defaults]`," } else { "COOLNT" };
+            return Err(Fault::new(format_args!("{asks} asks for {name}, for which this control has no code"))
                 .help(format_args!(
-                    "configure its codes for on and off: `[control] coolant = {{ {key} = [\"M83\", \"M84\"] }}`"
+                    "configure the codes of the machine builder for on and off: `[control] coolant = {{ {key} = [\"M..\", \
+                     \"M..\"] }}`"
                 ))
                 .into());
         }

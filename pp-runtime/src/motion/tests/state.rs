@@ -1,6 +1,7 @@
 //! State before a motion (tool, spindle, feed, coolant), and the records that change it.
 
 use super::*;
+use crate::program::Coolants;
 use crate::set_up::FurtherSetUp;
 
 #[test]
@@ -180,7 +181,17 @@ fn a_direct_operation_has_its_speed_before_the_course_cuts_for_it() {
 #[test]
 fn coolant_that_the_control_has_no_code_for_is_refused() {
     let events = [tool(1), spindle(), Event::Coolant(Coolant::Through), feed([0.0; 3], UP)];
-    assert!(run::<Xyz>(&config(), &events).error().text.contains("no code for coolant through the spindle"));
+    let text = "COOLNT asks for coolant through the spindle, for which this control has no code";
+    assert_eq!(run::<Xyz>(&config(), &events).error().text, text);
+    let mut config = config();
+    config.motion.defaults.coolant = Coolants::of(Coolant::Air);
+    let events = [tool(1), spindle(), Event::Coolant(Coolant::On), feed([0.0; 3], UP)];
+    assert!(
+        run::<Xyz>(&config, &events)
+            .error()
+            .text
+            .starts_with("`coolant` of the tool, or of `[defaults]`, asks for air")
+    );
 }
 
 #[test]
