@@ -14,7 +14,7 @@ use crate::motion::{CutterPath, Links, StretchMode, StretchModes, TcpFrame, TipS
 use crate::nc::{Decimal, write_decimal};
 use crate::program::Rotation;
 use crate::program::Units;
-use crate::set_up::ClPoint;
+use crate::set_up::{ClPoint, GivenTool};
 use crate::set_up::{LengthMode, ProgramZero, Stock, part_angles};
 
 use super::survey::{Survey, ToolUse};
@@ -601,10 +601,11 @@ impl Header<'_> {
         if let Some(name) = given.and_then(|given| given.name.as_deref()) {
             text += &format!(" {name}");
         }
-        if let Some(diameter) = given.and_then(|given| given.diameter_mm).or(tool.call.diameter_mm) {
+        let [diameter, corner] = GivenTool::size_mm(given, &tool.call);
+        if let Some(diameter) = diameter {
             text += &format!(" DIA {}", self.length(diameter));
         }
-        if let Some(radius) = tool.call.corner_radius_mm {
+        if let Some(radius) = corner {
             text += &format!(" R{}", self.length(radius));
         }
         let length = gauge_length_mm(tool, config);
@@ -623,6 +624,11 @@ impl Header<'_> {
             text += &format!(", tip Z {} to {}", self.length(low), self.length(high));
         }
         let mut lines = vec![text];
+        if let (Some(ours), Some(theirs)) = (given.and_then(|given| given.diameter_mm), tool.call.diameter_mm)
+            && self.length(ours) != self.length(theirs)
+        {
+            lines.push(format!("T{number} has DIA {} in the CL data: compare the tool", self.length(theirs)));
+        }
         let gauge_line = config.set_up.length_mode == LengthMode::Gauge;
         if let Some(length) = length
             && (gauge_line

@@ -35,7 +35,7 @@ use nalgebra::Rotation3;
 
 use crate::keys::{Bound, LengthPoint, ListOf, Measure, OneLine, OneOf, Whole, YesNo, options};
 use crate::kinematics::Limits;
-use crate::program::{Coolants, Rotation};
+use crate::program::{Coolants, Rotation, ToolCall};
 
 pub(crate) use keys::CoolantKinds;
 use keys::{
@@ -63,6 +63,9 @@ impl ClPoint {
     /// Names, as in configuration files.
     pub(crate) const NAMES: [(&'static str, Self); 2] = [("tip", Self::Tip), ("centre", Self::Centre)];
 }
+
+/// Two sizes of a tool that are the same, mm.
+const SAME_SIZE_MM: f64 = 1e-3;
 
 options! {
     /// Machine, part and shop of a job. Lengths in mm, angles in rad, speeds in mm/min and rad/min.
@@ -310,4 +313,15 @@ impl ProgramZero {
 
 impl LengthMode {
     const NAMES: [(&'static str, Self); 2] = [("tip", Self::Tip), ("gauge", Self::Gauge)];
+}
+
+impl GivenTool {
+    /// Diameter and corner radius of a tool, mm: those of its entry, else those of the CL data. The corner radius of the CL data
+    /// belongs to its diameter: with another one it is unknown.
+    pub(crate) fn size_mm(given: Option<&Self>, call: &ToolCall) -> [Option<f64>; 2] {
+        let ours = given.and_then(|given| given.diameter_mm);
+        let same = ours.zip(call.diameter_mm).is_none_or(|(ours, theirs)| (ours - theirs).abs() <= SAME_SIZE_MM);
+        let corner = call.corner_radius_mm.filter(|_| same).or(given.and_then(|given| given.corner_radius_mm));
+        [ours.or(call.diameter_mm), corner]
+    }
 }

@@ -30,11 +30,20 @@ const NO_OFFSET: f64 = 1e-6;
 /// Share of a direction along the line of sight from which an axis is seen end on.
 const END_ON: f64 = 0.9;
 
-/// Views: title, names of the two directions, the directions, and that towards the eye.
-const VIEWS: [(&str, [&str; 2], [usize; 2], Vector3<f64>); 3] = [
-    ("looking along -Z", ["X", "Y"], [0, 1], Vector3::new(0.0, 0.0, 1.0)),
-    ("looking along +Y", ["X", "Z"], [0, 2], Vector3::new(0.0, -1.0, 0.0)),
-    ("looking along -X", ["Y", "Z"], [1, 2], Vector3::new(1.0, 0.0, 0.0)),
+/// A direction of sight.
+struct Sight {
+    title: &'static str,
+    /// Names of the directions across and up, and their indices.
+    names: [&'static str; 2],
+    directions: [usize; 2],
+    /// Towards the eye.
+    eye: Vector3<f64>,
+}
+
+const VIEWS: [Sight; 3] = [
+    Sight { title: "looking along -Z", names: ["X", "Y"], directions: [0, 1], eye: Vector3::new(0.0, 0.0, 1.0) },
+    Sight { title: "looking along +Y", names: ["X", "Z"], directions: [0, 2], eye: Vector3::new(0.0, -1.0, 0.0) },
+    Sight { title: "looking along -X", names: ["Y", "Z"], directions: [1, 2], eye: Vector3::new(1.0, 0.0, 0.0) },
 ];
 
 /// Draws a machine with its dimensions.
@@ -45,7 +54,7 @@ pub(crate) fn drawing(machine: &dyn AnyMachine) -> io::Result<String> {
     let drawn = Drawn::of(machine);
     svg(HEIGHT, |area| {
         let areas = area.split_evenly((1, VIEWS.len()));
-        areas.iter().zip(VIEWS).try_for_each(|(area, (title, names, directions, eye))| {
+        areas.iter().zip(VIEWS).try_for_each(|(area, Sight { title, names, directions, eye })| {
             let points = drawn.points().map(|point| directions.map(|index| point[index]));
             let mut chart = view(area, &format!("{}, {title}", machine.name()), names, points)?;
             drawn.draw(&mut chart, directions, &eye)

@@ -8,6 +8,7 @@ use serde::Serialize;
 
 use crate::check::Finding;
 use crate::kinematics::{AxisKind, Side};
+use crate::set_up::GivenTool;
 
 use super::ViewedProgram;
 use super::cl_facts::ClTool;
@@ -253,13 +254,12 @@ pub(crate) fn tools(program: &ViewedProgram<'_>) -> Vec<Tool> {
     let tool = |(number, (first_point, points, seconds)): (u32, (usize, usize, f64))| {
         let given = program.policy.set_up.tools.get(&number);
         let cl = program.facts.tools.get(&number).copied().unwrap_or_default();
-        let diameter = given.and_then(|given| given.diameter_mm).or(cl.call.diameter_mm);
-        let corner_radius = cl.call.corner_radius_mm;
+        let [diameter, corner_radius] = GivenTool::size_mm(given, &cl.call);
         let gauge_length = given.and_then(|given| given.length_mm).or(cl.call.length_mm);
         Tool {
             number,
             name: given.and_then(|given| given.name.clone()).unwrap_or_default(),
-            kind: kind(&cl, diameter),
+            kind: kind(&cl, diameter, corner_radius),
             diameter,
             corner_radius,
             length: gauge_length,
@@ -275,9 +275,9 @@ pub(crate) fn tools(program: &ViewedProgram<'_>) -> Vec<Tool> {
 }
 
 /// Kind of a tool, from its use and its shape.
-fn kind(tool: &ClTool, diameter: Option<f64>) -> &'static str {
+fn kind(tool: &ClTool, diameter: Option<f64>, corner: Option<f64>) -> &'static str {
     let radius = diameter.map(|diameter| diameter / 2.0);
-    match (tool.call.corner_radius_mm, radius) {
+    match (corner, radius) {
         _ if tool.taps && !tool.mills => "tap",
         _ if tool.drills && !tool.mills => "drill",
         (Some(corner), Some(radius)) if corner >= radius && radius > 0.0 => "ball",

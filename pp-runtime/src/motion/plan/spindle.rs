@@ -116,6 +116,7 @@ impl SpindleState {
             if starts && policy.options.spindle_dwell_s > 0.0 {
                 output.cancel_inverse_time()?;
                 output.step(&Step::Dwell { seconds: policy.options.spindle_dwell_s })?;
+                output.times_mut().wait(policy.options.spindle_dwell_s / 60.0);
             }
         }
         Ok(())
