@@ -217,3 +217,31 @@ fn every_parameter_has_its_place_in_declaration_configuration_and_kinematics_for
     let head = explained("chain: | X Y Z C B;").parameters.text;
     assert!(head.iter().any(|line| line.starts_with("gauge: the tool tip from the gauge line of the spindle;")));
 }
+
+#[test]
+fn lengths_of_which_only_the_sum_counts_are_named() {
+    let parameters = |text: &str| explained(text).parameters.text.join("\n").replace("\n    ", " ");
+    let sum = parameters(
+        "chain: C B | X Y Z; dims = { table: 40, riser: 60, side: 1 }; d = { C: (0, 0, 0), B: (side, 0, table + riser) };",
+    );
+    assert!(sum.contains("Only the sum table + riser counts: measure one of the two as zero"), "{sum}");
+    assert!(!sum.contains("side counts") && !sum.contains("does not move the tip"), "{sum}");
+    let difference = parameters("chain: C B | X Y Z; dims = { top: 40, axis: 60 }; d = (0, 0, axis - top);");
+    assert!(difference.contains("Only the difference top - axis counts"), "{difference}");
+    let along = parameters("chain: C B | X Y Z; dims = { along: 40, h: 5 }; d = { C: (0, 0, 0), B: (0, along, h) };");
+    assert!(along.contains("along does not move the tip: any value of it makes the same programs."), "{along}");
+    let both = parameters("chain: C B | X Y Z; dims = { h: 40, r: 60 }; d = { C: (r, 0, 0), B: (0, 0, h) };");
+    assert!(!both.contains("counts") && !both.contains("does not move"), "{both}");
+}
+
+#[test]
+fn conditions_are_angles_or_words_where_their_factors_are_long() {
+    let machine = "chain: C B | X Y Z; axes = { B: Rx(alpha) * Y }; dims = { alpha: -45 deg }; verify \"a paper\" {
+        C = atan2(cos(alpha) * sin(B) * j - sin(alpha) * cos(alpha) * (1 - cos(B)) * i,
+            cos(alpha) * sin(B) * i + sin(alpha) * cos(alpha) * (1 - cos(B)) * j); }";
+    let tokens = format!("pub struct M; {machine}").parse().expect("Rust tokens");
+    let verified = compile(tokens).expect("holds").verified;
+    let proven = &verified[0].equations[0];
+    assert_eq!(proven.holds, ["(1 - cos B) cos alpha · (2 - (1 - cos B) cos² alpha) != 0"]);
+    assert_eq!(proven.holds_in_words, ["B != 0", "cos alpha != 0", "2 - (1 - cos B) cos² alpha != 0"]);
+}

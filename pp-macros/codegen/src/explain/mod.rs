@@ -120,7 +120,7 @@ fn proven(claims: Vec<String>, verified: &[Verified]) -> Section {
         section.gap();
         let with = if assumptions.is_empty() { String::new() } else { format!(", with {}", assumptions.join(", ")) };
         section.words(&format!("{source}{with}:"));
-        for Proven { left, right, holds, .. } in equations {
+        for Proven { left, right, holds_in_words: holds, .. } in equations {
             section.equations(&[(left.clone(), right.clone())]);
             if !holds.is_empty() {
                 section.line(line("    holds where ").words(&holds.join(" and ")));

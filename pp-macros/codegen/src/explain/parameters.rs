@@ -1,8 +1,8 @@
 //! Where each quantity of the formulas comes from that is neither pose nor axis value.
 
-use super::section::{Line, Section, line};
 use num_rational::BigRational;
 
+use super::section::{Line, Section, line};
 use crate::formula::Formula;
 use crate::model::{AxisKind, Dimension, Model, Quantity, Side};
 use crate::symbolic::{PolyVector, Surd, Symbol};
@@ -15,6 +15,7 @@ pub(crate) fn parameters(model: &Model) -> Section {
         section.line(dimension_line(dimension));
         section.words(&format!("    Enters: {}.", places(model, dimension)));
     }
+    redundant(model).iter().for_each(|sentence| section.words(sentence));
     section.words(
         "part_x, part_y, part_z: the part zero from the table's reference point; `part_origin` of the configuration.",
     );
@@ -36,6 +37,43 @@ pub(crate) fn parameters(model: &Model) -> Section {
     section.words(&format!("Kinematics for LinuxCNC have them as pins: {}.", pins.join(", ")));
     section.words(&format!("In C they are members of the structure: {}.", fields.join(", ")));
     section
+}
+
+/// Lengths that do not move the tip, and pairs of which only the sum or the difference does: a measurement cannot tell them
+/// apart, and one of them is enough.
+fn redundant(model: &Model) -> Vec<String> {
+    let tip = model.product().origin();
+    // Lengths enter the tip linearly: the motion of the tip for one mm.
+    let lengths: Vec<(&str, PolyVector)> = model
+        .dimensions
+        .iter()
+        .filter_map(|dimension| match dimension.quantity {
+            Quantity::Length(symbol) => {
+                Some((dimension.name.as_str(), tip.each_ref().map(|part| part.coefficient(symbol, 1))))
+            }
+            Quantity::Angle(..) => None,
+        })
+        .collect();
+    let vanishes = |vector: &PolyVector| vector.iter().all(|part| model.ring.is_zero(part));
+    let mut sentences = Vec::new();
+    for (place, (name, motion)) in lengths.iter().enumerate() {
+        if vanishes(motion) {
+            sentences.push(format!("{name} does not move the tip: any value of it makes the same programs."));
+            continue;
+        }
+        for (other, its_motion) in &lengths[place + 1..] {
+            let sum: PolyVector = std::array::from_fn(|index| &motion[index] - &its_motion[index]);
+            let difference: PolyVector = std::array::from_fn(|index| &motion[index] + &its_motion[index]);
+            let only = match (vanishes(&sum), vanishes(&difference)) {
+                (true, _) => format!("sum {name} + {other}"),
+                (_, true) => format!("difference {name} - {other}"),
+                (false, false) => continue,
+            };
+            sentences
+                .push(format!("Only the {only} counts: measure one of the two as zero, or declare one dimension."));
+        }
+    }
+    sentences
 }
 
 fn dimension_line(dimension: &Dimension) -> Line {

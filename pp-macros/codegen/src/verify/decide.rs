@@ -20,6 +20,9 @@ use crate::formula::Formula;
 use crate::symbolic::{Poly, Sign, Symbol, hidden_zeros_of, sign_of, zeros_of};
 use crate::syntax::{Equation, Expr};
 
+/// Longest condition that is read at a glance, in characters.
+const LONGEST_CONDITION: usize = 40;
+
 /// The verdict on an equation.
 #[derive(Debug)]
 pub(crate) enum Verdict {
@@ -285,5 +288,22 @@ impl Condition {
             }
             Self::NotZero(zeros) => format!("{} != 0", product(zeros, false).0),
         }
+    }
+
+    /// The same as a person reads it: an angle in place of `1 - cos B`, and words in place of long factors of divisors.
+    pub(crate) fn words(&self, scope: &Scope<'_>) -> Vec<String> {
+        let Self::NotZero(zeros) = self else { return vec![self.text(scope)] };
+        let mut words: Vec<String> = Vec::new();
+        for zero in zeros {
+            let text = || Some(format!("{} != 0", scope.algebra().formula(zero).text()));
+            let readable = scope.angle_at_which_zero(zero).or_else(text).filter(|text| text.len() <= LONGEST_CONDITION);
+            let text = readable.unwrap_or_else(|| {
+                "no divisor is zero, and no arc tangent has both arguments zero (long conditions)".into()
+            });
+            if !words.contains(&text) {
+                words.push(text);
+            }
+        }
+        words
     }
 }

@@ -53,6 +53,8 @@ pub struct Proven {
     pub right: Formula,
     /// Conditions under which it holds, as text; it holds everywhere if there are none.
     pub holds: Vec<String>,
+    /// The same conditions as a person reads them: `B != 0` for `1 - cos B != 0`, words for long ones.
+    pub holds_in_words: Vec<String>,
     /// Divisors that contain dimensions only.
     divisors: Vec<Poly>,
 }
@@ -386,19 +388,26 @@ fn contradiction(
 
 fn proven(scope: &Scope<'_>, equation: &Equation, conditions: &[Condition], branches: &[(Sign, &str)]) -> Proven {
     let dimensions = scope.model().dimension_symbols();
-    let holds = conditions
-        .iter()
-        .map(|condition| {
-            let branch = match condition {
-                Condition::Positive(sign) | Condition::NotNegative(sign) => {
-                    branches.iter().find(|(known, _)| known == sign).map(|(_, name)| name)
-                }
-                Condition::NotZero(_) => None,
-            };
-            let text = condition.text(scope);
-            branch.map_or(text.clone(), |branch| format!("{text} ({branch})"))
-        })
-        .collect();
+    let branch = |condition: &Condition| match condition {
+        Condition::Positive(sign) | Condition::NotNegative(sign) => {
+            branches.iter().find(|(known, _)| known == sign).map(|(_, name)| *name)
+        }
+        Condition::NotZero(_) => None,
+    };
+    let named = |condition: &Condition, text: String| match branch(condition) {
+        Some(branch) => format!("{text} ({branch})"),
+        None => text,
+    };
+    let holds = conditions.iter().map(|condition| named(condition, condition.text(scope))).collect();
+    let mut holds_in_words: Vec<String> = Vec::new();
+    for condition in conditions {
+        for text in condition.words(scope) {
+            let text = named(condition, text);
+            if !holds_in_words.contains(&text) {
+                holds_in_words.push(text);
+            }
+        }
+    }
     let divisors = conditions.iter().flat_map(|condition| match condition {
         Condition::NotZero(zeros) => zeros.clone(),
         _ => Vec::new(),
@@ -407,6 +416,7 @@ fn proven(scope: &Scope<'_>, equation: &Equation, conditions: &[Condition], bran
         left: as_written(&equation.left),
         right: as_written(&equation.right),
         holds,
+        holds_in_words,
         divisors: divisors.filter(|divisor| divisor.symbols().all(|symbol| dimensions.contains(&symbol))).collect(),
     }
 }

@@ -156,6 +156,25 @@ impl<'a> Scope<'a> {
         axes.chain(dimensions).collect()
     }
 
+    /// `B != 0` for `1 - cos B`, and `B != 180 deg` for `1 + cos B`: zero at one position of an angle alone.
+    pub(crate) fn angle_at_which_zero(&self, poly: &Poly) -> Option<String> {
+        let axes = self.model().axes.iter().map(|axis| (axis.letter.to_string(), axis.sin_cos.1));
+        let dimensions = self.model().dimensions.iter().filter_map(|dimension| match dimension.quantity {
+            Quantity::Angle(_, cosine) => Some((dimension.name.clone(), cosine)),
+            Quantity::Length(_) => None,
+        });
+        let is = |other: &Poly| self.ring().is_zero(&(poly - other)) || self.ring().is_zero(&(poly + other));
+        axes.chain(dimensions).find_map(|(name, cosine)| {
+            let cosine = Poly::from(cosine);
+            let position = match (is(&(&Poly::one() - &cosine)), is(&(&Poly::one() + &cosine))) {
+                (true, _) => "0",
+                (_, true) => "180 deg",
+                (false, false) => return None,
+            };
+            Some(format!("{name} != {position}"))
+        })
+    }
+
     /// The axis of the chain with this letter.
     pub(crate) fn axis_named(&self, name: &str) -> Option<AxisId> {
         self.model().axes.iter().position(|axis| axis.letter.to_string() == name)
