@@ -12,6 +12,7 @@ mod fanuc;
 mod golden;
 mod haas;
 mod heidenhain;
+mod linuxcnc;
 mod printed;
 mod refusals;
 mod siemens;

@@ -1,7 +1,7 @@
 //! Chains that the model of a control cannot express.
 
 use pp_runtime::machine;
-use pp_runtime::transformation::SheetControl::{self, Fanuc, Haas, Heidenhain, Siemens};
+use pp_runtime::transformation::SheetControl::{self, Fanuc, Haas, Heidenhain, LinuxCnc, Siemens};
 
 use super::chains::{HeadCa, HeadTable, SingleTable, TableCaReversed};
 use super::refusal;
@@ -61,7 +61,7 @@ machine! {
     axes = { B: (2, -6, 3) };
 }
 
-const ALL: [SheetControl; 4] = [Siemens, Fanuc, Heidenhain, Haas];
+const ALL: [SheetControl; 5] = [Siemens, Fanuc, Heidenhain, Haas, LinuxCnc];
 
 #[test]
 fn a_linear_axis_on_a_rotary_axis() {

@@ -102,6 +102,9 @@ pub(crate) struct KinematicsArgs {
     /// A kinematics module of LinuxCNC, with a simulated machine that runs it
     #[arg(long, group = "target", requires = "output")]
     linuxcnc: bool,
+    /// Compare sheet: expected pins and INI lines of LinuxCNC's own module for the machine, where it brings one, next to blanks
+    #[arg(long, group = "target")]
+    linuxcnc_own: bool,
     /// Compare sheet: expected swivel data and machine data of CYCLE800 and TRAORI, next to blanks for those of the machine
     #[arg(long, group = "target")]
     siemens: bool,
@@ -132,12 +135,13 @@ pub(crate) enum Target {
 
 impl KinematicsArgs {
     pub(crate) fn target(&self) -> Target {
-        let Self { c: _, linuxcnc, siemens, fanuc, heidenhain, haas, output: _, config: _ } = *self;
+        let Self { c: _, linuxcnc, linuxcnc_own, siemens, fanuc, heidenhain, haas, output: _, config: _ } = *self;
         let sheets = [
             (siemens, SheetControl::Siemens),
             (fanuc, SheetControl::Fanuc),
             (heidenhain, SheetControl::Heidenhain),
             (haas, SheetControl::Haas),
+            (linuxcnc_own, SheetControl::LinuxCnc),
         ];
         match sheets.into_iter().find(|(given, _)| *given) {
             Some((_, control)) => Target::Sheet(control),

@@ -12,6 +12,7 @@ mod chain;
 mod fanuc;
 mod haas;
 mod heidenhain;
+mod linuxcnc;
 mod print;
 mod rows;
 mod siemens;
@@ -35,6 +36,8 @@ pub enum SheetControl {
     Heidenhain,
     /// Settings of the rotary zero point (G234, G254).
     Haas,
+    /// Pins of the kinematics modules that LinuxCNC brings.
+    LinuxCnc,
 }
 
 impl SheetControl {
@@ -46,6 +49,7 @@ impl SheetControl {
             Self::Fanuc => "fanuc",
             Self::Heidenhain => "heidenhain",
             Self::Haas => "haas",
+            Self::LinuxCnc => "linuxcnc",
         }
     }
 }
@@ -68,6 +72,7 @@ pub fn compare_sheet(
         SheetControl::Fanuc => fanuc::sheet(machine, config),
         SheetControl::Heidenhain => heidenhain::sheet(machine, config),
         SheetControl::Haas => haas::sheet(machine, config),
+        SheetControl::LinuxCnc => linuxcnc::sheet(machine, config),
     }?;
     Ok(print(machine, config, &sheet))
 }
