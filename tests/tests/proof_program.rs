@@ -146,6 +146,55 @@ fn the_tip_stays_on_its_point_while_each_rotary_sweeps_its_travel_on_every_contr
     }
 }
 
+/// Keys with which a control has tip control in the frame of the table at zero.
+fn tip_control_of(control: &str) -> &'static str {
+    match control {
+        "linuxcnc" => "mode = 'tcp'\n[control]\ntip_control = ['M428', 'M429']\n",
+        "fanuc" => "mode = 'tcp'\ntcp_frame = 'table_at_zero'\n",
+        _ => "mode = 'tcp'\n",
+    }
+}
+
+/// Checks a program under tip control: every feed block has the point as its tip; returns the sweeps.
+fn check_tip_control<M: Machine>(case: &Case, control: &str) -> BTreeMap<char, (f64, f64)> {
+    let config = format!("{}{}", case.config, tip_control_of(control));
+    let case = Case { config: config.leak(), ..*case };
+    let program = proof(&case, control, &[]).unwrap_or_else(|errors| panic!("{control}: {errors}"));
+    assert!(program.contains("MODE tcp") && program.contains("TIP CONTROL IS ON"), "{program}");
+    let trace = traced(&program, control);
+    let mut travel = BTreeMap::new();
+    let mut blocks = 0;
+    for step in trace.motions().filter(|step| step.effect == Effect::Feed) {
+        assert!(step.state.under_tip_control(), "{control}, line {}: tip control is off", step.line);
+        blocks += 1;
+        for (letter, expected) in ['X', 'Y', 'Z'].into_iter().zip(case.point) {
+            let found = step.state.position.get(letter).unwrap_or_else(|| panic!("{letter} is unknown"));
+            assert!((found - expected).abs() <= 1e-3, "{control}, line {}: {letter} {found}", step.line);
+        }
+        for axis in M::AXES.iter().filter(|axis| axis.kind == AxisKind::Rotary) {
+            let degrees = step.state.position.get(axis.letter).unwrap_or_else(|| panic!("{} is unknown", axis.letter));
+            let ends = travel.entry(axis.letter).or_insert((degrees, degrees));
+            *ends = (ends.0.min(degrees), ends.1.max(degrees));
+        }
+    }
+    assert!(blocks > 6, "{program}");
+    travel
+}
+
+#[test]
+fn under_tip_control_the_rotary_axes_sweep_alone_and_the_tip_is_the_point() {
+    for control in CONTROLS {
+        assert_swept(&check_tip_control::<SpinnerU5620>(&SPINNER, control), &[('B', -5.0, 110.0), ('C', 0.0, 360.0)]);
+    }
+}
+
+#[test]
+fn a_control_without_tip_control_has_no_such_proof_program() {
+    let case = Case { config: "units = 'mm'\npart_origin = [10, -5, 60]\nmode = 'tcp'\n", ..SPINNER };
+    let refusal = proof(&case, "linuxcnc", &[]).expect_err("no codes are given");
+    assert!(refusal.contains("has no tip control (TCP) by default"), "{refusal}");
+}
+
 #[test]
 fn the_header_states_what_must_be_observed_and_the_spindle_is_off() {
     let program = proof(&LOLA, "linuxcnc", &[]).expect("a program");

@@ -2,7 +2,9 @@
 //! cut.
 //!
 //! The tip stays on one point while each rotary axis runs through its travel. Planned and written as every program is;
-//! its head tells the operator how to run it and what an indicator must show.
+//! its head has how to run it and what an indicator must show. With axis positions the linear axes follow the declaration: an
+//! indicator shows whether it is the machine. Under tip control the control moves them by its own data: the same indicator shows
+//! whether these are the machine, and so, with both programs, whether control and declaration agree.
 
 use std::io;
 
@@ -12,7 +14,7 @@ use crate::config::Config;
 use crate::control::{self, Control, Encoder, Layout};
 use crate::diag::Diagnostic;
 use crate::kinematics::{AnyMachine, Side};
-use crate::motion::{Mode, OperationTable, StretchMode, StretchModes};
+use crate::motion::{Mode, OperationTable, StretchModes};
 use crate::motion::{Planner, PlanningError, ProofProgram, Sweep, rotaries_of};
 use crate::program::ToolCall;
 use crate::program::Units;
@@ -52,14 +54,22 @@ pub fn prove(machine: &dyn AnyMachine, proof: &Proof<'_>) -> Result<Vec<u8>, Str
                 .to_owned(),
         );
     }
-    // A dry run with a distance of 0: no spindle, no coolant. Mode `axes`, because the declaration of the machine is to
-    // be shown, not the control's own tip control or tilted plane.
+    // A dry run with a distance of 0: no spindle, no coolant. Axis positions, because the declaration of the machine is to be
+    // shown; tip control where the configuration has it, because the data of the control is.
+    let mode = match given.motion.mode {
+        Mode::Tcp => Mode::Tcp,
+        Mode::Auto | Mode::Axes | Mode::Plane => Mode::Axes,
+    };
     let slow = given.motion.rapids.reorient_rad_per_min.min(MAX_ROTARY_SPEED_RAD_PER_MIN);
     let mut config = given.for_control(proof.control);
     config.motion.lift_mm = Some(0.0);
-    config.motion.mode = Mode::Axes;
+    config.motion.mode = mode;
     config.motion.operations = OperationTable::default();
     config.motion.rapids.reorient_rad_per_min = slow;
+    let unfit = control::unfit(machine, proof.control, config.demands());
+    if !unfit.is_empty() {
+        return Err(unfit.join("\n"));
+    }
     let units = config.output_units.unwrap_or(Units::Millimetres);
     let machine = config
         .set_up
@@ -67,8 +77,8 @@ pub fn prove(machine: &dyn AnyMachine, proof: &Proof<'_>) -> Result<Vec<u8>, Str
         .map_err(|invalid| format!("the dimensions of {} are not valid: {invalid}", machine.name()))?;
     let abilities = control::abilities(proof.control, config.demands());
     let mut out = Vec::new();
-    let layout =
-        Layout::new(&*machine, config.demands(), &abilities, &StretchModes::all(StretchMode::Axes), units, b"PROOF");
+    let modes = StretchModes::all(mode.of_all().unwrap_or_default());
+    let layout = Layout::new(&*machine, config.demands(), &abilities, &modes, units, b"PROOF");
     let mapped = MappedEncoder::new(Encoder::new(proof.control, &layout, &mut out), None);
     let mut planner = Planner::new(machine.clone(), config.policy(), units, &abilities, false, mapped);
     let sweeps = ProofProgram::new(&mut planner).sweeps().map_err(sentence)?;
@@ -76,7 +86,7 @@ pub fn prove(machine: &dyn AnyMachine, proof: &Proof<'_>) -> Result<Vec<u8>, Str
     let number = proof.tool.unwrap_or_else(|| default_tool(&config));
     let point = Point3::from(proof.point_mm.unwrap_or_default());
     let job = Job { cl_name: "", config: &config, control: proof.control, units: None };
-    let survey = survey(number, &point);
+    let survey = survey(number, &point, modes);
     let header = Header { job: &job, survey: &survey, units, machine: &*machine, unchecked: planner.unchecked_axes() };
     head(&header, &point, &sweeps, planner.sink().encoder()).map_err(|error| sentence(PlanningError::Output(error)))?;
     ProofProgram::new(&mut planner).plan(number, point, &sweeps).map_err(sentence)?;
@@ -101,11 +111,11 @@ fn default_tool(config: &Config) -> u32 {
 }
 
 /// A survey of one tool with one operation, for the header. `point`: position of the tip in the part, mm.
-fn survey(number: u32, point: &Point3<f64>) -> Survey {
+fn survey(number: u32, point: &Point3<f64>, modes: StretchModes) -> Survey {
     let call = ToolCall { number, ..ToolCall::default() };
     let tool =
         ToolUse { call, operations: 1, tip_z_mm: Some((point.z, point.z)), cuts_mm: None, spindle_assumed: false };
-    let mut survey = Survey { modes: StretchModes::all(StretchMode::Axes), ..Survey::default() };
+    let mut survey = Survey { modes, ..Survey::default() };
     survey.tools.push(tool);
     survey
 }
@@ -114,17 +124,32 @@ fn survey(number: u32, point: &Point3<f64>) -> Survey {
 fn head(header: &Header<'_>, point: &Point3<f64>, sweeps: &[Sweep], encoder: &mut Encoder<'_>) -> io::Result<()> {
     encoder.open(None)?;
     let (config, control) = (header.job.config, header.job.control);
+    let mode = config.motion.mode;
+    let (moves, wrong): (&str, &[&str]) = match mode {
+        Mode::Tcp => (
+            "TIP CONTROL IS ON: the control moves the linear axes, by its own data of the machine",
+            &[
+                "a small movement means that a length in the control is off, a large one that a direction is",
+                "the program in mode axes shows the declaration: if both pass, control and declaration agree",
+            ],
+        ),
+        Mode::Auto | Mode::Axes | Mode::Plane => (
+            "TIP CONTROL IS OFF: the program moves the linear axes, by the declaration of the machine",
+            &["a small movement means that a pivot or a length is off, a large one that a sign is wrong"],
+        ),
+    };
     let mut lines = vec![
         "PROOF OF THE KINEMATICS: no cutting, spindle off".to_owned(),
-        format!("MACHINE {}, CONTROL {}, MODE axes", header.machine.name(), control.spellings().title),
+        format!("MACHINE {}, CONTROL {}, MODE {}", header.machine.name(), control.spellings().title, mode.name()),
+        moves.to_owned(),
         format!("UNITS {}, WORK OFFSET {}", header.units.name(), work_offset(control, config)),
         format!("PART ORIGIN {} from the reference point of the table", header.point(config.set_up.part_origin)),
         format!("THE TIP STAYS AT {} of the part while the rotary axes move", header.point((*point).into())),
         "EXPECTED: an indicator that is fixed to the table and touches a ball at the tip does not move".to_owned(),
         "touch the ball along X, then Y, then Z of the table, and run the program once for each".to_owned(),
-        "a small movement means that a pivot or a length is off, a large one that a sign is wrong".to_owned(),
-        "first run: without the indicator, at low feed override, ready to press feed hold".to_owned(),
     ];
+    lines.extend(wrong.iter().map(|line| (*line).to_owned()));
+    lines.push("first run: without the indicator, at low feed override, ready to press feed hold".to_owned());
     let number = |index: usize, sweep: &Sweep| format!("SWEEP {}: {}", index + 1, sweep.name);
     lines.extend(sweeps.iter().enumerate().map(|(index, sweep)| number(index, sweep)));
     let within = header.length(config.motion.tolerance_mm);

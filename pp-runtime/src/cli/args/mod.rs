@@ -186,7 +186,7 @@ pub(crate) struct ExplainArgs {
     #[arg(long, conflicts_with_all = ["latex", "cl", "proof_program"])]
     pub(crate) codes: bool,
     /// Print a proof program for the machine instead: the tip stays on one point while each rotary axis runs its travel.
-    /// Its words are axis positions whatever `mode` is: it shows the declaration, not the tip control of the control
+    /// With axis positions it shows the declaration; with `mode = "tcp"` in the configuration, the data of the control
     #[arg(long, conflicts_with_all = ["latex", "cl"], group = "of_configuration")]
     pub(crate) proof_program: bool,
     /// Print a drawing instead, SVG: the machine at zero from two sides, with its dimensions, and which way the positive words

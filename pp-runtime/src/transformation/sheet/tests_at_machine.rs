@@ -25,9 +25,9 @@ pub(super) fn tests(machine: &dyn AnyMachine, words: &Words) -> Vec<Vec<String>>
                 "The tip stays. Clamp a mandrel whose length from the gauge line is in the tool table. Fix a dial gauge or a ball to \
                  the table, and bring the tip to it. Switch {tip_control} on, and rotate one rotary axis alone: a few degrees at first \
                  with the feed override in hand, because a wrong sign moves the slides the wrong way, then through its travel, the \
-                 others at zero, then at another angle. The tip must stay where it is, within the accuracy of the machine. (The \
-                 program that `explain --proof-program --control {control}` prints moves the same axes with the transformation off: it \
-                 shows whether the declaration is right, and not whether the data of the control is.)"
+                 others at zero, then at another angle. The tip must stay where it is, within the accuracy of the machine. With \
+                 `mode = \"tcp\"` in the configuration, `explain --proof-program --control {control}` prints a program that does so; \
+                 without it the program moves the same axes with the transformation off, and shows whether the declaration is right."
             ),
             "The tip leaves at once, by twice the expected motion: the direction of that axis is wrong. It goes round a circle: the \
              centre line is wrong by the radius. It stays with one length of the mandrel only: the distance along the tool is wrong."
