@@ -101,10 +101,12 @@ fn every_default_of_the_printed_file_is_the_default_when_enabled() {
 
 #[test]
 fn every_example_of_the_printed_file_is_accepted() {
-    let text: String = print(&Sample::default(), &LinuxCnc)
-        .lines()
-        .map(|line| format!("{}\n", line.strip_prefix("# e.g. ").unwrap_or(line)))
-        .collect();
+    let printed = print(&Sample::default(), &LinuxCnc);
+    let of_table = |line: &&str| line.starts_with("# e.g. table_zero = ");
+    assert_eq!(printed.lines().filter(of_table).count(), 1);
+    // It takes the place of `machine_zero`.
+    let lines = printed.lines().filter(|line| !of_table(line));
+    let text: String = lines.map(|line| format!("{}\n", line.strip_prefix("# e.g. ").unwrap_or(line))).collect();
     let config = read(&text);
     assert_eq!(config.set_up.tools[&12].name.as_deref(), Some("ball 10"));
     assert_eq!(config.set_up.tools[&12].rotation, Some(Rotation::Clockwise));
