@@ -62,7 +62,7 @@ pub(crate) use place::{along_axes, rotaries_of};
 pub(crate) use plan::hole_extent;
 pub use plan::{
     Abilities, ChordedArcs, CutterRadius, FastestRotation, MovingAxes, OperationBlocks, OperationTime, Planner,
-    ProofProgram, Registers, Statistics, Sweep, Times,
+    ProofProgram, Registers, Statistics, Sweep, Thread, Threads, Times,
 };
 pub use rotary::Cost;
 pub use source::{

@@ -82,10 +82,6 @@ pub(crate) fn assumptions(
     survey: &Survey,
 ) -> Vec<String> {
     let mut list = Vec::new();
-    if survey.file.units_only_given {
-        let unit = survey.file.units.map_or("", Units::name);
-        list.push(format!("unit of the CL data is {unit}, as given; the CL file states none"));
-    }
     if !survey.file.states_frame {
         list.push("points of the CL data are coordinates from the part zero".to_owned());
     }
@@ -260,6 +256,10 @@ pub(crate) fn reading(config: &Config, survey: &Survey) -> Vec<String> {
         (None, _) => ", recognised from the file",
     };
     let mut list = vec![format!("CL data of {}{how}", survey.file.dialect.title())];
+    if survey.file.units_only_given {
+        let unit = survey.file.units.map_or("", Units::name);
+        list.push(format!("unit of the CL data is {unit}, as given; the CL file states none"));
+    }
     let ArcVote { arcs, agree, against, given } = survey.file.arcs;
     let decided = agree + against;
     if arcs > 0 {

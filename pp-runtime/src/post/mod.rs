@@ -35,7 +35,7 @@ use crate::diag::{Diagnostic, Remarks, Severity, grouped};
 use crate::kinematics::{AnyMachine, AxisKind, Invalid, Machine};
 use crate::motion::{
     Abilities, ChordedArcs, Cost, Course, DiscardSteps, ModeFinder, MovingAxes, Navigator, Planner, PlanningError,
-    Sink, Source, Statistics, Times, UsableModes,
+    Sink, Source, Statistics, Threads, Times, UsableModes,
 };
 use crate::program::Location;
 use crate::program::Units;
@@ -95,6 +95,8 @@ pub struct Report {
     pub statistics: Statistics,
     /// Machining times.
     pub times: Times,
+    /// Pitch and number of the threads, one sentence; empty if there are none.
+    pub threads: String,
     /// Number of blocks written, without comments.
     pub blocks: u64,
     /// Number of lines of CL data read.
@@ -229,6 +231,7 @@ impl Report {
         if statistics.cycles > 0 {
             lines.push(format!("holes made with canned cycles: {}", statistics.cycles));
         }
+        lines.extend((!self.threads.is_empty()).then(|| self.threads.clone()));
         lines.push(match statistics.links {
             0 => "rapids are not linearised".to_owned(),
             links => {
@@ -286,6 +289,27 @@ fn arcs_text(statistics: &Statistics) -> Option<String> {
     let why: Vec<String> =
         reasons.iter().filter(|(count, _)| *count > 0).map(|(count, why)| format!("{count} {why}")).collect();
     Some(if why.is_empty() { traced } else { format!("{traced}, {total} as lines: {}", why.join("; ")) })
+}
+
+/// Pitch and number of the threads of each tool.
+fn threads_text(threads: &Threads, units: Units) -> String {
+    let mut list: Vec<String> = threads
+        .listed()
+        .iter()
+        .map(|thread| {
+            let decimals = if units == Units::Inches { 5 } else { 3 };
+            let hand = if thread.left { " left-hand" } else { "" };
+            format!(
+                "T{} pitch {:.decimals$} {}{hand} ({})",
+                thread.tool,
+                thread.pitch.value(),
+                units.name(),
+                counted(thread.holes, "hole")
+            )
+        })
+        .collect();
+    list.extend((threads.not_listed() > 0).then(|| counted(threads.not_listed(), "other hole")));
+    if list.is_empty() { String::new() } else { format!("threads: {}", list.join(", ")) }
 }
 
 /// Rewinds and travel of the course, and what they would be if chosen motion by motion.
@@ -493,6 +517,7 @@ impl PlanningPass<'_> {
         report.diagnostics.append(&mut remarks.conclude());
         report.statistics = planner.statistics();
         report.times = planner.times().clone();
+        report.threads = threads_text(planner.threads(), units);
         report.unchecked = header::unchecked_limits(&planner.unchecked_axes());
         match planned {
             Ok(()) => {}

@@ -10,22 +10,22 @@
 9 ; TOLERANCE 0.05 for arcs and curves
 10 ; BLANK is the box around all cuts, without [stock] in the configuration
 11 ; CL data of NX, recognised from the file
-12 ; 3 arcs, sense by form, confirmed by 3 of 3 neighbouring lines
-13 ; KINEMATICS *
-14 ; DIMENSIONS d = 150 mm
-15 ; AXIS C+ rotates the table left-handed about +Z, as in ISO 841
-16 ; AXIS B+ rotates the table left-handed about +Y, as in ISO 841
-17 ; AXIS X+ moves the tool along +X, as in ISO 841
-18 ; AXIS Y+ moves the tool along +Y, as in ISO 841
-19 ; AXIS Z+ moves the tool along +Z, as in ISO 841
-20 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.05 of its line at feed, the tool axis within 0.1 deg of its great circle
-21 ; ROTARY WORDS are absolute and may go below 0 and beyond 360: M127 is in force, so the axes do not take the shortest path
-22 ; linear limits not checked: no travel declared (X Y Z)
-23 ; valid only for part origin X0 Y0 Z0 from the reference point of the table; do not touch off again
-24 ; the entries of C and B in preset 1 must be zero
-25 ; T1 DIA 10 R0 L110, 1 operation, tip Z -2 to 20
-26 ; T2 DIA 5 L130, 2 operations, tip Z -15 to 60
-27 ; ASSUMED unit of the CL data is mm, as given; the CL file states none
+12 ; unit of the CL data is mm, as given; the CL file states none
+13 ; 3 arcs, sense by form, confirmed by 3 of 3 neighbouring lines
+14 ; KINEMATICS *
+15 ; DIMENSIONS d = 150 mm
+16 ; AXIS C+ rotates the table left-handed about +Z, as in ISO 841
+17 ; AXIS B+ rotates the table left-handed about +Y, as in ISO 841
+18 ; AXIS X+ moves the tool along +X, as in ISO 841
+19 ; AXIS Y+ moves the tool along +Y, as in ISO 841
+20 ; AXIS Z+ moves the tool along +Z, as in ISO 841
+21 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.05 of its line at feed, the tool axis within 0.1 deg of its great circle
+22 ; ROTARY WORDS are absolute and may go below 0 and beyond 360: M127 is in force, so the axes do not take the shortest path
+23 ; linear limits not checked: no travel declared (X Y Z)
+24 ; valid only for part origin X0 Y0 Z0 from the reference point of the table; do not touch off again
+25 ; the entries of C and B in preset 1 must be zero
+26 ; T1 DIA 10 R0 L110, 1 operation, tip Z -2 to 20
+27 ; T2 DIA 5 L130, 2 operations, tip Z -15 to 60
 28 ; ASSUMED work offset preset 1
 29 ; ASSUMED retract to machine coordinate 0 mm
 30 ; ASSUMED approach distance 50 mm along the tool axis

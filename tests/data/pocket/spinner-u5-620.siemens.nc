@@ -6,6 +6,7 @@
 ; PROGRAMMED POINT tool tip
 ; TOLERANCE 0.05 for arcs and curves
 ; CL data of NX, recognised from the file
+; unit of the CL data is mm, as given; the CL file states none
 ; 3 arcs, sense by form, confirmed by 3 of 3 neighbouring lines
 ; KINEMATICS *
 ; DIMENSIONS d = 150 mm
@@ -21,7 +22,6 @@
 ; the entries of C and B in G54 must be zero
 ; T1 DIA 10 R0 L110 D1, 1 operation, tip Z -2 to 20
 ; T2 DIA 5 L130 D1, 2 operations, tip Z -15 to 60
-; ASSUMED unit of the CL data is mm, as given; the CL file states none
 ; ASSUMED work offset G54
 ; ASSUMED retract to machine coordinate 0 mm
 ; ASSUMED approach distance 50 mm along the tool axis

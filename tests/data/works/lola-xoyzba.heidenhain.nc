@@ -11,24 +11,24 @@
 10 ; BLANK is the box around all cuts, without [stock] in the configuration
 11 ; only operations 1 to 5 of 6; the program begins with a complete restart: modal codes, tool, offset, spindle
 12 ; CL data of NX, recognised from the file
-13 ; 5 arcs, sense by form, confirmed by 4 of 4 neighbouring lines
-14 ; KINEMATICS *
-15 ; AXIS X+ moves the table against +X, as in ISO 841
-16 ; AXIS Y+ moves the tool along +Y, as in ISO 841
-17 ; AXIS Z+ moves the tool along +Z, as in ISO 841
-18 ; AXIS B+ rotates the tool right-handed about +Y, as in ISO 841
-19 ; AXIS A+ rotates the tool right-handed about +X, as in ISO 841
-20 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg of its great circle
-21 ; ROTARY WORDS are absolute and may go below 0 and beyond 360: M127 is in force, so the axes do not take the shortest path
-22 ; linear limits not checked: no travel declared (X Y Z)
-23 ; the entries of B and A in preset 1 must be zero
-24 ; T1 DIA 10 R0 L110, 3 operations, tip Z -7.398 to 36.793
-25 ; T1 posted with L = 110: the tool table must hold exactly this
-26 ; T2 DIA 5 L130, 1 operation, tip Z -15.078 to 28.689
-27 ; T2 posted with L = 130: the tool table must hold exactly this
-28 ; T3 DIA 6 L95, 1 operation, tip Z -10 to 25
-29 ; T3 posted with L = 95: the tool table must hold exactly this
-30 ; ASSUMED unit of the CL data is mm, as given; the CL file states none
+13 ; unit of the CL data is mm, as given; the CL file states none
+14 ; 5 arcs, sense by form, confirmed by 4 of 4 neighbouring lines
+15 ; KINEMATICS *
+16 ; AXIS X+ moves the table against +X, as in ISO 841
+17 ; AXIS Y+ moves the tool along +Y, as in ISO 841
+18 ; AXIS Z+ moves the tool along +Z, as in ISO 841
+19 ; AXIS B+ rotates the tool right-handed about +Y, as in ISO 841
+20 ; AXIS A+ rotates the tool right-handed about +X, as in ISO 841
+21 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg of its great circle
+22 ; ROTARY WORDS are absolute and may go below 0 and beyond 360: M127 is in force, so the axes do not take the shortest path
+23 ; linear limits not checked: no travel declared (X Y Z)
+24 ; the entries of B and A in preset 1 must be zero
+25 ; T1 DIA 10 R0 L110, 3 operations, tip Z -7.398 to 36.793
+26 ; T1 posted with L = 110: the tool table must hold exactly this
+27 ; T2 DIA 5 L130, 1 operation, tip Z -15.078 to 28.689
+28 ; T2 posted with L = 130: the tool table must hold exactly this
+29 ; T3 DIA 6 L95, 1 operation, tip Z -10 to 25
+30 ; T3 posted with L = 95: the tool table must hold exactly this
 31 ; ASSUMED work offset preset 1
 32 ; ASSUMED retract to machine coordinate 0 mm
 33 ; ASSUMED approach distance 50 mm along the tool axis

@@ -7,6 +7,7 @@
 ; TOLERANCE 0.01 for arcs and curves
 ; only operations 1 to 5 of 6; the program begins with a complete restart: modal codes, tool, offset, spindle
 ; CL data of NX, recognised from the file
+; unit of the CL data is mm, as given; the CL file states none
 ; 5 arcs, sense by form, confirmed by 4 of 4 neighbouring lines
 ; KINEMATICS *
 ; AXIS X+ moves the table against +X, as in ISO 841
@@ -24,7 +25,6 @@
 ; T2 posted with L = 130: D1 must hold exactly this
 ; T3 DIA 6 L95 D1, 1 operation, tip Z -10 to 25
 ; T3 posted with L = 95: D1 must hold exactly this
-; ASSUMED unit of the CL data is mm, as given; the CL file states none
 ; ASSUMED work offset G54
 ; ASSUMED retract to machine coordinate 0 mm
 ; ASSUMED approach distance 50 mm along the tool axis

@@ -11,23 +11,23 @@
 10 ; BLANK is the box around all cuts, without [stock] in the configuration
 11 ; only operations 1 to 5 of 6; the program begins with a complete restart: modal codes, tool, offset, spindle
 12 ; CL data of NX, recognised from the file
-13 ; 5 arcs, sense by form, confirmed by 4 of 4 neighbouring lines
-14 ; KINEMATICS *
-15 ; DIMENSIONS d = 150 mm
-16 ; AXIS C+ rotates the table left-handed about +Z, as in ISO 841
-17 ; AXIS B+ rotates the table left-handed about +Y, as in ISO 841
-18 ; AXIS X+ moves the tool along +X, as in ISO 841
-19 ; AXIS Y+ moves the tool along +Y, as in ISO 841
-20 ; AXIS Z+ moves the tool along +Z, as in ISO 841
-21 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg of its great circle
-22 ; ROTARY WORDS are absolute and may go below 0 and beyond 360: M127 is in force, so the axes do not take the shortest path
-23 ; linear limits not checked: no travel declared (X Y Z)
-24 ; valid only for part origin X10 Y-20 Z35 from the reference point of the table; do not touch off again
-25 ; the entries of C and B in preset 1 must be zero
-26 ; T1 DIA 10 R0 L110, 3 operations, tip Z -7.398 to 36.793
-27 ; T2 DIA 5 L130, 1 operation, tip Z -15.078 to 28.689
-28 ; T3 DIA 6 L95, 1 operation, tip Z -10 to 25
-29 ; ASSUMED unit of the CL data is mm, as given; the CL file states none
+13 ; unit of the CL data is mm, as given; the CL file states none
+14 ; 5 arcs, sense by form, confirmed by 4 of 4 neighbouring lines
+15 ; KINEMATICS *
+16 ; DIMENSIONS d = 150 mm
+17 ; AXIS C+ rotates the table left-handed about +Z, as in ISO 841
+18 ; AXIS B+ rotates the table left-handed about +Y, as in ISO 841
+19 ; AXIS X+ moves the tool along +X, as in ISO 841
+20 ; AXIS Y+ moves the tool along +Y, as in ISO 841
+21 ; AXIS Z+ moves the tool along +Z, as in ISO 841
+22 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg of its great circle
+23 ; ROTARY WORDS are absolute and may go below 0 and beyond 360: M127 is in force, so the axes do not take the shortest path
+24 ; linear limits not checked: no travel declared (X Y Z)
+25 ; valid only for part origin X10 Y-20 Z35 from the reference point of the table; do not touch off again
+26 ; the entries of C and B in preset 1 must be zero
+27 ; T1 DIA 10 R0 L110, 3 operations, tip Z -7.398 to 36.793
+28 ; T2 DIA 5 L130, 1 operation, tip Z -15.078 to 28.689
+29 ; T3 DIA 6 L95, 1 operation, tip Z -10 to 25
 30 ; ASSUMED work offset preset 1
 31 ; ASSUMED retract to machine coordinate 0 mm
 32 ; ASSUMED approach distance 50 mm along the tool axis

@@ -440,6 +440,9 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         output.set_reason(BlockReason::Record);
         mover.write_motion(&Step::Cycle { cycle }, &back)?;
         mover.output_mut().statistics_mut().cycles += 1;
+        if let (CannedKind::Tap { pitch, left, .. }, Some(tool)) = (cycle.kind, self.planner.tooling.current()) {
+            mover.output_mut().threads_mut().count(tool.number, pitch, left);
+        }
         if thread || bore_stops {
             self.planner.spindle.note_thread(bore_stops || can.tap_stops_spindle);
         }

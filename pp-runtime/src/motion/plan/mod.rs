@@ -26,6 +26,7 @@ mod selection;
 mod sequence;
 mod spindle;
 mod statistics;
+mod threads;
 mod tool;
 mod tooling;
 
@@ -55,6 +56,7 @@ pub(crate) use hole::hole_extent;
 pub use machining_time::{FastestRotation, OperationTime, Times};
 pub use proof::{ProofProgram, Sweep};
 pub use statistics::{ChordedArcs, Statistics};
+pub use threads::{Thread, Threads};
 
 use clearance::ClearanceGeometry;
 use coolant::CoolantState;
@@ -195,6 +197,12 @@ impl<'a, S: Sink> Planner<'a, S> {
     #[must_use]
     pub fn times(&self) -> &Times {
         self.mover.output().times()
+    }
+
+    /// Threads so far.
+    #[must_use]
+    pub fn threads(&self) -> &Threads {
+        self.mover.output().threads()
     }
 
     /// Takes the remarks since the last call.

@@ -12,6 +12,7 @@ use crate::motion::place::AxisPosition;
 use crate::motion::plan::feed::Pace;
 use crate::motion::plan::machining_time::Times;
 use crate::motion::plan::statistics::Statistics;
+use crate::motion::plan::threads::Threads;
 use crate::motion::step::{BlockReason, Provenance, ReachedPosition};
 use crate::motion::step::{FeedWord, Sink, Step};
 
@@ -45,6 +46,7 @@ pub(crate) struct Output<S> {
     skips_guards: bool,
     statistics: Statistics,
     times: Times,
+    threads: Threads,
     warnings: Vec<Diagnostic>,
 }
 
@@ -61,6 +63,7 @@ impl<S: Sink> Output<S> {
             skips_guards,
             statistics: Statistics::default(),
             times: Times::default(),
+            threads: Threads::default(),
             warnings: Vec::new(),
         }
     }
@@ -216,6 +219,15 @@ impl<S: Sink> Output<S> {
         &mut self.times
     }
 
+    /// Threads so far.
+    pub(crate) fn threads(&self) -> &Threads {
+        &self.threads
+    }
+
+    pub(crate) fn threads_mut(&mut self) -> &mut Threads {
+        &mut self.threads
+    }
+
     /// Location of the current record.
     pub(crate) fn location(&self) -> Location {
         self.at.unwrap_or_default()
@@ -243,10 +255,11 @@ impl<S: Sink> Output<S> {
         std::mem::take(&mut self.warnings)
     }
 
-    /// Drops remarks, statistics and times of the steps that were not written, except those of the operation that begins.
+    /// Drops remarks, statistics, threads and times of the steps that were not written, except those of the operation that begins.
     pub(crate) fn forget_hidden(&mut self) {
         self.warnings.clear();
         self.statistics = Statistics::default();
+        self.threads = Threads::default();
         self.times.keep_last_operation();
     }
 }

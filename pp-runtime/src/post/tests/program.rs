@@ -64,6 +64,37 @@ fn assumptions_are_listed_in_the_summary() {
 }
 
 #[test]
+fn a_unit_that_is_given_is_not_assumed() {
+    let mut config = Config::default();
+    config.cl_units = Some(Units::Millimetres);
+    let (text, report) = posted::<Cb>(&config, &PART.replace("UNITS/MM\n", ""));
+    let line = "unit of the CL data is mm, as given; the CL file states none".to_owned();
+    assert!(report.reading.contains(&line) && !report.assumptions.iter().any(|text| text.contains("unit")));
+    assert!(text.contains(&format!("({line})\n")), "{text}");
+    assert!(!posted::<Cb>(&config, PART).1.reading.contains(&line));
+}
+
+#[test]
+fn the_pitch_of_every_thread_is_in_the_summary() {
+    let tap =
+        |feed: &str| format!("CYCLE/TAP,RAPTO,5,FEDTO,-14,RTRCTO,AUTO,{feed}\nGOTO/5,0,0\nGOTO/25,0,0\nCYCLE/OFF\n");
+    let cl = |feed: &str, sense: &str| {
+        format!(
+            "UNITS/MM\nTOOL PATH/TAP,TOOL,M8\nLOADTL/3\nSPINDL/RPM,500,{sense}\nRAPID\nGOTO/5,0,50,0,0,1\n{}RAPID\nGOTO/25,0,90\nFINI\n",
+            tap(feed)
+        )
+    };
+    let threads = |feed: &str, sense: &str| {
+        let report = posted::<Cb>(&Config::default(), &cl(feed, sense)).1;
+        report.summary().into_iter().filter(|line| line.starts_with("threads")).collect::<Vec<_>>()
+    };
+    assert_eq!(threads("MMPR,1.25", "CLW"), ["threads: T3 pitch 1.250 mm (2 holes)"]);
+    // A feed per minute that was meant for another speed.
+    assert_eq!(threads("MMPM,1000", "CCLW"), ["threads: T3 pitch 2.000 mm left-hand (2 holes)"]);
+    assert!(posted::<Cb>(&Config::default(), PART).1.threads.is_empty());
+}
+
+#[test]
 fn blocks_of_the_configuration_come_after_the_header_and_before_the_end() {
     let mut config = Config::default();
     config.control.program.start = vec!["G64 P0.01".into()];

@@ -7,6 +7,7 @@
 ; TOLERANCE 0.01 for arcs and curves
 ; only operations 1 to 5 of 6; the program begins with a complete restart: modal codes, tool, offset, spindle
 ; CL data of NX, recognised from the file
+; unit of the CL data is mm, as given; the CL file states none
 ; 5 arcs, sense by form, confirmed by 4 of 4 neighbouring lines
 ; KINEMATICS *
 ; DIMENSIONS d = 150 mm
@@ -25,7 +26,6 @@
 ; T1 DIA 10 R0 L110 D1, 3 operations, tip Z -7.398 to 36.793
 ; T2 DIA 5 L130 D1, 1 operation, tip Z -15.078 to 28.689
 ; T3 DIA 6 L95 D1, 1 operation, tip Z -10 to 25
-; ASSUMED unit of the CL data is mm, as given; the CL file states none
 ; ASSUMED work offset G54
 ; ASSUMED retract to machine coordinate 0 mm
 ; ASSUMED approach distance 50 mm along the tool axis

@@ -11,21 +11,21 @@
 10 ; BLANK is the box around all cuts, without [stock] in the configuration
 11 ; only operations 1 to 3 of 6; the program begins with a complete restart: modal codes, tool, offset, spindle
 12 ; CL data of NX, recognised from the file
-13 ; 5 arcs, sense by form, confirmed by 4 of 4 neighbouring lines
-14 ; KINEMATICS *
-15 ; DIMENSIONS d = 150 mm
-16 ; AXIS C+ rotates the table left-handed about +Z, as in ISO 841
-17 ; AXIS B+ rotates the table left-handed about [0.0000, 0.7071, -0.7071], as in ISO 841
-18 ; AXIS X+ moves the tool along +X, as in ISO 841
-19 ; AXIS Y+ moves the tool along +Y, as in ISO 841
-20 ; AXIS Z+ moves the tool along +Z, as in ISO 841
-21 ; LINEAR WORDS are tip coordinates in the tilted plane, from the same zero
-22 ; MODE plane: the master axis of SEQ must be the rotary axis nearest the tool
-23 ; linear limits not checked: no travel declared (X Y Z)
-24 ; the entries of C and B in preset 1 must be zero
-25 ; T1 DIA 10 R0 L110, 2 operations, tip Z -7.398 to 36.793
-26 ; T2 DIA 5 L130, 1 operation, tip Z -15.078 to 28.689
-27 ; ASSUMED unit of the CL data is mm, as given; the CL file states none
+13 ; unit of the CL data is mm, as given; the CL file states none
+14 ; 5 arcs, sense by form, confirmed by 4 of 4 neighbouring lines
+15 ; KINEMATICS *
+16 ; DIMENSIONS d = 150 mm
+17 ; AXIS C+ rotates the table left-handed about +Z, as in ISO 841
+18 ; AXIS B+ rotates the table left-handed about [0.0000, 0.7071, -0.7071], as in ISO 841
+19 ; AXIS X+ moves the tool along +X, as in ISO 841
+20 ; AXIS Y+ moves the tool along +Y, as in ISO 841
+21 ; AXIS Z+ moves the tool along +Z, as in ISO 841
+22 ; LINEAR WORDS are tip coordinates in the tilted plane, from the same zero
+23 ; MODE plane: the master axis of SEQ must be the rotary axis nearest the tool
+24 ; linear limits not checked: no travel declared (X Y Z)
+25 ; the entries of C and B in preset 1 must be zero
+26 ; T1 DIA 10 R0 L110, 2 operations, tip Z -7.398 to 36.793
+27 ; T2 DIA 5 L130, 1 operation, tip Z -15.078 to 28.689
 28 ; ASSUMED work offset preset 1
 29 ; ASSUMED retract to machine coordinate 0 mm
 30 ; ASSUMED approach distance 50 mm along the tool axis

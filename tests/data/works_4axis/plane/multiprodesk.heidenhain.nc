@@ -11,19 +11,19 @@
 10 ; BLANK is the box around all cuts, without [stock] in the configuration
 11 ; only operations 1 to 3 of 6; the program begins with a complete restart: modal codes, tool, offset, spindle
 12 ; CL data of NX, recognised from the file
-13 ; 5 arcs, sense by form, confirmed by 4 of 4 neighbouring lines
-14 ; KINEMATICS *
-15 ; AXIS A+ rotates the table right-handed about +X, opposite to ISO 841
-16 ; AXIS Y+ moves the table along +Y, opposite to ISO 841
-17 ; AXIS X+ moves the tool along +X, as in ISO 841
-18 ; AXIS Z+ moves the tool along +Z, as in ISO 841
-19 ; LINEAR WORDS are tip coordinates in the tilted plane, from the same zero
-20 ; MODE plane: the master axis of SEQ must be the rotary axis nearest the tool
-21 ; linear limits not checked: no travel declared (Y X Z)
-22 ; the entries of A in preset 1 must be zero
-23 ; T1 DIA 10 R0 L110, 2 operations, tip Z -4.039 to 24.963
-24 ; T2 DIA 5 L130, 1 operation, tip Z -8.509 to 29.729
-25 ; ASSUMED unit of the CL data is mm, as given; the CL file states none
+13 ; unit of the CL data is mm, as given; the CL file states none
+14 ; 5 arcs, sense by form, confirmed by 4 of 4 neighbouring lines
+15 ; KINEMATICS *
+16 ; AXIS A+ rotates the table right-handed about +X, opposite to ISO 841
+17 ; AXIS Y+ moves the table along +Y, opposite to ISO 841
+18 ; AXIS X+ moves the tool along +X, as in ISO 841
+19 ; AXIS Z+ moves the tool along +Z, as in ISO 841
+20 ; LINEAR WORDS are tip coordinates in the tilted plane, from the same zero
+21 ; MODE plane: the master axis of SEQ must be the rotary axis nearest the tool
+22 ; linear limits not checked: no travel declared (Y X Z)
+23 ; the entries of A in preset 1 must be zero
+24 ; T1 DIA 10 R0 L110, 2 operations, tip Z -4.039 to 24.963
+25 ; T2 DIA 5 L130, 1 operation, tip Z -8.509 to 29.729
 26 ; ASSUMED work offset preset 1
 27 ; ASSUMED retract to machine coordinate 0 mm
 28 ; ASSUMED approach distance 50 mm along the tool axis

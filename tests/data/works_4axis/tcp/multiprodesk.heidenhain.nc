@@ -11,20 +11,20 @@
 10 ; BLANK is the box around all cuts, without [stock] in the configuration
 11 ; only operations 1 to 4 of 6; the program begins with a complete restart: modal codes, tool, offset, spindle
 12 ; CL data of NX, recognised from the file
-13 ; 5 arcs, sense by form, confirmed by 4 of 4 neighbouring lines
-14 ; KINEMATICS *
-15 ; AXIS A+ rotates the table right-handed about +X, opposite to ISO 841
-16 ; AXIS Y+ moves the table along +Y, opposite to ISO 841
-17 ; AXIS X+ moves the tool along +X, as in ISO 841
-18 ; AXIS Z+ moves the tool along +Z, as in ISO 841
-19 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg of its great circle
-20 ; ROTARY WORDS are absolute and may go below 0 and beyond 360: M127 is in force, so the axes do not take the shortest path
-21 ; LINEAR WORDS are tip coordinates in a frame fixed to the table, aligned with the machine axes when its rotary axes are at zero; rotary axes move evenly
-22 ; linear limits not checked: no travel declared (Y X Z)
-23 ; the entries of A in preset 1 must be zero
-24 ; T1 DIA 10 R0 L110, 3 operations, tip Z -35.818 to 45.394
-25 ; T2 DIA 5 L130, 1 operation, tip Z -8.509 to 29.729
-26 ; ASSUMED unit of the CL data is mm, as given; the CL file states none
+13 ; unit of the CL data is mm, as given; the CL file states none
+14 ; 5 arcs, sense by form, confirmed by 4 of 4 neighbouring lines
+15 ; KINEMATICS *
+16 ; AXIS A+ rotates the table right-handed about +X, opposite to ISO 841
+17 ; AXIS Y+ moves the table along +Y, opposite to ISO 841
+18 ; AXIS X+ moves the tool along +X, as in ISO 841
+19 ; AXIS Z+ moves the tool along +Z, as in ISO 841
+20 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg of its great circle
+21 ; ROTARY WORDS are absolute and may go below 0 and beyond 360: M127 is in force, so the axes do not take the shortest path
+22 ; LINEAR WORDS are tip coordinates in a frame fixed to the table, aligned with the machine axes when its rotary axes are at zero; rotary axes move evenly
+23 ; linear limits not checked: no travel declared (Y X Z)
+24 ; the entries of A in preset 1 must be zero
+25 ; T1 DIA 10 R0 L110, 3 operations, tip Z -35.818 to 45.394
+26 ; T2 DIA 5 L130, 1 operation, tip Z -8.509 to 29.729
 27 ; ASSUMED work offset preset 1
 28 ; ASSUMED retract to machine coordinate 0 mm
 29 ; ASSUMED approach distance 50 mm along the tool axis
