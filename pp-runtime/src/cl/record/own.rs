@@ -49,7 +49,9 @@ impl OwnStatement {
                 Handling::Read(_) | Handling::ReadText(_) => {
                     return Err(format!("{word} is read, so its statements have no other meaning"));
                 }
-                Handling::Hazard(reason) => return Err(format!("no block takes the place of {word}: {reason}")),
+                Handling::Automatic(reason) | Handling::Hazard(reason) => {
+                    return Err(format!("no block takes the place of {word}: {reason}"));
+                }
                 Handling::Lathe => return Err(format!("no block takes the place of {word}: it belongs to turning")),
             }
         }

@@ -55,6 +55,13 @@ pub(crate) fn parse<'a>(text: &'a [u8], given: GivenMeanings<'_>) -> Result<Reco
                 format!("suppress {name} in the CAM system; {}", if_harmless(name)),
             )),
         },
+        Handling::Automatic(_) if declared() => Ok(Record::Inert),
+        Handling::Automatic(reason) => Err(ClFault::new(
+            name,
+            word_at,
+            format!("{name} is refused: {reason}"),
+            format!("add `--inert {name}` if that is what it asks for; else suppress {name} in the CAM system"),
+        )),
         Handling::Hazard(reason) => Err(ClFault::new(
             name,
             word_at,

@@ -27,6 +27,8 @@ pub(crate) enum Handling {
     Inert,
     /// Refused for this reason; the user may declare it inert.
     Refused(&'static str),
+    /// Refused for this reason: the postprocessor writes it itself. The user may declare it inert, but no block takes its place.
+    Automatic(&'static str),
     /// Refused for this reason and never inert: without it the motion after it would be wrong.
     Hazard(&'static str),
     /// Refused: it belongs to turning.
@@ -37,7 +39,7 @@ impl Handling {
     pub(crate) fn is_read(self) -> bool {
         match self {
             Read(_) | ReadText(_) => true,
-            Inert | Refused(_) | Hazard(_) | Lathe => false,
+            Inert | Refused(_) | Automatic(_) | Hazard(_) | Lathe => false,
         }
     }
 }
@@ -53,13 +55,15 @@ const fn row(name: &'static str, handling: Handling, forms: &'static str) -> Row
     Row { word: MajorWord { name, forms }, handling }
 }
 
-use Handling::{Hazard, Inert, Lathe, Read, ReadText, Refused};
+use Handling::{Automatic, Hazard, Inert, Lathe, Read, ReadText, Refused};
 
 const MOVES_COORDINATES: &str = "it changes the coordinates of all points after it";
 const FRAME: &str = "it states a frame, and what its numbers mean for the points after it is not known";
 const NOT_CUT: &str = "the motions between DNTCUT and CUT are not to be made";
 const REDEFINES: &str = "it changes the meaning of other records";
 const MACHINE_AXES: &str = "it commands machine axes, which the postprocessor computes itself";
+const CLAMPS: &str =
+    "the postprocessor clamps the rotary axes itself, with the codes of `[clamp]` in the configuration";
 const OWN_MEANING: &str = "its meaning depends on the postprocessor that it was written for";
 const TOLERANCE: &str = "it sets a tolerance of another postprocessor";
 
@@ -80,7 +84,7 @@ static TABLE: &[Row] = &[
     row("CHECK", Inert, ""),
     // x,y,z,r: *Supported CL Data Commands*; 6 numbers: files of SolidWorks CAM; 11: help of NX, script of *CAMplete APT*.
     row("CIRCLE", Read(|args| arc::circle(args).map(Arc)), "/x,y,z,i,j,k[,r[,t,f,d,e][,TIMES,n]]; /x,y,z,r and the GOTO that ends it"),
-    row("CLAMP", Hazard(MACHINE_AXES), ""),
+    row("CLAMP", Automatic(CLAMPS), ""),
     row("CLEARP", Read(|args| coordinates::clearance_plane(args).map(Coordinates)), "/XYPLAN|YZPLAN|ZXPLAN,d; /a,b,c,d"),
     row("CLRSRF", Refused("it sets a clearance surface that is not a plane"), ""),
     row("CNTRL", Read(|args| nurbs::control_point(args).map(Nurbs)), "/x,y,z of a NURBS"),
@@ -187,6 +191,7 @@ static TABLE: &[Row] = &[
     row("TRANS", Read(|args| coordinates::translation(args).map(Coordinates)), "/x,y,z; /NOMORE; /0"),
     row("TRNTYP", Read(|args| coordinates::world(args).map(Coordinates)), "/WORLD,0,0,0"),
     row("TURRET", Lathe, ""),
+    row("UNCLAMP", Automatic(CLAMPS), ""),
     row("UNIT", Read(|args| coordinates::units(args).map(Coordinates)), "/MM|INCH"),
     row("UNITS", Read(|args| coordinates::units(args).map(Coordinates)), "/MM|INCH|INCHES"),
     row("UNLOAD", Refused("it leaves the spindle without a tool"), ""),
@@ -259,7 +264,7 @@ pub fn not_inert(word: &str) -> Option<String> {
         Read(_) | ReadText(_) => Some(format!("{word} is read, so it cannot be inert")),
         Hazard(reason) => Some(format!("{word} cannot be inert: {reason}")),
         Lathe => Some(format!("{word} cannot be inert: it belongs to turning")),
-        Inert | Refused(_) => None,
+        Inert | Refused(_) | Automatic(_) => None,
     }
 }
 
@@ -279,17 +284,17 @@ pub fn list(out: &mut dyn Write) -> io::Result<()> {
     writeln!(out, "\n`--inert WORD` passes over these, too, which are notes: {}", NOTES.join(" "))?;
     list_section(out, "Inert: no motion and no change of state", |row| match row.handling {
         Inert => Some(row.word.name.to_string()),
-        Read(_) | ReadText(_) | Refused(_) | Hazard(_) | Lathe => None,
+        Read(_) | ReadText(_) | Refused(_) | Automatic(_) | Hazard(_) | Lathe => None,
     })?;
     writeln!(out, "    CSI_..")?;
     list_section(out, "Refused, unless `--inert WORD` permits to skip the word", |row| match row.handling {
-        Refused(reason) => Some(format!("{:<11} {reason}", row.word.name)),
+        Refused(reason) | Automatic(reason) => Some(format!("{:<11} {reason}", row.word.name)),
         Read(_) | ReadText(_) | Inert | Hazard(_) | Lathe => None,
     })?;
     list_section(out, "Always refused", |row| match row.handling {
         Hazard(reason) => Some(format!("{:<11} {reason}", row.word.name)),
         Lathe => Some(format!("{:<11} it belongs to turning", row.word.name)),
-        Read(_) | ReadText(_) | Inert | Refused(_) => None,
+        Read(_) | ReadText(_) | Inert | Refused(_) | Automatic(_) => None,
     })
 }
 
@@ -352,7 +357,7 @@ mod tests {
         for word in ["GOTO", "LOOP", "SYN", "COPY", "TURRET", "CAMERA", "DNTCUT", "SCALE", "MCS", "", "A/B"] {
             assert!(not_inert(word).is_some(), "{word}");
         }
-        for word in ["AICC", "FIXOFTCO", "BREAK", "PAINT", "TOOLNO", "tldata"] {
+        for word in ["AICC", "FIXOFTCO", "BREAK", "PAINT", "TOOLNO", "tldata", "CLAMP", "unclamp"] {
             assert_eq!(not_inert(word), None, "{word}");
         }
     }

@@ -64,7 +64,7 @@ fn a_statement_of_the_shop_is_its_block_in_any_case_and_with_any_blanks() {
 #[test]
 fn what_is_read_and_what_moves_something_has_no_other_meaning() {
     for statement in
-        ["GOTO/1,2,3", "COOLNT/DOOR", "PPRINT", "CLAMP/XAXIS", "LOOP/START", "TURRET/1", "", "/OPEN", "A$B"]
+        ["GOTO/1,2,3", "COOLNT/DOOR", "PPRINT", "CLAMP/XAXIS", "UNCLAMP", "LOOP/START", "TURRET/1", "", "/OPEN", "A$B"]
     {
         assert!(OwnStatement::new(statement, "M68").is_err(), "{statement}");
     }
@@ -78,6 +78,13 @@ fn a_word_can_be_declared_inert_unless_it_moves_something() {
     let inert = |word: &str| ReadingOptions { inert: vec![word.to_owned()], ..mm() };
     assert_eq!(events_without_places("AICC/ON,10\nGOTO/0,0,0\n", inert("AICC")).len(), 1);
     assert_eq!(events_without_places("BREAK\nGOTO/0,0,0\n", inert("BREAK")).len(), 1);
+    // The post clamps; what it would not write may not be lost without the user's word.
+    for text in ["CLAMP/CAXIS", "clamp", "UNCLAMP/BAXIS,ON"] {
+        let found = errors(&format!("{text}\nGOTO/0,0,0\n"));
+        assert!(found.len() == 1 && found[0].contains("`[clamp]`"), "{found:?}");
+        let word = if text.starts_with('U') { "UNCLAMP" } else { "CLAMP" };
+        assert_eq!(events_without_places(&format!("{text}\nGOTO/0,0,0\n"), inert(word)).len(), 1, "{text}");
+    }
     assert_eq!(errors_with("LOOP/START,15\nGOTO/0,0,0\n", inert("LOOP")).len(), 1);
     assert_eq!(events_without_places("GOTO/0,0,0\n", inert("GOTO")).len(), 1);
 }
