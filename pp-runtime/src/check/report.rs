@@ -102,13 +102,15 @@ pub struct Outcome {
     pub findings: Vec<Finding>,
     /// Number of findings.
     pub count: u64,
+    /// Line of the program from which on it was not compared, because the CL data has an error.
+    pub not_compared_from: Option<u64>,
 }
 
 impl Outcome {
     /// Whether the program does what the CL data asks for.
     #[must_use]
     pub fn passed(&self) -> bool {
-        self.count == 0
+        self.count == 0 && self.not_compared_from.is_none()
     }
 
     /// The figures in one line of text.
@@ -126,9 +128,13 @@ impl Outcome {
             },
             false => "no limits declared".to_owned(),
         };
+        let rest = match self.not_compared_from {
+            Some(line) => format!("; from line {line} on not compared, because the CL data has an error"),
+            None => String::new(),
+        };
         format!(
             "checked: {} motion blocks{found}, largest deviation of tip {} µm, of tool axis {:.4}°, of path {} µm of {} \
-             allowed, {limits}",
+             allowed, {limits}{rest}",
             grouped(self.blocks),
             short(self.tip_mm * 1e3),
             self.axis_rad.to_degrees(),
@@ -176,7 +182,17 @@ impl Tally {
 
     /// Counts a block that moves an axis.
     pub(super) fn count_motion(&mut self) {
-        self.outcome.blocks += 1;
+        self.outcome.blocks += u64::from(self.compares());
+    }
+
+    /// The CL data has an error: from this line of the program on nothing is compared any more.
+    pub(super) fn stop(&mut self, line: u64) {
+        self.end_lost();
+        self.outcome.not_compared_from.get_or_insert(line);
+    }
+
+    fn compares(&self) -> bool {
+        self.outcome.not_compared_from.is_none()
     }
 
     /// Number of blocks that have moved an axis.
@@ -221,27 +237,34 @@ impl Tally {
 
     /// Adds a finding about a point outside the limits of an axis.
     pub(super) fn outside_limits(&mut self, at: Location, shown: Shown<'_>, text: &str) {
-        self.outcome.outside_limits += 1;
+        self.outcome.outside_limits += u64::from(self.compares());
         self.found(at, shown, text);
     }
 
     /// Adds a finding about a block. `at`: the CL record that the block should carry out.
     #[cold]
     pub(super) fn found(&mut self, at: Location, shown: Shown<'_>, cause: &str) {
-        self.outcome.count += 1;
-        self.add(Finding::new(at, shown, cause, None));
+        if self.compares() {
+            self.outcome.count += 1;
+            self.add(Finding::new(at, shown, cause, None));
+        }
     }
 
     /// Adds a finding that every block until the next tool change repeats: the first is listed, the others are counted.
     #[cold]
     pub(super) fn found_once(&mut self, at: Location, shown: Shown<'_>, cause: &str) {
-        self.outcome.count += 1;
-        self.add_to(cause.to_owned(), 1, Finding::new(at, shown, cause, None));
+        if self.compares() {
+            self.outcome.count += 1;
+            self.add_to(cause.to_owned(), 1, Finding::new(at, shown, cause, None));
+        }
     }
 
     /// Adds a finding about a block that matches nothing; such blocks in a row are one finding.
     #[cold]
     pub(super) fn found_lost(&mut self, at: Location, shown: Shown<'_>, cause: &str) {
+        if !self.compares() {
+            return;
+        }
         let number = self.outcome.blocks;
         if let Some((found, last)) = &mut self.lost
             && *last + 1 == number

@@ -26,6 +26,9 @@ struct Figures {
     path_mm: f64,
     tolerance_mm: f64,
     outside_limits: u64,
+    /// Line of the program from which on it was not compared, because the CL data has an error.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    not_compared_from: Option<u64>,
 }
 
 pub(crate) fn run(machine: &dyn AnyMachine, args: &CheckArgs, streams: &mut Streams<'_>) -> Result<Status, Failure> {
@@ -104,5 +107,6 @@ fn figures(checked: &Checked, passed: bool) -> Figures {
         path_mm: outcome.path_mm,
         tolerance_mm: outcome.tolerance_mm,
         outside_limits: outcome.outside_limits,
+        not_compared_from: outcome.not_compared_from,
     }
 }

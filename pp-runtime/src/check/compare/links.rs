@@ -16,6 +16,9 @@ use crate::program::Clearance;
 /// Largest angle between the tool axis and the normal of its plane where words have many decimals, rad.
 const IN_PLANE: f64 = 5e-4;
 
+/// Number of items on which an approach may depend.
+const FOR_APPROACH: usize = 8;
+
 /// Dwells are written to three decimals, s.
 const DWELL_ROUNDING: f64 = 6e-4;
 
@@ -386,9 +389,16 @@ impl<R: Read> Comparison<'_, R> {
         if self.rules.spindle_is(&block.state, requested) { requested } else { in_cut }
     }
 
+    /// Reads the items on which an approach may depend: the next two motions and what comes between them.
+    fn fill_for_approach(&mut self, current: &Current<'_>) -> io::Result<()> {
+        self.progress.fill(FOR_APPROACH)?;
+        self.stop_at_fault(current);
+        Ok(())
+    }
+
     /// A rapid from the retract position: one of the steps to the approach point.
     pub(super) fn approach(&mut self, retracted: &mut Retracted, current: &Current<'_>) -> io::Result<Option<Phase>> {
-        self.progress.fill(8)?;
+        self.fill_for_approach(current)?;
         self.take_back_in_approach(retracted, current.block);
         let block = current.block;
         if std::mem::take(&mut retracted.plane_guard_due) {
@@ -788,10 +798,11 @@ impl<R: Read> Comparison<'_, R> {
         if self.progress.next().is_none_or(|item| item.required.tool != tool) {
             self.find_again(phase, |item| item.required.tool == tool, current)?;
         }
-        self.progress.fill(8)?;
+        self.fill_for_approach(current)?;
         // A stop that is lost is reported where the cut goes on.
         let motion = |item: &&ExpectedItem| matches!(item.action, ExpectedAction::Motion(_));
-        let next = (0..8).map_while(|index| self.progress.get(index)).find(motion).map(|item| item.required.tool);
+        let next =
+            (0..FOR_APPROACH).map_while(|index| self.progress.get(index)).find(motion).map(|item| item.required.tool);
         if let Some(required) = next.filter(|required| *required != tool) {
             let (tool, required) = (tool_name(tool), tool_name(required));
             self.found(current, &format!("change to {tool}, but the CL data requires {required}"));

@@ -150,6 +150,7 @@ impl<'a, R: Read> Checker<'a, R> {
         let Self { comparison, phase, .. } = self;
         comparison.progress.fill(2)?;
         let current = Current { block, shown: Shown { line: block.line, text }, at: comparison.progress.location() };
+        comparison.stop_at_fault(&current);
         comparison.block_skip(phase, &current)?;
         if comparison.is_raw(phase, &current) {
             *phase = comparison.forget(phase);
@@ -289,6 +290,18 @@ impl<R: Read> Comparison<'_, R> {
             (Task::Stop, action) => self.stop(phase, *action == Action::OptionalStop, current),
             (Task::End, _) => self.end(phase, current).map(Some),
             _ => Ok(None),
+        }
+    }
+
+    /// Stops the comparison before an error of the CL data, where fewer motions are known than the rules of a block may depend
+    /// on: what follows would be findings about the consequences.
+    fn stop_at_fault(&mut self, current: &Current<'_>) {
+        if !self.progress.failed() {
+            return;
+        }
+        let items = (0..).map_while(|index| self.progress.get(index));
+        if items.filter(|item| matches!(item.action, ExpectedAction::Motion(_))).nth(1).is_none() {
+            self.tally.stop(current.block.line);
         }
     }
 

@@ -118,6 +118,11 @@ impl<'a, R: Read> ClProgress<'a, R> {
         if all { self.expect.pop_message() } else { self.expect.overdue_message() }
     }
 
+    /// Whether the CL data has an error so far.
+    pub(super) fn failed(&self) -> bool {
+        self.expect.failed()
+    }
+
     /// First error of the CL data.
     pub(super) fn fault(&self) -> Option<Diagnostic> {
         self.expect.fault()

@@ -210,6 +210,11 @@ impl<'a, R: Read> Expect<'a, R> {
         if after < done { self.pop_message() } else { None }
     }
 
+    /// Whether the CL data has an error so far: no motion after it is known.
+    pub(super) fn failed(&self) -> bool {
+        self.reader.failed() || self.state.fault().is_some()
+    }
+
     /// First error of the CL data.
     pub(super) fn fault(&self) -> Option<Diagnostic> {
         let errors = self.reader.diagnostics().iter().filter(|found| found.severity == Severity::Error);

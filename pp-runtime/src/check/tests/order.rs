@@ -131,3 +131,36 @@ fn a_dwell_in_a_cut_has_the_spindle_of_the_cl_data() {
     // Both are right: before SPINDL the cut, after it the request.
     posted_right::<Mill>("fanuc", Mode::Axes, "retract.distance = 20\n", &dwells("SPINDL/RPM,900,CLW\n"));
 }
+
+/// A word of the CL data that is refused, or an option of the post that the check was not given: its motions end there.
+#[test]
+fn after_an_error_of_the_cl_data_nothing_is_compared() {
+    for (control, mode) in [("fanuc", Mode::Axes), ("siemens", Mode::Tcp), ("heidenhain", Mode::Tcp)] {
+        let set_up = "retract.distance = 20\ntcp_frame = \"table_at_zero\"\n";
+        let program = posted_right::<Tables>(control, mode, set_up, TWO_OPERATIONS);
+        let (control, config) = configured::<Tables>(control, mode, set_up);
+        let policy = config.check_policy::<Tables>(control, None).expect("the configuration suits control and machine");
+        let records: Vec<&str> = TWO_OPERATIONS.lines().collect();
+        for at in 1..records.len() {
+            let mut data = records.clone();
+            data.insert(at, "CHUCK/OPEN");
+            let compared = |program: &str| {
+                check::<Tables>(&policy, Cursor::new(data.join("\n")), program.as_bytes()).expect("it can be read")
+            };
+            let checked = compared(&program);
+            assert_eq!(checked.fault.as_ref().map(|fault| fault.location.line), Some(at as u64 + 1));
+            assert_eq!(checked.outcome.findings, [], "{at}");
+            assert!(!checked.passed());
+            let from = checked.outcome.not_compared_from;
+            let after_the_program = at + 1 >= records.len();
+            assert!(from.is_some() || after_the_program, "{at}");
+            let stated = from.is_none_or(|line| checked.outcome.summary().contains(&format!("from line {line} on")));
+            assert!(stated, "{}", checked.outcome.summary());
+            // What was cut before it is still compared.
+            if at >= 10 {
+                let wrong = program.replacen("X20", "X21", 1).replacen("X+20", "X+21", 1);
+                assert_ne!(compared(&wrong).outcome.findings, [], "{at}\n{wrong}");
+            }
+        }
+    }
+}
