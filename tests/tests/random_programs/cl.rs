@@ -347,17 +347,30 @@ impl Program<'_> {
 
     /// Makes holes at one tool axis, with one cycle or more.
     fn holes(&mut self) {
+        // Whether a hole lies below the point before its cycle, and the tool goes back there after it: from random numbers of
+        // their own.
+        let mut over = Random::new(!self.random.clone().bits());
         self.here.z = self.clear;
         self.line("RAPID");
         self.go();
         for _ in 0..1 + self.random.below(3) {
+            let before = self.here;
             self.cycle();
+            let mut below = over.chance(0.5);
             for _ in 0..1 + self.random.below(4) {
                 let level = if self.random.chance(0.8) { 0.0 } else { self.plus_minus(6.0) };
                 self.here = Vector3::new(self.plus_minus(40.0), self.plus_minus(40.0), level);
+                if std::mem::take(&mut below) {
+                    (self.here.x, self.here.y) = (before.x, before.y);
+                }
                 self.go();
             }
             self.line("CYCLE/OFF");
+            if over.chance(0.3) {
+                self.here.z = self.clear;
+                self.line("RAPID");
+                self.go();
+            }
             if self.random.chance(0.2) {
                 self.here.z = self.clear;
                 self.line("RAPID");

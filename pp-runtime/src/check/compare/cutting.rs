@@ -693,7 +693,7 @@ impl<R: Read> Comparison<'_, R> {
         else {
             return false;
         };
-        let (required, hole, next) = (Rc::clone(required), expected.hole, *next);
+        let (required, hole, number, next) = (Rc::clone(required), expected.hole, expected.number, *next);
         let (top, axis) = (hole.top.tip.coords, hole.top.axis.into_inner());
         let tip_mm = self.rules.rounding().tip_mm;
         let at = |height: f64| self.rules.is_at(end, &ToolPose { tip: top + axis * height, axis });
@@ -701,7 +701,16 @@ impl<R: Read> Comparison<'_, R> {
             let height = (here.tip - top).dot(&axis);
             height >= hole.clearance_mm - tip_mm && (here.tip - top - axis * height).norm() <= 2.0 * tip_mm
         });
-        let asked = self.rules.is_at(end, &next.to);
+        // A motion over the hole from where the tool is needs no block, and hides the one after it.
+        let asked = (0..)
+            .map_while(|index| match self.progress.get(index) {
+                Some(ExpectedItem { hole: Some(of), action: ExpectedAction::Motion(motion), .. }) => {
+                    (of.number == number).then_some((index, *motion))
+                }
+                _ => None,
+            })
+            .find(|(index, motion)| self.rules.is_at(end, &motion.to) || !self.is_needless(*index, cutting.here))
+            .is_some_and(|(_, motion)| self.rules.is_at(end, &motion.to));
         let lifts = over && (at(hole.return_mm) && !asked || !next.rapid && at(hole.clearance_mm));
         if lifts {
             self.compare_state(current, &required);
@@ -764,7 +773,9 @@ impl<R: Read> Comparison<'_, R> {
         let fault = self.functions.smoothing(&block.state, &self.rules, off);
         self.found_any(current, fault);
         let (hole, spindle) = (expected.hole, required.spindle);
-        let comparison = CycleComparison { rules: &self.rules, block, cycle, hole: &hole, spindle };
+        // Words show no less than half a unit.
+        let tolerance_mm = required.tolerance_mm.max(0.5 * self.rules.rounding().unit_mm);
+        let comparison = CycleComparison { rules: &self.rules, block, cycle, hole: &hole, spindle, tolerance_mm };
         let stays = comparison.stays_at_clearance();
         let (levels, back) = comparison.levels();
         let way_out_mm = comparison.way_out_mm(&back);

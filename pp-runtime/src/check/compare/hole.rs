@@ -30,6 +30,8 @@ pub(super) struct CycleComparison<'c> {
     pub(crate) cycle: &'c CycleMove,
     pub(crate) hole: &'c Hole,
     pub(crate) spindle: Option<SpindleState>,
+    /// Largest distance of its line from the axis of the hole, besides the rounding of words, mm.
+    pub(crate) tolerance_mm: f64,
 }
 
 /// A level of a cycle.
@@ -38,8 +40,8 @@ pub(super) struct Level {
     /// Along the normal of the plane, as in the words of the program, mm.
     pub(crate) level_mm: f64,
     pub(crate) expected: ToolPose,
-    /// Height above the clearance level, mm. There the words give the position of the hole; the axis of rounded angles leads
-    /// elsewhere by as much as it is off.
+    /// Height above the clearance level, mm. There the words give the position of the hole; the line of the cycle leads off
+    /// its axis by as much as it leans.
     pub(crate) above_mm: f64,
 }
 
@@ -105,12 +107,24 @@ impl CycleComparison<'_> {
     /// working plane is unknown.
     pub(super) fn compare(&self, level: &Level) -> Option<(f64, Option<String>)> {
         let at = pose_at(self.rules, self.block, level.level_mm)?;
-        let angle = angle_between(&at.axis, &level.expected.axis);
-        let largest = self.rules.rounding().tip_mm + level.above_mm.abs() * angle;
-        let off = (at.tip - level.expected.tip).norm();
-        let wrong = off > largest || angle > self.rules.axis_allowance(&level.expected.axis);
+        let expected = &level.expected;
+        let step = at.tip - expected.tip;
+        let along = step.dot(&expected.axis);
+        let across = (step - expected.axis * along).norm();
+        let leans_mm = (level.above_mm.abs() * self.lean()?).min(self.tolerance_mm);
+        let wrong = along.hypot((across - leans_mm).max(0.0)) > self.rules.rounding().tip_mm
+            || angle_between(&at.axis, &expected.axis) > self.rules.axis_allowance(&expected.axis);
+        let off = step.norm();
         let text = wrong.then(|| format!("{} of the cycle is {off:.4} mm from that of the CL data", level.name));
         Some((off, text))
+    }
+
+    /// Angle between the line of the cycle and the axis of the hole, rad.
+    fn lean(&self) -> Option<f64> {
+        let tip = |level_mm: f64| pose_at(self.rules, self.block, level_mm).map(|pose| pose.tip);
+        let line = tip(self.cycle.reference)? - tip(self.cycle.bottom)?;
+        let axis = self.hole.top.axis.into_inner();
+        Some(line.cross(&axis).norm().atan2(line.dot(&axis)))
     }
 
     /// What is wrong with kind, feed and dwell.

@@ -2,6 +2,8 @@
 
 use std::rc::Rc;
 
+use nalgebra::Vector3;
+
 use super::super::expect::{ExpectedItem, Required};
 use super::super::geometry::{Segment, ToolPose, angle_between};
 use super::super::policy::LinearMeaning;
@@ -11,6 +13,9 @@ use crate::program::Feed;
 
 /// A motion within this angle of the tool axis leads along it, rad.
 const ALONG_AXIS: f64 = 1e-3;
+
+/// Points of CL data within this distance are one point, rounded to three decimals of a millimetre or four of an inch, mm.
+const SAME_POINT: f64 = 0.005;
 
 /// Phase of a program.
 #[derive(Debug, Clone)]
@@ -112,6 +117,8 @@ pub(super) const COMES_BACK: f64 = 2.0;
 pub(super) struct RetractedLength {
     /// Start of the next motion.
     from: Option<ToolPose>,
+    /// Where it ends, if there is one.
+    end: Option<Vector3<f64>>,
     out_mm: f64,
 }
 
@@ -236,7 +243,7 @@ impl RetractedLength {
 
     /// From a pose on, with a length out along the tool axis.
     pub(super) fn starting(from: ToolPose, out_mm: f64) -> Self {
-        Self { from: Some(from), out_mm }
+        Self { from: Some(from), end: (out_mm > 0.0).then_some(from.tip), out_mm }
     }
 
     /// The same retract, longer.
@@ -250,12 +257,40 @@ impl RetractedLength {
         let step = to.tip - from.tip;
         let along = step.dot(&to.axis);
         let across = (step - to.axis * along).norm();
-        if angle_between(&from.axis, &to.axis) > ALONG_AXIS {
-            self.out_mm = 0.0;
+        let (out_mm, end) = if angle_between(&from.axis, &to.axis) > ALONG_AXIS {
+            (0.0, None)
+        } else if self.end.is_some_and(|end| (to.tip - end).norm() <= SAME_POINT) {
+            return;
         } else if along > SHARE && across <= ALONG_AXIS * along {
-            self.out_mm += along;
+            (self.out_mm + along, Some(to.tip))
         } else if along.abs() > SHARE || across > SHARE {
-            self.out_mm = 0.0;
-        }
+            (0.0, None)
+        } else {
+            return;
+        };
+        (self.out_mm, self.end) = (out_mm, end);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Length out along Z after poses one after the other.
+    fn out_mm(tips: &[[f64; 3]]) -> f64 {
+        let pose = |tip: &[f64; 3]| ToolPose { tip: Vector3::from(*tip), axis: Vector3::z() };
+        let mut retract = RetractedLength::starting(pose(&[0.0; 3]), 50.0);
+        tips.iter().for_each(|tip| retract.follow(&pose(tip)));
+        retract.out_mm()
+    }
+
+    #[test]
+    fn a_point_that_the_rounding_of_cl_data_repeats_does_not_end_a_retract() {
+        assert!((out_mm(&[[0.0001, 0.0, -0.0001], [0.0, 0.003, 0.0]]) - 50.0).abs() < 1e-12);
+        assert!((out_mm(&[[0.0001, 0.0, 0.0], [0.0001, 0.0, 10.0]]) - 60.0).abs() < 1e-12);
+        assert!(out_mm(&[[0.006, 0.0, 0.0]]) < 1e-12);
+        // Many such motions lead away.
+        let steps: Vec<_> = (1..10).map(|step| [0.0, 0.0, -0.002 * f64::from(step)]).collect();
+        assert!(out_mm(&steps) < 1e-12);
     }
 }

@@ -259,24 +259,32 @@ impl<'a, R: Read> ClProgress<'a, R> {
     }
 
     /// Point of the approach to a motion ahead: above it by the approach distance, or the point itself where the next motion
-    /// leads straight down from it and not into a hole.
+    /// leads straight down from it. A hole counts as one motion, to its clearance level; the approach to a hole itself ends
+    /// above it.
     pub(super) fn approach_point(&self, index: usize, first: &ClMotion, approach_mm: f64) -> ToolPose {
+        let hole = self.get(index).and_then(|item| item.hole);
+        if let Some(above) =
+            hole.filter(|_| first.rapid).and_then(|expected| expected.approach_point(&first.to, approach_mm))
+        {
+            return above;
+        }
         let next = (index + 1..).map_while(|index| self.get(index)).find_map(|item| match &item.action {
-            ExpectedAction::Motion(motion) => Some((!motion.starts).then_some(motion)),
+            ExpectedAction::Motion(motion) if motion.starts => Some(None),
+            ExpectedAction::Motion(motion) => Some(match (item.hole, hole) {
+                (Some(next), first) if first.is_none_or(|first| first.number != next.number) => {
+                    Some(next.clearance_point())
+                }
+                _ => matches!(motion.shape, PathShape::Line).then_some(motion.to),
+            }),
             ExpectedAction::Dwell { .. } => None,
             _ => Some(None),
         });
         let below = next.flatten().is_some_and(|next| {
-            let step = next.to.tip - first.to.tip;
+            let step = next.tip - first.to.tip;
             let along = step.dot(&first.to.axis);
             let across = (step - first.to.axis * along).norm();
-            let line = matches!(next.shape, PathShape::Line);
-            line && along < 0.0 && across <= ON_LINE && (next.to.axis - first.to.axis).norm() <= SAME_AXIS
+            along < 0.0 && across <= ON_LINE && (next.axis - first.to.axis).norm() <= SAME_AXIS
         });
-        let hole = self.get(index).and_then(|item| item.hole).filter(|_| first.rapid);
-        if let Some(above) = hole.and_then(|expected| expected.approach_point(&first.to, approach_mm)) {
-            return above;
-        }
         if first.rapid && below {
             return first.to;
         }

@@ -22,12 +22,17 @@ pub(crate) struct ExpectedHole {
 }
 
 impl ExpectedHole {
+    /// Tip and tool axis on the clearance level.
+    pub(crate) fn clearance_point(&self) -> ToolPose {
+        tool_pose(&self.hole.level(self.hole.clearance_mm))
+    }
+
     /// Where an approach ends whose first motion leads to `to`, over the hole: on the return level, and not below the approach
     /// distance; `None` if the motion leads elsewhere.
     pub(crate) fn approach_point(&self, to: &ToolPose, approach_mm: f64) -> Option<ToolPose> {
         let hole = &self.hole;
         let level = hole.return_mm.max(hole.clearance_mm + approach_mm);
-        let clearance = tool_pose(&hole.level(hole.clearance_mm));
+        let clearance = self.clearance_point();
         let height = (to.tip - clearance.tip).dot(&clearance.axis);
         let leads_over =
             height >= -SAME_LEVEL && (to.tip - clearance.tip - clearance.axis * height).norm() <= SAME_LEVEL;

@@ -1,9 +1,10 @@
 //! Holes, written as a cycle of the control where it moves the tool in the same way, else as single motions.
 //!
 //! In both forms the tool moves over the hole at its present level or at the clearance level, whichever is higher, comes
-//! down along its axis, and ends at the return level of the CL data. A cycle is used where the tool axis is Z of the program
-//! and the control has a cycle with just these steps. A hole that differs from all cycles (a first step unlike the others, a
-//! programmed retract between steps) is written as motions. A thread never is: only a cycle synchronises spindle and feed.
+//! down along its axis, and ends at the return level of the CL data. A cycle is used where its line along Z of the program
+//! stays within the tolerance of the axis of the hole and the control has a cycle with just these steps. A hole that differs
+//! from all cycles (a first step unlike the others, a programmed retract between steps) is written as motions. A thread
+//! never is: only a cycle synchronises spindle and feed.
 
 use crate::kinematics::{Pose, math};
 use crate::motion::options::{CycleOutput, StretchMode};
@@ -28,6 +29,9 @@ const SAME_LEVEL: f64 = 1e-9;
 /// Decimals of the angle at which the spindle stops.
 const ORIENT_DECIMALS: u32 = 3;
 
+/// Units of a rotary word by which the rounding of all angles may rotate Z of the program.
+const ROUNDED: f64 = 2.0;
+
 /// Largest relative rounding of a pitch: 4 µm in a thread 20 mm long.
 const PITCH: f64 = 2e-4;
 
@@ -38,7 +42,64 @@ const THREAD_FEED: f64 = 1e-4;
 type CycleAndEnd = (CannedCycle, AxisPosition);
 
 /// Reason why a hole is not written as a cycle.
-type NoCycle = &'static str;
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum NoCycle {
+    /// `[cycles] output` is "expanded".
+    Expanded,
+    DryRun,
+    TipControl,
+    /// The words of the program do not keep angles and lengths.
+    NotOrthogonal,
+    /// Z of the program leads off the axis of the hole by so much, mm. `rounded`: by the rounding of angles.
+    Leans {
+        off_mm: f64,
+        rounded: bool,
+    },
+    LevelsNotInOrder,
+    LongDwell,
+    NoTappingCycle,
+    NoTappingDwell,
+    /// The control has no cycle with these steps.
+    OtherSteps,
+}
+
+impl NoCycle {
+    /// The reason in words.
+    fn text(self) -> String {
+        match self {
+            Self::Expanded => "`[cycles] output` is \"expanded\"".to_owned(),
+            Self::DryRun => "a dry run writes no cycles".to_owned(),
+            Self::TipControl => "there are no cycles under tip control".to_owned(),
+            Self::NotOrthogonal => "the coordinates of the program are not orthogonal here".to_owned(),
+            Self::Leans { off_mm, .. } => format!(
+                "Z of the program leads off the axis of this hole, by {off_mm:.3} mm over its levels, more than `tolerance`"
+            ),
+            Self::LevelsNotInOrder => "the levels of the hole are not in order".to_owned(),
+            Self::LongDwell => "the dwell is too long for the cycle".to_owned(),
+            Self::NoTappingCycle => "this control has no tapping cycle here".to_owned(),
+            Self::NoTappingDwell => "the tapping cycle of this control has no dwell at the bottom".to_owned(),
+            Self::OtherSteps => "no cycle of this control moves the tool in the same way".to_owned(),
+        }
+    }
+
+    /// How a thread is posted with a cycle all the same.
+    fn help(self) -> &'static str {
+        match self {
+            Self::Expanded => "set `output = \"native\"` in `[cycles]`",
+            Self::DryRun => "leave the operation out of the dry run: `--ops`",
+            Self::TipControl => {
+                "post the operation with `mode = \"plane\"`, or \"axes\" where the tool is along Z of the machine"
+            }
+            Self::NotOrthogonal | Self::Leans { rounded: false, .. } => {
+                "post the operation with `mode = \"plane\"`, if the control has planes"
+            }
+            Self::Leans { rounded: true, .. } => "the angles are rounded: give `formats.rotary` more decimals",
+            Self::LevelsNotInOrder => "correct depth, clearance and return of the CYCLE in CAM",
+            Self::LongDwell | Self::NoTappingDwell => "remove the dwell from the CYCLE in CAM",
+            Self::NoTappingCycle | Self::OtherSteps => "mill the thread, or post it for a control with a tapping cycle",
+        }
+    }
+}
 
 /// Boxes that the tip fills above a hole and in it, each as its lowest and its highest corner, mm.
 pub(crate) fn hole_extent(hole: &Hole) -> [[[f64; 3]; 2]; 2] {
@@ -105,9 +166,11 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         match self.cycle()? {
             Ok((cycle, back)) => self.run_cycle(&cycle, back),
             Err(why) if matches!(self.hole.drilling, Drilling::Tap { .. }) => {
-                let text =
-                    format!("tapping synchronises spindle and feed, which only a cycle of the control does: {why}");
-                Err(Fault::new(text).help("remove the tapping from the CL data and program it at the control").into())
+                let text = format!(
+                    "tapping synchronises spindle and feed, which only a cycle of the control does: {}",
+                    why.text()
+                );
+                Err(Fault::new(text).help(why.help()).into())
             }
             Err(why) if matches!(self.hole.drilling, Drilling::FineBore { .. }) => {
                 let text = format!("only a cycle of the control bores with an oriented spindle: {why}");
@@ -204,23 +267,27 @@ impl<S: Sink> HoleRun<'_, '_, S> {
     fn cycle(&mut self) -> Result<Result<CycleAndEnd, NoCycle>, Fault> {
         let (hole, policy) = (self.hole, self.planner.policy);
         if policy.options.cycles.output == CycleOutput::Expanded {
-            return Ok(Err("`[cycles] output` is \"expanded\""));
+            return Ok(Err(NoCycle::Expanded));
         }
         if policy.options.lift_mm.is_some() {
-            return Ok(Err("a dry run writes no cycles"));
+            return Ok(Err(NoCycle::DryRun));
         }
         if self.planner.mover.placer().mode() == StretchMode::Tcp {
-            return Ok(Err("there are no cycles under tip control"));
+            return Ok(Err(NoCycle::TipControl));
         }
         let here = *self.planner.mover.here();
         let placer = self.planner.mover.placer();
         let Some((chain, map)) = placer.orthogonal_map(&here) else {
-            return Ok(Err("the coordinates of the program are not orthogonal here"));
+            return Ok(Err(NoCycle::NotOrthogonal));
         };
         let along = map * hole.top.axis.into_inner();
-        let reach = hole.depth_mm + hole.return_mm.max(hole.clearance_mm);
-        if along.z < 0.0 || math::hypot(along.x, along.y) * reach > 0.5 * placer.unit_mm() {
-            return Ok(Err("the tool axis is not Z of the program"));
+        let leans = math::hypot(along.x, along.y);
+        let off_mm = leans * (hole.depth_mm + hole.clearance_mm).max(hole.return_mm - hole.clearance_mm);
+        // The words show no less.
+        let allowed = self.planner.mover.tolerance().tip_mm.max(0.5 * placer.unit_mm());
+        if along.z < 0.0 || off_mm > allowed {
+            let rounded = along.z > 0.0 && leans <= ROUNDED * placer.scale().angle(1);
+            return Ok(Err(NoCycle::Leans { off_mm, rounded }));
         }
         let kind = match self.kind()? {
             Ok(kind) => kind,
@@ -230,16 +297,11 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         let [over, bottom, surface] = [at_level(hole.clearance_mm)?, at_level(-hole.depth_mm)?, at_level(0.0)?];
         let mut back = at_level(hole.return_mm)?;
         let [x, y, z] = chain;
-        let same = |a: &AxisPosition, b: &AxisPosition| [x, y].iter().all(|&axis| a.words[axis] == b.words[axis]);
-        if !same(&over, &back) {
-            // The cycle keeps its X and Y: it returns along Z of the program, which is the tool axis at the rounded angles.
-            let way_back = map.row(2).transpose() * (hole.return_mm - hole.clearance_mm);
-            let reached = self.planner.mover.shifted(hole.level(hole.clearance_mm).tip + way_back, &here)?;
-            back = AxisPosition { pose: back.pose, ..reached };
-        }
-        if !same(&over, &bottom) || !same(&over, &back) {
-            return Ok(Err("the rounded words of the hole are not parallel to Z"));
-        }
+        // The cycle keeps its X and Y: it returns along Z of the program, as far as the words of the return level lead.
+        let placer = self.planner.mover.placer();
+        let lift = map.row(2).transpose() * ((back.words[z] - over.words[z]) as f64 * placer.unit_mm());
+        let tip = placer.machine().forward_kinematics(&over.axes).tip + lift;
+        back = AxisPosition { pose: back.pose, ..self.planner.mover.shifted(tip, &here)? };
         let placer = self.planner.mover.placer();
         let clearance = placer.written(&over);
         let words = AxisWords { units: clearance, mask: 1 << x | 1 << y, vector: None };
@@ -255,10 +317,10 @@ impl<S: Sink> HoleRun<'_, '_, S> {
     fn mismatch(&self, cycle: &CannedCycle) -> Result<Option<NoCycle>, Fault> {
         let can = self.planner.abilities.cycles;
         if !(cycle.bottom < cycle.surface && cycle.surface <= cycle.clearance && cycle.clearance <= cycle.back) {
-            return Ok(Some("the levels of the hole are not in order"));
+            return Ok(Some(NoCycle::LevelsNotInOrder));
         }
         if cycle.dwell.is_some_and(|seconds| seconds * 1e3 > f64::from(can.longest_dwell_ms)) {
-            return Ok(Some("the dwell is too long for the cycle"));
+            return Ok(Some(NoCycle::LongDwell));
         }
         if let CannedKind::Peck { step, gap } | CannedKind::ChipBreak { step, gap } = cycle.kind
             && can.programs_gap
@@ -266,7 +328,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
             let depth = cycle.surface - cycle.bottom;
             let as_many = steps(self.hole)?.count() as i64 == (depth + step - 1) / step;
             let in_hole = gap > 0 && gap <= step + cycle.clearance - cycle.surface;
-            return Ok((!(as_many && in_hole)).then_some("the cycle of this control drills in other steps"));
+            return Ok((!(as_many && in_hole)).then_some(NoCycle::OtherSteps));
         }
         Ok(None)
     }
@@ -292,14 +354,12 @@ impl<S: Sink> HoleRun<'_, '_, S> {
             {
                 Ok(CannedKind::ChipBreak { step: units(step), gap: units(back.unwrap_or(usual_gap)) })
             }
-            Drilling::Tap { .. } if !can.tap => Err("this control has no tapping cycle here"),
-            Drilling::Tap { .. } if !no_dwell && !can.tap_dwell => {
-                Err("the tapping cycle of this control has no dwell at the bottom")
-            }
+            Drilling::Tap { .. } if !can.tap => Err(NoCycle::NoTappingCycle),
+            Drilling::Tap { .. } if !no_dwell && !can.tap_dwell => Err(NoCycle::NoTappingDwell),
             Drilling::Tap { pitch_mm: pitch } => Ok(self.thread(pitch)?),
             Drilling::FineBore { orient_rad } => self.fine_bore(orient_rad)?,
             Drilling::Drill | Drilling::Ream | Drilling::Peck { .. } | Drilling::ChipBreak { .. } => {
-                Err("no cycle of this control moves the tool in the same way")
+                Err(NoCycle::OtherSteps)
             }
         })
     }

@@ -1,6 +1,8 @@
 //! Lead-out of the CL data: the length by which the last motions before a retract already withdrew the tool along the tool
 //! axis. A retract of that length need not be added.
 
+use nalgebra::Point3;
+
 use crate::kinematics::Pose;
 
 /// Largest angle between the tool axis and a motion along it, rad.
@@ -9,10 +11,15 @@ const ALONG: f64 = 1e-3;
 /// Motions shorter than this have no direction, mm.
 const SHORTEST: f64 = 1e-9;
 
+/// Two points of CL data that are one point, rounded to three decimals of a millimetre or four of an inch, mm.
+const SAME_POINT: f64 = 0.005;
+
 /// Running length of the last motions along the positive tool axis.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct LeadOut {
     length_mm: f64,
+    /// Where the retract ends, if there is one.
+    end: Option<Point3<f64>>,
 }
 
 impl LeadOut {
@@ -25,16 +32,20 @@ impl LeadOut {
     #[inline]
     pub(crate) fn follow(&mut self, from: &Pose, to: &Pose) {
         if (to.axis.into_inner() - from.axis.into_inner()).norm_squared() > ALONG * ALONG {
-            self.length_mm = 0.0;
+            *self = Self::default();
+            return;
+        }
+        // The point that the retract has reached, again.
+        if self.end.is_some_and(|end| (to.tip - end).norm() <= SAME_POINT) {
             return;
         }
         let step = to.tip - from.tip;
         let along = step.dot(&to.axis);
         let across = (step - to.axis.into_inner() * along).norm();
         if along > SHORTEST && across <= ALONG * along {
-            self.length_mm += along;
+            *self = Self { length_mm: self.length_mm + along, end: Some(to.tip) };
         } else if along.abs() > SHORTEST || across > SHORTEST {
-            self.length_mm = 0.0;
+            *self = Self::default();
         }
     }
 }
@@ -66,6 +77,20 @@ mod tests {
         assert!(length_after(&[[0.0; 3], [0.0, 0.0, 9.0], [0.1, 0.0, 9.0]], [0.0, 0.0, 1.0]) < 1e-12);
         assert!(length_after(&[[0.0; 3], [0.0, 0.0, 9.0], [0.0, 0.0, 8.0]], [0.0, 0.0, 1.0]) < 1e-12);
         assert!(length_after(&[[0.0; 3], [0.0, 0.0, 9.0]], [0.0, 1.0, 1.0]) < 1e-12);
+    }
+
+    #[test]
+    fn a_point_that_the_rounding_of_cl_data_repeats_is_no_motion() {
+        let out = [[0.0; 3], [0.0, 0.0, 50.0]];
+        let after = |tips: &[[f64; 3]]| length_after(&[&out[..], tips].concat(), [0.0, 0.0, 1.0]);
+        for near in [[0.0, 0.0, 49.9999], [0.0001, 0.0, 50.0001], [0.001, -0.001, 50.0]] {
+            assert!((after(&[near]) - 50.0).abs() < 1e-12, "{near:?}");
+            assert!((after(&[near, [near[0], near[1], 60.0]]) - 60.0).abs() < 1e-3, "{near:?}");
+        }
+        assert!(after(&[[0.006, 0.0, 50.0]]) < 1e-12);
+        // Many such motions lead away.
+        let steps: Vec<_> = (1..10).map(|step| [0.0, 0.0, 50.0 - 0.002 * f64::from(step)]).collect();
+        assert!(after(&steps) < 1e-12);
     }
 
     #[test]
