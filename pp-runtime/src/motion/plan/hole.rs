@@ -59,6 +59,9 @@ enum NoCycle {
     LongDwell,
     NoTappingCycle,
     NoTappingDwell,
+    NoBoringCycle,
+    /// The direction off the wall of a bore is that of a machine axis.
+    NotMachineAxes,
     /// The control has no cycle with these steps.
     OtherSteps,
 }
@@ -78,11 +81,17 @@ impl NoCycle {
             Self::LongDwell => "the dwell is too long for the cycle".to_owned(),
             Self::NoTappingCycle => "this control has no tapping cycle here".to_owned(),
             Self::NoTappingDwell => "the tapping cycle of this control has no dwell at the bottom".to_owned(),
+            Self::NoBoringCycle => "this control has no such cycle".to_owned(),
+            Self::NotMachineAxes => {
+                "the direction off the wall is that of a machine axis, so it needs `mode = \"axes\"`, of its \
+                                     operation too"
+                    .to_owned()
+            }
             Self::OtherSteps => "no cycle of this control moves the tool in the same way".to_owned(),
         }
     }
 
-    /// How a thread is posted with a cycle all the same.
+    /// How a thread or a bore is posted with a cycle all the same.
     fn help(self) -> &'static str {
         match self {
             Self::Expanded => "set `output = \"native\"` in `[cycles]`",
@@ -95,6 +104,10 @@ impl NoCycle {
             }
             Self::Leans { rounded: true, .. } => "the angles are rounded: give `formats.rotary` more decimals",
             Self::LevelsNotInOrder => "correct depth, clearance and return of the CYCLE in CAM",
+            Self::NoBoringCycle => {
+                "to retract at feed, write BORE without ORIENT and its angle; else program it at the control"
+            }
+            Self::NotMachineAxes => "post the operation with `mode = \"axes\"`",
             Self::LongDwell | Self::NoTappingDwell => "remove the dwell from the CYCLE in CAM",
             Self::NoTappingCycle | Self::OtherSteps => "mill the thread, or post it for a control with a tapping cycle",
         }
@@ -173,10 +186,8 @@ impl<S: Sink> HoleRun<'_, '_, S> {
                 Err(Fault::new(text).help(why.help()).into())
             }
             Err(why) if matches!(self.hole.drilling, Drilling::FineBore { .. }) => {
-                let text = format!("only a cycle of the control bores with an oriented spindle: {why}");
-                let help =
-                    "to retract at feed, write BORE without ORIENT and its angle; else program it at the control";
-                Err(Fault::new(text).help(help).into())
+                let text = format!("only a cycle of the control bores with an oriented spindle: {}", why.text());
+                Err(Fault::new(text).help(why.help()).into())
             }
             Err(_) => self.run_by_motions(),
         }
@@ -368,12 +379,10 @@ impl<S: Sink> HoleRun<'_, '_, S> {
     fn fine_bore(&self, orient_rad: f64) -> Result<Result<CannedKind, NoCycle>, Fault> {
         let options = &self.planner.policy.options.cycles;
         let Some(can) = self.planner.abilities.cycles.fine_bore else {
-            return Ok(Err("this control has no such cycle"));
+            return Ok(Err(NoCycle::NoBoringCycle));
         };
         if self.planner.mover.placer().mode() != StretchMode::Axes {
-            return Ok(Err(
-                "the direction off the wall is that of a machine axis, so it needs `mode = \"axes\"`, of its operation too",
-            ));
+            return Ok(Err(NoCycle::NotMachineAxes));
         }
         let Some(direction) = options.bore_retract else {
             return Err(Fault::new("the direction in which the tool leaves the wall of this bore is unknown").help(
