@@ -169,10 +169,58 @@ impl<'a> Cursor<'a> {
     }
 
     /// Takes a number: sign, digits, a point; no exponent, at least one digit.
-    #[inline]
+    #[inline(always)]
     pub(super) fn number(&mut self) -> Option<Number> {
-        let negative = self.line.get(self.at) == Some(&b'-');
-        let first = self.at + usize::from(negative || self.line.get(self.at) == Some(&b'+'));
+        let sign = self.peek();
+        let negative = sign == Some(b'-');
+        let first = self.at + usize::from(negative || sign == Some(b'+'));
+        let Digits { mantissa, point, decimals, end } = match self.short_number(first) {
+            Some(digits) => digits,
+            None => self.long_number(first)?,
+        };
+        self.at = end;
+        let value = mantissa as f64 / TENS[decimals];
+        Some(Number { value: if negative { -value } else { value }, point, negative })
+    }
+
+    /// Digits and a point from a column on, if they are no more than eight bytes, as of nearly every number: all of them are
+    /// found at once. `None` for any other text.
+    #[inline(always)]
+    fn short_number(&self, first: usize) -> Option<Digits> {
+        let bytes = self.eight(first)? ^ ZEROS;
+        let whole = digits_at_start(bytes);
+        let point = whole < 8 && bytes >> (8 * whole) & 0xFF == u64::from(b'.' ^ b'0');
+        let (digits, count) = if point {
+            // Without the point the decimals follow the digits before it.
+            let before = (1 << (8 * whole)) - 1;
+            let joined = bytes & before | (bytes >> 8 | NO_DIGIT) & !before;
+            (joined, digits_at_start(joined))
+        } else {
+            (bytes, whole)
+        };
+        let end = first + (count + u32::from(point)) as usize;
+        if count == 0 || matches!(self.line.get(end), Some(b'.' | b'0'..=b'9')) {
+            return None;
+        }
+        let mantissa = value_of(digits << (64 - 8 * count)).cast_signed();
+        Some(Digits { mantissa, point, decimals: (count - whole) as usize, end })
+    }
+
+    /// Eight bytes from a column on, the first one lowest, and zeros after the end of the line; `None` in a shorter line.
+    #[inline]
+    fn eight(&self, column: usize) -> Option<u64> {
+        match self.line.get(column..)?.first_chunk() {
+            Some(bytes) => Some(u64::from_le_bytes(*bytes)),
+            None => {
+                let missing = column + 8 - self.line.len();
+                u64::from_le_bytes(*self.line.last_chunk()?).checked_shr(8 * missing as u32)
+            }
+        }
+    }
+
+    /// The same for digits of any number, byte by byte.
+    #[inline(never)]
+    fn long_number(&self, first: usize) -> Option<Digits> {
         let (whole, end) = self.digits(0, first);
         let point = self.line.get(end) == Some(&b'.');
         let (mantissa, end, decimals) = if point {
@@ -182,12 +230,8 @@ impl<'a> Cursor<'a> {
             (whole, end, 0)
         };
         let digits = end - first - usize::from(point);
-        if digits == 0 || digits > MOST_DIGITS || self.line.get(end) == Some(&b'.') {
-            return None;
-        }
-        self.at = end;
-        let value = mantissa as f64 / TENS[decimals];
-        Some(Number { value: if negative { -value } else { value }, point, negative })
+        let is_number = (1..=MOST_DIGITS).contains(&digits) && self.line.get(end) != Some(&b'.');
+        is_number.then_some(Digits { mantissa, point, decimals, end })
     }
 
     /// Digits from a column on behind others, and the column after them; of too many the value has no meaning.
@@ -204,6 +248,39 @@ impl<'a> Cursor<'a> {
         }
         (value, column + count)
     }
+}
+
+/// Digits of a number with its point.
+#[derive(Debug, Clone, Copy)]
+struct Digits {
+    /// Value of the digits as a whole number.
+    mantissa: i64,
+    point: bool,
+    decimals: usize,
+    /// Column after them.
+    end: usize,
+}
+
+/// Eight digits 0; the others differ from these bits by their values.
+const ZEROS: u64 = 0x3030_3030_3030_3030;
+
+/// A last byte that is no digit.
+const NO_DIGIT: u64 = 0xFF << 56;
+
+/// Number of bytes, from the lowest one on, that are values of digits.
+#[inline]
+fn digits_at_start(bytes: u64) -> u32 {
+    const HIGH_BITS: u64 = 0x8080_8080_8080_8080;
+    // The sum has the high bit where the byte is above 9. Only a byte with a high bit carries, so the first one is right.
+    ((bytes.wrapping_add(0x7676_7676_7676_7676) | bytes) & HIGH_BITS).trailing_zeros() / 8
+}
+
+/// Value of eight digits, the first in the lowest byte: of pairs, of fours, of all.
+#[inline]
+fn value_of(digits: u64) -> u64 {
+    let pairs = (digits * 10 + (digits >> 8)) & 0x00FF_00FF_00FF_00FF;
+    let fours = (pairs * 100 + (pairs >> 16)) & 0x0000_FFFF_0000_FFFF;
+    (fours * 10_000 + (fours >> 32)) & 0xFFFF_FFFF
 }
 
 /// Numbers nearer than this are the same number: none is written with so many decimals.
@@ -230,4 +307,52 @@ pub(super) fn tenths(number: Number) -> Option<u32> {
 /// Bytes as text for a message, where they stand between back quotes.
 pub(super) fn shown(bytes: &[u8]) -> String {
     String::from_utf8_lossy(&bytes[..bytes.len().min(60)]).replace('`', "'")
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    /// Number at the start of a text, and its end.
+    fn read(text: &[u8]) -> Option<(u64, bool, bool, usize)> {
+        let mut at = Cursor::new(text);
+        let Number { value, point, negative } = at.number()?;
+        Some((value.to_bits(), point, negative, at.column()))
+    }
+
+    /// The same by the standard library.
+    fn expected(text: &[u8]) -> Option<(u64, bool, bool, usize)> {
+        let text = std::str::from_utf8(text).expect("ASCII");
+        let rest = text.strip_prefix(['-', '+']).unwrap_or(text);
+        let end = rest.find(|byte: char| !byte.is_ascii_digit() && byte != '.').unwrap_or(rest.len());
+        let (number, negative) = (&rest[..end], text.starts_with('-'));
+        let (digits, points) = (number.replace('.', "").len(), number.matches('.').count());
+        let value: f64 = number.parse().ok().filter(|_| (1..=15).contains(&digits) && points < 2)?;
+        let value = if negative { -value } else { value };
+        Some((value.to_bits(), points == 1, negative, text.len() - rest.len() + end))
+    }
+
+    #[test]
+    fn numbers_are_read_at_the_end_of_a_line_and_before_other_words() {
+        for number in
+            ["7", "-0", "+.5", "5.", "-.125", "0.0625", "12345678", "123456789", "1234.567", "-123.4567", "1234567."]
+        {
+            for after in ["", " ", "Y1.5", " Y-20.123 Z4.", ";", "(A)"] {
+                let text = format!("{number}{after}");
+                assert_eq!(read(text.as_bytes()), expected(text.as_bytes()), "{text}");
+            }
+        }
+        for text in ["", "-", ".", "-.", "1.2.3", "12345.78.", "1..2", "X1", "1234567890123456789"] {
+            assert_eq!(read(text.as_bytes()), None, "{text}");
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn any_text_of_digits_is_the_number_of_the_library(text in "[-+]?[0-9]{0,9}[.]?[0-9]{0,6}([A-Z /][0-9 ]{0,9}|[.])?") {
+            prop_assert_eq!(read(text.as_bytes()), expected(text.as_bytes()), "{}", text);
+        }
+    }
 }
