@@ -432,6 +432,9 @@ pub struct Block {
     pub known_before: u16,
     /// Axes whose words stand in the block.
     pub written: u16,
+    /// Its words are those of axes, F and N alone, without a declared effect: all modes are those of the block before, unless blocks
+    /// that may be skipped end here.
+    pub only_moves: bool,
     /// A complete state begins here: the block names the unit, or what stands for it.
     pub restart: bool,
     /// Bits of [`stated`].
@@ -467,6 +470,7 @@ impl Default for Block {
             known: 0,
             known_before: 0,
             written: 0,
+            only_moves: false,
             restart: false,
             stated: 0,
             guard: None,

@@ -227,6 +227,8 @@ pub(super) struct Draft {
     pub(crate) clamp_off: u16,
     /// Words of axes, F, S and N, and nothing else: no state changes but F and S.
     pub(crate) only_moves: bool,
+    /// They are those of [`Moves`], and no effect is declared for them.
+    pub(crate) is_moves: bool,
     /// Modal groups that have spoken.
     pub(crate) groups: u32,
 }
@@ -248,8 +250,18 @@ impl Draft {
         let Moves { number, axes, written, negative, feed, letters } = moves;
         (self.number, self.axes, self.feed, self.letters) = (number, axes, feed, letters);
         (self.written, self.negative) = (written, negative);
-        self.only_moves = true;
+        (self.only_moves, self.is_moves) = (true, true);
         self.speaks();
+    }
+
+    /// Forgets the block. `empty`: a draft without words; most blocks leave few.
+    pub(super) fn clear(&mut self, empty: &Self) {
+        if self.is_moves {
+            self.take(Moves::default());
+            (self.only_moves, self.is_moves, self.groups) = (false, false, 0);
+        } else {
+            *self = *empty;
+        }
     }
 
     /// Forgets everything but the block number.

@@ -200,7 +200,7 @@ impl<R: Read> Reader<R> {
             let Some(long) = self.next_line()? else { return Ok(None) };
             self.block.faults.clear();
             self.block.own = None;
-            self.draft = self.empty;
+            self.draft.clear(&self.empty);
             let mark = if begins { self.byte_order_mark() } else { None };
             let marked = self.take_skip_mark();
             self.follow_skip(marked);
@@ -322,6 +322,7 @@ impl<R: Read> Reader<R> {
             Syntax::Siemens(siemens) => siemens.line(&mut line),
             Syntax::Heidenhain(heidenhain) => heidenhain.line(&mut line),
         };
+        line.draft.is_moves &= declared.is_none();
         let may_switch = line.draft.written == 0 && !vocabulary.own.is_empty();
         let switched = may_switch && own::switch(self.bare.text(&self.line, &self.facts), &mut line);
         // A stop may be a line of the tool change.

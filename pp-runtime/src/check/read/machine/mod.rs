@@ -183,6 +183,38 @@ impl Interpreter {
     /// Does what a draft says and leaves it in the block.
     pub(super) fn execute(&mut self, draft: &Draft, block: &mut Block) {
         block.number = draft.number;
+        block.written = draft.written;
+        block.only_moves = draft.only_moves && draft.speed.is_none() && draft.effects == 0;
+        match self.modal {
+            Some(Code::Feed) if self.moves_alone(draft) => self.move_along(Action::Feed, draft, block),
+            Some(Code::Rapid) if self.moves_alone(draft) => self.move_along(Action::Rapid, draft, block),
+            _ => self.carry_out(draft, block),
+        }
+        debug_assert!(block.state == self.state, "{:?} {:?}", block.state, self.state);
+    }
+
+    /// Whether a draft does nothing but move axes, and where it counts is known: most blocks.
+    fn moves_alone(&self, draft: &Draft) -> bool {
+        draft.is_moves && self.frames.unknown == 0 && self.facts.motion_modal
+    }
+
+    /// Moves the axes of a draft that does nothing else.
+    fn move_along(&mut self, action: Action, draft: &Draft, block: &mut Block) {
+        (block.action, block.frame_faults, block.restart) = (action, 0, false);
+        (block.guard, block.radius_guard_mm, block.plane_guard, block.blank) = (None, None, None, None);
+        (block.known_before, block.stated) = (self.known, self.stated);
+        self.set_feed_and_speed(draft);
+        let in_plane = self.state.tilt.is_some().then_some((self.values, self.known));
+        self.place(draft, false, &mut block.faults);
+        if let Some(from) = in_plane {
+            self.left_plane(draft.written & self.rotary, from);
+        }
+        (block.values, block.known) = (self.values, self.known);
+        block.state.take_moves(&self.state);
+    }
+
+    /// Does whatever a draft says.
+    fn carry_out(&mut self, draft: &Draft, block: &mut Block) {
         block.frame_faults = draft.frame_faults;
         block.restart = draft.restart || draft.units.is_some();
         block.guard = draft.guard;
@@ -190,7 +222,6 @@ impl Interpreter {
         block.plane_guard = draft.plane_guard;
         block.blank = draft.blank;
         block.action = Action::Nothing;
-        block.written = draft.written;
         if draft.only_moves {
             self.set_feed_and_speed(draft);
         } else if draft.groups != 0 || draft.written != 0 || draft.vector_written != 0 {
@@ -219,7 +250,6 @@ impl Interpreter {
         } else {
             block.state = self.state;
         }
-        debug_assert!(block.state == self.state, "{:?} {:?}", block.state, self.state);
     }
 
     /// Notes what a block says in so many words.

@@ -106,7 +106,7 @@ impl Interpreter {
     }
 
     /// Rotary words that have moved their axes take them out of the tilted plane.
-    fn left_plane(&mut self, rotary: u16, (from, known): ([f64; MAX_AXES], u16)) {
+    pub(super) fn left_plane(&mut self, rotary: u16, (from, known): ([f64; MAX_AXES], u16)) {
         let Some(tilt) = &mut self.state.tilt else { return };
         let moved = |index: usize| known & (1 << index) == 0 || (self.values[index] - from[index]).abs() > SAME_ANGLE;
         if (0..self.axes.len()).any(|index| rotary & (1 << index) != 0 && moved(index)) {
@@ -197,19 +197,19 @@ impl Interpreter {
     }
 
     /// Puts the axes where their words say.
-    fn place(&mut self, draft: &Draft, cycle: bool, faults: &mut Vec<Fault>) {
-        let (unit, normal) = (self.unit(), self.normal());
-        for index in (0..self.axes.len()).filter(|index| draft.written & (1 << index) != 0) {
-            // In a cycle the word along the normal is the bottom of the hole.
-            if cycle && Some(index) == normal {
-                continue;
-            }
+    pub(super) fn place(&mut self, draft: &Draft, cycle: bool, faults: &mut Vec<Fault>) {
+        let unit = self.unit();
+        // In a cycle the word along the normal is the bottom of the hole.
+        let bottom = self.normal().filter(|_| cycle).map_or(0, |normal| 1 << normal);
+        let distances = draft.incremental | if self.state.incremental == Some(true) { !draft.absolute } else { 0 };
+        let mut axes = draft.written & !bottom;
+        while axes != 0 {
+            let index = axes.trailing_zeros() as usize;
             let bit = 1 << index;
+            axes &= !bit;
             let rotary = self.rotary & bit != 0;
             let value = if rotary { draft.axes[index].to_radians() } else { draft.axes[index] * unit };
-            let incremental =
-                draft.incremental & bit != 0 || (self.state.incremental == Some(true) && draft.absolute & bit == 0);
-            if incremental {
+            if distances & bit != 0 {
                 if self.known & bit == 0 {
                     fault(faults, 0, "incremental motion from an unknown position");
                 }
