@@ -238,7 +238,8 @@ impl<R: Read> Comparison<'_, R> {
             let on_circle = angle <= BOTH * self.rules.axis_allowance(&on.axis);
             self.tally.deviation((end.tip - on.tip).norm(), if on_circle { angle } else { 0.0 });
         }
-        self.compare_state(current, part.required);
+        let judged = self.right_state.as_ref().is_some_and(|required| Rc::ptr_eq(required, part.required));
+        let right_state = judged || self.compare_state(current, part.required);
         let stopped = if part.rapid { None } else { self.functions.cut_with_spindle_off() };
         self.found_any(current, stopped);
         if part.required.side != Side::None {
@@ -254,8 +255,10 @@ impl<R: Read> Comparison<'_, R> {
                 false => "this motion is a feed motion in the CL data and is programmed as a rapid",
             };
             self.found(current, text);
-        } else if at_feed {
+        } else if at_feed && !judged {
             let fault = self.functions.smoothing(&block.state, &self.rules, part.required.smoothing);
+            let right = self.rules.is_judged_by_state(block, part.required) && fault.is_none() && right_state;
+            self.right_state = right.then(|| Rc::clone(part.required));
             self.found_any(current, fault);
         }
         if at_feed == expects_feed && follows_path && known && !self.progress.is_lost() {
@@ -315,9 +318,12 @@ impl<R: Read> Comparison<'_, R> {
         rules
     }
 
-    fn compare_state(&mut self, current: &Current<'_>, required: &Required) {
+    /// Compares the modal state of a block, and returns whether it is right.
+    fn compare_state(&mut self, current: &Current<'_>, required: &Required) -> bool {
         let fault = self.rules.fault_at_path(current.block, required, self.modal_context());
+        let right = fault.is_none();
         self.found_state(current, fault);
+        right
     }
 
     /// Whether the next item belongs to a thread, whose motions are a cycle of their own on some controls.

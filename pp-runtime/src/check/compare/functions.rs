@@ -298,12 +298,9 @@ impl FunctionState {
         (expected != written).then(|| "the motion from block to block (G61, G64) differs from that expected".to_owned())
     }
 
-    /// What is wrong with the clamps of the rotary axes in a block that moves.
+    /// What is wrong with the clamps of the rotary axes in a block that moves, on a machine that has some.
     pub(super) fn clamps(&mut self, block: &Block, moved: u16, rules: &Rules<'_>, at_part: bool) -> Option<String> {
         let clamps = rules.clamps();
-        if clamps == 0 {
-            return None;
-        }
         let state = &block.state;
         let released = state.clamps_known & !state.clamped;
         if at_part {

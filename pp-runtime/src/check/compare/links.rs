@@ -298,6 +298,7 @@ impl<R: Read> Comparison<'_, R> {
             dry,
             no_plane: phase.is_unknown() || phase.is_stopped(),
             arc_plane: self.previous.arc_plane.filter(|_| matches!(phase, Phase::Cutting(_) | Phase::Unknown { .. })),
+            ..ModalContext::default()
         };
         let spindle = self.spindle_may_be(current.block, retracted.stopped);
         let fault = self.rules.fault_at_retract(block, tilts, spindle, context);
@@ -934,6 +935,7 @@ impl<R: Read> Comparison<'_, R> {
         if std::mem::replace(&mut self.skippable, on) == on {
             return Ok(());
         }
+        self.right_state = None;
         self.pass_needless(phase)?;
         match self.progress.next().map(|item| &item.action) {
             Some(ExpectedAction::BlockSkip { on: expected }) if *expected == on => self.progress.take(),

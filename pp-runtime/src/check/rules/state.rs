@@ -35,6 +35,8 @@ pub(crate) struct ModalContext {
     pub(crate) arc_plane: Option<WorkPlane>,
     /// No plane need be selected yet.
     pub(crate) no_plane: bool,
+    /// F may be per revolution: that of a thread is compared with its cycle.
+    pub(crate) in_thread: bool,
     /// Coolant must be off.
     pub(crate) dry: bool,
 }
@@ -54,12 +56,7 @@ impl Rules<'_> {
 
     /// The same without the tool.
     pub(crate) fn fault_in_cut(&self, block: &Block, required: &Required, context: ModalContext) -> Option<String> {
-        let mut state = block.state;
-        if block.action.is_thread() && state.feed_mode == Some(FeedMode::PerRevolution) {
-            // That of a thread is compared with its cycle.
-            state.feed_mode = Some(FeedMode::PerMinute);
-        }
-        let state = &state;
+        let (state, context) = (&block.state, ModalContext { in_thread: block.action.is_thread(), ..context });
         let offset_path = required.side != Side::None;
         let side = if offset_path && self.is_mirrored(block) { required.side.across() } else { required.side };
         self.everywhere(state, side, context)
@@ -71,6 +68,13 @@ impl Rules<'_> {
             .or_else(|| if offset_path { self.radius_delta(state, required) } else { None })
             .or_else(|| spindle(state, self.spindle_in_cut(required)))
             .or_else(|| coolant(state, required.coolant))
+    }
+
+    /// Whether the state of a cut is right or wrong whatever block has it.
+    pub(crate) fn is_judged_by_state(&self, block: &Block, required: &Required) -> bool {
+        let state = &block.state;
+        let in_plane = state.plane == Some(WorkPlane::Xy) && required.side == Side::None;
+        block.action.is_feed() && in_plane && !state.has_frame() && self.meaning == LinearMeaning::AxisPositions
     }
 
     /// In a step of the approach; `last`: to the approach point.
@@ -225,7 +229,8 @@ impl Rules<'_> {
                     .to_owned(),
             );
         }
-        if state.feed_mode == Some(FeedMode::PerRevolution) || state.feed_mode.is_none() {
+        let per_revolution = state.feed_mode == Some(FeedMode::PerRevolution) && !context.in_thread;
+        if per_revolution || state.feed_mode.is_none() {
             return Some("feed mode is not per minute (G94)".to_owned());
         }
         None
