@@ -167,6 +167,7 @@ impl<'a, R: Read> Expect<'a, R> {
     }
 
     /// Reads until `count` items are known, or the CL data ends.
+    #[inline]
     pub(super) fn fill(&mut self, count: usize) -> io::Result<()> {
         while self.state.items().len() < count && !self.ended {
             self.read()?;
@@ -221,13 +222,15 @@ impl<'a, R: Read> Expect<'a, R> {
         errors.chain(self.state.fault()).min_by_key(|found| found.location).cloned()
     }
 
+    #[inline(never)]
     fn read(&mut self) -> io::Result<()> {
-        let Some((at, event)) = self.reader.next_event()? else {
+        let next = self.reader.next_event()?;
+        let Some((at, event)) = &next else {
             self.ended = true;
             return Ok(());
         };
-        let placed = self.placement.of(&event);
-        self.state.event(at, placed.as_ref().unwrap_or(&event));
+        let placed = self.placement.of(event);
+        self.state.event(*at, placed.as_ref().unwrap_or(event));
         Ok(())
     }
 }
