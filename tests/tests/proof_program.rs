@@ -262,3 +262,26 @@ fn impossible_sweeps_are_refused_with_a_reason() {
     let errors = String::from_utf8_lossy(&output.stderr).into_owned();
     assert!(!output.status.success() && errors.contains("part_origin") && errors.contains("--point"), "{errors}");
 }
+
+#[test]
+fn a_spindle_that_would_come_down_to_the_table_is_refused_and_one_that_stays_clear_says_how_far() {
+    let with_length = |length: f64| {
+        let config = format!("{}tools = {{ 1 = {{ length = {length} }} }}\n", SPINNER.config);
+        proof(&Case { config: config.leak(), ..SPINNER }, "linuxcnc", &[])
+    };
+    let program = with_length(120.0).expect("the spindle stays clear");
+    // B 110: 60 + 50 + 120 cos 110 degrees.
+    assert!(
+        program.contains("comes down to 68.958 above the reference point") && program.contains("EMPTY TABLE"),
+        "{program}"
+    );
+    let refusal = with_length(400.0).expect_err("110 + 400 cos 110 degrees is below the table");
+    assert!(refusal.contains("would come down to -26.8 mm"), "{refusal}");
+}
+
+#[test]
+fn an_axis_of_many_turns_is_swept_once() {
+    let case = Case { config: "units = 'mm'\npart_origin = [10, -5, 60]\n[limits]\nC = [-36000, 36000]\n", ..SPINNER };
+    let program = proof(&case, "linuxcnc", &[]).expect("a program");
+    assert!(program.contains("SWEEP 1: C from 0 to 360 degrees"), "{program}");
+}

@@ -8,7 +8,7 @@
 
 use std::io;
 
-use nalgebra::Point3;
+use nalgebra::{Point3, Vector3};
 
 use crate::config::Config;
 use crate::control::{self, Control, Encoder, Layout};
@@ -85,10 +85,25 @@ pub fn prove(machine: &dyn AnyMachine, proof: &Proof<'_>) -> Result<Vec<u8>, Str
 
     let number = proof.tool.unwrap_or_else(|| default_tool(&config));
     let point = Point3::from(proof.point_mm.unwrap_or_default());
+    let length = config.set_up.tools.get(&number).and_then(|tool| tool.length_mm);
+    let lowest = length.filter(|_| table).map(|length| {
+        let rotation = config.set_up.part_rotation;
+        let tip = Vector3::from(config.set_up.part_origin) + rotation * point.coords;
+        let proof = ProofProgram::new(&mut planner);
+        let heights = proof.tool_axes(&sweeps).map(|axis| tip.z + length * (rotation * axis.into_inner()).z);
+        heights.fold(f64::INFINITY, f64::min)
+    });
+    if let Some(lowest) = lowest.filter(|lowest| *lowest <= 0.0) {
+        return Err(format!(
+            "the gauge line of the spindle would come down to {lowest:.1} mm at the height of the table: give a higher point \
+             (--point), another tool (--tool), or less travel of the tilting axis in `[limits]`"
+        ));
+    }
     let job = Job { cl_name: "", config: &config, control: proof.control, units: None };
     let survey = survey(number, &point, modes);
     let header = Header { job: &job, survey: &survey, units, machine: &*machine, unchecked: planner.unchecked_axes() };
-    head(&header, &point, &sweeps, planner.sink().encoder()).map_err(|error| sentence(PlanningError::Output(error)))?;
+    head(&header, &point, &sweeps, Clear { table, lowest }, planner.sink().encoder())
+        .map_err(|error| sentence(PlanningError::Output(error)))?;
     ProofProgram::new(&mut planner).plan(number, point, &sweeps).map_err(sentence)?;
     let encoder = planner.sink().encoder();
     encoder.end(&[]).and_then(|()| encoder.finish()).map_err(|error| sentence(PlanningError::Output(error)))?;
@@ -120,8 +135,23 @@ fn survey(number: u32, point: &Point3<f64>, modes: StretchModes) -> Survey {
     survey
 }
 
+/// How far the spindle comes down to a table that rotates.
+#[derive(Clone, Copy)]
+struct Clear {
+    /// There is such a table.
+    table: bool,
+    /// Lowest height of the gauge line above its reference point, mm; `None`: the length of the tool is unknown.
+    lowest: Option<f64>,
+}
+
 /// Writes the head of the program. `point`: position of the tip in the part, mm.
-fn head(header: &Header<'_>, point: &Point3<f64>, sweeps: &[Sweep], encoder: &mut Encoder<'_>) -> io::Result<()> {
+fn head(
+    header: &Header<'_>,
+    point: &Point3<f64>,
+    sweeps: &[Sweep],
+    clear: Clear,
+    encoder: &mut Encoder<'_>,
+) -> io::Result<()> {
     encoder.open(None)?;
     let (config, control) = (header.job.config, header.job.control);
     let mode = config.motion.mode;
@@ -146,9 +176,20 @@ fn head(header: &Header<'_>, point: &Point3<f64>, sweeps: &[Sweep], encoder: &mu
         format!("PART ORIGIN {} from the reference point of the table", header.point(config.set_up.part_origin)),
         format!("THE TIP STAYS AT {} of the part while the rotary axes move", header.point((*point).into())),
         "EXPECTED: an indicator that is fixed to the table and touches a ball at the tip does not move".to_owned(),
+        "the tip is the CENTRE of the ball: the length of the tool is that to it".to_owned(),
         "touch the ball along X, then Y, then Z of the table, and run the program once for each".to_owned(),
     ];
     lines.extend(wrong.iter().map(|line| (*line).to_owned()));
+    if clear.table {
+        lines.push("EMPTY TABLE: no part and no clamps but the indicator, Z up before the start".to_owned());
+        lines.push(match clear.lowest {
+            Some(lowest) => format!(
+                "the gauge line comes down to {} above the reference point of the table: the spindle must be clear there",
+                header.length(lowest)
+            ),
+            None => "the length of the tool is unknown: find out how far the spindle comes down to the table".to_owned(),
+        });
+    }
     lines.push("first run: without the indicator, at low feed override, ready to press feed hold".to_owned());
     let number = |index: usize, sweep: &Sweep| format!("SWEEP {}: {}", index + 1, sweep.name);
     lines.extend(sweeps.iter().enumerate().map(|(index, sweep)| number(index, sweep)));

@@ -4,7 +4,7 @@
 //! Uses no CL data: rotary words run from end to end, and the linear axes follow as in every feed motion, certified within
 //! `tolerance`. An error in chain, signs, pivots or lengths moves the tip.
 
-use nalgebra::Point3;
+use nalgebra::{Point3, UnitVector3};
 
 use crate::kinematics::{Pose, Side};
 use crate::program::{Event, Feed, Location, Move, Rotation, Spindle, ToolCall};
@@ -23,6 +23,9 @@ const FEED: f64 = 300.0;
 
 /// Spindle speed of the dry run, never written, rev/min.
 const SPEED: f64 = 1.0;
+
+/// Largest rotation between two tool axes of [`ProofProgram::tool_axes`], rad.
+const SIGHT: f64 = 0.01;
 
 /// One sweep: from one stop to the next only one axis rotates.
 #[derive(Debug, Clone, PartialEq)]
@@ -92,9 +95,24 @@ impl<'p, 'a, S: Sink> ProofProgram<'p, 'a, S> {
         Ok(Sweep { name, stops })
     }
 
-    /// Ends of the sweep of an axis; for an endless axis one full turn from rest.
+    /// The tool axes of the sweeps in the part, closer than [`SIGHT`] to each other.
+    pub fn tool_axes<'s>(&'s self, sweeps: &'s [Sweep]) -> impl Iterator<Item = UnitVector3<f64>> + 's {
+        let placer = self.planner.mover.placer();
+        let step = placer.scale().angle(1);
+        sweeps.iter().flat_map(|sweep| sweep.stops.windows(2)).flat_map(move |pair| {
+            let [from, to] = [pair[0], pair[1]];
+            let largest = (0..2).map(|axis| (to[axis] - from[axis]).abs()).max().unwrap_or(0);
+            let count = ((largest as f64 * step / SIGHT).ceil() as i64).max(1);
+            (0..=count).map(move |index| {
+                placer.axis_at(&std::array::from_fn(|axis| from[axis] + (to[axis] - from[axis]) * index / count))
+            })
+        })
+    }
+
+    /// Ends of the sweep of an axis; for an endless axis, and one of more than a full turn, one full turn from rest.
     fn ends(&self, rotary: Rotary, rest: i64) -> Result<Vec<i64>, PlanningError> {
-        let axis = &self.planner.mover.placer().chain()[rotary.index];
+        let placer = self.planner.mover.placer();
+        let (axis, turn) = (&placer.chain()[rotary.index], placer.scale().units_per_turn);
         let letter = axis.letter;
         let refused = |fault: Fault| Err(ItemError::from(fault).at(Location::default()));
         if self.planner.policy.options.rotaries.grid.contains_key(&letter) {
@@ -105,12 +123,17 @@ impl<'p, 'a, S: Sink> ProofProgram<'p, 'a, S> {
             ));
         }
         match (rotary.lower, rotary.upper) {
+            // More than a full turn shows nothing new.
+            (Some(lower), Some(upper)) if upper - lower > turn => {
+                let end = if rest + turn <= upper { rest + turn } else { rest - turn };
+                Ok(vec![end])
+            }
             (Some(lower), Some(upper)) => Ok(vec![lower, upper]),
             _ if axis.side == Side::Tool => {
                 let fault = Fault::new(format_args!("the travel of {letter}, a rotary axis of the head, is unknown"));
                 refused(fault.help(format_args!("give it in the configuration: `[limits] {letter} = [-90, 90]`")))
             }
-            _ => Ok(vec![rest + self.planner.mover.placer().scale().units_per_turn]),
+            _ => Ok(vec![rest + turn]),
         }
     }
 
