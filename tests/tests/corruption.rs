@@ -288,8 +288,12 @@ fn pose_difference<M: Machine>(
     }
     let length = near[0].map_or(0.0, |before| (before - tip).norm());
     let slack = 0.01_f64.max(8.0 * unit / length.max(1e-9));
+    // Where a rotary axis moves, the time of a block may be that of a bound of the axis speeds within it, 1.5 % above the speeds.
+    let bound = if was.state.feed_mode == Some(FeedMode::InverseTime) { 0.015 } else { 0.0 };
     match (was.action, was.state.feed, is.state.feed) {
-        (Action::Feed, Some(was), Some(is)) if (was - is).abs() > slack * was => Some(format!("F {was} became {is}")),
+        (Action::Feed, Some(was), Some(is)) if is > was * (1.0 + slack) || is < was * (1.0 - slack.max(bound)) => {
+            Some(format!("F {was} became {is}"))
+        }
         (Action::Feed, was, is) if was.is_some() != is.is_some() => Some(format!("F {was:?} became {is:?}")),
         _ => None,
     }

@@ -40,8 +40,11 @@ fn keys(direction: &str) -> String {
     format!("mode = 'axes'\ncycles = {{ bore_retract = '{direction}' }}\n")
 }
 
+/// A row of [`BLOCKS`].
+type Row = (&'static str, &'static [&'static str], &'static [[&'static str; 2]], &'static [&'static str]);
+
 /// Blocks of the two bores, with what another program would have in the first of them, and what begins the next hole.
-const BLOCKS: &[(&str, &[&str], &[[&str; 2]], &[&str])] = &[
+const BLOCKS: &[Row] = &[
     (
         "fanuc",
         &["G98 G76 X10. Y5. Z-12. R3. Q0.2 P500 F60.", "X30."],

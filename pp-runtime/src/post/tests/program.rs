@@ -65,8 +65,7 @@ fn assumptions_are_listed_in_the_summary() {
 
 #[test]
 fn a_unit_that_is_given_is_not_assumed() {
-    let mut config = Config::default();
-    config.cl_units = Some(Units::Millimetres);
+    let config = Config { cl_units: Some(Units::Millimetres), ..Config::default() };
     let (text, report) = posted::<Cb>(&config, &PART.replace("UNITS/MM\n", ""));
     let line = "unit of the CL data is mm, as given; the CL file states none".to_owned();
     assert!(report.reading.contains(&line) && !report.assumptions.iter().any(|text| text.contains("unit")));
