@@ -95,7 +95,7 @@ impl<'p, 'a, S: Sink> ProofProgram<'p, 'a, S> {
         Ok(Sweep { name, stops })
     }
 
-    /// The tool axes of the sweeps in the part, closer than [`SIGHT`] to each other.
+    /// The tool axes of the sweeps in the part, at most 0.01 rad from each other.
     pub fn tool_axes<'s>(&'s self, sweeps: &'s [Sweep]) -> impl Iterator<Item = UnitVector3<f64>> + 's {
         let placer = self.planner.mover.placer();
         let step = placer.scale().angle(1);
