@@ -514,6 +514,20 @@ fn an_m_function_of_the_control_itself_is_no_code_of_the_shop() {
 }
 
 #[test]
+fn a_line_that_ends_the_program_has_no_declared_effect() {
+    let shop = Shop::with(format!("{HEAD}GOTO/1,2,3\n"));
+    for keys in [
+        "control.effects = { \"M30\" = \"none\" }\nprogram.start = [\"M30\"]\n",
+        "cycles.measure_tool = [\"G65 P9023 T{tool}\", \"M30\"]\ntools.1.measured = true\n",
+        "cycles.check_tool = [\"M02\"]\ntools.1.checked = true\n",
+    ] {
+        shop.write("shop.toml", keys);
+        let run = shop.run(&["post", "part.cls", "--control", "fanuc", "--config", "shop.toml"]);
+        assert!(run.status == 2 && run.errors.contains("ends the program"), "{keys}: {}", run.errors);
+    }
+}
+
+#[test]
 fn a_program_ends_with_the_result_of_its_check() {
     for (control, end) in [("linuxcnc", 1), ("fanuc", 2), ("siemens", 1), ("heidenhain", 2), ("haas", 2)] {
         let shop = Shop::with(format!("{HEAD}GOTO/1,2,3\nGOTO/40,2,3,0.6,0,0.8\n"));

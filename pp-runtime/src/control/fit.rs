@@ -108,6 +108,17 @@ fn unsupported(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
         faults
             .push(format!("`{code}` of `{key}` is an M function of {title} itself: enter that of the machine builder"));
     }
+    // A line with a declared effect is executed by that alone.
+    let ends = |text: &str| {
+        text.split_whitespace().any(|word| m_function(word).is_some_and(|number| PROGRAM_ENDS.contains(&number)))
+    };
+    let declared = options.effects.keys().map(String::as_str).chain(control.effects().iter().map(|(text, _)| *text));
+    let measuring = options.measure_tool.iter().chain(&options.check_tool).map(String::as_str);
+    for text in declared.chain(measuring).filter(|text| ends(text)) {
+        faults.push(format!(
+            "`{text}` ends the program: it can have no other effect, and nothing after it would be executed"
+        ));
+    }
     // The check could not tell the pressures from each other.
     let through = |index: usize| options.coolant[index].as_ref().map(|[on, _]| on.as_str());
     let plain = through(2).or(codes.coolant[2].map(|[on, _]| on));
@@ -167,6 +178,9 @@ fn unsupported(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
     }
     faults
 }
+
+/// M functions that end a program or a subprogram.
+const PROGRAM_ENDS: [u16; 3] = [2, 17, 30];
 
 /// Number of the M function with which a block begins.
 fn m_function(block: &str) -> Option<u16> {
