@@ -185,6 +185,27 @@ impl KeyKind for InertWord {
     }
 }
 
+/// Reads a table of statements, each of them once. `read` makes one of its key and its value; `None` where the value has a fault,
+/// which is told.
+fn statements<'v>(
+    r: &mut KeyReader<'_>,
+    value: TomlValue<'v>,
+    read: impl Fn(&mut KeyReader<'_>, &str, TomlValue<'v>) -> Option<Result<OwnStatement, String>>,
+) -> Vec<OwnStatement> {
+    let mut found: Vec<OwnStatement> = Vec::new();
+    for (key, span, value) in r.entries(value) {
+        match read(r, key, value) {
+            Some(Ok(own)) if found.iter().any(|known| known.statement() == own.statement()) => {
+                r.fault(span, format!("`{key}` is stated twice"), None);
+            }
+            Some(Ok(own)) => found.push(own),
+            Some(Err(why)) => r.fault(span, why, None),
+            None => {}
+        }
+    }
+    found
+}
+
 /// Kind of key: statements of the shop with their blocks: `"CHUCK/OPEN" = "M68"`.
 #[derive(Debug, Clone, Copy)]
 struct OwnStatements;
@@ -193,18 +214,7 @@ impl KeyKind for OwnStatements {
     type Value = Vec<OwnStatement>;
 
     fn read(&self, r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<Self::Value> {
-        let mut read: Vec<OwnStatement> = Vec::new();
-        for (key, span, value) in r.entries(value) {
-            let Some(block) = r.line(value) else { continue };
-            match OwnStatement::new(key, &block) {
-                Ok(own) if read.iter().any(|known| known.statement() == own.statement()) => {
-                    r.fault(span, format!("`{key}` is stated twice"), None);
-                }
-                Ok(own) => read.push(own),
-                Err(why) => r.fault(span, why, None),
-            }
-        }
-        Some(read)
+        Some(statements(r, value, |r, key, value| Some(OwnStatement::new(key, &r.line(value)?))))
     }
 
     fn print(&self, _value: &Self::Value) -> String {
@@ -228,18 +238,8 @@ impl KeyKind for Probes {
     type Value = Vec<OwnStatement>;
 
     fn read(&self, r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<Self::Value> {
-        let mut read: Vec<OwnStatement> = Vec::new();
-        for (key, span, value) in r.entries(value) {
-            let Some(blocks) = ListOf(OneLine).read(r, value) else { continue };
-            match OwnStatement::probing(key, &blocks) {
-                Ok(own) if read.iter().any(|known| known.statement() == own.statement()) => {
-                    r.fault(span, format!("`{key}` is stated twice"), None);
-                }
-                Ok(own) => read.push(own),
-                Err(why) => r.fault(span, why, None),
-            }
-        }
-        Some(read)
+        let blocks = ListOf(OneLine);
+        Some(statements(r, value, |r, key, value| Some(OwnStatement::probing(key, &blocks.read(r, value)?))))
     }
 
     fn print(&self, _value: &Self::Value) -> String {
