@@ -148,8 +148,8 @@ impl<R: Read> Comparison<'_, R> {
             self.progress.fill(2)?;
             let Some(item) = self.progress.next() else { return Ok(false) };
             let (at, required, in_hole) = (item.at, Rc::clone(&item.required), item.hole.is_some());
-            let motion = match item.action {
-                ExpectedAction::Motion(motion) => motion,
+            let motion = match &item.action {
+                ExpectedAction::Motion(motion) => motion.clone(),
                 ExpectedAction::Dwell { .. } => {
                     self.missing_dwells(current, true);
                     continue;
@@ -180,8 +180,7 @@ impl<R: Read> Comparison<'_, R> {
             if let Some(share) = share {
                 let feed = self.rules.feed_of(&motion);
                 let ClMotion { rapid, starts, .. } = motion;
-                let (segment, required) = (&segment, &required);
-                self.travelled(cutting, current, end, &Part { segment, rapid, starts, feed, share, at, required });
+                self.travelled(cutting, current, end, Part { segment, rapid, starts, feed, share, at, required });
                 return Ok(true);
             }
             if motion.rapid && self.is_step_of_rapid(cutting, current, &required) {
@@ -229,7 +228,7 @@ impl<R: Read> Comparison<'_, R> {
     }
 
     /// A block that carries out a part of a motion: its state, its path, its feed.
-    fn travelled(&mut self, cutting: &mut Cutting, current: &Current<'_>, end: &ToolPose, part: &Part<'_>) {
+    fn travelled(&mut self, cutting: &mut Cutting, current: &Current<'_>, end: &ToolPose, part: Part) {
         let block = current.block;
         let on = part.segment.at(part.share);
         if !part.rapid || part.share >= 1.0 {
@@ -238,8 +237,8 @@ impl<R: Read> Comparison<'_, R> {
             let on_circle = angle <= BOTH * self.rules.axis_allowance(&on.axis);
             self.tally.deviation((end.tip - on.tip).norm(), if on_circle { angle } else { 0.0 });
         }
-        let judged = self.right_state.as_ref().is_some_and(|required| Rc::ptr_eq(required, part.required));
-        let right_state = judged || self.compare_state(current, part.required);
+        let judged = self.right_state.as_ref().is_some_and(|required| Rc::ptr_eq(required, &part.required));
+        let right_state = judged || self.compare_state(current, &part.required);
         let stopped = if part.rapid { None } else { self.functions.cut_with_spindle_off() };
         self.found_any(current, stopped);
         if part.required.side != Side::None {
@@ -248,7 +247,7 @@ impl<R: Read> Comparison<'_, R> {
         }
         let at_feed = !block.action.is_rapid();
         let known = self.rules.is_known(block, self.previous.known);
-        let RapidRules { expects_feed, follows_path, link, .. } = self.rapid_rules(cutting, current, part);
+        let RapidRules { expects_feed, follows_path, link, .. } = self.rapid_rules(cutting, current, &part);
         if at_feed != expects_feed {
             let text = match at_feed {
                 true => "this motion is a rapid in the CL data and is programmed at feed",
@@ -257,44 +256,42 @@ impl<R: Read> Comparison<'_, R> {
             self.found(current, text);
         } else if at_feed && !judged {
             let fault = self.functions.smoothing(&block.state, &self.rules, part.required.smoothing);
-            let right = self.rules.is_judged_by_state(block, part.required) && fault.is_none() && right_state;
-            self.right_state = right.then(|| Rc::clone(part.required));
+            let right = self.rules.is_judged_by_state(block, &part.required) && fault.is_none() && right_state;
+            self.right_state = right.then(|| Rc::clone(&part.required));
             self.found_any(current, fault);
         }
         if at_feed == expects_feed && follows_path && known && !self.progress.is_lost() {
             let here = cutting.here.unwrap_or_else(|| self.rules.words().place(&self.previous.words, &block.state));
-            let between = self.compare_path(current, ([&here, end], &on), part);
+            let between = self.compare_path(current, ([&here, end], &on), &part);
             if at_feed {
                 let along = match cutting.has_rested() {
-                    true => self.rules.share_at(part.segment, &here).min(part.share),
+                    true => self.rules.share_at(&part.segment, &here).min(part.share),
                     false => self.progress.along(),
                 };
-                self.compare_feed(current, part, ([&here, end], along), between);
+                self.compare_feed(current, &part, ([&here, end], along), between);
             }
         }
         self.end_rapid_steps(cutting, current);
         // The machine retracts along the axis that it has: tool axes of the CL data that it cannot tell apart are one.
         cutting.retract.follow(&ToolPose { axis: end.axis, ..on });
-        self.progress.advance((part.at, Rc::clone(part.required)), part.share);
         self.start.restarted = false;
-        cutting.finished = (part.share >= 1.0).then_some(FinishedMotion {
-            segment: *part.segment,
-            required: Rc::clone(part.required),
-            feed: part.feed,
-            at_feed,
-            link,
-            rotated_rad: 0.0,
-        });
-        if part.share >= 1.0 {
+        self.progress.set_lost(false);
+        let Part { segment, rapid, feed, share, at, required, .. } = part;
+        if share >= 1.0 {
             self.progress.pass();
-        } else if part.rapid && part.share <= 0.0 {
+            cutting.finished = Some(FinishedMotion { segment, required, feed, at_feed, link, rotated_rad: 0.0 });
+            return;
+        }
+        self.progress.advance((at, required), share);
+        cutting.finished = None;
+        if rapid && share <= 0.0 {
             // The corner of a rapid in two blocks.
             self.progress.begin_at(*end);
         }
     }
 
     /// Rules of a block that carries out a part of a motion.
-    fn rapid_rules(&mut self, cutting: &mut Cutting, current: &Current<'_>, part: &Part<'_>) -> RapidRules {
+    fn rapid_rules(&mut self, cutting: &mut Cutting, current: &Current<'_>, part: &Part) -> RapidRules {
         if !part.rapid {
             return RapidRules::CUT;
         }
@@ -328,7 +325,7 @@ impl<R: Read> Comparison<'_, R> {
 
     /// Whether the next item belongs to a thread, whose motions are a cycle of their own on some controls.
     fn is_in_thread(&self) -> bool {
-        let hole = self.progress.next().and_then(|item| item.hole);
+        let hole = self.progress.next().and_then(|item| item.hole.as_ref());
         hole.is_some_and(|expected| matches!(expected.hole.drilling, Drilling::Tap { .. }))
     }
 
@@ -349,14 +346,14 @@ impl<R: Read> Comparison<'_, R> {
         &mut self,
         current: &Current<'_>,
         (ends, on): ([&ToolPose; 2], &ToolPose),
-        part: &Part<'_>,
+        part: &Part,
     ) -> BetweenEnds {
         if let Some(bound) = self.small_deviation(current, (ends, on), part) {
             return BetweenEnds::Within(bound);
         }
         let path = self.rules.path(self.previous.words, current.block);
         let along = self.progress.along();
-        let Some(deviation) = self.rules.deviation(&path, ends, part.segment, along) else {
+        let Some(deviation) = self.rules.deviation(&path, ends, &part.segment, along) else {
             return BetweenEnds::Straight;
         };
         self.tally.path_deviation(deviation.tip_mm);
@@ -390,7 +387,7 @@ impl<R: Read> Comparison<'_, R> {
     }
 
     /// Largest deviations of tip and tool axis from a motion between the ends of a block, mm and rad.
-    fn largest_between(&self, part: &Part<'_>) -> (f64, f64) {
+    fn largest_between(&self, part: &Part) -> (f64, f64) {
         let rounding = self.rules.rounding();
         let axis_rad = self.rules.policy().tolerances.axis_path_rad + rounding.pole_rad;
         (part.required.tolerance_mm + rounding.tip_mm, axis_rad)
@@ -402,7 +399,7 @@ impl<R: Read> Comparison<'_, R> {
         &self,
         current: &Current<'_>,
         (ends, on): ([&ToolPose; 2], &ToolPose),
-        part: &Part<'_>,
+        part: &Part,
     ) -> Option<DeviationBound> {
         let block = current.block;
         let straight = block.action.is_feed() && matches!(part.segment.shape, PathShape::Line);
@@ -413,7 +410,7 @@ impl<R: Read> Comparison<'_, R> {
         let along = self.progress.along();
         let before = if along > 0.0 { part.segment.at(along).axis } else { part.segment.from.axis };
         let path = self.rules.path(self.previous.words, block);
-        let bound = self.rules.deviation_bound(&path, ends, part.segment, [&before, &on.axis])?;
+        let bound = self.rules.deviation_bound(&path, ends, &part.segment, [&before, &on.axis])?;
         let (tip_mm, axis_rad) = self.largest_between(part);
         let small = bound.tip_mm <= tip_mm.min(self.tally.largest_path_deviation()) && bound.axis_rad <= axis_rad;
         small.then_some(bound)
@@ -423,11 +420,11 @@ impl<R: Read> Comparison<'_, R> {
     fn compare_feed(
         &mut self,
         current: &Current<'_>,
-        part: &Part<'_>,
+        part: &Part,
         (ends, along): ([&ToolPose; 2], f64),
         between: BetweenEnds,
     ) {
-        let (block, segment) = (current.block, part.segment);
+        let (block, segment) = (current.block, &part.segment);
         let length = match segment.shape {
             // The tips show it; the tool axis may be elsewhere, as at the pole.
             PathShape::Line => segment.length_between(ends.map(|end| &end.tip)),
@@ -435,12 +432,12 @@ impl<R: Read> Comparison<'_, R> {
             _ => (segment.tip_at(part.share) - segment.tip_at(along)).norm(),
         };
         let (rules, words, lengths) = (&self.rules, &self.previous.words, (length, segment.length()));
-        let stroke = |deviation| rules.stroke(words, block, lengths, deviation, part.feed, part.required);
+        let stroke = |deviation| rules.stroke(words, block, lengths, deviation, part.feed, &part.required);
         let deviation = match between {
             BetweenEnds::Straight => None,
             BetweenEnds::Measured(deviation) => Some(deviation),
             BetweenEnds::Within(bound) => {
-                if rules.is_feed_plainly_right(&stroke(None), &block.state, bound.tip_rate_mm, part.required) {
+                if rules.is_feed_plainly_right(&stroke(None), &block.state, bound.tip_rate_mm, &part.required) {
                     return;
                 }
                 rules.deviation(&rules.path(*words, block), ends, segment, self.progress.along())
@@ -453,7 +450,7 @@ impl<R: Read> Comparison<'_, R> {
 
     /// Whether a block is the next rapid, and the retract before it no rewind: the cut was done.
     fn is_rapid_after_retract(&self, cutting: &Cutting, block: &Block, end: &ToolPose) -> bool {
-        let suits = |motion: ClMotion| motion.rapid && !motion.starts && self.rules.is_at(end, &motion.to);
+        let suits = |motion: &ClMotion| motion.rapid && !motion.starts && self.rules.is_at(end, &motion.to);
         let done = cutting.back.is_some() && cutting.finished.is_some() && cutting.perhaps_retract.is_none();
         done && block.action.is_rapid() && self.progress.motion().is_some_and(suits)
     }
@@ -495,7 +492,7 @@ impl<R: Read> Comparison<'_, R> {
             );
         }
         // The cut may have been interrupted just before the end of a motion, or just after it.
-        let feed = self.progress.motion().map(|motion| self.rules.feed_of(&motion));
+        let feed = self.progress.motion().map(|motion| self.rules.feed_of(motion));
         let next = self.progress.next().map(|item| Rc::clone(&item.required)).zip(feed);
         let finished = cutting.finished.as_ref().map(|finished| (Rc::clone(&finished.required), finished.feed));
         let fault = |(required, programmed): &(Rc<Required>, Option<Feed>)| {
@@ -699,7 +696,7 @@ impl<R: Read> Comparison<'_, R> {
         else {
             return false;
         };
-        let (required, hole, number, next) = (Rc::clone(required), expected.hole, expected.number, *next);
+        let (required, hole, number, next) = (Rc::clone(required), expected.hole, expected.number, next.clone());
         let (top, axis) = (hole.top.tip.coords, hole.top.axis.into_inner());
         let tip_mm = self.rules.rounding().tip_mm;
         let at = |height: f64| self.rules.is_at(end, &ToolPose { tip: top + axis * height, axis });
@@ -711,7 +708,7 @@ impl<R: Read> Comparison<'_, R> {
         let asked = (0..)
             .map_while(|index| match self.progress.get(index) {
                 Some(ExpectedItem { hole: Some(of), action: ExpectedAction::Motion(motion), .. }) => {
-                    (of.number == number).then_some((index, *motion))
+                    (of.number == number).then_some((index, motion))
                 }
                 _ => None,
             })
@@ -754,7 +751,7 @@ impl<R: Read> Comparison<'_, R> {
         if let Some(count) = self.items_before_hole(block, cycle)? {
             self.skip(count, phase.here(), current);
         }
-        let item = self.progress.next().and_then(|item| Some((item.hole?, Rc::clone(&item.required))));
+        let item = self.progress.next().and_then(|item| Some((item.hole.clone()?, Rc::clone(&item.required))));
         let end = pose_at(&self.rules, block, cycle.back_to);
         let Some((expected, required)) = item else {
             self.found(current, "cycle, but the CL data has no hole here");
@@ -828,7 +825,7 @@ impl<R: Read> Comparison<'_, R> {
     fn items_before_hole(&mut self, block: &Block, cycle: &CycleMove) -> io::Result<Option<usize>> {
         let Some(at) = pose_at(&self.rules, block, cycle.reference) else { return Ok(None) };
         let rules = &self.rules;
-        let makes = |item: &ExpectedItem| item.hole.is_some_and(|expected| is_over(rules, &at, &expected));
+        let makes = |item: &ExpectedItem| item.hole.as_ref().is_some_and(|expected| is_over(rules, &at, expected));
         if self.progress.next().is_some_and(makes) {
             return Ok(None);
         }
@@ -837,7 +834,8 @@ impl<R: Read> Comparison<'_, R> {
 
     /// Whether the next item is not of a hole, or the last of its hole.
     fn is_last_of_hole(&self) -> bool {
-        let number = |index: usize| self.progress.get(index).and_then(|item| item.hole).map(|hole| hole.number);
+        let number =
+            |index: usize| self.progress.get(index).and_then(|item| item.hole.as_ref()).map(|hole| hole.number);
         number(0).is_none() || number(0) != number(1)
     }
 
@@ -846,7 +844,7 @@ impl<R: Read> Comparison<'_, R> {
         loop {
             self.progress.fill(2)?;
             let belongs = |index: usize| {
-                self.progress.get(index).and_then(|item| item.hole).is_some_and(|hole| hole.number == number)
+                self.progress.get(index).and_then(|item| item.hole.as_ref()).is_some_and(|hole| hole.number == number)
             };
             if !belongs(0) || (stays && !belongs(1)) {
                 return Ok(());
@@ -866,8 +864,8 @@ enum BetweenEnds {
 }
 
 /// A part of a motion that a block carries out.
-struct Part<'p> {
-    segment: &'p Segment,
+struct Part {
+    segment: Segment,
     rapid: bool,
     starts: bool,
     /// Feed of a block that is no rapid.
@@ -875,5 +873,5 @@ struct Part<'p> {
     /// Share of the motion that is done after the block.
     share: f64,
     at: Location,
-    required: &'p Rc<Required>,
+    required: Rc<Required>,
 }

@@ -600,21 +600,21 @@ impl<R: Read> Comparison<'_, R> {
         self.progress.restart_motion();
         self.missing_dwells(current, true);
         self.take_back_at_approach_point(retracted, end);
-        let Some(motion) = self.progress.motion() else {
+        let Some(starts) = self.progress.motion().map(|motion| motion.starts) else {
             self.found(current, "approach, but the CL data has no motion here");
             return cutting;
         };
         let of_item = |item: &ExpectedItem| (item.required.tool, item.required.register);
         let tool = self.progress.next().map_or((None, 0), of_item);
-        for missing in self.shop_lines.approach(motion.starts, tool) {
+        for missing in self.shop_lines.approach(starts, tool) {
             self.found(current, &missing);
         }
-        if motion.starts {
+        if starts {
             self.compare_start(current);
         }
         self.pass_lift_to_hole(end);
         let Some(motion) = self.progress.motion() else { return cutting };
-        let above = self.approach_point(0, &motion);
+        let (to, above) = (motion.to, self.approach_point(0, motion));
         let (off, angle) = ((end.tip - above.tip).norm(), angle_between(&end.axis, &above.axis));
         if self.rules.is_at(end, &above) {
             self.tally.deviation(off, angle);
@@ -627,8 +627,8 @@ impl<R: Read> Comparison<'_, R> {
         }
         self.progress.approach(above);
         self.previous.arc_plane = None;
-        cutting.retract = RetractedLength::starting(motion.to, 0.0);
-        if above == motion.to {
+        cutting.retract = RetractedLength::starting(to, 0.0);
+        if above == to {
             self.progress.pass();
         }
         cutting
@@ -660,9 +660,9 @@ impl<R: Read> Comparison<'_, R> {
     /// The same at the end of the approach.
     fn take_back_at_approach_point(&mut self, retracted: &mut Retracted, end: &ToolPose) {
         let Some(item) = retracted.perhaps_retract.take() else { return };
-        let ExpectedAction::Motion(rapid) = item.action else { return };
+        let Some(rapid) = item.motion().cloned() else { return };
         let next = self.progress.motion();
-        if next.is_some_and(|next| self.rules.is_at(end, &self.approach_point(0, &next))) {
+        if next.is_some_and(|next| self.rules.is_at(end, &self.approach_point(0, next))) {
             return;
         }
         self.progress.put_back(*item);
@@ -675,8 +675,7 @@ impl<R: Read> Comparison<'_, R> {
     fn pass_lift_to_hole(&mut self, end: &ToolPose) {
         let ahead = |index: usize| {
             let item = self.progress.get(index)?;
-            let ExpectedAction::Motion(motion) = item.action else { return None };
-            Some((item.hole?.number, motion))
+            Some((item.hole.as_ref()?.number, item.motion()?))
         };
         let Some((number, _)) = ahead(0) else { return };
         let rapids = (0..).map_while(ahead).take_while(|(hole, motion)| *hole == number && motion.rapid);
@@ -694,7 +693,7 @@ impl<R: Read> Comparison<'_, R> {
         // shop may say nothing.
         let begins = self.progress.motion().filter(|next| next.starts).is_some_and(|next| {
             let own_safety = self.rules.policy().shop.own_safety;
-            self.start.restarted || own_safety && self.rules.is_at(end, &self.approach_point(0, &next))
+            self.start.restarted || own_safety && self.rules.is_at(end, &self.approach_point(0, next))
         });
         if rewind.finished.is_none() || !begins && self.above(&rewind, end).is_some() {
             return Some(rewind);

@@ -59,11 +59,8 @@ impl<'a, R: Read> ClProgress<'a, R> {
     }
 
     /// The next item, if it is a motion.
-    pub(super) fn motion(&self) -> Option<ClMotion> {
-        match self.next()?.action {
-            ExpectedAction::Motion(motion) => Some(motion),
-            _ => None,
-        }
+    pub(super) fn motion(&self) -> Option<&ClMotion> {
+        self.next()?.motion()
     }
 
     /// Record of the next item, or of the last motion.
@@ -135,7 +132,7 @@ impl<'a, R: Read> ClProgress<'a, R> {
 
     /// The next motion from the end of the last one; `here`: where the tool is.
     pub(super) fn segment(&self, motion: &ClMotion, here: Option<ToolPose>, end: &ToolPose) -> Segment {
-        Segment { from: self.reached.or(here).unwrap_or(*end), to: motion.to, shape: motion.shape }
+        Segment { from: self.reached.or(here).unwrap_or(*end), to: motion.to, shape: motion.shape.clone() }
     }
 
     /// Where a block begins on the next motion.
@@ -146,7 +143,7 @@ impl<'a, R: Read> ClProgress<'a, R> {
     /// Position of the tool on the path of the CL data.
     pub(super) fn on_path(&self, here: &ToolPose) -> ToolPose {
         match self.motion() {
-            Some(motion) => self.segment(&motion, Some(*here), here).at(self.along),
+            Some(motion) => self.segment(motion, Some(*here), here).at(self.along),
             None => self.reached.unwrap_or(*here),
         }
     }
@@ -157,15 +154,15 @@ impl<'a, R: Read> ClProgress<'a, R> {
         let ExpectedItem { action: ExpectedAction::Motion(motion), hole: None, .. } = item else { return false };
         let begins = self.along <= 0.0 && !self.approached && !motion.rapid && !motion.starts;
         // A full circle ends where it began, too.
-        let length = || Segment { from, to: motion.to, shape: motion.shape }.length();
+        let length = || Segment { from, to: motion.to, shape: motion.shape.clone() }.length();
         begins && from == motion.to && length() <= 0.0
     }
 
     /// Whether an item ahead needs no block.
     pub(super) fn is_needless(&self, index: usize, rules: &Rules<'_>, here: Option<ToolPose>, chords: f64) -> bool {
-        let Some(ExpectedItem { action: ExpectedAction::Motion(motion), .. }) = self.get(index) else { return false };
+        let Some(motion) = self.get(index).and_then(ExpectedItem::motion) else { return false };
         here.filter(|here| !motion.starts && rules.may_need_no_block(here, &motion.to, chords)).is_some_and(|here| {
-            let segment = Segment { from: here, to: motion.to, shape: motion.shape };
+            let segment = Segment { from: here, to: motion.to, shape: motion.shape.clone() };
             rules.needs_no_block(&segment, Some(here), chords)
         })
     }
@@ -200,7 +197,6 @@ impl<'a, R: Read> ClProgress<'a, R> {
     /// A block has carried out the next motion up to a share.
     pub(super) fn advance(&mut self, item: (Location, Rc<Required>), share: f64) {
         self.along = share;
-        self.lost = false;
         self.last = Some(item);
     }
 
@@ -262,7 +258,7 @@ impl<'a, R: Read> ClProgress<'a, R> {
     /// leads straight down from it. A hole counts as one motion, to its clearance level; the approach to a hole itself ends
     /// above it.
     pub(super) fn approach_point(&self, index: usize, first: &ClMotion, approach_mm: f64) -> ToolPose {
-        let hole = self.get(index).and_then(|item| item.hole);
+        let hole = self.get(index).and_then(|item| item.hole.as_ref());
         if let Some(above) =
             hole.filter(|_| first.rapid).and_then(|expected| expected.approach_point(&first.to, approach_mm))
         {
@@ -270,7 +266,7 @@ impl<'a, R: Read> ClProgress<'a, R> {
         }
         let next = (index + 1..).map_while(|index| self.get(index)).find_map(|item| match &item.action {
             ExpectedAction::Motion(motion) if motion.starts => Some(None),
-            ExpectedAction::Motion(motion) => Some(match (item.hole, hole) {
+            ExpectedAction::Motion(motion) => Some(match (&item.hole, hole) {
                 (Some(next), first) if first.is_none_or(|first| first.number != next.number) => {
                     Some(next.clearance_point())
                 }

@@ -76,7 +76,7 @@ pub(crate) struct RequiredSmoothing {
 }
 
 /// A motion of the CL data.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub(super) struct ClMotion {
     pub(crate) to: ToolPose,
     pub(crate) shape: PathShape,
@@ -92,10 +92,20 @@ pub(super) struct ExpectedItem {
     pub(crate) at: Location,
     pub(crate) required: Rc<Required>,
     /// The hole of the motion, which a cycle of the control may make.
-    pub(crate) hole: Option<ExpectedHole>,
+    pub(crate) hole: Option<Rc<ExpectedHole>>,
     /// Spindle state that the last SPINDL before it requests, if that is after a motion of its operation.
     requested_spindle: Option<Option<SpindleState>>,
     pub(crate) action: ExpectedAction,
+}
+
+impl ExpectedItem {
+    /// The motion of the item, if it is one.
+    pub(crate) fn motion(&self) -> Option<&ClMotion> {
+        match &self.action {
+            ExpectedAction::Motion(motion) => Some(motion),
+            _ => None,
+        }
+    }
 }
 
 /// Action of an item.

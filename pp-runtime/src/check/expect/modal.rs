@@ -50,7 +50,7 @@ pub(super) struct ClState<'a> {
     /// An arc needs a line to its start.
     fresh_arc: bool,
     /// The hole whose motions are being added.
-    hole: Option<ExpectedHole>,
+    hole: Option<Rc<ExpectedHole>>,
     /// Number of holes so far.
     holes: u64,
     items: VecDeque<ExpectedItem>,
@@ -251,7 +251,7 @@ impl<'a> ClState<'a> {
             self.line(at, &Move { pose: arc.start, rapid: false, feed: arc.feed });
         }
         let end = Move { pose: arc.end, rapid: false, feed: arc.feed };
-        self.motion(at, &end, PathShape::Arc(ArcPath::of(arc)));
+        self.motion(at, &end, PathShape::Arc(Rc::new(ArcPath::of(arc))));
     }
 
     fn spline(&mut self, at: Location, spline: &Spline<'_>) {
@@ -265,7 +265,7 @@ impl<'a> ClState<'a> {
             if spline.knots[span] < spline.knots[span + 1] {
                 let piece = bezier(spline.knots, spline.points, span);
                 let end = if span + 1 < spline.points.len() { piece[3].into() } else { *last };
-                self.motion(at, &to(end), PathShape::Cubic(piece));
+                self.motion(at, &to(end), PathShape::Cubic(Rc::new(piece)));
             }
         }
     }
@@ -273,7 +273,7 @@ impl<'a> ClState<'a> {
     fn hole(&mut self, at: Location, hole: &Hole) {
         self.call_default_tool();
         self.holes += 1;
-        self.hole = Some(ExpectedHole { number: self.holes, hole: *hole });
+        self.hole = Some(Rc::new(ExpectedHole { number: self.holes, hole: *hole }));
         let here = self.here.filter(|_| !self.operation.starts);
         for step in unfolded(hole, here.as_ref(), self.policy.defaults.peck_gap_mm) {
             match step {
@@ -528,17 +528,18 @@ impl<'a> ClState<'a> {
     }
 
     /// The hole whose motions are being added, at its feed.
-    fn expected_hole(&self) -> Option<ExpectedHole> {
-        let mut expected = self.hole?;
-        if !self.in_thread() {
-            expected.hole.feed = expected.hole.feed.map(|feed| self.capped(feed));
+    fn expected_hole(&self) -> Option<Rc<ExpectedHole>> {
+        let mut expected = Rc::clone(self.hole.as_ref()?);
+        let feed = expected.hole.feed.map(|feed| if self.in_thread() { feed } else { self.capped(feed) });
+        if feed != expected.hole.feed {
+            Rc::make_mut(&mut expected).hole.feed = feed;
         }
         Some(expected)
     }
 
     /// Whether the motion is one of a thread, whose feed follows from its pitch.
     fn in_thread(&self) -> bool {
-        self.hole.is_some_and(|hole| matches!(hole.hole.drilling, Drilling::Tap { .. }))
+        self.hole.as_ref().is_some_and(|hole| matches!(hole.hole.drilling, Drilling::Tap { .. }))
     }
 
     /// The first rules that contradict each other.

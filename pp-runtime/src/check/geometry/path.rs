@@ -4,6 +4,7 @@
 //! run from 0 to 1.
 
 use std::f64::consts::TAU;
+use std::rc::Rc;
 
 use nalgebra::{Point3, Vector3};
 
@@ -24,11 +25,13 @@ const POINT: f64 = 1e-18;
 const ROUNDED: f64 = 1e-3;
 
 /// What the tip follows.
-#[derive(Debug, Clone, Copy)]
+///
+/// Nearly every motion is a line: the others are shared, so that motions are small.
+#[derive(Debug, Clone)]
 pub(crate) enum PathShape {
     Line,
-    Arc(ArcPath),
-    Cubic([Vector3<f64>; 4]),
+    Arc(Rc<ArcPath>),
+    Cubic(Rc<[Vector3<f64>; 4]>),
 }
 
 /// A circle or a helix, seen from its centre.
@@ -45,7 +48,7 @@ pub(crate) struct ArcPath {
 }
 
 /// One motion.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub(crate) struct Segment {
     pub(crate) from: ToolPose,
     pub(crate) to: ToolPose,
@@ -364,7 +367,7 @@ mod tests {
         let (start, end) = (at(0.0, 0.0), at(angle, 0.0));
         let arc = Arc { centre: Point3::origin(), normal: axis, start, end, angle_rad: angle, feed: None };
         let segment =
-            Segment { from: tool_pose(&start), to: tool_pose(&end), shape: PathShape::Arc(ArcPath::of(&arc)) };
+            Segment { from: tool_pose(&start), to: tool_pose(&end), shape: PathShape::Arc(Rc::new(ArcPath::of(&arc))) };
         let half = tool_pose(&at(0.5 * angle, 0.0));
         // Half a unit of three decimals across the helix, where its angle says another height.
         let across = Vector3::new(-(0.5 * angle).sin(), (0.5 * angle).cos(), 0.0) * 5e-4;
