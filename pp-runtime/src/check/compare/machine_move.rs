@@ -31,7 +31,7 @@ pub(super) fn fault_of_retract(rules: &Rules<'_>, previous: &Previous, block: &B
         (Action::Reference { .. }, RetractRule::ReferencePosition) if !coordinate => Some(
             "motion to the reference position through another point: its words must be distances of 0 (G91)".to_owned(),
         ),
-        (Action::EndOfTravel, RetractRule::AlongTool) => (!alone || !rules.retracts_along_tool())
+        (Action::EndOfTravel, RetractRule::AlongTool) => (!alone || !rules.tool_leads_along_retract(&block.state))
             .then(|| "retract along the tool axis, which is not the retract axis here".to_owned()),
         (Action::Reference { .. }, _) => {
             Some("motion to the reference point: its path is unknown, and the position after it".to_owned())

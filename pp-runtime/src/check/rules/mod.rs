@@ -149,8 +149,14 @@ impl<'a> Rules<'a> {
         self.policy.feed.rapids_interpolated.unwrap_or(self.facts.rapids_interpolated)
     }
 
+    /// Whether the retract axis leads along the tool at any rotary angles, by the linear words of the cut.
     pub(super) fn retracts_along_tool(&self) -> bool {
         self.retracts_along_tool && !self.framed
+    }
+
+    /// Whether a motion along the tool, in the state of its block, is one of the retract axis alone.
+    pub(super) fn tool_leads_along_retract(&self, state: &State) -> bool {
+        self.retracts_along_tool && !is_framed(state)
     }
 
     /// Meaning of linear words.
@@ -161,7 +167,7 @@ impl<'a> Rules<'a> {
     /// Takes tip control and planes of a block away from the part. They decide the meaning of linear words, where the policy
     /// does not.
     pub(super) fn follow_frame(&mut self, state: &State) {
-        self.framed = state.tip_control != TipControl::Off || state.tilt.is_some();
+        self.framed = is_framed(state);
         if self.policy.linear_of_all().is_none() {
             self.meaning = match (state.tip_control, &state.tilt) {
                 (TipControl::On { .. }, _) => LinearMeaning::TipCoordinates,
@@ -571,6 +577,11 @@ fn largest_rest_rad(machine: &dyn AnyMachine, policy: &CheckPolicy) -> f64 {
     let limits = policy.set_up.travel(machine.axes()).limits;
     let limited = |(axis, limits): (&Axis, &Option<Limits>)| limits.is_some() && is_solved(axis, AxisKind::Rotary);
     if machine.axes().iter().zip(&limits).any(limited) { TAU } else { PI }
+}
+
+/// Whether linear words are coordinates of the tip, or of a tilted plane.
+fn is_framed(state: &State) -> bool {
+    state.tip_control != TipControl::Off || state.tilt.is_some()
 }
 
 /// Whether no rotary axis is in the head and a linear axis is parallel to the tool.
