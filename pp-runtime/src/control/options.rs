@@ -101,7 +101,8 @@ options! {
         /// Siemens and Heidenhain.
         linear_rapids: Option<bool> = None, key("control.linear_rapids", YesNo, "true");
         /// Blocks that measure the tool in the spindle, for tools with `measured = true`: after the tool change, with the machine
-        /// retracted before and after them, and before the length guard. Fields as in a tool change.
+        /// retracted before and after them, and before the length guard; where the axes are then: `tool_position`. Fields as in a
+        /// tool change.
         measure_tool: Vec<String> = Vec::new(),
             key("cycles.measure_tool", ListOf(TemplateBlock(OF_TOOL)), "[\"G65 P9023 A12. T{tool}\"]");
         /// Blocks that look for breakage of the tool in the spindle, for tools with `checked = true`: with the machine retracted

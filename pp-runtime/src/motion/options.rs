@@ -62,6 +62,10 @@ options! {
         /// Park positions of axes at the end of the program: degrees, and machine coordinates of linear axes. Axes
         /// without one do not move.
         park: BTreeMap<char, f64> = BTreeMap::new(), key("park", PARK);
+        /// Positions of axes, after the machine retract, for the blocks of `cycles.measure_tool` and `cycles.check_tool`: degrees,
+        /// and machine coordinates of linear axes, which come last. Axes without one are where the last cut has left them: a
+        /// table that is tilted.
+        tool_position: BTreeMap<char, f64> = BTreeMap::new(), key("cycles.tool_position", PARK);
         /// Meaning of the words of a motion: positions of the "axes" (on any control), coordinates of the tip under tip
         /// control ("tcp"), coordinates of the tip in a tilted "plane" (3+2), or "auto": tip control where the tool axis
         /// rotates at feed, else a tilted plane, and axis positions where the control has neither.

@@ -17,10 +17,14 @@ use crate::program::Clearance;
 const IN_PLANE: f64 = 5e-4;
 
 /// Number of items on which an approach may depend.
-const FOR_APPROACH: usize = 8;
+pub(super) const FOR_APPROACH: usize = 8;
 
 /// Dwells are written to three decimals, s.
 const DWELL_ROUNDING: f64 = 6e-4;
+
+/// Finding about `home_on_indexing`.
+pub(super) const ROTATES_BEFORE_HOME: &str =
+    "the rotary axes rotate before the linear axes are at their home positions (`home_on_indexing`)";
 
 impl<R: Read> Comparison<'_, R> {
     /// INSERT, codes of the CL data and statements of the shop: a block that is copied.
@@ -79,6 +83,7 @@ impl<R: Read> Comparison<'_, R> {
             let register = self.progress.next().map(|item| item.required.register);
             let of_another = self.shop_lines.values_fault(own, block.state.tool, register);
             self.found_any(current, of_another);
+            self.measures_at_tool_position(own, current);
             if needs_retract(own) {
                 self.start.retracted = false;
                 self.shop_lines.lose_retract();
@@ -183,7 +188,11 @@ impl<R: Read> Comparison<'_, R> {
         self.pass_needless(phase)?;
         let block = current.block;
         if let Some(text) = machine_move::fault_of_retract(&self.rules, &self.previous, block) {
-            if !self.goes_home(phase, current) && !self.parks_linear(phase, current) {
+            self.note_tool_position(block);
+            let goes = self.goes_home(phase, current)
+                || self.parks_linear(phase, current)
+                || self.goes_to_tool_position(phase, current);
+            if !goes {
                 self.found(current, &text);
                 if block.action != Action::Machine {
                     return Ok(Some(self.forget(phase)));
@@ -204,7 +213,12 @@ impl<R: Read> Comparison<'_, R> {
             let rewind = retracted.rewind.as_ref();
             let finished = rewind.and_then(|rewind| rewind.finished.as_ref()).map(|finished| &finished.required);
             let cut = self.progress.next().map(|item| &item.required).or(finished);
-            let spindle = cut.and_then(|required| self.rules.spindle_in_cut(required));
+            let parks = retracted.parks || self.progress.next().is_none();
+            let spindle = match cut {
+                _ if parks => self.spindle_may_be(current.block, retracted.stopped),
+                _ if self.is_measuring_due(current.block) => None,
+                cut => cut.and_then(|required| self.rules.spindle_in_cut(required)),
+            };
             // As in an approach, the coolant may be on where a cut goes on after a rewind.
             let dry = retracted.rewind.is_none();
             self.state_at_machine_position(spindle, dry, current);
@@ -219,7 +233,7 @@ impl<R: Read> Comparison<'_, R> {
         let parks = block.action == Action::Machine
             && phase.is_retracted()
             && begun
-            && parking::moves_linear(&self.rules, block);
+            && parking::moves_linear(&self.rules, &self.rules.policy().links.park, block);
         if parks {
             self.state_at_machine_position(self.spindle_may_be(block, phase.is_stopped()), true, current);
             self.parked |= block.written;
@@ -228,7 +242,12 @@ impl<R: Read> Comparison<'_, R> {
     }
 
     /// State of a block to a home or parking position.
-    fn state_at_machine_position(&mut self, spindle: Option<SpindleState>, dry: bool, current: &Current<'_>) {
+    pub(super) fn state_at_machine_position(
+        &mut self,
+        spindle: Option<SpindleState>,
+        dry: bool,
+        current: &Current<'_>,
+    ) {
         let block = current.block;
         let context = ModalContext { dry, ..ModalContext::default() };
         let fault = self.rules.fault_at_retract(block, false, spindle, context);
@@ -304,6 +323,7 @@ impl<R: Read> Comparison<'_, R> {
         let fault = self.rules.fault_at_retract(block, tilts, spindle, context);
         self.found_state(current, fault);
         self.start.retracted = true;
+        self.at_tool_position = 0;
         self.shop_lines.note_retract();
         if matches!(self.progress.next(), Some(ExpectedItem { action: ExpectedAction::Home, .. })) {
             self.progress.take();
@@ -321,7 +341,10 @@ impl<R: Read> Comparison<'_, R> {
     }
 
     fn parking_positions(&mut self, current: &Current<'_>) {
-        let missing: Vec<char> = parking::missing(&self.rules, self.parked, current.block).collect();
+        let missing: Vec<char> = {
+            let places = &self.rules.policy().links.park;
+            parking::missing(&self.rules, places, self.parked, &current.block.values).collect()
+        };
         for letter in missing {
             self.found(current, &format!("{letter} is not at its parking position"));
         }
@@ -428,7 +451,13 @@ impl<R: Read> Comparison<'_, R> {
             _ => 0,
         };
         let turned = moved & rotary != 0;
-        let parks = retracted.parks && step == 1 && parking::moves_rotary(&self.rules, &self.previous, block);
+        let goes_to = |places| step == 1 && parking::moves_rotary(&self.rules, places, &self.previous, block);
+        let links = &self.rules.policy().links;
+        let parks = retracted.parks && goes_to(&links.park);
+        if !parks && retracted.step == 0 && self.is_measuring_due(block) && goes_to(&links.tool_position) {
+            self.rotate_to_tool_position(retracted, turned, current);
+            return Ok(None);
+        }
         // A cut goes on with the spindle on, and its rotary axes rotate first; at the end it is off before the axes are parked.
         let rotates = step == 1 || retracted.step >= 1;
         let spindle_on = block.state.spindle.flatten().is_some();
@@ -477,10 +506,7 @@ impl<R: Read> Comparison<'_, R> {
         }
         self.moves_once(retracted, enters_tip_control, current);
         if turned && machine_move::is_not_home(&self.rules, retracted.homed) {
-            self.found(
-                current,
-                "the rotary axes rotate before the linear axes are at their home positions (`home_on_indexing`)",
-            );
+            self.found(current, ROTATES_BEFORE_HOME);
         }
         if let Some(since) = &mut retracted.since_plane {
             *since |= block.written & rotary;
@@ -647,7 +673,7 @@ impl<R: Read> Comparison<'_, R> {
         // An operation begins with a complete state.
         let elsewhere = match self.progress.next().map(|item| &item.action) {
             Some(ExpectedAction::Motion(next)) => next.starts && !self.start.restarted,
-            _ => !parking::moves_rotary(&self.rules, &self.previous, block),
+            _ => !parking::moves_rotary(&self.rules, &self.rules.policy().links.park, &self.previous, block),
         };
         if elsewhere {
             self.progress.put_back(*item);
@@ -787,7 +813,12 @@ impl<R: Read> Comparison<'_, R> {
         let fault = self.rules.fault_at_park(block, self.progress.last(), spindle, ModalContext::default());
         self.found_state(current, fault);
         retracted.parks = true;
-        if !parking::moves_rotary(&self.rules, &self.previous, block) {
+        let turned =
+            self.rules.moved(&self.previous.words, self.previous.known, block) & self.rules.words().rotary_bits();
+        if turned != 0 && machine_move::is_not_home(&self.rules, retracted.homed) {
+            self.found(current, ROTATES_BEFORE_HOME);
+        }
+        if !parking::moves_rotary(&self.rules, &self.rules.policy().links.park, &self.previous, block) {
             self.found(current, "the CL data has no motion here, and this is no parking position of the configuration");
         }
     }

@@ -23,6 +23,7 @@ mod progress;
 mod rapid;
 mod retract;
 mod shop_lines;
+mod tool_position;
 
 use std::io::{self, Read};
 use std::rc::Rc;
@@ -68,8 +69,10 @@ struct Comparison<'a, R> {
     right_state: Option<Rc<Required>>,
     functions: FunctionState,
     shop_lines: ShopLines,
-    /// Axes at their parking positions: bits.
+    /// Linear axes at their parking positions: bits.
     parked: u16,
+    /// Linear axes at their positions for measuring a tool: bits.
+    at_tool_position: u16,
     /// Blocks of the shop's machine retract that have come.
     own_retract: usize,
     /// GOHOME has begun, and the axes have to be parked.
@@ -142,6 +145,7 @@ impl<'a, R: Read> Checker<'a, R> {
             functions: FunctionState::default(),
             shop_lines: ShopLines::new(lines, policy),
             parked: 0,
+            at_tool_position: 0,
             own_retract: 0,
             home: false,
             skippable: false,
@@ -256,7 +260,7 @@ impl<R: Read> Comparison<'_, R> {
         }
         let linear = block.written & self.rules.words().linear_bits() != 0;
         if !block.action.leaves_words() && (linear || block.state.tip_control != TipControl::Off) {
-            self.parked = 0;
+            (self.parked, self.at_tool_position) = (0, 0);
         }
         let keep_out = KeepOut::of(self, phase, block);
         let next = match (task, &mut *phase) {

@@ -1,20 +1,26 @@
-//! Parking positions of the axes.
+//! Positions of the axes at the machine retract, from the configuration: for parking, and for measuring a tool.
 
-use super::super::read::Block;
+use std::collections::BTreeMap;
+
+use super::super::read::{Block, MAX_AXES};
 use super::super::rules::{Rules, apart};
 use super::Previous;
 use crate::kinematics::Axis;
 
-/// Largest distance from a parking position, in units of a word.
-const AT_PARKING: f64 = 0.6;
+/// Largest distance from such a position, in units of a word.
+const AT_PLACE: f64 = 0.6;
 
-/// Whether a block moves rotary axes to their parking positions, or nearer to them: an axis that takes the shorter way goes
+/// Whether a block moves rotary axes to their places, or nearer to them: an axis that takes the shorter way goes
 /// there in steps of less than half a revolution, and the others with it.
-pub(super) fn moves_rotary(rules: &Rules<'_>, previous: &Previous, block: &Block) -> bool {
-    let policy = rules.policy();
+pub(super) fn moves_rotary(
+    rules: &Rules<'_>,
+    places: &BTreeMap<char, f64>,
+    previous: &Previous,
+    block: &Block,
+) -> bool {
     let values = rules.words().values(&block.values);
     let before = rules.words().values(&previous.words);
-    let largest = AT_PARKING * rules.rounding().unit_rad;
+    let largest = AT_PLACE * rules.rounding().unit_rad;
     let there = |index: usize, place: f64| apart(values[index], place) <= largest;
     let known = |index: usize| previous.known & (1 << index) != 0;
     let nearer = |index: usize, place: f64| known(index) && apart(values[index], place) < apart(before[index], place);
@@ -22,9 +28,9 @@ pub(super) fn moves_rotary(rules: &Rules<'_>, previous: &Previous, block: &Block
     let turned = rules.moved(&previous.words, previous.known, block);
     let moves = if turned == 0 { block.written } else { turned };
     let moved = || rules.axes().iter().enumerate().filter(|(index, _)| moves & (1 << index) != 0);
-    let place = |letter: &char| policy.links.park.get(letter).copied();
+    let place = |letter: &char| places.get(letter).copied();
     let in_steps = moved().any(|(index, axis)| {
-        policy.words.rollover.contains_key(&axis.letter)
+        rules.policy().words.rollover.contains_key(&axis.letter)
             && place(&axis.letter).is_some_and(|place| !there(index, place) && nearer(index, place))
     });
     let parks = |(index, axis): (usize, &Axis)| {
@@ -33,27 +39,31 @@ pub(super) fn moves_rotary(rules: &Rules<'_>, previous: &Previous, block: &Block
     block.written & !rules.words().rotary_bits() == 0 && moved().all(parks)
 }
 
-/// Whether a block moves linear axes to their parking positions.
-pub(super) fn moves_linear(rules: &Rules<'_>, block: &Block) -> bool {
-    let largest = AT_PARKING * rules.rounding().unit_mm;
+/// Whether a block moves linear axes to their places.
+pub(super) fn moves_linear(rules: &Rules<'_>, places: &BTreeMap<char, f64>, block: &Block) -> bool {
+    let largest = AT_PLACE * rules.rounding().unit_mm;
     let at = |(index, axis): (usize, &Axis)| {
-        let place = rules.policy().links.park.get(&axis.letter);
+        let place = places.get(&axis.letter);
         block.written & (1 << index) == 0 || place.is_some_and(|place| (block.values[index] - place).abs() <= largest)
     };
     block.written & !rules.words().linear_bits() == 0 && rules.axes().iter().enumerate().all(at)
 }
 
-/// Letters of the axes that are not at their parking positions after a block; `parked`: axes that have moved there.
-pub(super) fn missing(rules: &Rules<'_>, parked: u16, block: &Block) -> impl Iterator<Item = char> {
-    let links = &rules.policy().links;
-    let values = rules.words().values(&block.values);
-    let (unit_mm, largest) = (rules.rounding().unit_mm, AT_PARKING * rules.rounding().unit_rad);
+/// Letters of the axes that are not at their places with these words; `moved`: linear axes that have moved there.
+pub(super) fn missing(
+    rules: &Rules<'_>,
+    places: &BTreeMap<char, f64>,
+    moved: u16,
+    words: &[f64; MAX_AXES],
+) -> impl Iterator<Item = char> {
+    let values = rules.words().values(words);
+    let (unit_mm, largest) = (rules.rounding().unit_mm, AT_PLACE * rules.rounding().unit_rad);
     let (rotary, retract) = (rules.words().rotary_bits(), rules.words().retract());
     let solved = rules.axes().iter().enumerate().filter(|(_, axis)| !axis.held);
     solved.filter_map(move |(index, axis)| {
-        let place = *links.park.get(&axis.letter)?;
+        let place = *places.get(&axis.letter)?;
         let rotated = rotary & (1 << index) != 0 && apart(values[index], place) <= largest;
-        let retracted = index == retract && (place - links.retract_mm).abs() < unit_mm;
-        (!rotated && !retracted && parked & (1 << index) == 0).then_some(axis.letter)
+        let retracted = index == retract && (place - rules.policy().links.retract_mm).abs() < unit_mm;
+        (!rotated && !retracted && moved & (1 << index) == 0).then_some(axis.letter)
     })
 }

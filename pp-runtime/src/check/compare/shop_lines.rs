@@ -114,6 +114,17 @@ impl ShopLines {
         })
     }
 
+    /// Whether blocks that measure the tool in the spindle, or look for its breakage, have not come yet and have to. `next`: tool
+    /// of the next cut.
+    pub(super) fn is_measuring_due(&self, spindle: Option<u32>, next: Option<Option<u32>>) -> bool {
+        let due = |due: OwnPlace| !self.lines.missing(|place| place == due).is_empty();
+        let has_cut = self.last_tool.map(|(tool, _)| tool) == Some(spindle);
+        match has_cut {
+            true => next != Some(spindle) && self.is_checked(Some(spindle)) && due(OwnPlace::CheckTool),
+            false => spindle.is_some_and(|tool| self.measured.contains(&tool)) && due(OwnPlace::MeasureTool),
+        }
+    }
+
     /// Whether a tool that has cut is checked for breakage.
     fn is_checked(&self, tool: Option<Option<u32>>) -> bool {
         tool.flatten().is_some_and(|tool| self.checked.contains(&tool))

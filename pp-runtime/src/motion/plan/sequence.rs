@@ -293,7 +293,26 @@ impl<S: Sink> Planner<'_, S> {
         if !self.has_routine(tool, routine) {
             return Ok(());
         }
+        if matches!(routine, ToolRoutine::Measure | ToolRoutine::Check) {
+            self.go_to_tool_position()?;
+        }
         self.shop_blocks(&Step::ToolRoutine { tool, routine })
+    }
+
+    /// Moves the axes to where a tool is measured; a remark where a rotary axis has no position there.
+    fn go_to_tool_position(&mut self) -> Planned {
+        let (placer, given) = (self.mover.placer(), &self.policy.options.tool_position);
+        let letters = placer.rotaries().iter().map(|rotary| placer.chain()[rotary.index].letter);
+        let without: Vec<String> = letters.filter(|letter| !given.contains_key(letter)).map(String::from).collect();
+        if self.tooling.note_measured() && !without.is_empty() {
+            let without = without.join(" and ");
+            let text =
+                format!("tools are measured or checked for breakage with {without} where the last cut has left them");
+            let help =
+                "give `cycles.tool_position`, so that the table or the head is straight there: `{ B = 0.0, C = 0.0 }`";
+            self.mover.output_mut().remark(Fault::new(text).help(help));
+        }
+        self.mover.take_axes_to_tool_position()
     }
 
     /// Spindle and coolant of an operation that continues from the end of the last one: course changes may cut before its

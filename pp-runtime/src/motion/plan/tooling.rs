@@ -26,12 +26,19 @@ pub(crate) struct Tooling {
     before_skip: Option<LoadedTool>,
     /// Another tool may be in the spindle, as blocks were skipped or not.
     uncertain: bool,
+    /// A tool has been measured or checked for breakage.
+    measured: bool,
 }
 
 impl Tooling {
     /// Sets the order of the tools.
     pub(crate) fn know_order(&mut self, order: Vec<u32>) {
         self.order = order;
+    }
+
+    /// Notes that a tool is measured or checked for breakage; whether it is the first.
+    pub(crate) fn note_measured(&mut self) -> bool {
+        !std::mem::replace(&mut self.measured, true)
     }
 
     /// Sets the tools that cut with cutter compensation.

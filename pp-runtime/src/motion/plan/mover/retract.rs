@@ -1,5 +1,7 @@
 //! Motion between cuts: machine retract, motion to the approach point, tip control and planes on and off, parking.
 
+use std::collections::BTreeMap;
+
 use crate::kinematics::AxisKind;
 use crate::motion::options::StretchMode;
 
@@ -167,10 +169,21 @@ impl<S: Sink> Mover<'_, S> {
         }
     }
 
-    /// Moves the axes to their park positions, the retract axis last.
+    /// Moves the axes to their park positions.
     pub(crate) fn park(&mut self) -> Planned {
-        let (turned, mask) = self.placer.parked(&self.policy.options.park, self.position.place())?;
+        self.take_axes_to(&self.policy.options.park)
+    }
+
+    /// Moves the axes to their positions for the blocks that measure a tool.
+    pub(crate) fn take_axes_to_tool_position(&mut self) -> Planned {
+        self.take_axes_to(&self.policy.options.tool_position)
+    }
+
+    /// Moves axes from the machine retract to positions of the configuration: the rotary axes first, the retract axis last.
+    fn take_axes_to(&mut self, positions: &BTreeMap<char, f64>) -> Planned {
+        let (turned, mask) = self.placer.parked(positions, self.position.place())?;
         if mask != 0 {
+            self.home_before_rotation(&turned)?;
             self.clamps.switch(mask, false, &mut self.output)?;
             self.rapid_alone(&turned, mask)?;
             self.clamps.switch(mask, true, &mut self.output)?;
@@ -180,9 +193,7 @@ impl<S: Sink> Mover<'_, S> {
         let mut last = None;
         let linear =
             self.placer.chain().iter().enumerate().filter(|(_, axis)| axis.kind == AxisKind::Linear && !axis.held);
-        for (index, coordinate) in
-            linear.filter_map(|(index, axis)| Some((index, *self.policy.options.park.get(&axis.letter)?)))
-        {
+        for (index, coordinate) in linear.filter_map(|(index, axis)| Some((index, *positions.get(&axis.letter)?))) {
             let words = self.placer.machine_words(index, coordinate)?;
             if index == self.placer.retract_axis() {
                 last = Some(words);

@@ -1,0 +1,141 @@
+//! Axes at their positions where a tool is measured or checked for breakage (`cycles.tool_position`), and home positions before
+//! any rotation at the machine retract: on every control, in each mode, and a check that finds them lost or changed.
+
+use machines::SpinnerU5620;
+use pp_runtime::config::{Config, starting_point};
+use pp_runtime::control::{self, Control};
+use tests::posting::{self, bare, posted, renumbered, without};
+
+/// Tilted cuts with two tools, each measured and checked, and GOHOME.
+const CL: &str = "UNITS/MM
+TOOL PATH/OP1,TOOL,T
+LOADTL/1,LENGTH,100
+SPINDL/RPM,2000,CLW
+COOLNT/ON
+RAPID
+GOTO/0,0,30,0.5,0,0.8660254
+FEDRAT/MMPM,300
+GOTO/0,0,20
+RAPID
+GOTO/0,0,60
+TOOL PATH/OP2,TOOL,U
+LOADTL/2,LENGTH,110
+SPINDL/RPM,1000,CLW
+RAPID
+GOTO/0,0,30,0,0.5,0.8660254
+FEDRAT/MMPM,300
+GOTO/0,0,20
+RAPID
+GOTO/0,0,60
+GOHOME
+FINI
+";
+
+/// Control, blocks of the shop, the words of the rotary axes at zero, and a code that only a block of machine
+/// coordinates has.
+const CONTROLS: &[(&str, [&str; 2], [&str; 2], &str)] = &[
+    ("linuxcnc", ["M471 P{tool}", "M472 P{tool}"], ["C0", "B0"], "G53"),
+    ("fanuc", ["G65 P9023 A12. T{tool}", "G65 P9023 A22. T{tool}"], ["C0.", "B0."], "G53"),
+    ("haas", ["G65 P9023 A12. T{tool}", "G65 P9023 A22. T{tool}"], ["C0.", "B0."], "G53"),
+    ("siemens", ["MEASURE_TOOL({tool})", "CHECK_TOOL({tool})"], ["C0", "B0"], "SUPA"),
+    ("heidenhain", ["CALL PGM TNC:\\MEASURE.H", "CALL PGM TNC:\\CHECK.H"], ["C+0", "B+0"], "M91"),
+];
+
+const MODES: [&str; 2] = ["mode = 'axes'", "mode = 'auto'"];
+
+fn by_name(name: &str) -> &'static dyn Control {
+    control::by_name(name).expect("a control")
+}
+
+fn config(name: &str, mode: &str, [measure, check]: [&str; 2], cycles: &str, more: &str) -> Config {
+    let text = format!(
+        "part_origin = [0.0, 0.0, 0.0]\n{mode}\n{more}\n[retract]\ndistance = 50.0\nhome_on_indexing = true\n\
+         xy = {{ X = -7.0, Y = -8.0 }}\n[cycles]\nmeasure_tool = ['{measure}']\ncheck_tool = ['{check}']\n{cycles}\n\
+         [tools]\n1 = {{ measured = true, checked = true }}\n2 = {{ measured = true, checked = true }}\n"
+    );
+    let mode_keys = if name == "fanuc" { "tcp_frame = 'table_at_start'\n" } else { "" };
+    starting_point(by_name(name))
+        .read_over(&SpinnerU5620::default(), &format!("{mode_keys}{text}"))
+        .unwrap_or_else(|faults| panic!("{faults:?}"))
+}
+
+/// Whether a line moves rotary axes to zero and does nothing else.
+fn rotates_to_zero(line: &str, words: [&str; 2]) -> bool {
+    let known = |word: &str| words.contains(&word) || matches!(word, "G0" | "G00" | "G90" | "L" | "R0" | "FMAX");
+    line.split(' ').all(known) && words.iter().any(|word| line.contains(word))
+}
+
+/// Whether a line moves X and Y to these machine coordinates.
+fn goes_to(line: &str, code: &str, [x, y]: [i32; 2]) -> bool {
+    line.contains(code) && line.contains(&format!("X{x}")) && line.contains(&format!("Y{y}"))
+}
+
+fn is_of_shop(line: &str, blocks: [&str; 2]) -> bool {
+    blocks.iter().any(|block| line.starts_with(block.split('{').next().unwrap_or_default()))
+}
+
+#[test]
+fn the_axes_are_at_their_positions_where_a_tool_is_measured() {
+    for &(name, blocks, zero, code) in CONTROLS {
+        for mode in MODES {
+            let cycles = "tool_position = { B = 0.0, C = 0.0, X = -300.0, Y = -200.0 }";
+            let config = config(name, mode, blocks, cycles, "");
+            let program = posted::<SpinnerU5620>(&config, by_name(name), CL);
+            let lines = bare(&program);
+            let routines: Vec<usize> = (0..lines.len()).filter(|&at| is_of_shop(lines[at], blocks)).collect();
+            assert_eq!(routines.len(), 4, "{name}\n{program}");
+            for at in routines {
+                let before = &lines[at - 5..at];
+                let turned = before.iter().position(|line| rotates_to_zero(line, zero));
+                let home = before.iter().position(|line| goes_to(line, code, [-7, -8]));
+                let there = before.iter().position(|line| goes_to(line, code, [-300, -200]));
+                assert!(home.is_some() && home < turned && turned < there, "{name} {mode}: {before:?}\n{program}");
+            }
+        }
+    }
+}
+
+#[test]
+fn an_axis_elsewhere_where_a_tool_is_measured_is_found() {
+    for &(name, blocks, zero, code) in CONTROLS {
+        for mode in MODES {
+            let cycles = "tool_position = { B = 0.0, C = 0.0, X = -300.0, Y = -200.0 }";
+            let (control, config) = (by_name(name), config(name, mode, blocks, cycles, ""));
+            let program = posted::<SpinnerU5620>(&config, control, CL);
+            let found = |edited: &str| posting::findings::<SpinnerU5620>(&config, control, CL, edited);
+            let is_there = |line: &str| rotates_to_zero(line, zero) || goes_to(line, code, [-300, -200]);
+            let shorter = without(&program, control, |rest| is_there(rest[0]));
+            assert!(shorter.len() >= 8, "{name} {mode}\n{program}");
+            for edited in shorter {
+                assert!(!found(&edited).is_empty(), "{name} {mode}\n{edited}");
+            }
+            let lines = bare(&program);
+            for at in (0..lines.len()).filter(|&at| is_there(lines[at])) {
+                let other = lines[at].replace(zero[1], &zero[1].replace('0', "5")).replace("X-300", "X-301");
+                let mut edited = lines.clone();
+                edited[at] = &other;
+                let found = found(&renumbered(control, &edited));
+                assert!(!found.is_empty(), "{name} {mode}: {other}\n{program}");
+            }
+        }
+    }
+}
+
+#[test]
+fn x_and_y_go_home_before_the_rotary_axes_are_parked() {
+    for &(name, blocks, zero, code) in CONTROLS {
+        for mode in MODES {
+            let config = config(name, mode, blocks, "", "park = { B = 0.0, C = 0.0, X = -300.0, Y = -200.0 }");
+            let control = by_name(name);
+            let program = posted::<SpinnerU5620>(&config, control, CL);
+            let lines = bare(&program);
+            let parked = lines.iter().rposition(|line| goes_to(line, code, [-300, -200])).expect("parked");
+            let turned = lines[..parked].iter().rposition(|line| rotates_to_zero(line, zero)).expect("rotary axes");
+            let home = turned - 1;
+            assert!(goes_to(lines[home], code, [-7, -8]), "{name} {mode}\n{program}");
+            let edited = renumbered(control, &[&lines[..home], &lines[home + 1..]].concat());
+            let found = posting::findings::<SpinnerU5620>(&config, control, CL, &edited);
+            assert!(found.iter().any(|text| text.contains("home_on_indexing")), "{name} {mode}: {found:?}\n{edited}");
+        }
+    }
+}
