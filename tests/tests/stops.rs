@@ -89,6 +89,61 @@ fn optional_stops_come_after_operations_or_before_tool_changes() {
     }
 }
 
+/// Operations of two tools and again of the first, with the same statements after the first two.
+fn with_between(between: &str) -> String {
+    let cut =
+        |tool: u32| format!("TOOL PATH/OP,TOOL,T\nLOADTL/{tool},LENGTH,100\nSPINDL/RPM,2000,CLW\n{}SPINDL/OFF\n", CUT);
+    ["UNITS/MM\n", &cut(1), between, &cut(2), between, &cut(1), "FINI\n"].concat()
+}
+
+/// Optional stops of a program, as they are marked, with findings where the program without them is checked.
+fn optional_stops(control: &'static dyn Control, key: &str, cl: &str) -> Vec<String> {
+    let [with, without] = [key, "none"].map(|key| {
+        let text = format!(
+            "mode = 'axes'\nretract.distance = 20\nlength_guard = false\noptional_stops = '{key}'\n[cycles.probe]\n\
+             'PROBE/BORE' = ['M77']\n"
+        );
+        starting_point(control).read_over(&SpinnerU5620::default(), &text).unwrap_or_else(|faults| panic!("{faults:?}"))
+    });
+    let lost = posting::posted::<SpinnerU5620>(&without, control, cl);
+    assert!(!posting::findings::<SpinnerU5620>(&with, control, cl, &lost).is_empty(), "{lost}");
+    let [_, optional] = control.spellings().stop;
+    let program = posting::posted::<SpinnerU5620>(&with, control, cl);
+    let text = |line: &str| line.replace(|c: char| c.is_ascii_whitespace() || c == '/', "");
+    let is_stop = |line: &&str| bare(&text(line)) == [optional];
+    let mark = |line: &str| if line.contains('/') { "/" } else { "" };
+    program.lines().filter(is_stop).map(|line| format!("{}{optional}", mark(line))).collect()
+}
+
+#[test]
+fn what_comes_between_two_operations_takes_no_optional_stop_away() {
+    let on = format!("SPINDL/RPM,2000,CLW\n{CUT}SPINDL/OFF\n");
+    let skipped = format!("OPSKIP/ON\n{on}OPSKIP/OFF\n");
+    for control in control::CONTROLS {
+        for key in ["tool_changes", "operations"] {
+            for between in ["GOHOME\n", "RAPID\nGOTO/0,0,70\nPROBE/BORE\n", &skipped] {
+                let stops = optional_stops(*control, key, &with_between(between));
+                assert_eq!(stops.len(), 2, "{} {key} {between}", control.spellings().name);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_tool_change_has_its_optional_stop_whether_blocks_before_it_are_skipped_or_not() {
+    let other = format!("OPSKIP/ON\nTOOL PATH/OP,TOOL,U\nLOADTL/2,LENGTH,100\nSPINDL/RPM,900,CLW\n{CUT}OPSKIP/OFF\n");
+    let stop = format!("OPSKIP/ON\nSPINDL/RPM,900,CLW\n{CUT}OPSTOP\nOPSKIP/OFF\n");
+    for control in control::CONTROLS {
+        let [_, optional] = control.spellings().stop;
+        let marked = format!("/{optional}");
+        // The second call of T2 is a change where the first was skipped.
+        let stops = optional_stops(*control, "tool_changes", &with_between(&other));
+        assert_eq!(stops, [&marked, optional, optional], "{}", control.spellings().name);
+        let stops = optional_stops(*control, "tool_changes", &with_between(&stop));
+        assert_eq!(stops, [&marked, optional, &marked, optional]);
+    }
+}
+
 #[test]
 fn a_stop_that_is_lost_or_another_one_is_found() {
     for control in control::CONTROLS {

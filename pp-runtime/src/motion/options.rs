@@ -54,8 +54,10 @@ options! {
         spindle_dwell_s: f64 = 0.0, key("spindle_dwell", Measure::plain(Bound::NotNegative).unless(no_dwell));
         /// Retract before STOP and OPSTOP.
         stop_retract: bool = true, key("stop_retract", YesNo);
-        /// Optional stops (M1) that the CL data does not program: "none", "tool_changes" (after the last operation of each tool)
-        /// or "operations" (after each operation). None comes where the CL data stops there, and none at the end.
+        /// Optional stops (M1) that the CL data does not program: "none", "tool_changes" (at each tool record that calls another
+        /// tool, after the last operation of the one before) or "operations" (after each operation of the CL data, at the name
+        /// of the next, TOOL PATH, and at each tool record). None comes where the CL data has STOP or OPSTOP after the last
+        /// motion, and none at the end.
         optional_stops: OptionalStops = OptionalStops::None, key("optional_stops", OneOf(&OptionalStops::NAMES));
         /// Preselect the first tool at the last tool change, for the next part, where tools are preselected.
         preselect_first: bool = true, key("control.preselect_first", YesNo);

@@ -59,6 +59,10 @@ pub(super) struct ClState<'a> {
     messages: VecDeque<ExpectedMessage>,
     /// OPSKIP/ON is in force.
     skippable: bool,
+    /// Before OPSKIP/ON: whether something had moved since the last stop, and the tool.
+    before_skip: (bool, Option<u32>),
+    /// The tool before the blocks that may be skipped, until a tool is called after them.
+    tool_if_skipped: Option<u32>,
 }
 
 /// Requests of SPINDL.
@@ -108,7 +112,7 @@ struct Operation {
     starts: bool,
     /// The position of the machine is known.
     position_known: bool,
-    /// Something has moved since the last stop, INSERT, GOHOME or set-up.
+    /// Something has moved since the last stop.
     worked: bool,
     /// A tool record is in this start.
     called: bool,
@@ -173,6 +177,8 @@ impl<'a> ClState<'a> {
             pushed: 0,
             messages: VecDeque::new(),
             skippable: false,
+            before_skip: (false, None),
+            tool_if_skipped: None,
         }
     }
 
@@ -228,7 +234,6 @@ impl<'a> ClState<'a> {
             Event::SafeSequence => self.begin_anew(),
             Event::SetUp(number) => {
                 self.begin_anew();
-                self.operation.worked = false;
                 self.require().set_up = number;
                 self.require().clearance = self.policy.links.clearance;
             }
@@ -386,18 +391,27 @@ impl<'a> ClState<'a> {
             return;
         }
         self.skippable = begins;
+        if begins {
+            self.before_skip = (self.operation.worked, self.required.tool);
+        } else {
+            // Skipped, a stop or a tool change among the blocks has not been.
+            self.operation.worked |= self.before_skip.0;
+            self.tool_if_skipped = self.before_skip.1;
+        }
         self.interrupt(at, ExpectedAction::BlockSkip { on });
     }
 
     fn interrupt(&mut self, at: Location, action: ExpectedAction) {
-        self.operation.worked = false;
+        self.operation.worked &= !matches!(action, ExpectedAction::Stop { .. });
         self.begin_anew();
         self.push(at, action);
     }
 
     fn tool(&mut self, at: Option<Location>, call: &ToolCall) {
         if let Some(at) = at {
-            self.stop_after_operation(at, self.required.tool != Some(call.number));
+            let other = |tool: Option<u32>| tool != Some(call.number);
+            let if_skipped = self.tool_if_skipped.take();
+            self.stop_after_operation(at, other(self.required.tool) || if_skipped.is_some() && other(if_skipped));
         }
         self.begin_anew();
         self.process_due = true;

@@ -23,8 +23,10 @@ pub(crate) struct Position {
     known: bool,
     /// The rotary axes are at the angles of `place`.
     rotary_known: bool,
-    /// The CL data has moved the tool since the last interruption.
+    /// The CL data has moved the tool since the last stop.
     worked: bool,
+    /// The same before the blocks that may be skipped.
+    worked_before_skip: bool,
     /// The retract axis is at its retract position.
     retracted: bool,
     /// Linear words are tip coordinates: tip control is on, or a plane is tilted.
@@ -45,6 +47,7 @@ impl Position {
             known: false,
             rotary_known: false,
             worked: false,
+            worked_before_skip: false,
             retracted: false,
             in_frame: false,
             lead_out: LeadOut::default(),
@@ -80,7 +83,7 @@ impl Position {
         self.rotary_known
     }
 
-    /// Whether the CL data has moved the tool since the last interruption.
+    /// Whether the CL data has moved the tool since the last stop.
     pub(crate) fn has_worked(&self) -> bool {
         self.worked
     }
@@ -139,11 +142,19 @@ impl Position {
         self.retracted = false;
     }
 
-    /// Forgets the position at a stop, or where the CL data or another set-up interrupts the operations: what has moved
-    /// needs no stop any more.
-    pub(crate) fn interrupt(&mut self) {
+    /// Forgets the position at a stop: what has moved needs no further one.
+    pub(crate) fn stop(&mut self) {
         self.forget();
         self.worked = false;
+    }
+
+    /// Blocks that may be skipped begin or end here; skipped, a stop among them has not been.
+    pub(crate) fn skip(&mut self, begins: bool) {
+        if begins {
+            self.worked_before_skip = self.worked;
+        } else {
+            self.worked |= self.worked_before_skip;
+        }
     }
 
     /// Forgets that the retract axis is at its retract position.

@@ -165,7 +165,7 @@ impl<S: Sink> Records<'_, '_, S> {
         let tool = self.resolve(call)?;
         let (next, current) = (self.planner.tooling.next(), self.planner.tooling.current());
         let other = next.or(current).is_none_or(|known| known.number != tool.number);
-        self.stop_after_operation(other)?;
+        self.stop_after_operation(other || self.planner.tooling.changes_if_skipped(tool.number))?;
         self.leave()?;
         if other {
             self.planner.spindle.change_tool(next.is_none());
@@ -216,7 +216,7 @@ impl<S: Sink> Records<'_, '_, S> {
         // The operator may have done anything.
         planner.spindle.forget();
         planner.coolant.forget();
-        planner.mover.position_mut().interrupt();
+        planner.mover.position_mut().stop();
         Ok(())
     }
 
@@ -267,7 +267,7 @@ impl<S: Sink> Records<'_, '_, S> {
         planner.mover.output_mut().step(&Step::Raw { text })?;
         planner.spindle.reset();
         planner.coolant.forget();
-        planner.mover.position_mut().interrupt();
+        planner.mover.position_mut().forget();
         Ok(())
     }
 
@@ -302,7 +302,7 @@ impl<S: Sink> Records<'_, '_, S> {
         }
         planner.spindle.reset();
         planner.coolant.forget();
-        planner.mover.position_mut().interrupt();
+        planner.mover.position_mut().forget();
         Ok(())
     }
 
@@ -311,7 +311,7 @@ impl<S: Sink> Records<'_, '_, S> {
         self.leave()?;
         self.planner.mover.machine_retract()?;
         self.planner.mover.park()?;
-        self.planner.mover.position_mut().interrupt();
+        self.planner.mover.position_mut().forget();
         Ok(())
     }
 
@@ -323,7 +323,7 @@ impl<S: Sink> Records<'_, '_, S> {
         self.planner.mover.set_part_origin(part.part_origin);
         let word = part.work_offset;
         self.leave()?;
-        self.planner.mover.position_mut().interrupt();
+        self.planner.mover.position_mut().forget();
         // CLEARP was given in the other set-up.
         self.planner.clearance.change_set_up();
         Ok(self.planner.mover.output_mut().step(&Step::WorkOffset { word })?)

@@ -218,7 +218,8 @@ impl<S: Sink> Planner<'_, S> {
         self.mover.output_mut().set_skippable(on)?;
         self.tooling.skip(on);
         self.coolant.forget();
-        self.mover.position_mut().interrupt();
+        self.mover.position_mut().skip(on);
+        self.mover.position_mut().forget();
         // Skipped or not, the machine is there.
         self.mover.position_mut().retract();
         Ok(())

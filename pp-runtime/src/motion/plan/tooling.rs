@@ -24,6 +24,10 @@ pub(crate) struct Tooling {
     changes: usize,
     /// The tool before the blocks that may be skipped.
     before_skip: Option<LoadedTool>,
+    /// Number of the last tool called before them.
+    called_before_skip: Option<u32>,
+    /// The same after them, until a tool is called.
+    called_if_skipped: Option<u32>,
     /// Another tool may be in the spindle, as blocks were skipped or not.
     uncertain: bool,
     /// A tool has been measured or checked for breakage.
@@ -77,6 +81,7 @@ impl Tooling {
     /// Sets the tool of the next operation.
     pub(crate) fn prepare(&mut self, tool: LoadedTool) {
         self.next = Some(tool);
+        self.called_if_skipped = None;
     }
 
     /// Keeps a dwell for the next tool; `false` if none is called.
@@ -111,10 +116,17 @@ impl Tooling {
     pub(crate) fn skip(&mut self, begins: bool) {
         if begins {
             self.before_skip = self.current;
+            self.called_before_skip = self.next.or(self.current).map(|tool| tool.number);
         } else {
+            self.called_if_skipped = self.called_before_skip;
             let number = |tool: Option<LoadedTool>| tool.map(|tool| tool.number);
             self.uncertain |= number(self.before_skip) != number(self.current);
         }
+    }
+
+    /// Whether a call is a change to another tool where the blocks before it were skipped.
+    pub(crate) fn changes_if_skipped(&self, number: u32) -> bool {
+        self.called_if_skipped.is_some_and(|before| before != number)
     }
 
     /// Whether another tool may be in the spindle than the last one called.
