@@ -254,3 +254,25 @@ fn x_and_y_stay_where_the_rotary_axes_do() {
     let program = posting::posted::<SpinnerU5620>(&config, control, &cl);
     assert_eq!(bare(&program).iter().filter(|line| **line == "G53 G0 X0. Y0.").count(), 1, "{program}");
 }
+
+#[test]
+fn tip_control_of_the_shop_is_off_before_the_first_retract() {
+    let control = by_name("linuxcnc");
+    let own = "safety = ['{units} G17 G40 G49 G80 G90 G94 {work_offset} G64 P{path_tolerance}']";
+    for safety in ["", own] {
+        let keys =
+            format!("mode = 'tcp'\n[retract]\ndistance = 50.0\n[control]\ntip_control = ['M428', 'M429']\n{safety}\n");
+        let program = posted::<SpinnerU5620>(control, &keys).expect("posted");
+        let lines = bare(&program);
+        let off = lines.iter().position(|line| *line == "M429").expect("off");
+        let retract = lines.iter().position(|line| *line == "G53 G0 Z0").expect("retract");
+        assert!(off < retract, "{program}");
+        let without = renumbered(control, &[&lines[..off], &lines[off + 1..]].concat());
+        let after = [&lines[..off], &lines[off + 1..=retract], &["M429"], &lines[retract + 1..]].concat();
+        assert!(!findings::<SpinnerU5620>(control, &keys, &without).is_empty(), "{without}");
+        // Own safety lines have no mark of a restart point.
+        if safety.is_empty() {
+            assert!(!findings::<SpinnerU5620>(control, &keys, &renumbered(control, &after)).is_empty(), "{program}");
+        }
+    }
+}

@@ -129,13 +129,18 @@ fn x_and_y_go_home_before_the_rotary_axes_are_parked() {
             let control = by_name(name);
             let program = posted::<SpinnerU5620>(&config, control, CL);
             let lines = bare(&program);
-            let parked = lines.iter().rposition(|line| goes_to(line, code, [-300, -200])).expect("parked");
+            let parked = lines.iter().position(|line| goes_to(line, code, [-300, -200])).expect("GOHOME parks");
             let turned = lines[..parked].iter().rposition(|line| rotates_to_zero(line, zero)).expect("rotary axes");
-            let home = turned - 1;
+            let home = lines[..turned].iter().rposition(|line| *line != "D1").expect("a line");
             assert!(goes_to(lines[home], code, [-7, -8]), "{name} {mode}\n{program}");
             let edited = renumbered(control, &[&lines[..home], &lines[home + 1..]].concat());
             let found = posting::findings::<SpinnerU5620>(&config, control, CL, &edited);
             assert!(found.iter().any(|text| text.contains("home_on_indexing")), "{name} {mode}: {found:?}\n{edited}");
+            // The spindle does not run on the way to the door.
+            assert!(["M5", "M05"].contains(&lines[home - 1]), "{name} {mode}\n{program}");
+            let edited = renumbered(control, &[&lines[..home - 1], &lines[home..]].concat());
+            let found = posting::findings::<SpinnerU5620>(&config, control, CL, &edited);
+            assert!(found.iter().any(|text| text.contains("spindle is on")), "{name} {mode}: {found:?}\n{edited}");
         }
     }
 }

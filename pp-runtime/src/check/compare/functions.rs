@@ -43,8 +43,8 @@ pub(super) struct FunctionState {
     stopped_by_cycle: bool,
     /// Rotary axes whose clamps have been switched since a complete state began: bits.
     clamps_stated: u16,
-    /// Tip control by codes of the shop has been switched since then.
-    tip_control_stated: bool,
+    /// Tip control by codes of the shop has been switched off since then.
+    tip_control_off: bool,
     /// Tool axis of the last block at the part.
     vector: Option<Vector3<f64>>,
     /// Rotary axes that have moved since the approach, and those that were not clamped in a cut: bits.
@@ -72,7 +72,7 @@ impl FunctionState {
         self.guard = None;
         self.radius_guard_mm = None;
         self.clamps_stated = 0;
-        self.tip_control_stated = false;
+        self.tip_control_off = false;
     }
 
     /// Takes the guard of a block; what is wrong with it.
@@ -190,11 +190,19 @@ impl FunctionState {
         };
         let clamp = letter(rules, rules.clamps() & !self.clamps_stated);
         let clamp = clamp.map(|letter| format!("the clamp of {letter} is neither on nor off after the restart point"));
-        // At power-on tip control may be on, and the program before may have left it on.
-        let of_shop = |place: &OwnPlace| matches!(place, OwnPlace::TipControl { .. });
-        let tip_control = !self.tip_control_stated && policy.shop.lines.iter().any(|line| of_shop(&line.place));
-        let tip_control = tip_control.then(|| "tip control is neither on nor off after the restart point".to_owned());
+        let tip_control = self.tip_control_fault(rules);
         guard.into_iter().chain(clamp).chain(tip_control).chain(blank).collect()
+    }
+
+    /// What is missing if tip control by codes of the shop has not been switched off since the complete state began. At power-on
+    /// it may be on, and the program before may have left it on.
+    pub(super) fn tip_control_fault(&mut self, rules: &Rules<'_>) -> Option<String> {
+        let of_shop = |place: &OwnPlace| matches!(place, OwnPlace::TipControl { .. });
+        let missing = !self.tip_control_off && rules.policy().shop.lines.iter().any(|line| of_shop(&line.place));
+        self.tip_control_off |= missing;
+        missing.then(|| {
+            "tip control may be on: its code off is missing after the restart point and before the retract".to_owned()
+        })
     }
 
     /// Notes a line of the shop.
@@ -202,7 +210,7 @@ impl FunctionState {
         for place in places {
             match place {
                 OwnPlace::Clamp { axis, .. } => self.clamps_stated |= 1 << axis,
-                OwnPlace::TipControl { .. } => self.tip_control_stated = true,
+                OwnPlace::TipControl { on } => self.tip_control_off |= !on,
                 _ => {}
             }
         }

@@ -213,12 +213,8 @@ impl<R: Read> Comparison<'_, R> {
             let rewind = retracted.rewind.as_ref();
             let finished = rewind.and_then(|rewind| rewind.finished.as_ref()).map(|finished| &finished.required);
             let cut = self.progress.next().map(|item| &item.required).or(finished);
-            let parks = retracted.parks || self.progress.next().is_none();
-            let spindle = match cut {
-                _ if parks => self.spindle_may_be(current.block, retracted.stopped),
-                _ if self.is_measuring_due(current.block) => None,
-                cut => cut.and_then(|required| self.rules.spindle_in_cut(required)),
-            };
+            let stands = retracted.parks || self.progress.next().is_none() || self.is_measuring_due(current.block);
+            let spindle = cut.filter(|_| !stands).and_then(|required| self.rules.spindle_in_cut(required));
             // As in an approach, the coolant may be on where a cut goes on after a rewind.
             let dry = retracted.rewind.is_none();
             self.state_at_machine_position(spindle, dry, current);
@@ -235,7 +231,7 @@ impl<R: Read> Comparison<'_, R> {
             && begun
             && parking::moves_linear(&self.rules, &self.rules.policy().links.park, block);
         if parks {
-            self.state_at_machine_position(self.spindle_may_be(block, phase.is_stopped()), true, current);
+            self.state_at_machine_position(None, true, current);
             self.parked |= block.written;
         }
         parks
@@ -322,6 +318,10 @@ impl<R: Read> Comparison<'_, R> {
         let spindle = self.spindle_may_be(current.block, retracted.stopped);
         let fault = self.rules.fault_at_retract(block, tilts, spindle, context);
         self.found_state(current, fault);
+        if self.start.restarted {
+            let fault = self.functions.tip_control_fault(&self.rules);
+            self.found_any(current, fault);
+        }
         self.start.retracted = true;
         self.at_tool_position = 0;
         self.shop_lines.note_retract();
@@ -809,8 +809,7 @@ impl<R: Read> Comparison<'_, R> {
     /// Rotary axes to their parking positions.
     fn park(&mut self, retracted: &mut Retracted, current: &Current<'_>) {
         let block = current.block;
-        let spindle = if retracted.parks { self.spindle_may_be(block, retracted.stopped) } else { None };
-        let fault = self.rules.fault_at_park(block, self.progress.last(), spindle, ModalContext::default());
+        let fault = self.rules.fault_at_park(block, self.progress.last(), ModalContext::default());
         self.found_state(current, fault);
         retracted.parks = true;
         let turned =

@@ -46,7 +46,7 @@ impl<R: Read> Comparison<'_, R> {
         if turned && machine_move::is_not_home(&self.rules, retracted.homed) {
             self.found(current, ROTATES_BEFORE_HOME);
         }
-        let fault = self.rules.fault_at_park(current.block, self.progress.last(), None, ModalContext::default());
+        let fault = self.rules.fault_at_park(current.block, self.progress.last(), ModalContext::default());
         self.found_state(current, fault);
     }
 

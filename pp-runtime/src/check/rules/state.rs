@@ -158,7 +158,6 @@ impl Rules<'_> {
         &self,
         block: &Block,
         last: Option<&Required>,
-        spindle_on: Option<SpindleState>,
         context: ModalContext,
     ) -> Option<StateFault> {
         // A work offset that tip control may have cancelled may be in force as well.
@@ -168,7 +167,7 @@ impl Rules<'_> {
             .everywhere(state, Side::None, context)
             .or_else(|| self.frame(block, FrameUse::Without))
             .or_else(|| last.and_then(|last| self.offsets(state, last, false)))
-            .or_else(|| spindle(state, spindle_on))
+            .or_else(|| spindle(state, None))
             .or_else(|| coolant(state, 0));
         found.map(StateFault::from)
     }

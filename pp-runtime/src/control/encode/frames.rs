@@ -107,7 +107,11 @@ impl FrameWriter {
             BlockNumbers::ToolChanges | BlockNumbers::None => {}
         }
         if let Some(safety) = &self.safety {
-            return out.fill_all(safety);
+            out.fill_all(safety)?;
+            return match &self.tip_control {
+                Some([_, off]) if !safety.contains(off) => out.block(off),
+                _ => Ok(()),
+            };
         }
         let codes = out.codes();
         out.fill_all(codes.safety)?;

@@ -310,6 +310,9 @@ impl<S: Sink> Records<'_, '_, S> {
     fn go_home(&mut self) -> Planned {
         self.leave()?;
         self.planner.mover.machine_retract()?;
+        if !self.planner.policy.options.park.is_empty() {
+            self.planner.spindle.stop(self.planner.mover.output_mut())?;
+        }
         self.planner.mover.park()?;
         self.planner.mover.position_mut().forget();
         Ok(())
