@@ -349,6 +349,7 @@ pub fn abilities(control: &dyn Control, demands: Demands<'_>) -> Abilities {
                 decimals: plane.decimals.unwrap_or(demands.formats.rotary),
                 pose: plane.pose,
                 ends_after_retract: plane.cancelled_after_retract,
+                length_first: plane.length_first,
             }
         }),
         retracts_along_tool: matches!(demands.options.retract_form(codes), Some(RetractForm::AlongTool { .. })),

@@ -10,7 +10,7 @@ mod parts;
 
 use machines::{Dmu70e, LolaXoyzba, MultiProDesk, SpinnerU5620};
 use nalgebra::{Point3, UnitVector3, Vector3};
-use pp_runtime::config::{Config, Mode, TcpFrame, TcpWords, ToolPosture};
+use pp_runtime::config::{Config, Mode, TcpFrame, TcpWords, ToolPosture, starting_point};
 use pp_runtime::control::{self, Control};
 use pp_runtime::kinematics::{AxisKind, Machine, Pose};
 use pp_runtime::machine;
@@ -18,6 +18,7 @@ use pp_runtime::program::{Event, Feed, Move, Rotation, Spindle, ToolCall};
 use tests::block::{angle_to_arc, distance_to_line};
 use tests::further::{HeadTable, Trunnion};
 use tests::oracle::{Oracle, angle_between};
+use tests::posting::written;
 use tests::random::Random;
 
 use frames::commanded_pose;
@@ -327,4 +328,20 @@ fn unsupported_modes_are_refused_with_the_alternative() {
     let mut config = unconfirmed;
     config.motion.tip.tcp_confirmed = true;
     assert_eq!(control::unfit(&Quill::default(), haas, config.demands()), Vec::<String>::new());
+}
+
+#[test]
+fn tip_control_of_haas_over_a_rotated_table_needs_the_dynamic_offset() {
+    let haas = control::by_name("haas").expect("a control");
+    let cl = "UNITS/MM\nTOOL PATH/OP10,TOOL,T\nLOADTL/1,LENGTH,100\nSPINDL/RPM,2000,CLW\nRAPID\nGOTO/0,0,90,0.5,0,0.8660254\n\
+              FEDRAT/MMPM,300\nGOTO/0,0,20\nGOTO/0,20,20,0,0.5,0.8660254\nRAPID\nGOTO/0,20,90\nFINI\n";
+    let run = |functions: &str| {
+        let keys = format!("mode = 'tcp'\n[retract]\ndistance = 50.0\n[control]\nfunctions = [{functions}]\n");
+        let config = starting_point(haas).read_over(&SpinnerU5620::default(), &keys).expect("read");
+        written::<SpinnerU5620>(&config, haas, cl).expect("it can run").1
+    };
+    let refused = run("'tip_control', 'planes'");
+    assert!(refused.failed && refused.diagnostics[0].text.contains("the dynamic offset (G254)"), "{refused:?}");
+    let posted = run("'tip_control', 'planes', 'dynamic_offset'");
+    assert!(!posted.failed, "{posted:?}");
 }

@@ -57,6 +57,11 @@ impl Placer {
                 let [on, off] = [true, false].map(|on| Step::DynamicOffset { on });
                 before(self.mapped_words_across(above, &map)?, Some([on, off]))
             }
+            (TipStart::WithMotion { .. }, Some(PlaneAbility { length_first: true, .. })) => Err(Fault::new(
+                "the table is rotated where tip control begins: X and Y come over the part in the dynamic offset (G254), which is \
+                 not among `control.functions`",
+            )
+            .help("add \"dynamic_offset\" if the control has it, or use `mode = \"axes\"`")),
             (TipStart::Configured, _) | (_, None) => before(self.axis_words_across(above)?, None),
             (_, Some(ability)) => {
                 let plane = plane_across(&self.axis_of_plane(above)?);

@@ -106,6 +106,8 @@ pub struct PlaneAbility {
     pub pose: PoseRule,
     /// The plane is cancelled after the machine retract; otherwise before it.
     pub ends_after_retract: bool,
+    /// The length offset is called before it, so that it cannot come before tip control that begins with the length offset.
+    pub length_first: bool,
 }
 
 /// A tilted plane in the words of a control.
@@ -212,6 +214,7 @@ mod tests {
             decimals: 3,
             pose: PoseRule::Nearest,
             ends_after_retract: true,
+            length_first: false,
         };
         for step in 0..400 {
             let t = f64::from(step);
