@@ -48,8 +48,9 @@ fn by_name(name: &str) -> &'static dyn Control {
 }
 
 fn config(name: &str, [down, bore, level]: [&str; 3], keys: &str) -> Config {
+    let mode = if keys.contains("mode") { "" } else { "mode = 'axes'\n" };
     let text = format!(
-        "part_origin = [0.0, 0.0, 0.0]\nmode = 'axes'\nretract.distance = 20\n{keys}\n[cycles.probe]\n\
+        "part_origin = [0.0, 0.0, 0.0]\n{mode}retract.distance = 20\n{keys}\n[cycles.probe]\n\
          'probe/bore,20' = ['{down}', '{bore}']\n'CYCLE/PROBE,Z' = ['{level}']\n"
     );
     starting_point(by_name(name))
@@ -76,6 +77,16 @@ fn a_probe_measures_where_the_last_motion_ends_and_the_machine_retracts_after_it
             let next = next.expect("a motion");
             assert!(retracts.iter().any(|retract| next.contains(retract)), "{name}: {next}\n{program}");
         }
+    }
+}
+
+#[test]
+fn a_probe_measures_in_a_tilted_plane() {
+    let tilted = CL.replace("30,0,0,1", "30,0.5,0,0.8660254").replace("GOTO/0,0,30\n", "GOTO/0,0,30,0,0,1\n");
+    for &(name, blocks) in &BLOCKS[1..] {
+        // It passes its check.
+        let program = posted::<SpinnerU5620>(&config(name, blocks, "mode = 'plane'"), by_name(name), &tilted);
+        assert_eq!(bare(&program).iter().filter(|line| blocks.contains(line)).count(), 3, "{name}\n{program}");
     }
 }
 

@@ -42,7 +42,10 @@ impl<R: Read> Comparison<'_, R> {
             return false;
         }
         match (phase, probe) {
-            (_, Some(first)) => self.probes(phase, first, current),
+            (_, Some(first)) => {
+                self.probed = true;
+                self.probes(phase, first, current);
+            }
             (Phase::Cutting(cutting), None) => self.has_left(cutting, current),
             _ => {}
         }
@@ -308,7 +311,8 @@ impl<R: Read> Comparison<'_, R> {
         // After a stop, where the position is unknown, the operator has switched the coolant; and the stop may have been in
         // the plane.
         let dry = !phase.is_unknown() && (!rewinds || links.rewinds_dry);
-        let tilts = phase.is_at_part() || (phase.is_unknown() && !links.retracts_for_stop);
+        let probed = std::mem::take(&mut self.probed);
+        let tilts = phase.is_at_part() || (phase.is_unknown() && (probed || !links.retracts_for_stop));
         let context = ModalContext {
             dry,
             no_plane: phase.is_unknown() || phase.is_stopped(),

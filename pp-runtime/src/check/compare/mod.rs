@@ -77,6 +77,8 @@ struct Comparison<'a, R> {
     own_retract: usize,
     /// GOHOME has begun, and the axes have to be parked.
     home: bool,
+    /// A probe has measured since the last machine retract: the tool is still in the plane of its point.
+    probed: bool,
     /// The last block may be skipped.
     skippable: bool,
     /// The last line began a guard, whose text is its own.
@@ -148,6 +150,7 @@ impl<'a, R: Read> Checker<'a, R> {
             at_tool_position: 0,
             own_retract: 0,
             home: false,
+            probed: false,
             skippable: false,
             guarded: false,
         };
