@@ -212,3 +212,54 @@ fn a_tool_to_be_measured_needs_the_blocks_for_it() {
         assert_eq!(refused, expected, "{name}");
     }
 }
+
+/// A dwell of a minute, as blocks of each control.
+fn minute(name: &str) -> &'static [&'static str] {
+    match name {
+        "fanuc" => &["G4 P60000"],
+        "haas" => &["G04 P60."],
+        "siemens" => &["G4 F60"],
+        "heidenhain" => &["CYCL DEF 9.0 DWELL TIME", "CYCL DEF 9.1 DWELL 60"],
+        _ => &["G4 P60"],
+    }
+}
+
+#[test]
+fn a_dwell_in_the_blocks_of_the_shop_is_asked_for() {
+    for name in CONTROLS {
+        let blocks = minute(name);
+        for key in ["start", "end", "operation_start", "operation_end"] {
+            let config = config(name, &format!("program.{key} = {blocks:?}"));
+            let program = posted::<SpinnerU5620>(&config, by_name(name), &cl());
+            let lines = bare(&program);
+            let at = lines.windows(blocks.len()).position(|lines| lines == blocks).expect("the dwell");
+            // Where the tool is at the part it is asked for by nothing.
+            let cut = lines.iter().position(|line| line.contains("F300")).expect("a cut");
+            let mut moved = lines.clone();
+            moved.splice(cut + 1..=cut, blocks.iter().copied());
+            moved.drain(if at < cut { at..at + blocks.len() } else { at + blocks.len()..at + 2 * blocks.len() });
+            let moved = renumbered(by_name(name), &moved);
+            let found = posting::findings::<SpinnerU5620>(&config, by_name(name), &cl(), &moved);
+            assert!(found.iter().any(|text| text.starts_with("dwell of 60 s")), "{name} {key}\n{moved}\n{found:?}");
+        }
+    }
+}
+
+#[test]
+fn a_program_of_the_shop_on_heidenhain_may_leave_any_state() {
+    let of = |start: &str| {
+        let text = format!(
+            "mode = 'axes'\n[program]\nstart = [{start}]\n[control]\neffects = {{ 'CALL PGM TNC:\\WARM.H' = 'state lost' }}\n"
+        );
+        starting_point(by_name("heidenhain")).read_over(&SpinnerU5620::default(), &text).expect("it can be read")
+    };
+    let call = "'CALL PGM TNC:\\WARM.H'";
+    let whole = of(&format!("{call}, 'M137'"));
+    let program = posted::<SpinnerU5620>(&whole, by_name("heidenhain"), &cl());
+    // F may be per revolution after the call, and the findings name it.
+    let lines: Vec<&str> = bare(&program).into_iter().filter(|line| *line != "M137").collect();
+    let without = renumbered(by_name("heidenhain"), &lines);
+    let found = posting::findings::<SpinnerU5620>(&of(call), by_name("heidenhain"), &cl(), &without);
+    let expected = "feed mode is not per minute (M137); it is unknown after line";
+    assert!(found.first().is_some_and(|text| text.starts_with(expected)), "{found:?}");
+}

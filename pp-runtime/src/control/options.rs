@@ -114,7 +114,8 @@ options! {
         /// Effect of lines and words that the check does not know, by their text: lines of `[program]`, `safety`,
         /// `tool_change` and INSERT, and codes in them. "none", "coolant", "spindle", "stop", "position lost", "state lost",
         /// "measures", or "tool change" for a line with the field {tool}: that tool is in the spindle afterwards, as after the
-        /// tool change of the control (`"G65 P9001 T{tool}" = "tool change"`). The check refuses them without it.
+        /// tool change of the control (`"G65 P9001 T{tool}" = "tool change"`). The check refuses them without it. After "state
+        /// lost" a safety line must state every mode again; on Heidenhain write `M137` (F per minute) after such a line.
         effects: BTreeMap<String, LineEffect> = BTreeMap::new(), key("control.effects", LineEffects);
         /// Axis names that differ from the axis letters.
         axes: BTreeMap<char, String> = BTreeMap::new(), key("control.axes", AxisNames);
@@ -132,7 +133,10 @@ options! {
     /// Blocks and comments at the start and the end of the program and of its operations. Blocks may hold fields as in
     /// `[control]`.
     pub struct ProgramBlocks in "program" {
-        /// Blocks after the program header.
+        /// Blocks at the start of the program, after the comments and before the first restart point (N1): before any code, retract
+        /// and tool change, with the machine where the operator left it. A warm-up needs the tool away from the part: call a
+        /// program of the shop that retracts first, with the effect "state lost", or position the machine by hand. It ends
+        /// with the spindle off.
         start: Vec<String> = Vec::new(), key("program.start", ListOf(TemplateBlock(OF_PROGRAM)));
         /// Blocks before the end code.
         end: Vec<String> = Vec::new(), key("program.end", ListOf(TemplateBlock(OF_PROGRAM)));

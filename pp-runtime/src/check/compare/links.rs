@@ -899,6 +899,9 @@ impl<R: Read> Comparison<'_, R> {
             }
             return Ok(());
         }
+        if !phase.is_at_part() && self.shop_lines.has(current.shown.text) {
+            return Ok(());
+        }
         let spindle = self.rules.policy().links.spindle_dwell_s;
         if spindle <= 0.0 || (spindle - seconds).abs() > DWELL_ROUNDING {
             self.found(current, &format!("dwell of {seconds} s, which neither CL data nor configuration asks for"));

@@ -41,6 +41,11 @@ impl ShopLines {
         of_others.then(|| format!("a line of another tool in `[tools]`, but T{} is in the spindle", tool.unwrap_or(0)))
     }
 
+    /// Whether a line of the program is one of the configuration.
+    pub(super) fn has(&mut self, text: &[u8]) -> bool {
+        self.lines.has(text)
+    }
+
     /// A line has left the axes anywhere.
     pub(super) fn lose_retract(&mut self) {
         self.needs_retract = true;

@@ -48,13 +48,12 @@ pub use block::{
     LengthSource, MAX_AXES, OwnLine, OwnPlace, OwnValues, PathMode, RotaryGuard, Side, Smoothing, State, Tilt,
     TipControl, WorkOffset, WorkPlane, coolant, stated,
 };
-pub(crate) use facts::{Facts, GuardSource, LengthRegisters, PoseSelector, SmoothingWords};
+pub(crate) use facts::{Facts, Form, GuardSource, LengthRegisters, PoseSelector, SmoothingWords};
 pub(crate) use language::table;
 pub(crate) use machine::AxisName;
 pub(crate) use own::{OwnText, PlacedLines};
 
 use draft::{Draft, fault};
-use facts::Form;
 use heidenhain::Heidenhain;
 use iso::Iso;
 use line::Line;

@@ -364,6 +364,13 @@ impl PlacedLines {
         is_of_others && !may_come
     }
 
+    /// Whether a line of the program is one of them.
+    pub(crate) fn has(&mut self, line: &[u8]) -> bool {
+        self.bare.forget();
+        let text = self.bare.text(line, &self.facts);
+        self.lines.iter().any(|own| matches(&own.text, text))
+    }
+
     /// From now on none has come.
     pub(crate) fn forget(&mut self) {
         self.lines.iter_mut().for_each(|own| own.times = 0);

@@ -268,6 +268,8 @@ pub struct State {
     pub clamped: u16,
     /// Axes of which it is known whether they are clamped: bits by position.
     pub clamps_known: u16,
+    /// Line with the declared effect "state lost": what has not been programmed after it is unknown.
+    pub lost_at: Option<u64>,
 }
 
 /// Frame in which linear words count.
@@ -325,6 +327,7 @@ impl State {
             path_mode,
             clamped,
             clamps_known,
+            lost_at,
         } = self;
         keep(tool, &other.tool);
         keep(selected, &other.selected);
@@ -348,6 +351,7 @@ impl State {
         keep(to_initial, &other.to_initial);
         keep(smoothing_angle_rad, &other.smoothing_angle_rad);
         keep(path_mode, &other.path_mode);
+        *lost_at = lost_at.or(other.lost_at);
         if *shortest != other.shortest {
             (*shortest, *shortest_stated) = (false, false);
         }
@@ -361,6 +365,14 @@ impl State {
     /// Linear words count in a frame: the positions of the axes follow from all words together.
     pub(crate) fn has_frame(&self) -> bool {
         self.tip_control != TipControl::Off || self.tilt.is_some() || self.dynamic_offset
+    }
+
+    /// End of the text of a fault about a state that is `unknown`: the line after which it is.
+    pub(in crate::check) fn since_lost(&self, unknown: bool) -> String {
+        let line = self.lost_at.filter(|_| unknown);
+        line.map_or_else(String::new, |line| {
+            format!("; it is unknown after line {line}, whose effect is declared \"state lost\"")
+        })
     }
 
     /// Frame in which linear words count.
@@ -402,6 +414,7 @@ impl Default for State {
             path_mode: None,
             clamped: 0,
             clamps_known: 0,
+            lost_at: None,
         }
     }
 }

@@ -444,7 +444,8 @@ impl FeedLaw {
         };
         Some(match state.feed {
             _ if state.feed_mode != Some(mode) => {
-                format!("feed mode {name} is not active: expected {name} with F {expected:.6} {unit}")
+                let since = state.since_lost(state.feed_mode.is_none());
+                format!("feed mode {name} is not active: expected {name} with F {expected:.6} {unit}{since}")
             }
             None => format!("F is missing, expected {expected:.6} {unit}"),
             Some(written) => format!("F is {written} {unit}, expected {expected:.6}"),

@@ -4,7 +4,9 @@ use std::fmt::Display;
 
 use super::super::expect::{Required, SpindleState};
 use super::super::policy::{LinearMeaning, RolloverRule};
-use super::super::read::{Action, Block, Facts, FeedMode, Length, Side, State, TipControl, WorkOffset, WorkPlane};
+use super::super::read::{
+    Action, Block, Facts, FeedMode, Form, Length, Side, State, TipControl, WorkOffset, WorkPlane,
+};
 use super::{Rules, apart};
 use crate::program::Location;
 use crate::set_up::{LengthMode, SetUp};
@@ -195,17 +197,19 @@ impl Rules<'_> {
     fn everywhere(&self, state: &State, side: Side, context: ModalContext) -> Option<String> {
         if state.units != Some(self.units) {
             return Some(format!(
-                "the program is not in {}: the unit code before this block is missing or wrong",
-                self.units.name()
+                "the program is not in {}: the unit code before this block is missing or wrong{}",
+                self.units.name(),
+                state.since_lost(state.units.is_none())
             ));
         }
         if state.incremental != Some(false) {
-            return Some("incremental mode (G91) is active, or G90 has not been programmed".to_owned());
+            let since = state.since_lost(state.incremental.is_none());
+            return Some(format!("incremental mode (G91) is active, or G90 has not been programmed{since}"));
         }
         let unselected = context.no_plane && self.facts.plane_by_tool_call && state.plane.is_none();
         let of_arc = state.plane.is_some() && state.plane == context.arc_plane;
         if state.plane != Some(WorkPlane::Xy) && !unselected && !of_arc {
-            return Some("the working plane is not XY".to_owned());
+            return Some(format!("the working plane is not XY{}", state.since_lost(state.plane.is_none())));
         }
         if state.side.unwrap_or_default() != side {
             return Some(format!(
@@ -230,7 +234,9 @@ impl Rules<'_> {
         }
         let per_revolution = state.feed_mode == Some(FeedMode::PerRevolution) && !context.in_thread;
         if per_revolution || state.feed_mode.is_none() {
-            return Some("feed mode is not per minute (G94)".to_owned());
+            let code = if self.facts.form == Form::Statements { "M137" } else { "G94" };
+            let since = state.since_lost(state.feed_mode.is_none());
+            return Some(format!("feed mode is not per minute ({code}){since}"));
         }
         None
     }

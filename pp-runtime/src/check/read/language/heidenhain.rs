@@ -1,6 +1,6 @@
 //! Heidenhain TNC 640 and iTNC 530, conversational.
 
-use super::super::block::coolant;
+use super::super::block::{FeedMode, coolant};
 use super::super::draft::group;
 use super::arguments::HEIDENHAIN;
 use super::{Address, Language, Means, Row, Statement, sorted};
@@ -34,6 +34,12 @@ const OWN: &[Row] = &[
     ),
     Row::new("M126", Means::ShortestWay(true), group::WAY, M),
     Row::new("M127", Means::ShortestWay(false), group::WAY, M),
+    Row::new(
+        "M137",
+        Means::FeedMode(FeedMode::PerMinute),
+        group::FEED,
+        "HEIDENHAIN TNC 320 user's manual (340 55x-05), p. 279: cancels M136, feed per revolution",
+    ),
     Row::new("M128", Means::TipControl(true), group::TIP, M),
     Row::new("M129", Means::TipControl(false), group::TIP, M),
 ];

@@ -11,7 +11,7 @@ mod motion;
 use super::super::policy::RolloverRule;
 use super::block::{Action, Block, MAX_AXES, State, TipControl, stated};
 use super::draft::{Code, Cycle, Draft, LengthCode, TiltCode, effect, fault};
-use super::facts::Facts;
+use super::facts::{Facts, Form};
 use crate::program::Units;
 
 /// One axis of the machine as the program names it.
@@ -308,7 +308,12 @@ impl Interpreter {
             self.stated &= !stated::SPINDLE;
         }
         if effects & effect::STATE != 0 {
-            self.state = State::default();
+            let State { units, incremental, .. } = self.state;
+            self.state = State { lost_at: Some(block.line), ..State::default() };
+            // The unit of a program in statements is that of its first line, and each word of it has its own I.
+            if self.facts.form == Form::Statements {
+                (self.state.units, self.state.incremental) = (units, incremental);
+            }
             (self.modal, self.cycle, self.stated) = (None, None, 0);
             self.frames.lose();
         }

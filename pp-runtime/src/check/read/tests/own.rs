@@ -63,7 +63,8 @@ fn a_declared_effect_is_executed() {
     assert_eq!((after(Effect::Stop).action, after(Effect::Stop).known), (Action::Stop, 0));
     assert_eq!((after(Effect::PositionLost).known, after(Effect::Measures).known), (0, 0));
     let lost = after(Effect::StateLost);
-    assert_eq!((lost.known, lost.state, lost.stated), (0, State::default(), 0));
+    let state = State { lost_at: Some(lost.line), ..State::default() };
+    assert_eq!((lost.known, lost.state, lost.stated), (0, state, 0));
 }
 
 #[test]
@@ -282,4 +283,17 @@ fn a_line_that_changes_the_tool_has_the_tool_of_its_field() {
         let block = of(Family::Fanuc, macro_call, by_name, &format!("{line}\n"));
         assert!(block.faults.iter().any(|fault| fault.text.contains(text)), "{line}: {:?}", block.faults);
     }
+}
+
+#[test]
+fn the_unit_of_a_program_in_statements_cannot_be_lost() {
+    let of = |family: Family, program: &str| {
+        let blocks = with(family, vec![own("M77", OwnPlace::Start)], &[("M77", Effect::StateLost)], program);
+        blocks.last().expect("a block").state
+    };
+    let state = of(Family::Heidenhain, "0 BEGIN PGM A MM\n1 M77\n");
+    assert_eq!((state.units, state.incremental), (Some(Units::Millimetres), Some(false)));
+    assert_eq!((state.feed_mode, state.lost_at), (None, Some(2)));
+    assert_eq!(of(Family::Heidenhain, "0 BEGIN PGM A MM\n1 M77\n2 M137\n").feed_mode, Some(FeedMode::PerMinute));
+    assert_eq!(of(Family::Fanuc, &format!("{HEAD}M77\n")).units, None);
 }
