@@ -144,3 +144,21 @@ fn x_and_y_go_home_before_the_rotary_axes_are_parked() {
         }
     }
 }
+
+#[test]
+fn an_axis_that_rolls_over_is_parked_in_one_block_where_its_angle_is_unknown() {
+    let half_a_turn = CL.replace("0,0.5,0.8660254", "-0.5,0,0.8660254");
+    for &(name, blocks, zero, _) in CONTROLS.iter().filter(|(name, ..)| !["haas", "linuxcnc"].contains(name)) {
+        for mode in MODES {
+            // Half a turn back from a known angle takes two blocks; after the blocks of the shop the angle is unknown.
+            let more = "wrap = { C = '0..360' }\npark = { B = 0.0, C = 0.0 }";
+            let program = posted::<SpinnerU5620>(&config(name, mode, blocks, "", more), by_name(name), &half_a_turn);
+            let lines = bare(&program);
+            let routine =
+                lines.iter().rposition(|line| is_of_shop(line, blocks)).expect("the breakage check at the end");
+            let rotary = |line: &&&str| line.contains(['B', 'C']) && !line.starts_with([';', '(', 'M', 'C']);
+            let turns: Vec<&&str> = lines[routine + 1..].iter().filter(rotary).collect();
+            assert!(turns.len() == 1 && rotates_to_zero(turns[0], zero), "{name} {mode}: {turns:?}\n{program}");
+        }
+    }
+}
