@@ -263,3 +263,23 @@ fn a_program_of_the_shop_on_heidenhain_may_leave_any_state() {
     let expected = "feed mode is not per minute (M137); it is unknown after line";
     assert!(found.first().is_some_and(|text| text.starts_with(expected)), "{found:?}");
 }
+
+#[test]
+fn blocks_that_only_another_control_reads_are_refused() {
+    for name in CONTROLS {
+        for other in CONTROLS {
+            let [measure, check] = blocks(other);
+            let check = of(check, 1);
+            let text = format!(
+                "[cycles]\nmeasure_tool = ['{measure}']\n[cycles.probe]\n'PROBE/Z' = ['{check}']\n[program]\nstart = ['{check}']\n"
+            );
+            let config = starting_point(by_name(name)).read_over(&SpinnerU5620::default(), &text).expect("read");
+            let unfit = config.unfit(&SpinnerU5620::default(), by_name(name));
+            let of_another = unfit.iter().filter(|fault| fault.contains("is a line of")).count();
+            // The M functions are read by every control; Fanuc and Haas have the same macros.
+            let reads =
+                other == "linuxcnc" || name == other || [name, other].iter().all(|of| ["fanuc", "haas"].contains(of));
+            assert_eq!(of_another, if reads { 0 } else { 3 }, "{name} {other}: {unfit:?}");
+        }
+    }
+}

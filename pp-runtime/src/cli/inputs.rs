@@ -6,7 +6,7 @@ use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
 use crate::config::{self, Config};
-use crate::control::{self, Control};
+use crate::control::Control;
 use crate::diag::Diagnostic;
 use crate::kinematics::AnyMachine;
 
@@ -33,7 +33,7 @@ pub(crate) fn read_config(
 
 /// Refuses a configuration that asks for something that control or machine cannot do.
 pub(crate) fn refuse_unfit(machine: &dyn AnyMachine, control: &dyn Control, config: &Config) -> Result<(), Failure> {
-    let unfit = control::unfit(machine, control, config.demands());
+    let unfit = config.unfit(machine, control);
     if unfit.is_empty() { Ok(()) } else { Err(Failure::Arguments(unfit)) }
 }
 

@@ -53,7 +53,7 @@ impl Config {
                 control.spellings().title
             ))
         })?;
-        let unfit = control::unfit(machine, control, self.demands());
+        let unfit = self.unfit(machine, control);
         if !unfit.is_empty() {
             return Err(NotCheckable(unfit.join("\n")));
         }

@@ -35,7 +35,7 @@ mod tests;
 use std::collections::BTreeSet;
 
 use crate::cl as reading;
-use crate::control::{Control, ControlOptions, Demands, take_out_lacking};
+use crate::control::{self, Control, ControlOptions, Demands, take_out_lacking};
 use crate::keys::{OneOf, options};
 use crate::motion::{self, Policy};
 use crate::nc;
@@ -121,6 +121,15 @@ impl Config {
     #[must_use]
     pub fn policy(&self) -> Policy<'_> {
         self.demands().policy()
+    }
+
+    /// Reasons why a control cannot write programs of this configuration for a machine; empty if it can.
+    #[must_use]
+    pub fn unfit(&self, machine: &dyn crate::kinematics::AnyMachine, control: &dyn Control) -> Vec<String> {
+        let mut faults = control::unfit(machine, control, self.demands());
+        let of_probes = self.cl.probes.iter().flat_map(|probe| probe.blocks());
+        faults.extend(of_probes.filter_map(|block| control::of_another_control(control.spellings(), block)));
+        faults
     }
 
     /// The part of the configuration that the control reads.

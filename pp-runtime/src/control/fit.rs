@@ -14,6 +14,7 @@ use super::dialects::{
     ArcCentre, Control, CycleCodes, CycleForm, LengthCall, LinearRapids, PlaneGuard, RadiusGuard, RetractForm,
     Spellings, ThreadCodes, TipControlCodes,
 };
+use super::foreign::of_another_control;
 use super::options::{ControlFunction, Demands, RetractMethod};
 use super::template::{self, OF_TOOL};
 
@@ -162,20 +163,22 @@ fn unsupported(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
             )
         }));
     }
-    let blocks = [&program.start, &program.end, &program.operation_start, &program.operation_end]
+    let blocks: Vec<&String> = [&program.start, &program.end, &program.operation_start, &program.operation_end]
         .into_iter()
         .chain(options.own_retract())
         .chain([&options.measure_tool, &options.check_tool])
         .chain(demands.set_up.tools.values().flat_map(|tool| [&tool.start, &tool.end]))
         .chain(&options.tool_change)
         .chain(&options.safety)
-        .flatten();
-    for block in blocks.filter(|block| block.len() > codes.line_length || !block.is_ascii()) {
+        .flatten()
+        .collect();
+    for block in blocks.iter().filter(|block| block.len() > codes.line_length || !block.is_ascii()) {
         faults.push(format!(
             "a line of {title} has at most {} characters, ASCII only: correct the block `{block}`",
             codes.line_length
         ));
     }
+    faults.extend(blocks.into_iter().filter_map(|block| of_another_control(codes, block)));
     faults
 }
 

@@ -27,6 +27,7 @@
 mod dialects;
 mod encode;
 mod fit;
+mod foreign;
 mod lacking;
 mod layout;
 mod options;
@@ -39,6 +40,7 @@ pub use dialects::*;
 pub use encode::Encoder;
 pub(crate) use encode::comments;
 pub use fit::{abilities, unfit, usable_modes};
+pub(crate) use foreign::of_another_control;
 pub use lacking::take_out_lacking;
 pub use layout::Layout;
 pub use options::{

@@ -358,7 +358,7 @@ pub fn post_for(
     output: &mut dyn Write,
     line_map: Option<&mut dyn LineMap>,
 ) -> Result<Report, PostError> {
-    let unfit = control::unfit(machine, job.control, job.config.demands());
+    let unfit = job.config.unfit(machine, job.control);
     if !unfit.is_empty() {
         return Err(PostError::Unfit(unfit.join("\n")));
     }

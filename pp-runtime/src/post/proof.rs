@@ -66,7 +66,7 @@ pub fn prove(machine: &dyn AnyMachine, proof: &Proof<'_>) -> Result<Vec<u8>, Str
     config.motion.mode = mode;
     config.motion.operations = OperationTable::default();
     config.motion.rapids.reorient_rad_per_min = slow;
-    let unfit = control::unfit(machine, proof.control, config.demands());
+    let unfit = config.unfit(machine, proof.control);
     if !unfit.is_empty() {
         return Err(unfit.join("\n"));
     }
