@@ -24,6 +24,7 @@
 //! ```
 
 mod checking;
+mod dimensions;
 mod print;
 mod read;
 #[cfg(test)]

@@ -6,6 +6,7 @@ use crate::control::Control;
 use crate::keys::{KeyList, KeyRow, Printed};
 use crate::kinematics::AnyMachine;
 
+use super::dimensions::meanings;
 use super::read::scope;
 use super::starting_point;
 
@@ -24,6 +25,7 @@ pub fn print(machine: &dyn AnyMachine, control: &dyn Control) -> String {
     for found in control.spellings().found_at {
         list.add_note(found.key, &found.comment());
     }
+    list.add_note("dimensions", &meanings(machine));
     let mut text = format!(
         r#"# Set-up for {}, control {}. With `--config` and this file commands need no `--control`: see `name` in `[control]`.
 #

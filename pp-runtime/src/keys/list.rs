@@ -105,7 +105,9 @@ impl KeyList {
     /// Adds a note to the key of this path.
     pub(crate) fn add_note(&mut self, path: &str, note: &str) {
         for row in self.rows.iter_mut().filter(|row| row.path == path) {
-            note.clone_into(&mut row.note);
+            let space = if row.note.is_empty() || note.is_empty() { "" } else { " " };
+            row.note.push_str(space);
+            row.note.push_str(note);
         }
     }
 }

@@ -403,7 +403,7 @@ fn gohome_retracts_and_parks_where_a_position_is_configured() {
     config.motion.park.insert('B', 0.5);
     let lines = lines::<Cb>(&config, &events);
     let home = lines.iter().position(|line| line == "G0 B28.6479").expect("parked");
-    assert_eq!(lines[home - 1], "G53 G0 Z0");
+    assert_eq!(lines[home - 2..home], ["G53 G0 Z0", "M5"]);
     assert!(lines[home + 1].starts_with("N2 G21"), "{lines:?}");
 }
 
