@@ -2,8 +2,7 @@
 //!
 //! The tip and the joints of the machine are read from the matrices of the drawn scene and compared with the CL data and with
 //! the axis values of the check's reader (which `view.rs` compares with those of the page). Without Chromium the tests skip.
-//!
-//! `PP_SCREENSHOTS=FOLDER` keeps a picture of each sample's page.
+//! Pictures of the pages are compared with those of the book.
 
 use std::io::{BufRead as _, BufReader};
 use std::path::Path;
@@ -11,6 +10,8 @@ use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 use std::{env, fs};
 
+use base64::Engine as _;
+use base64::prelude::BASE64_STANDARD;
 use fantoccini::wd::WebDriverCompatibleCommand;
 use fantoccini::{Client, ClientBuilder, Locator};
 use hyper_util::client::legacy::connect::HttpConnector;
@@ -29,6 +30,12 @@ const RECORD_MM: f64 = 2e-3;
 
 /// Longest time for the page to be drawn; software rendering on a busy computer is slow.
 const PATIENCE: Duration = Duration::from_secs(60);
+
+/// Pictures of the book.
+const PICTURES: [&str; 5] = ["lola-xoyzba", "spinner-u5-620", "dmu-70e", "multiprodesk", "simulation"];
+
+/// Largest mean difference of two pictures of one page, of 255: fonts and the rendering of lines differ between versions.
+const SAME_PICTURE: f64 = 2.0;
 
 /// Points of a page that are looked at.
 const LOOKS: usize = 15;
@@ -250,9 +257,9 @@ impl Browser {
         self.script("window.ppView.setColouring('motion')").await;
     }
 
-    /// Keeps a picture of the page, if that is asked for.
-    async fn keep_picture(&self, name: &str, page: &Page) {
-        let Some(folder) = env::var_os("PP_SCREENSHOTS") else { return };
+    /// Compares a picture of the page in the middle of its cuts with that of the book; `PP_BLESS=1` replaces that of the book.
+    /// Leaves the page.
+    async fn compare_picture(&self, name: &str, page: &Page) {
         let cuts: Vec<usize> = (0..page.points()).filter(|point| page.kind(*point) == "feed").collect();
         self.script(&format!("window.ppView.seek({})", cuts[cuts.len() / 2])).await;
         // A click has moved long lines to their middles.
@@ -263,7 +270,44 @@ impl Browser {
             .await
             .expect("frames are drawn");
         let png = self.client.screenshot().await.expect("a picture");
-        fs::write(Path::new(&folder).join(format!("{name}.png")), png).expect("it can be written");
+        let of_book = |name: &str| workspace().join(format!("docs/src/{name}.png"));
+        if env::var_os("PP_BLESS").is_some_and(|value| value == "1") {
+            return fs::write(of_book(name), png).expect("it can be written");
+        }
+        self.client.goto("about:blank").await.expect("an empty page");
+        for other in PICTURES {
+            let difference = self.difference(&png, &fs::read(of_book(other)).expect("a picture of the book")).await;
+            let same = difference <= SAME_PICTURE;
+            assert_eq!(
+                same,
+                other == name,
+                "{name}.png, {other}.png of docs/src: {difference}; PP_BLESS=1 rewrites the first"
+            );
+        }
+    }
+
+    /// Mean difference of two pictures, reduced to a quarter of their size; of 255 for black and white. The browser decodes them.
+    async fn difference(&self, one: &[u8], other: &[u8]) -> f64 {
+        const SCRIPT: &str = "
+            const [one, other, done] = arguments;
+            const load = text => new Promise((loaded, failed) => {
+                const image = new Image();
+                [image.onload, image.onerror] = [() => loaded(image), failed];
+                image.src = 'data:image/png;base64,' + text;
+            });
+            Promise.all([one, other].map(load)).then(images => {
+                const [width, height] = [images[0].width / 4 | 0, images[0].height / 4 | 0];
+                const [a, b] = images.map(image => {
+                    const canvas = new OffscreenCanvas(width, height).getContext('2d');
+                    canvas.imageSmoothingQuality = 'high';
+                    canvas.drawImage(image, 0, 0, width, height);
+                    return canvas.getImageData(0, 0, width, height).data;
+                });
+                done(a.reduce((sum, value, index) => sum + Math.abs(value - b[index]), 0) / (3 * width * height));
+            });";
+        let texts = [one, other].map(|png| json!(BASE64_STANDARD.encode(png)));
+        let difference = self.client.execute_async(SCRIPT, texts.to_vec()).await.expect("two pictures");
+        number(&difference)
     }
 }
 
@@ -289,7 +333,7 @@ fn the_page_of_each_sample_is_drawn_as_the_cl_data_says_and_can_be_used() {
             let page = browser.open(binary(machine), &["view", &cl, "--control", control, "--config", &config]).await;
             records += browser.look(machine, &page).await;
             browser.use_page(machine, &page).await;
-            browser.keep_picture(machine, &page).await;
+            browser.compare_picture(machine, &page).await;
         }
         let inclined = Command::new(env!("CARGO_BIN_EXE_inclined"));
         let page = browser.open(inclined, &["view", "examples/cl/convex.cls"]).await;
@@ -404,6 +448,6 @@ fn the_page_of_a_simulation_shows_stock_machine_and_findings() {
             browser.script(&format!("window.ppView.setStock('{stock}')")).await;
             browser.wait(&format!("window.ppView.state().simulation.stock === '{stock}'")).await;
         }
-        browser.keep_picture("simulated", &page).await;
+        browser.compare_picture("simulation", &page).await;
     });
 }
