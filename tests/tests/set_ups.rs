@@ -179,3 +179,25 @@ fn without_a_table_a_second_frame_is_refused_with_one_to_paste() {
     let (line, text) = posted::<SpinnerU5620>(&alone, control, &cl).expect_err("a second frame");
     assert!(line == 16 && text.contains("[set_ups.2]") && text.contains("--frames main"), "line {line}: {text}");
 }
+
+#[test]
+fn the_header_states_the_zero_of_each_set_up_where_it_is_known() {
+    for (name, lines) in [
+        ("fanuc", ["G54 must hold X-200 Y-100 Z-500", "G55 must hold X-193 Y-103 Z-455"]),
+        (
+            "heidenhain",
+            [
+                "the zero of preset 1 must be at X-200 Y-100 Z-500 in",
+                "the zero of preset 2 must be at X-193 Y-103 Z-455 in",
+            ],
+        ),
+    ] {
+        let control = control::by_name(name).expect("a control");
+        let zero = "table_zero = { X = -200.0, Y = -100.0, Z = -500.0 }\npark = { C = 0.0 }\n";
+        let config = config::<SpinnerU5620>(control, "axes", &format!("{zero}{KEYS}[set_ups.2]\n{HERE}"));
+        let (program, _) =
+            written::<SpinnerU5620>(&config, control, &format!("UNITS/MM\n{FIRST}{SECOND}FINI\n")).expect("it can run");
+        let plain = program.replace('+', "").to_lowercase();
+        lines.iter().for_each(|line| assert!(plain.contains(&line.to_lowercase()), "{program}"));
+    }
+}

@@ -7,7 +7,7 @@ use crate::control::{CONTROLS, Control};
 use crate::diag::Diagnostic;
 use crate::keys::{KeyReader, KeyScope, KeyTable, Keys};
 use crate::kinematics::{AnyMachine, Machine};
-use crate::motion::along_axes;
+use crate::set_up::along_axes;
 
 use super::{Config, Rapid, Units, starting_point};
 

@@ -61,7 +61,8 @@ options! {
         /// Blocks of a tool change, instead of those of the control.
         tool_change: Option<Vec<String>> = None,
             key("control.tool_change", ListOf(TemplateBlock(OF_TOOL)), "[\"T{tool} M6\", \"T{next}\"]");
-        /// Call tools by the names in `[tools.N] name`, as they are in the tool table (Siemens, Heidenhain).
+        /// Call tools by the names in `[tools.N] name`, as they are in the tool table (Siemens, Heidenhain). Not with
+        /// `length_guard` where that reads the length by the number of the tool.
         tool_names: bool = false, key("control.tool_names", YesNo);
         /// Preselect the next tool at each tool change.
         preselect: Option<bool> = None, key("control.preselect", YesNo, "true");

@@ -57,8 +57,8 @@ pub use options::{
     Rewind, RotaryOptions, Singular, Smoothing, StretchMode, TcpFrame, TcpWords, ThreadFeed, TipOptions, ToolPosture,
     Transition, Wrap,
 };
+pub(crate) use place::rotaries_of;
 pub use place::{PlaneAbility, PlaneAngles, PoseRule, TipAbility, TipStart, UsableModes, unsuited};
-pub(crate) use place::{along_axes, rotaries_of};
 pub(crate) use plan::hole_extent;
 pub use plan::{
     Abilities, ChordedArcs, CutterRadius, FastestRotation, MovingAxes, OperationBlocks, OperationTime, Planner,

@@ -495,10 +495,19 @@ impl Header<'_> {
                 ));
             }
         }
-        let entries = config.set_up.work_offset_mm().filter(|_| self.job.control.spellings().offset_has_coordinates);
-        if let Some(entries) = entries.filter(|entries| !entries.is_empty()) {
+        for (number, part) in config.set_up.clampings() {
+            let entries = config.set_up.work_offset_mm(self.machine, number);
+            if entries.is_empty() {
+                continue;
+            }
             let entries: String = entries.iter().map(|(letter, mm)| format!(" {letter}{}", self.length(*mm))).collect();
-            lines.push(format!("{} must hold{entries}", work_offset(self.job.control, config)));
+            let offset = offset_name(self.job.control, part.work_offset);
+            lines.push(match self.job.control.spellings().offset_has_coordinates {
+                true => format!("{offset} must hold{entries}"),
+                false => format!(
+                    "the zero of {offset} must be at{entries} in the display REF, gauge line, rotary axes at zero"
+                ),
+            });
         }
         lines.extend(rotary_entries(self.machine, self.job.control, config));
         lines.extend(self.survey.tools.iter().flat_map(|tool| self.tool_lines(tool)));

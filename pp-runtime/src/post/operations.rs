@@ -115,16 +115,12 @@ impl OperationNames {
         format!("{}{more}", shown.join(", "))
     }
 
-    /// Fault of an entry that is for no operation of the program: an error for a number or a name, which belong to one
-    /// program, a warning for a pattern, which may serve several.
-    pub(super) fn unused(&self, entry: &OperationChoice, operations: u64, location: Location) -> Diagnostic {
-        let severity = match entry {
-            OperationChoice::Number(_) | OperationChoice::Name(_) => Severity::Error,
-            OperationChoice::Pattern(_) => Severity::Warning,
-        };
+    /// Error of an entry that is for no operation of the program; none for a pattern, which may serve several programs.
+    pub(super) fn unused(&self, entry: &OperationChoice, operations: u64, location: Location) -> Option<Diagnostic> {
         let near = match entry {
             OperationChoice::Name(wanted) => nearest(wanted, self.names.iter().map(|(_, name)| name.as_str())),
-            OperationChoice::Number(_) | OperationChoice::Pattern(_) => None,
+            OperationChoice::Number(_) => None,
+            OperationChoice::Pattern(_) => return None,
         };
         let help = match (near, operations) {
             (_, 0) => "remove it: the CL data has no motion".to_owned(),
@@ -132,7 +128,7 @@ impl OperationNames {
             (None, _) => format!("the operations are {}", self.listed()),
         };
         let text = format!("`{}` of the configuration is for no operation of the CL data", entry.shown());
-        Diagnostic { severity, location, length: 1, count: 1, text, help: Some(help) }
+        Some(Diagnostic { severity: Severity::Error, location, length: 1, count: 1, text, help: Some(help) })
     }
 }
 

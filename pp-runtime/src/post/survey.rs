@@ -180,7 +180,8 @@ impl Survey {
             let end = Location { line: reader.lines().max(1), column: 1 };
             let missing = policy.set_up.set_ups.iter().find(|(number, _)| !survey.set_ups.contains(number));
             survey.diagnostics.extend(missing.map(|(&number, set_up)| set_up_missing(number, set_up, end)));
-            let unused = source.unused_settings().map(|entry| survey.names.unused(entry, survey.operations, end));
+            let unused =
+                source.unused_settings().filter_map(|entry| survey.names.unused(entry, survey.operations, end));
             survey.diagnostics.extend(unused.collect::<Vec<_>>());
         }
         let errors = survey.diagnostics.iter().filter(|diagnostic| diagnostic.severity == Severity::Error);

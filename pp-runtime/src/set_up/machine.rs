@@ -1,6 +1,8 @@
 //! Applies a set-up to a machine: dimensions, travel and speeds for this job.
 
-use crate::kinematics::{AnyMachine, Axis, Dimension, Invalid, Limits, Machine};
+use nalgebra::{Matrix3, Vector3};
+
+use crate::kinematics::{AnyMachine, Axis, AxisKind, Dimension, Invalid, Limits, MAX_AXES, Machine};
 
 use super::SetUp;
 
@@ -84,4 +86,25 @@ impl SetUp {
             speeds: axes.iter().map(|axis| self.speeds.get(&axis.letter).copied().or(axis.speed)).collect(),
         }
     }
+}
+
+/// Components of a vector along the solved linear axes at the zero position; 0 for every other axis.
+pub(crate) fn along_axes(machine: &dyn AnyMachine, vector: &Vector3<f64>) -> [f64; MAX_AXES] {
+    let linear = |index: &usize| machine.axes()[*index].kind == AxisKind::Linear && !machine.axes()[*index].held;
+    let solved: Vec<usize> = (0..machine.axes().len()).filter(linear).collect();
+    // Columns: direction in which each axis moves the tool for a positive word.
+    let column = |&index: &usize| {
+        let joint = machine.joint(index);
+        joint.direction.into_inner() * joint.sign
+    };
+    let columns: Vec<Vector3<f64>> = solved.iter().map(column).collect();
+    let mut words = [0.0; MAX_AXES];
+    if columns.len() == 3
+        && let Some(inverse) = Matrix3::from_columns(&columns).try_inverse()
+    {
+        for (&index, word) in solved.iter().zip((inverse * vector).iter()) {
+            words[index] = *word;
+        }
+    }
+    words
 }

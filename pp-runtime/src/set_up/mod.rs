@@ -31,10 +31,10 @@ mod solids;
 
 use std::collections::BTreeMap;
 
-use nalgebra::Rotation3;
+use nalgebra::{Rotation3, Vector3};
 
 use crate::keys::{Bound, LengthPoint, ListOf, Measure, OneLine, OneOf, Whole, YesNo, options};
-use crate::kinematics::Limits;
+use crate::kinematics::{AnyMachine, Limits};
 use crate::program::{Coolants, Rotation, ToolCall};
 
 pub(crate) use keys::CoolantKinds;
@@ -46,6 +46,7 @@ use part_rotation::PartRotation;
 use solids::SolidTable;
 
 pub use machine::AxisBounds;
+pub(crate) use machine::along_axes;
 pub(crate) use part_rotation::angles as part_angles;
 pub use solids::{Solid, SolidLink, SolidShape, Solids};
 
@@ -85,10 +86,11 @@ options! {
         /// active, or the "gauge" line, without length offset.
         length_mode: LengthMode = LengthMode::Tip, key("length_mode", OneOf(&LengthMode::NAMES));
         /// Work offset of the control: "G54", and "G59.1" (LinuxCNC), "G54.1 P3" (Fanuc), "G154 P3" (Haas), "G505"
-        /// (Siemens) or the row of the preset table, "3" (Heidenhain; G54 to G59 are rows 1 to 6). It must hold the machine
-        /// coordinates at which the gauge line, without tool and with the rotary axes at zero, is on the zero point of
-        /// `program_zero`: for the part zero those of `machine_zero`. A preset of Heidenhain is set at the machine, by
-        /// touching off or probing, not typed in.
+        /// (Siemens) or the row of the preset table, "3" (Heidenhain; G54 to G59 are rows 1 to 6). Its zero must be where the gauge line,
+        /// without tool and with the rotary axes at zero, is on the zero point of `program_zero`: for the part zero the machine
+        /// coordinates of `machine_zero`. Header and set-up sheet print them for each set-up where they are known. A preset of
+        /// Heidenhain is set at the machine, by touching off or probing; its zero is compared with them in the display REF, and
+        /// what its row holds with a rotary table differs from them.
         work_offset: String = "G54".to_owned(), key("work_offset", OffsetWord);
         /// Machine coordinate of each linear axis with the gauge line, without tool, on the part zero and the rotary axes at
         /// zero: where a tool touches the part zero, less its length along the tool. Without it linear limits are not checked.
@@ -175,11 +177,18 @@ impl SetUp {
         Some(Clamping { part_origin: *part_origin, part_rotation: *part_rotation, work_offset })
     }
 
-    /// Linear entries of the work offset of the first set-up where `machine_zero` gives them, mm: machine coordinates at which
-    /// the gauge line is on the part zero.
+    /// Machine coordinates of the gauge line on the zero point of a set-up, by linear axis, mm: what its work offset must hold.
+    /// Empty where neither `machine_zero` nor `table_zero` is given.
     #[must_use]
-    pub fn work_offset_mm(&self) -> Option<&BTreeMap<char, f64>> {
-        (self.program_zero == ProgramZero::Part).then_some(&self.machine_zero)
+    pub fn work_offset_mm(&self, machine: &dyn AnyMachine, number: u32) -> BTreeMap<char, f64> {
+        let Some(part) = self.clamping(number) else { return BTreeMap::new() };
+        let zero = match self.program_zero {
+            ProgramZero::Part => part.part_origin,
+            ProgramZero::Table => [0.0; 3],
+        };
+        let moved = Vector3::from(zero) - Vector3::from(self.part_origin);
+        let letters = machine.axes().iter().map(|axis| axis.letter).zip(along_axes(machine, &moved));
+        letters.filter_map(|(letter, mm)| Some((letter, self.machine_zero.get(&letter)? + mm))).collect()
     }
 
     /// All set-ups with their numbers.

@@ -43,6 +43,8 @@ struct SetUp {
     work_offset: String,
     /// Its linear entries, as far as the configuration gives them, mm.
     entries_mm: BTreeMap<char, f64>,
+    /// The work offset is a row of a preset table, and its entries are not machine coordinates.
+    offset_rows: bool,
     part_origin: [f64; 3],
     part_rotation: [f64; 3],
     seconds: f64,
@@ -280,7 +282,11 @@ impl SetUp {
         let [a, b, c] = self.part_rotation.map(short);
         let rotation = if rotated { format!(", rotated by {a}°, {b}°, {c}° about X, Y, Z") } else { String::new() };
         let entries: String = self.entries_mm.iter().map(|(letter, mm)| format!(" {letter}{}", short(*mm))).collect();
-        let entries = if entries.is_empty() { entries } else { format!(" must hold{entries} mm") };
+        let entries = match self.offset_rows {
+            _ if entries.is_empty() => entries,
+            false => format!(" must hold{entries} mm"),
+            true => format!(" must have its zero at{entries} mm in the display REF, gauge line, rotary axes at zero"),
+        };
         format!("work offset {}{entries}; {origin}{rotation}", self.work_offset)
     }
 
@@ -361,12 +367,11 @@ fn set_up(program: &ViewedProgram<'_>, number: u32, clamping: &Clamping<'_>, ope
         })
     };
     let set_up = &program.policy.set_up;
-    // A preset of Heidenhain is set by touching off or probing.
-    let has_entries = number == 1 && !program.policy.family.facts().offset_rows;
     SetUp {
         number,
         work_offset: clamping.work_offset.to_owned(),
-        entries_mm: set_up.work_offset_mm().filter(|_| has_entries).cloned().unwrap_or_default(),
+        entries_mm: set_up.work_offset_mm(&*program.machine, number),
+        offset_rows: program.policy.family.facts().offset_rows,
         part_origin: clamping.part_origin,
         part_rotation: part_angles(&clamping.part_rotation),
         seconds: operations.iter().map(|operation| operation.seconds).sum(),

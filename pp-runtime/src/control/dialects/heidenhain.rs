@@ -285,9 +285,9 @@ static SPELLINGS: Spellings = Spellings {
     found_at: &[
         FoundAt {
             key: "part_origin",
-            place: "the row of the preset table that the program uses: on a machine with a rotary table it holds the \
-                    distance of the datum from the centre of the table; less that of the reference point of the \
-                    table, where this is another point",
+            place: "the row of the preset table of the part: with a rotary table it holds the distance of the datum from the \
+                    centre of the table, which is no machine coordinate; less that of the reference point of the table, \
+                    where this is another point",
             source: "iTNC 530 ISO manual 6/2010, p. 467",
         },
         FoundAt {

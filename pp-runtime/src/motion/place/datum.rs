@@ -5,11 +5,11 @@
 //! value. A linear word is measured from the part zero or from the reference point of the table, to the tip or to the
 //! gauge line of the tool.
 
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::Vector3;
 
-use crate::kinematics::{AnyMachine, AxisKind};
+use crate::kinematics::AnyMachine;
 use crate::motion::options::Policy;
-use crate::set_up::{LengthMode, ProgramZero};
+use crate::set_up::{LengthMode, ProgramZero, along_axes};
 
 use crate::motion::rotary::AngleScale;
 use crate::motion::step::MAX_AXES;
@@ -84,27 +84,6 @@ impl Datum {
     pub(crate) fn written(&self, words: &[i64; MAX_AXES]) -> [i64; MAX_AXES] {
         std::array::from_fn(|index| words[index] - self.whole[index])
     }
-}
-
-/// Components of a vector along the solved linear axes at the zero position; 0 for every other axis.
-pub(crate) fn along_axes(machine: &dyn AnyMachine, vector: &Vector3<f64>) -> [f64; MAX_AXES] {
-    let linear = |index: &usize| machine.axes()[*index].kind == AxisKind::Linear && !machine.axes()[*index].held;
-    let solved: Vec<usize> = (0..machine.axes().len()).filter(linear).collect();
-    // Columns: direction in which each axis moves the tool for a positive word.
-    let column = |&index: &usize| {
-        let joint = machine.joint(index);
-        joint.direction.into_inner() * joint.sign
-    };
-    let columns: Vec<Vector3<f64>> = solved.iter().map(column).collect();
-    let mut words = [0.0; MAX_AXES];
-    if columns.len() == 3
-        && let Some(inverse) = Matrix3::from_columns(&columns).try_inverse()
-    {
-        for (&index, word) in solved.iter().zip((inverse * vector).iter()) {
-            words[index] = *word;
-        }
-    }
-    words
 }
 
 #[cfg(test)]

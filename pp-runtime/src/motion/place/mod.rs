@@ -42,7 +42,6 @@ pub use tilted_plane::{PlaneAbility, PlaneAngles, PoseRule};
 use axes::{AxisSpeeds, LinearAxes, Poles, RotaryAxes};
 pub(crate) use chain::rotaries as rotaries_of;
 use datum::Datum;
-pub(crate) use datum::along_axes;
 use frame::WordFrame;
 use travel::TravelCheck;
 

@@ -12,7 +12,7 @@ use crate::motion::options::Policy;
 use crate::motion::step::MAX_AXES;
 
 use super::chain::rotaries;
-use super::datum::along_axes;
+use crate::set_up::along_axes;
 
 /// Allowance for the noise of floating-point sums, so that limits remain inclusive.
 const NOISE_MM: f64 = 1e-6;

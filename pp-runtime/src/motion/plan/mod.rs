@@ -283,7 +283,10 @@ impl<'a, S: Sink> Planner<'a, S> {
         }
         if self.spindle.running().is_none() {
             return Err(if self.spindle.is_off_requested() {
-                Fault::new("a feed motion with the spindle off").help("give SPINDL/ON before it")
+                Fault::new("a feed motion with the spindle off").help(
+                    "give SPINDL/ON before it for a cutting tool; a probe must not rotate: let its CL motions end in RAPID at a \
+                     safe height, and the blocks of its statement in `cycles.probe` move it on, protected",
+                )
             } else {
                 Fault::new("a feed motion without spindle speed or direction since the tool call").help(
                     "give SPINDL/RPM,..,CLW after the tool call, or `speed` and `direction` of the tool in the configuration",
