@@ -146,6 +146,15 @@ fn x_and_y_go_home_before_the_rotary_axes_are_parked() {
 }
 
 #[test]
+fn the_park_position_may_be_the_home_position() {
+    for &(name, blocks, ..) in CONTROLS {
+        let more = "park = { B = 0.0, C = 0.0, X = -7.0, Y = -8.0 }";
+        // It passes its check.
+        posted::<SpinnerU5620>(&config(name, MODES[0], blocks, "", more), by_name(name), CL);
+    }
+}
+
+#[test]
 fn an_axis_that_rolls_over_is_parked_in_one_block_where_its_angle_is_unknown() {
     let half_a_turn = CL.replace("0,0.5,0.8660254", "-0.5,0,0.8660254").replace("GOHOME\n", "");
     for &(name, blocks, zero, _) in CONTROLS.iter().filter(|(name, ..)| !["haas", "linuxcnc"].contains(name)) {

@@ -192,8 +192,8 @@ impl<R: Read> Comparison<'_, R> {
         let block = current.block;
         if let Some(text) = machine_move::fault_of_retract(&self.rules, &self.previous, block) {
             self.note_tool_position(block);
-            let goes = self.goes_home(phase, current)
-                || self.parks_linear(phase, current)
+            // A parking position may be the home position.
+            let goes = self.goes_home(phase, current) | self.parks_linear(phase, current)
                 || self.goes_to_tool_position(phase, current);
             if !goes {
                 self.found(current, &text);
