@@ -411,3 +411,30 @@ fn settings_hold_for_an_operation_that_is_posted_alone() {
         assert_eq!(levels, [first == 1, first <= 2 && last >= 2], "{program}");
     }
 }
+
+#[test]
+fn blocks_of_the_shop_may_state_the_tolerance_of_blending_of_each_operation() {
+    let linuxcnc = control::by_name("linuxcnc").expect("a control");
+    let safety = "safety = ['{units} G17 G40 G49 G80 G90 G94 {work_offset} G64 P{path_tolerance}";
+    let starts = "[program]\noperation_start = ['G64 P{path_tolerance} Q0.005']\n";
+    for own in [format!("[control]\n{safety}']\n"), format!("[control]\n{safety} Q0.005']\n"), starts.to_owned()] {
+        let text = format!(
+            "part_origin = [0.0, 0.0, 0.0]\nmode = 'axes'\npath_tolerance = 0.01\n{own}[retract]\ndistance = 40.0\n\
+             [operations]\n'*ROUGH*' = {{ path_tolerance = 0.05 }}\n'BOSS' = {{ path_tolerance = 0.005 }}\n"
+        );
+        let config = starting_point(linuxcnc).read_over(&SpinnerU5620::default(), &text).expect("read");
+        let program = posted::<SpinnerU5620>(&config, linuxcnc, CL);
+        for (written, other) in [("P0.05", "P0.01"), ("P0.01", "P0.05"), ("P0.005", "P0.01"), ("Q0.005", "Q0.02")] {
+            // The last one of them.
+            let Some(at) = program.rfind(&format!("G64 {written}")).or_else(|| program.rfind(&format!(" {written}\n")))
+            else {
+                continue;
+            };
+            let edited = format!("{}{}", &program[..at], program[at..].replacen(written, other, 1));
+            assert!(
+                !findings::<SpinnerU5620>(&config, linuxcnc, CL, &edited).is_empty(),
+                "{written} {other}\n{edited}"
+            );
+        }
+    }
+}

@@ -399,6 +399,13 @@ pub struct ShopBlocks {
 }
 
 impl ShopBlocks {
+    /// Whether safety blocks of the shop state the tolerance within which the control blends.
+    #[must_use]
+    pub fn states_blending(&self) -> bool {
+        let states = |line: &ShopLine| line.place == OwnPlace::Safety && line.text.contains("{path_tolerance}");
+        self.lines.iter().any(states)
+    }
+
     /// Whether blocks of the shop may select modal functions that the control's own blocks leave alone.
     #[must_use]
     pub fn selects_modes(&self) -> bool {

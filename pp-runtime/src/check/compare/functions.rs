@@ -291,9 +291,14 @@ impl FunctionState {
     /// What is wrong with the motion from block to block.
     fn path_mode(&mut self, state: &State, rules: &Rules<'_>, blending: f64) -> Option<String> {
         let written = state.path_mode;
-        if rules.facts().path_tolerance && !rules.policy().shop.own_safety {
+        let shop = &rules.policy().shop;
+        if rules.facts().path_tolerance && (!shop.own_safety || shop.states_blending()) {
+            // The shop may join lines within a distance of its own.
+            let own =
+                shop.selects_modes().then(|| *self.path_mode.get_or_insert(written.unwrap_or(PathMode::ExactPath)));
+            let joining = own.and_then(PathMode::joining_mm);
             let tolerance = match written {
-                Some(PathMode::Continuous { tolerance_mm, joining_mm: None }) => tolerance_mm,
+                Some(PathMode::Continuous { tolerance_mm, joining_mm }) if joining_mm == joining => tolerance_mm,
                 _ => None,
             };
             return (!is_blending(tolerance, blending, rules))
@@ -302,7 +307,7 @@ impl FunctionState {
         // Blending without a limit is the mode after switching on.
         let written = written.unwrap_or(PathMode::Continuous { tolerance_mm: None, joining_mm: None });
         let usual = PathMode::Continuous { tolerance_mm: None, joining_mm: None };
-        let expected = if rules.policy().shop.selects_modes() { *self.path_mode.get_or_insert(written) } else { usual };
+        let expected = if shop.selects_modes() { *self.path_mode.get_or_insert(written) } else { usual };
         (expected != written).then(|| "the motion from block to block (G61, G64) differs from that expected".to_owned())
     }
 

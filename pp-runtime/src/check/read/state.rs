@@ -176,6 +176,16 @@ pub enum PathMode {
     Smoothed(u16),
 }
 
+impl PathMode {
+    /// Q of LinuxCNC, mm.
+    pub(in crate::check) fn joining_mm(self) -> Option<f64> {
+        match self {
+            Self::Continuous { joining_mm, .. } => joining_mm,
+            Self::ExactPath | Self::ExactStop | Self::Smoothed(_) => None,
+        }
+    }
+}
+
 /// Coolant that is on: bits.
 pub mod coolant {
     /// M8.
