@@ -85,7 +85,30 @@ fn a_horizontal_tool_points_into_the_machine() {
         ]
     );
     let sheet = explained(text).jog_sheet.text.join("\n");
-    assert!(sheet.contains("With all axes at zero the tool points away from you (+Y)."), "{sheet}");
+    assert!(sheet.contains("At the start the tool points away from you (+Y)."), "{sheet}");
+}
+
+/// A step that would leave the travel has the other direction; where zero is not in the travel the start is the end nearest
+/// to it, and what the sheet states of the top, and of axes that this one carries, is seen from there.
+#[test]
+fn no_jog_leaves_the_travel() {
+    let first = |limits: &str| jogs(&format!("chain: C B | X Y Z; limits = {{ B: {limits}, C: free }};"))[1].clone();
+    for (limits, step) in
+        [("0..180", "B+90"), ("-110..0", "B-90"), ("-110..5", "B-90"), ("-110..30", "B+30"), ("-2..5", "B+5")]
+    {
+        assert!(first(limits).starts_with(&format!("{step}: ")), "{limits}: {}", first(limits));
+    }
+    let raised = "chain: C B | X Y Z; limits = { B: 90..150, C: free };";
+    let lines = jogs(raised);
+    assert!(
+        lines[1].starts_with("B+45: ") && lines[1].contains("the table's top, which faced left (-X),"),
+        "{lines:?}"
+    );
+    // C is horizontal now, along +X of the bed: seen from the left its table rotates clockwise.
+    assert!(lines[0].contains("the table rotates counterclockwise seen from the right"), "{lines:?}");
+    let sheet = explained(raised).jog_sheet.text.join(" ");
+    assert!(sheet.contains("rotary axes at zero, but B at 90: zero is"), "{sheet}");
+    assert!(sheet.contains("(Z up)") && sheet.contains("middle of their travel"), "{sheet}");
 }
 
 /// A horizontal machining centre as it is programmed: Y is up, and the spindle is along Z.
@@ -103,7 +126,7 @@ fn a_horizontal_machine_is_jogged_as_it_stands() {
     );
     let sheet = explained(text).jog_sheet.text.join("\n");
     assert!(sheet.contains("X points right (+X), Y up (+Y), Z towards you (+Z)."), "{sheet}");
-    assert!(sheet.contains("With all axes at zero the tool points away from you (-Z)."), "{sheet}");
+    assert!(sheet.contains("At the start the tool points away from you (-Z)."), "{sheet}");
     // Upside down, and a lathe whose X is up.
     assert_eq!(jogs("chain: X Y | Z; up = -Z;")[2], "Z+100: the spindle moves down (+Z)");
     assert_eq!(jogs("chain: X Y | Z; up = -Z;")[1], "Y+100: the table moves away from you (-Y)");

@@ -19,6 +19,9 @@ const ANGLES_DEG: [f64; 6] = [90.0, 45.0, 30.0, 10.0, 5.0, 1.0];
 /// Distances to jog by, largest first; mm.
 const DISTANCES_MM: [f64; 5] = [100.0, 50.0, 10.0, 5.0, 1.0];
 
+/// Rotation that is plainly visible; degrees.
+const VISIBLE_DEG: f64 = 10.0;
+
 /// Cosine of 3 degrees: two directions closer than that count as the same.
 const ALONG_COSINE: f64 = 0.998_6;
 
@@ -32,16 +35,18 @@ const FACING_DEG: f64 = 80.0;
 pub(crate) fn sheet(model: &Model) -> Section {
     let machine = MachineAtDefaults::of(model);
     let mut section = Section::default();
-    section.words(
-        "No proof can find a wrongly declared sign. Jog each axis alone from zero, and tick each line that is true. \
-         If a line is false, the sign of that axis is wrong: correct it in the declaration before the first cut.",
-    );
+    let up = ["X", "Y", "Z"][model.up.coordinate];
+    let up = if model.up.negated { format!("-{up}") } else { up.to_string() };
+    section.words(&format!(
+        "No proof can find a wrongly declared sign. Clear the table. {}. Jog each axis alone and back to the start, and \
+         tick each line that is true; move the tool clear ({up} up) before a rotary axis is jogged. If a line is false, \
+         the sign of that axis is wrong: correct it in the declaration before the first cut.",
+        machine.start(),
+    ));
     let view = machine.view;
     let [x, y, z] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|direction| heading(view, direction));
     section.words(&format!("Seen from the front of the machine: X points {x}, Y {y}, Z {z}."));
-    section.words(&format!("With all axes at zero the tool points {}.", heading(view, opposite(machine.tool))));
-    let up = ["X", "Y", "Z"][model.up.coordinate];
-    let up = if model.up.negated { format!("-{up}") } else { up.to_string() };
+    section.words(&format!("At the start the tool points {}.", heading(view, opposite(machine.tool))));
     let other = if up == "Y" { "Z" } else { "Y" };
     section.words(&format!("If {up} is not up at your machine, declare the direction that is: `up = {other};`."));
     if model.axes.iter().any(|axis| axis.held.is_some()) {
@@ -62,6 +67,8 @@ struct MachineAtDefaults<'a> {
     /// Axes whose direction depends on an angle without default.
     unknown: Vec<AxisId>,
     tool: Xyz,
+    /// Where the top of the table faces.
+    top: Xyz,
     view: View,
 }
 
@@ -77,10 +84,10 @@ impl<'a> MachineAtDefaults<'a> {
             |axis: &Axis| axis.direction.iter().all(|part| ring.value(&ring.substitute(part, &defaults)).is_some());
         let unknown = (0..model.axes.len()).filter(|id| !known(&model.axes[*id])).collect();
         let (tool, view) = (vector(&model.tool_axis), View::of(model.up));
-        let mut machine = Self { model, directions: declared.clone(), unknown, tool, view };
+        let mut machine = Self { model, directions: declared.clone(), unknown, tool, top: view.up, view };
         for (id, axis) in model.axes.iter().enumerate() {
-            // In the frame of the bed: held axes between this one and the bed rotate it, in the table against their
-            // words.
+            // In the frame of the bed: axes between this one and the bed that are not at zero rotate it, in the table
+            // against their words.
             let between: Vec<AxisId> = match axis.side {
                 Side::Workpiece => {
                     (id + 1..model.axes.len()).filter(|other| model.axes[*other].side == Side::Workpiece).collect()
@@ -88,24 +95,44 @@ impl<'a> MachineAtDefaults<'a> {
                 Side::Tool => (0..id).rev().filter(|other| model.axes[*other].side == Side::Tool).collect(),
             };
             let turned = between.into_iter().fold(declared[id], |direction, other| {
-                rotated(declared[other], machine.held_angle_deg(other) * machine.visible_sign(other), direction)
+                rotated(declared[other], machine.start_deg(other) * machine.visible_sign(other), direction)
             });
             machine.directions[id] = turned;
         }
         let head = (0..model.axes.len()).rev().filter(|id| model.axes[*id].side == Side::Tool);
         machine.tool = head.fold(machine.tool, |tool, id| {
-            rotated(declared[id], machine.held_angle_deg(id) * machine.visible_sign(id), tool)
+            rotated(declared[id], machine.start_deg(id) * machine.visible_sign(id), tool)
         });
+        let table = (0..model.axes.len()).filter(|id| model.axes[*id].side == Side::Workpiece);
+        machine.top = table
+            .fold(machine.top, |top, id| rotated(declared[id], machine.start_deg(id) * machine.visible_sign(id), top));
         machine
     }
 
-    /// Default of a held rotary, degrees; zero for others.
-    fn held_angle_deg(&self, id: AxisId) -> f64 {
+    /// Angle at which a rotary axis is before any axis is jogged, degrees: the default of a held one, zero or the end
+    /// of the travel nearest to it for others.
+    fn start_deg(&self, id: AxisId) -> f64 {
         let axis = &self.model.axes[id];
-        match (&axis.held, axis.kind) {
-            (Some(value), AxisKind::Rotary) => to_f64(value),
-            _ => 0.0,
+        match (&axis.held, axis.kind, &axis.limits) {
+            (_, AxisKind::Linear, _) | (None, AxisKind::Rotary, None) => 0.0,
+            (Some(value), AxisKind::Rotary, _) => to_f64(value),
+            (None, AxisKind::Rotary, Some((lower, upper))) => 0.0_f64.max(to_f64(lower)).min(to_f64(upper)),
         }
+    }
+
+    /// Where all axes are before one is jogged, in words.
+    fn start(&self) -> String {
+        let rotary = |axis: &Axis| axis.kind == AxisKind::Rotary && axis.held.is_none();
+        let mut start = "Start with the linear axes in the middle of their travel".to_owned();
+        if self.model.axes.iter().any(rotary) {
+            start += " and the rotary axes at zero";
+        }
+        for (id, axis) in self.model.axes.iter().enumerate() {
+            if rotary(axis) && self.start_deg(id) != 0.0 {
+                start += &format!(", but {} at {}: zero is not in its travel", axis.letter, self.start_deg(id));
+            }
+        }
+        start
     }
 
     /// `1` if what the axis carries moves along its direction for a positive word, `-1` if against it.
@@ -130,7 +157,7 @@ impl<'a> MachineAtDefaults<'a> {
                 format!("{}+{value}{held}: the {thing} moves {}", axis.letter, heading(self.view, way))
             }
             AxisKind::Rotary => {
-                let value = jog_angle_deg(axis);
+                let value = jog_angle_deg(axis, self.start_deg(id));
                 format!("{}{value:+}{held}: {}", axis.letter, self.rotation_seen(id, value * self.visible_sign(id)))
             }
         }
@@ -167,10 +194,10 @@ impl<'a> MachineAtDefaults<'a> {
     }
 
     fn table_markers(&self) -> Vec<(String, Xyz)> {
-        let View { right, away, up } = self.view;
-        let front = opposite(away);
+        let View { right, away, .. } = self.view;
+        let (top, front) = (self.top, opposite(away));
         vec![
-            (format!("the table's top, which faced {},", heading(self.view, up)), up),
+            (format!("the table's top, which faced {},", heading(self.view, top)), top),
             (format!("the side that faced you ({})", letter_of(front)), front),
             (format!("the side that faced {}", heading(self.view, right)), right),
         ]
@@ -218,12 +245,17 @@ fn rotation_sense(view: View, about: Xyz, degrees: f64) -> Option<String> {
     })
 }
 
-/// The largest angle of [`ANGLES_DEG`] inside the travel; negative if the travel has no room for a positive one.
-fn jog_angle_deg(axis: &Axis) -> f64 {
+/// The largest angle of [`ANGLES_DEG`] within the travel from the start: positive, unless only the other direction has
+/// room for a visible rotation.
+fn jog_angle_deg(axis: &Axis, start_deg: f64) -> f64 {
     let Some((lower, upper)) = &axis.limits else { return ANGLES_DEG[0] };
-    let (lower, upper) = (to_f64(lower), to_f64(upper));
-    let largest = |room: f64| ANGLES_DEG.into_iter().find(|angle| *angle <= room);
-    largest(upper).or_else(|| largest(-lower).map(|angle| -angle)).unwrap_or(1.0)
+    let largest = |room: f64| ANGLES_DEG.into_iter().find(|angle| *angle <= room).unwrap_or(0.0);
+    let (plus, minus) = (largest(to_f64(upper) - start_deg), largest(start_deg - to_f64(lower)));
+    match plus >= VISIBLE_DEG.min(minus) {
+        true if plus > 0.0 => plus,
+        true => ANGLES_DEG[ANGLES_DEG.len() - 1],
+        false => -minus,
+    }
 }
 
 /// The largest distance of [`DISTANCES_MM`] within half the travel; limits of linear axes are machine coordinates.

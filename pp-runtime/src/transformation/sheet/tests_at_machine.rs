@@ -43,8 +43,8 @@ pub(super) fn tests(machine: &dyn AnyMachine, words: &Words) -> Vec<Vec<String>>
 /// Lines of the jog sheet.
 fn directions(machine: &dyn AnyMachine) -> Vec<String> {
     let mut lines = vec![
-        "Directions. Switch the transformation off, and jog each axis alone from zero. A line that is false: the sign in the \
-         declaration or the direction of that axis in the control is wrong; correct it before anything else is compared."
+        "Directions. Switch the transformation off, clear the table, and start as on the jog sheet of `explain`: linear axes in \
+         mid-travel, tool clear. Jog each axis alone. A line that is false: the sign in the declaration or the direction of that axis in the control is wrong; correct it before anything else is compared."
             .to_owned(),
     ];
     let held = held_axes(machine);
