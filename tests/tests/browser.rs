@@ -5,7 +5,6 @@
 //! Pictures of the pages are compared with those of the book.
 
 use std::io::{BufRead as _, BufReader};
-use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 use std::{env, fs};
