@@ -104,6 +104,11 @@ impl Chapter {
         self.prose().flat_map(targets)
     }
 
+    /// Files that mdBook includes.
+    pub(crate) fn included(&self) -> impl Iterator<Item = String> {
+        self.prose().filter_map(|line| Some(line.strip_prefix("{{#include ")?.strip_suffix("}}")?.to_owned()))
+    }
+
     /// Headings as the ends of links: small letters, `-` for blanks, no punctuation.
     pub(crate) fn headings(&self) -> impl Iterator<Item = String> {
         let anchor = |line: &str| {

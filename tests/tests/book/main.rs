@@ -105,6 +105,11 @@ fn every_listing_is_what_its_commands_write() {
     assert_none(&found);
 }
 
+/// Whether a link from a chapter leads to a file that mdBook copies: those in the folder of the chapters.
+fn is_in_book(file: &str) -> bool {
+    !file.starts_with("../")
+}
+
 #[test]
 fn every_page_is_in_the_summary_and_every_link_leads_somewhere() {
     let mut found = Vec::new();
@@ -116,6 +121,8 @@ fn every_page_is_in_the_summary_and_every_link_leads_somewhere() {
         }
     }
     for chapter in Chapter::all() {
+        let missing = chapter.included().filter(|file| !workspace().join(chapter.target(file)).exists());
+        found.extend(missing.map(|file| format!("{}: no {file} to include", chapter.path.display())));
         for link in chapter.links() {
             if link.contains("://") {
                 continue;
@@ -124,6 +131,8 @@ fn every_page_is_in_the_summary_and_every_link_leads_somewhere() {
             let target = chapter.target(file);
             if !workspace().join(&target).exists() {
                 found.push(format!("{}: {link} leads nowhere", chapter.path.display()));
+            } else if chapter.path.starts_with(SOURCE) && !is_in_book(file) {
+                found.push(format!("{}: {link} is not in the book that mdBook builds", chapter.path.display()));
             } else if !heading.is_empty() && !Chapter::read(target).headings().any(|other| other == heading) {
                 found.push(format!("{}: {link} is no heading", chapter.path.display()));
             }
