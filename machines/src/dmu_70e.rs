@@ -3,7 +3,8 @@ use pp_runtime::machine;
 machine! {
     /// Deckel Maho DMU 70e: a rotary table on a table that rotates about an axis inclined by 45°.
     ///
-    /// The tool tilts by up to 90° while B rotates by 180° (My et al.).
+    /// The tool tilts by up to 90° while B rotates by 180° (My et al.). The 150 mm of `d` are assumed: the paper
+    /// gives no value.
     pub struct Dmu70e;
     chain: C B | X Y Z;
     axes = { B: Rx(-45 deg) * Y };

@@ -171,6 +171,11 @@ fn an_unknown_key_names_the_nearest_known_one() {
     );
     assert_eq!(faults("part_orign = [0, 0, 0]\n"), ["1:1: unknown key `part_orign`; did you mean `part_origin`?"]);
     assert_eq!(faults("[tools.7]\nlenght = 3\n"), ["2:1: unknown key `tools.7.lenght`; did you mean `length`?"]);
+    assert_eq!(faults("floor_x = -60.0\n"), ["1:1: unknown key `floor_x`; did you mean `floor`?"]);
+    assert_eq!(
+        faults("[tools.7]\nradius_offset_2 = 3\n"),
+        ["2:1: unknown key `tools.7.radius_offset_2`; did you mean `radius_offset`?"]
+    );
 }
 
 #[test]

@@ -362,14 +362,19 @@ impl<'t> KeyReader<'t> {
     }
 }
 
-/// Name nearest to a mistyped one; at most a third of its letters may differ.
-pub(crate) fn nearest<'n>(word: &str, names: impl Iterator<Item = &'n str>) -> Option<&'n str> {
+/// Name nearest to a mistyped one: at most a third of its letters differ, or the mistyped one adds words to it, as
+/// `floor_x` does to `floor`.
+pub(crate) fn nearest<'n>(word: &str, names: impl Iterator<Item = &'n str> + Clone) -> Option<&'n str> {
     let word = word.to_lowercase();
+    let extended = names.clone().filter(|name| {
+        word.strip_prefix(&name.to_lowercase()).is_some_and(|added| !name.is_empty() && added.starts_with('_'))
+    });
     names
         .map(|name| (strsim::damerau_levenshtein(&word, &name.to_lowercase()), name))
         .filter(|(distance, name)| *distance <= name.chars().count().max(3) / 3)
         .min_by_key(|(distance, _)| *distance)
         .map(|(_, name)| name)
+        .or_else(|| extended.max_by_key(|name| name.len()))
 }
 
 /// Names in the given quotes, separated by commas.

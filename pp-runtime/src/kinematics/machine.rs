@@ -86,6 +86,14 @@ pub struct Limits {
     pub upper: f64,
 }
 
+impl Limits {
+    /// Whether a rotary axis with this travel has one angle for each direction, none of them beyond 360°.
+    pub(crate) fn is_within_one_revolution(&self) -> bool {
+        let [most, width] = [self.upper.max(-self.lower), self.upper - self.lower];
+        most.max(width) <= core::f64::consts::TAU + 1e-9
+    }
+}
+
 /// One axis of the chain: the data that no dimension can change.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Axis {

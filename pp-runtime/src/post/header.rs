@@ -14,7 +14,7 @@ use crate::motion::{CutterPath, Links, StretchMode, StretchModes, TcpFrame, TipS
 use crate::nc::{Decimal, write_decimal};
 use crate::program::Rotation;
 use crate::program::Units;
-use crate::set_up::{ClPoint, GivenTool};
+use crate::set_up::{AxisBounds, ClPoint, GivenTool};
 use crate::set_up::{LengthMode, ProgramZero, Stock, part_angles};
 
 use super::survey::{Survey, ToolUse};
@@ -57,6 +57,19 @@ fn depends_on_part_origin(machine: &dyn AnyMachine, control: &dyn Control, confi
     (positions || !is_part_frame(config)) && rotaries(machine, Side::Workpiece).next().is_some()
 }
 
+/// Whether a bound of a linear axis under a rotary table is compared with positions that the control computes: its travel, or
+/// its speed under tip control.
+fn bounds_depend_on_part_origin(machine: &dyn AnyMachine, config: &Config, survey: &Survey) -> bool {
+    let axes = machine.axes();
+    let AxisBounds { limits, speeds } = config.set_up.travel(axes);
+    let tip_control = survey.modes.has(StretchMode::Tcp);
+    let compared = axes.iter().zip(limits).zip(speeds).any(|((axis, limits), speed)| {
+        let travel = limits.is_some() && config.set_up.machine_zero.contains_key(&axis.letter);
+        axis.kind == AxisKind::Linear && !axis.held && (travel || tip_control && speed.is_some())
+    });
+    compared && rotaries(machine, Side::Workpiece).next().is_some()
+}
+
 /// Whether words of the program are positions of the axes, or coordinates in a frame that does not go with the part, on a
 /// machine with a rotary axis in the table.
 pub(crate) fn has_positions(machine: &dyn AnyMachine, control: &dyn Control, config: &Config, survey: &Survey) -> bool {
@@ -86,8 +99,12 @@ pub(crate) fn assumptions(
         list.push("points of the CL data are coordinates from the part zero".to_owned());
     }
     let abilities = control::abilities(control, config.demands());
-    if depends_on_part_origin(machine, control, config, survey) && config.part_origin_is_assumed() {
-        list.push("part_origin 0, 0, 0: the part zero is the reference point of the table".to_owned());
+    if config.part_origin_is_assumed() {
+        let words = depends_on_part_origin(machine, control, config, survey);
+        let purpose = if words { "" } else { " for travel and speeds of the axes" };
+        if words || bounds_depend_on_part_origin(machine, config, survey) {
+            list.push(format!("part_origin 0, 0, 0{purpose}: the part zero is the reference point of the table"));
+        }
     }
     if !config.is_given("work_offset") {
         list.push(format!("work offset {}", work_offset(control, config)));
@@ -527,16 +544,21 @@ impl Header<'_> {
         (!values.is_empty()).then(|| format!("DIMENSIONS {}", values.join(", ")))
     }
 
-    /// Required setting of the control for rotary words beyond 360; none where every rotary axis rolls over, or none
-    /// has words.
+    /// Required setting of the control for rotary words beyond 360; none where every rotary axis rolls over or has its
+    /// travel within one revolution, or none has words.
     fn rotary_words(&self) -> Option<String> {
         let (wrap, codes) = (&self.job.config.motion.rotaries.wrap, self.job.control.spellings());
-        let counting = |axis: &&Axis| axis.kind == AxisKind::Rotary && !axis.held && !wrap.contains_key(&axis.letter);
-        let letters: String = self.machine.axes().iter().filter(counting).map(|axis| axis.letter).collect();
+        let axes = self.machine.axes();
+        let limits = self.job.config.set_up.travel(axes).limits;
+        let rotary = axes.iter().zip(limits).filter(|(axis, _)| axis.kind == AxisKind::Rotary && !axis.held);
+        let (counting, others): (Vec<_>, Vec<_>) = rotary.partition(|(axis, limits)| {
+            !wrap.contains_key(&axis.letter) && !limits.is_some_and(|limits| limits.is_within_one_revolution())
+        });
+        let letters: String = counting.iter().map(|(axis, _)| axis.letter).collect();
         if letters.is_empty() || !self.rotates_in_cuts() {
             return None;
         }
-        let of = if wrap.is_empty() { String::new() } else { format!(" of {}", joined_by_and(&letters)) };
+        let of = if others.is_empty() { String::new() } else { format!(" of {}", joined_by_and(&letters)) };
         let shortest = codes.rotary_path[1];
         let note = match wrap.values().any(|wrap| *wrap != Wrap::Sign) && !shortest.is_empty() {
             true => format!("{shortest} is active, so these axes must not be displayed within one revolution"),

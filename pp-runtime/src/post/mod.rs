@@ -112,6 +112,9 @@ pub struct Report {
     /// Rewinds and travel of the rotary axes, as planned and as they would be chosen motion by motion; empty without
     /// rotary axes.
     pub course: String,
+    /// Angles of the rotary axes after the last motion, as the control displays them, degrees. An axis of unknown angle is
+    /// left out.
+    pub rotary_end: Vec<(char, f64)>,
     /// Assumptions: settings that were not given, one sentence each.
     pub assumptions: Vec<String>,
     /// Linear axes whose limits were not checked, with the reason; empty if all were.
@@ -190,6 +193,7 @@ impl Report {
         lines.extend(self.set_up.iter().cloned());
         lines.extend(self.reading.iter().cloned());
         lines.extend((!self.course.is_empty()).then(|| self.course.clone()));
+        lines.extend(self.rotary_end_text());
         lines.extend((!self.course.is_empty()).then(|| format!("{}; mode {}", self.stretches.summary(), self.modes)));
         lines.extend(self.assumptions.iter().map(|assumption| format!("assumed: {assumption}")));
         lines.extend(self.unchecked.iter().cloned());
@@ -244,6 +248,13 @@ impl Report {
     fn fault(&mut self, diagnostic: Diagnostic) {
         self.failed |= diagnostic.severity == Severity::Error;
         self.diagnostics.push(diagnostic);
+    }
+
+    /// Angles of the rotary axes after the last motion.
+    fn rotary_end_text(&self) -> Option<String> {
+        let angles: Vec<String> =
+            self.rotary_end.iter().map(|(letter, degrees)| format!("{letter} {degrees}")).collect();
+        (!angles.is_empty()).then(|| format!("rotary axes after the last motion: {} degrees", angles.join(", ")))
     }
 
     /// How far the surface of a tool is off where its axis is not the programmed one: the tip is held.
@@ -520,7 +531,7 @@ impl PlanningPass<'_> {
         report.threads = threads_text(planner.threads(), units);
         report.unchecked = header::unchecked_limits(&planner.unchecked_axes());
         match planned {
-            Ok(()) => {}
+            Ok(()) => report.rotary_end = planner.rotary_angles(),
             Err(PlanningError::Output(error)) => return Err(PostError::Output(error)),
             Err(PlanningError::Fault(diagnostic)) => report.fault(diagnostic),
         }

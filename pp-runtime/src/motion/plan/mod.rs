@@ -45,7 +45,7 @@ use crate::program::{self, Coolant, Location, Move};
 use crate::motion::course::{Course, CourseAction, CourseChange, CourseFollower};
 use crate::motion::fault::{Fault, ItemError, Planned, PlanningError};
 use crate::motion::geometry::PathSegment;
-use crate::motion::rotary::{RotaryTarget, RotaryWords};
+use crate::motion::rotary::{Rotary, RotaryTarget, RotaryWords};
 use crate::motion::source::{Begins, ItemAction, LinePart, MotionIndex, Next, ProgramItem, Stage};
 use crate::motion::step::BlockReason;
 use crate::motion::step::Sink;
@@ -221,6 +221,26 @@ impl<'a, S: Sink> Planner<'a, S> {
     #[must_use]
     pub fn unchecked_axes(&self) -> Vec<(char, &'static str)> {
         self.mover.placer().unchecked_axes()
+    }
+
+    /// Angles of the rotary axes as the control displays them, degrees. An axis whose angle is unknown is left out: one that
+    /// the program has not positioned since its beginning or a stop.
+    #[must_use]
+    pub fn rotary_angles(&self) -> Vec<(char, f64)> {
+        let (placer, position) = (self.mover.placer(), self.mover.position());
+        let (written, options) = (placer.written(position.place()), self.policy.options);
+        let scale = placer.scale();
+        let angle = |rotary: &Rotary| {
+            let letter = placer.chain()[rotary.index].letter;
+            let word = match options.rotaries.wrap.get(&letter) {
+                Some(wrap) => wrap.displayed(written[rotary.index], scale.units_per_turn),
+                None => written[rotary.index],
+            };
+            (letter, scale.degrees(word))
+        };
+        let mut angles: Vec<(char, f64)> = placer.rotaries().iter().map(angle).collect();
+        angles.retain(|(letter, _)| position.knows_rotary_axes() || options.park.contains_key(letter));
+        angles
     }
 
     /// The sink of the steps.

@@ -19,6 +19,17 @@ struct RolloverAxis {
     last: Option<i64>,
 }
 
+impl Wrap {
+    /// Word that the control displays for a word of the plan.
+    pub(crate) fn displayed(self, word: i64, units_per_turn: i64) -> i64 {
+        let within = word.rem_euclid(units_per_turn);
+        match self {
+            Self::Symmetric if 2 * within > units_per_turn => within - units_per_turn,
+            Self::Positive | Self::Symmetric | Self::Sign => within,
+        }
+    }
+}
+
 /// Axes of a program that roll over.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Rollover {
@@ -62,9 +73,7 @@ impl Rollover {
             let (before, to) = (from[axis.index], words.units[axis.index]);
             let within = to.rem_euclid(turn);
             let spelled = match axis.wrap {
-                Wrap::Positive => within,
-                Wrap::Symmetric if 2 * within > turn => within - turn,
-                Wrap::Symmetric => within,
+                Wrap::Positive | Wrap::Symmetric => axis.wrap.displayed(to, turn),
                 Wrap::Sign if to == before && axis.last.is_some_and(|last| last.abs() % turn == within) => {
                     axis.last.unwrap_or(within)
                 }

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::control::{Heidenhain, Siemens};
+use crate::kinematics::Limits;
 use crate::kinematics::machines::Head;
 use crate::motion::Wrap;
 use crate::set_up::GivenTool;
@@ -54,31 +55,31 @@ fn a_siemens_program_begins_with_the_name_of_its_file_where_that_is_wanted() {
 }
 
 #[test]
-fn only_axes_that_do_not_roll_over_have_words_beyond_a_revolution() {
-    let line = |control: &dyn Control, wrapped: &str, wrap: Wrap| {
+fn only_axes_that_pass_a_revolution_and_do_not_roll_over_have_words_beyond_it() {
+    let line = |control: &dyn Control, wrapped: &str, b_lower_deg: f64| {
         let mut config = crate::config::starting_point(control);
         config.motion.mode = crate::motion::Mode::Axes;
-        config.motion.rotaries.wrap.extend(wrapped.chars().map(|letter| (letter, wrap)));
+        config.motion.rotaries.wrap.extend(wrapped.chars().map(|letter| (letter, Wrap::Positive)));
+        let limits = Limits { lower: b_lower_deg.to_radians(), upper: 110_f64.to_radians() };
+        config.set_up.limits.insert('B', Some(limits));
         let job = Job { cl_name: "bracket.cls", config: &config, control, units: None };
         let mut out = Vec::new();
         post::<Cb>(&job, &mut Cursor::new(PART.as_bytes()), &mut out).expect("memory neither fails nor fills");
         let text = String::from_utf8(out).expect("ASCII");
         text.lines().find_map(|line| Some(line[line.find("ROTARY WORDS")?..].to_owned()))
     };
+    let (within, beyond) = (-250.0, -251.0);
     let counts = "are absolute and may go below 0 and beyond 360";
-    let none = line(&Heidenhain, "", Wrap::Positive).expect("a line");
-    assert_eq!(none, format!("ROTARY WORDS {counts}: M127 is in force, so the axes do not take the shortest path"));
-    let both = [Wrap::Positive, Wrap::Sign].map(|wrap| line(&Heidenhain, "BC", wrap));
-    assert_eq!(both, [None, None]);
-    let one = line(&Heidenhain, "C", Wrap::Positive).expect("a line");
-    assert_eq!(
-        one,
-        format!(
-            "ROTARY WORDS of B {counts}: M126 is active, so these axes must not be displayed within one revolution"
-        )
-    );
-    let linuxcnc = line(&LinuxCnc, "C", Wrap::Positive).expect("a line");
-    assert_eq!(linuxcnc, format!("ROTARY WORDS of B {counts}: the axes must not be wrapped [WRAPPED_ROTARY = 0])"));
+    let not_shortest = "M127 is in force, so the axes do not take the shortest path";
+    let displayed = "M126 is active, so these axes must not be displayed within one revolution";
+    let unwrapped = "the axes must not be wrapped [WRAPPED_ROTARY = 0])";
+    assert_eq!(line(&Heidenhain, "", within), Some(format!("ROTARY WORDS of C {counts}: {not_shortest}")));
+    assert_eq!(line(&Heidenhain, "", beyond), Some(format!("ROTARY WORDS {counts}: {not_shortest}")));
+    assert_eq!(line(&Heidenhain, "C", within), None);
+    assert_eq!(line(&Heidenhain, "C", beyond), Some(format!("ROTARY WORDS of B {counts}: {displayed}")));
+    assert_eq!(line(&Heidenhain, "BC", beyond), None);
+    assert_eq!(line(&LinuxCnc, "C", within), None);
+    assert_eq!(line(&LinuxCnc, "C", beyond), Some(format!("ROTARY WORDS of B {counts}: {unwrapped}")));
 }
 
 #[test]

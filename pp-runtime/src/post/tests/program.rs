@@ -3,6 +3,7 @@
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
 use super::*;
+use crate::control::Siemens;
 use crate::program::{Clearance, ClearancePlane, Rotation};
 
 #[test]
@@ -42,6 +43,63 @@ fn times_are_written_after_the_blocks_of_the_user_and_before_the_end_code() {
     assert!(lines[0].starts_with("(machining time "), "{lines:?}");
     assert_eq!(lines.iter().filter(|line| !line.starts_with('(')).copied().collect::<Vec<_>>(), ["M2"]);
     assert_eq!(lines.last(), Some(&"M2"));
+}
+
+#[test]
+fn the_summary_states_the_rotary_axes_after_the_last_motion() {
+    // The second operation sweeps C from 0 to 391 degrees at B 30.
+    let revolution = (0..=391).step_by(17).map(|degrees| {
+        let (sin_c, cos_c) = f64::from(degrees).to_radians().sin_cos();
+        format!("GOTO/25,8,0,{:.9},{:.9},0.866025404\n", 0.5 * cos_c, 0.5 * sin_c)
+    });
+    let part = PART.replace("GOTO/25,8,0\n", &revolution.collect::<String>());
+    let stated = |change: fn(&mut Config), part: &str| {
+        let mut config = Config::default();
+        change(&mut config);
+        let (_, report) = posted::<Cb>(&config, part);
+        assert!(!report.failed, "{:?}", report.diagnostics);
+        report
+            .summary()
+            .into_iter()
+            .find_map(|line| Some(line.strip_prefix("rotary axes after the last motion: ")?.to_owned()))
+    };
+    assert_eq!(stated(|_| {}, &part).as_deref(), Some("C 391, B 30 degrees"));
+    let symmetric = |config: &mut Config| _ = config.motion.rotaries.wrap.insert('C', crate::motion::Wrap::Symmetric);
+    assert_eq!(stated(symmetric, &part).as_deref(), Some("C 31, B 30 degrees"));
+    let parked = |config: &mut Config| _ = config.motion.park.insert('B', 0.0);
+    assert_eq!(stated(parked, &part).as_deref(), Some("C 391, B 0 degrees"));
+    // After a stop the axes are where a hand has left them.
+    let stopped = part.replace("FINI", "STOP\nFINI");
+    assert_eq!(stated(|_| {}, &stopped), None);
+    assert_eq!(stated(parked, &stopped).as_deref(), Some("B 0 degrees"));
+}
+
+#[test]
+fn the_part_origin_is_assumed_where_words_travel_or_speeds_depend_on_it() {
+    use crate::motion::Mode;
+    let assumed = |mode: Mode, change: fn(&mut Config)| {
+        let mut config = crate::config::starting_point(&Siemens);
+        config.motion.mode = mode;
+        change(&mut config);
+        let job = Job { cl_name: "bracket.cls", config: &config, control: &Siemens, units: None };
+        let report = post::<Cb>(&job, &mut Cursor::new(PART.as_bytes()), &mut Vec::new()).expect("a program");
+        report.assumptions.into_iter().find(|assumption| assumption.contains("part_origin"))
+    };
+    let machine_zero = |config: &mut Config| _ = config.set_up.machine_zero.insert('X', 0.0);
+    let speed = |config: &mut Config| _ = config.set_up.speeds.insert('X', 9000.0);
+    let bounds =
+        "part_origin 0, 0, 0 for travel and speeds of the axes: the part zero is the reference point of the table";
+    for mode in [Mode::Tcp, Mode::Plane] {
+        assert_eq!(assumed(mode, |_| {}), None, "{mode:?}");
+        assert_eq!(assumed(mode, machine_zero).as_deref(), Some(bounds), "{mode:?}");
+    }
+    assert_eq!(assumed(Mode::Tcp, speed).as_deref(), Some(bounds));
+    assert_eq!(assumed(Mode::Plane, speed), None);
+    let given = |config: &mut Config| {
+        config.set_up.machine_zero.insert('X', 0.0);
+        config.given.insert("part_origin");
+    };
+    assert_eq!(assumed(Mode::Plane, given), None);
 }
 
 #[test]
