@@ -5,10 +5,10 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use machine_library::{HaasTrunnion, ObliqueYLathe};
+use machine_library::{HaasTrunnion, ObliqueYLathe, XyzacTrt};
 use machines::{LolaXoyzba, SpinnerU5620};
-use pp_runtime::config::Config;
-use pp_runtime::control::LinuxCnc;
+use pp_runtime::config::{Config, print, starting_point};
+use pp_runtime::control::{self, Control, LinuxCnc};
 use pp_runtime::kinematics::{AxisKind, Machine, Pose};
 use pp_runtime::nalgebra::{Point3, Vector3};
 use serde_json::Value;
@@ -263,4 +263,53 @@ fn machine_coordinates_of_the_part_zero_follow_from_those_of_the_table() {
     machine_zero_follows::<LolaXoyzba>("");
     machine_zero_follows::<HaasTrunnion>("[dimensions]\ntilt_y = 0.5\ntilt_z = 60.0\n");
     machine_zero_follows::<ObliqueYLathe>("[dimensions]\nslant = 30.0\n");
+}
+
+/// Faults of the example lines of a printed file, each enabled alone.
+fn faults_of_examples<M: Machine>(control: &'static dyn Control) -> Vec<String> {
+    let machine = M::default();
+    let (mut table, mut faults, mut examples) = (String::new(), Vec::new(), 0);
+    for line in print(&machine, control).lines() {
+        if line.starts_with('[') {
+            line.clone_into(&mut table);
+        }
+        let default = line.strip_prefix('#').filter(|rest| !rest.is_empty() && !rest.starts_with(' '));
+        let Some(example) = line.strip_prefix("# e.g. ").or(default) else { continue };
+        examples += 1;
+        let key = format!("{table} {example}");
+        // A blank has two corners.
+        let example =
+            if table == "[stock]" { "lower = [-50.0, -40.0, -30.0]\nupper = [50.0, 40.0, 0.0]" } else { example };
+        match starting_point(control).read_over(&machine, &format!("units = \"mm\"\n{table}\n{example}\n")) {
+            Ok(config) => {
+                // Settings of single operations serve several controls.
+                let unread = config.for_control(control).left_out.into_iter().filter(|_| table != "[operations]");
+                faults.extend(
+                    config.unfit(&machine, control).into_iter().chain(unread).map(|fault| format!("{key}: {fault}")),
+                );
+            }
+            Err(read) => faults.extend(read.iter().map(|fault| format!("{key}: {}", fault.text))),
+        }
+    }
+    assert!(examples > 100, "{examples} examples");
+    faults
+}
+
+#[test]
+fn each_example_that_is_printed_for_a_control_is_accepted_by_it() {
+    for control in control::CONTROLS.iter().copied() {
+        let faults = [faults_of_examples::<SpinnerU5620>(control), faults_of_examples::<LolaXoyzba>(control)].concat();
+        assert!(faults.is_empty(), "{}: {faults:#?}", control.spellings().name);
+    }
+}
+
+/// Two axes have two clamps.
+#[test]
+fn the_examples_of_clamps_have_codes_of_their_own() {
+    for control in control::CONTROLS.iter().copied() {
+        let printed = print(&XyzacTrt::default(), control);
+        let codes: Vec<&str> = printed.lines().filter(|line| line.contains("{ on = ")).collect();
+        let [first, second] = codes[..] else { panic!("{codes:?}") };
+        assert_ne!(first.split_once('=').expect("codes").1, second.split_once('=').expect("codes").1);
+    }
 }

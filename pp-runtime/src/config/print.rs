@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use crate::control::Control;
-use crate::keys::{KeyList, KeyRow, Printed};
+use crate::keys::{KeyList, KeyRow, KeyScope, Printed};
 use crate::kinematics::AnyMachine;
 
 use super::dimensions::meanings;
@@ -21,7 +21,9 @@ const WIDTH: usize = 120;
 /// assumed.
 #[must_use]
 pub fn print(machine: &dyn AnyMachine, control: &dyn Control) -> String {
-    let mut list = KeyList::of(&starting_point(control), scope(machine));
+    let scope = KeyScope { examples: control.spellings().examples, ..scope(machine) };
+    let mut list = KeyList::of(&starting_point(control), scope);
+    list.leave_out(control.spellings().unused_keys);
     for found in control.spellings().found_at {
         list.add_note(found.key, &found.comment());
     }

@@ -341,7 +341,9 @@ const AXIS_NAMES: PerAxis<String> = PerAxis {
     read: |r, entry| r.line(entry.value),
     printed: |scope, axis| {
         let last = scope.axes.last().is_some_and(|last| last.letter == axis.letter);
-        last.then(|| Printed::Example(format!("\"{}1\"", axis.letter)))
+        // A letter that no axis of the machine has.
+        let other = "WVUCBA".chars().find(|letter| scope.axes.iter().all(|axis| axis.letter != *letter))?;
+        last.then(|| Printed::Example(format!("\"{other}\"")))
     },
     schema: || json!({ "type": "string" }),
 };

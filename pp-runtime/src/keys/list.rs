@@ -83,10 +83,12 @@ impl KeyList {
         example: Option<&'static str>,
     ) {
         let assumed = kind.assumed();
-        let printed = match (kind.printed(&self.scope), example) {
-            (Some(printed), _) => printed,
-            (None, Some(example)) => Printed::Example(example.to_owned()),
-            (None, None) => match field.filled().or(assumed.as_ref()) {
+        let of_control = self.scope.examples_of(path).next();
+        let printed = match (kind.printed(&self.scope), of_control.or(example)) {
+            (Some(Printed::Section(entries)), _) => Printed::Section(entries),
+            (Some(printed), _) if of_control.is_none() => printed,
+            (_, Some(example)) => Printed::Example(example.to_owned()),
+            (_, None) => match field.filled().or(assumed.as_ref()) {
                 Some(value) => Printed::Default(kind.print(value)),
                 None => Printed::Example(String::new()),
             },
@@ -100,6 +102,11 @@ impl KeyList {
     fn add(&mut self, path: &'static str, comment: &[&str], printed: Printed, schema: Json) {
         let (group, text, note) = (self.group, first_paragraph(comment), String::new());
         self.rows.push(KeyRow { path, group, text, note, printed, schema });
+    }
+
+    /// Takes out the keys of these paths.
+    pub(crate) fn leave_out(&mut self, paths: &[&str]) {
+        self.rows.retain(|row| !paths.contains(&row.path));
     }
 
     /// Adds a note to the key of this path.

@@ -33,12 +33,25 @@ pub(crate) struct KeyScope {
     pub(crate) dimensions: &'static [Dimension],
     /// Whether at least one control has this work offset.
     pub(crate) is_work_offset: fn(&str) -> bool,
+    /// Examples of the control of a sample, instead of the general ones: key, and value as TOML.
+    pub(crate) examples: &'static [(&'static str, &'static str)],
 }
 
 impl KeyScope {
     /// Context of the keys for a machine.
     pub(crate) fn of(machine: &dyn AnyMachine, is_work_offset: fn(&str) -> bool) -> Self {
-        Self { machine: machine.name(), axes: machine.axes(), dimensions: machine.dimensions(), is_work_offset }
+        Self {
+            machine: machine.name(),
+            axes: machine.axes(),
+            dimensions: machine.dimensions(),
+            is_work_offset,
+            examples: &[],
+        }
+    }
+
+    /// Examples of the control for a key; a table by axis has one for each axis, in order.
+    pub(crate) fn examples_of(&self, key: &str) -> impl Iterator<Item = &'static str> {
+        self.examples.iter().filter(move |(of, _)| *of == key).map(|(_, value)| *value)
     }
 }
 

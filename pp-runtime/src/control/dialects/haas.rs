@@ -120,6 +120,8 @@ static SPELLINGS: Spellings = Spellings {
                must take the pose of the actual axis positions",
     }),
     rotary_note: "the axes must not take the shortest path to an angle beyond 360",
+    examples: &[("control.tool_change", r#"["T{tool} M06", "T{next}"]"#)],
+    unused_keys: &["control.smoothing_levels", "control.swivel_data"],
     found_at: &[
         FoundAt {
             key: "part_origin",

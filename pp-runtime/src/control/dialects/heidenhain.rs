@@ -282,6 +282,18 @@ static SPELLINGS: Spellings = Spellings {
         note: "the master axis of SEQ must be the rotary axis nearest the tool",
     }),
     rotary_note: "M127 is in force, so the axes do not take the shortest path",
+    examples: &[
+        ("control.safety", r#"["M129", "PLANE RESET STAY", "M127"]"#),
+        ("control.tool_change", r#"["TOOL CALL {tool} Z S{speed} DR{radius_delta}", "TOOL DEF {next}"]"#),
+        ("control.coolant", r#"{ through = ["M50", "M51"] }"#),
+        ("retract.method", r#""M140""#),
+        ("cycles.probe", r#"{ "PROBE/BORE,20" = ["CALL PGM TNC:\\PROBE\\BORE20.H"] }"#),
+        ("cycles.measure_tool", r#"["CALL PGM TNC:\\PROBE\\MEASURE.H"]"#),
+        ("cycles.check_tool", r#"["CALL PGM TNC:\\PROBE\\CHECK.H"]"#),
+        ("clamp", r#"{ on = "M10", off = "M11" }"#),
+        ("clamp", r#"{ on = "M22", off = "M23" }"#),
+    ],
+    unused_keys: &["control.program_number", "control.smoothing_levels", "control.swivel_data"],
     found_at: &[
         FoundAt {
             key: "part_origin",

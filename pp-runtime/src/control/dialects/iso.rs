@@ -81,6 +81,8 @@ impl Spellings {
         plane: None,
         rotary_note: "",
         found_at: &[],
+        examples: &[],
+        unused_keys: &[],
     };
 }
 

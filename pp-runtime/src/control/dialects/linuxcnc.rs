@@ -58,6 +58,29 @@ static SPELLINGS: Spellings = Spellings {
         ..LengthCodes::ISO
     },
     rotary_note: "the axes must not be wrapped (WRAPPED_ROTARY = 0)",
+    examples: &[
+        ("control.safety", r#"["{units} G17 G40 G49 G80 G90 G94 {work_offset} G64 P{path_tolerance}"]"#),
+        ("control.coolant", r#"{ through = ["M64 P2", "M65 P2"] }"#),
+        ("control.effects", r#"{ "M110" = "none" }"#),
+        ("cycles.probe", r#"{ "PROBE/BORE,20" = ["o<probe_bore> call [20]"] }"#),
+        ("cycles.measure_tool", r#"["o<measure_tool> call [{tool}]"]"#),
+        ("cycles.check_tool", r#"["o<check_tool> call [{tool}]"]"#),
+        ("cl.words", r#"{ "CHUCK/OPEN" = "M110" }"#),
+        ("program.operation_start", r#"["M131"]"#),
+        ("program.operation_end", r#"["M133"]"#),
+        ("start", r#"["M131"]"#),
+        ("end", r#"["M133"]"#),
+        ("clamp", r#"{ on = "M64 P0", off = "M65 P0" }"#),
+        ("clamp", r#"{ on = "M64 P1", off = "M65 P1" }"#),
+    ],
+    unused_keys: &[
+        "control.program_number",
+        "control.smoothing_levels",
+        "control.functions",
+        "control.swivel_data",
+        "cycles.bore_retract",
+        "cycles.bore_shift",
+    ],
     found_at: &[
         FoundAt {
             key: "part_origin",

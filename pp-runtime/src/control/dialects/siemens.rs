@@ -185,6 +185,15 @@ static SPELLINGS: Spellings = Spellings {
         note: "the direction reference of the swivel data must be the rotary axis nearest the tool",
     }),
     rotary_note: "the axes must not be modulo axes (MD30310 = 0)",
+    examples: &[
+        ("control.safety", r#"["TRAFOOF", "CYCLE800()", "{units} G17 G40 G64 G90 G94 {work_offset}"]"#),
+        ("control.tool_change", r#"["T{tool}", "M6", "T{next}"]"#),
+        ("retract.method", r#""SUPA""#),
+        ("cycles.probe", r#"{ "PROBE/BORE,20" = ["PROBE_BORE(20)"] }"#),
+        ("cycles.measure_tool", r#"["MEASURE_TOOL({tool})"]"#),
+        ("cycles.check_tool", r#"["CHECK_TOOL({tool})"]"#),
+    ],
+    unused_keys: &["control.program_number", "control.smoothing_levels"],
     found_at: &[
         FoundAt {
             key: "part_origin",

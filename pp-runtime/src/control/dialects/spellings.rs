@@ -138,6 +138,11 @@ pub struct Spellings {
     pub rotary_note: &'static str,
     /// Where the numbers of a set-up file are found at the control; printed with their keys by `config`.
     pub found_at: &'static [FoundAt],
+    /// Examples of keys of the set-up file where the general ones are not those of the control: key, and value as TOML. `clamp`
+    /// has one for each rotary axis, in order; `start` and `end` are those of a tool.
+    pub examples: &'static [(&'static str, &'static str)],
+    /// Keys of the set-up file that the control refuses or does not read: `config` does not print them.
+    pub unused_keys: &'static [&'static str],
 }
 
 /// Where a number of the set-up file is found at the control.

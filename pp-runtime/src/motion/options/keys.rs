@@ -182,12 +182,19 @@ pub(crate) const GRID: PerAxis<f64> = PerAxis {
     schema: || json!({ "type": "number", "exclusiveMinimum": 0 }),
 };
 
+/// Clamps of the first and the second rotary axis.
+const CLAMP_EXAMPLES: [&str; 2] = ["{ on = \"M10\", off = \"M11\" }", "{ on = \"M12\", off = \"M13\" }"];
+
 /// Clamp codes.
 pub(crate) const CLAMP: PerAxis<ClampCodes> = PerAxis {
     axes: AxisSet::Solved,
     section: true,
     read: clamp_codes,
-    printed: |_, axis| solved(axis).then(|| Printed::Example("{ on = \"M10\", off = \"M11\" }".to_owned())),
+    printed: |scope, axis| {
+        let place = scope.axes.iter().filter(|axis| solved(axis)).position(|solved| solved.letter == axis.letter)?;
+        let of_control = scope.examples_of("clamp").nth(place);
+        Some(Printed::Example(of_control.or_else(|| CLAMP_EXAMPLES.get(place).copied())?.to_owned()))
+    },
     schema: || {
         let code = json!({ "type": "string" });
         json!({
