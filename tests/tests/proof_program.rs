@@ -146,6 +146,24 @@ fn the_tip_stays_on_its_point_while_each_rotary_sweeps_its_travel_on_every_contr
     }
 }
 
+#[test]
+fn a_table_that_rolls_over_is_swept_by_quarter_turns() {
+    for control in CONTROLS.iter().filter(|control| **control != "haas") {
+        let config = "units = 'mm'\nmode = 'axes'\nwrap = { C = '0..360' }\n";
+        for case in [Case { config, ..DMU }, Case { config, ..SPINNER }] {
+            let program =
+                proof(&case, control, &[]).unwrap_or_else(|errors| panic!("{}, {control}: {errors}", case.binary));
+            let trace = traced(&program, control);
+            let words = trace.motions().filter_map(|step| step.state.position.get('C'));
+            let reached: Vec<f64> =
+                words.filter(|degrees| (degrees / 90.0 - (degrees / 90.0).round()).abs() < 1e-9).collect();
+            for quarter in [90.0, 180.0, 270.0] {
+                assert!(reached.contains(&quarter), "{}, {control}: {quarter}\n{program}", case.binary);
+            }
+        }
+    }
+}
+
 /// Keys with which a control has tip control in the frame of the table at zero.
 fn tip_control_of(control: &str) -> &'static str {
     match control {

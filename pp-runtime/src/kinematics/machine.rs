@@ -87,10 +87,10 @@ pub struct Limits {
 }
 
 impl Limits {
-    /// Whether a rotary axis with this travel has one angle for each direction, none of them beyond 360°.
+    /// Whether the angles of a rotary axis with this travel are those that a control displays within one revolution, from 0 to
+    /// 360°.
     pub(crate) fn is_within_one_revolution(&self) -> bool {
-        let [most, width] = [self.upper.max(-self.lower), self.upper - self.lower];
-        most.max(width) <= core::f64::consts::TAU + 1e-9
+        self.lower >= -1e-9 && self.upper <= core::f64::consts::TAU + 1e-9
     }
 }
 

@@ -544,8 +544,8 @@ impl Header<'_> {
         (!values.is_empty()).then(|| format!("DIMENSIONS {}", values.join(", ")))
     }
 
-    /// Required setting of the control for rotary words beyond 360; none where every rotary axis rolls over or has its
-    /// travel within one revolution, or none has words.
+    /// Required setting of the control for rotary words below 0 or beyond 360; none where every rotary axis rolls over or has its
+    /// travel between them, or none has words.
     fn rotary_words(&self) -> Option<String> {
         let (wrap, codes) = (&self.job.config.motion.rotaries.wrap, self.job.control.spellings());
         let axes = self.machine.axes();
@@ -564,7 +564,7 @@ impl Header<'_> {
             true => format!("{shortest} is active, so these axes must not be displayed within one revolution"),
             false => codes.rotary_note.to_owned(),
         };
-        Some(format!("ROTARY WORDS{of} are absolute and may go below 0 and beyond 360: {note}"))
+        Some(format!("ROTARY WORDS{of} are absolute and may go below 0 or beyond 360: {note}"))
     }
 
     /// A point in the unit of the program.

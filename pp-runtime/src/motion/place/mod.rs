@@ -643,6 +643,11 @@ impl Placer {
         Ok((self.position_at(&from.pose, from, &words), mask))
     }
 
+    /// Whether an axis rolls over: its words are within one revolution.
+    pub(crate) fn rolls(&self, index: usize) -> bool {
+        self.rotary.wrapped & (1 << index) != 0
+    }
+
     /// Whether a control that rotates by the shorter path would rotate an axis in the wrong direction in this block.
     #[inline]
     pub(crate) fn rolls_over(&self, from: &AxisPosition, to: &AxisPosition) -> bool {

@@ -171,8 +171,22 @@ impl<'p, 'a, S: Sink> ProofProgram<'p, 'a, S> {
         self.lead_out()
     }
 
-    /// Rotates to some words with the tip in place. As in a rewind, the tool axis is not held to a path.
+    /// Rotates to some words with the tip in place, an axis that rolls over by a quarter turn at a time: by the shorter way it
+    /// goes less than half a turn.
     fn sweep_to(&mut self, words: &RotaryWords) -> Planned {
+        let placer = self.planner.mover.placer();
+        let (from, quarter) =
+            (placer.rotary_words_of(&self.planner.mover.here().words), placer.scale().units_per_turn / 4);
+        let rolling = (0..placer.rotaries().len()).filter(|&axis| placer.rolls(placer.rotaries()[axis].index));
+        let quarters = rolling.map(|axis| (words[axis] - from[axis]).abs() / quarter).max().unwrap_or(0).max(1);
+        for done in 1..=quarters {
+            self.rotate_to(&std::array::from_fn(|axis| from[axis] + (words[axis] - from[axis]) * done / quarters))?;
+        }
+        Ok(())
+    }
+
+    /// Rotates to some words with the tip in place. As in a rewind, the tool axis is not held to a path.
+    fn rotate_to(&mut self, words: &RotaryWords) -> Planned {
         let mover = &mut self.planner.mover;
         let place = mover.placer().with_rotary_words(&mover.position().pose(), mover.here(), words)?;
         let swinging = PathTolerance { axis_rad: f64::INFINITY, ..mover.tolerance() };

@@ -68,8 +68,8 @@ fn only_axes_that_pass_a_revolution_and_do_not_roll_over_have_words_beyond_it() 
         let text = String::from_utf8(out).expect("ASCII");
         text.lines().find_map(|line| Some(line[line.find("ROTARY WORDS")?..].to_owned()))
     };
-    let (within, beyond) = (-250.0, -251.0);
-    let counts = "are absolute and may go below 0 and beyond 360";
+    let (within, beyond) = (0.0, -35.0);
+    let counts = "are absolute and may go below 0 or beyond 360";
     let not_shortest = "M127 is in force, so the axes do not take the shortest path";
     let displayed = "M126 is active, so these axes must not be displayed within one revolution";
     let unwrapped = "the axes must not be wrapped [WRAPPED_ROTARY = 0])";
