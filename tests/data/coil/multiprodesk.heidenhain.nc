@@ -16,7 +16,7 @@
 15 ; AXIS X+ moves the tool along +X, as in ISO 841
 16 ; AXIS Z+ moves the tool along +Z, as in ISO 841
 17 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg of its great circle
-18 ; ROTARY WORDS are absolute and may go below 0 and beyond 360: M127 is in force, so the axes do not take the shortest path
+18 ; ROTARY WORDS are absolute and may go below 0 or beyond 360: M127 is in force, so the axes do not take the shortest path
 19 ; valid only for part origin X35 Y4.5 Z62 from the reference point of the table; do not touch off again
 20 ; the zero of preset 2 must be at X-180 Y-95 Z-310 in the display REF, gauge line, rotary axes at zero
 21 ; the entries of A in preset 2 must be zero

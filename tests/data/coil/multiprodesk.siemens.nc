@@ -12,7 +12,7 @@
 ; AXIS X+ moves the tool along +X, as in ISO 841
 ; AXIS Z+ moves the tool along +Z, as in ISO 841
 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg of its great circle
-; ROTARY WORDS are absolute and may go below 0 and beyond 360: the axes must not be modulo axes (MD30310 = 0)
+; ROTARY WORDS are absolute and may go below 0 or beyond 360: the axes must not be modulo axes (MD30310 = 0)
 ; valid only for part origin X35 Y4.5 Z62 from the reference point of the table; do not touch off again
 ; G55 must hold X-180 Y-95 Z-310
 ; the entries of A in G55 must be zero

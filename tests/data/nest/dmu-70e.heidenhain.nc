@@ -20,7 +20,7 @@
 19 ; AXIS Y+ moves the tool along +Y, as in ISO 841
 20 ; AXIS Z+ moves the tool along +Z, as in ISO 841
 21 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg of its great circle
-22 ; ROTARY WORDS of C are absolute and may go below 0 and beyond 360: M127 is in force, so the axes do not take the shortest path
+22 ; ROTARY WORDS of C are absolute and may go below 0 or beyond 360: M127 is in force, so the axes do not take the shortest path
 23 ; linear limits not checked: no travel declared (X Y Z)
 24 ; valid only for part origin X0 Y0 Z0 from the reference point of the table; do not touch off again
 25 ; the entries of C and B in preset 1 must be zero

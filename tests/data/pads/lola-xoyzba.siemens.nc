@@ -13,7 +13,7 @@
 ; AXIS B+ rotates the tool right-handed about +Y, as in ISO 841
 ; AXIS A+ rotates the tool right-handed about +X, as in ISO 841
 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg of its great circle
-; ROTARY WORDS are absolute and may go below 0 and beyond 360: the axes must not be modulo axes (MD30310 = 0)
+; ROTARY WORDS are absolute and may go below 0 or beyond 360: the axes must not be modulo axes (MD30310 = 0)
 ; G57 must hold X20 Y-15 Z-520
 ; the entries of B and A in G57 must be zero
 ; T21 bull 12 DIA 12 R1 L120.25 D1, 1 operation, tip Z -9.4 to 0.521

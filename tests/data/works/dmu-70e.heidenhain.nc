@@ -21,7 +21,7 @@
 20 ; AXIS Y+ moves the tool along +Y, as in ISO 841
 21 ; AXIS Z+ moves the tool along +Z, as in ISO 841
 22 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg of its great circle
-23 ; ROTARY WORDS of C are absolute and may go below 0 and beyond 360: M127 is in force, so the axes do not take the shortest path
+23 ; ROTARY WORDS of C are absolute and may go below 0 or beyond 360: M127 is in force, so the axes do not take the shortest path
 24 ; linear limits not checked: no travel declared (X Y Z)
 25 ; valid only for part origin X10 Y-20 Z35 from the reference point of the table; do not touch off again
 26 ; the entries of C and B in preset 1 must be zero

@@ -20,7 +20,7 @@
 19 ; AXIS B+ rotates the tool right-handed about +Y, as in ISO 841
 20 ; AXIS A+ rotates the tool right-handed about +X, as in ISO 841
 21 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg of its great circle
-22 ; ROTARY WORDS are absolute and may go below 0 and beyond 360: M127 is in force, so the axes do not take the shortest path
+22 ; ROTARY WORDS are absolute and may go below 0 or beyond 360: M127 is in force, so the axes do not take the shortest path
 23 ; linear limits not checked: no travel declared (X Y Z)
 24 ; the entries of B and A in preset 1 must be zero
 25 ; T1 DIA 10 R0 L110, 3 operations, tip Z -7.398 to 36.793

@@ -17,7 +17,7 @@
 (AXIS Y+ moves the tool along +Y, as in ISO 841)
 (AXIS Z+ moves the tool along +Z, as in ISO 841)
 (WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg of its great circle)
-(ROTARY WORDS of C are absolute and may go below 0 and beyond 360: the axes must not be wrapped [WRAPPED_ROTARY = 0])
+(ROTARY WORDS are absolute and may go below 0 or beyond 360: the axes must not be wrapped [WRAPPED_ROTARY = 0])
 (linear limits not checked: no travel declared [X Y Z])
 (valid only for part origin X10 Y-20 Z35 from the reference point of the table; do not touch off again)
 (the entries of C and B in G54 must be zero)

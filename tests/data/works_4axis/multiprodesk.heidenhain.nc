@@ -19,7 +19,7 @@
 18 ; AXIS X+ moves the tool along +X, as in ISO 841
 19 ; AXIS Z+ moves the tool along +Z, as in ISO 841
 20 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg of its great circle
-21 ; ROTARY WORDS are absolute and may go below 0 and beyond 360: M127 is in force, so the axes do not take the shortest path
+21 ; ROTARY WORDS are absolute and may go below 0 or beyond 360: M127 is in force, so the axes do not take the shortest path
 22 ; linear limits not checked: no travel declared (Y X Z)
 23 ; valid only for part origin X10 Y-20 Z35 from the reference point of the table; do not touch off again
 24 ; the entries of A in preset 1 must be zero

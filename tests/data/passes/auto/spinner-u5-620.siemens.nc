@@ -14,7 +14,7 @@
 ; AXIS Y+ moves the tool along +Y, as in ISO 841
 ; AXIS Z+ moves the tool along +Z, as in ISO 841
 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg of its great circle
-; ROTARY WORDS of C are absolute and may go below 0 and beyond 360: the axes must not be modulo axes (MD30310 = 0)
+; ROTARY WORDS are absolute and may go below 0 or beyond 360: the axes must not be modulo axes (MD30310 = 0)
 ; LINEAR WORDS are tip coordinates in a frame fixed to the table, aligned with the machine axes when its rotary axes are at zero; rotary axes move evenly
 ; linear limits not checked: no travel declared (X Y Z)
 ; the entries of C and B in G54 must be zero

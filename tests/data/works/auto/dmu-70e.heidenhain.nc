@@ -21,7 +21,7 @@
 20 ; AXIS Y+ moves the tool along +Y, as in ISO 841
 21 ; AXIS Z+ moves the tool along +Z, as in ISO 841
 22 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg of its great circle
-23 ; ROTARY WORDS of C are absolute and may go below 0 and beyond 360: M127 is in force, so the axes do not take the shortest path
+23 ; ROTARY WORDS of C are absolute and may go below 0 or beyond 360: M127 is in force, so the axes do not take the shortest path
 24 ; LINEAR WORDS under tip control are tip coordinates in a frame fixed to the table, aligned with the machine axes when its rotary axes are at zero; rotary axes move evenly
 25 ; LINEAR WORDS in planes are tip coordinates in the tilted plane, from the same zero
 26 ; MODE plane: the master axis of SEQ must be the rotary axis nearest the tool

@@ -16,7 +16,7 @@
 (AXIS B+ rotates the tool right-handed about +Y, as in ISO 841)
 (AXIS A+ rotates the tool right-handed about +X, as in ISO 841)
 (WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg of its great circle)
-(ROTARY WORDS are absolute and may go below 0 and beyond 360: the axes must not be wrapped [WRAPPED_ROTARY = 0])
+(ROTARY WORDS are absolute and may go below 0 or beyond 360: the axes must not be wrapped [WRAPPED_ROTARY = 0])
 (linear limits not checked: no travel declared [X Y Z])
 (the entries of B and A in G54 must be zero)
 (T1 DIA 10 R0 L110 H1, 3 operations, tip Z -7.398 to 36.793)

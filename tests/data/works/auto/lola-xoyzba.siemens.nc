@@ -16,7 +16,7 @@
 ; AXIS B+ rotates the tool right-handed about +Y, as in ISO 841
 ; AXIS A+ rotates the tool right-handed about +X, as in ISO 841
 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg of its great circle
-; ROTARY WORDS are absolute and may go below 0 and beyond 360: the axes must not be modulo axes (MD30310 = 0)
+; ROTARY WORDS are absolute and may go below 0 or beyond 360: the axes must not be modulo axes (MD30310 = 0)
 ; LINEAR WORDS under tip control are tip coordinates in a frame fixed to the table, aligned with the machine axes when its rotary axes are at zero; rotary axes move evenly
 ; LINEAR WORDS in planes are tip coordinates in the tilted plane, from the same zero
 ; MODE plane: the direction reference of the swivel data must be the rotary axis nearest the tool

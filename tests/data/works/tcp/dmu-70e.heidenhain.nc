@@ -21,7 +21,7 @@
 20 ; AXIS Y+ moves the tool along +Y, as in ISO 841
 21 ; AXIS Z+ moves the tool along +Z, as in ISO 841
 22 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg of its great circle
-23 ; ROTARY WORDS of C are absolute and may go below 0 and beyond 360: M127 is in force, so the axes do not take the shortest path
+23 ; ROTARY WORDS of C are absolute and may go below 0 or beyond 360: M127 is in force, so the axes do not take the shortest path
 24 ; LINEAR WORDS are tip coordinates in a frame fixed to the table, aligned with the machine axes when its rotary axes are at zero; rotary axes move evenly
 25 ; linear limits not checked: no travel declared (X Y Z)
 26 ; the entries of C and B in preset 1 must be zero

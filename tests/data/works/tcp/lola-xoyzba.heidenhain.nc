@@ -20,7 +20,7 @@
 19 ; AXIS B+ rotates the tool right-handed about +Y, as in ISO 841
 20 ; AXIS A+ rotates the tool right-handed about +X, as in ISO 841
 21 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg of its great circle
-22 ; ROTARY WORDS are absolute and may go below 0 and beyond 360: M127 is in force, so the axes do not take the shortest path
+22 ; ROTARY WORDS are absolute and may go below 0 or beyond 360: M127 is in force, so the axes do not take the shortest path
 23 ; LINEAR WORDS are tip coordinates in a frame fixed to the table, aligned with the machine axes when its rotary axes are at zero; rotary axes move evenly
 24 ; linear limits not checked: no travel declared (X Y Z)
 25 ; the entries of B and A in preset 1 must be zero
