@@ -86,14 +86,6 @@ pub struct Limits {
     pub upper: f64,
 }
 
-impl Limits {
-    /// Whether the angles of a rotary axis with this travel are those that a control displays within one revolution, from 0 to
-    /// 360°.
-    pub(crate) fn is_within_one_revolution(&self) -> bool {
-        self.lower >= -1e-9 && self.upper <= core::f64::consts::TAU + 1e-9
-    }
-}
-
 /// One axis of the chain: the data that no dimension can change.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Axis {

@@ -2,6 +2,7 @@
 //!
 //! Part of it is shown in the summary as well: `assumptions`, `set_up`, `reading` and `unchecked_limits`.
 
+use std::f64::consts::TAU;
 use std::io;
 
 use crate::cl::{ArcVote, Dialect, Insert};
@@ -9,7 +10,7 @@ use crate::config::Config;
 use crate::control::{
     self, BlankWords, Control, CycleForm, Encoder, LengthGuard, LinearRapids, ProgramHeader, RetractForm,
 };
-use crate::kinematics::{AnyMachine, Axis, AxisKind, DimensionKind, Side, Sign, digest};
+use crate::kinematics::{AnyMachine, Axis, AxisKind, DimensionKind, Limits, Side, Sign, digest};
 use crate::motion::{CutterPath, Links, StretchMode, StretchModes, TcpFrame, TipStart, ToolPosture, Wrap, rotaries_of};
 use crate::nc::{Decimal, write_decimal};
 use crate::program::Rotation;
@@ -552,7 +553,7 @@ impl Header<'_> {
         let limits = self.job.config.set_up.travel(axes).limits;
         let rotary = axes.iter().zip(limits).filter(|(axis, _)| axis.kind == AxisKind::Rotary && !axis.held);
         let (counting, others): (Vec<_>, Vec<_>) = rotary.partition(|(axis, limits)| {
-            !wrap.contains_key(&axis.letter) && !limits.is_some_and(|limits| limits.is_within_one_revolution())
+            !wrap.contains_key(&axis.letter) && !limits.is_some_and(is_within_one_revolution)
         });
         let letters: String = counting.iter().map(|(axis, _)| axis.letter).collect();
         if letters.is_empty() || !self.rotates_in_cuts() {
@@ -762,6 +763,13 @@ fn programmed_point(config: &Config) -> String {
         text += &format!(", for T{tool} {}", name(*point));
     }
     text
+}
+
+/// Whether the angles of a rotary axis with this travel are those that a control displays within one revolution, from 0 to
+/// 360°.
+fn is_within_one_revolution(travel: Limits) -> bool {
+    // Degrees of a declaration are rounded in rad.
+    travel.lower >= -1e-9 && travel.upper <= TAU + 1e-9
 }
 
 /// `C and B`.
