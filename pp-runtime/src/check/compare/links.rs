@@ -17,14 +17,10 @@ use crate::program::Clearance;
 const IN_PLANE: f64 = 5e-4;
 
 /// Number of items on which an approach may depend.
-pub(super) const FOR_APPROACH: usize = 8;
+const FOR_APPROACH: usize = 8;
 
 /// Dwells are written to three decimals, s.
 const DWELL_ROUNDING: f64 = 6e-4;
-
-/// Finding about `home_on_indexing`.
-pub(super) const ROTATES_BEFORE_HOME: &str =
-    "the rotary axes rotate before the linear axes are at their home positions (`home_on_indexing`)";
 
 impl<R: Read> Comparison<'_, R> {
     /// INSERT, codes of the CL data and statements of the shop: a block that is copied.
@@ -223,6 +219,16 @@ impl<R: Read> Comparison<'_, R> {
             self.state_at_machine_position(spindle, dry, current);
         }
         homes
+    }
+
+    /// The linear axes are home where a block at the retract rotates the rotary axes (`home_on_indexing`).
+    pub(super) fn home_before_rotation(&mut self, retracted: &Retracted, turned: bool, current: &Current<'_>) {
+        if turned && machine_move::is_not_home(&self.rules, retracted.homed) {
+            self.found(
+                current,
+                "the rotary axes rotate before the linear axes are at their home positions (`home_on_indexing`)",
+            );
+        }
     }
 
     /// Linear axes to their parking positions; whether the block does that.
@@ -509,9 +515,7 @@ impl<R: Read> Comparison<'_, R> {
             );
         }
         self.moves_once(retracted, enters_tip_control, current);
-        if turned && machine_move::is_not_home(&self.rules, retracted.homed) {
-            self.found(current, ROTATES_BEFORE_HOME);
-        }
+        self.home_before_rotation(retracted, turned, current);
         if let Some(since) = &mut retracted.since_plane {
             *since |= block.written & rotary;
             if enters_tip_control && *since != rotary {
@@ -816,11 +820,8 @@ impl<R: Read> Comparison<'_, R> {
         let fault = self.rules.fault_at_park(block, self.progress.last(), ModalContext::default());
         self.found_state(current, fault);
         retracted.parks = true;
-        let turned =
-            self.rules.moved(&self.previous.words, self.previous.known, block) & self.rules.words().rotary_bits();
-        if turned != 0 && machine_move::is_not_home(&self.rules, retracted.homed) {
-            self.found(current, ROTATES_BEFORE_HOME);
-        }
+        let turned = self.rules.moved(&self.previous.words, self.previous.known, block) != 0;
+        self.home_before_rotation(retracted, turned, current);
         if !parking::moves_rotary(&self.rules, &self.rules.policy().links.park, &self.previous, block) {
             self.found(current, "the CL data has no motion here, and this is no parking position of the configuration");
         }
@@ -834,10 +835,7 @@ impl<R: Read> Comparison<'_, R> {
         }
         self.fill_for_approach(current)?;
         // A stop that is lost is reported where the cut goes on.
-        let motion = |item: &&ExpectedItem| matches!(item.action, ExpectedAction::Motion(_));
-        let next =
-            (0..FOR_APPROACH).map_while(|index| self.progress.get(index)).find(motion).map(|item| item.required.tool);
-        if let Some(required) = next.filter(|required| *required != tool) {
+        if let Some(required) = self.tool_of_next_motion().filter(|required| *required != tool) {
             let (tool, required) = (tool_name(tool), tool_name(required));
             self.found(current, &format!("change to {tool}, but the CL data requires {required}"));
         }
@@ -847,6 +845,12 @@ impl<R: Read> Comparison<'_, R> {
         self.is_complete(phase, current);
         self.cuts_have_ended(current);
         Ok(self.forget(phase))
+    }
+
+    /// Tool of the next motion, as far as an approach looks ahead; `None` without a motion there.
+    pub(super) fn tool_of_next_motion(&self) -> Option<Option<u32>> {
+        let mut ahead = (0..FOR_APPROACH).map_while(|index| self.progress.get(index));
+        ahead.find(|item| item.motion().is_some()).map(|item| item.required.tool)
     }
 
     /// Where the program has been lost, it continues at the next item that suits.

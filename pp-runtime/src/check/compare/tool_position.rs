@@ -2,12 +2,10 @@
 
 use std::io::Read;
 
-use super::super::expect::{ExpectedAction, ExpectedItem};
 use super::super::read::{Action, Block, OwnLine, OwnPlace};
 use super::super::rules::ModalContext;
-use super::links::{FOR_APPROACH, ROTATES_BEFORE_HOME};
 use super::phase::{Phase, Retracted};
-use super::{Comparison, Current, Previous, machine_move, parking};
+use super::{Comparison, Current, Previous, parking};
 
 impl<R: Read> Comparison<'_, R> {
     /// Notes the linear axes that a block moves to their positions for measuring a tool.
@@ -35,17 +33,12 @@ impl<R: Read> Comparison<'_, R> {
 
     /// Whether blocks that measure the tool in the spindle, or look for its breakage, have to come before the next cut.
     pub(super) fn is_measuring_due(&self, block: &Block) -> bool {
-        let motion = |item: &&ExpectedItem| matches!(item.action, ExpectedAction::Motion(_));
-        let ahead = (0..FOR_APPROACH).map_while(|index| self.progress.get(index));
-        let next = ahead.filter(motion).map(|item| item.required.tool).next();
-        self.shop_lines.is_measuring_due(block.state.tool, next)
+        self.shop_lines.is_measuring_due(block.state.tool, self.tool_of_next_motion())
     }
 
     /// Rotary axes to their positions for measuring a tool.
     pub(super) fn rotate_to_tool_position(&mut self, retracted: &Retracted, turned: bool, current: &Current<'_>) {
-        if turned && machine_move::is_not_home(&self.rules, retracted.homed) {
-            self.found(current, ROTATES_BEFORE_HOME);
-        }
+        self.home_before_rotation(retracted, turned, current);
         let fault = self.rules.fault_at_park(current.block, self.progress.last(), ModalContext::default());
         self.found_state(current, fault);
     }
@@ -60,13 +53,13 @@ impl<R: Read> Comparison<'_, R> {
         }
         let Previous { words, known, .. } = &self.previous;
         let unknown = self.rules.words().rotary_bits() & !known;
-        let axes = self.rules.axes().iter().enumerate();
-        let unknown: Vec<char> = axes
-            .filter(|(index, axis)| unknown & (1 << index) != 0 && places.contains_key(&axis.letter))
-            .map(|(_, axis)| axis.letter)
-            .collect();
         let missing: Vec<char> = parking::missing(&self.rules, places, self.at_tool_position, words).collect();
-        for letter in unknown.iter().chain(missing.iter().filter(|letter| !unknown.contains(letter))) {
+        let is_elsewhere = |index: usize, letter: char| {
+            missing.contains(&letter) || unknown & (1 << index) != 0 && places.contains_key(&letter)
+        };
+        let axes = self.rules.axes().iter().enumerate();
+        let elsewhere = axes.filter(|&(index, axis)| is_elsewhere(index, axis.letter)).map(|(_, axis)| axis.letter);
+        for letter in elsewhere.collect::<Vec<_>>() {
             self.found(current, &format!("{letter} is not at its position of `cycles.tool_position`"));
         }
     }
