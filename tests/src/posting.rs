@@ -60,9 +60,9 @@ pub fn bare(program: &str) -> Vec<&str> {
 #[must_use]
 pub fn renumbered(control: &dyn Control, lines: &[&str]) -> String {
     let numbered = control.spellings().numbers_every_line;
-    let mut number = 0;
+    let (mut number, mut goes_on) = (0, false);
     let lines = lines.iter().map(|line| {
-        let starts = !(line.starts_with("Q339") || line.starts_with('Q') && line.contains(';'));
+        let starts = !std::mem::replace(&mut goes_on, numbered && line.ends_with('~'));
         let text = if numbered && starts { format!("{number} {line}\n") } else { format!("{line}\n") };
         number += u32::from(starts);
         text

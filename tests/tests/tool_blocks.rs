@@ -213,6 +213,94 @@ fn a_tool_to_be_measured_needs_the_blocks_for_it() {
     }
 }
 
+/// Cycles of several lines, with comments, and the tool by its name and its number.
+const CYCLES: &str = "mode = 'axes'
+[cycles]
+measure_tool = [
+    'TCH PROBE 483 MEASURE TOOL ~',
+    '  Q340=+1 ;CHECK ~',
+    '  Q260=+50 ;CLEARANCE HEIGHT ~',
+    '  Q341=+0',
+    'CALL PGM TNC:\\ROW{tool_number}.H',
+]
+check_tool = ['TCH PROBE 481 LENGTH ~', '  Q340=+{tool_number} ~', '  Q260=+50']
+[cycles.probe]
+'PROBE/BORE' = ['TCH PROBE 421 MEASURE HOLE ~', 'Q273=+50 ;CENTRE ~', 'Q274=+50', 'CALL PGM TNC:\\BORE.H']
+[control]
+tool_names = true
+[tools]
+1 = { name = 'MILL', measured = true, checked = true }
+2 = { name = 'DRILL', start = ['TCH PROBE 582 ~', '  Q1=+{tool_number} ~', '  Q2=+5'] }
+";
+
+#[test]
+fn a_cycle_of_several_lines_is_one_block() {
+    let (control, machine) = (by_name("heidenhain"), SpinnerU5620::default());
+    let cl = cl().replacen("TOOL PATH/OP3", "SPINDL/OFF\nCOOLNT/OFF\nRAPID\nGOTO/0,0,50\nPROBE/BORE\nTOOL PATH/OP3", 1);
+    let keys = CYCLES
+        .replace("[control]", "[control]\neffects = { 'TCH PROBE 582 ~ Q1=+{tool_number} ~ Q2=+5' = 'measures' }");
+    let config = starting_point(control).read_over(&machine, &keys).unwrap_or_else(|faults| panic!("{faults:?}"));
+    let program = posted::<SpinnerU5620>(&config, control, &cl);
+    for written in [
+        "TCH PROBE 483 MEASURE TOOL ~\n  Q340=+1 ;CHECK ~\n  Q260=+50 ;CLEARANCE HEIGHT ~\n  Q341=+0\n",
+        "CALL PGM TNC:\\ROW1.H\n",
+        "TCH PROBE 481 LENGTH ~\n  Q340=+1 ~\n  Q260=+50\n",
+        "TCH PROBE 421 MEASURE HOLE ~\nQ273=+50 ;CENTRE ~\nQ274=+50\n",
+        "TCH PROBE 582 ~\n  Q1=+2 ~\n  Q2=+5\n",
+        "TOOL CALL \"MILL\" Z",
+    ] {
+        assert!(program.contains(written), "{written}\n{program}");
+    }
+    // Each of their lines, lost or changed, and each whole block.
+    let lines = bare(&program);
+    let found = |lines: &[&str]| posting::findings::<SpinnerU5620>(&config, control, &cl, &renumbered(control, lines));
+    assert_eq!(found(&lines), [""; 0]);
+    let is_of_cycle = |line: &str| line.starts_with("TCH PROBE") || line.starts_with('Q') && !line.starts_with("Q339");
+    let of_cycles: Vec<usize> = (0..lines.len()).filter(|&at| is_of_cycle(lines[at])).collect();
+    assert_eq!(of_cycles.len(), 2 * 4 + 3 * 3 + 3, "{program}");
+    for at in of_cycles {
+        let lost = [&lines[..at], &lines[at + 1..]].concat();
+        assert!(!found(&lost).is_empty(), "{}\n{program}", lines[at]);
+        for (was, is) in [("=+1", "=+2"), ("=+5", "=+6"), ("=+0", "=+1"), ("PROBE 4", "PROBE 3"), (" ~", "")] {
+            let other = lines[at].replacen(was, is, 1);
+            let mut edited = lines.clone();
+            edited[at] = &other;
+            assert!(edited == lines || !found(&edited).is_empty(), "{other}\n{program}");
+        }
+        let mut end = at;
+        while lines[end].ends_with('~') {
+            end += 1;
+        }
+        assert!(!found(&[&lines[..at], &lines[end + 1..]].concat()).is_empty(), "{}\n{program}", lines[at]);
+    }
+    // Without a declared effect the lines of the tool are refused, and the effect that is named for them is accepted.
+    let undeclared = starting_point(control).read_over(&machine, CYCLES).unwrap_or_else(|faults| panic!("{faults:?}"));
+    let told = posting::findings::<SpinnerU5620>(&undeclared, control, &cl, &program).join("\n");
+    assert!(told.contains("`\"TCH PROBE 582 Q1=+{tool_number} Q2=+5\" = \"none\"`"), "{told}");
+    let named =
+        CYCLES.replace("[control]", "[control]\neffects = { 'TCH PROBE 582 Q1=+{tool_number} Q2=+5' = 'measures' }");
+    let named = starting_point(control).read_over(&machine, &named).unwrap_or_else(|faults| panic!("{faults:?}"));
+    assert_eq!(posting::findings::<SpinnerU5620>(&named, control, &cl, &program), [""; 0]);
+}
+
+#[test]
+fn a_block_that_no_line_continues_and_one_of_several_lines_on_another_control_are_refused() {
+    let machine = SpinnerU5620::default();
+    let open = "[program]\nend = ['TCH PROBE 483 ~', '  Q340=+1 ~']\n";
+    let faults = starting_point(by_name("heidenhain")).read_over(&machine, open).expect_err("a line is missing");
+    assert!(format!("{faults:?}").contains("no line follows"), "{faults:?}");
+    for name in CONTROLS {
+        let text = "[program]\nend = ['O9001 ~', '  Q340=+1']\n";
+        let config = starting_point(by_name(name)).read_over(&machine, text).expect("it can be read");
+        let refused = control::unfit(&machine, by_name(name), config.demands());
+        assert_eq!(
+            refused.iter().any(|text| text.contains("`O9001 ~   Q340=+1` is a line of Heidenhain")),
+            name != "heidenhain",
+            "{name}: {refused:?}"
+        );
+    }
+}
+
 /// A dwell of a minute, as blocks of each control.
 fn minute(name: &str) -> &'static [&'static str] {
     match name {

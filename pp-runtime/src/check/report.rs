@@ -36,7 +36,9 @@ pub struct Finding {
 impl Finding {
     fn new(at: Location, shown: Shown<'_>, cause: &str, help: Option<&str>) -> Self {
         // Text between backquotes does not count in the comparison of causes, so the block must not hold one.
-        let block = String::from_utf8_lossy(&shown.text[..shown.text.len().min(SHOWN_BYTES)]).replace('`', "'");
+        let block = String::from_utf8_lossy(&shown.text[..shown.text.len().min(SHOWN_BYTES)])
+            .replace('`', "'")
+            .replace('\n', "");
         // A finding before the first record is shown at the start of the CL data.
         let location = if at == Location::default() { Location { line: 1, column: 1 } } else { at };
         let found = Self {

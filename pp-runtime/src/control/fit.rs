@@ -172,9 +172,10 @@ fn unsupported(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
         .chain(&options.safety)
         .flatten()
         .collect();
-    for block in blocks.iter().filter(|block| block.len() > codes.line_length || !block.is_ascii()) {
+    let is_too_long = |line: &&str| line.len() > codes.line_length || !line.is_ascii();
+    for line in blocks.iter().flat_map(|block| block.split('\n')).filter(is_too_long) {
         faults.push(format!(
-            "a line of {title} has at most {} characters, ASCII only: correct the block `{block}`",
+            "a line of {title} has at most {} characters, ASCII only: correct the block `{line}`",
             codes.line_length
         ));
     }

@@ -2,7 +2,7 @@
 
 use super::dialects::Spellings;
 
-/// Statements of Heidenhain with these words.
+/// Statements of Heidenhain with these words. A block of several lines is one too.
 const HEIDENHAIN: [&str; 11] = [
     "CALL LBL",
     "CALL PGM",
@@ -26,7 +26,7 @@ fn readers(line: &str) -> Option<(&'static [&'static str], &'static str)> {
     let words = |code: &str| line.split_whitespace().next() == Some(code);
     if line.strip_prefix(['o', 'O']).is_some_and(|rest| rest.starts_with('<')) {
         Some((&["linuxcnc"], "LinuxCNC"))
-    } else if HEIDENHAIN.iter().any(|statement| line.starts_with(statement)) {
+    } else if HEIDENHAIN.iter().any(|statement| line.starts_with(statement)) || line.contains('\n') {
         Some((&["heidenhain"], "Heidenhain"))
     } else if ["G65", "G66"].into_iter().any(words) {
         Some((&["fanuc", "haas"], "Fanuc and Haas"))
@@ -40,7 +40,7 @@ fn readers(line: &str) -> Option<(&'static [&'static str], &'static str)> {
 /// Why a control cannot read a block of the configuration: it is one of another control.
 pub(crate) fn of_another_control(codes: &Spellings, block: &str) -> Option<String> {
     let readers = readers_elsewhere(codes.name, block)?;
-    let title = codes.title;
+    let (title, block) = (codes.title, block.replace('\n', " "));
     Some(format!("`{block}` is a line of {readers}, and {title} cannot read it: give the block of this control"))
 }
 
@@ -61,6 +61,7 @@ mod tests {
             ("o<toolmeasure> call [1]", "LinuxCNC", &["linuxcnc"][..]),
             ("CALL PGM TNC:\\WARMUP.H", "Heidenhain", &["heidenhain"]),
             ("TCH PROBE 33.0 MEASURE TOOL", "Heidenhain", &["heidenhain"]),
+            ("O9001 ~\n  Q340=+1", "Heidenhain", &["heidenhain"]),
             ("/ G65 P9023 A12. T{tool}", "Fanuc and Haas", &["fanuc", "haas"]),
             ("MEASURE_TOOL({tool})", "Siemens", &["siemens"]),
         ] {

@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use serde_json::{Map, Value as Json, json};
 
 use crate::keys::{
-    AxisSet, Bound, KeyKind, KeyReader, KeyScope, ListOf, Measure, OneLine, OneOf, PerAxis, Printed, TomlValue, Whole,
-    YesNo, list, nearest, options,
+    AxisSet, Blocks, Bound, KeyKind, KeyReader, KeyScope, ListOf, Measure, OneLine, OneOf, PerAxis, Printed, TomlValue,
+    Whole, YesNo, list, nearest, options,
 };
 use crate::motion::{self, PathNorm, Policy, Smoothing, nearly_zero};
 use crate::nc::Formats;
@@ -39,9 +39,10 @@ impl<'a> Demands<'a> {
 
 options! {
     /// Settings of this control that differ from its standard codes. Blocks may hold fields in braces: {name},
-    /// {number}, {units}, {work_offset}, {path_tolerance}; in a tool change also {tool}, {next}, {offset}, {speed} and
-    /// {radius_delta} (Heidenhain, with `compensation.path = "centre"`).
-    /// A word whose field has no value is left out; a block with {next} is left out where no tool follows.
+    /// {number}, {units}, {work_offset}, {path_tolerance}; in a tool change also {tool} (the name where tools are called by
+    /// name), {tool_number}, {next}, {offset}, {speed} and {radius_delta} (Heidenhain, with `compensation.path = "centre"`).
+    /// A word whose field has no value is left out; a block with {next} is left out where no tool follows. A cycle of several
+    /// lines (Heidenhain) has each line as an element, ending in `~` where the next one continues it.
     pub struct ControlOptions in "control" {
         /// Largest deviation from the programmed path where the control blends blocks.
         path_tolerance_mm: f64 = 0.01, key("path_tolerance", Measure::length(Bound::Positive).unless(nearly_zero));
@@ -56,11 +57,11 @@ options! {
         file_header: bool = false, key("control.file_header", YesNo);
         /// Safety blocks of a restart point, instead of those of the control.
         safety: Option<Vec<String>> = None,
-            key("control.safety", ListOf(TemplateBlock(OF_PROGRAM)),
+            key("control.safety", Blocks(TemplateBlock(OF_PROGRAM)),
                 "[\"{units} G17 G40 G49 G80 G90 G94 {work_offset}\"]");
         /// Blocks of a tool change, instead of those of the control.
         tool_change: Option<Vec<String>> = None,
-            key("control.tool_change", ListOf(TemplateBlock(OF_TOOL)), "[\"T{tool} M6\", \"T{next}\"]");
+            key("control.tool_change", Blocks(TemplateBlock(OF_TOOL)), "[\"T{tool} M6\", \"T{next}\"]");
         /// Call tools by the names in `[tools.N] name`, as they are in the tool table (Siemens, Heidenhain). Not with
         /// `length_guard` where that reads the length by the number of the tool.
         tool_names: bool = false, key("control.tool_names", YesNo);
@@ -105,11 +106,11 @@ options! {
         /// retracted before and after them, and before the length guard; where the axes are then: `tool_position`. Fields as in a
         /// tool change.
         measure_tool: Vec<String> = Vec::new(),
-            key("cycles.measure_tool", ListOf(TemplateBlock(OF_TOOL)), "[\"G65 P9023 A12. T{tool}\"]");
+            key("cycles.measure_tool", Blocks(TemplateBlock(OF_TOOL)), "[\"G65 P9023 A12. T{tool}\"]");
         /// Blocks that look for breakage of the tool in the spindle, for tools with `checked = true`: with the machine retracted
         /// and the spindle off, before the next tool and at the end of the program.
         check_tool: Vec<String> = Vec::new(),
-            key("cycles.check_tool", ListOf(TemplateBlock(OF_TOOL)), "[\"G65 P9023 A22. T{tool}\"]");
+            key("cycles.check_tool", Blocks(TemplateBlock(OF_TOOL)), "[\"G65 P9023 A22. T{tool}\"]");
         /// Write every word in every block, modal words included.
         every_word: bool = false, key("control.every_word", YesNo);
         /// Effect of lines and words that the check does not know, by their text: lines of `[program]`, `safety`,
@@ -138,16 +139,16 @@ options! {
         /// and tool change, with the machine where the operator left it. A warm-up needs the tool away from the part: call a
         /// program of the shop that retracts first, with the effect "state lost", or position the machine by hand. It ends
         /// with the spindle off.
-        start: Vec<String> = Vec::new(), key("program.start", ListOf(TemplateBlock(OF_PROGRAM)));
+        start: Vec<String> = Vec::new(), key("program.start", Blocks(TemplateBlock(OF_PROGRAM)));
         /// Blocks before the end code.
-        end: Vec<String> = Vec::new(), key("program.end", ListOf(TemplateBlock(OF_PROGRAM)));
+        end: Vec<String> = Vec::new(), key("program.end", Blocks(TemplateBlock(OF_PROGRAM)));
         /// Blocks at the start of each operation: after the tool change, before length offset, spindle and approach.
         /// Fields as in a tool change. The machine retracts after them, and everything is stated anew.
         operation_start: Vec<String> = Vec::new(),
-            key("program.operation_start", ListOf(TemplateBlock(OF_TOOL)), "[\"M31\"]");
+            key("program.operation_start", Blocks(TemplateBlock(OF_TOOL)), "[\"M31\"]");
         /// Blocks at the end of each operation, at the machine retract with the coolant off. Fields as in a tool change.
         operation_end: Vec<String> = Vec::new(),
-            key("program.operation_end", ListOf(TemplateBlock(OF_TOOL)), "[\"M33\"]");
+            key("program.operation_end", Blocks(TemplateBlock(OF_TOOL)), "[\"M33\"]");
         /// Write machining times as comments at the end.
         times: bool = false, key("program.times", YesNo);
         /// Write the result of the check as a comment at the end, or that the program was not checked.
@@ -555,7 +556,7 @@ impl KeyKind for RetractMethods {
         if value.get_ref().as_array().is_none() {
             return r.line(value).map(|name| RetractMethod::Named(name.trim().to_owned()));
         }
-        let blocks = ListOf(TemplateBlock(OF_PROGRAM)).read(r, value)?;
+        let blocks = Blocks(TemplateBlock(OF_PROGRAM)).read(r, value)?;
         if blocks.is_empty() {
             r.fault(value.span(), "a retract needs a block", None);
         }
@@ -565,12 +566,12 @@ impl KeyKind for RetractMethods {
     fn print(&self, value: &RetractMethod) -> String {
         match value {
             RetractMethod::Named(name) => OneLine.print(name),
-            RetractMethod::Blocks(blocks) => ListOf(OneLine).print(blocks),
+            RetractMethod::Blocks(blocks) => Blocks(OneLine).print(blocks),
         }
     }
 
     fn schema(&self, scope: &KeyScope) -> Json {
-        json!({ "anyOf": [OneLine.schema(scope), ListOf(OneLine).schema(scope)] })
+        json!({ "anyOf": [OneLine.schema(scope), Blocks(OneLine).schema(scope)] })
     }
 }
 

@@ -46,8 +46,10 @@ fields! {
     WorkOffset = "work_offset",
     /// Path tolerance of the control, in the unit of the program.
     PathTolerance = "path_tolerance",
-    /// Number of the tool.
+    /// The tool as the control calls it: its number, or its name.
     Tool = "tool",
+    /// Number of the tool.
+    ToolNumber = "tool_number",
     /// Number of the next tool.
     Next = "next",
     /// Length offset of the tool.
@@ -127,6 +129,7 @@ pub const OF_TOOL: &[Field] = &[
     Field::WorkOffset,
     Field::PathTolerance,
     Field::Tool,
+    Field::ToolNumber,
     Field::Next,
     Field::Offset,
     Field::Speed,
@@ -200,8 +203,17 @@ pub fn check(text: &str, allowed: &[Field]) -> Result<(), BadTemplate> {
     if rest.contains(['{', '}']) { Err(BadTemplate::Brace) } else { Ok(()) }
 }
 
-/// The block of a template; `None` if no word of it is left, or it has `{next}` and no tool follows.
+/// The block of a template; `None` if no word of it is left, or it has `{next}` and no tool follows. A block may have several
+/// lines.
 pub(crate) fn fill(text: &str, value: impl Fn(Field) -> Option<String>) -> Option<String> {
+    if !text.contains('\n') {
+        return fill_line(text, &value);
+    }
+    let lines: Option<Vec<String>> = text.split('\n').map(|line| fill_line(line, &value)).collect();
+    lines.map(|lines| lines.join("\n"))
+}
+
+fn fill_line(text: &str, value: &impl Fn(Field) -> Option<String>) -> Option<String> {
     let mut words = Vec::new();
     for word in text.split(' ') {
         let (mut rest, mut written) = (word, String::new());
@@ -209,7 +221,7 @@ pub(crate) fn fill(text: &str, value: impl Fn(Field) -> Option<String>) -> Optio
         while let Some((before, name, after)) = split(rest) {
             written.push_str(before);
             let field = Field::ALL.iter().copied().find(|field| field.name() == name);
-            match field.and_then(&value).filter(|value| !value.is_empty()) {
+            match field.and_then(value).filter(|value| !value.is_empty()) {
                 // A name is assigned to an address, `T="MILL 10"`; elsewhere it is the text alone, `L9001("MILL 10")`.
                 Some(value) if !written.ends_with(|byte: char| byte.is_ascii_alphanumeric()) => {
                     written.push_str(value.strip_prefix('=').unwrap_or(&value));

@@ -176,6 +176,52 @@ impl<K: KeyKind> KeyKind for ListOf<K> {
     }
 }
 
+/// Last character of a line of a block that goes on in the next line (a cycle of Heidenhain).
+const GOES_ON: char = '~';
+
+/// Kind of key: a list of lines that are blocks. A line that ends in `~` and those that continue it are one block, whose lines
+/// have a line feed between them.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Blocks<K>(pub(crate) K);
+
+impl<K: KeyKind<Value = String>> KeyKind for Blocks<K> {
+    type Value = Vec<String>;
+
+    fn read(&self, r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<Vec<String>> {
+        let mut blocks: Vec<String> = Vec::new();
+        let mut open = None;
+        for value in r.list(value)? {
+            let Some(line) = self.0.read(r, value) else { continue };
+            let goes_on = line.trim_end().ends_with(GOES_ON);
+            match blocks.last_mut().filter(|_| open.is_some()) {
+                Some(block) => {
+                    block.truncate(block.trim_end().len());
+                    block.push('\n');
+                    block.push_str(&line);
+                }
+                None => blocks.push(line),
+            }
+            open = goes_on.then(|| value.span());
+        }
+        if let Some(span) = open {
+            let help = "each line of a cycle is an element of the list, and the last one ends without `~`";
+            let text = "a block goes on in the next line where its line ends in `~`, and no line follows";
+            r.fault(span, text.to_owned(), Some(help.to_owned()));
+        }
+        Some(blocks)
+    }
+
+    fn print(&self, value: &Vec<String>) -> String {
+        let lines = value.iter().flat_map(|block| block.split('\n'));
+        let lines: Vec<String> = lines.map(|line| self.0.print(&line.to_owned())).collect();
+        format!("[{}]", lines.join(", "))
+    }
+
+    fn schema(&self, scope: &KeyScope) -> Json {
+        ListOf(OneLine).schema(scope)
+    }
+}
+
 /// Kind of key: a point, three lengths X, Y and Z.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct LengthPoint;

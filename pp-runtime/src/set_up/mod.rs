@@ -33,7 +33,7 @@ use std::collections::BTreeMap;
 
 use nalgebra::{Rotation3, Vector3};
 
-use crate::keys::{Bound, LengthPoint, ListOf, Measure, OneLine, OneOf, Whole, YesNo, options};
+use crate::keys::{Blocks, Bound, LengthPoint, ListOf, Measure, OneLine, OneOf, Whole, YesNo, options};
 use crate::kinematics::{AnyMachine, Limits};
 use crate::program::{Coolants, Rotation, ToolCall};
 
@@ -225,10 +225,10 @@ options! {
         /// Look for breakage of the tool when it has cut, with the blocks of `cycles.check_tool`.
         checked: bool = false, key("checked", YesNo);
         /// Blocks after each change to it, at the machine retract: chip conveyor, air. After them everything is stated anew.
-        start: Vec<String> = Vec::new(), key("start", ListOf(OneLine), "[\"M31\"]");
+        start: Vec<String> = Vec::new(), key("start", Blocks(OneLine), "[\"M31\"]");
         /// Blocks when it has cut, before the next tool and at the end of the program, at the machine retract with spindle and
         /// coolant off.
-        end: Vec<String> = Vec::new(), key("end", ListOf(OneLine), "[\"M33\"]");
+        end: Vec<String> = Vec::new(), key("end", Blocks(OneLine), "[\"M33\"]");
         /// Point of this tool that the CL data programs: "tip", or "centre" of the corner radius.
         cl_point: Option<ClPoint> = None, key("cl_point", OneOf(&ClPoint::NAMES), "\"tip\"");
         /// Shape of the cutting part, for `simulate`: "mill" (flat, bull or ball end, tapered too), "drill", "disc" (T-slot),

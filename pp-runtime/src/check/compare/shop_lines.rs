@@ -65,7 +65,9 @@ impl ShopLines {
     /// that follows.
     pub(super) fn values_fault(&self, own: &OwnLine, spindle: Option<u32>, next: Option<u32>) -> Option<String> {
         let key = own.places.first()?.key()?;
-        let of_next = |place: &OwnPlace| matches!(place, OwnPlace::MeasureTool | OwnPlace::OperationStart);
+        let of_next = |place: &OwnPlace| {
+            matches!(place, OwnPlace::MeasureTool | OwnPlace::ToolStart { .. } | OwnPlace::OperationStart)
+        };
         let last = self.last_tool.map(|(_, register)| register);
         let registers = own.places.iter().map(|place| if of_next(place) { next } else { last });
         if let (Some(tool), Some(spindle)) = (own.values.tool, spindle)

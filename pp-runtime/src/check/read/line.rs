@@ -169,6 +169,11 @@ impl<'a> Line<'a> {
         }
     }
 
+    /// Whether a tool is in the spindle, as far as the program says.
+    pub(super) fn has_tool(&self) -> bool {
+        self.machine.state().tool.is_some()
+    }
+
     /// Whether the words of the line are distances.
     pub(super) fn incremental(&self) -> bool {
         self.draft.distances.or(self.machine.state().incremental) == Some(true)

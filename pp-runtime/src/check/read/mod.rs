@@ -220,8 +220,7 @@ impl<R: Read> Reader<R> {
                 self.block.line = self.number;
                 self.machine.execute(&self.draft, &mut self.block);
                 if self.joined {
-                    // As the program has it.
-                    self.line.iter_mut().filter(|byte| **byte == GOES_ON).for_each(|byte| *byte = b'~');
+                    text::put_marks_back(&mut self.line);
                 }
                 return Ok(Some((&self.block, &self.line)));
             }
@@ -373,7 +372,8 @@ impl<R: Read> Reader<R> {
             }
             // It separates the parameters of a cycle, and a `~` anywhere else is text.
             if let Some(mark) = self.line.last_mut() {
-                *mark = GOES_ON;
+                *mark = b' ';
+                self.line.push(GOES_ON);
             }
             self.joined = true;
             if long {

@@ -8,7 +8,7 @@ use super::block::{Effect, OwnLine, OwnPlace, OwnValues, WorkPlane};
 use super::draft::effect;
 use super::facts::{Facts, Form};
 use super::line::Line;
-use super::text::shown;
+use super::text::{GOES_ON, shown, take_marks_away};
 use super::{Reader, Vocabulary};
 
 /// A line of the configuration.
@@ -58,6 +58,7 @@ impl Bare {
         self.masked.clear();
         self.masked.extend_from_slice(line);
         self.masked[..number].fill(b' ');
+        take_marks_away(&mut self.masked);
         comments(line, facts, &mut self.masked);
         if self.masked.trim_ascii().is_empty() {
             // A comment alone may be a line of the configuration.
@@ -98,7 +99,10 @@ fn comments(line: &[u8], facts: &Facts, masked: &mut [u8]) {
         let rest = &line[at + 1..];
         let length = match byte {
             b'(' if brackets => rest.iter().position(|byte| matches!(byte, b'(' | b')')).map(|end| end + 2),
-            b';' if !quoted && (facts.semicolon_comments || rest.trim_ascii().is_empty()) => Some(line.len() - at),
+            b';' if !quoted && (facts.semicolon_comments || rest.trim_ascii().is_empty()) => {
+                // The mark of a line that goes on is no part of it.
+                Some(rest.iter().position(|byte| *byte == GOES_ON).unwrap_or(rest.len()) + 1)
+            }
             _ => None,
         };
         let whole = length.filter(|length| *byte == b';' || line[at + length - 1] == b')');
@@ -115,6 +119,12 @@ pub(super) fn prepare(vocabulary: &mut Vocabulary) {
     let mut bare = Bare::default();
     let texts = vocabulary.own.iter_mut().map(|own| &mut own.text);
     for text in texts.chain(vocabulary.effects.iter_mut().map(|(text, _)| text)) {
+        if facts.form == Form::Statements {
+            // A declared text has one line.
+            for mark in memchr::memmem::find_iter(text, b" ~ ").map(|at| at + 1).collect::<Vec<_>>() {
+                text[mark] = b' ';
+            }
+        }
         bare.find(text, 0, &facts);
         text.clone_from(&bare.text);
     }
@@ -291,12 +301,25 @@ fn values(text: &[u8], line: &mut Line<'_>) -> OwnValues {
     let is_of_tool = |own: &&OwnText| {
         matches!(
             own.place,
-            OwnPlace::MeasureTool | OwnPlace::CheckTool | OwnPlace::OperationStart | OwnPlace::OperationEnd
+            OwnPlace::MeasureTool
+                | OwnPlace::CheckTool
+                | OwnPlace::ToolStart { .. }
+                | OwnPlace::ToolEnd { .. }
+                | OwnPlace::OperationStart
+                | OwnPlace::OperationEnd
         )
     };
-    let mut own = line.vocabulary().own.iter().filter(is_of_tool);
-    let Some(filled) = own.find_map(|own| filled(&own.text, text)) else { return OwnValues::default() };
-    OwnValues { tool: filled.tool.and_then(|called| called_tool(called, line)), offset: filled.offset.and_then(whole) }
+    let own = line.vocabulary().own.iter().filter(is_of_tool);
+    let found = own.filter_map(|own| Some((&own.text, filled(&own.text, text)?)));
+    let Some((template, filled)) = found.min_by_key(|(template, filled)| filled.lacks_value(template)) else {
+        return OwnValues::default();
+    };
+    if line.has_tool() && filled.lacks_value(template) {
+        let text = format!("the value of a field is missing: this line of the configuration is `{}`", shown(template));
+        line.fault(0, text);
+    }
+    let called = filled.tool.and_then(|called| called_tool(called, line));
+    OwnValues { tool: called.or(filled.tool_number.and_then(whole)), offset: filled.offset.and_then(whole) }
 }
 
 /// Lines of the configuration that have a fixed place in a program, and how often each has come.
@@ -328,13 +351,14 @@ impl PlacedLines {
         let is_written = |own: &&OwnText| {
             // A tool change has a tool.
             let fields = |word: &[u8]| word.iter().filter(|byte| **byte == b'{').count();
-            let of_tool = |word: &[u8]| fields(word) == 1 && word.windows(6).any(|field| field == b"{tool}");
+            let of_tool =
+                |word: &[u8]| fields(word) == 1 && (has_field(word, "tool") || has_field(word, "tool_number"));
             let is_of_tool = matches!(own.place, OwnPlace::ToolChange | OwnPlace::MeasureTool | OwnPlace::CheckTool);
             let has_value = |word: &[u8]| is_of_tool && of_tool(word);
             let mut words = own.text.split(|byte| *byte == b' ');
             own.place.key().is_some()
                 && words.any(|word| fields(word) == 0 || has_value(word))
-                && !own.text.windows(6).any(|field| field == b"{next}")
+                && !has_field(&own.text, "next")
                 && is_block(&own.text)
         };
         let placed = vocabulary.own.iter().filter(is_written);
@@ -385,6 +409,12 @@ impl PlacedLines {
     }
 }
 
+/// Whether a template has a field.
+fn has_field(template: &[u8], field: &str) -> bool {
+    memchr::memmem::find_iter(template, field)
+        .any(|at| at > 0 && template[at - 1] == b'{' && template.get(at + field.len()) == Some(&b'}'))
+}
+
 /// Whether a line is a template with values for its fields. A word whose field has no value is left out.
 fn matches(template: &[u8], line: &[u8]) -> bool {
     filled(template, line).is_some()
@@ -394,12 +424,23 @@ fn matches(template: &[u8], line: &[u8]) -> bool {
 #[derive(Debug, Clone, Copy, Default)]
 struct Filled<'a> {
     tool: Option<&'a [u8]>,
+    tool_number: Option<&'a [u8]>,
     offset: Option<&'a [u8]>,
 }
 
 impl Filled<'_> {
     fn or(self, other: Self) -> Self {
-        Self { tool: self.tool.or(other.tool), offset: self.offset.or(other.offset) }
+        Self {
+            tool: self.tool.or(other.tool),
+            tool_number: self.tool_number.or(other.tool_number),
+            offset: self.offset.or(other.offset),
+        }
+    }
+
+    /// Whether a field that has a value for every tool has none in a line.
+    fn lacks_value(&self, template: &[u8]) -> bool {
+        let lacks = |value: Option<&[u8]>, field| value.is_none() && has_field(template, field);
+        lacks(self.tool, "tool") || lacks(self.tool_number, "tool_number") || lacks(self.offset, "offset")
     }
 }
 
@@ -459,6 +500,7 @@ fn filled_word<'a>(word: &[u8], text: &'a [u8]) -> Option<Filled<'a>> {
         let (value, after) = value.split_at(length);
         let others = is_value(field, value).then(|| filled_word(rest, after)).flatten()?;
         let own = match field {
+            b"tool_number" => Filled { tool_number: Some(value), ..Filled::default() },
             b"tool" => Filled { tool: Some(value), ..Filled::default() },
             b"offset" => Filled { offset: Some(value), ..Filled::default() },
             _ => Filled::default(),
@@ -472,7 +514,7 @@ fn is_value(field: &[u8], value: &[u8]) -> bool {
     match field {
         // A tool may be called by its name.
         b"tool" | b"next" => value.iter().all(|byte| byte.is_ascii_graphic() || *byte == b' '),
-        b"offset" | b"number" => value.iter().all(u8::is_ascii_digit),
+        b"offset" | b"number" | b"tool_number" => value.iter().all(u8::is_ascii_digit),
         b"speed" | b"path_tolerance" => value.iter().all(|byte| byte.is_ascii_digit() || matches!(byte, b'.' | b'-')),
         b"units" | b"work_offset" => {
             value.iter().all(|byte| byte.is_ascii_alphanumeric() || matches!(byte, b'.' | b' '))

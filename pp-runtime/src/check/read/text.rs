@@ -17,8 +17,29 @@ pub(super) struct Cursor<'a> {
     at: usize,
 }
 
-/// End of a line that goes on in the next one: no line holds it.
+/// End of a line that goes on in the next one, after its mark `~`: no line holds it. The mark is blank while a line is read.
 pub(super) const GOES_ON: u8 = b'\n';
+
+/// Marks of lines that go on in the next one.
+const MARK: u8 = b'~';
+
+/// Gives a line that goes on in the next one its marks back, as the program has them.
+pub(super) fn put_marks_back(line: &mut [u8]) {
+    for end in 1..line.len() {
+        if line[end] == GOES_ON {
+            line[end - 1] = MARK;
+        }
+    }
+}
+
+/// Puts blanks in the place of the marks of lines that go on in the next one.
+pub(super) fn take_marks_away(line: &mut [u8]) {
+    for end in 1..line.len() {
+        if line[end] == GOES_ON && line[end - 1] == MARK {
+            line[end - 1] = b' ';
+        }
+    }
+}
 
 /// Powers of ten that are exact.
 const TENS: [f64; 20] =

@@ -10,8 +10,8 @@ use super::tool_numbers::ToolArg;
 use crate::cl::dialect::Dialect;
 use crate::cl::record::{ClCycleKind, GivenMeanings, OwnStatement, not_inert};
 use crate::keys::{
-    Bound, KeyKind, KeyReader, KeyScope, KeyTable, ListOf, Measure, OneLine, OneOf, Printed, TomlValue, Whole, YesNo,
-    options,
+    Blocks, Bound, KeyKind, KeyReader, KeyScope, KeyTable, ListOf, Measure, OneLine, OneOf, Printed, TomlValue, Whole,
+    YesNo, options,
 };
 use crate::program::Units;
 use crate::set_up::ClPoint;
@@ -238,7 +238,7 @@ impl KeyKind for Probes {
     type Value = Vec<OwnStatement>;
 
     fn read(&self, r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<Self::Value> {
-        let blocks = ListOf(OneLine);
+        let blocks = Blocks(OneLine);
         Some(statements(r, value, |r, key, value| Some(OwnStatement::probing(key, &blocks.read(r, value)?))))
     }
 
@@ -247,7 +247,7 @@ impl KeyKind for Probes {
     }
 
     fn schema(&self, scope: &KeyScope) -> Json {
-        json!({ "type": "object", "additionalProperties": ListOf(OneLine).schema(scope) })
+        json!({ "type": "object", "additionalProperties": Blocks(OneLine).schema(scope) })
     }
 
     fn printed(&self, _scope: &KeyScope) -> Option<Printed> {

@@ -55,7 +55,8 @@ impl OwnStatement {
                 Handling::Lathe => return Err(format!("no block takes the place of {word}: it belongs to turning")),
             }
         }
-        let is_block = |block: &String| !block.trim().is_empty() && is_nc_text(block.as_bytes());
+        let is_block =
+            |block: &String| block.split('\n').all(|line| !line.trim().is_empty() && is_nc_text(line.as_bytes()));
         if blocks.is_empty() || !blocks.iter().all(is_block) {
             return Err(
                 "a block has ASCII letters, digits and signs; others are read differently by controls".to_owned()

@@ -288,7 +288,11 @@ static SPELLINGS: Spellings = Spellings {
         ("control.coolant", r#"{ through = ["M50", "M51"] }"#),
         ("retract.method", r#""M140""#),
         ("cycles.probe", r#"{ "PROBE/BORE,20" = ["CALL PGM TNC:\\PROBE\\BORE20.H"] }"#),
-        ("cycles.measure_tool", r#"["CALL PGM TNC:\\PROBE\\MEASURE.H"]"#),
+        // Words of cycle 481: TNC 640 Programming of Measuring Cycles, "Measuring a tool length (cycle 481)".
+        (
+            "cycles.measure_tool",
+            r#"["TCH PROBE 481 TOOL LENGTH ~", "Q340=+1 ;CHECK ~", "Q260=+100 ;CLEARANCE HEIGHT ~", "Q341=+1 ;PROBING THE TEETH"]"#,
+        ),
         ("cycles.check_tool", r#"["CALL PGM TNC:\\PROBE\\CHECK.H"]"#),
         ("clamp", r#"{ on = "M10", off = "M11" }"#),
         ("clamp", r#"{ on = "M22", off = "M23" }"#),

@@ -271,6 +271,7 @@ impl<'a> Encoder<'a> {
         let values = self.out.values();
         values.radius_delta = delta;
         values.tool = Some(called);
+        values.tool_number = Some(number);
         values.offset = Some(offset);
         values.next = next;
         values.speed = speed;
