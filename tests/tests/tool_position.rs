@@ -48,8 +48,9 @@ fn by_name(name: &str) -> &'static dyn Control {
 }
 
 fn config(name: &str, mode: &str, [measure, check]: [&str; 2], cycles: &str, more: &str) -> Config {
+    let (retract, more) = if more.starts_with("tool_change") { (more, "") } else { ("", more) };
     let text = format!(
-        "part_origin = [0.0, 0.0, 0.0]\n{mode}\n{more}\n[retract]\ndistance = 50.0\nhome_on_indexing = true\n\
+        "part_origin = [0.0, 0.0, 0.0]\n{mode}\n{more}\n[retract]\n{retract}\ndistance = 50.0\nhome_on_indexing = true\n\
          xy = {{ X = -7.0, Y = -8.0 }}\n[cycles]\nmeasure_tool = ['{measure}']\ncheck_tool = ['{check}']\n{cycles}\n\
          [tools]\n1 = {{ measured = true, checked = true }}\n2 = {{ measured = true, checked = true }}\n"
     );
@@ -117,6 +118,72 @@ fn an_axis_elsewhere_where_a_tool_is_measured_is_found() {
                 let found = found(&renumbered(control, &edited));
                 assert!(!found.is_empty(), "{name} {mode}: {other}\n{program}");
             }
+        }
+    }
+}
+
+/// Codes that change a tool.
+const CHANGES: [&str; 3] = ["M6", "M06", "TOOL CALL "];
+
+/// Whether a line changes the tool; `TOOL CALL S` does not.
+fn changes_tool(line: &str) -> bool {
+    let number = line.strip_prefix(CHANGES[2]).is_some_and(|rest| !rest.starts_with('S'));
+    number || line.split(' ').any(|word| CHANGES[..2].contains(&word))
+}
+
+const CHANGE_POSITION: &str = "tool_change_position = { B = 0.0, C = 0.0, X = -400.0, Y = -500.0 }";
+
+#[test]
+fn the_axes_are_at_their_positions_where_a_tool_is_changed() {
+    for &(name, blocks, zero, code) in CONTROLS {
+        for mode in MODES {
+            let (control, cycles) = (by_name(name), "tool_position = { B = 0.0, C = 0.0, X = -300.0, Y = -200.0 }");
+            let config = config(name, mode, blocks, cycles, CHANGE_POSITION);
+            let program = posted::<SpinnerU5620>(&config, control, CL);
+            let lines = bare(&program);
+            let found =
+                |lines: &[&str]| posting::findings::<SpinnerU5620>(&config, control, CL, &renumbered(control, lines));
+            let is_there = |line: &str| goes_to(line, code, [-400, -500]);
+            let changes: Vec<usize> = (0..lines.len()).filter(|&at| changes_tool(lines[at])).collect();
+            assert_eq!(changes.len(), 2, "{name}\n{program}");
+            for at in changes {
+                let there = lines[..at].iter().rposition(|line| is_there(line)).expect("the position");
+                let turned = lines[..there].iter().rposition(|line| rotates_to_zero(line, zero)).expect("rotary axes");
+                let home = lines[..turned].iter().rposition(|line| goes_to(line, code, [-7, -8])).expect("home");
+                assert!(home + 2 >= turned && at - there <= 2, "{name} {mode}\n{program}");
+                // Lost, and another position; a spindle that runs on the way.
+                for lost in [there, turned, home] {
+                    let edited = [&lines[..lost], &lines[lost + 1..]].concat();
+                    assert!(!found(&edited).is_empty(), "{name} {mode}: {}\n{program}", lines[lost]);
+                }
+                for (line, was, is) in [(there, "X-400", "X-401"), (turned, zero[1], "B5."), (there, "Y-500", "Y500")] {
+                    let other = lines[line].replace(was, is);
+                    let mut edited = lines.clone();
+                    edited[line] = &other;
+                    assert!(edited != lines && !found(&edited).is_empty(), "{name} {mode}: {other}\n{program}");
+                }
+                let told = found(&[&lines[..there], &lines[there + 1..]].concat()).join("\n");
+                assert!(told.contains("X is not at its position of `retract.tool_change_position`"), "{name}: {told}");
+            }
+            // The position of the other station is none for a change.
+            let other = lines.iter().map(|line| line.replace("X-400", "X-300").replace("Y-500", "Y-200"));
+            let other: Vec<String> = other.collect();
+            let other: Vec<&str> = other.iter().map(String::as_str).collect();
+            assert!(!found(&other).is_empty(), "{name} {mode}\n{program}");
+        }
+    }
+}
+
+#[test]
+fn a_tool_that_stays_in_the_spindle_needs_no_position_for_a_change_but_one_after_skipped_blocks_does() {
+    let same = CL.replace("LOADTL/2,LENGTH,110", "LOADTL/1");
+    let skipped = CL.replace("TOOL PATH/OP2", "OPSKIP/ON\nTOOL PATH/OP2").replace("GOHOME", "OPSKIP/OFF\nTOOL PATH/OP3,TOOL,T\nLOADTL/1\nSPINDL/RPM,2000,CLW\nRAPID\nGOTO/0,0,30,0,0,1\nFEDRAT/MMPM,300\nGOTO/0,0,20\nRAPID\nGOTO/0,0,60\nGOHOME");
+    for &(name, blocks, _, code) in CONTROLS {
+        for (cl, changes) in [(&same, 1), (&skipped, 3)] {
+            let config = config(name, MODES[0], blocks, "", CHANGE_POSITION);
+            let program = posted::<SpinnerU5620>(&config, by_name(name), cl);
+            let there = bare(&program).into_iter().filter(|line| goes_to(line, code, [-400, -500])).count();
+            assert_eq!(there, changes, "{name}\n{program}");
         }
     }
 }

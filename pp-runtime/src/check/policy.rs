@@ -252,6 +252,8 @@ pub struct LinkPolicy {
     pub spindle_dwell_s: f64,
     /// Parking position of axes at the end: mm in machine coordinates, rad.
     pub park: BTreeMap<char, f64>,
+    /// Position of axes where a tool is changed: mm in machine coordinates, rad.
+    pub tool_change_position: BTreeMap<char, f64>,
     /// Position of axes where a tool is measured or checked for breakage: mm in machine coordinates, rad.
     pub tool_position: BTreeMap<char, f64>,
     /// Lift of a dry run along the tool axis, mm.

@@ -170,6 +170,7 @@ impl Config {
             },
             spindle_dwell_s: motion.spindle_dwell_s,
             park: motion.park.clone(),
+            tool_change_position: motion.retract.tool_change_position.clone(),
             tool_position: motion.tool_position.clone(),
             dry_lift_mm: motion.lift_mm,
         }

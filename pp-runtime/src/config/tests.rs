@@ -183,7 +183,7 @@ fn an_unknown_key_without_a_near_one_lists_what_is_known() {
     assert_eq!(
         faults("[retract]\nspeed = 3\n"),
         [
-            "2:1: unknown key `retract.speed` | known keys are `position`, `home_on_indexing`, `xy`, `distance`, `clearance`, \
+            "2:1: unknown key `retract.speed` | known keys are `position`, `home_on_indexing`, `xy`, `tool_change_position`, `distance`, `clearance`, \
          `rewind`, `rewind_dry`, `method`"
         ]
     );

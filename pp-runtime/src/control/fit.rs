@@ -104,10 +104,13 @@ fn unsupported(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
         .flat_map(|(letter, codes)| named(&format!("clamp.{letter}"), &[codes.on.clone(), codes.off.clone()]))
         .chain(options.coolant.iter().flatten().flat_map(|codes| named("control.coolant", codes)))
         .chain(options.tip_control.iter().flat_map(|codes| named("control.tip_control", codes)));
-    for (key, code) in of_shop.filter(|(_, code)| m_function(code).is_some_and(|number| codes.own_m.contains(&number)))
-    {
-        faults
-            .push(format!("`{code}` of `{key}` is an M function of {title} itself: enter that of the machine builder"));
+    for (key, code) in of_shop {
+        let own = m_function(&code).and_then(|number| codes.own_m.iter().find(|(own, _)| *own == number));
+        faults.extend(own.map(|(_, effect)| {
+            format!(
+                "`{code}` of `{key}` is an M function of {title} itself ({effect}): enter that of the machine builder"
+            )
+        }));
     }
     // A line with a declared effect is executed by that alone.
     let ends = |text: &str| {

@@ -143,7 +143,8 @@ options! {
         /// Blocks before the end code.
         end: Vec<String> = Vec::new(), key("program.end", Blocks(TemplateBlock(OF_PROGRAM)));
         /// Blocks at the start of each operation: after the tool change, before length offset, spindle and approach.
-        /// Fields as in a tool change. The machine retracts after them, and everything is stated anew.
+        /// Fields as in a tool change. The machine retracts after them, and position, spindle, coolant and length are stated
+        /// anew; they must leave G90, plane and work offset as they are ("state lost" is for `start`).
         operation_start: Vec<String> = Vec::new(),
             key("program.operation_start", Blocks(TemplateBlock(OF_TOOL)), "[\"M31\"]");
         /// Blocks at the end of each operation, at the machine retract with the coolant off. Fields as in a tool change.

@@ -156,8 +156,8 @@ options! {
         length_guard: Option<bool> = None, key("length_guard", YesNo, "true");
         /// Largest difference between the lengths.
         length_tolerance_mm: f64 = 0.01, also("length_tolerance", Measure::length(Bound::Positive).unless(unmeasurable));
-        /// Compare the positions of the rotary axes with those of the program after the control has tilted a plane, where
-        /// the control can.
+        /// Compare the positions of the rotary axes with those of the program after the control has tilted a plane (Siemens,
+        /// Heidenhain; the variables of Fanuc and Haas have positions by numbers of axes, which are the machine builder's).
         plane_guard: bool = true, key("plane_guard", YesNo);
         /// Largest spindle speed, rev/min. Without it speeds are not checked.
         spindle_max_rev_per_min: Option<f64> = None, key("spindle_max", Measure::plain(Bound::Positive), "12000");

@@ -10,6 +10,7 @@ use crate::config::Config;
 use crate::control::{
     self, BlankWords, Control, CycleForm, Encoder, LengthGuard, LinearRapids, ProgramHeader, RetractForm,
 };
+use crate::keys::printed_along;
 use crate::kinematics::{AnyMachine, Axis, AxisKind, DimensionKind, Limits, Side, Sign, digest};
 use crate::motion::{CutterPath, Links, StretchMode, StretchModes, TcpFrame, TipStart, ToolPosture, Wrap, rotaries_of};
 use crate::nc::{Decimal, write_decimal};
@@ -160,8 +161,28 @@ pub(crate) fn assumptions(
     list
 }
 
+/// Largest difference of equal limits, mm or rad.
+const SAME_LIMIT: f64 = 1e-9;
+
+/// Travels of the configuration that are wider than those with which the machine is declared, one sentence each.
+fn wider_limits<'c>(machine: &'c dyn AnyMachine, config: &'c Config) -> impl Iterator<Item = String> + 'c {
+    machine.axes().iter().filter_map(|axis| {
+        let (declared, given) = (axis.limits?, *config.set_up.limits.get(&axis.letter)?);
+        let shown = |limits: Limits| {
+            let [lower, upper] = [limits.lower, limits.upper].map(|value| printed_along(axis, value));
+            format!("{lower} to {upper}")
+        };
+        let wider = given
+            .is_none_or(|given| given.lower < declared.lower - SAME_LIMIT || given.upper > declared.upper + SAME_LIMIT);
+        wider.then(|| {
+            let (given, declared) = (given.map_or_else(|| "free".to_owned(), shown), shown(declared));
+            format!("`limits` of {} are wider than declared for the machine: {given}, declared {declared}", axis.letter)
+        })
+    })
+}
+
 /// Settings of the set-up that differ from the plain case, one sentence each.
-pub(crate) fn set_up(control: &dyn Control, config: &Config, survey: &Survey) -> Vec<String> {
+pub(crate) fn set_up(machine: &dyn AnyMachine, control: &dyn Control, config: &Config, survey: &Survey) -> Vec<String> {
     let mut list = Vec::new();
     if let Some(Ok(selected)) = &survey.selected {
         let (first, last, all) = (selected.start(), selected.end(), survey.operations);
@@ -195,6 +216,7 @@ pub(crate) fn set_up(control: &dyn Control, config: &Config, survey: &Survey) ->
             "part rotation {x}, {y}, {z}: the CL data is rotated by these degrees about X, then Y, then Z of the table"
         ));
     }
+    list.extend(wider_limits(machine, config));
     list.extend(retract(control, config));
     if let Some(lift) = config.motion.lift_mm {
         list.push(format!(
@@ -394,7 +416,7 @@ impl Header<'_> {
                 "BLANK is the box around the cylinder of [stock], which is not about X0 Y0 of the program".to_owned(),
             );
         }
-        lines.extend(set_up(self.job.control, config, self.survey));
+        lines.extend(set_up(self.machine, self.job.control, config, self.survey));
         lines.extend(self.compensation());
         lines.extend(self.fine_boring());
         lines.extend(reading(config, self.survey));
@@ -420,7 +442,7 @@ impl Header<'_> {
             format!("MACHINE {}, MODE {}", self.machine.name(), modes(config, self.survey)),
             format!("UNITS {}, WORK OFFSET {}", self.units.name(), work_offset(control, config)),
         ];
-        lines.extend(set_up(control, config, self.survey));
+        lines.extend(set_up(self.machine, control, config, self.survey));
         lines.extend(self.compensation());
         lines.extend(self.fine_boring());
         lines.extend(self.set_up_lines());

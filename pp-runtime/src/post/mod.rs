@@ -147,7 +147,7 @@ impl Report {
             lines: survey.file.lines,
             stretches: survey.stretches,
             modes: header::modes(job.config, survey),
-            set_up: header::set_up(job.control, job.config, survey),
+            set_up: header::set_up(machine, job.control, job.config, survey),
             reading: header::reading(job.config, survey),
             assumptions: header::assumptions(machine, job.control, job.config, survey),
             ..Self::default()

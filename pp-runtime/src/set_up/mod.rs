@@ -224,7 +224,8 @@ options! {
         measured: bool = false, key("measured", YesNo);
         /// Look for breakage of the tool when it has cut, with the blocks of `cycles.check_tool`.
         checked: bool = false, key("checked", YesNo);
-        /// Blocks after each change to it, at the machine retract: chip conveyor, air. After them everything is stated anew.
+        /// Blocks after each change to it, at the machine retract: chip conveyor, air. After them position, spindle,
+        /// coolant and length are stated anew; they must leave G90, plane and work offset as they are.
         start: Vec<String> = Vec::new(), key("start", Blocks(OneLine), "[\"M31\"]");
         /// Blocks when it has cut, before the next tool and at the end of the program, at the machine retract with spindle and
         /// coolant off.

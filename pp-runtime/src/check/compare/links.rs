@@ -10,6 +10,7 @@ use super::super::read::{Action, Block, Effect, Length, OwnLine, OwnPlace, TipCo
 use super::super::rules::{BOTH, FrameUse, ModalContext, fault_at_end, tool_name};
 use super::functions::place_of_line;
 use super::phase::{COMES_BACK, Cutting, Phase, Retracted, RetractedLength, RewindPoint};
+use super::station::Station;
 use super::{Comparison, Current, StartState, machine_move, parking, plane_guard, retract};
 use crate::program::Clearance;
 
@@ -187,10 +188,10 @@ impl<R: Read> Comparison<'_, R> {
         self.pass_needless(phase)?;
         let block = current.block;
         if let Some(text) = machine_move::fault_of_retract(&self.rules, &self.previous, block) {
-            self.note_tool_position(block);
+            self.note_stations(block);
             // A parking position may be the home position.
             let goes = self.goes_home(phase, current) | self.parks_linear(phase, current)
-                || self.goes_to_tool_position(phase, current);
+                || self.goes_to_station(phase, current);
             if !goes {
                 self.found(current, &text);
                 if block.action != Action::Machine {
@@ -212,7 +213,7 @@ impl<R: Read> Comparison<'_, R> {
             let rewind = retracted.rewind.as_ref();
             let finished = rewind.and_then(|rewind| rewind.finished.as_ref()).map(|finished| &finished.required);
             let cut = self.progress.next().map(|item| &item.required).or(finished);
-            let stands = retracted.parks || self.progress.next().is_none() || self.is_measuring_due(current.block);
+            let stands = retracted.parks || self.progress.next().is_none() || self.is_station_due(current.block);
             let spindle = cut.filter(|_| !stands).and_then(|required| self.rules.spindle_in_cut(required));
             // As in an approach, the coolant may be on where a cut goes on after a rewind.
             let dry = retracted.rewind.is_none();
@@ -254,7 +255,7 @@ impl<R: Read> Comparison<'_, R> {
         current: &Current<'_>,
     ) {
         let block = current.block;
-        let context = ModalContext { dry, ..ModalContext::default() };
+        let context = ModalContext { dry, no_plane: true, ..ModalContext::default() };
         let fault = self.rules.fault_at_retract(block, false, spindle, context);
         self.found_state(current, fault);
     }
@@ -333,7 +334,7 @@ impl<R: Read> Comparison<'_, R> {
             self.found_any(current, fault);
         }
         self.start.retracted = true;
-        self.at_tool_position = 0;
+        self.at_station = Default::default();
         self.shop_lines.note_retract();
         if matches!(self.progress.next(), Some(ExpectedItem { action: ExpectedAction::Home, .. })) {
             self.progress.take();
@@ -464,8 +465,9 @@ impl<R: Read> Comparison<'_, R> {
         let goes_to = |places| step == 1 && parking::moves_rotary(&self.rules, places, &self.previous, block);
         let links = &self.rules.policy().links;
         let parks = retracted.parks && goes_to(&links.park);
-        if !parks && retracted.step == 0 && self.is_measuring_due(block) && goes_to(&links.tool_position) {
-            self.rotate_to_tool_position(retracted, turned, current);
+        let to_station = |station: Station| self.is_due(station, block) && goes_to(station.places(links));
+        if !parks && retracted.step == 0 && Station::ALL.into_iter().any(to_station) {
+            self.rotate_to_station(retracted, turned, current);
             return Ok(None);
         }
         // A cut goes on with the spindle on, and its rotary axes rotate first; at the end it is off before the axes are parked.
@@ -841,6 +843,8 @@ impl<R: Read> Comparison<'_, R> {
         }
         if !phase.is_retracted() || !self.start.retracted {
             self.found(current, "tool change before the machine has retracted");
+        } else {
+            self.is_at_station(Station::Change, current);
         }
         self.is_complete(phase, current);
         self.cuts_have_ended(current);

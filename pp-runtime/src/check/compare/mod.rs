@@ -23,7 +23,7 @@ mod progress;
 mod rapid;
 mod retract;
 mod shop_lines;
-mod tool_position;
+mod station;
 
 use std::io::{self, Read};
 use std::rc::Rc;
@@ -45,6 +45,7 @@ use functions::FunctionState;
 use phase::{Phase, Task};
 use progress::ClProgress;
 use shop_lines::ShopLines;
+use station::Station;
 
 /// A program while it is compared.
 pub(super) struct Checker<'a, R> {
@@ -71,8 +72,8 @@ struct Comparison<'a, R> {
     shop_lines: ShopLines,
     /// Linear axes at their parking positions: bits.
     parked: u16,
-    /// Linear axes at their positions for measuring a tool: bits.
-    at_tool_position: u16,
+    /// Linear axes at their positions for changing or measuring a tool: bits for each [`Station`].
+    at_station: [u16; Station::ALL.len()],
     /// Blocks of the shop's machine retract that have come.
     own_retract: usize,
     /// GOHOME has begun, and the axes have to be parked.
@@ -147,7 +148,7 @@ impl<'a, R: Read> Checker<'a, R> {
             functions: FunctionState::default(),
             shop_lines: ShopLines::new(lines, policy),
             parked: 0,
-            at_tool_position: 0,
+            at_station: Default::default(),
             own_retract: 0,
             home: false,
             probed: false,
@@ -263,7 +264,7 @@ impl<R: Read> Comparison<'_, R> {
         }
         let linear = block.written & self.rules.words().linear_bits() != 0;
         if !block.action.leaves_words() && (linear || block.state.tip_control != TipControl::Off) {
-            (self.parked, self.at_tool_position) = (0, 0);
+            (self.parked, self.at_station) = (0, Default::default());
         }
         let keep_out = KeepOut::of(self, phase, block);
         let next = match (task, &mut *phase) {

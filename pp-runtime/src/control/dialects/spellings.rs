@@ -49,8 +49,8 @@ pub struct Spellings {
     pub per_minute: &'static str,
     /// Code of feed per revolution, for threads; empty where their cycle takes the pitch.
     pub per_revolution: &'static str,
-    /// M functions of the control itself, which cannot be those of a clamp, of coolant or of tip control.
-    pub own_m: &'static [u16],
+    /// M functions of the control itself and what they do: they cannot be those of a clamp, of coolant or of tip control.
+    pub own_m: &'static [(u16, &'static str)],
     /// A work offset has the machine coordinates of its zero point. Otherwise it is a preset, set by touching off or probing.
     pub offset_has_coordinates: bool,
     /// Text before the word of a work offset in the program header.

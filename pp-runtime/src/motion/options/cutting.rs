@@ -70,7 +70,8 @@ options! {
         /// pitch in any case).
         thread_feed: ThreadFeed = ThreadFeed::PerMinute, key("cycles.thread_feed", OneOf(&ThreadFeed::NAMES));
         /// Direction in which the tool leaves the wall of a bore where the spindle has stopped at its angle (BORE with ORIENT),
-        /// away from the cutting edge: "+X", "-X", "+Y" or "-Y" of the program. Such a bore is refused without it.
+        /// away from the cutting edge: "+X", "-X", "+Y" or "-Y" of the program. Such a bore is refused without it, and in other
+        /// modes than "axes", where the tool axis has to be Z of the program: set `mode = "axes"` for its operation.
         bore_retract: Option<BoreRetract> = None, key("cycles.bore_retract", OneOf(&BoreRetract::NAMES), "\"-X\"");
         /// Distance by which it leaves the wall.
         bore_shift_mm: f64 = 0.2, key("cycles.bore_shift", Measure::length(Bound::Positive));

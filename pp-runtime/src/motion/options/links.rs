@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use crate::keys::{Assumed, Bound, Measure, OneOf, YesNo, options};
 use crate::program::Clearance;
 
-use super::keys::{Geometry, HOME};
+use super::keys::{Geometry, HOME, PARK};
 
 options! {
     /// Motion between cuts.
@@ -42,6 +42,10 @@ options! {
         /// Home positions of these axes for `home_on_indexing`, machine coordinates; 0 where none is given. With "G91 G28" they
         /// are the reference positions.
         xy_mm: BTreeMap<char, f64> = BTreeMap::new(), key("retract.xy", HOME);
+        /// Positions of axes, after the machine retract, for a tool change: degrees, and machine coordinates of linear axes, which
+        /// come last. For changes by hand at the door, and for changers that do not move the axes there themselves. Axes without
+        /// one stay where they are.
+        tool_change_position: BTreeMap<char, f64> = BTreeMap::new(), key("retract.tool_change_position", PARK);
         /// Distance along the tool axis. Without it, up to the clearance geometry: `clearance`, or CLEARP of the
         /// CL data.
         distance_mm: Option<f64> = None, key("retract.distance", Measure::length(Bound::Positive), "100.0");

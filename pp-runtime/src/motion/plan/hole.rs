@@ -83,8 +83,7 @@ impl NoCycle {
             Self::NoTappingDwell => "the tapping cycle of this control has no dwell at the bottom".to_owned(),
             Self::NoBoringCycle => "this control has no such cycle".to_owned(),
             Self::NotMachineAxes => {
-                "the direction off the wall is that of a machine axis, so it needs `mode = \"axes\"`, of its \
-                                     operation too"
+                "the direction off the wall is that of a machine axis: it needs `mode = \"axes\"` for all of its operation"
                     .to_owned()
             }
             Self::OtherSteps => "no cycle of this control moves the tool in the same way".to_owned(),

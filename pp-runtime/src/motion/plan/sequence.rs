@@ -232,6 +232,9 @@ impl<S: Sink> Planner<'_, S> {
         let given = self.policy.set_up.tools.get(&tool.number);
         let spindle = self.spindle.requested().resolve(given, self.policy)?;
         let radius_delta = cutter::radius_delta(self, &tool)?;
+        if change {
+            self.mover.take_axes_to_tool_change()?;
+        }
         self.mover.output_mut().step(&Step::Tool {
             number: tool.number,
             offset: tool.offset,

@@ -55,6 +55,23 @@ fn a_siemens_program_begins_with_the_name_of_its_file_where_that_is_wanted() {
 }
 
 #[test]
+fn travels_that_are_wider_than_those_of_the_machine_are_named() {
+    let machine = crate::kinematics::machines::Cb::default();
+    let axis = machine.axes().iter().find(|axis| axis.limits.is_some()).expect("an axis with a travel");
+    let declared = axis.limits.expect("a travel");
+    let wider = Some(Limits { upper: declared.upper + 0.1, ..declared });
+    let narrower = Some(Limits { upper: declared.upper - 0.1, ..declared });
+    for (given, named) in [(wider, true), (None, true), (narrower, false), (Some(declared), false)] {
+        let mut config = Config::default();
+        config.set_up.limits.insert(axis.letter, given);
+        let (text, report) = posted::<Cb>(&config, PART);
+        let line = format!("`limits` of {} are wider than declared for the machine", axis.letter);
+        assert_eq!(report.summary().join("\n").contains(&line), named, "{given:?}");
+        assert_eq!(text.contains(&line), named, "{text}");
+    }
+}
+
+#[test]
 fn only_axes_that_pass_a_revolution_and_do_not_roll_over_have_words_beyond_it() {
     let line = |control: &dyn Control, wrapped: &str, b_lower_deg: f64| {
         let mut config = crate::config::starting_point(control);

@@ -179,6 +179,11 @@ impl<S: Sink> Mover<'_, S> {
         self.take_axes_to(&self.policy.options.tool_position)
     }
 
+    /// Moves the axes to their positions for a tool change.
+    pub(crate) fn take_axes_to_tool_change(&mut self) -> Planned {
+        self.take_axes_to(&self.policy.options.retract.tool_change_position)
+    }
+
     /// Moves axes from the machine retract to positions of the configuration: the rotary axes first, the retract axis last.
     fn take_axes_to(&mut self, positions: &BTreeMap<char, f64>) -> Planned {
         let (turned, mask) = self.placer.parked(positions, self.position.place())?;

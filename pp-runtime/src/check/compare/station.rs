@@ -1,0 +1,126 @@
+//! Positions of the axes where a tool is changed, and where it is measured or checked for breakage
+//! (`retract.tool_change_position`, `cycles.tool_position`).
+
+use std::collections::BTreeMap;
+use std::io::Read;
+
+use super::super::policy::LinkPolicy;
+use super::super::read::{Action, Block, OwnLine, OwnPlace};
+use super::super::rules::ModalContext;
+use super::phase::{Phase, Retracted};
+use super::{Comparison, Current, Previous, parking};
+
+/// What is done with a tool at positions of the axes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Station {
+    /// It is changed.
+    Change,
+    /// It is measured, or checked for breakage.
+    Measuring,
+}
+
+impl Station {
+    pub(super) const ALL: [Self; 2] = [Self::Change, Self::Measuring];
+
+    /// Positions of the axes there.
+    pub(super) fn places(self, links: &LinkPolicy) -> &BTreeMap<char, f64> {
+        match self {
+            Self::Change => &links.tool_change_position,
+            Self::Measuring => &links.tool_position,
+        }
+    }
+
+    /// Key of these positions.
+    fn key(self) -> &'static str {
+        match self {
+            Self::Change => "retract.tool_change_position",
+            Self::Measuring => "cycles.tool_position",
+        }
+    }
+}
+
+impl<R: Read> Comparison<'_, R> {
+    /// Notes the linear axes that a block moves to their positions.
+    pub(super) fn note_stations(&mut self, block: &Block) {
+        if block.action != Action::Machine {
+            return;
+        }
+        for (station, at) in Station::ALL.into_iter().zip(&mut self.at_station) {
+            let places = station.places(&self.rules.policy().links);
+            let there = if parking::moves_linear(&self.rules, places, block) { block.written } else { 0 };
+            *at = *at & !block.written | there;
+        }
+    }
+
+    /// Linear axes to their positions; whether the block does that.
+    pub(super) fn goes_to_station(&mut self, phase: &Phase, current: &Current<'_>) -> bool {
+        let block = current.block;
+        let moves = |station: Station| {
+            let places = station.places(&self.rules.policy().links);
+            self.is_due(station, block) && parking::moves_linear(&self.rules, places, block)
+        };
+        let goes = matches!(phase, Phase::Retracted(retracted) if retracted.step == 0)
+            && block.action == Action::Machine
+            && Station::ALL.into_iter().any(moves);
+        if goes {
+            self.state_at_machine_position(None, true, current);
+        }
+        goes
+    }
+
+    /// Whether the tool is changed, measured or checked before the next cut.
+    pub(super) fn is_station_due(&self, block: &Block) -> bool {
+        Station::ALL.into_iter().any(|station| self.is_due(station, block))
+    }
+
+    /// Whether the axes have to go there before the next cut.
+    pub(super) fn is_due(&self, station: Station, block: &Block) -> bool {
+        let (spindle, next) = (block.state.tool, self.tool_of_next_motion());
+        let due = match station {
+            // At a restart point the tool in the spindle may be changed for itself, before the spindle is on.
+            Station::Change => {
+                let again = self.start.restarted && block.state.spindle.flatten().is_none();
+                next.is_some_and(|next| next != spindle || again)
+            }
+            Station::Measuring => self.shop_lines.is_measuring_due(spindle, next),
+        };
+        due && !station.places(&self.rules.policy().links).is_empty()
+    }
+
+    /// Rotary axes to their positions.
+    pub(super) fn rotate_to_station(&mut self, retracted: &Retracted, turned: bool, current: &Current<'_>) {
+        self.home_before_rotation(retracted, turned, current);
+        // Before the first tool call no plane need be selected.
+        let context = ModalContext { no_plane: true, ..ModalContext::default() };
+        let fault = self.rules.fault_at_park(current.block, self.progress.last(), context);
+        self.found_state(current, fault);
+    }
+
+    /// A tool is measured with the axes at their positions for that.
+    pub(super) fn measures_at_tool_position(&mut self, own: &OwnLine, current: &Current<'_>) {
+        let measures = |place: &OwnPlace| matches!(place, OwnPlace::MeasureTool | OwnPlace::CheckTool);
+        if own.places.iter().all(measures) && !self.shop_lines.needs_retract() {
+            self.is_at_station(Station::Measuring, current);
+        }
+    }
+
+    /// The axes are at their positions.
+    pub(super) fn is_at_station(&mut self, station: Station, current: &Current<'_>) {
+        let places = station.places(&self.rules.policy().links);
+        if places.is_empty() {
+            return;
+        }
+        let Previous { words, known, .. } = &self.previous;
+        let unknown = self.rules.words().rotary_bits() & !known;
+        let at = self.at_station[station as usize];
+        let missing: Vec<char> = parking::missing(&self.rules, places, at, words).collect();
+        let is_elsewhere = |index: usize, letter: char| {
+            missing.contains(&letter) || unknown & (1 << index) != 0 && places.contains_key(&letter)
+        };
+        let axes = self.rules.axes().iter().enumerate();
+        let elsewhere = axes.filter(|&(index, axis)| is_elsewhere(index, axis.letter)).map(|(_, axis)| axis.letter);
+        for letter in elsewhere.collect::<Vec<_>>() {
+            self.found(current, &format!("{letter} is not at its position of `{}`", station.key()));
+        }
+    }
+}
