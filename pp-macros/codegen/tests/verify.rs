@@ -152,24 +152,34 @@ const HOSTILE: &[(&str, Option<&str>)] = &[
     ("C = atan2(j * (1 - k), i * (1 - k))", Some("sin B > 0 (the first branch)")),
     ("2 * C = atan2(2 * i * j, i^2 - j^2)", Some("sin B != 0")),
     // A root whose factor vanishes on a whole part still has to exist there.
-    ("0 = (sqrt(sin(B)^2) - sin(B)) * sqrt(i)", Some("cos C sin B >= 0, sin B >= 0 (the first branch)")),
+    (
+        "i = sin(B) * cos(C) + (sqrt(sin(B)^2) - sin(B)) * sqrt(i)",
+        Some("cos C sin B >= 0, sin B >= 0 (the first branch)"),
+    ),
     // Conditions that hold together only at their bounds.
     ("i = sin(B) * cos(C) + 0 * sqrt(sin(C) - sin(B)) + 0 * sqrt(sin(B) - sin(C))", None),
     ("i = sin(B) * cos(C) + 0 * sqrt(X - Y) + 0 * sqrt(Y - X)", None),
     // Divisors that are zero without looking like it.
     ("i + 0 / (sin(20 deg) - 2 * sin(10 deg) * cos(10 deg)) = i", None),
-    ("0 = 0 * cos(atan2(i * sin(B) / sin(B) - i, 0))", None),
+    ("i = sin(B) * cos(C) + 0 * cos(atan2(i * sin(B) / sin(B) - i, 0))", None),
     // Slightly below zero is below zero.
-    ("0 = 0 * sqrt(1 - 1.000000000000001 * sin(B))", Some("1 - 1 sin B >= 0")),
-    ("0 = 0 * sqrt(1 - sin(B))", Some("")),
+    ("i = sin(B) * cos(C) + 0 * sqrt(1 - 1.000000000000001 * sin(B))", Some("1 - 1 sin B >= 0")),
+    ("i = sin(B) * cos(C) + 0 * sqrt(1 - sin(B))", Some("")),
+    // True of any machine.
+    ("0 = 0 * x", None),
+    ("sin(B)^2 + cos(B)^2 = 1", None),
+    ("X = X + 0 * y", None),
+    ("acos(-k) = 180 deg - acos(k)", None),
+    ("sqrt(i) * sqrt(j) = sqrt(i * j)", None),
+    ("sqrt(3 - 2 * sqrt(2)) = sqrt(2) - 1", None),
     // True, and found to be true.
-    ("acos(k) = atan2(sqrt(1 - k^2), k)", Some("")),
-    ("asin(k) = 90 deg - acos(k)", Some("")),
-    ("acos(-k) = 180 deg - acos(k)", Some("")),
-    ("sqrt(i) * sqrt(j) = sqrt(i * j)", Some("cos C sin B >= 0, sin C sin B >= 0")),
+    ("acos(k) = atan2(sqrt(1 - cos(B)^2), k)", Some("")),
+    ("asin(cos(B)) = 90 deg - acos(k)", Some("")),
+    ("acos(-k) = 180 deg - acos(cos(B))", Some("")),
+    ("sqrt(i) * sqrt(j) = sqrt(i * sin(B) * sin(C))", Some("cos C sin B >= 0, sin C sin B >= 0")),
     ("C = acos(i / sqrt(i^2 + j^2))", Some("sin C >= 0, sin B >= 0 (the first branch), sin B != 0")),
-    ("sqrt(3 - 2 * sqrt(2)) = sqrt(2) - 1", Some("")),
-    ("sqrt(3 - 2 * sqrt(2)) = 1 - sqrt(2)", None),
+    ("k * sqrt(3 - 2 * sqrt(2)) = cos(B) * (sqrt(2) - 1)", Some("")),
+    ("k * sqrt(3 - 2 * sqrt(2)) = cos(B) * (1 - sqrt(2))", None),
 ];
 
 #[test]
@@ -331,7 +341,7 @@ fn roots_quotients_and_sums_of_angles_hold_where_they_should() {
         ("C = asin(j / sqrt(1 - k^2))", "cos C >= 0, sin B >= 0 (the first branch), sin B != 0"),
         ("cos(B) = k", ""),
         ("sin(B)^2 = (1 - k) * (1 + k)", ""),
-        ("sin(acos(k)) = sqrt(i^2 + j^2)", ""),
+        ("sin(acos(cos(B))) = sqrt(i^2 + j^2)", ""),
     ] {
         assert_eq!(outcome(SPINNER.machine, "", equation), Ok(holds.to_string()), "{equation}");
     }

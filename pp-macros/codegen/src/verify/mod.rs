@@ -283,14 +283,11 @@ impl<'a> Block<'a> {
         let mut proofs: Vec<Option<Proven>> = Vec::new();
         let mut solution = OneSolution::default();
         for (place, equation) in block.equations.iter().enumerate() {
-            let verdict = match equation.left.to_string() == equation.right.to_string() {
-                true => Err(Fault::new(
-                    equation.phrase,
-                    "this equation proves nothing: both sides are the same",
-                    "write the formula of the source on the right",
-                )),
-                false => decide(scope, equation),
-            };
+            let verdict =
+                decide(scope, equation).and_then(|verdict| match proves_nothing(scope, block, equation, &verdict) {
+                    Some(fault) => Err(fault),
+                    None => Ok(verdict),
+                });
             let proof = match verdict {
                 Ok(Verdict::Holds(conditions, region)) => {
                     let proof = proven(scope, equation, &conditions, &branches);
@@ -316,6 +313,22 @@ impl<'a> Block<'a> {
         let proven = Some(Verified { source: block.source.clone(), assumptions, equations });
         Decided { proven, failures, faults }
     }
+}
+
+/// The reason why an equation that holds says nothing about the machine.
+fn proves_nothing(scope: &Scope<'_>, block: &Verify, equation: &Equation, verdict: &Verdict) -> Option<Fault> {
+    let Verdict::Holds(..) = verdict else { return None };
+    let help = "write the formula of the source on the right";
+    if equation.left.to_string() == equation.right.to_string() {
+        return Some(Fault::new(equation.phrase, "this equation proves nothing: both sides are the same", help));
+    }
+    // The value of a declared angle is that of the machine.
+    if scope.mentions_angle_dimension(block, equation) {
+        return None;
+    }
+    let holds = decide(&mut scope.with_free_pose(), equation);
+    let text = "this equation proves nothing: it holds for any machine";
+    matches!(holds, Ok(Verdict::Holds(..))).then(|| Fault::new(equation.phrase, text, help))
 }
 
 /// Values given by `where`, and set-up symbols that are zero.
@@ -481,7 +494,7 @@ fn difference(scope: &Scope<'_>, equation: &Equation, gap: &Poly, derived: &Deri
     if is_number(scope, &equation.left) {
         (format!("difference: {}", gap.source()), missing_term(&gap))
     } else {
-        (format!("not zero:   {}", gap.source()), None)
+        (format!("equal only where this is zero: {}", gap.source()), None)
     }
 }
 

@@ -8,7 +8,7 @@ use crate::check::{self, DimensionNames, Fault};
 use crate::model::{AxisId, AxisKind, Model, Quantity};
 use crate::suggest;
 use crate::symbolic::{Matrix, Poly, PolyVector, Ring, Symbol};
-use crate::syntax::{Assign, Expr, Unreadable, Verify};
+use crate::syntax::{Assign, Equation, Expr, Unreadable, Verify};
 
 /// Names of one block of equations, and the algebra of the current equation.
 #[derive(Debug, Clone)]
@@ -26,6 +26,8 @@ pub(crate) struct Scope<'a> {
     /// Values of x y z and i j k.
     tip: PolyVector,
     axis: PolyVector,
+    /// Sines and cosines of the angles of a free tool axis.
+    free_angles: Vec<(Symbol, Symbol)>,
 }
 
 impl<'a> Scope<'a> {
@@ -39,6 +41,7 @@ impl<'a> Scope<'a> {
             visible: 0,
             tip: product.origin(),
             axis: product.rotate(&model.tool_axis, &model.ring),
+            free_angles: Vec::new(),
         };
         let mut faults = Vec::new();
         for (place, assumption) in block.assumptions.iter().enumerate() {
@@ -115,6 +118,35 @@ impl<'a> Scope<'a> {
         Self { tip: self.model().symbols.tip.map(Poly::from), values: vec![None; self.locals.len()], ..self.clone() }
     }
 
+    /// The same names on a machine with any chain: x y z as unknowns, i j k by two unknown angles.
+    pub(crate) fn with_free_pose(&self) -> Self {
+        let mut free = self.with_free_tip();
+        let ring = free.algebra.ring_mut();
+        let [tilt, turn] = [ring.sin_cos("sin(tilt)", "cos(tilt)"), ring.sin_cos("sin(turn)", "cos(turn)")];
+        let across = |part: Symbol| ring.mul(&Poly::from(tilt.0), &Poly::from(part));
+        free.axis = [across(turn.1), across(turn.0), Poly::from(tilt.1)];
+        free.free_angles = vec![tilt, turn];
+        free
+    }
+
+    /// The unknowns of a free pose: the tip, and the sines of two angles; none where the pose is that of the chain.
+    pub(crate) fn free_symbols(&self) -> impl Iterator<Item = Symbol> {
+        let tip = if self.free_angles.is_empty() { None } else { Some(self.model().symbols.tip) };
+        tip.into_iter().flatten().chain(self.free_angles.iter().map(|(sine, _)| *sine))
+    }
+
+    /// Whether an equation mentions a dimension that is an angle, by itself or by `where`.
+    pub(crate) fn mentions_angle_dimension(&self, block: &Verify, equation: &Equation) -> bool {
+        let mut dimensions = self.model().dimensions.iter();
+        dimensions.any(|dimension| {
+            let mentions = |expr: &Expr| expr.mentions(&dimension.name);
+            matches!(dimension.quantity, Quantity::Angle(..))
+                && (mentions(&equation.left)
+                    || mentions(&equation.right)
+                    || block.assumptions.iter().any(|assumption| mentions(&assumption.value)))
+        })
+    }
+
     /// Set-up symbols that a block does not mention: they are zero in it.
     pub(crate) fn unmentioned(&self, block: &Verify) -> Vec<(&'static str, Symbol)> {
         let [x, y, z] = self.model().symbols.part;
@@ -153,7 +185,7 @@ impl<'a> Scope<'a> {
             Quantity::Angle(sine, cosine) => Some((sine, cosine)),
             Quantity::Length(_) => None,
         });
-        axes.chain(dimensions).collect()
+        axes.chain(dimensions).chain(self.free_angles.iter().copied()).collect()
     }
 
     /// `B != 0` for `1 - cos B`, and `B != 180 deg` for `1 + cos B`: zero at one position of an angle alone.
@@ -296,7 +328,7 @@ impl<'a> Scope<'a> {
             .chain(model.dimensions.iter().map(|dimension| dimension.name.as_str()))
             .chain(self.locals.iter().map(|(name, _)| name.as_str()));
         if let Some(near) = suggest::nearest(name, known) {
-            return format!("did you mean `{near}`?");
+            return format!("did you mean `{near}`? Or give it a meaning: `where {name} = ...;`");
         }
         format!(
             "the names are x y z i j k, the axes {}, {}gauge, part_x, part_y, part_z; a symbol of the source gets its meaning by `where {name} = ...;`",

@@ -102,7 +102,8 @@ pub(crate) fn has_witness(scope: &Scope<'_>, regions: &[&Region]) -> bool {
         Quantity::Length(symbol) | Quantity::Angle(symbol, _) => symbol,
     });
     let axes = model.axes.iter().flat_map(|axis| [axis.word, axis.sin_cos.0, axis.sin_cos.1]);
-    let symbols: Vec<Symbol> = axes.chain(model.symbols.part).chain([model.symbols.gauge]).chain(dimensions).collect();
+    let known = axes.chain(model.symbols.part).chain([model.symbols.gauge]).chain(dimensions);
+    let symbols: Vec<Symbol> = known.chain(scope.free_symbols()).collect();
     let sines: BTreeMap<Symbol, Symbol> = scope.circles().into_iter().collect();
     let mut state = 0x9e37_79b9_u64;
     let mut next = |range: u64| {

@@ -45,7 +45,7 @@ fn an_angle_measured_from_another_direction_is_named() {
 chain: C B | X Y Z; axes = { B: Rx(alpha) * Y }; dims = { alpha: -45 deg };
 //                           ^^^^^^^^^^^^^^^^ both equations of \"DMU 70e, eqs. (6) and (7) as printed\" do not follow from this declaration
 //  |   the first:  B = acos((k - cos(alpha)^2) / sin(alpha)^2)
-//  |   not zero:   -(1 - 2 * sin(alpha)^2) * (1 - cos(B)) * sin(alpha)^2
+//  |   equal only where this is zero: -(1 - 2 * sin(alpha)^2) * (1 - cos(B)) * sin(alpha)^2
 // help: all equations follow with `axes = { B: Rx(-90 deg - alpha) * Y };`
 verify \"DMU 70e, eqs. (6) and (7) as printed\" {
     B = acos((k - cos(alpha)^2) / sin(alpha)^2);
@@ -65,7 +65,7 @@ verify \"from memory\" {
     k = cos(alpha)^2 * cos(B) + sin(alpha)^2;
     B = acos((k - cos(alpha)^2) / sin(alpha)^2);
 //  ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ this equation for `B` does not follow from the chain
-//  |   not zero:   -(1 - 2 * sin(alpha)^2) * (1 - cos(B)) * sin(alpha)^2
+//  |   equal only where this is zero: -(1 - 2 * sin(alpha)^2) * (1 - cos(B)) * sin(alpha)^2
 // help: exchange `sin(alpha)` and `cos(alpha)` wherever they occur
 }
 ",
@@ -117,7 +117,7 @@ verify \"half a turn off\" {
     A = acos(k + 2 - 2 * k);
 //  ^^^^^^^^^^^^^^^^^^^^^^^ this equation for `A` does not follow from the chain
 //  |   derived:    A = atan2(-j, k)
-//  |   not zero:   2 * (1 - cos(A))
+//  |   equal only where this is zero: 2 * (1 - cos(A))
 }
 ",
     );
