@@ -189,6 +189,30 @@ fn a_tool_that_stays_in_the_spindle_needs_no_position_for_a_change_but_one_after
 }
 
 #[test]
+fn clamps_are_off_where_an_axis_may_rotate_after_the_blocks_of_a_tool() {
+    // Straight, so that no axis rotates by what is known.
+    let straight = CL.replace(",0.5,0,0.8660254", ",0,0,1").replace(",0,0.5,0.8660254", ",0,0,1");
+    let positions =
+        ["tool_position = { B = 0.0, C = 0.0 }", "tool_position = { B = 0.0, C = 0.0, X = -300.0, Y = -200.0 }", ""];
+    for &(name, blocks, ..) in CONTROLS {
+        let control = by_name(name);
+        for cl in [CL, &straight] {
+            for (cycles, mode) in positions.into_iter().flat_map(|cycles| MODES.map(|mode| (cycles, mode))) {
+                for change in ["", CHANGE_POSITION] {
+                    let mut config = config(name, mode, blocks, cycles, change);
+                    for (letter, [on, off]) in [('B', ["M68", "M69"]), ('C', ["M78", "M79"])] {
+                        let codes = pp_runtime::motion::ClampCodes { on: on.to_owned(), off: off.to_owned() };
+                        config.motion.rotaries.clamp.insert(letter, codes);
+                    }
+                    // It passes its check, which finds an axis that rotates while it is clamped.
+                    posted::<SpinnerU5620>(&config, control, cl);
+                }
+            }
+        }
+    }
+}
+
+#[test]
 fn x_and_y_go_home_before_the_rotary_axes_are_parked() {
     for &(name, blocks, zero, code) in CONTROLS {
         for mode in MODES {

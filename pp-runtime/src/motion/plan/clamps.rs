@@ -76,8 +76,8 @@ impl Clamps {
         self.approaches.checked_sub(1).and_then(|index| masks.get(index)).copied().unwrap_or(u16::MAX)
     }
 
-    /// Before the rotary axes move alone: off where they rotate now or before the next approach; `all`: the control may rotate
-    /// every axis to a plane.
+    /// Before the rotary axes move alone: off where they rotate now or before the next approach; `all`: every axis may
+    /// rotate, to a plane or from an unknown angle.
     pub(crate) fn open<S: Sink>(
         &mut self,
         from: &[i64; MAX_AXES],

@@ -93,7 +93,9 @@ impl<S: Sink> Mover<'_, S> {
         let by_plane = entry.is_some_and(|entry| entry.is_in_plane());
         let plane = self.placer.mode() == StretchMode::Plane || by_plane;
         self.home_before_rotation(above)?;
-        self.clamps.open(&self.position.place().words, &above.words, plane, &mut self.output)?;
+        // Where an axis is elsewhere than known, its word in the block rotates it.
+        let all = plane || !self.position.knows_rotary_axes();
+        self.clamps.open(&self.position.place().words, &above.words, all, &mut self.output)?;
         self.rapid_alone(above, rotary)?;
         if let Some(TipEntry { words, frame: of_words }) = entry {
             if let Some([on, _]) = of_words {
