@@ -205,3 +205,66 @@ fn a_guard_that_cannot_be_skipped_is_refused() {
         assert_eq!(report.failed, refused, "{program}\n{:?}", report.diagnostics);
     }
 }
+
+/// Blocks of each control that look for breakage.
+fn check_tool(name: &str) -> &'static str {
+    match name {
+        "linuxcnc" => "M472 P{tool}",
+        "fanuc" | "haas" => "G65 P9023 A22. T{tool}",
+        "siemens" => "CHECK_TOOL({tool})",
+        _ => "CALL PGM TNC:\\CHECK{tool_number}.H",
+    }
+}
+
+#[test]
+fn a_tool_is_checked_on_its_own_side_of_the_marks() {
+    for control in control::CONTROLS {
+        let name = control.spellings().name;
+        for (mode, position) in [("axes", ""), ("auto", "tool_position = { B = 0.0, C = 0.0 }")] {
+            let keys = format!(
+                "mode = '{mode}'\nlength_guard = false\nplane_guard = false\n[cycles]\ncheck_tool = ['{}']\n{position}\n\
+                 [control]\npreselect = false\neffects = {{ M31 = 'none', M33 = 'none' }}\n[tools]\n\
+                 1 = {{ checked = true, end = ['M33'] }}\n2 = {{ checked = true, end = ['M31'] }}\n",
+                check_tool(name)
+            );
+            let config = config(*control, &keys);
+            let same = SKIPPED.replace("LOADTL/2,LENGTH,110", "LOADTL/1");
+            for (skipped, tool) in [(SKIPPED, "2"), (&same, "1")] {
+                for last in [LAST, "FINI\n"] {
+                    let data = [FIRST, "OPSKIP/ON\n", skipped, "OPSKIP/OFF\n", last].concat();
+                    let program = posted::<SpinnerU5620>(&config, *control, &data);
+                    let lines: Vec<&str> = program.lines().collect();
+                    let marked = |line: &&&str| line.starts_with('/');
+                    let first = lines.iter().position(|line| marked(&line)).expect("a mark");
+                    let end = lines.iter().rposition(|line| marked(&line)).expect("a mark");
+                    let of = |tool: &str| check_tool(name).replace("{tool}", tool).replace("{tool_number}", tool);
+                    let checks =
+                        |lines: &[&str], tool: &str| lines.iter().filter(|line| line.ends_with(&of(tool))).count();
+                    let counted = [&lines[..first], &lines[first..=end], &lines[end + 1..]];
+                    let expected = if last == LAST { 1 } else { 0 };
+                    assert_eq!(checks(counted[0], "1"), 1, "{name}\n{program}");
+                    assert_eq!(checks(counted[1], tool), 1, "{name}\n{program}");
+                    assert_eq!(checks(counted[2], "1"), expected, "{name}\n{program}");
+                    let all = ["1", "2"].iter().map(|tool| checks(&lines, tool)).sum::<usize>();
+                    assert_eq!(all, 2 + expected, "{name}\n{program}");
+                    // Lost, and on the other side of the marks: the retract stands before them and after them.
+                    for at in
+                        (0..lines.len()).filter(|&at| ["1", "2"].iter().any(|tool| lines[at].ends_with(&of(tool))))
+                    {
+                        let lost = [&lines[..at], &lines[at + 1..]].concat().join("\n");
+                        let lost = findings::<SpinnerU5620>(&config, *control, &data, &lost);
+                        assert!(!lost.is_empty(), "{name}: {}\n{program}", lines[at]);
+                        let other = match lines[at].strip_prefix('/') {
+                            Some(line) => line.to_owned(),
+                            None => format!("/{}", lines[at]),
+                        };
+                        let mut edited = lines.clone();
+                        edited[at] = &other;
+                        let moved = findings::<SpinnerU5620>(&config, *control, &data, &edited.join("\n"));
+                        assert!(!moved.is_empty(), "{name}: {other}\n{program}");
+                    }
+                }
+            }
+        }
+    }
+}

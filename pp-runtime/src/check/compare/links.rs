@@ -857,6 +857,13 @@ impl<R: Read> Comparison<'_, R> {
         ahead.find(|item| item.motion().is_some()).map(|item| item.required.tool)
     }
 
+    /// Whether OPSKIP comes before the next motion.
+    pub(super) fn skips_before_next_motion(&self) -> bool {
+        let ahead = (0..FOR_APPROACH).map_while(|index| self.progress.get(index));
+        let mut before = ahead.take_while(|item| item.motion().is_none());
+        before.any(|item| matches!(item.action, ExpectedAction::BlockSkip { .. }))
+    }
+
     /// Where the program has been lost, it continues at the next item that suits.
     fn find_again(
         &mut self,
@@ -991,6 +998,9 @@ impl<R: Read> Comparison<'_, R> {
             _ => self.found(current, "this block is always executed (no `/`), without OPSKIP/OFF in the CL data here"),
         }
         self.cuts_have_ended(current);
+        for missing in self.shop_lines.skip() {
+            self.found(current, &missing);
+        }
         self.is_parked(current);
         self.is_complete(phase, current);
         if phase.is_at_part() {

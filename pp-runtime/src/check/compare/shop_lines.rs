@@ -22,6 +22,8 @@ pub(super) struct ShopLines {
     checked: BTreeSet<u32>,
     /// A line has left the axes anywhere since the last machine retract.
     needs_retract: bool,
+    /// The tool of the last approach has been at the part since blocks that may be skipped have begun or ended.
+    has_cut: bool,
 }
 
 impl ShopLines {
@@ -32,7 +34,7 @@ impl ShopLines {
             tools.map(|(number, _)| *number).collect()
         };
         let (measured, checked) = (tools(|tool| tool.measured), tools(|tool| tool.checked));
-        Self { lines, last_tool: None, measured, checked, needs_retract: false }
+        Self { lines, last_tool: None, measured, checked, needs_retract: false, has_cut: false }
     }
 
     /// Takes a line of the program that comes with this tool in the spindle. Returns what is wrong with it.
@@ -85,6 +87,7 @@ impl ShopLines {
     /// An approach has ended: what is missing before it. `starts`: an operation begins there, with this tool and register.
     pub(super) fn approach(&mut self, starts: bool, (tool, register): ToolAndRegister) -> Vec<String> {
         let mut missing = Vec::new();
+        self.has_cut = true;
         if starts {
             let before = self.last_tool.replace((tool, register)).map(|(tool, _)| tool);
             let changes = tool.is_some() && before != Some(tool);
@@ -107,6 +110,21 @@ impl ShopLines {
         missing
     }
 
+    /// Blocks that may be skipped begin or end: what the tool that has cut lacks before them. Whichever tool is in the spindle
+    /// afterwards, it is not looked at any more.
+    pub(super) fn skip(&mut self) -> Vec<String> {
+        let tool = self.last_tool.map(|(tool, _)| tool);
+        let checked = self.is_checked(tool);
+        if !std::mem::take(&mut self.has_cut) {
+            return Vec::new();
+        }
+        self.missing("before the blocks that may be skipped begin or end", |place| match place {
+            OwnPlace::CheckTool => checked,
+            OwnPlace::ToolEnd { tool: of } => tool == Some(Some(of)),
+            _ => false,
+        })
+    }
+
     /// The end code: what is missing before it.
     pub(super) fn end(&mut self) -> Vec<String> {
         let began = self.last_tool.is_some();
@@ -122,12 +140,12 @@ impl ShopLines {
     }
 
     /// Whether blocks that measure the tool in the spindle, or look for its breakage, have not come yet and have to. `next`: tool
-    /// of the next cut.
-    pub(super) fn is_measuring_due(&self, spindle: Option<u32>, next: Option<Option<u32>>) -> bool {
+    /// of the next cut; `skips`: blocks that may be skipped begin or end before it.
+    pub(super) fn is_measuring_due(&self, spindle: Option<u32>, next: Option<Option<u32>>, skips: bool) -> bool {
         let due = |due: OwnPlace| !self.lines.missing(|place| place == due).is_empty();
         let has_cut = self.last_tool.map(|(tool, _)| tool) == Some(spindle);
         match has_cut {
-            true => next != Some(spindle) && self.is_checked(Some(spindle)) && due(OwnPlace::CheckTool),
+            true => (skips || next != Some(spindle)) && self.is_checked(Some(spindle)) && due(OwnPlace::CheckTool),
             false => spindle.is_some_and(|tool| self.measured.contains(&tool)) && due(OwnPlace::MeasureTool),
         }
     }

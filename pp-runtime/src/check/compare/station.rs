@@ -82,7 +82,7 @@ impl<R: Read> Comparison<'_, R> {
                 let again = self.start.restarted && block.state.spindle.flatten().is_none();
                 next.is_some_and(|next| next != spindle || again)
             }
-            Station::Measuring => self.shop_lines.is_measuring_due(spindle, next),
+            Station::Measuring => self.shop_lines.is_measuring_due(spindle, next, self.skips_before_next_motion()),
         };
         due && !station.places(&self.rules.policy().links).is_empty()
     }

@@ -153,6 +153,7 @@ impl<S: Sink> Planner<'_, S> {
         self.spindle.note_thread(false);
         records::kept_dwells(self)?;
         self.check_state(ahead.motion)?;
+        self.tooling.note_cut();
         self.approach(ahead, planned)
     }
 
@@ -208,6 +209,8 @@ impl<S: Sink> Planner<'_, S> {
             self.mover.output_mut().cancel_inverse_time()?;
             self.mover.machine_retract()?;
             self.spindle.stop(self.mover.output_mut())?;
+            // Whichever tool is in the spindle afterwards, this one has been looked at.
+            self.end_tool()?;
         } else {
             let fault =
                 Fault::new("no motion, stop or NC text comes between OPSKIP/ON and OPSKIP/OFF: nothing is skipped");
@@ -269,7 +272,8 @@ impl<S: Sink> Planner<'_, S> {
     /// Blocks of the shop for the tool that has cut, at the machine retract with spindle and coolant off.
     fn end_tool(&mut self) -> Planned {
         let Some(tool) = self.tooling.current().map(|tool| tool.number) else { return Ok(()) };
-        if ![ToolRoutine::End, ToolRoutine::Check].into_iter().any(|routine| self.has_routine(tool, routine)) {
+        let has_any = [ToolRoutine::End, ToolRoutine::Check].into_iter().any(|routine| self.has_routine(tool, routine));
+        if !self.tooling.take_cut() || !has_any {
             return Ok(());
         }
         self.mover.output_mut().set_reason(BlockReason::End);

@@ -32,6 +32,8 @@ pub(crate) struct Tooling {
     uncertain: bool,
     /// A tool has been measured or checked for breakage.
     measured: bool,
+    /// The tool has cut since its blocks for the end of its work.
+    has_cut: bool,
 }
 
 impl Tooling {
@@ -43,6 +45,16 @@ impl Tooling {
     /// Notes that a tool is measured or checked for breakage; whether it is the first.
     pub(crate) fn note_measured(&mut self) -> bool {
         !std::mem::replace(&mut self.measured, true)
+    }
+
+    /// Notes that the tool cuts.
+    pub(crate) fn note_cut(&mut self) {
+        self.has_cut = true;
+    }
+
+    /// Whether the tool has cut since the last call.
+    pub(crate) fn take_cut(&mut self) -> bool {
+        std::mem::take(&mut self.has_cut)
     }
 
     /// Sets the tools that cut with cutter compensation.
