@@ -48,11 +48,12 @@ fn by_name(name: &str) -> &'static dyn Control {
 }
 
 fn config(name: &str, mode: &str, [measure, check]: [&str; 2], cycles: &str, more: &str) -> Config {
+    let (more, tables) = more.find("[set_ups").map_or((more, ""), |at| more.split_at(at));
     let (retract, more) = if more.starts_with("tool_change") { (more, "") } else { ("", more) };
     let text = format!(
         "part_origin = [0.0, 0.0, 0.0]\n{mode}\n{more}\n[retract]\n{retract}\ndistance = 50.0\nhome_on_indexing = true\n\
          xy = {{ X = -7.0, Y = -8.0 }}\n[cycles]\nmeasure_tool = ['{measure}']\ncheck_tool = ['{check}']\n{cycles}\n\
-         [tools]\n1 = {{ measured = true, checked = true }}\n2 = {{ measured = true, checked = true }}\n"
+         [tools]\n1 = {{ measured = true, checked = true }}\n2 = {{ measured = true, checked = true }}\n{tables}"
     );
     let mode_keys = if name == "fanuc" { "tcp_frame = 'table_at_start'\n" } else { "" };
     starting_point(by_name(name))
@@ -117,6 +118,35 @@ fn an_axis_elsewhere_where_a_tool_is_measured_is_found() {
                 edited[at] = &other;
                 let found = found(&renumbered(control, &edited));
                 assert!(!found.is_empty(), "{name} {mode}: {other}\n{program}");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_axes_go_where_a_tool_is_changed_with_the_spindle_off_in_any_set_up_and_up_to_any_height() {
+    // The spindle is on at the end of the first operation, as the CL data leaves it, and the second has another set-up.
+    for &(name, blocks, _, code) in CONTROLS {
+        for mode in MODES {
+            for z in ["", ", Z = 0.0", ", Z = -20.0"] {
+                for measures in ["", "tool_position = { B = 0.0, C = 0.0, X = -300.0, Y = -200.0 }"] {
+                    let position = CHANGE_POSITION.replace(" }", &format!("{z} }}"));
+                    let offset = if name == "heidenhain" { "2" } else { "G55" };
+                    let second = format!(
+                        "[set_ups.2]\nbegins = 'OP2'\nwork_offset = '{offset}'\npart_origin = [0.0, 0.0, 0.0]\n"
+                    );
+                    let (control, config) =
+                        (by_name(name), config(name, mode, blocks, measures, &format!("{position}\n{second}")));
+                    let program = posted::<SpinnerU5620>(&config, control, CL);
+                    let lines = bare(&program);
+                    for at in (0..lines.len()).filter(|&at| changes_tool(lines[at])).skip(1) {
+                        let there =
+                            lines[..at].iter().rposition(|line| goes_to(line, code, [-400, -500])).expect("there");
+                        let off = lines[..there].iter().rposition(|line| ["M5", "M05"].contains(line)).expect("off");
+                        let on = lines[..there].iter().rposition(|line| line.contains("M3") || line.contains("M03"));
+                        assert!(on < Some(off), "{name} {mode}\n{program}");
+                    }
+                }
             }
         }
     }

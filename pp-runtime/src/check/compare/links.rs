@@ -187,6 +187,9 @@ impl<R: Read> Comparison<'_, R> {
     pub(super) fn machine_position(&mut self, phase: &mut Phase, current: &Current<'_>) -> io::Result<Option<Phase>> {
         self.pass_needless(phase)?;
         let block = current.block;
+        if self.descends_to_station(phase, current) {
+            return Ok(None);
+        }
         if let Some(text) = machine_move::fault_of_retract(&self.rules, &self.previous, block) {
             self.note_stations(block);
             // A parking position may be the home position.

@@ -68,6 +68,24 @@ impl<R: Read> Comparison<'_, R> {
         goes
     }
 
+    /// The retract axis to its position, after the other axes: it may be the retract position. Whether the block does that.
+    pub(super) fn descends_to_station(&mut self, phase: &Phase, current: &Current<'_>) -> bool {
+        let block = current.block;
+        let retract = self.rules.words().retract();
+        let descends = |station: Station| {
+            let places = station.places(&self.rules.policy().links);
+            self.at_station[station as usize] != 0
+                && block.written == 1 << retract
+                && places.contains_key(&self.rules.axes()[retract].letter)
+                && parking::moves_linear(&self.rules, places, block)
+        };
+        if !Station::ALL.into_iter().any(descends) || !self.goes_to_station(phase, current) {
+            return false;
+        }
+        self.note_stations(block);
+        true
+    }
+
     /// Whether the tool is changed, measured or checked before the next cut.
     pub(super) fn is_station_due(&self, block: &Block) -> bool {
         Station::ALL.into_iter().any(|station| self.is_due(station, block))
@@ -92,8 +110,11 @@ impl<R: Read> Comparison<'_, R> {
         self.home_before_rotation(retracted, turned, current);
         // Before the first tool call no plane need be selected.
         let context = ModalContext { no_plane: true, ..ModalContext::default() };
-        let fault = self.rules.fault_at_park(current.block, self.progress.last(), context);
-        self.found_state(current, fault);
+        let fault = |required| self.rules.fault_at_park(current.block, required, context);
+        // The work offset is that of the operation before, or of the one after a restart point.
+        let next = self.progress.next().map(|item| &*item.required);
+        let found = fault(self.progress.last()).filter(|_| next.is_none_or(|next| fault(Some(next)).is_some()));
+        self.found_state(current, found);
     }
 
     /// A tool is measured with the axes at their positions for that.

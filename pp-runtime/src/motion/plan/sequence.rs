@@ -235,7 +235,9 @@ impl<S: Sink> Planner<'_, S> {
         let given = self.policy.set_up.tools.get(&tool.number);
         let spindle = self.spindle.requested().resolve(given, self.policy)?;
         let radius_delta = cutter::radius_delta(self, &tool)?;
-        if change {
+        if change && !self.policy.options.retract.tool_change_position.is_empty() {
+            // It stops in the change; the axes do not go there with it on.
+            self.spindle.stop(self.mover.output_mut())?;
             self.mover.take_axes_to_tool_change()?;
         }
         self.mover.output_mut().step(&Step::Tool {
