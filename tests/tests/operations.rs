@@ -417,7 +417,12 @@ fn blocks_of_the_shop_may_state_the_tolerance_of_blending_of_each_operation() {
     let linuxcnc = control::by_name("linuxcnc").expect("a control");
     let safety = "safety = ['{units} G17 G40 G49 G80 G90 G94 {work_offset} G64 P{path_tolerance}";
     let starts = "[program]\noperation_start = ['G64 P{path_tolerance} Q0.005']\n";
-    for own in [format!("[control]\n{safety}']\n"), format!("[control]\n{safety} Q0.005']\n"), starts.to_owned()] {
+    for own in [
+        format!("[control]\n{safety}']\n"),
+        format!("[control]\n{safety} Q0.005']\n"),
+        format!("[control]\n{safety} Q{{path_tolerance}}']\n"),
+        starts.to_owned(),
+    ] {
         let text = format!(
             "part_origin = [0.0, 0.0, 0.0]\nmode = 'axes'\npath_tolerance = 0.01\n{own}[retract]\ndistance = 40.0\n\
              [operations]\n'*ROUGH*' = {{ path_tolerance = 0.05 }}\n'BOSS' = {{ path_tolerance = 0.005 }}\n"

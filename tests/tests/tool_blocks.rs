@@ -301,6 +301,68 @@ fn a_block_that_no_line_continues_and_one_of_several_lines_on_another_control_ar
     }
 }
 
+/// A motion of each control.
+fn motions(name: &str) -> [&'static str; 2] {
+    match name {
+        "heidenhain" => ["L Z-480 R0 FMAX M91", "L C-90 R0 FMAX"],
+        "siemens" => ["SUPA G0 Z-480 D0", "G0 C-90"],
+        "haas" | "fanuc" => ["G53 G0 Z-480.", "G0 C-90."],
+        _ => ["G53 G0 Z-480", "G0 C-90"],
+    }
+}
+
+#[test]
+fn a_motion_among_the_lines_that_measure_is_a_motion() {
+    for name in CONTROLS {
+        let [measure, check] = blocks(name);
+        for motion in motions(name) {
+            for (measure, check) in [
+                (format!("'{measure}', '{motion}'"), format!("'{check}'")),
+                (format!("'{measure}'"), format!("'{motion}'")),
+            ] {
+                let text = format!(
+                    "mode = 'axes'\n[cycles]\nmeasure_tool = [{measure}]\ncheck_tool = [{check}]\n[tools]\n\
+                     1 = {{ measured = true, checked = true, {}}}\n",
+                    if name == "heidenhain" { "" } else { "offset = 12" }
+                );
+                let config = starting_point(by_name(name)).read_over(&SpinnerU5620::default(), &text).expect("read");
+                let (program, report) =
+                    posting::written::<SpinnerU5620>(&config, by_name(name), &cl()).expect("it can run");
+                assert!(!report.failed, "{program}");
+                let found = posting::findings::<SpinnerU5620>(&config, by_name(name), &cl(), &program);
+                assert!(!found.is_empty(), "{name} {motion}\n{program}");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_parameters_of_a_cycle_that_are_no_lines_of_it_are_refused() {
+    for lines in [
+        "'TCH PROBE 483 A', 'Q340=+1', 'Q260=+50'",
+        "'TCH PROBE 483 A ~ Q340=+1 ~ Q260=+50'",
+        "'TCH PROBE 483 A ~', 'Q340=+1 ~ Q260=+50'",
+    ] {
+        let text = format!("[cycles]\nmeasure_tool = [{lines}]\n");
+        let config = starting_point(by_name("heidenhain")).read_over(&SpinnerU5620::default(), &text).expect("read");
+        let refused = control::unfit(&SpinnerU5620::default(), by_name("heidenhain"), config.demands()).join("\n");
+        assert!(
+            refused.contains("the parameters of the cycle `TCH PROBE 483 A` follow it line by line"),
+            "{lines}: {refused}"
+        );
+    }
+}
+
+#[test]
+fn a_displayed_text_of_the_blocks_of_the_shop_may_have_fields() {
+    for (name, text) in [("linuxcnc", "(MSG, TOOL {tool} NEXT)"), ("siemens", "MSG(\"TOOL {tool} NEXT\")")] {
+        let keys = format!("program.messages = 'display'\nprogram.operation_start = ['{text}']");
+        let config = config(name, &keys);
+        let program = posted::<SpinnerU5620>(&config, by_name(name), &cl());
+        assert!(program.contains(&text.replace("{tool}", "2")), "{program}");
+    }
+}
+
 /// A dwell of a minute, as blocks of each control.
 fn minute(name: &str) -> &'static [&'static str] {
     match name {

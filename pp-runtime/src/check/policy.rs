@@ -392,6 +392,8 @@ pub struct ShopBlocks {
     pub lines: Vec<ShopLine>,
     /// Declared effects of lines and words that are in no table, by their text.
     pub effects: Vec<(String, Effect)>,
+    /// Lines that measure, where their codes say nothing else.
+    pub measuring: Vec<String>,
     /// Tools are called by the names of the set-up.
     pub tool_names: bool,
     /// Name of the swivel data record.
@@ -405,6 +407,13 @@ impl ShopBlocks {
     #[must_use]
     pub fn states_blending(&self) -> bool {
         let states = |line: &ShopLine| line.place == OwnPlace::Safety && line.text.contains("{path_tolerance}");
+        self.lines.iter().any(states)
+    }
+
+    /// Whether they state the same distance for lines that are joined (Q of G64).
+    #[must_use]
+    pub fn states_joining(&self) -> bool {
+        let states = |line: &ShopLine| line.place == OwnPlace::Safety && line.text.contains("Q{path_tolerance}");
         self.lines.iter().any(states)
     }
 

@@ -246,18 +246,18 @@ impl Config {
                 .iter()
                 .map(|(text, effect)| (text.clone(), declared(*effect)))
                 .chain(of_job.effects().iter().map(|(text, effect)| ((*text).to_owned(), declared(*effect))))
-                .chain(self.measuring_lines().map(|line| (line.clone(), Effect::Measures)))
+                .chain(self.probing_lines().map(|line| (line.clone(), Effect::Measures)))
                 .collect(),
+            measuring: control.measure_tool.iter().chain(&control.check_tool).cloned().collect(),
             displays_messages: control.program.messages == Messages::Display,
             tool_names: control.tool_names,
             swivel_data: control.swivel_data.clone().unwrap_or_default(),
         }
     }
 
-    /// The lines that measure, whatever their codes do.
-    fn measuring_lines(&self) -> impl Iterator<Item = &String> {
-        let of_tools = self.control.measure_tool.iter().chain(&self.control.check_tool);
-        of_tools.chain(self.cl.probes.iter().flat_map(|probe| probe.blocks()))
+    /// The lines with which a probe measures, whatever their codes do.
+    fn probing_lines(&self) -> impl Iterator<Item = &String> {
+        self.cl.probes.iter().flat_map(|probe| probe.blocks())
     }
 
     /// The lines that the configuration brings into a program, and those of its control that its family does not have.

@@ -175,6 +175,7 @@ fn unsupported(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
         .chain(&options.safety)
         .flatten()
         .collect();
+    faults.extend(unfinished_cycle(codes, &blocks));
     let is_too_long = |line: &&str| line.len() > codes.line_length || !line.is_ascii();
     for line in blocks.iter().flat_map(|block| block.split('\n')).filter(is_too_long) {
         faults.push(format!(
@@ -184,6 +185,27 @@ fn unsupported(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
     }
     faults.extend(blocks.into_iter().filter_map(|block| of_another_control(codes, block)));
     faults
+}
+
+/// A cycle of several lines that is not written as one: its parameters are alone, or all in one line.
+fn unfinished_cycle(codes: &Spellings, blocks: &[&String]) -> Option<String> {
+    let is_parameter = |text: &str| {
+        let digits =
+            text.trim_start().strip_prefix('Q').map(|rest| rest.trim_start_matches(|of: char| of.is_ascii_digit()));
+        digits.is_some_and(|rest| rest.trim_start().starts_with('='))
+    };
+    let is_cycle = |text: &str| text.starts_with("TCH PROBE") || text.starts_with("CYCL DEF");
+    let separate = blocks.windows(2).find(|pair| is_cycle(pair[0]) && is_parameter(pair[1])).map(|pair| pair[0]);
+    let joined = || {
+        let mut lines = blocks.iter().copied().filter(|block| is_cycle(block));
+        lines.find(|block| block.split('\n').any(|line| line.split('~').skip(1).any(is_parameter)))
+    };
+    let block = separate.or_else(joined).filter(|_| codes.numbers_every_line)?;
+    let first = block.split(['~', '\n']).next().unwrap_or_default().trim();
+    Some(format!(
+        "the parameters of the cycle `{first}` follow it line by line: give each line as an element of the list, all but the \
+         last with `~` at the end"
+    ))
 }
 
 /// M functions that end a program or a subprogram.

@@ -298,7 +298,11 @@ impl FunctionState {
                 shop.selects_modes().then(|| *self.path_mode.get_or_insert(written.unwrap_or(PathMode::ExactPath)));
             let joining = own.and_then(PathMode::joining_mm);
             let tolerance = match written {
-                Some(PathMode::Continuous { tolerance_mm, joining_mm }) if joining_mm == joining => tolerance_mm,
+                Some(PathMode::Continuous { tolerance_mm, joining_mm })
+                    if joining_mm == if shop.states_joining() { tolerance_mm } else { joining } =>
+                {
+                    tolerance_mm
+                }
                 _ => None,
             };
             return (!is_blending(tolerance, blending, rules))

@@ -6,6 +6,10 @@ use super::super::rules::Rules;
 use super::Previous;
 use crate::kinematics::{Axis, AxisKind};
 
+/// Where the configuration has other positions.
+const KEYS: &str =
+    "other positions of the axes have keys: `park`, `retract.tool_change_position`, `cycles.tool_position`";
+
 /// Largest distance from a position of the machine, in units of a word.
 const AT_POSITION: f64 = 0.6;
 
@@ -24,7 +28,7 @@ pub(super) fn fault_of_retract(rules: &Rules<'_>, previous: &Previous, block: &B
     };
     match (block.action, links.retract) {
         (Action::Machine, _) if coordinate => (!alone || !there()).then(|| {
-            format!("motion in machine coordinates: expected the retract, which moves its axis alone to {position} mm")
+            format!("motion in machine coordinates: expected the retract, which moves its axis alone to {position} mm; {KEYS}")
         }),
         (Action::Reference { direct: true }, RetractRule::ReferencePosition) if !coordinate => (!alone)
             .then(|| "motion to the reference position: expected the retract, which moves its axis alone".to_owned()),
@@ -36,7 +40,7 @@ pub(super) fn fault_of_retract(rules: &Rules<'_>, previous: &Previous, block: &B
         (Action::Reference { .. }, _) => {
             Some("motion to the reference point: its path is unknown, and the position after it".to_owned())
         }
-        _ => Some("motion to a position of the machine that is not the retract of `retract.method`".to_owned()),
+        _ => Some(format!("motion to a position of the machine that is not the retract of `retract.method`; {KEYS}")),
     }
 }
 

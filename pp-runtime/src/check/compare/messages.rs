@@ -3,7 +3,7 @@
 use std::io::Read;
 
 use super::super::expect::legible;
-use super::super::read::Action;
+use super::super::read::{Action, is_filled};
 use super::{Comparison, Current};
 
 /// Text that a line displays, if it does.
@@ -19,7 +19,7 @@ impl<R: Read> Comparison<'_, R> {
         };
         let line = current.shown.text.trim_ascii();
         let guarded = std::mem::replace(&mut self.guarded, line.starts_with(b"IF "));
-        let of_shop = |line: &[u8]| self.rules.policy().shop.lines.iter().any(|own| own.text.as_bytes() == line);
+        let of_shop = |line: &[u8]| self.rules.policy().shop.lines.iter().any(|own| is_filled(&own.text, line));
         if let Some(text) = displayed(line, marks).filter(|_| !guarded && !of_shop(line))
             && !self.progress.displays(&legible(text))
         {

@@ -51,7 +51,7 @@ pub use block::{
 pub(crate) use facts::{Facts, Form, GuardSource, LengthRegisters, PoseSelector, SmoothingWords};
 pub(crate) use language::table;
 pub(crate) use machine::AxisName;
-pub(crate) use own::{OwnText, PlacedLines};
+pub(crate) use own::{OwnText, PlacedLines, is_filled, is_read};
 
 use draft::{Draft, fault};
 use heidenhain::Heidenhain;

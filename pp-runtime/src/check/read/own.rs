@@ -287,13 +287,22 @@ pub(super) fn resolve(text: &[u8], line: &mut Line<'_>, declared: Option<Declare
         let others: Vec<String> = Effect::NAMES[1..].iter().map(|(name, _)| format!("\"{name}\"")).collect();
         let text = format!(
             "`{}` is a line of configuration or control that the check cannot execute: {reason}; correct it, or declare its \
-             effect in `[control] effects`: `\"{key}\" = \"none\"`, or {} (a control in Rust: in `Control::effects`)",
+             effect in `[control] effects`: `{} = \"none\"`, or {} (a control in Rust: in `Control::effects`)",
             shown(text),
+            as_toml_key(&key),
             others.join(", ")
         );
         line.fault(0, text);
     }
     Some(OwnLine { places, effect, values })
+}
+
+/// A text as a key of a TOML file.
+fn as_toml_key(text: &str) -> String {
+    match text.contains(['\\', '"']) && !text.contains('\'') {
+        true => format!("'{text}'"),
+        false => format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\"")),
+    }
 }
 
 /// Values of the fields of a line that is about the tool in the spindle. In a tool change the codes have them.
@@ -320,6 +329,32 @@ fn values(text: &[u8], line: &mut Line<'_>) -> OwnValues {
     }
     let called = filled.tool.and_then(|called| called_tool(called, line));
     OwnValues { tool: called.or(filled.tool_number.and_then(whole)), offset: filled.offset.and_then(whole) }
+}
+
+/// Whether the table reads a line of the configuration without a fault, whatever the values of its fields are.
+pub(crate) fn is_read(line: &[u8], vocabulary: &Vocabulary) -> bool {
+    let number: &[u8] = if vocabulary.family.facts().form == Form::Statements { b"1 " } else { b"" };
+    let mut text = number.to_vec();
+    let mut in_field = false;
+    for &byte in line {
+        match byte {
+            b'{' => {
+                in_field = true;
+                text.push(b'1');
+            }
+            b'}' => in_field = false,
+            _ if in_field => {}
+            byte => text.push(byte),
+        }
+    }
+    let vocabulary = Vocabulary { own: Vec::new(), effects: Vec::new(), ..vocabulary.clone() };
+    let mut reader = Reader::new(&text[..], vocabulary);
+    reader.next_block().is_ok_and(|block| block.is_none_or(|(block, _)| block.faults.is_empty()))
+}
+
+/// Whether a line is one of the configuration, with values for its fields.
+pub(crate) fn is_filled(template: &str, line: &[u8]) -> bool {
+    matches(template.trim().as_bytes(), line)
 }
 
 /// Lines of the configuration that have a fixed place in a program, and how often each has come.

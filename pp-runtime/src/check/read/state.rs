@@ -381,7 +381,7 @@ impl State {
     pub(in crate::check) fn since_lost(&self, unknown: bool) -> String {
         let line = self.lost_at.filter(|_| unknown);
         line.map_or_else(String::new, |line| {
-            format!("; it is unknown after line {line}, whose effect is declared \"state lost\"")
+            format!("; it is unknown after line {line}, whose effect is declared \"state lost\": program it again after that line")
         })
     }
 

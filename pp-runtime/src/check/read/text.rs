@@ -327,7 +327,7 @@ pub(super) fn tenths(number: Number) -> Option<u32> {
 
 /// Bytes as text for a message, where they stand between back quotes.
 pub(super) fn shown(bytes: &[u8]) -> String {
-    String::from_utf8_lossy(&bytes[..bytes.len().min(60)]).replace('`', "'")
+    String::from_utf8_lossy(&bytes[..bytes.len().min(60)]).replace('`', "'").replace(GOES_ON as char, "~ ")
 }
 
 #[cfg(test)]
