@@ -152,6 +152,31 @@ fn the_axes_go_where_a_tool_is_changed_with_the_spindle_off_in_any_set_up_and_up
     }
 }
 
+#[test]
+fn the_rotary_axes_go_where_the_course_leads_them_whatever_position_a_tool_was_changed_at() {
+    // Rotary words in a cut are those of the preference, with a position of the axes before it and without one.
+    let words = |program: &str| -> Vec<String> {
+        let rotary =
+            |line: &&str| line.contains(['B', 'C']) && !line.starts_with([';', '(', 'M', 'C', 'T', 'P', '*', 'B', 'D']);
+        let is_zero = |line: &str| line.contains("B0") || line.contains("B+0");
+        bare(program).into_iter().filter(|line| rotary(line) && !is_zero(line)).map(str::to_owned).collect()
+    };
+    for &(name, blocks, ..) in CONTROLS {
+        for prefer in ["prefer = 'B-'", "prefer = 'B+'", "start_branch = 'second'"] {
+            let course = format!("course = {{ {prefer} }}\nlimits = {{ B = [-110.0, 110.0] }}\nmode = 'axes'");
+            let program = |cycles: &str, change: &str| {
+                posted::<SpinnerU5620>(&config(name, &course, blocks, cycles, change), by_name(name), CL)
+            };
+            let plain = words(&program("", ""));
+            assert!(plain.len() >= 2, "{name}: {plain:?}\n{}", program("", ""));
+            let position = "tool_position = { B = 0.0, C = 0.0 }";
+            for (cycles, change) in [(position, ""), ("", CHANGE_POSITION), (position, CHANGE_POSITION)] {
+                assert_eq!(words(&program(cycles, change)), plain, "{name} {prefer}");
+            }
+        }
+    }
+}
+
 /// Codes that change a tool.
 const CHANGES: [&str; 3] = ["M6", "M06", "TOOL CALL "];
 

@@ -39,8 +39,8 @@ impl<'a> Demands<'a> {
 
 options! {
     /// Settings of this control that differ from its standard codes. Blocks may hold fields in braces: {name},
-    /// {number}, {units}, {work_offset}, {path_tolerance}; in a tool change also {tool} (the name where tools are called by
-    /// name), {tool_number}, {next}, {offset}, {speed} and {radius_delta} (Heidenhain, with `compensation.path = "centre"`).
+    /// {number}, {units}, {work_offset}, {path_tolerance}; in a tool change also {tool} (where tools are called by name
+    /// the name, with its quotation marks), {tool_number}, {next}, {offset}, {speed} and {radius_delta} (Heidenhain, with `compensation.path = "centre"`).
     /// A word whose field has no value is left out; a block with {next} is left out where no tool follows. A cycle of several
     /// lines (Heidenhain) has each line as an element, ending in `~` where the next one continues it.
     pub struct ControlOptions in "control" {
@@ -104,7 +104,8 @@ options! {
         linear_rapids: Option<bool> = None, key("control.linear_rapids", YesNo, "true");
         /// Blocks that measure the tool in the spindle, for tools with `measured = true`: after the tool change, with the machine
         /// retracted before and after them, and before the length guard; where the axes are then: `tool_position`. Fields as in a
-        /// tool change.
+        /// tool change. After them position, spindle, coolant and length are stated anew; they must leave G90, plane, unit and
+        /// work offset as they are.
         measure_tool: Vec<String> = Vec::new(),
             key("cycles.measure_tool", Blocks(TemplateBlock(OF_TOOL)), "[\"G65 P9023 A12. T{tool}\"]");
         /// Blocks that look for breakage of the tool in the spindle, for tools with `checked = true`: with the machine retracted
@@ -116,7 +117,8 @@ options! {
         /// Effect of lines and words that the check does not know, by their text: lines of `[program]`, `safety`,
         /// `tool_change` and INSERT, and codes in them. "none", "coolant", "spindle", "stop", "position lost", "state lost",
         /// "measures", or "tool change" for a line with the field {tool}: that tool is in the spindle afterwards, as after the
-        /// tool change of the control (`"G65 P9001 T{tool}" = "tool change"`). The check refuses them without it. After "state
+        /// tool change of the control (`"G65 P9001 T{tool}" = "tool change"`). A code with words of its own is declared as its whole
+        /// line: `"M68 E0 Q1" = "none"`. The check refuses them without it. After "state
         /// lost" a safety line must state every mode again; on Heidenhain write `M137` (F per minute) after such a line.
         effects: BTreeMap<String, LineEffect> = BTreeMap::new(), key("control.effects", LineEffects);
         /// Axis names that differ from the axis letters.
@@ -140,7 +142,7 @@ options! {
         /// program of the shop that retracts first, with the effect "state lost", or position the machine by hand. It ends
         /// with the spindle off.
         start: Vec<String> = Vec::new(), key("program.start", Blocks(TemplateBlock(OF_PROGRAM)));
-        /// Blocks before the end code.
+        /// Blocks before the end code. Positions of the axes at the end: `park`.
         end: Vec<String> = Vec::new(), key("program.end", Blocks(TemplateBlock(OF_PROGRAM)));
         /// Blocks at the start of each operation: after the tool change, before length offset, spindle and approach.
         /// Fields as in a tool change. The machine retracts after them, and position, spindle, coolant and length are stated

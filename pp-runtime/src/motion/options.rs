@@ -152,7 +152,9 @@ options! {
     pub struct GuardOptions {
         /// Compare the posted length of a tool with the tool table of the control at the tool call, where the control
         /// can. Without it: only where the length matters because of a rotary axis in the head. Not with
-        /// `control.tool_names`: the program reads the length by the number of the tool.
+        /// `control.tool_names`: the program reads the length by the number of the tool. A tool that is measured in the program
+        /// must come out within `length_tolerance` of the posted length; where no rotary axis is in the head its length may be
+        /// any other, and false is right.
         length_guard: Option<bool> = None, key("length_guard", YesNo, "true");
         /// Largest difference between the lengths.
         length_tolerance_mm: f64 = 0.01, also("length_tolerance", Measure::length(Bound::Positive).unless(unmeasurable));

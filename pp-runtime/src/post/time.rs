@@ -56,7 +56,7 @@ pub(crate) fn speeds(times: &Times) -> Vec<String> {
     }
     if let Some(fastest) = times.fastest {
         lines.push(format!(
-            "fastest rotary axis programmed in a cut: {} at {:.0} degrees/min (CL line {})",
+            "fastest rotary axis in a cut, as programmed and before it is slowed down: {} at {:.0} degrees/min (CL line {})",
             fastest.letter,
             fastest.rad_per_min.to_degrees(),
             fastest.at.line

@@ -137,6 +137,12 @@ static SPELLINGS: Spellings = Spellings {
             source: "",
         },
         FoundAt {
+            key: "table_zero",
+            place: "settings 255 to 257 (machine rotary zero point), less the dimensions that lead from the reference point of \
+                    the table to it; with the right values `kinematics --haas` prints the settings of the control",
+            source: "",
+        },
+        FoundAt {
             key: "tools",
             place: "the length in the tool page (OFFSET, TOOL), if it is counted from the gauge line",
             source: "",

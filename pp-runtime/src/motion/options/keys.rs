@@ -182,7 +182,7 @@ pub(crate) const GRID: PerAxis<f64> = PerAxis {
     schema: || json!({ "type": "number", "exclusiveMinimum": 0 }),
 };
 
-/// Clamps of the first and the second rotary axis.
+/// Clamps of the rotary axes, A and B before C: brakes of the fourth and of the fifth axis.
 const CLAMP_EXAMPLES: [&str; 2] = ["{ on = \"M10\", off = \"M11\" }", "{ on = \"M12\", off = \"M13\" }"];
 
 /// Clamp codes.
@@ -191,7 +191,9 @@ pub(crate) const CLAMP: PerAxis<ClampCodes> = PerAxis {
     section: true,
     read: clamp_codes,
     printed: |scope, axis| {
-        let place = scope.axes.iter().filter(|axis| solved(axis)).position(|solved| solved.letter == axis.letter)?;
+        let rotary = || scope.axes.iter().filter(|axis| solved(axis)).map(|axis| axis.letter);
+        rotary().find(|letter| *letter == axis.letter)?;
+        let place = rotary().filter(|letter| *letter < axis.letter).count();
         let of_control = scope.examples_of("clamp").nth(place);
         Some(Printed::Example(of_control.or_else(|| CLAMP_EXAMPLES.get(place).copied())?.to_owned()))
     },

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use crate::kinematics::AxisKind;
 use crate::motion::options::StretchMode;
 
-use crate::motion::fault::{Fault, Planned};
+use crate::motion::fault::{Fault, ItemError, Planned};
 use crate::motion::place::{AxisPosition, TipEntry};
 use crate::motion::plan::mover::Mover;
 use crate::motion::step::{AxisWords, MAX_AXES, Sink, Step};
@@ -173,28 +173,32 @@ impl<S: Sink> Mover<'_, S> {
 
     /// Moves the axes to their park positions.
     pub(crate) fn park(&mut self) -> Planned {
-        self.take_axes_to(&self.policy.options.park)
+        if let Some(parked) = self.take_axes_to(&self.policy.options.park)? {
+            self.position.park(parked);
+        }
+        Ok(())
     }
 
     /// Moves the axes to their positions for the blocks that measure a tool.
     pub(crate) fn take_axes_to_tool_position(&mut self) -> Planned {
-        self.take_axes_to(&self.policy.options.tool_position)
+        self.take_axes_to(&self.policy.options.tool_position).map(|_| ())
     }
 
     /// Moves the axes to their positions for a tool change.
     pub(crate) fn take_axes_to_tool_change(&mut self) -> Planned {
-        self.take_axes_to(&self.policy.options.retract.tool_change_position)
+        self.take_axes_to(&self.policy.options.retract.tool_change_position).map(|_| ())
     }
 
     /// Moves axes from the machine retract to positions of the configuration: the rotary axes first, the retract axis last.
-    fn take_axes_to(&mut self, positions: &BTreeMap<char, f64>) -> Planned {
+    /// Returns the place where the rotary axes then are, if any of them has moved. The course goes on from where they were:
+    /// blocks of the shop follow, or a tool change, after which their angles are unknown.
+    fn take_axes_to(&mut self, positions: &BTreeMap<char, f64>) -> Result<Option<AxisPosition>, ItemError> {
         let (turned, mask) = self.placer.parked(positions, self.position.place())?;
         if mask != 0 {
             self.home_before_rotation(&turned)?;
             self.clamps.switch(mask, false, &mut self.output)?;
             self.rapid_alone(&turned, mask)?;
             self.clamps.switch(mask, true, &mut self.output)?;
-            self.position.park(turned);
         }
         let mut others = AxisWords::default();
         let mut last = None;
@@ -214,6 +218,6 @@ impl<S: Sink> Mover<'_, S> {
         if let Some(words) = last {
             self.output.step(&Step::Machine { words })?;
         }
-        Ok(())
+        Ok((mask != 0).then_some(turned))
     }
 }
