@@ -75,6 +75,11 @@ fn config(name: &str, keys: &str) -> Config {
         .unwrap_or_else(|faults| panic!("{faults:?}"))
 }
 
+/// Whether a line moves an axis in machine coordinates.
+fn retracts(line: &str) -> bool {
+    ["G53", "SUPA", "M91"].iter().any(|code| line.contains(code))
+}
+
 /// A block with the values of a tool.
 fn of(block: &str, tool: u32) -> String {
     let register = if tool == 1 { 12 } else { tool };
@@ -105,15 +110,12 @@ fn a_tool_is_measured_after_its_change_and_checked_when_it_has_cut() {
 }
 
 /// Blocks around those of the shop where tool 1 is changed for tool 2, from the retract on, to the safety line of tool 2.
-const AT_THE_CHANGE: &[(&str, &[&str])] = &[
-    ("linuxcnc", &["M9", "G53 G0 Z0", "M5", "M33", "G53 G0 Z0", "M472 P1 Q12", "G53 G0 Z0"]),
-    ("fanuc", &["M9", "G49 G53 G0 Z0.", "M5", "M33", "G49 G53 G0 Z0.", "G65 P9023 A22. T1 H12", "G49 G53 G0 Z0."]),
-    ("haas", &["M09", "G49 G53 G00 Z0.", "M05", "M33", "G49 G53 G00 Z0.", "G65 P9023 A22. T1 H12", "G49 G53 G00 Z0."]),
-    ("siemens", &["M9", "SUPA G0 Z0 D0", "M5", "M33", "SUPA G0 Z0 D0", "CHECK_TOOL(1)", "SUPA G0 Z0 D0"]),
-    (
-        "heidenhain",
-        &["M9", "L Z+0 R0 FMAX M91", "M5", "M33", "L Z+0 R0 FMAX M91", "CALL PGM TNC:\\CHECK.H", "L Z+0 R0 FMAX M91"],
-    ),
+const AT_THE_CHANGE: &[(&str, [&str; 6])] = &[
+    ("linuxcnc", ["M9", "G53 G0 Z0", "M5", "M33", "G53 G0 Z0", "M472 P1 Q12"]),
+    ("fanuc", ["M9", "G49 G53 G0 Z0.", "M5", "M33", "G49 G53 G0 Z0.", "G65 P9023 A22. T1 H12"]),
+    ("haas", ["M09", "G49 G53 G00 Z0.", "M05", "M33", "G49 G53 G00 Z0.", "G65 P9023 A22. T1 H12"]),
+    ("siemens", ["M9", "SUPA G0 Z0 D0", "M5", "M33", "SUPA G0 Z0 D0", "CHECK_TOOL(1)"]),
+    ("heidenhain", ["M9", "L Z+0 R0 FMAX M91", "M5", "M33", "L Z+0 R0 FMAX M91", "CALL PGM TNC:\\CHECK.H"]),
 ];
 
 #[test]
@@ -121,7 +123,13 @@ fn the_machine_retracts_before_and_after_the_blocks_with_spindle_and_coolant_off
     for (name, expected) in AT_THE_CHANGE {
         let program = posted::<SpinnerU5620>(&config(name, ""), by_name(name), &cl());
         let lines = bare(&program);
-        assert!(lines.windows(expected.len()).any(|lines| &lines == expected), "{name}\n{program}");
+        let at = lines.windows(expected.len()).position(|lines| lines == expected);
+        let after = &lines[at.unwrap_or_else(|| panic!("{name}\n{program}")) + expected.len()..];
+        // The safety line again, without a number, then the retract.
+        let safety = lines.iter().position(|line| line.starts_with("N1 ") || *line == "M129").expect("a restart point");
+        let retract = after.iter().position(|line| retracts(line)).expect("a retract");
+        assert_eq!(after[0], lines[safety].trim_start_matches("N1 "), "{name}\n{program}");
+        assert!((1..=6).contains(&retract), "{name}\n{program}");
     }
 }
 
@@ -141,9 +149,9 @@ fn a_lost_block_and_one_for_another_tool_are_found() {
         }
         // The retract after each of them.
         let lines = bare(&program);
-        let retract = lines[lines.iter().position(|line| is_of_shop(line)).expect("a block") + 1];
+        let shop = (0..lines.len()).filter(|&at| is_of_shop(lines[at]));
         let after: Vec<usize> =
-            (1..lines.len()).filter(|&at| is_of_shop(lines[at - 1]) && lines[at] == retract).collect();
+            shop.map(|at| at + lines[at..].iter().position(|line| retracts(line)).expect("a retract")).collect();
         assert_eq!(after.len(), 9, "{name}\n{program}");
         // Others follow before an axis moves after all but the last.
         let lost = after.iter().filter(|&&at| {
@@ -162,6 +170,30 @@ fn a_lost_block_and_one_for_another_tool_are_found() {
                 }
             }
         }
+        // The modes after the macros, which may have changed them, lost and changed.
+        let mut restated = 0;
+        for at in (0..lines.len()).filter(|&at| starts.iter().any(|start| lines[at].starts_with(start))) {
+            let end = at + lines[at..].iter().position(|line| retracts(line)).expect("a retract");
+            assert!(end > at + 1, "{name}\n{program}");
+            for line in at + 1..end {
+                let lost = [&lines[..line], &lines[line + 1..]].concat();
+                // Codes off of what is off, before the line of the modes.
+                let is_off =
+                    ["TRAFOOF", "CYCLE800()", "M129", "PLANE RESET STAY", "M127", "G69"].contains(&lines[line]);
+                assert!(is_off || !found(&renumbered(control, &lost)).is_empty(), "{name}: {}\n{program}", lines[line]);
+                restated += usize::from(!is_off);
+                // After the check of a tool a restart point follows, before any motion in the work offset.
+                let is_measured = lines[at].starts_with(starts[0]);
+                for (was, is) in [("G54", "G55"), ("G90", "G91"), ("G17", "G18"), ("Q339=+1", "Q339=+2")] {
+                    let other = lines[line].replace(was, is);
+                    let mut edited = lines.clone();
+                    edited[line] = &other;
+                    let found = edited == lines || !is_measured || !found(&renumbered(control, &edited)).is_empty();
+                    assert!(found, "{name}: {other}\n{program}");
+                }
+            }
+        }
+        assert!(restated >= 5, "{name}\n{program}");
         // The start of tool 1 where tool 2 is in the spindle.
         let mut checks = (0..lines.len()).filter(|&at| lines[at].starts_with(starts[1]));
         let second = checks.nth(1).expect("the check of tool 2");

@@ -156,8 +156,9 @@ fn the_axes_go_where_a_tool_is_changed_with_the_spindle_off_in_any_set_up_and_up
 fn the_rotary_axes_go_where_the_course_leads_them_whatever_position_a_tool_was_changed_at() {
     // Rotary words in a cut are those of the preference, with a position of the axes before it and without one.
     let words = |program: &str| -> Vec<String> {
-        let rotary =
-            |line: &&str| line.contains(['B', 'C']) && !line.starts_with([';', '(', 'M', 'C', 'T', 'P', '*', 'B', 'D']);
+        let rotary = |line: &&str| {
+            line.contains(['B', 'C']) && !line.starts_with([';', '(', 'M', 'C', 'T', 'P', '*', 'B', 'D', 'Q'])
+        };
         let is_zero = |line: &str| line.contains("B0") || line.contains("B+0");
         bare(program).into_iter().filter(|line| rotary(line) && !is_zero(line)).map(str::to_owned).collect()
     };
@@ -311,7 +312,7 @@ fn an_axis_that_rolls_over_is_parked_in_one_block_where_its_angle_is_unknown() {
             let lines = bare(&program);
             let routine =
                 lines.iter().rposition(|line| is_of_shop(line, blocks)).expect("the breakage check at the end");
-            let rotary = |line: &&&str| line.contains(['B', 'C']) && !line.starts_with([';', '(', 'M', 'C']);
+            let rotary = |line: &&&str| line.contains(['B', 'C']) && !line.starts_with([';', '(', 'M', 'C', 'Q']);
             let turns: Vec<&&str> = lines[routine + 1..].iter().filter(rotary).collect();
             assert!(turns.len() == 1 && rotates_to_zero(turns[0], zero), "{name} {mode}: {turns:?}\n{program}");
         }

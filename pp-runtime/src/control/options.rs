@@ -104,8 +104,8 @@ options! {
         linear_rapids: Option<bool> = None, key("control.linear_rapids", YesNo, "true");
         /// Blocks that measure the tool in the spindle, for tools with `measured = true`: after the tool change, with the machine
         /// retracted before and after them, and before the length guard; where the axes are then: `tool_position`. Fields as in a
-        /// tool change. After them position, spindle, coolant and length are stated anew; they must leave G90, plane, unit and
-        /// work offset as they are.
+        /// tool change. After them the modes of the safety line, work offset, position, spindle, coolant and length are stated
+        /// anew, as after those of `check_tool`.
         measure_tool: Vec<String> = Vec::new(),
             key("cycles.measure_tool", Blocks(TemplateBlock(OF_TOOL)), "[\"G65 P9023 A12. T{tool}\"]");
         /// Blocks that look for breakage of the tool in the spindle, for tools with `checked = true`: with the machine retracted

@@ -52,6 +52,8 @@ pub(super) mod effect {
     pub(in super::super) const POSITION: u8 = 4;
     pub(in super::super) const STOP: u8 = 8;
     pub(in super::super) const STATE: u8 = 16;
+    /// Modes and work offset, by blocks that measure a tool or look for its breakage.
+    pub(in super::super) const MODES: u8 = 32;
 }
 
 /// A motion code.

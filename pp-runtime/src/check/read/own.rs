@@ -352,6 +352,17 @@ pub(crate) fn is_read(line: &[u8], vocabulary: &Vocabulary) -> bool {
     reader.next_block().is_ok_and(|block| block.is_none_or(|(block, _)| block.faults.is_empty()))
 }
 
+/// Whether a line is one of those that measure a tool or look for its breakage.
+pub(super) fn is_of_routine(text: &[u8], vocabulary: &Vocabulary) -> bool {
+    let routines = vocabulary.own.iter().filter(|own| is_routine(own.place));
+    routines.map(|own| &own.text).any(|template| matches(template, text))
+}
+
+/// Whether lines of this place measure a tool or look for its breakage.
+pub(super) fn is_routine(place: OwnPlace) -> bool {
+    matches!(place, OwnPlace::MeasureTool | OwnPlace::CheckTool)
+}
+
 /// Whether a line is one of the configuration, with values for its fields.
 pub(crate) fn is_filled(template: &str, line: &[u8]) -> bool {
     matches(template.trim().as_bytes(), line)

@@ -95,17 +95,23 @@ impl FrameWriter {
     /// follows.
     pub(crate) fn restart(&mut self, number: u32, changes_tool: bool, out: &mut ModalWriter<'_>) -> io::Result<()> {
         out.smooth(false)?;
-        out.modal().forget(After::Anything);
-        out.set_tip_control(false, false);
-        out.set_offset_lost(false);
-        // Blocks of the shop state the blending as the shop wants it.
-        out.note_blending();
         self.tool_changes += u32::from(changes_tool);
         match self.numbers {
             BlockNumbers::Step(_) | BlockNumbers::Restarts => out.writer_mut().number_next(number),
             BlockNumbers::ToolChanges if changes_tool => out.writer_mut().number_next(self.tool_changes),
             BlockNumbers::ToolChanges | BlockNumbers::None => {}
         }
+        self.modes(out)
+    }
+
+    /// Writes the blocks of a safety line.
+    pub(crate) fn modes(&mut self, out: &mut ModalWriter<'_>) -> io::Result<()> {
+        out.smooth(false)?;
+        out.modal().forget(After::Anything);
+        out.set_tip_control(false, false);
+        out.set_offset_lost(false);
+        // Blocks of the shop state the blending as the shop wants it.
+        out.note_blending();
         if let Some(safety) = &self.safety {
             out.fill_all(safety)?;
             return match &self.tip_control {

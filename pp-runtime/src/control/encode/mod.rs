@@ -184,6 +184,7 @@ impl<'a> Encoder<'a> {
             Step::Machine { ref words } => out.machine_rapid(words),
             Step::Retract { ref words } => out.retract(words),
             Step::Home { ref words } => out.home(words),
+            Step::Modes => self.frames.modes(out),
             Step::Restart { number, changes_tool } => self.frames.restart(number, changes_tool, out),
             Step::PerMinute => {
                 out.feed_mode(codes.per_minute);

@@ -178,6 +178,12 @@ impl<S: Sink> Output<S> {
         self.step(&Step::Restart { number, changes_tool })
     }
 
+    /// Writes the modes of a safety line again, after which feed per minute is in force.
+    pub(crate) fn restate_modes(&mut self) -> io::Result<()> {
+        self.inverse_time = false;
+        self.step(&Step::Modes)
+    }
+
     /// Counts a feed motion. `rotation`: letter and angle, rad, of the rotary axis that rotates most.
     #[inline]
     pub(crate) fn feed(&mut self, pace: &Pace, rotation: Option<(char, f64)>) {

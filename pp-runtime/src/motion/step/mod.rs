@@ -129,6 +129,8 @@ pub enum Step<'a> {
         /// A tool change follows.
         changes_tool: bool,
     },
+    /// The modes of a safety line after blocks of the shop that may have changed them; the program is not entered there.
+    Modes,
     /// Feed per minute from here on.
     PerMinute,
     /// Tool call.
@@ -288,6 +290,7 @@ impl Step<'_> {
             Self::Rapid { .. } => "rapid",
             Self::Machine { .. } | Self::Retract { .. } | Self::Home { .. } => "machine-coordinates",
             Self::Restart { .. } => "restart",
+            Self::Modes => "modes",
             Self::PerMinute => "feed-mode",
             Self::Tool { .. } => "tool",
             Self::ToolRoutine { routine, .. } => match routine {

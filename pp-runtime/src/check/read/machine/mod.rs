@@ -50,6 +50,9 @@ pub(super) struct Interpreter {
     /// Half a unit of a linear word, mm: how far ends of arcs are rounded.
     rounding: f64,
     frames: Frames,
+    /// Blocks that measure a tool, or look for its breakage, may have left any modes: the complete state that comes next is
+    /// no restart point.
+    restates: bool,
 }
 
 /// Tip control, tilted plane and dynamic work offset, as bits: a line of the user may leave any of them on.
@@ -111,6 +114,7 @@ impl Interpreter {
             initial: None,
             rounding,
             frames: Frames::default(),
+            restates: false,
         }
     }
 
@@ -216,7 +220,9 @@ impl Interpreter {
     /// Does whatever a draft says.
     fn carry_out(&mut self, draft: &Draft, block: &mut Block) {
         block.frame_faults = draft.frame_faults;
-        block.restart = draft.restart || draft.units.is_some();
+        let complete = draft.restart || draft.units.is_some();
+        block.restart = complete && !self.restates;
+        self.restates &= !complete;
         block.guard = draft.guard;
         block.radius_guard_mm = draft.radius_guard_mm;
         block.plane_guard = draft.plane_guard;
@@ -307,6 +313,9 @@ impl Interpreter {
             (self.state.spindle, self.state.speed) = (None, None);
             self.stated &= !stated::SPINDLE;
         }
+        if effects & effect::MODES != 0 {
+            self.lose_modes();
+        }
         if effects & effect::STATE != 0 {
             let State { units, incremental, .. } = self.state;
             self.state = State { lost_at: Some(block.line), ..State::default() };
@@ -321,6 +330,18 @@ impl Interpreter {
         if effects & effect::STOP != 0 && block.action == Action::Nothing {
             block.action = Action::Stop;
         }
+    }
+
+    /// Blocks that measure a tool, or look for its breakage, may have left any modes and another work offset.
+    fn lose_modes(&mut self) {
+        let state = &mut self.state;
+        (state.work_offset, state.cancelled_offset, state.side, state.feed) = (None, None, None, None);
+        // Words of a program in statements have the unit of its first line, and each its own I.
+        if self.facts.form != Form::Statements {
+            (state.units, state.incremental, state.plane, state.feed_mode) = (None, None, None, None);
+        }
+        (self.modal, self.cycle, self.restates) = (None, None, true);
+        self.stated &= !(stated::OFFSET | stated::MODES);
     }
 
     fn act(&mut self, draft: &Draft, block: &mut Block) {
