@@ -209,11 +209,14 @@ pub(crate) const CLAMP: PerAxis<ClampCodes> = PerAxis {
 
 fn clamp_codes(r: &mut KeyReader<'_>, entry: &AxisEntry<'_>) -> Option<ClampCodes> {
     let mut table = KeyTable::of(r, format!("clamp.{}", entry.axis.letter), Some(entry.value));
-    let codes = ["on", "off"].map(|key| table.get(key, r));
-    let codes = codes.map(|value| value.and_then(|value| clamp_code(r, value)));
+    let values = ["on", "off"].map(|key| table.get(key, r));
+    let given = values.iter().flatten().count();
+    let codes = values.map(|value| value.and_then(|value| clamp_code(r, value)));
     table.close(r);
     match codes {
         [Some(on), Some(off)] if on != off => Some(ClampCodes { on, off }),
+        // What is wrong with one of them has been said.
+        [None, _] | [_, None] if given == 2 => None,
         _ => {
             r.fault(entry.value.span(), "two different codes are needed here", Some(CLAMP_FORM.to_owned()));
             None
