@@ -256,3 +256,38 @@ fn an_operation_with_blocks_of_the_shop_at_its_end_stops_after_them() {
         }
     }
 }
+
+#[test]
+fn a_stop_in_the_lines_of_the_shop_is_asked_for_by_them() {
+    for control in control::CONTROLS {
+        let [stop, _] = control.spellings().stop;
+        for key in [
+            "program.start",
+            "program.end",
+            "program.operation_start",
+            "program.operation_end",
+            "tools.1.start",
+            "tools.2.end",
+        ] {
+            // The spindle may be on where one operation ends and the next begins.
+            let off = if control.spellings().name == "haas" { "M05" } else { "M5" };
+            let off = if key.contains("operation") { format!("'{off}', ") } else { String::new() };
+            let text = format!("mode = 'axes'\nlength_guard = false\n{key} = [{off}'{stop}']\n");
+            let config = starting_point(*control)
+                .read_over(&SpinnerU5620::default(), &text)
+                .unwrap_or_else(|faults| panic!("{faults:?}"));
+            // It passes its check, which finds the stop lost, and one more at the part.
+            let program = posted(&config, *control);
+            let codes: Vec<&str> = bare(&program);
+            let stops: Vec<usize> = (0..codes.len()).filter(|&at| codes[at] == stop).collect();
+            assert!(stops.len() > 1, "{key}\n{program}");
+            let cut = codes.iter().position(|line| line.contains("F300")).expect("a cut");
+            let more = posting::renumbered(*control, &[&codes[..=cut], &[stop], &codes[cut + 1..]].concat());
+            assert!(!findings(&config, *control, &more).is_empty(), "{key}\n{more}");
+            for at in stops {
+                let lost = posting::renumbered(*control, &[&codes[..at], &codes[at + 1..]].concat());
+                assert!(!findings(&config, *control, &lost).is_empty(), "{key}\n{lost}");
+            }
+        }
+    }
+}

@@ -75,11 +75,15 @@ impl<R: Read> Comparison<'_, R> {
     /// Changes of state that must not happen at the part.
     pub(super) fn before_task(&mut self, phase: &mut Phase, current: &Current<'_>) {
         let block = current.block;
+        // A stop of the CL data, though the shop has the same in its lines.
+        let is_of_cl = matches!(block.action, Action::Stop | Action::OptionalStop)
+            && matches!(self.progress.next(), Some(ExpectedItem { action: ExpectedAction::Stop { optional }, .. })
+                if *optional == (block.action == Action::OptionalStop));
         if let Some(own) = &block.own {
             self.functions.line(&own.places);
             let ended = self.progress.next().is_none();
             let misplaced = place_of_line(&own.places, phase, self.tally.motions(), ended);
-            self.found_any(current, misplaced);
+            self.found_any(current, misplaced.filter(|_| !is_of_cl));
             let register = self.progress.next().map(|item| item.required.register);
             let of_another = self.shop_lines.values_fault(own, block.state.tool, register);
             self.found_any(current, of_another);
@@ -89,7 +93,7 @@ impl<R: Read> Comparison<'_, R> {
                 self.shop_lines.lose_retract();
             }
         }
-        if !phase.is_at_part() || !current.block.action.moves() {
+        if !is_of_cl && (!phase.is_at_part() || !current.block.action.moves()) {
             let of_another = self.shop_lines.note(current.shown.text, block.state.tool);
             self.found_any(current, of_another);
         }
@@ -937,13 +941,22 @@ impl<R: Read> Comparison<'_, R> {
         self.pass_needless(phase)?;
         let suits = |item: &ExpectedItem| matches!(item.action, ExpectedAction::Stop { optional: expected } if expected == optional);
         self.find_again(phase, suits, current)?;
-        let stops = [OwnPlace::ToolChange, OwnPlace::OperationStart, OwnPlace::OperationEnd];
-        let of_shop =
-            current.block.own.as_ref().is_some_and(|own| own.places.iter().any(|place| stops.contains(place)));
+        let begins = self.tally.motions() == 0;
+        let may_stop = |place: &OwnPlace| match place {
+            OwnPlace::Start => begins,
+            OwnPlace::ToolChange
+            | OwnPlace::ToolStart { .. }
+            | OwnPlace::ToolEnd { .. }
+            | OwnPlace::OperationStart
+            | OwnPlace::OperationEnd
+            | OwnPlace::End => phase.is_retracted(),
+            _ => false,
+        };
+        let of_shop = current.block.own.as_ref().is_some_and(|own| own.places.iter().any(may_stop));
         match self.progress.next() {
             Some(item) if suits(item) => self.progress.take(),
-            // The shop stops at its tool changes, and where operations start and end.
-            _ if of_shop && phase.is_retracted() => return Ok(None),
+            // The shop stops where the program and its operations start and end, and at its tool changes.
+            _ if of_shop => return Ok(None),
             _ => self.found(current, "stop without STOP or OPSTOP in the CL data"),
         }
         self.cuts_have_ended(current);
