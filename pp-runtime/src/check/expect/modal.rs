@@ -21,6 +21,9 @@ use crate::program::{
 /// rounded.
 const PERPENDICULAR: f64 = 2e-3;
 
+/// Largest distance of equal points, mm, and of equal tool axes.
+const SAME_POINT: f64 = 1e-9;
+
 /// Modal state of the CL data.
 pub(super) struct ClState<'a> {
     policy: &'a CheckPolicy,
@@ -47,6 +50,8 @@ pub(super) struct ClState<'a> {
     fault: Option<Diagnostic>,
     /// Pose after the last motion.
     here: Option<Pose>,
+    /// End of the last motion, if a cut would go on from there: no hole, and no name, tool or motion of the machine since.
+    came: Option<Pose>,
     /// An arc needs a line to its start.
     fresh_arc: bool,
     /// The hole whose motions are being added.
@@ -170,6 +175,7 @@ impl<'a> ClState<'a> {
             stated_mm: None,
             fault: None,
             here: None,
+            came: None,
             fresh_arc: true,
             hole: None,
             holes: 0,
@@ -220,7 +226,10 @@ impl<'a> ClState<'a> {
             Event::Stop => self.interrupt(at, ExpectedAction::Stop { optional: false }),
             Event::OptionalStop => self.interrupt(at, ExpectedAction::Stop { optional: true }),
             Event::BlockSkip { on } => self.block_skip(at, on),
-            Event::Home => self.interrupt(at, ExpectedAction::Home),
+            Event::Home => {
+                self.came = None;
+                self.interrupt(at, ExpectedAction::Home);
+            }
             Event::Insert(text) => self.interrupt(at, ExpectedAction::Raw(text.to_vec())),
             Event::Probe(blocks) => {
                 for (index, block) in blocks.iter().enumerate() {
@@ -231,8 +240,12 @@ impl<'a> ClState<'a> {
             Event::Code { letter, number } => {
                 self.interrupt(at, ExpectedAction::Raw(format!("{}{number}", char::from(letter)).into_bytes()));
             }
-            Event::SafeSequence => self.begin_anew(),
+            Event::SafeSequence => {
+                self.came = None;
+                self.begin_anew();
+            }
             Event::SetUp(number) => {
+                self.came = None;
                 self.begin_anew();
                 self.require().set_up = number;
                 self.require().clearance = self.policy.links.clearance;
@@ -332,6 +345,7 @@ impl<'a> ClState<'a> {
     fn begin_operation(&mut self, at: Location, name: &[u8]) {
         self.stop_after_operation(at, false);
         self.begin();
+        self.came = None;
         let name = String::from_utf8_lossy(name);
         if !self.policy.operations.is_empty() {
             self.named = (name.clone().into_owned(), Some(at));
@@ -414,6 +428,7 @@ impl<'a> ClState<'a> {
             self.stop_after_operation(at, other(self.required.tool) || if_skipped.is_some() && other(if_skipped));
         }
         self.begin_anew();
+        self.came = None;
         self.process_due = true;
         let before = self.calls.get(&call.number).copied().unwrap_or_default();
         let given = self.policy.set_up.tools.get(&call.number);
@@ -451,11 +466,23 @@ impl<'a> ClState<'a> {
 
     fn line(&mut self, at: Location, motion: &Move) {
         self.call_default_tool();
+        self.go_back(at, motion);
         let side = self.compensation.side;
         if side != self.required.side && (side == Side::None || self.is_perpendicular(motion)) {
             self.require().side = side;
         }
         self.motion(at, motion, PathShape::Line);
+    }
+
+    /// A cut that was interrupted, by a stop or OPSKIP, goes on where it was: the tool comes back there first.
+    fn go_back(&mut self, at: Location, motion: &Move) {
+        let from = self.came.filter(|_| self.operation.starts && !motion.rapid && self.hole.is_none());
+        if let Some(pose) = from.filter(|from| {
+            let apart = [from.tip - motion.pose.tip, from.axis.into_inner() - motion.pose.axis.into_inner()];
+            apart.iter().any(|step| step.norm() > SAME_POINT)
+        }) {
+            self.motion(at, &Move { pose, ..*motion }, PathShape::Line);
+        }
     }
 
     /// A feed motion perpendicular to the tool, from a known position.
@@ -475,6 +502,8 @@ impl<'a> ClState<'a> {
         if operation.starts && self.required.tool.is_none() && motion.rapid && !self.head {
             return;
         }
+        // A hole is one statement, which no cut goes on from.
+        self.came = self.here.filter(|_| self.hole.is_none());
         let continues = self.policy.links.direct && operation.position_known && !operation.changed;
         let starts = operation.starts && !continues;
         if operation.starts {

@@ -22,7 +22,7 @@ mod settings;
 mod tests;
 
 use crate::diag::{Diagnostic, Severity};
-use crate::kinematics::AnyMachine;
+use crate::kinematics::{AnyMachine, Pose};
 use crate::motion::options::{OperationChoice, Policy};
 use crate::program::{Arc, Event, Hole, Location, Move, Spline, ToolCall};
 
@@ -224,12 +224,13 @@ impl Expansion<'_> {
                 self.operations.name();
                 self.boundary(event, to)
             }
+            Event::SafeSequence | Event::SetUp(_) | Event::Home => {
+                self.operations.leave();
+                self.boundary(event, to)
+            }
             Event::Stop
             | Event::OptionalStop
             | Event::BlockSkip { .. }
-            | Event::SafeSequence
-            | Event::SetUp(_)
-            | Event::Home
             | Event::Insert(_)
             | Event::Probe(_)
             | Event::Code { .. } => {
@@ -260,6 +261,15 @@ impl Expansion<'_> {
             }
             return self.record(&Event::From(motion.pose), to);
         }
+        // A cut that was interrupted goes on where it was: the safe sequence leads back there.
+        let from = self.operations.goes_on_from().filter(|from| !motion.rapid && !is_at(from, &motion.pose));
+        if let Some(pose) = from {
+            self.single_line(&Move { pose, ..*motion }, LinePart::Whole, to)?;
+        }
+        self.single_line(motion, part, to)
+    }
+
+    fn single_line<S: Stage>(&mut self, motion: &Move, part: LinePart, to: &mut S) -> Result<(), S::Stop> {
         let index = self.operations.line(motion);
         self.begin(index, to)?;
         self.lookahead.line(self.at, motion, index, part, to)
@@ -330,4 +340,12 @@ impl Expansion<'_> {
         }
         self.lookahead.boundary(self.at, event, to)
     }
+}
+
+/// Largest distance of equal points, mm, and of equal tool axes.
+const SAME_POSE: f64 = 1e-9;
+
+/// Whether two poses are the same.
+fn is_at(one: &Pose, other: &Pose) -> bool {
+    (one.tip - other.tip).norm() <= SAME_POSE && (one.axis.into_inner() - other.axis.into_inner()).norm() <= SAME_POSE
 }

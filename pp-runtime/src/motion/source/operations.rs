@@ -61,8 +61,10 @@ pub(crate) struct MotionCounter {
     next_motion: u64,
     operation: u64,
     stretch: u64,
-    /// Tool axis at the end of the last motion.
-    axis: Option<UnitVector3<f64>>,
+    /// End of the last motion.
+    end: Option<Pose>,
+    /// The path does not go on from there.
+    left: bool,
     /// Tool axis at the begin of the stretch.
     stretch_axis: Option<UnitVector3<f64>>,
     /// The last motion was a hole.
@@ -81,7 +83,8 @@ impl MotionCounter {
             next_motion: 0,
             operation: 0,
             stretch: 0,
-            axis: None,
+            end: None,
+            left: false,
             stretch_axis: None,
             in_holes: false,
         }
@@ -99,6 +102,7 @@ impl MotionCounter {
 
     /// Counts TOOL PATH.
     pub(crate) fn name(&mut self) {
+        self.left = true;
         self.begins = match self.begins {
             Begins::Nothing | Begins::Linked if self.links_operations => Begins::Linked,
             Begins::Nothing | Begins::Linked | Begins::Operation => Begins::Operation,
@@ -110,11 +114,22 @@ impl MotionCounter {
         self.begins = Begins::Operation;
     }
 
+    /// Counts a record after which the path does not go on from where it was: a tool, GOHOME, a retract, another set-up.
+    pub(crate) fn leave(&mut self) {
+        self.left = true;
+        self.interrupt();
+    }
+
     /// Counts a tool record.
     pub(crate) fn call_tool(&mut self) {
         self.assumed_tool = None;
         self.called = true;
-        self.interrupt();
+        self.leave();
+    }
+
+    /// Where a cut goes on that was interrupted. An operation with a name or a tool record begins at its first point.
+    pub(crate) fn goes_on_from(&self) -> Option<Pose> {
+        self.end.filter(|_| self.between() && !self.left && !self.in_holes)
     }
 
     /// Takes the tool that must be called before this motion, if any.
@@ -163,7 +178,8 @@ impl MotionCounter {
             (before.into_inner() - end.axis.into_inner()).norm_squared() > most * most
         };
         let begins = std::mem::replace(&mut self.begins, Begins::Nothing);
-        let before = self.axis.replace(end.axis);
+        let before = self.end.replace(*end).map(|end| end.axis);
+        self.left = false;
         let first = begins != Begins::Nothing;
         let other_kind = std::mem::replace(&mut self.in_holes, hole) != hole;
         let stretch_begins = first || other_kind || air && before.is_some_and(|before| differs(before, SAME_AXIS));
