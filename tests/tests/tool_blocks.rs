@@ -177,13 +177,14 @@ fn a_lost_block_and_one_for_another_tool_are_found() {
             assert!(end > at + 1, "{name}\n{program}");
             for line in at + 1..end {
                 let lost = [&lines[..line], &lines[line + 1..]].concat();
-                // Codes off of what is off, before the line of the modes.
-                let is_off =
-                    ["TRAFOOF", "CYCLE800()", "M129", "PLANE RESET STAY", "M127", "G69"].contains(&lines[line]);
-                assert!(is_off || !found(&renumbered(control, &lost)).is_empty(), "{name}: {}\n{program}", lines[line]);
-                restated += usize::from(!is_off);
                 // After the check of a tool a restart point follows, before any motion in the work offset.
                 let is_measured = lines[at].starts_with(starts[0]);
+                // Codes off of what is off, before the line of the modes.
+                let is_off = ["TRAFOOF", "CYCLE800()", "M129", "PLANE RESET STAY", "M127", "G69"]
+                    .contains(&lines[line])
+                    || !is_measured && ["M9", "M09"].contains(&lines[line]);
+                assert!(is_off || !found(&renumbered(control, &lost)).is_empty(), "{name}: {}\n{program}", lines[line]);
+                restated += usize::from(!is_off);
                 for (was, is) in [("G54", "G55"), ("G90", "G91"), ("G17", "G18"), ("Q339=+1", "Q339=+2")] {
                     let other = lines[line].replace(was, is);
                     let mut edited = lines.clone();
@@ -334,12 +335,12 @@ fn a_block_that_no_line_continues_and_one_of_several_lines_on_another_control_ar
 }
 
 /// A motion of each control.
-fn motions(name: &str) -> [&'static str; 2] {
+fn motions(name: &str) -> [&'static str; 3] {
     match name {
-        "heidenhain" => ["L Z-480 R0 FMAX M91", "L C-90 R0 FMAX"],
-        "siemens" => ["SUPA G0 Z-480 D0", "G0 C-90"],
-        "haas" | "fanuc" => ["G53 G0 Z-480.", "G0 C-90."],
-        _ => ["G53 G0 Z-480", "G0 C-90"],
+        "heidenhain" => ["L Z-480 R0 FMAX M91", "L C-90 R0 FMAX", "L IZ-300 R0 FMAX"],
+        "siemens" => ["SUPA G0 Z-480 D0", "G0 C-90", "G0 Z=IC(-300)"],
+        "haas" | "fanuc" => ["G53 G0 Z-480.", "G0 C-90.", "G91 G0 Z-300."],
+        _ => ["G53 G0 Z-480", "G0 C-90", "G91 G0 Z-300"],
     }
 }
 
@@ -392,6 +393,29 @@ fn a_displayed_text_of_the_blocks_of_the_shop_may_have_fields() {
         let config = config(name, &keys);
         let program = posted::<SpinnerU5620>(&config, by_name(name), &cl());
         assert!(program.contains(&text.replace("{tool}", "2")), "{program}");
+    }
+}
+
+#[test]
+fn measuring_lines_may_have_codes_that_the_program_has_elsewhere_and_stops() {
+    for name in CONTROLS {
+        let [measure, check] = blocks(name);
+        let [stop, optional] = by_name(name).spellings().stop;
+        let off = if name == "haas" { "M09" } else { "M9" };
+        for [measure, check] in [
+            [format!("'{off}', '{measure}'"), format!("'{off}', '{check}'")],
+            [format!("'{stop}'"), format!("'{optional}'")],
+            [format!("'{measure}', '{stop}'"), format!("'{check}'")],
+        ] {
+            let text = format!(
+                "mode = 'axes'\n[cycles]\nmeasure_tool = [{measure}]\ncheck_tool = [{check}]\n[tools]\n\
+                 1 = {{ measured = true, checked = true, {}}}\n",
+                if name == "heidenhain" { "" } else { "offset = 12" }
+            );
+            let config = starting_point(by_name(name)).read_over(&SpinnerU5620::default(), &text).expect("read");
+            // It passes its check.
+            posted::<SpinnerU5620>(&config, by_name(name), &cl());
+        }
     }
 }
 

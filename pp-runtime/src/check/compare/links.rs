@@ -947,6 +947,8 @@ impl<R: Read> Comparison<'_, R> {
             OwnPlace::ToolChange
             | OwnPlace::ToolStart { .. }
             | OwnPlace::ToolEnd { .. }
+            | OwnPlace::MeasureTool
+            | OwnPlace::CheckTool
             | OwnPlace::OperationStart
             | OwnPlace::OperationEnd
             | OwnPlace::End => phase.is_retracted(),

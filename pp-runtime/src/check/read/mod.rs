@@ -156,8 +156,6 @@ pub(crate) struct Reader<R> {
     before_skip: Option<Box<Interpreter>>,
     /// The shop has blocks of its own for the machine retract.
     own_retract: bool,
-    /// It has blocks that measure a tool or look for its breakage.
-    has_routines: bool,
     draft: Draft,
     /// The draft with which a line begins.
     empty: Draft,
@@ -173,7 +171,6 @@ impl<R: Read> Reader<R> {
             Form::Keywords => Syntax::Siemens(Siemens::default()),
             Form::Statements => Syntax::Heidenhain(Heidenhain::default()),
         };
-        let has_routines = vocabulary.own.iter().any(|own| own::is_routine(own.place));
         let own_retract = vocabulary.own.iter().any(|own| matches!(own.place, OwnPlace::Retract { .. }));
         let machine = Interpreter::new(vocabulary.axes.clone(), facts, vocabulary.rounding);
         Self {
@@ -189,7 +186,6 @@ impl<R: Read> Reader<R> {
             joined: false,
             before_skip: None,
             own_retract,
-            has_routines,
             draft: Draft::default(),
             empty: Draft::default(),
             block: Block::default(),
@@ -337,9 +333,6 @@ impl<R: Read> Reader<R> {
             let own = own::resolve(self.bare.text(&self.line, &self.facts), &mut line, None, false);
             self.block.own = own.filter(|own| own.places.iter().any(|place| matches!(place, OwnPlace::Retract { .. })));
             is_block |= self.block.own.is_some();
-        }
-        if self.has_routines && own::is_of_routine(self.bare.text(&self.line, &self.facts), &self.vocabulary) {
-            self.draft.effects |= draft::effect::MODES;
         }
         if self.draft.effects & draft::effect::STATE != 0 {
             self.forget();

@@ -4,7 +4,7 @@
 //! table does not have is executed by the effect that `[control] effects` declares for it, and only in a line of the
 //! configuration; clamp, coolant and tip control codes have the effect of their keys.
 
-use super::block::{Effect, OwnLine, OwnPlace, OwnValues, WorkPlane};
+use super::block::{Effect, Fault, OwnLine, OwnPlace, OwnValues, WorkPlane};
 use super::draft::effect;
 use super::facts::{Facts, Form};
 use super::line::Line;
@@ -257,7 +257,9 @@ pub(super) fn resolve(text: &[u8], line: &mut Line<'_>, declared: Option<Declare
     let effect = declared.map(|declared| declared.effect);
     let values = values(text, line);
     if let Some(Declared { bits, whole, .. }) = declared {
-        line.draft.effects = bits;
+        let routine = |place: &OwnPlace| matches!(place, OwnPlace::MeasureTool | OwnPlace::CheckTool);
+        let modes = if effect == Some(Effect::Measures) && places.iter().any(routine) { effect::MODES } else { 0 };
+        line.draft.effects = bits | modes;
         line.draft.speaks();
         if effect == Some(Effect::ToolChange) {
             let called = line.vocabulary().effects.iter().find_map(|(key, _)| filled(key, text)).and_then(|of| of.tool);
@@ -331,7 +333,10 @@ fn values(text: &[u8], line: &mut Line<'_>) -> OwnValues {
     OwnValues { tool: called.or(filled.tool_number.and_then(whole)), offset: filled.offset.and_then(whole) }
 }
 
-/// Whether the table reads a line of the configuration without a fault, whatever the values of its fields are.
+/// Words of the fault of a code or a statement that the table does not have.
+const UNKNOWN: &str = "not known to the check";
+
+/// Whether the table has the codes of a line of the configuration, whatever the values of its fields are.
 pub(crate) fn is_read(line: &[u8], vocabulary: &Vocabulary) -> bool {
     let number: &[u8] = if vocabulary.family.facts().form == Form::Statements { b"1 " } else { b"" };
     let mut text = number.to_vec();
@@ -349,18 +354,9 @@ pub(crate) fn is_read(line: &[u8], vocabulary: &Vocabulary) -> bool {
     }
     let vocabulary = Vocabulary { own: Vec::new(), effects: Vec::new(), ..vocabulary.clone() };
     let mut reader = Reader::new(&text[..], vocabulary);
-    reader.next_block().is_ok_and(|block| block.is_none_or(|(block, _)| block.faults.is_empty()))
-}
-
-/// Whether a line is one of those that measure a tool or look for its breakage.
-pub(super) fn is_of_routine(text: &[u8], vocabulary: &Vocabulary) -> bool {
-    let routines = vocabulary.own.iter().filter(|own| is_routine(own.place));
-    routines.map(|own| &own.text).any(|template| matches(template, text))
-}
-
-/// Whether lines of this place measure a tool or look for its breakage.
-pub(super) fn is_routine(place: OwnPlace) -> bool {
-    matches!(place, OwnPlace::MeasureTool | OwnPlace::CheckTool)
+    // What lacks a mode here has it in the program.
+    let is_unknown = |fault: &Fault| fault.text.contains(UNKNOWN);
+    reader.next_block().is_ok_and(|block| block.is_none_or(|(block, _)| !block.faults.iter().any(is_unknown)))
 }
 
 /// Whether a line is one of the configuration, with values for its fields.

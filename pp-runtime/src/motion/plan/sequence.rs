@@ -170,14 +170,15 @@ impl<S: Sink> Planner<'_, S> {
     /// and coolant on or off.
     fn shop_blocks(&mut self, blocks: &Step<'_>) -> Planned {
         self.mover.output_mut().step(blocks)?;
-        if matches!(blocks, Step::ToolRoutine { routine: ToolRoutine::Measure | ToolRoutine::Check, .. }) {
-            // Macros select modes and a work offset of their own, and not all of them set them back.
-            self.mover.output_mut().restate_modes()?;
-        }
         self.mover.position_mut().forget_retract();
         self.mover.position_mut().forget_rotary_axes();
         self.spindle.reset();
         self.coolant.forget();
+        if matches!(blocks, Step::ToolRoutine { routine: ToolRoutine::Measure | ToolRoutine::Check, .. }) {
+            // Macros select modes and a work offset of their own, and not all of them set them back.
+            self.mover.output_mut().restate_modes()?;
+            self.stop_coolant()?;
+        }
         self.mover.machine_retract()
     }
 

@@ -50,9 +50,6 @@ pub(super) struct Interpreter {
     /// Half a unit of a linear word, mm: how far ends of arcs are rounded.
     rounding: f64,
     frames: Frames,
-    /// Blocks that measure a tool, or look for its breakage, may have left any modes: the complete state that comes next is
-    /// no restart point.
-    restates: bool,
 }
 
 /// Tip control, tilted plane and dynamic work offset, as bits: a line of the user may leave any of them on.
@@ -114,7 +111,6 @@ impl Interpreter {
             initial: None,
             rounding,
             frames: Frames::default(),
-            restates: false,
         }
     }
 
@@ -220,9 +216,7 @@ impl Interpreter {
     /// Does whatever a draft says.
     fn carry_out(&mut self, draft: &Draft, block: &mut Block) {
         block.frame_faults = draft.frame_faults;
-        let complete = draft.restart || draft.units.is_some();
-        block.restart = complete && !self.restates;
-        self.restates &= !complete;
+        block.restart = draft.restart || draft.units.is_some();
         block.guard = draft.guard;
         block.radius_guard_mm = draft.radius_guard_mm;
         block.plane_guard = draft.plane_guard;
@@ -340,7 +334,7 @@ impl Interpreter {
         if self.facts.form != Form::Statements {
             (state.units, state.incremental, state.plane, state.feed_mode) = (None, None, None, None);
         }
-        (self.modal, self.cycle, self.restates) = (None, None, true);
+        (self.modal, self.cycle) = (None, None);
         self.stated &= !(stated::OFFSET | stated::MODES);
     }
 
