@@ -223,8 +223,8 @@ fn a_tool_is_checked_on_its_own_side_of_the_marks() {
         for (mode, position) in [("axes", ""), ("auto", "tool_position = { B = 0.0, C = 0.0 }")] {
             let keys = format!(
                 "mode = '{mode}'\nlength_guard = false\nplane_guard = false\n[cycles]\ncheck_tool = ['{}']\n{position}\n\
-                 [control]\npreselect = false\neffects = {{ M31 = 'none', M33 = 'none' }}\n[tools]\n\
-                 1 = {{ checked = true, end = ['M33'] }}\n2 = {{ checked = true, end = ['M31'] }}\n",
+                 [control]\npreselect = false\neffects = {{ M31 = 'none', M33 = 'none', M34 = 'none' }}\n[tools]\n\
+                 1 = {{ checked = true, start = ['M34'], end = ['M33'] }}\n2 = {{ checked = true, end = ['M31'] }}\n",
                 check_tool(name)
             );
             let config = config(*control, &keys);
@@ -247,6 +247,17 @@ fn a_tool_is_checked_on_its_own_side_of_the_marks() {
                     assert_eq!(checks(counted[2], "1"), expected, "{name}\n{program}");
                     let all = ["1", "2"].iter().map(|tool| checks(&lines, tool)).sum::<usize>();
                     assert_eq!(all, 2 + expected, "{name}\n{program}");
+                    // A tool that goes on after its blocks at the end has those at its start again.
+                    let starts = (0..lines.len()).filter(|&at| {
+                        lines[at].trim_start_matches(|c: char| c == '/' || c.is_ascii_digit()).trim_start() == "M34"
+                    });
+                    let starts: Vec<usize> = starts.collect();
+                    assert_eq!(starts.len(), 1 + usize::from(tool == "1") + expected, "{name}\n{program}");
+                    for at in starts {
+                        let lost = [&lines[..at], &lines[at + 1..]].concat().join("\n");
+                        let lost = findings::<SpinnerU5620>(&config, *control, &data, &lost);
+                        assert!(!lost.is_empty(), "{name}: {}\n{program}", lines[at]);
+                    }
                     // Lost, and on the other side of the marks: the retract stands before them and after them.
                     for at in
                         (0..lines.len()).filter(|&at| ["1", "2"].iter().any(|tool| lines[at].ends_with(&of(tool))))

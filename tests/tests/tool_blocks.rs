@@ -317,6 +317,28 @@ fn a_cycle_of_several_lines_is_one_block() {
 }
 
 #[test]
+fn every_value_of_a_field_is_compared() {
+    let text = "mode = 'axes'\n[cycles]\nmeasure_tool = ['MEASURE({tool},{tool_number},{offset},{tool_number})']\n[control]\ntool_names = true\n\
+                [tools]\n1 = { name = 'MILL', measured = true }\n2 = { name = 'DRILL', measured = true }\n";
+    let control = by_name("siemens");
+    let config =
+        starting_point(control).read_over(&SpinnerU5620::default(), text).unwrap_or_else(|faults| panic!("{faults:?}"));
+    let program = posted::<SpinnerU5620>(&config, control, &cl());
+    assert!(program.contains("MEASURE(\"DRILL\",2,1,2)"), "{program}");
+    for other in [
+        "MEASURE(\"MILL\",2,1,2)",
+        "MEASURE(\"DRILL\",1,1,2)",
+        "MEASURE(\"DRILL\",2,1,1)",
+        "MEASURE(\"DRILL\",1,1,1)",
+        "MEASURE(\"DRILL\",2,2,2)",
+    ] {
+        let edited = program.replacen("MEASURE(\"DRILL\",2,1,2)", other, 1);
+        let found = posting::findings::<SpinnerU5620>(&config, control, &cl(), &edited);
+        assert!(!found.is_empty(), "{other}\n{program}");
+    }
+}
+
+#[test]
 fn a_block_that_no_line_continues_and_one_of_several_lines_on_another_control_are_refused() {
     let machine = SpinnerU5620::default();
     let open = "[program]\nend = ['TCH PROBE 483 ~', '  Q340=+1 ~']\n";

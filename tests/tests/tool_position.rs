@@ -221,6 +221,11 @@ fn the_axes_are_at_their_positions_where_a_tool_is_changed() {
                 let told = found(&[&lines[..there], &lines[there + 1..]].concat()).join("\n");
                 assert!(told.contains("X is not at its position of `retract.tool_change_position`"), "{name}: {told}");
             }
+            // The retract between the change and the blocks that measure.
+            for at in (0..lines.len()).filter(|&at| changes_tool(lines[at])) {
+                let retract = at + 1 + lines[at + 1..].iter().position(|line| line.contains(code)).expect("a retract");
+                assert!(!found(&[&lines[..retract], &lines[retract + 1..]].concat()).is_empty(), "{name}\n{program}");
+            }
             // The position of the other station is none for a change.
             let other = lines.iter().map(|line| line.replace("X-400", "X-300").replace("Y-500", "Y-200"));
             let other: Vec<String> = other.collect();

@@ -166,16 +166,16 @@ fn unsupported(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
             )
         }));
     }
-    let blocks: Vec<&String> = [&program.start, &program.end, &program.operation_start, &program.operation_end]
+    let lists: Vec<&Vec<String>> = [&program.start, &program.end, &program.operation_start, &program.operation_end]
         .into_iter()
         .chain(options.own_retract())
         .chain([&options.measure_tool, &options.check_tool])
         .chain(demands.set_up.tools.values().flat_map(|tool| [&tool.start, &tool.end]))
         .chain(&options.tool_change)
         .chain(&options.safety)
-        .flatten()
         .collect();
-    faults.extend(unfinished_cycle(codes, &blocks));
+    faults.extend(lists.iter().filter_map(|blocks| unfinished_cycle(codes, blocks)));
+    let blocks: Vec<&String> = lists.into_iter().flatten().collect();
     let is_too_long = |line: &&str| line.len() > codes.line_length || !line.is_ascii();
     for line in blocks.iter().flat_map(|block| block.split('\n')).filter(is_too_long) {
         faults.push(format!(
@@ -188,16 +188,20 @@ fn unsupported(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
 }
 
 /// A cycle of several lines that is not written as one: its parameters are alone, or all in one line.
-fn unfinished_cycle(codes: &Spellings, blocks: &[&String]) -> Option<String> {
+fn unfinished_cycle(codes: &Spellings, blocks: &[String]) -> Option<String> {
     let is_parameter = |text: &str| {
         let digits =
             text.trim_start().strip_prefix('Q').map(|rest| rest.trim_start_matches(|of: char| of.is_ascii_digit()));
         digits.is_some_and(|rest| rest.trim_start().starts_with('='))
     };
-    let is_cycle = |text: &str| text.starts_with("TCH PROBE") || text.starts_with("CYCL DEF");
-    let separate = blocks.windows(2).find(|pair| is_cycle(pair[0]) && is_parameter(pair[1])).map(|pair| pair[0]);
+    // Those of the form `CYCL DEF 32.1` have no parameters of their own lines.
+    let is_cycle = |text: &str| {
+        let number = ["TCH PROBE ", "CYCL DEF "].into_iter().find_map(|word| text.strip_prefix(word));
+        number.is_some_and(|rest| !rest.trim_start_matches(|of: char| of.is_ascii_digit()).starts_with('.'))
+    };
+    let separate = blocks.windows(2).find(|pair| is_cycle(&pair[0]) && is_parameter(&pair[1])).map(|pair| &pair[0]);
     let joined = || {
-        let mut lines = blocks.iter().copied().filter(|block| is_cycle(block));
+        let mut lines = blocks.iter().filter(|block| is_cycle(block));
         lines.find(|block| block.split('\n').any(|line| line.split('~').skip(1).any(is_parameter)))
     };
     let block = separate.or_else(joined).filter(|_| codes.numbers_every_line)?;

@@ -137,13 +137,15 @@ impl<'a> Scope<'a> {
 
     /// Whether an equation mentions a dimension that is an angle, by itself or by `where`.
     pub(crate) fn mentions_angle_dimension(&self, block: &Verify, equation: &Equation) -> bool {
+        let mut exprs = vec![&equation.left, &equation.right];
+        let mut rest: Vec<&Assign<Expr>> = block.assumptions.iter().collect();
+        // What the names of `where` that it mentions stand for.
+        while let Some(place) = rest.iter().position(|name| exprs.iter().any(|expr| expr.mentions(&name.key.name))) {
+            exprs.push(&rest.swap_remove(place).value);
+        }
         let mut dimensions = self.model().dimensions.iter();
         dimensions.any(|dimension| {
-            let mentions = |expr: &Expr| expr.mentions(&dimension.name);
-            matches!(dimension.quantity, Quantity::Angle(..))
-                && (mentions(&equation.left)
-                    || mentions(&equation.right)
-                    || block.assumptions.iter().any(|assumption| mentions(&assumption.value)))
+            matches!(dimension.quantity, Quantity::Angle(..)) && exprs.iter().any(|expr| expr.mentions(&dimension.name))
         })
     }
 

@@ -855,6 +855,8 @@ impl<R: Read> Comparison<'_, R> {
         }
         self.is_complete(phase, current);
         self.cuts_have_ended(current);
+        // The axes were taken to where it is changed.
+        self.start.retracted &= self.rules.policy().links.tool_change_position.is_empty();
         Ok(self.forget(phase))
     }
 

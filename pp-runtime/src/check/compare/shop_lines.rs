@@ -24,6 +24,8 @@ pub(super) struct ShopLines {
     needs_retract: bool,
     /// The tool of the last approach has been at the part since blocks that may be skipped have begun or ended.
     has_cut: bool,
+    /// The lines at the end of its work have come before blocks that may be skipped begin or end.
+    has_ended: bool,
 }
 
 impl ShopLines {
@@ -34,7 +36,7 @@ impl ShopLines {
             tools.map(|(number, _)| *number).collect()
         };
         let (measured, checked) = (tools(|tool| tool.measured), tools(|tool| tool.checked));
-        Self { lines, last_tool: None, measured, checked, needs_retract: false, has_cut: false }
+        Self { lines, last_tool: None, measured, checked, needs_retract: false, has_cut: false, has_ended: false }
     }
 
     /// Takes a line of the program that comes with this tool in the spindle. Returns what is wrong with it.
@@ -88,6 +90,7 @@ impl ShopLines {
     pub(super) fn approach(&mut self, starts: bool, (tool, register): ToolAndRegister) -> Vec<String> {
         let mut missing = Vec::new();
         self.has_cut = true;
+        let has_ended = std::mem::take(&mut self.has_ended);
         if starts {
             let before = self.last_tool.replace((tool, register)).map(|(tool, _)| tool);
             let changes = tool.is_some() && before != Some(tool);
@@ -100,7 +103,7 @@ impl ShopLines {
                 OwnPlace::ToolChange => changes,
                 OwnPlace::MeasureTool => measured,
                 OwnPlace::CheckTool => checked,
-                OwnPlace::ToolStart { tool: of } => changes && tool == Some(of),
+                OwnPlace::ToolStart { tool: of } => (changes || has_ended) && tool == Some(of),
                 OwnPlace::ToolEnd { tool: of } => ends(of),
                 OwnPlace::Safety | OwnPlace::OperationStart => true,
                 _ => false,
@@ -118,6 +121,7 @@ impl ShopLines {
         if !std::mem::take(&mut self.has_cut) {
             return Vec::new();
         }
+        self.has_ended = true;
         self.missing("before the blocks that may be skipped begin or end", |place| match place {
             OwnPlace::CheckTool => checked,
             OwnPlace::ToolEnd { tool: of } => tool == Some(Some(of)),

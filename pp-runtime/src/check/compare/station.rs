@@ -121,6 +121,12 @@ impl<R: Read> Comparison<'_, R> {
     pub(super) fn measures_at_tool_position(&mut self, own: &OwnLine, current: &Current<'_>) {
         let measures = |place: &OwnPlace| matches!(place, OwnPlace::MeasureTool | OwnPlace::CheckTool);
         if own.places.iter().all(measures) && !self.shop_lines.needs_retract() {
+            if !self.start.retracted {
+                self.found(
+                    current,
+                    "the machine has not retracted before the tool is measured or checked for breakage",
+                );
+            }
             self.is_at_station(Station::Measuring, current);
         }
     }

@@ -329,8 +329,14 @@ fn values(text: &[u8], line: &mut Line<'_>) -> OwnValues {
         let text = format!("the value of a field is missing: this line of the configuration is `{}`", shown(template));
         line.fault(0, text);
     }
-    let called = filled.tool.and_then(|called| called_tool(called, line));
-    OwnValues { tool: called.or(filled.tool_number.and_then(whole)), offset: filled.offset.and_then(whole) }
+    let (called, number) =
+        (filled.tool.and_then(|called| called_tool(called, line)), filled.tool_number.and_then(whole));
+    if let (Some(called), Some(number)) = (called, number)
+        && called != number
+    {
+        line.fault(0, format!("this line of the configuration is for T{called}, and has the number {number}"));
+    }
+    OwnValues { tool: called.or(number), offset: filled.offset.and_then(whole) }
 }
 
 /// Words of the fault of a code or a statement that the table does not have.
@@ -470,13 +476,18 @@ struct Filled<'a> {
     offset: Option<&'a [u8]>,
 }
 
-impl Filled<'_> {
-    fn or(self, other: Self) -> Self {
-        Self {
-            tool: self.tool.or(other.tool),
-            tool_number: self.tool_number.or(other.tool_number),
-            offset: self.offset.or(other.offset),
-        }
+impl<'a> Filled<'a> {
+    /// Both together; `None` if a field has two values.
+    fn and(self, other: Self) -> Option<Self> {
+        let one = |first: Option<&'a [u8]>, second: Option<&'a [u8]>| match (first, second) {
+            (Some(first), Some(second)) => (first == second).then_some(Some(first)),
+            (first, second) => Some(first.or(second)),
+        };
+        Some(Self {
+            tool: one(self.tool, other.tool)?,
+            tool_number: one(self.tool_number, other.tool_number)?,
+            offset: one(self.offset, other.offset)?,
+        })
     }
 
     /// Whether a field that has a value for every tool has none in a line.
@@ -504,8 +515,9 @@ fn filled<'a>(template: &[u8], line: &'a [u8]) -> Option<Filled<'a>> {
     };
     if let Some(others) = goes_on
         && let Some(own) = filled_word(word, &line[..word_end])
+        && let Some(both) = own.and(others)
     {
-        return Some(own.or(others));
+        return Some(both);
     }
     // A value with a blank in it: `G54.1 P3`, a name.
     if word.contains(&b'{') {
@@ -522,7 +534,7 @@ fn filled<'a>(template: &[u8], line: &'a [u8]) -> Option<Filled<'a>> {
                 (None, None) => Filled::default(),
                 (Some(_), None) | (None, Some(_)) => return None,
             };
-            Some(own.or(others))
+            own.and(others)
         });
     }
     None
@@ -547,7 +559,7 @@ fn filled_word<'a>(word: &[u8], text: &'a [u8]) -> Option<Filled<'a>> {
             b"offset" => Filled { offset: Some(value), ..Filled::default() },
             _ => Filled::default(),
         };
-        Some(own.or(others))
+        own.and(others)
     })
 }
 

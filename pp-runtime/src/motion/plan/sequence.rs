@@ -262,6 +262,9 @@ impl<S: Sink> Planner<'_, S> {
             self.tool_routine(tool.number, ToolRoutine::Measure)?;
             self.tool_routine(tool.number, ToolRoutine::Start)?;
         }
+        if self.tooling.take_end() && !change {
+            self.tool_routine(tool.number, ToolRoutine::Start)?;
+        }
         self.start_operation()?;
         if self.mover.placer().gauge_line() {
             return Ok(());
@@ -288,6 +291,7 @@ impl<S: Sink> Planner<'_, S> {
         self.mover.output_mut().cancel_inverse_time()?;
         self.mover.machine_retract()?;
         self.spindle.stop(self.mover.output_mut())?;
+        self.tooling.end();
         self.tool_routine(tool, ToolRoutine::End)?;
         self.tool_routine(tool, ToolRoutine::Check)
     }

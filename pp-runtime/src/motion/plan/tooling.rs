@@ -34,6 +34,8 @@ pub(crate) struct Tooling {
     measured: bool,
     /// The tool has cut since its blocks for the end of its work.
     has_cut: bool,
+    /// Its blocks for the end of its work have come, and it is still in the spindle.
+    ended: bool,
 }
 
 impl Tooling {
@@ -50,6 +52,16 @@ impl Tooling {
     /// Notes that the tool cuts.
     pub(crate) fn note_cut(&mut self) {
         self.has_cut = true;
+    }
+
+    /// The blocks for the end of the work of the tool have come.
+    pub(crate) fn end(&mut self) {
+        self.ended = true;
+    }
+
+    /// Whether they have come since the last call.
+    pub(crate) fn take_end(&mut self) -> bool {
+        std::mem::take(&mut self.ended)
     }
 
     /// Whether the tool has cut since the last call.
