@@ -279,3 +279,14 @@ fn a_tool_is_checked_on_its_own_side_of_the_marks() {
         }
     }
 }
+
+#[test]
+fn a_retract_along_the_tool_axis_stands_after_the_marks_whichever_tool_is_in_the_spindle() {
+    let control = control::by_name("heidenhain").expect("a control");
+    for mode in ["axes", "auto"] {
+        let keys = format!("mode = '{mode}'\nretract.method = 'M140'\nlength_guard = false\nplane_guard = false\n");
+        // It passes its check.
+        let program = posted::<SpinnerU5620>(&config(control, &keys), control, &with_skip());
+        assert!(program.contains("M140 MB MAX"), "{program}");
+    }
+}

@@ -179,6 +179,13 @@ fn an_unknown_key_names_the_nearest_known_one() {
 }
 
 #[test]
+fn a_shift_that_drives_the_bar_into_the_wall_is_refused() {
+    let told = faults("[cycles]\nbore_shift = 30.0");
+    assert!(told[0].contains("off the wall of a bore"), "{told:?}");
+    read("[cycles]\nbore_shift = 0.3");
+}
+
+#[test]
 fn an_unknown_key_without_a_near_one_lists_what_is_known() {
     assert_eq!(
         faults("[retract]\nspeed = 3\n"),

@@ -139,8 +139,8 @@ options! {
     pub struct ProgramBlocks in "program" {
         /// Blocks at the start of the program, after the comments and before the first restart point (N1): before any code, retract
         /// and tool change, with the machine where the operator left it. A warm-up needs the tool away from the part: call a
-        /// program of the shop that retracts first, with the effect "state lost", or position the machine by hand. It ends
-        /// with the spindle off.
+        /// program of the shop that retracts first, with the effect "state lost" (on Heidenhain with `M137` after it), or position
+        /// the machine by hand. It ends with the spindle off.
         start: Vec<String> = Vec::new(), key("program.start", Blocks(TemplateBlock(OF_PROGRAM)));
         /// Blocks before the end code. Positions of the axes at the end: `park`.
         end: Vec<String> = Vec::new(), key("program.end", Blocks(TemplateBlock(OF_PROGRAM)));

@@ -217,6 +217,12 @@ pub(crate) fn set_up(machine: &dyn AnyMachine, control: &dyn Control, config: &C
         ));
     }
     list.extend(wider_limits(machine, config));
+    let units = config.output_units.or(survey.file.units);
+    let options = &config.control;
+    let measures = !options.measure_tool.is_empty() || !options.check_tool.is_empty() || !config.cl.probes.is_empty();
+    if units == Some(Units::Inches) && measures {
+        list.push("blocks of `cycles` are written as they are: their lengths are inches in this program".to_owned());
+    }
     list.extend(retract(control, config));
     if let Some(lift) = config.motion.lift_mm {
         list.push(format!(

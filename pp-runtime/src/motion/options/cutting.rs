@@ -74,8 +74,19 @@ options! {
         /// modes than "axes", where the tool axis has to be Z of the program: set `mode = "axes"` for its operation.
         bore_retract: Option<BoreRetract> = None, key("cycles.bore_retract", OneOf(&BoreRetract::NAMES), "\"-X\"");
         /// Distance by which it leaves the wall.
-        bore_shift_mm: f64 = 0.2, key("cycles.bore_shift", Measure::length(Bound::Positive));
+        bore_shift_mm: f64 = 0.2, key("cycles.bore_shift", Measure::length(Bound::Positive).unless(far_off));
     }
+}
+
+/// Largest distance off the wall of a bore, mm: the bar has to pass at the other side.
+const FARTHEST_OFF: f64 = 5.0;
+
+fn far_off(shift_mm: f64) -> Option<String> {
+    (shift_mm > FARTHEST_OFF).then(|| {
+        format!(
+            "{shift_mm} mm off the wall of a bore drives the bar into the other side: tenths of a millimetre are enough"
+        )
+    })
 }
 
 /// Direction in which the tool leaves the wall of a bore, in the XY plane of the program.

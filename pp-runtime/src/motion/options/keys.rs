@@ -35,7 +35,10 @@ const SCHEMA: &str = r#"{
     }
 }"#;
 
-const CLAMP_FORM: &str = "write `C = { on = \"M10\", off = \"M11\" }`";
+/// How the codes of a clamp are written.
+fn clamp_form(letter: char) -> String {
+    format!("write `{letter} = {{ on = \"M10\", off = \"M11\" }}`")
+}
 
 /// A plane, a box or a cylinder around the part.
 #[derive(Debug, Clone, Copy)]
@@ -211,21 +214,21 @@ fn clamp_codes(r: &mut KeyReader<'_>, entry: &AxisEntry<'_>) -> Option<ClampCode
     let mut table = KeyTable::of(r, format!("clamp.{}", entry.axis.letter), Some(entry.value));
     let values = ["on", "off"].map(|key| table.get(key, r));
     let given = values.iter().flatten().count();
-    let codes = values.map(|value| value.and_then(|value| clamp_code(r, value)));
+    let codes = values.map(|value| value.and_then(|value| clamp_code(r, entry.axis.letter, value)));
     table.close(r);
     match codes {
         [Some(on), Some(off)] if on != off => Some(ClampCodes { on, off }),
         // What is wrong with one of them has been said.
         [None, _] | [_, None] if given == 2 => None,
         _ => {
-            r.fault(entry.value.span(), "two different codes are needed here", Some(CLAMP_FORM.to_owned()));
+            r.fault(entry.value.span(), "two different codes are needed here", Some(clamp_form(entry.axis.letter)));
             None
         }
     }
 }
 
 /// Reads an M code, with or without parameters P, Q, L and E.
-fn clamp_code(r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<String> {
+fn clamp_code(r: &mut KeyReader<'_>, letter: char, value: TomlValue<'_>) -> Option<String> {
     let code = r.line(value)?;
     let number = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
     let mut words = code.split(' ');
@@ -233,7 +236,7 @@ fn clamp_code(r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<String> {
     if first && words.all(|word| word.strip_prefix(['P', 'Q', 'L', 'E']).is_some_and(number)) {
         return Some(code);
     }
-    r.fault(value.span(), format!("\"{code}\" is not an M code"), Some(CLAMP_FORM.to_owned()));
+    r.fault(value.span(), format!("\"{code}\" is not an M code"), Some(clamp_form(letter)));
     None
 }
 

@@ -324,11 +324,13 @@ impl<S: Sink> Planner<'_, S> {
         let letters = placer.rotaries().iter().map(|rotary| placer.chain()[rotary.index].letter);
         let without: Vec<String> = letters.filter(|letter| !given.contains_key(letter)).map(String::from).collect();
         if self.tooling.note_measured() && !without.is_empty() {
-            let without = without.join(" and ");
+            let places: Vec<String> = without.iter().map(|letter| format!("{letter} = 0.0")).collect();
+            let (without, places) = (without.join(" and "), places.join(", "));
             let text =
                 format!("tools are measured or checked for breakage with {without} where the last cut has left them");
-            let help =
-                "give `cycles.tool_position`, so that the table or the head is straight there: `{ B = 0.0, C = 0.0 }`";
+            let help = format_args!(
+                "give `cycles.tool_position`, so that the table or the head is straight there: `{{ {places} }}`"
+            );
             self.mover.output_mut().remark(Fault::new(text).help(help));
         }
         self.mover.take_axes_to_tool_position()

@@ -158,7 +158,8 @@ impl Interpreter {
         if draft.written != 0 {
             fault(&mut block.faults, 0, "axis words together with the retract along the tool axis");
         }
-        let Some(axis) = self.normal().filter(|_| self.state.tool.is_some()) else {
+        // A tool call names the axis; which tool it was may be unknown after blocks that may be skipped.
+        let Some(axis) = self.normal() else {
             fault(&mut block.faults, 0, "retract along the tool axis before a tool call, which names this axis");
             return Action::Nothing;
         };
