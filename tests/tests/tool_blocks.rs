@@ -441,6 +441,23 @@ fn measuring_lines_may_have_codes_that_the_program_has_elsewhere_and_stops() {
     }
 }
 
+#[test]
+fn the_length_offset_has_ended_at_the_retract_before_a_tool_is_checked() {
+    for name in ["fanuc", "haas"] {
+        for method in ["G53", "G91 G28"] {
+            let config = config(name, &format!("retract.method = '{method}'"));
+            let program = posted::<SpinnerU5620>(&config, by_name(name), &cl());
+            let lines = bare(&program);
+            let checks = (0..lines.len()).filter(|&at| lines[at].starts_with(starts(name)[1]));
+            for check in checks {
+                let on = lines[..check].iter().rposition(|line| line.contains("G43")).expect("a length offset");
+                let off = lines[..check].iter().rposition(|line| line.contains("G49")).expect("its end");
+                assert!(on < off, "{name} {method}\n{program}");
+            }
+        }
+    }
+}
+
 /// A dwell of a minute, as blocks of each control.
 fn minute(name: &str) -> &'static [&'static str] {
     match name {

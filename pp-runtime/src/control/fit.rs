@@ -386,6 +386,8 @@ pub fn abilities(control: &dyn Control, demands: Demands<'_>) -> Abilities {
             }
         }),
         retracts_along_tool: matches!(demands.options.retract_form(codes), Some(RetractForm::AlongTool { .. })),
+        retract_keeps_length: codes.length.call == LengthCall::WithZ
+            && matches!(demands.options.retract_form(codes), Some(RetractForm::ReferencePosition { .. })),
         guards_planes: demands.motion.guards.plane_guard && control.compares_rotary_positions(),
         skips_guards: codes.skips_guards,
         operation_blocks: OperationBlocks {

@@ -44,6 +44,8 @@ pub struct Abilities {
     pub plane: Option<PlaneAbility>,
     /// The machine retract leads along the tool axis, wherever that points.
     pub retracts_along_tool: bool,
+    /// The length offset is in force after the machine retract, and the code that ends it may move the tool.
+    pub retract_keeps_length: bool,
     /// A program can stop where the control has tilted a plane with the rotary axes elsewhere.
     pub guards_planes: bool,
     /// Comparisons of the control may be in blocks that are skipped.

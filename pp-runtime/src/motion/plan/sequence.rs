@@ -291,6 +291,13 @@ impl<S: Sink> Planner<'_, S> {
         self.mover.output_mut().cancel_inverse_time()?;
         self.mover.machine_retract()?;
         self.spindle.stop(self.mover.output_mut())?;
+        if self.abilities.retract_keeps_length {
+            // It ends here, at the retract, and not where a macro has left the tool.
+            self.mover.output_mut().restate_modes()?;
+            self.stop_coolant()?;
+            self.mover.position_mut().forget_retract();
+            self.mover.machine_retract()?;
+        }
         self.tooling.end();
         self.tool_routine(tool, ToolRoutine::End)?;
         self.tool_routine(tool, ToolRoutine::Check)
