@@ -185,6 +185,11 @@ fn every_line_is_mapped_and_every_tip_agrees_with_its_axis_values() {
     for why in expected {
         assert!(reasons.contains(why), "no line has the reason {why}: {reasons:?}");
     }
+    // The chapter of the book has all of them.
+    let chapter = std::fs::read_to_string(workspace().join("docs/src/embed.md")).expect("docs/src/embed.md");
+    for why in &reasons {
+        assert!(chapter.contains(&format!("`{why}`")), "docs/src/embed.md has no `{why}`");
+    }
 }
 
 fn explained(arguments: &[&str]) -> (Option<i32>, String, String) {

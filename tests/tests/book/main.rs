@@ -198,3 +198,20 @@ fn a_command_or_a_listing_without_a_rule_is_an_error() {
         assert!(fault.contains(expected), "{fault}");
     }
 }
+
+/// Defaults that the text of a chapter states, and the line of `config` that has them.
+const DEFAULTS: &[(&str, &str, &str)] = &[
+    ("docs/src/modes.md", "`auto_planes = 8`", "#auto_planes = 8"),
+    ("docs/src/cl-data.md", "`cycles.bore_shift` (0.2 mm;", "#bore_shift = 0.2"),
+];
+
+#[test]
+fn defaults_in_the_text_are_those_of_config() {
+    let siemens = pp_runtime::control::by_name("siemens").expect("a control");
+    let printed = pp_runtime::config::print(&machines::SpinnerU5620::default(), siemens);
+    for (chapter, text, line) in DEFAULTS {
+        let chapter_text = std::fs::read_to_string(workspace().join(chapter)).expect("a chapter");
+        assert!(chapter_text.contains(text), "{chapter} has no {text}");
+        assert!(printed.lines().any(|printed| printed.starts_with(line)), "`config` has no {line}");
+    }
+}

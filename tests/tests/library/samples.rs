@@ -11,7 +11,7 @@ use machine_library::{
 use pp_runtime::check::check;
 use pp_runtime::config::starting_point;
 use pp_runtime::control;
-use pp_runtime::kinematics::Machine;
+use pp_runtime::kinematics::{Axis, Machine, Side};
 use pp_runtime::post::{Job, post};
 use tests::binaries::{example_config, workspace};
 
@@ -38,6 +38,14 @@ fn posts<M: Machine>(machine: &str, control_name: &str, part: &str) {
     assert!(findings.is_empty(), "{machine}: {findings:#?}\n{text}");
 }
 
+/// A chain as it is declared: the axes of the table, `|`, those of the tool.
+fn chain(axes: &[Axis]) -> String {
+    let side = |wanted: Side| -> Vec<String> {
+        axes.iter().filter(|axis| axis.side == wanted).map(|axis| axis.letter.to_string()).collect()
+    };
+    format!("{} | {}", side(Side::Workpiece).join(" "), side(Side::Tool).join(" ")).trim().to_owned()
+}
+
 /// A test for each machine: its type, its binary, control and sample. [`NAMES`] are the binaries.
 macro_rules! samples {
     ($($test:ident: $machine:ty, $name:literal, $control:literal, $part:literal;)*) => {
@@ -49,6 +57,11 @@ macro_rules! samples {
         )*
 
         const NAMES: &[&str] = &[$($name),*];
+
+        /// Chain and sample of each machine.
+        fn rows() -> Vec<(&'static str, String, &'static str)> {
+            vec![$(($name, chain(&<$machine>::AXES), $part)),*]
+        }
     };
 }
 
@@ -85,7 +98,11 @@ fn every_machine_has_its_test_its_binary_and_its_row_in_the_table() {
         assert!(papers.into_iter().any(of) || names.iter().any(|name| of(name)), "{file} is for no machine");
     }
     let table = fs::read_to_string(workspace().join("docs/src/machines.md")).expect("docs/src/machines.md");
-    for name in NAMES {
-        assert!(table.contains(&format!("| `{name}` |")), "{name} is not in docs/src/machines.md");
+    for (name, chain, part) in rows() {
+        let row = table.lines().find(|line| line.starts_with(&format!("| `{name}` |")));
+        let row = row.unwrap_or_else(|| panic!("{name} is not in docs/src/machines.md"));
+        for cell in [format!("| `{}` |", chain.replace('|', "\\|")), format!("| `{part}` |")] {
+            assert!(row.contains(&cell), "{cell} is not in {row}");
+        }
     }
 }
