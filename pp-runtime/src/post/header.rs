@@ -10,7 +10,6 @@ use crate::config::Config;
 use crate::control::{
     self, BlankWords, Control, CycleForm, Encoder, LengthGuard, LinearRapids, ProgramHeader, RetractForm,
 };
-use crate::keys::printed_along;
 use crate::kinematics::{AnyMachine, Axis, AxisKind, DimensionKind, Limits, Side, Sign, digest};
 use crate::motion::{CutterPath, Links, StretchMode, StretchModes, TcpFrame, TipStart, ToolPosture, Wrap, rotaries_of};
 use crate::nc::{Decimal, write_decimal};
@@ -161,26 +160,6 @@ pub(crate) fn assumptions(
     list
 }
 
-/// Largest difference of equal limits, mm or rad.
-const SAME_LIMIT: f64 = 1e-9;
-
-/// Travels of the configuration that are wider than those with which the machine is declared, one sentence each.
-fn wider_limits<'c>(machine: &'c dyn AnyMachine, config: &'c Config) -> impl Iterator<Item = String> + 'c {
-    machine.axes().iter().filter_map(|axis| {
-        let (declared, given) = (axis.limits?, *config.set_up.limits.get(&axis.letter)?);
-        let shown = |limits: Limits| {
-            let [lower, upper] = [limits.lower, limits.upper].map(|value| printed_along(axis, value));
-            format!("{lower} to {upper}")
-        };
-        let wider = given
-            .is_none_or(|given| given.lower < declared.lower - SAME_LIMIT || given.upper > declared.upper + SAME_LIMIT);
-        wider.then(|| {
-            let (given, declared) = (given.map_or_else(|| "free".to_owned(), shown), shown(declared));
-            format!("`limits` of {} are wider than declared for the machine: {given}, declared {declared}", axis.letter)
-        })
-    })
-}
-
 /// Settings of the set-up that differ from the plain case, one sentence each.
 pub(crate) fn set_up(machine: &dyn AnyMachine, control: &dyn Control, config: &Config, survey: &Survey) -> Vec<String> {
     let mut list = Vec::new();
@@ -216,7 +195,7 @@ pub(crate) fn set_up(machine: &dyn AnyMachine, control: &dyn Control, config: &C
             "part rotation {x}, {y}, {z}: the CL data is rotated by these degrees about X, then Y, then Z of the table"
         ));
     }
-    list.extend(wider_limits(machine, config));
+    list.extend(config.set_up.wider_limits(machine.axes()));
     let units = config.output_units.or(survey.file.units);
     let options = &config.control;
     let measures = !options.measure_tool.is_empty() || !options.check_tool.is_empty() || !config.cl.probes.is_empty();

@@ -2,6 +2,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
+use crate::keys::printed_along;
 use crate::kinematics::{AnyMachine, Axis, AxisKind, Dimension, Invalid, Limits, MAX_AXES, Machine};
 
 use super::SetUp;
@@ -15,6 +16,9 @@ pub struct AxisBounds {
     /// Largest speed in mm/min or rad/min; `None`: unlimited.
     pub speeds: Vec<Option<f64>>,
 }
+
+/// Largest difference of equal limits, mm or rad.
+const SAME_LIMIT: f64 = 1e-9;
 
 impl SetUp {
     /// Returns the machine with the dimensions and the part origin of this job. The gauge length is set at each tool.
@@ -76,6 +80,27 @@ impl SetUp {
                 (text, "correct the dimensions in the configuration".to_owned())
             }
         }
+    }
+
+    /// Travels of this set-up that are wider than those with which the machine is declared, one sentence each.
+    pub(crate) fn wider_limits(&self, axes: &[Axis]) -> impl Iterator<Item = String> {
+        axes.iter().filter_map(|axis| {
+            let (declared, given) = (axis.limits?, *self.limits.get(&axis.letter)?);
+            let shown = |limits: Limits| {
+                let [lower, upper] = [limits.lower, limits.upper].map(|value| printed_along(axis, value));
+                format!("{lower} to {upper}")
+            };
+            let wider = given.is_none_or(|given| {
+                given.lower < declared.lower - SAME_LIMIT || given.upper > declared.upper + SAME_LIMIT
+            });
+            wider.then(|| {
+                let (given, declared) = (given.map_or_else(|| "free".to_owned(), shown), shown(declared));
+                format!(
+                    "`limits` of {} are wider than declared for the machine: {given}, declared {declared}",
+                    axis.letter
+                )
+            })
+        })
     }
 
     /// Travel and speeds of the axes: as this set-up states them, else as the machine declares them.
