@@ -40,7 +40,8 @@ impl<'a> Demands<'a> {
 options! {
     /// Settings of this control that differ from its standard codes. Blocks may hold fields in braces: {name},
     /// {number}, {units}, {work_offset}, {path_tolerance}; in a tool change also {tool} (where tools are called by name
-    /// the name, with its quotation marks), {tool_number}, {next}, {offset}, {speed} and {radius_delta} (Heidenhain, with `compensation.path = "centre"`).
+    /// the name, with its quotation marks), {tool_number}, {next}, {offset}, {speed} and {radius_delta} (Heidenhain, with
+    /// `compensation.path = "centre"`).
     /// A word whose field has no value is left out; a block with {next} is left out where no tool follows. A cycle of several
     /// lines (Heidenhain) has each line as an element, ending in `~` where the next one continues it.
     pub struct ControlOptions in "control" {
@@ -117,15 +118,15 @@ options! {
         /// Effect of lines and words that the check does not know, by their text: lines of `[program]`, `safety`,
         /// `tool_change` and INSERT, and codes in them. "none", "coolant", "spindle", "stop", "position lost", "state lost",
         /// "measures", or "tool change" for a line with the field {tool}: that tool is in the spindle afterwards, as after the
-        /// tool change of the control (`"G65 P9001 T{tool}" = "tool change"`). A code with words of its own is declared as its whole
-        /// line: `"M68 E0 Q1" = "none"`. The check refuses them without it. After "state
+        /// tool change of the control (`"G65 P9001 T{tool}" = "tool change"`). A code with words of its own is declared as its
+        /// whole line: `"M68 E0 Q1" = "none"`. The check refuses them without it. After "state
         /// lost" a safety line must state every mode again; on Heidenhain write `M137` (F per minute) after such a line.
         effects: BTreeMap<String, LineEffect> = BTreeMap::new(), key("control.effects", LineEffects);
         /// Axis names that differ from the axis letters.
         axes: BTreeMap<char, String> = BTreeMap::new(), key("control.axes", AxisNames);
         /// Machine retract: by a code of the control, "G53" or "G91 G28" (LinuxCNC, Fanuc, Haas), "SUPA" (Siemens), "M91" or
-        /// "M140" (Heidenhain: along the tool axis to the end of the travel), or by blocks of your own, as a list. Without it
-        /// the first of these. The reference position of G28 and the end of the travel must be `position`. Out of tip control
+        /// "M140" (Heidenhain: along the tool axis to the end of the travel), or by blocks of your own, as a list (without
+        /// M140). Without it the first of these. The reference position of G28 and the end of the travel must be `position`. Out of tip control
         /// that ends with the length offset (Fanuc, Haas) the retract is always that of G53.
         retract_method: Option<RetractMethod> = None, key("retract.method", RetractMethods, "\"G91 G28\"");
         /// Blocks around the program.
@@ -142,7 +143,8 @@ options! {
         /// program of the shop that retracts first, with the effect "state lost" (on Heidenhain with `M137` after it), or position
         /// the machine by hand. It ends with the spindle off.
         start: Vec<String> = Vec::new(), key("program.start", Blocks(TemplateBlock(OF_PROGRAM)));
-        /// Blocks before the end code. Positions of the axes at the end: `park`.
+        /// Blocks before the end code. Positions of the axes at the end: `park`. Their effect is not "state lost": spindle and
+        /// coolant are off where the program ends, as far as is known.
         end: Vec<String> = Vec::new(), key("program.end", Blocks(TemplateBlock(OF_PROGRAM)));
         /// Blocks at the start of each operation: after the tool change, before length offset, spindle and approach.
         /// Fields as in a tool change. The machine retracts after them, and position, spindle, coolant and length are stated

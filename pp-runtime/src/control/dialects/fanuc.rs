@@ -151,6 +151,13 @@ static SPELLINGS: Spellings = Spellings {
             source: "",
         },
         FoundAt {
+            key: "table_zero",
+            place: "parameters 19700 to 19702, and the vector 19703 to 19705 added where the reference point of the table is \
+                    on the centre line of the second axis; with the right values `kinematics --fanuc` prints the \
+                    parameters of the control",
+            source: "",
+        },
+        FoundAt {
             key: "tools",
             place: "the length of H (OFFSET, GEOM(H)), if it is counted from the gauge line",
             source: "",
