@@ -126,8 +126,8 @@ options! {
         axes: BTreeMap<char, String> = BTreeMap::new(), key("control.axes", AxisNames);
         /// Machine retract: by a code of the control, "G53" or "G91 G28" (LinuxCNC, Fanuc, Haas), "SUPA" (Siemens), "M91" or
         /// "M140" (Heidenhain: along the tool axis to the end of the travel), or by blocks of your own, as a list (without
-        /// M140). Without it the first of these. The reference position of G28 and the end of the travel must be `position`. Out of tip control
-        /// that ends with the length offset (Fanuc, Haas) the retract is always that of G53.
+        /// M140). Without it the first of these. The reference position of G28 and the end of the travel must be `position`.
+        /// Out of tip control that ends with the length offset (Fanuc, Haas) the retract is always that of G53.
         retract_method: Option<RetractMethod> = None, key("retract.method", RetractMethods, "\"G91 G28\"");
         /// Blocks around the program.
         program: ProgramBlocks = ProgramBlocks::default(), keys();
