@@ -208,7 +208,7 @@ const DEFAULTS: &[(&str, &str, &str)] = &[
 #[test]
 fn defaults_in_the_text_are_those_of_config() {
     let siemens = pp_runtime::control::by_name("siemens").expect("a control");
-    let printed = pp_runtime::config::print(&machines::SpinnerU5620::default(), siemens);
+    let printed = pp_runtime::config::print(&::machines::SpinnerU5620::default(), siemens);
     for (chapter, text, line) in DEFAULTS {
         let chapter_text = std::fs::read_to_string(workspace().join(chapter)).expect("a chapter");
         assert!(chapter_text.contains(text), "{chapter} has no {text}");
