@@ -185,7 +185,14 @@ fn a_lost_block_and_one_for_another_tool_are_found() {
                     || !is_measured && ["M9", "M09"].contains(&lines[line]);
                 assert!(is_off || !found(&renumbered(control, &lost)).is_empty(), "{name}: {}\n{program}", lines[line]);
                 restated += usize::from(!is_off);
-                for (was, is) in [("G54", "G55"), ("G90", "G91"), ("G17", "G18"), ("Q339=+1", "Q339=+2")] {
+                for (was, is) in [
+                    ("G40 ", ""),
+                    ("G40 G64", "G64"),
+                    ("G54", "G55"),
+                    ("G90", "G91"),
+                    ("G17", "G18"),
+                    ("Q339=+1", "Q339=+2"),
+                ] {
                     let other = lines[line].replace(was, is);
                     let mut edited = lines.clone();
                     edited[line] = &other;
@@ -415,6 +422,11 @@ fn a_displayed_text_of_the_blocks_of_the_shop_may_have_fields() {
         let config = config(name, &keys);
         let program = posted::<SpinnerU5620>(&config, by_name(name), &cl());
         assert!(program.contains(&text.replace("{tool}", "2")), "{program}");
+        for other in ["1", "2 WRONG", "20"] {
+            let edited = program.replacen(&text.replace("{tool}", "2"), &text.replace("{tool}", other), 1);
+            let found = posting::findings::<SpinnerU5620>(&config, by_name(name), &cl(), &edited);
+            assert!(!found.is_empty(), "{name} {other}\n{edited}");
+        }
     }
 }
 

@@ -863,7 +863,9 @@ impl<R: Read> Comparison<'_, R> {
     /// Tool of the next motion, as far as an approach looks ahead; `None` without a motion there.
     pub(super) fn tool_of_next_motion(&self) -> Option<Option<u32>> {
         let mut ahead = (0..FOR_APPROACH).map_while(|index| self.progress.get(index));
-        ahead.find(|item| item.motion().is_some()).map(|item| item.required.tool)
+        // Behind as many other items, such as dwells, their tool is that of the motion.
+        let last = self.progress.get(FOR_APPROACH - 1);
+        ahead.find(|item| item.motion().is_some()).or(last).map(|item| item.required.tool)
     }
 
     /// Whether OPSKIP comes before the next motion.

@@ -19,7 +19,18 @@ impl<R: Read> Comparison<'_, R> {
         };
         let line = current.shown.text.trim_ascii();
         let guarded = std::mem::replace(&mut self.guarded, line.starts_with(b"IF "));
-        let of_shop = |line: &[u8]| self.rules.policy().shop.lines.iter().any(|own| is_filled(&own.text, line));
+        let policy = self.rules.policy();
+        // In a tool change it is the tool that comes.
+        let tools = [current.block.state.tool, self.tool_of_next_motion().flatten()];
+        let is_tool = |called: &[u8]| {
+            tools.into_iter().flatten().any(|number| {
+                let name = policy.set_up.tools.get(&number).and_then(|tool| tool.name.as_deref());
+                let names = name.map(|name| [format!("\"{name}\""), format!("=\"{name}\"")]);
+                called == number.to_string().as_bytes()
+                    || names.into_iter().flatten().any(|name| called == name.as_bytes())
+            })
+        };
+        let of_shop = |line: &[u8]| policy.shop.lines.iter().any(|own| is_filled(&own.text, line, is_tool));
         if let Some(text) = displayed(line, marks).filter(|_| !guarded && !of_shop(line))
             && !self.progress.displays(&legible(text))
         {

@@ -365,9 +365,10 @@ pub(crate) fn is_read(line: &[u8], vocabulary: &Vocabulary) -> bool {
     reader.next_block().is_ok_and(|block| block.is_none_or(|(block, _)| !block.faults.iter().any(is_unknown)))
 }
 
-/// Whether a line is one of the configuration, with values for its fields.
-pub(crate) fn is_filled(template: &str, line: &[u8]) -> bool {
-    matches(template.trim().as_bytes(), line)
+/// Whether a line is one of the configuration, with values for its fields; `is_tool`: whether a tool can be that of the line.
+pub(crate) fn is_filled(template: &str, line: &[u8], is_tool: impl Fn(&[u8]) -> bool) -> bool {
+    filled(template.trim().as_bytes(), line)
+        .is_some_and(|filled| [filled.tool, filled.tool_number].into_iter().flatten().all(is_tool))
 }
 
 /// Lines of the configuration that have a fixed place in a program, and how often each has come.

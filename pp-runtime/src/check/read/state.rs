@@ -245,6 +245,8 @@ pub struct State {
     pub coolant: Option<u8>,
     /// Cutter compensation.
     pub side: Option<Side>,
+    /// Blocks that measure may have switched cutter compensation on.
+    pub side_unknown: bool,
     /// What F means.
     pub feed_mode: Option<FeedMode>,
     /// F in force: units of length of the program per minute or per revolution, or 1/min.
@@ -321,6 +323,7 @@ impl State {
             speed,
             coolant,
             side,
+            side_unknown,
             feed_mode,
             feed,
             tip_control: _,
@@ -353,6 +356,7 @@ impl State {
         keep(speed, &other.speed);
         keep(coolant, &other.coolant);
         keep(side, &other.side);
+        *side_unknown |= other.side_unknown;
         keep(feed_mode, &other.feed_mode);
         keep(feed, &other.feed);
         keep(in_plane, &other.in_plane);
@@ -408,6 +412,7 @@ impl Default for State {
             speed: None,
             coolant: None,
             side: None,
+            side_unknown: false,
             feed_mode: None,
             feed: None,
             tip_control: TipControl::Off,

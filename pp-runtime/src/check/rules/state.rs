@@ -211,6 +211,11 @@ impl Rules<'_> {
         if state.plane != Some(WorkPlane::Xy) && !unselected && !of_arc {
             return Some(format!("the working plane is not XY{}", state.since_lost(state.plane.is_none())));
         }
+        if state.side_unknown && !self.policy.shop.own_safety {
+            return Some(
+                "cutter compensation may be on after the blocks that measure: G40 has not been programmed".to_owned(),
+            );
+        }
         if state.side.unwrap_or_default() != side {
             return Some(format!(
                 "cutter compensation is {}, expected {}",

@@ -37,6 +37,7 @@ impl Interpreter {
             fault(faults, 0, "cutter compensation is switched on while it is on");
         }
         state.side = draft.side.or(state.side);
+        state.side_unknown &= draft.side.is_none();
         state.incremental = draft.distances.or(state.incremental);
         state.to_initial = draft.to_initial.or(state.to_initial);
         state.shortest = draft.shortest.unwrap_or(state.shortest);
