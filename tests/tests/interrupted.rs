@@ -119,3 +119,19 @@ fn it_does_in_every_mode_and_with_a_tool_axis_that_rotates() {
         }
     }
 }
+
+#[test]
+fn an_operation_that_begins_with_a_cut_is_remarked_on() {
+    let linuxcnc = control::by_name("linuxcnc").expect("a control");
+    let remarks = |between: &str| -> Vec<u64> {
+        let cl = CL.replace("BETWEEN", between);
+        let written = posting::written::<SpinnerU5620>(&config(linuxcnc, "axes"), linuxcnc, &cl);
+        let (_, report) = written.expect("it can run");
+        let remarks = report.diagnostics.iter().filter(|remark| remark.text.contains("begins with a feed motion"));
+        remarks.map(|remark| remark.location.line).collect()
+    };
+    assert_eq!(remarks("TOOL PATH/NEXT,TOOL,T"), [13]);
+    for between in ["OPSTOP", "TOOL PATH/NEXT,TOOL,T\nLOADTL/1", "TOOL PATH/NEXT,TOOL,T\nRAPID", "PPRINT A"] {
+        assert_eq!(remarks(between), [] as [u64; 0], "{between}");
+    }
+}

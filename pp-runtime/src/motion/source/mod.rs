@@ -261,6 +261,13 @@ impl Expansion<'_> {
             }
             return self.record(&Event::From(motion.pose), to);
         }
+        if self.operations.named_at().is_some_and(|from| !motion.rapid && !is_at(&from, &motion.pose)) {
+            let fault = Fault::new(
+                "this operation begins with a feed motion: the safe sequence leads to its end, and the way from the last point is not cut",
+            );
+            let help = "if it is a cut, begin the operation at its start: RAPID to it in CAM";
+            to.remark(fault.help(help).at(self.at, Severity::Warning));
+        }
         // A cut that was interrupted goes on where it was: the safe sequence leads back there.
         let from = self.operations.goes_on_from().filter(|from| !motion.rapid && !is_at(from, &motion.pose));
         if let Some(pose) = from {

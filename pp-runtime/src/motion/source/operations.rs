@@ -65,6 +65,8 @@ pub(crate) struct MotionCounter {
     end: Option<Pose>,
     /// The path does not go on from there.
     left: bool,
+    /// It does not because an operation has a name, and for no other reason.
+    named: bool,
     /// Tool axis at the begin of the stretch.
     stretch_axis: Option<UnitVector3<f64>>,
     /// The last motion was a hole.
@@ -85,6 +87,7 @@ impl MotionCounter {
             stretch: 0,
             end: None,
             left: false,
+            named: false,
             stretch_axis: None,
             in_holes: false,
         }
@@ -102,6 +105,7 @@ impl MotionCounter {
 
     /// Counts TOOL PATH.
     pub(crate) fn name(&mut self) {
+        self.named |= !self.left && !self.links_operations;
         self.left = true;
         self.begins = match self.begins {
             Begins::Nothing | Begins::Linked if self.links_operations => Begins::Linked,
@@ -116,7 +120,7 @@ impl MotionCounter {
 
     /// Counts a record after which the path does not go on from where it was: a tool, GOHOME, a retract, another set-up.
     pub(crate) fn leave(&mut self) {
-        self.left = true;
+        (self.left, self.named) = (true, false);
         self.interrupt();
     }
 
@@ -125,6 +129,11 @@ impl MotionCounter {
         self.assumed_tool = None;
         self.called = true;
         self.leave();
+    }
+
+    /// Where the last motion ended, if all that has come since is the name of an operation.
+    pub(crate) fn named_at(&self) -> Option<Pose> {
+        self.end.filter(|_| self.between() && self.named && !self.in_holes)
     }
 
     /// Where a cut goes on that was interrupted. An operation with a name or a tool record begins at its first point.
@@ -179,7 +188,7 @@ impl MotionCounter {
         };
         let begins = std::mem::replace(&mut self.begins, Begins::Nothing);
         let before = self.end.replace(*end).map(|end| end.axis);
-        self.left = false;
+        (self.left, self.named) = (false, false);
         let first = begins != Begins::Nothing;
         let other_kind = std::mem::replace(&mut self.in_holes, hole) != hole;
         let stretch_begins = first || other_kind || air && before.is_some_and(|before| differs(before, SAME_AXIS));
