@@ -29,7 +29,7 @@ use folder::Folder;
 use machines::COMMANDS;
 use pp_runtime::config::Config;
 use pp_runtime::control::LinuxCnc;
-use tests::binaries::workspace;
+use tests::binaries::{golden_programs, workspace};
 
 /// Whether the files are rewritten.
 fn bless() -> bool {
@@ -214,4 +214,34 @@ fn defaults_in_the_text_are_those_of_config() {
         assert!(chapter_text.contains(text), "{chapter} has no {text}");
         assert!(printed.lines().any(|printed| printed.starts_with(line)), "`config` has no {line}");
     }
+}
+
+/// Lines of all golden programs of a control, without block numbers.
+fn golden_lines(control: &str) -> Vec<String> {
+    let programs =
+        golden_programs().into_iter().filter(|path| path.to_string_lossy().contains(&format!(".{control}.")));
+    let text: String = programs.map(|path| fs::read_to_string(path).expect("a golden program")).collect();
+    assert!(!text.is_empty(), "no golden program of {control}");
+    text.lines().map(|line| line.trim_start_matches(|c: char| c.is_ascii_digit()).trim_start().to_owned()).collect()
+}
+
+/// The table of codes in the chapter about the configuration: each is in a golden program of its control.
+#[test]
+fn codes_of_the_table_are_in_programs_of_their_control() {
+    let chapter = fs::read_to_string(workspace().join("docs/src/configuration.md")).expect("a chapter");
+    let rows = chapter.lines().skip_while(|line| !line.starts_with("| | begin and end")).skip(2);
+    let mut checked = 0;
+    for row in rows.take_while(|line| line.starts_with('|')) {
+        let mut codes = row.split('`').skip(1).step_by(2);
+        let control = codes.next().expect("a control");
+        let lines = golden_lines(control);
+        for code in codes {
+            // The words of a code, in one line of a program; numbers and what `..` stands for may be others.
+            let parts: Vec<&str> = code.split(" .. ").collect();
+            let found = lines.iter().any(|line| parts.iter().all(|part| line.contains(part)));
+            assert!(found, "{control}: no golden program has `{code}`");
+            checked += 1;
+        }
+    }
+    assert!(checked > 25, "{checked}");
 }
