@@ -12,7 +12,7 @@ use crate::set_up::LengthMode;
 
 use super::dialects::{
     ArcCentre, Control, CycleCodes, CycleForm, LengthCall, LinearRapids, PlaneGuard, RadiusGuard, RetractForm,
-    Spellings, ThreadCodes, TipControlCodes,
+    STANDARD_M, Spellings, ThreadCodes, TipControlCodes,
 };
 use super::foreign::of_another_control;
 use super::options::{ControlFunction, Demands, RetractMethod};
@@ -105,7 +105,8 @@ fn unsupported(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
         .chain(options.coolant.iter().flatten().flat_map(|codes| named("control.coolant", codes)))
         .chain(options.tip_control.iter().flat_map(|codes| named("control.tip_control", codes)));
     for (key, code) in of_shop {
-        let own = m_function(&code).and_then(|number| codes.own_m.iter().find(|(own, _)| *own == number));
+        let known = || STANDARD_M.iter().chain(codes.own_m);
+        let own = m_function(&code).and_then(|number| known().find(|(own, _)| *own == number));
         faults.extend(own.map(|(_, effect)| {
             format!(
                 "`{code}` of `{key}` is an M function of {title} itself ({effect}): enter that of the machine builder"

@@ -146,13 +146,6 @@ static SPELLINGS: Spellings = Spellings {
     offset_has_coordinates: false,
     // Overview of the M functions in the manuals of the iTNC 530.
     own_m: &[
-        (0, "program stop"),
-        (1, "optional stop"),
-        (2, "end of program"),
-        (3, "spindle on, clockwise"),
-        (4, "spindle on, counterclockwise"),
-        (5, "spindle off"),
-        (6, "tool change"),
         (13, "spindle on, clockwise, with coolant"),
         (14, "spindle on, counterclockwise, with coolant"),
         (30, "end of program"),

@@ -28,13 +28,6 @@ impl Spellings {
         offset_has_coordinates: true,
         // LinuxCNC, M codes; Fanuc B-63944EN/02 (2004), auxiliary function; Haas 96-8000 (1999), M codes.
         own_m: &[
-            (0, "program stop"),
-            (1, "optional stop"),
-            (2, "end of program"),
-            (3, "spindle on, clockwise"),
-            (4, "spindle on, counterclockwise"),
-            (5, "spindle off"),
-            (6, "tool change"),
             (19, "spindle to an angle"),
             (30, "end of program"),
             (98, "call of a subprogram"),

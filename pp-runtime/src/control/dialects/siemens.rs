@@ -77,13 +77,6 @@ static SPELLINGS: Spellings = Spellings {
     units: ["G710", "G700"],
     // Function manual 840D sl, S1: M19 positions the spindle, M40 to M45 are gear stages, M70 makes it an axis.
     own_m: &[
-        (0, "program stop"),
-        (1, "optional stop"),
-        (2, "end of program"),
-        (3, "spindle on, clockwise"),
-        (4, "spindle on, counterclockwise"),
-        (5, "spindle off"),
-        (6, "tool change"),
         (17, "end of a subprogram"),
         (19, "spindle to an angle"),
         (30, "end of program"),

@@ -8,6 +8,17 @@ use crate::nc::Formats;
 use crate::nc::Numerals;
 use crate::program::Rotation;
 
+/// M functions that every control has, and what they do.
+pub(crate) const STANDARD_M: [(u16, &str); 7] = [
+    (0, "program stop"),
+    (1, "optional stop"),
+    (2, "end of program"),
+    (3, "spindle on, clockwise"),
+    (4, "spindle on, counterclockwise"),
+    (5, "spindle off"),
+    (6, "tool change"),
+];
+
 /// Codes of a control.
 #[derive(Debug, Clone)]
 pub struct Spellings {
@@ -49,7 +60,8 @@ pub struct Spellings {
     pub per_minute: &'static str,
     /// Code of feed per revolution, for threads; empty where their cycle takes the pitch.
     pub per_revolution: &'static str,
-    /// M functions of the control itself and what they do: they cannot be those of a clamp, of coolant or of tip control.
+    /// M functions of the control itself beside [`STANDARD_M`], and what they do: they cannot be those of a clamp, of coolant or of
+    /// tip control.
     pub own_m: &'static [(u16, &'static str)],
     /// A work offset has the machine coordinates of its zero point. Otherwise it is a preset, set by touching off or probing.
     pub offset_has_coordinates: bool,
