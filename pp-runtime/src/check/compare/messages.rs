@@ -20,9 +20,9 @@ impl<R: Read> Comparison<'_, R> {
         let line = current.shown.text.trim_ascii();
         let guarded = std::mem::replace(&mut self.guarded, line.starts_with(b"IF "));
         let policy = self.rules.policy();
-        // In a tool change it is the tool that comes.
-        let tools = [current.block.state.tool, self.tool_of_next_motion().flatten()];
         let is_tool = |called: &[u8]| {
+            // In a tool change it is the tool that comes.
+            let tools = [current.block.state.tool, self.tool_of_next_motion().flatten()];
             tools.into_iter().flatten().any(|number| {
                 let name = policy.set_up.tools.get(&number).and_then(|tool| tool.name.as_deref());
                 let names = name.map(|name| [format!("\"{name}\""), format!("=\"{name}\"")]);

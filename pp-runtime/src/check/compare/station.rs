@@ -93,16 +93,18 @@ impl<R: Read> Comparison<'_, R> {
 
     /// Whether the axes have to go there before the next cut.
     pub(super) fn is_due(&self, station: Station, block: &Block) -> bool {
+        if station.places(&self.rules.policy().links).is_empty() {
+            return false;
+        }
         let (spindle, next) = (block.state.tool, self.tool_of_next_motion());
-        let due = match station {
+        match station {
             // At a restart point the tool in the spindle may be changed for itself, before the spindle is on.
             Station::Change => {
                 let again = self.start.restarted && block.state.spindle.flatten().is_none();
                 next.is_some_and(|next| next != spindle || again)
             }
             Station::Measuring => self.shop_lines.is_measuring_due(spindle, next, self.skips_before_next_motion()),
-        };
-        due && !station.places(&self.rules.policy().links).is_empty()
+        }
     }
 
     /// Rotary axes to their positions.

@@ -240,13 +240,9 @@ impl<'a> ClState<'a> {
             Event::Code { letter, number } => {
                 self.interrupt(at, ExpectedAction::Raw(format!("{}{number}", char::from(letter)).into_bytes()));
             }
-            Event::SafeSequence => {
-                self.came = None;
-                self.begin_anew();
-            }
+            Event::SafeSequence => self.begin_elsewhere(),
             Event::SetUp(number) => {
-                self.came = None;
-                self.begin_anew();
+                self.begin_elsewhere();
                 self.require().set_up = number;
                 self.require().clearance = self.policy.links.clearance;
             }
@@ -398,6 +394,12 @@ impl<'a> ClState<'a> {
         self.operation.position_known = false;
     }
 
+    /// The same, and no cut goes on from where it was.
+    fn begin_elsewhere(&mut self) {
+        self.came = None;
+        self.begin_anew();
+    }
+
     /// OPSKIP.
     fn block_skip(&mut self, at: Location, on: bool) {
         let begins = on && self.is_selected(self.operation.number, self.operation.reached);
@@ -427,8 +429,7 @@ impl<'a> ClState<'a> {
             let if_skipped = self.tool_if_skipped.take();
             self.stop_after_operation(at, other(self.required.tool) || if_skipped.is_some() && other(if_skipped));
         }
-        self.begin_anew();
-        self.came = None;
+        self.begin_elsewhere();
         self.process_due = true;
         let before = self.calls.get(&call.number).copied().unwrap_or_default();
         let given = self.policy.set_up.tools.get(&call.number);

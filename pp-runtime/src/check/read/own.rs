@@ -342,10 +342,14 @@ fn values(text: &[u8], line: &mut Line<'_>) -> OwnValues {
 /// Words of the fault of a code or a statement that the table does not have.
 const UNKNOWN: &str = "not known to the check";
 
+/// What has to come before a line that is read by itself.
+fn line_number(vocabulary: &Vocabulary) -> &'static [u8] {
+    if vocabulary.family.facts().form == Form::Statements { b"1 " } else { b"" }
+}
+
 /// Whether the table has the codes of a line of the configuration, whatever the values of its fields are.
 pub(crate) fn is_read(line: &[u8], vocabulary: &Vocabulary) -> bool {
-    let number: &[u8] = if vocabulary.family.facts().form == Form::Statements { b"1 " } else { b"" };
-    let mut text = number.to_vec();
+    let mut text = line_number(vocabulary).to_vec();
     let mut in_field = false;
     for &byte in line {
         match byte {
@@ -392,9 +396,8 @@ impl PlacedLines {
     pub(crate) fn of(mut vocabulary: Vocabulary) -> Self {
         prepare(&mut vocabulary);
         let facts = vocabulary.family.facts();
-        let number: &[u8] = if facts.form == Form::Statements { b"1 " } else { b"" };
         let is_block = |text: &[u8]| {
-            let line = [number, text].concat();
+            let line = [line_number(&vocabulary), text].concat();
             Reader::new(&line[..], vocabulary.clone()).next_block().is_ok_and(|block| block.is_some())
         };
         let is_written = |own: &&OwnText| {

@@ -176,10 +176,15 @@ impl<S: Sink> Planner<'_, S> {
         self.coolant.forget();
         if matches!(blocks, Step::ToolRoutine { routine: ToolRoutine::Measure | ToolRoutine::Check, .. }) {
             // Macros select modes and a work offset of their own, and not all of them set them back.
-            self.mover.output_mut().restate_modes()?;
-            self.stop_coolant()?;
+            self.restate_modes()?;
         }
         self.mover.machine_retract()
+    }
+
+    /// The blocks of a safety line again, with the coolant off.
+    fn restate_modes(&mut self) -> std::io::Result<()> {
+        self.mover.output_mut().restate_modes()?;
+        self.stop_coolant()
     }
 
     /// The blocks of the shop at the end of the operation, if one has begun; the state of the machine is unknown after them.
@@ -293,8 +298,7 @@ impl<S: Sink> Planner<'_, S> {
         self.spindle.stop(self.mover.output_mut())?;
         if self.abilities.retract_keeps_length {
             // It ends here, at the retract, and not where a macro has left the tool.
-            self.mover.output_mut().restate_modes()?;
-            self.stop_coolant()?;
+            self.restate_modes()?;
             self.mover.position_mut().forget_retract();
             self.mover.machine_retract()?;
         }

@@ -43,6 +43,17 @@ pub struct MotionIndex {
     pub rotates_axis: bool,
 }
 
+/// What has come since the last motion.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Since {
+    /// Nothing with which the path begins anew: a cut goes on from there, after a stop too.
+    NoNewStart,
+    /// The name of an operation alone.
+    Name,
+    /// A tool, GOHOME, a retract, or another set-up.
+    NewStart,
+}
+
 /// Counts the motions of a program.
 #[derive(Debug, Clone)]
 pub(crate) struct MotionCounter {
@@ -63,10 +74,8 @@ pub(crate) struct MotionCounter {
     stretch: u64,
     /// End of the last motion.
     end: Option<Pose>,
-    /// The path does not go on from there.
-    left: bool,
-    /// It does not because an operation has a name, and for no other reason.
-    named: bool,
+    /// What has come since.
+    since: Since,
     /// Tool axis at the begin of the stretch.
     stretch_axis: Option<UnitVector3<f64>>,
     /// The last motion was a hole.
@@ -86,8 +95,7 @@ impl MotionCounter {
             operation: 0,
             stretch: 0,
             end: None,
-            left: false,
-            named: false,
+            since: Since::NoNewStart,
             stretch_axis: None,
             in_holes: false,
         }
@@ -105,8 +113,9 @@ impl MotionCounter {
 
     /// Counts TOOL PATH.
     pub(crate) fn name(&mut self) {
-        self.named |= !self.left && !self.links_operations;
-        self.left = true;
+        if self.since == Since::NoNewStart {
+            self.since = if self.links_operations { Since::NewStart } else { Since::Name };
+        }
         self.begins = match self.begins {
             Begins::Nothing | Begins::Linked if self.links_operations => Begins::Linked,
             Begins::Nothing | Begins::Linked | Begins::Operation => Begins::Operation,
@@ -120,7 +129,7 @@ impl MotionCounter {
 
     /// Counts a record after which the path does not go on from where it was: a tool, GOHOME, a retract, another set-up.
     pub(crate) fn leave(&mut self) {
-        (self.left, self.named) = (true, false);
+        self.since = Since::NewStart;
         self.interrupt();
     }
 
@@ -133,12 +142,17 @@ impl MotionCounter {
 
     /// Where the last motion ended, if all that has come since is the name of an operation.
     pub(crate) fn named_at(&self) -> Option<Pose> {
-        self.end.filter(|_| self.between() && self.named && !self.in_holes)
+        self.end_before(Since::Name)
     }
 
     /// Where a cut goes on that was interrupted. An operation with a name or a tool record begins at its first point.
     pub(crate) fn goes_on_from(&self) -> Option<Pose> {
-        self.end.filter(|_| self.between() && !self.left && !self.in_holes)
+        self.end_before(Since::NoNewStart)
+    }
+
+    /// End of the last motion, if it was no hole and this has come since.
+    fn end_before(&self, since: Since) -> Option<Pose> {
+        self.end.filter(|_| self.between() && self.since == since && !self.in_holes)
     }
 
     /// Takes the tool that must be called before this motion, if any.
@@ -188,7 +202,7 @@ impl MotionCounter {
         };
         let begins = std::mem::replace(&mut self.begins, Begins::Nothing);
         let before = self.end.replace(*end).map(|end| end.axis);
-        (self.left, self.named) = (false, false);
+        self.since = Since::NoNewStart;
         let first = begins != Begins::Nothing;
         let other_kind = std::mem::replace(&mut self.in_holes, hole) != hole;
         let stretch_begins = first || other_kind || air && before.is_some_and(|before| differs(before, SAME_AXIS));
