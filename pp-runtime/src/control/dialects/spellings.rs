@@ -60,8 +60,8 @@ pub struct Spellings {
     pub per_minute: &'static str,
     /// Code of feed per revolution, for threads; empty where their cycle takes the pitch.
     pub per_revolution: &'static str,
-    /// M functions of the control itself beside [`STANDARD_M`], and what they do: they cannot be those of a clamp, of coolant or of
-    /// tip control.
+    /// M functions of the control itself beside those of every control (`STANDARD_M`), and what they do: they cannot be those
+    /// of a clamp, of coolant or of tip control.
     pub own_m: &'static [(u16, &'static str)],
     /// A work offset has the machine coordinates of its zero point. Otherwise it is a preset, set by touching off or probing.
     pub offset_has_coordinates: bool,
