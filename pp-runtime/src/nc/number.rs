@@ -45,6 +45,22 @@ fn power_of_ten(exponent: u32) -> f64 {
 #[inline]
 #[must_use]
 pub fn rounded(value: f64) -> i64 {
+    /// 2^52 + 2^51: the sum with a smaller number than 2^51 has no bits after the point, and its lowest bits are those of the
+    /// nearest whole number.
+    const SHIFT: f64 = 6_755_399_441_055_744.0;
+    const LARGEST_SHIFTED: f64 = 2_251_799_813_685_248.0;
+    let shifted = value + SHIFT;
+    let rest = value - (shifted - SHIFT);
+    if value.abs() < LARGEST_SHIFTED && rest.abs() < 0.5 {
+        shifted.to_bits().wrapping_sub(SHIFT.to_bits()).cast_signed()
+    } else {
+        rounded_in_steps(value)
+    }
+}
+
+/// The same for any number: a half, or a large one.
+#[cold]
+fn rounded_in_steps(value: f64) -> i64 {
     let whole = value as i64;
     // Exact: both have the same sign and magnitude.
     let rest = value - whole as f64;
@@ -87,10 +103,11 @@ impl Decimal {
         // Digits are counted from the first one that is not zero. A number with more digits before the point has no
         // decimals.
         let mut decimals = 0;
-        while (value * power_of_ten(decimals)).round() < lower {
+        // Rounded, it is below `lower`.
+        while value * power_of_ten(decimals) < lower - 0.5 {
             decimals += 1;
         }
-        let mut units = (value * power_of_ten(decimals)).round();
+        let mut units = rounded(value * power_of_ten(decimals)) as f64;
         let mut shift = 0;
         while units / power_of_ten(shift) >= upper {
             shift += 1;
@@ -108,39 +125,41 @@ impl Decimal {
     }
 }
 
-/// Room for a number: at most a sign, 19 digits and a point, and what [`put_short`] writes after them.
-pub(super) const NUMBER_ROOM: usize = 24;
+/// Room for a letter, a number of at most a sign, 19 digits and a point, a blank, and what [`put_short`] writes after them.
+pub(super) const WORD_ROOM: usize = 32;
 
-/// Puts a number at the start of `room` in the number format of a control; returns the count of its bytes.
-#[inline]
-pub(super) fn put_number(room: &mut [u8; NUMBER_ROOM], number: Decimal, numerals: Numerals) -> usize {
-    let sign = number.units < 0 || numerals.plus;
-    room[0] = if number.units < 0 { b'-' } else { b'+' };
-    let units = number.units.unsigned_abs();
-    match (u32::try_from(units), number.decimals) {
-        (Ok(units @ ..=99_999_999), decimals @ ..=7) => put_short(room, sign.into(), units, decimals, numerals.point),
-        _ => put_long(room, sign.into(), units, number.decimals, numerals.point),
-    }
+/// Puts a number at `start`, at most 1, in the number format of a control, and a blank after it; returns the index after the
+/// blank.
+#[inline(always)]
+pub(super) fn put_number(room: &mut [u8; WORD_ROOM], start: usize, number: Decimal, numerals: Numerals) -> usize {
+    let negative = number.units < 0;
+    room[start] = if negative { b'-' } else { b'+' };
+    let start = start + usize::from(negative || numerals.plus);
+    let (units, decimals) = (number.units.unsigned_abs(), number.decimals);
+    let end = if units < 100_000_000 && decimals < 8 {
+        put_short(room, start, units as u32, decimals, numerals.point)
+    } else {
+        put_long(room, start, units, decimals, numerals.point)
+    };
+    room[end % WORD_ROOM] = b' ';
+    end + 1
 }
 
-/// Puts a number of at most eight digits at `start`, at most 1; all digits are found at once, in the bytes of an integer.
-#[inline]
-fn put_short(room: &mut [u8; NUMBER_ROOM], start: usize, units: u32, decimals: u32, point: bool) -> usize {
+/// Puts a number of at most eight digits at `start`, at most 2; all digits are found at once, in the bytes of an integer.
+#[inline(always)]
+fn put_short(room: &mut [u8; WORD_ROOM], start: usize, units: u32, decimals: u32, point: bool) -> usize {
     const ZEROS: u64 = 0x3030_3030_3030_3030;
     let digits = eight_digits(units);
-    let whole_bytes = 8 - decimals;
-    // Zeros before the first digit are left out, but for the last before the point.
-    let left_out = (digits.trailing_zeros() / 8).min(whole_bytes - 1);
-    let whole = ((digits | ZEROS) >> (8 * left_out)).to_le_bytes();
-    let fraction = ((digits | ZEROS) >> (8 * whole_bytes % 64)).to_le_bytes();
-    let at = start + (whole_bytes - left_out) as usize;
-    room[start..start + 8].copy_from_slice(&whole);
+    // Zeros before the first digit and after the last are left out, but for the last digit before the point.
+    let last_whole = 8 * (7 - decimals);
+    let kept = digits | 1 << last_whole;
+    let left_out = kept.trailing_zeros() & !7;
+    let written = (decimals - kept.leading_zeros() / 8) as usize;
+    room[start..start + 8].copy_from_slice(&((digits | ZEROS) >> left_out).to_le_bytes());
+    let at = (start + ((last_whole - left_out) / 8) as usize + 1) % 16;
     room[at] = b'.';
-    room[at + 1..at + 9].copy_from_slice(&fraction);
-    match decimals.saturating_sub(digits.leading_zeros() / 8) {
-        0 => at + usize::from(point),
-        written => at + 1 + written as usize,
-    }
+    room[at + 1..at + 9].copy_from_slice(&((digits | ZEROS) >> last_whole >> 8).to_le_bytes());
+    at + written + usize::from(written > 0 || point)
 }
 
 /// The digits of a number below 10^8 as numbers, the first in the lowest byte: the quotient of each half, quarter and eighth
@@ -156,7 +175,7 @@ fn eight_digits(number: u32) -> u64 {
 
 /// Puts any number at `start`.
 #[cold]
-fn put_long(room: &mut [u8; NUMBER_ROOM], start: usize, units: u64, decimals: u32, point: bool) -> usize {
+fn put_long(room: &mut [u8; WORD_ROOM], start: usize, units: u64, decimals: u32, point: bool) -> usize {
     let per_one = 10_u64.pow(decimals);
     let (mut whole, mut fraction) = (units / per_one, units % per_one);
     let decimals = decimals as usize;
@@ -179,9 +198,9 @@ fn put_long(room: &mut [u8; NUMBER_ROOM], start: usize, units: u64, decimals: u3
 
 /// Writes a number in the number format of a control.
 pub fn write_number(out: &mut Vec<u8>, number: Decimal, numerals: Numerals) {
-    let mut room = [0; NUMBER_ROOM];
-    let end = put_number(&mut room, number, numerals);
-    out.extend_from_slice(&room[..end]);
+    let mut room = [0; WORD_ROOM];
+    let end = put_number(&mut room, 0, number, numerals);
+    out.extend_from_slice(&room[..end - 1]);
 }
 
 /// Writes a number: no zeros after the last digit, no point without decimals, no `-0`.
@@ -259,6 +278,14 @@ mod tests {
         #[test]
         fn whole_numbers_are_the_nearest(value in prop_oneof![-1e19..1e19_f64, -1e6..1e6_f64, -3.0..3.0_f64]) {
             prop_assert_eq!(rounded(value), value.round() as i64);
+        }
+
+        #[test]
+        fn halves_and_their_neighbours_are_rounded_away_from_zero(whole in -(1_i64 << 52)..1 << 52) {
+            let half = whole as f64 + 0.5;
+            for value in [half, half.next_up(), half.next_down(), -half] {
+                prop_assert_eq!(rounded(value), value.round() as i64, "{}", value);
+            }
         }
 
         #[test]

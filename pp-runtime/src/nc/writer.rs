@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use super::number::{Decimal, NUMBER_ROOM, Numerals, put_number};
+use super::number::{Decimal, Numerals, WORD_ROOM, put_number};
 
 /// Number of bytes collected before they are written to the output.
 const PIECE: usize = 64 * 1024;
@@ -99,7 +99,6 @@ impl<'a> Writer<'a> {
         self.skippable = skippable;
     }
 
-    #[inline]
     fn append(&mut self, text: &[u8]) {
         self.make_room(text.len());
         self.buffer[self.end..self.end + text.len()].copy_from_slice(text);
@@ -119,10 +118,12 @@ impl<'a> Writer<'a> {
         self.buffer.resize(self.end + bytes + PIECE, 0);
     }
 
-    /// Writes a blank after a word, or the number at the beginning of a block.
+    /// Begins a block, if none is begun. In a block a blank follows each word; that after the last becomes the line feed.
     #[inline]
-    fn separate(&mut self) {
-        if self.end > self.block { self.append(b" ") } else { self.begin_block() }
+    fn begin(&mut self) {
+        if self.end == self.block {
+            self.begin_block();
+        }
     }
 
     fn begin_block(&mut self) {
@@ -157,42 +158,40 @@ impl<'a> Writer<'a> {
 
     fn number(&mut self, prefix: &str, number: u32) {
         self.number = Some(number);
-        self.put_word(false, prefix, Decimal { units: number.into(), decimals: 0 }, Numerals::default());
-        self.append(b" ");
+        self.put_word(prefix, Decimal { units: number.into(), decimals: 0 }, Numerals::default());
     }
 
     /// Writes a code with a fixed number: `G1`, `M30`.
     pub fn code(&mut self, code: &str) {
         if !code.is_empty() {
-            self.separate();
+            self.begin();
             self.append(code.as_bytes());
+            self.append(b" ");
         }
     }
 
     /// Writes a word: `X` or `C1=`, and its number.
     #[inline]
     pub fn word(&mut self, prefix: &str, number: Decimal, numerals: Numerals) {
-        let first = self.end == self.block;
-        if first {
-            self.begin_block();
-        }
-        self.put_word(!first, prefix, number, numerals);
+        self.begin();
+        self.put_word(prefix, number, numerals);
     }
 
-    #[inline]
-    fn put_word(&mut self, blank: bool, prefix: &str, number: Decimal, numerals: Numerals) {
-        self.make_room(1 + prefix.len() + NUMBER_ROOM);
-        let room = &mut self.buffer[self.end..];
-        room[0] = b' ';
-        let (start, end) = (usize::from(blank), usize::from(blank) + prefix.len());
-        match prefix.as_bytes() {
-            // Nearly always one letter, and then no call.
-            [letter] => room[start] = *letter,
-            letters => room[start..end].copy_from_slice(letters),
-        }
-        if let Some(room) = room[end..].first_chunk_mut() {
-            self.end += end + put_number(room, number, numerals);
-        }
+    /// Puts a word and a blank.
+    #[inline(always)]
+    fn put_word(&mut self, prefix: &str, number: Decimal, numerals: Numerals) {
+        let letter = match prefix.as_bytes() {
+            // Nearly always, and then no call.
+            [letter] => Some(*letter),
+            letters => {
+                self.append(letters);
+                None
+            }
+        };
+        self.make_room(WORD_ROOM);
+        let Some(room) = self.buffer.get_mut(self.end..).and_then(<[u8]>::first_chunk_mut) else { return };
+        room[0] = letter.unwrap_or_default();
+        self.end += put_number(room, letter.is_some().into(), number, numerals);
     }
 
     /// Ends the block; a block without words writes no line.
@@ -203,6 +202,7 @@ impl<'a> Writer<'a> {
     pub fn end(&mut self) -> io::Result<()> {
         if self.end > self.block {
             self.blocks += 1;
+            self.end -= 1;
             self.finish_line()?;
         }
         Ok(())
@@ -223,7 +223,9 @@ impl<'a> Writer<'a> {
 
     #[inline]
     fn finish_line(&mut self) -> io::Result<()> {
-        self.append(b"\n");
+        self.make_room(1);
+        self.buffer[self.end] = b'\n';
+        self.end += 1;
         let number = self.number.take();
         if let Some(journal) = &mut self.journal {
             journal.add(&self.buffer[self.block..self.end], number);

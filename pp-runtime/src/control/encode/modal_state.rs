@@ -47,8 +47,9 @@ pub(crate) enum After<'w> {
 /// Modal state of the control; `None` is unknown.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct ModalState {
-    /// Words of the axes, by index in the chain.
-    axes: [Option<i64>; MAX_AXES],
+    /// Words of the axes, by index in the chain, and the bits of those that are known.
+    axes: [i64; MAX_AXES],
+    known_axes: u16,
     /// Components of the tool axis vector.
     vector: Option<[i64; 3]>,
     feed: Option<Decimal>,
@@ -91,6 +92,12 @@ impl SmoothingState {
     }
 }
 
+/// Whether a code is in force. Nearly always it is the same entry of a table, and then no text is compared.
+#[inline]
+fn is_code(known: Option<&'static str>, code: &'static str) -> bool {
+    known.is_some_and(|known| std::ptr::eq(known, code) || known == code)
+}
+
 impl ModalState {
     /// Sets to unknown all state that an event may have changed.
     pub(crate) fn forget(&mut self, after: After<'_>) {
@@ -104,7 +111,7 @@ impl ModalState {
                 self.length = LengthState::Unknown;
             }
             After::FrameChange => {
-                self.axes = [None; MAX_AXES];
+                self.known_axes = 0;
                 self.vector = None;
                 self.cycle = None;
                 self.feed = None;
@@ -132,16 +139,12 @@ impl ModalState {
 
     /// Makes the next block with this axis write its word.
     pub(crate) fn forget_axis(&mut self, axis: usize) {
-        self.axes[axis] = None;
+        self.known_axes &= !(1 << axis);
     }
 
     /// Makes the next block with these axes write their words.
     pub(crate) fn forget_axes(&mut self, words: &AxisWords) {
-        for (axis, known) in self.axes.iter_mut().enumerate() {
-            if words.has(axis) {
-                *known = None;
-            }
-        }
+        self.known_axes &= !words.mask;
     }
 
     /// Makes the next feed block write its F.
@@ -149,15 +152,24 @@ impl ModalState {
         self.feed = None;
     }
 
+    /// Whether the word of an axis is in force.
+    pub(crate) fn is_axis(&self, axis: usize, units: i64) -> bool {
+        self.known_axes & (1 << axis) != 0 && self.axes[axis] == units
+    }
+
+    /// Bits of the axes whose words are not in force.
     #[inline]
-    pub(crate) fn axis_changes(&self, axis: usize, units: i64) -> bool {
-        self.axes[axis] != Some(units)
+    pub(crate) fn changed_axes(&self, words: &AxisWords) -> u16 {
+        let differs = |axis: usize| u16::from(self.axes[axis] != words.units[axis]) << axis;
+        let differing = (0..MAX_AXES).fold(0, |axes, axis| axes | differs(axis));
+        (differing | !self.known_axes) & words.mask
     }
 
     /// Enters the word of an axis.
     #[inline]
     pub(crate) fn set_axis(&mut self, axis: usize, units: i64) {
-        self.axes[axis] = Some(units);
+        self.axes[axis] = units;
+        self.known_axes |= 1 << axis;
     }
 
     /// Whether a tool axis vector differs from the one in force.
@@ -179,16 +191,16 @@ impl ModalState {
 
     /// Enters a motion code; returns true if it was not in force.
     pub(crate) fn set_motion(&mut self, code: &'static str) -> bool {
-        self.motion.replace(code) != Some(code)
+        !is_code(self.motion.replace(code), code)
     }
 
     pub(crate) fn is_feed_mode(&self, code: &'static str) -> bool {
-        self.feed_mode == Some(code)
+        is_code(self.feed_mode, code)
     }
 
     /// Enters a feed mode; returns true if it was not in force. F of another feed mode is then unknown.
     pub(crate) fn set_feed_mode(&mut self, code: &'static str) -> bool {
-        let changes = self.feed_mode.replace(code) != Some(code);
+        let changes = !is_code(self.feed_mode.replace(code), code);
         if changes {
             self.feed = None;
         }

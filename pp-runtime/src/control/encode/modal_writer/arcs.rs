@@ -41,8 +41,7 @@ impl ModalWriter<'_> {
         self.call_length_alone(words)?;
         self.feed_mode(self.codes.per_minute);
         let [first, second, _] = circle.plane.axes().map(|axis| circle.chain[axis]);
-        let known =
-            !self.modal.axis_changes(first, circle.start[0]) && !self.modal.axis_changes(second, circle.start[1]);
+        let known = self.modal.is_axis(first, circle.start[0]) && self.modal.is_axis(second, circle.start[1]);
         // Both words of the plane are written: controls differ in the meaning of one that is left out.
         for axis in &circle.plane.axes()[..2] {
             self.modal.forget_axis(circle.chain[*axis]);

@@ -268,24 +268,20 @@ impl<'a> ModalWriter<'a> {
     #[inline]
     fn any_changes(&self, words: &AxisWords) -> bool {
         let z = self.z.filter(|_| matches!(self.modal.length(), LengthState::Pending(_)));
-        self.modal.vector_changes(words.vector)
-            || self.axes.iter().any(|axis| {
-                words.has(axis.index)
-                    && (self.modal.axis_changes(axis.index, words.units[axis.index]) || z == Some(axis.index))
-            })
+        self.modal.changed_axes(words) != 0
+            || self.modal.vector_changes(words.vector)
+            || z.is_some_and(|z| words.has(z))
     }
 
     /// Writes the words of the axes that change, or of all axes.
     #[inline]
     pub(crate) fn axis_words(&mut self, words: &AxisWords, all: bool) {
+        let written = if all || self.every_word { words.mask } else { self.modal.changed_axes(words) };
         for axis in &self.axes {
-            if words.has(axis.index) {
+            if written & (1 << axis.index) != 0 {
                 let units = words.units[axis.index];
-                let changes = self.modal.axis_changes(axis.index, units);
                 self.modal.set_axis(axis.index, units);
-                if all || changes || self.every_word {
-                    self.writer.word(&axis.word, Decimal { units, decimals: axis.decimals }, self.numerals);
-                }
+                self.writer.word(&axis.word, Decimal { units, decimals: axis.decimals }, self.numerals);
             }
         }
         if let (Some(vectors), Some(vector)) = (self.vectors, words.vector)
