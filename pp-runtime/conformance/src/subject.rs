@@ -2,7 +2,7 @@
 
 use nalgebra::{Point3, UnitVector3, Vector3};
 use pp_runtime::kinematics::{
-    Axis, Dimension, Invalid, Joint, Machine, MotionBound, Pose, RotaryAngles, Solution, Unreachable,
+    Axis, Deviation, Dimension, Invalid, Joint, Machine, MotionBound, Pose, RotaryAngles, Solution, Unreachable,
 };
 
 /// One solution of the inverse kinematics.
@@ -28,6 +28,7 @@ pub(crate) trait Subject {
     fn linear_axes(&self, tip: &Point3<f64>, axes: &[f64]) -> Option<Vec<f64>>;
     fn reach(&self, axis: &UnitVector3<f64>, held: &[f64]) -> Result<(), Unreachable>;
     fn motion(&self, from: &[f64], to: &[f64]) -> MotionBound;
+    fn rough_motion(&self, from: &[f64], to: &[f64]) -> Option<MotionBound>;
     fn rates(&self, axes: &[f64], change: &[f64]) -> (Vector3<f64>, Vector3<f64>);
 }
 
@@ -100,6 +101,10 @@ impl<M: Machine> Subject for Erased<M> {
     }
     fn motion(&self, from: &[f64], to: &[f64]) -> MotionBound {
         self.0.motion(&array::<M>(from), &array::<M>(to))
+    }
+    fn rough_motion(&self, from: &[f64], to: &[f64]) -> Option<MotionBound> {
+        let most = Deviation { tip: f64::INFINITY, axis: f64::INFINITY, axis_step: f64::INFINITY };
+        self.0.curves(&array::<M>(from), &array::<M>(to)).rough_bound(&most)
     }
     fn rates(&self, axes: &[f64], change: &[f64]) -> (Vector3<f64>, Vector3<f64>) {
         self.0.rates(&array::<M>(axes), &array::<M>(change))

@@ -5,7 +5,8 @@ use core::fmt::Debug;
 use nalgebra::{Point3, UnitVector3, Vector3};
 
 use super::{
-    CSource, Explanation, Invalid, MotionBound, RotaryAngles, Solutions, Unreachable, motion_of_joints, rates_of_joints,
+    BlockCurves, CSource, Explanation, Invalid, MotionBound, RotaryAngles, Solutions, Unreachable, curves_of_joints,
+    rates_of_joints,
 };
 
 /// Tool tip and tool axis in the workpiece frame; no spin about the tool.
@@ -233,16 +234,22 @@ pub trait Machine: Default + Clone + Send + Sync + 'static {
 
     /// Certified bound of the deviation of tip and tool axis from the straight, evenly rotating motion while every axis
     /// moves linearly from `from` to `to`; never below the true deviation.
+    fn motion(&self, from: &Self::Axes, to: &Self::Axes) -> MotionBound {
+        self.curves(from, to).bound()
+    }
+
+    /// Derivatives of tip and tool axis in the middle of a block in which every axis moves linearly, from which
+    /// [`motion`](Self::motion) is computed.
     ///
     /// [`machine!`](crate::machine) emits it specialised to the machine. A machine written by hand may leave it out:
-    /// the same bound is then computed from its joints.
-    fn motion(&self, from: &Self::Axes, to: &Self::Axes) -> MotionBound {
-        motion_of_joints(self, from, to)
+    /// the same curves are then computed from its joints.
+    fn curves(&self, from: &Self::Axes, to: &Self::Axes) -> BlockCurves {
+        curves_of_joints(self, from, to)
     }
 
     /// First derivatives of tip (mm) and tool axis at `axes` while the axes move by `change` in a unit of time.
     ///
-    /// As for [`motion`](Self::motion), a machine written by hand may leave it out.
+    /// As for [`curves`](Self::curves), a machine written by hand may leave it out.
     fn rates(&self, axes: &Self::Axes, change: &Self::Axes) -> (Vector3<f64>, Vector3<f64>) {
         rates_of_joints(self, axes, change)
     }

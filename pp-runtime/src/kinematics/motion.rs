@@ -106,31 +106,107 @@ const RELATIVE_ROUNDING: f64 = 1e-12;
 /// Relative rounding error of forward kinematics.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
-impl MotionBound {
-    /// The bound of a block from its middle: curve of the tip, tool axis, and its curve.
-    ///
-    /// `reach`: upper bound of the levers of the chain, mm; `turns`: sum of the rotary values, rad. Both are used only
-    /// for the rounding error of forward kinematics, which is part of the bound.
+/// Deviation of a block up to which a rough bound will do.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Deviation {
+    /// Distance of the tip from its line, mm.
+    pub tip: f64,
+    /// Angle of the tool axis from its great circle, rad.
+    pub axis: f64,
+    /// Angle of the tool axis from the evenly rotating motion, rad.
+    pub axis_step: f64,
+}
+
+/// Motion of tip and tool axis in a block in which all axes move linearly. The vectors may be those of any frame that does not
+/// move in the block.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BlockCurves {
+    /// Derivatives of the tip, mm.
+    pub tip: Curve,
+    /// Tool axis in the middle.
+    pub tool_axis: Vector3<f64>,
+    /// Derivatives of the tool axis.
+    pub axis: Curve,
+    /// Upper bound of the levers of the chain, mm. This and `turns` are used only for the rounding error of forward kinematics,
+    /// which is part of each bound.
+    pub reach: f64,
+    /// Sum of the rotary values, rad.
+    pub turns: f64,
+}
+
+impl BlockCurves {
+    /// The certified deviation of the block.
     #[must_use]
     #[inline]
-    pub fn of(tip: &Curve, axis: &Vector3<f64>, axis_curve: &Curve, reach: f64, turns: f64) -> Self {
-        let rounding = ROUNDING * (1.0 + turns);
+    pub fn bound(&self) -> MotionBound {
+        let Self { tip, tool_axis, axis, .. } = self;
         let ChordBound { distance, along, length } = tip.off_chord();
-        let turn = axis_curve.largest_turn();
-        // An even motion along the chord of the axes is off an even rotation by less than a fiftieth of the cube of the angle.
-        let uneven = if turn < 1.0 { 0.02 * turn * turn * turn } else { core::f64::consts::PI };
-        let step = axis_curve.off_step(axis) + uneven;
-        Self {
-            tip: distance * (1.0 + RELATIVE_ROUNDING) + rounding * reach,
-            axis: axis_curve.off_great_circle(axis) * (1.0 + RELATIVE_ROUNDING) + rounding,
-            tip_rate: tip.largest_rate() * (1.0 + RELATIVE_ROUNDING) + rounding * reach,
-            axis_step: at_most_half_a_turn(step * (1.0 + RELATIVE_ROUNDING) + rounding),
-            tip_step: along * (1.0 + RELATIVE_ROUNDING) + rounding * reach,
-            length: at_least_nothing(length * (1.0 - RELATIVE_ROUNDING) - rounding * reach),
-            turn: at_most_half_a_turn(turn * (1.0 + RELATIVE_ROUNDING) + rounding),
-        }
+        let turn = axis.largest_turn();
+        let step = axis.off_step(tool_axis) + uneven(turn);
+        self.rounded(MotionBound {
+            tip: distance,
+            axis: axis.off_great_circle(tool_axis),
+            tip_rate: tip.largest_rate(),
+            axis_step: step,
+            tip_step: along,
+            length,
+            turn,
+        })
     }
 
+    /// A bound that is never below [`bound`](Self::bound) and takes a fraction of its arithmetic; `None` unless it is within
+    /// `most`. Only the lengths of the derivatives count: with `b = |a''|/8 + M/48`, a deviation of the tool axis is at most
+    /// `asin b`, and that from the evenly rotating motion `asin` of the same with `|a''| (1 + V/2)`, divided by `1 - b`.
+    #[must_use]
+    #[inline(always)]
+    pub fn rough_bound(&self, most: &Deviation) -> Option<MotionBound> {
+        let (tip, axis) = (&self.tip, &self.axis);
+        let (bend, rate) = (length(&axis.bend), length(&axis.rate));
+        let largest_rate = rate + 0.5 * bend + 0.25 * axis.third;
+        let distance = axis.sagitta(bend);
+        let sine = axis.sagitta(bend * (1.0 + 0.5 * largest_rate)) / (1.0 - distance);
+        let off = tip.sagitta(length(&tip.bend));
+        let turn = axis.largest_turn();
+        // Both are sines, and e / sqrt(1 - e²) is at most e (1 + e²) up to here.
+        let is_small = distance < 0.5 && sine < 0.5;
+        let angle = |sine: f64| sine * (1.0 + sine * sine) * (1.0 + RELATIVE_ROUNDING);
+        let bound = self.rounded(MotionBound {
+            tip: off * (1.0 + RELATIVE_ROUNDING),
+            axis: angle(distance),
+            tip_rate: tip.largest_rate(),
+            axis_step: angle(sine) + uneven(turn),
+            tip_step: off,
+            length: 0.0,
+            turn,
+        });
+        let is_within = bound.tip <= most.tip && bound.axis <= most.axis && bound.axis_step <= most.axis_step;
+        (is_small && is_within).then_some(bound)
+    }
+
+    /// A bound with the rounding errors of its computation and of forward kinematics.
+    #[inline]
+    fn rounded(&self, bound: MotionBound) -> MotionBound {
+        let angle = ROUNDING * (1.0 + self.turns);
+        let length = angle * self.reach;
+        MotionBound {
+            tip: bound.tip * (1.0 + RELATIVE_ROUNDING) + length,
+            axis: bound.axis * (1.0 + RELATIVE_ROUNDING) + angle,
+            tip_rate: bound.tip_rate * (1.0 + RELATIVE_ROUNDING) + length,
+            axis_step: at_most_half_a_turn(bound.axis_step * (1.0 + RELATIVE_ROUNDING) + angle),
+            tip_step: bound.tip_step * (1.0 + RELATIVE_ROUNDING) + length,
+            length: at_least_nothing(bound.length * (1.0 - RELATIVE_ROUNDING) - length),
+            turn: at_most_half_a_turn(bound.turn * (1.0 + RELATIVE_ROUNDING) + angle),
+        }
+    }
+}
+
+/// An even motion along the chord of two tool axes is off an even rotation by less than a fiftieth of the cube of the angle.
+#[inline]
+fn uneven(turn: f64) -> f64 {
+    if turn < 1.0 { 0.02 * turn * turn * turn } else { core::f64::consts::PI }
+}
+
+impl MotionBound {
     /// Upper bound of the angle, rad, by which the tool axis differs from the programmed one: that of the evenly rotating motion
     /// where the tip is, or within `tip_mm` of there along its line.
     #[must_use]
@@ -204,7 +280,7 @@ impl Curve {
             } else {
                 0.0
             };
-            let distance = math::hypot(normal, past);
+            let distance = if past > 0.0 { math::hypot(normal, past) } else { normal };
             let step = along / 8.0;
             ChordBound {
                 distance: if distance < anyhow { distance } else { anyhow },
@@ -360,9 +436,9 @@ fn sizes(kind: AxisKind, joint: &Joint, from: f64, to: f64) -> (f64, f64) {
     }
 }
 
-/// [`Machine::motion`] from the joints, for a machine written by hand.
+/// [`Machine::curves`] from the joints, for a machine written by hand.
 #[must_use]
-pub fn motion_of_joints<M: Machine>(machine: &M, from: &M::Axes, to: &M::Axes) -> MotionBound {
+pub fn curves_of_joints<M: Machine>(machine: &M, from: &M::Axes, to: &M::Axes) -> BlockCurves {
     let (mut middle, mut change) = (*from, *from);
     let (mut reach, mut turns) = (0.0, 0.0);
     for (index, described) in M::AXES.iter().enumerate() {
@@ -374,11 +450,49 @@ pub fn motion_of_joints<M: Machine>(machine: &M, from: &M::Axes, to: &M::Axes) -
         turns += turn;
     }
     let (tip, axis) = walk(machine, &middle, &change);
-    MotionBound::of(&tip.curve, &axis.place, &axis.curve, reach, turns)
+    BlockCurves { tip: tip.curve, tool_axis: axis.place, axis: axis.curve, reach, turns }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::kinematics::machines::Cb;
+
+    /// Ends of a block of a C-B table; the rotations are largest in the first rounds.
+    fn block(round: i32) -> [[f64; 5]; 2] {
+        let wave = |phase: f64, size: f64| size * (0.9 * f64::from(round) + phase).sin();
+        let size = 1.0 / f64::from(1 + round / 10);
+        let from = core::array::from_fn(|index| wave(2.3 * index as f64, if index < 2 { 1.2 } else { 120.0 }));
+        let by = |index: usize| wave(1.7 * index as f64 + 1.0, size * if index < 2 { 0.5 } else { 20.0 });
+        [from, core::array::from_fn(|index| from[index] + by(index))]
+    }
+
+    #[test]
+    fn a_rough_bound_is_never_below_the_bound_and_near_it() {
+        let all = Deviation { tip: f64::INFINITY, axis: f64::INFINITY, axis_step: f64::INFINITY };
+        let (mut found, mut ratios) = (0, [0.0; 3]);
+        for round in 0..3000 {
+            let [from, to] = block(round);
+            let curves = Cb::default().curves(&from, &to);
+            let bound = curves.bound();
+            let Some(rough) = curves.rough_bound(&all) else { continue };
+            found += 1;
+            let pairs = [(rough.tip, bound.tip), (rough.axis, bound.axis), (rough.axis_step, bound.axis_step)];
+            for (ratio, (rough, bound)) in ratios.iter_mut().zip(pairs) {
+                assert!(rough >= bound, "{round}: {curves:?}");
+                *ratio += rough / bound / 3000.0;
+            }
+            assert!(rough.tip_rate >= bound.tip_rate && rough.turn >= bound.turn && rough.length <= bound.length);
+            // Not where another one is wanted.
+            let below = Deviation { tip: rough.tip.next_down(), ..all };
+            assert_eq!(curves.rough_bound(&below), None);
+        }
+        assert!(found > 2900 && ratios[0] < 2.0, "{found} {ratios:?}");
+    }
 }
 
 #[cfg(all(test, feature = "simulate"))]
-mod tests {
+mod step_tests {
     use super::*;
     use crate::kinematics::machines::Cb;
 

@@ -10,7 +10,7 @@ use core::marker::PhantomData;
 use nalgebra::{Matrix3, Point3, UnitVector3, Vector3};
 use pp_runtime::kinematics::{
     Axis, AxisKind, Branch, Dimension, Explanation, Invalid, Joint, Machine, MotionBound, Pose, REACH_TOLERANCE,
-    SINGULAR_SINE, SMALLEST_DETERMINANT, Side, Solution, Solutions, Unreachable, motion_of_joints, rates_of_joints,
+    SINGULAR_SINE, SMALLEST_DETERMINANT, Side, Solution, Solutions, Unreachable, curves_of_joints, rates_of_joints,
 };
 
 /// A deliberate error.
@@ -299,7 +299,7 @@ impl<T: Table> Machine for Reference<T> {
         Some(answer)
     }
     fn motion(&self, from: &T::Axes, to: &T::Axes) -> MotionBound {
-        let bound = motion_of_joints(self, from, to);
+        let bound = curves_of_joints(self, from, to).bound();
         let factor = match T::FLAW {
             Flaw::SmallBound => 0.99,
             Flaw::LargeBound => 1.1,

@@ -1,4 +1,4 @@
-//! `motion` and `rates`, from the derivatives of the pose.
+//! `curves` and `rates`, from the derivatives of the pose.
 
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
@@ -9,21 +9,21 @@ use crate::model::{AxisKind, Model};
 use crate::solve::{Curve, Motion};
 use crate::symbolic::{Id, NodeVector, Symbol};
 
-/// `motion` and `rates`.
+/// `curves` and `rates`.
 pub(crate) fn motion(model: &Model, motion: &Motion) -> TokenStream {
-    let (bound, rates) = (bound(model, motion), rates(model, motion));
+    let (curves, rates) = (curves(model, motion), rates(model, motion));
     quote! {
-        #bound
+        #curves
         #rates
     }
 }
 
 fn rates(model: &Model, motion: &Motion) -> TokenStream {
-    let outputs: Vec<Id> = motion.tip.rate.into_iter().chain(motion.axis_curve.rate).collect();
-    let mut body = Body::new(&motion.graph, &outputs);
-    let inputs = inputs(model, motion, &body, &outputs, "axes");
-    let statements = lets(&body.statements(&outputs));
-    let (tip, axis) = (vector(&body, motion.tip.rate), vector(&body, motion.axis_curve.rate));
+    let outputs = motion.rates.as_flattened();
+    let mut body = Body::new(&motion.graph, outputs);
+    let inputs = inputs(model, motion, &body, outputs, "axes");
+    let statements = lets(&body.statements(outputs));
+    let [tip, axis] = motion.rates.map(|rate| vector(&body, rate));
     quote! {
         #[inline]
         fn rates(
@@ -39,7 +39,7 @@ fn rates(model: &Model, motion: &Motion) -> TokenStream {
     }
 }
 
-fn bound(model: &Model, motion: &Motion) -> TokenStream {
+fn curves(model: &Model, motion: &Motion) -> TokenStream {
     let nodes = |curve: &Curve| curve.rate.into_iter().chain(curve.bend).chain([curve.third]).collect::<Vec<_>>();
     let centres: Vec<Id> = motion.centres.iter().flatten().copied().collect();
     let outputs = [nodes(&motion.tip), nodes(&motion.axis_curve), motion.axis.to_vec(), centres.clone()].concat();
@@ -57,14 +57,14 @@ fn bound(model: &Model, motion: &Motion) -> TokenStream {
     let (turns, travel) = (magnitudes(AxisKind::Rotary), magnitudes(AxisKind::Linear));
     let arms = arms(motion, &body, &centres);
     quote! {
-        #[inline]
-        fn motion(&self, from: &Self::Axes, to: &Self::Axes) -> pp::kinematics::MotionBound {
+        #[inline(always)]
+        fn curves(&self, from: &Self::Axes, to: &Self::Axes) -> pp::kinematics::BlockCurves {
             let middle = [#(0.5 * (from[#places] + to[#places])),*];
             let change = [#(to[#places] - from[#places]),*];
             #inputs
             #statements
             let (turns, reach) = (#turns, #travel #arms);
-            pp::kinematics::MotionBound::of(&#tip, &#axis, &#axis_curve, reach, turns)
+            pp::kinematics::BlockCurves { tip: #tip, tool_axis: #axis, axis: #axis_curve, reach, turns }
         }
     }
 }

@@ -12,6 +12,9 @@
 //! where `V A M` are the largest `|y'| |y''| |y'''|` of the block and `ρ` the largest `|n × (y - c)|`. The values in
 //! the middle of the block bound them: `A <= |y''| + M/2`, `V <= |y'| + A/2`, `ρ <= |n × (y - c)| + V/2`. From these
 //! the runtime, `pp_runtime::kinematics::MotionBound`, computes the deviation of the block.
+//!
+//! A deviation is the same from wherever it is seen, so the outermost rotary axis is not rotated for it: a linear axis after it
+//! is rotated back instead.
 
 use super::derivation::{Derivation, Point};
 use crate::model::{Axis, AxisId, AxisKind, Model};
@@ -26,11 +29,13 @@ pub struct Motion {
     pub changes: Vec<Symbol>,
     /// Absolute values of the changes.
     pub sizes: Vec<Symbol>,
-    /// Derivatives of the tip.
+    /// First derivatives of tip and tool axis in the workpiece frame.
+    pub rates: [NodeVector; 2],
+    /// Derivatives of the tip, as seen from the inner side of the outermost rotary axis.
     pub tip: Curve,
-    /// The tool axis.
+    /// The tool axis, as seen from there.
     pub axis: NodeVector,
-    /// Derivatives of the tool axis.
+    /// Its derivatives.
     pub axis_curve: Curve,
     /// Centres of the rotary axes for the current set-up.
     pub centres: Vec<NodeVector>,
@@ -58,26 +63,38 @@ pub(crate) fn solve(model: &Model) -> Motion {
     let moving = Moving { derivation: &derivation, changes: &changes, sizes: &sizes };
     let (mut tip, mut tip_curve) = (derivation.origin(), moving.at_rest());
     let (mut axis, mut axis_curve) = (derivation.tool_axis(), moving.at_rest());
+    let outermost = model.axes.iter().position(|axis| axis.kind == AxisKind::Rotary);
+    let mut seen_inside: Option<(Derivatives<'_>, _, _)> = None;
     for (id, joint) in model.axes.iter().enumerate().rev() {
         match joint.kind {
             AxisKind::Linear => {
                 let displacement = derivation.displacement(id);
                 tip.offset = tip.offset + displacement;
-                tip_curve.rate = moving.after_linear(id, tip_curve.rate);
+                tip_curve.rate = tip_curve.rate + moving.change(id) * derivation.step(id);
+                if let (Some((inside, ..)), Some(outermost)) = (&mut seen_inside, outermost) {
+                    inside.rate =
+                        inside.rate + moving.change(id) * derivation.rotated_back(outermost, derivation.step(id));
+                }
             }
             AxisKind::Rotary => {
                 tip = derivation.seen_from(tip, Some(id));
-                tip_curve = moving.after_rotary("tip", id, tip.offset, tip_curve);
+                tip_curve = moving.before_rotation("tip", id, tip.offset, tip_curve);
+                axis_curve = moving.before_rotation("axis", id, axis, axis_curve);
+                if outermost == Some(id) {
+                    seen_inside = Some((tip_curve, axis, axis_curve));
+                }
                 tip = Point { offset: derivation.rotated(id, tip.offset), ..tip };
-                axis_curve = moving.after_rotary("axis", id, axis, axis_curve);
+                (tip_curve, axis_curve) = (moving.rotated(id, tip_curve), moving.rotated(id, axis_curve));
                 axis = derivation.rotated(id, axis);
             }
         }
     }
     let rotary = |id: &AxisId| model.axes[*id].kind == AxisKind::Rotary;
     let centres = (0..model.axes.len()).filter(rotary).map(|id| derivation.joint_centre(id).ids()).collect();
-    let (tip, axis, axis_curve) = (tip_curve.nodes(), axis.ids(), axis_curve.nodes());
-    Motion { graph: derivation.graph.finish(), changes, sizes, tip, axis, axis_curve, centres }
+    let rates = [tip_curve.rate.ids(), axis_curve.rate.ids()];
+    let (tip, axis, axis_curve) = seen_inside.unwrap_or((tip_curve, axis, axis_curve));
+    let (tip, axis, axis_curve) = (tip.nodes(), axis.ids(), axis_curve.nodes());
+    Motion { graph: derivation.graph.finish(), changes, sizes, rates, tip, axis, axis_curve, centres }
 }
 
 /// A chain whose axes move.
@@ -107,14 +124,15 @@ impl<'g> Moving<'g> {
         Derivatives { rate: zero, bend: zero, third: self.derivation.graph.integer(0) }
     }
 
-    /// First derivative after adding the motion of a linear axis.
-    fn after_linear(&self, axis: AxisId, rate: TermVector<'g>) -> TermVector<'g> {
-        let change = self.change(axis);
-        rate + change * self.derivation.step(axis)
-    }
-
-    /// Derivatives of a point after a rotary axis; `lever` is the vector from the centre of the axis to the point.
-    fn after_rotary(&self, what: &str, axis: AxisId, lever: TermVector<'g>, curve: Derivatives<'g>) -> Derivatives<'g> {
+    /// Derivatives of a point after a rotary axis, as seen before its rotation; `lever` is the vector from the centre of the axis
+    /// to the point.
+    fn before_rotation(
+        &self,
+        what: &str,
+        axis: AxisId,
+        lever: TermVector<'g>,
+        curve: Derivatives<'g>,
+    ) -> Derivatives<'g> {
         let Derivatives { rate, bend, .. } = curve;
         let direction = self.derivation.step(axis);
         let change = self.change(axis);
@@ -123,8 +141,12 @@ impl<'g> Moving<'g> {
         let third = self.third(axis, swing, curve);
         let by_rotation = change * swing;
         let by_bend = change * direction.cross(rate + rate + by_rotation);
-        let (rate, bend) = (rate + by_rotation, bend + by_bend);
-        Derivatives { rate: self.derivation.rotated(axis, rate), bend: self.derivation.rotated(axis, bend), third }
+        Derivatives { rate: rate + by_rotation, bend: bend + by_bend, third }
+    }
+
+    fn rotated(&self, axis: AxisId, curve: Derivatives<'g>) -> Derivatives<'g> {
+        let turn = |v| self.derivation.rotated(axis, v);
+        Derivatives { rate: turn(curve.rate), bend: turn(curve.bend), ..curve }
     }
 
     /// `M + |δ| (3 A + |δ| (3 V + |δ| ρ))`, computed from the innermost bracket outwards.

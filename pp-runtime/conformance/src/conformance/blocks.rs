@@ -65,6 +65,15 @@ impl Setting {
         if exceeds(deviation.axis_rad, bound.axis) {
             return Err(self.fault("no tool axis deviates from its arc more than the bound of `motion`", &case, &more));
         }
+        if let Some(rough) = self.machine.rough_motion(&case.values, &to) {
+            let exceeding = exceeds(deviation.tip_mm, rough.tip)
+                || exceeds(deviation.axis_rad, rough.axis)
+                || exceeds(deviation.axis_step_rad, rough.axis_step);
+            if exceeding {
+                let more = format!("{more}, rough {rough:?}");
+                return Err(self.fault("no block deviates more than the rough bound of its `curves`", &case, &more));
+            }
+        }
         let change: Vec<f64> = case.values.iter().zip(&to).map(|(from, to)| to - from).collect();
         let levers = self.oracle.scale(&case.values) + self.oracle.scale(&to);
         let rounding =

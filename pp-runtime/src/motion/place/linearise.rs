@@ -24,7 +24,8 @@
 //!
 //! Nothing is allocated: a motion is a few positions on the stack, however many pieces it has.
 
-use crate::kinematics::{AxisValues, Branch, MotionBound, Pose, RotaryAngles, Solution};
+use crate::kinematics::math::{larger, smaller};
+use crate::kinematics::{AxisValues, Branch, Deviation, MotionBound, Pose, RotaryAngles, Solution};
 
 use super::refusal;
 use super::{AxisPosition, Placer};
@@ -190,15 +191,17 @@ impl Linearised {
         Self { tolerance, law, from: *from, to: *to, rest: Remaining::Whole }
     }
 
-    /// Deviation of the whole motion in one block, if that certifies.
+    /// Deviation of the whole motion in one block, if that certifies. A rough bound of it where that is within `seen`, the largest
+    /// bounds so far.
     #[inline]
     pub(crate) fn in_one_block(
         placer: &Placer,
         (from, to): (&AxisPosition, &AxisPosition),
-        allowed: PathTolerance,
+        (allowed, seen): (PathTolerance, Deviation),
         law: RotationLaw,
     ) -> Option<MotionBound> {
-        let certificate = Certifier { placer, allowed, in_step: law == RotationLaw::InStep }.certificate(from, to);
+        let certifier = Certifier { placer, allowed, in_step: law == RotationLaw::InStep };
+        let certificate = certifier.certificate((from, to), Some(&seen));
         (certificate.share <= 1.0).then_some(certificate.bound)
     }
 
@@ -350,20 +353,34 @@ struct Certifier<'p> {
 impl Certifier<'_> {
     /// One block as a piece.
     fn certify(&self, from: &AxisPosition, to: &AxisPosition) -> CertifiedPiece {
-        let Certificate { bound, share } = self.certificate(from, to);
+        let Certificate { bound, share } = self.certificate((from, to), None);
         CertifiedPiece { place: *to, bound, share }
     }
 
-    /// Certified deviation of one block.
+    /// Certified deviation of one block; where it is within `seen`, a rough bound of it will do.
     #[inline]
-    fn certificate(&self, from: &AxisPosition, to: &AxisPosition) -> Certificate {
-        let mut bound = self.placer.frame.bound(self.placer.machine.motion(&from.axes, &to.axes));
-        let (tip_off, axis_off) = (from.rounding_mm.max(to.rounding_mm), self.axis_off(from).max(self.axis_off(to)));
+    fn certificate(&self, (from, to): (&AxisPosition, &AxisPosition), seen: Option<&Deviation>) -> Certificate {
+        let (tip_off, axis_off) =
+            (larger(from.rounding_mm, to.rounding_mm), larger(self.axis_off(from), self.axis_off(to)));
+        let machine = &self.placer.machine;
+        let bound = match seen {
+            Some(seen) => {
+                let axis_left = self.allowed.axis_rad - axis_off;
+                let most = Deviation {
+                    tip: smaller(seen.tip, self.allowed.tip_mm) - tip_off,
+                    axis: smaller(seen.axis - axis_off, axis_left),
+                    axis_step: smaller(seen.axis_step - axis_off, axis_left),
+                };
+                machine.motion_within(&from.axes, &to.axes, &most)
+            }
+            None => machine.motion(&from.axes, &to.axes),
+        };
+        let mut bound = self.placer.frame.bound(bound);
         if bound.tip > self.allowed.tip_mm - tip_off && bound.axis <= self.allowed.axis_rad - axis_off {
             bound.tip = self.tip_by_halves(from, to, bound.tip);
         }
-        let angle = if self.in_step { bound.lag(self.allowed.tip_mm).max(bound.axis) } else { bound.axis };
-        let share = (bound.tip / (self.allowed.tip_mm - tip_off)).max(angle / (self.allowed.axis_rad - axis_off));
+        let angle = if self.in_step { larger(bound.lag(self.allowed.tip_mm), bound.axis) } else { bound.axis };
+        let share = larger(bound.tip / (self.allowed.tip_mm - tip_off), angle / (self.allowed.axis_rad - axis_off));
         let roomy = self.allowed.tip_mm > tip_off && self.allowed.axis_rad > axis_off;
         let narrow = from.pose.axis.dot(&to.pose.axis) > MIN_AXIS_COSINE && !self.placer.rolls_over(from, to);
         Certificate {

@@ -10,7 +10,7 @@
 //! digits than its word, or where the block would be shorter than `feed.shortest_block`; and then by no more than necessary.
 //! For `shortest_block` no F is below the smallest that its word can hold: such a block is as long as that F makes it.
 
-use crate::kinematics::math;
+use crate::kinematics::math::{self, larger};
 use crate::motion::options::Policy;
 use crate::motion::options::{PathNorm, StretchMode};
 use crate::nc::Decimal;
@@ -181,9 +181,9 @@ impl Feeds {
             PathNorm::G93Minutes | PathNorm::G93Seconds if !self.along_tip => 0.0,
             _ => self.path_length(motion) * in_units / self.largest_word,
         };
-        let least_min = motion.axis_time_min.max(shortest_min).max(digits_min);
-        let needed_min = programmed_min.max(least_min).max(self.path_length(motion) / self.largest_mm_per_min);
-        let mut time_min = needed_min.max(self.shortest_block_min);
+        let least_min = larger(larger(motion.axis_time_min, shortest_min), digits_min);
+        let needed_min = larger(larger(self.path_length(motion) / self.largest_mm_per_min, least_min), programmed_min);
+        let mut time_min = larger(needed_min, self.shortest_block_min);
         let overflow = |_| Fault::new(format_args!("a feed of {feed} mm/min is too large for an F word"));
         let per_minute = |value: f64| {
             // A block that is slowed down for `shortest_block` alone has the smallest F at least.
@@ -266,7 +266,7 @@ impl Feeds {
     /// Time of a motion at the feed of the CL data, mm/min; where the tip rests, at the speed for reorientation.
     pub(crate) fn programmed_min(&self, feed: f64, motion: FeedMotion) -> f64 {
         let uneven_mm = (motion.tip_rate_mm - ROUNDED_UNITS * self.smallest_length_mm) / FASTER;
-        let along_path = motion.length_mm.max(uneven_mm) / feed;
+        let along_path = larger(uneven_mm, motion.length_mm) / feed;
         let time_min = if motion.length_mm < self.smallest_length_mm {
             along_path.max(motion.rotation_rad / self.reorient_rad_per_min)
         } else {

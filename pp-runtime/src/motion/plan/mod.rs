@@ -390,7 +390,8 @@ impl<'a, S: Sink> Planner<'a, S> {
         } else if self.modes.changes() {
             return self.index(ahead, planned);
         }
-        let place = self.mover.place(&motion.pose, !motion.rapid, planned)?;
+        let mut place = *self.mover.here();
+        self.mover.place_at(&motion.pose, !motion.rapid, planned, &mut place)?;
         if motion.rapid {
             return self.rapid(ahead, &place, planned);
         }

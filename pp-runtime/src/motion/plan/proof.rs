@@ -189,6 +189,7 @@ impl<'p, 'a, S: Sink> ProofProgram<'p, 'a, S> {
     fn rotate_to(&mut self, words: &RotaryWords) -> Planned {
         let mover = &mut self.planner.mover;
         let place = mover.placer().with_rotary_words(&mover.position().pose(), mover.here(), words)?;
+        mover.check_travel(&place)?;
         let swinging = PathTolerance { axis_rad: f64::INFINITY, ..mover.tolerance() };
         mover.feed_in_pieces(&place, FEED, swinging)?;
         mover.position_mut().go_to(&place);

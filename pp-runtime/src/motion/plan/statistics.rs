@@ -1,6 +1,7 @@
 //! Counts and largest deviations of a program, for the summary.
 
-use crate::kinematics::MotionBound;
+use crate::kinematics::math::larger;
+use crate::kinematics::{Deviation, MotionBound};
 use crate::motion::place::PathTolerance;
 
 /// Statistics of a program.
@@ -58,10 +59,21 @@ pub struct ChordedArcs {
 impl Statistics {
     /// Takes the certified bounds of a block. Without a tolerance of the tool axis this is not held to a path.
     pub(crate) fn certified(&mut self, bound: &MotionBound, tolerance: PathTolerance) {
-        self.largest_tip_bound_mm = self.largest_tip_bound_mm.max(bound.tip);
+        self.largest_tip_bound_mm = larger(bound.tip, self.largest_tip_bound_mm);
         if tolerance.axis_rad.is_finite() {
-            self.largest_axis_bound_rad = self.largest_axis_bound_rad.max(bound.axis);
-            self.largest_lag_rad = self.largest_lag_rad.max(bound.lag(tolerance.tip_mm));
+            self.largest_axis_bound_rad = larger(bound.axis, self.largest_axis_bound_rad);
+            self.largest_lag_rad = larger(bound.lag(tolerance.tip_mm), self.largest_lag_rad);
+        }
+    }
+
+    /// Largest certified bounds so far: what is within them changes no statistics.
+    #[inline]
+    pub(crate) fn largest_deviation(&self, tolerance: PathTolerance) -> Deviation {
+        let counted = |largest: f64| if tolerance.axis_rad.is_finite() { largest } else { f64::INFINITY };
+        Deviation {
+            tip: self.largest_tip_bound_mm,
+            axis: counted(self.largest_axis_bound_rad),
+            axis_step: counted(self.largest_lag_rad),
         }
     }
 

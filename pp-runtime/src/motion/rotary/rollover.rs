@@ -62,8 +62,8 @@ impl Rollover {
 
     /// Words to write for a block that starts at the words `from`.
     #[inline]
-    pub(crate) fn spell(&mut self, from: &[i64; MAX_AXES], words: AxisWords) -> AxisWords {
-        if self.axes.is_empty() { words } else { self.wrapped(from, words) }
+    pub(crate) fn spell(&mut self, from: impl FnOnce() -> [i64; MAX_AXES], words: AxisWords) -> AxisWords {
+        if self.axes.is_empty() { words } else { self.wrapped(&from(), words) }
     }
 
     #[cold]
@@ -108,7 +108,7 @@ mod tests {
             .map(|&to| {
                 let mut words = AxisWords { units: [0; MAX_AXES], mask: 1, vector: None };
                 words.units[0] = to;
-                let spelled = speller.spell(&from, words).units[0];
+                let spelled = speller.spell(|| from, words).units[0];
                 from[0] = to;
                 spelled
             })

@@ -195,22 +195,41 @@ impl<'a, S: Sink> Mover<'a, S> {
         self.position.count_from(|from| placer.reference(pose, from));
     }
 
-    /// The place of a pose, reached from the present place: see [`Placer::place`]. In a plane the rotary axes stay where the
-    /// tool axis is that of the plane but for the digits of CL data.
-    #[inline]
+    /// The place of a pose, reached from the present place: see [`Placer::place`].
     pub(crate) fn place(
         &mut self,
         pose: &Pose,
         feed: bool,
         planned: Option<RotaryTarget>,
     ) -> Result<AxisPosition, Fault> {
+        let mut place = *self.here();
+        self.place_at(pose, feed, planned, &mut place)?;
+        Ok(place)
+    }
+
+    /// The same, set in `to`, which is the present place. In a plane the rotary axes stay where the tool axis is that of the
+    /// plane but for the digits of CL data.
+    #[inline]
+    pub(crate) fn place_at(
+        &mut self,
+        pose: &Pose,
+        feed: bool,
+        planned: Option<RotaryTarget>,
+        to: &mut AxisPosition,
+    ) -> Result<(), Fault> {
         if self.placer.mode() == StretchMode::Plane && planned.is_none() && self.position.is_known() {
-            let here = *self.position.place();
+            let here = self.position.place();
             if (here.pose.axis.into_inner() - pose.axis.into_inner()).norm_squared() <= HELD * HELD {
-                return self.placer.shifted(pose.tip, &here);
+                *to = self.placer.shifted(pose.tip, here)?;
+                return Ok(());
             }
         }
-        self.placer.place(pose, self.position.place(), feed, planned)
+        self.placer.place_at(pose, self.position.place(), feed, planned, to)
+    }
+
+    /// Compares a place with the travel of the linear axes.
+    pub(crate) fn check_travel(&mut self, place: &AxisPosition) -> Result<(), Fault> {
+        self.placer.check_travel(place)
     }
 
     /// The place of another tip with the rotary axes of `at`.
@@ -302,10 +321,12 @@ impl<'a, S: Sink> Mover<'a, S> {
         self.write_feed(place, &pace, None)
     }
 
-    /// Writes a feed motion with rotation of an axis in as many blocks as keep tip and tool axis within tolerance.
+    /// Writes a feed motion with rotation of an axis in as many blocks as keep tip and tool axis within tolerance. The travel at
+    /// its end has been compared.
     pub(crate) fn feed_in_pieces(&mut self, place: &AxisPosition, rate: f64, tolerance: PathTolerance) -> Planned {
         // Nearly every motion: nothing is copied.
-        if let Some(bound) = Linearised::in_one_block(&self.placer, (self.here(), place), tolerance, self.law) {
+        let allowed = (tolerance, self.output.statistics().largest_deviation(tolerance));
+        if let Some(bound) = Linearised::in_one_block(&self.placer, (self.here(), place), allowed, self.law) {
             self.note_rotation_on_spot(place, tolerance)?;
             self.feed_piece(place, rate, &bound, None)?;
             self.output.statistics_mut().certified(&bound, tolerance);
@@ -317,6 +338,7 @@ impl<'a, S: Sink> Mover<'a, S> {
             blocks += u64::from(piece.place.words != self.here().words);
             let inserted = (piece.place.words != place.words).then_some(BlockReason::Tolerance);
             self.note_rotation_on_spot(&piece.place, tolerance)?;
+            self.placer.check_travel(&piece.place)?;
             self.feed_piece(&piece.place, rate, &piece.bound, inserted)?;
             self.position.go_to(&piece.place);
             self.output.statistics_mut().certified(&piece.bound, tolerance);
@@ -360,7 +382,6 @@ impl<'a, S: Sink> Mover<'a, S> {
         bound: &MotionBound,
         inserted: Option<BlockReason>,
     ) -> Planned {
-        self.placer.check_travel(place)?;
         self.placer.check_between(self.position.place(), place)?;
         let pace = self.pace(rate, place, Some(bound))?;
         self.write_feed(place, &pace, inserted)
@@ -375,7 +396,7 @@ impl<'a, S: Sink> Mover<'a, S> {
         self.note_rotation(place);
         self.output.feed(pace, self.placer.largest_rotation(&self.here().words, &place.words));
         let words = self.placer.words(place, self.block_axes());
-        let words = self.speller.spell(&self.placer.written(self.position.place()), words);
+        let words = self.speller.spell(|| self.placer.written(self.position.place()), words);
         let reached = self.placer.state_at(place);
         Ok(self.output.move_step(&Step::Feed { words, feed: pace.feed }, reached, inserted)?)
     }
@@ -433,7 +454,7 @@ impl<'a, S: Sink> Mover<'a, S> {
 
     /// Writes the words of axes again that are at a place.
     pub(crate) fn restate(&mut self, at: &AxisPosition, mask: u16) -> Planned {
-        let words = self.speller.spell(&self.placer.written(at), self.placer.words(at, mask));
+        let words = self.speller.spell(|| self.placer.written(at), self.placer.words(at, mask));
         self.rapid_partly(at, words)
     }
 
@@ -474,7 +495,7 @@ impl<'a, S: Sink> Mover<'a, S> {
                 words.units[index] = start[index] + (end[index] - start[index]) * piece / pieces;
             }
             let piece_end = words.units;
-            let step = Step::Rapid { words: self.speller.spell(&from, words) };
+            let step = Step::Rapid { words: self.speller.spell(|| from, words) };
             if piece == pieces {
                 self.output.move_step(&step, reached, inserted)?;
             } else {
