@@ -200,7 +200,7 @@ impl OperationContent {
 
     /// Notes the tool axis of a cut.
     fn note_direction(&mut self, axis: &UnitVector3<f64>, most: usize) {
-        let known = |other: &UnitVector3<f64>| angle_between(axis, other) <= HELD;
+        let known = |other: &UnitVector3<f64>| other == axis || angle_between(axis, other) <= HELD;
         if self.directions.len() <= most && !self.directions.iter().any(known) {
             self.directions.push(*axis);
         }

@@ -12,6 +12,7 @@ use nalgebra::UnitVector3;
 use crate::cl::{ArcVote, ClReader, Dialect, ReadingOptions};
 use crate::config::Config;
 use crate::diag::{Diagnostic, Severity};
+use crate::kinematics::math::{larger, smaller};
 use crate::kinematics::{AnyMachine, Pose};
 use crate::motion::{
     Begins, Course, ItemAction, ModeFinder, MotionIndex, Navigator, OperationSettings, OperationStart, Operations,
@@ -462,11 +463,12 @@ impl Surveyor {
         if let Some(index) = self.tool {
             let tool = &mut self.survey.tools[index];
             let (low, high) = tool.tip_z_mm.unwrap_or((lowest[2], highest[2]));
-            tool.tip_z_mm = Some((low.min(lowest[2]), high.max(highest[2])));
+            tool.tip_z_mm = Some((smaller(lowest[2], low), larger(highest[2], high)));
             if cuts && self.first_set_up {
                 let [lower, upper] = tool.cuts_mm.get_or_insert([lowest, highest]);
                 for index in 0..3 {
-                    (lower[index], upper[index]) = (lower[index].min(lowest[index]), upper[index].max(highest[index]));
+                    (lower[index], upper[index]) =
+                        (smaller(lowest[index], lower[index]), larger(highest[index], upper[index]));
                 }
             }
             tool.spindle_assumed |= cuts && !self.spindle;

@@ -282,7 +282,7 @@ impl Navigator {
     }
 
     fn go(&mut self, pose: &Pose, air: bool, begins: bool) {
-        if !air && self.goes_on(pose) {
+        if !air && (self.stays(pose) || self.goes_on(pose)) {
             return;
         }
         self.end_run();
@@ -322,6 +322,17 @@ impl Navigator {
         }
     }
 
+    /// Takes a cut with the tool axis of the last pose, at a pole or in a run: it rotates nothing. False for any other.
+    #[inline]
+    fn stays(&mut self, pose: &Pose) -> bool {
+        let Some(here) = self.here.as_mut().filter(|here| here.axis == pose.axis) else { return false };
+        let stays = self.pole.is_some() || self.run.is_some();
+        if stays {
+            here.tip = pose.tip;
+        }
+        stays
+    }
+
     /// Takes a cut that belongs to the run; false if it ends the run.
     #[inline]
     fn goes_on(&mut self, pose: &Pose) -> bool {
@@ -332,7 +343,7 @@ impl Navigator {
         }
         let solutions = placer.machine().rotary_axes(&pose.axis, placer.held());
         let reach = if run.is_limited() { self.finder.reach_between(&from.axis, &pose.axis) } else { 0 };
-        let follows = run.follow(&solutions, reach, (placer.rotaries(), placer.metric(), placer.scale()));
+        let follows = run.follow(&solutions, reach, placer.metric());
         if follows {
             *from = *pose;
         }
@@ -357,9 +368,8 @@ impl Navigator {
     fn end_run(&mut self) {
         let (Some(run), Some(here)) = (self.run.take(), self.here) else { return };
         self.finder.states(&here, &[], &mut self.states);
-        let placer = self.finder.placer();
         for search in self.searches.iter_mut().filter(|run| !run.ended).map(|run| &mut run.search) {
-            search.end_run(&self.states, |state| run.rotated(state, placer.rotaries(), placer.scale()));
+            search.end_run(&self.states, |state| run.rotated(state));
         }
     }
 

@@ -27,12 +27,18 @@ struct RunBranch {
 #[derive(Debug, Clone)]
 pub(crate) struct SteadyRun {
     branches: Vec<RunBranch>,
+    /// The rotary axes; the second is one that never rotates, where there is one alone.
+    axes: [Rotary; 2],
+    scale: AngleScale,
 }
 
 impl SteadyRun {
     /// Begins a run at a pose with these solutions.
     pub(crate) fn begin(solutions: &[Solution<RotaryAngles>], rotaries: &[Rotary], scale: AngleScale) -> Self {
-        Self { branches: solutions.iter().map(|solution| RunBranch::begin(solution, rotaries, scale)).collect() }
+        let branches = solutions.iter().map(|solution| RunBranch::begin(solution, rotaries, scale)).collect();
+        let none = Rotary { index: 0, lower: None, upper: None, rest_deg: 0.0 };
+        let axes = std::array::from_fn(|axis| rotaries.get(axis).copied().unwrap_or(none));
+        Self { branches, axes, scale }
     }
 
     /// Whether the second axis has limits that a cut could exceed between its ends.
@@ -44,26 +50,22 @@ impl SteadyRun {
     /// Takes a cut to a pose with these solutions; `reach`: how far the second axis may go beyond the ends of the cut. Returns
     /// false, and changes nothing, if the run ends before it.
     #[inline]
-    pub(crate) fn follow(
-        &mut self,
-        solutions: &[Solution<RotaryAngles>],
-        reach: i64,
-        (rotaries, metric, scale): (&[Rotary], &RotaryMetric, AngleScale),
-    ) -> bool {
+    pub(crate) fn follow(&mut self, solutions: &[Solution<RotaryAngles>], reach: i64, metric: &RotaryMetric) -> bool {
         if solutions.len() != self.branches.len() {
             return false;
         }
-        let mut changes = [RotaryWords::default(); 2];
-        for ((known, solution), change) in self.branches.iter().zip(solutions).zip(&mut changes) {
+        let mut steps = [(RotaryWords::default(), RotaryWords::default()); 2];
+        for ((known, solution), (words, change)) in self.branches.iter().zip(solutions).zip(&mut steps) {
             if solution.branch != known.branch {
                 return false;
             }
-            for (axis, rotary) in rotaries.iter().enumerate().take(change.len()) {
+            for axis in 0..2 {
                 // Both are within half a turn of zero.
-                let by = within_half_turn(rotary.word(solution.axes[axis], scale) - known.words[axis], scale);
+                words[axis] = self.axes[axis].word(solution.axes[axis], self.scale);
+                let by = within_half_turn(words[axis] - known.words[axis], self.scale);
                 let rotated = known.rotated[axis] + by;
-                if 4 * by.abs() >= scale.units_per_turn || rotated < known.lowest[axis] || rotated > known.highest[axis]
-                {
+                let is_wide = 4 * by.abs() >= self.scale.units_per_turn;
+                if is_wide || rotated < known.lowest[axis] || rotated > known.highest[axis] {
                     return false;
                 }
                 change[axis] = by;
@@ -73,26 +75,24 @@ impl SteadyRun {
                 return false;
             }
         }
-        for (known, change) in self.branches.iter_mut().zip(changes) {
-            for ((word, rotated), by) in known.words.iter_mut().zip(&mut known.rotated).zip(change) {
-                *word = within_half_turn(*word + by, scale);
-                *rotated += by;
-            }
+        for (known, (words, change)) in self.branches.iter_mut().zip(steps) {
+            known.words = words;
+            known.rotated = [known.rotated[0] + change[0], known.rotated[1] + change[1]];
             known.cost = known.cost.plus(metric.cost_of(change));
         }
         true
     }
 
     /// A state of the pose at which the run began as it is at the last pose, and the cost of its rotation.
-    pub(crate) fn rotated(&self, state: &RotaryState, rotaries: &[Rotary], scale: AngleScale) -> (RotaryState, Cost) {
+    pub(crate) fn rotated(&self, state: &RotaryState) -> (RotaryState, Cost) {
         let Some(known) = self.branches.iter().find(|known| known.branch == state.branch) else {
             return (*state, Cost::default());
         };
         let mut words = state.words;
-        for ((word, rotary), by) in words.iter_mut().zip(rotaries).zip(known.rotated) {
+        for ((word, rotary), by) in words.iter_mut().zip(&self.axes).zip(known.rotated) {
             let rotated = *word + by;
             *word = if rotary.endless() {
-                rotary.only_turn(rotated, scale.units_per_turn).unwrap_or(rotated)
+                rotary.only_turn(rotated, self.scale.units_per_turn).unwrap_or(rotated)
             } else {
                 rotated
             };

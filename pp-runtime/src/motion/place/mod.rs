@@ -83,6 +83,8 @@ pub(crate) struct Placer {
     held: AxisValues,
     part_origin: Vector3<f64>,
     rotary: RotaryAxes,
+    /// The last feed motion, if it kept the rotary angles.
+    stay: Option<rotary_angles::Stay>,
     poles: Poles,
     linear: LinearAxes,
     speeds: AxisSpeeds,
@@ -155,6 +157,7 @@ impl Placer {
             largest_bend_rad,
             even_rad: (options.tip.tool_posture == ToolPosture::Axes).then_some(options.axis_tolerance_path_rad),
             rotary,
+            stay: None,
             held: machine.held(),
             chain,
             machine,
@@ -474,7 +477,7 @@ impl Placer {
     ) -> Result<(), Fault> {
         match planned {
             Some(target) => *to = self.follow_course(pose, from, &target)?,
-            None => self.choose_rotaries(pose, from, feed, to)?,
+            None => self.set_rotaries_for(pose, from, feed, to)?,
         }
         if self.has_indexed_axes() {
             self.snap_to_index(to, from, feed)?;
@@ -512,13 +515,14 @@ impl Placer {
         if let Some(map) = self.frame.map(&*self.machine, &place.axes) {
             return self.solve_tip(place, &map);
         }
-        let (mut sum, mut squares) = (0.0, 0.0);
+        let (mut sum, mut squares, mut fit) = (0.0, 0.0, true);
         for &index in &self.linear.solved {
             let (value, shift) = (&mut place.axes[index], self.datum.linear_shift_mm(index));
             let Ok(units) = whole_units(*value + shift, self.linear.units_per_mm) else {
                 return Err(too_large(self.chain[index].letter));
             };
             place.words[index] = units;
+            fit &= units.abs() < self.bounds[index];
             let written = units as f64 / self.linear.units_per_mm - shift;
             let off = written - *value;
             *value = written;
@@ -526,10 +530,8 @@ impl Placer {
             squares += off * off;
         }
         place.rounding_mm = if self.linear.orthogonal { squares.sqrt() } else { sum };
-        let fits = |index: usize| place.words[index].abs() < self.bounds[index];
-        let fit = self.linear.solved.iter().all(|index| fits(*index))
-            && self.rotary.axes.iter().all(|rotary| fits(rotary.index));
-        if fit { Ok(()) } else { Err(self.words_too_large(place)) }
+        let fits = |rotary: &Rotary| place.words[rotary.index].abs() < self.bounds[rotary.index];
+        if fit && self.rotary.axes.iter().all(fits) { Ok(()) } else { Err(self.words_too_large(place)) }
     }
 
     /// The fault that a word of a position has more digits than are allowed.

@@ -2,7 +2,7 @@
 
 use nalgebra::UnitVector3;
 
-use crate::kinematics::{AxisValues, Pose, REACH_TOLERANCE, RotaryAngles, Side, Solution, Solutions, math};
+use crate::kinematics::{AxisValues, Branch, Pose, REACH_TOLERANCE, RotaryAngles, Side, Solution, Solutions, math};
 use crate::program::{RotaryDirection, Rotation};
 
 use super::linearise::PathTolerance;
@@ -10,12 +10,40 @@ use super::refusal;
 use super::{AxisPosition, Placer};
 use crate::motion::fault::Fault;
 use crate::motion::geometry::angle_between;
-use crate::motion::rotary::{Choice, MAX_TURNS, OutOfLimits, Rotary, RotaryTarget, RotaryWords, RotationSense, choose};
+use crate::motion::rotary::{
+    Choice, MAX_TURNS, OutOfLimits, Rotary, RotaryTarget, RotaryWords, RotationSense, choose, nearest_words,
+};
 use crate::motion::step::MAX_AXES;
 
 /// Largest travel of a rotary axis, rad, in a feed motion whose turn is forced by limits; more would swing the tool in
 /// the cut.
 const MAX_LIMIT_SWING: f64 = 1_f64.to_radians();
+
+/// What the choice of rotary angles reads of a position.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct RotariesAt {
+    words: RotaryWords,
+    branch: Branch,
+    at_pole: bool,
+}
+
+impl RotariesAt {
+    #[inline]
+    fn of(placer: &Placer, place: &AxisPosition) -> Self {
+        Self { words: placer.rotary_words_of(&place.words), branch: place.branch, at_pole: place.at_pole }
+    }
+}
+
+/// A feed motion that kept its rotary angles. One that begins like it, with the same tool axis, keeps them, too: nothing needs to
+/// be solved.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Stay {
+    axis: UnitVector3<f64>,
+    at: RotariesAt,
+    /// Tool axis of the position: at a pole that of the pole.
+    reached: UnitVector3<f64>,
+    deviation_rad: f64,
+}
 
 impl Placer {
     /// Sense of ROTABL/NEXT for the rotary axis of the table, if there are two for the one nearest the workpiece. Seen
@@ -140,11 +168,42 @@ impl Placer {
         self.poles.axes.iter().find(near).copied()
     }
 
+    /// Chooses the rotary angles of a pose, or keeps those at which the feed motion before has stayed with the same tool axis.
+    /// Sets all of the position `to` but for its linear axes.
+    #[inline]
+    pub(super) fn set_rotaries_for(
+        &mut self,
+        pose: &Pose,
+        from: &AxisPosition,
+        feed: bool,
+        to: &mut AxisPosition,
+    ) -> Result<(), Fault> {
+        if let Some(stay) = &self.stay
+            && feed
+            && stay.axis == pose.axis
+            && stay.at == RotariesAt::of(self, from)
+        {
+            self.set_rotaries(to, &Pose { axis: stay.reached, ..*pose }, &stay.at.words);
+            (to.branch, to.at_pole, to.deviation_rad) = (stay.at.branch, stay.at.at_pole, stay.deviation_rad);
+            return Ok(());
+        }
+        self.choose_rotaries(pose, from, feed, to)?;
+        self.stay = (feed && to.pose.axis == from.pose.axis).then(|| self.stay_at(pose, from, to)).flatten();
+        Ok(())
+    }
+
+    /// The feed motion to `pose`, if it kept the rotary angles.
+    fn stay_at(&self, pose: &Pose, from: &AxisPosition, to: &AxisPosition) -> Option<Stay> {
+        let at = RotariesAt::of(self, from);
+        let stay = Stay { axis: pose.axis, at, reached: to.pose.axis, deviation_rad: to.deviation_rad };
+        (RotariesAt::of(self, to) == at).then_some(stay)
+    }
+
     /// Chooses the rotary angles of a pose from the present ones: a feed motion stays on its branch, a rapid takes the
     /// least travel. Refuses a feed motion in which limits force another turn than the nearest: the tool is in the cut.
     /// Sets all of the position `to` but for its linear axes.
     #[inline]
-    pub(crate) fn choose_rotaries(
+    fn choose_rotaries(
         &self,
         pose: &Pose,
         from: &AxisPosition,
@@ -161,22 +220,38 @@ impl Placer {
         }
         let before = self.rotary_words_of(&from.words);
         let same = solutions.iter().position(|solution| solution.branch == from.branch && feed && !from.at_pole);
-        let of_branch = || same.map_or(0..solutions.len(), |same| same..same + 1);
-        let branch = &solutions[of_branch()];
-        let choice = match choose(branch, &self.rotary.axes, &before, self.rotary.scale) {
-            Ok(choice) => choice,
-            Err(outside) => match self.choose_steps(&solutions, of_branch(), &before) {
-                Some(choice) => choice,
-                None => return Err(self.outside_limits(&solutions, &before, &outside)),
-            },
+        let of_branch = same.map_or(0..solutions.len(), |same| same..same + 1);
+        let branch = &solutions[of_branch.clone()];
+        // Nearly always a feed motion that keeps its branch.
+        let nearest = match branch {
+            [only] => nearest_words(&only.axes, &self.rotary.axes, &before, self.rotary.scale).ok(),
+            _ => None,
         };
-        let solution = &branch[choice.solution];
-        self.set_rotaries(to, pose, &choice.words);
+        let Choice { solution, words } = match nearest {
+            Some(words) => Choice { solution: 0, words },
+            None => self.choose_words(&solutions, of_branch, &before)?,
+        };
+        let solution = &branch[solution];
+        self.set_rotaries(to, pose, &words);
         (to.branch, to.deviation_rad) = (solution.branch, solution.deviation);
         if feed && self.rotary.limited {
-            self.check_swing(branch, &before, &choice.words)?;
+            self.check_swing(branch, &before, &words)?;
         }
         Ok(())
+    }
+
+    /// The nearest of the wanted solutions, with indexed axes at their steps where only those are inside the limits.
+    fn choose_words(
+        &self,
+        solutions: &Solutions<RotaryAngles>,
+        wanted: std::ops::Range<usize>,
+        before: &RotaryWords,
+    ) -> Result<Choice, Fault> {
+        let outside = match choose(&solutions[wanted.clone()], &self.rotary.axes, before, self.rotary.scale) {
+            Ok(choice) => return Ok(choice),
+            Err(outside) => outside,
+        };
+        self.choose_steps(solutions, wanted, before).ok_or_else(|| self.outside_limits(solutions, before, &outside))
     }
 
     /// The fault that no turn of the branch of a feed motion, or of either branch, is inside the limits.

@@ -6,6 +6,7 @@
 
 use nalgebra::Vector3;
 
+use crate::kinematics::math::{larger, smaller};
 use crate::kinematics::{AnyMachine, AxisKind, Limits, Side};
 use crate::motion::fault::Fault;
 use crate::motion::options::Policy;
@@ -194,7 +195,7 @@ impl LinearTravel {
             .help("set the part up elsewhere (`part_origin`, `machine_zero`), or use another tool length"));
         }
         let here = value + gauge;
-        let (lowest, highest) = self.span.map_or((here, here), |(low, high)| (low.min(here), high.max(here)));
+        let (lowest, highest) = self.span.map_or((here, here), |(low, high)| (smaller(here, low), larger(here, high)));
         self.span = Some((lowest, highest));
         let travel = limits.upper - limits.lower;
         if highest - lowest <= travel + NOISE_MM {

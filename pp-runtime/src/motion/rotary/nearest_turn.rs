@@ -211,29 +211,39 @@ pub(crate) fn choose(
     let mut best: Option<(i64, Choice)> = None;
     let mut outside = [None; 2];
     for (number, solution) in solutions.iter().enumerate() {
-        let mut words = RotaryWords::default();
-        let mut travel = 0;
-        let mut fits = true;
-        for (axis, rotary) in rotaries.iter().enumerate().take(words.len()) {
-            match rotary.nearest(rotary.word(solution.axes[axis], scale), previous[axis], scale.units_per_turn) {
-                Ok(word) => {
-                    travel += (word - previous[axis]).abs();
-                    words[axis] = word;
+        match nearest_words(&solution.axes, rotaries, previous, scale) {
+            Ok(words) => {
+                let travel = words.iter().zip(previous).map(|(word, before)| (word - before).abs()).sum();
+                if best.is_none_or(|(least, _)| travel < least) {
+                    best = Some((travel, Choice { solution: number, words }));
                 }
-                Err(out) => {
-                    if let Some(entry) = outside.get_mut(number) {
-                        *entry = Some(out);
-                    }
-                    fits = false;
-                    break;
+            }
+            Err(out) => {
+                if let Some(entry) = outside.get_mut(number) {
+                    *entry = Some(out);
                 }
             }
         }
-        if fits && best.is_none_or(|(least, _)| travel < least) {
-            best = Some((travel, Choice { solution: number, words }));
-        }
     }
     best.map(|(_, choice)| choice).ok_or(outside)
+}
+
+/// Words of angles in the turns nearest to `previous`.
+///
+/// # Errors
+/// The first axis that no whole turn brings inside its limits.
+#[inline]
+pub(crate) fn nearest_words(
+    angles: &RotaryAngles,
+    rotaries: &[Rotary],
+    previous: &RotaryWords,
+    scale: AngleScale,
+) -> Result<RotaryWords, OutOfLimits> {
+    let mut words = RotaryWords::default();
+    for ((word, rotary), (angle, before)) in words.iter_mut().zip(rotaries).zip(angles.iter().zip(previous)) {
+        *word = rotary.nearest(rotary.word(*angle, scale), *before, scale.units_per_turn)?;
+    }
+    Ok(words)
 }
 
 #[cfg(test)]
