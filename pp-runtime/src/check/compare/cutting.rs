@@ -408,9 +408,9 @@ impl<R: Read> Comparison<'_, R> {
             return None;
         }
         let along = self.progress.along();
-        let before = if along > 0.0 { part.segment.at(along).axis } else { part.segment.from.axis };
+        let before = if along > 0.0 { part.segment.at(along) } else { part.segment.from };
         let path = self.rules.path(self.previous.words, block);
-        let bound = self.rules.deviation_bound(&path, ends, &part.segment, [&before, &on.axis])?;
+        let bound = self.rules.deviation_bound(&path, ends, [&before, on]);
         let (tip_mm, axis_rad) = self.largest_between(part);
         let small = bound.tip_mm <= tip_mm.min(self.tally.largest_path_deviation()) && bound.axis_rad <= axis_rad;
         small.then_some(bound)

@@ -243,24 +243,41 @@ impl FeedLaw {
         if programmed <= 0.0 {
             programmed = NOTHING;
         }
-        let (counted, is_length) = self.counted(extent);
-        let needed = programmed.max(extent.least_min).max(counted / self.largest_mm_per_min);
-        let minutes = needed.max(self.shortest_min);
-        // A block that is held back for its shortest time alone has the smallest F at least.
-        let held = |value: f64| value.max(self.smallest.min(value * minutes / needed));
-        let counted = counted * if is_length { self.per_mm } else { 1.0 };
-        if self.is_plain(extent) {
-            let slowed = minutes > programmed * (1.0 + NOISE);
-            let slower = if slowed { extent.length_mm.max(self.unit_mm) / minutes } else { feed };
-            return held(feed.min(slower).min(self.largest_mm_per_min) * self.per_mm);
+        let counted = self.counted(extent);
+        let needed = programmed.max(self.least_needed_min(extent, counted));
+        if !self.is_plain(extent) {
+            return self.in_time(needed, self.mode(extent), counted);
         }
-        match (self.mode(extent), self.path) {
+        let minutes = needed.max(self.shortest_min);
+        let slowed = minutes > programmed * (1.0 + NOISE);
+        let slower = if slowed { extent.length_mm.max(self.unit_mm) / minutes } else { feed };
+        self.held(feed.min(slower).min(self.largest_mm_per_min) * self.per_mm, needed)
+    }
+
+    /// Time that a motion needs whatever its feed, by its axes and the largest F, min.
+    fn least_needed_min(&self, extent: &Extent, (counted, _): (f64, bool)) -> f64 {
+        extent.least_min.max(counted / self.largest_mm_per_min)
+    }
+
+    /// F of a motion that needs a time, along the path that F counts; that of a plain one depends on its feed.
+    fn in_time(&self, needed_min: f64, mode: FeedMode, (counted, is_length): (f64, bool)) -> f64 {
+        let minutes = needed_min.max(self.shortest_min);
+        match (mode, self.path) {
             (FeedMode::InverseTime, FeedPath::InverseSeconds) => {
                 (1.0 / (60.0 * minutes)).min(self.largest_inverse_time)
             }
             (FeedMode::InverseTime, _) => (1.0 / minutes).min(self.largest_inverse_time),
-            _ => held((counted / minutes).min(self.largest_word)),
+            _ => {
+                let counted = counted * if is_length { self.per_mm } else { 1.0 };
+                self.held((counted / minutes).min(self.largest_word), needed_min)
+            }
         }
+    }
+
+    /// F of a block of which this is the F: one that is held back for its shortest time alone has the smallest F at least.
+    fn held(&self, value: f64, needed_min: f64) -> f64 {
+        let minutes = needed_min.max(self.shortest_min);
+        value.max(self.smallest.min(value * minutes / needed_min))
     }
 
     /// Time of a motion at the F in force, min; `None` without one.
@@ -342,9 +359,9 @@ impl FeedLaw {
         (low - noise..=high + noise).contains(&written)
     }
 
-    /// Whether F is between that of the longest path and that of the shortest, which are two of [`bounds`](Self::bounds): then
-    /// it is right. `tip_rate_mm`: largest lower bound of the speed of the tip times the time of the block; where it may lengthen
-    /// the time nothing is decided.
+    /// Whether F is between that of the longest tip path and that of the shortest, the axes moving as their words show: both are
+    /// within [`bounds`](Self::bounds), so that it is right. `tip_rate_mm`: largest lower bound of the speed of the tip times the
+    /// time of the block. Nothing is decided where that, or rounding of anything but the length, may change the rule.
     pub(crate) fn is_plainly_right(&self, stroke: &Stroke, state: &State, tip_rate_mm: f64) -> bool {
         let (Some(programmed), Some(written)) = (Self::programmed(stroke), state.feed) else { return false };
         let extent = self.extent(stroke);
@@ -353,9 +370,20 @@ impl FeedLaw {
         if state.feed_mode != Some(mode) || self.even_mm(tip_rate_mm) > shortest {
             return false;
         }
-        let [slowest, fastest] = self.slowest_and_fastest(stroke, &extent);
-        let low = self.value(programmed, &Extent { length_mm: longest, ..slowest });
-        let high = self.value(programmed, &Extent { length_mm: shortest, ..fastest });
+        if self.along_tip || self.is_plain(&extent) {
+            let expected = self.value(programmed, &extent);
+            return self.is_between(written, mode, expected, expected);
+        }
+        let moves_plainly = mode == FeedMode::InverseTime || extent.linear_mm >= self.unit_mm;
+        if shortest < self.unit_mm || !moves_plainly {
+            return false;
+        }
+        let counted = self.counted(&extent);
+        let least_min = self.least_needed_min(&extent, counted);
+        let [low, high] = [longest, shortest].map(|length_mm| {
+            let needed_min = (length_mm / programmed).max(least_min);
+            self.in_time(needed_min, mode, counted)
+        });
         let within = mode != FeedMode::InverseTime || written <= self.largest_inverse_time;
         within && self.is_between(written, mode, low, high)
     }

@@ -345,46 +345,34 @@ impl Rules<'_> {
         ((end.tip - corner).norm() <= largest).then_some(0.0)
     }
 
-    /// Bounds of [`deviation`](Self::deviation) for a block whose words are axis positions, on a straight motion; `None` where its
-    /// points are not beside the motion but beyond an end of it. `ends`: poses before and after the block; `on`: tool axes of the
-    /// motion near to them.
+    /// Bounds of [`deviation`](Self::deviation) for a block whose words are axis positions, on a straight motion. `ends`: poses
+    /// before and after the block; `on`: those of the motion near to them.
     ///
     /// A point that moves from 0 to 1 with a second derivative `b` is never farther than `b/8` from its chord, and no faster than
-    /// the chord by more than `b/2`; the parabola through three steps of a quarter at most adds `7/24 b` to that. Along the chord
-    /// the distance from a line is largest at the first or the last point that is compared. Angles are at most `π/2` chords of
-    /// unit vectors.
+    /// the chord by more than `b/2`; the parabola through three steps of a quarter at most adds `7/24 b` to that. The distance
+    /// between the chord and the motion at the same share is largest at the first or the last point that is compared. Angles are
+    /// at most `π/2` chords of unit vectors.
     pub(crate) fn deviation_bound(
         &self,
         path: &BlockPath<'_>,
         ends: [&ToolPose; 2],
-        segment: &Segment,
-        on: [&Vector3<f64>; 2],
-    ) -> Option<DeviationBound> {
+        on: [&ToolPose; 2],
+    ) -> DeviationBound {
         let swing = self.words.swing(&path.before, &path.block.values);
-        let bent_mm = swing.bend_mm / 8.0;
-        let line = segment.to.tip - segment.from.tip;
-        let length = line.norm();
-        let (direction, chord) = (line / length, ends[1].tip - ends[0].tip);
         let first = 1.0 / (points(swing.angle) + 1.0);
-        let mut tip_mm = 0.0_f64;
-        for share in [first, 1.0 - first] {
-            let from = ends[0].tip + chord * share - segment.from.tip;
-            let along = from.dot(&direction);
-            if !(bent_mm..=length - bent_mm).contains(&along) {
-                return None;
-            }
-            tip_mm = tip_mm.max((from - direction * along).norm());
-        }
-        let axis = [0, 1].map(|end| (ends[end].axis - on[end]).norm());
+        let [before, after] = [0, 1].map(|end| ends[end].tip - on[end].tip);
+        let change = (after - before) * first;
+        let tip_mm = (before + change).norm().max((after - change).norm());
+        let axis = [0, 1].map(|end| (ends[end].axis - on[end].axis).norm());
         let axis = axis[0].max(axis[1]);
         // The tool axis leaves its chord, and the motion that of the axes on it.
         let turn = FRAC_PI_2 * (swing.angle + 2.0 * axis);
         let bent_rad = (swing.angle * swing.angle + turn * turn) / 8.0;
-        Some(DeviationBound {
-            tip_mm: tip_mm + bent_mm,
+        DeviationBound {
+            tip_mm: tip_mm + swing.bend_mm / 8.0,
             axis_rad: FRAC_PI_2 * (axis + bent_rad),
-            tip_rate_mm: chord.norm() + (0.5 + 7.0 / 24.0) * swing.bend_mm,
-        })
+            tip_rate_mm: (ends[1].tip - ends[0].tip).norm() + (0.5 + 7.0 / 24.0) * swing.bend_mm,
+        }
     }
 
     /// Deviation of a block from its motion between its ends; `None` where words and motion are straight. `ends`: poses before

@@ -326,7 +326,8 @@ impl<'a> Rules<'a> {
         required: &Required,
     ) -> Stroke {
         let axes = |words: &[f64; MAX_AXES]| self.words.axes(words, &block.state);
-        let axes = if self.law.needs_axes() { axes(before).zip(axes(&block.values)) } else { None };
+        let follows = self.law.needs_axes() && block.state.has_frame();
+        let axes = if follows { axes(before).zip(axes(&block.values)) } else { None };
         let change = match axes {
             Some((from, to)) => std::array::from_fn(|index| to[index] - from[index]),
             None => self.words.change(before, &block.values),
