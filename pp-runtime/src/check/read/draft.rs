@@ -229,37 +229,23 @@ pub(super) struct Draft {
     pub(crate) clamp_off: u16,
     /// Words of axes, F, S and N, and nothing else: no state changes but F and S.
     pub(crate) only_moves: bool,
-    /// They are those of [`Moves`], and no effect is declared for them.
+    /// It has nothing else to forget, and no effect is declared for its words.
     pub(crate) is_moves: bool,
     /// Modal groups that have spoken.
     pub(crate) groups: u32,
 }
 
-/// The words of a block that moves axes and does nothing else.
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Moves {
-    pub(crate) number: Option<u64>,
-    pub(crate) axes: [f64; MAX_AXES],
-    pub(crate) written: u16,
-    pub(crate) negative: u16,
-    pub(crate) feed: Option<f64>,
-    pub(crate) letters: u32,
-}
-
 impl Draft {
-    /// Takes the words of a block that has no others.
-    pub(super) fn take(&mut self, moves: Moves) {
-        let Moves { number, axes, written, negative, feed, letters } = moves;
-        (self.number, self.axes, self.feed, self.letters) = (number, axes, feed, letters);
-        (self.written, self.negative) = (written, negative);
-        (self.only_moves, self.is_moves) = (true, true);
-        self.speaks();
+    /// Forgets the words of a block that moves axes and does nothing else.
+    pub(super) fn forget_moves(&mut self) {
+        (self.number, self.feed) = (None, None);
+        (self.axes, self.written, self.negative) = ([0.0; MAX_AXES], 0, 0);
     }
 
     /// Forgets the block. `empty`: a draft without words; most blocks leave few.
     pub(super) fn clear(&mut self, empty: &Self) {
         if self.is_moves {
-            self.take(Moves::default());
+            self.forget_moves();
             (self.only_moves, self.is_moves, self.groups) = (false, false, 0);
         } else {
             *self = *empty;

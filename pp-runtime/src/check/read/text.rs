@@ -209,13 +209,13 @@ impl<'a> Cursor<'a> {
     #[inline(always)]
     fn short_number(&self, first: usize) -> Option<Digits> {
         let bytes = self.eight(first)? ^ ZEROS;
-        let whole = digits_at_start(bytes);
+        let others = no_digits(bytes);
+        let whole = others.trailing_zeros() / 8;
         let point = whole < 8 && bytes >> (8 * whole) & 0xFF == u64::from(b'.' ^ b'0');
         let (digits, count) = if point {
             // Without the point the decimals follow the digits before it.
             let before = (1 << (8 * whole)) - 1;
-            let joined = bytes & before | (bytes >> 8 | NO_DIGIT) & !before;
-            (joined, digits_at_start(joined))
+            (bytes & before | bytes >> 8 & !before, (others & (others - 1)).trailing_zeros() / 8 - 1)
         } else {
             (bytes, whole)
         };
@@ -285,15 +285,12 @@ struct Digits {
 /// Eight digits 0; the others differ from these bits by their values.
 const ZEROS: u64 = 0x3030_3030_3030_3030;
 
-/// A last byte that is no digit.
-const NO_DIGIT: u64 = 0xFF << 56;
-
-/// Number of bytes, from the lowest one on, that are values of digits.
+/// The high bits of the bytes that are no values of digits. The first two are right if the first one is that of a point.
 #[inline]
-fn digits_at_start(bytes: u64) -> u32 {
+fn no_digits(bytes: u64) -> u64 {
     const HIGH_BITS: u64 = 0x8080_8080_8080_8080;
-    // The sum has the high bit where the byte is above 9. Only a byte with a high bit carries, so the first one is right.
-    ((bytes.wrapping_add(0x7676_7676_7676_7676) | bytes) & HIGH_BITS).trailing_zeros() / 8
+    // The sum has the high bit where the byte is above 9. Only a byte with a high bit carries.
+    (bytes.wrapping_add(0x7676_7676_7676_7676) | bytes) & HIGH_BITS
 }
 
 /// Value of eight digits, the first in the lowest byte: of pairs, of fours, of all.

@@ -15,7 +15,6 @@ mod loose;
 use self::cycle::CycleWords;
 use self::guard::Guards;
 use self::loose::Loose;
-use super::draft::Moves;
 use super::language::{Address, Letters, Pattern, letters};
 use super::line::Line;
 use super::text::{Number, shown, whole};
@@ -94,44 +93,18 @@ impl Iso {
         true
     }
 
-    /// Reads a line of axis words and F, each once and with a point, after a block number at most: most lines of a program. `false`
-    /// if it is another, or may mean something else; then nothing has been read.
+    /// Reads a line of axis words and F, each once and none in least increments, after a block number at most: most lines of a
+    /// program. `false` if it is another, or may mean something else; then nothing has been read.
     fn moves(&self, line: &mut Line<'_>) -> bool {
         if !self.cycle.is_off() || self.rigid || self.thread_due || self.guards.is_open() {
             return false;
         }
-        let (mut at, draft) = (line.at, &*line.draft);
-        let mut moves = Moves { axes: draft.axes, ..Moves::default() };
-        while !at.ended() {
-            let Some(letter) = at.peek() else { return false };
-            at.skip(1);
-            let (Some(address), Some(number)) = (line.language().address(letter), at.number()) else { return false };
-            let bit = 1 << (letter - b'A');
-            let number_of_block = address == Address::BlockNumber && moves.letters == 0 && !number.negative;
-            if moves.letters & bit != 0 || number.point == number_of_block {
-                return false;
-            }
-            moves.letters |= bit;
-            match address {
-                Address::Axis => {
-                    let Some(index) = line.axis(&[letter]) else { return false };
-                    moves.axes[index] = number.value;
-                    moves.written |= 1 << index;
-                    moves.negative |= u16::from(number.negative) << index;
-                }
-                Address::Feed if number.value > 0.0 => moves.feed = Some(number.value),
-                Address::BlockNumber => match whole(number) {
-                    Some(number) => moves.number = Some(u64::from(number)),
-                    None => return false,
-                },
-                _ => return false,
-            }
-        }
-        if moves.written == 0 {
+        if words_of_moves(line).is_none() {
+            line.draft.forget_moves();
             return false;
         }
-        line.at = at;
-        line.draft.take(moves);
+        (line.draft.only_moves, line.draft.is_moves) = (true, true);
+        line.draft.speaks();
         true
     }
 
@@ -196,6 +169,39 @@ impl Iso {
         self.began = true;
         ends
     }
+}
+
+/// Whether a number counts as it is written, not in least increments.
+fn counts_plainly(line: &Line<'_>, number: Number) -> bool {
+    number.point || line.vocabulary().plain || !line.facts().least_increments
+}
+
+/// Takes the words of [`Iso::moves`]; `None` where another word comes.
+fn words_of_moves(line: &mut Line<'_>) -> Option<()> {
+    let (mut at, language) = (line.at, line.language());
+    if language.address(at.peek()?) == Some(Address::BlockNumber) {
+        at.skip(1);
+        let number = at.number().filter(|number| !number.point && !number.negative)?;
+        line.draft.number = Some(u64::from(whole(number)?));
+    }
+    while !at.ended() {
+        let letter = at.peek()?;
+        at.skip(1);
+        let (address, number) = (language.address(letter)?, at.number()?);
+        let is_first = match address {
+            Address::Axis => line.draft.axis(line.machine().axis_named(&[letter])?, number.value, number.negative),
+            Address::Feed => number.value > 0.0 && line.draft.feed.replace(number.value).is_none(),
+            _ => false,
+        };
+        if !is_first || !counts_plainly(line, number) {
+            return None;
+        }
+    }
+    if line.draft.written == 0 {
+        return None;
+    }
+    line.at = at;
+    Some(())
 }
 
 impl Reading<'_, '_> {
@@ -299,7 +305,7 @@ impl Reading<'_, '_> {
                 self.line.centre(letter, value);
             }
             Address::Feed => {
-                if self.line.facts().feed_needs_point && !self.counts_plainly(number) {
+                if self.line.facts().feed_needs_point && !counts_plainly(self.line, number) {
                     self.line.fault(column, "F without a decimal point: its value depends on a setting of the control");
                 }
                 self.line.draft.feed = Some(number.value);
@@ -330,15 +336,11 @@ impl Reading<'_, '_> {
 
     /// A length or an angle as written: least increments where there is no point.
     fn length(&self, number: Number, rotary: bool) -> f64 {
-        if self.counts_plainly(number) {
+        if counts_plainly(self.line, number) {
             return number.value;
         }
         let inches = self.line.units() == Some(Units::Inches);
         number.value * if inches && !rotary { LEAST_INCH } else { LEAST }
-    }
-
-    fn counts_plainly(&self, number: Number) -> bool {
-        number.point || self.line.vocabulary().plain || !self.line.facts().least_increments
     }
 
     /// A time in seconds: milliseconds where a Fanuc or a Haas reads no point.
