@@ -408,9 +408,9 @@ impl<R: Read> Comparison<'_, R> {
             return None;
         }
         let along = self.progress.along();
-        let before = if along > 0.0 { part.segment.at(along) } else { part.segment.from };
-        let path = self.rules.path(self.previous.words, block);
-        let bound = self.rules.deviation_bound(&path, ends, [&before, on]);
+        let done = (along > 0.0).then(|| part.segment.at(along));
+        let before = done.as_ref().unwrap_or(&part.segment.from);
+        let bound = self.rules.deviation_bound([&self.previous.words, &block.values], ends, [before, on]);
         let (tip_mm, axis_rad) = self.largest_between(part);
         let small = bound.tip_mm <= tip_mm.min(self.tally.largest_path_deviation()) && bound.axis_rad <= axis_rad;
         small.then_some(bound)
@@ -433,15 +433,18 @@ impl<R: Read> Comparison<'_, R> {
         };
         let (rules, words, lengths) = (&self.rules, &self.previous.words, (length, segment.length()));
         let stroke = |deviation| rules.stroke(words, block, lengths, deviation, part.feed, &part.required);
+        let largest_rate_mm = match &between {
+            BetweenEnds::Straight => 0.0,
+            BetweenEnds::Measured(deviation) => deviation.tip_rate_mm,
+            BetweenEnds::Within(bound) => bound.tip_rate_mm,
+        };
+        if rules.is_feed_plainly_right(&stroke(None), &block.state, largest_rate_mm, &part.required) {
+            return;
+        }
         let deviation = match between {
             BetweenEnds::Straight => None,
             BetweenEnds::Measured(deviation) => Some(deviation),
-            BetweenEnds::Within(bound) => {
-                if rules.is_feed_plainly_right(&stroke(None), &block.state, bound.tip_rate_mm, &part.required) {
-                    return;
-                }
-                rules.deviation(&rules.path(*words, block), ends, segment, self.progress.along())
-            }
+            BetweenEnds::Within(_) => rules.deviation(&rules.path(*words, block), ends, segment, self.progress.along()),
         };
         let stroke = stroke(deviation.as_ref());
         let fault = self.rules.feed_fault(&stroke, &block.state, segment, [along, part.share]);

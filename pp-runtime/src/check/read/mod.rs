@@ -263,12 +263,15 @@ impl<R: Read> Reader<R> {
 
     /// Blocks that may be skipped begin or end. After them is known what is the same whether they were skipped or not.
     fn follow_skip(&mut self, marked: bool) {
+        if marked == self.block.skippable {
+            return;
+        }
         let in_guard = match &self.syntax {
             Syntax::Iso(iso) => iso.is_in_guard(),
             Syntax::Siemens(siemens) => siemens.is_in_guard(),
             Syntax::Heidenhain(heidenhain) => heidenhain.is_in_guard(),
         };
-        if marked == self.block.skippable || !in_guard && self.is_comment() {
+        if !in_guard && self.is_comment() {
             return;
         }
         if in_guard {

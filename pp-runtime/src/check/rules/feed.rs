@@ -7,6 +7,7 @@
 
 use super::super::policy::{CheckPolicy, FeedPath, LinearMeaning};
 use super::super::read::{Facts, FeedMode, MAX_AXES, State};
+use super::words::set_bits;
 use crate::kinematics::{AnyMachine, AxisKind};
 use crate::program::{Feed, Units};
 
@@ -161,15 +162,12 @@ impl FeedLaw {
 
     /// What the words show.
     fn extent(&self, stroke: &Stroke) -> Extent {
-        let (mut linear, mut degrees, mut rotation_rad) = (0.0_f64, 0.0_f64, 0.0_f64);
-        for (index, change) in stroke.change.iter().enumerate() {
-            if self.linear_bits & (1 << index) != 0 {
-                linear += change * change;
-            } else if self.rotary_bits & (1 << index) != 0 {
-                let rotation = change.abs();
-                degrees += rotation.to_degrees().powi(2);
-                rotation_rad = rotation_rad.max(rotation);
-            }
+        let (mut degrees, mut rotation_rad) = (0.0_f64, 0.0_f64);
+        let linear: f64 = set_bits(self.linear_bits).map(|index| stroke.change[index].powi(2)).sum();
+        for index in set_bits(self.rotary_bits) {
+            let rotation = stroke.change[index].abs();
+            degrees += rotation.to_degrees().powi(2);
+            rotation_rad = rotation_rad.max(rotation);
         }
         let least_min = self.least_min(stroke, 0.0);
         let linear_mm = linear.sqrt();
@@ -355,8 +353,8 @@ impl FeedLaw {
 
     /// Whether a written F is between two values of F, but for its rounding.
     fn is_between(&self, written: f64, mode: FeedMode, low: f64, high: f64) -> bool {
-        let noise = high * NOISE + self.step(mode, high);
-        (low - noise..=high + noise).contains(&written)
+        let beyond = (low - written).max(written - high);
+        beyond <= 0.0 || beyond <= high * NOISE + self.step(mode, high)
     }
 
     /// Whether F is between that of the longest tip path and that of the shortest, the axes moving as their words show: both are

@@ -346,23 +346,28 @@ impl Rules<'_> {
     }
 
     /// Bounds of [`deviation`](Self::deviation) for a block whose words are axis positions, on a straight motion. `ends`: poses
-    /// before and after the block; `on`: those of the motion near to them.
+    /// with the words before and after it; `on`: those of the motion near to them.
     ///
     /// A point that moves from 0 to 1 with a second derivative `b` is never farther than `b/8` from its chord, and no faster than
-    /// the chord by more than `b/2`; the parabola through three steps of a quarter at most adds `7/24 b` to that. The distance
-    /// between the chord and the motion at the same share is largest at the first or the last point that is compared. Angles are
-    /// at most `π/2` chords of unit vectors.
+    /// the chord by more than `b/2`; the parabola through three steps of a quarter at most adds `7/24 b` to that. Along the chord
+    /// the distance from the motion is largest at the first or the last point that is compared. Angles are at most `π/2` chords
+    /// of unit vectors.
     pub(crate) fn deviation_bound(
         &self,
-        path: &BlockPath<'_>,
+        [before, after]: [&[f64; MAX_AXES]; 2],
         ends: [&ToolPose; 2],
         on: [&ToolPose; 2],
     ) -> DeviationBound {
-        let swing = self.words.swing(&path.before, &path.block.values);
+        let swing = self.words.swing(before, after);
         let first = 1.0 / (points(swing.angle) + 1.0);
-        let [before, after] = [0, 1].map(|end| ends[end].tip - on[end].tip);
-        let change = (after - before) * first;
-        let tip_mm = (before + change).norm().max((after - change).norm());
+        let line = on[1].tip - on[0].tip;
+        let (off, squared) = ([0, 1].map(|end| ends[end].tip - on[end].tip), line.norm_squared());
+        let distance = |share: f64| {
+            let off = off[0] + (off[1] - off[0]) * share;
+            let nearest = (share + off.dot(&line) / squared).clamp(0.0, 1.0);
+            (off - line * (nearest - share)).norm()
+        };
+        let tip_mm = distance(first).max(distance(1.0 - first));
         let axis = [0, 1].map(|end| (ends[end].axis - on[end].axis).norm());
         let axis = axis[0].max(axis[1]);
         // The tool axis leaves its chord, and the motion that of the axes on it.

@@ -141,8 +141,7 @@ impl Words {
 
     /// Positions of the solved rotary axes.
     pub(crate) fn rotary(&self) -> impl Iterator<Item = usize> + use<> {
-        let bits = self.axes.rotary_bits;
-        (0..MAX_AXES).filter(move |index| bits & (1 << index) != 0)
+        set_bits(self.axes.rotary_bits)
     }
 
     /// Positions of X Y Z, in which arcs lie.
@@ -195,7 +194,7 @@ impl Words {
 
     /// Axis values for words, mm and rad.
     pub(crate) fn values(&self, words: &[f64; MAX_AXES]) -> [f64; MAX_AXES] {
-        std::array::from_fn(|index| self.counts[index] * words[index] + self.added[index])
+        std::array::from_fn(|index| self.value(index, words[index]))
     }
 
     /// Change of the axis values from words to others, mm and rad.
@@ -397,13 +396,17 @@ impl Words {
 
     /// Largest rotation of a rotary axis between words, rad.
     pub(crate) fn rotary_travel(&self, from: &[f64; MAX_AXES], to: &[f64; MAX_AXES]) -> f64 {
-        let is_rotary = |index: &usize| self.axes.rotary_bits & (1 << index) != 0;
-        (0..MAX_AXES).filter(is_rotary).map(|index| (to[index] - from[index]).abs()).fold(0.0, f64::max)
+        self.rotary().map(|index| (to[index] - from[index]).abs()).fold(0.0, f64::max)
     }
 
     /// The chain with the part and the tool at hand.
     pub(crate) fn chain(&self) -> &Chain {
         &self.chain
+    }
+
+    /// Value of one axis for its word, mm or rad.
+    pub(crate) fn value(&self, index: usize, word: f64) -> f64 {
+        self.counts[index] * word + self.added[index]
     }
 
     /// Bounds of a straight motion of words that are axis positions.
@@ -434,7 +437,7 @@ impl Words {
             if off.norm() < ROTATED_TO {
                 return Some(words);
             }
-            let mut rotary = (0..MAX_AXES).filter(|index| self.axes.rotary_bits & (1 << index) != 0);
+            let mut rotary = self.rotary();
             let (first, second) = (rotary.next()?, rotary.next());
             let columns = [rates[first], second.map_or(Vector3::zeros(), |second| rates[second])];
             let jacobian = Matrix3x2::from_columns(&columns);
@@ -474,6 +477,16 @@ impl Words {
         }
         self.chain.at_zero(&values)
     }
+}
+
+/// Positions of the axes whose bits are set.
+pub(super) fn set_bits(bits: u16) -> impl Iterator<Item = usize> {
+    let mut rest = bits;
+    std::iter::from_fn(move || {
+        let index = rest.trailing_zeros() as usize;
+        rest &= rest.wrapping_sub(1);
+        (index < MAX_AXES).then_some(index)
+    })
 }
 
 fn bits(axes: &[usize]) -> u16 {

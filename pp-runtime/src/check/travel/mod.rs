@@ -116,18 +116,27 @@ impl Travel {
     pub(super) fn at_end(&mut self, rules: &Rules<'_>, block: &Block, findings: &mut Findings<'_>) {
         let words = rules.words();
         let solved = words.linear_bits() | words.rotary_bits();
-        let direct =
-            block.state.tip_control == TipControl::Off && block.state.tilt.is_none() && !block.state.dynamic_offset;
+        let direct = !block.state.has_frame();
         if !self.is_limited() || !(direct || block.known & solved == solved) {
             return;
         }
-        let rotated = if block.state.vector.is_some() { self.rotated } else { Some(block.values) };
-        let values = rotated.and_then(|rotated| words.axes_with_rotary(&rotated, &block.state));
-        let Some(values) = values else { return };
-        let mut axes = self.axes.iter_mut().filter(|axis| block.known & (1 << axis.index) != 0);
-        if let Some(text) = axes.find_map(|axis| axis.judge(values[axis.index], words, NOISE)) {
+        let by_control = block.state.vector.is_some();
+        let text = if direct && !by_control {
+            self.judge_known(block, words, |index| words.value(index, block.values[index]))
+        } else {
+            let rotated = if by_control { self.rotated } else { Some(block.values) };
+            let values = rotated.and_then(|rotated| words.axes_with_rotary(&rotated, &block.state));
+            values.and_then(|values| self.judge_known(block, words, |index| values[index]))
+        };
+        if let Some(text) = text {
             findings.outside(&text);
         }
+    }
+
+    /// What is wrong with the values of the axes whose words are known.
+    fn judge_known(&mut self, block: &Block, words: &Words, value: impl Fn(usize) -> f64) -> Option<String> {
+        let mut axes = self.axes.iter_mut().filter(|axis| block.known & (1 << axis.index) != 0);
+        axes.find_map(|axis| axis.judge(value(axis.index), words, NOISE))
     }
 
     /// What is wrong with a machine coordinate.
