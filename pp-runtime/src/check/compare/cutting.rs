@@ -84,7 +84,7 @@ impl<R: Read> Comparison<'_, R> {
             self.resume(cutting, current, &end)?;
         }
         cutting.here = Some(end);
-        self.arrived = Some(end);
+        self.arrived = true;
         Ok(None)
     }
 
@@ -94,7 +94,7 @@ impl<R: Read> Comparison<'_, R> {
     }
 
     /// Reads ahead over motions that need no block, to the item after them.
-    fn read_over_needless(&mut self, here: Option<ToolPose>) -> io::Result<()> {
+    fn read_over_needless(&mut self, here: Option<&ToolPose>) -> io::Result<()> {
         let mut count = 0;
         self.progress.fill(2)?;
         while count < MOST_NEEDLESS && self.is_needless(count, here) {
@@ -139,7 +139,7 @@ impl<R: Read> Comparison<'_, R> {
             self.pass_over(Some(&mut cutting.perhaps_retract));
             self.progress.fill(2)?;
         }
-        self.read_over_needless(cutting.here)?;
+        self.read_over_needless(cutting.here.as_ref())?;
         if self.is_rest(cutting, current.block, end) {
             return Ok(true);
         }
@@ -147,43 +147,40 @@ impl<R: Read> Comparison<'_, R> {
         loop {
             self.progress.fill(2)?;
             let Some(item) = self.progress.next() else { return Ok(false) };
-            let (at, required, in_hole) = (item.at, Rc::clone(&item.required), item.hole.is_some());
             let motion = match &item.action {
-                ExpectedAction::Motion(motion) => motion.clone(),
+                ExpectedAction::Motion(motion) => motion,
                 ExpectedAction::Dwell { .. } => {
                     self.missing_dwells(current, true);
                     continue;
                 }
                 _ => return Ok(false),
             };
-            if motion.starts && !self.progress.is_approached() {
+            let (rapid, starts) = (motion.rapid, motion.starts);
+            if starts && !self.progress.is_approached() {
                 return Ok(false);
             }
-            let segment = self.progress.segment(&motion, cutting.here, end);
+            let (here, in_hole) = (cutting.here.as_ref(), item.hole.is_some());
+            let segment = self.progress.segment(motion, here, end);
+            let (at, required, feed) = (item.at, Rc::clone(&item.required), self.rules.feed_of(motion));
+            let mut part = Part { segment, rapid, starts, feed, share: 0.0, at, required };
             // A full circle ends where it began, like a motion to the same point before it; so does a rapid after a cut
             // of no length.
-            let other = matches!(block.action, Action::Arc(_)) || (block.action.is_rapid() && !motion.rapid);
-            let needless = self.rules.needs_no_block(&segment, cutting.here, chords);
+            let other = matches!(block.action, Action::Arc(_)) || (block.action.is_rapid() && !rapid);
+            let needless = self.rules.needs_no_block(&part.segment, here, chords);
             // A block that continues from the end of a motion belongs to a later one, and so does one with another feed.
-            let belongs = || {
-                self.rules.is_at(end, &motion.to)
-                    && self.has_feed_of(cutting.here.as_ref(), (block, end), &segment, &motion, &required)
-            };
+            let belongs = || self.rules.is_at(end, &part.segment.to) && self.has_feed_of(here, (block, end), &part);
             if needless && (other || !belongs()) {
                 self.pass_over(Some(&mut cutting.perhaps_retract));
                 continue;
             }
-            let arrival = self.progress.arrival(cutting.here, chords);
-            let words = &self.previous.words;
-            let share = self.rules.share_done(&segment, &motion, block, (words, end), &arrival);
-            let share = share.or_else(|| if in_hole { self.stops_over_hole(&segment, &motion, end) } else { None });
-            if let Some(share) = share {
-                let feed = self.rules.feed_of(&motion);
-                let ClMotion { rapid, starts, .. } = motion;
-                self.travelled(cutting, current, end, Part { segment, rapid, starts, feed, share, at, required });
+            let (arrival, words) = (self.progress.arrival(here, chords), &self.previous.words);
+            let share = self.rules.share_done(&part.segment, rapid, block, (words, end), &arrival);
+            if let Some(share) = share.or_else(|| if in_hole { self.stops_over_hole(&part, end) } else { None }) {
+                part.share = share;
+                self.travelled(cutting, current, end, part);
                 return Ok(true);
             }
-            if motion.rapid && self.is_step_of_rapid(cutting, current, &required) {
+            if rapid && self.is_step_of_rapid(cutting, current, &part.required) {
                 return Ok(true);
             }
             if !needless {
@@ -194,16 +191,9 @@ impl<R: Read> Comparison<'_, R> {
     }
 
     /// Whether a block has the feed of a motion. `here`, `end`: poses before and after it.
-    fn has_feed_of(
-        &self,
-        here: Option<&ToolPose>,
-        (block, end): (&Block, &ToolPose),
-        segment: &Segment,
-        motion: &ClMotion,
-        required: &Required,
-    ) -> bool {
-        let (rules, words) = (&self.rules, &self.previous.words);
-        let (length, feed) = (segment.length(), rules.feed_of(motion));
+    fn has_feed_of(&self, here: Option<&ToolPose>, (block, end): (&Block, &ToolPose), part: &Part) -> bool {
+        let (rules, words, segment) = (&self.rules, &self.previous.words, &part.segment);
+        let length = segment.length();
         // What is left of a motion that is done but for a rotation.
         let left = match (&segment.shape, here.filter(|_| self.progress.along() > 0.0)) {
             (_, None) => length,
@@ -214,16 +204,16 @@ impl<R: Read> Comparison<'_, R> {
         let fault = || {
             let path = rules.path(*words, block);
             let deviation = here.and_then(|here| rules.deviation(&path, [here, end], segment, 0.0));
-            let stroke = rules.stroke(words, block, lengths, deviation.as_ref(), feed, required);
+            let stroke = rules.stroke(words, block, lengths, deviation.as_ref(), part.feed, &part.required);
             rules.feed_fault(&stroke, &block.state, segment, [0.0, 1.0])
         };
         !block.action.is_feed() || fault().is_none()
     }
 
     /// A rapid down to a hole may stop on its way: a cycle of the control returns to where it began.
-    fn stops_over_hole(&self, segment: &Segment, motion: &ClMotion, end: &ToolPose) -> Option<f64> {
+    fn stops_over_hole(&self, Part { segment, rapid, .. }: &Part, end: &ToolPose) -> Option<f64> {
         let rounding = self.rules.rounding();
-        let near = motion.rapid && segment.distance(end, 0.0) <= BOTH * rounding.tip_mm;
+        let near = *rapid && segment.distance(end, 0.0) <= BOTH * rounding.tip_mm;
         (near && segment.axis_arc().distance(&end.axis) <= BOTH * rounding.axis_rad).then_some(0.0)
     }
 
@@ -403,7 +393,7 @@ impl<R: Read> Comparison<'_, R> {
     ) -> Option<DeviationBound> {
         let block = current.block;
         let straight = block.action.is_feed() && matches!(part.segment.shape, PathShape::Line);
-        let by_axes = self.previous.pose.as_ref() == Some(ends[0]) && !self.rules.policy().words.axis_in_plane;
+        let by_axes = self.previous.at_part && !self.rules.policy().words.axis_in_plane;
         if !straight || !by_axes || block.state.has_frame() {
             return None;
         }
@@ -517,7 +507,7 @@ impl<R: Read> Comparison<'_, R> {
     /// Whether a block is the rest of a finished motion: a step of one unit, or near the pole a rotation of the rotary axes, by
     /// half a revolution at most (a whole one between limits), where the tool axis is at its end already.
     fn is_rest(&self, cutting: &mut Cutting, block: &Block, end: &ToolPose) -> bool {
-        let (rules, here) = (&self.rules, cutting.here);
+        let (rules, here) = (&self.rules, cutting.here.as_ref());
         let Some(finished) = cutting.finished.as_mut().filter(|_| rules.is_known(block, self.previous.known)) else {
             return false;
         };
@@ -619,14 +609,14 @@ impl<R: Read> Comparison<'_, R> {
                 && angle_between(&motion.to.axis, &end.axis) <= axis)
         })?;
         if let Some(count @ 1..) = continues {
-            self.skip(count, cutting.here, current);
+            self.skip(count, cutting.here.as_ref(), current);
             // Its start is not judged.
             self.progress.set_lost(true);
             if self.carry_out(cutting, current, end)? {
                 return Ok(());
             }
         }
-        let text = self.progress.mismatch(&self.rules, cutting.here, end);
+        let text = self.progress.mismatch(&self.rules, cutting.here.as_ref(), end);
         self.tally.found_lost(self.progress.location(), current.shown, &text);
         if continues.is_some() {
             self.progress.pass();
@@ -638,7 +628,7 @@ impl<R: Read> Comparison<'_, R> {
     /// The next rapid, if a block that ends there may also be the retract before it.
     fn rapid_or_retract(&self, cutting: &Cutting, end: &ToolPose) -> Option<Box<ExpectedItem>> {
         let here = cutting.here?;
-        let next = (0..).find(|index| !self.is_needless(*index, cutting.here));
+        let next = (0..).find(|index| !self.is_needless(*index, cutting.here.as_ref()));
         let item = next.and_then(|index| self.progress.get(index))?;
         let ExpectedAction::Motion(ClMotion { rapid: true, starts: false, to, .. }) = item.action else { return None };
         if !self.rules.is_at(end, &to) {
@@ -660,7 +650,7 @@ impl<R: Read> Comparison<'_, R> {
     /// The retract along the tool axis before the machine retract; `None` if the block is something else.
     fn retract(&mut self, cutting: &mut Cutting, current: &Current<'_>, end: &ToolPose) -> io::Result<Option<Leaving>> {
         let Some(here) = cutting.here else { return Ok(None) };
-        while self.is_needless(0, cutting.here) {
+        while self.is_needless(0, cutting.here.as_ref()) {
             self.pass_over(Some(&mut cutting.perhaps_retract));
             self.progress.fill(2)?;
         }
@@ -715,7 +705,9 @@ impl<R: Read> Comparison<'_, R> {
                 }
                 _ => None,
             })
-            .find(|(index, motion)| self.rules.is_at(end, &motion.to) || !self.is_needless(*index, cutting.here))
+            .find(|(index, motion)| {
+                self.rules.is_at(end, &motion.to) || !self.is_needless(*index, cutting.here.as_ref())
+            })
             .is_some_and(|(_, motion)| self.rules.is_at(end, &motion.to));
         let lifts = over && (at(hole.return_mm) && !asked || !next.rapid && at(hole.clearance_mm));
         if lifts {
@@ -866,7 +858,7 @@ enum BetweenEnds {
     Measured(Deviation),
 }
 
-/// A part of a motion that a block carries out.
+/// A part of a motion that a block carries out, from where the last one has ended.
 struct Part {
     segment: Segment,
     rapid: bool,

@@ -62,8 +62,8 @@ struct Comparison<'a, R> {
     travel: Travel,
     tally: Tally,
     previous: Previous,
-    /// Tip and tool axis after the block at hand, if it is one at the part.
-    arrived: Option<ToolPose>,
+    /// The block at hand has led the tool along the CL data.
+    arrived: bool,
     start: StartState,
     /// What the last cut required, if its modal state was right: so is that of the cuts after it, until a block has other words
     /// than those of a motion.
@@ -92,8 +92,8 @@ struct Previous {
     words: [f64; MAX_AXES],
     /// Axes whose words are known: bits.
     known: u16,
-    /// Tip and tool axis of `words`, where these are axis positions at the part.
-    pose: Option<ToolPose>,
+    /// `words` are axis positions that have led the tool along the CL data to where it is.
+    at_part: bool,
     /// Axes whose words have had the same meaning since: bits.
     same_meaning: u16,
     /// Chords of the arcs by their angle since the words gave the position in their plane, in diameters.
@@ -142,7 +142,7 @@ impl<'a, R: Read> Checker<'a, R> {
             travel,
             rules,
             previous: Previous::default(),
-            arrived: None,
+            arrived: false,
             start: StartState::default(),
             right_state: None,
             functions: FunctionState::default(),
@@ -294,7 +294,7 @@ impl<R: Read> Comparison<'_, R> {
             self.travel.block(&self.rules, before, block, findings);
         }
         self.previous.words = block.values;
-        self.previous.pose = self.arrived.take().filter(|_| !block.state.has_frame());
+        self.previous.at_part = std::mem::take(&mut self.arrived) && !block.state.has_frame();
         (self.previous.known, self.previous.same_meaning) = (block.known, block.known);
         Ok(next)
     }
@@ -359,14 +359,13 @@ impl<R: Read> Comparison<'_, R> {
     }
 
     /// Whether an item ahead needs no block; `here`: where the tool is.
-    fn is_needless(&self, index: usize, here: Option<ToolPose>) -> bool {
+    fn is_needless(&self, index: usize, here: Option<&ToolPose>) -> bool {
         self.progress.is_needless(index, &self.rules, here, self.previous.chords)
     }
 
     /// Passes motions that need no block.
     fn pass_needless(&mut self, phase: &mut Phase) -> io::Result<()> {
-        let here = phase.here();
-        while self.is_needless(0, here) {
+        while self.is_needless(0, phase.here()) {
             self.pass_over(phase.perhaps_retract());
             self.progress.fill(2)?;
         }
@@ -383,7 +382,7 @@ impl<R: Read> Comparison<'_, R> {
     }
 
     /// Passes items for which the program has no block, and reports them.
-    fn skip(&mut self, count: usize, here: Option<ToolPose>, current: &Current<'_>) {
+    fn skip(&mut self, count: usize, here: Option<&ToolPose>, current: &Current<'_>) {
         let (rules, chords) = (&self.rules, self.previous.chords);
         let needless = |progress: &ClProgress<'_, R>, index: usize| progress.is_needless(index, rules, here, chords);
         if let Some((at, text)) = self.progress.skip(count, needless) {

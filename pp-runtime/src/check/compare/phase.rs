@@ -194,10 +194,10 @@ impl Phase {
     }
 
     /// Where the tool is, if that is known.
-    pub(super) fn here(&self) -> Option<ToolPose> {
+    pub(super) fn here(&self) -> Option<&ToolPose> {
         match self {
-            Self::Cutting(cutting) => cutting.here,
-            Self::Leaving(leaving) => Some(leaving.here),
+            Self::Cutting(cutting) => cutting.here.as_ref(),
+            Self::Leaving(leaving) => Some(&leaving.here),
             Self::Unknown { .. } | Self::Retracted(_) | Self::Ended => None,
         }
     }

@@ -131,40 +131,40 @@ impl<'a, R: Read> ClProgress<'a, R> {
     }
 
     /// The next motion from the end of the last one; `here`: where the tool is.
-    pub(super) fn segment(&self, motion: &ClMotion, here: Option<ToolPose>, end: &ToolPose) -> Segment {
-        Segment { from: self.reached.or(here).unwrap_or(*end), to: motion.to, shape: motion.shape.clone() }
+    pub(super) fn segment(&self, motion: &ClMotion, here: Option<&ToolPose>, end: &ToolPose) -> Segment {
+        Segment { from: *self.reached.as_ref().or(here).unwrap_or(end), to: motion.to, shape: motion.shape.clone() }
     }
 
     /// Where a block begins on the next motion.
-    pub(super) fn arrival(&self, here: Option<ToolPose>, chords: f64) -> Arrival {
+    pub(super) fn arrival<'h>(&self, here: Option<&'h ToolPose>, chords: f64) -> Arrival<'h> {
         Arrival { along: self.along, here, chords }
     }
 
     /// Position of the tool on the path of the CL data.
     pub(super) fn on_path(&self, here: &ToolPose) -> ToolPose {
         match self.motion() {
-            Some(motion) => self.segment(motion, Some(*here), here).at(self.along),
+            Some(motion) => self.segment(motion, Some(here), here).at(self.along),
             None => self.reached.unwrap_or(*here),
         }
     }
 
     /// Whether the next motion repeats the point and the tool axis of the last one.
     pub(super) fn repeats(&self) -> bool {
-        let (Some(from), Some(item)) = (self.reached, self.next()) else { return false };
+        let (Some(from), Some(item)) = (&self.reached, self.next()) else { return false };
         let ExpectedItem { action: ExpectedAction::Motion(motion), hole: None, .. } = item else { return false };
         let begins = self.along <= 0.0 && !self.approached && !motion.rapid && !motion.starts;
         // A full circle ends where it began, too.
-        let length = || Segment { from, to: motion.to, shape: motion.shape.clone() }.length();
-        begins && from == motion.to && length() <= 0.0
+        let length = || Segment { from: *from, to: motion.to, shape: motion.shape.clone() }.length();
+        begins && *from == motion.to && length() <= 0.0
     }
 
     /// Whether an item ahead needs no block.
-    pub(super) fn is_needless(&self, index: usize, rules: &Rules<'_>, here: Option<ToolPose>, chords: f64) -> bool {
-        let Some(motion) = self.get(index).and_then(ExpectedItem::motion) else { return false };
-        here.filter(|here| !motion.starts && rules.may_need_no_block(here, &motion.to, chords)).is_some_and(|here| {
-            let segment = Segment { from: here, to: motion.to, shape: motion.shape.clone() };
+    pub(super) fn is_needless(&self, index: usize, rules: &Rules<'_>, here: Option<&ToolPose>, chords: f64) -> bool {
+        let (Some(motion), Some(here)) = (self.get(index).and_then(ExpectedItem::motion), here) else { return false };
+        !motion.starts && rules.may_need_no_block(here, &motion.to, chords) && {
+            let segment = Segment { from: *here, to: motion.to, shape: motion.shape.clone() };
             rules.needs_no_block(&segment, Some(here), chords)
-        })
+        }
     }
 
     /// Whether the next motion is a cut that continues where the tool is.
@@ -288,7 +288,7 @@ impl<'a, R: Read> ClProgress<'a, R> {
     }
 
     /// Why a block that ends at `end` is not the next item.
-    pub(super) fn mismatch(&self, rules: &Rules<'_>, here: Option<ToolPose>, end: &ToolPose) -> String {
+    pub(super) fn mismatch(&self, rules: &Rules<'_>, here: Option<&ToolPose>, end: &ToolPose) -> String {
         match self.next().map(|item| &item.action) {
             Some(ExpectedAction::Motion(motion)) => {
                 let off = self.segment(motion, here, end).distance(end, self.along);

@@ -4,7 +4,6 @@ use std::f64::consts::FRAC_PI_2;
 
 use nalgebra::{SVector, Vector3};
 
-use super::super::expect::ClMotion;
 use super::super::geometry::{PathShape, Segment, ToolPose, angle_between};
 use super::super::policy::RapidForm;
 use super::super::read::{Action, ArcMove, Block, MAX_AXES, TipControl};
@@ -38,11 +37,11 @@ pub(crate) const SHARE: f64 = 1e-9;
 
 /// A position along a motion of the CL data.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Arrival {
+pub(crate) struct Arrival<'h> {
     /// Share of the motion that was done before the block.
     pub(crate) along: f64,
     /// Pose before the block.
-    pub(crate) here: Option<ToolPose>,
+    pub(crate) here: Option<&'h ToolPose>,
     /// Chords of arcs by their angle since the words last gave the position in their plane, in diameters.
     pub(crate) chords: f64,
 }
@@ -138,7 +137,7 @@ impl Rules<'_> {
     }
 
     /// Whether rounded words of the end of a motion are those already active.
-    pub(crate) fn needs_no_block(&self, segment: &Segment, here: Option<ToolPose>, chords: f64) -> bool {
+    pub(crate) fn needs_no_block(&self, segment: &Segment, here: Option<&ToolPose>, chords: f64) -> bool {
         let here = here.filter(|here| self.may_need_no_block(here, &segment.to, chords));
         if here.is_none() {
             return false;
@@ -147,7 +146,7 @@ impl Rules<'_> {
         let here = here.filter(|_| short || matches!(segment.shape, PathShape::Line));
         // A point that repeats needs no block, wherever the arcs before it have ended.
         let times = if short { drift(chords) } else { 1.0 };
-        here.is_some_and(|here| self.is_near(&here, &segment.to, [times, 1.0]))
+        here.is_some_and(|here| self.is_near(here, &segment.to, [times, 1.0]))
     }
 
     /// The same for a motion of which only the end is known: no path allows more.
@@ -155,14 +154,14 @@ impl Rules<'_> {
         self.is_near(here, to, [drift(chords), 1.0])
     }
 
-    /// Share of a motion that is done when a block ends at `end`; `None` if it ends elsewhere.
+    /// Share of a motion that is done when a block ends at `end`; `None` if it ends elsewhere. `rapid`: it is one in the CL data.
     pub(crate) fn share_done(
         &self,
         segment: &Segment,
-        motion: &ClMotion,
+        rapid: bool,
         block: &Block,
         (before, end): (&[f64; MAX_AXES], &ToolPose),
-        arrival: &Arrival,
+        arrival: &Arrival<'_>,
     ) -> Option<f64> {
         let rounding = &self.rounding;
         let along = arrival.along;
@@ -198,12 +197,10 @@ impl Rules<'_> {
             return Some(1.0);
         }
         let links = &self.policy.links;
-        if motion.rapid
-            && let Some(corner) = self.corner(segment, end, arrival)
-        {
+        if rapid && let Some(corner) = self.corner(segment, end, arrival) {
             return Some(corner);
         }
-        if motion.rapid && !self.may_be_in_pieces(block) {
+        if rapid && !self.may_be_in_pieces(block) {
             return None;
         }
         let rewinds = links.rewinds_in_cut
@@ -236,9 +233,9 @@ impl Rules<'_> {
 
     /// Share of a motion that is done where the rotary axes rotate past the pole with the tip where it is: the tool axis keeps to
     /// its tolerance only.
-    fn rotated_on_spot(&self, segment: &Segment, block: &Block, end: &ToolPose, arrival: &Arrival) -> Option<f64> {
+    fn rotated_on_spot(&self, segment: &Segment, block: &Block, end: &ToolPose, arrival: &Arrival<'_>) -> Option<f64> {
         let tip_mm = 2.0 * self.rounding.tip_mm;
-        let rests = |here: ToolPose| (here.tip - end.tip).norm() <= tip_mm;
+        let rests = |here: &ToolPose| (here.tip - end.tip).norm() <= tip_mm;
         let on_line = matches!(segment.shape, PathShape::Line) && block.action.is_feed();
         if !on_line || !arrival.here.is_some_and(rests) || self.off_pole_rad(&end.axis) > NEAR_POLE {
             return None;
@@ -336,7 +333,7 @@ impl Rules<'_> {
     }
 
     /// The corner of a rapid in two blocks, along the tool axis and across it.
-    fn corner(&self, segment: &Segment, end: &ToolPose, arrival: &Arrival) -> Option<f64> {
+    fn corner(&self, segment: &Segment, end: &ToolPose, arrival: &Arrival<'_>) -> Option<f64> {
         let here = arrival.here.filter(|_| self.policy.links.rapid == RapidForm::TwoBlocks)?;
         let step = segment.to.tip - here.tip;
         let along = segment.to.axis * step.dot(&segment.to.axis);
