@@ -223,9 +223,9 @@ impl<R: Read> Comparison<'_, R> {
         let on = part.segment.at(part.share);
         if !part.rapid || part.share >= 1.0 {
             // Points of an even rotation of the rotary axes are not on the great circle.
-            let angle = angle_between(&end.axis, &on.axis);
-            let on_circle = angle <= BOTH * self.rules.axis_allowance(&on.axis);
-            self.tally.deviation((end.tip - on.tip).norm(), if on_circle { angle } else { 0.0 });
+            let on_circle = self.rules.is_axis_near(&end.axis, &on.axis, BOTH);
+            let angle = if on_circle { angle_between(&end.axis, &on.axis) } else { 0.0 };
+            self.tally.deviation((end.tip - on.tip).norm(), angle);
         }
         let judged = self.right_state.as_ref().is_some_and(|required| Rc::ptr_eq(required, &part.required));
         let right_state = judged || self.compare_state(current, &part.required);
@@ -512,6 +512,9 @@ impl<R: Read> Comparison<'_, R> {
             return false;
         };
         let FinishedMotion { segment, required, feed, at_feed, link, .. } = &*finished;
+        if rules.is_far_from_end(segment, end) {
+            return false;
+        }
         let same_kind = match block.action {
             Action::Feed | Action::Arc(_) => *at_feed,
             Action::Rapid => !*at_feed && (*link || rules.link_form() == LinkForm::OneRapid || !self.rotates(block)),

@@ -113,7 +113,7 @@ impl CycleComparison<'_> {
         let across = (step - expected.axis * along).norm();
         let leans_mm = (level.above_mm.abs() * self.lean()?).min(self.tolerance_mm);
         let wrong = along.hypot((across - leans_mm).max(0.0)) > self.rules.rounding().tip_mm
-            || angle_between(&at.axis, &expected.axis) > self.rules.axis_allowance(&expected.axis);
+            || !self.rules.is_axis_near(&at.axis, &expected.axis, 1.0);
         let off = step.norm();
         let text = wrong.then(|| format!("{} of the cycle is {off:.4} mm from that of the CL data", level.name));
         Some((off, text))

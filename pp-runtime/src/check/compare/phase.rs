@@ -5,7 +5,7 @@ use std::rc::Rc;
 use nalgebra::Vector3;
 
 use super::super::expect::{ExpectedItem, Required};
-use super::super::geometry::{Segment, ToolPose, angle_between};
+use super::super::geometry::{Segment, ToolPose, is_within_angle};
 use super::super::policy::LinearMeaning;
 use super::super::read::{Action, MAX_AXES};
 use super::super::rules::SHARE;
@@ -254,12 +254,14 @@ impl RetractedLength {
     /// Adds the motion to a pose.
     pub(super) fn follow(&mut self, to: &ToolPose) {
         let from = self.from.replace(*to).unwrap_or(*to);
+        if !is_within_angle(&from.axis, &to.axis, ALONG_AXIS) {
+            (self.out_mm, self.end) = (0.0, None);
+            return;
+        }
         let step = to.tip - from.tip;
         let along = step.dot(&to.axis);
         let across = (step - to.axis * along).norm();
-        let (out_mm, end) = if angle_between(&from.axis, &to.axis) > ALONG_AXIS {
-            (0.0, None)
-        } else if self.end.is_some_and(|end| (to.tip - end).norm() <= SAME_POINT) {
+        let (out_mm, end) = if self.end.is_some_and(|end| (to.tip - end).norm() <= SAME_POINT) {
             return;
         } else if along > SHARE && across <= ALONG_AXIS * along {
             (self.out_mm + along, Some(to.tip))

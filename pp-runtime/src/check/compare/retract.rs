@@ -63,5 +63,5 @@ pub(super) fn is_at_distance(
     let along = off.dot(&out.axis).abs();
     along <= near
         && off.norm() <= near + distance_mm.abs() * rounding.axis_rad
-        && angle_between(&end.axis, &out.axis) <= rules.axis_allowance(&out.axis)
+        && rules.is_axis_near(&end.axis, &out.axis, 1.0)
 }

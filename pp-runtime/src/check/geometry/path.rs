@@ -3,7 +3,7 @@
 //! A straight motion turns its axis evenly along the great circle between its ends; arcs and curves hold theirs. Shares
 //! run from 0 to 1.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{FRAC_PI_2, TAU};
 use std::rc::Rc;
 
 use nalgebra::{Point3, Vector3};
@@ -71,6 +71,13 @@ pub(crate) fn tool_pose(pose: &Pose) -> ToolPose {
 /// Angle between two unit vectors, exact for small ones.
 pub(crate) fn angle_between(a: &Vector3<f64>, b: &Vector3<f64>) -> f64 {
     2.0 * ((a - b).norm() / 2.0).min(1.0).asin()
+}
+
+/// Whether the angle between two unit vectors is at most `largest`, rad. Their chord, which is no longer than the angle and no
+/// shorter than `2/π` of it, decides nearly always.
+pub(crate) fn is_within_angle(a: &Vector3<f64>, b: &Vector3<f64>, largest: f64) -> bool {
+    let chord = (a - b).norm();
+    FRAC_PI_2 * chord <= largest || chord <= largest && angle_between(a, b) <= largest
 }
 
 impl ArcPath {

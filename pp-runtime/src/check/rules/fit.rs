@@ -312,9 +312,14 @@ impl Rules<'_> {
         segment.share(end, 0.0, rounding.tip_mm, rounding.tip_mm / rounding.axis_rad).clamp(0.0, 1.0)
     }
 
+    /// Whether the tip is farther from the end of a motion than any rounding may put it.
+    pub(crate) fn is_far_from_end(&self, segment: &Segment, end: &ToolPose) -> bool {
+        (end.tip - segment.to.tip).norm() > 8.0 * self.rounding.tip_mm
+    }
+
     /// Whether a pose is on a motion, before its end by no more than the rounding of both.
     pub(crate) fn is_almost_done(&self, segment: &Segment, end: &ToolPose) -> bool {
-        if (end.tip - segment.to.tip).norm() > 8.0 * self.rounding.tip_mm {
+        if self.is_far_from_end(segment, end) {
             return false;
         }
         let rest = 1.0 - self.share_at(segment, end);
@@ -440,8 +445,7 @@ impl Rules<'_> {
         let shares = (1..).map(f64::from).take_while(|point| *point <= count).map(|point| point / (count + 1.0));
         shares.into_iter().all(|share| {
             let on = self.words.place(&path.at(share), &block.state);
-            (on.tip - pose.tip).norm() <= tolerance_mm
-                && angle_between(&on.axis, &pose.axis) <= self.axis_allowance(&pose.axis)
+            (on.tip - pose.tip).norm() <= tolerance_mm && self.is_axis_near(&on.axis, &pose.axis, 1.0)
         })
     }
 }

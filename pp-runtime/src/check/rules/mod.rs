@@ -17,7 +17,7 @@ use crate::kinematics::{AnyMachine, Axis, AxisKind, Limits, Side};
 use crate::program::{Feed, Units};
 
 use super::expect::{ClMotion, Required};
-use super::geometry::{Segment, ToolPose, angle_between};
+use super::geometry::{Segment, ToolPose, angle_between, is_within_angle};
 use super::policy::{CheckPolicy, LinearMeaning, RapidForm};
 use super::read::{Block, Facts, MAX_AXES, OwnPlace, State, TipControl, WorkOffset};
 pub(super) use feed::{FeedLaw, Stroke};
@@ -265,7 +265,7 @@ impl<'a> Rules<'a> {
 
     /// Whether rotary words have a tool axis.
     pub(super) fn is_at_tool_axis(&self, words: &[f64; MAX_AXES], axis: &Vector3<f64>) -> bool {
-        angle_between(&self.words.tool_axis_at(words), axis) <= self.axis_allowance(axis)
+        self.is_axis_near(&self.words.tool_axis_at(words), axis, 1.0)
     }
 
     /// Whether a pose is another, apart from rounding.
@@ -275,8 +275,14 @@ impl<'a> Rules<'a> {
 
     /// The same with multiples of the allowances for tip and tool axis.
     pub(super) fn is_near(&self, here: &ToolPose, there: &ToolPose, [tip, axis]: [f64; 2]) -> bool {
-        (here.tip - there.tip).norm() <= tip * self.rounding.tip_mm
-            && angle_between(&here.axis, &there.axis) <= axis * self.axis_allowance(&there.axis)
+        (here.tip - there.tip).norm() <= tip * self.rounding.tip_mm && self.is_axis_near(&here.axis, &there.axis, axis)
+    }
+
+    /// Whether a tool axis is another, within a multiple of the allowance for that: more where it may be put at the pole.
+    pub(super) fn is_axis_near(&self, here: &Vector3<f64>, there: &Vector3<f64>, times: f64) -> bool {
+        let Rounding { axis_rad, pole_rad, .. } = self.rounding;
+        is_within_angle(here, there, times * axis_rad)
+            || is_within_angle(here, there, times * pole_rad) && self.is_near_pole(there)
     }
 
     /// Allowance for a tool axis, rad: one near the pole is put there.
