@@ -26,6 +26,9 @@ const DWELL_ROUNDING: f64 = 6e-4;
 impl<R: Read> Comparison<'_, R> {
     /// INSERT, codes of the CL data and statements of the shop: a block that is copied.
     pub(super) fn is_raw(&mut self, phase: &Phase, current: &Current<'_>) -> bool {
+        if !self.progress.has_text_ahead() {
+            return false;
+        }
         let here = phase.here();
         let index = (0..).find(|index| !self.is_needless(*index, here)).unwrap_or_default();
         let (expected, probe) = match self.progress.get(index).map(|item| &item.action) {

@@ -53,6 +53,13 @@ impl<'a, R: Read> ClProgress<'a, R> {
         self.expect.get(index)
     }
 
+    /// Whether a text that the program must have is among the items that are known.
+    pub(super) fn has_text_ahead(&self) -> bool {
+        let is_text =
+            |item: &ExpectedItem| matches!(item.action, ExpectedAction::Raw(_) | ExpectedAction::Probe { .. });
+        self.expect.known().any(is_text)
+    }
+
     /// Position of the first item ahead that suits.
     pub(super) fn find(&mut self, suits: impl FnMut(&ExpectedItem) -> bool) -> io::Result<Option<usize>> {
         Ok(self.expect.ahead()?.iter().position(suits))

@@ -185,6 +185,11 @@ impl<'a, R: Read> Expect<'a, R> {
         Ok(())
     }
 
+    /// The items that are known.
+    pub(super) fn known(&self) -> impl Iterator<Item = &ExpectedItem> {
+        self.state.items().iter()
+    }
+
     /// An item ahead, 0 the next.
     pub(super) fn get(&self, index: usize) -> Option<&ExpectedItem> {
         self.state.items().get(index)
@@ -234,14 +239,16 @@ impl<'a, R: Read> Expect<'a, R> {
 
     #[inline(never)]
     fn read(&mut self) -> io::Result<()> {
-        let next = self.reader.next_event()?;
-        let Some((at, event)) = &next else {
-            self.ended = true;
-            return Ok(());
-        };
-        let placed = self.placement.of(event);
-        self.state.event(*at, placed.as_ref().unwrap_or(event));
-        Ok(())
+        let next = self.reader.next_event();
+        match &next {
+            Ok(Some((at, event))) => {
+                let placed = self.placement.of(event);
+                self.state.event(*at, placed.as_ref().unwrap_or(event));
+            }
+            Ok(None) => self.ended = true,
+            Err(_) => {}
+        }
+        next.map(|_| ())
     }
 }
 

@@ -12,6 +12,16 @@ pub use super::state::{
 /// Most axes a chain can have: X Y Z U V W A B C.
 pub const MAX_AXES: usize = 9;
 
+/// Positions of the axes whose bits are set.
+pub(crate) fn set_bits(bits: u16) -> impl Iterator<Item = usize> {
+    let mut rest = bits;
+    std::iter::from_fn(move || {
+        let index = rest.trailing_zeros() as usize;
+        rest &= rest.wrapping_sub(1);
+        (index < MAX_AXES).then_some(index)
+    })
+}
+
 /// Length that a guard reads from the control.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LengthSource {

@@ -43,6 +43,7 @@ mod tests;
 
 use std::io::{self, BufRead, BufReader, Read};
 
+pub(crate) use block::set_bits;
 pub use block::{
     Action, ArcMove, BlankPart, Block, CycleKind, CycleMove, Effect, Fault, FeedMode, FineBore, Guard, Length,
     LengthSource, MAX_AXES, OwnLine, OwnPlace, OwnValues, PathMode, RotaryGuard, Side, Smoothing, State, Tilt,

@@ -6,8 +6,7 @@
 //! are perpendicular F is the feed of the tip; elsewhere it applies to the control's own path.
 
 use super::super::policy::{CheckPolicy, FeedPath, LinearMeaning};
-use super::super::read::{Facts, FeedMode, MAX_AXES, State};
-use super::words::set_bits;
+use super::super::read::{Facts, FeedMode, MAX_AXES, State, set_bits};
 use crate::kinematics::{AnyMachine, AxisKind};
 use crate::program::{Feed, Units};
 

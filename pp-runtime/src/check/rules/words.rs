@@ -8,7 +8,7 @@ use nalgebra::{Matrix2, Matrix3, Matrix3x2, Vector3};
 
 use super::super::geometry::{Chain, Swing, ToolPose};
 use super::super::policy::{CheckPolicy, TipFrame};
-use super::super::read::{MAX_AXES, State, TipControl};
+use super::super::read::{MAX_AXES, State, TipControl, set_bits};
 use crate::kinematics::{AnyMachine, AxisKind};
 use crate::set_up::{LengthMode, ProgramZero};
 
@@ -477,16 +477,6 @@ impl Words {
         }
         self.chain.at_zero(&values)
     }
-}
-
-/// Positions of the axes whose bits are set.
-pub(super) fn set_bits(bits: u16) -> impl Iterator<Item = usize> {
-    let mut rest = bits;
-    std::iter::from_fn(move || {
-        let index = rest.trailing_zeros() as usize;
-        rest &= rest.wrapping_sub(1);
-        (index < MAX_AXES).then_some(index)
-    })
 }
 
 fn bits(axes: &[usize]) -> u16 {

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use super::super::super::policy::RolloverRule;
-use super::super::block::{Action, Block, CycleKind, CycleMove, Fault, Length, MAX_AXES, TipControl};
+use super::super::block::{Action, Block, CycleKind, CycleMove, Fault, Length, MAX_AXES, TipControl, set_bits};
 use super::super::draft::{Code, Draft, fault};
 use super::Interpreter;
 use super::arc;
@@ -203,11 +203,8 @@ impl Interpreter {
         // In a cycle the word along the normal is the bottom of the hole.
         let bottom = self.normal().filter(|_| cycle).map_or(0, |normal| 1 << normal);
         let distances = draft.incremental | if self.state.incremental == Some(true) { !draft.absolute } else { 0 };
-        let mut axes = draft.written & !bottom;
-        while axes != 0 {
-            let index = axes.trailing_zeros() as usize;
+        for index in set_bits(draft.written & !bottom) {
             let bit = 1 << index;
-            axes &= !bit;
             let rotary = self.rotary & bit != 0;
             let value = if rotary { draft.axes[index].to_radians() } else { draft.axes[index] * unit };
             if distances & bit != 0 {
@@ -226,6 +223,9 @@ impl Interpreter {
 
     /// Where a rotary axis ends whose word says `value`.
     fn turned(&self, index: usize, value: f64, negative: bool, faults: &mut Vec<Fault>) -> f64 {
+        if !self.has_rollover && !self.state.shortest {
+            return value;
+        }
         // Where the set-up says which axes roll over, the short way is for these.
         let any = if self.state.shortest && !self.has_rollover { Some(RolloverRule::Shortest) } else { None };
         let wrap = self.axes[index].rollover.or(any);
