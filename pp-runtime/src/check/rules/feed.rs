@@ -271,7 +271,7 @@ impl FeedLaw {
         }
     }
 
-    /// F of a block of which this is the F: one that is held back for its shortest time alone has the smallest F at least.
+    /// An F, and the smallest one at least for a block that is held back for its shortest time alone.
     fn held(&self, value: f64, needed_min: f64) -> f64 {
         let minutes = needed_min.max(self.shortest_min);
         value.max(self.smallest.min(value * minutes / needed_min))
@@ -553,6 +553,32 @@ mod tests {
                 assert_eq!(decade(value), exponent, "{value}");
             }
         }
+    }
+
+    #[test]
+    fn no_f_is_plainly_right_that_the_law_refuses() {
+        use FeedPath::{InverseMinutes, InverseSeconds, Linear, LinearAndDegrees};
+        let (mut decided, speeds) = (0, [Vec::new(), vec![(0, 500.0), (1, 20.0)]]);
+        let paths = [InverseMinutes, InverseSeconds, Linear, LinearAndDegrees];
+        for (path, speeds) in paths.iter().flat_map(|path| speeds.iter().map(|speeds| (*path, speeds))) {
+            for (held_s, seen) in (1..=400).map(|step| {
+                let size = 1.02_f64.powi(step) * 1e-3;
+                let degrees = [0.0, 0.001, 0.01, 0.3, 3.0][step as usize % 5] * size;
+                (0.01 * f64::from(step % 3), Stroke { length_mm: size, ..stroke(size * 0.7, degrees, 600.0) })
+            }) {
+                let law = FeedLaw { path, speeds: speeds.clone(), largest_mm_per_min: 900.0, ..law(held_s) };
+                let extent = law.extent(&seen);
+                let (mode, expected) = (law.mode(&extent), law.value(600.0, &extent));
+                for part in -60..=60 {
+                    let feed = expected * (1.0 + 0.002 * f64::from(part));
+                    let state = State { feed: Some(feed), feed_mode: Some(mode), ..State::default() };
+                    let plainly = law.is_plainly_right(&seen, &state, seen.length_mm);
+                    assert!(!plainly || law.wrong(&seen, &state).is_none(), "{law:?} {seen:?} {feed}");
+                    decided += i32::from(plainly);
+                }
+            }
+        }
+        assert!(decided > 5000, "{decided}");
     }
 
     #[test]
