@@ -6,11 +6,11 @@ use super::diagnostics::Faults;
 use super::dialect::Dialect;
 use super::meaning::{ArcVote, QueuedEvent, ReadingOptions, RecordInterpreter, StatedFrame, TextUse};
 use super::record::{
-    CatiaMatrix, Record, SubprogramRecord, comment_dialect, joined_record, next_goto, parse, read_comment,
-    record_dialect,
+    CatiaMatrix, MotionRecord, Point, Record, SubprogramRecord, comment_dialect, joined_record, next_goto, parse,
+    read_comment, record_dialect,
 };
 use super::subprogram::{KeptStatement, Subprograms, subprogram_fault};
-use super::text::{Beginning, ClFault, LONGEST_STATEMENT, Lexer, Span, Statement, StatementKind};
+use super::text::{Beginning, ClFault, LONGEST_STATEMENT, Lexer, PhysicalLine, Span, Statement, StatementKind};
 use crate::diag::{Diagnostic, Severity};
 use crate::program::{Event, Location, Units};
 
@@ -76,27 +76,46 @@ impl<R: Read> ClReader<R> {
     }
 
     /// Nearly every event: a GOTO on a line of its own, while no arc, curve or cycle is open and no event is queued. `None` for
-    /// any other statement, which has not been read, and for a GOTO that is refused.
+    /// any other statement, which has not been read, for a GOTO whose events are queued, and for one that is refused.
     #[inline]
     fn next_straight(&mut self) -> Option<(Location, Event<'static>)> {
-        let straight = self.progress == Progress::Reading
-            && self.interpreter.is_straight()
+        let alone = self.progress == Progress::Reading
+            && !self.interpreter.has_events()
             && !self.matrix.is_open()
             && !self.subprograms.is_open()
             && !self.subprograms.is_running()
             && !self.faults.failed();
-        if !straight {
+        if !alone {
             return None;
         }
         let (line, point) = next_goto(&mut self.lexer)?;
         self.records += 1;
         let here = Location { line: self.lexer.lines(), column: 1 };
+        if !self.interpreter.is_straight() {
+            self.take_point(line, point, here);
+            return None;
+        }
         match self.interpreter.straight(&point, here) {
             Ok(motion) => Some((here, Event::Move(motion))),
             Err(fault) => {
                 self.faults.add(fault, &self.lexer.last_line(line), &self.lexer);
                 None
             }
+        }
+    }
+
+    /// Takes a GOTO on a line of its own that is more than a straight motion: a hole, the end of an arc.
+    fn take_point(&mut self, line: PhysicalLine, point: Point, here: Location) {
+        let statement = self.lexer.last_line(line);
+        (self.statement, self.kept) = (Some(statement), None);
+        let taken = self.interpreter.take(&Record::Motion(MotionRecord::Goto(point)), here);
+        self.note_faults(taken, &statement);
+    }
+
+    /// Notes what is wrong with a record, and its warnings.
+    fn note_faults(&mut self, taken: Result<(), ClFault>, statement: &Statement) {
+        for fault in taken.err().into_iter().chain(self.interpreter.take_warnings()) {
+            self.faults.add(fault, statement, &self.lexer);
         }
     }
 
@@ -300,12 +319,8 @@ impl<R: Read> ClReader<R> {
             }
             record => self.interpreter.take(&record, here),
         });
-        if let Err(fault) = taken {
-            self.faults.add(fault, statement, &self.lexer);
-        }
-        for warning in self.interpreter.take_warnings() {
-            self.faults.add(warning, statement, &self.lexer);
-        }
+        drop(lines);
+        self.note_faults(taken, statement);
     }
 
     /// Runs the next statement of the subprogram that is being called.

@@ -218,10 +218,16 @@ impl RecordInterpreter {
         self.events.push(here, event);
     }
 
-    /// Whether the next GOTO is a straight motion and no event is queued before it.
+    /// Whether an event is queued.
+    #[inline]
+    pub(crate) fn has_events(&self) -> bool {
+        !self.events.is_empty()
+    }
+
+    /// Whether the next GOTO is a straight motion, where no event is queued before it.
     #[inline]
     pub(crate) fn is_straight(&self) -> bool {
-        self.plain_goto && !self.tool.is_held() && self.events.is_empty()
+        self.plain_goto && !self.tool.is_held()
     }
 
     /// Notes whether a GOTO is independent of circles, curves, cycles, votes and coordinate transforms.

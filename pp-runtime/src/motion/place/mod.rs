@@ -19,11 +19,12 @@ mod tip;
 mod tool_vectors;
 mod travel;
 
+use std::cell::Cell;
 use std::collections::BTreeMap;
 
-use nalgebra::{Point3, UnitVector3, Vector3};
+use nalgebra::{Matrix3, Point3, UnitVector3, Vector3};
 
-use crate::kinematics::{AnyMachine, Axis, AxisKind, AxisValues, Branch, Limits, Pose, Side};
+use crate::kinematics::{AnyMachine, Axis, AxisKind, AxisValues, Branch, Limits, Pose, RotaryAngles, Side};
 use crate::motion::fault::Fault;
 use crate::motion::options::{Policy, StretchMode, ToolPosture};
 use crate::motion::rotary::{AngleScale, OutOfLimits, Rotary, RotaryMetric, RotaryTarget, RotaryWords, choose};
@@ -85,6 +86,8 @@ pub(crate) struct Placer {
     rotary: RotaryAxes,
     /// The last feed motion, if it kept the rotary angles.
     stay: Option<rotary_angles::Stay>,
+    /// The last [`axis_map`](Self::axis_map), and the rotary angles that it belongs to.
+    last_map: Cell<Option<(RotaryAngles, Matrix3<f64>)>>,
     poles: Poles,
     linear: LinearAxes,
     speeds: AxisSpeeds,
@@ -158,6 +161,7 @@ impl Placer {
             even_rad: (options.tip.tool_posture == ToolPosture::Axes).then_some(options.axis_tolerance_path_rad),
             rotary,
             stay: None,
+            last_map: Cell::new(None),
             held: machine.held(),
             chain,
             machine,

@@ -37,7 +37,15 @@ impl Placer {
     /// Positions of X Y Z in the chain, and the derivative of their words with respect to the tip at the rotary angles
     /// of `at`: one row for each word, one column for each direction of the workpiece frame.
     pub(crate) fn program_map(&self, at: &AxisPosition) -> Option<([usize; 3], Matrix3<f64>)> {
-        Some((self.linear.xyz?, differences(|tip| self.program_point(tip, at))?))
+        let letters = self.linear.xyz?;
+        if !self.frame.counts_tip()
+            && let Some((solved, map)) = self.axis_map(at)
+            && let [Some(x), Some(y), Some(z)] = letters.map(|letter| solved.iter().position(|index| *index == letter))
+        {
+            // A word is an axis value and a constant.
+            return Some((letters, Matrix3::from_rows(&[map.row(x), map.row(y), map.row(z)])));
+        }
+        Some((letters, differences(|tip| self.program_point(tip, at))?))
     }
 
     /// The same as [`Placer::program_map`], if it is orthogonal: the words keep angles and lengths of the tip path.
@@ -52,11 +60,17 @@ impl Placer {
     /// angles of `at`.
     pub(crate) fn axis_map(&self, at: &AxisPosition) -> Option<([usize; 3], Matrix3<f64>)> {
         let solved = *self.linear.solved.first_chunk()?;
+        let angles = std::array::from_fn(|axis| self.rotary.axes.get(axis).map_or(0.0, |rotary| at.axes[rotary.index]));
+        if let Some((_, map)) = self.last_map.get().filter(|(known, _)| *known == angles) {
+            return Some((solved, map));
+        }
         let values = |tip: &Point3<f64>| {
             let axes = self.machine.linear_axes(tip, &at.axes)?;
             Some(Vector3::from(solved.map(|index| axes[index])))
         };
-        Some((solved, differences(values)?))
+        let map = differences(values)?;
+        self.last_map.set(Some((angles, map)));
+        Some((solved, map))
     }
 
     /// Computes the linear axes and words of a position whose words are coordinates of the tip.
