@@ -12,7 +12,7 @@ use super::record::{
 use super::subprogram::{KeptStatement, Subprograms, subprogram_fault};
 use super::text::{Beginning, ClFault, LONGEST_STATEMENT, Lexer, PhysicalLine, Span, Statement, StatementKind};
 use crate::diag::{Diagnostic, Severity};
-use crate::program::{Event, Location, Units};
+use crate::program::{Event, Location, Move, Units};
 
 /// CL text that can be read more than once: a file, or bytes in memory.
 pub trait ReadSeek: Read + Seek {}
@@ -39,6 +39,16 @@ pub struct ClReader<R> {
     subprograms: Subprograms,
     /// Statement of a subprogram that holds that text, where the events come from a subprogram.
     kept: Option<KeptStatement>,
+}
+
+/// What has come of a look for a GOTO on a line of its own.
+enum NextGoto {
+    /// A straight motion, while no arc, curve or cycle is open.
+    Straight(Location, Move),
+    /// Its events are queued, or it is refused.
+    Taken,
+    /// Another statement, which has not been read.
+    None,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -69,16 +79,21 @@ impl<R: Read> ClReader<R> {
     /// After the first error the rest of the file is read for diagnostics only and `None` is returned; see
     /// [`failed`](Self::failed).
     pub fn next_event(&mut self) -> io::Result<Option<(Location, Event<'_>)>> {
-        match self.next_straight() {
-            Some(found) => Ok(Some(found)),
-            None => self.next_of_any_kind(),
+        match self.take_goto() {
+            NextGoto::Straight(here, motion) => Ok(Some((here, Event::Move(motion)))),
+            NextGoto::Taken | NextGoto::None => self.next_of_any_kind(),
         }
     }
 
-    /// Nearly every event: a GOTO on a line of its own, while no arc, curve or cycle is open and no event is queued. `None` for
-    /// any other statement, which has not been read, for a GOTO whose events are queued, and for one that is refused.
-    #[inline]
-    fn next_straight(&mut self) -> Option<(Location, Event<'static>)> {
+    /// [`take_goto`](Self::take_goto) after another statement: rare enough to be a call.
+    #[inline(never)]
+    fn take_goto_after_other(&mut self) -> NextGoto {
+        self.take_goto()
+    }
+
+    /// Takes the next statement if it is a GOTO on a line of its own, as nearly every one is, and no event is queued before it.
+    #[inline(always)]
+    fn take_goto(&mut self) -> NextGoto {
         let alone = self.progress == Progress::Reading
             && !self.interpreter.has_events()
             && !self.matrix.is_open()
@@ -86,20 +101,20 @@ impl<R: Read> ClReader<R> {
             && !self.subprograms.is_running()
             && !self.faults.failed();
         if !alone {
-            return None;
+            return NextGoto::None;
         }
-        let (line, point) = next_goto(&mut self.lexer)?;
+        let Some((line, point)) = next_goto(&mut self.lexer) else { return NextGoto::None };
         self.records += 1;
         let here = Location { line: self.lexer.lines(), column: 1 };
         if !self.interpreter.is_straight() {
             self.take_point(line, point, here);
-            return None;
+            return NextGoto::Taken;
         }
         match self.interpreter.straight(&point, here) {
-            Ok(motion) => Some((here, Event::Move(motion))),
+            Ok(motion) => NextGoto::Straight(here, motion),
             Err(fault) => {
                 self.faults.add(fault, &self.lexer.last_line(line), &self.lexer);
-                None
+                NextGoto::Taken
             }
         }
     }
@@ -129,9 +144,13 @@ impl<R: Read> ClReader<R> {
             match self.progress {
                 Progress::Unread => self.begin()?,
                 Progress::Reading if self.subprograms.is_running() => self.run_kept(),
-                Progress::Reading => match self.lexer.next()? {
-                    Some(statement) => self.read(&statement),
-                    None => self.finish(),
+                Progress::Reading => match self.take_goto_after_other() {
+                    NextGoto::Straight(here, motion) => return Ok(Some((here, Event::Move(motion)))),
+                    NextGoto::Taken => {}
+                    NextGoto::None => match self.lexer.next()? {
+                        Some(statement) => self.read(&statement),
+                        None => self.finish(),
+                    },
                 },
                 Progress::Done => return Ok(None),
             }

@@ -95,8 +95,9 @@ pub(crate) fn joined_record(text: &[u8], offset: usize, line: &[u8]) -> Option<C
 
 /// CAM system that a record identifies.
 pub(crate) fn record_dialect(text: &[u8]) -> Dialect {
-    // Nearly every record is a GOTO, which identifies no CAM system.
-    if !matches!(text[0], b'T' | b'U' | b'C' | b'R' | b't' | b'u' | b'c' | b'r') {
+    // Words of CSI_ are of any length.
+    let begins = |word: &str| text.get(..word.len()).is_some_and(|start| start.eq_ignore_ascii_case(word.as_bytes()));
+    if !["TOOL", "REMARK", "UNIT", "CSYS", "TRNTYP", "CSI_"].into_iter().any(begins) {
         return Dialect::Generic;
     }
     let word_at = major_word(text);
@@ -109,7 +110,7 @@ pub(crate) fn record_dialect(text: &[u8]) -> Dialect {
 }
 
 /// Reads a GOTO on a line of its own: its line and point. `None`: any other line, which has not been read.
-#[inline]
+#[inline(always)]
 pub(crate) fn next_goto<R: Read>(lexer: &mut Lexer<R>) -> Option<(PhysicalLine, Point)> {
     lexer.next_numbers(GOTO.name.as_bytes(), |numbers| Point::of(numbers.numbers, numbers.count, numbers.at))
 }

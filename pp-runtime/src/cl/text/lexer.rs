@@ -152,7 +152,7 @@ impl<R: Read> Lexer<R> {
 
     /// Reads the next line in one pass, if it is `word`, a slash, and short numbers between commas of which `make` makes a
     /// value; any other line is left to [`next`](Self::next). Nearly every line of a file is such a GOTO.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn next_numbers<T>(
         &mut self,
         word: &[u8],
