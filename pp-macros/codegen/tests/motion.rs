@@ -79,12 +79,18 @@ fn derivatives(model: &Model, motion: &Motion) -> Vec<(&'static str, [Id; 3], Po
     let (tip, axis) = (product.origin(), product.rotate(&model.tool_axis, ring));
     let (tip_rate, axis_rate) = (slope(&tip), slope(&axis));
     let (tip_bend, axis_bend) = (slope(&tip_rate), slope(&axis_rate));
+    // As seen from the inner side of the outermost rotary axis.
+    let outermost = model.axes.iter().position(|axis| axis.kind == AxisKind::Rotary);
+    let back = outermost.map(|axis| model.joint_inverse(axis));
+    let inside = |vector: &PolyVector| back.as_ref().map_or_else(|| vector.clone(), |back| back.rotate(vector, ring));
     vec![
-        ("tip'", motion.tip.rate, tip_rate),
-        ("tip''", motion.tip.bend, tip_bend),
-        ("axis", motion.axis, axis),
-        ("axis'", motion.axis_curve.rate, axis_rate),
-        ("axis''", motion.axis_curve.bend, axis_bend),
+        ("tip', inside", motion.tip.rate, inside(&tip_rate)),
+        ("tip'', inside", motion.tip.bend, inside(&tip_bend)),
+        ("axis, inside", motion.axis, inside(&axis)),
+        ("axis', inside", motion.axis_curve.rate, inside(&axis_rate)),
+        ("axis'', inside", motion.axis_curve.bend, inside(&axis_bend)),
+        ("tip'", motion.rates[0], tip_rate),
+        ("axis'", motion.rates[1], axis_rate),
     ]
 }
 
