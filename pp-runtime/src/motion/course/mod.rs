@@ -353,8 +353,11 @@ impl Navigator {
     /// Begins a run of cuts where both searches allow it.
     fn begin_run(&mut self, pose: &Pose) {
         let placer = self.finder.placer();
-        let settled = |run: &mut SearchRun| run.ended || run.search.is_settled();
-        if placer.has_many_turns() || placer.has_indexed_axes() || !self.searches.iter_mut().all(settled) {
+        // Of an axis with many turns the states near those with the fewest rewinds are kept: that must be all.
+        let all_near = placer.has_many_turns();
+        let settled =
+            |run: &mut SearchRun| run.ended || run.search.is_settled() && (!all_near || run.search.has_equal_rewinds());
+        if placer.has_indexed_axes() || !self.searches.iter_mut().all(settled) {
             return;
         }
         let solutions = placer.machine().rotary_axes(&pose.axis, placer.held());
@@ -367,7 +370,12 @@ impl Navigator {
     /// Lets both searches take the cuts of the run.
     fn end_run(&mut self) {
         let (Some(run), Some(here)) = (self.run.take(), self.here) else { return };
-        self.finder.states(&here, &[], &mut self.states);
+        self.near.clear();
+        if self.finder.placer().has_many_turns() {
+            let searches = self.searches.iter().filter(|run| !run.ended).map(|run| &run.search);
+            self.near.extend(searches.flat_map(CourseSearch::states).map(|state| run.rotated(state).0.words));
+        }
+        self.finder.states(&here, &self.near, &mut self.states);
         for search in self.searches.iter_mut().filter(|run| !run.ended).map(|run| &mut run.search) {
             search.end_run(&self.states, |state| run.rotated(state));
         }

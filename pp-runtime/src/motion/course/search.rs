@@ -426,6 +426,17 @@ impl CourseSearch {
             && (one_branch || self.survivors.iter().all(|survivor| Some(survivor.cost.rewinds) == fewest))
     }
 
+    /// Whether all survivors have as many rewinds.
+    pub(crate) fn has_equal_rewinds(&self) -> bool {
+        let mut rewinds = self.survivors.iter().map(|survivor| survivor.cost.rewinds);
+        rewinds.next().is_none_or(|first| rewinds.all(|count| count == first))
+    }
+
+    /// States of the survivors.
+    pub(crate) fn states(&self) -> impl Iterator<Item = &RotaryState> {
+        self.survivors.iter().map(|survivor| &survivor.state)
+    }
+
     /// Ends a run of cuts that began where the search [is settled](Self::is_settled). `rotated`: a state at the end of the run,
     /// and the cost of its rotation; `states`: all states of the last pose.
     pub(crate) fn end_run(&mut self, states: &[RotaryState], rotated: impl Fn(&RotaryState) -> (RotaryState, Cost)) {

@@ -185,6 +185,35 @@ proptest! {
     }
 }
 
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 12, max_shrink_iters: 12, ..ProptestConfig::default() })]
+
+    #[test]
+    fn an_axis_with_many_turns_has_the_course_of_one_whose_turns_suffice(
+        start in (-180.0..180.0_f64, 10.0..70.0_f64),
+        steps in proptest::collection::vec((-20.0..80.0_f64, -15.0..15.0_f64, proptest::bool::weighted(0.1)), 1..=14),
+        backwards in proptest::bool::ANY,
+        second in (-120.0..0.0_f64, 10.0..200.0_f64),
+        timed in proptest::bool::ANY,
+    ) {
+        let steps: Vec<_> = steps.into_iter().map(|(around, along, rapid)| (if backwards { -around } else { around }, along, rapid)).collect();
+        let points = path(start, &steps);
+        let found = |turns: f64| {
+            let mut config = Config::default();
+            config.set_up.limits.insert('C', limits(-360.0 * turns, 360.0 * turns));
+            config.set_up.limits.insert('B', limits(second.0, second.0 + second.1));
+            if timed {
+                config.set_up.speeds.insert('C', 60.0);
+                config.set_up.speeds.insert('B', 25.0);
+            }
+            let course = course::<Cb>(&config, &points);
+            (course.cost, changes(course))
+        };
+        // Four turns each way are all tried; of a hundred those near to zero, at the ends, and near the course.
+        prop_assert_eq!(found(4.0), found(100.0));
+    }
+}
+
 #[test]
 fn a_limit_inside_a_single_block_leads_to_a_rewind_at_the_limit() {
     let mut config = Config::default();
