@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 
 use crate::diag::{Diagnostic, LISTED_OF_A_KIND, Severity, grouped};
+use crate::kinematics::math::larger;
 use crate::program::Location;
 
 /// Largest number of bytes of a block that a finding shows.
@@ -209,8 +210,13 @@ impl Tally {
 
     /// Deviation at the end of a block.
     pub(super) fn deviation(&mut self, tip_mm: f64, axis_rad: f64) {
-        self.outcome.tip_mm = self.outcome.tip_mm.max(tip_mm);
-        self.outcome.axis_rad = self.outcome.axis_rad.max(axis_rad);
+        self.outcome.tip_mm = larger(tip_mm, self.outcome.tip_mm);
+        self.outcome.axis_rad = larger(axis_rad, self.outcome.axis_rad);
+    }
+
+    /// Largest deviation of the tool axis at the end of a block so far, rad.
+    pub(super) fn largest_axis_deviation(&self) -> f64 {
+        self.outcome.axis_rad
     }
 
     /// Deviation of the tip between the ends of a block.

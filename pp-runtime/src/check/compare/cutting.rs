@@ -9,7 +9,7 @@ use std::io::{self, Read};
 use std::rc::Rc;
 
 use super::super::expect::{ClMotion, ExpectedAction, ExpectedItem, Required, RequiredSmoothing};
-use super::super::geometry::{PathShape, Segment, ToolPose, angle_between};
+use super::super::geometry::{PathShape, Segment, ToolPose, angle_between, is_within_angle};
 use super::super::policy::RapidForm;
 use super::super::read::{Action, Block, CycleMove, MAX_AXES, Side};
 use super::super::rules::{BOTH, Deviation, DeviationBound, LinkForm, ModalContext, StateFault};
@@ -17,6 +17,7 @@ use super::hole::{CycleComparison, is_over, pose_at, words_at};
 use super::phase::{COMES_BACK, Cutting, FinishedMotion, Leaving, Phase, RapidSteps, RetractedLength, RewindPoint};
 use super::rapid::{RapidPart, RapidRules, is_on_line, rollover_travel};
 use super::{Comparison, Current, Findings, Previous, retract};
+use crate::kinematics::math::smaller;
 use crate::program::{Drilling, Feed, Location};
 
 /// Largest number of motions ahead without a block that are looked through for the one that a block begins.
@@ -224,7 +225,9 @@ impl<R: Read> Comparison<'_, R> {
         if !part.rapid || part.share >= 1.0 {
             // Points of an even rotation of the rotary axes are not on the great circle.
             let on_circle = self.rules.is_axis_near(&end.axis, &on.axis, BOTH);
-            let angle = if on_circle { angle_between(&end.axis, &on.axis) } else { 0.0 };
+            // No other angle than the largest so far is reported.
+            let counts = on_circle && !is_within_angle(&end.axis, &on.axis, self.tally.largest_axis_deviation());
+            let angle = if counts { angle_between(&end.axis, &on.axis) } else { 0.0 };
             self.tally.deviation((end.tip - on.tip).norm(), angle);
         }
         let judged = self.right_state.as_ref().is_some_and(|required| Rc::ptr_eq(required, &part.required));
@@ -400,10 +403,10 @@ impl<R: Read> Comparison<'_, R> {
         let along = self.progress.along();
         let done = (along > 0.0).then(|| part.segment.at(along));
         let before = done.as_ref().unwrap_or(&part.segment.from);
-        let bound = self.rules.deviation_bound([&self.previous.words, &block.values], ends, [before, on]);
         let (tip_mm, axis_rad) = self.largest_between(part);
-        let small = bound.tip_mm <= tip_mm.min(self.tally.largest_path_deviation()) && bound.axis_rad <= axis_rad;
-        small.then_some(bound)
+        let tip_mm = smaller(tip_mm, self.tally.largest_path_deviation());
+        let bound = self.rules.deviation_bound([&self.previous.words, &block.values], ends, [before, on], tip_mm);
+        (bound.tip_mm <= tip_mm && bound.axis_rad <= axis_rad).then_some(bound)
     }
 
     /// `ends`: poses before and after the block; `along`: share of the motion that was done before it.

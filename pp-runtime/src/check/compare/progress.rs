@@ -181,12 +181,11 @@ impl<'a, R: Read> ClProgress<'a, R> {
 
     /// The next item is done.
     pub(super) fn pass(&mut self) {
-        if let Some(item) = self.expect.get(0) {
-            self.last = Some((item.at, Rc::clone(&item.required)));
+        if let Some(item) = self.expect.pop() {
+            self.last = Some((item.at, item.required));
             if let ExpectedAction::Motion(motion) = &item.action {
                 self.reached = Some(motion.to);
             }
-            self.expect.pop();
         }
         self.along = 0.0;
         self.approached = false;

@@ -3,13 +3,14 @@
 //! A straight motion turns its axis evenly along the great circle between its ends; arcs and curves hold theirs. Shares
 //! run from 0 to 1.
 
-use std::f64::consts::{FRAC_PI_2, TAU};
+use std::f64::consts::TAU;
 use std::rc::Rc;
 
 use nalgebra::{Point3, Vector3};
 
 use super::ToolPose;
 use crate::kinematics::Pose;
+use crate::kinematics::math::{larger, smaller};
 use crate::program::Arc;
 
 /// Angle below which the chord of an arc of axes is the arc, rad.
@@ -70,14 +71,15 @@ pub(crate) fn tool_pose(pose: &Pose) -> ToolPose {
 
 /// Angle between two unit vectors, exact for small ones.
 pub(crate) fn angle_between(a: &Vector3<f64>, b: &Vector3<f64>) -> f64 {
-    2.0 * ((a - b).norm() / 2.0).min(1.0).asin()
+    2.0 * smaller((a - b).norm() / 2.0, 1.0).asin()
 }
 
-/// Whether the angle between two unit vectors is at most `largest`, rad. Their chord, which is no longer than the angle and no
-/// shorter than `2/π` of it, decides nearly always.
+/// Whether the angle between two unit vectors is at most `largest`, rad. Their chord `c` decides nearly always: the angle is no
+/// smaller than `c`, and no larger than `c + c³/7`: the difference of both, divided by `c³`, grows with `c` to less than 1/7.
 pub(crate) fn is_within_angle(a: &Vector3<f64>, b: &Vector3<f64>, largest: f64) -> bool {
-    let chord = (a - b).norm();
-    FRAC_PI_2 * chord <= largest || chord <= largest && angle_between(a, b) <= largest
+    let squared = (a - b).norm_squared();
+    let chord = squared.sqrt();
+    chord * (1.0 + SAME_ANGLE + squared / 7.0) <= largest || chord <= largest && angle_between(a, b) <= largest
 }
 
 impl ArcPath {
@@ -190,7 +192,7 @@ impl Segment {
     pub(crate) fn length_between(&self, [from, to]: [&Vector3<f64>; 2]) -> f64 {
         let line = self.to.tip - self.from.tip;
         let length = line.norm();
-        if length > 0.0 { ((to - from).dot(&line) / length).max(0.0) } else { 0.0 }
+        if length > 0.0 { larger((to - from).dot(&line) / length, 0.0) } else { 0.0 }
     }
 
     /// Angle by which the tip goes round, rad; a whole turn for what is no arc.
@@ -358,9 +360,21 @@ fn polar(knots: &[f64], points: &[Point3<f64>], span: usize, at: [f64; 3]) -> Ve
 
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::PI;
+
     use nalgebra::UnitVector3;
 
     use super::*;
+
+    #[test]
+    fn an_angle_is_within_all_larger_ones_and_no_smaller_one() {
+        for part in 1..=1000 {
+            let angle = 1e-3 * PI * f64::from(part);
+            let (sine, cosine) = angle.sin_cos();
+            let within = |largest: f64| is_within_angle(&Vector3::x(), &Vector3::new(cosine, sine, 0.0), largest);
+            assert!(within(angle * (1.0 + 1e-7)) && !within(angle * (1.0 - 1e-7)), "{angle}");
+        }
+    }
 
     #[test]
     fn a_rounded_point_of_a_steep_helix_is_as_near_as_its_rounding() {

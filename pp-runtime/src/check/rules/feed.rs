@@ -7,6 +7,7 @@
 
 use super::super::policy::{CheckPolicy, FeedPath, LinearMeaning};
 use super::super::read::{Facts, FeedMode, MAX_AXES, State, set_bits};
+use crate::kinematics::math::{larger, smaller};
 use crate::kinematics::{AnyMachine, AxisKind};
 use crate::program::{Feed, Units};
 
@@ -166,7 +167,7 @@ impl FeedLaw {
         for index in set_bits(self.rotary_bits) {
             let rotation = stroke.change[index].abs();
             degrees += rotation.to_degrees().powi(2);
-            rotation_rad = rotation_rad.max(rotation);
+            rotation_rad = larger(rotation, rotation_rad);
         }
         let least_min = self.least_min(stroke, 0.0);
         let linear_mm = linear.sqrt();
@@ -253,17 +254,17 @@ impl FeedLaw {
 
     /// Time that a motion needs whatever its feed, by its axes and the largest F, min.
     fn least_needed_min(&self, extent: &Extent, (counted, _): (f64, bool)) -> f64 {
-        extent.least_min.max(counted / self.largest_mm_per_min)
+        larger(counted / self.largest_mm_per_min, extent.least_min)
     }
 
     /// F of a motion that needs a time, along the path that F counts; that of a plain one depends on its feed.
     fn in_time(&self, needed_min: f64, mode: FeedMode, (counted, is_length): (f64, bool)) -> f64 {
-        let minutes = needed_min.max(self.shortest_min);
+        let minutes = larger(needed_min, self.shortest_min);
         match (mode, self.path) {
             (FeedMode::InverseTime, FeedPath::InverseSeconds) => {
-                (1.0 / (60.0 * minutes)).min(self.largest_inverse_time)
+                smaller(1.0 / (60.0 * minutes), self.largest_inverse_time)
             }
-            (FeedMode::InverseTime, _) => (1.0 / minutes).min(self.largest_inverse_time),
+            (FeedMode::InverseTime, _) => smaller(1.0 / minutes, self.largest_inverse_time),
             _ => {
                 let counted = counted * if is_length { self.per_mm } else { 1.0 };
                 self.held((counted / minutes).min(self.largest_word), needed_min)
@@ -318,7 +319,8 @@ impl FeedLaw {
         } else {
             2.0
         } * self.unit_mm;
-        ((stroke.length_mm - error).max(0.0), (stroke.length_mm + error).min(stroke.longest_mm.max(stroke.length_mm)))
+        let longest_mm = larger(stroke.longest_mm, stroke.length_mm);
+        (larger(stroke.length_mm - error, 0.0), smaller(stroke.length_mm + error, longest_mm))
     }
 
     /// The slowest and the fastest motion that rounded words may show, by all but their lengths.
@@ -352,7 +354,7 @@ impl FeedLaw {
 
     /// Whether a written F is between two values of F, but for its rounding.
     fn is_between(&self, written: f64, mode: FeedMode, low: f64, high: f64) -> bool {
-        let beyond = (low - written).max(written - high);
+        let beyond = larger(low - written, written - high);
         beyond <= 0.0 || beyond <= high * NOISE + self.step(mode, high)
     }
 
@@ -378,7 +380,7 @@ impl FeedLaw {
         let counted = self.counted(&extent);
         let least_min = self.least_needed_min(&extent, counted);
         let [low, high] = [longest, shortest].map(|length_mm| {
-            let needed_min = (length_mm / programmed).max(least_min);
+            let needed_min = larger(length_mm / programmed, least_min);
             self.in_time(needed_min, mode, counted)
         });
         let within = mode != FeedMode::InverseTime || written <= self.largest_inverse_time;

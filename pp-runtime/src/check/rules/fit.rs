@@ -8,6 +8,7 @@ use super::super::geometry::{PathShape, Segment, ToolPose, angle_between};
 use super::super::policy::RapidForm;
 use super::super::read::{Action, ArcMove, Block, MAX_AXES, TipControl};
 use super::{AT_POLE, AXIS_NOISE, Rules};
+use crate::kinematics::math::larger;
 
 /// Points of a block that are compared besides its ends, and one more for each of these angles that it rotates, rad.
 const POINTS: f64 = 3.0;
@@ -348,7 +349,8 @@ impl Rules<'_> {
     }
 
     /// Bounds of [`deviation`](Self::deviation) for a block whose words are axis positions, on a straight motion. `ends`: poses
-    /// with the words before and after it; `on`: those of the motion near to them.
+    /// with the words before and after it; `on`: those of the motion near to them. A bound for the tip of `enough_mm` or less
+    /// need not be the smallest: no point of a chord is farther from another than the farther of its ends.
     ///
     /// A point that moves from 0 to 1 with a second derivative `b` is never farther than `b/8` from its chord, and no faster than
     /// the chord by more than `b/2`; the parabola through three steps of a quarter at most adds `7/24 b` to that. Along the chord
@@ -359,24 +361,30 @@ impl Rules<'_> {
         [before, after]: [&[f64; MAX_AXES]; 2],
         ends: [&ToolPose; 2],
         on: [&ToolPose; 2],
+        enough_mm: f64,
     ) -> DeviationBound {
         let swing = self.words.swing(before, after);
-        let first = 1.0 / (points(swing.angle) + 1.0);
-        let line = on[1].tip - on[0].tip;
-        let (off, squared) = ([0, 1].map(|end| ends[end].tip - on[end].tip), line.norm_squared());
-        let distance = |share: f64| {
-            let off = off[0] + (off[1] - off[0]) * share;
-            let nearest = (share + off.dot(&line) / squared).clamp(0.0, 1.0);
-            (off - line * (nearest - share)).norm()
+        let off = [0, 1].map(|end| ends[end].tip - on[end].tip);
+        let farther_mm = longer(&off) + swing.bend_mm / 8.0;
+        let tip_mm = if farther_mm <= enough_mm {
+            farther_mm
+        } else {
+            let first = 1.0 / (points(swing.angle) + 1.0);
+            let line = on[1].tip - on[0].tip;
+            let squared = line.norm_squared();
+            let distance = |share: f64| {
+                let off = off[0] + (off[1] - off[0]) * share;
+                let nearest = (share + off.dot(&line) / squared).clamp(0.0, 1.0);
+                (off - line * (nearest - share)).norm()
+            };
+            distance(first).max(distance(1.0 - first)) + swing.bend_mm / 8.0
         };
-        let tip_mm = distance(first).max(distance(1.0 - first));
-        let axis = [0, 1].map(|end| (ends[end].axis - on[end].axis).norm());
-        let axis = axis[0].max(axis[1]);
+        let axis = longer(&[0, 1].map(|end| ends[end].axis - on[end].axis));
         // The tool axis leaves its chord, and the motion that of the axes on it.
         let turn = FRAC_PI_2 * (swing.angle + 2.0 * axis);
         let bent_rad = (swing.angle * swing.angle + turn * turn) / 8.0;
         DeviationBound {
-            tip_mm: tip_mm + swing.bend_mm / 8.0,
+            tip_mm,
             axis_rad: FRAC_PI_2 * (axis + bent_rad),
             tip_rate_mm: (ends[1].tip - ends[0].tip).norm() + (0.5 + 7.0 / 24.0) * swing.bend_mm,
         }
@@ -463,6 +471,11 @@ pub(crate) fn chord(sweep: f64) -> f64 {
 /// Angle of an arc, rad; 0 for any other block.
 pub(crate) fn sweep(block: &Block) -> f64 {
     if let Action::Arc(arc) = &block.action { arc.sweep.abs() } else { 0.0 }
+}
+
+/// Length of the longer vector.
+fn longer([a, b]: &[Vector3<f64>; 2]) -> f64 {
+    larger(a.norm_squared(), b.norm_squared()).sqrt()
 }
 
 /// Number of points of a block that are compared besides its ends.

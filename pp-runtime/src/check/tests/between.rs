@@ -64,9 +64,13 @@ fn decided<M: Machine>() -> f64 {
         let segment = Segment { from: motion[0], to: motion[1], shape: PathShape::Line };
         let path = rules.path(words[0], &block);
         let ends = [&ends[0], &ends[1]];
-        let bound = rules.deviation_bound([&words[0], &words[1]], ends, [&segment.from, &segment.to]);
+        let bound = |enough_mm: f64| {
+            rules.deviation_bound([&words[0], &words[1]], ends, [&segment.from, &segment.to], enough_mm)
+        };
+        let (bound, rough) = (bound(0.0), bound(f64::INFINITY));
         let measured = rules.deviation(&path, ends, &segment, 0.0).expect("it rotates");
         assert!(measured.tip_mm <= bound.tip_mm + 1e-12, "{turn}: {measured:?} {bound:?}");
+        assert!(bound.tip_mm <= rough.tip_mm + 1e-12, "{turn}: {bound:?} {rough:?}");
         assert!(measured.axis_rad <= bound.axis_rad + 1e-12, "{turn}: {measured:?} {bound:?}");
         assert!(measured.tip_rate_mm <= bound.tip_rate_mm + 1e-12, "{turn}: {measured:?} {bound:?}");
 
