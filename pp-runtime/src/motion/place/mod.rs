@@ -24,7 +24,7 @@ use std::collections::BTreeMap;
 
 use nalgebra::{Matrix3, Point3, UnitVector3, Vector3};
 
-use crate::kinematics::{AnyMachine, Axis, AxisKind, AxisValues, Branch, Limits, Pose, RotaryAngles, Side};
+use crate::kinematics::{AnyMachine, Axis, AxisKind, AxisValues, Branch, Limits, Pose, Side};
 use crate::motion::fault::Fault;
 use crate::motion::options::{Policy, StretchMode, ToolPosture};
 use crate::motion::rotary::{AngleScale, OutOfLimits, Rotary, RotaryMetric, RotaryTarget, RotaryWords, choose};
@@ -86,8 +86,8 @@ pub(crate) struct Placer {
     rotary: RotaryAxes,
     /// The last feed motion, if it kept the rotary angles.
     stay: Option<rotary_angles::Stay>,
-    /// The last [`axis_map`](Self::axis_map), and the rotary angles that it belongs to.
-    last_map: Cell<Option<(RotaryAngles, Matrix3<f64>)>>,
+    /// The last [`axis_map`](Self::axis_map), and the bits of the rotary angles that it belongs to.
+    last_map: Cell<Option<([u64; 2], Matrix3<f64>)>>,
     poles: Poles,
     linear: LinearAxes,
     speeds: AxisSpeeds,

@@ -12,6 +12,7 @@ use super::tilted_plane::{PlaneAbility, PoseRule, TiltedPlane, plane_across};
 use super::{AxisPosition, Placer, too_large};
 use crate::motion::fault::Fault;
 use crate::motion::geometry::angle_between;
+use crate::motion::rotary::Rotary;
 
 /// Largest deviation of a map from an orthogonal one: rounding of the arithmetic of angles.
 const ORTHOGONAL: f64 = 1e-9;
@@ -60,7 +61,8 @@ impl Placer {
     /// angles of `at`.
     pub(crate) fn axis_map(&self, at: &AxisPosition) -> Option<([usize; 3], Matrix3<f64>)> {
         let solved = *self.linear.solved.first_chunk()?;
-        let angles = std::array::from_fn(|axis| self.rotary.axes.get(axis).map_or(0.0, |rotary| at.axes[rotary.index]));
+        let bits = |rotary: &Rotary| at.axes[rotary.index].to_bits();
+        let angles = std::array::from_fn(|axis| self.rotary.axes.get(axis).map_or(0, bits));
         if let Some((_, map)) = self.last_map.get().filter(|(known, _)| *known == angles) {
             return Some((solved, map));
         }
