@@ -192,10 +192,10 @@ impl BlockCurves {
             tip: bound.tip * (1.0 + RELATIVE_ROUNDING) + length,
             axis: bound.axis * (1.0 + RELATIVE_ROUNDING) + angle,
             tip_rate: bound.tip_rate * (1.0 + RELATIVE_ROUNDING) + length,
-            axis_step: at_most_half_a_turn(bound.axis_step * (1.0 + RELATIVE_ROUNDING) + angle),
+            axis_step: math::smaller(bound.axis_step * (1.0 + RELATIVE_ROUNDING) + angle, core::f64::consts::PI),
             tip_step: bound.tip_step * (1.0 + RELATIVE_ROUNDING) + length,
-            length: at_least_nothing(bound.length * (1.0 - RELATIVE_ROUNDING) - length),
-            turn: at_most_half_a_turn(bound.turn * (1.0 + RELATIVE_ROUNDING) + angle),
+            length: math::larger(bound.length * (1.0 - RELATIVE_ROUNDING) - length, 0.0),
+            turn: math::smaller(bound.turn * (1.0 + RELATIVE_ROUNDING) + angle, core::f64::consts::PI),
         }
     }
 }
@@ -221,16 +221,8 @@ impl MotionBound {
             1.0
         };
         let (in_step, anywhere) = (self.axis_step + self.turn * share, self.turn + self.axis);
-        if in_step < anywhere { in_step } else { anywhere }
+        math::smaller(in_step, anywhere)
     }
-}
-
-fn at_most_half_a_turn(angle: f64) -> f64 {
-    if angle < core::f64::consts::PI { angle } else { core::f64::consts::PI }
-}
-
-fn at_least_nothing(length: f64) -> f64 {
-    if length > 0.0 { length } else { 0.0 }
 }
 
 /// Deviation of a point from the chord of its curve, and the chord.
@@ -282,11 +274,7 @@ impl Curve {
             };
             let distance = if past > 0.0 { math::hypot(normal, past) } else { normal };
             let step = along / 8.0;
-            ChordBound {
-                distance: if distance < anyhow { distance } else { anyhow },
-                along: if step < anyhow { step } else { anyhow },
-                length: chord,
-            }
+            ChordBound { distance: math::smaller(distance, anyhow), along: math::smaller(step, anyhow), length: chord }
         } else {
             ChordBound { distance: anyhow, along: anyhow, length: 0.0 }
         }
@@ -318,7 +306,7 @@ impl Curve {
         let least = size - off;
         let distance = if least > SAME_AXIS && least > 0.5 * bend + 0.25 * self.third {
             let normal = (math::abs(self.bend.dot(&plane)) + bend * off) / size;
-            self.sagitta(if normal < bend { normal } else { bend })
+            self.sagitta(math::smaller(normal, bend))
         } else {
             self.sagitta(bend)
         };
@@ -326,7 +314,7 @@ impl Curve {
         let cosine = 1.0 - distance * distance;
         if cosine > 0.0 {
             let angle = distance / math::sqrt(cosine);
-            if angle < core::f64::consts::PI { angle } else { core::f64::consts::PI }
+            math::smaller(angle, core::f64::consts::PI)
         } else {
             core::f64::consts::PI
         }
