@@ -7,7 +7,7 @@ use crate::nalgebra::Point3;
 const LARGEST_COORDINATE_MM: f64 = 1e6;
 
 /// Returns the point, or a fault if a coordinate is above [`LARGEST_COORDINATE_MM`] or not a number.
-#[inline]
+#[inline(always)]
 pub(crate) fn within_a_kilometre(point: Point3<f64>, at: Span) -> Result<Point3<f64>, ClFault> {
     // NaN fails this comparison, too.
     if point.iter().all(|value| value.abs() <= LARGEST_COORDINATE_MM) {

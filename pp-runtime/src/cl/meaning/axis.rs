@@ -79,7 +79,7 @@ pub(crate) type Normalised = bool;
 
 impl ModalAxis {
     /// Tool axis of a point with or without i, j, k.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn at_point(
         &mut self,
         given: Option<[f64; 3]>,
@@ -172,7 +172,7 @@ impl ModalAxis {
     }
 
     /// Sets the tool axis; `if_permitted`: only one that MULTAX/OFF permits.
-    #[inline]
+    #[inline(always)]
     fn set(&mut self, given: [f64; 3], at: Span, if_permitted: bool) -> Result<Normalised, ClFault> {
         let length = vector::length(given);
         let excess = (length - 1.0).abs();

@@ -12,6 +12,7 @@
 
 use super::args::skip_blanks;
 use super::fault::Span;
+use super::line_shape::LineShape;
 use super::number::NumberShape;
 use crate::program::Location;
 use memchr::{memchr, memchr2};
@@ -93,6 +94,8 @@ pub(crate) struct Lexer<R> {
     columns: usize,
     /// Shapes of the numbers that [`next_numbers`](Self::next_numbers) has read last, by their place in the line.
     shapes: [NumberShape; 6],
+    /// Shape of the last such line whose numbers had the shapes of those before.
+    line_shape: LineShape,
 }
 
 impl<R: Read> Lexer<R> {
@@ -110,6 +113,7 @@ impl<R: Read> Lexer<R> {
             joined: Vec::new(),
             pieces: Vec::new(),
             shapes: [NumberShape::NONE; 6],
+            line_shape: LineShape::NONE,
         }
     }
 
@@ -159,14 +163,40 @@ impl<R: Read> Lexer<R> {
         make: impl FnOnce(ShortNumbers) -> Option<T>,
     ) -> Option<(PhysicalLine, T)> {
         let line = &self.buffer[self.start..];
-        let slash = skip_blanks(line, word.len());
-        if !line.starts_with(word) || line.get(slash) != Some(&b'/') || self.columns < usize::MAX {
+        if !line.starts_with(word) || self.columns < usize::MAX {
             return None;
         }
-        let (mut numbers, mut count, mut end) = ([0.0; 6], 0, slash);
-        for (shape, number) in self.shapes.iter_mut().zip(&mut numbers) {
+        let known = line.first_chunk().and_then(|text| self.line_shape.read(text));
+        let (numbers, length) = match known {
+            Some(read) => read,
+            None => self.one_by_one(word.len())?,
+        };
+        // After the end of what has been read there are bytes of earlier reads.
+        if self.start + length > self.end {
+            return None;
+        }
+        let end = self.start + numbers.at.end;
+        let made = make(numbers)?;
+        self.line += 1;
+        let line = PhysicalLine { start: self.start, end, too_long: false };
+        self.start += length;
+        self.after_cr = false;
+        Some((line, made))
+    }
+
+    /// The numbers of a line after its word, and the number of its bytes with its end.
+    #[inline(never)]
+    fn one_by_one(&mut self, word: usize) -> Option<(ShortNumbers, usize)> {
+        let line = &self.buffer[self.start..];
+        let slash = skip_blanks(line, word);
+        if line.get(slash) != Some(&b'/') {
+            return None;
+        }
+        let (mut numbers, mut starts, mut count, mut end, mut anew) = ([0.0; 6], [0; 6], 0, slash, false);
+        for ((shape, number), start) in self.shapes.iter_mut().zip(&mut numbers).zip(&mut starts) {
+            *start = end + 1;
             // At the end of the buffer there may be no such bytes.
-            let (value, used) = shape.read(line.get(end + 1..)?.first_chunk()?)?;
+            let (value, used) = shape.read(line.get(*start..)?.first_chunk()?, &mut anew)?;
             *number = value;
             count += 1;
             end += 1 + used;
@@ -174,22 +204,18 @@ impl<R: Read> Lexer<R> {
                 break;
             }
         }
-        let at = skip_blanks(line, end);
-        let next = match line.get(at)? {
-            b'\n' => at + 1,
-            b'\r' if line.get(at + 1) == Some(&b'\n') => at + 2,
+        let after = skip_blanks(line, end);
+        let length = match line.get(after)? {
+            b'\n' => after + 1,
+            b'\r' if line.get(after + 1) == Some(&b'\n') => after + 2,
             _ => return None,
         };
-        // After the end of what has been read there are bytes of earlier reads.
-        if self.start + next > self.end {
-            return None;
+        let at = Span { start: skip_blanks(line, slash + 1), end };
+        if !anew {
+            let shapes = std::array::from_fn(|index| (self.shapes[index], starts[index]));
+            self.line_shape.take(&line[..length], shapes, (count, at));
         }
-        let made = make(ShortNumbers { numbers, count, at: Span { start: skip_blanks(line, slash + 1), end } })?;
-        self.line += 1;
-        let line = PhysicalLine { start: self.start, end: self.start + end, too_long: false };
-        self.start += next;
-        self.after_cr = false;
-        Some((line, made))
+        Some((ShortNumbers { numbers, count, at }, length))
     }
 
     /// The statement of the line that [`next_numbers`](Self::next_numbers) has returned last.
@@ -329,8 +355,11 @@ impl<R: Read> Lexer<R> {
                 let end = searched + found;
                 let line =
                     PhysicalLine { start: self.start, end: end.min(self.start.saturating_add(self.columns)), too_long };
-                self.after_cr = self.buffer[end] == b'\r';
-                self.start = end + 1;
+                let cr = self.buffer[end] == b'\r';
+                // A LF that has not been read yet is skipped before the next line.
+                self.after_cr = cr && end + 1 == self.end;
+                let lf = cr && self.buffer[..self.end].get(end + 1) == Some(&b'\n');
+                self.start = end + 1 + usize::from(lf);
                 self.line += 1;
                 return Ok(Some(line));
             }

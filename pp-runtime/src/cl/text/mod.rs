@@ -1,11 +1,13 @@
 //! Text of CL data: bytes to statements, and the arguments of a statement to words and numbers.
 //!
-//! `lexer` splits the input into statements, `args` splits the arguments of a statement, `number` reads decimal
-//! numbers, `fault` holds what is wrong with a statement and where. No word of CL data is known here.
+//! `lexer` splits the input into statements, `line_shape` reads a line of numbers like the line before, `args` splits the
+//! arguments of a statement, `number` reads decimal numbers, `fault` holds what is wrong with a statement and where. No word of
+//! CL data is known here.
 
 mod args;
 mod fault;
 mod lexer;
+mod line_shape;
 mod number;
 
 pub(crate) use self::args::{Arg, Args, MajorWord, skip_blanks, trimmed};

@@ -72,12 +72,15 @@ impl NumberShape {
     };
 
     /// Returns the number at the start of `text`, blanks before it included, and the count of its bytes, and takes its shape;
-    /// `None` if the number is not short, or no byte after it ends a number of a list.
+    /// `None` if the number is not short, or no byte after it ends a number of a list. `anew` is set where the shape changes.
     #[inline]
-    pub(crate) fn read(&mut self, text: &[u8; SHORT_NUMBER]) -> Option<(f64, usize)> {
+    pub(crate) fn read(&mut self, text: &[u8; SHORT_NUMBER], anew: &mut bool) -> Option<(f64, usize)> {
         match self.value(text) {
             Some(value) => Some((value, self.end)),
-            None => self.read_anew(text),
+            None => {
+                *anew = true;
+                self.read_anew(text)
+            }
         }
     }
 
@@ -96,9 +99,27 @@ impl NumberShape {
         if text[self.end % INDICES] >= b'.' || start & self.fixed_bits != self.fixed {
             return None;
         }
-        let whole = (start & self.whole_bits).rotate_left(self.whole_rotation);
+        self.sum(are_digits(self.first_digits(text))?, text)
+    }
+
+    /// The number at the start of `text`, which has this shape.
+    #[inline(always)]
+    pub(super) fn known(&self, text: &[u8; SHORT_NUMBER]) -> Option<f64> {
+        self.sum(self.first_digits(text), text)
+    }
+
+    /// The first eight digits as numbers, one in each byte, the last in the highest.
+    #[inline(always)]
+    fn first_digits(&self, text: &[u8; SHORT_NUMBER]) -> u64 {
+        let whole = (u64_at(text, 0) & self.whole_bits).rotate_left(self.whole_rotation);
         let decimals = (u64_at(text, self.decimals_at) & self.decimal_bits) << self.decimal_shift;
-        let first = value_of((whole | decimals) ^ self.zeros)?;
+        (whole | decimals) ^ self.zeros
+    }
+
+    /// The number with these first digits.
+    #[inline(always)]
+    fn sum(&self, first: u64, text: &[u8; SHORT_NUMBER]) -> Option<f64> {
+        let first = value_of(first);
         let mantissa = if self.rest == 0 { first } else { self.with_rest(first, text)? };
         Some(mantissa as f64 / self.scale)
     }
@@ -109,7 +130,7 @@ impl NumberShape {
         const POWERS: [i64; 8] = [1, 10, 100, 1_000, 10_000, 100_000, 1_000_000, 10_000_000];
         let shift = 8 * (8 - self.rest);
         let bytes = u64_at(text, self.end - self.rest) << shift;
-        Some(first * POWERS[self.rest] + value_of(bytes ^ ZEROS << shift)?)
+        Some(first * POWERS[self.rest] + value_of(are_digits(bytes ^ ZEROS << shift)?))
     }
 
     /// Shape of the number at the start of `text`.
@@ -156,20 +177,23 @@ fn u64_at(text: &[u8; SHORT_NUMBER], at: usize) -> u64 {
     text[at % INDICES..].first_chunk().map_or(0, |bytes| u64::from_le_bytes(*bytes))
 }
 
-/// Value of eight digits, one in each byte, the last in the highest; `None` if one is no digit. They are summed in pairs,
-/// fours and eights.
+/// Eight bytes, if each is a digit as a number.
 #[inline]
-fn value_of(digits: u64) -> Option<i64> {
+fn are_digits(bytes: u64) -> Option<u64> {
     const HIGH_BITS: u64 = 0x8080_8080_8080_8080;
-    const PAIRS: u64 = 0x0000_00FF_0000_00FF;
     // No sum of a digit has the high bit, and without another byte none carries.
-    if (digits.wrapping_add(0x7676_7676_7676_7676) | digits) & HIGH_BITS != 0 {
-        return None;
-    }
+    let all = (bytes.wrapping_add(0x7676_7676_7676_7676) | bytes) & HIGH_BITS == 0;
+    all.then_some(bytes)
+}
+
+/// Value of eight digits, one in each byte, the last in the highest. They are summed in pairs, fours and eights.
+#[inline]
+fn value_of(digits: u64) -> i64 {
+    const PAIRS: u64 = 0x0000_00FF_0000_00FF;
     let pairs = digits.wrapping_mul(10).wrapping_add(digits >> 8);
     let first_and_third = (pairs & PAIRS).wrapping_mul(100 + (1_000_000 << 32));
     let second_and_fourth = ((pairs >> 16) & PAIRS).wrapping_mul(1 + (10_000 << 32));
-    Some((first_and_third.wrapping_add(second_and_fourth) >> 32).cast_signed())
+    (first_and_third.wrapping_add(second_and_fourth) >> 32).cast_signed()
 }
 
 /// Returns the number at the start of `text` and the count of its bytes; `None` if no number starts there.
@@ -347,7 +371,7 @@ mod tests {
         let mut room = [b','; SHORT_NUMBER];
         let bytes = text.len().min(SHORT_NUMBER);
         room[..bytes].copy_from_slice(&text.as_bytes()[..bytes]);
-        shape.read(&room)
+        shape.read(&room, &mut false)
     }
 
     #[test]

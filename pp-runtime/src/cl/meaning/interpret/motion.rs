@@ -99,7 +99,7 @@ impl RecordInterpreter {
     }
 
     /// GOTO while no arc, curve or cycle is open and no transform is in force.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn straight(&mut self, point: &Point, here: Location) -> Result<Move, ClFault> {
         let (pose, normalised) = self.pose_in_file(point)?;
         self.axis.count(normalised, here);

@@ -1,0 +1,174 @@
+//! The shape of a line of numbers, with which the lines after it are compared.
+//!
+//! CAM systems write numbers with fixed decimals, so that a line mostly has its digits at the places where the line before had
+//! them, and the same bytes at all others. That is compared for the whole line at once, and the digits then need no comparison of
+//! their own.
+
+use super::fault::Span;
+use super::lexer::ShortNumbers;
+use super::number::{NumberShape, SHORT_NUMBER};
+use wide::u8x16;
+
+/// Longest line with a shape, with its end.
+const LONGEST: usize = 128;
+
+/// Bytes that [`LineShape::read`] may look at.
+pub(super) const LINE_AND_NUMBER: usize = LONGEST + SHORT_NUMBER;
+
+/// Bytes that are compared at once.
+#[derive(Debug, Clone, Copy)]
+struct Piece {
+    /// A zero at the place of a digit, and every other byte of the line.
+    bytes: u8x16,
+    /// Largest exclusive disjunction with these bytes: 9 for a digit, 0 for another byte, any after the line.
+    largest: u8x16,
+}
+
+/// Digits and other bytes of a line of numbers.
+#[derive(Debug, Clone)]
+pub(super) struct LineShape {
+    /// Number of bytes with the line end.
+    length: usize,
+    pieces: [Piece; LONGEST / 16],
+    /// Number of pieces that the line takes.
+    used: usize,
+    /// Shapes of the numbers, and where they begin; those of no numbers after `count` of them.
+    numbers: [(NumberShape, usize); 6],
+    count: usize,
+    /// Place of the numbers in the line.
+    at: Span,
+}
+
+impl LineShape {
+    /// That of no line.
+    pub(super) const NONE: Self = Self {
+        length: 0,
+        pieces: [Piece { bytes: u8x16::ZERO, largest: u8x16::MAX }; LONGEST / 16],
+        used: 0,
+        numbers: [(NumberShape::NONE, 0); 6],
+        count: 0,
+        at: Span { start: 0, end: 0 },
+    };
+
+    /// Takes the shape of a line, its end included, whose numbers have these shapes and begin at these indices. A long line has
+    /// none.
+    #[inline(never)]
+    pub(super) fn take(&mut self, line: &[u8], numbers: [(NumberShape, usize); 6], (count, at): (usize, Span)) {
+        *self = Self { numbers, count, at, ..Self::NONE };
+        if line.len() > LONGEST {
+            return;
+        }
+        (self.length, self.used) = (line.len(), line.len().div_ceil(16));
+        for (piece, line) in self.pieces.iter_mut().zip(line.chunks(16)) {
+            let (mut bytes, mut largest) = ([0; 16], [u8::MAX; 16]);
+            for (byte, (expected, largest)) in line.iter().zip(bytes.iter_mut().zip(&mut largest)) {
+                (*expected, *largest) = if byte.is_ascii_digit() { (b'0', 9) } else { (*byte, 0) };
+            }
+            *piece = Piece { bytes: bytes.into(), largest: largest.into() };
+        }
+    }
+
+    /// The numbers of the line at the start of `text`, if it has this shape, and the number of its bytes with its end.
+    #[inline(always)]
+    pub(super) fn read(&self, text: &[u8; LINE_AND_NUMBER]) -> Option<(ShortNumbers, usize)> {
+        let mut beyond = u8x16::ZERO;
+        for (text, piece) in text.as_chunks().0.iter().zip(&self.pieces[..self.used]) {
+            beyond |= (u8x16::from(*text) ^ piece.bytes).saturating_sub(piece.largest);
+        }
+        if self.length == 0 || beyond != u8x16::ZERO {
+            return None;
+        }
+        let mut numbers = [0.0; 6];
+        let (first, others) = numbers.split_at_mut(3);
+        self.set_numbers::<0>(first, text)?;
+        if self.count > 3 {
+            self.set_numbers::<3>(others, text)?;
+        }
+        Some((ShortNumbers { numbers, count: self.count, at: self.at }, self.length))
+    }
+
+    /// Sets numbers of `text`, those from the index `FIRST` on.
+    #[inline(always)]
+    fn set_numbers<const FIRST: usize>(&self, numbers: &mut [f64], text: &[u8; LINE_AND_NUMBER]) -> Option<()> {
+        for (number, (shape, start)) in numbers.iter_mut().zip(&self.numbers[FIRST..]) {
+            *number = shape.known(text[start % LONGEST..].first_chunk()?)?;
+        }
+        Some(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use crate::cl::text::lexer::Lexer;
+
+    /// What is read of each line: the bits of its numbers, and their place; `None` where the line is left to the other way.
+    fn read(text: &[u8]) -> Vec<Option<(Vec<u64>, usize, usize)>> {
+        let mut lexer = Lexer::new(text, None);
+        lexer.begin().expect("text");
+        let mut lines = Vec::new();
+        loop {
+            let found = lexer.next_numbers(b"GOTO", |found| {
+                let bits = found.numbers[..found.count].iter().map(|number| number.to_bits()).collect();
+                Some((bits, found.at.start, found.at.end))
+            });
+            match found {
+                Some((_, numbers)) => lines.push(Some(numbers)),
+                None if lexer.next().expect("text").is_some() => lines.push(None),
+                None => return lines,
+            }
+        }
+    }
+
+    /// Lines of the shape of `line` with other digits, and one with another byte at `at`.
+    fn alike(line: &str, turns: &[u8], at: usize, byte: u8) -> Vec<Vec<u8>> {
+        let turned = |by: u8| {
+            line.bytes().map(move |byte| if byte.is_ascii_digit() { (byte - b'0' + by) % 10 + b'0' } else { byte })
+        };
+        let mut lines: Vec<Vec<u8>> = turns.iter().map(|by| turned(*by).collect()).collect();
+        let last = lines.len() - 1;
+        let other = &mut lines[last];
+        let at = 4 + at % (other.len() - 4);
+        other[at] = byte;
+        lines
+    }
+
+    proptest! {
+        #[test]
+        fn lines_alike_are_read_as_each_alone(
+            lines in proptest::collection::vec(
+                ("GOTO ?/( ?-?[0-9]{1,5}\\.[0-9]{0,12},){2,6}-?[0-9]{1,4}\\.[0-9]{0,9} {0,2}",
+                 proptest::collection::vec(0_u8..10, 1..6), any::<usize>(), "[-0-9.,+E:;/ A\u{7f}]"),
+                1..4,
+            ),
+            end in prop_oneof![Just("\n"), Just("\r\n")],
+        ) {
+            let lines: Vec<Vec<u8>> =
+                lines.iter().flat_map(|(line, turns, at, byte)| alike(line, turns, *at, byte.as_bytes()[0])).collect();
+            let ended = |line: &Vec<u8>| [line, end.as_bytes()].concat();
+            let together = read(&lines.iter().flat_map(ended).collect::<Vec<u8>>());
+            let alone: Vec<_> = lines.iter().flat_map(|line| read(&ended(line))).collect();
+            prop_assert_eq!(together, alone);
+        }
+    }
+
+    #[test]
+    fn a_line_is_compared_up_to_its_end_and_not_beyond() {
+        let lines = "GOTO/1.5,2.5,3.5\nGOTO/2.5,3.5,4.5\nGOTO/3.5,4.5,5.5";
+        for last in ["\n", ",1\n", "5\n", " \n", ""] {
+            let read = read(format!("{lines}{last}").as_bytes());
+            let numbers = |index: usize| {
+                read[index].as_ref().map(|(bits, ..)| bits.iter().map(|bits| f64::from_bits(*bits)).collect())
+            };
+            assert_eq!(numbers(1), Some(vec![2.5, 3.5, 4.5]));
+            let expected: Option<Vec<f64>> = match last {
+                "\n" | " \n" => Some(vec![3.5, 4.5, 5.5]),
+                "5\n" => Some(vec![3.5, 4.5, 5.55]),
+                ",1\n" => Some(vec![3.5, 4.5, 5.5, 1.0]),
+                _ => None,
+            };
+            assert_eq!(numbers(2), expected, "{last:?}");
+        }
+    }
+}
