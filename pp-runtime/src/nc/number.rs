@@ -1,8 +1,17 @@
 //! Numbers in words: whole units of the last decimal, written without trailing zeros, without an exponent, and never as
 //! `-0`. [`Numerals`] adds the requirements of a control: a point in every number, a sign before every number.
 
+use wide::f64x2;
+
 /// Largest number of whole units of a word: all integers up to here are exact in an `f64`.
 const LARGEST: f64 = 9_007_199_254_740_992.0;
+
+/// 2^52 + 2^51: the sum with a smaller number than 2^51 has no bits after the point, and its lowest bits are those of the nearest
+/// whole number.
+const SHIFT: f64 = 6_755_399_441_055_744.0;
+
+/// 2^51.
+const LARGEST_SHIFTED: f64 = 2_251_799_813_685_248.0;
 
 /// Smallest value that [`Decimal::significant`] writes: 18 decimals for six digits.
 const SMALLEST_SIGNIFICANT: f64 = 1e-12;
@@ -45,10 +54,6 @@ fn power_of_ten(exponent: u32) -> f64 {
 #[inline]
 #[must_use]
 pub fn rounded(value: f64) -> i64 {
-    /// 2^52 + 2^51: the sum with a smaller number than 2^51 has no bits after the point, and its lowest bits are those of the
-    /// nearest whole number.
-    const SHIFT: f64 = 6_755_399_441_055_744.0;
-    const LARGEST_SHIFTED: f64 = 2_251_799_813_685_248.0;
     let shifted = value + SHIFT;
     let rest = value - (shifted - SHIFT);
     if value.abs() < LARGEST_SHIFTED && rest.abs() < 0.5 {
@@ -58,7 +63,16 @@ pub fn rounded(value: f64) -> i64 {
     }
 }
 
-/// The same for any number: a half, or a large one.
+/// The nearest whole number to each of two; `None` if one of them is a half or 2^51 at least.
+#[inline(always)]
+pub(crate) fn rounded_both(values: f64x2) -> Option<f64x2> {
+    let whole = (values + f64x2::splat(SHIFT)) - f64x2::splat(SHIFT);
+    let is_near = (values - whole).abs().simd_lt(f64x2::splat(0.5));
+    let is_small = values.abs().simd_lt(f64x2::splat(LARGEST_SHIFTED));
+    (is_near & is_small).all().then_some(whole)
+}
+
+/// The same as [`rounded`] for any number: a half, or a large one.
 #[cold]
 fn rounded_in_steps(value: f64) -> i64 {
     let whole = value as i64;
@@ -91,6 +105,7 @@ impl Decimal {
     ///
     /// # Errors
     /// [`Overflow`] for a value that is negative, not finite or too large.
+    #[inline(always)]
     pub fn significant(value: f64, digits: u32) -> Result<Self, Overflow> {
         if !(0.0..=LARGEST).contains(&value) {
             return Err(Overflow);
@@ -133,7 +148,8 @@ pub(super) const WORD_ROOM: usize = 32;
 #[inline(always)]
 pub(super) fn put_number(room: &mut [u8; WORD_ROOM], start: usize, number: Decimal, numerals: Numerals) -> usize {
     let negative = number.units < 0;
-    room[start] = if negative { b'-' } else { b'+' };
+    // A plus or, two codes after it, a minus.
+    room[start] = b'+' + 2 * u8::from(negative);
     let start = start + usize::from(negative || numerals.plus);
     let (units, decimals) = (number.units.unsigned_abs(), number.decimals);
     let end = if units < 100_000_000 && decimals < 8 {

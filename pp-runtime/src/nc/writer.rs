@@ -100,22 +100,7 @@ impl<'a> Writer<'a> {
     }
 
     fn append(&mut self, text: &[u8]) {
-        self.make_room(text.len());
-        self.buffer[self.end..self.end + text.len()].copy_from_slice(text);
-        self.end += text.len();
-    }
-
-    /// Makes room for so many bytes after the text.
-    #[inline]
-    fn make_room(&mut self, bytes: usize) {
-        if self.buffer.len() - self.end < bytes {
-            self.grow(bytes);
-        }
-    }
-
-    #[cold]
-    fn grow(&mut self, bytes: usize) {
-        self.buffer.resize(self.end + bytes + PIECE, 0);
+        self.end = put_text(&mut self.buffer, self.end, text);
     }
 
     /// Begins a block, if none is begun. In a block a blank follows each word; that after the last becomes the line feed.
@@ -158,7 +143,8 @@ impl<'a> Writer<'a> {
 
     fn number(&mut self, prefix: &str, number: u32) {
         self.number = Some(number);
-        self.put_word(prefix, Decimal { units: number.into(), decimals: 0 }, Numerals::default());
+        let number = Decimal { units: number.into(), decimals: 0 };
+        self.end = put_word(&mut self.buffer, self.end, (prefix, number), Numerals::default());
     }
 
     /// Writes a code with a fixed number: `G1`, `M30`.
@@ -173,25 +159,21 @@ impl<'a> Writer<'a> {
     /// Writes a word: `X` or `C1=`, and its number.
     #[inline]
     pub fn word(&mut self, prefix: &str, number: Decimal, numerals: Numerals) {
-        self.begin();
-        self.put_word(prefix, number, numerals);
+        self.words([(prefix, number)], numerals);
     }
 
-    /// Puts a word and a blank.
+    /// Writes words.
     #[inline(always)]
-    fn put_word(&mut self, prefix: &str, number: Decimal, numerals: Numerals) {
-        let letter = match prefix.as_bytes() {
-            // Nearly always, and then no call.
-            [letter] => Some(*letter),
-            letters => {
-                self.append(letters);
-                None
+    pub fn words<'w>(&mut self, words: impl IntoIterator<Item = (&'w str, Decimal)>, numerals: Numerals) {
+        let mut end = self.end;
+        for (prefix, number) in words {
+            if end == self.block {
+                self.begin_block();
+                end = self.end;
             }
-        };
-        self.make_room(WORD_ROOM);
-        let Some(room) = self.buffer.get_mut(self.end..).and_then(<[u8]>::first_chunk_mut) else { return };
-        room[0] = letter.unwrap_or_default();
-        self.end += put_number(room, letter.is_some().into(), number, numerals);
+            end = put_word(&mut self.buffer, end, (prefix, number), numerals);
+        }
+        self.end = end;
     }
 
     /// Ends the block; a block without words writes no line.
@@ -223,9 +205,7 @@ impl<'a> Writer<'a> {
 
     #[inline]
     fn finish_line(&mut self) -> io::Result<()> {
-        self.make_room(1);
-        self.buffer[self.end] = b'\n';
-        self.end += 1;
+        self.append(b"\n");
         let number = self.number.take();
         if let Some(journal) = &mut self.journal {
             journal.add(&self.buffer[self.block..self.end], number);
@@ -262,6 +242,42 @@ impl<'a> Writer<'a> {
         (self.end, self.block) = (0, 0);
         self.out.flush()
     }
+}
+
+/// Puts a word and a blank at `end`; returns their end.
+#[inline(always)]
+fn put_word(buffer: &mut Vec<u8>, end: usize, (prefix, number): (&str, Decimal), numerals: Numerals) -> usize {
+    let (letter, end) = match prefix.as_bytes() {
+        // Nearly always, and then no call.
+        [letter] => (Some(*letter), end),
+        letters => (None, put_text(buffer, end, letters)),
+    };
+    let Some(room) = room_at(buffer, end) else { return end };
+    room[0] = letter.unwrap_or_default();
+    end + put_number(room, letter.is_some().into(), number, numerals)
+}
+
+/// Puts text at `end`; returns its end.
+fn put_text(buffer: &mut Vec<u8>, end: usize, text: &[u8]) -> usize {
+    if buffer.len() - end < text.len() {
+        grow(buffer, end + text.len());
+    }
+    buffer[end..end + text.len()].copy_from_slice(text);
+    end + text.len()
+}
+
+/// Room for a word at `end`.
+#[inline(always)]
+fn room_at(buffer: &mut Vec<u8>, end: usize) -> Option<&mut [u8; WORD_ROOM]> {
+    if buffer.len() - end < WORD_ROOM {
+        grow(buffer, end + WORD_ROOM);
+    }
+    buffer.get_mut(end..).and_then(<[u8]>::first_chunk_mut)
+}
+
+#[cold]
+fn grow(buffer: &mut Vec<u8>, least: usize) {
+    buffer.resize(least + PIECE, 0);
 }
 
 #[cfg(test)]

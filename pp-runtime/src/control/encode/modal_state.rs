@@ -166,10 +166,27 @@ impl ModalState {
     }
 
     /// Enters the word of an axis.
-    #[inline]
     pub(crate) fn set_axis(&mut self, axis: usize, units: i64) {
         self.axes[axis] = units;
         self.known_axes |= 1 << axis;
+    }
+
+    /// Enters the words of these axes.
+    #[inline]
+    pub(crate) fn set_axes(&mut self, words: &AxisWords, axes: u16) {
+        // Nearly always the words of all axes: those that do not change are in force.
+        if self.known_axes & !words.mask == 0 && axes | self.known_axes == words.mask {
+            self.axes = words.units;
+        } else {
+            self.set_some(words, axes);
+        }
+        self.known_axes |= axes;
+    }
+
+    fn set_some(&mut self, words: &AxisWords, axes: u16) {
+        for axis in (0..MAX_AXES).filter(|axis| axes & (1 << axis) != 0) {
+            self.axes[axis] = words.units[axis];
+        }
     }
 
     /// Whether a tool axis vector differs from the one in force.

@@ -267,23 +267,37 @@ impl<'a> ModalWriter<'a> {
 
     #[inline]
     fn any_changes(&self, words: &AxisWords) -> bool {
-        let z = self.z.filter(|_| matches!(self.modal.length(), LengthState::Pending(_)));
-        self.modal.changed_axes(words) != 0
-            || self.modal.vector_changes(words.vector)
-            || z.is_some_and(|z| words.has(z))
+        self.changes_with(words, self.modal.changed_axes(words))
+    }
+
+    /// Whether a block with these words is written, of which those of these axes change.
+    #[inline]
+    fn changes_with(&self, words: &AxisWords, changed: u16) -> bool {
+        let z = self.z.filter(|_| self.has_pending_length());
+        changed != 0 || self.modal.vector_changes(words.vector) || z.is_some_and(|z| words.has(z))
+    }
+
+    /// Whether a length offset is called by the next motion.
+    #[inline]
+    fn has_pending_length(&self) -> bool {
+        matches!(self.modal.length(), LengthState::Pending(_))
     }
 
     /// Writes the words of the axes that change, or of all axes.
     #[inline]
     pub(crate) fn axis_words(&mut self, words: &AxisWords, all: bool) {
-        let written = if all || self.every_word { words.mask } else { self.modal.changed_axes(words) };
-        for axis in &self.axes {
-            if written & (1 << axis.index) != 0 {
-                let units = words.units[axis.index];
-                self.modal.set_axis(axis.index, units);
-                self.writer.word(&axis.word, Decimal { units, decimals: axis.decimals }, self.numerals);
-            }
-        }
+        let written = if all { words.mask } else { self.modal.changed_axes(words) };
+        self.words_of(words, written);
+    }
+
+    /// Writes the words of these axes, or of all where every word is written.
+    #[inline(always)]
+    fn words_of(&mut self, words: &AxisWords, written: u16) {
+        let written = if self.every_word { words.mask } else { written };
+        let changed = self.axes.iter().filter(|axis| written & (1 << axis.index) != 0);
+        let number = |axis: &Address| Decimal { units: words.units[axis.index], decimals: axis.decimals };
+        self.writer.words(changed.map(|axis| (axis.word.as_str(), number(axis))), self.numerals);
+        self.modal.set_axes(words, written);
         if let (Some(vectors), Some(vector)) = (self.vectors, words.vector)
             && self.writes(self.modal.vector_changes(words.vector))
         {
@@ -331,6 +345,7 @@ impl<'a> ModalWriter<'a> {
     }
 
     /// Writes F, whether it is in force or not.
+    #[inline(always)]
     pub(crate) fn feed_word(&mut self, value: Decimal) {
         let numerals = Numerals { plus: false, ..self.numerals };
         self.writer.word("F", value, numerals);

@@ -12,10 +12,13 @@ use crate::control::encode::modal_state::LengthState;
 impl ModalWriter<'_> {
     /// Writes a straight motion at feed, unless no axis word changes.
     pub(crate) fn feed(&mut self, words: &AxisWords, feed: FeedWord) -> io::Result<()> {
-        if !self.any_changes(words) {
+        let changed = self.modal.changed_axes(words);
+        if !self.changes_with(words, changed) {
             return Ok(());
         }
         self.smooth(true)?;
+        // The call of a length offset may make a word unknown.
+        let pending = self.has_pending_length();
         self.call_length_alone(words)?;
         match feed {
             FeedWord::PerMinute(_) => self.feed_mode(self.codes.per_minute),
@@ -25,7 +28,7 @@ impl ModalWriter<'_> {
         self.motion(along.map_or(self.codes.feed, |(code, _)| code));
         self.call_length(words)?;
         self.compensation_before_words();
-        self.axis_words(words, false);
+        self.words_of(words, if pending { self.modal.changed_axes(words) } else { changed });
         self.compensation_after_words(along.is_some());
         match feed {
             FeedWord::PerMinute(value) => self.changed_feed(value),
