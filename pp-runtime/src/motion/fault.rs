@@ -6,32 +6,36 @@ use std::io;
 use crate::diag::{Diagnostic, Severity};
 use crate::program::Location;
 
-/// The cause of a fault in plain words, and its remedy.
+/// The cause of a fault in plain words, and its remedy. Boxed: a result that may be a fault is one word.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Fault {
+pub(crate) struct Fault(Box<Cause>);
+
+#[derive(Debug, Clone, PartialEq, Eq)]
+struct Cause {
     text: String,
     help: Option<String>,
 }
 
 impl Fault {
     pub(crate) fn new(text: impl Display) -> Self {
-        Self { text: text.to_string(), help: None }
+        Self(Box::new(Cause { text: text.to_string(), help: None }))
     }
 
     pub(crate) fn help(mut self, help: impl Display) -> Self {
-        self.help = Some(help.to_string());
+        self.0.help = Some(help.to_string());
         self
     }
 
     /// Puts the purpose of the refused motion before the text.
     pub(crate) fn context(mut self, purpose: impl Display) -> Self {
-        self.text = format!("{purpose}: {}", self.text);
+        self.0.text = format!("{purpose}: {}", self.0.text);
         self
     }
 
     /// The diagnostic at a location.
     pub(crate) fn at(self, location: Location, severity: Severity) -> Diagnostic {
-        Diagnostic { severity, location, length: 1, text: self.text, help: self.help, count: 1 }
+        let Cause { text, help } = *self.0;
+        Diagnostic { severity, location, length: 1, text, help, count: 1 }
     }
 }
 

@@ -281,6 +281,7 @@ impl Navigator {
         }
     }
 
+    #[inline(always)]
     fn go(&mut self, pose: &Pose, air: bool, begins: bool) {
         if !air && (self.stays(pose) || self.goes_on(pose)) {
             return;

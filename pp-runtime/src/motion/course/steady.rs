@@ -4,23 +4,27 @@
 //! or leaves the limits, each state of a pose comes from the state of its branch and turn in the pose before. Increments,
 //! times and travel are then the same for all of them: one sum for each branch takes the place of the layers of states.
 
+use wide::f64x2;
+
 use crate::kinematics::{Branch, RotaryAngles, Solution};
 use crate::motion::course::search::RotaryState;
-use crate::motion::rotary::{AngleScale, Cost, Rotary, RotaryMetric, RotaryWords};
+use crate::motion::rotary::{AngleScale, Cost, Rotary, RotaryMetric, RotaryWords, words_of_both};
 
-/// One branch in a run of cuts.
+/// One branch in a run of cuts. Words and rotations are whole numbers, those of both axes side by side.
 #[derive(Debug, Clone, Copy)]
 struct RunBranch {
     branch: Branch,
     /// Words of the last pose, within half a turn of zero.
-    words: RotaryWords,
+    words: f64x2,
     /// Rotation since the run began, and the rotations between which no turn enters or leaves the limits.
-    rotated: RotaryWords,
-    lowest: RotaryWords,
-    highest: RotaryWords,
-    /// Rotations of the second axis at which its outermost turns are at the limits.
-    at_limits: Option<[i64; 2]>,
-    cost: Cost,
+    rotated: f64x2,
+    lowest: f64x2,
+    highest: f64x2,
+    /// Rotations of the second axis at which its outermost turns are at the limits; infinite without limits.
+    at_limits: [f64; 2],
+    /// Travel and time of the rotation.
+    travel: f64x2,
+    time_ns: u64,
 }
 
 /// A run of cuts in which the states of each pose are those of the one before, rotated.
@@ -30,21 +34,24 @@ pub(crate) struct SteadyRun {
     /// The rotary axes; the second is one that never rotates, where there is one alone.
     axes: [Rotary; 2],
     scale: AngleScale,
+    /// The second axis has limits that a cut could exceed between its ends.
+    is_limited: bool,
 }
 
 impl SteadyRun {
     /// Begins a run at a pose with these solutions.
     pub(crate) fn begin(solutions: &[Solution<RotaryAngles>], rotaries: &[Rotary], scale: AngleScale) -> Self {
-        let branches = solutions.iter().map(|solution| RunBranch::begin(solution, rotaries, scale)).collect();
+        let branches: Vec<_> = solutions.iter().map(|solution| RunBranch::begin(solution, rotaries, scale)).collect();
         let none = Rotary { index: 0, lower: None, upper: None, rest_deg: 0.0 };
         let axes = std::array::from_fn(|axis| rotaries.get(axis).copied().unwrap_or(none));
-        Self { branches, axes, scale }
+        let is_limited = branches.iter().any(|known| known.at_limits.iter().any(|limit| limit.is_finite()));
+        Self { branches, axes, scale, is_limited }
     }
 
     /// Whether the second axis has limits that a cut could exceed between its ends.
     #[inline]
     pub(crate) fn is_limited(&self) -> bool {
-        self.branches.iter().any(|known| known.at_limits.is_some())
+        self.is_limited
     }
 
     /// Takes a cut to a pose with these solutions; `reach`: how far the second axis may go beyond the ends of the cut. Returns
@@ -54,31 +61,19 @@ impl SteadyRun {
         if solutions.len() != self.branches.len() {
             return false;
         }
-        let mut steps = [(RotaryWords::default(), RotaryWords::default()); 2];
-        for ((known, solution), (words, change)) in self.branches.iter().zip(solutions).zip(&mut steps) {
-            if solution.branch != known.branch {
-                return false;
-            }
-            for axis in 0..2 {
-                // Both are within half a turn of zero.
-                words[axis] = self.axes[axis].word(solution.axes[axis], self.scale);
-                let by = within_half_turn(words[axis] - known.words[axis], self.scale);
-                let rotated = known.rotated[axis] + by;
-                let is_wide = 4 * by.abs() >= self.scale.units_per_turn;
-                if is_wide || rotated < known.lowest[axis] || rotated > known.highest[axis] {
-                    return false;
-                }
-                change[axis] = by;
-            }
-            let second = known.rotated[1] + change[1];
-            if known.at_limits.is_some_and(|[lower, upper]| second - reach < lower || second + reach > upper) {
-                return false;
+        let mut steps = [(f64x2::ZERO, f64x2::ZERO); 2];
+        for ((known, solution), step) in self.branches.iter().zip(solutions).zip(&mut steps) {
+            match known.step(solution, reach as f64, (&self.axes, self.scale)) {
+                Some(found) => *step = found,
+                None => return false,
             }
         }
         for (known, (words, change)) in self.branches.iter_mut().zip(steps) {
             known.words = words;
-            known.rotated = [known.rotated[0] + change[0], known.rotated[1] + change[1]];
-            known.cost = known.cost.plus(metric.cost_of(change));
+            known.rotated += change;
+            let travel = change.abs();
+            known.travel += travel;
+            known.time_ns = known.time_ns.saturating_add(metric.time_ns(travel.to_array()));
         }
         true
     }
@@ -89,56 +84,80 @@ impl SteadyRun {
             return (*state, Cost::default());
         };
         let mut words = state.words;
-        for ((word, rotary), by) in words.iter_mut().zip(&self.axes).zip(known.rotated) {
-            let rotated = *word + by;
+        for ((word, rotary), by) in words.iter_mut().zip(&self.axes).zip(known.rotated.to_array()) {
+            let rotated = *word + by as i64;
             *word = if rotary.endless() {
                 rotary.only_turn(rotated, self.scale.units_per_turn).unwrap_or(rotated)
             } else {
                 rotated
             };
         }
-        (RotaryState { words, ..*state }, known.cost)
+        let [first, second] = known.travel.to_array().map(|travel| travel as u64);
+        let cost = Cost { time_ns: known.time_ns, travel_units: first + second, ..Cost::default() };
+        (RotaryState { words, ..*state }, cost)
     }
 }
 
-/// A word of less than one and a half turns, in the turn that is within half a turn of zero.
-#[inline]
-fn within_half_turn(word: i64, scale: AngleScale) -> i64 {
-    let turns = i64::from(2 * word < -scale.units_per_turn) - i64::from(2 * word > scale.units_per_turn);
-    word + turns * scale.units_per_turn
+/// Words of less than one and a half turns, in the turn that is within half a turn of zero.
+#[inline(always)]
+fn within_half_turn(words: f64x2, turn: f64x2) -> f64x2 {
+    let twice = words + words;
+    words + (twice.simd_lt(-turn) & turn) - (twice.simd_gt(turn) & turn)
 }
 
 impl RunBranch {
+    /// Words of a solution and their change from the last pose; `None` if the run ends before it.
+    #[inline(always)]
+    fn step(
+        &self,
+        solution: &Solution<RotaryAngles>,
+        reach: f64,
+        (axes, scale): (&[Rotary; 2], AngleScale),
+    ) -> Option<(f64x2, f64x2)> {
+        // Both are within half a turn of zero.
+        let words = words_of_both(&solution.axes, axes, scale)?;
+        let turn = f64x2::splat(scale.units_per_turn as f64);
+        let by = within_half_turn(words - self.words, turn);
+        let rotated = self.rotated + by;
+        let quarter = f64x2::splat(0.25) * turn;
+        let ends = by.abs().simd_ge(quarter) | rotated.simd_lt(self.lowest) | rotated.simd_gt(self.highest);
+        let second = rotated.to_array()[1];
+        let is_inside = second - reach >= self.at_limits[0] && second + reach <= self.at_limits[1];
+        (solution.branch == self.branch && !ends.any() && is_inside).then_some((words, by))
+    }
+
     fn begin(solution: &Solution<RotaryAngles>, rotaries: &[Rotary], scale: AngleScale) -> Self {
-        let mut new = Self {
-            branch: solution.branch,
-            words: RotaryWords::default(),
-            rotated: RotaryWords::default(),
-            lowest: [i64::MIN; 2],
-            highest: [i64::MAX; 2],
-            at_limits: None,
-            cost: Cost::default(),
-        };
+        let (mut words, mut lowest, mut highest) = (RotaryWords::default(), [f64::NEG_INFINITY; 2], [f64::INFINITY; 2]);
+        let mut at_limits = [f64::NEG_INFINITY, f64::INFINITY];
         // A branch without a state gets one only where each axis has a turn inside its limits.
         let mut missing = None;
-        for (axis, rotary) in rotaries.iter().enumerate().take(new.words.len()) {
-            new.words[axis] = rotary.word(solution.axes[axis], scale);
-            let Some(room) = TurnsInside::of(rotary, new.words[axis], scale.units_per_turn) else { continue };
-            (new.lowest[axis], new.highest[axis]) = (room.lowest, room.highest);
+        for (axis, rotary) in rotaries.iter().enumerate().take(words.len()) {
+            words[axis] = rotary.word(solution.axes[axis], scale);
+            let Some(room) = TurnsInside::of(rotary, words[axis], scale.units_per_turn) else { continue };
+            (lowest[axis], highest[axis]) = (room.lowest as f64, room.highest as f64);
             if axis > 0 {
-                new.at_limits = Some(room.at_limits);
+                at_limits = room.at_limits.map(|limit| limit as f64);
             }
             if room.is_empty {
                 missing = Some(axis);
             }
         }
         if let Some(missing) = missing {
-            new.at_limits = None;
-            for axis in (0..new.words.len()).filter(|axis| *axis != missing) {
-                (new.lowest[axis], new.highest[axis]) = (i64::MIN, i64::MAX);
+            at_limits = [f64::NEG_INFINITY, f64::INFINITY];
+            for axis in (0..words.len()).filter(|axis| *axis != missing) {
+                (lowest[axis], highest[axis]) = (f64::NEG_INFINITY, f64::INFINITY);
             }
         }
-        new
+        Self {
+            branch: solution.branch,
+            words: words.map(|word| word as f64).into(),
+            rotated: f64x2::ZERO,
+            lowest: lowest.into(),
+            highest: highest.into(),
+            at_limits,
+            travel: f64x2::ZERO,
+            time_ns: 0,
+        }
     }
 }
 

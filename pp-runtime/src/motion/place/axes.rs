@@ -32,6 +32,8 @@ pub(crate) struct RotaryAxes {
     /// Indexed axes, and their steps in whole units.
     pub(crate) grid: Vec<(Rotary, i64)>,
     pub(crate) scale: AngleScale,
+    /// Largest rotation of the tool axis by the rounding of the words at both ends of a block.
+    pub(crate) rounding_rad: f64,
     pub(crate) metric: RotaryMetric,
 }
 
@@ -116,6 +118,7 @@ impl RotaryAxes {
             grid: grid(chain, policy, &axes, scale),
             metric: RotaryMetric::new(&axes, [0, 1].map(speed), scale),
             scale,
+            rounding_rad: scale.angle(1) * axes.len() as f64,
             axes,
         }
     }

@@ -193,7 +193,7 @@ impl Linearised {
 
     /// Deviation of the whole motion in one block, if that certifies. A rough bound of it where that is within `seen`, the largest
     /// bounds so far.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn in_one_block(
         placer: &Placer,
         (from, to): (&AxisPosition, &AxisPosition),
@@ -358,7 +358,7 @@ impl Certifier<'_> {
     }
 
     /// Certified deviation of one block; where it is within `seen`, a rough bound of it will do.
-    #[inline]
+    #[inline(always)]
     fn certificate(&self, (from, to): (&AxisPosition, &AxisPosition), seen: Option<&Deviation>) -> Certificate {
         let (tip_off, axis_off) =
             (larger(from.rounding_mm, to.rounding_mm), larger(self.axis_off(from), self.axis_off(to)));
@@ -421,13 +421,7 @@ impl Certifier<'_> {
     #[inline]
     fn axis_off(&self, place: &AxisPosition) -> f64 {
         let deviation = if place.at_pole { 0.0 } else { place.deviation_rad };
-        self.axis_rounding() + 2.0 * deviation
-    }
-
-    /// The part of it that the rounding of the rotary words alone may have, rad.
-    #[inline]
-    fn axis_rounding(&self) -> f64 {
-        self.placer.rotary.scale.angle(1) * self.placer.rotary.axes.len() as f64
+        self.placer.rotary.rounding_rad + 2.0 * deviation
     }
 
     /// The path between two positions; `whole` is that motion as one piece.
@@ -448,7 +442,7 @@ impl Certifier<'_> {
             ))
             .help("increase `tolerance`, or give more decimals: `linear_mm` or `linear_inch` in [formats]"));
         }
-        let rounding = self.axis_rounding();
+        let rounding = self.placer.rotary.rounding_rad;
         if rounding >= self.allowed.axis_rad {
             return Err(Fault::new(format_args!(
                 "the rotary words are too coarse for a tolerance of {:.4}° of the tool axis: their rounding alone rotates it by \

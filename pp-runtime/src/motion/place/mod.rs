@@ -359,6 +359,12 @@ impl Placer {
         self.travel.set_gauge_length(length);
     }
 
+    /// Whether a rotary word differs.
+    #[inline]
+    pub(crate) fn rotates(&self, from: &[i64; MAX_AXES], to: &[i64; MAX_AXES]) -> bool {
+        self.rotary.axes.iter().any(|rotary| to[rotary.index] != from[rotary.index])
+    }
+
     /// Largest travel of a rotary axis, rad.
     #[inline]
     pub(crate) fn rotary_travel(&self, from: &[i64; MAX_AXES], to: &[i64; MAX_AXES]) -> f64 {
@@ -367,7 +373,7 @@ impl Placer {
     }
 
     /// Rotary axis with the largest travel, and this travel, rad; `None` if none moves.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn largest_rotation(&self, from: &[i64; MAX_AXES], to: &[i64; MAX_AXES]) -> Option<(char, f64)> {
         let travels =
             self.rotary.axes.iter().map(|rotary| (rotary.index, to[rotary.index].abs_diff(from[rotary.index])));
@@ -441,7 +447,7 @@ impl Placer {
     }
 
     /// Written words of the axes in `mask`.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn words(&self, place: &AxisPosition, mask: u16) -> AxisWords {
         let units = self.written(place);
         let both = mask & self.linear.mask != 0 && mask & self.rotary.mask != 0;
@@ -470,7 +476,7 @@ impl Placer {
     }
 
     /// The same, set in `to`, which is a position of this placer.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn place_at(
         &mut self,
         pose: &Pose,
@@ -498,7 +504,7 @@ impl Placer {
     }
 
     /// The same as [`Placer::solve_linear`], and compares the travel.
-    #[inline]
+    #[inline(always)]
     fn solve_linear_in_travel(&mut self, place: &mut AxisPosition) -> Result<(), Fault> {
         self.solve_linear(place)?;
         self.travel.check(&place.axes)
@@ -511,7 +517,7 @@ impl Placer {
     }
 
     /// Computes the linear axes and words of a position whose rotary angles are known; the travel is not compared.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn solve_linear(&self, place: &mut AxisPosition) -> Result<(), Fault> {
         if !self.machine.set_linear_axes(&place.pose.tip, &mut place.axes) {
             return Err(refusal::unreachable(self, &place.pose, &place.axes));

@@ -170,7 +170,7 @@ impl Placer {
 
     /// Chooses the rotary angles of a pose, or keeps those at which the feed motion before has stayed with the same tool axis.
     /// Sets all of the position `to` but for its linear axes.
-    #[inline]
+    #[inline(always)]
     pub(super) fn set_rotaries_for(
         &mut self,
         pose: &Pose,
@@ -202,7 +202,7 @@ impl Placer {
     /// Chooses the rotary angles of a pose from the present ones: a feed motion stays on its branch, a rapid takes the
     /// least travel. Refuses a feed motion in which limits force another turn than the nearest: the tool is in the cut.
     /// Sets all of the position `to` but for its linear axes.
-    #[inline]
+    #[inline(always)]
     fn choose_rotaries(
         &self,
         pose: &Pose,

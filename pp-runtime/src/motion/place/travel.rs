@@ -43,6 +43,8 @@ pub(crate) struct LinearTravel {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct TravelCheck {
     axes: Vec<LinearTravel>,
+    /// The travel of at least one is declared.
+    limited: bool,
     /// Gauge length of the tool, if known.
     gauge_length_mm: Option<f64>,
     /// Part zero of the first set-up, for which `machine_zero` is stated.
@@ -59,7 +61,7 @@ impl TravelCheck {
             .collect();
         let shares = along_axes(machine, &machine.tool_axis());
         let has_rotary_head = rotaries(machine.axes(), Side::Tool).next().is_some();
-        let axes = solved
+        let axes: Vec<LinearTravel> = solved
             .iter()
             .map(|&index| LinearTravel {
                 index,
@@ -73,7 +75,8 @@ impl TravelCheck {
             })
             .collect();
         let first_origin = policy.set_up.part_origin.into();
-        Self { axes, gauge_length_mm: None, first_origin, moved_mm: [0.0; MAX_AXES] }
+        let limited = axes.iter().any(LinearTravel::limited);
+        Self { axes, limited, gauge_length_mm: None, first_origin, moved_mm: [0.0; MAX_AXES] }
     }
 
     /// Sets the position of the part zero from the reference point of the table.
@@ -95,7 +98,12 @@ impl TravelCheck {
     }
 
     /// Compares a point of the program with the limits; `values` are rounded axis values, mm.
+    #[inline]
     pub(crate) fn check(&mut self, values: &[f64]) -> Result<(), Fault> {
+        if self.limited { self.compare(values) } else { Ok(()) }
+    }
+
+    fn compare(&mut self, values: &[f64]) -> Result<(), Fault> {
         let length = self.gauge_length_mm;
         for axis in &mut self.axes {
             axis.check(values[axis.index] + self.moved_mm[axis.index], length)?;
@@ -117,7 +125,7 @@ impl TravelCheck {
 
     /// Whether the travel of at least one axis is declared.
     pub(crate) fn limited(&self) -> bool {
-        self.axes.iter().any(LinearTravel::limited)
+        self.limited
     }
 
     /// Compares a machine coordinate with the limits.

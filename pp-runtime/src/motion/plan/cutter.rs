@@ -237,7 +237,7 @@ pub(crate) fn line<S: Sink>(planner: &mut Planner<'_, S>, ahead: MotionAndNext<'
     }
     let stays = planner.cutter.in_force() || planner.cutter.is_idle();
     planner.run(ahead, index)?;
-    if stays && planner.mover.placer().rotary_travel(&from.words, &planner.mover.here().words) > 0.0 {
+    if stays && planner.mover.placer().rotates(&from.words, &planner.mover.here().words) {
         return Err(in_force_fault("a rotary axis rotates").into());
     }
     Ok(())
@@ -268,7 +268,7 @@ pub(crate) fn arc<'a, S: Sink>(
     if chorded || planner.policy.options.arcs.output == ArcOutput::Lines {
         return Err(in_force_fault("an arc follows that is written as chords").into());
     }
-    if planner.mover.placer().rotary_travel(&words, &planner.mover.here().words) > 0.0 {
+    if planner.mover.placer().rotates(&words, &planner.mover.here().words) {
         return Err(in_force_fault("a rotary axis rotates").into());
     }
     Ok(())

@@ -156,6 +156,7 @@ impl Feeds {
     }
 
     /// F word and time of a motion at `feed`, mm/min.
+    #[inline(always)]
     pub(crate) fn pace(&self, feed: f64, motion: FeedMotion) -> Result<Pace, Fault> {
         let zero = |feed: f64| {
             Fault::new(format_args!("a feed of {feed} mm/min is written as F0"))
@@ -200,21 +201,22 @@ impl Feeds {
             let word = per_minute(feed / self.unit_mm * self.feed_per_unit)?;
             (FeedWord::PerMinute(word), word)
         } else {
-            let inverse = |time: f64| {
-                let word = Decimal::significant(1.0 / time, self.inverse_time_digits).map_err(overflow)?;
-                // Rounding must not lead beyond the limit.
-                if word.value() > self.largest_inverse_time { self.largest_word() } else { Ok(word) }
+            // In the unit of time of an inverse-time F, where the control has one.
+            let time = match self.path_norm {
+                PathNorm::G93Minutes => Some(time_min),
+                PathNorm::G93Seconds => Some(time_min * 60.0),
+                PathNorm::Xyz | PathNorm::XyzDegrees => None,
             };
-            let along = |path: f64| per_minute(path / time_min);
-            match self.path_norm {
-                PathNorm::G93Minutes if !self.along_tip => {
-                    inverse(time_min).map(|word| (FeedWord::InverseTime(word), word))?
+            match time.filter(|_| !self.along_tip) {
+                Some(time) => {
+                    let word = Decimal::significant(1.0 / time, self.inverse_time_digits).map_err(overflow)?;
+                    // Rounding must not lead beyond the limit.
+                    let word = if word.value() > self.largest_inverse_time { self.largest_word()? } else { word };
+                    (FeedWord::InverseTime(word), word)
                 }
-                PathNorm::G93Seconds if !self.along_tip => {
-                    inverse(time_min * 60.0).map(|word| (FeedWord::InverseTime(word), word))?
-                }
-                PathNorm::G93Minutes | PathNorm::G93Seconds | PathNorm::Xyz | PathNorm::XyzDegrees => {
-                    along(self.path_length(motion) * in_units).map(|word| (FeedWord::PerMinute(word), word))?
+                None => {
+                    let word = per_minute(self.path_length(motion) * in_units / time_min)?;
+                    (FeedWord::PerMinute(word), word)
                 }
             }
         };

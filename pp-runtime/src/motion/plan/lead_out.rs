@@ -29,7 +29,7 @@ impl LeadOut {
     }
 
     /// Takes one motion.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn follow(&mut self, from: &Pose, to: &Pose) {
         if (to.axis.into_inner() - from.axis.into_inner()).norm_squared() > ALONG * ALONG {
             *self = Self::default();

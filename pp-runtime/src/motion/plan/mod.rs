@@ -257,7 +257,7 @@ impl<'a, S: Sink> Planner<'a, S> {
     }
 
     /// A straight motion of the CL data.
-    #[inline]
+    #[inline(always)]
     fn line(&mut self, ahead: MotionAndNext<'_>, index: MotionIndex) -> Planned {
         match index.begins {
             Begins::Nothing if self.cutter.is_idle() => self.run(ahead, index),
@@ -280,7 +280,7 @@ impl<'a, S: Sink> Planner<'a, S> {
     }
 
     /// Checks tool, spindle, feed and floor before the tool moves to a point of the CL data.
-    #[inline]
+    #[inline(always)]
     fn check_state(&self, motion: &Move) -> Result<(), Fault> {
         if let Some(floor) = self.policy.options.guards.floor_mm
             && motion.pose.tip.z < floor
@@ -337,7 +337,7 @@ impl<'a, S: Sink> Planner<'a, S> {
     }
 
     /// Feed of a motion, mm/min.
-    #[inline]
+    #[inline(always)]
     fn rate(&self, feed: Option<program::Feed>) -> Result<f64, Fault> {
         let feed = feed.ok_or_else(|| Fault::new("a feed motion without feed"))?;
         let feed = Feeds::per_minute(feed, self.spindle.speed())?;
@@ -351,7 +351,7 @@ impl<'a, S: Sink> Planner<'a, S> {
     }
 
     /// A motion inside an operation.
-    #[inline]
+    #[inline(always)]
     fn run(&mut self, ahead: MotionAndNext<'_>, index: MotionIndex) -> Planned {
         self.stop_spindle()?;
         self.check_state(ahead.motion)?;
@@ -362,7 +362,7 @@ impl<'a, S: Sink> Planner<'a, S> {
 
     /// The stretch of a motion inside an operation. Where another mode begins with a cut, the safe sequence leads back to
     /// its start; a rapid leads to its own end.
-    #[inline]
+    #[inline(always)]
     fn reach_stretch(&mut self, motion: &Move, index: MotionIndex) -> Planned {
         self.modes.reach(index.stretch);
         if self.modes.changes() && !motion.rapid { self.change_mode(motion) } else { Ok(()) }
@@ -382,7 +382,7 @@ impl<'a, S: Sink> Planner<'a, S> {
     }
 
     /// A motion inside an operation, after the changes of its course.
-    #[inline]
+    #[inline(always)]
     fn go(&mut self, ahead: MotionAndNext<'_>, planned: Option<RotaryTarget>) -> Planned {
         let motion = ahead.motion;
         if !motion.rapid {
@@ -404,7 +404,7 @@ impl<'a, S: Sink> Planner<'a, S> {
     }
 
     /// Makes the course changes before a motion and returns the rotary words at its end, if the course has set them.
-    #[inline]
+    #[inline(always)]
     fn apply_course_changes(&mut self, motion: &Move, index: MotionIndex) -> Result<Option<RotaryTarget>, ItemError> {
         let (from, sense, mut planned) = (self.mover.position().pose(), self.course.take_sense(), None);
         while let Some(CourseChange { action, words, .. }) = self.course.change(index.motion) {

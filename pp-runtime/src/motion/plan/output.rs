@@ -132,7 +132,7 @@ impl<S: Sink> Output<S> {
     }
 
     /// Writes one step and the position after it. `inserted`: reason for a point that the record does not name.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn move_step(
         &mut self,
         step: &Step<'_>,
@@ -142,7 +142,7 @@ impl<S: Sink> Output<S> {
         self.emit(step, inserted.unwrap_or(self.reason), Some(reached))
     }
 
-    #[inline]
+    #[inline(always)]
     fn emit(&mut self, step: &Step<'_>, reason: BlockReason, reached: Option<ReachedPosition<'_>>) -> io::Result<()> {
         if let Skippable::Yes { any } = &mut self.skippable {
             let is_block = !matches!(
@@ -185,7 +185,7 @@ impl<S: Sink> Output<S> {
     }
 
     /// Counts a feed motion. `rotation`: letter and angle, rad, of the rotary axis that rotates most.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn feed(&mut self, pace: &Pace, rotation: Option<(char, f64)>) {
         let (at, Pace { feed, time_min, slowed_min }) = (self.location(), *pace);
         self.times.cut(time_min);

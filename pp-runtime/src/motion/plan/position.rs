@@ -192,7 +192,7 @@ impl Position {
     }
 
     /// A motion of the CL data leads from one pose to another.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn follow(&mut self, from: &Pose, to: &Pose) {
         self.lead_out.follow(from, to);
     }
@@ -209,7 +209,7 @@ impl Position {
     }
 
     /// Remembers the lowest level that was cut with this tool axis in this operation.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn note_cut(&mut self, pose: &Pose) {
         match &mut self.lowest {
             Some(lowest)

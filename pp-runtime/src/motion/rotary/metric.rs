@@ -113,11 +113,18 @@ impl RotaryMetric {
     #[inline]
     pub(crate) fn cost_of(&self, changes: [i64; 2]) -> Cost {
         let travel = changes.map(i64::unsigned_abs);
+        let time_ns = self.time_ns(travel.map(|travel| travel as f64));
+        Cost { time_ns, travel_units: travel[0] + travel[1], ..Cost::default() }
+    }
+
+    /// Time of these travels, in units of the words, ns; 0 where no speed is known.
+    #[inline]
+    pub(crate) fn time_ns(&self, travel: [f64; 2]) -> u64 {
         if self.is_untimed {
-            return Cost { travel_units: travel[0] + travel[1], ..Cost::default() };
+            return 0;
         }
-        let time_ns = (0..2).map(|axis| rounded(travel[axis] as f64 * self.ns_per_unit[axis]).unsigned_abs()).max();
-        Cost { time_ns: time_ns.unwrap_or(0), travel_units: travel[0] + travel[1], ..Cost::default() }
+        let times = [0, 1].map(|axis| rounded(travel[axis] * self.ns_per_unit[axis]).unsigned_abs());
+        times[0].max(times[1])
     }
 
     /// Whether no axis rotates by more than 180°: the limit of a cut without a rewind.

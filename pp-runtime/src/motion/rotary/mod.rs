@@ -8,5 +8,7 @@ mod rollover;
 
 pub use metric::Cost;
 pub(crate) use metric::{RotaryMetric, RotaryTarget, RotaryWords, RotationSense};
-pub(crate) use nearest_turn::{AngleScale, Choice, MAX_TURNS, OutOfLimits, Rotary, choose, nearest_words};
+pub(crate) use nearest_turn::{
+    AngleScale, Choice, MAX_TURNS, OutOfLimits, Rotary, choose, nearest_words, words_of_both,
+};
 pub(crate) use rollover::Rollover;

@@ -3,10 +3,12 @@
 //! Computes in whole units of the rotary words, so that limits hold for the written values, ties are exact, and turns
 //! are exact. The choice is made pose by pose, without look-ahead.
 
+use wide::f64x2;
+
 use crate::kinematics::{RotaryAngles, Solution};
 
 use super::RotaryWords;
-use crate::nc::rounded;
+use crate::nc::{rounded, rounded_both};
 
 /// Most turns of one axis that are tried for one pose, nearest to zero first. Of an axis with a wider range the turns
 /// at its ends and those near the current course are tried in addition.
@@ -244,6 +246,13 @@ pub(crate) fn nearest_words(
         *word = rotary.nearest(rotary.word(*angle, scale), *before, scale.units_per_turn)?;
     }
     Ok(words)
+}
+
+/// The words nearest to the angles of two axes, rad; `None` if one is half way between two words.
+#[inline(always)]
+pub(crate) fn words_of_both(angles: &RotaryAngles, axes: &[Rotary; 2], scale: AngleScale) -> Option<f64x2> {
+    let degrees = f64x2::from(angles.map(f64::to_degrees)) - f64x2::from([axes[0].rest_deg, axes[1].rest_deg]);
+    rounded_both(degrees * f64x2::splat(scale.units_per_degree))
 }
 
 #[cfg(test)]

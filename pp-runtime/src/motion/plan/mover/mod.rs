@@ -53,6 +53,15 @@ pub(crate) struct Mover<'a, S> {
     plane_guards: u32,
 }
 
+/// Motion of a feed block between its ends.
+#[derive(Debug, Clone, Copy)]
+struct BlockMotion {
+    /// Distance of the ends of the tip path.
+    length_mm: f64,
+    /// Letter and angle, rad, of the rotary axis that rotates most.
+    rotation: Option<(char, f64)>,
+}
+
 impl<'a, S: Sink> Mover<'a, S> {
     pub(crate) fn new(
         machine: Box<dyn AnyMachine>,
@@ -247,7 +256,7 @@ impl<'a, S: Sink> Mover<'a, S> {
     /// Whether any rotary axis rotates in a motion to a place.
     #[inline]
     pub(crate) fn rotates(&self, to: &AxisPosition) -> bool {
-        self.placer.rotary_travel(&self.here().words, &to.words) > 0.0
+        self.placer.rotates(&self.here().words, &to.words)
     }
 
     /// Whether a motion rotates a rotary axis by more than the index angle.
@@ -267,13 +276,27 @@ impl<'a, S: Sink> Mover<'a, S> {
         self.clamps.note(&self.position.place().words, &to.words);
     }
 
-    /// F word and time of a motion at `rate` mm/min to a place. `bound`: of the block, where a rotary axis rotates.
-    #[inline]
-    fn pace(&self, rate: f64, to: &AxisPosition, bound: Option<&MotionBound>) -> Result<Pace, Fault> {
+    /// Motion of the block to a place.
+    #[inline(always)]
+    fn block_to(&self, to: &AxisPosition) -> BlockMotion {
+        let from = self.here();
+        let rotation = self.placer.largest_rotation(&from.words, &to.words);
+        BlockMotion { length_mm: (to.pose.tip - from.pose.tip).norm(), rotation }
+    }
+
+    /// F word and time of a block to a place at `rate` mm/min. `bound`: of the block, where a rotary axis rotates.
+    #[inline(always)]
+    fn pace(
+        &self,
+        rate: f64,
+        to: &AxisPosition,
+        block: BlockMotion,
+        bound: Option<&MotionBound>,
+    ) -> Result<Pace, Fault> {
         let from = self.here();
         let (linear_mm, rotary_degrees) =
             if self.feeds.counts_path() { self.placer.path_lengths(from, to) } else { (0.0, 0.0) };
-        let length_mm = if self.placer.tip_rests(from, to) { 0.0 } else { (to.pose.tip - from.pose.tip).norm() };
+        let length_mm = if self.placer.tip_rests(from, to) { 0.0 } else { block.length_mm };
         let tip_rate_mm = bound.map_or(0.0, |bound| {
             let largest_mm = self.feeds.largest_tip_rate_mm(length_mm);
             if bound.tip_rate > largest_mm { self.placer.tip_rate_mm(from, to) } else { 0.0 }
@@ -281,7 +304,7 @@ impl<'a, S: Sink> Mover<'a, S> {
         let mut motion = FeedMotion {
             length_mm,
             tip_rate_mm,
-            rotation_rad: self.placer.rotary_travel(&from.words, &to.words),
+            rotation_rad: block.rotation.map_or(0.0, |(_, angle_rad)| angle_rad),
             orthogonal: self.placer.keeps_path_length(),
             linear_mm,
             rotary_degrees,
@@ -317,18 +340,19 @@ impl<'a, S: Sink> Mover<'a, S> {
     /// Writes a feed motion in one block: of the linear axes, or away from the part.
     #[inline]
     pub(crate) fn feed_block(&mut self, place: &AxisPosition, rate: f64) -> Planned {
-        let pace = self.pace(rate, place, None)?;
-        self.write_feed(place, &pace, None)
+        let block = self.block_to(place);
+        let pace = self.pace(rate, place, block, None)?;
+        self.write_feed(place, &pace, block, None)
     }
 
     /// Writes a feed motion with rotation of an axis in as many blocks as keep tip and tool axis within tolerance. The travel at
     /// its end has been compared.
+    #[inline(always)]
     pub(crate) fn feed_in_pieces(&mut self, place: &AxisPosition, rate: f64, tolerance: PathTolerance) -> Planned {
         // Nearly every motion: nothing is copied.
         let allowed = (tolerance, self.output.statistics().largest_deviation(tolerance));
         if let Some(bound) = Linearised::in_one_block(&self.placer, (self.here(), place), allowed, self.law) {
-            self.note_rotation_on_spot(place, tolerance)?;
-            self.feed_piece(place, rate, &bound, None)?;
+            self.feed_piece((place, &bound), rate, tolerance, None)?;
             self.output.statistics_mut().certified(&bound, tolerance);
             return Ok(());
         }
@@ -337,9 +361,8 @@ impl<'a, S: Sink> Mover<'a, S> {
         while let Some(piece) = pieces.next(&self.placer)? {
             blocks += u64::from(piece.place.words != self.here().words);
             let inserted = (piece.place.words != place.words).then_some(BlockReason::Tolerance);
-            self.note_rotation_on_spot(&piece.place, tolerance)?;
             self.placer.check_travel(&piece.place)?;
-            self.feed_piece(&piece.place, rate, &piece.bound, inserted)?;
+            self.feed_piece((&piece.place, &piece.bound), rate, tolerance, inserted)?;
             self.position.go_to(&piece.place);
             self.output.statistics_mut().certified(&piece.bound, tolerance);
         }
@@ -349,15 +372,29 @@ impl<'a, S: Sink> Mover<'a, S> {
 
     /// Adds up the rotation of the rotary axes while the tip rests and the tool axis keeps to its tolerance, and refuses more than
     /// `course.rotation_at_pole` permits. Without a tolerance of the tool axis the tool swings, as configured.
-    fn note_rotation_on_spot(&mut self, to: &AxisPosition, tolerance: PathTolerance) -> Result<(), Fault> {
-        let (from, unit_mm) = (self.here(), self.placer.unit_mm());
-        let near = |tip: &Point3<f64>| (to.pose.tip - tip).norm() <= unit_mm;
-        let keeps_axis = || angle_between(&from.pose.axis, &to.pose.axis) <= tolerance.axis_rad;
-        if !(near(&from.pose.tip) && tolerance.axis_rad.is_finite() && keeps_axis()) {
+    #[inline]
+    fn note_rotation_on_spot(
+        &mut self,
+        to: &AxisPosition,
+        block: BlockMotion,
+        tolerance: PathTolerance,
+    ) -> Result<(), Fault> {
+        if block.length_mm <= self.placer.unit_mm() && tolerance.axis_rad.is_finite() {
+            self.rotate_on_spot(to, block, tolerance)
+        } else {
+            Ok(())
+        }
+    }
+
+    /// The same, where the tip rests and the tool axis has a tolerance.
+    #[cold]
+    fn rotate_on_spot(&mut self, to: &AxisPosition, block: BlockMotion, tolerance: PathTolerance) -> Result<(), Fault> {
+        if angle_between(&self.here().pose.axis, &to.pose.axis) > tolerance.axis_rad {
             return Ok(());
         }
-        let before = if near(&self.spot.0) { self.spot.1 } else { 0.0 };
-        let rotated = before + self.placer.rotary_travel(&from.words, &to.words);
+        let near = (to.pose.tip - self.spot.0).norm() <= self.placer.unit_mm();
+        let before = if near { self.spot.1 } else { 0.0 };
+        let rotated = before + block.rotation.map_or(0.0, |(_, angle_rad)| angle_rad);
         self.spot = (to.pose.tip, rotated);
         self.output.statistics_mut().rotates_on_spot(rotated);
         let most = self.policy.options.course.rotation_at_pole_rad.unwrap_or(f64::INFINITY);
@@ -373,28 +410,36 @@ impl<'a, S: Sink> Mover<'a, S> {
             .help("retract before this point and start a new operation, or keep the tool axis away from the pole"))
     }
 
-    /// Writes a certified piece of a feed motion.
-    #[inline]
+    /// Writes a piece of a feed motion with its certified bound.
+    #[inline(always)]
     fn feed_piece(
         &mut self,
-        place: &AxisPosition,
+        (place, bound): (&AxisPosition, &MotionBound),
         rate: f64,
-        bound: &MotionBound,
+        tolerance: PathTolerance,
         inserted: Option<BlockReason>,
     ) -> Planned {
+        let block = self.block_to(place);
+        self.note_rotation_on_spot(place, block, tolerance)?;
         self.placer.check_between(self.position.place(), place)?;
-        let pace = self.pace(rate, place, Some(bound))?;
-        self.write_feed(place, &pace, inserted)
+        let pace = self.pace(rate, place, block, Some(bound))?;
+        self.write_feed(place, &pace, block, inserted)
     }
 
-    #[inline]
-    fn write_feed(&mut self, place: &AxisPosition, pace: &Pace, inserted: Option<BlockReason>) -> Planned {
+    #[inline(always)]
+    fn write_feed(
+        &mut self,
+        place: &AxisPosition,
+        pace: &Pace,
+        block: BlockMotion,
+        inserted: Option<BlockReason>,
+    ) -> Planned {
         if place.words == self.here().words {
             return Ok(());
         }
         self.check_hidden_rotation(place)?;
         self.note_rotation(place);
-        self.output.feed(pace, self.placer.largest_rotation(&self.here().words, &place.words));
+        self.output.feed(pace, block.rotation);
         let words = self.placer.words(place, self.block_axes());
         let words = self.speller.spell(|| self.placer.written(self.position.place()), words);
         let reached = self.placer.state_at(place);
