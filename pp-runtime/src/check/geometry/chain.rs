@@ -6,6 +6,7 @@
 //! outwards, which costs a rotation of two vectors for each rotary axis.
 
 use nalgebra::{Matrix3, Vector3};
+use wide::f64x2;
 
 use super::super::read::MAX_AXES;
 use crate::kinematics::{AnyMachine, AxisKind, Side};
@@ -23,6 +24,22 @@ struct Link {
     along: Matrix3<f64>,
     across: Matrix3<f64>,
     quarter: Matrix3<f64>,
+    /// The direction for both, and for the tip alone; the point for the tip.
+    both: Pair,
+    moves_tip: Pair,
+    centre: Pair,
+}
+
+/// Components of two vectors, as tip and tool axis: what is done to one is done to the other by the same instruction.
+type Pair = [f64x2; 3];
+
+fn pair(one: &Vector3<f64>, other: &Vector3<f64>) -> Pair {
+    [0, 1, 2].map(|index| f64x2::new([one[index], other[index]]))
+}
+
+fn vectors(pair: &Pair) -> [Vector3<f64>; 2] {
+    let [x, y, z] = pair.map(f64x2::to_array);
+    [0, 1].map(|index| Vector3::new(x[index], y[index], z[index]))
 }
 
 /// The chain of a machine for one part and one tool.
@@ -30,6 +47,8 @@ struct Link {
 pub(crate) struct Chain {
     links: Vec<Link>,
     tool_axis: Vector3<f64>,
+    /// The tool before the first link.
+    tool: Pair,
 }
 
 /// Tip and tool axis in the workpiece frame, mm.
@@ -91,6 +110,7 @@ impl Chain {
             let joint = machine.joint(index);
             let direction = joint.direction.into_inner() * joint.sign;
             let along = direction * direction.transpose();
+            let of_tip = |vector| pair(&vector, &Vector3::zeros());
             Link {
                 rotary: machine.axes()[index].kind == AxisKind::Rotary,
                 workpiece: machine.axes()[index].side == Side::Workpiece,
@@ -99,23 +119,26 @@ impl Chain {
                 along,
                 across: Matrix3::identity() - along,
                 quarter: direction.cross_matrix(),
+                both: pair(&direction, &direction),
+                moves_tip: of_tip(direction),
+                centre: of_tip(joint.point.coords),
             }
         };
-        Self { links: (0..machine.axes().len()).map(link).collect(), tool_axis: machine.tool_axis().into_inner() }
+        let tool_axis = machine.tool_axis().into_inner();
+        Self {
+            links: (0..machine.axes().len()).map(link).collect(),
+            tool_axis,
+            tool: pair(&Vector3::zeros(), &tool_axis),
+        }
     }
 
     /// Tip and tool axis for axis values in mm and rad.
     pub(crate) fn place(&self, values: &[f64; MAX_AXES]) -> ToolPose {
-        let (mut tip, mut axis) = (Vector3::zeros(), self.tool_axis);
+        let mut tool = self.tool;
         for (link, value) in self.links.iter().zip(values).rev() {
-            if link.rotary {
-                let rotation = link.rotation(*value);
-                tip = link.point + rotation * (tip - link.point);
-                axis = rotation * axis;
-            } else {
-                tip += link.direction * *value;
-            }
+            tool = if link.rotary { link.rotated(&tool, *value) } else { link.moved(&tool, *value) };
         }
+        let [tip, axis] = vectors(&tool);
         ToolPose { tip, axis }
     }
 
@@ -126,19 +149,21 @@ impl Chain {
     /// the end of the motion, by their lengths where another axis rotates them, and no longer before it than by the speed.
     pub(crate) fn swing(&self, values: &[f64; MAX_AXES], change: &[f64; MAX_AXES]) -> Swing {
         // The tip from the last centre, and the length of what has been rotated about it.
-        let (mut arm, mut rotated_mm) = (Vector3::zeros(), 0.0);
-        let (mut step, mut speed_mm, mut bend_mm, mut angle) = (Vector3::zeros(), 0.0, 0.0, 0.0);
+        let (mut arm_and_step, mut rotated_mm) = ([f64x2::splat(0.0); 3], 0.0);
+        let (mut speed_mm, mut bend_mm, mut angle) = (0.0, 0.0, 0.0);
         for ((link, value), change) in self.links.iter().zip(values).zip(change).rev() {
             if !link.rotary {
-                (arm, step) = (arm + link.direction * *value, step + link.direction * *change);
+                let by = f64x2::new([*value, *change]);
+                arm_and_step = [0, 1, 2].map(|index| arm_and_step[index] + link.both[index] * by);
                 continue;
             }
             let turn = change.abs();
-            let from_centre: Vector3<f64> = arm - link.point;
-            speed_mm += std::mem::take(&mut step).norm();
+            let [arm, step] = vectors(&arm_and_step);
+            let from_centre = arm - link.point;
+            speed_mm += step.norm();
             let lever_mm = link.direction.cross(&from_centre).norm() + rotated_mm + speed_mm;
             (bend_mm, speed_mm) = (bend_mm + turn * (2.0 * speed_mm + turn * lever_mm), speed_mm + turn * lever_mm);
-            (arm, rotated_mm) = (link.point, rotated_mm + from_centre.norm());
+            (arm_and_step, rotated_mm) = (link.centre, rotated_mm + from_centre.norm());
             angle += turn;
         }
         Swing { bend_mm, angle }
@@ -213,6 +238,25 @@ impl Chain {
 }
 
 impl Link {
+    /// The tip moved along the direction.
+    fn moved(&self, tool: &Pair, value: f64) -> Pair {
+        let value = f64x2::splat(value);
+        [0, 1, 2].map(|index| tool[index] + self.moves_tip[index] * value)
+    }
+
+    /// [`rotation`](Self::rotation) of the tip about the centre line, and of the tool axis.
+    fn rotated(&self, tool: &Pair, angle: f64) -> Pair {
+        let (sine, cosine) = angle.sin_cos();
+        let (sine, cosine, n) = (f64x2::splat(sine), f64x2::splat(cosine), &self.both);
+        let arm = [0, 1, 2].map(|index| tool[index] - self.centre[index]);
+        let part = n[0] * arm[0] + n[1] * arm[1] + n[2] * arm[2];
+        [[0, 1, 2], [1, 2, 0], [2, 0, 1]].map(|[index, next, last]| {
+            let along = n[index] * part;
+            let quarter = n[next] * arm[last] - n[last] * arm[next];
+            self.centre[index] + along + (arm[index] - along) * cosine + quarter * sine
+        })
+    }
+
     /// Rodrigues: the part along the direction stays, the rest rotates.
     fn rotation(&self, angle: f64) -> Matrix3<f64> {
         let (sine, cosine) = angle.sin_cos();
