@@ -195,37 +195,48 @@ impl<R: Read> Reader<R> {
 
     /// The next line that is more than a comment, and its text.
     pub(crate) fn next_block(&mut self) -> io::Result<Option<(&Block, &[u8])>> {
-        loop {
-            let begins = self.number == 0;
-            let Some(long) = self.next_line()? else { return Ok(None) };
-            self.block.faults.clear();
-            self.block.own = None;
-            self.draft.clear(&self.empty);
-            let mark = if begins { self.byte_order_mark() } else { None };
-            let marked = self.take_skip_mark();
-            self.follow_skip(marked);
-            let is_block = long || self.read_line();
-            if long {
-                let text = format!("this line is longer than {LONGEST} bytes and has not been read");
-                fault(&mut self.block.faults, 0, text);
-            }
-            if let Some(encoding) = mark {
-                let text = format!(
-                    "the program begins with a byte order mark ({encoding}), which the control reads as part of the first \
-                     block: save the file as plain ASCII, or without the mark"
-                );
-                // In front of what follows from it.
-                self.block.faults.insert(0, Fault { column: 1, text });
-            }
-            if is_block || !self.block.faults.is_empty() {
-                self.block.line = self.number;
-                self.machine.execute(&self.draft, &mut self.block);
-                if self.joined {
-                    text::put_marks_back(&mut self.line);
-                }
+        while let Some(is_block) = self.execute_line()? {
+            if is_block {
                 return Ok(Some((&self.block, &self.line)));
             }
         }
+        Ok(None)
+    }
+
+    /// Reads and executes the next line; whether it is more than a comment, `None` after the last one. A function of its own, so
+    /// that nothing is prepared for more lines than one.
+    #[inline(never)]
+    fn execute_line(&mut self) -> io::Result<Option<bool>> {
+        let begins = self.number == 0;
+        let Some(long) = self.next_line()? else { return Ok(None) };
+        self.block.faults.clear();
+        self.block.own = None;
+        self.draft.clear(&self.empty);
+        let mark = if begins { self.byte_order_mark() } else { None };
+        let marked = self.take_skip_mark();
+        self.follow_skip(marked);
+        let is_block = long || self.read_line();
+        if long {
+            let text = format!("this line is longer than {LONGEST} bytes and has not been read");
+            fault(&mut self.block.faults, 0, text);
+        }
+        if let Some(encoding) = mark {
+            let text = format!(
+                "the program begins with a byte order mark ({encoding}), which the control reads as part of the first block: \
+                 save the file as plain ASCII, or without the mark"
+            );
+            // In front of what follows from it.
+            self.block.faults.insert(0, Fault { column: 1, text });
+        }
+        let is_block = is_block || !self.block.faults.is_empty();
+        if is_block {
+            self.block.line = self.number;
+            self.machine.execute(&self.draft, &mut self.block);
+            if self.joined {
+                text::put_marks_back(&mut self.line);
+            }
+        }
+        Ok(Some(is_block))
     }
 
     /// Lines read so far.

@@ -220,7 +220,8 @@ impl<'a> Cursor<'a> {
             (bytes, whole)
         };
         let end = first + (count + u32::from(point)) as usize;
-        if count == 0 || matches!(self.line.get(end), Some(b'.' | b'0'..=b'9')) {
+        // A digit or another point goes on. `/`, which is between them, is left to the other reader, too.
+        if count == 0 || matches!(self.line.get(end), Some(b'.'..=b'9')) {
             return None;
         }
         let mantissa = value_of(digits << (64 - 8 * count)).cast_signed();
