@@ -223,10 +223,10 @@ impl<R: Read> Comparison<'_, R> {
         let block = current.block;
         let on = part.segment.at(part.share);
         if !part.rapid || part.share >= 1.0 {
-            // Points of an even rotation of the rotary axes are not on the great circle.
-            let on_circle = self.rules.is_axis_near(&end.axis, &on.axis, BOTH);
-            // No other angle than the largest so far is reported.
-            let counts = on_circle && !is_within_angle(&end.axis, &on.axis, self.tally.largest_axis_deviation());
+            // No other angle than the largest so far is reported. Points of an even rotation of the rotary axes are not on the
+            // great circle.
+            let counts = !is_within_angle(&end.axis, &on.axis, self.tally.largest_axis_deviation())
+                && self.rules.is_axis_near(&end.axis, &on.axis, BOTH);
             let angle = if counts { angle_between(&end.axis, &on.axis) } else { 0.0 };
             self.tally.deviation((end.tip - on.tip).norm(), angle);
         }

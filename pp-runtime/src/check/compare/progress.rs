@@ -55,9 +55,7 @@ impl<'a, R: Read> ClProgress<'a, R> {
 
     /// Whether a text that the program must have is among the items that are known.
     pub(super) fn has_text_ahead(&self) -> bool {
-        let is_text =
-            |item: &ExpectedItem| matches!(item.action, ExpectedAction::Raw(_) | ExpectedAction::Probe { .. });
-        self.expect.known().any(is_text)
+        self.expect.has_text()
     }
 
     /// Position of the first item ahead that suits.

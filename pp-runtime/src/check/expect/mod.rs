@@ -43,6 +43,8 @@ pub(super) struct Required {
     pub(crate) gauge_length_mm: Option<f64>,
     /// `None`: off, or never requested.
     pub(crate) spindle: Option<SpindleState>,
+    /// Spindle state that the last SPINDL requests, if that is after a motion of its operation; `None` before the first.
+    requested_spindle: Option<Option<SpindleState>>,
     /// Bits of [`coolant`](super::read::coolant).
     pub(crate) coolant: u8,
     /// Number of the set-up.
@@ -93,8 +95,6 @@ pub(super) struct ExpectedItem {
     pub(crate) required: Rc<Required>,
     /// The hole of the motion, which a cycle of the control may make.
     pub(crate) hole: Option<Rc<ExpectedHole>>,
-    /// Spindle state that the last SPINDL before it requests, if that is after a motion of its operation.
-    requested_spindle: Option<Option<SpindleState>>,
     pub(crate) action: ExpectedAction,
 }
 
@@ -185,9 +185,14 @@ impl<'a, R: Read> Expect<'a, R> {
         Ok(())
     }
 
-    /// The items that are known.
-    pub(super) fn known(&self) -> impl Iterator<Item = &ExpectedItem> {
-        self.state.items().iter()
+    /// Whether a text that the program must have is among the items that are known.
+    pub(super) fn has_text(&self) -> bool {
+        self.state.last_text() > self.done()
+    }
+
+    /// Number of items that have been taken.
+    fn done(&self) -> u64 {
+        self.state.pushed() - self.state.items().len() as u64
     }
 
     /// An item ahead, 0 the next.
@@ -206,7 +211,7 @@ impl<'a, R: Read> Expect<'a, R> {
 
     /// Spindle state that the last SPINDL before the next item requests.
     pub(super) fn requested_spindle(&self) -> Option<Option<SpindleState>> {
-        self.state.items().front().map_or(self.state.requested_spindle(), |item| item.requested_spindle)
+        self.state.items().front().map_or(self.state.required(), |item| &item.required).requested_spindle
     }
 
     /// The next text that the control must display.
@@ -221,7 +226,7 @@ impl<'a, R: Read> Expect<'a, R> {
 
     /// Takes the next text if an item after it is done.
     pub(super) fn overdue_message(&mut self) -> Option<ExpectedMessage> {
-        let done = self.state.pushed() - self.state.items().len() as u64;
+        let done = self.done();
         let after = self.next_message()?.after;
         if after < done { self.pop_message() } else { None }
     }

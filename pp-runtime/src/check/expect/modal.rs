@@ -59,8 +59,9 @@ pub(super) struct ClState<'a> {
     /// Number of holes so far.
     holes: u64,
     items: VecDeque<ExpectedItem>,
-    /// Number of items so far.
+    /// Number of items so far, and of the last one that is a text.
     pushed: u64,
+    last_text: u64,
     messages: VecDeque<ExpectedMessage>,
     /// OPSKIP/ON is in force.
     skippable: bool,
@@ -76,8 +77,6 @@ struct SpindleRecords {
     now: SpindleRecord,
     /// Since the end of the last operation.
     in_start: SpindleRecord,
-    /// State that the last SPINDL after a motion of its operation requests; `None` before the first.
-    in_operation: Option<Option<SpindleState>>,
 }
 
 /// Speed and sense of rotation as far as they are requested, and OFF.
@@ -138,6 +137,7 @@ impl<'a> ClState<'a> {
             register: 0,
             gauge_length_mm: None,
             spindle: None,
+            requested_spindle: None,
             coolant: 0,
             set_up: 1,
             operation: 0,
@@ -181,6 +181,7 @@ impl<'a> ClState<'a> {
             holes: 0,
             items: VecDeque::new(),
             pushed: 0,
+            last_text: 0,
             messages: VecDeque::new(),
             skippable: false,
             before_skip: (false, None),
@@ -197,9 +198,9 @@ impl<'a> ClState<'a> {
         &mut self.items
     }
 
-    /// Spindle state that the last SPINDL after a motion of its operation requests; `None` before the first.
-    pub(super) fn requested_spindle(&self) -> Option<Option<SpindleState>> {
-        self.spindle.in_operation
+    /// The state of the next motions.
+    pub(super) fn required(&self) -> &Rc<Required> {
+        &self.required
     }
 
     /// The state of the next motions, to be changed.
@@ -324,6 +325,11 @@ impl<'a> ClState<'a> {
         self.pushed
     }
 
+    /// Number of the last item that is a text which the program must have; 0 before the first.
+    pub(super) fn last_text(&self) -> u64 {
+        self.last_text
+    }
+
     /// A text that the control displays, where the configuration asks for it; before the first motion of an operation it
     /// belongs to that.
     fn message(&mut self, at: Location, text: &[u8], may_be_cut: bool) {
@@ -359,7 +365,7 @@ impl<'a> ClState<'a> {
         if self.operation.starts {
             self.spindle.in_start.take(spindle);
         } else {
-            self.spindle.in_operation = Some(self.spindle_state());
+            self.require().requested_spindle = Some(self.spindle_state());
         }
     }
 
@@ -663,11 +669,13 @@ impl<'a> ClState<'a> {
     fn push(&mut self, at: Location, action: ExpectedAction) {
         if self.is_selected(self.operation.number, self.operation.reached) {
             self.pushed += 1;
+            if matches!(action, ExpectedAction::Raw(_) | ExpectedAction::Probe { .. }) {
+                self.last_text = self.pushed;
+            }
             self.items.push_back(ExpectedItem {
                 at,
                 required: Rc::clone(&self.required),
                 hole: self.expected_hole(),
-                requested_spindle: self.spindle.in_operation,
                 action,
             });
         }
