@@ -2,7 +2,8 @@
 //!
 //! The works of a group run in turn, many rounds, and the median of each is divided by that of the first. A group begins with
 //! what it is compared with: a kernel written by hand (`kernel`), a small postprocessor that does only the core of the job
-//! (`reference`), or the simplest file. Instructions are counted by `.ci/instructions`.
+//! (`reference`), or the simplest file. Instructions are counted by `.ci/instructions`, which lists the works of the kinematics
+//! (`--list`) and runs them one by one (`--run NUMBER TIMES`).
 
 mod kernel;
 mod parts;
@@ -72,53 +73,52 @@ fn poses() -> Vec<Pose> {
     (0..POSES).map(|_| pose()).collect()
 }
 
-fn kinematics() {
+/// Passes the works of the kinematics to `take`, group by group.
+fn kinematics(mut take: impl FnMut(&str, Vec<Work<'_>>)) {
     let (machine, poses) = (SpinnerU5620::default(), poses());
     let solved: Vec<_> =
         poses.iter().map(|pose| machine.inverse_kinematics(pose, &SpinnerU5620::HELD)[0].axes).collect();
     let (oracle, height) = (Oracle::of(&machine), machine.dimension(0));
-    let each = |solve: &dyn Fn(&Pose) -> f64| {
-        for pose in &poses {
-            black_box(solve(black_box(pose)));
-        }
-    };
-    compare(
+    /// A work of all of `items`, none of which is left out because nothing uses its result.
+    fn each<'w, T, R>(name: &'static str, items: &'w [T], solve: impl Fn(&T) -> R + 'w) -> Work<'w> {
+        work(name, items.len(), move || {
+            for item in items {
+                black_box(solve(black_box(item)));
+            }
+        })
+    }
+    take(
         "inverse kinematics, C-on-B table",
-        "pose",
-        61,
         vec![
-            work("by hand, both branches", POSES, || each(&|pose| kernel::both(height, pose)[1][0])),
-            work("generated, both branches", POSES, || {
-                each(&|pose| machine.inverse_kinematics(pose, &SpinnerU5620::HELD)[1].axes[0]);
-            }),
-            work("by hand, one branch", POSES, || each(&|pose| kernel::one(height, pose)[0])),
-            work("by hand, sines and cosines of the angles", POSES, || {
-                each(&|pose| kernel::trigonometric(height, pose)[0])
-            }),
+            each("by hand, both branches", &poses, |pose| kernel::both(height, pose)),
+            each("generated, both branches", &poses, |pose| machine.inverse_kinematics(pose, &SpinnerU5620::HELD)),
+            each("by hand, one branch", &poses, |pose| kernel::one(height, pose)),
+            each("by hand, sines and cosines of the angles", &poses, |pose| kernel::trigonometric(height, pose)),
         ],
     );
-    compare(
+    take(
         "forward kinematics, C-on-B table",
-        "pose",
-        61,
         vec![
-            work("by hand", POSES, || {
-                for axes in &solved {
-                    black_box(kernel::forward(height, black_box(axes)));
-                }
-            }),
-            work("generated", POSES, || {
-                for axes in &solved {
-                    black_box(machine.forward_kinematics(black_box(axes)));
-                }
-            }),
-            work("product of nalgebra's matrices at run time", POSES, || {
-                for axes in &solved {
-                    black_box(oracle.forward(black_box(axes)));
-                }
-            }),
+            each("by hand", &solved, |axes| kernel::forward(height, axes)),
+            each("generated", &solved, |axes| machine.forward_kinematics(axes)),
+            each("product of nalgebra's matrices at run time", &solved, |axes| oracle.forward(axes)),
         ],
     );
+}
+
+/// Lists the works of the kinematics, or runs one of them this many times: for a count of its instructions.
+fn list_or_run(chosen: Option<(usize, usize)>) {
+    let mut number = 0;
+    kinematics(|title, works| {
+        for Work { name, amount, mut run } in works {
+            match chosen {
+                None => println!("{number}|{amount}|{title}, {name}"),
+                Some((wanted, times)) if wanted == number => (0..times).for_each(|_| run()),
+                Some(_) => {}
+            }
+            number += 1;
+        }
+    });
 }
 
 /// Posts a part; returns the program.
@@ -182,7 +182,15 @@ fn main() {
     if std::env::args().any(|argument| argument == "--test") {
         return;
     }
+    let mut arguments = std::env::args().skip(1);
+    let first = arguments.next();
+    let mut number = || arguments.next().and_then(|text| text.parse().ok()).expect("--run NUMBER TIMES");
+    match first.as_deref() {
+        Some("--list") => return list_or_run(None),
+        Some("--run") => return list_or_run(Some((number(), number()))),
+        _ => {}
+    }
     println!("ratios of median times in this run; the first of each group is 1");
-    kinematics();
+    kinematics(|title, works| compare(title, "pose", 61, works));
     pipeline();
 }
