@@ -6,11 +6,13 @@ use super::diagnostics::Faults;
 use super::dialect::Dialect;
 use super::meaning::{ArcVote, QueuedEvent, ReadingOptions, RecordInterpreter, StatedFrame, TextUse};
 use super::record::{
-    CatiaMatrix, MotionRecord, Point, Record, SubprogramRecord, comment_dialect, joined_record, next_goto, parse,
-    read_comment, record_dialect,
+    ArcRecord, CIRCLE, CIRCLE_NUMBERS, CatiaMatrix, GOTO, MotionRecord, Record, SubprogramRecord, comment_dialect,
+    joined_record, next_circle, next_goto, parse, read_comment, record_dialect,
 };
 use super::subprogram::{KeptStatement, Subprograms, subprogram_fault};
-use super::text::{Beginning, ClFault, LONGEST_STATEMENT, Lexer, PhysicalLine, Span, Statement, StatementKind};
+use super::text::{
+    Beginning, ClFault, LONGEST_STATEMENT, Lexer, NumberLine, PhysicalLine, Span, Statement, StatementKind,
+};
 use crate::diag::{Diagnostic, Severity};
 use crate::program::{Event, Location, Move, Units};
 
@@ -29,6 +31,9 @@ const SMALLEST_LARGEST_CUTTER_MM: f64 = 1.5;
 /// column.
 pub struct ClReader<R> {
     lexer: Lexer<R>,
+    /// Shapes of the GOTO and of the CIRCLE read last.
+    goto: NumberLine<6>,
+    circle: NumberLine<CIRCLE_NUMBERS>,
     interpreter: RecordInterpreter,
     matrix: CatiaMatrix,
     faults: Faults,
@@ -63,6 +68,8 @@ impl<R: Read> ClReader<R> {
     pub fn new(input: R, options: ReadingOptions) -> Self {
         ClReader {
             lexer: Lexer::new(input, options.columns),
+            goto: NumberLine::new(GOTO.name),
+            circle: NumberLine::new(CIRCLE.name),
             interpreter: RecordInterpreter::new(options),
             matrix: CatiaMatrix::default(),
             faults: Faults::default(),
@@ -94,20 +101,14 @@ impl<R: Read> ClReader<R> {
     /// Takes the next statement if it is a GOTO on a line of its own, as nearly every one is, and no event is queued before it.
     #[inline(always)]
     fn take_goto(&mut self) -> NextGoto {
-        let alone = self.progress == Progress::Reading
-            && !self.interpreter.has_events()
-            && !self.matrix.is_open()
-            && !self.subprograms.is_open()
-            && !self.subprograms.is_running()
-            && !self.faults.failed();
-        if !alone {
+        if !self.takes_lines() {
             return NextGoto::None;
         }
-        let Some((line, point)) = next_goto(&mut self.lexer) else { return NextGoto::None };
+        let Some((line, point)) = next_goto(&mut self.lexer, &mut self.goto) else { return NextGoto::None };
         self.records += 1;
         let here = Location { line: self.lexer.lines(), column: 1 };
         if !self.interpreter.is_straight() {
-            self.take_point(line, point, here);
+            self.take_on_line(line, &Record::Motion(MotionRecord::Goto(point)), here);
             return NextGoto::Taken;
         }
         match self.interpreter.straight(&point, here) {
@@ -119,11 +120,35 @@ impl<R: Read> ClReader<R> {
         }
     }
 
-    /// Takes a GOTO on a line of its own that is more than a straight motion: a hole, the end of an arc.
-    fn take_point(&mut self, line: PhysicalLine, point: Point, here: Location) {
+    /// Whether a record on a line of its own may be read in one pass: it is executed, and no event is queued before it.
+    #[inline(always)]
+    fn takes_lines(&self) -> bool {
+        self.progress == Progress::Reading
+            && !self.interpreter.has_events()
+            && !self.matrix.is_open()
+            && !self.subprograms.is_open()
+            && !self.subprograms.is_running()
+            && !self.faults.failed()
+    }
+
+    /// Takes the next statement if it is a CIRCLE on a line of its own, and returns whether it is.
+    #[inline(never)]
+    fn take_circle(&mut self) -> bool {
+        if !self.takes_lines() {
+            return false;
+        }
+        let Some((line, circle)) = next_circle(&mut self.lexer, &mut self.circle) else { return false };
+        self.records += 1;
+        let here = Location { line: self.lexer.lines(), column: 1 };
+        self.take_on_line(line, &Record::Arc(ArcRecord::Circle(circle)), here);
+        true
+    }
+
+    /// Takes a record on a line of its own that is more than a straight motion: a circle, the end of its arc, a hole.
+    fn take_on_line(&mut self, line: PhysicalLine, record: &Record<'_>, here: Location) {
         let statement = self.lexer.last_line(line);
         (self.statement, self.kept) = (Some(statement), None);
-        let taken = self.interpreter.take(&Record::Motion(MotionRecord::Goto(point)), here);
+        let taken = self.interpreter.take(record, here);
         self.note_faults(taken, &statement);
     }
 
@@ -147,6 +172,7 @@ impl<R: Read> ClReader<R> {
                 Progress::Reading => match self.take_goto_after_other() {
                     NextGoto::Straight(here, motion) => return Ok(Some((here, Event::Move(motion)))),
                     NextGoto::Taken => {}
+                    NextGoto::None if self.take_circle() => {}
                     NextGoto::None => match self.lexer.next()? {
                         Some(statement) => self.read(&statement),
                         None => self.finish(),

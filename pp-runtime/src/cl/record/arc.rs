@@ -81,11 +81,39 @@ pub(crate) fn direction(args: &mut Args<'_>) -> Result<ArcRecord, ClFault> {
 /// Largest number of revolutions of an arc; it bounds the number of chords. No thread has as many.
 const MOST_REVOLUTIONS: u32 = 1000;
 
+/// Largest count of numbers of a CIRCLE.
+pub(crate) const CIRCLE_NUMBERS: usize = 11;
+
+impl CircleRecord {
+    /// CIRCLE of the first `count` numbers, whose count must be that of a form.
+    pub(crate) fn of(numbers: &[f64; CIRCLE_NUMBERS], count: usize, times: u32, at: Span) -> Option<Self> {
+        let form = match count {
+            4 => CircleForm::Four,
+            6 => CircleForm::Six,
+            7 => CircleForm::Seven,
+            CIRCLE_NUMBERS => CircleForm::Eleven,
+            _ => return None,
+        };
+        let [x, y, z, i, j, k, r, eighth, ..] = *numbers;
+        let (axis, r) = if form == CircleForm::Four { ([0.0; 3], i) } else { ([i, j, k], r) };
+        Some(CircleRecord {
+            centre: [x, y, z],
+            axis,
+            radius: (form != CircleForm::Six).then_some(r),
+            eighth: (form == CircleForm::Eleven).then_some(eighth),
+            form,
+            times,
+            angle_deg: None,
+            at,
+        })
+    }
+}
+
 /// CIRCLE: `x,y,z,i,j,k[,r[,t,f,d,e]][,TIMES,n]`, `x,y,z,r`.
 pub(crate) fn circle(args: &mut Args<'_>) -> Result<ArcRecord, ClFault> {
     let at = args.all();
-    let mut numbers = [0.0; 11];
-    let mut found = 0;
+    let mut numbers = [0.0; CIRCLE_NUMBERS];
+    let mut found = args.plain_numbers(&mut numbers);
     let mut times = 1;
     while let Some(arg) = args.next()? {
         if arg.is("TIMES") {
@@ -103,35 +131,17 @@ pub(crate) fn circle(args: &mut Args<'_>) -> Result<ArcRecord, ClFault> {
         }
         found += 1;
     }
-    let form = match found {
-        4 => CircleForm::Four,
-        6 => CircleForm::Six,
-        7 => CircleForm::Seven,
-        11 => CircleForm::Eleven,
-        found => {
-            return Err(ClFault::new(
-                "circle",
-                at,
-                format!(
-                    "{} needs 4, 6, 7 or 11 numbers, found {found}; the sense of the arc follows from their count",
-                    args.name()
-                ),
-                "6 and 7 numbers: counter-clockwise about i, j, k; 11 numbers: clockwise; 4: centre and radius",
-            ));
-        }
-    };
-    let [x, y, z, i, j, k, r, eighth, ..] = numbers;
-    let (axis, r) = if form == CircleForm::Four { ([0.0; 3], i) } else { ([i, j, k], r) };
-    Ok(ArcRecord::Circle(CircleRecord {
-        centre: [x, y, z],
-        axis,
-        radius: (form != CircleForm::Six).then_some(r),
-        eighth: (form == CircleForm::Eleven).then_some(eighth),
-        form,
-        times,
-        angle_deg: None,
-        at,
-    }))
+    CircleRecord::of(&numbers, found, times, at).map(ArcRecord::Circle).ok_or_else(|| {
+        ClFault::new(
+            "circle",
+            at,
+            format!(
+                "{} needs 4, 6, 7 or 11 numbers, found {found}; the sense of the arc follows from their count",
+                args.name()
+            ),
+            "6 and 7 numbers: counter-clockwise about i, j, k; 11 numbers: clockwise; 4: centre and radius",
+        )
+    })
 }
 
 /// MOVARC: `x,y,z,i,j,k,r,ANGLE,degrees`.

@@ -6,12 +6,13 @@
 use std::io::Read;
 
 use super::Record;
+use super::arc::{CIRCLE_NUMBERS, CircleRecord};
 use super::comment::remark_dialect;
 use super::own::GivenMeanings;
 use super::values::{Point, Text};
-use super::words::{GOTO, Handling, look_up};
+use super::words::{Handling, look_up};
 use crate::cl::dialect::Dialect;
-use crate::cl::text::{Args, ClFault, Help, Lexer, PhysicalLine, Span, quoted, skip_blanks};
+use crate::cl::text::{Args, ClFault, Help, Lexer, NumberLine, PhysicalLine, Span, quoted, skip_blanks};
 use crate::diag::Severity;
 
 /// Largest number of bytes of an unknown word that its message shows.
@@ -111,8 +112,16 @@ pub(crate) fn record_dialect(text: &[u8]) -> Dialect {
 
 /// Reads a GOTO on a line of its own: its line and point. `None`: any other line, which has not been read.
 #[inline(always)]
-pub(crate) fn next_goto<R: Read>(lexer: &mut Lexer<R>) -> Option<(PhysicalLine, Point)> {
-    lexer.next_numbers(GOTO.name.as_bytes(), |numbers| Point::of(numbers.numbers, numbers.count, numbers.at))
+pub(crate) fn next_goto<R: Read>(lexer: &mut Lexer<R>, like: &mut NumberLine<6>) -> Option<(PhysicalLine, Point)> {
+    lexer.next_numbers(like, |found| Point::of(found.numbers, found.count, found.at))
+}
+
+/// Reads a CIRCLE on a line of its own, without TIMES, in the same way.
+pub(crate) fn next_circle<R: Read>(
+    lexer: &mut Lexer<R>,
+    like: &mut NumberLine<CIRCLE_NUMBERS>,
+) -> Option<(PhysicalLine, CircleRecord)> {
+    lexer.next_numbers(like, |found| CircleRecord::of(&found.numbers, found.count, 1, found.at))
 }
 
 /// Place of the major word; it may contain `-` and `_`. TOOL PATH is one word with a blank inside.

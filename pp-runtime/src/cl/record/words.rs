@@ -70,6 +70,10 @@ const TOLERANCE: &str = "it sets a tolerance of another postprocessor";
 /// GOTO: nearly every record. While no arc, curve or cycle is open it is read without a search in the table.
 pub(crate) const GOTO: MajorWord = MajorWord { name: "GOTO", forms: "/x,y,z[,i,j,k]; /x,y,z / x,y,z .." };
 
+/// CIRCLE, which is read without a search, too, where it is on one line.
+pub(crate) const CIRCLE: MajorWord =
+    MajorWord { name: "CIRCLE", forms: "/x,y,z,i,j,k[,r[,t,f,d,e][,TIMES,n]]; /x,y,z,r and the GOTO that ends it" };
+
 /// The table, sorted by name, in capitals. The third column lists the forms that are read.
 #[rustfmt::skip] // One row in one line.
 static TABLE: &[Row] = &[
@@ -83,7 +87,7 @@ static TABLE: &[Row] = &[
     row("CAMERA", Hazard(FRAME), ""),
     row("CHECK", Inert, ""),
     // x,y,z,r: *Supported CL Data Commands*; 6 numbers: files of SolidWorks CAM; 11: help of NX, script of *CAMplete APT*.
-    row("CIRCLE", Read(|args| arc::circle(args).map(Arc)), "/x,y,z,i,j,k[,r[,t,f,d,e][,TIMES,n]]; /x,y,z,r and the GOTO that ends it"),
+    Row { word: CIRCLE, handling: Read(|args| arc::circle(args).map(Arc)) },
     row("CLAMP", Automatic(CLAMPS), ""),
     row("CLEARP", Read(|args| coordinates::clearance_plane(args).map(Coordinates)), "/XYPLAN|YZPLAN|ZXPLAN,d; /a,b,c,d"),
     row("CLRSRF", Refused("it sets a clearance surface that is not a plane"), ""),

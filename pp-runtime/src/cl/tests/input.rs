@@ -95,6 +95,29 @@ proptest! {
         prop_assert_eq!(found.events, expected.events);
         prop_assert_eq!(found.diagnostics, expected.diagnostics);
     }
+
+    /// The same of circles, whose axis and ends are right where the text of their numbers is.
+    #[test]
+    fn a_circle_read_in_one_pass_has_the_meaning_it_has_else(
+        lines in prop::collection::vec(
+            (
+                "GOTO/1,0,0[ ]?",
+                "(CIRCLE|CIRCLE|circle| CIRCLE|CIRCLE )/ ?-?0[.]?0{0,9}, ?(0.0|-0.|0),0(,0[.]0,0,[-+]?1[.]?0?)?(,[0-9]?1([.]0{0,3})?)?\
+                 (,[.]06,(0[.]5|[0-9]{1,16}),1E1,-?3[.])?(,TIMES,2|,|x| [$][$] c)?[ ]?",
+                "(GOTO/0,1[.]?0{0,2},0( /1,0,0)?|PPRINT/A|FEDRAT/5)",
+            ),
+            1..6,
+        ),
+        end in prop::sample::select(vec!["\n", "\r\n", "\r", "$$ A\n", "\n\nCIRCLE/0,0,0,0,0,1\n"]),
+        size in prop::sample::select(vec![1_usize, 5, 64, 4096]),
+    ) {
+        let text: String = lines.iter().flat_map(|(start, circle, goto)| [start, "\n", circle, end, goto, end]).collect();
+        let options = ReadingOptions { columns: Some(4096), ..MM.into() };
+        let (found, expected) =
+            (read_from(InPieces { bytes: text.as_bytes(), size }, MM), read_from(text.as_bytes(), options));
+        prop_assert_eq!(found.events, expected.events);
+        prop_assert_eq!(found.diagnostics, expected.diagnostics);
+    }
 }
 
 #[test]

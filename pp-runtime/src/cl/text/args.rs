@@ -279,40 +279,37 @@ impl<'a> Args<'a> {
     /// Takes all remaining arguments as numbers and returns their count. Numbers beyond the size of `into` are only
     /// checked and counted.
     pub(crate) fn numbers(&mut self, into: &mut [f64]) -> Result<usize, ClFault> {
-        let mut count = 0;
-        while self.more {
-            let start = skip_blanks(self.text, self.at);
-            // A plain number is read in one pass; anything else is read again for its message.
-            let value = match number_at_start(&self.text[start..]) {
-                Some((value, used)) if value.is_finite() => {
-                    let end = skip_blanks(self.text, start + used);
-                    match self.text.get(end) {
-                        Some(b',') => self.at = end + 1,
-                        None => self.more = false,
-                        Some(_) => self.only_number()?,
-                    }
-                    value
-                }
-                _ => {
-                    self.only_number()?;
-                    0.0
-                }
-            };
-            if let Some(place) = into.get_mut(count) {
-                *place = value;
-            }
+        let mut count = self.plain_numbers(into);
+        // Anything else is read for its message.
+        while let Some(arg) = self.next()? {
+            arg.number()?;
             count += 1;
         }
         Ok(count)
     }
 
-    /// Refuses the next argument unless it is a number.
-    #[cold]
-    fn only_number(&mut self) -> Result<(), ClFault> {
-        if let Some(arg) = self.next()? {
-            arg.number()?;
+    /// Takes arguments from the left as long as they are finite numbers, each in one pass, and returns their count. Numbers
+    /// beyond the size of `into` are only counted.
+    pub(crate) fn plain_numbers(&mut self, into: &mut [f64]) -> usize {
+        let mut count = 0;
+        while self.more {
+            let start = skip_blanks(self.text, self.at);
+            let Some((value, used)) = number_at_start(&self.text[start..]).filter(|(value, _)| value.is_finite())
+            else {
+                break;
+            };
+            let end = skip_blanks(self.text, start + used);
+            match self.text.get(end) {
+                Some(b',') => self.at = end + 1,
+                None => self.more = false,
+                Some(_) => break,
+            }
+            if let Some(place) = into.get_mut(count) {
+                *place = value;
+            }
+            count += 1;
         }
-        Ok(())
+        count
     }
 
     #[cold]

@@ -52,12 +52,26 @@ pub(crate) struct Statement {
     line_start: usize,
 }
 
-/// Numbers of a statement that has no other arguments.
-pub(crate) struct ShortNumbers {
-    pub(crate) numbers: [f64; 6],
+/// Numbers of a statement that has no other arguments, at most `N`.
+pub(crate) struct ShortNumbers<const N: usize> {
+    pub(crate) numbers: [f64; N],
     pub(crate) count: usize,
     /// Place of the numbers in the statement.
     pub(crate) at: Span,
+}
+
+/// A word and at most `N` short numbers, with the shapes that these had on the line read last.
+pub(crate) struct NumberLine<const N: usize> {
+    word: &'static [u8],
+    shapes: [NumberShape; N],
+    /// Shape of the last line whose numbers had the shapes of those before.
+    whole: LineShape<N>,
+}
+
+impl<const N: usize> NumberLine<N> {
+    pub(crate) fn new(word: &'static str) -> Self {
+        NumberLine { word: word.as_bytes(), shapes: [NumberShape::NONE; N], whole: LineShape::NONE }
+    }
 }
 
 /// Place in the file of the bytes of a joined statement from `offset` on.
@@ -92,10 +106,6 @@ pub(crate) struct Lexer<R> {
     pieces: Vec<JoinedPiece>,
     /// Number of bytes of a line that are read; the rest is ignored.
     columns: usize,
-    /// Shapes of the numbers that [`next_numbers`](Self::next_numbers) has read last, by their place in the line.
-    shapes: [NumberShape; 6],
-    /// Shape of the last such line whose numbers had the shapes of those before.
-    line_shape: LineShape,
 }
 
 impl<R: Read> Lexer<R> {
@@ -112,8 +122,6 @@ impl<R: Read> Lexer<R> {
             line: 0,
             joined: Vec::new(),
             pieces: Vec::new(),
-            shapes: [NumberShape::NONE; 6],
-            line_shape: LineShape::NONE,
         }
     }
 
@@ -154,22 +162,22 @@ impl<R: Read> Lexer<R> {
         }
     }
 
-    /// Reads the next line in one pass, if it is `word`, a slash, and short numbers between commas of which `make` makes a
+    /// Reads the next line in one pass, if it is a word, a slash, and short numbers between commas of which `make` makes a
     /// value; any other line is left to [`next`](Self::next). Nearly every line of a file is such a GOTO.
     #[inline(always)]
-    pub(crate) fn next_numbers<T>(
+    pub(crate) fn next_numbers<const N: usize, T>(
         &mut self,
-        word: &[u8],
-        make: impl FnOnce(ShortNumbers) -> Option<T>,
+        like: &mut NumberLine<N>,
+        make: impl FnOnce(ShortNumbers<N>) -> Option<T>,
     ) -> Option<(PhysicalLine, T)> {
         let line = &self.buffer[self.start..];
-        if !line.starts_with(word) || self.columns < usize::MAX {
+        if !line.starts_with(like.word) || self.columns < usize::MAX {
             return None;
         }
-        let known = line.first_chunk().and_then(|text| self.line_shape.read(text));
+        let known = line.first_chunk().and_then(|text| like.whole.read(text));
         let (numbers, length) = match known {
             Some(read) => read,
-            None => self.one_by_one(word.len())?,
+            None => self.one_by_one(like)?,
         };
         // After the end of what has been read there are bytes of earlier reads.
         if self.start + length > self.end {
@@ -186,14 +194,14 @@ impl<R: Read> Lexer<R> {
 
     /// The numbers of a line after its word, and the number of its bytes with its end.
     #[inline(never)]
-    fn one_by_one(&mut self, word: usize) -> Option<(ShortNumbers, usize)> {
+    fn one_by_one<const N: usize>(&self, like: &mut NumberLine<N>) -> Option<(ShortNumbers<N>, usize)> {
         let line = &self.buffer[self.start..];
-        let slash = skip_blanks(line, word);
+        let slash = skip_blanks(line, like.word.len());
         if line.get(slash) != Some(&b'/') {
             return None;
         }
-        let (mut numbers, mut starts, mut count, mut end, mut anew) = ([0.0; 6], [0; 6], 0, slash, false);
-        for ((shape, number), start) in self.shapes.iter_mut().zip(&mut numbers).zip(&mut starts) {
+        let (mut numbers, mut starts, mut count, mut end, mut anew) = ([0.0; N], [0; N], 0, slash, false);
+        for ((shape, number), start) in like.shapes.iter_mut().zip(&mut numbers).zip(&mut starts) {
             *start = end + 1;
             // At the end of the buffer there may be no such bytes.
             let (value, used) = shape.read(line.get(*start..)?.first_chunk()?, &mut anew)?;
@@ -212,8 +220,8 @@ impl<R: Read> Lexer<R> {
         };
         let at = Span { start: skip_blanks(line, slash + 1), end };
         if !anew {
-            let shapes = std::array::from_fn(|index| (self.shapes[index], starts[index]));
-            self.line_shape.take(&line[..length], shapes, (count, at));
+            let shapes = std::array::from_fn(|index| (like.shapes[index], starts[index]));
+            like.whole.take(&line[..length], shapes, (count, at));
         }
         Some((ShortNumbers { numbers, count, at }, length))
     }

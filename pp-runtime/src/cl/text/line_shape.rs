@@ -26,26 +26,26 @@ struct Piece {
 
 /// Digits and other bytes of a line of numbers.
 #[derive(Debug, Clone)]
-pub(super) struct LineShape {
+pub(super) struct LineShape<const N: usize> {
     /// Number of bytes with the line end.
     length: usize,
     pieces: [Piece; LONGEST / 16],
     /// Number of pieces that the line takes.
     used: usize,
     /// Shapes of the numbers, and where they begin; those of no numbers after `count` of them.
-    numbers: [(NumberShape, usize); 6],
+    numbers: [(NumberShape, usize); N],
     count: usize,
     /// Place of the numbers in the line.
     at: Span,
 }
 
-impl LineShape {
+impl<const N: usize> LineShape<N> {
     /// That of no line.
     pub(super) const NONE: Self = Self {
         length: 0,
         pieces: [Piece { bytes: u8x16::ZERO, largest: u8x16::MAX }; LONGEST / 16],
         used: 0,
-        numbers: [(NumberShape::NONE, 0); 6],
+        numbers: [(NumberShape::NONE, 0); N],
         count: 0,
         at: Span { start: 0, end: 0 },
     };
@@ -53,7 +53,7 @@ impl LineShape {
     /// Takes the shape of a line, its end included, whose numbers have these shapes and begin at these indices. A long line has
     /// none.
     #[inline(never)]
-    pub(super) fn take(&mut self, line: &[u8], numbers: [(NumberShape, usize); 6], (count, at): (usize, Span)) {
+    pub(super) fn take(&mut self, line: &[u8], numbers: [(NumberShape, usize); N], (count, at): (usize, Span)) {
         *self = Self { numbers, count, at, ..Self::NONE };
         if line.len() > LONGEST {
             return;
@@ -70,7 +70,7 @@ impl LineShape {
 
     /// The numbers of the line at the start of `text`, if it has this shape, and the number of its bytes with its end.
     #[inline(always)]
-    pub(super) fn read(&self, text: &[u8; LINE_AND_NUMBER]) -> Option<(ShortNumbers, usize)> {
+    pub(super) fn read(&self, text: &[u8; LINE_AND_NUMBER]) -> Option<(ShortNumbers<N>, usize)> {
         let mut beyond = u8x16::ZERO;
         for (text, piece) in text.as_chunks().0.iter().zip(&self.pieces[..self.used]) {
             beyond |= (u8x16::from(*text) ^ piece.bytes).saturating_sub(piece.largest);
@@ -78,7 +78,7 @@ impl LineShape {
         if self.length == 0 || beyond != u8x16::ZERO {
             return None;
         }
-        let mut numbers = [0.0; 6];
+        let mut numbers = [0.0; N];
         let (first, others) = numbers.split_at_mut(3);
         self.set_numbers::<0>(first, text)?;
         if self.count > 3 {
@@ -101,15 +101,16 @@ impl LineShape {
 mod tests {
     use proptest::prelude::*;
 
-    use crate::cl::text::lexer::Lexer;
+    use crate::cl::text::lexer::{Lexer, NumberLine};
 
     /// What is read of each line: the bits of its numbers, and their place; `None` where the line is left to the other way.
     fn read(text: &[u8]) -> Vec<Option<(Vec<u64>, usize, usize)>> {
         let mut lexer = Lexer::new(text, None);
         lexer.begin().expect("text");
+        let mut goto = NumberLine::<6>::new("GOTO");
         let mut lines = Vec::new();
         loop {
-            let found = lexer.next_numbers(b"GOTO", |found| {
+            let found = lexer.next_numbers(&mut goto, |found| {
                 let bits = found.numbers[..found.count].iter().map(|number| number.to_bits()).collect();
                 Some((bits, found.at.start, found.at.end))
             });

@@ -13,5 +13,5 @@ mod number;
 pub(crate) use self::args::{Arg, Args, MajorWord, skip_blanks, trimmed};
 pub use self::fault::Span;
 pub(crate) use self::fault::{ClFault, Help, quoted};
-pub(crate) use self::lexer::{Beginning, LONGEST_STATEMENT, Lexer, PhysicalLine, Statement, StatementKind};
+pub(crate) use self::lexer::{Beginning, LONGEST_STATEMENT, Lexer, NumberLine, PhysicalLine, Statement, StatementKind};
 pub(crate) use self::number::{number_at_start, whole_number};
