@@ -296,7 +296,7 @@ impl Surveyor {
             ItemAction::Arc { arc, index } => {
                 self.begin(index);
                 self.note_axis(item.at, &arc.end);
-                self.moved(true, extent(arc), &arc.end);
+                self.moved(true, extent(arc, self.cuts_so_far()), &arc.end);
             }
             ItemAction::Hole { hole, index } => {
                 let [over, inside] = hole_extent(hole);
@@ -454,6 +454,11 @@ impl Surveyor {
     }
 
     /// Notes a motion of the tip within a box (lowest and highest corner, mm). `cuts`: at feed.
+    /// Box around the tip positions at feed of the current tool so far, if those of this set-up belong to it.
+    fn cuts_so_far(&self) -> Option<[[f64; 3]; 2]> {
+        self.survey.tools[self.tool?].cuts_mm.filter(|_| self.first_set_up)
+    }
+
     fn moved(&mut self, cuts: bool, [lowest, highest]: [[f64; 3]; 2], pose: &Pose) {
         if cuts {
             self.cuts = true;

@@ -6,7 +6,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use crate::kinematics::math;
+use crate::kinematics::math::{self, larger, smaller};
 use crate::nalgebra::{Point3, Vector3};
 use crate::program::Arc;
 
@@ -14,6 +14,9 @@ use crate::motion::fault::Fault;
 
 /// Most chords in one arc; more indicate a fault in the file.
 const MAX_CHORDS: f64 = 1e6;
+
+/// Largest error of a point by the arithmetic, per mm of its distances; thousands of times what it is.
+const ROUNDING: f64 = 1e-12;
 
 /// An arc with its frame.
 #[derive(Debug, Clone, Copy)]
@@ -84,17 +87,41 @@ impl<'a> ArcGeometry<'a> {
     /// the points one revolution apart only the first and the last can be the furthest.
     pub(crate) fn extremes(&self, direction: Vector3<f64>) -> impl Iterator<Item = f64> {
         let (a, b) = (self.u.dot(&direction), self.v.dot(&direction));
+        let across = math::hypot(a, b);
         let angle = self.arc.angle_rad;
-        let slope = self.arc.normal.dot(&direction) * self.rise_mm / angle;
-        let sine = slope / (self.radius() * math::hypot(a, b));
-        let phase = math::atan2(b, a);
-        // NaN if the direction is the normal, outside ±1 if the pitch exceeds the circle's own motion in the direction.
-        let lean = math::asin(sine);
-        [phase + lean, phase + PI - lean].into_iter().filter(|angle| angle.is_finite()).flat_map(move |extreme| {
+        // None if the direction is the normal.
+        let extremes = (across > 0.0).then(|| {
+            let slope = self.arc.normal.dot(&direction) * self.rise_mm / angle;
+            let phase = math::atan2(b, a);
+            // NaN, which is below no angle, if the pitch exceeds the circle's own motion in the direction.
+            let lean = math::asin(slope / (self.radius() * across));
+            [phase + lean, phase + PI - lean]
+        });
+        extremes.into_iter().flatten().flat_map(move |extreme| {
             let first = extreme.rem_euclid(TAU);
             let last = first + TAU * ((angle - first) / TAU).floor();
-            [first, last].into_iter().filter(move |at| *at < angle).map(move |at| at / angle)
+            let further = (last.to_bits() != first.to_bits()).then_some(last);
+            [Some(first), further].into_iter().flatten().filter(move |at| *at < angle).map(move |at| at / angle)
         })
+    }
+
+    /// A distance from any point of the arc that no other is further away than, mm.
+    pub(crate) fn diameter_mm(&self) -> f64 {
+        2.0 * self.radius() + self.rise_mm.abs()
+    }
+
+    /// Two values between which `direction · p` is at every point `p` of the arc, and not far outside of its own.
+    ///
+    /// It is `c + H cos(t - φ) + s h` for the centre, the circle and a height `h` between those of the ends, so it leaves
+    /// `c + s h` by no more than `H`.
+    pub(crate) fn bounds(&self, direction: Vector3<f64>) -> [f64; 2] {
+        let circle = self.radius() * math::hypot(self.u.dot(&direction), self.v.dot(&direction));
+        let heights_mm = [self.level_mm, self.level_mm + self.rise_mm];
+        let centre = self.arc.centre.coords;
+        let along = heights_mm.map(|height| centre.dot(&direction) + self.arc.normal.dot(&direction) * height);
+        let distances_mm = centre.lp_norm(1) + self.radius() + heights_mm[0].abs() + heights_mm[1].abs();
+        let aside = circle + ROUNDING * distances_mm * direction.norm();
+        [smaller(along[0], along[1]) - aside, larger(along[0], along[1]) + aside]
     }
 
     /// Number of chords that deviate from the arc by no more than the tolerance.
@@ -113,13 +140,25 @@ impl<'a> ArcGeometry<'a> {
     }
 }
 
-/// Bounding box of the tip on an arc: its lowest and its highest corner, mm.
-pub(crate) fn extent(arc: &Arc) -> [[f64; 3]; 2] {
+/// Bounding box of the tip on an arc: its lowest and its highest corner, mm. Of a box in `known` the values along an axis are
+/// returned where the arc goes nowhere further.
+pub(crate) fn extent(arc: &Arc, known: Option<[[f64; 3]; 2]>) -> [[f64; 3]; 2] {
     let round = ArcGeometry::new(arc);
     let along = |axis: usize| {
         let direction = Vector3::ith_axis(axis).into_inner();
-        let tips = round.extremes(direction).chain([0.0, 1.0]).map(|part| round.tip(part)[axis]);
-        tips.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), at| (low.min(at), high.max(at)))
+        if let Some([lowest, highest]) = known.map(|corners| corners.map(|corner| corner[axis])) {
+            let [low, high] = round.bounds(direction);
+            if lowest <= low && high <= highest {
+                return (lowest, highest);
+            }
+        }
+        let (start, end) = (arc.start.tip[axis], arc.end.tip[axis]);
+        let mut range = (smaller(start, end), larger(start, end));
+        for part in round.extremes(direction) {
+            let at = round.tip(part)[axis];
+            range = (smaller(at, range.0), larger(at, range.1));
+        }
+        range
     };
     let (x, y, z) = (along(0), along(1), along(2));
     [[x.0, y.0, z.0], [x.1, y.1, z.1]]
@@ -206,9 +245,46 @@ mod tests {
             let known: Vec<f64> = round.extremes(direction).chain([0.0, 1.0]).map(far).collect();
             let most = known.iter().copied().fold(f64::MIN, f64::max);
             let least = known.iter().copied().fold(f64::MAX, f64::min);
+            let [low, high] = round.bounds(direction);
             for step in 0..=500 {
                 let here = far(f64::from(step) / 500.0);
                 prop_assert!(here <= most + 1e-9 && here >= least - 1e-9, "{here} {known:?}");
+                prop_assert!(low <= here && here <= high, "{here} {low} {high}");
+            }
+            // Within the first or the last revolution the arc comes as near as it rises in one.
+            let near = if angle < TAU { f64::INFINITY } else { rise.abs() * TAU / angle * direction.norm() };
+            prop_assert!(high - most <= near + 1e-9 && least - low <= near + 1e-9, "{low} {high} {known:?}");
+        }
+
+        /// A box around many arcs is the same to the last bit, whether the boxes of all are computed or only those of arcs that
+        /// may leave it.
+        #[test]
+        fn the_box_around_arcs_is_that_of_their_boxes(
+            arcs in prop::collection::vec(
+                (
+                    prop::array::uniform3(-1.0_f64..1.0),
+                    prop::sample::select(vec![[0.0, 0.0, 1.0], [0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.6, 0.0, 0.8], [1.0, 1.0, 1.0]]),
+                    prop::sample::select(vec![0.1_f64, 1.0, FRAC_PI_2, PI, 6.0, TAU, 15.0]),
+                    prop::sample::select(vec![0.0, 0.0, 1.0, -2.0]),
+                ),
+                1..30,
+            ),
+        ) {
+            let (mut known, mut expected): (Option<[[f64; 3]; 2]>, Option<[[f64; 3]; 2]>) = (None, None);
+            for (centre, normal, angle, rise) in arcs {
+                let normal = UnitVector3::new_normalize(Vector3::from(normal));
+                let u = normal.cross(&Vector3::new(0.3, 0.7, -0.4)).normalize() * 7.0;
+                let (centre, up) = (Point3::from(centre), normal.into_inner() * rise);
+                let end = centre + nalgebra::Rotation3::from_axis_angle(&normal, angle) * u + up;
+                let helix = Arc { normal, centre, ..arc((centre + u).into(), end.into(), angle) };
+                let around = |[low, high]: [[f64; 3]; 2], so_far: Option<[[f64; 3]; 2]>| {
+                    let [lower, upper] = so_far.unwrap_or([low, high]);
+                    let corner = |of: fn(f64, f64) -> f64, a: [f64; 3], b: [f64; 3]| std::array::from_fn(|i| of(a[i], b[i]));
+                    Some([corner(f64::min, low, lower), corner(f64::max, high, upper)])
+                };
+                expected = around(extent(&helix, None), expected);
+                known = around(extent(&helix, known), known);
+                prop_assert_eq!(known, expected);
             }
         }
     }

@@ -190,15 +190,19 @@ impl NominalCircle {
             let centre = mm(centre);
             (length(minus(from, centre)) - length(minus(to, centre))).abs()
         };
-        let mut centre = nearest;
+        let (mut centre, mut least) = (nearest, unequal(nearest));
         // Of equals the first is kept: the nearest.
         for step in [[0, 1], [1, 0], [0, -1], [-1, 0], [1, 1], [1, -1], [-1, 1], [-1, -1]] {
+            if whole || least <= 0.0 {
+                break;
+            }
             let other = [nearest[0] + step[0], nearest[1] + step[1]];
-            if !whole && unequal(centre) > 0.0 && unequal(other) < 0.5 * unequal(centre) {
-                centre = other;
+            let difference = unequal(other);
+            if difference < 0.5 * least {
+                (centre, least) = (other, difference);
             }
         }
-        if unequal(centre) > grid.radius_tolerance_mm || centre == start {
+        if least > grid.radius_tolerance_mm || centre == start {
             return None;
         }
         let (sweep_rad, deviation) = self.deviation_of([from, to], mm(centre), whole);

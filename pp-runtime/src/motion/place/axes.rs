@@ -9,6 +9,7 @@ use super::datum::Datum;
 use crate::kinematics::{AnyMachine, Axis, AxisKind, REACH_TOLERANCE};
 use crate::motion::options::Policy;
 use crate::motion::rotary::{AngleScale, Rotary, RotaryMetric};
+use crate::nc::{Overflow, whole_units};
 use crate::program::Units;
 
 /// Largest floating-point noise of a limit, in units of a word.
@@ -66,6 +67,15 @@ pub(crate) struct LinearAxes {
     pub(crate) keeps_path_length: bool,
     /// The linear axes are perpendicular to each other at any rotary angles.
     pub(crate) orthogonal: bool,
+}
+
+impl LinearAxes {
+    /// Word of an axis value in whole units, and the axis value of the rounded word, mm. `shift_mm`: word minus axis value.
+    #[inline]
+    pub(crate) fn rounded(&self, value_mm: f64, shift_mm: f64) -> Result<(i64, f64), Overflow> {
+        let units = whole_units(value_mm + shift_mm, self.units_per_mm)?;
+        Ok((units, units as f64 / self.units_per_mm - shift_mm))
+    }
 }
 
 /// Largest speeds, mm/min and rad/min, by position in the chain.

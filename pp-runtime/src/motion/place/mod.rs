@@ -528,12 +528,11 @@ impl Placer {
         let (mut sum, mut squares, mut fit) = (0.0, 0.0, true);
         for &index in &self.linear.solved {
             let (value, shift) = (&mut place.axes[index], self.datum.linear_shift_mm(index));
-            let Ok(units) = whole_units(*value + shift, self.linear.units_per_mm) else {
+            let Ok((units, written)) = self.linear.rounded(*value, shift) else {
                 return Err(too_large(self.chain[index].letter));
             };
             place.words[index] = units;
             fit &= units.abs() < self.bounds[index];
-            let written = units as f64 / self.linear.units_per_mm - shift;
             let off = written - *value;
             *value = written;
             sum += off.abs();

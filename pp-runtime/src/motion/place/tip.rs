@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 
 use nalgebra::{Matrix3, Point3, UnitVector3, Vector3};
 
+use crate::kinematics::AxisValues;
 use crate::nc::whole_units;
 
 use super::frame::{WordMap, no_plane};
@@ -19,6 +20,9 @@ const ORTHOGONAL: f64 = 1e-9;
 
 /// Largest deviation of an axis from its chord between two points of a block that are compared with the travel.
 const TRAVEL_SAMPLING_MM: f64 = 0.01;
+
+/// Largest error of an axis value by the arithmetic, mm; a thousand times what it is a kilometre from the zero.
+const NOISE_MM: f64 = 1e-6;
 
 /// Largest number of points of a block that are compared with the travel.
 const MAX_TRAVEL_SAMPLES: f64 = 1000.0;
@@ -73,6 +77,61 @@ impl Placer {
         let map = differences(values)?;
         self.last_map.set(Some((angles, map)));
         Some((solved, map))
+    }
+
+    /// Whether a path of the tip at the rotary angles of `at` certainly keeps the linear axes within the travel that they have
+    /// needed so far, and their words within their digits. `reach_mm`: no point of the path is further from `at`; `bounds`: two
+    /// values between which `direction · p` is at every point `p` of the path.
+    ///
+    /// An axis value is the product of a row of [`axis_map`](Self::axis_map) and `p`, and a constant.
+    pub(crate) fn needs_no_travel(
+        &self,
+        at: &AxisPosition,
+        reach_mm: f64,
+        bounds: impl Fn(Vector3<f64>) -> [f64; 2],
+    ) -> bool {
+        let Some((solved, map)) = self.axis_map(at).filter(|_| !self.frame.counts_tip()) else { return false };
+        let rows = [0, 1, 2].map(|row| map.row(row).transpose());
+        // Nearly always the axes may move on by that distance from their rounded positions.
+        let aside = |direction: Vector3<f64>| direction.norm() * reach_mm + self.unit_mm();
+        let near = |row: usize| [-1.0, 1.0].map(|side| at.axes[solved[row]] + side * aside(rows[row]));
+        if self.needs_none_between(solved, [0, 1, 2].map(near)) {
+            return true;
+        }
+        let Some(here) = self.machine.linear_axes(&at.pose.tip, &at.axes) else { return false };
+        let along = |row: usize| {
+            let constant = here[solved[row]] - rows[row].dot(&at.pose.tip.coords);
+            let [low, high] = bounds(rows[row]);
+            [constant + low - NOISE_MM, constant + high + NOISE_MM]
+        };
+        self.needs_none_between(solved, [0, 1, 2].map(along))
+    }
+
+    /// The same of linear axes between two values each. Rounding to words changes no order, so what holds for both holds for all
+    /// values between them.
+    fn needs_none_between(&self, solved: [usize; 3], ranges: [[f64; 2]; 3]) -> bool {
+        let mut ends = [AxisValues::default(); 2];
+        for (index, range) in solved.into_iter().zip(ranges) {
+            for (end, value) in ends.iter_mut().zip(range) {
+                match self.linear.rounded(value, self.datum.linear_shift_mm(index)) {
+                    Ok((units, written)) if units.abs() < self.bounds[index] => end[index] = written,
+                    _ => return false,
+                }
+            }
+        }
+        !ends.iter().any(|end| self.travel.is_changed_by(end))
+    }
+
+    /// Whether a position is that of [`shifted`](Self::shifted) from `at` to its tip: the linear axes alone move, and nothing
+    /// else has been changed.
+    pub(crate) fn is_shifted(&self, place: &AxisPosition, at: &AxisPosition) -> bool {
+        let rests = |index: usize| {
+            place.axes[index].to_bits() == at.axes[index].to_bits() && place.words[index] == at.words[index]
+        };
+        place.pose.axis == at.pose.axis
+            && place.deviation_rad.to_bits() == at.deviation_rad.to_bits()
+            && (place.branch, place.at_pole) == (at.branch, at.at_pole)
+            && (0..self.chain.len()).all(|index| self.linear.mask & (1 << index) != 0 || rests(index))
     }
 
     /// Computes the linear axes and words of a position whose words are coordinates of the tip.
@@ -181,4 +240,100 @@ fn differences(map: impl Fn(&Point3<f64>) -> Option<Vector3<f64>>) -> Option<Mat
     let origin = map(&Point3::origin())?;
     let column = |direction: Vector3<f64>| Some((map(&Point3::from(direction * STEP_MM))? - origin) / STEP_MM);
     Some(Matrix3::from_columns(&[column(Vector3::x())?, column(Vector3::y())?, column(Vector3::z())?]))
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::config::Config;
+    use crate::kinematics::machines::{Ay, Cb, Head, Mirrored};
+    use crate::kinematics::{Limits, Machine, Pose};
+    use crate::motion::geometry::ArcGeometry;
+    use crate::program::{Arc, Units};
+
+    /// A placer with the travel of its linear axes limited, and with a machine zero where `zero`.
+    fn placer<M: Machine>(travel_mm: f64, zero: bool) -> Placer {
+        let mut config = Config::default();
+        for letter in ['X', 'Y', 'Z'] {
+            config.set_up.limits.insert(letter, Some(Limits { lower: -0.5 * travel_mm, upper: 0.5 * travel_mm }));
+            if zero {
+                config.set_up.machine_zero.insert(letter, 1.0);
+            }
+        }
+        let machine = Box::new(config.set_up.machine::<M>().expect("valid"));
+        let mut placer = Placer::new(machine, config.policy(), Units::Millimetres);
+        placer.set_gauge_length(Some(100.0));
+        placer
+    }
+
+    /// Whether the arcs need no travel, after the points of those before; where one does not, no point of it changes the travel.
+    fn certified<M: Machine>(arcs: &[Arc], travel_mm: f64, zero: bool) -> Result<usize, TestCaseError> {
+        let mut placer = placer::<M>(travel_mm, zero);
+        let mut certified = 0;
+        for arc in arcs {
+            let Ok(start) = placer.shifted(arc.start.tip, &placer.zero()) else { break };
+            let round = ArcGeometry::new(arc);
+            let certain = placer.needs_no_travel(&start, round.diameter_mm(), |direction| round.bounds(direction));
+            certified += usize::from(certain);
+            let before = placer.travel.clone();
+            let (_, map) = placer.axis_map(&start).expect("a map");
+            let extremes = (0..3).flat_map(|row| round.extremes(map.row(row).transpose()));
+            for part in extremes.chain((0..=100).map(|step| f64::from(step) / 100.0)) {
+                let reached = placer.shifted(round.tip(part), &start);
+                if certain {
+                    prop_assert!(reached.is_ok());
+                    prop_assert_eq!(&placer.travel, &before);
+                }
+            }
+        }
+        Ok(certified)
+    }
+
+    fn helix(centre: Point3<f64>, normal: [f64; 3], [radius, from, angle, rise]: [f64; 4]) -> Arc {
+        let normal = UnitVector3::new_normalize(Vector3::from(normal));
+        let aside = normal.cross(&Vector3::new(0.3, 0.7, -0.4)).normalize() * radius;
+        let at = |angle: f64| centre + nalgebra::Rotation3::from_axis_angle(&normal, angle) * aside;
+        let pose = |tip: Point3<f64>| Pose { tip, axis: Vector3::z_axis() };
+        let end = at(from + angle) + normal.into_inner() * rise;
+        Arc { start: pose(at(from)), end: pose(end), centre, normal, angle_rad: angle, feed: None }
+    }
+
+    #[test]
+    fn an_arc_made_again_needs_no_travel() {
+        let arc = helix(Point3::new(1.0, 2.0, 3.0), [0.0, 0.0, 1.0], [10.0, 0.3, TAU, 0.0]);
+        assert_eq!(certified::<Cb>(&[arc; 3], 500.0, false).ok(), Some(2));
+        assert_eq!(certified::<Cb>(&[arc; 3], 500.0, true).ok(), Some(3));
+        assert_eq!(certified::<Cb>(&[arc; 3], 15.0, false).ok(), Some(0));
+    }
+
+    proptest! {
+        /// No point of an arc that is said to need no travel changes it.
+        #[test]
+        fn an_arc_that_needs_no_travel_has_no_point_that_does(
+            circles in prop::collection::vec(
+                (
+                    prop::array::uniform3(-5.0_f64..5.0),
+                    prop::sample::select(vec![[0.0, 0.0, 1.0], [0.0, -1.0, 0.0], [0.6, 0.0, 0.8], [1.0, 1.0, 1.0]]),
+                    prop::sample::select(vec![1.0_f64, 2.5, 10.0]),
+                    0.0_f64..TAU,
+                    prop::sample::select(vec![0.1_f64, 3.0, TAU, 15.0]),
+                    prop::sample::select(vec![0.0_f64, 0.0, 1.0, -2.0]),
+                ),
+                1..10,
+            ),
+            travel in 15.0_f64..40.0,
+            zero: bool,
+        ) {
+            let arcs = circles.into_iter().map(|(centre, normal, radius, from, angle, rise)| {
+                helix(Point3::from(centre), normal, [radius, from, angle, rise])
+            });
+            let arcs: Vec<Arc> = arcs.collect();
+            certified::<Cb>(&arcs, travel, zero)?;
+            certified::<Head>(&arcs, travel, zero)?;
+            certified::<Ay>(&arcs, travel, zero)?;
+            certified::<Mirrored>(&arcs, travel, zero)?;
+        }
+    }
 }

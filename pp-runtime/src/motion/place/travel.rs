@@ -111,6 +111,16 @@ impl TravelCheck {
         Ok(())
     }
 
+    /// Whether [`check`](Self::check) of this point would refuse it, or note something. Where it does neither at two points,
+    /// it does neither at any whose values are between theirs.
+    pub(crate) fn is_changed_by(&self, values: &[f64]) -> bool {
+        self.axes.iter().filter(|axis| axis.limited()).any(|axis| {
+            let mut after = *axis;
+            let checked = after.check(values[axis.index] + self.moved_mm[axis.index], self.gauge_length_mm);
+            checked.is_err() || after != *axis
+        })
+    }
+
     /// The travel that each axis has needed so far.
     pub(crate) fn needed(&self) -> [Option<(f64, f64)>; MAX_AXES] {
         std::array::from_fn(|index| self.axes.iter().find(|axis| axis.index == index)?.span)

@@ -108,6 +108,15 @@ struct ArcInProgram {
     lean_mm: f64,
 }
 
+/// A piece of an arc in words.
+struct Piece {
+    circle: Circle,
+    /// Its end.
+    to: AxisPosition,
+    /// Distance between its end and the end of its words, in units.
+    drift: [f64; 2],
+}
+
 /// Plans an arc from the present position of the tool.
 #[cold]
 pub(crate) fn arc<S: Sink>(planner: &mut Planner<'_, S>, arc: &Arc, index: MotionIndex) -> Planned {
@@ -166,9 +175,9 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
             Err(why) => return Ok(Err(why)),
         };
         for cuts in Cuts::of(self.arc.angle_rad).into_iter().flatten() {
-            if self.can_be_written(&in_program, cuts)? {
+            if let Some(last) = self.last_piece(&in_program, cuts, end)? {
                 self.check_travel()?;
-                return self.write_pieces(&in_program, cuts).map(Ok);
+                return self.write_pieces(&in_program, cuts, last).map(Ok);
             }
         }
         Ok(Err(NoArc::Rounding))
@@ -181,7 +190,7 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         if setup.output == ArcOutput::Lines {
             return Err(NoArc::Configured);
         }
-        if round.radius() * (1.0 - math::sin_cos(0.5 * arc.angle_rad).1) < 0.5 * placer.unit_mm() && arc.angle_rad < 1.0
+        if arc.angle_rad < 1.0 && round.radius() * (1.0 - math::sin_cos(0.5 * arc.angle_rad).1) < 0.5 * placer.unit_mm()
         {
             return Err(NoArc::Straight);
         }
@@ -212,18 +221,39 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         Ok(ArcInProgram { plane, chain, nominal, lean_mm })
     }
 
-    /// Whether all pieces stay within tolerance.
-    fn can_be_written(&mut self, in_program: &ArcInProgram, cuts: Cuts) -> Result<bool, Fault> {
-        let (mut from, mut drift) = (*self.planner.mover.here(), [0.0; 2]);
-        for piece in 1..=cuts.pieces {
-            let to = self.piece_end(cuts.end(piece))?;
-            let Some(circle) = self.circle(in_program, cuts.share(piece), (&from, drift), &to) else {
-                return Ok(false);
+    /// The last piece, if all stay within tolerance: nearly every arc has no other. `end`: the place at the end of the arc.
+    fn last_piece(
+        &mut self,
+        in_program: &ArcInProgram,
+        cuts: Cuts,
+        end: &AxisPosition,
+    ) -> Result<Option<Piece>, Fault> {
+        let here = *self.planner.mover.here();
+        let known = Some(end).filter(|end| self.planner.mover.placer().is_shifted(end, &here));
+        let mut last: Option<Piece> = None;
+        for number in 1..=cuts.pieces {
+            let to = match known.filter(|_| number == cuts.pieces) {
+                Some(end) => *end,
+                None => self.piece_end(cuts.end(number))?,
             };
-            drift = self.drift(&circle, drift, &to);
-            from = to;
+            let before = last.as_ref().map_or((&here, [0.0; 2]), |before| (&before.to, before.drift));
+            let Some(piece) = self.piece(in_program, cuts.share(number), before, to) else { return Ok(None) };
+            last = Some(piece);
         }
-        Ok(math::hypot(drift[0], drift[1]) <= MOST_DRIFT)
+        Ok(last.filter(|last| math::hypot(last.drift[0], last.drift[1]) <= MOST_DRIFT))
+    }
+
+    /// A piece, `share` of the arc, if it stays within tolerance. `drift`: distance of its start from the start of its words,
+    /// in units.
+    fn piece(
+        &self,
+        in_program: &ArcInProgram,
+        share: f64,
+        (from, drift): (&AxisPosition, [f64; 2]),
+        to: AxisPosition,
+    ) -> Option<Piece> {
+        let circle = self.circle(in_program, share, (from, drift), &to)?;
+        Some(Piece { drift: self.drift(&circle, drift, &to), circle, to })
     }
 
     /// Distance between the end of a piece and the end of its words, in units.
@@ -291,8 +321,12 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
 
     /// Checks the limits of each linear axis at the extremes of the arc along it.
     fn check_travel(&mut self) -> Result<(), Fault> {
-        let Some((_, map)) = self.planner.mover.placer().axis_map(self.planner.mover.here()) else { return Ok(()) };
-        let round = self.round;
+        let (round, placer, here) = (self.round, self.planner.mover.placer(), self.planner.mover.here());
+        let reach_mm = round.diameter_mm() + (here.pose.tip - self.arc.start.tip).norm();
+        if placer.needs_no_travel(here, reach_mm, |direction| round.bounds(direction)) {
+            return Ok(());
+        }
+        let Some((_, map)) = placer.axis_map(here) else { return Ok(()) };
         for row in 0..3 {
             for part in round.extremes(map.row(row).transpose()) {
                 self.piece_end(part)?;
@@ -301,7 +335,7 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         Ok(())
     }
 
-    fn write_pieces(&mut self, in_program: &ArcInProgram, cuts: Cuts) -> Planned {
+    fn write_pieces(&mut self, in_program: &ArcInProgram, cuts: Cuts, last: Piece) -> Planned {
         let rate = self.planner.rate(self.arc.feed)?;
         self.planner.mover.output_mut().set_reason(if cuts.pieces > 1 {
             BlockReason::SplitArc
@@ -309,20 +343,24 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
             BlockReason::Record
         });
         let mask = in_program.chain.iter().fold(0, |mask, axis| mask | 1 << axis);
-        let mut drift = [0.0; 2];
-        for piece in 1..=cuts.pieces {
-            let share = cuts.share(piece);
-            let length = self.round.length() * share;
+        let (mut drift, mut last) = ([0.0; 2], Some(last));
+        for number in 1..=cuts.pieces {
+            let length = self.round.length() * cuts.share(number);
             let mover = &self.planner.mover;
             let axis_time_min = mover.placer().least_minutes_of_tip(length, mover.here());
             let motion = FeedMotion::linear(length, axis_time_min);
             let pace = mover.feeds().pace(rate, motion)?;
-            let to = self.piece_end(cuts.end(piece))?;
-            let circle = self.circle(in_program, share, (self.planner.mover.here(), drift), &to);
-            let (Some(circle), FeedWord::PerMinute(feed)) = (circle, pace.feed) else {
+            let piece = match last.take_if(|_| number == cuts.pieces) {
+                None => {
+                    let to = self.piece_end(cuts.end(number))?;
+                    self.piece(in_program, cuts.share(number), (self.planner.mover.here(), drift), to)
+                }
+                last => last,
+            };
+            let (Some(Piece { circle, to, drift: after }), FeedWord::PerMinute(feed)) = (piece, pace.feed) else {
                 return Err(Fault::new("an arc within tolerance cannot be written").into());
             };
-            drift = self.drift(&circle, drift, &to);
+            drift = after;
             let mover = &mut self.planner.mover;
             mover.output_mut().feed(&pace, None);
             let words = AxisWords { vector: None, ..mover.placer().words(&to, mask) };
