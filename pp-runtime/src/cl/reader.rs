@@ -154,8 +154,11 @@ impl<R: Read> ClReader<R> {
 
     /// Notes what is wrong with a record, and its warnings.
     fn note_faults(&mut self, taken: Result<(), ClFault>, statement: &Statement) {
-        for fault in taken.err().into_iter().chain(self.interpreter.take_warnings()) {
+        if let Err(fault) = taken {
             self.faults.add(fault, statement, &self.lexer);
+        }
+        for warning in self.interpreter.take_warnings() {
+            self.faults.add(warning, statement, &self.lexer);
         }
     }
 

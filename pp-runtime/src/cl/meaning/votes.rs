@@ -16,14 +16,10 @@ const SHORTEST_LINE_MM: f64 = 0.01;
 /// Largest number of groups of arcs that vote separately; further ones share the last group.
 const MOST_GROUPS: usize = 64;
 
-/// Tangents of an arc at its start and at its end, in the sense of traversal.
-fn tangents(arc: &Arc) -> [Vector3<f64>; 2] {
-    let n = arc.normal.into_inner();
-    [arc.start.tip, arc.end.tip].map(|point| n.cross(&(point - arc.centre)).normalize())
-}
-
-/// Vote of a line: along the tangent (`Some(true)`), against it (`Some(false)`), or none.
-fn vote(line: Vector3<f64>, tangent: Vector3<f64>, normal: &UnitVector3<f64>) -> Option<bool> {
+/// Vote of a line at an end of an arc, `arm` from its centre: along the tangent in the sense of traversal (`Some(true)`),
+/// against it (`Some(false)`), or none.
+fn vote(line: Vector3<f64>, arm: Vector3<f64>, normal: &UnitVector3<f64>) -> Option<bool> {
+    let tangent = normal.cross(&arm).normalize();
     let flat = line - normal.into_inner() * line.dot(normal);
     let length = flat.norm();
     if length < SHORTEST_LINE_MM {
@@ -61,7 +57,8 @@ pub struct ArcVote {
 struct UndecidedArc {
     group: usize,
     before: Option<bool>,
-    tangent: Vector3<f64>,
+    /// From the centre to the end.
+    arm: Vector3<f64>,
     normal: UnitVector3<f64>,
     location: Location,
 }
@@ -96,11 +93,10 @@ impl ArcVotes {
             }
             self.groups.len() - 1
         });
-        let [first, last] = tangents(arc);
         self.undecided = Some(UndecidedArc {
             group,
-            before: line.and_then(|line| vote(line, first, &arc.normal)),
-            tangent: last,
+            before: line.and_then(|line| vote(line, arc.start.tip - arc.centre, &arc.normal)),
+            arm: arc.end.tip - arc.centre,
             normal: arc.normal,
             location: at,
         });
@@ -113,7 +109,7 @@ impl ArcVotes {
     /// Concludes the last arc with the feed line after it, or with `None` for any other record.
     pub(crate) fn conclude_arc(&mut self, line: Option<Vector3<f64>>) {
         let Some(arc) = self.undecided.take() else { return };
-        let after = line.and_then(|line| vote(line, arc.tangent, &arc.normal));
+        let after = line.and_then(|line| vote(line, arc.arm, &arc.normal));
         let group = &mut self.groups[arc.group];
         match (arc.before, after) {
             (Some(true), None | Some(true)) | (None, Some(true)) => group.agree += 1,

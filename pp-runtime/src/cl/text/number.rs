@@ -148,7 +148,9 @@ impl NumberShape {
         if !is_short || matches!(text[end], b'E' | b'e' | b'D' | b'd') {
             return None;
         }
-        let bits = |from: usize, to: usize| (from..to).fold(0, |bits, byte| bits | 0xFF << (8 * byte));
+        // Bits of the bytes from one on, below eight, up to another.
+        let bits =
+            |from: usize, to: usize| u64::MAX.checked_shr(8 * (8 - (to - from)) as u32).unwrap_or(0) << (8 * from);
         let fixed_bits = bits(0, first) | bits(point, point + usize::from(has_point));
         // The first eight digits end in the highest byte.
         let (together, rest) = (digits.min(8), digits.saturating_sub(8));
