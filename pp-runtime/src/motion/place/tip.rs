@@ -309,6 +309,28 @@ mod tests {
     }
 
     proptest! {
+        /// A position with the same tool axis is the present one with another tip, to the last bit, where it is said to be.
+        #[test]
+        fn a_position_that_is_shifted_is_the_present_one_with_another_tip(
+            axis in prop::array::uniform3(-0.4_f64..0.4),
+            tips in prop::array::uniform2(prop::array::uniform3(-50.0_f64..50.0)),
+            change in prop::sample::select(vec![0.0_f64, 0.0, 1e-7, 0.1]),
+        ) {
+            let [start, end] = tips.map(Point3::from);
+            let tilted = |x: f64| UnitVector3::new_normalize(Vector3::new(x, axis[1], 1.0));
+            let (first, then) = (tilted(axis[0]), tilted(axis[0] + change));
+            let mut placer = placer::<Cb>(500.0, false);
+            let here = placer.place(&Pose { tip: start, axis: first }, &placer.zero(), false, None).expect("a place");
+            let here = placer.place(&Pose { tip: start, axis: first }, &here, true, None).expect("a place");
+            // Near the pole a cut may not change the tool axis.
+            let Ok(to) = placer.place(&Pose { tip: end, axis: then }, &here, true, None) else { return Ok(()) };
+            let is_shifted = placer.is_shifted(&to, &here);
+            prop_assert_eq!(is_shifted, first == then);
+            if is_shifted {
+                prop_assert_eq!(placer.shifted(end, &here).ok(), Some(to));
+            }
+        }
+
         /// No point of an arc that is said to need no travel changes it.
         #[test]
         fn an_arc_that_needs_no_travel_has_no_point_that_does(

@@ -117,6 +117,17 @@ struct Piece {
     drift: [f64; 2],
 }
 
+impl Piece {
+    /// Its end, and the distance of that from the end of its words: the start of the next piece.
+    fn end(&self) -> (&AxisPosition, [f64; 2]) {
+        (&self.to, self.drift)
+    }
+}
+
+fn cannot_be_written() -> Fault {
+    Fault::new("an arc within tolerance cannot be written")
+}
+
 /// Plans an arc from the present position of the tool.
 #[cold]
 pub(crate) fn arc<S: Sink>(planner: &mut Planner<'_, S>, arc: &Arc, index: MotionIndex) -> Planned {
@@ -177,7 +188,7 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         for cuts in Cuts::of(self.arc.angle_rad).into_iter().flatten() {
             if let Some(last) = self.last_piece(&in_program, cuts, end)? {
                 self.check_travel()?;
-                return self.write_pieces(&in_program, cuts, last).map(Ok);
+                return self.write_pieces(&in_program, cuts, &last).map(Ok);
             }
         }
         Ok(Err(NoArc::Rounding))
@@ -229,17 +240,17 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         end: &AxisPosition,
     ) -> Result<Option<Piece>, Fault> {
         let here = *self.planner.mover.here();
-        let known = Some(end).filter(|end| self.planner.mover.placer().is_shifted(end, &here));
-        let mut last: Option<Piece> = None;
-        for number in 1..=cuts.pieces {
-            let to = match known.filter(|_| number == cuts.pieces) {
-                Some(end) => *end,
-                None => self.piece_end(cuts.end(number))?,
-            };
-            let before = last.as_ref().map_or((&here, [0.0; 2]), |before| (&before.to, before.drift));
-            let Some(piece) = self.piece(in_program, cuts.share(number), before, to) else { return Ok(None) };
-            last = Some(piece);
+        let mut before: Option<Piece> = None;
+        for number in 1..cuts.pieces {
+            let to = self.piece_end(cuts.end(number))?;
+            let from = before.as_ref().map_or((&here, [0.0; 2]), Piece::end);
+            let Some(piece) = self.piece(in_program, cuts.share(number), from, to) else { return Ok(None) };
+            before = Some(piece);
         }
+        let is_end = self.planner.mover.placer().is_shifted(end, &here);
+        let to = if is_end { *end } else { self.piece_end(1.0)? };
+        let from = before.as_ref().map_or((&here, [0.0; 2]), Piece::end);
+        let last = self.piece(in_program, cuts.share(cuts.pieces), from, to);
         Ok(last.filter(|last| math::hypot(last.drift[0], last.drift[1]) <= MOST_DRIFT))
     }
 
@@ -335,7 +346,7 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         Ok(())
     }
 
-    fn write_pieces(&mut self, in_program: &ArcInProgram, cuts: Cuts, last: Piece) -> Planned {
+    fn write_pieces(&mut self, in_program: &ArcInProgram, cuts: Cuts, last: &Piece) -> Planned {
         let rate = self.planner.rate(self.arc.feed)?;
         self.planner.mover.output_mut().set_reason(if cuts.pieces > 1 {
             BlockReason::SplitArc
@@ -343,30 +354,28 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
             BlockReason::Record
         });
         let mask = in_program.chain.iter().fold(0, |mask, axis| mask | 1 << axis);
-        let (mut drift, mut last) = ([0.0; 2], Some(last));
-        for number in 1..=cuts.pieces {
-            let length = self.round.length() * cuts.share(number);
-            let mover = &self.planner.mover;
-            let axis_time_min = mover.placer().least_minutes_of_tip(length, mover.here());
-            let motion = FeedMotion::linear(length, axis_time_min);
-            let pace = mover.feeds().pace(rate, motion)?;
-            let piece = match last.take_if(|_| number == cuts.pieces) {
-                None => {
-                    let to = self.piece_end(cuts.end(number))?;
-                    self.piece(in_program, cuts.share(number), (self.planner.mover.here(), drift), to)
-                }
-                last => last,
-            };
-            let (Some(Piece { circle, to, drift: after }), FeedWord::PerMinute(feed)) = (piece, pace.feed) else {
-                return Err(Fault::new("an arc within tolerance cannot be written").into());
-            };
-            drift = after;
-            let mover = &mut self.planner.mover;
-            mover.output_mut().feed(&pace, None);
-            let words = AxisWords { vector: None, ..mover.placer().words(&to, mask) };
-            mover.write_motion(&Step::Arc { words, circle: &circle, feed }, &to)?;
-            mover.position_mut().go_to(&to);
+        let mut drift = [0.0; 2];
+        for number in 1..cuts.pieces {
+            let (share, to) = (cuts.share(number), self.piece_end(cuts.end(number))?);
+            let piece = self.piece(in_program, share, (self.planner.mover.here(), drift), to);
+            let piece = piece.ok_or_else(cannot_be_written)?;
+            self.write_piece(&piece, share, (rate, mask))?;
+            drift = piece.drift;
         }
+        self.write_piece(last, cuts.share(cuts.pieces), (rate, mask))
+    }
+
+    /// Writes a piece, `share` of the arc, at `rate` mm/min with the words of the axes in `mask`.
+    fn write_piece(&mut self, piece: &Piece, share: f64, (rate, mask): (f64, u16)) -> Planned {
+        let length = self.round.length() * share;
+        let mover = &mut self.planner.mover;
+        let axis_time_min = mover.placer().least_minutes_of_tip(length, mover.here());
+        let pace = mover.feeds().pace(rate, FeedMotion::linear(length, axis_time_min))?;
+        let FeedWord::PerMinute(feed) = pace.feed else { return Err(cannot_be_written().into()) };
+        mover.output_mut().feed(&pace, None);
+        let words = AxisWords { vector: None, ..mover.placer().words(&piece.to, mask) };
+        mover.write_motion(&Step::Arc { words, circle: &piece.circle, feed }, &piece.to)?;
+        mover.position_mut().go_to(&piece.to);
         Ok(())
     }
 
