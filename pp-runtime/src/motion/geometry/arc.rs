@@ -270,7 +270,8 @@ mod tests {
                 1..30,
             ),
         ) {
-            let (mut known, mut expected): (Option<[[f64; 3]; 2]>, Option<[[f64; 3]; 2]>) = (None, None);
+            let mut known: Option<[[f64; 3]; 2]> = None;
+            let mut expected = known;
             for (centre, normal, angle, rise) in arcs {
                 let normal = UnitVector3::new_normalize(Vector3::from(normal));
                 let u = normal.cross(&Vector3::new(0.3, 0.7, -0.4)).normalize() * 7.0;
