@@ -171,7 +171,7 @@ impl<R: Read> Lexer<R> {
         make: impl FnOnce(ShortNumbers<N>) -> Option<T>,
     ) -> Option<(PhysicalLine, T)> {
         let line = &self.buffer[self.start..];
-        if !line.starts_with(like.word) || self.columns < usize::MAX {
+        if self.columns < usize::MAX {
             return None;
         }
         let known = line.first_chunk().and_then(|text| like.whole.read(text));
@@ -192,12 +192,12 @@ impl<R: Read> Lexer<R> {
         Some((line, made))
     }
 
-    /// The numbers of a line after its word, and the number of its bytes with its end.
+    /// The numbers of a line that begins with the word, and the number of its bytes with its end.
     #[inline(never)]
     fn one_by_one<const N: usize>(&self, like: &mut NumberLine<N>) -> Option<(ShortNumbers<N>, usize)> {
         let line = &self.buffer[self.start..];
         let slash = skip_blanks(line, like.word.len());
-        if line.get(slash) != Some(&b'/') {
+        if !line.starts_with(like.word) || line.get(slash) != Some(&b'/') {
             return None;
         }
         let (mut numbers, mut starts, mut count, mut end, mut anew) = ([0.0; N], [0; N], 0, slash, false);
