@@ -162,7 +162,7 @@ impl<'a> Writer<'a> {
         self.words([(prefix, number)], numerals);
     }
 
-    /// Writes words.
+    /// Writes words in their order, each as [`word`](Self::word) does; without words no block begins.
     #[inline(always)]
     pub fn words<'w>(&mut self, words: impl IntoIterator<Item = (&'w str, Decimal)>, numerals: Numerals) {
         let mut end = self.end;

@@ -453,12 +453,12 @@ impl Surveyor {
         }
     }
 
-    /// Notes a motion of the tip within a box (lowest and highest corner, mm). `cuts`: at feed.
     /// Box around the tip positions at feed of the current tool so far, if those of this set-up belong to it.
     fn cuts_so_far(&self) -> Option<[[f64; 3]; 2]> {
         self.survey.tools[self.tool?].cuts_mm.filter(|_| self.first_set_up)
     }
 
+    /// Notes a motion of the tip within a box (lowest and highest corner, mm). `cuts`: at feed.
     fn moved(&mut self, cuts: bool, [lowest, highest]: [[f64; 3]; 2], pose: &Pose) {
         if cuts {
             self.cuts = true;

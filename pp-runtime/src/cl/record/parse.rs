@@ -112,16 +112,16 @@ pub(crate) fn record_dialect(text: &[u8]) -> Dialect {
 
 /// Reads a GOTO on a line of its own: its line and point. `None`: any other line, which has not been read.
 #[inline(always)]
-pub(crate) fn next_goto<R: Read>(lexer: &mut Lexer<R>, like: &mut NumberLine<6>) -> Option<(PhysicalLine, Point)> {
-    lexer.next_numbers(like, |found| Point::of(found.numbers, found.count, found.at))
+pub(crate) fn next_goto<R: Read>(lexer: &mut Lexer<R>, before: &mut NumberLine<6>) -> Option<(PhysicalLine, Point)> {
+    lexer.next_numbers(before, |found| Point::of(found.numbers, found.count, found.at))
 }
 
 /// Reads a CIRCLE on a line of its own, without TIMES, in the same way.
 pub(crate) fn next_circle<R: Read>(
     lexer: &mut Lexer<R>,
-    like: &mut NumberLine<CIRCLE_NUMBERS>,
+    before: &mut NumberLine<CIRCLE_NUMBERS>,
 ) -> Option<(PhysicalLine, CircleRecord)> {
-    lexer.next_numbers(like, |found| CircleRecord::of(&found.numbers, found.count, 1, found.at))
+    lexer.next_numbers(before, |found| CircleRecord::of(&found.numbers, found.count, 1, found.at))
 }
 
 /// Place of the major word; it may contain `-` and `_`. TOOL PATH is one word with a blank inside.

@@ -167,17 +167,17 @@ impl<R: Read> Lexer<R> {
     #[inline(always)]
     pub(crate) fn next_numbers<const N: usize, T>(
         &mut self,
-        like: &mut NumberLine<N>,
+        before: &mut NumberLine<N>,
         make: impl FnOnce(ShortNumbers<N>) -> Option<T>,
     ) -> Option<(PhysicalLine, T)> {
         let line = &self.buffer[self.start..];
         if self.columns < usize::MAX {
             return None;
         }
-        let known = line.first_chunk().and_then(|text| like.whole.read(text));
+        let known = line.first_chunk().and_then(|text| before.whole.read(text));
         let (numbers, length) = match known {
             Some(read) => read,
-            None => self.one_by_one(like)?,
+            None => self.one_by_one(before)?,
         };
         // After the end of what has been read there are bytes of earlier reads.
         if self.start + length > self.end {
@@ -194,14 +194,14 @@ impl<R: Read> Lexer<R> {
 
     /// The numbers of a line that begins with the word, and the number of its bytes with its end.
     #[inline(never)]
-    fn one_by_one<const N: usize>(&self, like: &mut NumberLine<N>) -> Option<(ShortNumbers<N>, usize)> {
+    fn one_by_one<const N: usize>(&self, before: &mut NumberLine<N>) -> Option<(ShortNumbers<N>, usize)> {
         let line = &self.buffer[self.start..];
-        let slash = skip_blanks(line, like.word.len());
-        if !line.starts_with(like.word) || line.get(slash) != Some(&b'/') {
+        let slash = skip_blanks(line, before.word.len());
+        if !line.starts_with(before.word) || line.get(slash) != Some(&b'/') {
             return None;
         }
         let (mut numbers, mut starts, mut count, mut end, mut anew) = ([0.0; N], [0; N], 0, slash, false);
-        for ((shape, number), start) in like.shapes.iter_mut().zip(&mut numbers).zip(&mut starts) {
+        for ((shape, number), start) in before.shapes.iter_mut().zip(&mut numbers).zip(&mut starts) {
             *start = end + 1;
             // At the end of the buffer there may be no such bytes.
             let (value, used) = shape.read(line.get(*start..)?.first_chunk()?, &mut anew)?;
@@ -220,8 +220,9 @@ impl<R: Read> Lexer<R> {
         };
         let at = Span { start: skip_blanks(line, slash + 1), end };
         if !anew {
-            let shapes = std::array::from_fn(|index| (like.shapes[index], starts[index]));
-            like.whole.take(&line[..length], shapes, (count, at));
+            let shape = |index: usize| if index < count { before.shapes[index] } else { NumberShape::NONE };
+            let shapes = std::array::from_fn(|index| (shape(index), starts[index]));
+            before.whole.take(&line[..length], shapes, (count, at));
         }
         Some((ShortNumbers { numbers, count, at }, length))
     }

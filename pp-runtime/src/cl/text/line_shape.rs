@@ -20,7 +20,7 @@ pub(super) const LINE_AND_NUMBER: usize = LONGEST + SHORT_NUMBER;
 struct Piece {
     /// A zero at the place of a digit, and every other byte of the line.
     bytes: u8x16,
-    /// Largest exclusive disjunction with these bytes: 9 for a digit, 0 for another byte, any after the line.
+    /// The largest number that bits may differ from these by: 9 for a digit, 0 for another byte, any after the line.
     largest: u8x16,
 }
 
@@ -54,11 +54,11 @@ impl<const N: usize> LineShape<N> {
     /// none.
     #[inline(never)]
     pub(super) fn take(&mut self, line: &[u8], numbers: [(NumberShape, usize); N], (count, at): (usize, Span)) {
-        *self = Self { numbers, count, at, ..Self::NONE };
+        self.length = 0;
         if line.len() > LONGEST {
             return;
         }
-        (self.length, self.used) = (line.len(), line.len().div_ceil(16));
+        *self = Self { numbers, count, at, length: line.len(), used: line.len().div_ceil(16), ..Self::NONE };
         for (piece, line) in self.pieces.iter_mut().zip(line.chunks(16)) {
             let (mut bytes, mut largest) = ([0; 16], [u8::MAX; 16]);
             for (byte, (expected, largest)) in line.iter().zip(bytes.iter_mut().zip(&mut largest)) {
@@ -103,7 +103,7 @@ mod tests {
 
     use crate::cl::text::lexer::{Lexer, NumberLine};
 
-    /// What is read of each line: the bits of its numbers, and their place; `None` where the line is left to the other way.
+    /// What is read of each line: the bits of its numbers, and their place; `None` where the line is left to `next`.
     fn read(text: &[u8]) -> Vec<Option<(Vec<u64>, usize, usize)>> {
         let mut lexer = Lexer::new(text, None);
         lexer.begin().expect("text");

@@ -352,7 +352,9 @@ impl<'a, S: Sink> Mover<'a, S> {
         // Nearly every motion: nothing is copied.
         let allowed = (tolerance, self.output.statistics().largest_deviation(tolerance));
         if let Some(bound) = Linearised::in_one_block(&self.placer, (self.here(), place), allowed, self.law) {
-            self.feed_piece((place, &bound), rate, tolerance, None)?;
+            let block = self.block_to(place);
+            self.note_rotation_on_spot(place, block, tolerance)?;
+            self.feed_piece((place, &bound), rate, block, None)?;
             self.output.statistics_mut().certified(&bound, tolerance);
             return Ok(());
         }
@@ -361,8 +363,10 @@ impl<'a, S: Sink> Mover<'a, S> {
         while let Some(piece) = pieces.next(&self.placer)? {
             blocks += u64::from(piece.place.words != self.here().words);
             let inserted = (piece.place.words != place.words).then_some(BlockReason::Tolerance);
+            let block = self.block_to(&piece.place);
+            self.note_rotation_on_spot(&piece.place, block, tolerance)?;
             self.placer.check_travel(&piece.place)?;
-            self.feed_piece((&piece.place, &piece.bound), rate, tolerance, inserted)?;
+            self.feed_piece((&piece.place, &piece.bound), rate, block, inserted)?;
             self.position.go_to(&piece.place);
             self.output.statistics_mut().certified(&piece.bound, tolerance);
         }
@@ -416,11 +420,9 @@ impl<'a, S: Sink> Mover<'a, S> {
         &mut self,
         (place, bound): (&AxisPosition, &MotionBound),
         rate: f64,
-        tolerance: PathTolerance,
+        block: BlockMotion,
         inserted: Option<BlockReason>,
     ) -> Planned {
-        let block = self.block_to(place);
-        self.note_rotation_on_spot(place, block, tolerance)?;
         self.placer.check_between(self.position.place(), place)?;
         let pace = self.pace(rate, place, block, Some(bound))?;
         self.write_feed(place, &pace, block, inserted)
