@@ -91,7 +91,10 @@ fn kinematics(mut take: impl FnMut(&str, Vec<Work<'_>>)) {
         "inverse kinematics, C-on-B table",
         vec![
             each("by hand, both branches", &poses, |pose| kernel::both(height, pose)),
-            each("generated, both branches", &poses, |pose| machine.inverse_kinematics(pose, &SpinnerU5620::HELD)),
+            each("generated, both branches", &poses, |pose| {
+                let solutions = machine.inverse_kinematics(pose, &SpinnerU5620::HELD);
+                [solutions[0].axes, solutions[1].axes]
+            }),
             each("by hand, one branch", &poses, |pose| kernel::one(height, pose)),
             each("by hand, sines and cosines of the angles", &poses, |pose| kernel::trigonometric(height, pose)),
         ],
