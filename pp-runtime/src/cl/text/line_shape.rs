@@ -30,8 +30,6 @@ pub(super) struct LineShape<const N: usize> {
     /// Number of bytes with the line end.
     length: usize,
     pieces: [Piece; LONGEST / 16],
-    /// Number of pieces that the line takes.
-    used: usize,
     /// Shapes of the numbers, and where they begin; those of no numbers after `count` of them.
     numbers: [(NumberShape, usize); N],
     count: usize,
@@ -44,7 +42,6 @@ impl<const N: usize> LineShape<N> {
     pub(super) const NONE: Self = Self {
         length: 0,
         pieces: [Piece { bytes: u8x16::ZERO, largest: u8x16::MAX }; LONGEST / 16],
-        used: 0,
         numbers: [(NumberShape::NONE, 0); N],
         count: 0,
         at: Span { start: 0, end: 0 },
@@ -58,7 +55,7 @@ impl<const N: usize> LineShape<N> {
         if line.len() > LONGEST {
             return;
         }
-        *self = Self { numbers, count, at, length: line.len(), used: line.len().div_ceil(16), ..Self::NONE };
+        *self = Self { numbers, count, at, length: line.len(), ..Self::NONE };
         for (piece, line) in self.pieces.iter_mut().zip(line.chunks(16)) {
             let (mut bytes, mut largest) = ([0; 16], [u8::MAX; 16]);
             for (byte, (expected, largest)) in line.iter().zip(bytes.iter_mut().zip(&mut largest)) {
@@ -72,7 +69,7 @@ impl<const N: usize> LineShape<N> {
     #[inline(always)]
     pub(super) fn read(&self, text: &[u8; LINE_AND_NUMBER]) -> Option<(ShortNumbers<N>, usize)> {
         let mut beyond = u8x16::ZERO;
-        for (text, piece) in text.as_chunks().0.iter().zip(&self.pieces[..self.used]) {
+        for (text, piece) in text.as_chunks().0.iter().zip(&self.pieces[..self.length.div_ceil(16)]) {
             beyond |= (u8x16::from(*text) ^ piece.bytes).saturating_sub(piece.largest);
         }
         if self.length == 0 || beyond != u8x16::ZERO {

@@ -174,18 +174,13 @@ impl ModalState {
     /// Enters the words of these axes.
     #[inline]
     pub(crate) fn set_axes(&mut self, words: &AxisWords, axes: u16) {
-        // Nearly always the words of all axes: those that do not change are in force.
-        if self.known_axes & !words.mask == 0 && axes | self.known_axes == words.mask {
-            self.axes = words.units;
+        // Nearly always these words are of all axes that are known, and those that do not change are in force.
+        if axes | self.known_axes == words.mask {
+            (self.axes, self.known_axes) = (words.units, words.mask);
         } else {
-            self.set_some(words, axes);
-        }
-        self.known_axes |= axes;
-    }
-
-    fn set_some(&mut self, words: &AxisWords, axes: u16) {
-        for axis in (0..MAX_AXES).filter(|axis| axes & (1 << axis) != 0) {
-            self.axes[axis] = words.units[axis];
+            (0..MAX_AXES)
+                .filter(|axis| axes & (1 << axis) != 0)
+                .for_each(|axis| self.set_axis(axis, words.units[axis]));
         }
     }
 
