@@ -167,13 +167,13 @@ impl<R: Read> Reader<R> {
     pub(crate) fn new(input: R, mut vocabulary: Vocabulary) -> Self {
         own::prepare(&mut vocabulary);
         let facts = vocabulary.family.facts();
+        let own_retract = vocabulary.own.iter().any(|own| matches!(own.place, OwnPlace::Retract { .. }));
+        let machine = Interpreter::new(vocabulary.axes.clone(), facts, vocabulary.rounding);
         let syntax = match facts.form {
-            Form::Letters => Syntax::Iso(Iso::default()),
+            Form::Letters => Syntax::Iso(Iso::new(&vocabulary, &machine)),
             Form::Keywords => Syntax::Siemens(Siemens::default()),
             Form::Statements => Syntax::Heidenhain(Heidenhain::default()),
         };
-        let own_retract = vocabulary.own.iter().any(|own| matches!(own.place, OwnPlace::Retract { .. }));
-        let machine = Interpreter::new(vocabulary.axes.clone(), facts, vocabulary.rounding);
         Self {
             input: BufReader::with_capacity(1 << 16, input),
             vocabulary,

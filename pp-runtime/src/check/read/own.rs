@@ -149,6 +149,7 @@ pub(super) fn declared(
     search(line, vocabulary, bare, blanked)
 }
 
+#[inline(never)]
 fn search(line: &[u8], vocabulary: &Vocabulary, bare: &Bare, blanked: &mut Vec<u8>) -> Option<Declared> {
     let Bare { masked, text, .. } = bare;
     blanked.clear();

@@ -14,7 +14,8 @@ pub(super) struct Number {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Cursor<'a> {
     line: &'a [u8],
-    at: usize,
+    /// What comes next.
+    rest: &'a [u8],
 }
 
 /// End of a line that goes on in the next one, after its mark `~`: no line holds it. The mark is blank while a line is read.
@@ -50,31 +51,31 @@ const MOST_DIGITS: usize = 18;
 
 impl<'a> Cursor<'a> {
     pub(super) fn new(line: &'a [u8]) -> Self {
-        Self { line, at: 0 }
+        Self { line, rest: line }
     }
 
     pub(super) fn rest(&self) -> &'a [u8] {
-        &self.line[self.at.min(self.line.len())..]
+        self.rest
     }
 
     /// What has been taken from a column on.
     pub(super) fn read_from(&self, column: usize) -> &'a [u8] {
-        &self.line[column..self.at]
+        &self.line[column..self.column()]
     }
 
     /// Column that comes next, from 0.
     pub(super) fn column(&self) -> usize {
-        self.at
+        self.line.len() - self.rest.len()
     }
 
     /// Goes to a column.
     pub(super) fn go_to(&mut self, column: usize) {
-        self.at = column;
+        self.rest = self.line.get(column..).unwrap_or_default();
     }
 
     /// Passes over some bytes.
     pub(super) fn skip(&mut self, count: usize) {
-        self.at += count;
+        self.rest = self.rest.get(count..).unwrap_or_default();
     }
 
     /// What comes before a column.
@@ -84,30 +85,28 @@ impl<'a> Cursor<'a> {
 
     /// Goes to the end; what was left.
     pub(super) fn take_rest(&mut self) -> &'a [u8] {
-        let rest = self.rest();
-        self.at = self.line.len();
-        rest
+        std::mem::take(&mut self.rest)
     }
 
     pub(super) fn peek(&self) -> Option<u8> {
-        self.line.get(self.at).copied()
+        self.rest.first().copied()
     }
 
     pub(super) fn blanks(&mut self) {
-        while matches!(self.peek(), Some(b' ' | b'\t' | b'\r')) {
-            self.at += 1;
+        while let [b' ' | b'\t' | b'\r', rest @ ..] = self.rest {
+            self.rest = rest;
         }
     }
 
     pub(super) fn ended(&mut self) -> bool {
         self.blanks();
-        self.at >= self.line.len()
+        self.rest.is_empty()
     }
 
     /// Takes a byte if it comes next.
     pub(super) fn take(&mut self, byte: u8) -> bool {
         let found = self.peek() == Some(byte);
-        self.at += usize::from(found);
+        self.skip(usize::from(found));
         found
     }
 
@@ -119,31 +118,31 @@ impl<'a> Cursor<'a> {
             && rest[..word.len()].eq_ignore_ascii_case(word)
             && !rest.get(word.len()).is_some_and(|next| next.is_ascii_alphanumeric() || *next == b'_');
         if found {
-            self.at += word.len();
+            self.skip(word.len());
         }
         found
     }
 
     /// Takes a text if it comes next, whatever its case and the blanks between its bytes.
     pub(super) fn literal(&mut self, text: &[u8]) -> bool {
-        let start = self.at;
+        let start = self.rest;
         for wanted in text {
             self.blanks();
             if !self.peek().is_some_and(|byte| byte.eq_ignore_ascii_case(wanted)) {
-                self.at = start;
+                self.rest = start;
                 return false;
             }
-            self.at += 1;
+            self.skip(1);
         }
         true
     }
 
     /// Takes words one after the other, each as [`word`](Self::word) does.
     pub(super) fn words(&mut self, words: &str) -> bool {
-        let start = self.at;
+        let start = self.rest;
         let found = words.split(' ').all(|word| self.word(word.as_bytes()));
         if !found {
-            self.at = start;
+            self.rest = start;
         }
         found
     }
@@ -168,7 +167,7 @@ impl<'a> Cursor<'a> {
     /// Takes a letter and the number behind it, blanks between them or not.
     pub(super) fn letter_and_number(&mut self) -> Option<(u8, Number)> {
         let letter = self.peek().filter(u8::is_ascii_alphabetic)?;
-        self.at += 1;
+        self.skip(1);
         self.blanks();
         Some((letter, self.number()?))
     }
@@ -177,7 +176,7 @@ impl<'a> Cursor<'a> {
     pub(super) fn name(&mut self) -> &'a [u8] {
         let rest = self.rest();
         let end = rest.iter().position(|byte| !byte.is_ascii_alphanumeric() && *byte != b'_').unwrap_or(rest.len());
-        self.at += end;
+        self.skip(end);
         &rest[..end]
     }
 
@@ -185,102 +184,115 @@ impl<'a> Cursor<'a> {
     pub(super) fn letters(&mut self) -> &'a [u8] {
         let rest = self.rest();
         let end = rest.iter().position(|byte| !byte.is_ascii_alphabetic()).unwrap_or(rest.len());
-        self.at += end;
+        self.skip(end);
         &rest[..end]
     }
 
     /// Takes a number: sign, digits, a point; no exponent, at least one digit.
     #[inline(always)]
     pub(super) fn number(&mut self) -> Option<Number> {
-        let sign = self.peek();
-        let negative = sign == Some(b'-');
-        let first = self.at + usize::from(negative || sign == Some(b'+'));
-        let Digits { mantissa, point, decimals, end } = match self.short_number(first) {
-            Some(digits) => digits,
-            None => self.long_number(first)?,
+        self.signed(|at, text| at.short_digits(text).or_else(|| long_digits(text)))
+    }
+
+    /// The same for a number of no more than eight bytes after its sign, as nearly every one is.
+    #[inline(always)]
+    pub(super) fn short_number(&mut self) -> Option<Number> {
+        self.signed(Self::short_digits)
+    }
+
+    /// Takes a sign and the digits after it.
+    #[inline(always)]
+    fn signed(&mut self, digits: impl Fn(&Self, &'a [u8]) -> Option<Digits<'a>>) -> Option<Number> {
+        let (negative, text) = match self.rest {
+            [b'-', text @ ..] => (true, text),
+            [b'+', text @ ..] => (false, text),
+            text => (false, text),
         };
-        self.at = end;
+        let Digits { mantissa, point, decimals, after } = digits(self, text)?;
+        self.rest = after;
         let value = mantissa as f64 / TENS[decimals];
         Some(Number { value: if negative { -value } else { value }, point, negative })
     }
 
-    /// Digits and a point from a column on, if they are no more than eight bytes, as of nearly every number: all of them are
-    /// found at once. `None` for any other text.
+    /// Digits and a point at the start of the rest of the line, if they are no more than eight bytes with another one among or
+    /// behind them: all of them are found at once. `None` for any other text.
     #[inline(always)]
-    fn short_number(&self, first: usize) -> Option<Digits> {
-        let bytes = self.eight(first)? ^ ZEROS;
+    fn short_digits(&self, text: &'a [u8]) -> Option<Digits<'a>> {
+        let bytes = self.eight(text)? ^ ZEROS;
         let others = no_digits(bytes);
-        let whole = others.trailing_zeros() / 8;
-        let point = whole < 8 && bytes >> (8 * whole) & 0xFF == u64::from(b'.' ^ b'0');
-        let (digits, count) = if point {
-            // Without the point the decimals follow the digits before it.
-            let before = (1 << (8 * whole)) - 1;
-            (bytes & before | bytes >> 8 & !before, (others & (others - 1)).trailing_zeros() / 8 - 1)
-        } else {
-            (bytes, whole)
-        };
-        let end = first + (count + u32::from(point)) as usize;
-        // A digit or another point goes on. `/`, which is between them, is left to the other reader, too.
-        if count == 0 || matches!(self.line.get(end), Some(b'.'..=b'9')) {
+        if others == 0 {
             return None;
         }
-        let mantissa = value_of(digits << (64 - 8 * count)).cast_signed();
-        Some(Digits { mantissa, point, decimals: (count - whole) as usize, end })
+        // Lengths in bits: of the digits before another byte, of the number, and of its digits.
+        let whole = others.trailing_zeros() & !7;
+        let point = bytes >> whole & 0xFF == u64::from(b'.' ^ b'0');
+        let (digits, length, count) = if point {
+            // Without the point the decimals follow the digits before it.
+            let before = (1 << whole) - 1;
+            let length = (others & (others - 1)).trailing_zeros() & !7;
+            (bytes & before | bytes >> 8 & !before, length, length - 8)
+        } else {
+            (bytes, whole, whole)
+        };
+        let after = text.get((length / 8) as usize..)?;
+        // A digit or another point goes on. `/`, which is between them, is left to the other reader, too.
+        if count == 0 || matches!(after, [b'.'..=b'9', ..]) {
+            return None;
+        }
+        let mantissa = value_of(digits << (64 - count)).cast_signed();
+        Some(Digits { mantissa, point, decimals: ((count - whole) / 8) as usize, after })
     }
 
-    /// Eight bytes from a column on, the first one lowest, and zeros after the end of the line; `None` in a shorter line.
+    /// The first eight bytes of the rest of the line, the first one lowest, and zeros after its end; `None` in a shorter line.
     #[inline]
-    fn eight(&self, column: usize) -> Option<u64> {
-        match self.line.get(column..)?.first_chunk() {
+    fn eight(&self, text: &[u8]) -> Option<u64> {
+        match text.first_chunk() {
             Some(bytes) => Some(u64::from_le_bytes(*bytes)),
             None => {
-                let missing = column + 8 - self.line.len();
+                let missing = 8 - text.len();
                 u64::from_le_bytes(*self.line.last_chunk()?).checked_shr(8 * missing as u32)
             }
         }
     }
+}
 
-    /// The same for digits of any number, byte by byte.
-    #[inline(never)]
-    fn long_number(&self, first: usize) -> Option<Digits> {
-        let (whole, end) = self.digits(0, first);
-        let point = self.line.get(end) == Some(&b'.');
-        let (mantissa, end, decimals) = if point {
-            let (mantissa, behind) = self.digits(whole, end + 1);
-            (mantissa, behind, behind - end - 1)
-        } else {
-            (whole, end, 0)
-        };
-        let digits = end - first - usize::from(point);
-        let is_number = (1..=MOST_DIGITS).contains(&digits) && self.line.get(end) != Some(&b'.');
-        is_number.then_some(Digits { mantissa, point, decimals, end })
-    }
-
-    /// Digits from a column on behind others, and the column after them; of too many the value has no meaning.
-    #[inline]
-    fn digits(&self, before: i64, column: usize) -> (i64, usize) {
-        let (mut value, mut count) = (before, 0);
-        for byte in self.line.get(column..).unwrap_or_default() {
-            let digit = byte.wrapping_sub(b'0');
-            if digit > 9 {
-                break;
-            }
-            value = value.wrapping_mul(10).wrapping_add(i64::from(digit));
-            count += 1;
+/// The digits of a number at the start of a text, byte by byte.
+#[cold]
+fn long_digits(text: &[u8]) -> Option<Digits<'_>> {
+    let (whole, after) = digits(0, text);
+    let point = matches!(after, [b'.', ..]);
+    let (mantissa, after, decimals) = match after {
+        [b'.', behind @ ..] => {
+            let (mantissa, after) = digits(whole, behind);
+            (mantissa, after, behind.len() - after.len())
         }
-        (value, column + count)
+        _ => (whole, after, 0),
+    };
+    let digits = text.len() - after.len() - usize::from(point);
+    let is_number = (1..=MOST_DIGITS).contains(&digits) && !matches!(after, [b'.', ..]);
+    is_number.then_some(Digits { mantissa, point, decimals, after })
+}
+
+/// Digits behind others, and the text after them; of too many the value has no meaning.
+#[inline]
+fn digits(before: i64, text: &[u8]) -> (i64, &[u8]) {
+    let (mut value, mut rest) = (before, text);
+    while let [digit @ b'0'..=b'9', after @ ..] = rest {
+        value = value.wrapping_mul(10).wrapping_add(i64::from(digit - b'0'));
+        rest = after;
     }
+    (value, rest)
 }
 
 /// Digits of a number with its point.
 #[derive(Debug, Clone, Copy)]
-struct Digits {
+struct Digits<'a> {
     /// Value of the digits as a whole number.
     mantissa: i64,
     point: bool,
     decimals: usize,
-    /// Column after them.
-    end: usize,
+    /// The text after them.
+    after: &'a [u8],
 }
 
 /// Eight digits 0; the others differ from these bits by their values.

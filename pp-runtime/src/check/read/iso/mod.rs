@@ -11,12 +11,16 @@
 mod cycle;
 mod guard;
 mod loose;
+mod moves;
 
 use self::cycle::CycleWords;
 use self::guard::Guards;
 use self::loose::Loose;
+use self::moves::MoveWords;
+use super::Vocabulary;
 use super::language::{Address, Letters, Pattern, letters};
 use super::line::Line;
+use super::machine::Interpreter;
 use super::text::{Number, shown, whole};
 use crate::program::Units;
 
@@ -37,8 +41,9 @@ const ORDERS: [&[u8]; 4] = [b"PROBEOPEN", b"PROBECLOSE", b"LOGCLOSE", b"PYRELOAD
 const WITHOUT_THREAD: &str = "M29 in the block before: expected its thread here, G84 or G74";
 
 /// What is remembered from one line to the next.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(super) struct Iso {
+    moves: MoveWords,
     guards: Guards,
     cycle: CycleWords,
     /// I J K are the tool axis (G43.5).
@@ -62,6 +67,20 @@ struct Reading<'l, 'a> {
 }
 
 impl Iso {
+    pub(super) fn new(vocabulary: &Vocabulary, machine: &Interpreter) -> Self {
+        Self {
+            moves: MoveWords::new(vocabulary, machine),
+            guards: Guards::default(),
+            cycle: CycleWords::default(),
+            vectors: false,
+            modal: 0,
+            rigid: false,
+            thread_due: false,
+            began: false,
+            ended: false,
+        }
+    }
+
     /// Reads one line into its draft; `false` if the line is no block of words.
     pub(super) fn line(&mut self, line: &mut Line<'_>) -> bool {
         line.at.blanks();
@@ -93,16 +112,16 @@ impl Iso {
         true
     }
 
-    /// Reads a line of axis words and F, each once and none in least increments, after a block number at most: most lines of a
-    /// program. `false` if it is another, or may mean something else; then nothing has been read.
+    /// Reads a line that only moves axes; `false` if it is another, or may mean something else. Then nothing has been read.
     fn moves(&self, line: &mut Line<'_>) -> bool {
         if !self.cycle.is_off() || self.rigid || self.thread_due || self.guards.is_open() {
             return false;
         }
-        if words_of_moves(line).is_none() {
+        if !self.moves.read(line.at.rest(), line.draft) {
             line.draft.forget_moves();
             return false;
         }
+        line.at.take_rest();
         (line.draft.only_moves, line.draft.is_moves) = (true, true);
         line.draft.speaks();
         true
@@ -174,34 +193,6 @@ impl Iso {
 /// Whether a number counts as it is written, not in least increments.
 fn counts_plainly(line: &Line<'_>, number: Number) -> bool {
     number.point || line.vocabulary().plain || !line.facts().least_increments
-}
-
-/// Takes the words of [`Iso::moves`]; `None` where another word comes.
-fn words_of_moves(line: &mut Line<'_>) -> Option<()> {
-    let (mut at, language) = (line.at, line.language());
-    if language.address(at.peek()?) == Some(Address::BlockNumber) {
-        at.skip(1);
-        let number = at.number().filter(|number| !number.point && !number.negative)?;
-        line.draft.number = Some(u64::from(whole(number)?));
-    }
-    while !at.ended() {
-        let letter = at.peek()?;
-        at.skip(1);
-        let (address, number) = (language.address(letter)?, at.number()?);
-        let is_first = match address {
-            Address::Axis => line.draft.axis(line.machine().axis_named(&[letter])?, number.value, number.negative),
-            Address::Feed => number.value > 0.0 && line.draft.feed.replace(number.value).is_none(),
-            _ => false,
-        };
-        if !is_first || !counts_plainly(line, number) {
-            return None;
-        }
-    }
-    if line.draft.written == 0 {
-        return None;
-    }
-    line.at = at;
-    Some(())
 }
 
 impl Reading<'_, '_> {

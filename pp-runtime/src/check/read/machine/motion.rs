@@ -203,29 +203,34 @@ impl Interpreter {
         // In a cycle the word along the normal is the bottom of the hole.
         let bottom = self.normal().filter(|_| cycle).map_or(0, |normal| 1 << normal);
         let distances = draft.incremental | if self.state.incremental == Some(true) { !draft.absolute } else { 0 };
-        for index in set_bits(draft.written & !bottom) {
+        let rolls_over = if self.has_rollover || self.state.shortest { self.rotary } else { 0 };
+        let placed = draft.written & !bottom;
+        for index in set_bits(placed) {
             let bit = 1 << index;
-            let rotary = self.rotary & bit != 0;
-            let value = if rotary { draft.axes[index].to_radians() } else { draft.axes[index] * unit };
-            if distances & bit != 0 {
-                if self.known & bit == 0 {
-                    fault(faults, 0, "incremental motion from an unknown position");
-                }
-                self.values[index] += value;
-            } else if rotary {
-                self.values[index] = self.turned(index, value, draft.negative & bit != 0, faults);
+            let value = if self.rotary & bit != 0 { draft.axes[index].to_radians() } else { draft.axes[index] * unit };
+            self.values[index] = if distances & bit != 0 {
+                self.farther(index, value, faults)
+            } else if rolls_over & bit != 0 {
+                self.turned(index, value, draft.negative & bit != 0, faults)
             } else {
-                self.values[index] = value;
-            }
-            self.known |= bit;
+                value
+            };
         }
+        self.known |= placed;
     }
 
-    /// Where a rotary axis ends whose word says `value`.
-    fn turned(&self, index: usize, value: f64, negative: bool, faults: &mut Vec<Fault>) -> f64 {
-        if !self.has_rollover && !self.state.shortest {
-            return value;
+    /// Where an axis ends whose word is a distance.
+    #[inline(never)]
+    fn farther(&self, index: usize, by: f64, faults: &mut Vec<Fault>) -> f64 {
+        if self.known & (1 << index) == 0 {
+            fault(faults, 0, "incremental motion from an unknown position");
         }
+        self.values[index] + by
+    }
+
+    /// Where a rotary axis ends whose word says `value`, on a control that chooses the way there.
+    #[inline(never)]
+    fn turned(&self, index: usize, value: f64, negative: bool, faults: &mut Vec<Fault>) -> f64 {
         // Where the set-up says which axes roll over, the short way is for these.
         let any = if self.state.shortest && !self.has_rollover { Some(RolloverRule::Shortest) } else { None };
         let wrap = self.axes[index].rollover.or(any);
