@@ -60,10 +60,10 @@ impl<R: Read> Comparison<'_, R> {
             cutting.perhaps_retract = if rapid { self.rapid_or_retract(cutting, &end) } else { None };
         }
         // Where rapids of the CL data are feed motions, or it asks for coolant, a dry rapid at the part is none of them.
-        let wet = self.progress.next().is_some_and(|item| item.required.coolant != 0);
-        let dry = wet && block.state.coolant == Some(0);
+        let wet = || self.progress.next().is_some_and(|item| item.required.coolant != 0);
+        let dry = || block.state.coolant == Some(0) && wet();
         if rapid
-            && (dry || rapids_at_feed && !self.ends_rapid(&end))
+            && (dry() || rapids_at_feed && !self.ends_rapid(&end))
             && !self.progress.is_approached()
             && let Some(leaving) = self.retract(cutting, current, &end)?
         {
@@ -140,7 +140,11 @@ impl<R: Read> Comparison<'_, R> {
             self.pass_over(Some(&mut cutting.perhaps_retract));
             self.progress.fill(2)?;
         }
-        self.read_over_needless(cutting.here.as_ref())?;
+        self.progress.fill(2)?;
+        let mut leads_away = self.progress.leads_away(&self.rules, cutting.here.as_ref(), self.previous.chords);
+        if !leads_away {
+            self.read_over_needless(cutting.here.as_ref())?;
+        }
         if self.is_rest(cutting, current.block, end) {
             return Ok(true);
         }
@@ -161,13 +165,14 @@ impl<R: Read> Comparison<'_, R> {
                 return Ok(false);
             }
             let (here, in_hole) = (cutting.here.as_ref(), item.hole.is_some());
-            let segment = self.progress.segment(motion, here, end);
             let (at, required, feed) = (item.at, Rc::clone(&item.required), self.rules.feed_of(motion));
+            let segment = self.progress.segment(motion, here, end);
             let mut part = Part { segment, rapid, starts, feed, share: 0.0, at, required };
             // A full circle ends where it began, like a motion to the same point before it; so does a rapid after a cut
             // of no length.
             let other = matches!(block.action, Action::Arc(_)) || (block.action.is_rapid() && !rapid);
-            let needless = self.rules.needs_no_block(&part.segment, here, chords);
+            let leads_away = std::mem::take(&mut leads_away);
+            let needless = !leads_away && self.rules.needs_no_block(&part.segment, here, chords);
             // A block that continues from the end of a motion belongs to a later one, and so does one with another feed.
             let belongs = || self.rules.is_at(end, &part.segment.to) && self.has_feed_of(here, (block, end), &part);
             if needless && (other || !belongs()) {
@@ -178,7 +183,7 @@ impl<R: Read> Comparison<'_, R> {
             let share = self.rules.share_done(&part.segment, rapid, block, (words, end), &arrival);
             if let Some(share) = share.or_else(|| if in_hole { self.stops_over_hole(&part, end) } else { None }) {
                 part.share = share;
-                self.travelled(cutting, current, end, part);
+                self.travelled(cutting, current, end, &part);
                 return Ok(true);
             }
             if rapid && self.is_step_of_rapid(cutting, current, &part.required) {
@@ -219,7 +224,7 @@ impl<R: Read> Comparison<'_, R> {
     }
 
     /// A block that carries out a part of a motion: its state, its path, its feed.
-    fn travelled(&mut self, cutting: &mut Cutting, current: &Current<'_>, end: &ToolPose, part: Part) {
+    fn travelled(&mut self, cutting: &mut Cutting, current: &Current<'_>, end: &ToolPose, part: &Part) {
         let block = current.block;
         let on = part.segment.at(part.share);
         if !part.rapid || part.share >= 1.0 {
@@ -240,7 +245,7 @@ impl<R: Read> Comparison<'_, R> {
         }
         let at_feed = !block.action.is_rapid();
         let known = self.rules.is_known(block, self.previous.known);
-        let RapidRules { expects_feed, follows_path, link, .. } = self.rapid_rules(cutting, current, &part);
+        let RapidRules { expects_feed, follows_path, link, .. } = self.rapid_rules(cutting, current, part);
         if at_feed != expects_feed {
             let text = match at_feed {
                 true => "this motion is a rapid in the CL data and is programmed at feed",
@@ -255,13 +260,13 @@ impl<R: Read> Comparison<'_, R> {
         }
         if at_feed == expects_feed && follows_path && known && !self.progress.is_lost() {
             let here = cutting.here.unwrap_or_else(|| self.rules.words().place(&self.previous.words, &block.state));
-            let between = self.compare_path(current, ([&here, end], &on), &part);
+            let between = self.compare_path(current, ([&here, end], &on), part);
             if at_feed {
                 let along = match cutting.has_rested() {
                     true => self.rules.share_at(&part.segment, &here).min(part.share),
                     false => self.progress.along(),
                 };
-                self.compare_feed(current, &part, ([&here, end], along), between);
+                self.compare_feed(current, part, ([&here, end], along), between);
             }
         }
         self.end_rapid_steps(cutting, current);
@@ -269,15 +274,16 @@ impl<R: Read> Comparison<'_, R> {
         cutting.retract.follow(&ToolPose { axis: end.axis, ..on });
         self.start.restarted = false;
         self.progress.set_lost(false);
-        let Part { segment, rapid, feed, share, at, required, .. } = part;
-        if share >= 1.0 {
+        let required = Rc::clone(&part.required);
+        if part.share >= 1.0 {
             self.progress.pass();
+            let (segment, feed) = (part.segment.clone(), part.feed);
             cutting.finished = Some(FinishedMotion { segment, required, feed, at_feed, link, rotated_rad: 0.0 });
             return;
         }
-        self.progress.advance((at, required), share);
+        self.progress.advance((part.at, required), part.share);
         cutting.finished = None;
-        if rapid && share <= 0.0 {
+        if part.rapid && part.share <= 0.0 {
             // The corner of a rapid in two blocks.
             self.progress.begin_at(*end);
         }

@@ -100,6 +100,32 @@ impl<R: Read> Comparison<'_, R> {
             let of_another = self.shop_lines.note(current.shown.text, block.state.tool);
             self.found_any(current, of_another);
         }
+        if !block.only_moves {
+            self.guards_and_restart(phase, current);
+        }
+        let fault = self.functions.spindle(block, &self.rules);
+        self.found_any(current, fault);
+        let length = std::mem::replace(&mut self.previous.length, block.state.length);
+        let tilted = std::mem::replace(&mut self.previous.tilted, block.state.tilt.is_some());
+        if !phase.is_at_part() {
+            return;
+        }
+        let facts = *self.rules.facts();
+        let changed = matches!(length, Some(Length::Register(_))) && length != block.state.length;
+        if facts.length_moves && changed && !block.action.leaves_words() {
+            self.found(
+                current,
+                "length compensation is switched off before the machine has retracted: the tool may move by its length",
+            );
+        }
+        if tilted && block.state.tilt.is_none() && !facts.plane_off_before_retract {
+            self.found(current, "the tilted plane is switched off before the machine has retracted");
+        }
+    }
+
+    /// What the codes of a block say of the complete state, of the part, and of values that the control compares.
+    fn guards_and_restart(&mut self, phase: &mut Phase, current: &Current<'_>) {
+        let block = current.block;
         if block.restart {
             // Tip control ends with the safety line, if it is still on, in the part.
             if phase.is_at_part() && self.rules.meaning() == LinearMeaning::TipCoordinates {
@@ -126,24 +152,6 @@ impl<R: Read> Comparison<'_, R> {
         if let Some(guard) = &block.plane_guard {
             let fault = plane_guard::fault(guard, phase, &self.rules, &self.previous);
             self.found_any(current, fault);
-        }
-        let fault = self.functions.spindle(block, &self.rules);
-        self.found_any(current, fault);
-        let length = std::mem::replace(&mut self.previous.length, block.state.length);
-        let tilted = std::mem::replace(&mut self.previous.tilted, block.state.tilt.is_some());
-        if !phase.is_at_part() {
-            return;
-        }
-        let facts = *self.rules.facts();
-        let changed = matches!(length, Some(Length::Register(_))) && length != block.state.length;
-        if facts.length_moves && changed && !block.action.leaves_words() {
-            self.found(
-                current,
-                "length compensation is switched off before the machine has retracted: the tool may move by its length",
-            );
-        }
-        if tilted && block.state.tilt.is_none() && !facts.plane_off_before_retract {
-            self.found(current, "the tilted plane is switched off before the machine has retracted");
         }
     }
 

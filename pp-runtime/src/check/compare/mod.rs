@@ -403,6 +403,9 @@ impl<R: Read> Comparison<'_, R> {
             self.previous.chords += chord(sweep);
             return;
         }
+        if self.previous.chords <= 0.0 {
+            return;
+        }
         let Some([first, second, _]) = block.state.plane.map(WorkPlane::axes) else { return };
         let xyz = self.rules.words().xyz();
         let written = |axis: usize| xyz[axis].is_none_or(|index| block.written & (1 << index) != 0);

@@ -163,6 +163,12 @@ impl<'a, R: Read> ClProgress<'a, R> {
         begins && *from == motion.to && length() <= 0.0
     }
 
+    /// Whether the next item is a motion away from where the tool is, which needs its block.
+    pub(super) fn leads_away(&self, rules: &Rules<'_>, here: Option<&ToolPose>, chords: f64) -> bool {
+        let (Some(motion), Some(here)) = (self.motion(), here) else { return false };
+        !rules.may_need_no_block(here, &motion.to, chords)
+    }
+
     /// Whether an item ahead needs no block.
     pub(super) fn is_needless(&self, index: usize, rules: &Rules<'_>, here: Option<&ToolPose>, chords: f64) -> bool {
         let (Some(motion), Some(here)) = (self.get(index).and_then(ExpectedItem::motion), here) else { return false };

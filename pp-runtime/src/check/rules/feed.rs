@@ -33,7 +33,7 @@ const NOTHING: f64 = 1e-3;
 const LEVER: f64 = 10.0;
 
 /// Motion of one feed block.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub(crate) struct Stroke {
     /// Length of the programmed tip path, from rounded ends, mm.
     pub(crate) length_mm: f64,
@@ -45,7 +45,7 @@ pub(crate) struct Stroke {
     pub(crate) change: [f64; MAX_AXES],
     /// Largest speeds of the axes within the block, times its time, where the axes do not move evenly and the control does not
     /// slow down for them.
-    pub(crate) uneven: Option<[f64; MAX_AXES]>,
+    pub(crate) uneven: Option<Box<[f64; MAX_AXES]>>,
     pub(crate) feed: Option<Feed>,
     pub(crate) speed_rev_per_min: Option<f64>,
 }
@@ -181,7 +181,7 @@ impl FeedLaw {
         let times = self.speeds.iter().map(|&(index, speed)| {
             let mut change = stroke.change[index].abs();
             if self.linear_bits & (1 << index) != 0 {
-                change = stroke.uneven.map_or(change, |uneven| uneven[index]) + error * self.unit_mm;
+                change = stroke.uneven.as_ref().map_or(change, |uneven| uneven[index]) + error * self.unit_mm;
             } else if self.rotary_bits & (1 << index) != 0 {
                 change += error * self.unit_rad;
             }
@@ -419,7 +419,7 @@ impl FeedLaw {
         changes: impl FnOnce() -> Option<Vec<[f64; MAX_AXES]>>,
     ) -> Option<String> {
         let programmed = Self::programmed(stroke)?;
-        let still = Stroke { change: [0.0; MAX_AXES], ..*stroke };
+        let still = Stroke { change: [0.0; MAX_AXES], ..stroke.clone() };
         let extent = self.extent(&still);
         let (mode, (low, most)) = (self.mode(&extent), self.bounds(programmed, &still, &extent));
         let feed = state.feed.unwrap_or(0.0);
@@ -435,7 +435,7 @@ impl FeedLaw {
         let linear = self.speeds.iter().filter(|(index, _)| self.linear_bits & (1 << index) != 0);
         let slowest = linear.map(|(_, speed)| *speed).fold(f64::INFINITY, f64::min);
         let held_back = |change: &[f64; MAX_AXES]| {
-            let stroke = Stroke { change: change.map(|change| EXCURSION * change), ..*stroke };
+            let stroke = Stroke { change: change.map(|change| EXCURSION * change), ..stroke.clone() };
             let held = Extent { least_min: self.least_min(&stroke, 1.0), ..extent };
             self.bounds(programmed, &stroke, &held).0
         };

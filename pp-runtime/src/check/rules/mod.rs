@@ -364,7 +364,7 @@ impl<'a> Rules<'a> {
 
     /// Largest speeds of the axes in a block under tip control that rotates, times its time, by the axis values at many places
     /// of the block; `None` where the axes move evenly, or the control slows down for them.
-    fn uneven(&self, before: &[f64; MAX_AXES], block: &Block) -> Option<[f64; MAX_AXES]> {
+    fn uneven(&self, before: &[f64; MAX_AXES], block: &Block) -> Option<Box<[f64; MAX_AXES]>> {
         let follows = block.state.tip_control != TipControl::Off && block.state.vector.is_none();
         if !follows || self.facts.tip_control_holds_axis_speeds || !self.law.needs_axes() {
             return None;
@@ -385,7 +385,7 @@ impl<'a> Rules<'a> {
             }
             last = axes;
         }
-        Some(fastest.map(|fastest| fastest.largest() * parts))
+        Some(Box::new(fastest.map(|fastest| fastest.largest() * parts)))
     }
 
     /// What is wrong with F of a block that goes from one share of a motion to another. With a tool vector the rotation of the

@@ -42,14 +42,12 @@ impl Travel {
     ) {
         let words = rules.words();
         let (rotary, by_control) = (words.rotary_bits(), block.state.vector.is_some());
-        let rotated = self.rotated.take();
-        if !by_control && block.known & rotary == rotary {
-            self.rotated = Some(block.values);
-        }
-        let known = known & block.known & words.linear_bits() == words.linear_bits();
+        let stated = !by_control && block.known & rotary == rotary;
+        let rotated = std::mem::replace(&mut self.rotated, stated.then_some(block.values));
         let sweep = sweep(block);
         let tip_control = block.state.tip_control != TipControl::Off;
         let Some(rotated) = rotated.filter(|_| by_control || tip_control || sweep > 0.0) else { return };
+        let known = known & block.known & words.linear_bits() == words.linear_bits();
         // The start of linear axes may be unknown; the rotation of the rotary ones is known.
         let from = words.with_rotary(if known { *before } else { block.values }, &rotated);
         let angle = match block.state.tip_control {
