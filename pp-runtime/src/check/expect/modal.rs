@@ -50,8 +50,8 @@ pub(super) struct ClState<'a> {
     fault: Option<Diagnostic>,
     /// Pose after the last motion.
     here: Option<Pose>,
-    /// End of the last motion, if a cut would go on from there: no hole, and no name, tool or motion of the machine since.
-    came: Option<Pose>,
+    /// A cut would go on from there: no hole, and no name, tool or motion of the machine since.
+    goes_on: bool,
     /// An arc needs a line to its start.
     fresh_arc: bool,
     /// The hole whose motions are being added.
@@ -175,7 +175,7 @@ impl<'a> ClState<'a> {
             stated_mm: None,
             fault: None,
             here: None,
-            came: None,
+            goes_on: false,
             fresh_arc: true,
             hole: None,
             holes: 0,
@@ -220,7 +220,6 @@ impl<'a> ClState<'a> {
             Event::Spindle(spindle) => self.request_spindle(spindle),
             Event::Coolant(coolant) => self.coolant = coolant,
             Event::Compensation(compensation) => self.compensate(compensation),
-            Event::From(pose) if self.operation.starts => self.here = Some(pose),
             Event::ClearancePlane(plane) => self.require().clearance = Some(Clearance::Plane(plane)),
             Event::Delay(dwell) => self.delay(at, dwell),
             Event::Message(text) => self.message(at, text, false),
@@ -228,7 +227,7 @@ impl<'a> ClState<'a> {
             Event::OptionalStop => self.interrupt(at, ExpectedAction::Stop { optional: true }),
             Event::BlockSkip { on } => self.block_skip(at, on),
             Event::Home => {
-                self.came = None;
+                self.goes_on = false;
                 self.interrupt(at, ExpectedAction::Home);
             }
             Event::Insert(text) => self.interrupt(at, ExpectedAction::Raw(text.to_vec())),
@@ -347,7 +346,7 @@ impl<'a> ClState<'a> {
     fn begin_operation(&mut self, at: Location, name: &[u8]) {
         self.stop_after_operation(at, false);
         self.begin();
-        self.came = None;
+        self.goes_on = false;
         let name = String::from_utf8_lossy(name);
         if !self.policy.operations.is_empty() {
             self.named = (name.clone().into_owned(), Some(at));
@@ -402,7 +401,7 @@ impl<'a> ClState<'a> {
 
     /// The same, and no cut goes on from where it was.
     fn begin_elsewhere(&mut self) {
-        self.came = None;
+        self.goes_on = false;
         self.begin_anew();
     }
 
@@ -483,7 +482,7 @@ impl<'a> ClState<'a> {
 
     /// A cut that was interrupted, by a stop or OPSKIP, goes on where it was: the tool comes back there first.
     fn go_back(&mut self, at: Location, motion: &Move) {
-        let from = self.came.filter(|_| self.operation.starts && !motion.rapid && self.hole.is_none());
+        let from = self.here.filter(|_| self.goes_on && self.operation.starts && !motion.rapid && self.hole.is_none());
         if let Some(pose) = from.filter(|from| {
             let apart = [from.tip - motion.pose.tip, from.axis.into_inner() - motion.pose.axis.into_inner()];
             apart.iter().any(|step| step.norm() > SAME_POINT)
@@ -503,14 +502,14 @@ impl<'a> ClState<'a> {
 
     fn motion(&mut self, at: Location, motion: &Move, shape: PathShape) {
         self.fresh_arc = false;
-        self.here = Some(motion.pose);
         let operation = &mut self.operation;
         // Before the first tool no length is active, and nothing moves.
         if operation.starts && self.required.tool.is_none() && motion.rapid && !self.head {
             return;
         }
         // A hole is one statement, which no cut goes on from.
-        self.came = self.here.filter(|_| self.hole.is_none());
+        self.goes_on = self.hole.is_none();
+        self.here = Some(motion.pose);
         let continues = self.policy.links.direct && operation.position_known && !operation.changed;
         let starts = operation.starts && !continues;
         if operation.starts {
