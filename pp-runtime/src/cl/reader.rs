@@ -114,7 +114,7 @@ impl<R: Read> ClReader<R> {
         match self.interpreter.straight(&point, here) {
             Ok(motion) => NextGoto::Straight(here, motion),
             Err(fault) => {
-                self.faults.add(fault, &self.lexer.last_line(line), &self.lexer);
+                self.faults.add(*fault, &self.lexer.last_line(line), &self.lexer);
                 NextGoto::Taken
             }
         }

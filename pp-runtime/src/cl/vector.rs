@@ -8,17 +8,17 @@ const LARGEST_COORDINATE_MM: f64 = 1e6;
 
 /// Returns the point, or a fault if a coordinate is above [`LARGEST_COORDINATE_MM`] or not a number.
 #[inline(always)]
-pub(crate) fn within_a_kilometre(point: Point3<f64>, at: Span) -> Result<Point3<f64>, ClFault> {
+pub(crate) fn within_a_kilometre(point: Point3<f64>, at: Span) -> Result<Point3<f64>, Box<ClFault>> {
     // NaN fails this comparison, too.
     if point.iter().all(|value| value.abs() <= LARGEST_COORDINATE_MM) {
         return Ok(point);
     }
-    Err(ClFault::new(
+    Err(Box::new(ClFault::new(
         "coordinate",
         at,
         "a coordinate is more than a kilometre from the origin",
         "check the point in the CAM system, and the unit of the file",
-    ))
+    )))
 }
 
 /// `a × b`.

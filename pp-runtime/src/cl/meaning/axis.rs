@@ -84,7 +84,7 @@ impl ModalAxis {
         &mut self,
         given: Option<[f64; 3]>,
         at: Span,
-    ) -> Result<(UnitVector3<f64>, Normalised), ClFault> {
+    ) -> Result<(UnitVector3<f64>, Normalised), Box<ClFault>> {
         self.stated = false;
         match (given, self.doubt) {
             (Some(given), _) => {
@@ -92,7 +92,7 @@ impl ModalAxis {
                 Ok((self.axis, normalised))
             }
             (None, AxisDoubt::None) => Ok((self.axis, false)),
-            (None, doubt) => Err(in_doubt(doubt, at)),
+            (None, doubt) => Err(Box::new(in_doubt(doubt, at))),
         }
     }
 
@@ -136,7 +136,7 @@ impl ModalAxis {
 
     /// Returns the tool axis in force; refused if it is in doubt.
     pub(crate) fn known(&mut self, at: Span) -> Result<UnitVector3<f64>, ClFault> {
-        self.at_point(None, at).map(|(axis, _)| axis)
+        Ok(self.at_point(None, at)?.0)
     }
 
     /// TOOL PATH or a tool record.
@@ -173,13 +173,13 @@ impl ModalAxis {
 
     /// Sets the tool axis; `if_permitted`: only one that MULTAX/OFF permits.
     #[inline(always)]
-    fn set(&mut self, given: [f64; 3], at: Span, if_permitted: bool) -> Result<Normalised, ClFault> {
+    fn set(&mut self, given: [f64; 3], at: Span, if_permitted: bool) -> Result<Normalised, Box<ClFault>> {
         let length = vector::length(given);
         let excess = (length - 1.0).abs();
         // Finite numbers can overflow to infinity here, not to NaN; neither passes this comparison.
         let tolerated = excess <= TOLERATED;
         if !tolerated {
-            return Err(no_unit_vector(given, length, at));
+            return Err(Box::new(no_unit_vector(given, length, at)));
         }
         let axis = UnitVector3::new_unchecked(Vector3::from(given.map(|component| component / length)));
         if if_permitted && self.held.is_some() {

@@ -108,7 +108,7 @@ impl Coordinates {
 
     /// Point in the workpiece frame; refused if a coordinate is above one kilometre.
     pub(crate) fn point(&self, point: Point3<f64>, at: Span) -> Result<Point3<f64>, ClFault> {
-        within_a_kilometre(self.transforms.point(point), at)
+        Ok(within_a_kilometre(self.transforms.point(point), at)?)
     }
 
     /// Clearance plane in the workpiece frame; `unit_mm`: mm in one unit of the file.

@@ -40,6 +40,13 @@ pub(crate) struct ClFault {
 /// Kind of the faults of records that belong to turning.
 const TURNING: &str = "turning record";
 
+/// Where numbers are expected a fault is in a box: it shares their place, and its small parts would divide them.
+impl From<Box<ClFault>> for ClFault {
+    fn from(fault: Box<ClFault>) -> Self {
+        *fault
+    }
+}
+
 impl ClFault {
     pub(crate) fn new(kind: &'static str, at: Span, text: impl Into<String>, help: impl Into<String>) -> Self {
         ClFault { kind, at, text: text.into(), help: Help::Text(help.into()), severity: Severity::Error }

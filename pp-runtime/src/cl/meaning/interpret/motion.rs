@@ -41,7 +41,7 @@ impl RecordInterpreter {
 
     /// Pose of a point in the frame of the file, which is that of the workpiece where no transform is in force.
     #[inline(always)]
-    fn pose_in_file(&mut self, point: &Point) -> Result<(Pose, Normalised), ClFault> {
+    fn pose_in_file(&mut self, point: &Point) -> Result<(Pose, Normalised), Box<ClFault>> {
         let unit_mm = self.units.millimetres(point.at)?;
         let tip = within_a_kilometre(Point3::from(point.tip.map(|value| value * unit_mm)), point.at)?;
         let (axis, normalised) = self.axis.at_point(point.axis, point.at)?;
@@ -100,7 +100,7 @@ impl RecordInterpreter {
 
     /// GOTO while no arc, curve or cycle is open and no transform is in force.
     #[inline(always)]
-    pub(crate) fn straight(&mut self, point: &Point, here: Location) -> Result<Move, ClFault> {
+    pub(crate) fn straight(&mut self, point: &Point, here: Location) -> Result<Move, Box<ClFault>> {
         let (pose, normalised) = self.pose_in_file(point)?;
         self.axis.count(normalised, here);
         let rapid = self.path.move_to(pose);
