@@ -18,6 +18,9 @@ const MAX_CHORDS: f64 = 1e6;
 /// Largest error of a point by the arithmetic, per mm of its distances; thousands of times what it is.
 const ROUNDING: f64 = 1e-12;
 
+/// Largest rise along an axis, per motion on the circle, that moves no extreme along it: by its square, less than rounding.
+const LEVEL: f64 = 1e-9;
+
 /// An arc with its frame.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct ArcGeometry<'a> {
@@ -124,6 +127,52 @@ impl<'a> ArcGeometry<'a> {
         [smaller(along[0], along[1]) - aside, larger(along[0], along[1]) + aside]
     }
 
+    /// Lowest and highest coordinate of the tip along an axis of the workpiece, mm; where the arc certainly stays within `known`,
+    /// those of its ends.
+    fn range(&self, axis: usize, known: Option<[f64; 2]>) -> [f64; 2] {
+        let (start, end) = (self.arc.start.tip[axis], self.arc.end.tip[axis]);
+        let mut range = [smaller(start, end), larger(start, end)];
+        let mut include = |at: f64| range = [smaller(at, range[0]), larger(at, range[1])];
+        let across = math::hypot(self.u[axis], self.v[axis]);
+        let rise_mm = self.arc.normal[axis] * self.rise_mm;
+        if across <= 0.0 {
+            // Along its normal the arc only rises.
+        } else if self.arc.angle_rad <= TAU && rise_mm.abs() <= LEVEL * self.radius() * across * self.arc.angle_rad {
+            self.turning_points(axis, (across, rise_mm)).into_iter().flatten().for_each(include);
+        } else {
+            let direction = Vector3::ith_axis(axis).into_inner();
+            let [low, high] = self.bounds(direction);
+            if !known.is_some_and(|[lowest, highest]| lowest <= low && high <= highest) {
+                self.extremes(direction).for_each(|part| include(self.tip(part)[axis]));
+            }
+        }
+        range
+    }
+
+    /// Coordinates along an axis of the extremes, lowest and highest, that an arc of one revolution at most has between its ends.
+    /// `across`: motion along the axis for a radius of 1; `rise_mm`: rise along it, which moves no extreme.
+    ///
+    /// On the circle they are `c ± H`. An arc of at most half a revolution passes the highest point if it begins to climb and
+    /// ends falling; a longer one, unless the rest of its circle does.
+    fn turning_points(&self, axis: usize, (across, rise_mm): (f64, f64)) -> [Option<f64>; 2] {
+        let (a, b) = (self.u[axis], self.v[axis]);
+        let (angle, end) = (self.arc.angle_rad, self.arc.end.tip - self.arc.centre);
+        let slopes = [b, b * end.dot(&self.u) - a * end.dot(&self.v)];
+        let wider_mm = self.radii_mm[1] - self.radii_mm[0];
+        [-1.0, 1.0].map(|side| {
+            let [begins, ends] = slopes.map(|slope| side * slope);
+            let short = begins > 0.0 && ends < 0.0;
+            let rest = begins <= 0.0 && ends >= 0.0;
+            if !(angle >= TAU || if angle <= PI { short } else { !rest }) {
+                return None;
+            }
+            let changes = wider_mm.abs() > 0.0 || rise_mm.abs() > 0.0;
+            let part = if changes { math::atan2(side * b, side * a).rem_euclid(TAU) / angle } else { 0.0 };
+            let start = self.arc.centre[axis] + self.arc.normal[axis] * self.level_mm;
+            Some(start + side * across * (self.radii_mm[0] + wider_mm * part) + rise_mm * part)
+        })
+    }
+
     /// Number of chords that deviate from the arc by no more than the tolerance.
     ///
     /// # Errors
@@ -140,28 +189,13 @@ impl<'a> ArcGeometry<'a> {
     }
 }
 
-/// Bounding box of the tip on an arc: its lowest and its highest corner, mm. Of a box in `known` the values along an axis are
-/// returned where the arc goes nowhere further.
+/// Bounding box of the tip on an arc: its lowest and its highest corner, mm. Along an axis on which a box in `known` certainly
+/// holds the arc, that of its ends.
 pub(crate) fn extent(arc: &Arc, known: Option<[[f64; 3]; 2]>) -> [[f64; 3]; 2] {
     let round = ArcGeometry::new(arc);
-    let along = |axis: usize| {
-        let direction = Vector3::ith_axis(axis).into_inner();
-        if let Some([lowest, highest]) = known.map(|corners| corners.map(|corner| corner[axis])) {
-            let [low, high] = round.bounds(direction);
-            if lowest <= low && high <= highest {
-                return (lowest, highest);
-            }
-        }
-        let (start, end) = (arc.start.tip[axis], arc.end.tip[axis]);
-        let mut range = (smaller(start, end), larger(start, end));
-        for part in round.extremes(direction) {
-            let at = round.tip(part)[axis];
-            range = (smaller(at, range.0), larger(at, range.1));
-        }
-        range
-    };
-    let (x, y, z) = (along(0), along(1), along(2));
-    [[x.0, y.0, z.0], [x.1, y.1, z.1]]
+    let along = |axis: usize| round.range(axis, known.map(|corners| corners.map(|corner| corner[axis])));
+    let [x, y, z] = [along(0), along(1), along(2)];
+    [[x[0], y[0], z[0]], [x[1], y[1], z[1]]]
 }
 
 #[cfg(test)]
@@ -254,6 +288,34 @@ mod tests {
             // Within the first or the last revolution the arc comes as near as it rises in one.
             let near = if angle < TAU { f64::INFINITY } else { rise.abs() * TAU / angle * direction.norm() };
             prop_assert!(high - most <= near + 1e-9 && least - low <= near + 1e-9, "{low} {high} {known:?}");
+        }
+
+        /// The box of an arc is that of its ends and of the points at its extremes.
+        #[test]
+        fn the_box_of_an_arc_is_that_of_its_extremes(
+            normal in prop::sample::select(vec![[0.0, 0.0, 1.0], [0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.6, 0.0, 0.8], [1.0, 1.0, 1.0]]),
+            from in prop_oneof![-PI..PI, prop::sample::select(vec![0.0, FRAC_PI_2, -FRAC_PI_2, PI])],
+            angle in prop_oneof![0.01_f64..TAU, prop::sample::select(vec![0.1, FRAC_PI_2, PI, 1.5 * PI, 6.0, TAU, 15.0])],
+            wider in prop_oneof![Just(0.0), -0.005_f64..0.005],
+            rise in prop::sample::select(vec![0.0, 0.0, 1e-10, 1.0, -2.0]),
+        ) {
+            let normal = UnitVector3::new_normalize(Vector3::from(normal));
+            let aside = Vector3::from([normal.y, normal.z, normal.x]);
+            let aside = (aside - normal.into_inner() * normal.dot(&aside)).normalize();
+            let at = |angle: f64| nalgebra::Rotation3::from_axis_angle(&normal, angle) * aside;
+            let centre = Point3::new(3.0, -20.0, 0.7);
+            let end = centre + at(from + angle) * (7.0 + wider) + normal.into_inner() * rise;
+            let helix = Arc { normal, centre, ..arc((centre + at(from) * 7.0).into(), end.into(), angle) };
+            let round = ArcGeometry::new(&helix);
+            let [lowest, highest] = extent(&helix, None);
+            for axis in 0..3 {
+                let parts = round.extremes(Vector3::ith_axis(axis).into_inner()).chain([0.0, 1.0]);
+                let known: Vec<f64> = parts.map(|part| round.tip(part)[axis]).collect();
+                let least = known.iter().copied().fold(f64::MAX, f64::min);
+                let most = known.iter().copied().fold(f64::MIN, f64::max);
+                prop_assert!((lowest[axis] - least).abs() < 1e-12, "{axis}: {} {least}", lowest[axis]);
+                prop_assert!((highest[axis] - most).abs() < 1e-12, "{axis}: {} {most}", highest[axis]);
+            }
         }
 
         /// A box around many arcs is the same to the last bit, whether the boxes of all are computed or only those of arcs that
