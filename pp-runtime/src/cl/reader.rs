@@ -88,7 +88,8 @@ impl<R: Read> ClReader<R> {
     pub fn next_event(&mut self) -> io::Result<Option<(Location, Event<'_>)>> {
         match self.take_goto() {
             NextGoto::Straight(here, motion) => Ok(Some((here, Event::Move(motion)))),
-            NextGoto::Taken | NextGoto::None => self.next_of_any_kind(),
+            NextGoto::Taken => self.next_of_any_kind(false),
+            NextGoto::None => self.next_of_any_kind(true),
         }
     }
 
@@ -157,13 +158,17 @@ impl<R: Read> ClReader<R> {
         if let Err(fault) = taken {
             self.faults.add(fault, statement, &self.lexer);
         }
-        for warning in self.interpreter.take_warnings() {
-            self.faults.add(warning, statement, &self.lexer);
+        if self.interpreter.has_warnings() {
+            for warning in self.interpreter.take_warnings() {
+                self.faults.add(warning, statement, &self.lexer);
+            }
         }
     }
 
-    fn next_of_any_kind(&mut self) -> io::Result<Option<(Location, Event<'_>)>> {
+    /// Returns the next event; `no_goto`: the next statement, if no event is queued before it, is no GOTO on a line of its own.
+    fn next_of_any_kind(&mut self, mut no_goto: bool) -> io::Result<Option<(Location, Event<'_>)>> {
         let (location, pending) = loop {
+            let no_goto = std::mem::take(&mut no_goto);
             if let Some(event) = self.interpreter.next_event()
                 && !self.faults.failed()
             {
@@ -172,7 +177,7 @@ impl<R: Read> ClReader<R> {
             match self.progress {
                 Progress::Unread => self.begin()?,
                 Progress::Reading if self.subprograms.is_running() => self.run_kept(),
-                Progress::Reading => match self.take_goto_after_other() {
+                Progress::Reading => match if no_goto { NextGoto::None } else { self.take_goto_after_other() } {
                     NextGoto::Straight(here, motion) => return Ok(Some((here, Event::Move(motion)))),
                     NextGoto::Taken => {}
                     NextGoto::None if self.take_circle() => {}

@@ -194,17 +194,17 @@ impl OpenArc {
                 "write the TLON that belongs to it; without an arc delete AUTOPS and INDIRV",
             ));
         }
-        match self.circle {
-            Some(circle) if !permitted.in_arc => {
-                self.circle = None;
-                Err(ClFault::new(
-                    "circle",
-                    Span::WHOLE,
-                    format!("the circle of line {} has no end: this record comes before its GOTO", circle.line),
-                    "write the GOTO that ends the arc directly after CIRCLE",
-                ))
-            }
-            _ => Ok(()),
+        if permitted.in_arc {
+            return Ok(());
+        }
+        match self.circle.take() {
+            Some(circle) => Err(ClFault::new(
+                "circle",
+                Span::WHOLE,
+                format!("the circle of line {} has no end: this record comes before its GOTO", circle.line),
+                "write the GOTO that ends the arc directly after CIRCLE",
+            )),
+            None => Ok(()),
         }
     }
 
@@ -353,7 +353,7 @@ fn angle_within_revolution(
     } else if chord < SHORTEST_CHORD_MM && !angle_is_stated {
         Err(format!("the ends of an arc are {chord:.5} mm apart: the arc may be empty or a full circle"))
     } else {
-        Ok(math::atan2(n.dot(&u.cross(&v)), u.dot(&v)).rem_euclid(TAU))
+        Ok(math::from_zero(math::atan2(n.dot(&u.cross(&v)), u.dot(&v))))
     }
 }
 
@@ -384,7 +384,7 @@ fn angle_on(arc: &Arc, point: Point3<f64>) -> Option<f64> {
     };
     let (u, p) = (flat(arc.start.tip), flat(point));
     let radius = u.norm();
-    let angle = math::atan2(n.dot(&u.cross(&p)), u.dot(&p)).rem_euclid(TAU);
+    let angle = math::from_zero(math::atan2(n.dot(&u.cross(&p)), u.dot(&p)));
     // By rounding, points at the ends may lie a little before the start or after the end.
     let rounding = ARC_TOLERANCE_MM / radius;
     let on_circle = (p.norm() - radius).abs() <= ARC_TOLERANCE_MM;

@@ -51,6 +51,11 @@ impl EventQueue {
         self.warnings.push(fault.warning());
     }
 
+    #[inline]
+    pub(crate) fn has_warnings(&self) -> bool {
+        !self.warnings.is_empty()
+    }
+
     pub(crate) fn take_warnings(&mut self) -> impl Iterator<Item = ClFault> + '_ {
         self.warnings.drain(..)
     }

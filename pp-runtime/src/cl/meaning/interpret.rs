@@ -22,7 +22,6 @@ use crate::cl::dialect::Dialect;
 use crate::cl::record::{CoordinateRecord, ProgramRecord, Record, SubprogramRecord, Text};
 use crate::cl::text::{ClFault, Span};
 use crate::program::{Event, Feed, Location, Spline};
-use crate::set_up::ClPoint;
 
 /// CUTCOM/ON and the side that it needs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -124,6 +123,12 @@ impl RecordInterpreter {
     #[inline]
     pub(crate) fn next_event(&mut self) -> Option<(Location, QueuedEvent)> {
         self.events.pop()
+    }
+
+    /// Whether the last record has warnings.
+    #[inline]
+    pub(crate) fn has_warnings(&self) -> bool {
+        self.events.has_warnings()
     }
 
     /// Takes the warnings of the last record.
@@ -240,8 +245,7 @@ impl RecordInterpreter {
             && !matches!(self.cutcom, CutcomOn::Asked(_))
             && !self.votes.has_undecided()
             && self.coordinates.transforms().none()
-            && self.options.cl_point == ClPoint::Tip
-            && self.options.cl_point_of.is_empty();
+            && self.options.always_tip();
     }
 
     fn take_program(&mut self, record: &ProgramRecord<'_>, here: Location) -> Result<(), ClFault> {

@@ -148,6 +148,12 @@ impl ReadingOptions {
     pub(crate) fn given_meanings(&self) -> GivenMeanings<'_> {
         GivenMeanings { inert: &self.inert, own: &self.own_statements, probes: &self.probes }
     }
+
+    /// Whether the CL data programs the tip of every tool.
+    #[inline]
+    pub(crate) fn always_tip(&self) -> bool {
+        self.cl_point == ClPoint::Tip && self.cl_point_of.is_empty()
+    }
 }
 
 const SENSES: [(&str, Sense); 2] = [("cw", Sense::Clockwise), ("ccw", Sense::CounterClockwise)];

@@ -84,9 +84,12 @@ const MOST_REVOLUTIONS: u32 = 1000;
 /// Largest count of numbers of a CIRCLE.
 pub(crate) const CIRCLE_NUMBERS: usize = 11;
 
+/// Count of the first of them, those that are not about the tool.
+pub(super) const CIRCLE_NUMBERS_HELD: usize = 8;
+
 impl CircleRecord {
-    /// CIRCLE of the first `count` numbers, whose count must be that of a form.
-    pub(crate) fn of(numbers: &[f64; CIRCLE_NUMBERS], count: usize, times: u32, at: Span) -> Option<Self> {
+    /// CIRCLE of `count` numbers, which must be that of a form; `numbers`: the first of them.
+    pub(crate) fn of(numbers: &[f64; CIRCLE_NUMBERS_HELD], count: usize, times: u32, at: Span) -> Option<Self> {
         let form = match count {
             4 => CircleForm::Four,
             6 => CircleForm::Six,
@@ -94,7 +97,7 @@ impl CircleRecord {
             CIRCLE_NUMBERS => CircleForm::Eleven,
             _ => return None,
         };
-        let [x, y, z, i, j, k, r, eighth, ..] = *numbers;
+        let [x, y, z, i, j, k, r, eighth] = *numbers;
         let (axis, r) = if form == CircleForm::Four { ([0.0; 3], i) } else { ([i, j, k], r) };
         Some(CircleRecord {
             centre: [x, y, z],
@@ -112,7 +115,7 @@ impl CircleRecord {
 /// CIRCLE: `x,y,z,i,j,k[,r[,t,f,d,e]][,TIMES,n]`, `x,y,z,r`.
 pub(crate) fn circle(args: &mut Args<'_>) -> Result<ArcRecord, ClFault> {
     let at = args.all();
-    let mut numbers = [0.0; CIRCLE_NUMBERS];
+    let mut numbers = [0.0; CIRCLE_NUMBERS_HELD];
     let mut found = args.plain_numbers(&mut numbers);
     let mut times = 1;
     while let Some(arg) = args.next()? {

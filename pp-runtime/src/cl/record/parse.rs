@@ -6,7 +6,7 @@
 use std::io::Read;
 
 use super::Record;
-use super::arc::{CIRCLE_NUMBERS, CircleRecord};
+use super::arc::{CIRCLE_NUMBERS, CIRCLE_NUMBERS_HELD, CircleRecord};
 use super::comment::remark_dialect;
 use super::own::GivenMeanings;
 use super::values::{Point, Text};
@@ -113,7 +113,7 @@ pub(crate) fn record_dialect(text: &[u8]) -> Dialect {
 /// Reads a GOTO on a line of its own: its line and point. `None`: any other line, which has not been read.
 #[inline(always)]
 pub(crate) fn next_goto<R: Read>(lexer: &mut Lexer<R>, before: &mut NumberLine<6>) -> Option<(PhysicalLine, Point)> {
-    lexer.next_numbers(before, |found| Point::of(found.numbers, found.count, found.at))
+    lexer.next_numbers::<6, 6, _>(before, |found| Point::of(found.numbers, found.count, found.at))
 }
 
 /// Reads a CIRCLE on a line of its own, without TIMES, in the same way.
@@ -121,7 +121,9 @@ pub(crate) fn next_circle<R: Read>(
     lexer: &mut Lexer<R>,
     before: &mut NumberLine<CIRCLE_NUMBERS>,
 ) -> Option<(PhysicalLine, CircleRecord)> {
-    lexer.next_numbers(before, |found| CircleRecord::of(&found.numbers, found.count, 1, found.at))
+    lexer.next_numbers::<_, CIRCLE_NUMBERS_HELD, _>(before, |found| {
+        CircleRecord::of(&found.numbers, found.count, 1, found.at)
+    })
 }
 
 /// Place of the major word; it may contain `-` and `_`. TOOL PATH is one word with a blank inside.

@@ -163,18 +163,18 @@ impl<R: Read> Lexer<R> {
     }
 
     /// Reads the next line in one pass, if it is a word, a slash, and short numbers between commas of which `make` makes a
-    /// value; any other line is left to [`next`](Self::next). Nearly every line of a file is such a GOTO.
+    /// value of the first `USED`; any other line is left to [`next`](Self::next). Nearly every line of a file is such a GOTO.
     #[inline(always)]
-    pub(crate) fn next_numbers<const N: usize, T>(
+    pub(crate) fn next_numbers<const N: usize, const USED: usize, T>(
         &mut self,
         before: &mut NumberLine<N>,
-        make: impl FnOnce(ShortNumbers<N>) -> Option<T>,
+        make: impl FnOnce(ShortNumbers<USED>) -> Option<T>,
     ) -> Option<(PhysicalLine, T)> {
         let line = &self.buffer[self.start..];
         if self.columns < usize::MAX {
             return None;
         }
-        let known = line.first_chunk().and_then(|text| before.whole.read(text));
+        let known = line.first_chunk().and_then(|text| before.whole.read::<USED>(text));
         let (numbers, length) = match known {
             Some(read) => read,
             None => self.one_by_one(before)?,
@@ -194,7 +194,10 @@ impl<R: Read> Lexer<R> {
 
     /// The numbers of a line that begins with the word, and the number of its bytes with its end.
     #[inline(never)]
-    fn one_by_one<const N: usize>(&self, before: &mut NumberLine<N>) -> Option<(ShortNumbers<N>, usize)> {
+    fn one_by_one<const N: usize, const USED: usize>(
+        &self,
+        before: &mut NumberLine<N>,
+    ) -> Option<(ShortNumbers<USED>, usize)> {
         let line = &self.buffer[self.start..];
         let slash = skip_blanks(line, before.word.len());
         if !line.starts_with(before.word) || line.get(slash) != Some(&b'/') {
@@ -224,7 +227,7 @@ impl<R: Read> Lexer<R> {
             let shapes = std::array::from_fn(|index| (shape(index), starts[index]));
             before.whole.take(&line[..length], shapes, (count, at));
         }
-        Some((ShortNumbers { numbers, count, at }, length))
+        Some((ShortNumbers { numbers: *numbers.first_chunk()?, count, at }, length))
     }
 
     /// The statement of the line that [`next_numbers`](Self::next_numbers) has returned last.

@@ -65,9 +65,9 @@ impl<const N: usize> LineShape<N> {
         }
     }
 
-    /// The numbers of the line at the start of `text`, if it has this shape, and the number of its bytes with its end.
+    /// The first `USED` numbers of the line at the start of `text`, if it has this shape, and the number of its bytes with its end.
     #[inline(always)]
-    pub(super) fn read(&self, text: &[u8; LINE_AND_NUMBER]) -> Option<(ShortNumbers<N>, usize)> {
+    pub(super) fn read<const USED: usize>(&self, text: &[u8; LINE_AND_NUMBER]) -> Option<(ShortNumbers<USED>, usize)> {
         let mut beyond = u8x16::ZERO;
         for (text, piece) in text.as_chunks().0.iter().zip(&self.pieces[..self.length.div_ceil(16)]) {
             beyond |= (u8x16::from(*text) ^ piece.bytes).saturating_sub(piece.largest);
@@ -75,7 +75,7 @@ impl<const N: usize> LineShape<N> {
         if self.length == 0 || beyond != u8x16::ZERO {
             return None;
         }
-        let mut numbers = [0.0; N];
+        let mut numbers = [0.0; USED];
         let (first, others) = numbers.split_at_mut(3);
         self.set_numbers::<0>(first, text)?;
         if self.count > 3 {
@@ -107,7 +107,7 @@ mod tests {
         let mut goto = NumberLine::<6>::new("GOTO");
         let mut lines = Vec::new();
         loop {
-            let found = lexer.next_numbers(&mut goto, |found| {
+            let found = lexer.next_numbers::<6, 6, _>(&mut goto, |found| {
                 let bits = found.numbers[..found.count].iter().map(|number| number.to_bits()).collect();
                 Some((bits, found.at.start, found.at.end))
             });

@@ -138,14 +138,15 @@ impl NumberShape {
         let blanks = text.iter().take_while(|byte| **byte == b' ').count();
         let signed = text.get(blanks) == Some(&b'-');
         let first = blanks + usize::from(signed);
-        let digits_from = |at: usize| text.get(at..)?.iter().position(|byte| !byte.is_ascii_digit());
-        let whole = digits_from(first)?;
+        let whole = digits_from(text, first);
         let point = first + whole;
+        if point >= 8 {
+            return None;
+        }
         let has_point = text[point] == b'.';
-        let decimals = if has_point { digits_from(point + 1)? } else { 0 };
+        let decimals = if has_point { digits_from(text, point + 1) } else { 0 };
         let (digits, end) = (whole + decimals, point + usize::from(has_point) + decimals);
-        let is_short = point < 8 && (1..=EXACT_DIGITS).contains(&digits);
-        if !is_short || matches!(text[end], b'E' | b'e' | b'D' | b'd') {
+        if !(1..=EXACT_DIGITS).contains(&digits) || matches!(text[end], b'E' | b'e' | b'D' | b'd') {
             return None;
         }
         // Bits of the bytes from one on, below eight, up to another.
@@ -179,13 +180,28 @@ fn u64_at(text: &[u8; SHORT_NUMBER], at: usize) -> u64 {
     text[at % INDICES..].first_chunk().map_or(0, |bytes| u64::from_le_bytes(*bytes))
 }
 
+/// Bits of the first of eight bytes that is no digit as a number, and of some after it; 0 if all are digits.
+#[inline]
+fn others(bytes: u64) -> u64 {
+    const HIGH_BITS: u64 = 0x8080_8080_8080_8080;
+    // No sum of a digit has the high bit, and none before another byte carries.
+    (bytes.wrapping_add(0x7676_7676_7676_7676) | bytes) & HIGH_BITS
+}
+
 /// Eight bytes, if each is a digit as a number.
 #[inline]
 fn are_digits(bytes: u64) -> Option<u64> {
-    const HIGH_BITS: u64 = 0x8080_8080_8080_8080;
-    // No sum of a digit has the high bit, and without another byte none carries.
-    let all = (bytes.wrapping_add(0x7676_7676_7676_7676) | bytes) & HIGH_BITS == 0;
-    all.then_some(bytes)
+    (others(bytes) == 0).then_some(bytes)
+}
+
+/// Count of the digits from one of the first bytes on; 16 for more than a short number has.
+#[inline]
+fn digits_from(text: &[u8; SHORT_NUMBER], at: usize) -> usize {
+    let in_eight = |at: usize| others(u64_at(text, at) ^ ZEROS).trailing_zeros() as usize / 8;
+    match in_eight(at) {
+        8 => 8 + in_eight(at + 8),
+        count => count,
+    }
 }
 
 /// Value of eight digits, one in each byte, the last in the highest. They are summed in pairs, fours and eights.

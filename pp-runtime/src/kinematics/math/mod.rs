@@ -87,6 +87,13 @@ pub fn angles<const N: usize>(turns: [(f64, f64); N]) -> [f64; N] {
     angles
 }
 
+/// An angle in \[-π, π\] as one from 0 to 2π.
+#[must_use]
+#[inline]
+pub(crate) fn from_zero(angle: f64) -> f64 {
+    if angle < 0.0 { angle + core::f64::consts::TAU } else { angle }
+}
+
 /// Magnitude.
 #[must_use]
 #[inline]

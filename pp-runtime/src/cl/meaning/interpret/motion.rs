@@ -51,7 +51,7 @@ impl RecordInterpreter {
 
     /// Pose of the tool tip, where the CL data may program the centre of the corner radius.
     fn tip(&self, pose: Pose, at: Span) -> Result<Pose, ClFault> {
-        if self.plain_goto {
+        if self.options.always_tip() {
             return Ok(pose);
         }
         let tool = self.tool.current();
@@ -118,7 +118,6 @@ impl RecordInterpreter {
             let done = self.end_circle(&circle, pose, at, here);
             // After a refused arc the position is its end, too.
             self.path.set_here(pose);
-            self.update_plain_goto();
             return done;
         }
         if self.cycle.is_active() {
