@@ -91,21 +91,25 @@ impl<'a> ArcGeometry<'a> {
     pub(crate) fn extremes(&self, direction: Vector3<f64>) -> impl Iterator<Item = f64> {
         let (a, b) = (self.u.dot(&direction), self.v.dot(&direction));
         let across = math::hypot(a, b);
-        let angle = self.arc.angle_rad;
+        let (mut parts, mut count) = ([0.0; 4], 0);
         // None if the direction is the normal.
-        let extremes = (across > 0.0).then(|| {
+        if across > 0.0 {
+            let angle = self.arc.angle_rad;
             let slope = self.arc.normal.dot(&direction) * self.rise_mm / angle;
             let phase = math::atan2(b, a);
             // NaN, which is below no angle, if the pitch exceeds the circle's own motion in the direction.
             let lean = math::asin(slope / (self.radius() * across));
-            [phase + lean, phase + PI - lean]
-        });
-        extremes.into_iter().flatten().flat_map(move |extreme| {
-            let first = extreme.rem_euclid(TAU);
-            let last = first + TAU * ((angle - first) / TAU).floor();
-            let further = (last.to_bits() != first.to_bits()).then_some(last);
-            [Some(first), further].into_iter().flatten().filter(move |at| *at < angle).map(move |at| at / angle)
-        })
+            for extreme in [phase + lean, phase + PI - lean] {
+                let first = extreme.rem_euclid(TAU);
+                let last = first + TAU * ((angle - first) / TAU).floor();
+                let further = (last.to_bits() != first.to_bits()).then_some(last);
+                for at in [Some(first), further].into_iter().flatten().filter(|at| *at < angle) {
+                    parts[count] = at / angle;
+                    count += 1;
+                }
+            }
+        }
+        parts.into_iter().take(count)
     }
 
     /// A distance from any point of the arc that no other is further away than, mm.
@@ -167,7 +171,7 @@ impl<'a> ArcGeometry<'a> {
                 return None;
             }
             let changes = wider_mm.abs() > 0.0 || rise_mm.abs() > 0.0;
-            let part = if changes { math::atan2(side * b, side * a).rem_euclid(TAU) / angle } else { 0.0 };
+            let part = if changes { math::from_zero(math::atan2(side * b, side * a)) / angle } else { 0.0 };
             let start = self.arc.centre[axis] + self.arc.normal[axis] * self.level_mm;
             Some(start + side * across * (self.radii_mm[0] + wider_mm * part) + rise_mm * part)
         })

@@ -7,7 +7,8 @@
 
 use std::f64::consts::{PI, TAU};
 
-use crate::kinematics::math;
+use crate::kinematics::math::{self, larger};
+use crate::nc::whole_units;
 
 /// Largest difference between the sweep of the words and the nominal one, rad: beyond it the words describe another
 /// arc.
@@ -18,7 +19,7 @@ const SAME_SWEEP: f64 = 0.5;
 const CLEAR_SWEEP: [f64; 2] = [0.05, 0.95 * PI];
 
 /// Largest coordinate of a centre, in units of the words.
-const MAX_UNITS: f64 = 1e15;
+const MAX_UNITS: i64 = 1_000_000_000_000_000;
 
 /// Working plane of a circle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -131,7 +132,7 @@ impl NominalCircle {
     /// Angle from one direction to another in the sense of the circle, rad; one revolution if both are the same.
     fn angle_to_run(&self, from: [f64; 2], to: [f64; 2]) -> f64 {
         let left = math::atan2(from[0] * to[1] - from[1] * to[0], dot(from, to));
-        let angle = if self.clockwise { -left } else { left }.rem_euclid(TAU);
+        let angle = math::from_zero(if self.clockwise { -left } else { left });
         if angle > 0.0 { angle } else { TAU }
     }
 
@@ -143,18 +144,19 @@ impl NominalCircle {
         let shift = minus(centre, self.centre_mm);
         let far = |direction: [f64; 2]| {
             let distance = length([shift[0] + direction[0] * radii[0], shift[1] + direction[1] * radii[0]]);
-            self.radii_mm.iter().map(|radius| (distance - radius).abs()).fold(0.0, f64::max)
+            larger((distance - self.radii_mm[0]).abs(), (distance - self.radii_mm[1]).abs())
         };
         let missed = |direction: [f64; 2]| {
             let radius = self.radii_mm[0];
             (length([direction[0] * radius - shift[0], direction[1] * radius - shift[1]]) - radii[0]).abs()
         };
-        let unit = |vector: [f64; 2]| [vector[0] / length(vector), vector[1] / length(vector)];
+        let over = |vector: [f64; 2], length: f64| [vector[0] / length, vector[1] / length];
         // The distance of this circle from the nominal centre is monotonic except at the direction of the shift and
         // opposite to it, and so is the distance of the nominal circle from this centre.
-        let mut off = far(unit(first)).max(far(unit(last)));
-        if length(shift) > 0.0 {
-            let along = unit(shift);
+        let mut off = larger(far(over(first, radii[0])), far(over(last, radii[1])));
+        let shift_mm = length(shift);
+        if shift_mm > 0.0 {
+            let along = over(shift, shift_mm);
             let begin = minus(start, self.centre_mm);
             for direction in [along, [-along[0], -along[1]]] {
                 if self.angle_to_run(first, direction) <= sweep {
@@ -166,7 +168,7 @@ impl NominalCircle {
                 }
             }
         }
-        (sweep, CircleDeviation { plane_mm: off + (radii[1] - radii[0]).abs(), centre_mm: length(shift) })
+        (sweep, CircleDeviation { plane_mm: off + (radii[1] - radii[0]).abs(), centre_mm: shift_mm })
     }
 
     /// Words of the circle between two points in whole units; `None` if no words describe it.
@@ -181,11 +183,11 @@ impl NominalCircle {
             let along = dot(minus(wanted, middle), chord) / dot(chord, chord);
             wanted = [wanted[0] - chord[0] * along, wanted[1] - chord[1] * along];
         }
-        let nearest = wanted.map(|value| (value * grid.units_per_mm).round());
-        if nearest.iter().any(|units| units.is_nan() || units.abs() > MAX_UNITS) {
+        let [Ok(x), Ok(y)] = wanted.map(|value| whole_units(value, grid.units_per_mm)) else { return None };
+        let nearest = [x, y];
+        if nearest.iter().any(|units| units.abs() > MAX_UNITS) {
             return None;
         }
-        let nearest = nearest.map(|units| units as i64);
         let unequal = |centre: [i64; 2]| {
             let centre = mm(centre);
             (length(minus(from, centre)) - length(minus(to, centre))).abs()

@@ -22,7 +22,7 @@ mod travel;
 use std::cell::Cell;
 use std::collections::BTreeMap;
 
-use nalgebra::{Matrix3, Point3, UnitVector3, Vector3};
+use nalgebra::{Point3, UnitVector3, Vector3};
 
 use crate::kinematics::{AnyMachine, Axis, AxisKind, AxisValues, Branch, Limits, Pose, Side};
 use crate::motion::fault::Fault;
@@ -86,8 +86,8 @@ pub(crate) struct Placer {
     rotary: RotaryAxes,
     /// The last feed motion, if it kept the rotary angles.
     stay: Option<rotary_angles::Stay>,
-    /// The last [`axis_map`](Self::axis_map), and the bits of the rotary angles that it belongs to.
-    last_map: Cell<Option<([u64; 2], Matrix3<f64>)>>,
+    /// The last [`axis_map`](Self::axis_map).
+    last_map: Cell<Option<tip::AxisMap>>,
     poles: Poles,
     linear: LinearAxes,
     speeds: AxisSpeeds,
@@ -558,7 +558,10 @@ impl Placer {
     /// Shortest time of the linear axes, min, for a tip path of `length_mm` in any direction at constant rotary angles;
     /// 0 if their speeds need not be kept.
     pub(crate) fn least_minutes_of_tip(&self, length_mm: f64, at: &AxisPosition) -> f64 {
-        let Some((solved, map)) = self.axis_map(at).filter(|_| self.speeds.timed) else { return 0.0 };
+        if !self.speeds.timed {
+            return 0.0;
+        }
+        let Some((solved, map)) = self.axis_map(at) else { return 0.0 };
         let minutes = |(row, axis): (usize, usize)| {
             self.speeds.per_axis[axis].map_or(0.0, |speed| length_mm * map.row(row).norm() / speed)
         };

@@ -40,43 +40,46 @@ impl Placer {
     }
 
     /// Positions of X Y Z in the chain, and the derivative of their words with respect to the tip at the rotary angles
-    /// of `at`: one row for each word, one column for each direction of the workpiece frame.
-    pub(crate) fn program_map(&self, at: &AxisPosition) -> Option<([usize; 3], Matrix3<f64>)> {
+    /// of `at`: one row for each word, one column for each direction of the workpiece frame. `None` if it is not orthogonal; if
+    /// it is, the words keep angles and lengths of the tip path.
+    pub(crate) fn orthogonal_map(&self, at: &AxisPosition) -> Option<([usize; 3], Matrix3<f64>)> {
         let letters = self.linear.xyz?;
         if !self.frame.counts_tip()
-            && let Some((solved, map)) = self.axis_map(at)
+            && let Some((solved, AxisMap { map, orthogonal, .. })) = self.known_map(at)
             && let [Some(x), Some(y), Some(z)] = letters.map(|letter| solved.iter().position(|index| *index == letter))
         {
             // A word is an axis value and a constant.
-            return Some((letters, Matrix3::from_rows(&[map.row(x), map.row(y), map.row(z)])));
+            return orthogonal.then(|| (letters, Matrix3::from_rows(&[map.row(x), map.row(y), map.row(z)])));
         }
-        Some((letters, differences(|tip| self.program_point(tip, at))?))
-    }
-
-    /// The same as [`Placer::program_map`], if it is orthogonal: the words keep angles and lengths of the tip path.
-    pub(crate) fn orthogonal_map(&self, at: &AxisPosition) -> Option<([usize; 3], Matrix3<f64>)> {
-        self.program_map(at).filter(|(_, map)| {
-            let off = map.transpose() * map - Matrix3::identity();
-            off.iter().all(|part| part.abs() <= ORTHOGONAL)
-        })
+        let map = differences(|tip| self.program_point(tip, at))?;
+        is_orthogonal(&map).then_some((letters, map))
     }
 
     /// Positions of the solved linear axes, and the derivative of their values with respect to the tip at the rotary
     /// angles of `at`.
     pub(crate) fn axis_map(&self, at: &AxisPosition) -> Option<([usize; 3], Matrix3<f64>)> {
+        self.known_map(at).map(|(solved, known)| (solved, known.map))
+    }
+
+    /// The same with what is known about the derivative.
+    #[inline]
+    fn known_map(&self, at: &AxisPosition) -> Option<([usize; 3], AxisMap)> {
         let solved = *self.linear.solved.first_chunk()?;
         let bits = |rotary: &Rotary| at.axes[rotary.index].to_bits();
         let angles = std::array::from_fn(|axis| self.rotary.axes.get(axis).map_or(0, bits));
-        if let Some((_, map)) = self.last_map.get().filter(|(known, _)| *known == angles) {
-            return Some((solved, map));
+        if let Some(known) = self.last_map.get()
+            && known.angles == angles
+        {
+            return Some((solved, known));
         }
         let values = |tip: &Point3<f64>| {
             let axes = self.machine.linear_axes(tip, &at.axes)?;
             Some(Vector3::from(solved.map(|index| axes[index])))
         };
         let map = differences(values)?;
-        self.last_map.set(Some((angles, map)));
-        Some((solved, map))
+        let found = AxisMap { angles, map, orthogonal: is_orthogonal(&map) };
+        self.last_map.set(Some(found));
+        Some((solved, found))
     }
 
     /// Whether a path of the tip at the rotary angles of `at` certainly keeps the linear axes within the travel that they have
@@ -90,7 +93,10 @@ impl Placer {
         reach_mm: f64,
         bounds: impl Fn(Vector3<f64>) -> [f64; 2],
     ) -> bool {
-        let Some((solved, map)) = self.axis_map(at).filter(|_| !self.frame.counts_tip()) else { return false };
+        if self.frame.counts_tip() {
+            return false;
+        }
+        let Some((solved, map)) = self.axis_map(at) else { return false };
         let rows = [0, 1, 2].map(|row| map.row(row).transpose());
         // Nearly always the axes may move on by that distance from their rounded positions.
         let aside = |direction: Vector3<f64>| direction.norm() * reach_mm + self.unit_mm();
@@ -110,16 +116,25 @@ impl Placer {
     /// The same of linear axes between two values each. Rounding to words changes no order, so what holds for both holds for all
     /// values between them.
     fn needs_none_between(&self, solved: [usize; 3], ranges: [[f64; 2]; 3]) -> bool {
-        let mut ends = [AxisValues::default(); 2];
-        for (index, range) in solved.into_iter().zip(ranges) {
-            for (end, value) in ends.iter_mut().zip(range) {
-                match self.linear.rounded(value, self.datum.linear_shift_mm(index)) {
-                    Ok((units, written)) if units.abs() < self.bounds[index] => end[index] = written,
-                    _ => return false,
-                }
-            }
+        let fits = |(index, [low, high]): (usize, [f64; 2])| {
+            let furthest = (0.5 * (low + high) + self.datum.linear_shift_mm(index)).abs() + 0.5 * (high - low);
+            // The unit is for the rounding of this sum.
+            whole_units(furthest, self.linear.units_per_mm).is_ok_and(|units| units + 1 < self.bounds[index])
+        };
+        if !solved.into_iter().zip(ranges).all(fits) {
+            return false;
         }
-        !ends.iter().any(|end| self.travel.is_changed_by(end))
+        let is_changed_at = |side: usize| {
+            let mut end = AxisValues::default();
+            for (index, range) in solved.into_iter().zip(ranges) {
+                let Ok((_, written)) = self.linear.rounded(range[side], self.datum.linear_shift_mm(index)) else {
+                    return true;
+                };
+                end[index] = written;
+            }
+            self.travel.is_changed_by(&end)
+        };
+        !(self.travel.limited() && (is_changed_at(0) || is_changed_at(1)))
     }
 
     /// Whether a position is that of [`shifted`](Self::shifted) from `at` to its tip: the linear axes alone move, and nothing
@@ -233,6 +248,20 @@ impl Placer {
     }
 }
 
+/// Derivative of the linear axes with respect to the tip.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct AxisMap {
+    /// Bits of the rotary angles.
+    angles: [u64; 2],
+    map: Matrix3<f64>,
+    orthogonal: bool,
+}
+
+fn is_orthogonal(map: &Matrix3<f64>) -> bool {
+    let off = map.transpose() * map - Matrix3::identity();
+    off.iter().all(|part| part.abs() <= ORTHOGONAL)
+}
+
 /// Derivative of an affine map.
 fn differences(map: impl Fn(&Point3<f64>) -> Option<Vector3<f64>>) -> Option<Matrix3<f64>> {
     // With a wide step the error is only the rounding of the arithmetic.
@@ -244,6 +273,8 @@ fn differences(map: impl Fn(&Point3<f64>) -> Option<Vector3<f64>>) -> Option<Mat
 
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::PI;
+
     use proptest::prelude::*;
 
     use super::*;
@@ -306,6 +337,24 @@ mod tests {
         assert_eq!(certified::<Cb>(&[arc; 3], 500.0, false).ok(), Some(2));
         assert_eq!(certified::<Cb>(&[arc; 3], 500.0, true).ok(), Some(3));
         assert_eq!(certified::<Cb>(&[arc; 3], 15.0, false).ok(), Some(0));
+    }
+
+    #[test]
+    fn an_arc_that_may_need_more_digits_than_its_words_have_is_not_certain() {
+        let mut config = Config::default();
+        config.set_up.limits.extend(['X', 'Y', 'Z'].map(|letter| (letter, None)));
+        let machine = Box::new(config.set_up.machine::<Cb>().expect("valid"));
+        let mut placer = Placer::new(machine, config.policy(), Units::Millimetres);
+        let most = 10_f64.powi(config.formats.linear_whole as i32);
+        for (x, expected) in [(most - 100.0, true), (most - 10.0, false), (100.0 - most, true), (10.0 - most, false)] {
+            let arc = helix(Point3::new(x, 2.0, 3.0), [0.0, 0.0, 1.0], [20.0, 0.0, TAU, 0.0]);
+            let start = [0.0, PI].map(|angle| ArcGeometry::new(&arc).tip(angle / TAU)).into_iter();
+            let start = start.min_by(|a, b| a.x.abs().total_cmp(&b.x.abs())).expect("two points");
+            let start = placer.shifted(start, &placer.zero()).expect("within the digits");
+            let round = ArcGeometry::new(&arc);
+            let certain = placer.needs_no_travel(&start, round.diameter_mm(), |direction| round.bounds(direction));
+            assert_eq!(certain, expected, "{x}");
+        }
     }
 
     proptest! {

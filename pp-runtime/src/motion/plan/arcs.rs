@@ -111,17 +111,8 @@ struct ArcInProgram {
 /// A piece of an arc in words.
 struct Piece {
     circle: Circle,
-    /// Its end.
-    to: AxisPosition,
     /// Distance between its end and the end of its words, in units.
     drift: [f64; 2],
-}
-
-impl Piece {
-    /// Its end, and the distance of that from the end of its words: the start of the next piece.
-    fn end(&self) -> (&AxisPosition, [f64; 2]) {
-        (&self.to, self.drift)
-    }
 }
 
 fn cannot_be_written() -> Fault {
@@ -151,14 +142,15 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         let arc = self.arc;
         let motion = Move { pose: arc.end, rapid: false, feed: arc.feed };
         self.planner.stop_spindle()?;
-        for part in self.round.extremes(Vector3::z()).chain([1.0]) {
+        self.round.extremes(Vector3::z()).chain([1.0]).try_for_each(|part| {
             let pose = Pose { tip: self.round.tip(part), ..arc.end };
-            self.planner.check_state(&Move { pose, ..motion })?;
-        }
+            self.planner.check_state(&Move { pose, ..motion })
+        })?;
         self.planner.reach_stretch(&motion, index)?;
         let planned = self.planner.apply_course_changes(&motion, index)?;
         self.planner.restart_after_thread()?;
-        let end = self.planner.mover.place(&arc.end, true, planned)?;
+        let mut end = *self.planner.mover.here();
+        self.planner.mover.place_at(&arc.end, true, planned, &mut end)?;
         match self.trace(&end)? {
             Ok(()) => self.statistics().arcs += 1,
             Err(why) => {
@@ -167,9 +159,9 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
             }
         }
         let position = self.planner.mover.position_mut();
-        for part in self.round.extremes(arc.end.axis.into_inner()).chain([1.0]) {
+        self.round.extremes(arc.end.axis.into_inner()).chain([1.0]).for_each(|part| {
             position.note_cut(&Pose { tip: self.round.tip(part), ..arc.end });
-        }
+        });
         position.forget_lead_out();
         self.planner.mover.arrive(&end);
         Ok(())
@@ -185,10 +177,14 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
             Ok(in_program) => in_program,
             Err(why) => return Ok(Err(why)),
         };
+        // Nearly every end has the rotary axes at exactly their present angles.
+        let mover = &self.planner.mover;
+        let at_angles = if mover.placer().is_shifted(end, mover.here()) { None } else { Some(self.piece_end(1.0)?) };
+        let end = at_angles.as_ref().unwrap_or(end);
         for cuts in Cuts::of(self.arc.angle_rad).into_iter().flatten() {
             if let Some(last) = self.last_piece(&in_program, cuts, end)? {
                 self.check_travel()?;
-                return self.write_pieces(&in_program, cuts, &last).map(Ok);
+                return self.write_pieces(&in_program, cuts, (&last, end)).map(Ok);
             }
         }
         Ok(Err(NoArc::Rounding))
@@ -232,26 +228,27 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         Ok(ArcInProgram { plane, chain, nominal, lean_mm })
     }
 
-    /// The last piece, if all stay within tolerance: nearly every arc has no other. `end`: the place at the end of the arc.
+    /// The last piece, if all stay within tolerance: nearly every arc has no other. `end`: its end.
     fn last_piece(
         &mut self,
         in_program: &ArcInProgram,
         cuts: Cuts,
         end: &AxisPosition,
     ) -> Result<Option<Piece>, Fault> {
-        let here = *self.planner.mover.here();
-        let mut before: Option<Piece> = None;
+        let mut before: Option<(AxisPosition, [f64; 2])> = None;
         for number in 1..cuts.pieces {
             let to = self.piece_end(cuts.end(number))?;
-            let from = before.as_ref().map_or((&here, [0.0; 2]), Piece::end);
-            let Some(piece) = self.piece(in_program, cuts.share(number), from, to) else { return Ok(None) };
-            before = Some(piece);
+            let piece = self.piece(in_program, cuts.share(number), self.end_of(before.as_ref()), &to);
+            let Some(Piece { drift, .. }) = piece else { return Ok(None) };
+            before = Some((to, drift));
         }
-        let is_end = self.planner.mover.placer().is_shifted(end, &here);
-        let to = if is_end { *end } else { self.piece_end(1.0)? };
-        let from = before.as_ref().map_or((&here, [0.0; 2]), Piece::end);
-        let last = self.piece(in_program, cuts.share(cuts.pieces), from, to);
+        let last = self.piece(in_program, cuts.share(cuts.pieces), self.end_of(before.as_ref()), end);
         Ok(last.filter(|last| math::hypot(last.drift[0], last.drift[1]) <= MOST_DRIFT))
+    }
+
+    /// Start of a piece: the end of the one before it, or the present place.
+    fn end_of<'s>(&'s self, before: Option<&'s (AxisPosition, [f64; 2])>) -> (&'s AxisPosition, [f64; 2]) {
+        before.map_or((self.planner.mover.here(), [0.0; 2]), |(place, drift)| (place, *drift))
     }
 
     /// A piece, `share` of the arc, if it stays within tolerance. `drift`: distance of its start from the start of its words,
@@ -261,10 +258,10 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         in_program: &ArcInProgram,
         share: f64,
         (from, drift): (&AxisPosition, [f64; 2]),
-        to: AxisPosition,
+        to: &AxisPosition,
     ) -> Option<Piece> {
-        let circle = self.circle(in_program, share, (from, drift), &to)?;
-        Some(Piece { drift: self.drift(&circle, drift, &to), circle, to })
+        let circle = self.circle(in_program, share, (from, drift), to)?;
+        Some(Piece { drift: self.drift(&circle, drift, to), circle })
     }
 
     /// Distance between the end of a piece and the end of its words, in units.
@@ -346,7 +343,7 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         Ok(())
     }
 
-    fn write_pieces(&mut self, in_program: &ArcInProgram, cuts: Cuts, last: &Piece) -> Planned {
+    fn write_pieces(&mut self, in_program: &ArcInProgram, cuts: Cuts, (last, end): (&Piece, &AxisPosition)) -> Planned {
         let rate = self.planner.rate(self.arc.feed)?;
         self.planner.mover.output_mut().set_reason(if cuts.pieces > 1 {
             BlockReason::SplitArc
@@ -357,25 +354,25 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         let mut drift = [0.0; 2];
         for number in 1..cuts.pieces {
             let (share, to) = (cuts.share(number), self.piece_end(cuts.end(number))?);
-            let piece = self.piece(in_program, share, (self.planner.mover.here(), drift), to);
+            let piece = self.piece(in_program, share, (self.planner.mover.here(), drift), &to);
             let piece = piece.ok_or_else(cannot_be_written)?;
-            self.write_piece(&piece, share, (rate, mask))?;
+            self.write_piece(&piece.circle, &to, share, (rate, mask))?;
             drift = piece.drift;
         }
-        self.write_piece(last, cuts.share(cuts.pieces), (rate, mask))
+        self.write_piece(&last.circle, end, cuts.share(cuts.pieces), (rate, mask))
     }
 
     /// Writes a piece, `share` of the arc, at `rate` mm/min with the words of the axes in `mask`.
-    fn write_piece(&mut self, piece: &Piece, share: f64, (rate, mask): (f64, u16)) -> Planned {
+    fn write_piece(&mut self, circle: &Circle, to: &AxisPosition, share: f64, (rate, mask): (f64, u16)) -> Planned {
         let length = self.round.length() * share;
         let mover = &mut self.planner.mover;
         let axis_time_min = mover.placer().least_minutes_of_tip(length, mover.here());
         let pace = mover.feeds().pace(rate, FeedMotion::linear(length, axis_time_min))?;
         let FeedWord::PerMinute(feed) = pace.feed else { return Err(cannot_be_written().into()) };
         mover.output_mut().feed(&pace, None);
-        let words = AxisWords { vector: None, ..mover.placer().words(&piece.to, mask) };
-        mover.write_motion(&Step::Arc { words, circle: &piece.circle, feed }, &piece.to)?;
-        mover.position_mut().go_to(&piece.to);
+        let words = AxisWords { vector: None, ..mover.placer().words(to, mask) };
+        mover.write_motion(&Step::Arc { words, circle, feed }, to)?;
+        mover.position_mut().go_to(to);
         Ok(())
     }
 
