@@ -21,4 +21,4 @@ mod writer;
 pub use formats::Formats;
 pub(crate) use number::rounded_both;
 pub use number::{Decimal, Numerals, Overflow, rounded, whole_units, write_decimal, write_number};
-pub use writer::{Numbering, Writer, WrittenLine};
+pub use writer::{Numbering, WordForm, Writer, WrittenLine};

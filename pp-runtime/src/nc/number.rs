@@ -140,53 +140,86 @@ impl Decimal {
     }
 }
 
-/// Room for a letter, a number of at most a sign, 19 digits and a point, a blank, and what [`put_short`] writes after them.
-pub(super) const WORD_ROOM: usize = 32;
+/// Number of letters of a word for which there is room before its number.
+pub(super) const LETTERS: usize = 8;
 
-/// Puts a number at `start`, at most 1, in the number format of a control, and a blank after it; returns the index after the
+/// Room for letters, a number of at most a sign, 19 digits and a point, a blank, and what is written after them.
+pub(super) const WORD_ROOM: usize = 64;
+
+/// Form of the numbers of a word: their decimals, what a control requires, and what follows from both.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct NumberForm {
+    decimals: u32,
+    numerals: Numerals,
+    /// Place of the last digit before the point among eight digits, in bits, and its lowest bit; of more decimals than seven, of
+    /// the first digit.
+    last_whole: u32,
+    last_whole_bit: u64,
+    /// Fewest units that need more than eight digits.
+    many: u64,
+}
+
+impl NumberForm {
+    #[inline(always)]
+    pub(super) fn new(decimals: u32, numerals: Numerals) -> Self {
+        let (last_whole, many) = if decimals < 8 { (8 * (7 - decimals), 100_000_000) } else { (0, 0) };
+        Self { decimals, numerals, last_whole, last_whole_bit: 1 << last_whole, many }
+    }
+}
+
+/// Puts whole units of the last decimal at `start`, at most [`LETTERS`], and a blank after them; returns the index after the
 /// blank.
 #[inline(always)]
-pub(super) fn put_number(room: &mut [u8; WORD_ROOM], start: usize, number: Decimal, numerals: Numerals) -> usize {
-    let negative = number.units < 0;
+pub(super) fn put_number(room: &mut [u8; WORD_ROOM], start: usize, units: i64, form: &NumberForm) -> usize {
+    let negative = units < 0;
     // A plus or, two codes after it, a minus.
     room[start] = b'+' + 2 * u8::from(negative);
-    let start = start + usize::from(negative || numerals.plus);
-    let (units, decimals) = (number.units.unsigned_abs(), number.decimals);
-    let end = if units < 100_000_000 && decimals < 8 {
-        put_short(room, start, units as u32, decimals, numerals.point)
+    let start = start + usize::from(negative || form.numerals.plus);
+    let units = units.unsigned_abs();
+    let end = if units < form.many {
+        put_short(room, start, units as u32, form)
     } else {
-        put_long(room, start, units, decimals, numerals.point)
+        put_long(room, start, units, form.decimals, form.numerals.point)
     };
     room[end % WORD_ROOM] = b' ';
     end + 1
 }
 
-/// Puts a number of at most eight digits at `start`, at most 2; all digits are found at once, in the bytes of an integer.
+/// Puts a number of at most eight digits at `start`; all digits are found at once, in the bytes of an integer.
 #[inline(always)]
-fn put_short(room: &mut [u8; WORD_ROOM], start: usize, units: u32, decimals: u32, point: bool) -> usize {
+fn put_short(room: &mut [u8; WORD_ROOM], start: usize, units: u32, form: &NumberForm) -> usize {
     const ZEROS: u64 = 0x3030_3030_3030_3030;
+    let NumberForm { decimals, last_whole, last_whole_bit, numerals, .. } = *form;
     let digits = eight_digits(units);
     // Zeros before the first digit and after the last are left out, but for the last digit before the point.
-    let last_whole = 8 * (7 - decimals);
-    let kept = digits | 1 << last_whole;
+    let kept = digits | last_whole_bit;
     let left_out = kept.trailing_zeros() & !7;
     let written = (decimals - kept.leading_zeros() / 8) as usize;
     room[start..start + 8].copy_from_slice(&((digits | ZEROS) >> left_out).to_le_bytes());
-    let at = (start + ((last_whole - left_out) / 8) as usize + 1) % 16;
+    let at = (start + ((last_whole - left_out) / 8) as usize + 1) % 32;
     room[at] = b'.';
     room[at + 1..at + 9].copy_from_slice(&((digits | ZEROS) >> last_whole >> 8).to_le_bytes());
-    at + written + usize::from(written > 0 || point)
+    at + written + usize::from(written > 0 || numerals.point)
 }
 
-/// The digits of a number below 10^8 as numbers, the first in the lowest byte: the quotient of each half, quarter and eighth
-/// is put below its remainder. The factors are reciprocals, exact in these ranges.
+/// The digits of each number below 1000 as numbers, the first in the lowest byte.
+const THREE_DIGITS: [u32; 1000] = {
+    let mut table = [0; 1000];
+    let mut number = 0;
+    while number < 1000 {
+        table[number as usize] = number / 100 | (number / 10 % 10) << 8 | (number % 10) << 16;
+        number += 1;
+    }
+    table
+};
+
+/// The digits of a number below 10^8 as numbers, the first in the lowest byte.
 #[inline]
 fn eight_digits(number: u32) -> u64 {
-    let halves = u64::from(number / 10_000) | u64::from(number % 10_000) << 32;
-    let hundreds = ((halves * 10_486) >> 20) & 0x0000_007F_0000_007F;
-    let quarters = hundreds | (halves - 100 * hundreds) << 16;
-    let tens = ((quarters * 103) >> 10) & 0x000F_000F_000F_000F;
-    tens | (quarters - 10 * tens) << 8
+    let (thousands, millions) = (number / 1000, number / 1_000_000);
+    let [first, middle, last] =
+        [millions % 128, thousands % 1000, number % 1000].map(|three| u64::from(THREE_DIGITS[three as usize]));
+    first >> 8 | middle << 16 | last << 40
 }
 
 /// Puts any number at `start`.
@@ -215,7 +248,7 @@ fn put_long(room: &mut [u8; WORD_ROOM], start: usize, units: u64, decimals: u32,
 /// Writes a number in the number format of a control.
 pub fn write_number(out: &mut Vec<u8>, number: Decimal, numerals: Numerals) {
     let mut room = [0; WORD_ROOM];
-    let end = put_number(&mut room, 0, number, numerals);
+    let end = put_number(&mut room, 0, number.units, &NumberForm::new(number.decimals, numerals));
     out.extend_from_slice(&room[..end - 1]);
 }
 

@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use super::number::{Decimal, Numerals, WORD_ROOM, put_number};
+use super::number::{Decimal, LETTERS, NumberForm, Numerals, WORD_ROOM, put_number};
 
 /// Number of bytes collected before they are written to the output.
 const PIECE: usize = 64 * 1024;
@@ -29,6 +29,36 @@ pub struct WrittenLine {
     pub line: u64,
     /// Block number, if it has one.
     pub number: Option<u32>,
+}
+
+/// Letters of a word, `X` or `C1=`, and the form of its numbers.
+#[derive(Debug, Clone)]
+pub struct WordForm {
+    letters: String,
+    /// The first of them, to be written at once.
+    first: [u8; LETTERS],
+    number: NumberForm,
+}
+
+impl WordForm {
+    /// A word with numbers of these decimals.
+    #[must_use]
+    pub fn new(letters: String, decimals: u32, numerals: Numerals) -> Self {
+        Self { first: first_letters(&letters), letters, number: NumberForm::new(decimals, numerals) }
+    }
+
+    /// Its letters.
+    #[must_use]
+    pub fn letters(&self) -> &str {
+        &self.letters
+    }
+}
+
+#[inline]
+fn first_letters(letters: &str) -> [u8; LETTERS] {
+    let mut first = [0; LETTERS];
+    first.iter_mut().zip(letters.as_bytes()).for_each(|(first, letter)| *first = *letter);
+    first
 }
 
 /// Writes blocks word by word; a block without words writes no line.
@@ -143,8 +173,13 @@ impl<'a> Writer<'a> {
 
     fn number(&mut self, prefix: &str, number: u32) {
         self.number = Some(number);
-        let number = Decimal { units: number.into(), decimals: 0 };
-        self.end = put_word(&mut self.buffer, self.end, (prefix, number), Numerals::default());
+        self.put_word(prefix, Decimal { units: number.into(), decimals: 0 }, Numerals::default());
+    }
+
+    #[inline(always)]
+    fn put_word(&mut self, prefix: &str, number: Decimal, numerals: Numerals) {
+        let (first, form) = (first_letters(prefix), NumberForm::new(number.decimals, numerals));
+        self.end = put_word(&mut self.buffer, self.end, (prefix, &first), (number.units, &form));
     }
 
     /// Writes a code with a fixed number: `G1`, `M30`.
@@ -159,19 +194,20 @@ impl<'a> Writer<'a> {
     /// Writes a word: `X` or `C1=`, and its number.
     #[inline]
     pub fn word(&mut self, prefix: &str, number: Decimal, numerals: Numerals) {
-        self.words([(prefix, number)], numerals);
+        self.begin();
+        self.put_word(prefix, number, numerals);
     }
 
-    /// Writes words in their order, each as [`word`](Self::word) does; without words no block begins.
+    /// Writes words in their order, each with whole units of its last decimal; without words no block begins.
     #[inline(always)]
-    pub fn words<'w>(&mut self, words: impl IntoIterator<Item = (&'w str, Decimal)>, numerals: Numerals) {
+    pub fn words<'w>(&mut self, words: impl IntoIterator<Item = (&'w WordForm, i64)>) {
         let mut end = self.end;
-        for (prefix, number) in words {
+        for (form, units) in words {
             if end == self.block {
                 self.begin_block();
                 end = self.end;
             }
-            end = put_word(&mut self.buffer, end, (prefix, number), numerals);
+            end = put_word(&mut self.buffer, end, (&form.letters, &form.first), (units, &form.number));
         }
         self.end = end;
     }
@@ -244,17 +280,26 @@ impl<'a> Writer<'a> {
     }
 }
 
-/// Puts a word and a blank at `end`; returns their end.
+/// Puts a word and a blank at `end`; returns their end. `first`: the first letters.
 #[inline(always)]
-fn put_word(buffer: &mut Vec<u8>, end: usize, (prefix, number): (&str, Decimal), numerals: Numerals) -> usize {
-    let (letter, end) = match prefix.as_bytes() {
-        // Nearly always, and then no call.
-        [letter] => (Some(*letter), end),
-        letters => (None, put_text(buffer, end, letters)),
+fn put_word(
+    buffer: &mut Vec<u8>,
+    end: usize,
+    (letters, first): (&str, &[u8; LETTERS]),
+    (units, form): (i64, &NumberForm),
+) -> usize {
+    let (count, end) = match letters.len() {
+        count @ 0..=LETTERS => (count, end),
+        _ => (0, put_text(buffer, end, letters.as_bytes())),
     };
-    let Some(room) = room_at(buffer, end) else { return end };
-    room[0] = letter.unwrap_or_default();
-    end + put_number(room, letter.is_some().into(), number, numerals)
+    let room = loop {
+        match buffer.get_mut(end..).and_then(<[u8]>::first_chunk_mut) {
+            Some(room) => break room,
+            None => grow(buffer, end + WORD_ROOM),
+        }
+    };
+    room[..LETTERS].copy_from_slice(first);
+    end + put_number(room, count, units, form)
 }
 
 /// Puts text at `end`; returns its end.
@@ -264,15 +309,6 @@ fn put_text(buffer: &mut Vec<u8>, end: usize, text: &[u8]) -> usize {
     }
     buffer[end..end + text.len()].copy_from_slice(text);
     end + text.len()
-}
-
-/// Room for a word at `end`.
-#[inline(always)]
-fn room_at(buffer: &mut Vec<u8>, end: usize) -> Option<&mut [u8; WORD_ROOM]> {
-    if buffer.len() - end < WORD_ROOM {
-        grow(buffer, end + WORD_ROOM);
-    }
-    buffer.get_mut(end..).and_then(<[u8]>::first_chunk_mut)
 }
 
 #[cold]

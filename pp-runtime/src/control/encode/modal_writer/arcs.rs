@@ -120,5 +120,5 @@ impl ModalWriter<'_> {
 
 /// Letters before the number in words of an axis.
 fn word_of(axes: &[Address], index: usize) -> &str {
-    axes.iter().find(|address| address.index == index).map_or("", |address| &address.word)
+    axes.iter().find(|address| address.index == index).map_or("", |address| address.word.letters())
 }

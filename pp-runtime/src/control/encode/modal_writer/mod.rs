@@ -13,7 +13,7 @@ use crate::control::dialects::{Control, RetractForm, Spellings, ToolAxisWords};
 use crate::control::layout::Layout;
 use crate::control::options::BlockNumbers;
 use crate::motion::{AxisWords, Smoothing, ToolPosture, VECTOR_DECIMALS};
-use crate::nc::{Decimal, Numbering, Numerals, Writer};
+use crate::nc::{Decimal, Numbering, Numerals, WordForm, Writer};
 use crate::program::Units;
 
 use super::modal_state::{After, LengthState, ModalState, SmoothingState};
@@ -25,8 +25,7 @@ use super::values::{Values, text};
 struct Address {
     /// Index in the chain.
     index: usize,
-    /// Letters before the number: `X`, `C1=`.
-    word: String,
+    word: WordForm,
     decimals: u32,
     linear: bool,
 }
@@ -71,7 +70,7 @@ pub(crate) struct ModalWriter<'a> {
 }
 
 /// Words of the axes in the usual order of a block, X Y Z U V W A B C.
-fn addresses(control: &dyn Control, layout: &Layout) -> Vec<Address> {
+fn addresses(control: &dyn Control, layout: &Layout, numerals: Numerals) -> Vec<Address> {
     let mut axes: Vec<(usize, char, u32)> =
         layout.axes.iter().enumerate().map(|(index, &(letter, decimals))| (index, letter, decimals)).collect();
     axes.sort_by_key(|&(_, letter, _)| "XYZUVWABC".chars().position(|known| known == letter));
@@ -79,7 +78,7 @@ fn addresses(control: &dyn Control, layout: &Layout) -> Vec<Address> {
         .map(|(index, letter, decimals)| {
             let name = layout.options.axes.get(&letter).cloned().unwrap_or_else(|| letter.to_string());
             // The configuration was refused if the control permits no axis of this name.
-            let word = control.axis_word(&name).unwrap_or(name);
+            let word = WordForm::new(control.axis_word(&name).unwrap_or(name), decimals, numerals);
             Address { index, word, decimals, linear: "XYZUVW".contains(letter) }
         })
         .collect()
@@ -137,7 +136,7 @@ impl<'a> ModalWriter<'a> {
         Self {
             codes,
             writer: Writer::new(out, numbering),
-            axes: addresses(control, layout),
+            axes: addresses(control, layout, numerals),
             z: layout.axes.iter().position(|&(letter, _)| letter == 'Z'),
             numerals,
             every_word: layout.options.every_word,
@@ -295,8 +294,7 @@ impl<'a> ModalWriter<'a> {
     fn words_of(&mut self, words: &AxisWords, written: u16) {
         let written = if self.every_word { words.mask } else { written };
         let changed = self.axes.iter().filter(|axis| written & (1 << axis.index) != 0);
-        let number = |axis: &Address| Decimal { units: words.units[axis.index], decimals: axis.decimals };
-        self.writer.words(changed.map(|axis| (axis.word.as_str(), number(axis))), self.numerals);
+        self.writer.words(changed.map(|axis| (&axis.word, words.units[axis.index])));
         self.modal.set_axes(words, written);
         if let (Some(vectors), Some(vector)) = (self.vectors, words.vector)
             && self.writes(self.modal.vector_changes(words.vector))
@@ -312,7 +310,7 @@ impl<'a> ModalWriter<'a> {
     pub(crate) fn positions(&self, words: &AxisWords) -> Vec<(String, f64)> {
         let position = |address: &Address| words.units[address.index] as f64 / 10_f64.powi(address.decimals as i32);
         let rotary = self.axes.iter().filter(|address| words.has(address.index));
-        rotary.map(|address| (address.word.trim_end_matches('=').to_owned(), position(address))).collect()
+        rotary.map(|address| (address.word.letters().trim_end_matches('=').to_owned(), position(address))).collect()
     }
 
     /// Writes a word in the number format of axes, whether it is in force or not.
