@@ -354,10 +354,7 @@ impl Navigator {
     /// Begins a run of cuts where both searches allow it.
     fn begin_run(&mut self, pose: &Pose) {
         let placer = self.finder.placer();
-        // Of an axis with many turns the states near those with the fewest rewinds are kept: that must be all.
-        let all_near = placer.has_many_turns();
-        let settled =
-            |run: &mut SearchRun| run.ended || run.search.is_settled() && (!all_near || run.search.has_equal_rewinds());
+        let settled = |run: &mut SearchRun| run.ended || run.search.is_settled();
         if placer.has_indexed_axes() || !self.searches.iter_mut().all(settled) {
             return;
         }

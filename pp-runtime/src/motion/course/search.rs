@@ -426,12 +426,6 @@ impl CourseSearch {
             && (one_branch || self.survivors.iter().all(|survivor| Some(survivor.cost.rewinds) == fewest))
     }
 
-    /// Whether all survivors have as many rewinds.
-    pub(crate) fn has_equal_rewinds(&self) -> bool {
-        let mut rewinds = self.survivors.iter().map(|survivor| survivor.cost.rewinds);
-        rewinds.next().is_none_or(|first| rewinds.all(|count| count == first))
-    }
-
     /// States of the survivors.
     pub(crate) fn states(&self) -> impl Iterator<Item = &RotaryState> {
         self.survivors.iter().map(|survivor| &survivor.state)
