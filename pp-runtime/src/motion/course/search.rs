@@ -154,6 +154,8 @@ pub(crate) struct CourseSearch {
     survivors: Vec<Survivor>,
     next: Vec<Survivor>,
     predecessors: Vec<Predecessor>,
+    /// Indices of the survivors from which a motion in the air may be the cheapest.
+    starts: Vec<usize>,
     history: History,
     /// Only the cheapest survivor is kept: the search is made motion by motion.
     greedy: bool,
@@ -181,6 +183,7 @@ impl CourseSearch {
             }],
             next: Vec::new(),
             predecessors: Vec::new(),
+            starts: Vec::new(),
             history: History::default(),
             greedy,
             by_control: false,
@@ -321,20 +324,25 @@ impl CourseSearch {
     ) -> bool {
         self.leave_zeroed();
         self.next.clear();
+        self.collect_starts(sense);
         for state in states {
             let preference = if is_preferred(state) { Cost::default() } else { Cost::AGAINST_PREFERENCE };
             let cost = |from: &Survivor| {
                 let change = |axis| self.metric.change_in_sense(axis, from.state.words[axis], state.words[axis], sense);
                 Some(from.cost.plus(self.metric.cost_of([change(0)?, change(1)?])).plus(preference))
             };
-            let candidates = self.survivors.iter().filter_map(|from| Some((cost(from)?, from)));
+            let starts = self.starts.iter().map(|&index| &self.survivors[index]);
+            let candidates = starts.filter_map(|from| Some((cost(from)?, from)));
             let Some((cost, from)) = candidates.min_by_key(|(cost, _)| *cost) else { continue };
             let travel = |to: &RotaryState| self.metric.cost(&from.state.words, &to.words).travel_units;
             // Without a change the planner takes the least travel; of an axis with many turns not all are among the
-            // states.
+            // states. Less than half a turn is less than with any other turns of its branch.
+            let is_least = self.metric.shorter_than_half_turns(&from.state.words, &state.words);
+            let farther =
+                |other: &RotaryState| is_least && other.branch == state.branch || travel(other) > travel(state);
             let expected = sense.is_none()
                 && self.metric.short(&from.state.words, &state.words)
-                && states.iter().all(|other| other == state || travel(other) > travel(state));
+                && states.iter().all(|other| other == state || farther(other));
             let last_change = match expected {
                 true => from.last_change,
                 false => self.history.push(from.last_change, motion, CourseAction::EndWith, state.words),
@@ -342,6 +350,33 @@ impl CourseSearch {
             self.next.push(Survivor { state: *state, cost, last_change, air: None, zeroable: false });
         }
         self.finish_layer(states)
+    }
+
+    /// Collects the survivors from which a motion in the air may be the cheapest: not those to which the rotation from another
+    /// one is as cheap. A programmed sense of rotation may lead to a state from none but them.
+    fn collect_starts(&mut self, sense: Option<RotationSense>) {
+        let Self { survivors, starts, metric, .. } = self;
+        starts.clear();
+        starts.extend(0..survivors.len());
+        if sense.is_some() {
+            return;
+        }
+        starts.sort_unstable_by_key(|&index| (survivors[index].cost, index));
+        let mut kept = 0;
+        for place in 0..starts.len() {
+            let to = (starts[place], &survivors[starts[place]]);
+            let leads_there = |&by: &usize| {
+                let from = &survivors[by];
+                // Of equal courses that of the first survivor is taken.
+                (from.cost.plus(metric.cost(&from.state.words, &to.1.state.words)), by) < (to.1.cost, to.0)
+            };
+            if !starts[..kept].iter().any(leads_there) {
+                starts[kept] = to.0;
+                kept += 1;
+            }
+        }
+        starts.truncate(kept);
+        starts.sort_unstable();
     }
 
     /// Takes a motion in the air to the pole, where the angle of the first rotary axis is free; `second`: words of the

@@ -31,7 +31,7 @@ pub struct Cost {
     /// Number of starts that are not as the user prefers.
     pub against_preference: u32,
     /// Time of the rotary axes at their largest speeds; 0 where these are unknown.
-    pub time_ns: u64,
+    pub time_ps: u64,
     /// Total travel of all rotary axes, in whole units of their words.
     pub travel_units: u64,
 }
@@ -43,20 +43,21 @@ impl Cost {
         Self {
             rewinds: self.rewinds + other.rewinds,
             against_preference: self.against_preference + other.against_preference,
-            time_ns: self.time_ns.saturating_add(other.time_ns),
+            time_ps: self.time_ps.saturating_add(other.time_ps),
             travel_units: self.travel_units.saturating_add(other.travel_units),
         }
     }
 
-    pub(crate) const REWIND: Self = Self { rewinds: 1, against_preference: 0, time_ns: 0, travel_units: 0 };
-    pub(crate) const AGAINST_PREFERENCE: Self = Self { rewinds: 0, against_preference: 1, time_ns: 0, travel_units: 0 };
+    pub(crate) const REWIND: Self = Self { rewinds: 1, against_preference: 0, time_ps: 0, travel_units: 0 };
+    pub(crate) const AGAINST_PREFERENCE: Self = Self { rewinds: 0, against_preference: 1, time_ps: 0, travel_units: 0 };
 }
 
 /// Travel and cost of rotations.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct RotaryMetric {
-    /// Time for one unit of a word; 0 for an axis of unknown speed.
-    ns_per_unit: [f64; 2],
+    /// Time for one unit of a word; 0 for an axis of unknown speed. Whole, so that a rotation by way of other words takes no less
+    /// time than without them.
+    ps_per_unit: [u64; 2],
     /// No axis has a known speed.
     is_untimed: bool,
     endless: [bool; 2],
@@ -66,10 +67,11 @@ pub(crate) struct RotaryMetric {
 impl RotaryMetric {
     /// Creates the metric of these axes; speeds in rad/min.
     pub(crate) fn new(rotaries: &[Rotary], speeds: [Option<f64>; 2], scale: AngleScale) -> Self {
-        const NS_PER_MIN: f64 = 60e9;
+        const PS_PER_MIN: f64 = 60e12;
+        let per_unit = |speed: f64| rounded(PS_PER_MIN * scale.angle(1) / speed).unsigned_abs();
         Self {
             is_untimed: speeds.iter().all(Option::is_none),
-            ns_per_unit: speeds.map(|speed| speed.map_or(0.0, |speed| NS_PER_MIN * scale.angle(1) / speed)),
+            ps_per_unit: speeds.map(|speed| speed.map_or(0, per_unit)),
             endless: [0, 1].map(|axis| rotaries.get(axis).is_some_and(|rotary| rotary.endless())),
             units_per_turn: scale.units_per_turn,
         }
@@ -113,23 +115,27 @@ impl RotaryMetric {
     #[inline]
     pub(crate) fn cost_of(&self, changes: [i64; 2]) -> Cost {
         let travel = changes.map(i64::unsigned_abs);
-        let time_ns = self.time_ns(travel.map(|travel| travel as f64));
-        Cost { time_ns, travel_units: travel[0] + travel[1], ..Cost::default() }
+        Cost { time_ps: self.time_ps(travel), travel_units: travel[0] + travel[1], ..Cost::default() }
     }
 
-    /// Time of these travels, in units of the words, ns; 0 where no speed is known.
+    /// Time of these travels, in units of the words, ps; 0 where no speed is known.
     #[inline]
-    pub(crate) fn time_ns(&self, travel: [f64; 2]) -> u64 {
+    pub(crate) fn time_ps(&self, travel: [u64; 2]) -> u64 {
         if self.is_untimed {
             return 0;
         }
-        let times = [0, 1].map(|axis| rounded(travel[axis] * self.ns_per_unit[axis]).unsigned_abs());
+        let times = [0, 1].map(|axis| travel[axis].saturating_mul(self.ps_per_unit[axis]));
         times[0].max(times[1])
     }
 
     /// Whether no axis rotates by more than 180°: the limit of a cut without a rewind.
     pub(crate) fn short(&self, from: &RotaryWords, to: &RotaryWords) -> bool {
         (0..2).all(|axis| 2 * self.change(axis, from[axis], to[axis]).abs() <= self.units_per_turn)
+    }
+
+    /// Whether every axis rotates by less than 180°.
+    pub(crate) fn shorter_than_half_turns(&self, from: &RotaryWords, to: &RotaryWords) -> bool {
+        (0..2).all(|axis| 2 * self.change(axis, from[axis], to[axis]).abs() < self.units_per_turn)
     }
 
     /// Whether every axis rotates by less than 90°.
@@ -148,7 +154,7 @@ mod tests {
         let metric = RotaryMetric::new(&[], [Some(1e-300); 2], scale);
         let cost = metric.cost(&[0, 0], &[360_000, 1]);
         let most = (0..4).fold(cost, |sum, _| sum.plus(cost));
-        assert_eq!(most.time_ns, u64::MAX);
+        assert_eq!(most.time_ps, u64::MAX);
         assert_eq!(most.travel_units, 5 * 360_001);
         assert!(cost < most && cost.plus(Cost::REWIND) > most);
     }
