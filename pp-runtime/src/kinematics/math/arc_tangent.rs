@@ -7,7 +7,7 @@
 
 use wide::f64x2;
 
-use super::{polynomial, splat};
+use super::{long_polynomial, splat};
 
 /// `atan t = t + t³ p(t²)`.
 pub(crate) const ARC_TANGENT: [f64; 11] = [
@@ -51,7 +51,7 @@ pub(super) fn atan2(y: f64x2, x: f64x2) -> f64x2 {
     let remainder = (above - upper_t * upper_below) - (upper_t * (below - upper_below) + (t - upper_t) * below);
     let lost_by_sums = (small - (above + minus)) - t * (plus - (below - large));
     let square = t * t;
-    let curved = t * (square * polynomial(square, &ARC_TANGENT)) + (remainder + lost_by_sums) / below;
+    let curved = t * (square * long_polynomial(square, &ARC_TANGENT)) + (remainder + lost_by_sums) / below;
 
     // 0 or π/4; where it is steep, that is subtracted from π/2; where it is behind, from π.
     let (down, back) = (steep & sign, behind & sign);

@@ -162,10 +162,17 @@ fn splat(value: f64) -> f64x2 {
     f64x2::splat(value)
 }
 
-/// Value of a polynomial, lowest power first. Even and odd powers are summed by themselves: the processor works on both at
-/// once.
+/// Value of a polynomial, lowest power first.
 #[inline]
 fn polynomial<const N: usize>(x: f64x2, factors: &[f64; N]) -> f64x2 {
+    let (lower, highest) = factors.split_at(N - 1);
+    lower.iter().rev().fold(splat(highest[0]), |sum, factor| sum * x + splat(*factor))
+}
+
+/// Value of a polynomial of many powers, lowest first: even and odd ones are summed by themselves, so that the processor works
+/// on both at once.
+#[inline]
+fn long_polynomial<const N: usize>(x: f64x2, factors: &[f64; N]) -> f64x2 {
     let square = x * x;
     let [even, odd] = [0, 1].map(|first| {
         let mut factors = factors.iter().skip(first).step_by(2).rev().map(|factor| splat(*factor));

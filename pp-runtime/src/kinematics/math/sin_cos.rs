@@ -2,7 +2,7 @@
 //!
 //! `x = k π/2 + y` with a whole `k` and `|y| <= π/4`, `y` with a tail of its own. Sine and cosine of `y` are polynomials with
 //! the smallest largest error (Remez), and `k` decides which of them is which, and their signs. Sums and products are those
-//! of IEEE 754 without fused operations, so that every processor gives the same bits; the error is below 0.85 units of the
+//! of IEEE 754 without fused operations, so that every processor gives the same bits; the error is below 0.8 units of the
 //! last place. Where `x` is so near to a multiple of `π/2` that more of its digits are needed, or far from zero, or not
 //! finite, the functions of libm are used.
 
