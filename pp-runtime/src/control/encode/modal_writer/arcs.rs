@@ -62,17 +62,17 @@ impl ModalWriter<'_> {
         self.plane(arcs.planes[normal].unwrap_or_default());
         self.motion(arcs.senses[usize::from(!circle.clockwise)]);
         self.axis_words(words, false);
-        let decimals = self.decimals(circle.chain[first]);
         if let Some(units) = circle.radius {
+            let decimals = self.decimals(circle.chain[first]);
             self.word(arcs.radius, Decimal { units, decimals });
             return;
         }
-        let mut offsets = [(first, 0), (second, 1)];
-        offsets.sort_unstable();
-        for (axis, place) in offsets {
-            let units = circle.centre[place] - circle.start[place];
-            self.word(["I", "J", "K"][axis], Decimal { units, decimals });
+        let mut offsets = [0, 1].map(|place| circle.centre[place] - circle.start[place]);
+        let [before, after] = [first.min(second), first.max(second)];
+        if first > second {
+            offsets.swap(0, 1);
         }
+        self.writer.words([before, after].map(|axis| &self.centre_words[axis]).into_iter().zip(offsets));
     }
 
     /// `CC X Y`, and `C X Y DR+`, `CR X Y R DR+` or `CP IPA IZ DR+`. `known`: the words in force are those of the start

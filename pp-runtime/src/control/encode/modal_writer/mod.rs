@@ -36,6 +36,8 @@ pub(crate) struct ModalWriter<'a> {
     writer: Writer<'a>,
     /// Axes in the order of their words in a block.
     axes: Vec<Address>,
+    /// Words of the centre of an arc: distances from its start along X, Y and Z.
+    centre_words: [WordForm; 3],
     /// Index of Z in the chain: a length offset may be called with its word.
     z: Option<usize>,
     numerals: Numerals,
@@ -137,6 +139,7 @@ impl<'a> ModalWriter<'a> {
             codes,
             writer: Writer::new(out, numbering),
             axes: addresses(control, layout, numerals),
+            centre_words: ["I", "J", "K"].map(|letter| WordForm::new(letter.to_owned(), layout.linear, numerals)),
             z: layout.axes.iter().position(|&(letter, _)| letter == 'Z'),
             numerals,
             every_word: layout.options.every_word,
