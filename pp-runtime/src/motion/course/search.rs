@@ -327,13 +327,8 @@ impl CourseSearch {
         self.collect_starts(sense);
         for state in states {
             let preference = if is_preferred(state) { Cost::default() } else { Cost::AGAINST_PREFERENCE };
-            let cost = |from: &Survivor| {
-                let change = |axis| self.metric.change_in_sense(axis, from.state.words[axis], state.words[axis], sense);
-                Some(from.cost.plus(self.metric.cost_of([change(0)?, change(1)?])).plus(preference))
-            };
-            let starts = self.starts.iter().map(|&index| &self.survivors[index]);
-            let candidates = starts.filter_map(|from| Some((cost(from)?, from)));
-            let Some((cost, from)) = candidates.min_by_key(|(cost, _)| *cost) else { continue };
+            let Some((cost, from)) = self.cheapest_start(&state.words, sense) else { continue };
+            let cost = cost.plus(preference);
             let travel = |to: &RotaryState| self.metric.cost(&from.state.words, &to.words).travel_units;
             // Without a change the planner takes the least travel; of an axis with many turns not all are among the
             // states. Less than half a turn is less than with any other turns of its branch.
@@ -377,6 +372,26 @@ impl CourseSearch {
         }
         starts.truncate(kept);
         starts.sort_unstable();
+    }
+
+    /// The first of the cheapest starts of a motion in the air to these words, and the cost with its rotation.
+    fn cheapest_start(&self, words: &RotaryWords, sense: Option<RotationSense>) -> Option<(Cost, &Survivor)> {
+        let mut cheapest: Option<(Cost, &Survivor)> = None;
+        for from in self.starts.iter().map(|&index| &self.survivors[index]) {
+            let change = |axis: usize| self.metric.change_in_sense(axis, from.state.words[axis], words[axis], sense);
+            let rotation = match sense {
+                None => self.metric.cost(&from.state.words, words),
+                Some(_) => match (change(0), change(1)) {
+                    (Some(first), Some(second)) => self.metric.cost_of([first, second]),
+                    _ => continue,
+                },
+            };
+            let cost = from.cost.plus(rotation);
+            if cheapest.is_none_or(|(least, _)| cost < least) {
+                cheapest = Some((cost, from));
+            }
+        }
+        cheapest
     }
 
     /// Takes a motion in the air to the pole, where the angle of the first rotary axis is free; `second`: words of the
@@ -473,7 +488,7 @@ impl CourseSearch {
             let (state, cost) = rotated(&survivor.state);
             *survivor = Survivor { state, cost: survivor.cost.plus(cost), air: None, zeroable: false, ..*survivor };
         }
-        self.survivors.sort_by_key(|survivor| states.iter().position(|state| *state == survivor.state));
+        self.survivors.sort_by_cached_key(|survivor| states.iter().position(|state| *state == survivor.state));
         self.layer.clear();
         self.layer.extend_from_slice(states);
         self.history.settle(&mut self.survivors);

@@ -83,6 +83,7 @@ impl RotaryMetric {
     }
 
     /// Signed travel of one axis; an endless axis takes the shorter path.
+    #[inline]
     pub(crate) fn change(&self, axis: usize, from: i64, to: i64) -> i64 {
         let change = to - from;
         if !self.endless[axis] {
@@ -107,6 +108,7 @@ impl RotaryMetric {
     }
 
     /// Cost of rotating all axes together.
+    #[inline]
     pub(crate) fn cost(&self, from: &RotaryWords, to: &RotaryWords) -> Cost {
         self.cost_of([0, 1].map(|axis| self.change(axis, from[axis], to[axis])))
     }
