@@ -3,21 +3,18 @@
 //! `T(q) = Π J_i(q_i)` from the workpiece to the tool, `J = Trans(q·u)` for a linear axis, `Trans(c)·Rot(n, q)·Trans(-c)` for
 //! a rotary one, `q` with its sign. The tip is `T·(0,0,0,1)`, the tool axis `T·(t,0)`. Nothing of the generated functions
 //! is used: the joints are those that the declaration states. The product is applied to tip and axis from the tool
-//! outwards, which costs a rotation of two vectors for each rotary axis. Sines and cosines are those of `kinematics::math`,
-//! which its own tests compare with sums of 106 bits.
+//! outwards, which costs a rotation of two vectors for each rotary axis.
 
 use nalgebra::{Matrix3, Vector3};
 use wide::f64x2;
 
 use super::super::read::MAX_AXES;
-use crate::kinematics::{AnyMachine, AxisKind, Side, math};
+use crate::kinematics::{AnyMachine, AxisKind, Side};
 
 /// One factor of the product.
 #[derive(Debug, Clone, Copy)]
 struct Link {
     rotary: bool,
-    /// The rotary axis before this one in the chain, or this one: sines of two angles cost no more than those of one.
-    with: usize,
     workpiece: bool,
     /// Direction, with the sign of the axis.
     direction: Vector3<f64>,
@@ -109,15 +106,13 @@ fn largest(value: impl Fn(usize) -> f64) -> usize {
 
 impl Chain {
     pub(crate) fn of(machine: &dyn AnyMachine) -> Self {
-        let is_rotary = |index: &usize| machine.axes()[*index].kind == AxisKind::Rotary;
         let link = |index: usize| {
             let joint = machine.joint(index);
             let direction = joint.direction.into_inner() * joint.sign;
             let along = direction * direction.transpose();
             let of_tip = |vector| pair(&vector, &Vector3::zeros());
             Link {
-                rotary: is_rotary(&index),
-                with: (0..index).rfind(is_rotary).unwrap_or(index),
+                rotary: machine.axes()[index].kind == AxisKind::Rotary,
                 workpiece: machine.axes()[index].side == Side::Workpiece,
                 direction,
                 point: joint.point.coords,
@@ -139,19 +134,9 @@ impl Chain {
 
     /// Tip and tool axis for axis values in mm and rad.
     pub(crate) fn place(&self, values: &[f64; MAX_AXES]) -> ToolPose {
-        // Sine and cosine of the rotary axis that comes next.
-        let (mut tool, mut next) = (self.tool, None);
+        let mut tool = self.tool;
         for (link, value) in self.links.iter().zip(values).rev() {
-            if !link.rotary {
-                tool = link.moved(&tool, *value);
-                continue;
-            }
-            let turn = next.take().unwrap_or_else(|| {
-                let [turn, other] = math::turns([*value, values[link.with]]);
-                next = Some(other);
-                turn
-            });
-            tool = link.rotated(&tool, turn);
+            tool = if link.rotary { link.rotated(&tool, *value) } else { link.moved(&tool, *value) };
         }
         let [tip, axis] = vectors(&tool);
         ToolPose { tip, axis }
@@ -259,8 +244,9 @@ impl Link {
         [0, 1, 2].map(|index| tool[index] + self.moves_tip[index] * value)
     }
 
-    /// [`rotation`](Self::rotation) of the tip about the centre line, and of the tool axis, by an angle with this sine and cosine.
-    fn rotated(&self, tool: &Pair, (sine, cosine): (f64, f64)) -> Pair {
+    /// [`rotation`](Self::rotation) of the tip about the centre line, and of the tool axis.
+    fn rotated(&self, tool: &Pair, angle: f64) -> Pair {
+        let (sine, cosine) = angle.sin_cos();
         let (sine, cosine, n) = (f64x2::splat(sine), f64x2::splat(cosine), &self.both);
         let arm = [0, 1, 2].map(|index| tool[index] - self.centre[index]);
         let part = n[0] * arm[0] + n[1] * arm[1] + n[2] * arm[2];
@@ -273,7 +259,7 @@ impl Link {
 
     /// Rodrigues: the part along the direction stays, the rest rotates.
     fn rotation(&self, angle: f64) -> Matrix3<f64> {
-        let (sine, cosine) = math::sin_cos(angle);
+        let (sine, cosine) = angle.sin_cos();
         self.along + self.across * cosine + self.quarter * sine
     }
 }
