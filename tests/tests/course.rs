@@ -36,11 +36,11 @@ impl RotaryLimits {
     fn cost(&self, from: &State, to: &State) -> Cost {
         let travel = [0, 1].map(|axis| (to.1[axis] - from.1[axis]).unsigned_abs());
         let time = self.speeds.map_or(0, |speeds| {
-            // A unit takes whole picoseconds.
-            let times = [0, 1].map(|axis| travel[axis] * (60e12 / PER_DEGREE / speeds[axis]).round() as u64);
+            let minutes = |axis: usize| travel[axis] as f64 / PER_DEGREE / speeds[axis];
+            let times = [0, 1].map(|axis| (minutes(axis) * 60e9).round() as u64);
             times[0].max(times[1])
         });
-        Cost { time_ps: time, travel_units: travel[0] + travel[1], ..Cost::default() }
+        Cost { time_ns: time, travel_units: travel[0] + travel[1], ..Cost::default() }
     }
 }
 
@@ -48,7 +48,7 @@ fn sum(a: Cost, b: Cost) -> Cost {
     Cost {
         rewinds: a.rewinds + b.rewinds,
         against_preference: 0,
-        time_ps: a.time_ps + b.time_ps,
+        time_ns: a.time_ns + b.time_ns,
         travel_units: a.travel_units + b.travel_units,
     }
 }

@@ -327,9 +327,9 @@ fn threads_text(threads: &Threads, units: Units) -> String {
 fn course_text(course: &Course, config: &Config) -> String {
     let cost = |cost: &Cost| {
         let degrees = cost.travel_units as f64 / 10_f64.powi(config.formats.rotary as i32);
-        let time = match cost.time_ps {
+        let time = match cost.time_ns {
             0 => String::new(),
-            time => format!(" in at least {:.1} s", time as f64 / 1e12),
+            time => format!(" in at least {:.1} s", time as f64 / 1e9),
         };
         format!("{}, {degrees:.1} degrees of travel{time}", counted(u64::from(cost.rewinds), "rewind"))
     };

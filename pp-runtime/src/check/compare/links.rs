@@ -123,7 +123,7 @@ impl<R: Read> Comparison<'_, R> {
         }
     }
 
-    /// What the codes of a block say of the complete state, of the part, and of values that the control compares.
+    /// The rules of a block with codes: the complete state, a restart, and values that the control compares.
     fn guards_and_restart(&mut self, phase: &mut Phase, current: &Current<'_>) {
         let block = current.block;
         if block.restart {

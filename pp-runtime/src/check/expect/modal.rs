@@ -50,7 +50,7 @@ pub(super) struct ClState<'a> {
     fault: Option<Diagnostic>,
     /// Pose after the last motion.
     here: Option<Pose>,
-    /// A cut would go on from there: no hole, and no name, tool or motion of the machine since.
+    /// A cut would go on from `here`: no hole, and no name, tool or motion of the machine since.
     goes_on: bool,
     /// An arc needs a line to its start.
     fresh_arc: bool,

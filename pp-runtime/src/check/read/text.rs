@@ -164,7 +164,7 @@ impl<'a> Cursor<'a> {
         Some(if minus { value } else { -value })
     }
 
-    /// Takes a letter and the number behind it, blanks between them or not.
+    /// Takes a letter and the number after it, blanks between them or not.
     pub(super) fn letter_and_number(&mut self) -> Option<(u8, Number)> {
         let letter = self.peek().filter(u8::is_ascii_alphabetic)?;
         self.skip(1);
@@ -214,8 +214,8 @@ impl<'a> Cursor<'a> {
         Some(Number { value: if negative { -value } else { value }, point, negative })
     }
 
-    /// Digits and a point at the start of the rest of the line, if they are no more than eight bytes with another one among or
-    /// behind them: all of them are found at once. `None` for any other text.
+    /// Digits and a point at the start of the rest of the line, if they are no more than eight bytes with another byte among or
+    /// after them: all of them are found at once. `None` for any other text.
     #[inline(always)]
     fn short_digits(&self, text: &'a [u8]) -> Option<Digits<'a>> {
         let bytes = self.eight(text)? ^ ZEROS;
@@ -262,9 +262,9 @@ fn long_digits(text: &[u8]) -> Option<Digits<'_>> {
     let (whole, after) = digits(0, text);
     let point = matches!(after, [b'.', ..]);
     let (mantissa, after, decimals) = match after {
-        [b'.', behind @ ..] => {
-            let (mantissa, after) = digits(whole, behind);
-            (mantissa, after, behind.len() - after.len())
+        [b'.', fraction @ ..] => {
+            let (mantissa, after) = digits(whole, fraction);
+            (mantissa, after, fraction.len() - after.len())
         }
         _ => (whole, after, 0),
     };
@@ -273,7 +273,7 @@ fn long_digits(text: &[u8]) -> Option<Digits<'_>> {
     is_number.then_some(Digits { mantissa, point, decimals, after })
 }
 
-/// Digits behind others, and the text after them; of too many the value has no meaning.
+/// Digits after others, and the text after them; of too many the value has no meaning.
 #[inline]
 fn digits(before: i64, text: &[u8]) -> (i64, &[u8]) {
     let (mut value, mut rest) = (before, text);

@@ -40,7 +40,7 @@ pub(crate) struct ClFault {
 /// Kind of the faults of records that belong to turning.
 const TURNING: &str = "turning record";
 
-/// Where numbers are expected a fault is in a box: it shares their place, and its small parts would divide them.
+/// Where numbers are expected a fault is in a box: the numbers of a result then stay in whole registers.
 impl From<Box<ClFault>> for ClFault {
     fn from(fault: Box<ClFault>) -> Self {
         *fault

@@ -348,12 +348,12 @@ impl CourseSearch {
     }
 
     /// Collects the survivors from which a motion in the air may be the cheapest: not those to which the rotation from another
-    /// one is as cheap. A programmed sense of rotation may lead to a state from none but them.
+    /// one is as cheap, where the direct way is the cheapest. A programmed sense of rotation may not allow that one.
     fn collect_starts(&mut self, sense: Option<RotationSense>) {
         let Self { survivors, starts, metric, .. } = self;
         starts.clear();
         starts.extend(0..survivors.len());
-        if sense.is_some() {
+        if sense.is_some() || !metric.is_untimed() {
             return;
         }
         starts.sort_unstable_by_key(|&index| (survivors[index].cost, index));

@@ -24,7 +24,7 @@ struct RunBranch {
     at_limits: [f64; 2],
     /// Travel and time of the rotation.
     travel: f64x2,
-    time_ps: u64,
+    time_ns: u64,
 }
 
 /// A run of cuts in which the states of each pose are those of the one before, rotated.
@@ -73,7 +73,7 @@ impl SteadyRun {
             known.rotated += change;
             let travel = change.abs();
             known.travel += travel;
-            known.time_ps = known.time_ps.saturating_add(metric.time_ps(travel.to_array().map(|travel| travel as u64)));
+            known.time_ns = known.time_ns.saturating_add(metric.time_ns(travel.to_array()));
         }
         true
     }
@@ -93,7 +93,7 @@ impl SteadyRun {
             };
         }
         let [first, second] = known.travel.to_array().map(|travel| travel as u64);
-        let cost = Cost { time_ps: known.time_ps, travel_units: first + second, ..Cost::default() };
+        let cost = Cost { time_ns: known.time_ns, travel_units: first + second, ..Cost::default() };
         (RotaryState { words, ..*state }, cost)
     }
 }
@@ -156,7 +156,7 @@ impl RunBranch {
             highest: highest.into(),
             at_limits,
             travel: f64x2::ZERO,
-            time_ps: 0,
+            time_ns: 0,
         }
     }
 }

@@ -83,7 +83,7 @@ impl ExhaustiveSearch<'_> {
         Cost {
             rewinds: a.rewinds + b.rewinds,
             against_preference: a.against_preference + b.against_preference,
-            time_ps: a.time_ps + b.time_ps,
+            time_ns: a.time_ns + b.time_ns,
             travel_units: a.travel_units + b.travel_units,
         }
     }

@@ -31,7 +31,7 @@ pub struct Cost {
     /// Number of starts that are not as the user prefers.
     pub against_preference: u32,
     /// Time of the rotary axes at their largest speeds; 0 where these are unknown.
-    pub time_ps: u64,
+    pub time_ns: u64,
     /// Total travel of all rotary axes, in whole units of their words.
     pub travel_units: u64,
 }
@@ -43,21 +43,20 @@ impl Cost {
         Self {
             rewinds: self.rewinds + other.rewinds,
             against_preference: self.against_preference + other.against_preference,
-            time_ps: self.time_ps.saturating_add(other.time_ps),
+            time_ns: self.time_ns.saturating_add(other.time_ns),
             travel_units: self.travel_units.saturating_add(other.travel_units),
         }
     }
 
-    pub(crate) const REWIND: Self = Self { rewinds: 1, against_preference: 0, time_ps: 0, travel_units: 0 };
-    pub(crate) const AGAINST_PREFERENCE: Self = Self { rewinds: 0, against_preference: 1, time_ps: 0, travel_units: 0 };
+    pub(crate) const REWIND: Self = Self { rewinds: 1, against_preference: 0, time_ns: 0, travel_units: 0 };
+    pub(crate) const AGAINST_PREFERENCE: Self = Self { rewinds: 0, against_preference: 1, time_ns: 0, travel_units: 0 };
 }
 
 /// Travel and cost of rotations.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct RotaryMetric {
-    /// Time for one unit of a word; 0 for an axis of unknown speed. Whole, so that a rotation by way of other words takes no less
-    /// time than without them.
-    ps_per_unit: [u64; 2],
+    /// Time for one unit of a word; 0 for an axis of unknown speed.
+    ns_per_unit: [f64; 2],
     /// No axis has a known speed.
     is_untimed: bool,
     endless: [bool; 2],
@@ -67,11 +66,10 @@ pub(crate) struct RotaryMetric {
 impl RotaryMetric {
     /// Creates the metric of these axes; speeds in rad/min.
     pub(crate) fn new(rotaries: &[Rotary], speeds: [Option<f64>; 2], scale: AngleScale) -> Self {
-        const PS_PER_MIN: f64 = 60e12;
-        let per_unit = |speed: f64| rounded(PS_PER_MIN * scale.angle(1) / speed).unsigned_abs();
+        const NS_PER_MIN: f64 = 60e9;
         Self {
             is_untimed: speeds.iter().all(Option::is_none),
-            ps_per_unit: speeds.map(|speed| speed.map_or(0, per_unit)),
+            ns_per_unit: speeds.map(|speed| speed.map_or(0.0, |speed| NS_PER_MIN * scale.angle(1) / speed)),
             endless: [0, 1].map(|axis| rotaries.get(axis).is_some_and(|rotary| rotary.endless())),
             units_per_turn: scale.units_per_turn,
         }
@@ -107,6 +105,12 @@ impl RotaryMetric {
         }
     }
 
+    /// Whether no axis has a known speed: the cost of a rotation is its travel, and no detour costs less than the direct way.
+    /// Times are rounded.
+    pub(crate) fn is_untimed(&self) -> bool {
+        self.is_untimed
+    }
+
     /// Cost of rotating all axes together.
     #[inline]
     pub(crate) fn cost(&self, from: &RotaryWords, to: &RotaryWords) -> Cost {
@@ -117,16 +121,17 @@ impl RotaryMetric {
     #[inline]
     pub(crate) fn cost_of(&self, changes: [i64; 2]) -> Cost {
         let travel = changes.map(i64::unsigned_abs);
-        Cost { time_ps: self.time_ps(travel), travel_units: travel[0] + travel[1], ..Cost::default() }
+        let time_ns = self.time_ns(travel.map(|travel| travel as f64));
+        Cost { time_ns, travel_units: travel[0] + travel[1], ..Cost::default() }
     }
 
-    /// Time of these travels, in units of the words, ps; 0 where no speed is known.
+    /// Time of these travels, in units of the words, ns; 0 where no speed is known.
     #[inline]
-    pub(crate) fn time_ps(&self, travel: [u64; 2]) -> u64 {
+    pub(crate) fn time_ns(&self, travel: [f64; 2]) -> u64 {
         if self.is_untimed {
             return 0;
         }
-        let times = [0, 1].map(|axis| travel[axis].saturating_mul(self.ps_per_unit[axis]));
+        let times = [0, 1].map(|axis| rounded(travel[axis] * self.ns_per_unit[axis]).unsigned_abs());
         times[0].max(times[1])
     }
 
@@ -156,7 +161,7 @@ mod tests {
         let metric = RotaryMetric::new(&[], [Some(1e-300); 2], scale);
         let cost = metric.cost(&[0, 0], &[360_000, 1]);
         let most = (0..4).fold(cost, |sum, _| sum.plus(cost));
-        assert_eq!(most.time_ps, u64::MAX);
+        assert_eq!(most.time_ns, u64::MAX);
         assert_eq!(most.travel_units, 5 * 360_001);
         assert!(cost < most && cost.plus(Cost::REWIND) > most);
     }

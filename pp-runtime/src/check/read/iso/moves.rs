@@ -7,7 +7,7 @@ use super::super::language::Address;
 use super::super::machine::Interpreter;
 use super::super::text::{Cursor, whole};
 
-/// What begins with a byte.
+/// Meaning of the first byte of a word.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Part {
     Blank,
@@ -17,7 +17,7 @@ enum Part {
     Other,
 }
 
-/// The word of F, behind those of the axes.
+/// The word of F, after those of the axes.
 const FEED: u8 = MAX_AXES as u8;
 
 /// The words of such lines, for one program.

@@ -219,7 +219,7 @@ impl Interpreter {
         self.known |= placed;
     }
 
-    /// Where an axis ends whose word is a distance.
+    /// Value of an axis after a word that is a distance.
     #[inline(never)]
     fn farther(&self, index: usize, by: f64, faults: &mut Vec<Fault>) -> f64 {
         if self.known & (1 << index) == 0 {
