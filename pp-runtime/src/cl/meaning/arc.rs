@@ -329,6 +329,9 @@ pub(crate) fn arc_of(
     };
     let turns = ((stated - part) / TAU).round().max(0.0);
     let angle = part + turns * TAU;
+    if angle <= 0.0 {
+        return Err(fault(format!("the ends of an arc are {:.5} mm apart: the arc is empty", (v - u).norm())));
+    }
     if (angle - stated).abs() * radius > ARC_TOLERANCE_MM {
         return Err(fault(format!(
             "the end of an arc is at {:.4} degrees, its record states {:.4} degrees",
@@ -347,10 +350,11 @@ fn angle_within_revolution(
     rise_mm: f64,
     angle_is_stated: bool,
 ) -> Result<f64, String> {
-    let chord = (v - u).norm();
-    if chord <= SAME_POINT_MM || (chord < SHORTEST_CHORD_MM && rise_mm > ARC_TOLERANCE_MM) {
+    // Distance of the ends, and the same around the centre: their radii differ within tolerance.
+    let (chord, around) = ((v - u).norm(), (v * (u.norm() / v.norm()) - u).norm());
+    if chord <= SAME_POINT_MM || (around < SHORTEST_CHORD_MM && rise_mm > ARC_TOLERANCE_MM) {
         Ok(TAU)
-    } else if chord < SHORTEST_CHORD_MM && !angle_is_stated {
+    } else if around < SHORTEST_CHORD_MM && !angle_is_stated {
         Err(format!("the ends of an arc are {chord:.5} mm apart: the arc may be empty or a full circle"))
     } else {
         Ok(math::from_zero(math::atan2(n.dot(&u.cross(&v)), u.dot(&v))))

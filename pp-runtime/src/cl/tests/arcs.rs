@@ -154,6 +154,17 @@ fn a_helix_that_ends_over_its_start_has_gone_round() {
 }
 
 #[test]
+fn ends_in_one_direction_from_the_centre_are_those_of_a_whole_turn_or_refused() {
+    // The radii differ by three micrometres: no rounding decides between nothing and a turn.
+    for end in ["0.497,0", "0.497,1e-9", "0.497,-1e-9", "0.503,-1e-9"] {
+        let found = events(&format!("GOTO/.5,0,0\nCIRCLE/0,0,-3,0,0,1,.5\nGOTO/{end},-3\n"));
+        assert!(found.iter().any(|event| event.contains("through 360.")), "{end}: {found:?}");
+        let flat = errors(&format!("GOTO/.5,0,0\nCIRCLE/0,0,0,0,0,1,.5\nGOTO/{end},0\n"));
+        assert!(flat[0].contains("the arc may be empty or a full circle"), "{end}: {flat:?}");
+    }
+}
+
+#[test]
 fn a_chord_that_may_be_rounding_is_neither_nothing_nor_a_turn() {
     let found = errors("GOTO/10,0,0\nCIRCLE/0,0,0,0,0,1\nGOTO/10,.0002,0\n");
     assert!(found[0].contains("the arc may be empty or a full circle"), "{found:?}");
