@@ -24,6 +24,7 @@ type Buffer<'b> = Encoder<'b>;
 fn layout() -> Layout {
     Layout {
         axes: vec![('C', 4), ('A', 4), ('Z', 3), ('X', 3)],
+        linear: 3,
         work_offset: "G55".into(),
         path_tolerance: 0.01,
         name: b"Part 7".to_vec(),
