@@ -207,7 +207,7 @@ const THREE_DIGITS: [u32; 1000] = {
     let mut table = [0; 1000];
     let mut number = 0;
     while number < 1000 {
-        table[number as usize] = number / 100 | (number / 10 % 10) << 8 | (number % 10) << 16;
+        table[number as usize] = (number / 100) | (number / 10 % 10) << 8 | (number % 10) << 16;
         number += 1;
     }
     table

@@ -90,6 +90,7 @@ pub fn angles<const N: usize>(turns: [(f64, f64); N]) -> [f64; N] {
 /// An angle in \[-π, π\] as one from 0 to 2π.
 #[must_use]
 #[inline]
+#[cfg(feature = "std")]
 pub(crate) fn from_zero(angle: f64) -> f64 {
     if angle < 0.0 { angle + core::f64::consts::TAU } else { angle }
 }
