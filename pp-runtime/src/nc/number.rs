@@ -149,7 +149,7 @@ pub(super) const WORD_ROOM: usize = 64;
 /// Form of the numbers of a word: their decimals, what a control requires, and what follows from both.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct NumberForm {
-    decimals: u32,
+    pub(super) decimals: u32,
     numerals: Numerals,
     /// Place of the last digit before the point among eight digits, in bits, and its lowest bit; of more decimals than seven, of
     /// the first digit.

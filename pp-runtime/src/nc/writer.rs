@@ -52,6 +52,12 @@ impl WordForm {
     pub fn letters(&self) -> &str {
         &self.letters
     }
+
+    /// Decimals of its numbers.
+    #[must_use]
+    pub fn decimals(&self) -> u32 {
+        self.number.decimals
+    }
 }
 
 #[inline]

@@ -97,7 +97,6 @@ impl<R: Read> Comparison<'_, R> {
     /// Reads ahead over motions that need no block, to the item after them.
     fn read_over_needless(&mut self, here: Option<&ToolPose>) -> io::Result<()> {
         let mut count = 0;
-        self.progress.fill(2)?;
         while count < MOST_NEEDLESS && self.is_needless(count, here) {
             count += 1;
             self.progress.fill(count + 1)?;

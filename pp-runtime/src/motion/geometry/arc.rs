@@ -156,8 +156,8 @@ impl<'a> ArcGeometry<'a> {
     /// Coordinates along an axis of the extremes, lowest and highest, that an arc of one revolution at most has between its ends.
     /// `across`: motion along the axis for a radius of 1; `rise_mm`: rise along it, which moves no extreme.
     ///
-    /// They are the coordinate of the centre, less or plus the radius times `across`. An arc of at most half a revolution passes the highest point if it begins to climb and
-    /// ends falling; a longer one, unless the rest of its circle does.
+    /// They are the coordinate of the centre, less or plus the radius times `across`. An arc of at most half a revolution passes
+    /// the highest point if it begins to climb and ends falling; a longer one, unless the rest of its circle does.
     fn turning_points(&self, axis: usize, (across, rise_mm): (f64, f64)) -> [Option<f64>; 2] {
         let (a, b) = (self.u[axis], self.v[axis]);
         let (angle, end) = (self.arc.angle_rad, self.arc.end.tip - self.arc.centre);

@@ -135,19 +135,26 @@ impl RotaryMetric {
         times[0].max(times[1])
     }
 
+    /// Travel of the axis that rotates most.
+    #[inline]
+    fn farthest(&self, from: &RotaryWords, to: &RotaryWords) -> i64 {
+        let [first, second] = [0, 1].map(|axis| self.change(axis, from[axis], to[axis]).abs());
+        first.max(second)
+    }
+
     /// Whether no axis rotates by more than 180°: the limit of a cut without a rewind.
     pub(crate) fn short(&self, from: &RotaryWords, to: &RotaryWords) -> bool {
-        (0..2).all(|axis| 2 * self.change(axis, from[axis], to[axis]).abs() <= self.units_per_turn)
+        2 * self.farthest(from, to) <= self.units_per_turn
     }
 
     /// Whether every axis rotates by less than 180°.
     pub(crate) fn shorter_than_half_turns(&self, from: &RotaryWords, to: &RotaryWords) -> bool {
-        (0..2).all(|axis| 2 * self.change(axis, from[axis], to[axis]).abs() < self.units_per_turn)
+        2 * self.farthest(from, to) < self.units_per_turn
     }
 
     /// Whether every axis rotates by less than 90°.
     pub(crate) fn plain(&self, from: &RotaryWords, to: &RotaryWords) -> bool {
-        (0..2).all(|axis| 4 * self.change(axis, from[axis], to[axis]).abs() < self.units_per_turn)
+        4 * self.farthest(from, to) < self.units_per_turn
     }
 }
 

@@ -67,12 +67,10 @@ impl ModalWriter<'_> {
             self.word(arcs.radius, Decimal { units, decimals });
             return;
         }
-        let mut offsets = [0, 1].map(|place| circle.centre[place] - circle.start[place]);
-        let [before, after] = [first.min(second), first.max(second)];
-        if first > second {
-            offsets.swap(0, 1);
-        }
-        self.writer.words([before, after].map(|axis| &self.centre_words[axis]).into_iter().zip(offsets));
+        let mut offsets =
+            [(first, 0), (second, 1)].map(|(axis, place)| (axis, circle.centre[place] - circle.start[place]));
+        offsets.sort_unstable();
+        self.writer.words(offsets.map(|(axis, units)| (&self.centre_words[axis], units)));
     }
 
     /// `CC X Y`, and `C X Y DR+`, `CR X Y R DR+` or `CP IPA IZ DR+`. `known`: the words in force are those of the start

@@ -26,7 +26,6 @@ struct Address {
     /// Index in the chain.
     index: usize,
     word: WordForm,
-    decimals: u32,
     linear: bool,
 }
 
@@ -81,7 +80,7 @@ fn addresses(control: &dyn Control, layout: &Layout, numerals: Numerals) -> Vec<
             let name = layout.options.axes.get(&letter).cloned().unwrap_or_else(|| letter.to_string());
             // The configuration was refused if the control permits no axis of this name.
             let word = WordForm::new(control.axis_word(&name).unwrap_or(name), decimals, numerals);
-            Address { index, word, decimals, linear: "XYZUVW".contains(letter) }
+            Address { index, word, linear: "XYZUVW".contains(letter) }
         })
         .collect()
 }
@@ -311,7 +310,8 @@ impl<'a> ModalWriter<'a> {
 
     /// Name and position of each axis of some words, degrees.
     pub(crate) fn positions(&self, words: &AxisWords) -> Vec<(String, f64)> {
-        let position = |address: &Address| words.units[address.index] as f64 / 10_f64.powi(address.decimals as i32);
+        let position =
+            |address: &Address| words.units[address.index] as f64 / 10_f64.powi(address.word.decimals() as i32);
         let rotary = self.axes.iter().filter(|address| words.has(address.index));
         rotary.map(|address| (address.word.letters().trim_end_matches('=').to_owned(), position(address))).collect()
     }
@@ -367,7 +367,7 @@ impl<'a> ModalWriter<'a> {
 
     /// Decimals of the words of an axis.
     pub(crate) fn decimals(&self, index: usize) -> u32 {
-        self.axes.iter().find(|address| address.index == index).map_or(0, |address| address.decimals)
+        self.axes.iter().find(|address| address.index == index).map_or(0, |address| address.word.decimals())
     }
 
     /// Enters a spindle speed; writes it in its own block, where the spindle block does not hold it.
