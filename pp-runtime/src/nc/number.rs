@@ -117,20 +117,26 @@ impl Decimal {
         let (lower, upper) = (power_of_ten(digits - 1), power_of_ten(digits));
         // Digits are counted from the first one that is not zero. A number with more digits before the point has no
         // decimals.
-        let mut decimals = 0;
+        let (mut decimals, mut scaled) = (0, value);
         // Rounded, it is below `lower`.
-        while value * power_of_ten(decimals) < lower - 0.5 {
+        while scaled < lower - 0.5 {
             decimals += 1;
+            scaled = value * power_of_ten(decimals);
         }
-        let mut units = rounded(value * power_of_ten(decimals)) as f64;
-        let mut shift = 0;
-        while units / power_of_ten(shift) >= upper {
-            shift += 1;
+        let units = rounded(scaled);
+        let is_long = units as f64 >= upper;
+        Ok(Self { units: if is_long { Self::without_last_digits(value, units, upper) } else { units }, decimals })
+    }
+
+    /// A whole number in which digits before the point are rounded to zero, so that those before them are below `upper`; `units`:
+    /// all digits.
+    #[cold]
+    fn without_last_digits(value: f64, units: i64, upper: f64) -> i64 {
+        let mut left_out = 0;
+        while units as f64 / power_of_ten(left_out) >= upper {
+            left_out += 1;
         }
-        if shift > 0 {
-            units = (value / power_of_ten(shift)).round() * power_of_ten(shift);
-        }
-        Ok(Self { units: units as i64, decimals })
+        rounded(value / power_of_ten(left_out)) * power_of_ten(left_out) as i64
     }
 
     /// Value of the number.

@@ -80,9 +80,13 @@ impl Datum {
     }
 
     /// Written words for words that are axis values.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn written(&self, words: &[i64; MAX_AXES]) -> [i64; MAX_AXES] {
-        std::array::from_fn(|index| words[index] - self.whole[index])
+        let mut written = *words;
+        for (word, offset) in written.iter_mut().zip(&self.whole) {
+            *word -= offset;
+        }
+        written
     }
 }
 

@@ -101,6 +101,21 @@ pub(crate) struct CertifiedPiece {
     share: f64,
 }
 
+/// Certified deviation of a motion in one block.
+pub(crate) struct WholeMotion {
+    /// Largest deviation from the motion of the CL data, rounding of the words included.
+    pub(crate) bound: MotionBound,
+    /// It is within the largest deviations so far; the rounding of the words is then left out.
+    pub(crate) is_seen: bool,
+}
+
+/// Deviation of a block by the rounding of its words alone.
+#[derive(Clone, Copy)]
+struct Rounding {
+    tip_mm: f64,
+    axis_rad: f64,
+}
+
 /// Certified deviation of a block.
 struct Certificate {
     /// Largest deviation from the motion of the CL data, rounding of the words included.
@@ -199,10 +214,22 @@ impl Linearised {
         (from, to): (&AxisPosition, &AxisPosition),
         (allowed, seen): (PathTolerance, Deviation),
         law: RotationLaw,
-    ) -> Option<MotionBound> {
+    ) -> Option<WholeMotion> {
         let certifier = Certifier { placer, allowed, in_step: law == RotationLaw::InStep };
-        let certificate = certifier.certificate((from, to), Some(&seen));
-        (certificate.share <= 1.0).then_some(certificate.bound)
+        let rounding = certifier.rounding(from, to);
+        let axis_left = allowed.axis_rad - rounding.axis_rad;
+        let most = Deviation {
+            tip: smaller(seen.tip, allowed.tip_mm) - rounding.tip_mm,
+            axis: smaller(seen.axis - rounding.axis_rad, axis_left),
+            axis_step: smaller(seen.axis_step - rounding.axis_rad, axis_left),
+        };
+        let bound = placer.frame.bound(placer.machine.motion_within(&from.axes, &to.axes, &most));
+        let is_within = bound.tip < most.tip && bound.axis < most.axis && bound.lag(allowed.tip_mm) < most.axis_step;
+        if is_within && certifier.is_narrow(from, to) {
+            return Some(WholeMotion { bound, is_seen: true });
+        }
+        let Certificate { bound, share } = certifier.with_rounding((from, to), bound, rounding);
+        (share <= 1.0).then_some(WholeMotion { bound, is_seen: false })
     }
 
     /// The next piece; `None` after the last.
@@ -353,36 +380,24 @@ struct Certifier<'p> {
 impl Certifier<'_> {
     /// One block as a piece.
     fn certify(&self, from: &AxisPosition, to: &AxisPosition) -> CertifiedPiece {
-        let Certificate { bound, share } = self.certificate((from, to), None);
+        let bound = self.placer.frame.bound(self.placer.machine.motion(&from.axes, &to.axes));
+        let Certificate { bound, share } = self.with_rounding((from, to), bound, self.rounding(from, to));
         CertifiedPiece { place: *to, bound, share }
     }
 
-    /// Certified deviation of one block; where it is within `seen`, a rough bound of it will do.
-    #[inline(always)]
-    fn certificate(&self, (from, to): (&AxisPosition, &AxisPosition), seen: Option<&Deviation>) -> Certificate {
-        let (tip_off, axis_off) =
-            (larger(from.rounding_mm, to.rounding_mm), larger(self.axis_off(from), self.axis_off(to)));
-        let machine = &self.placer.machine;
-        let bound = match seen {
-            Some(seen) => {
-                let axis_left = self.allowed.axis_rad - axis_off;
-                let most = Deviation {
-                    tip: smaller(seen.tip, self.allowed.tip_mm) - tip_off,
-                    axis: smaller(seen.axis - axis_off, axis_left),
-                    axis_step: smaller(seen.axis_step - axis_off, axis_left),
-                };
-                machine.motion_within(&from.axes, &to.axes, &most)
-            }
-            None => machine.motion(&from.axes, &to.axes),
-        };
-        let mut bound = self.placer.frame.bound(bound);
+    /// Certified deviation of one block, of which `bound` is that without the rounding of its words.
+    fn with_rounding(
+        &self,
+        (from, to): (&AxisPosition, &AxisPosition),
+        mut bound: MotionBound,
+        Rounding { tip_mm: tip_off, axis_rad: axis_off }: Rounding,
+    ) -> Certificate {
         if bound.tip > self.allowed.tip_mm - tip_off && bound.axis <= self.allowed.axis_rad - axis_off {
             bound.tip = self.tip_by_halves(from, to, bound.tip);
         }
         let angle = if self.in_step { larger(bound.lag(self.allowed.tip_mm), bound.axis) } else { bound.axis };
         let share = larger(bound.tip / (self.allowed.tip_mm - tip_off), angle / (self.allowed.axis_rad - axis_off));
         let roomy = self.allowed.tip_mm > tip_off && self.allowed.axis_rad > axis_off;
-        let narrow = from.pose.axis.dot(&to.pose.axis) > MIN_AXIS_COSINE && !self.placer.rolls_over(from, to);
         Certificate {
             bound: MotionBound {
                 tip: bound.tip + tip_off,
@@ -390,8 +405,23 @@ impl Certifier<'_> {
                 axis_step: bound.axis_step + axis_off,
                 ..bound
             },
-            share: if roomy && narrow && share.is_finite() { share } else { f64::INFINITY },
+            share: if roomy && self.is_narrow(from, to) && share.is_finite() { share } else { f64::INFINITY },
         }
+    }
+
+    /// Largest deviation by the rounding of the words at both ends.
+    #[inline(always)]
+    fn rounding(&self, from: &AxisPosition, to: &AxisPosition) -> Rounding {
+        Rounding {
+            tip_mm: larger(from.rounding_mm, to.rounding_mm),
+            axis_rad: larger(self.axis_off(from), self.axis_off(to)),
+        }
+    }
+
+    /// Whether the tool axis rotates by so little that its great circle is sure, and no axis of the control by half a revolution.
+    #[inline(always)]
+    fn is_narrow(&self, from: &AxisPosition, to: &AxisPosition) -> bool {
+        from.pose.axis.dot(&to.pose.axis) > MIN_AXIS_COSINE && !self.placer.rolls_over(from, to)
     }
 
     /// A bound of the deviation of the tip from its line, mm, that is smaller than `whole` if the path bends to both

@@ -375,10 +375,14 @@ impl Placer {
     /// Rotary axis with the largest travel, and this travel, rad; `None` if none moves.
     #[inline(always)]
     pub(crate) fn largest_rotation(&self, from: &[i64; MAX_AXES], to: &[i64; MAX_AXES]) -> Option<(char, f64)> {
-        let travels =
-            self.rotary.axes.iter().map(|rotary| (rotary.index, to[rotary.index].abs_diff(from[rotary.index])));
-        let (index, travel) = travels.max_by_key(|(_, travel)| *travel).filter(|(_, travel)| *travel > 0)?;
-        Some((self.chain[index].letter, self.rotary.scale.angle(travel.cast_signed())))
+        let (mut largest, mut most) = (0, 0);
+        for rotary in &self.rotary.axes {
+            let travel = to[rotary.index].abs_diff(from[rotary.index]);
+            if travel >= most {
+                (largest, most) = (rotary.index, travel);
+            }
+        }
+        (most > 0).then(|| (self.chain[largest].letter, self.rotary.scale.angle(most.cast_signed())))
     }
 
     /// Path length of the linear axes together, mm, and of the rotary axes together, degrees.
@@ -404,10 +408,14 @@ impl Placer {
     }
 
     /// Whether the linear words of a position are coordinates of the tip, and those of another: the control moves no tip.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn tip_rests(&self, from: &AxisPosition, to: &AxisPosition) -> bool {
+        self.frame.counts_tip() && self.keeps_linear_words(from, to)
+    }
+
+    fn keeps_linear_words(&self, from: &AxisPosition, to: &AxisPosition) -> bool {
         let same = |index: usize| self.linear.mask & (1 << index) == 0 || from.words[index] == to.words[index];
-        self.frame.counts_tip() && (0..self.chain.len()).all(same)
+        (0..self.chain.len()).all(same)
     }
 
     /// Shortest time of a block at the largest speeds of its axes, min; axes of unknown speed do not count.

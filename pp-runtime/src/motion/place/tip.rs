@@ -221,10 +221,12 @@ impl Placer {
     }
 
     /// Checks the travel inside a block in which the control moves the linear axes so that the tip stays on its line.
+    #[inline(always)]
     pub(crate) fn check_between(&mut self, from: &AxisPosition, to: &AxisPosition) -> Result<(), Fault> {
-        if !self.frame.counts_tip() || !self.travel.limited() {
-            return Ok(());
-        }
+        if self.frame.counts_tip() && self.travel.limited() { self.check_points_between(from, to) } else { Ok(()) }
+    }
+
+    fn check_points_between(&mut self, from: &AxisPosition, to: &AxisPosition) -> Result<(), Fault> {
         // The deviation from the chord falls with the square of the step: it is below `TRAVEL_SAMPLING_MM` between
         // points.
         let steps = (self.machine.motion(&from.axes, &to.axes).tip / TRAVEL_SAMPLING_MM)

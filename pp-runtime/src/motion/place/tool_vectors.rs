@@ -34,6 +34,7 @@ pub(super) fn largest_bend(policy: Policy<'_>, limited: bool) -> Option<f64> {
 
 impl Placer {
     /// Whether blocks contain the tool axis as a vector instead of rotary words.
+    #[inline(always)]
     pub(crate) fn writes_vectors(&self) -> bool {
         self.vectors && self.mode() == StretchMode::Tcp
     }
@@ -67,10 +68,15 @@ impl Placer {
 
     /// Refuses a motion that passes a pole closely and could not be led through it, where an axis has limits: the angles
     /// that the control finds after it are unknown.
+    #[inline(always)]
     pub(crate) fn check_passed_pole(&self, from: &AxisPosition, to: &AxisPosition) -> Result<(), Fault> {
         if self.largest_bend_rad.is_none() || !self.writes_vectors() || from.at_pole || to.at_pole {
             return Ok(());
         }
+        self.check_way_past_pole(from, to)
+    }
+
+    fn check_way_past_pole(&self, from: &AxisPosition, to: &AxisPosition) -> Result<(), Fault> {
         let passed = self.passing(&from.pose.axis, &to.pose.axis).filter(|(_, _, angle)| *angle < NEAR_POLE);
         let (Some((_, _, angle)), Some(first)) = (passed, self.rotary.axes.first()) else { return Ok(()) };
         let letter = self.chain[first.index].letter;
@@ -97,33 +103,36 @@ impl Placer {
         Some((axis, off(&axis)))
     }
 
-    /// Whether a block rotates rotary axes by more than `angle_rad` although its tool vector does not change, so that
+    /// Whether a block with tool vectors rotates rotary axes by more than `angle_rad` although its vector does not change, so that
     /// the block cannot program the rotation: about the tool axis, or by whole revolutions. At the pole a control that
     /// moves the tool axis in the plane of its ends needs no such rotation.
     fn rotation_is_unprogrammable(&self, from: &AxisPosition, to: &AxisPosition, angle_rad: f64) -> bool {
         let all = self.linear.mask | self.rotary.mask;
-        self.writes_vectors()
-            && !(to.at_pole && self.frame.rotates_axis_in_plane())
+        !(to.at_pole && self.frame.rotates_axis_in_plane())
             && self.rotary_travel(&from.words, &to.words) > angle_rad
             && self.words(from, all).vector == self.words(to, all).vector
     }
 
     /// Refuses a rotation by more than `angle_rad` that a block with tool vectors cannot express: the control would continue
     /// with the rotary axes at other angles.
+    #[inline(always)]
     pub(crate) fn check_hidden_rotation(
         &self,
         from: &AxisPosition,
         to: &AxisPosition,
         angle_rad: f64,
     ) -> Result<(), Fault> {
-        if !self.rotation_is_unprogrammable(from, to, angle_rad) {
-            return Ok(());
-        }
+        let hidden = self.writes_vectors() && self.rotation_is_unprogrammable(from, to, angle_rad);
+        if hidden { Err(self.hidden_rotation(from, to)) } else { Ok(()) }
+    }
+
+    #[cold]
+    fn hidden_rotation(&self, from: &AxisPosition, to: &AxisPosition) -> Fault {
         let (letter, turn) = self.largest_rotation(&from.words, &to.words).unwrap_or_default();
-        Err(Fault::new(format_args!(
+        Fault::new(format_args!(
             "{letter} has to rotate by {:.3}° here while the tool axis stays, which tool vectors cannot express",
             turn.to_degrees()
         ))
-        .help("set `tcp_words = \"angles\"`"))
+        .help("set `tcp_words = \"angles\"`")
     }
 }

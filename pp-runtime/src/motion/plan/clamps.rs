@@ -61,7 +61,7 @@ impl Clamps {
     }
 
     /// Notes the axes that a block of an operation moves.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn note(&mut self, from: &[i64; MAX_AXES], to: &[i64; MAX_AXES]) {
         if let Some(seen) = self.seen.0.last_mut() {
             for clamp in self.clamps.iter().filter(|clamp| from[clamp.index] != to[clamp.index]) {

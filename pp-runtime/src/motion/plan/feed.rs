@@ -41,6 +41,8 @@ pub(crate) struct Feeds {
     path_norm: PathNorm,
     /// The control keeps the tip on its path, and F counts along that.
     along_tip: bool,
+    /// Minutes in the unit of time of an inverse-time F, as a factor; `None` where F of a rotation counts along a path.
+    inverse_per_min: Option<f64>,
     /// Units of F in one unit of length.
     feed_per_unit: f64,
     /// F words are smaller than this.
@@ -103,12 +105,13 @@ impl Feeds {
     pub(crate) fn new(policy: Policy<'_>, units: Units, smallest_length_mm: f64, abilities: &Abilities) -> Self {
         let (whole, digits) = (policy.formats.feed_whole as i32, policy.formats.inverse_time as i32);
         let (feed_bound, last_digit) = (10_f64.powi(whole), 10_f64.powi(whole - digits));
-        Self {
+        let mut feeds = Self {
             unit_mm: units.in_mm(),
             feed_decimals: policy.formats.feed,
             inverse_time_digits: policy.formats.inverse_time,
             path_norm: abilities.path_norm,
-            along_tip: policy.options.mode_of_all().unwrap_or_default() != StretchMode::Axes,
+            along_tip: false,
+            inverse_per_min: None,
             feed_per_unit: if units == Units::Inches { abilities.feed_per_inch } else { 1.0 },
             feed_bound,
             largest_word: feed_bound - 10_f64.powi(-(policy.formats.feed as i32)),
@@ -117,17 +120,24 @@ impl Feeds {
             shortest_block_min: policy.options.feed.shortest_block_s / 60.0,
             largest_mm_per_min: policy.options.feed.largest_mm_per_min.unwrap_or(f64::INFINITY),
             largest_inverse_time: abilities.largest_inverse_time.min(feed_bound - last_digit),
-        }
+        };
+        feeds.set_mode(policy.options.mode_of_all().unwrap_or_default());
+        feeds
     }
 
     /// Sets the mode of the stretch that begins.
     pub(crate) fn set_mode(&mut self, mode: StretchMode) {
         self.along_tip = mode != StretchMode::Axes;
+        self.inverse_per_min = match self.path_norm {
+            PathNorm::G93Minutes if !self.along_tip => Some(1.0),
+            PathNorm::G93Seconds if !self.along_tip => Some(60.0),
+            PathNorm::G93Minutes | PathNorm::G93Seconds | PathNorm::Xyz | PathNorm::XyzDegrees => None,
+        };
     }
 
     /// Whether F counts along the path of the control where a rotary axis moves.
     pub(crate) fn counts_path(&self) -> bool {
-        self.along_tip || matches!(self.path_norm, PathNorm::Xyz | PathNorm::XyzDegrees)
+        self.inverse_per_min.is_none()
     }
 
     /// Largest speed of the tip, times the time of a block of this length, that does not slow the block down, mm.
@@ -158,86 +168,74 @@ impl Feeds {
     /// F word and time of a motion at `feed`, mm/min.
     #[inline(always)]
     pub(crate) fn pace(&self, feed: f64, motion: FeedMotion) -> Result<Pace, Fault> {
-        let zero = |feed: f64| {
-            Fault::new(format_args!("a feed of {feed} mm/min is written as F0"))
-                .help("check the unit of FEDRAT, or give F more decimals (`[formats] feed`)")
-        };
         if feed.is_nan() || feed <= 0.0 {
-            return Err(zero(feed));
+            return Err(written_as_zero(feed));
         }
         let programmed_min = self.programmed_min(feed, motion);
         let plain = motion.rotation_rad == 0.0 && motion.orthogonal;
-        let shortest_min = match self.path_norm {
-            _ if plain || self.along_tip => 0.0,
-            PathNorm::G93Minutes => 1.0 / self.largest_inverse_time,
-            PathNorm::G93Seconds => 1.0 / (60.0 * self.largest_inverse_time),
-            PathNorm::Xyz | PathNorm::XyzDegrees => 0.0,
-        };
+        let path = self.path_length(motion);
         // Degrees have no unit of length.
         let lengths = motion.linear_mm > 0.0 && (!self.along_tip || motion.length_mm >= self.smallest_length_mm);
         let in_units = if lengths { self.feed_per_unit / self.unit_mm } else { 1.0 };
         // F of a motion that rotates has no more digits than the control holds.
-        let digits_min = match self.path_norm {
+        let digits_min = match self.inverse_per_min {
             _ if plain => 0.0,
-            PathNorm::G93Minutes | PathNorm::G93Seconds if !self.along_tip => 0.0,
-            _ => self.path_length(motion) * in_units / self.largest_word,
+            Some(per_min) => 1.0 / (per_min * self.largest_inverse_time),
+            None => path * in_units / self.largest_word,
         };
-        let least_min = larger(larger(motion.axis_time_min, shortest_min), digits_min);
-        let needed_min = larger(larger(self.path_length(motion) / self.largest_mm_per_min, least_min), programmed_min);
+        let least_min = larger(motion.axis_time_min, digits_min);
+        let needed_min = larger(larger(path / self.largest_mm_per_min, least_min), programmed_min);
         let mut time_min = larger(needed_min, self.shortest_block_min);
-        let overflow = |_| Fault::new(format_args!("a feed of {feed} mm/min is too large for an F word"));
-        let per_minute = |value: f64| {
-            // A block that is slowed down for `shortest_block` alone has the smallest F at least.
-            let word = Decimal::fixed(value, self.feed_decimals).map_err(overflow)?;
-            let smallest = Decimal { units: 1, ..word };
-            let slowed = word.units <= 0 && value * time_min / needed_min >= smallest.value();
-            Ok(if slowed { smallest } else { word })
-        };
-        let (feed, word) = if plain {
-            // A motion of nothing but rounding counts as one unit of the words.
-            let length_mm = motion.length_mm.max(self.smallest_length_mm);
-            let slowed = if time_min > programmed_min { length_mm / time_min } else { feed };
-            let feed = feed.min(slowed).min(self.largest_mm_per_min);
-            let word = per_minute(feed / self.unit_mm * self.feed_per_unit)?;
-            (FeedWord::PerMinute(word), word)
-        } else {
-            // In the unit of time of an inverse-time F, where the control has one.
-            let time = match self.path_norm {
-                PathNorm::G93Minutes => Some(time_min),
-                PathNorm::G93Seconds => Some(time_min * 60.0),
-                PathNorm::Xyz | PathNorm::XyzDegrees => None,
-            };
-            match time.filter(|_| !self.along_tip) {
-                Some(time) => {
-                    let word = Decimal::significant(1.0 / time, self.inverse_time_digits).map_err(overflow)?;
-                    // Rounding must not lead beyond the limit.
-                    let word = if word.value() > self.largest_inverse_time { self.largest_word()? } else { word };
-                    (FeedWord::InverseTime(word), word)
-                }
-                None => {
-                    let word = per_minute(self.path_length(motion) * in_units / time_min)?;
-                    (FeedWord::PerMinute(word), word)
-                }
+        let per_minute = |value: f64| self.per_minute_word(feed, value, (time_min, needed_min));
+        let (feed, word) = match self.inverse_per_min {
+            _ if plain => {
+                // A motion of nothing but rounding counts as one unit of the words.
+                let length_mm = motion.length_mm.max(self.smallest_length_mm);
+                let slowed = if time_min > programmed_min { length_mm / time_min } else { feed };
+                let feed = feed.min(slowed).min(self.largest_mm_per_min);
+                let word = per_minute(feed / self.unit_mm * self.feed_per_unit)?;
+                (FeedWord::PerMinute(word), word)
+            }
+            Some(per_min) => {
+                let word = Decimal::significant(1.0 / (time_min * per_min), self.inverse_time_digits);
+                let word = word.map_err(|_| too_large(feed))?;
+                // Rounding must not lead beyond the limit.
+                let word = if word.value() > self.largest_inverse_time { self.largest_word()? } else { word };
+                (FeedWord::InverseTime(word), word)
+            }
+            None => {
+                let word = per_minute(path * in_units / time_min)?;
+                (FeedWord::PerMinute(word), word)
             }
         };
-        if word.value() >= self.feed_bound {
-            let text = format!("F{} has more digits than an F word of this control", word.value());
-            return Err(Fault::new(text).help(
-                "`[feed] largest` or `shortest_block` slows such blocks down; `[formats] feed_whole` is the number of \
-                 digits before the decimal point",
-            ));
-        }
         if word.units <= 0 {
-            return Err(zero(motion.length_mm / time_min));
+            return Err(written_as_zero(motion.length_mm / time_min));
         }
         if let FeedWord::PerMinute(_) = feed
             && word.units == 1
             && time_min > needed_min
         {
-            let path = self.path_length(motion).max(if plain { self.smallest_length_mm } else { 0.0 });
+            let path = path.max(if plain { self.smallest_length_mm } else { 0.0 });
             time_min = time_min.min(needed_min.max(path * in_units / word.value()));
         }
         Ok(Pace { feed, time_min, slowed_min: time_min - programmed_min })
+    }
+
+    /// F of this value per minute. A block that is slowed down from the second of two times to the first, for `shortest_block`
+    /// alone, has the smallest F at least.
+    fn per_minute_word(&self, feed: f64, value: f64, (time_min, needed_min): (f64, f64)) -> Result<Decimal, Fault> {
+        let word = Decimal::fixed(value, self.feed_decimals).map_err(|_| too_large(feed))?;
+        let smallest = Decimal { units: 1, ..word };
+        let slowed = word.units <= 0 && value * time_min / needed_min >= smallest.value();
+        let word = if slowed { smallest } else { word };
+        if word.value() < self.feed_bound {
+            return Ok(word);
+        }
+        let text = format!("F{} has more digits than an F word of this control", word.value());
+        Err(Fault::new(text).help(
+            "`[feed] largest` or `shortest_block` slows such blocks down; `[formats] feed_whole` is the number of digits \
+             before the decimal point",
+        ))
     }
 
     /// Largest F of inverse-time feed, rounded down to its digits.
@@ -252,6 +250,7 @@ impl Feeds {
     }
 
     /// Length of the path that F counts along, mm; in degrees where a rotary axis moves and no linear axis does.
+    #[inline(always)]
     fn path_length(&self, motion: FeedMotion) -> f64 {
         let FeedMotion { length_mm, linear_mm, rotary_degrees, .. } = motion;
         match self.path_norm {
@@ -277,6 +276,18 @@ impl Feeds {
         // Where neither tip nor tool axis moves by a unit, any time will do: a thousandth of a minute is short.
         if time_min > 0.0 { time_min } else { 1e-3 }
     }
+}
+
+/// Fault: an F of no digits but zeros.
+#[cold]
+fn written_as_zero(feed: f64) -> Fault {
+    Fault::new(format_args!("a feed of {feed} mm/min is written as F0"))
+        .help("check the unit of FEDRAT, or give F more decimals (`[formats] feed`)")
+}
+
+#[cold]
+fn too_large(feed: f64) -> Fault {
+    Fault::new(format_args!("a feed of {feed} mm/min is too large for an F word"))
 }
 
 #[cfg(test)]

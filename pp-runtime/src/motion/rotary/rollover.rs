@@ -60,16 +60,17 @@ impl Rollover {
         self.axes.iter().filter(|axis| mask & (1 << axis.index) != 0).map(pieces).max().unwrap_or(1)
     }
 
-    /// Words to write for a block that starts at the words `from`.
-    #[inline]
-    pub(crate) fn spell(&mut self, from: impl FnOnce() -> [i64; MAX_AXES], words: AxisWords) -> AxisWords {
-        if self.axes.is_empty() { words } else { self.wrapped(&from(), words) }
+    /// Makes the words of a block that starts at the words `from` those to write.
+    #[inline(always)]
+    pub(crate) fn spell(&mut self, from: impl FnOnce() -> [i64; MAX_AXES], words: &mut AxisWords) {
+        if !self.axes.is_empty() {
+            self.wrap(&from(), words);
+        }
     }
 
-    #[cold]
-    fn wrapped(&mut self, from: &[i64; MAX_AXES], words: AxisWords) -> AxisWords {
-        let (turn, mut written) = (self.units_per_turn, words);
-        for axis in self.axes.iter_mut().filter(|axis| words.has(axis.index)) {
+    fn wrap(&mut self, from: &[i64; MAX_AXES], words: &mut AxisWords) {
+        let (turn, mask) = (self.units_per_turn, words.mask);
+        for axis in self.axes.iter_mut().filter(|axis| mask & (1 << axis.index) != 0) {
             let (before, to) = (from[axis.index], words.units[axis.index]);
             let within = to.rem_euclid(turn);
             let spelled = match axis.wrap {
@@ -83,9 +84,8 @@ impl Rollover {
                 Wrap::Sign => within,
             };
             axis.last = Some(spelled);
-            written.units[axis.index] = spelled;
+            words.units[axis.index] = spelled;
         }
-        written
     }
 }
 
@@ -108,7 +108,8 @@ mod tests {
             .map(|&to| {
                 let mut words = AxisWords { units: [0; MAX_AXES], mask: 1, vector: None };
                 words.units[0] = to;
-                let spelled = speller.spell(|| from, words).units[0];
+                speller.spell(|| from, &mut words);
+                let spelled = words.units[0];
                 from[0] = to;
                 spelled
             })

@@ -326,36 +326,53 @@ impl<'a, S: Sink> Mover<'a, S> {
     /// Writes a feed motion to a place at `rate` mm/min; the caller sets the position.
     #[inline]
     pub(crate) fn feed_to(&mut self, place: &AxisPosition, rate: f64) -> Planned {
-        if !self.rotates(place) {
-            return self.feed_block(place, rate);
+        let block = self.block_to(place);
+        if block.rotation.is_none() {
+            return self.feed_straight(place, rate, block);
         }
         if self.leaves_plane(place) {
             return Err(rotation_in_plane_mode().into());
         }
         self.placer.check_passed_pole(self.here(), place)?;
         let axis_rad = self.tolerance.axis_rad - self.bent_rad;
-        self.feed_in_pieces(place, rate, PathTolerance { axis_rad, ..self.tolerance })
+        self.feed_in_step(place, rate, block, PathTolerance { axis_rad, ..self.tolerance })
     }
 
     /// Writes a feed motion in one block: of the linear axes, or away from the part.
     #[inline]
     pub(crate) fn feed_block(&mut self, place: &AxisPosition, rate: f64) -> Planned {
-        let block = self.block_to(place);
+        self.feed_straight(place, rate, self.block_to(place))
+    }
+
+    #[inline]
+    fn feed_straight(&mut self, place: &AxisPosition, rate: f64, block: BlockMotion) -> Planned {
         let pace = self.pace(rate, place, block, None)?;
         self.write_feed(place, &pace, block, None)
     }
 
     /// Writes a feed motion with rotation of an axis in as many blocks as keep tip and tool axis within tolerance. The travel at
     /// its end has been compared.
-    #[inline(always)]
     pub(crate) fn feed_in_pieces(&mut self, place: &AxisPosition, rate: f64, tolerance: PathTolerance) -> Planned {
+        self.feed_in_step(place, rate, self.block_to(place), tolerance)
+    }
+
+    /// The same; `block`: the motion in one block.
+    #[inline(always)]
+    fn feed_in_step(
+        &mut self,
+        place: &AxisPosition,
+        rate: f64,
+        block: BlockMotion,
+        tolerance: PathTolerance,
+    ) -> Planned {
         // Nearly every motion: nothing is copied.
-        let allowed = (tolerance, self.output.statistics().largest_deviation(tolerance));
-        if let Some(bound) = Linearised::in_one_block(&self.placer, (self.here(), place), allowed, self.law) {
-            let block = self.block_to(place);
+        let seen = self.output.statistics().largest_deviation(tolerance);
+        if let Some(whole) = Linearised::in_one_block(&self.placer, (self.here(), place), (tolerance, seen), self.law) {
             self.note_rotation_on_spot(place, block, tolerance)?;
-            self.feed_piece((place, &bound), rate, block, None)?;
-            self.output.statistics_mut().certified(&bound, tolerance);
+            self.feed_piece((place, &whole.bound), rate, block, None)?;
+            if !whole.is_seen {
+                self.output.statistics_mut().certified(&whole.bound, tolerance);
+            }
             return Ok(());
         }
         let mut pieces = Linearised::new(self.here(), place, tolerance, self.law);
@@ -436,14 +453,14 @@ impl<'a, S: Sink> Mover<'a, S> {
         block: BlockMotion,
         inserted: Option<BlockReason>,
     ) -> Planned {
-        if place.words == self.here().words {
+        if block.rotation.is_none() && place.words == self.here().words {
             return Ok(());
         }
         self.check_hidden_rotation(place)?;
         self.note_rotation(place);
         self.output.feed(pace, block.rotation);
-        let words = self.placer.words(place, self.block_axes());
-        let words = self.speller.spell(|| self.placer.written(self.position.place()), words);
+        let mut words = self.placer.words(place, self.block_axes());
+        self.speller.spell(|| self.placer.written(self.position.place()), &mut words);
         let reached = self.placer.state_at(place);
         Ok(self.output.move_step(&Step::Feed { words, feed: pace.feed }, reached, inserted)?)
     }
@@ -501,7 +518,8 @@ impl<'a, S: Sink> Mover<'a, S> {
 
     /// Writes the words of axes again that are at a place.
     pub(crate) fn restate(&mut self, at: &AxisPosition, mask: u16) -> Planned {
-        let words = self.speller.spell(|| self.placer.written(at), self.placer.words(at, mask));
+        let mut words = self.placer.words(at, mask);
+        self.speller.spell(|| self.placer.written(at), &mut words);
         self.rapid_partly(at, words)
     }
 
@@ -542,7 +560,8 @@ impl<'a, S: Sink> Mover<'a, S> {
                 words.units[index] = start[index] + (end[index] - start[index]) * piece / pieces;
             }
             let piece_end = words.units;
-            let step = Step::Rapid { words: self.speller.spell(|| from, words) };
+            self.speller.spell(|| from, &mut words);
+            let step = Step::Rapid { words };
             if piece == pieces {
                 self.output.move_step(&step, reached, inserted)?;
             } else {
@@ -554,6 +573,7 @@ impl<'a, S: Sink> Mover<'a, S> {
     }
 
     /// Refuses a rotation that a block with tool vectors cannot express.
+    #[inline(always)]
     fn check_hidden_rotation(&self, to: &AxisPosition) -> Result<(), Fault> {
         self.placer.check_hidden_rotation(self.here(), to, self.policy.options.axis_tolerance_path_rad)
     }
