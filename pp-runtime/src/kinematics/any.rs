@@ -22,8 +22,8 @@
 use nalgebra::{Point3, UnitVector3, Vector3};
 
 use super::{
-    Axis, CSource, Deviation, Dimension, Explanation, Invalid, Joint, Machine, MotionBound, Pose, RotaryAngles,
-    Solutions, Unreachable,
+    Axis, BlockDeviation, CSource, Deviation, Dimension, Explanation, Invalid, Joint, Machine, MotionBound, Pose,
+    RotaryAngles, Solutions, Unreachable,
 };
 
 /// Most axes that a chain can have: X Y Z U V W A B C.
@@ -92,8 +92,8 @@ pub trait AnyMachine: sealed::Sealed + Send + Sync {
     fn reach(&self, axis: &UnitVector3<f64>, held: &AxisValues) -> Result<(), Unreachable>;
     /// [`Machine::motion`].
     fn motion(&self, from: &AxisValues, to: &AxisValues) -> MotionBound;
-    /// [`Machine::motion`], or a rough bound where that is within `most`.
-    fn motion_within(&self, from: &AxisValues, to: &AxisValues, most: &Deviation) -> MotionBound;
+    /// [`Machine::motion`], where a rough bound of the deviation is not below `most`.
+    fn motion_within(&self, from: &AxisValues, to: &AxisValues, most: &Deviation) -> BlockDeviation;
     /// [`Machine::rates`].
     fn rates(&self, axes: &AxisValues, change: &AxisValues) -> (Vector3<f64>, Vector3<f64>);
 }
@@ -203,9 +203,12 @@ impl<M: Machine> AnyMachine for M {
         Machine::motion(self, &trimmed::<M>(from), &trimmed::<M>(to))
     }
 
-    fn motion_within(&self, from: &AxisValues, to: &AxisValues, most: &Deviation) -> MotionBound {
+    fn motion_within(&self, from: &AxisValues, to: &AxisValues, most: &Deviation) -> BlockDeviation {
         let curves = self.curves(&trimmed::<M>(from), &trimmed::<M>(to));
-        curves.rough_bound(most).unwrap_or_else(|| curves.bound())
+        match curves.rough_bound(most) {
+            Some(MotionBound { tip_rate, .. }) => BlockDeviation::Below { tip_rate },
+            None => BlockDeviation::UpTo(curves.bound()),
+        }
     }
 
     fn rates(&self, axes: &AxisValues, change: &AxisValues) -> (Vector3<f64>, Vector3<f64>) {

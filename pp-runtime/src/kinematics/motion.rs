@@ -106,7 +106,7 @@ const RELATIVE_ROUNDING: f64 = 1e-12;
 /// Relative rounding error of forward kinematics.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
-/// Deviation of a block up to which a rough bound will do.
+/// Deviation of a block below which a rough bound will do.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Deviation {
     /// Distance of the tip from its line, mm.
@@ -115,6 +115,18 @@ pub struct Deviation {
     pub axis: f64,
     /// Angle of the tool axis from the evenly rotating motion, rad.
     pub axis_step: f64,
+}
+
+/// Deviation of a block, compared with another one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum BlockDeviation {
+    /// It is below that one in each part.
+    Below {
+        /// As in [`MotionBound`].
+        tip_rate: f64,
+    },
+    /// Its certified bound, which may be below that one, too.
+    UpTo(MotionBound),
 }
 
 /// Motion of tip and tool axis in a block in which all axes move linearly. The vectors may be those of any frame that does not
@@ -154,7 +166,7 @@ impl BlockCurves {
         })
     }
 
-    /// A bound that is never below [`bound`](Self::bound) and takes a fraction of its arithmetic; `None` unless it is within
+    /// A bound that is never below [`bound`](Self::bound) and takes a fraction of its arithmetic; `None` unless it is below
     /// `most`. Only the lengths of the derivatives count: with `b = |a''|/8 + M/48`, a deviation of the tool axis is at most
     /// `asin b`, and that from the evenly rotating motion `asin` of the same with `|a''| (1 + V/2)`, divided by `1 - b`.
     #[must_use]
@@ -179,8 +191,8 @@ impl BlockCurves {
             length: 0.0,
             turn,
         });
-        let is_within = bound.tip <= most.tip && bound.axis <= most.axis && bound.axis_step <= most.axis_step;
-        (is_small && is_within).then_some(bound)
+        let is_below = bound.tip < most.tip && bound.axis < most.axis && bound.axis_step < most.axis_step;
+        (is_small && is_below).then_some(bound)
     }
 
     /// A bound with the rounding errors of its computation and of forward kinematics.
@@ -472,8 +484,8 @@ mod tests {
             }
             assert!(rough.tip_rate >= bound.tip_rate && rough.turn >= bound.turn && rough.length <= bound.length);
             // Not where another one is wanted.
-            let below = Deviation { tip: rough.tip.next_down(), ..all };
-            assert_eq!(curves.rough_bound(&below), None);
+            let no_more = Deviation { tip: rough.tip, ..all };
+            assert_eq!(curves.rough_bound(&no_more), None);
         }
         assert!(found > 2900 && ratios[0] < 2.0, "{found} {ratios:?}");
     }

@@ -88,6 +88,11 @@ fn rounded_in_steps(value: f64) -> i64 {
 #[inline]
 pub fn whole_units(value: f64, per_unit: f64) -> Result<i64, Overflow> {
     let units = value * per_unit;
+    if units.abs() < LARGEST_SHIFTED { Ok(rounded(units)) } else { many_units(units) }
+}
+
+#[cold]
+fn many_units(units: f64) -> Result<i64, Overflow> {
     // A NaN fails the comparison, too.
     if units.abs() <= LARGEST { Ok(rounded(units)) } else { Err(Overflow) }
 }

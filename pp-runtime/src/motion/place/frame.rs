@@ -215,21 +215,23 @@ impl WordFrame {
     }
 
     /// Map from the workpiece frame to the words; `None` if the words are axis values.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn map(&self, machine: &dyn AnyMachine, axes: &AxisValues) -> Option<WordMap> {
         match &self.meaning {
             LinearWords::Axes => None,
             LinearWords::Fixed(map) => Some(*map),
-            LinearWords::Turning => {
-                let (rotation, moved_mm) = table(machine, axes);
-                Some(WordMap { rotation: self.signs * rotation, shift_mm: self.signs * (moved_mm + self.zero_mm) })
-            }
+            LinearWords::Turning => Some(self.turned_map(machine, axes)),
         }
+    }
+
+    /// Map to words in a frame that turns with the table.
+    fn turned_map(&self, machine: &dyn AnyMachine, axes: &AxisValues) -> WordMap {
+        let (rotation, moved_mm) = table(machine, axes);
+        WordMap { rotation: self.signs * rotation, shift_mm: self.signs * (moved_mm + self.zero_mm) }
     }
 
     /// Certified bound of the deviation in a block; `bound` is that of a block in which all axes move linearly. Where the
     /// control leads the tip itself, it keeps the feed as well: no speed of the tip is given.
-    #[inline]
     pub(crate) fn bound(&self, bound: MotionBound) -> MotionBound {
         match (&self.meaning, self.posture) {
             (LinearWords::Axes | LinearWords::Turning, _) => bound,
@@ -238,6 +240,12 @@ impl WordFrame {
             }
             (LinearWords::Fixed(_), ToolPosture::Plane) => MotionBound::default(),
         }
+    }
+
+    /// The speed of the tip in such a block alone.
+    #[inline(always)]
+    pub(crate) fn tip_rate(&self, tip_rate: f64) -> f64 {
+        if let LinearWords::Fixed(_) = self.meaning { 0.0 } else { tip_rate }
     }
 }
 

@@ -25,7 +25,7 @@
 //! Nothing is allocated: a motion is a few positions on the stack, however many pieces it has.
 
 use crate::kinematics::math::{larger, smaller};
-use crate::kinematics::{AxisValues, Branch, Deviation, MotionBound, Pose, RotaryAngles, Solution};
+use crate::kinematics::{AxisValues, BlockDeviation, Branch, Deviation, MotionBound, Pose, RotaryAngles, Solution};
 
 use super::refusal;
 use super::{AxisPosition, Placer};
@@ -101,12 +101,13 @@ pub(crate) struct CertifiedPiece {
     share: f64,
 }
 
-/// Certified deviation of a motion in one block.
+/// A motion that certifies in one block.
 pub(crate) struct WholeMotion {
-    /// Largest deviation from the motion of the CL data, rounding of the words included.
-    pub(crate) bound: MotionBound,
-    /// It is within the largest deviations so far; the rounding of the words is then left out.
-    pub(crate) is_seen: bool,
+    /// As in [`MotionBound`].
+    pub(crate) tip_rate: f64,
+    /// Largest deviation from the motion of the CL data, rounding of the words included; `None` where it is below the largest
+    /// so far.
+    pub(crate) bound: Option<MotionBound>,
 }
 
 /// Deviation of a block by the rounding of its words alone.
@@ -206,8 +207,7 @@ impl Linearised {
         Self { tolerance, law, from: *from, to: *to, rest: Remaining::Whole }
     }
 
-    /// Deviation of the whole motion in one block, if that certifies. A rough bound of it where that is within `seen`, the largest
-    /// bounds so far.
+    /// The whole motion in one block, if that certifies. `seen`: the largest bounds so far.
     #[inline(always)]
     pub(crate) fn in_one_block(
         placer: &Placer,
@@ -223,13 +223,18 @@ impl Linearised {
             axis: smaller(seen.axis - rounding.axis_rad, axis_left),
             axis_step: smaller(seen.axis_step - rounding.axis_rad, axis_left),
         };
-        let bound = placer.frame.bound(placer.machine.motion_within(&from.axes, &to.axes, &most));
-        let is_within = bound.tip < most.tip && bound.axis < most.axis && bound.lag(allowed.tip_mm) < most.axis_step;
-        if is_within && certifier.is_narrow(from, to) {
-            return Some(WholeMotion { bound, is_seen: true });
+        match placer.machine.motion_within(&from.axes, &to.axes, &most) {
+            BlockDeviation::Below { tip_rate } if certifier.is_narrow(from, to) => {
+                // The tip is not ahead by more than its tolerance: the axis lags by no more than its step.
+                Some(WholeMotion { tip_rate: placer.frame.tip_rate(tip_rate), bound: None })
+            }
+            BlockDeviation::Below { .. } => None,
+            BlockDeviation::UpTo(bound) => {
+                let bound = placer.frame.bound(bound);
+                let Certificate { bound, share } = certifier.with_rounding((from, to), bound, rounding);
+                (share <= 1.0).then_some(WholeMotion { tip_rate: bound.tip_rate, bound: Some(bound) })
+            }
         }
-        let Certificate { bound, share } = certifier.with_rounding((from, to), bound, rounding);
-        (share <= 1.0).then_some(WholeMotion { bound, is_seen: false })
     }
 
     /// The next piece; `None` after the last.

@@ -188,7 +188,11 @@ impl Placer {
             return Ok(());
         }
         self.choose_rotaries(pose, from, feed, to)?;
-        self.stay = (feed && to.pose.axis == from.pose.axis).then(|| self.stay_at(pose, from, to)).flatten();
+        if feed && to.pose.axis == from.pose.axis {
+            self.stay = self.stay_at(pose, from, to);
+        } else {
+            self.stay = None;
+        }
         Ok(())
     }
 
@@ -267,7 +271,7 @@ impl Placer {
     }
 
     /// Refuses a swing of the tool in the cut: another turn than the nearest, which limits force.
-    #[inline]
+    #[inline(always)]
     fn check_swing(
         &self,
         branch: &[Solution<RotaryAngles>],
@@ -278,6 +282,16 @@ impl Placer {
         if self.rotary.scale.angle(travel.unwrap_or(0)) <= MAX_LIMIT_SWING {
             return Ok(());
         }
+        self.check_large_swing(branch, before, after)
+    }
+
+    #[cold]
+    fn check_large_swing(
+        &self,
+        branch: &[Solution<RotaryAngles>],
+        before: &RotaryWords,
+        after: &RotaryWords,
+    ) -> Result<(), Fault> {
         match choose(branch, &self.rotary.endless, before, self.rotary.scale) {
             Ok(nearest) if nearest.words != *after => Err(refusal::jump(self, before, after, &nearest.words)),
             _ => Ok(()),

@@ -395,10 +395,9 @@ impl<'a, S: Sink> Planner<'a, S> {
         if motion.rapid {
             return self.rapid(ahead, &place, planned);
         }
-        let before = self.mover.position().pose();
-        self.mover.feed_to(&place, self.rate(motion.feed)?)?;
-        self.mover.position_mut().note_cut(&motion.pose);
-        self.mover.position_mut().follow(&before, &motion.pose);
+        let rate = self.rate(motion.feed)?;
+        self.mover.position_mut().cut_to(&motion.pose);
+        self.mover.feed_to(&place, rate)?;
         self.mover.arrive(&place);
         Ok(())
     }

@@ -197,6 +197,13 @@ impl Position {
         self.lead_out.follow(from, to);
     }
 
+    /// A cut of the CL data leads from here to a pose.
+    #[inline(always)]
+    pub(crate) fn cut_to(&mut self, pose: &Pose) {
+        self.note_cut(pose);
+        self.lead_out.follow(&self.place.pose, pose);
+    }
+
     /// Sets the length of the lead-out to zero.
     pub(crate) fn forget_lead_out(&mut self) {
         self.lead_out = LeadOut::default();

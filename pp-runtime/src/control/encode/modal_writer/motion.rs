@@ -19,14 +19,18 @@ impl ModalWriter<'_> {
         self.smooth(true)?;
         // The call of a length offset may make a word unknown.
         let pending = self.has_pending_length();
-        self.call_length_alone(words)?;
+        if pending {
+            self.call_length_alone(words)?;
+        }
         match feed {
             FeedWord::PerMinute(_) => self.feed_mode(self.codes.per_minute),
             FeedWord::InverseTime(_) => self.feed_mode(self.codes.inverse_time.unwrap_or_default()),
         }
         let along = self.along_vector(words);
         self.motion(along.map_or(self.codes.feed, |(code, _)| code));
-        self.call_length(words)?;
+        if pending {
+            self.call_length(words)?;
+        }
         self.compensation_before_words();
         self.words_of(words, if pending { self.modal.changed_axes(words) } else { changed });
         self.compensation_after_words(along.is_some());
@@ -128,12 +132,18 @@ impl ModalWriter<'_> {
         }
     }
 
+    #[inline(always)]
     fn changed_compensation(&mut self) {
         if self.modal.side() != self.side {
-            let index = self.side.map_or(2, |left| usize::from(!left));
-            self.code(self.codes.compensation[index]);
-            self.modal.set_side(self.side);
+            self.switch_compensation();
         }
+    }
+
+    #[cold]
+    fn switch_compensation(&mut self) {
+        let index = self.side.map_or(2, |left| usize::from(!left));
+        self.code(self.codes.compensation[index]);
+        self.modal.set_side(self.side);
     }
 
     /// Writes cutter compensation, where it comes after the axis words. `implied`: the motion code includes "off".

@@ -9,7 +9,7 @@ mod retract;
 
 use std::io;
 
-use crate::kinematics::{AnyMachine, MotionBound, Pose};
+use crate::kinematics::{AnyMachine, Pose};
 use crate::motion::options::{Policy, Rapid, StretchMode, ToolPosture};
 use crate::nalgebra::Point3;
 use crate::program::Move;
@@ -284,23 +284,16 @@ impl<'a, S: Sink> Mover<'a, S> {
         BlockMotion { length_mm: (to.pose.tip - from.pose.tip).norm(), rotation }
     }
 
-    /// F word and time of a block to a place at `rate` mm/min. `bound`: of the block, where a rotary axis rotates.
+    /// F word and time of a block to a place at `rate` mm/min. `tip_rate`: as in
+    /// [`MotionBound`](crate::kinematics::MotionBound) where a rotary axis rotates; else 0.
     #[inline(always)]
-    fn pace(
-        &self,
-        rate: f64,
-        to: &AxisPosition,
-        block: BlockMotion,
-        bound: Option<&MotionBound>,
-    ) -> Result<Pace, Fault> {
+    fn pace(&self, rate: f64, to: &AxisPosition, block: BlockMotion, tip_rate: f64) -> Result<Pace, Fault> {
         let from = self.here();
         let (linear_mm, rotary_degrees) =
             if self.feeds.counts_path() { self.placer.path_lengths(from, to) } else { (0.0, 0.0) };
         let length_mm = if self.placer.tip_rests(from, to) { 0.0 } else { block.length_mm };
-        let tip_rate_mm = bound.map_or(0.0, |bound| {
-            let largest_mm = self.feeds.largest_tip_rate_mm(length_mm);
-            if bound.tip_rate > largest_mm { self.placer.tip_rate_mm(from, to) } else { 0.0 }
-        });
+        let uneven = tip_rate > self.feeds.largest_tip_rate_mm(length_mm);
+        let tip_rate_mm = if uneven { self.placer.tip_rate_mm(from, to) } else { 0.0 };
         let mut motion = FeedMotion {
             length_mm,
             tip_rate_mm,
@@ -346,7 +339,7 @@ impl<'a, S: Sink> Mover<'a, S> {
 
     #[inline]
     fn feed_straight(&mut self, place: &AxisPosition, rate: f64, block: BlockMotion) -> Planned {
-        let pace = self.pace(rate, place, block, None)?;
+        let pace = self.pace(rate, place, block, 0.0)?;
         self.write_feed(place, &pace, block, None)
     }
 
@@ -369,9 +362,9 @@ impl<'a, S: Sink> Mover<'a, S> {
         let seen = self.output.statistics().largest_deviation(tolerance);
         if let Some(whole) = Linearised::in_one_block(&self.placer, (self.here(), place), (tolerance, seen), self.law) {
             self.note_rotation_on_spot(place, block, tolerance)?;
-            self.feed_piece((place, &whole.bound), rate, block, None)?;
-            if !whole.is_seen {
-                self.output.statistics_mut().certified(&whole.bound, tolerance);
+            self.feed_piece((place, whole.tip_rate), rate, block, None)?;
+            if let Some(bound) = &whole.bound {
+                self.output.statistics_mut().certified(bound, tolerance);
             }
             return Ok(());
         }
@@ -383,7 +376,7 @@ impl<'a, S: Sink> Mover<'a, S> {
             let block = self.block_to(&piece.place);
             self.note_rotation_on_spot(&piece.place, block, tolerance)?;
             self.placer.check_travel(&piece.place)?;
-            self.feed_piece((&piece.place, &piece.bound), rate, block, inserted)?;
+            self.feed_piece((&piece.place, piece.bound.tip_rate), rate, block, inserted)?;
             self.position.go_to(&piece.place);
             self.output.statistics_mut().certified(&piece.bound, tolerance);
         }
@@ -431,17 +424,17 @@ impl<'a, S: Sink> Mover<'a, S> {
             .help("retract before this point and start a new operation, or keep the tool axis away from the pole"))
     }
 
-    /// Writes a piece of a feed motion with its certified bound.
+    /// Writes a piece of a feed motion with the certified speed of its tip.
     #[inline(always)]
     fn feed_piece(
         &mut self,
-        (place, bound): (&AxisPosition, &MotionBound),
+        (place, tip_rate): (&AxisPosition, f64),
         rate: f64,
         block: BlockMotion,
         inserted: Option<BlockReason>,
     ) -> Planned {
         self.placer.check_between(self.position.place(), place)?;
-        let pace = self.pace(rate, place, block, Some(bound))?;
+        let pace = self.pace(rate, place, block, tip_rate)?;
         self.write_feed(place, &pace, block, inserted)
     }
 
