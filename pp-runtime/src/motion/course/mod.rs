@@ -112,6 +112,12 @@ impl CourseFollower {
         self.sense.take()
     }
 
+    /// Whether there is anything to do before a motion, or a sense of its rotation.
+    #[inline]
+    pub(crate) fn changes(&self, motion: u64) -> bool {
+        self.sense.is_some() || self.course.next.is_some_and(|change| change.motion == motion)
+    }
+
     /// The next change of a motion.
     #[inline]
     pub(crate) fn change(&mut self, motion: u64) -> Option<CourseChange> {

@@ -278,8 +278,8 @@ impl Placer {
         before: &RotaryWords,
         after: &RotaryWords,
     ) -> Result<(), Fault> {
-        let travel = before.iter().zip(after).map(|(before, after)| (after - before).abs()).max();
-        if self.rotary.scale.angle(travel.unwrap_or(0)) <= MAX_LIMIT_SWING {
+        let [first, second] = [0, 1].map(|axis: usize| (after[axis] - before[axis]).abs());
+        if self.rotary.scale.angle(first.max(second)) <= MAX_LIMIT_SWING {
             return Ok(());
         }
         self.check_large_swing(branch, before, after)

@@ -160,7 +160,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         let over = self.hole.rapid_to_clearance();
         let bottom = Move { pose: self.hole.level(-self.hole.depth_mm), rapid: false, feed: self.hole.feed };
         let above = Some(self.hole.level(self.approach_level()));
-        let ahead = MotionAndNext { motion: &over, next: Next::Motion(bottom.pose), above };
+        let ahead = MotionAndNext { motion: &over, next: &Next::Motion(bottom.pose), above };
         if index.begins == Begins::Nothing {
             self.reach(ahead, index)?;
         } else {
@@ -226,7 +226,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
 
     /// A motion along the hole, without rotation.
     fn go(&mut self, motion: &Move) -> Planned {
-        self.planner.go(MotionAndNext::new(motion, Next::None), None)
+        self.planner.go(MotionAndNext::new(motion, &Next::None), None)
     }
 
     /// A rapid to a level of the hole.

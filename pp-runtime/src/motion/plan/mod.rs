@@ -95,14 +95,14 @@ pub struct Planner<'a, S> {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct MotionAndNext<'m> {
     motion: &'m Move,
-    next: Next,
+    next: &'m Next,
     /// Where the safe sequence ends, if it does not lead to the end of the motion: above a hole.
     above: Option<Pose>,
 }
 
 impl<'m> MotionAndNext<'m> {
     /// A motion to which a safe sequence leads as to any other.
-    pub(crate) fn new(motion: &'m Move, next: Next) -> Self {
+    pub(crate) fn new(motion: &'m Move, next: &'m Next) -> Self {
         Self { motion, next, above: None }
     }
 }
@@ -405,6 +405,10 @@ impl<'a, S: Sink> Planner<'a, S> {
     /// Makes the course changes before a motion and returns the rotary words at its end, if the course has set them.
     #[inline(always)]
     fn apply_course_changes(&mut self, motion: &Move, index: MotionIndex) -> Result<Option<RotaryTarget>, ItemError> {
+        if self.course.changes(index.motion) { self.change_course(motion, index) } else { Ok(None) }
+    }
+
+    fn change_course(&mut self, motion: &Move, index: MotionIndex) -> Result<Option<RotaryTarget>, ItemError> {
         let (from, sense, mut planned) = (self.mover.position().pose(), self.course.take_sense(), None);
         while let Some(CourseChange { action, words, .. }) = self.course.change(index.motion) {
             if !matches!(action, CourseAction::EndWith) {
@@ -443,7 +447,7 @@ impl<'a, S: Sink> Planner<'a, S> {
     }
 
     /// Starts the spindle again if a thread has stopped it.
-    #[inline]
+    #[inline(always)]
     fn restart_after_thread(&mut self) -> Planned {
         if self.spindle.take_stopped_by_cycle() { self.apply_spindle(true) } else { Ok(()) }
     }
@@ -491,7 +495,7 @@ impl<S: Sink> Stage for Planner<'_, S> {
         }
         let at = item.at;
         let planned = match item.action {
-            ItemAction::Line { motion, index, next, part } => {
+            ItemAction::Line { motion, index, ref next, part } => {
                 let why = if part == LinePart::Whole { BlockReason::Record } else { BlockReason::Curve };
                 self.mover.output_mut().serve(at, why);
                 self.mover.begin_motion(part == LinePart::Whole);

@@ -159,7 +159,7 @@ impl<'p, 'a, S: Sink> ProofProgram<'p, 'a, S> {
         let axis = planner.mover.placer().axis_at(&words);
         let motion = Move { pose: Pose { tip, axis }, rapid: false, feed: Some(Feed::PerMinute(FEED)) };
         let target = RotaryTarget { words, sense: None };
-        planner.start(MotionAndNext::new(&motion, Next::None), 1, Some(target))?;
+        planner.start(MotionAndNext::new(&motion, &Next::None), 1, Some(target))?;
         for sweep in sweeps {
             let name = format!("SWEEP {}", sweep.name);
             self.planner.mover.output_mut().step(&Step::Operation { name: name.as_bytes() })?;

@@ -362,7 +362,7 @@ impl<S: Sink> Planner<'_, S> {
         let first = ahead.motion;
         let place = self.mover.place(&first.pose, !first.rapid, planned)?;
         if self.mover.leaves_plane(&place) {
-            return self.index(MotionAndNext { next: Next::None, ..ahead }, planned);
+            return self.index(MotionAndNext { next: &Next::None, ..ahead }, planned);
         }
         let before = self.mover.position().pose();
         if first.rapid {
@@ -393,7 +393,7 @@ impl<S: Sink> Planner<'_, S> {
         let here = *self.mover.here();
         let words = self.mover.placer().rotary_words_of(&here.words);
         let back = Move { pose: here.pose, ..*cut };
-        self.index(MotionAndNext::new(&back, Next::None), Some(RotaryTarget { words, sense: None }))
+        self.index(MotionAndNext::new(&back, &Next::None), Some(RotaryTarget { words, sense: None }))
     }
 
     /// Whether an operation may continue from the end of the last one.
@@ -479,7 +479,7 @@ impl<S: Sink> Planner<'_, S> {
 ///
 /// # Errors
 /// If too many records come before it.
-fn is_straight_down(first: &Pose, next: Next) -> Result<bool, Fault> {
+fn is_straight_down(first: &Pose, next: &Next) -> Result<bool, Fault> {
     let next = match next {
         Next::Motion(next) => next,
         Next::None => return Ok(false),
