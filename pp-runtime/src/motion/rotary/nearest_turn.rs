@@ -234,7 +234,7 @@ pub(crate) fn choose(
 ///
 /// # Errors
 /// The first axis that no whole turn brings inside its limits.
-#[inline]
+#[inline(always)]
 pub(crate) fn nearest_words(
     angles: &RotaryAngles,
     rotaries: &[Rotary],

@@ -13,27 +13,51 @@ impl ModalWriter<'_> {
     /// Writes a straight motion at feed, unless no axis word changes.
     pub(crate) fn feed(&mut self, words: &AxisWords, feed: FeedWord) -> io::Result<()> {
         let changed = self.modal.changed_axes(words);
+        let in_inverse_time = matches!(feed, FeedWord::InverseTime(_));
+        if self.cutting != Some(in_inverse_time) || words.vector.is_some() {
+            return self.first_feed(words, feed, changed);
+        }
+        if changed == 0 {
+            return Ok(());
+        }
+        self.words_of(words, changed);
+        self.feed_of(feed)
+    }
+
+    /// The same, with the codes that a cut needs.
+    fn first_feed(&mut self, words: &AxisWords, feed: FeedWord, changed: u16) -> io::Result<()> {
         if !self.changes_with(words, changed) {
             return Ok(());
         }
         self.smooth(true)?;
         // The call of a length offset may make a word unknown.
         let pending = self.has_pending_length();
-        if pending {
-            self.call_length_alone(words)?;
-        }
+        self.call_length_alone(words)?;
         match feed {
             FeedWord::PerMinute(_) => self.feed_mode(self.codes.per_minute),
             FeedWord::InverseTime(_) => self.feed_mode(self.codes.inverse_time.unwrap_or_default()),
         }
         let along = self.along_vector(words);
         self.motion(along.map_or(self.codes.feed, |(code, _)| code));
-        if pending {
-            self.call_length(words)?;
-        }
+        self.call_length(words)?;
         self.compensation_before_words();
         self.words_of(words, if pending { self.modal.changed_axes(words) } else { changed });
         self.compensation_after_words(along.is_some());
+        let is_plain = words.vector.is_none() && !self.has_pending_length();
+        let all_in_force = is_plain && self.codes.motion_modal && !self.every_word;
+        self.cutting = all_in_force.then_some(matches!(feed, FeedWord::InverseTime(_)));
+        self.feed_of(feed)
+    }
+
+    /// A step comes that is no cut: it may change any state.
+    #[inline]
+    pub(crate) fn end_cuts(&mut self) {
+        self.cutting = None;
+    }
+
+    /// Writes F, and ends the block.
+    #[inline(always)]
+    fn feed_of(&mut self, feed: FeedWord) -> io::Result<()> {
         match feed {
             FeedWord::PerMinute(value) => self.changed_feed(value),
             FeedWord::InverseTime(value) => {
@@ -132,18 +156,12 @@ impl ModalWriter<'_> {
         }
     }
 
-    #[inline(always)]
     fn changed_compensation(&mut self) {
         if self.modal.side() != self.side {
-            self.switch_compensation();
+            let index = self.side.map_or(2, |left| usize::from(!left));
+            self.code(self.codes.compensation[index]);
+            self.modal.set_side(self.side);
         }
-    }
-
-    #[cold]
-    fn switch_compensation(&mut self) {
-        let index = self.side.map_or(2, |left| usize::from(!left));
-        self.code(self.codes.compensation[index]);
-        self.modal.set_side(self.side);
     }
 
     /// Writes cutter compensation, where it comes after the axis words. `implied`: the motion code includes "off".
