@@ -162,21 +162,25 @@ pub(super) const WORD_ROOM: usize = 64;
 pub(super) struct NumberForm {
     pub(super) decimals: u32,
     numerals: Numerals,
-    /// Place of the last digit before the point among eight digits, in bits, and its lowest bit; of more decimals than seven, of
-    /// the first digit.
-    last_whole: u32,
-    last_whole_bit: u64,
-    /// Fewest units that need more than eight digits.
+    /// Millionths in a unit of the last decimal.
+    millionths: u64,
+    /// Fewest units that need more than six digits before the point; 0 for more than six decimals.
     many: u64,
 }
 
 impl NumberForm {
     #[inline(always)]
     pub(super) fn new(decimals: u32, numerals: Numerals) -> Self {
-        let (last_whole, many) = if decimals < 8 { (8 * (7 - decimals), 100_000_000) } else { (0, 0) };
-        Self { decimals, numerals, last_whole, last_whole_bit: 1 << last_whole, many }
+        const POWERS: [u64; 7] = [1, 10, 100, 1000, 10_000, 100_000, MILLION];
+        let (millionths, many) = match POWERS.get(decimals as usize) {
+            Some(per_one) => (POWERS[6 - decimals as usize], MILLION * per_one),
+            None => (0, 0),
+        };
+        Self { decimals, numerals, millionths, many }
     }
 }
+
+const MILLION: u64 = 1_000_000;
 
 /// Puts whole units of the last decimal at `start`, at most [`LETTERS`], and a blank after them; returns the index after the
 /// blank.
@@ -188,7 +192,7 @@ pub(super) fn put_number(room: &mut [u8; WORD_ROOM], start: usize, units: i64, f
     let start = start + usize::from(negative || form.numerals.plus);
     let units = units.unsigned_abs();
     let end = if units < form.many {
-        put_short(room, start, units as u32, form)
+        put_short(room, start, units * form.millionths, form.numerals.point)
     } else {
         put_long(room, start, units, form.decimals, form.numerals.point)
     };
@@ -196,41 +200,77 @@ pub(super) fn put_number(room: &mut [u8; WORD_ROOM], start: usize, units: i64, f
     end + 1
 }
 
-/// Puts a number of at most eight digits at `start`; all digits are found at once, in the bytes of an integer.
-#[inline(always)]
-fn put_short(room: &mut [u8; WORD_ROOM], start: usize, units: u32, form: &NumberForm) -> usize {
-    const ZEROS: u64 = 0x3030_3030_3030_3030;
-    let NumberForm { decimals, last_whole, last_whole_bit, numerals, .. } = *form;
-    let digits = eight_digits(units);
-    // Zeros before the first digit and after the last are left out, but for the last digit before the point.
-    let kept = digits | last_whole_bit;
-    let left_out = kept.trailing_zeros() & !7;
-    let written = (decimals - kept.leading_zeros() / 8) as usize;
-    room[start..start + 8].copy_from_slice(&((digits | ZEROS) >> left_out).to_le_bytes());
-    let at = (start + ((last_whole - left_out) / 8) as usize + 1) % 32;
-    room[at] = b'.';
-    room[at + 1..at + 9].copy_from_slice(&((digits | ZEROS) >> last_whole >> 8).to_le_bytes());
-    at + written + usize::from(written > 0 || numerals.point)
-}
+/// Three digits of a number as text, and a count of them.
+type Digits = [u8; 4];
 
-/// The digits of each number below 1000 as numbers, the first in the lowest byte.
-const THREE_DIGITS: [u32; 1000] = {
-    let mut table = [0; 1000];
+/// The digits of each number below 1000, and how many of them there are without the zeros at the end.
+const THREE_DIGITS: [Digits; 1000] = {
+    let mut table = [[0; 4]; 1000];
     let mut number = 0;
     while number < 1000 {
-        table[number as usize] = (number / 100) | (number / 10 % 10) << 8 | (number % 10) << 16;
+        let without_end = if number % 10 != 0 {
+            3
+        } else if number % 100 != 0 {
+            2
+        } else if number != 0 {
+            1
+        } else {
+            0
+        };
+        table[number] = [digit(number / 100), digit(number / 10), digit(number), without_end];
         number += 1;
     }
     table
 };
 
-/// The digits of a number below 10^8 as numbers, the first in the lowest byte.
-#[inline]
-fn eight_digits(number: u32) -> u64 {
-    let (thousands, millions) = (number / 1000, number / 1_000_000);
-    let [first, middle, last] =
-        [millions % 128, thousands % 1000, number % 1000].map(|three| u64::from(THREE_DIGITS[three as usize]));
-    first >> 8 | middle << 16 | last << 40
+/// The same without the zeros at the beginning, but for the last digit, and how many digits are left.
+const FIRST_DIGITS: [Digits; 1000] = {
+    let mut table = [[0; 4]; 1000];
+    let mut number = 0;
+    while number < 1000 {
+        let (hundreds, tens, ones) = (digit(number / 100), digit(number / 10), digit(number));
+        table[number] = if number >= 100 {
+            [hundreds, tens, ones, 3]
+        } else if number >= 10 {
+            [tens, ones, 0, 2]
+        } else {
+            [ones, 0, 0, 1]
+        };
+        number += 1;
+    }
+    table
+};
+
+const fn digit(number: usize) -> u8 {
+    b'0' + (number % 10) as u8
+}
+
+/// Puts digits at `at`, and their count, which is to be overwritten, after them; returns the count.
+#[inline(always)]
+fn put_digits(room: &mut [u8; WORD_ROOM], at: usize, digits: Digits) -> usize {
+    let at = at % (WORD_ROOM / 2);
+    room[at..at + 4].copy_from_slice(&digits);
+    usize::from(digits[3])
+}
+
+/// Puts a number of less than 10^12 millionths at `start`, three digits at once.
+#[inline(always)]
+fn put_short(room: &mut [u8; WORD_ROOM], start: usize, millionths: u64, point: bool) -> usize {
+    let (whole, fraction) = ((millionths / MILLION) as usize, (millionths % MILLION) as usize);
+    let at = start
+        + if whole < 1000 { put_digits(room, start, FIRST_DIGITS[whole]) } else { put_long_whole(room, start, whole) };
+    room[at % WORD_ROOM] = b'.';
+    let first = put_digits(room, at + 1, THREE_DIGITS[fraction / 1000 % 1000]);
+    let last = put_digits(room, at + 4, THREE_DIGITS[fraction % 1000]);
+    let written = if last > 0 { 3 + last } else { first };
+    at + written + usize::from(written > 0 || point)
+}
+
+/// Puts a whole number of four to six digits at `start`; returns how many.
+fn put_long_whole(room: &mut [u8; WORD_ROOM], start: usize, whole: usize) -> usize {
+    let count = put_digits(room, start, FIRST_DIGITS[whole / 1000 % 1000]);
+    put_digits(room, start + count, THREE_DIGITS[whole % 1000]);
+    count + 3
 }
 
 /// Puts any number at `start`.
@@ -349,7 +389,17 @@ mod tests {
         }
 
         #[test]
-        fn written_units_read_back_as_the_same_decimal(units in -LARGEST as i64..=LARGEST as i64, decimals in 0_u32..=9) {
+        fn written_units_read_back_as_the_same_decimal(
+            units in prop_oneof![
+                -2000_i64..2000,
+                -10_000_000_i64..10_000_000,
+                -2_000_000_000_000_i64..2_000_000_000_000,
+                -LARGEST as i64..=LARGEST as i64,
+            ],
+            zeros in 0_u32..4,
+            decimals in 0_u32..=9,
+        ) {
+            let units = if units.abs() < 1 << 40 { units * 10_i64.pow(zeros) } else { units };
             let written = text(Decimal { units, decimals });
             // Exact decimal arithmetic on the text itself.
             let (whole, fraction) = written.split_once('.').unwrap_or((&written, ""));

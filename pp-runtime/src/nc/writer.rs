@@ -204,9 +204,10 @@ impl<'a> Writer<'a> {
         self.put_word(prefix, number, numerals);
     }
 
-    /// Writes words in their order, each with whole units of its last decimal; without words no block begins.
+    /// Writes words in their order, each with whole units of its last decimal; without words no block begins. Returns whether
+    /// there is a block.
     #[inline(always)]
-    pub fn words<'w>(&mut self, words: impl IntoIterator<Item = (&'w WordForm, i64)>) {
+    pub fn words<'w>(&mut self, words: impl IntoIterator<Item = (&'w WordForm, i64)>) -> bool {
         let mut end = self.end;
         for (form, units) in words {
             if end == self.block {
@@ -216,6 +217,7 @@ impl<'a> Writer<'a> {
             end = put_word(&mut self.buffer, end, (&form.letters, &form.first), (units, &form.number));
         }
         self.end = end;
+        end > self.block
     }
 
     /// Ends the block; a block without words writes no line.

@@ -184,6 +184,18 @@ impl ModalState {
         }
     }
 
+    /// Whether each of these axes has a word in force.
+    #[inline]
+    pub(crate) fn knows(&self, axes: u16) -> bool {
+        axes & !self.known_axes == 0
+    }
+
+    /// Whether a word differs from that of an axis that has one in force.
+    #[inline]
+    pub(crate) fn differs(&self, axis: usize, units: i64) -> bool {
+        self.axes[axis] != units
+    }
+
     /// Whether a tool axis vector differs from the one in force.
     #[inline]
     pub(crate) fn vector_changes(&self, vector: Option<[i64; 3]>) -> bool {

@@ -6,26 +6,29 @@ use std::io;
 use crate::control::dialects::LengthCall;
 use crate::motion::{AxisWords, FeedWord};
 
-use super::ModalWriter;
+use super::{Address, ModalWriter};
 use crate::control::encode::modal_state::LengthState;
 
 impl ModalWriter<'_> {
     /// Writes a straight motion at feed, unless no axis word changes.
     pub(crate) fn feed(&mut self, words: &AxisWords, feed: FeedWord) -> io::Result<()> {
-        let changed = self.modal.changed_axes(words);
         let in_inverse_time = matches!(feed, FeedWord::InverseTime(_));
-        if self.cutting != Some(in_inverse_time) || words.vector.is_some() {
-            return self.first_feed(words, feed, changed);
+        if self.cutting != Some(in_inverse_time) || words.vector.is_some() || !self.modal.knows(words.mask) {
+            return self.first_feed(words, feed);
         }
-        if changed == 0 {
+        let Self { axes, modal, writer, .. } = self;
+        let differs = |axis: &&Address| words.has(axis.index) && modal.differs(axis.index, words.units[axis.index]);
+        let changed = axes.iter().filter(differs);
+        if !writer.words(changed.map(|axis| (&axis.word, words.units[axis.index]))) {
             return Ok(());
         }
-        self.words_of(words, changed);
+        modal.set_axes(words, words.mask);
         self.feed_of(feed)
     }
 
     /// The same, with the codes that a cut needs.
-    fn first_feed(&mut self, words: &AxisWords, feed: FeedWord, changed: u16) -> io::Result<()> {
+    fn first_feed(&mut self, words: &AxisWords, feed: FeedWord) -> io::Result<()> {
+        let changed = self.modal.changed_axes(words);
         if !self.changes_with(words, changed) {
             return Ok(());
         }
