@@ -200,42 +200,31 @@ pub(super) fn put_number(room: &mut [u8; WORD_ROOM], start: usize, units: i64, f
     end + 1
 }
 
-/// Three digits of a number as text, and a count of them.
-type Digits = [u8; 4];
-
-/// The digits of each number below 1000, and how many of them there are without the zeros at the end.
-const THREE_DIGITS: [Digits; 1000] = {
-    let mut table = [[0; 4]; 1000];
+/// Of each number below 1000 how many digits are left without the zeros at the end, in the lowest byte, and its three digits as
+/// text, the first one next.
+const THREE_DIGITS: [u32; 1000] = {
+    let mut table = [0; 1000];
     let mut number = 0;
     while number < 1000 {
-        let without_end = if number % 10 != 0 {
-            3
-        } else if number % 100 != 0 {
-            2
-        } else if number != 0 {
-            1
-        } else {
-            0
-        };
-        table[number] = [digit(number / 100), digit(number / 10), digit(number), without_end];
+        let count = 3 - (number % 10 == 0) as u8 - (number % 100 == 0) as u8 - (number == 0) as u8;
+        table[number] = u32::from_le_bytes([count, digit(number / 100), digit(number / 10), digit(number)]);
         number += 1;
     }
     table
 };
 
-/// The same without the zeros at the beginning, but for the last digit, and how many digits are left.
-const FIRST_DIGITS: [Digits; 1000] = {
-    let mut table = [[0; 4]; 1000];
+/// Of each number below 1000 its digits as text without the zeros before them, the first one in the lowest byte, and how many
+/// they are, in the highest.
+const FIRST_DIGITS: [u32; 1000] = {
+    let mut table = [0; 1000];
     let mut number = 0;
     while number < 1000 {
         let (hundreds, tens, ones) = (digit(number / 100), digit(number / 10), digit(number));
-        table[number] = if number >= 100 {
-            [hundreds, tens, ones, 3]
-        } else if number >= 10 {
-            [tens, ones, 0, 2]
-        } else {
-            [ones, 0, 0, 1]
-        };
+        table[number] = u32::from_le_bytes(match number {
+            0..10 => [ones, 0, 0, 1],
+            10..100 => [tens, ones, 0, 2],
+            _ => [hundreds, tens, ones, 3],
+        });
         number += 1;
     }
     table
@@ -245,31 +234,34 @@ const fn digit(number: usize) -> u8 {
     b'0' + (number % 10) as u8
 }
 
-/// Puts digits at `at`, and their count, which is to be overwritten, after them; returns the count.
-#[inline(always)]
-fn put_digits(room: &mut [u8; WORD_ROOM], at: usize, digits: Digits) -> usize {
-    let at = at % (WORD_ROOM / 2);
-    room[at..at + 4].copy_from_slice(&digits);
-    usize::from(digits[3])
-}
-
 /// Puts a number of less than 10^12 millionths at `start`, three digits at once.
 #[inline(always)]
 fn put_short(room: &mut [u8; WORD_ROOM], start: usize, millionths: u64, point: bool) -> usize {
-    let (whole, fraction) = ((millionths / MILLION) as usize, (millionths % MILLION) as usize);
-    let at = start
-        + if whole < 1000 { put_digits(room, start, FIRST_DIGITS[whole]) } else { put_long_whole(room, start, whole) };
-    room[at % WORD_ROOM] = b'.';
-    let first = put_digits(room, at + 1, THREE_DIGITS[fraction / 1000 % 1000]);
-    let last = put_digits(room, at + 4, THREE_DIGITS[fraction % 1000]);
+    let (whole, fraction) = ((millionths / MILLION) as u32, (millionths % MILLION) as u32);
+    let count = if whole < 1000 { put_first_digits(room, start, whole) } else { put_long_whole(room, start, whole) };
+    let at = (start + count) % 32;
+    let [first, last] = [fraction / 1000 % 1000, fraction % 1000].map(|three| THREE_DIGITS[three as usize]);
+    let text = u64::from(b'.') | u64::from(first & !0xff) | u64::from(last & !0xff) << 24;
+    room[at..at + 8].copy_from_slice(&text.to_le_bytes());
+    let [first, last] = [first, last].map(|digits| (digits & 0xff) as usize);
     let written = if last > 0 { 3 + last } else { first };
     at + written + usize::from(written > 0 || point)
 }
 
+/// Puts the digits of a number below 1000 at `start`; returns how many.
+#[inline(always)]
+fn put_first_digits(room: &mut [u8; WORD_ROOM], start: usize, number: u32) -> usize {
+    let digits = FIRST_DIGITS[number as usize % 1000];
+    room[start..start + 4].copy_from_slice(&digits.to_le_bytes());
+    (digits >> 24) as usize
+}
+
 /// Puts a whole number of four to six digits at `start`; returns how many.
-fn put_long_whole(room: &mut [u8; WORD_ROOM], start: usize, whole: usize) -> usize {
-    let count = put_digits(room, start, FIRST_DIGITS[whole / 1000 % 1000]);
-    put_digits(room, start + count, THREE_DIGITS[whole % 1000]);
+#[inline]
+fn put_long_whole(room: &mut [u8; WORD_ROOM], start: usize, whole: u32) -> usize {
+    let count = put_first_digits(room, start, whole / 1000);
+    let (at, last) = ((start + count) % 32, THREE_DIGITS[whole as usize % 1000] >> 8);
+    room[at..at + 4].copy_from_slice(&last.to_le_bytes());
     count + 3
 }
 

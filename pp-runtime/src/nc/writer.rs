@@ -301,7 +301,7 @@ fn put_word(
         _ => (0, put_text(buffer, end, letters.as_bytes())),
     };
     let room = loop {
-        match buffer.get_mut(end..).and_then(<[u8]>::first_chunk_mut) {
+        match buffer.get_mut(end..end + WORD_ROOM).and_then(<[u8]>::first_chunk_mut) {
             Some(room) => break room,
             None => grow(buffer, end + WORD_ROOM),
         }

@@ -25,6 +25,8 @@ use super::values::{Values, text};
 struct Address {
     /// Index in the chain.
     index: usize,
+    /// Its bit in the masks of axis words.
+    bit: u16,
     word: WordForm,
     linear: bool,
 }
@@ -82,7 +84,7 @@ fn addresses(control: &dyn Control, layout: &Layout, numerals: Numerals) -> Vec<
             let name = layout.options.axes.get(&letter).cloned().unwrap_or_else(|| letter.to_string());
             // The configuration was refused if the control permits no axis of this name.
             let word = WordForm::new(control.axis_word(&name).unwrap_or(name), decimals, numerals);
-            Address { index, word, linear: "XYZUVW".contains(letter) }
+            Address { index, bit: 1 << index, word, linear: "XYZUVW".contains(letter) }
         })
         .collect()
 }
@@ -298,7 +300,7 @@ impl<'a> ModalWriter<'a> {
     #[inline(always)]
     fn words_of(&mut self, words: &AxisWords, written: u16) {
         let written = if self.every_word { words.mask } else { written };
-        let changed = self.axes.iter().filter(|axis| written & (1 << axis.index) != 0);
+        let changed = self.axes.iter().filter(|axis| written & axis.bit != 0);
         self.writer.words(changed.map(|axis| (&axis.word, words.units[axis.index])));
         self.modal.set_axes(words, written);
         if let (Some(vectors), Some(vector)) = (self.vectors, words.vector)

@@ -17,7 +17,8 @@ impl ModalWriter<'_> {
             return self.first_feed(words, feed);
         }
         let Self { axes, modal, writer, .. } = self;
-        let differs = |axis: &&Address| words.has(axis.index) && modal.differs(axis.index, words.units[axis.index]);
+        let differs =
+            |axis: &&Address| words.mask & axis.bit != 0 && modal.differs(axis.index, words.units[axis.index]);
         let changed = axes.iter().filter(differs);
         if !writer.words(changed.map(|axis| (&axis.word, words.units[axis.index]))) {
             return Ok(());
