@@ -22,8 +22,8 @@
 use nalgebra::{Point3, UnitVector3, Vector3};
 
 use super::{
-    Axis, BlockDeviation, CSource, Deviation, Dimension, Explanation, Invalid, Joint, Machine, MotionBound, Pose,
-    RotaryAngles, Solutions, Unreachable,
+    Axis, BlockCurves, BlockDeviation, CSource, Deviation, Dimension, Explanation, Invalid, Joint, Machine,
+    MotionBound, Pose, RotaryAngles, Solutions, Unreachable,
 };
 
 /// Most axes that a chain can have: X Y Z U V W A B C.
@@ -106,6 +106,12 @@ mod sealed {
 
 /// Axis values of a machine in the fixed length. A machine with more axes does not compile where it becomes an
 /// [`AnyMachine`].
+/// The certified bound of a block.
+#[cold]
+fn full_bound(curves: BlockCurves) -> BlockDeviation {
+    BlockDeviation::UpTo(curves.bound())
+}
+
 #[inline]
 fn padded<M: Machine>(axes: &M::Axes) -> AxisValues {
     const { assert!(M::AXES.len() <= MAX_AXES, "a chain has at most nine axes: X Y Z U V W A B C") };
@@ -207,7 +213,7 @@ impl<M: Machine> AnyMachine for M {
         let curves = self.curves(&trimmed::<M>(from), &trimmed::<M>(to));
         match curves.rough_bound(most) {
             Some(MotionBound { tip_rate, .. }) => BlockDeviation::Below { tip_rate },
-            None => BlockDeviation::UpTo(curves.bound()),
+            None => full_bound(curves),
         }
     }
 

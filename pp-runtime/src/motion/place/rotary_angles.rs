@@ -278,8 +278,8 @@ impl Placer {
         before: &RotaryWords,
         after: &RotaryWords,
     ) -> Result<(), Fault> {
-        let [first, second] = [0, 1].map(|axis: usize| (after[axis] - before[axis]).abs());
-        if self.rotary.scale.angle(first.max(second)) <= MAX_LIMIT_SWING {
+        let travel = (after[0] - before[0]).abs().max((after[1] - before[1]).abs());
+        if self.rotary.scale.angle(travel) <= MAX_LIMIT_SWING {
             return Ok(());
         }
         self.check_large_swing(branch, before, after)

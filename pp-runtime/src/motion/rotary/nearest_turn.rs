@@ -110,7 +110,7 @@ impl Rotary {
     }
 
     /// Whether a word is inside the limits.
-    pub(crate) fn contains(self, word: i64) -> bool {
+    pub(crate) fn contains(&self, word: i64) -> bool {
         self.lower.is_none_or(|lower| word >= lower) && self.upper.is_none_or(|upper| word <= upper)
     }
 
@@ -167,15 +167,15 @@ impl Rotary {
     /// The word inside the limits that equals `word` modulo one revolution and is nearest to `previous`; at equal
     /// distance the one of smaller absolute value, then the positive one. `turn`: units in one revolution.
     #[inline]
-    pub(crate) fn nearest(self, word: i64, previous: i64, turn: i64) -> Result<i64, OutOfLimits> {
+    pub(crate) fn nearest(&self, word: i64, previous: i64, turn: i64) -> Result<i64, OutOfLimits> {
         let near = if 2 * (previous - word).abs() < turn { word } else { nearest_of_all(word, previous, turn) };
         if self.contains(near) { Ok(near) } else { self.nearest_inside(near, turn) }
     }
 
     /// The word inside the limits that is the fewest turns from one outside.
     #[cold]
-    fn nearest_inside(self, near: i64, turn: i64) -> Result<i64, OutOfLimits> {
-        let out = OutOfLimits { rotary: self, word: near };
+    fn nearest_inside(&self, near: i64, turn: i64) -> Result<i64, OutOfLimits> {
+        let out = OutOfLimits { rotary: *self, word: near };
         let mut choice = near;
         if let Some(upper) = self.upper
             && choice > upper

@@ -452,10 +452,12 @@ impl<'a, S: Sink> Mover<'a, S> {
         self.check_hidden_rotation(place)?;
         self.note_rotation(place);
         self.output.feed(pace, block.rotation);
-        let mut words = self.placer.words(place, self.block_axes());
-        self.speller.spell(|| self.placer.written(self.position.place()), &mut words);
+        let mut step = Step::Feed { words: self.placer.words(place, self.block_axes()), feed: pace.feed };
+        if let Step::Feed { words, .. } = &mut step {
+            self.speller.spell(|| self.placer.written(self.position.place()), words);
+        }
         let reached = self.placer.state_at(place);
-        Ok(self.output.move_step(&Step::Feed { words, feed: pace.feed }, reached, inserted)?)
+        Ok(self.output.move_step(&step, reached, inserted)?)
     }
 
     /// Writes an arc or a cycle that ends at a place.
