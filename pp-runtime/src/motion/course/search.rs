@@ -154,8 +154,10 @@ pub(crate) struct CourseSearch {
     survivors: Vec<Survivor>,
     next: Vec<Survivor>,
     predecessors: Vec<Predecessor>,
-    /// Indices of the survivors from which a motion in the air may be the cheapest.
+    /// Indices of the survivors from which a motion in the air may be the cheapest, row by row.
     starts: Vec<usize>,
+    /// Number of starts up to the end of each row.
+    row_ends: Vec<usize>,
     history: History,
     /// Only the cheapest survivor is kept: the search is made motion by motion.
     greedy: bool,
@@ -184,6 +186,7 @@ impl CourseSearch {
             next: Vec::new(),
             predecessors: Vec::new(),
             starts: Vec::new(),
+            row_ends: Vec::new(),
             history: History::default(),
             greedy,
             by_control: false,
@@ -325,6 +328,7 @@ impl CourseSearch {
         self.leave_zeroed();
         self.next.clear();
         self.collect_starts(sense);
+        let one_branch = states.iter().all(|state| state.branch == states[0].branch);
         for state in states {
             let preference = if is_preferred(state) { Cost::default() } else { Cost::AGAINST_PREFERENCE };
             let Some((cost, from)) = self.cheapest_start(&state.words, sense) else { continue };
@@ -337,7 +341,7 @@ impl CourseSearch {
                 |other: &RotaryState| is_least && other.branch == state.branch || travel(other) > travel(state);
             let expected = sense.is_none()
                 && self.metric.short(&from.state.words, &state.words)
-                && states.iter().all(|other| other == state || farther(other));
+                && (is_least && one_branch || states.iter().all(|other| other == state || farther(other)));
             let last_change = match expected {
                 true => from.last_change,
                 false => self.history.push(from.last_change, motion, CourseAction::EndWith, state.words),
@@ -347,51 +351,72 @@ impl CourseSearch {
         self.finish_layer(states)
     }
 
-    /// Collects the survivors from which a motion in the air may be the cheapest: not those to which the rotation from another
-    /// one is as cheap, where the direct way is the cheapest. A programmed sense of rotation may not allow that one.
+    /// Collects the survivors from which a motion in the air may be the cheapest, in rows: those with the same word of the
+    /// second axis, in the order of the first, each with a cheaper course than by a rotation from another one of its row. If
+    /// the cost is the travel, which adds up along a row, then from no start of a row a motion is cheaper than from the
+    /// nearest ones. A programmed sense of rotation may not allow those; there, and with times, each start is a row.
     fn collect_starts(&mut self, sense: Option<RotationSense>) {
-        let Self { survivors, starts, metric, .. } = self;
+        let Self { survivors, starts, row_ends, metric, .. } = self;
         starts.clear();
+        row_ends.clear();
         starts.extend(0..survivors.len());
-        if sense.is_some() || !metric.is_untimed() {
+        if sense.is_some() || !metric.adds_up_along_first_axis() {
+            row_ends.extend(1..=survivors.len());
             return;
         }
-        starts.sort_unstable_by_key(|&index| (survivors[index].cost, index));
-        let mut kept = 0;
+        let words = |index: usize| survivors[index].state.words;
+        let leads_to = |from: usize, to: usize| {
+            let cost = survivors[from].cost.plus(metric.cost(&words(from), &words(to)));
+            // Of equal courses that of the first survivor is taken.
+            (cost, from) < (survivors[to].cost, to)
+        };
+        starts.sort_unstable_by_key(|&index| [words(index)[1], words(index)[0]]);
+        let (mut first, mut kept) = (0, 0);
         for place in 0..starts.len() {
-            let to = (starts[place], &survivors[starts[place]]);
-            let leads_there = |&by: &usize| {
-                let from = &survivors[by];
-                // Of equal courses that of the first survivor is taken.
-                (from.cost.plus(metric.cost(&from.state.words, &to.1.state.words)), by) < (to.1.cost, to.0)
-            };
-            if !starts[..kept].iter().any(leads_there) {
-                starts[kept] = to.0;
-                kept += 1;
+            let start = starts[place];
+            if kept > first && words(starts[first])[1] != words(start)[1] {
+                row_ends.push(kept);
+                first = kept;
             }
+            if kept > first && leads_to(starts[kept - 1], start) {
+                continue;
+            }
+            while kept > first && leads_to(start, starts[kept - 1]) {
+                kept -= 1;
+            }
+            starts[kept] = start;
+            kept += 1;
         }
         starts.truncate(kept);
-        starts.sort_unstable();
+        row_ends.push(kept);
     }
 
     /// The first of the cheapest starts of a motion in the air to these words, and the cost with its rotation.
     fn cheapest_start(&self, words: &RotaryWords, sense: Option<RotationSense>) -> Option<(Cost, &Survivor)> {
-        let mut cheapest: Option<(Cost, &Survivor)> = None;
-        for from in self.starts.iter().map(|&index| &self.survivors[index]) {
-            let change = |axis: usize| self.metric.change_in_sense(axis, from.state.words[axis], words[axis], sense);
-            let rotation = match sense {
-                None => self.metric.cost(&from.state.words, words),
-                Some(_) => match (change(0), change(1)) {
-                    (Some(first), Some(second)) => self.metric.cost_of([first, second]),
-                    _ => continue,
-                },
-            };
-            let cost = from.cost.plus(rotation);
-            if cheapest.is_none_or(|(least, _)| cost < least) {
-                cheapest = Some((cost, from));
+        let mut cheapest: Option<(Cost, usize)> = None;
+        let mut first = 0;
+        for &end in &self.row_ends {
+            let row = &self.starts[first..end];
+            first = end;
+            let below = row.partition_point(|&index| self.survivors[index].state.words[0] < words[0]);
+            for &index in &row[below.saturating_sub(1)..row.len().min(below + 1)] {
+                let from = &self.survivors[index];
+                let change =
+                    |axis: usize| self.metric.change_in_sense(axis, from.state.words[axis], words[axis], sense);
+                let rotation = match sense {
+                    None => self.metric.cost(&from.state.words, words),
+                    Some(_) => match (change(0), change(1)) {
+                        (Some(first), Some(second)) => self.metric.cost_of([first, second]),
+                        _ => continue,
+                    },
+                };
+                let found = (from.cost.plus(rotation), index);
+                if cheapest.is_none_or(|cheapest| found < cheapest) {
+                    cheapest = Some(found);
+                }
             }
         }
-        cheapest
+        cheapest.map(|(cost, index)| (cost, &self.survivors[index]))
     }
 
     /// Takes a motion in the air to the pole, where the angle of the first rotary axis is free; `second`: words of the
@@ -685,6 +710,51 @@ mod tests {
         }
         assert!(search.history.nodes.len() < COMPACT_ABOVE, "{}", search.history.nodes.len());
         assert_eq!(search.finish().0.rewinds, 0);
+    }
+
+    #[test]
+    fn in_rows_of_starts_the_cheapest_of_all_is_found() {
+        let scale = AngleScale { units_per_degree: 1.0, units_per_turn: 36 };
+        let mut random = 1_u64;
+        let mut next = |range: i64| {
+            random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (random >> 33) as i64 % range
+        };
+        let mut left_out = 0;
+        for run in 0..4000 {
+            let limited = |index, limited: bool| {
+                let limit = limited.then_some(400);
+                Rotary { index, lower: limit.map(|limit: i64| -limit), upper: limit, rest_deg: 0.0 }
+            };
+            let speeds = if run % 7 == 0 { [Some(3.0), Some(5.0)] } else { [None; 2] };
+            let axes = [limited(0, run % 5 != 0), limited(1, run % 3 != 0)];
+            let mut search = CourseSearch::new(RotaryMetric::new(&axes, speeds, scale), None, false, false);
+            let first = search.survivors[0];
+            let (one, other, spread) = (next(36), next(36), 1 + next(120));
+            search.survivors.clear();
+            for turn in 0..1 + next(20) {
+                let (branch, words) = match next(4) {
+                    0 => (Branch::Second, [other + 36 * (turn - 8), 36 - one]),
+                    _ => (Branch::First, [one + 36 * (turn - 5), one]),
+                };
+                let cost = Cost {
+                    rewinds: u32::from(next(9) == 0),
+                    travel_units: (36 * (turn - 5).abs() + next(spread)).unsigned_abs(),
+                    ..Cost::default()
+                };
+                search.survivors.push(Survivor { state: RotaryState { branch, words }, cost, ..first });
+            }
+            search.collect_starts(None);
+            left_out += search.survivors.len() - search.starts.len();
+            for _ in 0..20 {
+                let words = [next(800) - 400, next(40)];
+                let found = search.cheapest_start(&words, None).expect("no sense is programmed");
+                let all = search.survivors.iter();
+                let costs = all.map(|from| (from.cost.plus(search.metric.cost(&from.state.words, &words)), from));
+                assert_eq!(Some(found), costs.min_by_key(|(cost, _)| *cost), "run {run}");
+            }
+        }
+        assert!(left_out > 2000, "{left_out}");
     }
 
     /// States of a pose with both branches of a C-B table, turns inside ±`limit` degrees.

@@ -105,10 +105,10 @@ impl RotaryMetric {
         }
     }
 
-    /// Whether no axis has a known speed: the cost of a rotation is its travel, and no detour costs less than the direct way.
-    /// Times are rounded.
-    pub(crate) fn is_untimed(&self) -> bool {
-        self.is_untimed
+    /// Whether the cost of a rotation of the first axis is the sum of the costs of its parts, whatever the other axis does:
+    /// it has limits, and no axis has a known speed. Times are rounded.
+    pub(crate) fn adds_up_along_first_axis(&self) -> bool {
+        self.is_untimed && !self.endless[0]
     }
 
     /// Cost of rotating all axes together.
