@@ -133,6 +133,15 @@ struct SearchRun {
     ended: bool,
 }
 
+/// Motion before a run.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum RunStart {
+    /// Every state has been reached, in any sense of rotation.
+    InAir,
+    /// Both searches have followed it.
+    AfterCut,
+}
+
 /// Finds the course in the first pass.
 #[derive(Debug)]
 pub struct Navigator {
@@ -145,6 +154,8 @@ pub struct Navigator {
     searches: [SearchRun; 2],
     /// The run of cuts since the last motion that both searches have taken.
     run: Option<SteadyRun>,
+    /// A run can begin with the next cut.
+    run_start: Option<RunStart>,
     /// Angle of a free first rotary axis in operations without one of their own.
     singular: Singular,
     /// Mode of operations without one of their own.
@@ -185,6 +196,7 @@ impl Navigator {
         Self {
             searches: [run(false), run(true)],
             run: None,
+            run_start: None,
             singular: policy.options.singular,
             mode: policy.options.mode,
             has_tip_control: false,
@@ -324,9 +336,11 @@ impl Navigator {
         }
         self.here = Some(pose);
         self.pole = pole;
-        if followed {
-            self.begin_run(&pose);
-        }
+        self.run_start = match air {
+            _ if self.searches[0].ended => None,
+            true => (pole.is_none() && self.sense.is_none()).then_some(RunStart::InAir),
+            false => followed.then_some(RunStart::AfterCut),
+        };
     }
 
     /// Takes a cut with the tool axis of the last pose, at a pole or in a run: it rotates nothing. False for any other.
@@ -340,49 +354,57 @@ impl Navigator {
         stays
     }
 
-    /// Takes a cut that belongs to the run; false if it ends the run.
+    /// Takes a cut that belongs to the run, or with which one begins; false for any other.
     #[inline]
     fn goes_on(&mut self, pose: &Pose) -> bool {
-        let (Some(run), Some(from)) = (&mut self.run, &mut self.here) else { return false };
-        let placer = self.finder.placer();
-        if !self.finder.passes_far_from_poles(&from.axis, &pose.axis) {
-            return false;
-        }
-        let solutions = placer.machine().rotary_axes(&pose.axis, placer.held());
-        let reach = if run.is_limited() { self.finder.reach_between(&from.axis, &pose.axis) } else { 0 };
-        let follows = run.follow(&solutions, reach, placer.metric());
+        let Some(run) = &mut self.run else { return self.begins_run(pose) };
+        let Some(from) = &mut self.here else { return false };
+        let follows = self.finder.passes_far_from_poles(&from.axis, &pose.axis) && takes(run, &self.finder, from, pose);
         if follows {
             *from = *pose;
         }
         follows
     }
 
-    /// Begins a run of cuts where both searches allow it.
-    fn begin_run(&mut self, pose: &Pose) {
-        let placer = self.finder.placer();
+    /// Takes the first cut of a run, where one can begin; false if none does.
+    fn begins_run(&mut self, pose: &Pose) -> bool {
+        let (Some(start), Some(from)) = (self.run_start.take(), self.here) else { return false };
+        if !self.finder.passes_far_from_poles(&from.axis, &pose.axis) {
+            return false;
+        }
         let settled = |run: &mut SearchRun| run.ended || run.search.is_settled();
+        let placer = self.finder.placer();
         if placer.has_indexed_axes() || !self.searches.iter_mut().all(settled) {
-            return;
+            return false;
         }
-        let solutions = placer.machine().rotary_axes(&pose.axis, placer.held());
+        let solutions = placer.machine().rotary_axes(&from.axis, placer.held());
         // Where two branches are one, they may become two again.
-        if solutions.len() == placer.rotaries().len().clamp(1, 2) {
-            self.run = Some(SteadyRun::begin(&solutions, placer.rotaries(), placer.scale()));
+        if solutions.len() != placer.rotaries().len().clamp(1, 2) {
+            return false;
         }
+        let mut run = SteadyRun::begin(&solutions, placer.rotaries(), placer.scale());
+        let same_turns = || run.tries_same_turns(&placer.machine().rotary_axes(&pose.axis, placer.held()));
+        let begins = (start == RunStart::AfterCut || !placer.has_many_turns() || same_turns())
+            && takes(&mut run, &self.finder, &from, pose);
+        if begins {
+            (self.run, self.here) = (Some(run), Some(*pose));
+        }
+        begins
     }
 
     /// Lets both searches take the cuts of the run.
     fn end_run(&mut self) {
+        self.run_start = None;
         let (Some(run), Some(here)) = (self.run.take(), self.here) else { return };
+        let mut searches: Vec<_> =
+            self.searches.iter_mut().filter(|run| !run.ended).map(|run| &mut run.search).collect();
+        searches.iter_mut().for_each(|search| search.rotate(|state| run.rotated(state)));
         self.near.clear();
         if self.finder.placer().has_many_turns() {
-            let searches = self.searches.iter().filter(|run| !run.ended).map(|run| &run.search);
-            self.near.extend(searches.flat_map(CourseSearch::states).map(|state| run.rotated(state).0.words));
+            self.near.extend(searches.iter().flat_map(|search| search.states()).map(|state| state.words));
         }
         self.finder.states(&here, &self.near, &mut self.states);
-        for search in self.searches.iter_mut().filter(|run| !run.ended).map(|run| &mut run.search) {
-            search.end_run(&self.states, |state| run.rotated(state));
-        }
+        searches.iter_mut().for_each(|search| search.enter(&self.states));
     }
 
     /// Whether a cut from the last pose to this one passes no pole.
@@ -445,6 +467,15 @@ impl Navigator {
         let mut changes = changes.read_from_start();
         Course { next: changes.next(), changes, cost, greedy: (!ended).then_some(motion_by_motion) }
     }
+}
+
+/// Whether a run takes a cut between two poses, far from the poles.
+#[inline(always)]
+fn takes(run: &mut SteadyRun, finder: &StateFinder, from: &Pose, pose: &Pose) -> bool {
+    let placer = finder.placer();
+    let solutions = placer.machine().rotary_axes(&pose.axis, placer.held());
+    let reach = if run.is_limited() { finder.reach_between(&from.axis, &pose.axis) } else { 0 };
+    run.follow(&solutions, reach, placer.metric())
 }
 
 impl Stage for Navigator {

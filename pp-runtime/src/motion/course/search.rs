@@ -340,8 +340,9 @@ impl CourseSearch {
             let farther =
                 |other: &RotaryState| is_least && other.branch == state.branch || travel(other) > travel(state);
             let expected = sense.is_none()
-                && self.metric.short(&from.state.words, &state.words)
-                && (is_least && one_branch || states.iter().all(|other| other == state || farther(other)));
+                && (is_least && one_branch
+                    || self.metric.short(&from.state.words, &state.words)
+                        && states.iter().all(|other| other == state || farther(other)));
             let last_change = match expected {
                 true => from.last_change,
                 false => self.history.push(from.last_change, motion, CourseAction::EndWith, state.words),
@@ -506,14 +507,21 @@ impl CourseSearch {
         self.survivors.iter().map(|survivor| &survivor.state)
     }
 
-    /// Ends a run of cuts that began where the search [is settled](Self::is_settled). `rotated`: a state at the end of the run,
-    /// and the cost of its rotation; `states`: all states of the last pose.
-    pub(crate) fn end_run(&mut self, states: &[RotaryState], rotated: impl Fn(&RotaryState) -> (RotaryState, Cost)) {
+    /// Takes a run of cuts that began where the search [is settled](Self::is_settled). `rotated`: a state at the end of the
+    /// run, and the cost of its rotation. The layer of the last pose must [follow](Self::enter).
+    pub(crate) fn rotate(&mut self, rotated: impl Fn(&RotaryState) -> (RotaryState, Cost)) {
         for survivor in &mut self.survivors {
             let (state, cost) = rotated(&survivor.state);
             *survivor = Survivor { state, cost: survivor.cost.plus(cost), air: None, zeroable: false, ..*survivor };
         }
-        self.survivors.sort_by_cached_key(|survivor| states.iter().position(|state| *state == survivor.state));
+    }
+
+    /// Makes all states of the last pose the layer, and puts the survivors in their order.
+    pub(crate) fn enter(&mut self, states: &[RotaryState]) {
+        let mut rest = states.iter();
+        if !self.survivors.iter().all(|survivor| rest.any(|state| *state == survivor.state)) {
+            self.survivors.sort_by_cached_key(|survivor| states.iter().position(|state| *state == survivor.state));
+        }
         self.layer.clear();
         self.layer.extend_from_slice(states);
         self.history.settle(&mut self.survivors);

@@ -60,39 +60,51 @@ impl StateFinder {
         out.clear();
         let scale = self.placer.scale();
         for solution in self.placer.machine().rotary_axes(&pose.axis, self.placer.held()).iter() {
-            let word = |axis: usize, rotary: &Rotary| self.placer.indexed_word(rotary, solution.axes[axis]);
+            let mut words = RotaryWords::default();
+            for ((word, rotary), angle) in words.iter_mut().zip(self.placer.rotaries()).zip(solution.axes) {
+                *word = self.placer.indexed_word(rotary, angle);
+            }
             if let Some([first, second]) = self.single_turns {
-                let turn = |axis: usize, rotary: Rotary| rotary.only_turn(word(axis, &rotary), scale.units_per_turn);
+                let turn = |axis: usize, rotary: Rotary| rotary.only_turn(words[axis], scale.units_per_turn);
                 if let (Some(first), Some(second)) = (turn(0, first), turn(1, second)) {
                     out.push(RotaryState { branch: solution.branch, words: [first, second] });
                 }
                 continue;
             }
             let start = out.len();
-            let turns =
-                |axis: usize, rotary: &Rotary| rotary.turns(word(axis, rotary), scale.units_per_turn, MAX_TURNS);
+            let turns = |axis: usize, rotary: &Rotary| rotary.turns(words[axis], scale.units_per_turn, MAX_TURNS);
             let mut push = |words: RotaryWords| out.push(RotaryState { branch: solution.branch, words });
             match self.placer.rotaries() {
                 [first, second] => {
-                    for a in turns(0, first) {
-                        turns(1, second).for_each(|b| push([a, b]));
+                    for b in turns(1, second) {
+                        turns(0, first).for_each(|a| push([a, b]));
                     }
                 }
                 [only] => turns(0, only).for_each(|a| push([a, 0])),
                 _ => push([0; 2]),
             }
             if self.placer.has_many_turns() {
+                // The turns tried of an axis are all those between the first and the last one.
+                let tried = [0, 1].map(|axis| {
+                    let words = || out[start..].iter().map(|state| state.words[axis]);
+                    words().min().zip(words().max())
+                });
+                let is_between = |words: &RotaryWords| {
+                    tried.iter().zip(words).all(|(ends, word)| ends.is_some_and(|(a, b)| (a..=b).contains(word)))
+                };
+                let added = out.len();
                 let ends = [Rotary::lower_end, Rotary::upper_end]
                     .map(|end| [0, 1].map(|axis| self.placer.rotaries().get(axis).map_or(0, |rotary| end(*rotary))));
-                for near in ends.iter().chain(near) {
-                    let mut words = [0; 2];
+                // Between turns tried the nearest is one of them.
+                for near in ends.iter().chain(near).filter(|near| !is_between(near)) {
+                    let mut found = RotaryWords::default();
                     let inside = self.placer.rotaries().iter().enumerate().all(|(axis, rotary)| {
-                        let nearest = rotary.nearest(word(axis, rotary), near[axis], scale.units_per_turn);
-                        words[axis] = nearest.unwrap_or_default();
+                        let nearest = rotary.nearest(words[axis], near[axis], scale.units_per_turn);
+                        found[axis] = nearest.unwrap_or_default();
                         nearest.is_ok()
                     });
-                    if inside && out[start..].iter().all(|known| known.words != words) {
-                        out.push(RotaryState { branch: solution.branch, words });
+                    if inside && !is_between(&found) && out[added..].iter().all(|known| known.words != found) {
+                        out.push(RotaryState { branch: solution.branch, words: found });
                     }
                 }
             }

@@ -54,6 +54,18 @@ impl SteadyRun {
         self.is_limited
     }
 
+    /// Whether at a pose with these solutions the same turns nearest to zero are tried of an axis with many.
+    pub(crate) fn tries_same_turns(&self, solutions: &[Solution<RotaryAngles>]) -> bool {
+        let turn = self.scale.units_per_turn;
+        self.branches.iter().zip(solutions).all(|(known, solution)| {
+            (0..2).all(|axis| {
+                let rotary = self.axes[axis].without_limits();
+                let begins = |word: i64| rotary.only_turn(word, turn).is_some_and(|first| first > 0);
+                begins(known.words.to_array()[axis] as i64) == begins(rotary.word(solution.axes[axis], self.scale))
+            })
+        })
+    }
+
     /// Takes a cut to a pose with these solutions; `reach`: how far the second axis may go beyond the ends of the cut. Returns
     /// false, and changes nothing, if the run ends before it.
     #[inline]

@@ -9,6 +9,7 @@ use crate::kinematics::Limits;
 use crate::kinematics::Machine;
 use crate::kinematics::machines::{Cb, Head};
 use crate::motion::options::ToolPosture;
+use crate::motion::rotary::MAX_TURNS;
 use crate::motion::tests::hand_on;
 use crate::program::{Feed, Move, ToolCall};
 
@@ -211,6 +212,87 @@ proptest! {
         };
         // Four turns each way are all tried; of a hundred those near to zero, at the ends, and near the course.
         prop_assert_eq!(found(4.0), found(100.0));
+    }
+}
+
+proptest! {
+    #[test]
+    fn the_states_of_a_pose_are_all_turns_tried_and_those_added_each_once(
+        at in (-180.0..180.0_f64, 10.0..70.0_f64),
+        limits_of_c in (-60.0..20.0_f64, 1.0..70.0_f64),
+        limits_of_b in (-40.0..0.0_f64, 1.0..50.0_f64),
+        near in proptest::collection::vec((-80_000_000_i64..80_000_000, -40_000_000_i64..40_000_000), 0..12),
+        endless in proptest::bool::ANY,
+    ) {
+        let mut config = Config::default();
+        config.set_up.limits.insert('C', limits(360.0 * limits_of_c.0, 360.0 * (limits_of_c.0 + limits_of_c.1)));
+        if !endless {
+            config.set_up.limits.insert('B', limits(360.0 * limits_of_b.0, 360.0 * (limits_of_b.0 + limits_of_b.1)));
+        }
+        let machine = config.set_up.machine::<Cb>().expect("valid");
+        let finder = StateFinder::new(Placer::new(Box::new(machine), config.policy(), Units::Millimetres));
+        let placer = finder.placer();
+        let turn = placer.scale().units_per_turn;
+        let pose = Pose { tip: Point3::origin(), axis: axis(at.0, at.1) };
+        let near: Vec<RotaryWords> = near.into_iter().map(|(c, b)| [c, b]).collect();
+        let [c, b] = placer.rotaries()[..] else { panic!("two rotary axes") };
+        let mut expected = Vec::new();
+        for solution in placer.machine().rotary_axes(&pose.axis, placer.held()).iter() {
+            let [on_c, on_b] = [c.word(solution.axes[0], placer.scale()), b.word(solution.axes[1], placer.scale())];
+            let mut words = std::collections::BTreeSet::new();
+            for c in c.turns(on_c, turn, MAX_TURNS) {
+                words.extend(b.turns(on_b, turn, MAX_TURNS).map(|b| [c, b]));
+            }
+            if placer.has_many_turns() {
+                let ends = [[c.lower_end(), b.lower_end()], [c.upper_end(), b.upper_end()]];
+                let nearest = |near: &RotaryWords| {
+                    Some([c.nearest(on_c, near[0], turn).ok()?, b.nearest(on_b, near[1], turn).ok()?])
+                };
+                words.extend(ends.iter().chain(&near).filter_map(nearest));
+            }
+            let mut words: Vec<RotaryWords> = words.into_iter().collect();
+            words.sort_by_key(|[c, b]| (c.abs() + b.abs(), -c, -b));
+            expected.extend(words.into_iter().map(|words| RotaryState { branch: solution.branch, words }));
+        }
+        let mut found = Vec::new();
+        finder.states(&pose, &near, &mut found);
+        prop_assert_eq!(found, expected);
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 40, ..ProptestConfig::default() })]
+
+    #[test]
+    fn a_run_that_begins_in_the_air_has_the_course_of_one_that_begins_after_a_cut(
+        start in (-180.0..180.0_f64, 10.0..70.0_f64),
+        steps in proptest::collection::vec((-60.0..60.0_f64, -15.0..15.0_f64, proptest::bool::weighted(0.4)), 1..=12),
+        size in prop_oneof![Just(0.05), Just(0.4), Just(1.0)],
+        first in prop_oneof![(-400.0..0.0_f64, 20.0..700.0_f64), (-40_000.0..-9000.0_f64, 9000.0..60_000.0_f64)],
+        second in (-120.0..0.0_f64, 10.0..200.0_f64),
+        timed in proptest::bool::ANY,
+        greedy in proptest::bool::ANY,
+    ) {
+        let steps: Vec<_> = steps.into_iter().map(|(around, along, rapid)| (size * around, size * along, rapid)).collect();
+        let mut config = Config::default();
+        config.motion.course.greedy = greedy;
+        config.set_up.limits.insert('C', limits(first.0, first.0 + first.1));
+        config.set_up.limits.insert('B', limits(second.0, second.0 + second.1));
+        if timed {
+            config.set_up.speeds.insert('C', 60.0);
+            config.set_up.speeds.insert('B', 25.0);
+        }
+        let course = |in_air: bool| {
+            let mut navigator = Navigator::new(Box::new(config.set_up.machine::<Cb>().expect("valid")), config.policy());
+            for (motion, point) in (0..).zip(&path(start, &steps)) {
+                navigator.run_start = navigator.run_start.filter(|start| in_air || *start == RunStart::AfterCut);
+                navigator.motion = motion;
+                navigator.go(&point.pose, motion == 0 || point.rapid, motion == 0);
+            }
+            let course = navigator.finish();
+            (course.cost, course.greedy, changes(course))
+        };
+        prop_assert_eq!(course(true), course(false));
     }
 }
 

@@ -136,10 +136,9 @@ impl RotaryMetric {
     }
 
     /// Travel of the axis that rotates most.
-    #[inline]
+    #[inline(always)]
     fn farthest(&self, from: &RotaryWords, to: &RotaryWords) -> i64 {
-        let [first, second] = [0, 1].map(|axis| self.change(axis, from[axis], to[axis]).abs());
-        first.max(second)
+        self.change(0, from[0], to[0]).abs().max(self.change(1, from[1], to[1]).abs())
     }
 
     /// Whether no axis rotates by more than 180°: the limit of a cut without a rewind.
