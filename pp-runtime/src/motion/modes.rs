@@ -199,9 +199,16 @@ impl OperationContent {
     }
 
     /// Notes the tool axis of a cut.
+    #[inline(always)]
     fn note_direction(&mut self, axis: &UnitVector3<f64>, most: usize) {
+        if self.directions.len() <= most {
+            self.add_direction(axis);
+        }
+    }
+
+    fn add_direction(&mut self, axis: &UnitVector3<f64>) {
         let known = |other: &UnitVector3<f64>| other == axis || angle_between(axis, other) <= HELD;
-        if self.directions.len() <= most && !self.directions.iter().any(known) {
+        if !self.directions.iter().any(known) {
             self.directions.push(*axis);
         }
     }
@@ -254,6 +261,7 @@ impl ModeFinder {
     }
 
     /// Takes the next item.
+    #[inline(always)]
     pub fn follow(&mut self, item: &ProgramItem<'_>) {
         match item.action {
             ItemAction::Line { motion, index, .. } => {
@@ -262,6 +270,14 @@ impl ModeFinder {
                     self.cut(&motion.pose.axis, if index.rotates_axis { Content::Rotating } else { Content::Held });
                 }
             }
+            _ => self.follow_other(item),
+        }
+    }
+
+    /// The same for any item that is no straight motion.
+    fn follow_other(&mut self, item: &ProgramItem<'_>) {
+        match item.action {
+            ItemAction::Line { .. } => {}
             ItemAction::Arc { arc, index } => {
                 self.begin(index);
                 self.cut(&arc.end.axis, Content::Held);
@@ -285,10 +301,14 @@ impl ModeFinder {
     }
 
     /// Notes the begin of a motion, which may be the first of a stretch or of an operation.
+    #[inline(always)]
     fn begin(&mut self, index: MotionIndex) {
-        if index.stretch == self.stretch.0 {
-            return;
+        if index.stretch != self.stretch.0 {
+            self.begin_stretch(index);
         }
+    }
+
+    fn begin_stretch(&mut self, index: MotionIndex) {
         let ended = std::mem::replace(&mut self.stretch, (index.stretch, Content::Rapids));
         if ended.0 > 0 {
             self.operation.add(ended);
@@ -300,6 +320,7 @@ impl ModeFinder {
         }
     }
 
+    #[inline(always)]
     fn cut(&mut self, axis: &UnitVector3<f64>, content: Content) {
         self.stretch.1 = match (self.stretch.1, content) {
             (Content::Rotating, _) => Content::Rotating,

@@ -211,6 +211,7 @@ impl From<Diagnostic> for Ignored {
 impl Stage for FirstPass {
     type Stop = Ignored;
 
+    #[inline]
     fn take(&mut self, item: &ProgramItem<'_>) -> Result<(), Ignored> {
         self.surveyor.follow(item);
         self.modes.follow(item);
@@ -285,6 +286,7 @@ impl Surveyor {
         self.survey
     }
 
+    #[inline(always)]
     fn follow(&mut self, item: &ProgramItem<'_>) {
         match item.action {
             ItemAction::Line { motion, index, .. } => {
@@ -293,6 +295,14 @@ impl Surveyor {
                 self.note_axis(item.at, &motion.pose);
                 self.moved(!motion.rapid, [at; 2], &motion.pose);
             }
+            _ => self.follow_other(item),
+        }
+    }
+
+    /// The same for any item that is no straight motion.
+    fn follow_other(&mut self, item: &ProgramItem<'_>) {
+        match item.action {
+            ItemAction::Line { .. } => {}
             ItemAction::Arc { arc, index } => {
                 self.begin(index);
                 self.note_axis(item.at, &arc.end);
@@ -399,6 +409,7 @@ impl Surveyor {
     }
 
     /// Notes the begin of a motion, which may be the first of an operation or of a stretch.
+    #[inline(always)]
     fn begin(&mut self, index: MotionIndex) {
         if index.stretch != self.stretch {
             self.end_stretch();
@@ -447,6 +458,7 @@ impl Surveyor {
         }
     }
 
+    #[inline(always)]
     fn note_axis(&mut self, at: Location, pose: &Pose) {
         if self.survey.tilted.is_none() && (pose.axis.into_inner() - self.tool_axis.into_inner()).norm() > UPRIGHT {
             self.survey.tilted = Some(at);
@@ -459,6 +471,7 @@ impl Surveyor {
     }
 
     /// Notes a motion of the tip within a box (lowest and highest corner, mm). `cuts`: at feed.
+    #[inline(always)]
     fn moved(&mut self, cuts: bool, [lowest, highest]: [[f64; 3]; 2], pose: &Pose) {
         if cuts {
             self.cuts = true;

@@ -28,8 +28,8 @@ use nalgebra::UnitVector3;
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::{AnyMachine, Branch, Pose};
 use crate::motion::options::{Mode, Policy, Singular, StretchMode};
-use crate::program::Event;
 use crate::program::Units;
+use crate::program::{Event, Location};
 
 use crate::motion::fault::Fault;
 use crate::motion::geometry::PathSegment;
@@ -268,6 +268,7 @@ impl Navigator {
     }
 
     /// Takes a motion; `air`: the tool is out of the part.
+    #[inline(always)]
     fn move_to(&mut self, end: &Pose, index: MotionIndex, air: bool) {
         self.has_moved = true;
         self.motion = index.motion;
@@ -301,9 +302,13 @@ impl Navigator {
 
     #[inline(always)]
     fn go(&mut self, pose: &Pose, air: bool, begins: bool) {
-        if !air && (self.stays(pose) || self.goes_on(pose)) {
-            return;
+        if air || !(self.stays(pose) || self.goes_on(pose)) {
+            self.search(pose, air, begins);
         }
+    }
+
+    /// Takes a motion in both searches.
+    fn search(&mut self, pose: &Pose, air: bool, begins: bool) {
         self.end_run();
         if self.searches[0].ended {
             return;
@@ -355,7 +360,7 @@ impl Navigator {
     }
 
     /// Takes a cut that belongs to the run, or with which one begins; false for any other.
-    #[inline]
+    #[inline(always)]
     fn goes_on(&mut self, pose: &Pose) -> bool {
         let Some(run) = &mut self.run else { return self.begins_run(pose) };
         let Some(from) = &mut self.here else { return false };
@@ -482,12 +487,24 @@ impl Stage for Navigator {
     type Stop = Diagnostic;
 
     /// Follows one item; refused is a course of more changes than memory is given for.
+    #[inline(always)]
     fn take(&mut self, item: &ProgramItem<'_>) -> Result<(), Diagnostic> {
         match item.action {
             ItemAction::Line { motion, index, .. } => {
                 let begins = index.begins == Begins::Operation;
                 self.move_to(&motion.pose, index, begins || motion.rapid);
             }
+            _ => self.take_other(item),
+        }
+        if self.searches.iter().any(|run| run.search.is_too_long()) { Err(too_long(item.at)) } else { Ok(()) }
+    }
+}
+
+impl Navigator {
+    /// Follows any item that is no straight motion.
+    fn take_other(&mut self, item: &ProgramItem<'_>) {
+        match item.action {
+            ItemAction::Line { .. } => {}
             // The tool is at its start.
             ItemAction::Arc { arc, index } => self.move_to(&arc.end, index, false),
             // A rapid leads to the hole.
@@ -500,14 +517,14 @@ impl Stage for Navigator {
             }
             ItemAction::Record { event, .. } => self.record(event),
         }
-        if self.searches.iter().any(|run| run.search.is_too_long()) {
-            let fault = Fault::new("up to here the rotary axes change their course too often for one program");
-            return Err(fault
-                .help("post the CL data in parts, or keep the tool axis on one side of the pole")
-                .at(item.at, Severity::Error));
-        }
-        Ok(())
     }
+}
+
+#[cold]
+fn too_long(at: Location) -> Diagnostic {
+    Fault::new("up to here the rotary axes change their course too often for one program")
+        .help("post the CL data in parts, or keep the tool axis on one side of the pole")
+        .at(at, Severity::Error)
 }
 
 /// Takes a cut between two poses away from the pole. If no state is continuous over the whole cut, the cut is split: at
