@@ -88,7 +88,8 @@ fn rounded_in_steps(value: f64) -> i64 {
 #[inline]
 pub fn whole_units(value: f64, per_unit: f64) -> Result<i64, Overflow> {
     let units = value * per_unit;
-    if units.abs() < LARGEST_SHIFTED { Ok(rounded(units)) } else { many_units(units) }
+    let whole = if units.abs() < LARGEST_SHIFTED { rounded(units) } else { many_units(units)? };
+    Ok(whole)
 }
 
 #[cold]

@@ -144,22 +144,23 @@ impl StateFinder {
     #[inline]
     pub(crate) fn passes_far_from_poles(&self, from: &UnitVector3<f64>, to: &UnitVector3<f64>) -> bool {
         // A pole on the path, within its tolerance, is no farther from an end than the path is long and the tolerance.
-        let tolerance = self.placer.pole_tolerance();
-        let least = 4.0 * ((to.into_inner() - from.into_inner()).norm_squared() + tolerance * tolerance);
-        let is_far = |pole: &UnitVector3<f64>| (pole.into_inner() - to.into_inner()).norm_squared() > least;
-        self.largest_bend_rad.is_none() && self.placer.poles().iter().all(is_far)
+        let poles = self.placer.poles();
+        let path = (to.into_inner() - from.into_inner()).norm_squared();
+        let least = 4.0 * (path + poles.tolerance_rad * poles.tolerance_rad);
+        self.largest_bend_rad.is_none() && poles.are_farther(to, least)
     }
 
     fn pole_touched(&self, from: &Pose, to: &Pose) -> Option<(f64, UnitVector3<f64>)> {
         let (a, b) = (from.axis.into_inner(), to.axis.into_inner());
         let normal = a.cross(&b);
         let sine = normal.norm();
-        if self.placer.poles().is_empty() || sine < 1e-12 {
+        let poles = self.placer.poles();
+        if poles.axes.is_empty() || sine < 1e-12 {
             return None;
         }
-        self.placer.poles().iter().find_map(|pole| {
+        poles.axes.iter().find_map(|pole| {
             let p = pole.into_inner();
-            let touches = p.dot(&normal).abs() <= self.placer.pole_tolerance() * sine
+            let touches = p.dot(&normal).abs() <= poles.tolerance_rad * sine
                 && a.cross(&p).dot(&normal) > 0.0
                 && p.cross(&b).dot(&normal) > 0.0;
             // The pole may be beside the path: where it is nearest.

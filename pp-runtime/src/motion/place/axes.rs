@@ -15,6 +15,9 @@ use crate::program::Units;
 /// Largest floating-point noise of a limit, in units of a word.
 const LIMIT_NOISE: f64 = 1e-6;
 
+/// Largest noise of the square of the distance of two unit vectors.
+const UNIT_NOISE: f64 = 1e-12;
+
 /// Smallest cosine between tool axis and retract axis at which the two count as parallel.
 const PARALLEL: f64 = 1.0 - 1e-12;
 
@@ -172,6 +175,14 @@ impl Poles {
     pub(crate) fn new(machine: &dyn AnyMachine, policy: Policy<'_>, rotaries: &[Rotary], least_rad: f64) -> Self {
         let tolerance_rad = policy.options.course.axis_tolerance_rad.max(REACH_TOLERANCE).max(least_rad);
         Self { axes: poles(machine, rotaries), tolerance_rad }
+    }
+
+    /// Whether the square of the distance of a tool axis from each pole is certainly larger than this. For a quick answer: where
+    /// it is not certain, the poles are to be compared one by one.
+    #[inline(always)]
+    pub(crate) fn are_farther(&self, axis: &UnitVector3<f64>, square: f64) -> bool {
+        // The second one is opposite.
+        self.axes.first().is_none_or(|pole| 2.0 - 2.0 * pole.dot(axis).abs() > square + UNIT_NOISE)
     }
 }
 

@@ -40,7 +40,8 @@ pub(crate) use refusal::limits_text;
 pub use suited::{UsableModes, unsuited};
 pub use tilted_plane::{PlaneAbility, PlaneAngles, PoseRule};
 
-use axes::{AxisSpeeds, LinearAxes, Poles, RotaryAxes};
+pub(crate) use axes::Poles;
+use axes::{AxisSpeeds, LinearAxes, RotaryAxes};
 pub(crate) use chain::rotaries as rotaries_of;
 use datum::Datum;
 use frame::WordFrame;
@@ -203,13 +204,8 @@ impl Placer {
     }
 
     /// Reachable tool axes at which the angle of the first rotary axis is free.
-    pub(crate) fn poles(&self) -> &[UnitVector3<f64>] {
-        &self.poles.axes
-    }
-
-    /// Largest angle to a pole at which the tool axis counts as being at the pole, rad.
-    pub(crate) fn pole_tolerance(&self) -> f64 {
-        self.poles.tolerance_rad
+    pub(crate) fn poles(&self) -> &Poles {
+        &self.poles
     }
 
     /// The solved rotary axes.

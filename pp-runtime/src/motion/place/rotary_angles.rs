@@ -159,12 +159,15 @@ impl Placer {
     }
 
     /// Pole to which a tool axis is parallel, within the tolerance.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn pole(&self, axis: &UnitVector3<f64>) -> Option<UnitVector3<f64>> {
-        let near = |pole: &&UnitVector3<f64>| {
-            (pole.into_inner() - axis.into_inner()).norm_squared()
-                <= self.poles.tolerance_rad * self.poles.tolerance_rad
-        };
+        let square = self.poles.tolerance_rad * self.poles.tolerance_rad;
+        if self.poles.are_farther(axis, square) { None } else { self.pole_within(axis, square) }
+    }
+
+    /// Pole within a distance from a tool axis, of which this is the square.
+    fn pole_within(&self, axis: &UnitVector3<f64>, square: f64) -> Option<UnitVector3<f64>> {
+        let near = |pole: &&UnitVector3<f64>| (pole.into_inner() - axis.into_inner()).norm_squared() <= square;
         self.poles.axes.iter().find(near).copied()
     }
 

@@ -89,6 +89,8 @@ pub struct Planner<'a, S> {
     feed_cap: Option<FeedCap>,
     /// An operation has begun, and not ended.
     in_operation: bool,
+    /// The last item was a cut, in this stretch: nothing that a further one needs can have changed.
+    cutting: Option<u64>,
 }
 
 /// A motion, and the next one where the approach depends on it.
@@ -134,6 +136,7 @@ impl<'a, S: Sink> Planner<'a, S> {
             usable: UsableModes::default(),
             feed_cap: None,
             in_operation: false,
+            cutting: None,
         }
     }
 
@@ -257,10 +260,13 @@ impl<'a, S: Sink> Planner<'a, S> {
     }
 
     /// A straight motion of the CL data.
-    #[inline(always)]
     fn line(&mut self, ahead: MotionAndNext<'_>, index: MotionIndex) -> Planned {
         match index.begins {
-            Begins::Nothing if self.cutter.is_idle() => self.run(ahead, index),
+            Begins::Nothing if self.cutter.is_idle() => {
+                self.run(ahead, index)?;
+                self.cutting = (!ahead.motion.rapid).then_some(index.stretch);
+                Ok(())
+            }
             Begins::Nothing => cutter::line(self, ahead, index),
             Begins::Linked | Begins::Operation => self.begin(ahead, index),
         }
@@ -280,15 +286,8 @@ impl<'a, S: Sink> Planner<'a, S> {
     }
 
     /// Checks tool, spindle, feed and floor before the tool moves to a point of the CL data.
-    #[inline(always)]
     fn check_state(&self, motion: &Move) -> Result<(), Fault> {
-        if let Some(floor) = self.policy.options.guards.floor_mm
-            && motion.pose.tip.z < floor
-        {
-            let tip = motion.pose.tip.z;
-            let text = format!("the tool tip moves to Z {tip:.4} mm, below `floor` = {floor:.4} mm");
-            return Err(Fault::new(text).help("correct the depth in CAM, or lower `floor`"));
-        }
+        self.check_floor(motion)?;
         if self.tooling.current().is_none() {
             self.check_without_tool(motion)?;
         }
@@ -321,6 +320,15 @@ impl<'a, S: Sink> Planner<'a, S> {
         Ok(())
     }
 
+    /// Refuses a point below the configured floor.
+    #[inline(always)]
+    fn check_floor(&self, motion: &Move) -> Result<(), Fault> {
+        match self.policy.options.guards.floor_mm {
+            Some(floor) if motion.pose.tip.z < floor => Err(below_floor(motion.pose.tip.z, floor)),
+            _ => Ok(()),
+        }
+    }
+
     fn check_without_tool(&self, motion: &Move) -> Result<(), Fault> {
         if self.mover.placer().has_rotary_head() {
             return Err(Fault::new(
@@ -351,7 +359,6 @@ impl<'a, S: Sink> Planner<'a, S> {
     }
 
     /// A motion inside an operation.
-    #[inline(always)]
     fn run(&mut self, ahead: MotionAndNext<'_>, index: MotionIndex) -> Planned {
         self.stop_spindle()?;
         self.check_state(ahead.motion)?;
@@ -360,9 +367,30 @@ impl<'a, S: Sink> Planner<'a, S> {
         self.go(ahead, planned)
     }
 
+    /// A cut after another one in the same stretch.
+    #[inline(always)]
+    fn cut_on(&mut self, motion: &Move, index: MotionIndex) -> Planned {
+        self.check_floor(motion)?;
+        let planned = self.apply_course_changes(motion, index)?;
+        self.cut(motion, planned)?;
+        self.cutting = Some(index.stretch);
+        Ok(())
+    }
+
+    /// A cut, after the changes of its course.
+    #[inline(always)]
+    fn cut(&mut self, motion: &Move, planned: Option<RotaryTarget>) -> Planned {
+        let mut place = *self.mover.here();
+        self.mover.place_at(&motion.pose, true, planned, &mut place)?;
+        let rate = self.rate(motion.feed)?;
+        self.mover.position_mut().cut_to(&motion.pose);
+        self.mover.feed_to(&place, rate)?;
+        self.mover.arrive(&place);
+        Ok(())
+    }
+
     /// The stretch of a motion inside an operation. Where another mode begins with a cut, the safe sequence leads back to
     /// its start; a rapid leads to its own end.
-    #[inline(always)]
     fn reach_stretch(&mut self, motion: &Move, index: MotionIndex) -> Planned {
         self.modes.reach(index.stretch);
         if self.modes.changes() && !motion.rapid { self.change_mode(motion) } else { Ok(()) }
@@ -382,24 +410,17 @@ impl<'a, S: Sink> Planner<'a, S> {
     }
 
     /// A motion inside an operation, after the changes of its course.
-    #[inline(always)]
     fn go(&mut self, ahead: MotionAndNext<'_>, planned: Option<RotaryTarget>) -> Planned {
         let motion = ahead.motion;
         if !motion.rapid {
             self.restart_after_thread()?;
-        } else if self.modes.changes() {
+            return self.cut(motion, planned);
+        }
+        if self.modes.changes() {
             return self.index(ahead, planned);
         }
-        let mut place = *self.mover.here();
-        self.mover.place_at(&motion.pose, !motion.rapid, planned, &mut place)?;
-        if motion.rapid {
-            return self.rapid(ahead, &place, planned);
-        }
-        let rate = self.rate(motion.feed)?;
-        self.mover.position_mut().cut_to(&motion.pose);
-        self.mover.feed_to(&place, rate)?;
-        self.mover.arrive(&place);
-        Ok(())
+        let place = self.mover.place(&motion.pose, false, planned)?;
+        self.rapid(ahead, &place, planned)
     }
 
     /// Makes the course changes before a motion and returns the rotary words at its end, if the course has set them.
@@ -474,6 +495,12 @@ impl<'a, S: Sink> Planner<'a, S> {
     }
 }
 
+#[cold]
+fn below_floor(tip_mm: f64, floor_mm: f64) -> Fault {
+    let text = format!("the tool tip moves to Z {tip_mm:.4} mm, below `floor` = {floor_mm:.4} mm");
+    Fault::new(text).help("correct the depth in CAM, or lower `floor`")
+}
+
 /// Fault: ROTABL/NEXT before a motion that cannot rotate in that sense. `air`: the tool is out of the part.
 #[cold]
 fn sense_refused(air: bool) -> Fault {
@@ -493,8 +520,18 @@ impl<S: Sink> Stage for Planner<'_, S> {
         if self.selection.is_over() {
             return Ok(());
         }
-        let at = item.at;
+        let (at, cutting) = (item.at, self.cutting.take());
         let planned = match item.action {
+            ItemAction::Line { motion, index, part: LinePart::Whole, .. }
+                if cutting == Some(index.stretch)
+                    && index.begins == Begins::Nothing
+                    && !motion.rapid
+                    && motion.feed.is_some() =>
+            {
+                self.mover.output_mut().serve(at, BlockReason::Record);
+                self.mover.begin_motion(true);
+                self.cut_on(motion, index)
+            }
             ItemAction::Line { motion, index, ref next, part } => {
                 let why = if part == LinePart::Whole { BlockReason::Record } else { BlockReason::Curve };
                 self.mover.output_mut().serve(at, why);
