@@ -58,6 +58,8 @@ pub(crate) struct LinearAxes {
     pub(crate) solved: Vec<usize>,
     /// Units of their words in 1 mm.
     pub(crate) units_per_mm: f64,
+    /// One unit, mm.
+    pub(crate) unit_mm: f64,
     /// Positions of X Y Z in the chain, if these are the solved linear axes.
     pub(crate) xyz: Option<[usize; 3]>,
     /// Position of the retract axis.
@@ -154,12 +156,13 @@ impl LinearAxes {
             })
             .unwrap_or_default();
         let along_tool = held_tool_axis(machine).dot(&machine.joint(retract_axis).direction).abs() >= PARALLEL;
-        let per_unit = 10_f64.powi(policy.formats.linear(units) as i32);
+        let units_per_mm = 10_f64.powi(policy.formats.linear(units) as i32) / units.in_mm();
         let orthogonal = orthogonal(machine, axes);
         Self {
             mask: mask(axes, AxisKind::Linear),
             solved: solved(axes, AxisKind::Linear).collect(),
-            units_per_mm: per_unit / units.in_mm(),
+            units_per_mm,
+            unit_mm: 1.0 / units_per_mm,
             xyz: coordinates(axes),
             retract_axis,
             retract_share: share(retract_axis),

@@ -35,7 +35,7 @@ use crate::set_up::LengthMode;
 
 pub(crate) use entry::TipEntry;
 pub use frame::{TipAbility, TipStart};
-pub(crate) use linearise::{Linearised, PathTolerance, RotationLaw};
+pub(crate) use linearise::{Linearised, PathTolerance, RotationLaw, WholeMotion};
 pub(crate) use refusal::limits_text;
 pub use suited::{UsableModes, unsuited};
 pub use tilted_plane::{PlaneAbility, PlaneAngles, PoseRule};
@@ -337,7 +337,7 @@ impl Placer {
 
     /// Size of one unit of a linear word, mm.
     pub(crate) fn unit_mm(&self) -> f64 {
-        1.0 / self.linear.units_per_mm
+        self.linear.unit_mm
     }
 
     /// Sets the position of the part zero from the reference point of the table: the part is clamped again.

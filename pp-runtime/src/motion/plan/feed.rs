@@ -52,8 +52,9 @@ pub(crate) struct Feeds {
     shortest_block_min: f64,
     /// Largest feed of the control.
     largest_mm_per_min: f64,
-    /// Largest F of inverse-time feed.
+    /// Largest F of inverse-time feed, and one that its digits cannot round beyond that.
     largest_inverse_time: f64,
+    surely_below_largest: f64,
 }
 
 /// One feed motion: lengths of its paths, and the least time that it takes.
@@ -105,6 +106,7 @@ impl Feeds {
     pub(crate) fn new(policy: Policy<'_>, units: Units, smallest_length_mm: f64, abilities: &Abilities) -> Self {
         let (whole, digits) = (policy.formats.feed_whole as i32, policy.formats.inverse_time as i32);
         let (feed_bound, last_digit) = (10_f64.powi(whole), 10_f64.powi(whole - digits));
+        let largest_inverse_time = abilities.largest_inverse_time.min(feed_bound - last_digit);
         let mut feeds = Self {
             unit_mm: units.in_mm(),
             feed_decimals: policy.formats.feed,
@@ -119,7 +121,8 @@ impl Feeds {
             smallest_length_mm,
             shortest_block_min: policy.options.feed.shortest_block_s / 60.0,
             largest_mm_per_min: policy.options.feed.largest_mm_per_min.unwrap_or(f64::INFINITY),
-            largest_inverse_time: abilities.largest_inverse_time.min(feed_bound - last_digit),
+            largest_inverse_time,
+            surely_below_largest: largest_inverse_time * (1.0 - 10_f64.powi(1 - digits.min(6))),
         };
         feeds.set_mode(policy.options.mode_of_all().unwrap_or_default());
         feeds
@@ -197,10 +200,11 @@ impl Feeds {
                 (FeedWord::PerMinute(word), word)
             }
             Some(per_min) => {
-                let word = Decimal::significant(1.0 / (time_min * per_min), self.inverse_time_digits);
-                let word = word.map_err(|_| too_large(feed))?;
+                let inverse = 1.0 / (time_min * per_min);
+                let word = Decimal::significant(inverse, self.inverse_time_digits).map_err(|_| too_large(feed))?;
                 // Rounding must not lead beyond the limit.
-                let word = if word.value() > self.largest_inverse_time { self.largest_word()? } else { word };
+                let is_beyond = inverse > self.surely_below_largest && word.value() > self.largest_inverse_time;
+                let word = if is_beyond { self.largest_word()? } else { word };
                 (FeedWord::InverseTime(word), word)
             }
             None => {

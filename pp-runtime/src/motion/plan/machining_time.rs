@@ -117,11 +117,10 @@ impl Times {
         self.add(minutes, false);
     }
 
+    /// Whether no rotation so far is as fast.
     #[inline]
-    pub(crate) fn rotate(&mut self, letter: char, rad_per_min: f64, at: Location) {
-        if self.fastest.is_none_or(|fastest| rad_per_min > fastest.rad_per_min) {
-            self.fastest = Some(FastestRotation { letter, rad_per_min, at });
-        }
+    pub(crate) fn is_fastest(&self, rad_per_min: f64) -> bool {
+        self.fastest.is_none_or(|fastest| rad_per_min > fastest.rad_per_min)
     }
 
     pub(crate) fn slow(&mut self, at: Location, minutes: f64) {

@@ -10,7 +10,7 @@ use crate::program::Location;
 use crate::motion::fault::{Fault, Planned};
 use crate::motion::place::AxisPosition;
 use crate::motion::plan::feed::Pace;
-use crate::motion::plan::machining_time::Times;
+use crate::motion::plan::machining_time::{FastestRotation, Times};
 use crate::motion::plan::statistics::Statistics;
 use crate::motion::plan::threads::Threads;
 use crate::motion::step::{BlockReason, Provenance, ReachedPosition};
@@ -187,13 +187,16 @@ impl<S: Sink> Output<S> {
     /// Counts a feed motion. `rotation`: letter and angle, rad, of the rotary axis that rotates most.
     #[inline(always)]
     pub(crate) fn feed(&mut self, pace: &Pace, rotation: Option<(char, f64)>) {
-        let (at, Pace { feed, time_min, slowed_min }) = (self.location(), *pace);
+        let Pace { feed, time_min, slowed_min } = *pace;
         self.times.cut(time_min);
-        if let Some((letter, angle_rad)) = rotation {
-            self.times.rotate(letter, angle_rad / (time_min - slowed_min), at);
+        if let Some((letter, angle_rad)) = rotation
+            && let rad_per_min = angle_rad / (time_min - slowed_min)
+            && self.times.is_fastest(rad_per_min)
+        {
+            self.times.fastest = Some(FastestRotation { letter, rad_per_min, at: self.location() });
         }
         if slowed_min > 0.0 {
-            self.times.slow(at, slowed_min);
+            self.times.slow(self.location(), slowed_min);
         }
         self.inverse_time = matches!(feed, FeedWord::InverseTime(_));
         self.statistics.inverse_time += u64::from(self.inverse_time);

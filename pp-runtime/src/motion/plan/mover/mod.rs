@@ -18,7 +18,7 @@ use crate::program::Units;
 use crate::motion::fault::{Fault, Planned};
 use crate::motion::geometry::angle_between;
 use crate::motion::place::{AxisPosition, Placer};
-use crate::motion::place::{Linearised, PathTolerance, RotationLaw};
+use crate::motion::place::{Linearised, PathTolerance, RotationLaw, WholeMotion};
 use crate::motion::plan::abilities::Abilities;
 use crate::motion::plan::clamps::{Clamps, MovingAxes};
 use crate::motion::plan::feed::{FeedMotion, Feeds, Pace};
@@ -360,14 +360,19 @@ impl<'a, S: Sink> Mover<'a, S> {
     ) -> Planned {
         // Nearly every motion: nothing is copied.
         let seen = self.output.statistics().largest_deviation(tolerance);
-        if let Some(whole) = Linearised::in_one_block(&self.placer, (self.here(), place), (tolerance, seen), self.law) {
-            self.note_rotation_on_spot(place, block, tolerance)?;
-            self.feed_piece((place, whole.tip_rate), rate, block, None)?;
-            if let Some(bound) = &whole.bound {
-                self.output.statistics_mut().certified(bound, tolerance);
-            }
-            return Ok(());
+        let whole = Linearised::in_one_block(&self.placer, (self.here(), place), (tolerance, seen), self.law);
+        let Some(WholeMotion { tip_rate, bound }) = whole else {
+            return self.feed_in_several(place, rate, tolerance);
+        };
+        if let Some(bound) = bound {
+            self.output.statistics_mut().certified(&bound, tolerance);
         }
+        self.note_rotation_on_spot(place, block, tolerance)?;
+        self.feed_piece((place, tip_rate), rate, block, None)
+    }
+
+    /// The same where one block does not certify.
+    fn feed_in_several(&mut self, place: &AxisPosition, rate: f64, tolerance: PathTolerance) -> Planned {
         let mut pieces = Linearised::new(self.here(), place, tolerance, self.law);
         let mut blocks = 0;
         while let Some(piece) = pieces.next(&self.placer)? {
