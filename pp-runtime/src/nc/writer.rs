@@ -228,7 +228,8 @@ impl<'a> Writer<'a> {
     pub fn end(&mut self) -> io::Result<()> {
         if self.end > self.block {
             self.blocks += 1;
-            self.end -= 1;
+            // In place of the blank after the last word.
+            self.buffer[self.end - 1] = b'\n';
             self.finish_line()?;
         }
         Ok(())
@@ -244,21 +245,25 @@ impl<'a> Writer<'a> {
             self.number_line();
         }
         self.append(text);
+        self.append(b"\n");
         self.finish_line()
     }
 
-    #[inline]
+    /// Takes the line that has ended.
+    #[inline(always)]
     fn finish_line(&mut self) -> io::Result<()> {
-        self.append(b"\n");
         let number = self.number.take();
         if let Some(journal) = &mut self.journal {
             journal.add(&self.buffer[self.block..self.end], number);
         }
-        if self.end >= PIECE {
-            self.out.write_all(&self.buffer[..self.end])?;
-            self.end = 0;
-        }
         self.block = self.end;
+        if self.end >= PIECE { self.hand_on() } else { Ok(()) }
+    }
+
+    /// Writes the buffer to the output.
+    fn hand_on(&mut self) -> io::Result<()> {
+        self.out.write_all(&self.buffer[..self.end])?;
+        (self.end, self.block) = (0, 0);
         Ok(())
     }
 
@@ -282,8 +287,7 @@ impl<'a> Writer<'a> {
     /// # Errors
     /// Errors of the output.
     pub fn finish(&mut self) -> io::Result<()> {
-        self.out.write_all(&self.buffer[..self.end])?;
-        (self.end, self.block) = (0, 0);
+        self.hand_on()?;
         self.out.flush()
     }
 }

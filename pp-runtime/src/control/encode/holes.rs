@@ -31,8 +31,15 @@ impl HoleWriter {
     }
 
     /// Cancels the cycle in force, and feed per revolution of a thread; the next motion writes its motion code, the word of the tool axis and F again.
+    #[inline(always)]
     pub(crate) fn end_cycle(&mut self, out: &mut ModalWriter<'_>) -> io::Result<()> {
-        let Some(cycle) = self.in_force.take() else { return Ok(()) };
+        match self.in_force.take() {
+            Some(cycle) => self.cancel(&cycle, out),
+            None => Ok(()),
+        }
+    }
+
+    fn cancel(&self, cycle: &CannedCycle, out: &mut ModalWriter<'_>) -> io::Result<()> {
         out.modal().forget(After::HoleCycle { z: cycle.z });
         match out.codes().cycles.as_ref().map(|cycles| &cycles.form) {
             Some(CycleForm::Codes(CycleCodes { end, .. }) | CycleForm::Definitions(CycleDefinitions { end, .. })) => {

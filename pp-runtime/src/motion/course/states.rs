@@ -141,7 +141,7 @@ impl StateFinder {
 
     /// Whether a path between two tool axes is so short, and so far from the poles, that [`pole_between`](Self::pole_between)
     /// finds none, and neither end is at one.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn passes_far_from_poles(&self, from: &UnitVector3<f64>, to: &UnitVector3<f64>) -> bool {
         // A pole on the path, within its tolerance, is no farther from an end than the path is long and the tolerance.
         let poles = self.placer.poles();
@@ -224,7 +224,7 @@ impl StateFinder {
 
     /// How far the second rotary axis may go beyond the ends of a cut, whose tool axis moves along a great circle, in units of the
     /// words.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn reach_between(&self, from: &UnitVector3<f64>, to: &UnitVector3<f64>) -> i64 {
         self.placer.scale().word((from.into_inner() - to.into_inner()).norm() * SLOPE)
     }

@@ -63,16 +63,19 @@ impl AngleScale {
     }
 
     /// The word nearest to an angle, rad.
+    #[inline(always)]
     pub(crate) fn word(self, angle_rad: f64) -> i64 {
         rounded(angle_rad.to_degrees() * self.units_per_degree)
     }
 
     /// Angle of a word or of a difference of words, rad.
+    #[inline(always)]
     pub(crate) fn angle(self, word: i64) -> f64 {
         self.degrees(word).to_radians()
     }
 
     /// Angle of a word or of a difference of words, degrees.
+    #[inline(always)]
     pub(crate) fn degrees(self, word: i64) -> f64 {
         word as f64 / self.units_per_degree
     }
@@ -80,11 +83,13 @@ impl AngleScale {
 
 impl Rotary {
     /// The word nearest to an axis value, rad.
+    #[inline(always)]
     pub(crate) fn word(self, angle_rad: f64, scale: AngleScale) -> i64 {
         rounded((angle_rad.to_degrees() - self.rest_deg) * scale.units_per_degree)
     }
 
     /// Axis value of a word, rad.
+    #[inline(always)]
     pub(crate) fn angle(self, word: i64, scale: AngleScale) -> f64 {
         self.degrees(word, scale).to_radians()
     }

@@ -37,6 +37,8 @@ pub(crate) struct ModalWriter<'a> {
     writer: Writer<'a>,
     /// Axes in the order of their words in a block.
     axes: Vec<Address>,
+    /// F with each number of decimals.
+    feed_words: [WordForm; 7],
     /// Words of the centre of an arc: distances from its start along X, Y and Z.
     centre_words: [WordForm; 3],
     /// Index of Z in the chain: a length offset may be called with its word.
@@ -142,6 +144,9 @@ impl<'a> ModalWriter<'a> {
             codes,
             writer: Writer::new(out, numbering),
             axes: addresses(control, layout, numerals),
+            feed_words: std::array::from_fn(|decimals| {
+                WordForm::new("F".to_owned(), decimals as u32, Numerals { plus: false, ..numerals })
+            }),
             centre_words: ["I", "J", "K"].map(|letter| WordForm::new(letter.to_owned(), layout.linear, numerals)),
             z: layout.axes.iter().position(|&(letter, _)| letter == 'Z'),
             numerals,
@@ -353,8 +358,16 @@ impl<'a> ModalWriter<'a> {
     /// Writes F, whether it is in force or not.
     #[inline(always)]
     pub(crate) fn feed_word(&mut self, value: Decimal) {
-        let numerals = Numerals { plus: false, ..self.numerals };
-        self.writer.word("F", value, numerals);
+        match self.feed_words.get(value.decimals as usize) {
+            Some(form) => _ = self.writer.words([(form, value.units)]),
+            None => self.small_feed_word(value),
+        }
+    }
+
+    /// Writes F with more decimals than are usual.
+    #[cold]
+    fn small_feed_word(&mut self, value: Decimal) {
+        self.writer.word("F", value, Numerals { plus: false, ..self.numerals });
     }
 
     fn changed_feed(&mut self, feed: Decimal) {
