@@ -106,12 +106,6 @@ mod sealed {
 
 /// Axis values of a machine in the fixed length. A machine with more axes does not compile where it becomes an
 /// [`AnyMachine`].
-/// The certified bound of a block.
-#[cold]
-fn full_bound(curves: BlockCurves) -> BlockDeviation {
-    BlockDeviation::UpTo(curves.bound())
-}
-
 #[inline]
 fn padded<M: Machine>(axes: &M::Axes) -> AxisValues {
     const { assert!(M::AXES.len() <= MAX_AXES, "a chain has at most nine axes: X Y Z U V W A B C") };
@@ -126,6 +120,12 @@ fn trimmed<M: Machine>(values: &AxisValues) -> M::Axes {
     let mut axes = M::HELD;
     axes.as_mut()[..M::AXES.len()].copy_from_slice(&values[..M::AXES.len()]);
     axes
+}
+
+/// The certified bound of a block.
+#[cold]
+fn full_bound(curves: BlockCurves) -> BlockDeviation {
+    BlockDeviation::UpTo(curves.bound())
 }
 
 impl<M: Machine> AnyMachine for M {
