@@ -154,6 +154,7 @@ impl<R: Read> ClReader<R> {
     }
 
     /// Notes what is wrong with a record, and its warnings.
+    #[inline]
     fn note_faults(&mut self, taken: Result<(), ClFault>, statement: &Statement) {
         if let Err(fault) = taken {
             self.faults.add(fault, statement, &self.lexer);

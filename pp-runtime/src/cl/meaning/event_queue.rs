@@ -38,6 +38,7 @@ impl EventQueue {
         self.events.is_empty()
     }
 
+    #[inline]
     pub(crate) fn push(&mut self, here: Location, event: QueuedEvent) {
         self.events.push_back((here, event));
     }

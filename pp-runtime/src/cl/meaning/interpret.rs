@@ -172,6 +172,7 @@ impl RecordInterpreter {
         }
     }
 
+    #[inline(always)]
     fn interpret(&mut self, record: &Record<'_>, here: Location) -> Result<(), ClFault> {
         match record {
             Record::Motion(record) => self.take_motion(record, here),
@@ -218,6 +219,7 @@ impl RecordInterpreter {
         self.push(here, QueuedEvent::Text(used, text.at));
     }
 
+    #[inline]
     fn push(&mut self, here: Location, event: QueuedEvent) {
         self.emit_held_tool();
         self.events.push(here, event);

@@ -63,23 +63,23 @@ impl PathState {
     }
 
     /// Position of the tool, for the record `name`, which is relative to it. Refused where it is unknown or ambiguous.
+    #[inline]
     pub(crate) fn position(&self, name: &'static str, at: Span) -> Result<Pose, ClFault> {
-        if self.above_hole {
-            return Err(ClFault::new(
-                name,
-                at,
-                format!("{name} after a hole is ambiguous: it may start from the hole or from the level above it"),
-                "program a GOTO before it",
-            ));
+        match self.here {
+            Some(here) if !self.above_hole => Ok(here),
+            _ => Err(self.no_position(name, at)),
         }
-        self.here.ok_or_else(|| {
-            ClFault::new(
-                name,
-                at,
-                format!("{name} is relative to the tool position, which is unknown here"),
-                "program a GOTO or FROM before it",
-            )
-        })
+    }
+
+    #[cold]
+    fn no_position(&self, name: &'static str, at: Span) -> ClFault {
+        let (text, help) = if self.above_hole {
+            let text = "after a hole is ambiguous: it may start from the hole or from the level above it";
+            (text, "program a GOTO before it")
+        } else {
+            ("is relative to the tool position, which is unknown here", "program a GOTO or FROM before it")
+        };
+        ClFault::new(name, at, format!("{name} {text}"), help)
     }
 
     /// Vector of the motion to a point, if that motion is a feed line.

@@ -199,6 +199,10 @@ impl<R: Read> Lexer<R> {
         before: &mut NumberLine<N>,
     ) -> Option<(ShortNumbers<USED>, usize)> {
         let line = &self.buffer[self.start..];
+        // Nearly every line of another word has another first letter.
+        if line.first() != before.word.first() {
+            return None;
+        }
         let slash = skip_blanks(line, before.word.len());
         if !line.starts_with(before.word) || line.get(slash) != Some(&b'/') {
             return None;

@@ -50,10 +50,13 @@ impl RecordInterpreter {
     }
 
     /// Pose of the tool tip, where the CL data may program the centre of the corner radius.
+    #[inline]
     fn tip(&self, pose: Pose, at: Span) -> Result<Pose, ClFault> {
-        if self.options.always_tip() {
-            return Ok(pose);
-        }
+        if self.options.always_tip() { Ok(pose) } else { self.tip_of_tool(pose, at) }
+    }
+
+    /// The same, as it is set for the present tool.
+    fn tip_of_tool(&self, pose: Pose, at: Span) -> Result<Pose, ClFault> {
         let tool = self.tool.current();
         let number = tool.map(|tool| tool.number);
         let given = number.and_then(|number| self.options.cl_point_of.get(&number)).copied();
