@@ -143,8 +143,6 @@ pub(super) struct Draft {
     /// Words that are distances, and words that are places, whatever is in force.
     pub(crate) incremental: u16,
     pub(crate) absolute: u16,
-    /// Words with the sign `-`, -0 included.
-    pub(crate) negative: u16,
     /// I J K.
     pub(crate) centre: [f64; 3],
     pub(crate) centre_written: u8,
@@ -239,7 +237,7 @@ impl Draft {
     /// Forgets the words of a block that moves axes and does nothing else.
     pub(super) fn forget_moves(&mut self) {
         (self.number, self.feed) = (None, None);
-        (self.axes, self.written, self.negative) = ([0.0; MAX_AXES], 0, 0);
+        (self.axes, self.written) = ([0.0; MAX_AXES], 0);
     }
 
     /// Forgets the block. `empty`: a draft without words; most blocks leave few.
@@ -274,14 +272,11 @@ impl Draft {
     }
 
     /// Takes the word of an axis; `false` if it stands there already.
-    pub(super) fn axis(&mut self, index: usize, value: f64, negative: bool) -> bool {
+    pub(super) fn axis(&mut self, index: usize, value: f64) -> bool {
         let bit = 1 << index;
         let first = self.written & bit == 0;
         self.axes[index] = value;
         self.written |= bit;
-        if negative {
-            self.negative |= bit;
-        }
         first
     }
 }

@@ -328,14 +328,21 @@ impl<R: Read> Reader<R> {
         // Lines and words with a declared effect are blanked out: the rest of their line is read by the table.
         self.bare.forget();
         let declared = own::declared(&self.line, vocabulary, &self.facts, &mut self.bare, &mut self.blanked);
+        let moves = match &mut self.syntax {
+            Syntax::Iso(iso) if declared.is_none() => iso.moves(&self.line, &mut self.draft),
+            _ => false,
+        };
+        if moves && self.block.faults.is_empty() && !self.own_retract {
+            return true;
+        }
         let text = if declared.is_some() { &self.blanked } else { &self.line };
         let mut line = Line::new(text, vocabulary, &self.machine, &mut self.draft, &mut self.block.faults);
-        let mut is_block = match &mut self.syntax {
-            Syntax::Iso(iso) => iso.line(&mut line),
-            Syntax::Siemens(siemens) => siemens.line(&mut line),
-            Syntax::Heidenhain(heidenhain) => heidenhain.line(&mut line),
-        };
-        line.draft.is_moves &= declared.is_none();
+        let mut is_block = moves
+            || match &mut self.syntax {
+                Syntax::Iso(iso) => iso.line(&mut line),
+                Syntax::Siemens(siemens) => siemens.line(&mut line),
+                Syntax::Heidenhain(heidenhain) => heidenhain.line(&mut line),
+            };
         let may_switch = line.draft.written == 0 && !vocabulary.own.is_empty();
         let switched = may_switch && own::switch(self.bare.text(&self.line, &self.facts), &mut line);
         // A stop may be a line of the tool change.

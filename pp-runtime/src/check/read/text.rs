@@ -191,10 +191,12 @@ impl<'a> Cursor<'a> {
     /// Takes a number: sign, digits, a point; no exponent, at least one digit.
     #[inline(always)]
     pub(super) fn number(&mut self) -> Option<Number> {
-        self.signed(|at, text| at.short_digits(text).or_else(|| long_digits(text)))
+        let goes_on = |digits: &Digits<'_>| matches!(digits.after, [b'.'..=b'9', ..]);
+        self.signed(|at, text| at.short_digits(text).filter(|digits| !goes_on(digits)).or_else(|| long_digits(text)))
     }
 
-    /// The same for a number of no more than eight bytes after its sign, as nearly every one is.
+    /// The same for a number of no more than eight bytes after its sign, as nearly every one is. It is one if neither a digit
+    /// nor a point comes next.
     #[inline(always)]
     pub(super) fn short_number(&mut self) -> Option<Number> {
         self.signed(Self::short_digits)
@@ -235,12 +237,13 @@ impl<'a> Cursor<'a> {
             (bytes, whole, whole)
         };
         let after = text.get((length / 8) as usize..)?;
-        // A digit or another point goes on. `/`, which is between them, is left to the other reader, too.
-        if count == 0 || matches!(after, [b'.'..=b'9', ..]) {
+        if count == 0 {
             return None;
         }
         let mantissa = value_of(digits << (64 - count)).cast_signed();
-        Some(Digits { mantissa, point, decimals: ((count - whole) / 8) as usize, after })
+        // Seven at most, so that the compiler knows it.
+        let decimals = ((count - whole) / 8) as usize & 7;
+        Some(Digits { mantissa, point, decimals, after })
     }
 
     /// The first eight bytes of the rest of the line, the first one lowest, and zeros after its end; `None` in a shorter line.

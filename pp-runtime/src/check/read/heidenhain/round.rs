@@ -59,7 +59,7 @@ fn polar_end(line: &mut Line<'_>, angle: f64, pole: &[Option<f64>; 3]) -> Option
     };
     let ((first, x), (second, y)) = (from_pole(u)?, from_pole(v)?);
     let (sine, cosine) = angle.sin_cos();
-    line.draft.axis(first, pole[u]? + x * cosine - y * sine, false);
-    line.draft.axis(second, pole[v]? + x * sine + y * cosine, false);
+    line.draft.axis(first, pole[u]? + x * cosine - y * sine);
+    line.draft.axis(second, pole[v]? + x * sine + y * cosine);
     Some(())
 }

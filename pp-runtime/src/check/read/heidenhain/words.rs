@@ -73,7 +73,7 @@ fn word(line: &mut Line<'_>) -> bool {
     line.at.blanks();
     let Some(number) = line.at.number() else { return false };
     if let Some(index) = line.axis(letters) {
-        let first = line.draft.axis(index, number.value, number.negative);
+        let first = line.draft.axis(index, number.value);
         if incremental {
             line.draft.incremental |= 1 << index;
         }

@@ -18,6 +18,7 @@ use self::guard::Guards;
 use self::loose::Loose;
 use self::moves::MoveWords;
 use super::Vocabulary;
+use super::draft::Draft;
 use super::language::{Address, Letters, Pattern, letters};
 use super::line::Line;
 use super::machine::Interpreter;
@@ -87,10 +88,6 @@ impl Iso {
         if line.at.rest().is_empty() {
             return false;
         }
-        if self.moves(line) {
-            self.began = true;
-            return true;
-        }
         let due = std::mem::take(&mut self.thread_due);
         if let Some(is_block) = self.without_words(line) {
             if due {
@@ -113,17 +110,17 @@ impl Iso {
     }
 
     /// Reads a line that only moves axes; `false` if it is another, or may mean something else. Then nothing has been read.
-    fn moves(&self, line: &mut Line<'_>) -> bool {
+    pub(super) fn moves(&mut self, text: &[u8], draft: &mut Draft) -> bool {
         if !self.cycle.is_off() || self.rigid || self.thread_due || self.guards.is_open() {
             return false;
         }
-        if !self.moves.read(line.at.rest(), line.draft) {
-            line.draft.forget_moves();
+        if !self.moves.read(text, draft) {
+            draft.forget_moves();
             return false;
         }
-        line.at.take_rest();
-        (line.draft.only_moves, line.draft.is_moves) = (true, true);
-        line.draft.speaks();
+        (draft.only_moves, draft.is_moves) = (true, true);
+        draft.speaks();
+        self.began = true;
         true
     }
 
@@ -286,7 +283,7 @@ impl Reading<'_, '_> {
                     self.loose.x = Some(number);
                 }
                 let value = self.length(number, self.line.machine().axis(index).rotary);
-                self.line.draft.axis(index, value, number.negative);
+                self.line.draft.axis(index, value);
             }
             Address::Centre => {
                 if letter == b'K' {

@@ -5,7 +5,7 @@ use super::super::block::MAX_AXES;
 use super::super::draft::Draft;
 use super::super::language::Address;
 use super::super::machine::Interpreter;
-use super::super::text::{Cursor, whole};
+use super::super::text::{Cursor, Number, whole};
 
 /// Meaning of the first byte of a word.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -57,7 +57,8 @@ impl MoveWords {
         }
     }
 
-    /// Takes the words; `SHORT`: none has a longer number than [`Cursor::short_number`] takes, as in nearly every line.
+    /// Takes the words; `SHORT`: none has a longer number than [`Cursor::short_number`] takes, as in nearly every line. A byte
+    /// that goes on with its number is no part of such a line.
     #[inline(always)]
     fn words<const SHORT: bool>(&self, text: &[u8], draft: &mut Draft) -> bool {
         let number = |at: &mut Cursor<'_>| if SHORT { at.short_number() } else { at.number() };
@@ -70,7 +71,7 @@ impl MoveWords {
                 return false;
             }
         }
-        let (mut written, mut pointed) = (0_u32, true);
+        let mut written = 0_u32;
         while let Some(byte) = at.peek() {
             at.skip(1);
             let part = self.parts[usize::from(byte)];
@@ -78,19 +79,16 @@ impl MoveWords {
                 continue;
             }
             let Part::Word(index) = part else { return false };
-            let Some(number) = number(&mut at).filter(|_| written & (1 << index) == 0) else { return false };
+            let suits = |number: &Number| written & (1 << index) == 0 && (number.point || self.plain);
+            let Some(number) = number(&mut at).filter(suits) else { return false };
             written |= 1 << index;
-            pointed &= number.point;
             match draft.axes.get_mut(usize::from(index)) {
                 Some(axis) => *axis = number.value,
                 None if number.value > 0.0 => draft.feed = Some(number.value),
                 None => return false,
             }
-            if number.negative {
-                draft.negative |= 1 << index;
-            }
         }
         draft.written = written as u16 & !(1 << FEED);
-        draft.written != 0 && (pointed || self.plain)
+        draft.written != 0
     }
 }

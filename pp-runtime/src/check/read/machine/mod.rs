@@ -185,10 +185,14 @@ impl Interpreter {
         block.number = draft.number;
         block.written = draft.written;
         block.only_moves = draft.only_moves && draft.speed.is_none() && draft.effects == 0;
-        match self.modal {
-            Some(Code::Feed) if self.moves_alone(draft) => self.move_along(Action::Feed, draft, block),
-            Some(Code::Rapid) if self.moves_alone(draft) => self.move_along(Action::Rapid, draft, block),
-            _ => self.carry_out(draft, block),
+        let straight = match self.modal {
+            Some(Code::Feed) => Some(Action::Feed),
+            Some(Code::Rapid) => Some(Action::Rapid),
+            _ => None,
+        };
+        match straight.filter(|_| self.moves_alone(draft)) {
+            Some(action) => self.move_along(action, draft, block),
+            None => self.carry_out(draft, block),
         }
         debug_assert!(block.state == self.state, "{:?} {:?}", block.state, self.state);
     }

@@ -199,28 +199,43 @@ impl Interpreter {
 
     /// Puts the axes where their words say.
     pub(super) fn place(&mut self, draft: &Draft, cycle: bool, faults: &mut Vec<Fault>) {
-        let unit = self.unit();
         // In a cycle the word along the normal is the bottom of the hole.
-        let bottom = self.normal().filter(|_| cycle).map_or(0, |normal| 1 << normal);
+        let bottom = if cycle { self.normal().map_or(0, |normal| 1 << normal) } else { 0 };
         let distances = draft.incremental | if self.state.incremental == Some(true) { !draft.absolute } else { 0 };
         let rolls_over = if self.has_rollover || self.state.shortest { self.rotary } else { 0 };
-        let placed = draft.written & !bottom;
-        for index in set_bits(placed) {
-            let bit = 1 << index;
-            let value = if self.rotary & bit != 0 { draft.axes[index].to_radians() } else { draft.axes[index] * unit };
-            self.values[index] = if distances & bit != 0 {
-                self.farther(index, value, faults)
-            } else if rolls_over & bit != 0 {
-                self.turned(index, value, draft.negative & bit != 0, faults)
-            } else {
-                value
-            };
+        let (placed, unit) = (draft.written & !bottom, self.unit());
+        let relative = placed & (distances | rolls_over);
+        if relative != 0 {
+            self.place_relative(draft, relative, distances, faults);
+        }
+        for index in set_bits(placed & !relative) {
+            self.values[index] = self.value(index, draft, unit);
         }
         self.known |= placed;
     }
 
-    /// Value of an axis after a word that is a distance.
+    /// Puts the axes whose ends depend on where they are: words are distances, or the control chooses the way.
     #[inline(never)]
+    fn place_relative(&mut self, draft: &Draft, relative: u16, distances: u16, faults: &mut Vec<Fault>) {
+        let unit = self.unit();
+        for index in set_bits(relative) {
+            let (bit, value) = (1 << index, self.value(index, draft, unit));
+            self.values[index] = if distances & bit != 0 {
+                self.farther(index, value, faults)
+            } else {
+                self.turned(index, value, faults)
+            };
+        }
+    }
+
+    /// Value of a word, mm or rad.
+    #[inline]
+    fn value(&self, index: usize, draft: &Draft, unit: f64) -> f64 {
+        let word = draft.axes[index];
+        if self.rotary & (1 << index) != 0 { word.to_radians() } else { word * unit }
+    }
+
+    /// Value of an axis after a word that is a distance.
     fn farther(&self, index: usize, by: f64, faults: &mut Vec<Fault>) -> f64 {
         if self.known & (1 << index) == 0 {
             fault(faults, 0, "incremental motion from an unknown position");
@@ -229,8 +244,7 @@ impl Interpreter {
     }
 
     /// Where a rotary axis ends whose word says `value`, on a control that chooses the way there.
-    #[inline(never)]
-    fn turned(&self, index: usize, value: f64, negative: bool, faults: &mut Vec<Fault>) -> f64 {
+    fn turned(&self, index: usize, value: f64, faults: &mut Vec<Fault>) -> f64 {
         // Where the set-up says which axes roll over, the short way is for these.
         let any = if self.state.shortest && !self.has_rollover { Some(RolloverRule::Shortest) } else { None };
         let wrap = self.axes[index].rollover.or(any);
@@ -245,7 +259,8 @@ impl Interpreter {
                 let forward = (value.abs() - from).rem_euclid(TAU);
                 // What is already there does not turn, whatever its rounding.
                 let forward = if TAU - forward < HALF_TURN { 0.0 } else { forward };
-                if forward < HALF_TURN || !negative { from + forward } else { from + forward - TAU }
+                // The sign is that of the word, also of -0.
+                if forward < HALF_TURN || value.is_sign_positive() { from + forward } else { from + forward - TAU }
             }
             RolloverRule::Shortest => {
                 let way = (value - from + TAU / 2.0).rem_euclid(TAU) - TAU / 2.0;

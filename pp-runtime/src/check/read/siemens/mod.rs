@@ -141,7 +141,7 @@ fn word(line: &mut Line<'_>, letter: u8, start: usize) -> bool {
             Counts::Absolute => line.draft.absolute |= 1 << index,
             Counts::Incremental => line.draft.incremental |= 1 << index,
         }
-        let first = line.draft.axis(index, number.value, number.negative);
+        let first = line.draft.axis(index, number.value);
         line.once(first, name, start);
         return true;
     }
