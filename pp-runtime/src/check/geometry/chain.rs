@@ -9,7 +9,7 @@ use nalgebra::{Matrix3, Vector3};
 use wide::f64x2;
 
 use super::super::read::MAX_AXES;
-use crate::kinematics::{AnyMachine, AxisKind, Side};
+use crate::kinematics::{AnyMachine, Axis, AxisKind, Side};
 
 /// One factor of the product.
 #[derive(Debug, Clone, Copy)]
@@ -28,6 +28,17 @@ struct Link {
     both: Pair,
     moves_tip: Pair,
     centre: Pair,
+    /// Of a rotary axis whose neighbour towards the tool is rotary, too.
+    next: Option<Arm>,
+}
+
+/// Distances of a point from a rotary axis, mm.
+#[derive(Debug, Clone, Copy)]
+struct Arm {
+    /// From its point.
+    length_mm: f64,
+    /// From its centre line.
+    lever_mm: f64,
 }
 
 /// Components of two vectors, as tip and tool axis: what is done to one is done to the other by the same instruction.
@@ -106,13 +117,15 @@ fn largest(value: impl Fn(usize) -> f64) -> usize {
 
 impl Chain {
     pub(crate) fn of(machine: &dyn AnyMachine) -> Self {
+        let is_rotary = |axis: &Axis| axis.kind == AxisKind::Rotary;
         let link = |index: usize| {
             let joint = machine.joint(index);
             let direction = joint.direction.into_inner() * joint.sign;
             let along = direction * direction.transpose();
             let of_tip = |vector| pair(&vector, &Vector3::zeros());
+            let next = machine.axes().get(index + 1).filter(|axis| is_rotary(axis));
             Link {
-                rotary: machine.axes()[index].kind == AxisKind::Rotary,
+                rotary: is_rotary(&machine.axes()[index]),
                 workpiece: machine.axes()[index].side == Side::Workpiece,
                 direction,
                 point: joint.point.coords,
@@ -122,6 +135,7 @@ impl Chain {
                 both: pair(&direction, &direction),
                 moves_tip: of_tip(direction),
                 centre: of_tip(joint.point.coords),
+                next: next.map(|_| Arm::of(&direction, &(machine.joint(index + 1).point.coords - joint.point.coords))),
             }
         };
         let tool_axis = machine.tool_axis().into_inner();
@@ -158,12 +172,14 @@ impl Chain {
                 continue;
             }
             let turn = change.abs();
-            let [arm, step] = vectors(&arm_and_step);
-            let from_centre = arm - link.point;
-            speed_mm += step.norm();
-            let lever_mm = link.direction.cross(&from_centre).norm() + rotated_mm + speed_mm;
+            let arm = link.next.unwrap_or_else(|| {
+                let [arm, step] = vectors(&arm_and_step);
+                speed_mm += step.norm();
+                Arm::of(&link.direction, &(arm - link.point))
+            });
+            let lever_mm = arm.lever_mm + rotated_mm + speed_mm;
             (bend_mm, speed_mm) = (bend_mm + turn * (2.0 * speed_mm + turn * lever_mm), speed_mm + turn * lever_mm);
-            (arm_and_step, rotated_mm) = (link.centre, rotated_mm + from_centre.norm());
+            (arm_and_step, rotated_mm) = (link.centre, rotated_mm + arm.length_mm);
             angle += turn;
         }
         Swing { bend_mm, angle }
@@ -234,6 +250,13 @@ impl Chain {
         let columns = axes.map(|index| self.links[index].direction);
         let inverse = Matrix3::from_columns(&columns).try_inverse();
         inverse.map_or([0.0; 3], |inverse| (inverse * vector).into())
+    }
+}
+
+impl Arm {
+    /// Of a point as seen from that of the axis.
+    fn of(direction: &Vector3<f64>, from_point: &Vector3<f64>) -> Self {
+        Self { length_mm: from_point.norm(), lever_mm: direction.cross(from_point).norm() }
     }
 }
 
