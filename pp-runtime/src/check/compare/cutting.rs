@@ -209,7 +209,8 @@ impl<R: Read> Comparison<'_, R> {
         let fault = || {
             let path = rules.path(*words, block);
             let deviation = here.and_then(|here| rules.deviation(&path, [here, end], segment, 0.0));
-            let stroke = rules.stroke(words, block, lengths, deviation.as_ref(), part.feed, &part.required);
+            let stroke = rules.stroke(words, block, lengths, part.feed, &part.required);
+            let stroke = stroke.led(deviation.as_ref(), &part.required);
             rules.feed_fault(&stroke, &block.state, segment, [0.0, 1.0])
         };
         !block.action.is_feed() || fault().is_none()
@@ -430,13 +431,13 @@ impl<R: Read> Comparison<'_, R> {
             _ => (segment.tip_at(part.share) - segment.tip_at(along)).norm(),
         };
         let (rules, words, lengths) = (&self.rules, &self.previous.words, (length, segment.length()));
-        let stroke = |deviation| rules.stroke(words, block, lengths, deviation, part.feed, &part.required);
+        let stroke = rules.stroke(words, block, lengths, part.feed, &part.required);
         let largest_rate_mm = match &between {
             BetweenEnds::Straight => 0.0,
             BetweenEnds::Measured(deviation) => deviation.tip_rate_mm,
             BetweenEnds::Within(bound) => bound.tip_rate_mm,
         };
-        if rules.is_feed_plainly_right(&stroke(None), &block.state, largest_rate_mm, &part.required) {
+        if rules.is_feed_plainly_right(&stroke, &block.state, largest_rate_mm, &part.required) {
             return;
         }
         let deviation = match between {
@@ -444,7 +445,7 @@ impl<R: Read> Comparison<'_, R> {
             BetweenEnds::Measured(deviation) => Some(deviation),
             BetweenEnds::Within(_) => rules.deviation(&rules.path(*words, block), ends, segment, self.progress.along()),
         };
-        let stroke = stroke(deviation.as_ref());
+        let stroke = stroke.led(deviation.as_ref(), &part.required);
         let fault = self.rules.feed_fault(&stroke, &block.state, segment, [along, part.share]);
         self.found_any(current, fault);
     }
@@ -499,8 +500,7 @@ impl<R: Read> Comparison<'_, R> {
         let fault = |(required, programmed): &(Rc<Required>, Option<Feed>)| {
             let state = self.rules.fault_at_path(block, required, self.modal_context());
             let feed = state.is_none() && self.rules.is_known(block, known);
-            let stroke =
-                || self.rules.stroke(&before, block, (back.length(), f64::INFINITY), None, *programmed, required);
+            let stroke = || self.rules.stroke(&before, block, (back.length(), f64::INFINITY), *programmed, required);
             let feed = if feed { self.rules.law().wrong(&stroke(), &block.state) } else { None };
             state.or(feed.map(StateFault::from))
         };
@@ -561,7 +561,8 @@ impl<R: Read> Comparison<'_, R> {
             // Both ends are rounded: a last piece of one unit may look like none.
             let longest = if stays { moved_mm + 2.0 * rules.rounding().tip_mm } else { f64::INFINITY };
             let deviation = rules.deviation(&rules.path(*before, block), [&from, end], segment, 0.0);
-            let stroke = rules.stroke(before, block, (0.0, longest), deviation.as_ref(), *feed, required);
+            let stroke = rules.stroke(before, block, (0.0, longest), *feed, required);
+            let stroke = stroke.led(deviation.as_ref(), required);
             !at_feed || rules.feed_fault(&stroke, &block.state, segment, [0.0, 1.0]).is_none()
         };
         let is_rest = same_kind
@@ -736,7 +737,7 @@ impl<R: Read> Comparison<'_, R> {
                 let feed = self.rules.policy().links.rapid_feed_mm_per_min.map(Feed::PerMinute);
                 let feed = if next.rapid { feed } else { feed.or(next.feed) };
                 let before = &self.previous.words;
-                let stroke = self.rules.stroke(before, current.block, (length, f64::INFINITY), None, feed, &required);
+                let stroke = self.rules.stroke(before, current.block, (length, f64::INFINITY), feed, &required);
                 let fault = self.rules.law().wrong(&stroke, &current.block.state);
                 self.found_any(current, fault);
                 let fault = self.functions.smoothing(&current.block.state, &self.rules, required.smoothing);

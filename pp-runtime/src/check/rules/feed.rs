@@ -5,8 +5,10 @@
 //! be faster than it can, or the control has a largest F or a shortest block. Where no rotary word changes and the linear axes
 //! are perpendicular F is the feed of the tip; elsewhere it applies to the control's own path.
 
+use super::super::expect::Required;
 use super::super::policy::{CheckPolicy, FeedPath, LinearMeaning};
 use super::super::read::{Facts, FeedMode, MAX_AXES, State, set_bits};
+use super::{Deviation, tip_rates};
 use crate::kinematics::math::{larger, smaller};
 use crate::kinematics::{AnyMachine, AxisKind};
 use crate::program::{Feed, Units};
@@ -48,6 +50,14 @@ pub(crate) struct Stroke {
     pub(crate) uneven: Option<Box<[f64; MAX_AXES]>>,
     pub(crate) feed: Option<Feed>,
     pub(crate) speed_rev_per_min: Option<f64>,
+}
+
+impl Stroke {
+    /// The same with the speed of the tip in the block, where that is measured.
+    pub(crate) fn led(self, deviation: Option<&Deviation>, required: &Required) -> Self {
+        let rate_mm = deviation.map_or(0.0, |found| found.tip_rate_mm);
+        if rate_mm > 0.0 { Self { tip_rate_mm: tip_rates(rate_mm, required), ..self } } else { self }
+    }
 }
 
 /// Largest ratio of the time of a block, where the speeds of axes within it are bounded, to the time that its slowest axis needs.

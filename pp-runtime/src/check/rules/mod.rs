@@ -320,14 +320,13 @@ impl<'a> Rules<'a> {
         }
     }
 
-    /// The motion of a feed block from the words before it. `length_mm`: its tip path as rounded ends show it, and the length
-    /// that it cannot exceed. `deviation`: of the block, where it is measured.
+    /// The motion of a feed block from the words before it, whose tip is led evenly. `length_mm`: its tip path as rounded ends
+    /// show it, and the length that it cannot exceed.
     pub(super) fn stroke(
         &self,
         before: &[f64; MAX_AXES],
         block: &Block,
         (length_mm, longest_mm): (f64, f64),
-        deviation: Option<&Deviation>,
         feed: Option<Feed>,
         required: &Required,
     ) -> Stroke {
@@ -343,11 +342,9 @@ impl<'a> Rules<'a> {
         let tip = self.meaning == LinearMeaning::TipCoordinates;
         let rests = tip && length_mm < 0.5 * self.rounding.unit_mm && self.words.xyz().into_iter().all(same);
         let longest_mm = if rests { 0.0 } else { longest_mm };
-        let rate_mm = deviation.map_or(0.0, |found| found.tip_rate_mm);
-        let tip_rate_mm = if rate_mm > 0.0 { tip_rates(rate_mm, required) } else { [0.0; 2] };
         let speed_rev_per_min = required.spindle.map(|(speed, _)| speed);
         let uneven = self.uneven(before, block);
-        Stroke { length_mm, longest_mm, tip_rate_mm, change, uneven, feed, speed_rev_per_min }
+        Stroke { length_mm, longest_mm, tip_rate_mm: [0.0; 2], change, uneven, feed, speed_rev_per_min }
     }
 
     /// Whether F of a block that goes along a motion is right whatever the speed of the tip, up to a bound of it times the time of
