@@ -26,7 +26,7 @@ const DWELL_ROUNDING: f64 = 6e-4;
 impl<R: Read> Comparison<'_, R> {
     /// INSERT, codes of the CL data and statements of the shop: a block that is copied.
     pub(super) fn is_raw(&mut self, phase: &Phase, current: &Current<'_>) -> bool {
-        if !self.progress.has_text_ahead() {
+        if !self.progress.has_others_ahead() {
             return false;
         }
         let here = phase.here();
@@ -105,6 +105,9 @@ impl<R: Read> Comparison<'_, R> {
         }
         let fault = self.functions.spindle(block, &self.rules);
         self.found_any(current, fault);
+        if current.same_modes {
+            return;
+        }
         let length = std::mem::replace(&mut self.previous.length, block.state.length);
         let tilted = std::mem::replace(&mut self.previous.tilted, block.state.tilt.is_some());
         if !phase.is_at_part() {
@@ -1011,7 +1014,7 @@ impl<R: Read> Comparison<'_, R> {
             matches!(self.progress.get(index), Some(ExpectedItem { action: ExpectedAction::BlockSkip { on: expected }, .. })
                 if *expected == on)
         };
-        if !on && !self.skippable && is(0, true) && is(1, false) {
+        if !on && !self.skippable && self.progress.has_others_ahead() && is(0, true) && is(1, false) {
             // Nothing comes between them.
             self.progress.take();
             self.progress.take();
@@ -1019,7 +1022,6 @@ impl<R: Read> Comparison<'_, R> {
         if std::mem::replace(&mut self.skippable, on) == on {
             return Ok(());
         }
-        self.right_state = None;
         self.pass_needless(phase)?;
         match self.progress.next().map(|item| &item.action) {
             Some(ExpectedAction::BlockSkip { on: expected }) if *expected == on => self.progress.take(),

@@ -64,6 +64,8 @@ struct Comparison<'a, R> {
     previous: Previous,
     /// The block at hand has led the tool along the CL data.
     arrived: bool,
+    /// The last block has been compared to its end: `previous` has its modes.
+    compared: bool,
     start: StartState,
     /// What the last cut required, if its modal state was right: so is that of the cuts after it, until a block has other words
     /// than those of a motion.
@@ -123,6 +125,8 @@ struct Current<'b> {
     shown: Shown<'b>,
     /// The record that was next when the block began.
     at: Location,
+    /// Its modes are those of the last block, which has been compared.
+    same_modes: bool,
 }
 
 impl<'a, R: Read> Checker<'a, R> {
@@ -143,6 +147,7 @@ impl<'a, R: Read> Checker<'a, R> {
             rules,
             previous: Previous::default(),
             arrived: false,
+            compared: false,
             start: StartState::default(),
             right_state: None,
             functions: FunctionState::default(),
@@ -162,9 +167,12 @@ impl<'a, R: Read> Checker<'a, R> {
     pub(super) fn block(&mut self, block: &Block, text: &[u8]) -> io::Result<()> {
         let Self { comparison, phase, .. } = self;
         comparison.progress.fill(2)?;
-        let current = Current { block, shown: Shown { line: block.line, text }, at: comparison.progress.location() };
+        let compared = std::mem::take(&mut comparison.compared);
+        let same_modes = compared && block.only_moves && block.skippable == comparison.skippable;
+        let shown = Shown { line: block.line, text };
+        let current = Current { block, shown, at: comparison.progress.location(), same_modes };
         comparison.stop_at_fault(&current);
-        if !block.only_moves {
+        if !same_modes {
             comparison.right_state = None;
         }
         comparison.block_skip(phase, &current)?;
@@ -196,9 +204,12 @@ impl<'a, R: Read> Checker<'a, R> {
         if let Some(next) = next {
             *phase = next;
         }
-        let state = &block.state;
-        comparison.previous.tip_control = state.tip_control != TipControl::Off;
-        comparison.previous.runs = state.spindle.flatten().is_some() || state.coolant.is_some_and(|on| on != 0);
+        if !same_modes {
+            let state = &block.state;
+            comparison.previous.tip_control = state.tip_control != TipControl::Off;
+            comparison.previous.runs = state.spindle.flatten().is_some() || state.coolant.is_some_and(|on| on != 0);
+        }
+        comparison.compared = true;
         Ok(())
     }
 

@@ -53,9 +53,9 @@ impl<'a, R: Read> ClProgress<'a, R> {
         self.expect.get(index)
     }
 
-    /// Whether a text that the program must have is among the items that are known.
-    pub(super) fn has_text_ahead(&self) -> bool {
-        self.expect.has_text()
+    /// Whether there may be others than motions among the items that are known.
+    pub(super) fn has_others_ahead(&self) -> bool {
+        self.expect.has_others()
     }
 
     /// Position of the first item ahead that suits.

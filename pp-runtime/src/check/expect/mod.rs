@@ -185,9 +185,9 @@ impl<'a, R: Read> Expect<'a, R> {
         Ok(())
     }
 
-    /// Whether a text that the program must have is among the items that are known.
-    pub(super) fn has_text(&self) -> bool {
-        self.state.last_text() > self.done()
+    /// Whether there may be others than motions among the items that are known.
+    pub(super) fn has_others(&self) -> bool {
+        self.state.last_other() > self.done()
     }
 
     /// Number of items that have been taken.

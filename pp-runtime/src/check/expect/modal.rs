@@ -59,9 +59,9 @@ pub(super) struct ClState<'a> {
     /// Number of holes so far.
     holes: u64,
     items: VecDeque<ExpectedItem>,
-    /// Number of items so far, and of the last one that is a text.
+    /// Number of items so far, and of the last one that is no motion.
     pushed: u64,
-    last_text: u64,
+    last_other: u64,
     messages: VecDeque<ExpectedMessage>,
     /// OPSKIP/ON is in force.
     skippable: bool,
@@ -181,7 +181,7 @@ impl<'a> ClState<'a> {
             holes: 0,
             items: VecDeque::new(),
             pushed: 0,
-            last_text: 0,
+            last_other: 0,
             messages: VecDeque::new(),
             skippable: false,
             before_skip: (false, None),
@@ -324,9 +324,9 @@ impl<'a> ClState<'a> {
         self.pushed
     }
 
-    /// Number of the last item that is a text which the program must have; 0 before the first.
-    pub(super) fn last_text(&self) -> u64 {
-        self.last_text
+    /// Number of the last item that is no motion; 0 before the first.
+    pub(super) fn last_other(&self) -> u64 {
+        self.last_other
     }
 
     /// A text that the control displays, where the configuration asks for it; before the first motion of an operation it
@@ -576,14 +576,14 @@ impl<'a> ClState<'a> {
         }
     }
 
-    /// The hole whose motions are being added, at its feed.
-    fn expected_hole(&self) -> Option<Rc<ExpectedHole>> {
-        let mut expected = Rc::clone(self.hole.as_ref()?);
+    /// A hole whose motions are being added, at its feed.
+    fn at_feed(&self, hole: &Rc<ExpectedHole>) -> Rc<ExpectedHole> {
+        let mut expected = Rc::clone(hole);
         let feed = expected.hole.feed.map(|feed| if self.in_thread() { feed } else { self.capped(feed) });
         if feed != expected.hole.feed {
             Rc::make_mut(&mut expected).hole.feed = feed;
         }
-        Some(expected)
+        expected
     }
 
     /// Whether the motion is one of a thread, whose feed follows from its pitch.
@@ -665,16 +665,17 @@ impl<'a> ClState<'a> {
         }
     }
 
+    #[inline(always)]
     fn push(&mut self, at: Location, action: ExpectedAction) {
         if self.is_selected(self.operation.number, self.operation.reached) {
             self.pushed += 1;
-            if matches!(action, ExpectedAction::Raw(_) | ExpectedAction::Probe { .. }) {
-                self.last_text = self.pushed;
+            if !matches!(action, ExpectedAction::Motion(_)) {
+                self.last_other = self.pushed;
             }
             self.items.push_back(ExpectedItem {
                 at,
                 required: Rc::clone(&self.required),
-                hole: self.expected_hole(),
+                hole: self.hole.as_ref().map(|hole| self.at_feed(hole)),
                 action,
             });
         }

@@ -325,7 +325,10 @@ impl CycleMove {
 }
 
 /// What a block does.
+///
+/// The kind has a byte of its own, so that it is found by one comparison.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[repr(u8)]
 pub enum Action {
     /// State, comments, frame.
     Nothing,

@@ -43,10 +43,13 @@ impl Travel {
         let words = rules.words();
         let (rotary, by_control) = (words.rotary_bits(), block.state.vector.is_some());
         let stated = !by_control && block.known & rotary == rotary;
-        let rotated = std::mem::replace(&mut self.rotated, stated.then_some(block.values));
+        let end = stated.then_some(block.values);
         let sweep = sweep(block);
-        let tip_control = block.state.tip_control != TipControl::Off;
-        let Some(rotated) = rotated.filter(|_| by_control || tip_control || sweep > 0.0) else { return };
+        if block.state.tip_control == TipControl::Off && !by_control && sweep <= 0.0 {
+            self.rotated = end;
+            return;
+        }
+        let Some(rotated) = std::mem::replace(&mut self.rotated, end) else { return };
         let known = known & block.known & words.linear_bits() == words.linear_bits();
         // The start of linear axes may be unknown; the rotation of the rotary ones is known.
         let from = words.with_rotary(if known { *before } else { block.values }, &rotated);
