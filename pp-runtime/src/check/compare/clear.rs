@@ -51,6 +51,7 @@ impl KeepOut {
     }
 
     /// What is wrong with a rapid that may lead the tip into the geometry.
+    #[inline(never)]
     pub(super) fn fault(&self, rules: &Rules<'_>, previous: &Previous, block: &Block) -> Option<String> {
         let Self { clearance, approaches } = self;
         let [from, to] = self.ends_of_rapid(rules, previous, block)?;

@@ -12,7 +12,7 @@ use super::super::expect::{ClMotion, ExpectedAction, ExpectedItem, Required, Req
 use super::super::geometry::{PathShape, Segment, ToolPose, angle_between, is_within_angle};
 use super::super::policy::RapidForm;
 use super::super::read::{Action, Block, CycleMove, MAX_AXES, Side};
-use super::super::rules::{BOTH, Deviation, DeviationBound, LinkForm, ModalContext, StateFault};
+use super::super::rules::{BOTH, Deviation, DeviationBound, LinkForm, ModalContext, StateFault, Stroke};
 use super::hole::{CycleComparison, is_over, pose_at, words_at};
 use super::phase::{COMES_BACK, Cutting, FinishedMotion, Leaving, Phase, RapidSteps, RetractedLength, RewindPoint};
 use super::rapid::{RapidPart, RapidRules, is_on_line, rollover_travel};
@@ -195,7 +195,8 @@ impl<R: Read> Comparison<'_, R> {
         }
     }
 
-    /// Whether a block has the feed of a motion. `here`, `end`: poses before and after it.
+    /// Whether a block has the feed of a motion. `here`, `end`: poses before and after it. Asked of few blocks.
+    #[inline(never)]
     fn has_feed_of(&self, here: Option<&ToolPose>, (block, end): (&Block, &ToolPose), part: &Part) -> bool {
         let (rules, words, segment) = (&self.rules, &self.previous.words, &part.segment);
         let length = segment.length();
@@ -245,7 +246,8 @@ impl<R: Read> Comparison<'_, R> {
         }
         let at_feed = !block.action.is_rapid();
         let known = self.rules.is_known(block, self.previous.known);
-        let RapidRules { expects_feed, follows_path, link, .. } = self.rapid_rules(cutting, current, part);
+        let rules = if part.rapid { self.rapid_rules(cutting, current, part) } else { RapidRules::CUT };
+        let RapidRules { expects_feed, follows_path, link, .. } = rules;
         if at_feed != expects_feed {
             let text = match at_feed {
                 true => "this motion is a rapid in the CL data and is programmed at feed",
@@ -269,7 +271,9 @@ impl<R: Read> Comparison<'_, R> {
                 self.compare_feed(current, part, ([&here, end], along), between);
             }
         }
-        self.end_rapid_steps(cutting, current);
+        if let Some(steps) = cutting.steps.take() {
+            self.end_rapid_steps(&steps, current);
+        }
         // The machine retracts along the axis that it has: tool axes of the CL data that it cannot tell apart are one.
         cutting.retract.follow(&ToolPose { axis: end.axis, ..on });
         self.start.restarted = false;
@@ -289,11 +293,9 @@ impl<R: Read> Comparison<'_, R> {
         }
     }
 
-    /// Rules of a block that carries out a part of a motion.
+    /// Rules of a block that carries out a part of a rapid.
+    #[inline(never)]
     fn rapid_rules(&mut self, cutting: &mut Cutting, current: &Current<'_>, part: &Part) -> RapidRules {
-        if !part.rapid {
-            return RapidRules::CUT;
-        }
         let begun = cutting.rapid_from.take();
         let rapid = RapidPart {
             begun: begun.is_some(),
@@ -315,6 +317,7 @@ impl<R: Read> Comparison<'_, R> {
     }
 
     /// Compares the modal state of a block, and returns whether it is right.
+    #[inline(never)]
     fn compare_state(&mut self, current: &Current<'_>, required: &Required) -> bool {
         let fault = self.rules.fault_at_path(current.block, required, self.modal_context());
         let right = fault.is_none();
@@ -350,6 +353,12 @@ impl<R: Read> Comparison<'_, R> {
         if let Some(bound) = self.small_deviation(current, (ends, on), part) {
             return BetweenEnds::Within(bound);
         }
+        self.compare_points(current, ends, part)
+    }
+
+    /// The same at points between the ends, where bounds do not decide.
+    #[inline(never)]
+    fn compare_points(&mut self, current: &Current<'_>, ends: [&ToolPose; 2], part: &Part) -> BetweenEnds {
         let path = self.rules.path(self.previous.words, current.block);
         let along = self.progress.along();
         let Some(deviation) = self.rules.deviation(&path, ends, &part.segment, along) else {
@@ -437,9 +446,23 @@ impl<R: Read> Comparison<'_, R> {
             BetweenEnds::Measured(deviation) => deviation.tip_rate_mm,
             BetweenEnds::Within(bound) => bound.tip_rate_mm,
         };
-        if rules.is_feed_plainly_right(&stroke, &block.state, largest_rate_mm, &part.required) {
-            return;
+        if !rules.is_feed_plainly_right(&stroke, &block.state, largest_rate_mm, &part.required) {
+            self.compare_feed_closely(current, part, (ends, along), stroke, between);
         }
+    }
+
+    /// The same where that is not plain: few blocks.
+    #[inline(never)]
+    fn compare_feed_closely(
+        &mut self,
+        current: &Current<'_>,
+        part: &Part,
+        (ends, along): ([&ToolPose; 2], f64),
+        stroke: Stroke,
+        between: BetweenEnds,
+    ) {
+        let (block, segment) = (current.block, &part.segment);
+        let (rules, words) = (&self.rules, &self.previous.words);
         let deviation = match between {
             BetweenEnds::Straight => None,
             BetweenEnds::Measured(deviation) => Some(deviation),
@@ -519,10 +542,20 @@ impl<R: Read> Comparison<'_, R> {
         let Some(finished) = cutting.finished.as_mut().filter(|_| rules.is_known(block, self.previous.known)) else {
             return false;
         };
+        !rules.is_far_from_end(&finished.segment, end) && self.is_rest_of(finished, here, block, end)
+    }
+
+    /// The same for a block near the end of the motion; few are.
+    #[inline(never)]
+    fn is_rest_of(
+        &self,
+        finished: &mut FinishedMotion,
+        here: Option<&ToolPose>,
+        block: &Block,
+        end: &ToolPose,
+    ) -> bool {
+        let rules = &self.rules;
         let FinishedMotion { segment, required, feed, at_feed, link, .. } = &*finished;
-        if rules.is_far_from_end(segment, end) {
-            return false;
-        }
         let same_kind = match block.action {
             Action::Feed | Action::Arc(_) => *at_feed,
             Action::Rapid => !*at_feed && (*link || rules.link_form() == LinkForm::OneRapid || !self.rotates(block)),
@@ -600,10 +633,10 @@ impl<R: Read> Comparison<'_, R> {
     }
 
     /// The end of a rapid that may have been in steps.
-    fn end_rapid_steps(&mut self, cutting: &mut Cutting, current: &Current<'_>) {
-        let Some(steps) = cutting.steps.take() else { return };
+    #[inline(never)]
+    fn end_rapid_steps(&mut self, steps: &RapidSteps, current: &Current<'_>) {
         let end = &current.block.values;
-        if !is_on_line(&self.rules, &steps, end) {
+        if !is_on_line(&self.rules, steps, end) {
             self.found(current, "the intermediate points of this rapid are not on its path");
         } else if rollover_travel(&self.rules, &steps.start, end) < PI - self.rules.rounding().unit_rad {
             self.found(current, "this rapid is split into steps, but no rotary axis moves by 180° or more");

@@ -25,10 +25,8 @@ const DWELL_ROUNDING: f64 = 6e-4;
 
 impl<R: Read> Comparison<'_, R> {
     /// INSERT, codes of the CL data and statements of the shop: a block that is copied.
+    #[inline(never)]
     pub(super) fn is_raw(&mut self, phase: &Phase, current: &Current<'_>) -> bool {
-        if !self.progress.has_others_ahead() {
-            return false;
-        }
         let here = phase.here();
         let index = (0..).find(|index| !self.is_needless(*index, here)).unwrap_or_default();
         let (expected, probe) = match self.progress.get(index).map(|item| &item.action) {
@@ -83,18 +81,7 @@ impl<R: Read> Comparison<'_, R> {
             && matches!(self.progress.next(), Some(ExpectedItem { action: ExpectedAction::Stop { optional }, .. })
                 if *optional == (block.action == Action::OptionalStop));
         if let Some(own) = &block.own {
-            self.functions.line(&own.places);
-            let ended = self.progress.next().is_none();
-            let misplaced = place_of_line(&own.places, phase, self.tally.motions(), ended);
-            self.found_any(current, misplaced.filter(|_| !is_of_cl));
-            let register = self.progress.next().map(|item| item.required.register);
-            let of_another = self.shop_lines.values_fault(own, block.state.tool, register);
-            self.found_any(current, of_another);
-            self.measures_at_tool_position(own, current);
-            if needs_retract(own) {
-                self.start.retracted = false;
-                self.shop_lines.lose_retract();
-            }
+            self.own_line(own, is_of_cl, phase, current);
         }
         if !is_of_cl && (!phase.is_at_part() || !current.block.action.moves()) {
             let of_another = self.shop_lines.note(current.shown.text, block.state.tool);
@@ -105,9 +92,32 @@ impl<R: Read> Comparison<'_, R> {
         }
         let fault = self.functions.spindle(block, &self.rules);
         self.found_any(current, fault);
-        if current.same_modes {
-            return;
+        if !current.same_modes {
+            self.modes_before_task(phase, current);
         }
+    }
+
+    /// A line that the user brought in; `is_of_cl`: it is the stop of the CL data.
+    #[inline(never)]
+    fn own_line(&mut self, own: &OwnLine, is_of_cl: bool, phase: &Phase, current: &Current<'_>) {
+        self.functions.line(&own.places);
+        let ended = self.progress.next().is_none();
+        let misplaced = place_of_line(&own.places, phase, self.tally.motions(), ended);
+        self.found_any(current, misplaced.filter(|_| !is_of_cl));
+        let register = self.progress.next().map(|item| item.required.register);
+        let of_another = self.shop_lines.values_fault(own, current.block.state.tool, register);
+        self.found_any(current, of_another);
+        self.measures_at_tool_position(own, current);
+        if needs_retract(own) {
+            self.start.retracted = false;
+            self.shop_lines.lose_retract();
+        }
+    }
+
+    /// Changes of length compensation and planes that must not happen at the part.
+    #[inline(never)]
+    fn modes_before_task(&mut self, phase: &Phase, current: &Current<'_>) {
+        let block = current.block;
         let length = std::mem::replace(&mut self.previous.length, block.state.length);
         let tilted = std::mem::replace(&mut self.previous.tilted, block.state.tilt.is_some());
         if !phase.is_at_part() {
@@ -1019,9 +1029,13 @@ impl<R: Read> Comparison<'_, R> {
             self.progress.take();
             self.progress.take();
         }
-        if std::mem::replace(&mut self.skippable, on) == on {
-            return Ok(());
-        }
+        if std::mem::replace(&mut self.skippable, on) == on { Ok(()) } else { self.change_block_skip(phase, current) }
+    }
+
+    /// The first block that may be skipped, or that may no longer.
+    #[inline(never)]
+    fn change_block_skip(&mut self, phase: &mut Phase, current: &Current<'_>) -> io::Result<()> {
+        let on = current.block.skippable;
         self.pass_needless(phase)?;
         match self.progress.next().map(|item| &item.action) {
             Some(ExpectedAction::BlockSkip { on: expected }) if *expected == on => self.progress.take(),

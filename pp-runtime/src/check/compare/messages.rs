@@ -17,6 +17,12 @@ impl<R: Read> Comparison<'_, R> {
         let Some(marks) = self.rules.facts().message.filter(|_| self.rules.policy().shop.displays_messages) else {
             return;
         };
+        self.compare_messages(marks, current);
+    }
+
+    /// The same where texts are displayed. `marks`: before and after one.
+    #[inline(never)]
+    fn compare_messages(&mut self, marks: [&'static str; 2], current: &Current<'_>) {
         let line = current.shown.text.trim_ascii();
         let guarded = std::mem::replace(&mut self.guarded, line.starts_with(b"IF "));
         let policy = self.rules.policy();

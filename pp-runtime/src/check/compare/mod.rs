@@ -176,7 +176,7 @@ impl<'a, R: Read> Checker<'a, R> {
             comparison.right_state = None;
         }
         comparison.block_skip(phase, &current)?;
-        if comparison.is_raw(phase, &current) {
+        if comparison.progress.has_others_ahead() && comparison.is_raw(phase, &current) {
             *phase = comparison.forget(phase);
             return Ok(());
         }
@@ -197,7 +197,8 @@ impl<'a, R: Read> Checker<'a, R> {
         let next = if let Some(index) = comparison.own_retract_block(own_places) {
             comparison.own_retract(index, phase, &current)?
         } else if block.action.moves() {
-            comparison.moving(task, phase, &current)?
+            comparison.moving(task, phase, &current)?;
+            None
         } else {
             comparison.standing(task, phase, &current)?
         };
@@ -257,8 +258,8 @@ impl<'a, R: Read> Checker<'a, R> {
 }
 
 impl<R: Read> Comparison<'_, R> {
-    /// A block that moves an axis; the phase after it, if that is another.
-    fn moving(&mut self, task: Task, phase: &mut Phase, current: &Current<'_>) -> io::Result<Option<Phase>> {
+    /// A block that moves an axis; `phase` is that after it.
+    fn moving(&mut self, task: Task, phase: &mut Phase, current: &Current<'_>) -> io::Result<()> {
         let block = current.block;
         self.tally.count_motion();
         if phase.is_retracted() || phase.is_unknown() {
@@ -294,6 +295,9 @@ impl<R: Read> Comparison<'_, R> {
             }
             _ => None,
         };
+        if let Some(next) = next {
+            *phase = next;
+        }
         let entered = keep_out.and_then(|keep_out| keep_out.fault(&self.rules, &self.previous, block));
         self.found_any(current, entered);
         self.follow_arcs(block);
@@ -307,7 +311,7 @@ impl<R: Read> Comparison<'_, R> {
         self.previous.words = block.values;
         self.previous.at_part = std::mem::take(&mut self.arrived) && !block.state.has_frame();
         (self.previous.known, self.previous.same_meaning) = (block.known, block.known);
-        Ok(next)
+        Ok(())
     }
 
     /// A block that moves nothing.

@@ -157,10 +157,10 @@ impl<'a, R: Read> ClProgress<'a, R> {
     pub(super) fn repeats(&self) -> bool {
         let (Some(from), Some(item)) = (&self.reached, self.next()) else { return false };
         let ExpectedItem { action: ExpectedAction::Motion(motion), hole: None, .. } = item else { return false };
-        let begins = self.along <= 0.0 && !self.approached && !motion.rapid && !motion.starts;
+        let begins = || self.along <= 0.0 && !self.approached && !motion.rapid && !motion.starts;
         // A full circle ends where it began, too.
         let length = || Segment { from: *from, to: motion.to, shape: motion.shape.clone() }.length();
-        begins && *from == motion.to && length() <= 0.0
+        *from == motion.to && begins() && length() <= 0.0
     }
 
     /// Whether the next item is a motion away from where the tool is, which needs its block.

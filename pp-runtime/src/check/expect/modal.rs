@@ -513,24 +513,37 @@ impl<'a> ClState<'a> {
         let continues = self.policy.links.direct && operation.position_known && !operation.changed;
         let starts = operation.starts && !continues;
         if operation.starts {
-            operation.number += 1;
-            operation.reached |= operation.named;
-            operation.starts = false;
-            operation.called = false;
-            operation.changed = false;
-            self.require().operation = operation.number;
-            self.take_rules(at);
+            self.start_operation(at);
         }
         self.operation.position_known = true;
         self.operation.worked = true;
         if std::mem::take(&mut self.process_due) {
-            let (spindle, coolant) = (self.spindle_state(), self.coolant_bits());
-            let required = self.require();
-            (required.spindle, required.coolant) = (spindle, coolant);
+            self.take_process();
         }
         let to = tool_pose(&motion.pose);
         let feed = motion.feed.map(|feed| if self.in_thread() { feed } else { self.capped(feed) });
         self.push(at, ExpectedAction::Motion(ClMotion { to, shape, rapid: motion.rapid, feed, starts }));
+    }
+
+    /// An operation begins with its first motion.
+    #[inline(never)]
+    fn start_operation(&mut self, first_motion: Location) {
+        let operation = &mut self.operation;
+        operation.number += 1;
+        operation.reached |= operation.named;
+        operation.starts = false;
+        operation.called = false;
+        operation.changed = false;
+        self.require().operation = self.operation.number;
+        self.take_rules(first_motion);
+    }
+
+    /// Takes spindle and coolant of the next motions.
+    #[inline(never)]
+    fn take_process(&mut self) {
+        let (spindle, coolant) = (self.spindle_state(), self.coolant_bits());
+        let required = self.require();
+        (required.spindle, required.coolant) = (spindle, coolant);
     }
 
     /// Takes the rules of the operation that begins.

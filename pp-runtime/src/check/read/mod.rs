@@ -59,7 +59,7 @@ use heidenhain::Heidenhain;
 use iso::Iso;
 use line::Line;
 use machine::Interpreter;
-use own::Bare;
+use own::{Bare, Declared};
 use siemens::Siemens;
 use text::GOES_ON;
 
@@ -275,9 +275,14 @@ impl<R: Read> Reader<R> {
 
     /// Blocks that may be skipped begin or end. After them is known what is the same whether they were skipped or not.
     fn follow_skip(&mut self, marked: bool) {
-        if marked == self.block.skippable {
-            return;
+        if marked != self.block.skippable {
+            self.change_skip(marked);
         }
+    }
+
+    /// The first line that may be skipped, or that may no longer.
+    #[inline(never)]
+    fn change_skip(&mut self, marked: bool) {
         let in_guard = match &self.syntax {
             Syntax::Iso(iso) => iso.is_in_guard(),
             Syntax::Siemens(siemens) => siemens.is_in_guard(),
@@ -332,9 +337,14 @@ impl<R: Read> Reader<R> {
             Syntax::Iso(iso) if declared.is_none() => iso.moves(&self.line, &mut self.draft),
             _ => false,
         };
-        if moves && self.block.faults.is_empty() && !self.own_retract {
-            return true;
-        }
+        let plain = moves && self.block.faults.is_empty() && !self.own_retract;
+        plain || self.read_other_line(declared, moves)
+    }
+
+    /// Reads a line that does more than move axes, is one of the configuration, or has faults; `moves`: its words have been read.
+    #[inline(never)]
+    fn read_other_line(&mut self, declared: Option<Declared>, moves: bool) -> bool {
+        let vocabulary = &self.vocabulary;
         let text = if declared.is_some() { &self.blanked } else { &self.line };
         let mut line = Line::new(text, vocabulary, &self.machine, &mut self.draft, &mut self.block.faults);
         let mut is_block = moves

@@ -164,12 +164,25 @@ impl Rules<'_> {
         (before, end): (&[f64; MAX_AXES], &ToolPose),
         arrival: &Arrival<'_>,
     ) -> Option<f64> {
-        let rounding = &self.rounding;
-        let along = arrival.along;
         let is_arc = matches!(segment.shape, PathShape::Arc(_));
         if !is_arc && self.is_at(end, &segment.to) {
             return Some(1.0);
         }
+        self.share_within(segment, rapid, block, (before, end), arrival)
+    }
+
+    /// The same for an arc, and where the block does not end with the motion.
+    #[inline(never)]
+    fn share_within(
+        &self,
+        segment: &Segment,
+        rapid: bool,
+        block: &Block,
+        (before, end): (&[f64; MAX_AXES], &ToolPose),
+        arrival: &Arrival<'_>,
+    ) -> Option<f64> {
+        let rounding = &self.rounding;
+        let along = arrival.along;
         let past_pole = self.pole.is_some_and(|pole| {
             let arc = segment.axis_arc();
             [pole, -pole].iter().any(|pole| arc.is_within(pole, self.policy.tolerances.pole_rad))
@@ -186,7 +199,7 @@ impl Rules<'_> {
             _ => segment.share(end, along, rounding.tip_mm, rounding.tip_mm / axis),
         };
         let done = (share - 1.0).abs() * segment.angle() < SAME_REVOLUTION;
-        if is_arc && done && self.is_at(end, &segment.to) {
+        if matches!(segment.shape, PathShape::Arc(_)) && done && self.is_at(end, &segment.to) {
             return Some(1.0);
         }
         // An arc by its angle ends where its rounded centre leads, not at a position of words.

@@ -225,12 +225,17 @@ impl Words {
 
     /// Tip and tool axis on the workpiece.
     pub(crate) fn place(&self, words: &[f64; MAX_AXES], state: &State) -> ToolPose {
+        if state.has_frame() { self.place_in_frame(words, state) } else { self.chain.place(&self.values(words)) }
+    }
+
+    /// The same where linear words count in a frame.
+    #[inline(never)]
+    fn place_in_frame(&self, words: &[f64; MAX_AXES], state: &State) -> ToolPose {
         match (&state.tip_control, &state.tilt) {
-            (TipControl::Off, None) if state.dynamic_offset => {
+            (TipControl::Off, None) => {
                 let values = self.with_moved_zero(words).unwrap_or_else(|| self.values(words));
                 self.chain.place(&values)
             }
-            (TipControl::Off, None) => self.chain.place(&self.values(words)),
             (TipControl::On { start }, _) => {
                 let values = self.values(words);
                 let tip = self.program_point(words);

@@ -40,8 +40,7 @@ impl Travel {
         block: &Block,
         findings: &mut Findings<'_>,
     ) {
-        let words = rules.words();
-        let (rotary, by_control) = (words.rotary_bits(), block.state.vector.is_some());
+        let (rotary, by_control) = (rules.words().rotary_bits(), block.state.vector.is_some());
         let stated = !by_control && block.known & rotary == rotary;
         let end = stated.then_some(block.values);
         let sweep = sweep(block);
@@ -49,10 +48,27 @@ impl Travel {
             self.rotated = end;
             return;
         }
-        let Some(rotated) = std::mem::replace(&mut self.rotated, end) else { return };
+        if let Some(rotated) = std::mem::replace(&mut self.rotated, end) {
+            self.follow(rules, &rotated, (before, known), block, sweep, findings);
+        }
+    }
+
+    /// The same where linear axes follow the rotary ones, or the path is no line. `rotated`: words before the block with the rotary
+    /// axes as the control has rotated them.
+    #[inline(never)]
+    fn follow(
+        &mut self,
+        rules: &Rules<'_>,
+        rotated: &[f64; MAX_AXES],
+        (before, known): (&[f64; MAX_AXES], u16),
+        block: &Block,
+        sweep: f64,
+        findings: &mut Findings<'_>,
+    ) {
+        let (words, by_control) = (rules.words(), block.state.vector.is_some());
         let known = known & block.known & words.linear_bits() == words.linear_bits();
         // The start of linear axes may be unknown; the rotation of the rotary ones is known.
-        let from = words.with_rotary(if known { *before } else { block.values }, &rotated);
+        let from = words.with_rotary(if known { *before } else { block.values }, rotated);
         let angle = match block.state.tip_control {
             TipControl::On { .. } if !by_control => words.rotary_travel(&from, &block.values),
             _ => 0.0,
