@@ -479,7 +479,7 @@ impl Placer {
         Ok(place)
     }
 
-    /// The same, set in `to`, which is a position of this placer.
+    /// The same, set in `to`, a position of this placer whose held axes are at their values.
     #[inline(always)]
     pub(crate) fn place_at(
         &mut self,

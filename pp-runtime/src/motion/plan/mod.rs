@@ -380,12 +380,12 @@ impl<'a, S: Sink> Planner<'a, S> {
     /// A cut, after the changes of its course.
     #[inline(always)]
     fn cut(&mut self, motion: &Move, planned: Option<RotaryTarget>) -> Planned {
-        let mut place = *self.mover.here();
+        let mut place = self.mover.position_mut().take_spare();
         self.mover.place_at(&motion.pose, true, planned, &mut place)?;
         let rate = self.rate(motion.feed)?;
         self.mover.position_mut().cut_to(&motion.pose);
         self.mover.feed_to(&place, rate)?;
-        self.mover.arrive(&place);
+        self.mover.arrive_at(place);
         Ok(())
     }
 

@@ -202,6 +202,13 @@ impl<S: Sink> Output<S> {
         self.statistics.inverse_time += u64::from(self.inverse_time);
     }
 
+    /// Counts a motion of the CL data that ends at a place.
+    #[inline]
+    pub(crate) fn count_motion(&mut self, place: &AxisPosition) {
+        self.statistics.motions += 1;
+        self.count_deviation(place);
+    }
+
     /// Counts the deviation of a place from the tool axis of the CL data.
     #[inline]
     pub(crate) fn count_deviation(&mut self, place: &AxisPosition) {

@@ -216,7 +216,7 @@ impl<'a, S: Sink> Mover<'a, S> {
         Ok(place)
     }
 
-    /// The same, set in `to`, which is the present place. In a plane the rotary axes stay where the tool axis is that of the
+    /// The same, set in `to`, whose held axes are at their values. In a plane the rotary axes stay where the tool axis is that of the
     /// plane but for the digits of CL data.
     #[inline]
     pub(crate) fn place_at(
@@ -596,11 +596,16 @@ impl<'a, S: Sink> Mover<'a, S> {
     }
 
     /// Sets the position after a motion of the CL data.
-    #[inline]
     pub(crate) fn arrive(&mut self, place: &AxisPosition) {
-        self.output.statistics_mut().motions += 1;
-        self.output.count_deviation(place);
+        self.output.count_motion(place);
         self.position.arrive(place);
+    }
+
+    /// The same for a place that was spare.
+    #[inline]
+    pub(crate) fn arrive_at(&mut self, place: Box<AxisPosition>) {
+        self.output.count_motion(&place);
+        self.position.arrive_at(place);
     }
 }
 
