@@ -203,16 +203,33 @@ impl<'a> CheckedOutput<'a> {
     }
 }
 
-impl Write for CheckedOutput<'_> {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        if let Some(check) = self.check.as_mut() {
-            check.take(bytes);
-        }
+impl CheckedOutput<'_> {
+    /// Holds bytes back, and writes those before the last that may be the end.
+    fn hold(&mut self, bytes: &[u8]) -> io::Result<()> {
         self.held.extend_from_slice(bytes);
         if self.held.len() >= PIECE_BYTES {
             let kept = self.end.position(&self.held);
             self.out.write_all(&self.held[..kept])?;
             self.held.drain(..kept);
+        }
+        Ok(())
+    }
+}
+
+impl Write for CheckedOutput<'_> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        if let Some(check) = self.check.as_mut() {
+            check.take(bytes);
+        }
+        // A piece that is long, as nearly all are, is not copied: the end may be in it, and not before it.
+        match if bytes.len() >= PIECE_BYTES { self.end.position(bytes) } else { 0 } {
+            0 => self.hold(bytes)?,
+            end => {
+                self.out.write_all(&self.held)?;
+                self.out.write_all(&bytes[..end])?;
+                self.held.clear();
+                self.held.extend_from_slice(&bytes[end..]);
+            }
         }
         Ok(bytes.len())
     }
