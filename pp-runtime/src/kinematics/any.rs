@@ -92,7 +92,7 @@ pub trait AnyMachine: sealed::Sealed + Send + Sync {
     fn reach(&self, axis: &UnitVector3<f64>, held: &AxisValues) -> Result<(), Unreachable>;
     /// [`Machine::motion`].
     fn motion(&self, from: &AxisValues, to: &AxisValues) -> MotionBound;
-    /// [`Machine::motion`], where a rough bound of the deviation is not below `most`.
+    /// Whether a rough bound of the deviation of a block is below `most`; where it is not, [`Machine::motion`].
     fn motion_within(&self, from: &AxisValues, to: &AxisValues, most: &Deviation) -> BlockDeviation;
     /// [`Machine::rates`].
     fn rates(&self, axes: &AxisValues, change: &AxisValues) -> (Vector3<f64>, Vector3<f64>);

@@ -211,7 +211,7 @@ impl<R: Read> Comparison<'_, R> {
             let path = rules.path(*words, block);
             let deviation = here.and_then(|here| rules.deviation(&path, [here, end], segment, 0.0));
             let stroke = rules.stroke(words, block, lengths, part.feed, &part.required);
-            let stroke = stroke.led(deviation.as_ref(), &part.required);
+            let stroke = stroke.with_tip_rate(deviation.as_ref(), &part.required);
             rules.feed_fault(&stroke, &block.state, segment, [0.0, 1.0])
         };
         !block.action.is_feed() || fault().is_none()
@@ -468,7 +468,7 @@ impl<R: Read> Comparison<'_, R> {
             BetweenEnds::Measured(deviation) => Some(deviation),
             BetweenEnds::Within(_) => rules.deviation(&rules.path(*words, block), ends, segment, self.progress.along()),
         };
-        let stroke = stroke.led(deviation.as_ref(), &part.required);
+        let stroke = stroke.with_tip_rate(deviation.as_ref(), &part.required);
         let fault = self.rules.feed_fault(&stroke, &block.state, segment, [along, part.share]);
         self.found_any(current, fault);
     }
@@ -595,7 +595,7 @@ impl<R: Read> Comparison<'_, R> {
             let longest = if stays { moved_mm + 2.0 * rules.rounding().tip_mm } else { f64::INFINITY };
             let deviation = rules.deviation(&rules.path(*before, block), [&from, end], segment, 0.0);
             let stroke = rules.stroke(before, block, (0.0, longest), *feed, required);
-            let stroke = stroke.led(deviation.as_ref(), required);
+            let stroke = stroke.with_tip_rate(deviation.as_ref(), required);
             !at_feed || rules.feed_fault(&stroke, &block.state, segment, [0.0, 1.0]).is_none()
         };
         let is_rest = same_kind

@@ -1024,7 +1024,7 @@ impl<R: Read> Comparison<'_, R> {
             matches!(self.progress.get(index), Some(ExpectedItem { action: ExpectedAction::BlockSkip { on: expected }, .. })
                 if *expected == on)
         };
-        if !on && !self.skippable && self.progress.has_others_ahead() && is(0, true) && is(1, false) {
+        if !on && !self.skippable && self.progress.has_records_ahead() && is(0, true) && is(1, false) {
             // Nothing comes between them.
             self.progress.take();
             self.progress.take();

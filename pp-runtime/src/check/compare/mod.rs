@@ -176,7 +176,7 @@ impl<'a, R: Read> Checker<'a, R> {
             comparison.right_state = None;
         }
         comparison.block_skip(phase, &current)?;
-        if comparison.progress.has_others_ahead() && comparison.is_raw(phase, &current) {
+        if comparison.progress.has_records_ahead() && comparison.is_raw(phase, &current) {
             *phase = comparison.forget(phase);
             return Ok(());
         }

@@ -54,7 +54,7 @@ impl<'a, R: Read> ClProgress<'a, R> {
     }
 
     /// Whether there may be others than motions among the items that are known.
-    pub(super) fn has_others_ahead(&self) -> bool {
+    pub(super) fn has_records_ahead(&self) -> bool {
         self.expect.has_others()
     }
 

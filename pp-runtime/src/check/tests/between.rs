@@ -76,7 +76,8 @@ fn decided<M: Machine>() -> f64 {
 
         let lengths = (segment.length_between(ends.map(|end| &end.tip)), segment.length());
         let feed = Some(Feed::PerMinute(500.0));
-        let stroke = |deviation| rules.stroke(&words[0], &block, lengths, feed, &required).led(deviation, &required);
+        let stroke =
+            |deviation| rules.stroke(&words[0], &block, lengths, feed, &required).with_tip_rate(deviation, &required);
         let (even, followed) = (stroke(None), stroke(Some(&measured)));
         for part in -40..=40 {
             let written = Some(500.0 / lengths.0 * (1.0 + 0.001 * f64::from(part)));

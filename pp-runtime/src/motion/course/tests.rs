@@ -243,6 +243,11 @@ proptest! {
             for c in c.turns(on_c, turn, MAX_TURNS) {
                 words.extend(b.turns(on_b, turn, MAX_TURNS).map(|b| [c, b]));
             }
+            if !placer.has_many_turns() {
+                for (rotary, word) in [(c, on_c), (b, on_b)] {
+                    prop_assert_eq!(rotary.turns(word, turn, MAX_TURNS).count(), rotary.turns(word, turn, 1000).count());
+                }
+            }
             if placer.has_many_turns() {
                 let ends = [[c.lower_end(), b.lower_end()], [c.upper_end(), b.upper_end()]];
                 let nearest = |near: &RotaryWords| {

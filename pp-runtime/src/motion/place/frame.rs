@@ -220,12 +220,12 @@ impl WordFrame {
         match &self.meaning {
             LinearWords::Axes => None,
             LinearWords::Fixed(map) => Some(*map),
-            LinearWords::Turning => Some(self.turned_map(machine, axes)),
+            LinearWords::Turning => Some(self.map_of_table(machine, axes)),
         }
     }
 
     /// Map to words in a frame that turns with the table.
-    fn turned_map(&self, machine: &dyn AnyMachine, axes: &AxisValues) -> WordMap {
+    fn map_of_table(&self, machine: &dyn AnyMachine, axes: &AxisValues) -> WordMap {
         let (rotation, moved_mm) = table(machine, axes);
         WordMap { rotation: self.signs * rotation, shift_mm: self.signs * (moved_mm + self.zero_mm) }
     }

@@ -73,10 +73,10 @@ impl Placer {
         if self.largest_bend_rad.is_none() || !self.writes_vectors() || from.at_pole || to.at_pole {
             return Ok(());
         }
-        self.check_way_past_pole(from, to)
+        self.check_path_near_pole(from, to)
     }
 
-    fn check_way_past_pole(&self, from: &AxisPosition, to: &AxisPosition) -> Result<(), Fault> {
+    fn check_path_near_pole(&self, from: &AxisPosition, to: &AxisPosition) -> Result<(), Fault> {
         let passed = self.passing(&from.pose.axis, &to.pose.axis).filter(|(_, _, angle)| *angle < NEAR_POLE);
         let (Some((_, _, angle)), Some(first)) = (passed, self.rotary.axes.first()) else { return Ok(()) };
         let letter = self.chain[first.index].letter;

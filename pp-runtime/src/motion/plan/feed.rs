@@ -54,7 +54,7 @@ pub(crate) struct Feeds {
     largest_mm_per_min: f64,
     /// Largest F of inverse-time feed, and one that its digits cannot round beyond that.
     largest_inverse_time: f64,
-    surely_below_largest: f64,
+    largest_before_rounding: f64,
 }
 
 /// One feed motion: lengths of its paths, and the least time that it takes.
@@ -122,7 +122,7 @@ impl Feeds {
             shortest_block_min: policy.options.feed.shortest_block_s / 60.0,
             largest_mm_per_min: policy.options.feed.largest_mm_per_min.unwrap_or(f64::INFINITY),
             largest_inverse_time,
-            surely_below_largest: largest_inverse_time * (1.0 - 10_f64.powi(1 - digits.min(6))),
+            largest_before_rounding: largest_inverse_time * (1.0 - 10_f64.powi(1 - digits.min(6))),
         };
         feeds.set_mode(policy.options.mode_of_all().unwrap_or_default());
         feeds
@@ -203,7 +203,7 @@ impl Feeds {
                 let inverse = 1.0 / (time_min * per_min);
                 let word = Decimal::significant(inverse, self.inverse_time_digits).map_err(|_| too_large(feed))?;
                 // Rounding must not lead beyond the limit.
-                let is_beyond = inverse > self.surely_below_largest && word.value() > self.largest_inverse_time;
+                let is_beyond = inverse > self.largest_before_rounding && word.value() > self.largest_inverse_time;
                 let word = if is_beyond { self.largest_word()? } else { word };
                 (FeedWord::InverseTime(word), word)
             }

@@ -66,7 +66,7 @@ impl Statistics {
         }
     }
 
-    /// Largest certified bounds so far: what is within them changes no statistics.
+    /// Largest certified bounds so far: what is below them changes no statistics.
     #[inline]
     pub(crate) fn largest_deviation(&self, tolerance: PathTolerance) -> Deviation {
         let counted = |largest: f64| if tolerance.axis_rad.is_finite() { largest } else { f64::INFINITY };
