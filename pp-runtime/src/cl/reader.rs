@@ -6,7 +6,7 @@ use super::diagnostics::Faults;
 use super::dialect::Dialect;
 use super::meaning::{ArcVote, QueuedEvent, ReadingOptions, RecordInterpreter, StatedFrame, TextUse};
 use super::record::{
-    ArcRecord, CIRCLE, CIRCLE_NUMBERS, CatiaMatrix, GOTO, MotionRecord, Record, SubprogramRecord, comment_dialect,
+    CIRCLE, CIRCLE_NUMBERS, CatiaMatrix, GOTO, MotionRecord, Point, Record, SubprogramRecord, comment_dialect,
     joined_record, next_circle, next_goto, parse, read_comment, record_dialect,
 };
 use super::subprogram::{KeptStatement, Subprograms, subprogram_fault};
@@ -50,6 +50,8 @@ pub struct ClReader<R> {
 enum NextGoto {
     /// A straight motion, while no arc, curve or cycle is open.
     Straight(Location, Move),
+    /// More than a straight motion: the end of an arc, a hole.
+    Other(PhysicalLine, Point, Location),
     /// Its events are queued, or it is refused.
     Taken,
     /// Another statement, which has not been read.
@@ -88,6 +90,7 @@ impl<R: Read> ClReader<R> {
     pub fn next_event(&mut self) -> io::Result<Option<(Location, Event<'_>)>> {
         match self.take_goto() {
             NextGoto::Straight(here, motion) => Ok(Some((here, Event::Move(motion)))),
+            NextGoto::Other(line, point, here) => self.next_after_other(line, &point, here),
             NextGoto::Taken => self.next_of_any_kind(false),
             NextGoto::None => self.next_of_any_kind(true),
         }
@@ -109,8 +112,7 @@ impl<R: Read> ClReader<R> {
         self.records += 1;
         let here = Location { line: self.lexer.lines(), column: 1 };
         if !self.interpreter.is_straight() {
-            self.take_on_line(line, &Record::Motion(MotionRecord::Goto(point)), here);
-            return NextGoto::Taken;
+            return NextGoto::Other(line, point, here);
         }
         match self.interpreter.straight(&point, here) {
             Ok(motion) => NextGoto::Straight(here, motion),
@@ -141,16 +143,56 @@ impl<R: Read> ClReader<R> {
         let Some((line, circle)) = next_circle(&mut self.lexer, &mut self.circle) else { return false };
         self.records += 1;
         let here = Location { line: self.lexer.lines(), column: 1 };
-        self.take_on_line(line, &Record::Arc(ArcRecord::Circle(circle)), here);
+        let statement = self.note_line(line);
+        let begun = self.interpreter.begin_arc(&circle, here);
+        self.note_faults(begun, &statement);
         true
     }
 
-    /// Takes a record on a line of its own that is more than a straight motion: a circle, the end of its arc, a hole.
-    fn take_on_line(&mut self, line: PhysicalLine, record: &Record<'_>, here: Location) {
+    /// Takes a GOTO that is more than a straight motion: the end of an arc, a hole. Returns the arc, if no event is queued before
+    /// it; else the events are queued, or it is refused.
+    #[inline(never)]
+    fn take_end_or_hole(
+        &mut self,
+        line: PhysicalLine,
+        point: &Point,
+        here: Location,
+    ) -> Option<(Location, Event<'static>)> {
+        let statement = self.note_line(line);
+        let fault = match self.interpreter.circle_to_end() {
+            Some(circle) => match self.interpreter.end_arc(&circle, point, here) {
+                Ok(arc) => {
+                    self.note_faults(Ok(()), &statement);
+                    return Some((here, Event::Arc(arc)));
+                }
+                Err(fault) => Err(fault),
+            },
+            None => self.interpreter.take_inline(&Record::Motion(MotionRecord::Goto(*point)), here),
+        };
+        self.note_faults(fault, &statement);
+        None
+    }
+
+    /// The next event from such a GOTO on.
+    #[cold]
+    fn next_after_other(
+        &mut self,
+        line: PhysicalLine,
+        point: &Point,
+        here: Location,
+    ) -> io::Result<Option<(Location, Event<'_>)>> {
+        match self.take_end_or_hole(line, point, here) {
+            Some(found) => Ok(Some(found)),
+            None => self.next_of_any_kind(false),
+        }
+    }
+
+    /// The statement of a line that is a record, which is the statement of its events.
+    #[inline(always)]
+    fn note_line(&mut self, line: PhysicalLine) -> Statement {
         let statement = self.lexer.last_line(line);
         (self.statement, self.kept) = (Some(statement), None);
-        let taken = self.interpreter.take(record, here);
-        self.note_faults(taken, &statement);
+        statement
     }
 
     /// Notes what is wrong with a record, and its warnings.
@@ -180,6 +222,11 @@ impl<R: Read> ClReader<R> {
                 Progress::Reading if self.subprograms.is_running() => self.run_kept(),
                 Progress::Reading => match if no_goto { NextGoto::None } else { self.take_goto_after_other() } {
                     NextGoto::Straight(here, motion) => return Ok(Some((here, Event::Move(motion)))),
+                    NextGoto::Other(line, point, here) => {
+                        if let Some(found) = self.take_end_or_hole(line, &point, here) {
+                            return Ok(Some(found));
+                        }
+                    }
                     NextGoto::Taken => {}
                     NextGoto::None if self.take_circle() => {}
                     NextGoto::None => match self.lexer.next()? {

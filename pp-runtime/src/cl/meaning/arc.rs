@@ -168,6 +168,16 @@ pub(crate) fn tlon_fault(at: Span, text: String) -> ClFault {
     ClFault::new("TLON", at, text, "check this arc in the CAM system, or have it output lines instead of arcs")
 }
 
+#[cold]
+fn tangent_without_arc() -> ClFault {
+    ClFault::new(
+        "TLON",
+        Span::WHOLE,
+        "expected TLON after AUTOPS or INDIRV, found another motion",
+        "write the TLON that belongs to it; without an arc delete AUTOPS and INDIRV",
+    )
+}
+
 /// The arc whose end is not read yet.
 #[derive(Debug, Default)]
 pub(crate) struct OpenArc {
@@ -184,19 +194,17 @@ impl OpenArc {
     }
 
     /// Checks that a record may come while an arc is open; a record that may not discards the arc.
+    #[inline]
     pub(crate) fn admit(&mut self, permitted: Permitted) -> Result<(), ClFault> {
         if permitted.begins_motion && std::mem::take(&mut self.tangent_begun) {
             self.direction = None;
-            return Err(ClFault::new(
-                "TLON",
-                Span::WHOLE,
-                "expected TLON after AUTOPS or INDIRV, found another motion",
-                "write the TLON that belongs to it; without an arc delete AUTOPS and INDIRV",
-            ));
+            return Err(tangent_without_arc());
         }
-        if permitted.in_arc {
-            return Ok(());
-        }
+        if permitted.in_arc || self.circle.is_none() { Ok(()) } else { self.refuse_open_circle() }
+    }
+
+    #[cold]
+    fn refuse_open_circle(&mut self) -> Result<(), ClFault> {
         match self.circle.take() {
             Some(circle) => Err(ClFault::new(
                 "circle",
@@ -218,9 +226,9 @@ impl OpenArc {
         self.circle
     }
 
-    /// Takes that circle, at its end.
-    pub(crate) fn take_circle(&mut self) -> Option<WaitingCircle> {
-        self.circle.take()
+    /// Its end has been read.
+    pub(crate) fn close_circle(&mut self) {
+        self.circle = None;
     }
 
     /// AUTOPS.
@@ -311,11 +319,14 @@ pub(crate) fn arc_of(
         return Err(fault(format!("the end of an arc is {off_plane:.4} mm off the plane of its circle")));
     }
     let radius = circle.radius_mm.unwrap_or(first);
-    for (which, found) in [("start", first), ("end", last)] {
-        let off = (found - radius).abs();
-        if off > ARC_TOLERANCE_MM {
-            return Err(fault(format!("the {which} of an arc is {off:.4} mm off its radius of {radius:.4} mm")));
-        }
+    let off_radius = |found: f64| (found - radius).abs();
+    let off_circle =
+        |which: &str, off: f64| fault(format!("the {which} of an arc is {off:.4} mm off its radius of {radius:.4} mm"));
+    if off_radius(first) > ARC_TOLERANCE_MM {
+        return Err(off_circle("start", off_radius(first)));
+    }
+    if off_radius(last) > ARC_TOLERANCE_MM {
+        return Err(off_circle("end", off_radius(last)));
     }
     if first.min(last) <= ARC_TOLERANCE_MM {
         return Err(fault(format!("an arc has no radius: it begins {first:.4} mm from its centre")));

@@ -58,6 +58,7 @@ impl CycleInForce {
     }
 
     /// Checks that a record may come while the cycle is active; a record that may not ends the cycle.
+    #[inline]
     pub(crate) fn admit(&mut self, permitted: Permitted) -> Result<(), ClFault> {
         if permitted.in_cycle || !self.active {
             return Ok(());

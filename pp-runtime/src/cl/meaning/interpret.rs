@@ -6,7 +6,7 @@
 mod motion;
 mod state;
 
-use super::arc::OpenArc;
+use super::arc::{OpenArc, WaitingCircle};
 use super::axis::ModalAxis;
 use super::coordinates::Coordinates;
 use super::cycle::CycleInForce;
@@ -19,9 +19,9 @@ use super::permitted::Permitted;
 use super::units::FileUnits;
 use super::votes::ArcVotes;
 use crate::cl::dialect::Dialect;
-use crate::cl::record::{CoordinateRecord, ProgramRecord, Record, SubprogramRecord, Text};
+use crate::cl::record::{CircleRecord, CoordinateRecord, Point, ProgramRecord, Record, SubprogramRecord, Text};
 use crate::cl::text::{ClFault, Span};
-use crate::program::{Event, Feed, Location, Spline};
+use crate::program::{Arc, Event, Feed, Location, Spline};
 
 /// CUTCOM/ON and the side that it needs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -34,6 +34,16 @@ enum CutcomOn {
     Asked(Option<u32>),
     /// A side has come; CUTCOM/ON resumes it.
     Stated,
+}
+
+#[cold]
+fn side_unstated() -> ClFault {
+    ClFault::new(
+        "CUTCOM",
+        Span::WHOLE,
+        "a motion follows CUTCOM/ON, and no CUTCOM/LEFT or RIGHT has stated the side",
+        "write CUTCOM/LEFT or CUTCOM/RIGHT before this motion; without compensation delete CUTCOM/ON",
+    )
 }
 
 /// All modal state of the CL data, each part with its owner.
@@ -138,29 +148,59 @@ impl RecordInterpreter {
 
     /// Interprets the record of the statement at `here`.
     pub(crate) fn take(&mut self, record: &Record<'_>, here: Location) -> Result<(), ClFault> {
-        let permitted = Permitted::of(record);
-        if self.curve.is_open() && !permitted.in_curve {
-            self.close_curve()?;
-        }
-        if permitted.begins_motion && matches!(self.cutcom, CutcomOn::Asked(_)) {
-            self.cutcom = CutcomOn::Unstated;
-            return Err(ClFault::new(
-                "CUTCOM",
-                Span::WHOLE,
-                "a motion follows CUTCOM/ON, and no CUTCOM/LEFT or RIGHT has stated the side",
-                "write CUTCOM/LEFT or CUTCOM/RIGHT before this motion; without compensation delete CUTCOM/ON",
-            ));
-        }
-        self.arc.admit(permitted)?;
-        if !self.is_frame_restated(record, here) {
-            self.cycle.admit(permitted)?;
-        }
+        self.take_inline(record, here)
+    }
+
+    /// The same where the kind of the record is known to the caller.
+    #[inline(always)]
+    pub(crate) fn take_inline(&mut self, record: &Record<'_>, here: Location) -> Result<(), ClFault> {
+        let restates = self.is_frame_restated(record, here);
+        self.admit(Permitted::of(record), restates)?;
         let taken = self.interpret(record, here);
         self.update_plain_goto();
         taken
     }
 
+    /// The open circle, if the next GOTO ends its arc and no event is queued before that.
+    #[inline]
+    pub(crate) fn circle_to_end(&self) -> Option<WaitingCircle> {
+        self.arc.circle().filter(|_| !self.tool.is_held())
+    }
+
+    /// Interprets a CIRCLE.
+    #[inline(always)]
+    pub(crate) fn begin_arc(&mut self, circle: &CircleRecord, here: Location) -> Result<(), ClFault> {
+        self.admit(Permitted::PATH_ALONE, false)?;
+        let opened = self.open_circle(circle, here);
+        self.update_plain_goto();
+        opened
+    }
+
+    /// Interprets a GOTO that ends the arc of the open circle.
+    #[inline(always)]
+    pub(crate) fn end_arc(&mut self, circle: &WaitingCircle, point: &Point, here: Location) -> Result<Arc, ClFault> {
+        self.admit(Permitted::POINT, false)?;
+        let arc = self.arc_to_point(circle, point, here);
+        self.update_plain_goto();
+        arc
+    }
+
+    /// Checks that a record may come here. `restates`: it states a frame that is in force.
+    #[inline(always)]
+    fn admit(&mut self, permitted: Permitted, restates: bool) -> Result<(), ClFault> {
+        if self.curve.is_open() && !permitted.in_curve {
+            self.close_curve()?;
+        }
+        if permitted.begins_motion && matches!(self.cutcom, CutcomOn::Asked(_)) {
+            self.cutcom = CutcomOn::Unstated;
+            return Err(side_unstated());
+        }
+        self.arc.admit(permitted)?;
+        if restates { Ok(()) } else { self.cycle.admit(permitted) }
+    }
+
     /// Whether the record states a frame that is in force: Creo and NX write it before each operation and cycle.
+    #[inline]
     fn is_frame_restated(&self, record: &Record<'_>, here: Location) -> bool {
         let Record::Coordinates(CoordinateRecord::Frame(frame) | CoordinateRecord::Setup(frame)) = record else {
             return false;
@@ -238,6 +278,7 @@ impl RecordInterpreter {
     }
 
     /// Notes whether a GOTO is independent of circles, curves, cycles, votes and coordinate transforms.
+    #[inline]
     fn update_plain_goto(&mut self) {
         self.plain_goto = !self.arc.is_open()
             && !self.curve.is_open()

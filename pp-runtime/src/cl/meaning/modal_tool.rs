@@ -119,10 +119,13 @@ impl ModalTool {
     }
 
     /// Warns of a motion with a cutter that differs from the one before and has no tool record.
+    #[inline]
     pub(crate) fn compare(&mut self, at: Span) -> Option<ClFault> {
-        if !std::mem::take(&mut self.next_is_new) {
-            return None;
-        }
+        if std::mem::take(&mut self.next_is_new) { self.compare_next(at) } else { None }
+    }
+
+    #[inline(never)]
+    fn compare_next(&mut self, at: Span) -> Option<ClFault> {
         let cutter = self.next_cutter?;
         let called = self.current().and_then(|tool| tool.diameter_mm);
         let before = self.uncalled.replace(cutter).map(|cutter| cutter.diameter).or(called)?;

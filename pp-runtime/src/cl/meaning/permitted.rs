@@ -30,12 +30,13 @@ impl Permitted {
     /// Without effect on arcs, curves and cycles.
     const ANYWHERE: Permitted = Permitted { in_arc: true, in_curve: true, ..Permitted::ORDINARY };
     /// Motion to a point, which may end an arc or be a hole.
-    const POINT: Permitted = Permitted { begins_motion: true, ..Permitted::WITHIN_ARC };
+    pub(crate) const POINT: Permitted = Permitted { begins_motion: true, ..Permitted::WITHIN_ARC };
     /// Motion to a point, which may be a hole; may not come in an arc.
     const POINT_OF_HOLE: Permitted = Permitted { begins_motion: true, ..Permitted::ORDINARY };
     /// Motion or begin of a path; may not come in an arc or a cycle.
-    const PATH_ALONE: Permitted = Permitted { begins_motion: true, ..Permitted::ALONE };
+    pub(crate) const PATH_ALONE: Permitted = Permitted { begins_motion: true, ..Permitted::ALONE };
 
+    #[inline]
     pub(crate) fn of(record: &Record<'_>) -> Permitted {
         match record {
             Record::Motion(record) => match record {

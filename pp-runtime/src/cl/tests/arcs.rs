@@ -1,7 +1,53 @@
 //! Arcs and curves.
 
+use proptest::prelude::*;
+
 use super::*;
 use crate::cl::Sense;
+use crate::set_up::ClPoint;
+
+proptest! {
+    /// A comment at its end keeps a line from being read in one pass, and changes nothing else.
+    #[test]
+    fn lines_that_are_read_in_one_pass_mean_what_other_lines_mean(
+        lines in prop::collection::vec(
+            prop::sample::select(vec![
+                "GOTO/1,0,0", "GOTO/0,1,0", "GOTO/-1.,0,0", "GOTO/0,-1.0,0", "GOTO/0,2,0", "GOTO/0,1,0,0,0,1", "GOTO/0,1,0,1,0,0",
+                "CIRCLE/0,0,0,0,0,1,1", "CIRCLE/0,0,0,0,0,1,1,.06,.5,10,1", "CIRCLE/0,0,0,0,0,1,1,.06,.5,10,1", "CIRCLE/0,0,0,1",
+                "CIRCLE/0,0,0,0,0,2", "RAPID", "FEDRAT/100,MMPM", "CUTCOM/ON", "CUTCOM/LEFT", "LOADTL/1", "CUTTER/10", "CUTTER/0.5",
+                "AUTOPS", "INDIRV/0,1,0", "CYCLE/DRILL,DEPTH,1,CLEAR,1,MMPM,100", "CYCLE/OFF", "TRANS/1,2,3", "FINI",
+            ]),
+            1..30,
+        ),
+    ) {
+        let text = |comment: &str| {
+            let line = |line: &&str| {
+                let alone = line.starts_with("GOTO") || line.starts_with("CIRCLE");
+                format!("{line}{}\n", if alone { comment } else { "" })
+            };
+            format!("GOTO/1,0,0\n{}", lines.iter().map(line).collect::<String>())
+        };
+        let [plain, commented] = ["", " $$ A"].map(|comment| read_from(text(comment).as_bytes(), MM));
+        prop_assert_eq!(plain.events, commented.events);
+        prop_assert_eq!(plain.diagnostics, commented.diagnostics);
+    }
+}
+
+#[test]
+fn the_centre_of_an_arc_has_no_signed_zeros() {
+    for point in [ClPoint::Tip, ClPoint::Centre] {
+        let options = ReadingOptions { cl_point: point, ..mm() };
+        let text = "CUTTER/10,2\nLOADTL/1\nGOTO/1,0,0\nCIRCLE/-0.0,0,0,0,0,1,1\nGOTO/0,1,0\n";
+        let mut reader = ClReader::new(text.as_bytes(), options);
+        let centre = loop {
+            match reader.next_event().unwrap() {
+                Some((_, Event::Arc(arc))) => break arc.centre,
+                other => assert!(other.is_some(), "no arc"),
+            }
+        };
+        assert_eq!(centre.x.to_bits(), 0.0_f64.to_bits());
+    }
+}
 
 #[test]
 fn each_point_of_a_list_is_a_motion_and_after_a_circle_the_last_is_the_end_of_the_arc() {

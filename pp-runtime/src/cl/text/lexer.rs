@@ -66,11 +66,24 @@ pub(crate) struct NumberLine<const N: usize> {
     shapes: [NumberShape; N],
     /// Shape of the last line whose numbers had the shapes of those before.
     whole: LineShape<N>,
+    /// Shape of lines that alternate with those, as the ends of arcs to and fro do.
+    other: LineShape<N>,
+    /// Number of the line before the last line of that shape.
+    before_other: u64,
+    /// Marks of the shapes of the last two lines that were read number by number, the last one first.
+    marks: [u64; 2],
 }
 
 impl<const N: usize> NumberLine<N> {
     pub(crate) fn new(word: &'static str) -> Self {
-        NumberLine { word: word.as_bytes(), shapes: [NumberShape::NONE; N], whole: LineShape::NONE }
+        NumberLine {
+            word: word.as_bytes(),
+            shapes: [NumberShape::NONE; N],
+            whole: LineShape::NONE,
+            other: LineShape::NONE,
+            before_other: 0,
+            marks: [0; 2],
+        }
     }
 }
 
@@ -177,7 +190,7 @@ impl<R: Read> Lexer<R> {
         let known = line.first_chunk().and_then(|text| before.whole.read::<USED>(text));
         let (numbers, length) = match known {
             Some(read) => read,
-            None => self.one_by_one(before)?,
+            None => self.unlike_the_last(before)?,
         };
         // After the end of what has been read there are bytes of earlier reads.
         if self.start + length > self.end {
@@ -192,9 +205,9 @@ impl<R: Read> Lexer<R> {
         Some((line, made))
     }
 
-    /// The numbers of a line that begins with the word, and the number of its bytes with its end.
+    /// The numbers of a line that has not the shape of the last one, and the number of its bytes with its end.
     #[inline(never)]
-    fn one_by_one<const N: usize, const USED: usize>(
+    fn unlike_the_last<const N: usize, const USED: usize>(
         &self,
         before: &mut NumberLine<N>,
     ) -> Option<(ShortNumbers<USED>, usize)> {
@@ -203,6 +216,24 @@ impl<R: Read> Lexer<R> {
         if line.first() != before.word.first() {
             return None;
         }
+        let Some(read) = line.first_chunk().and_then(|text| before.other.read::<USED>(text)) else {
+            return self.one_by_one(before);
+        };
+        // Lines in succession are of one shape: it is the one to be expected.
+        if before.before_other + 1 == self.line {
+            std::mem::swap(&mut before.whole, &mut before.other);
+        }
+        before.before_other = self.line;
+        Some(read)
+    }
+
+    /// The numbers of a line that begins with the word, and the number of its bytes with its end.
+    #[inline(never)]
+    fn one_by_one<const N: usize, const USED: usize>(
+        &self,
+        before: &mut NumberLine<N>,
+    ) -> Option<(ShortNumbers<USED>, usize)> {
+        let line = &self.buffer[self.start..];
         let slash = skip_blanks(line, before.word.len());
         if !line.starts_with(before.word) || line.get(slash) != Some(&b'/') {
             return None;
@@ -226,11 +257,17 @@ impl<R: Read> Lexer<R> {
             _ => return None,
         };
         let at = Span { start: skip_blanks(line, slash + 1), end };
-        if !anew {
+        let mark = before.shapes[..count].iter().fold(0, |mark, shape| shape.mark(mark));
+        let alternates = before.marks[1] == mark;
+        if !anew || alternates {
             let shape = |index: usize| if index < count { before.shapes[index] } else { NumberShape::NONE };
             let shapes = std::array::from_fn(|index| (shape(index), starts[index]));
+            if anew {
+                std::mem::swap(&mut before.whole, &mut before.other);
+            }
             before.whole.take(&line[..length], shapes, (count, at));
         }
+        before.marks = [mark, before.marks[0]];
         Some((ShortNumbers { numbers: *numbers.first_chunk()?, count, at }, length))
     }
 

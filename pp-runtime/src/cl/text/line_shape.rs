@@ -151,6 +151,33 @@ mod tests {
         }
     }
 
+    proptest! {
+        /// Lines of a few shapes in any order: those of two shapes that alternate, and of one in succession, are read at once.
+        #[test]
+        fn lines_of_several_shapes_are_read_as_each_alone(
+            shapes in proptest::collection::vec(
+                "GOTO ?/( ?-?[0-9]{1,5}\\.[0-9]{0,12},){2,5}-?[0-9]{1,4}\\.[0-9]{0,9} {0,2}", 2..4),
+            order in proptest::collection::vec((any::<usize>(), 0_u8..10, 1_usize..5), 1..12),
+            other in (any::<usize>(), "[-0-9.,+E:;/ A\u{7f}]"),
+        ) {
+            let mut lines = Vec::new();
+            for (index, by, times) in order {
+                // Two shapes alternate, with digits of their own.
+                for at in 0..2 * times {
+                    let line = &shapes[(index + at % 2 * (index / 7 % 2)) % shapes.len()];
+                    lines.extend(alike(line, &[by + at as u8, 0], 0, b'G').into_iter().take(1));
+                }
+            }
+            let spoilt = other.0 % lines.len();
+            let at = 4 + other.0 / lines.len() % (lines[spoilt].len() - 4);
+            lines[spoilt][at] = other.1.as_bytes()[0];
+            let ended = |line: &Vec<u8>| [line, b"\n".as_slice()].concat();
+            let together = read(&lines.iter().flat_map(ended).collect::<Vec<u8>>());
+            let alone: Vec<_> = lines.iter().flat_map(|line| read(&ended(line))).collect();
+            prop_assert_eq!(together, alone);
+        }
+    }
+
     #[test]
     fn a_line_is_compared_up_to_its_end_and_not_beyond() {
         let lines = "GOTO/1.5,2.5,3.5\nGOTO/2.5,3.5,4.5\nGOTO/3.5,4.5,5.5";

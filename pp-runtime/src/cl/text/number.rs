@@ -84,6 +84,12 @@ impl NumberShape {
         }
     }
 
+    /// A mark of this shape after those with the mark `before`; the same of equal shapes, and seldom that of others.
+    #[inline]
+    pub(super) fn mark(&self, before: u64) -> u64 {
+        before.rotate_left(9) ^ self.fixed ^ self.end as u64
+    }
+
     /// The same where the number has another shape than the last one.
     #[inline(never)]
     fn read_anew(&mut self, text: &[u8; SHORT_NUMBER]) -> Option<(f64, usize)> {

@@ -19,6 +19,7 @@ use crate::program::{Arc, Event, Hole, Location, Move};
 use crate::set_up::ClPoint;
 
 impl RecordInterpreter {
+    #[inline(always)]
     pub(crate) fn take_motion(&mut self, record: &MotionRecord<'_>, here: Location) -> Result<(), ClFault> {
         match record {
             MotionRecord::From(point) => self.start_at(point, here),
@@ -113,15 +114,11 @@ impl RecordInterpreter {
     /// Motion to a pose in the workpiece frame: the end of an arc, a hole, or a straight motion.
     #[cold]
     fn move_to(&mut self, pose: Pose, at: Span, here: Location) -> Result<(), ClFault> {
-        within_a_kilometre(pose.tip, at)?;
-        if let Some(warning) = self.tool.compare(at) {
-            self.events.warn(warning);
-        }
-        if let Some(circle) = self.arc.take_circle() {
-            let done = self.end_circle(&circle, pose, at, here);
-            // After a refused arc the position is its end, too.
-            self.path.set_here(pose);
-            return done;
+        self.begin_motion(&pose, at)?;
+        if let Some(circle) = self.arc.circle() {
+            let arc = self.arc_to(&circle, pose, at, here)?;
+            self.emit(here, Event::Arc(arc));
+            return Ok(());
         }
         if self.cycle.is_active() {
             return self.hole(pose, at, here);
@@ -132,6 +129,39 @@ impl RecordInterpreter {
         self.emit(here, Event::Move(Move { pose, rapid, feed: self.path.feed() }));
         self.update_plain_goto();
         Ok(())
+    }
+
+    /// Checks the end of a motion, and compares the cutter with the one before.
+    #[inline(always)]
+    fn begin_motion(&mut self, pose: &Pose, at: Span) -> Result<(), ClFault> {
+        within_a_kilometre(pose.tip, at)?;
+        if let Some(warning) = self.tool.compare(at) {
+            self.events.warn(warning);
+        }
+        Ok(())
+    }
+
+    /// Arc on the open circle to a point.
+    #[inline]
+    pub(crate) fn arc_to_point(
+        &mut self,
+        circle: &WaitingCircle,
+        point: &Point,
+        here: Location,
+    ) -> Result<Arc, ClFault> {
+        let pose = self.pose(point, here)?;
+        self.begin_motion(&pose, point.at)?;
+        self.arc_to(circle, pose, point.at, here)
+    }
+
+    /// Arc on the open circle to a pose in the workpiece frame.
+    #[inline(always)]
+    fn arc_to(&mut self, circle: &WaitingCircle, pose: Pose, at: Span, here: Location) -> Result<Arc, ClFault> {
+        self.arc.close_circle();
+        let arc = self.end_circle(circle, pose, at, here);
+        // After a refused arc the position is its end, too.
+        self.path.set_here(pose);
+        arc
     }
 
     /// GOTO with a list of points; after a CIRCLE the last one is the end of the arc.
@@ -258,7 +288,7 @@ impl RecordInterpreter {
     }
 
     /// CIRCLE, MOVARC.
-    fn open_circle(&mut self, circle: &CircleRecord, here: Location) -> Result<(), ClFault> {
+    pub(crate) fn open_circle(&mut self, circle: &CircleRecord, here: Location) -> Result<(), ClFault> {
         let unit_mm = self.units.millimetres(circle.at)?;
         if self.path.take_rapid() {
             return Err(ClFault::new(
@@ -283,8 +313,9 @@ impl RecordInterpreter {
         Ok(())
     }
 
-    /// Queues the arc that a GOTO after CIRCLE or MOVARC ends.
-    fn end_circle(&mut self, circle: &WaitingCircle, end: Pose, at: Span, here: Location) -> Result<(), ClFault> {
+    /// The arc that a GOTO after CIRCLE or MOVARC ends.
+    #[inline(always)]
+    fn end_circle(&mut self, circle: &WaitingCircle, end: Pose, at: Span, here: Location) -> Result<Arc, ClFault> {
         if self.path.take_rapid() {
             return Err(ClFault::new(
                 "circle",
@@ -294,21 +325,31 @@ impl RecordInterpreter {
             ));
         }
         let start = self.path.position("CIRCLE", at)?;
-        let arc = arc_of(circle, &start, &end, self.path.feed(), at)?;
-        let line = self.path.line_before(start.tip);
-        let frame = self.coordinates.workpiece().number();
-        self.votes.add_arc(&arc, circle.axis(), line, frame, here);
-        self.write_arc(arc, at, here)
+        let mut found = arc_of(circle, &start, &end, self.path.feed(), at);
+        if let Ok(arc) = &mut found {
+            let line = self.path.line_before(start.tip);
+            let frame = self.coordinates.workpiece().number();
+            self.votes.add_arc(arc, circle.axis(), line, frame, here);
+            if let Err(fault) = self.take_tip(arc, at) {
+                found = Err(fault);
+            }
+        }
+        found
     }
 
-    fn write_arc(&mut self, mut arc: Arc, at: Span, here: Location) -> Result<(), ClFault> {
+    /// Executes an arc, which becomes that of the tool tip.
+    #[inline]
+    fn take_tip(&mut self, arc: &mut Arc, at: Span) -> Result<(), ClFault> {
         self.path.count_motion();
-        self.path.set_here(arc.end);
+        if self.options.always_tip() {
+            // The points are those of the tip: a shift by zero, after which no zero has a sign.
+            arc.centre += Vector3::zeros();
+            return Ok(());
+        }
         let start = self.tip(arc.start, at)?;
         arc.centre += start.tip - arc.start.tip;
         arc.start = start;
         arc.end = self.tip(arc.end, at)?;
-        self.emit(here, Event::Arc(arc));
         Ok(())
     }
 
@@ -323,9 +364,12 @@ impl RecordInterpreter {
         let direction = self.arc.end_tangent(at)?;
         let scale = (unit_mm, self.coordinates.transforms());
         let (circle, end) = tangent_circle(record, &start, direction, scale, here.line)?;
-        let arc = arc_of(&circle, &start, &Pose { tip: end, axis: start.axis }, self.path.feed(), at)?;
+        let mut arc = arc_of(&circle, &start, &Pose { tip: end, axis: start.axis }, self.path.feed(), at)?;
         self.votes.conclude_arc(None);
-        self.write_arc(arc, at, here)
+        self.path.set_here(arc.end);
+        self.take_tip(&mut arc, at)?;
+        self.emit(here, Event::Arc(arc));
+        Ok(())
     }
 
     pub(crate) fn take_nurbs(&mut self, record: &NurbsRecord<'_>, here: Location) -> Result<(), ClFault> {
