@@ -142,7 +142,13 @@ impl<'a> ArcGeometry<'a> {
         if across <= 0.0 {
             // Along its normal the arc only rises.
         } else if self.arc.angle_rad <= TAU && rise_mm.abs() <= LEVEL * self.radius() * across * self.arc.angle_rad {
-            self.turning_points(axis, (across, rise_mm)).into_iter().flatten().for_each(include);
+            let [lowest, highest] = self.turning_points(axis, (across, rise_mm), known);
+            if let Some(at) = lowest {
+                include(at);
+            }
+            if let Some(at) = highest {
+                include(at);
+            }
         } else {
             let direction = Vector3::ith_axis(axis).into_inner();
             let [low, high] = self.bounds(direction);
@@ -157,24 +163,32 @@ impl<'a> ArcGeometry<'a> {
     /// `across`: motion along the axis for a radius of 1; `rise_mm`: rise along it, which moves no extreme.
     ///
     /// They are the coordinate of the centre, less or plus the radius times `across`. An arc of at most half a revolution passes
-    /// the highest point if it begins to climb and ends falling; a longer one, unless the rest of its circle does.
-    fn turning_points(&self, axis: usize, (across, rise_mm): (f64, f64)) -> [Option<f64>; 2] {
+    /// the highest point if it begins to climb and ends falling; a longer one, unless the rest of its circle does. None where
+    /// the whole circle is within `known`.
+    fn turning_points(&self, axis: usize, (across, rise_mm): (f64, f64), known: Option<[f64; 2]>) -> [Option<f64>; 2] {
+        let wider_mm = self.radii_mm[1] - self.radii_mm[0];
+        let changes = wider_mm.abs() > 0.0 || rise_mm.abs() > 0.0;
+        let start = self.arc.centre[axis] + self.arc.normal[axis] * self.level_mm;
+        let of_circle =
+            |side: f64, part: f64| start + side * across * (self.radii_mm[0] + wider_mm * part) + rise_mm * part;
+        let is_known = |[lowest, highest]: [f64; 2]| lowest <= of_circle(-1.0, 0.0) && of_circle(1.0, 0.0) <= highest;
+        if !changes && known.is_some_and(is_known) {
+            return [None; 2];
+        }
         let (a, b) = (self.u[axis], self.v[axis]);
         let (angle, end) = (self.arc.angle_rad, self.arc.end.tip - self.arc.centre);
         let slopes = [b, b * end.dot(&self.u) - a * end.dot(&self.v)];
-        let wider_mm = self.radii_mm[1] - self.radii_mm[0];
-        [-1.0, 1.0].map(|side| {
+        let turning = |side: f64| {
             let [begins, ends] = slopes.map(|slope| side * slope);
             let short = begins > 0.0 && ends < 0.0;
             let rest = begins <= 0.0 && ends >= 0.0;
             if !(angle >= TAU || if angle <= PI { short } else { !rest }) {
                 return None;
             }
-            let changes = wider_mm.abs() > 0.0 || rise_mm.abs() > 0.0;
             let part = if changes { math::from_zero(math::atan2(side * b, side * a)) / angle } else { 0.0 };
-            let start = self.arc.centre[axis] + self.arc.normal[axis] * self.level_mm;
-            Some(start + side * across * (self.radii_mm[0] + wider_mm * part) + rise_mm * part)
-        })
+            Some(of_circle(side, part))
+        };
+        [turning(-1.0), turning(1.0)]
     }
 
     /// Number of chords that deviate from the arc by no more than the tolerance.
@@ -214,6 +228,13 @@ mod tests {
         let up = |tip: [f64; 3]| Pose { tip: Point3::from(tip), axis: Vector3::z_axis() };
         let (start, end) = (up(start), up(end));
         Arc { start, end, centre: Point3::origin(), normal: Vector3::z_axis(), angle_rad: angle, feed: None }
+    }
+
+    /// A box and the one before.
+    fn around([low, high]: [[f64; 3]; 2], so_far: Option<[[f64; 3]; 2]>) -> Option<[[f64; 3]; 2]> {
+        let [lower, upper] = so_far.unwrap_or([low, high]);
+        let corner = |of: fn(f64, f64) -> f64, a: [f64; 3], b: [f64; 3]| std::array::from_fn(|i| of(a[i], b[i]));
+        Some([corner(f64::min, low, lower), corner(f64::max, high, upper)])
     }
 
     /// Distance of a point from the line between two others.
@@ -322,6 +343,33 @@ mod tests {
             }
         }
 
+        /// The same of arcs in a plane whose ends are equally far from the centre to the last bit.
+        #[test]
+        fn the_box_around_arcs_with_equal_radii_is_that_of_their_boxes(
+            arcs in prop::collection::vec(
+                (prop::array::uniform2(-2_i32..3), 0_usize..12, 1_usize..12, any::<bool>()), 1..30),
+        ) {
+            const AROUND: [[f64; 2]; 12] = [
+                [5.0, 0.0], [4.0, 3.0], [3.0, 4.0], [0.0, 5.0], [-3.0, 4.0], [-4.0, 3.0], [-5.0, 0.0], [-4.0, -3.0],
+                [-3.0, -4.0], [0.0, -5.0], [3.0, -4.0], [4.0, -3.0],
+            ];
+            let mut known: Option<[[f64; 3]; 2]> = None;
+            let mut expected = known;
+            for (centre, from, steps, clockwise) in arcs {
+                let centre = Point3::new(centre[0].into(), centre[1].into(), 1.0);
+                let on = |index: usize| centre + Vector3::new(AROUND[index % 12][0], AROUND[index % 12][1], 0.0);
+                let (start, end) = (on(from), on(from + steps));
+                let (start, end) = if clockwise { (end, start) } else { (start, end) };
+                let [u, v] = [start - centre, end - centre];
+                let angle = math::from_zero(math::atan2(u.x * v.y - u.y * v.x, u.dot(&v)) * if clockwise { -1.0 } else { 1.0 });
+                let normal = if clockwise { -Vector3::z_axis() } else { Vector3::z_axis() };
+                let arc = Arc { normal, centre, ..arc(start.into(), end.into(), angle) };
+                expected = around(extent(&arc, None), expected);
+                known = around(extent(&arc, known), known);
+                prop_assert_eq!(known, expected);
+            }
+        }
+
         /// A box around many arcs is the same to the last bit, whether the boxes of all are computed or only those of arcs that
         /// may leave it.
         #[test]
@@ -344,11 +392,6 @@ mod tests {
                 let (centre, up) = (Point3::from(centre), normal.into_inner() * rise);
                 let end = centre + nalgebra::Rotation3::from_axis_angle(&normal, angle) * u + up;
                 let helix = Arc { normal, centre, ..arc((centre + u).into(), end.into(), angle) };
-                let around = |[low, high]: [[f64; 3]; 2], so_far: Option<[[f64; 3]; 2]>| {
-                    let [lower, upper] = so_far.unwrap_or([low, high]);
-                    let corner = |of: fn(f64, f64) -> f64, a: [f64; 3], b: [f64; 3]| std::array::from_fn(|i| of(a[i], b[i]));
-                    Some([corner(f64::min, low, lower), corner(f64::max, high, upper)])
-                };
                 expected = around(extent(&helix, None), expected);
                 known = around(extent(&helix, known), known);
                 prop_assert_eq!(known, expected);

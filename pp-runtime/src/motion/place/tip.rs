@@ -46,10 +46,15 @@ impl Placer {
         let letters = self.linear.xyz?;
         if !self.frame.counts_tip()
             && let Some((solved, AxisMap { map, orthogonal, .. })) = self.known_map(at)
-            && let [Some(x), Some(y), Some(z)] = letters.map(|letter| solved.iter().position(|index| *index == letter))
         {
             // A word is an axis value and a constant.
-            return orthogonal.then(|| (letters, Matrix3::from_rows(&[map.row(x), map.row(y), map.row(z)])));
+            if solved == letters {
+                return orthogonal.then_some((letters, map));
+            }
+            let row = |letter: usize| solved.iter().position(|index| *index == letter);
+            if let [Some(x), Some(y), Some(z)] = letters.map(row) {
+                return orthogonal.then(|| (letters, Matrix3::from_rows(&[map.row(x), map.row(y), map.row(z)])));
+            }
         }
         let map = differences(|tip| self.program_point(tip, at))?;
         is_orthogonal(&map).then_some((letters, map))
@@ -62,22 +67,27 @@ impl Placer {
     }
 
     /// The same with what is known about the derivative.
-    #[inline]
+    #[inline(always)]
     fn known_map(&self, at: &AxisPosition) -> Option<([usize; 3], AxisMap)> {
         let solved = *self.linear.solved.first_chunk()?;
         let bits = |rotary: &Rotary| at.axes[rotary.index].to_bits();
-        let angles = std::array::from_fn(|axis| self.rotary.axes.get(axis).map_or(0, bits));
-        if let Some(known) = self.last_map.get()
-            && known.angles == angles
-        {
-            return Some((solved, known));
+        let axis = |axis: usize| self.rotary.axes.get(axis).map_or(0, bits);
+        let angles = [axis(0), axis(1)];
+        match self.last_map.get() {
+            Some(known) if known.angles == angles => Some((solved, known)),
+            _ => self.new_map(at, solved, angles),
         }
+    }
+
+    #[inline(never)]
+    fn new_map(&self, at: &AxisPosition, solved: [usize; 3], angles: [u64; 2]) -> Option<([usize; 3], AxisMap)> {
         let values = |tip: &Point3<f64>| {
             let axes = self.machine.linear_axes(tip, &at.axes)?;
             Some(Vector3::from(solved.map(|index| axes[index])))
         };
         let map = differences(values)?;
-        let found = AxisMap { angles, map, orthogonal: is_orthogonal(&map) };
+        let lengths = [0, 1, 2].map(|row| map.row(row).transpose().norm());
+        let found = AxisMap { angles, map, lengths, orthogonal: is_orthogonal(&map) };
         self.last_map.set(Some(found));
         Some((solved, found))
     }
@@ -96,14 +106,16 @@ impl Placer {
         if self.frame.counts_tip() {
             return false;
         }
-        let Some((solved, map)) = self.axis_map(at) else { return false };
-        let rows = [0, 1, 2].map(|row| map.row(row).transpose());
+        let Some((solved, AxisMap { map, lengths, .. })) = self.known_map(at) else { return false };
         // Nearly always the axes may move on by that distance from their rounded positions.
-        let aside = |direction: Vector3<f64>| direction.norm() * reach_mm + self.unit_mm();
-        let near = |row: usize| [-1.0, 1.0].map(|side| at.axes[solved[row]] + side * aside(rows[row]));
-        if self.needs_none_between(solved, [0, 1, 2].map(near)) {
+        let near = |row: usize| {
+            let (value, aside) = (at.axes[solved[row]], lengths[row] * reach_mm + self.unit_mm());
+            [value - aside, value + aside]
+        };
+        if self.needs_none_between(solved, [near(0), near(1), near(2)]) {
             return true;
         }
+        let rows = [0, 1, 2].map(|row| map.row(row).transpose());
         let Some(here) = self.machine.linear_axes(&at.pose.tip, &at.axes) else { return false };
         let along = |row: usize| {
             let constant = here[solved[row]] - rows[row].dot(&at.pose.tip.coords);
@@ -256,6 +268,8 @@ pub(super) struct AxisMap {
     /// Bits of the rotary angles.
     angles: [u64; 2],
     map: Matrix3<f64>,
+    /// Lengths of its rows.
+    lengths: [f64; 3],
     orthogonal: bool,
 }
 
@@ -331,6 +345,29 @@ mod tests {
         let pose = |tip: Point3<f64>| Pose { tip, axis: Vector3::z_axis() };
         let end = at(from + angle) + normal.into_inner() * rise;
         Arc { start: pose(at(from)), end: pose(end), centre, normal, angle_rad: angle, feed: None }
+    }
+
+    /// Compares the map to words with the differences of words, at several rotary angles.
+    fn compare_word_maps<M: Machine>() {
+        let placer = placer::<M>(1e4, true);
+        for (first, second) in [(0.0, 0.0), (0.3, 0.0), (-0.2, 1.1)] {
+            let mut at = placer.zero();
+            for (rotary, angle) in placer.rotary.axes.iter().zip([first, second]) {
+                at.axes[rotary.index] = angle;
+            }
+            let (letters, map) = placer.orthogonal_map(&at).expect("an orthogonal map");
+            assert_eq!(Some(letters), placer.linear.xyz);
+            let expected = differences(|tip| placer.program_point(tip, &at)).expect("a map");
+            assert!((map - expected).amax() < 1e-12, "{map} {expected}");
+        }
+    }
+
+    #[test]
+    fn the_map_to_words_is_that_of_their_differences() {
+        compare_word_maps::<Cb>();
+        compare_word_maps::<Head>();
+        compare_word_maps::<Ay>();
+        compare_word_maps::<Mirrored>();
     }
 
     #[test]

@@ -142,10 +142,13 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         let arc = self.arc;
         let motion = Move { pose: arc.end, rapid: false, feed: arc.feed };
         self.planner.stop_spindle()?;
-        self.round.extremes(Vector3::z()).chain([1.0]).try_for_each(|part| {
-            let pose = Pose { tip: self.round.tip(part), ..arc.end };
-            self.planner.check_state(&Move { pose, ..motion })
-        })?;
+        if self.planner.has_floor() {
+            for part in self.round.extremes(Vector3::z()) {
+                let pose = Pose { tip: self.round.tip(part), ..arc.end };
+                self.planner.check_state(&Move { pose, ..motion })?;
+            }
+        }
+        self.planner.check_state(&motion)?;
         self.planner.reach_stretch(&motion, index)?;
         let planned = self.planner.apply_course_changes(&motion, index)?;
         self.planner.restart_after_thread()?;
@@ -159,9 +162,10 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
             }
         }
         let position = self.planner.mover.position_mut();
-        self.round.extremes(arc.end.axis.into_inner()).chain([1.0]).for_each(|part| {
+        for part in self.round.extremes(arc.end.axis.into_inner()) {
             position.note_cut(&Pose { tip: self.round.tip(part), ..arc.end });
-        });
+        }
+        position.note_cut(&arc.end);
         position.forget_lead_out();
         self.planner.mover.arrive(&end);
         Ok(())
@@ -181,7 +185,8 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         let mover = &self.planner.mover;
         let at_angles = if mover.placer().is_shifted(end, mover.here()) { None } else { Some(self.piece_end(1.0)?) };
         let end = at_angles.as_ref().unwrap_or(end);
-        for cuts in Cuts::of(self.arc.angle_rad).into_iter().flatten() {
+        let Some(divisions) = Cuts::of(self.arc.angle_rad) else { return Ok(Err(NoArc::Rounding)) };
+        for cuts in divisions {
             if let Some(last) = self.last_piece(&in_program, cuts, end)? {
                 self.check_travel()?;
                 return self.write_pieces(&in_program, cuts, (&last, end)).map(Ok);

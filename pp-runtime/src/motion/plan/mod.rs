@@ -320,6 +320,13 @@ impl<'a, S: Sink> Planner<'a, S> {
         Ok(())
     }
 
+    /// Whether points of a path are compared with a floor: nothing else that [`check_state`](Self::check_state) checks depends on
+    /// them.
+    #[inline]
+    fn has_floor(&self) -> bool {
+        self.policy.options.guards.floor_mm.is_some()
+    }
+
     /// Refuses a point below the configured floor.
     #[inline(always)]
     fn check_floor(&self, motion: &Move) -> Result<(), Fault> {

@@ -69,7 +69,9 @@ impl ModalWriter<'_> {
         }
         let mut offsets =
             [(first, 0), (second, 1)].map(|(axis, place)| (axis, circle.centre[place] - circle.start[place]));
-        offsets.sort_unstable();
+        if first > second {
+            offsets.swap(0, 1);
+        }
         self.writer.words(offsets.map(|(axis, units)| (&self.centre_words[axis], units)));
     }
 
