@@ -302,7 +302,11 @@ impl Navigator {
 
     #[inline(always)]
     fn go(&mut self, pose: &Pose, air: bool, begins: bool) {
-        if air || !(self.stays(pose) || self.goes_on(pose)) {
+        let follows = match air {
+            false => self.stays(pose) || self.goes_on(pose),
+            true => !begins && self.rests_at_pole() && self.stays(pose),
+        };
+        if !follows {
             self.search(pose, air, begins);
         }
     }
@@ -348,7 +352,15 @@ impl Navigator {
         };
     }
 
-    /// Takes a cut with the tool axis of the last pose, at a pole or in a run: it rotates nothing. False for any other.
+    /// Whether a further motion in the air to the pole of the last one changes nothing in either search.
+    fn rests_at_pole(&self) -> bool {
+        self.pole.is_some()
+            && self.sense.is_none()
+            && self.second_words.len() == 1
+            && self.searches.iter().all(|run| run.ended || run.search.is_free_at_pole())
+    }
+
+    /// Takes a motion with the tool axis of the last pose, at a pole or in a run: it rotates nothing. False for any other.
     #[inline]
     fn stays(&mut self, pose: &Pose) -> bool {
         let Some(here) = self.here.as_mut().filter(|here| here.axis == pose.axis) else { return false };

@@ -449,6 +449,11 @@ impl CourseSearch {
         self.finish_layer(&[]);
     }
 
+    /// Whether the last motion that changed the survivors was one in the air to the pole: see [`free_to_pole`](Self::free_to_pole).
+    pub(crate) fn is_free_at_pole(&self) -> bool {
+        self.survivors.iter().all(|survivor| survivor.air.is_some())
+    }
+
     /// Takes a cut in which every state of the last pose rotates by less than 90° to the state of its branch and turn, so that
     /// no other state of the branch leads there. Returns false, and changes nothing, elsewhere.
     ///

@@ -11,7 +11,7 @@ use crate::kinematics::machines::{Cb, Head};
 use crate::motion::options::ToolPosture;
 use crate::motion::rotary::MAX_TURNS;
 use crate::motion::tests::hand_on;
-use crate::program::{Feed, Move, ToolCall};
+use crate::program::{Drilling, Feed, Hole, Move, RotaryDirection, Rotation, ToolCall};
 
 fn limits(lower: f64, upper: f64) -> Option<Limits> {
     Some(Limits { lower: lower.to_radians(), upper: upper.to_radians() })
@@ -467,5 +467,78 @@ fn a_cut_is_continuous_however_near_it_passes_the_pole() {
         // To the start, and 180° at the pole.
         assert!(course.cost.travel_units > 1_700_000, "{offset}: {course:?}");
         assert!(course.greedy.is_some(), "{offset}");
+    }
+}
+
+/// A navigator that takes each motion in both searches, where it may.
+struct Searching(Navigator);
+
+impl Stage for Searching {
+    type Stop = Diagnostic;
+
+    fn take(&mut self, item: &ProgramItem<'_>) -> Result<(), Diagnostic> {
+        self.0.second_words.clear();
+        self.0.take(item)
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 400, ..ProptestConfig::default() })]
+
+    #[test]
+    fn a_motion_in_the_air_to_the_pole_of_the_last_one_changes_nothing(
+        steps in proptest::collection::vec((0..16_u32, 0..5_u32, -170.0..170.0_f64), 1..=30),
+        first in prop_oneof![(-400.0..0.0_f64, 20.0..700.0_f64), (10.0..100.0_f64, 20.0..700.0_f64)],
+        second in prop_oneof![(-120.0..0.0_f64, 10.0..200.0_f64), (-400.0..-365.0_f64, 380.0..410.0_f64)],
+        [limited, timed, greedy, zeroes, one_branch] in proptest::array::uniform5(proptest::bool::ANY),
+    ) {
+        let mut config = Config::default();
+        config.motion.course.greedy = greedy;
+        config.motion.park.insert('C', 90.0);
+        config.motion.course.start_branch = one_branch.then_some(Branch::First);
+        if zeroes {
+            config.motion.singular = Singular::Zero;
+        }
+        if limited {
+            config.set_up.limits.insert('C', limits(first.0, first.0 + first.1));
+            config.set_up.limits.insert('B', limits(second.0, second.0 + second.1));
+        }
+        if timed {
+            config.set_up.speeds.insert('C', 60.0);
+            config.set_up.speeds.insert('B', 25.0);
+        }
+        let mut events = vec![Event::Tool(ToolCall { number: 1, ..ToolCall::default() })];
+        for (kind, next, turn) in steps {
+            // Mostly along the pole.
+            let axis = if kind < 3 { axis(turn, 30.0) } else { axis(0.0, 0.0) };
+            let pose = Pose { tip: Point3::new(turn, 0.0, 0.0), axis };
+            let feed = Some(Feed::PerMinute(100.0));
+            let hole = Hole {
+                top: pose,
+                depth_mm: 5.0,
+                clearance_mm: 2.0,
+                return_mm: 2.0,
+                drilling: Drilling::Drill,
+                feed,
+                dwell: None,
+            };
+            events.push(match (kind, next) {
+                (3, 0) => Event::Home,
+                (4, 0) => Event::RotaryDirection(RotaryDirection::Towards(Rotation::Clockwise)),
+                (5, 0) => Event::Tool(ToolCall { number: 2, ..ToolCall::default() }),
+                (_, 0 | 1) => Event::Move(Move { pose, rapid: false, feed }),
+                (_, 2) => Event::Move(Move { pose, rapid: true, feed }),
+                _ => Event::Hole(hole),
+            });
+        }
+        let navigator = || Navigator::new(Box::new(config.set_up.machine::<Cb>().expect("valid")), config.policy());
+        let (mut one, mut other) = (navigator(), Searching(navigator()));
+        hand_on::<Cb, _>(&config, &events, &mut one).expect("a navigator refuses nothing");
+        hand_on::<Cb, _>(&config, &events, &mut other).expect("a navigator refuses nothing");
+        let course = |navigator: Navigator| {
+            let course = navigator.finish();
+            (course.cost, course.greedy, changes(course))
+        };
+        prop_assert_eq!(course(one), course(other.0));
     }
 }
