@@ -71,7 +71,7 @@ impl HoleWriter {
         codes: &'static CycleCodes,
         out: &mut ModalWriter<'_>,
     ) -> io::Result<()> {
-        if self.in_force.is_some_and(|before| cycle.repeats(&before)) {
+        if self.in_force.as_ref().is_some_and(|before| cycle.repeats(before)) {
             out.place_words(&cycle.words);
             return out.end();
         }

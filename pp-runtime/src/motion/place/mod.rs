@@ -85,7 +85,7 @@ pub(crate) struct Placer {
     held: AxisValues,
     part_origin: Vector3<f64>,
     rotary: RotaryAxes,
-    /// The last feed motion, if it kept the rotary angles.
+    /// The last motion, if it kept the rotary angles.
     stay: Option<rotary_angles::Stay>,
     /// The last [`axis_map`](Self::axis_map).
     last_map: Cell<Option<tip::AxisMap>>,
@@ -502,9 +502,14 @@ impl Placer {
     /// Position of another tip at the rotary angles of `at`.
     pub(crate) fn shifted(&mut self, tip: Point3<f64>, at: &AxisPosition) -> Result<AxisPosition, Fault> {
         let mut place = *at;
-        place.pose.tip = tip;
-        self.solve_linear_in_travel(&mut place)?;
+        self.shift(&mut place, tip)?;
         Ok(place)
+    }
+
+    /// Moves the tip of a position, at its rotary angles.
+    pub(crate) fn shift(&mut self, place: &mut AxisPosition, tip: Point3<f64>) -> Result<(), Fault> {
+        place.pose.tip = tip;
+        self.solve_linear_in_travel(place)
     }
 
     /// The same as [`Placer::solve_linear`], and compares the travel.

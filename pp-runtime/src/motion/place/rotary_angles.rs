@@ -34,10 +34,11 @@ impl RotariesAt {
     }
 }
 
-/// A feed motion that kept its rotary angles. One that begins like it, with the same tool axis, keeps them, too: nothing needs to
-/// be solved.
+/// A motion that kept its rotary angles. One of its kind that begins like it, with the same tool axis, keeps them, too: nothing
+/// needs to be solved.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Stay {
+    feed: bool,
     axis: UnitVector3<f64>,
     at: RotariesAt,
     /// Tool axis of the position: at a pole that of the pole.
@@ -171,7 +172,7 @@ impl Placer {
         self.poles.axes.iter().find(near).copied()
     }
 
-    /// Chooses the rotary angles of a pose, or keeps those at which the feed motion before has stayed with the same tool axis.
+    /// Chooses the rotary angles of a pose, or keeps those at which the motion before has stayed with the same tool axis.
     /// Sets all of the position `to` but for its linear axes.
     #[inline(always)]
     pub(super) fn set_rotaries_for(
@@ -182,7 +183,7 @@ impl Placer {
         to: &mut AxisPosition,
     ) -> Result<(), Fault> {
         if let Some(stay) = &self.stay
-            && feed
+            && stay.feed == feed
             && stay.axis == pose.axis
             && stay.at == RotariesAt::of(self, from)
         {
@@ -191,18 +192,18 @@ impl Placer {
             return Ok(());
         }
         self.choose_rotaries(pose, from, feed, to)?;
-        if feed && to.pose.axis == from.pose.axis {
-            self.stay = self.stay_at(pose, from, to);
+        if to.pose.axis == from.pose.axis {
+            self.stay = self.stay_at(pose, from, feed, to);
         } else {
             self.stay = None;
         }
         Ok(())
     }
 
-    /// The feed motion to `pose`, if it kept the rotary angles.
-    fn stay_at(&self, pose: &Pose, from: &AxisPosition, to: &AxisPosition) -> Option<Stay> {
+    /// The motion to `pose`, if it kept the rotary angles.
+    fn stay_at(&self, pose: &Pose, from: &AxisPosition, feed: bool, to: &AxisPosition) -> Option<Stay> {
         let at = RotariesAt::of(self, from);
-        let stay = Stay { axis: pose.axis, at, reached: to.pose.axis, deviation_rad: to.deviation_rad };
+        let stay = Stay { feed, axis: pose.axis, at, reached: to.pose.axis, deviation_rad: to.deviation_rad };
         (RotariesAt::of(self, to) == at).then_some(stay)
     }
 
@@ -460,4 +461,82 @@ impl Placer {
 /// The multiple of a step that is nearest to a word.
 fn nearest_step(word: i64, step: i64) -> i64 {
     (2 * word + step).div_euclid(2 * step) * step
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{Point3, Vector3};
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::config::Config;
+    use crate::kinematics::machines::{Cb, Head, Mirrored};
+    use crate::kinematics::{Limits, Machine};
+    use crate::program::Units;
+
+    /// Tool axes among which a motion often keeps the last one: at the pole, near it, tilted.
+    const AXES: [[f64; 3]; 5] =
+        [[0.0, 0.0, 1.0], [1e-6, 0.0, 1.0], [0.0, 2e-5, 1.0], [0.5, 0.0, 1.0], [-0.3, 0.4, 1.0]];
+
+    /// Places of motions: tip, number of the tool axis, whether at feed. `keeps`: angles are kept from motion to motion.
+    fn places<M: Machine>(
+        limits: Option<f64>,
+        motions: &[([f64; 3], usize, bool)],
+        keeps: bool,
+    ) -> Vec<Result<AxisPosition, Fault>> {
+        let mut config = Config::default();
+        for letter in ['B', 'C'].into_iter().filter(|_| limits.is_some()) {
+            let limits = limits.map(|upper| Limits { lower: upper - 5.0, upper });
+            config.set_up.limits.insert(letter, limits);
+        }
+        let machine = Box::new(config.set_up.machine::<M>().expect("valid"));
+        let mut placer = Placer::new(machine, config.policy(), Units::Millimetres);
+        let mut from = placer.zero();
+        let place = |&(tip, axis, feed): &([f64; 3], usize, bool)| {
+            if !keeps {
+                placer.stay = None;
+            }
+            // Sometimes the axes have been parked.
+            if tip[0] > 250.0 {
+                from = placer.zero();
+            }
+            let axis = UnitVector3::new_normalize(Vector3::from(AXES[axis]));
+            let place = placer.place(&Pose { tip: Point3::from(tip), axis }, &from, feed, None);
+            if let Ok(place) = &place {
+                if placer.is_shifted(place, &from) {
+                    assert_eq!(placer.shifted(place.pose.tip, &from), Ok(*place));
+                }
+                // The tip of a position has its words.
+                let tip = placer.machine().forward_kinematics(&place.axes).tip;
+                let again = placer.shifted(tip, place).expect("the same words");
+                assert_eq!((again.words, again.axes.map(f64::to_bits)), (place.words, place.axes.map(f64::to_bits)));
+                assert!(again.rounding_mm < 1e-9, "{again:?}");
+                from = *place;
+            }
+            place
+        };
+        motions.iter().map(place).collect()
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { cases: 60, ..ProptestConfig::default() })]
+
+        #[test]
+        fn a_motion_that_keeps_its_angles_has_the_place_of_one_whose_angles_are_chosen(
+            motions in proptest::collection::vec(
+                (proptest::array::uniform3(-400.0..400.0_f64), 0..AXES.len(), proptest::bool::ANY),
+                1..40,
+            ),
+            same in 1..6_usize,
+            limits in proptest::option::of(0.0..5.0_f64),
+        ) {
+            // Several motions with one tool axis.
+            let axis = |index: usize| motions[index / same * same].1;
+            let motions: Vec<_> =
+                motions.iter().enumerate().map(|(index, &(tip, _, feed))| (tip, axis(index), feed)).collect();
+            prop_assert_eq!(places::<Cb>(limits, &motions, true), places::<Cb>(limits, &motions, false));
+            prop_assert_eq!(places::<Head>(limits, &motions, true), places::<Head>(limits, &motions, false));
+            prop_assert_eq!(places::<Mirrored>(limits, &motions, true), places::<Mirrored>(limits, &motions, false));
+        }
+    }
 }

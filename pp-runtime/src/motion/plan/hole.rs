@@ -11,7 +11,7 @@ use crate::motion::options::{CycleOutput, StretchMode};
 use crate::nc::Decimal;
 use crate::program::{Drilling, Feed as Programmed, Hole, Move, Rotation};
 
-use crate::motion::fault::{Fault, Planned};
+use crate::motion::fault::{Fault, ItemError, Planned};
 use crate::motion::place::AxisPosition;
 use crate::motion::plan::feed::FeedMotion;
 use crate::motion::plan::{MotionAndNext, Planner, records};
@@ -19,6 +19,7 @@ use crate::motion::source::{Begins, MotionIndex, Next};
 use crate::motion::step::BlockReason;
 use crate::motion::step::{AxisWords, FeedWord, Sink, Step};
 use crate::motion::step::{CannedCycle, CannedKind};
+use crate::nalgebra::Vector3;
 
 /// Largest number of steps of a hole.
 const MOST_STEPS: u32 = 10_000;
@@ -37,9 +38,6 @@ const PITCH: f64 = 2e-4;
 
 /// Largest relative deviation of the F of a thread from pitch times speed, by its rounding.
 const THREAD_FEED: f64 = 1e-4;
-
-/// A cycle, and the place at its end.
-type CycleAndEnd = (CannedCycle, AxisPosition);
 
 /// Reason why a hole is not written as a cycle.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -161,8 +159,9 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         let bottom = Move { pose: self.hole.level(-self.hole.depth_mm), rapid: false, feed: self.hole.feed };
         let above = Some(self.hole.level(self.approach_level()));
         let ahead = MotionAndNext { motion: &over, next: &Next::Motion(bottom.pose), above };
+        let mut known = None;
         if index.begins == Begins::Nothing {
-            self.reach(ahead, index)?;
+            known = self.reach(ahead, index)?;
         } else {
             let tooling = &self.planner.tooling;
             if tooling.current().is_none() && tooling.next().is_none() {
@@ -175,8 +174,9 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         }
         self.planner.mover.output_mut().set_reason(BlockReason::Hole);
         self.planner.check_state(&bottom)?;
-        match self.cycle()? {
-            Ok((cycle, back)) => self.run_cycle(&cycle, back),
+        let mut place = known.unwrap_or(*self.planner.mover.here());
+        match self.cycle(known.is_some(), &mut place)? {
+            Ok(cycle) => self.run_cycle(&cycle, &place),
             Err(why) if matches!(self.hole.drilling, Drilling::Tap { .. }) => {
                 let text = format!(
                     "tapping synchronises spindle and feed, which only a cycle of the control does: {}",
@@ -199,8 +199,8 @@ impl<S: Sink> HoleRun<'_, '_, S> {
     }
 
     /// Rotates the rotary axes for the hole, or leads the tool round the clearance geometry; one below the clearance level is
-    /// lifted to it.
-    fn reach(&mut self, ahead: MotionAndNext<'_>, index: MotionIndex) -> Planned {
+    /// lifted to it. Returns the place over the hole, if the tool has not moved.
+    fn reach(&mut self, ahead: MotionAndNext<'_>, index: MotionIndex) -> Result<Option<AxisPosition>, ItemError> {
         let over = ahead.motion;
         self.planner.stop_spindle()?;
         self.planner.check_state(over)?;
@@ -209,14 +209,16 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         let place = self.planner.mover.place(&over.pose, false, planned)?;
         let strays = self.planner.may_enter_clearance(&place);
         if self.planner.mover.rotates(&place) || self.planner.modes.changes() || strays {
-            return self.planner.go(ahead, planned);
+            self.planner.go(ahead, planned)?;
+            return Ok(None);
         }
         let lift = self.hole.clearance_mm - self.height();
         if lift > SAME_LEVEL {
             let tip = self.planner.mover.position().pose().tip + self.hole.top.axis.into_inner() * lift;
-            return self.go(&Move { pose: Pose { tip, ..over.pose }, ..*over });
+            self.go(&Move { pose: Pose { tip, ..over.pose }, ..*over })?;
+            return Ok(None);
         }
-        Ok(())
+        Ok(Some(place))
     }
 
     /// Height of the tool above the top of the hole, mm.
@@ -273,8 +275,9 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         self.rapid_to(hole.return_mm)
     }
 
-    /// The cycle of the hole and the place at its end, or the reason why there is none.
-    fn cycle(&mut self) -> Result<Result<CycleAndEnd, NoCycle>, Fault> {
+    /// The cycle of the hole, or the reason why there is none. Sets `place` to the place at its end. `is_over`: it is the one over
+    /// the hole.
+    fn cycle(&mut self, is_over: bool, place: &mut AxisPosition) -> Result<Result<CannedCycle, NoCycle>, Fault> {
         let (hole, policy) = (self.hole, self.planner.policy);
         if policy.options.cycles.output == CycleOutput::Expanded {
             return Ok(Err(NoCycle::Expanded));
@@ -285,9 +288,8 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         if self.planner.mover.placer().mode() == StretchMode::Tcp {
             return Ok(Err(NoCycle::TipControl));
         }
-        let here = *self.planner.mover.here();
-        let placer = self.planner.mover.placer();
-        let Some((chain, map)) = placer.orthogonal_map(&here) else {
+        let (here, placer) = (self.planner.mover.here(), self.planner.mover.placer());
+        let Some((chain, map)) = placer.orthogonal_map(here) else {
             return Ok(Err(NoCycle::NotOrthogonal));
         };
         let along = map * hole.top.axis.into_inner();
@@ -303,24 +305,54 @@ impl<S: Sink> HoleRun<'_, '_, S> {
             Ok(kind) => kind,
             Err(why) => return Ok(Err(why)),
         };
-        let mut at_level = |height: f64| self.planner.mover.shifted(hole.level(height).tip, &here);
-        let [over, bottom, surface] = [at_level(hole.clearance_mm)?, at_level(-hole.depth_mm)?, at_level(0.0)?];
-        let mut back = at_level(hole.return_mm)?;
-        let [x, y, z] = chain;
-        // The cycle keeps its X and Y: it returns along Z of the program, as far as the words of the return level lead.
-        let placer = self.planner.mover.placer();
-        let lift = map.row(2).transpose() * ((back.words[z] - over.words[z]) as f64 * placer.unit_mm());
-        let tip = placer.machine().forward_kinematics(&over.axes).tip + lift;
-        back = AxisPosition { pose: back.pose, ..self.planner.mover.shifted(tip, &here)? };
-        let placer = self.planner.mover.placer();
-        let clearance = placer.written(&over);
-        let words = AxisWords { units: clearance, mask: 1 << x | 1 << y, vector: None };
-        let [surface, clearance, bottom, level] = [surface, over, bottom, back].map(|place| placer.written(&place)[z]);
+        let (here, placer) = (self.planner.mover.here(), self.planner.mover.placer());
+        if !(is_over && placer.is_shifted(place, here)) {
+            *place = *here;
+            self.planner.mover.shift(place, hole.level(hole.clearance_mm).tip)?;
+        }
+        let (over, [x, y, z]) = (*place, chain);
+        let words =
+            AxisWords { units: self.planner.mover.placer().written(&over), mask: 1 << x | 1 << y, vector: None };
+        let bottom = self.shift_to_level(place, -hole.depth_mm, z)?;
+        let surface = self.shift_to_level(place, 0.0, z)?;
+        self.shift_to_end(place, &over, map.row(2).transpose(), z)?;
         let dwell = hole.dwell.map(|dwell| self.planner.spindle.seconds(dwell)).transpose()?;
         let feed = self.feed(kind, &over)?;
-        let cycle = CannedCycle { kind, words, z, surface, clearance, bottom, back: level, dwell, feed };
-        let mismatch = self.mismatch(&cycle)?;
-        Ok(mismatch.map_or(Ok((cycle, back)), Err))
+        let (clearance, back) = (words.units[z], self.planner.mover.placer().written(place)[z]);
+        let cycle = CannedCycle { kind, words, z, surface, clearance, bottom, back, dwell, feed };
+        Ok(self.mismatch(&cycle)?.map_or(Ok(cycle), Err))
+    }
+
+    /// Moves a place to a level of the hole, and returns its word along Z.
+    fn shift_to_level(&mut self, place: &mut AxisPosition, height: f64, z: usize) -> Result<i64, Fault> {
+        let mover = &mut self.planner.mover;
+        mover.shift(place, self.hole.level(height).tip)?;
+        Ok(mover.placer().written(place)[z])
+    }
+
+    /// Moves a place to the end of the cycle, which keeps the X and Y of its position `over` the hole: it returns along Z of the
+    /// program, as far as the words of the return level lead. `along`: direction of Z.
+    fn shift_to_end(
+        &mut self,
+        place: &mut AxisPosition,
+        over: &AxisPosition,
+        along: Vector3<f64>,
+        z: usize,
+    ) -> Result<(), Fault> {
+        let hole = self.hole;
+        if hole.return_mm.to_bits() == hole.clearance_mm.to_bits() {
+            // Its words are those over the hole, whose tip is not rounded again.
+            *place = AxisPosition { rounding_mm: 0.0, ..*over };
+            return Ok(());
+        }
+        self.shift_to_level(place, hole.return_mm, z)?;
+        let pose = place.pose;
+        let mover = &mut self.planner.mover;
+        let lift = along * ((place.words[z] - over.words[z]) as f64 * mover.placer().unit_mm());
+        let tip = mover.placer().machine().forward_kinematics(&over.axes).tip + lift;
+        mover.shift(place, tip)?;
+        place.pose = pose;
+        Ok(())
     }
 
     /// Difference between a cycle as the control executes it and the hole.
@@ -480,10 +512,10 @@ impl<S: Sink> HoleRun<'_, '_, S> {
     }
 
     /// Writes the hole by its cycle.
-    fn run_cycle(&mut self, cycle: &CannedCycle, back: AxisPosition) -> Planned {
+    fn run_cycle(&mut self, cycle: &CannedCycle, back: &AxisPosition) -> Planned {
         let hole = self.hole;
         let can = self.planner.abilities.cycles;
-        let here = self.planner.mover.placer().written(self.planner.mover.here());
+        let began = self.planner.mover.placer().written(self.planner.mover.here())[cycle.z];
         let height = self.height().max(hole.clearance_mm);
         let thread = matches!(cycle.kind, CannedKind::Tap { .. });
         // Whether the spindle is off after it, where the cycle switches it on by itself.
@@ -493,7 +525,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
             self.planner.restart_after_thread()?;
         }
         self.planner.mover.watch_plunge(&hole.level(height), &hole.level(hole.clearance_mm));
-        if cycle.back != cycle.clearance && here[cycle.z] != cycle.back && !can.returns_to_any_level {
+        if cycle.back != cycle.clearance && began != cycle.back && !can.returns_to_any_level {
             // Such a cycle returns to the level at which it began.
             self.rapid_to(height)?;
             self.rapid_to(hole.return_mm)?;
@@ -506,7 +538,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         output.times_mut().cut(if both_ways { 2.0 * minutes } else { minutes });
         output.times_mut().wait(cycle.dwell.unwrap_or(0.0) / 60.0);
         output.set_reason(BlockReason::Record);
-        mover.write_motion(&Step::Cycle { cycle }, &back)?;
+        mover.write_motion(&Step::Cycle { cycle }, back)?;
         mover.output_mut().statistics_mut().cycles += 1;
         if let (CannedKind::Tap { pitch, left, .. }, Some(tool)) = (cycle.kind, self.planner.tooling.current()) {
             mover.output_mut().threads_mut().count(tool.number, pitch, left);
@@ -519,7 +551,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         position.note_cut(&bottom);
         position.forget_lead_out();
         position.follow(&bottom, &back.pose);
-        mover.arrive(&back);
+        mover.arrive(back);
         Ok(())
     }
 }

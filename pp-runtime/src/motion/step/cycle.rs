@@ -142,6 +142,8 @@ pub struct CannedCycle {
 impl CannedCycle {
     /// Whether this is another hole of the same cycle.
     pub(crate) fn repeats(&self, before: &Self) -> bool {
-        Self { words: before.words, ..*self } == *before
+        let Self { kind, words: _, z, surface, clearance, bottom, back, dwell, feed } = self;
+        (kind, z, surface, clearance) == (&before.kind, &before.z, &before.surface, &before.clearance)
+            && (bottom, back, dwell, feed) == (&before.bottom, &before.back, &before.dwell, &before.feed)
     }
 }

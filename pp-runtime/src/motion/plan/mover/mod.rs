@@ -229,8 +229,7 @@ impl<'a, S: Sink> Mover<'a, S> {
         if self.placer.mode() == StretchMode::Plane && planned.is_none() && self.position.is_known() {
             let here = self.position.place();
             if (here.pose.axis.into_inner() - pose.axis.into_inner()).norm_squared() <= HELD * HELD {
-                *to = self.placer.shifted(pose.tip, here)?;
-                return Ok(());
+                return self.placer.shift(to, pose.tip);
             }
         }
         self.placer.place_at(pose, self.position.place(), feed, planned, to)
@@ -239,6 +238,11 @@ impl<'a, S: Sink> Mover<'a, S> {
     /// Compares a place with the travel of the linear axes.
     pub(crate) fn check_travel(&mut self, place: &AxisPosition) -> Result<(), Fault> {
         self.placer.check_travel(place)
+    }
+
+    /// Moves the tip of a place, with its rotary axes.
+    pub(crate) fn shift(&mut self, place: &mut AxisPosition, tip: Point3<f64>) -> Result<(), Fault> {
+        self.placer.shift(place, tip)
     }
 
     /// The place of another tip with the rotary axes of `at`.
