@@ -318,13 +318,16 @@ fn an_arc_that_bulges_over_a_limit_is_refused_although_its_ends_are_inside() {
 
 #[test]
 fn an_arc_that_bulges_below_the_floor_is_refused() {
-    let bowl = CircleCase { normal: Vector3::y_axis(), from: 0.0, angle: TAU, ..up() };
-    let refused = run::<Xyz>(&set_up(|config| config.motion.guards.floor_mm = Some(-10.9)), &bowl.events());
-    assert!(refused.error().text.contains("the tool tip moves to Z -11.0000"), "{:?}", refused.error());
-    assert_eq!(
-        run::<Xyz>(&set_up(|config| config.motion.guards.floor_mm = Some(-11.1)), &bowl.events()).diagnostics,
-        []
-    );
+    // From the lowest point, and from the highest.
+    for from in [0.0, 0.5 * TAU] {
+        let bowl = CircleCase { normal: Vector3::y_axis(), from, angle: TAU, ..up() };
+        let refused = run::<Xyz>(&set_up(|config| config.motion.guards.floor_mm = Some(-10.9)), &bowl.events());
+        assert!(refused.error().text.contains("the tool tip moves to Z -11.0000"), "{:?}", refused.error());
+        assert_eq!(
+            run::<Xyz>(&set_up(|config| config.motion.guards.floor_mm = Some(-11.1)), &bowl.events()).diagnostics,
+            []
+        );
+    }
 }
 
 fn unit() -> impl Strategy<Value = UnitVector3<f64>> {
