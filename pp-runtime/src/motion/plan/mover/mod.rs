@@ -229,6 +229,7 @@ impl<'a, S: Sink> Mover<'a, S> {
         if self.placer.mode() == StretchMode::Plane && planned.is_none() && self.position.is_known() {
             let here = self.position.place();
             if (here.pose.axis.into_inner() - pose.axis.into_inner()).norm_squared() <= HELD * HELD {
+                *to = *here;
                 return self.placer.shift(to, pose.tip);
             }
         }
