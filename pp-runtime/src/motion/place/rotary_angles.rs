@@ -451,10 +451,9 @@ impl Placer {
 
     /// Whether an axis may have turns inside its limits that are not among the [`MAX_TURNS`] nearest to zero.
     pub(crate) fn has_many_turns(&self) -> bool {
-        let turn = self.rotary.scale.units_per_turn;
-        // The nearest is within half a turn of zero, and from there the turns go to both sides.
-        let farthest = |rotary: &Rotary| Some((rotary.upper?.max(-rotary.lower?) + turn / 2) / turn);
-        self.rotary.axes.iter().filter_map(farthest).any(|turns| 2 * turns + 1 > MAX_TURNS)
+        let farthest = |rotary: &Rotary| Some(rotary.upper?.max(-rotary.lower?));
+        let all_tried = MAX_TURNS / 2 * self.rotary.scale.units_per_turn;
+        self.rotary.axes.iter().filter_map(farthest).any(|farthest| farthest >= all_tried)
     }
 }
 
