@@ -16,7 +16,7 @@ const RUNTIME: &[(&str, &[&str])] = &[
     ("program", &["kinematics"]),
     ("diag", &["program"]),
     ("keys", &["diag", "kinematics", "program"]),
-    ("nc", &["keys", "program"]),
+    ("nc", &["keys", "kinematics", "program"]),
     ("set_up", &["keys", "kinematics", "program"]),
     ("cl", &["diag", "keys", "kinematics", "program", "set_up"]),
     ("motion", &["diag", "keys", "kinematics", "nc", "program", "set_up"]),

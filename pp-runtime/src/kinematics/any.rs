@@ -21,6 +21,7 @@
 
 use nalgebra::{Point3, UnitVector3, Vector3};
 
+use super::words::Words;
 use super::{
     Axis, BlockCurves, BlockDeviation, CSource, Deviation, Dimension, Explanation, Invalid, Joint, Machine,
     MotionBound, Pose, RotaryAngles, Solutions, Unreachable,
@@ -34,8 +35,9 @@ pub type AxisValues = [f64; MAX_AXES];
 
 /// The object-safe form of [`Machine`], implemented for every `Machine` and for nothing else.
 ///
-/// Each method does what the method or constant of that name does in [`Machine`]; axis values have a fixed length.
-pub trait AnyMachine: sealed::Sealed + Send + Sync {
+/// Each method does what the method or constant of that name does in [`Machine`]; axis values have a fixed length. No other
+/// crate can implement it: `Words` is not public.
+pub trait AnyMachine: Words + Send + Sync {
     /// [`Machine::NAME`].
     fn name(&self) -> &'static str;
     /// [`Machine::AXES`]; at most [`MAX_AXES`] of them.
@@ -98,12 +100,6 @@ pub trait AnyMachine: sealed::Sealed + Send + Sync {
     fn rates(&self, axes: &AxisValues, change: &AxisValues) -> (Vector3<f64>, Vector3<f64>);
 }
 
-mod sealed {
-    /// Keeps [`AnyMachine`](super::AnyMachine) to its one implementation.
-    pub trait Sealed {}
-    impl<M: super::Machine> Sealed for M {}
-}
-
 /// Axis values of a machine in the fixed length. A machine with more axes does not compile where it becomes an
 /// [`AnyMachine`].
 #[inline]
@@ -116,7 +112,7 @@ fn padded<M: Machine>(axes: &M::Axes) -> AxisValues {
 
 /// Axis values of the fixed length as the machine has them.
 #[inline]
-fn trimmed<M: Machine>(values: &AxisValues) -> M::Axes {
+pub(super) fn trimmed<M: Machine>(values: &AxisValues) -> M::Axes {
     let mut axes = M::HELD;
     axes.as_mut()[..M::AXES.len()].copy_from_slice(&values[..M::AXES.len()]);
     axes

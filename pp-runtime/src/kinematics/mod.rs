@@ -41,6 +41,8 @@ mod nearest;
 mod ranges;
 mod refusal;
 mod solutions;
+#[cfg(feature = "std")]
+mod words;
 
 #[cfg(feature = "std")]
 pub(crate) use any::AnyMachine;
@@ -58,6 +60,8 @@ pub use nearest::{NotNearest, nearest};
 pub use ranges::AxisRanges;
 pub use refusal::{Cone, Invalid, Unreachable};
 pub use solutions::{Branch, RotaryAngles, Solution, Solutions};
+#[cfg(feature = "std")]
+pub(crate) use words::{AngleScale, AxisUnits, CutStart, LinearScale, OutOfLimits, Rotary, RotaryScale};
 
 /// Largest angle of a tool axis outside the reachable set at which it is still posted, rad.
 ///

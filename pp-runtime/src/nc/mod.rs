@@ -19,6 +19,5 @@ mod number;
 mod writer;
 
 pub use formats::Formats;
-pub(crate) use number::rounded_both;
-pub use number::{Decimal, Numerals, Overflow, rounded, whole_units, write_decimal, write_number};
+pub use number::{Decimal, Numerals, Overflow, whole_units, write_decimal, write_number};
 pub use writer::{Numbering, WordForm, Writer, WrittenLine};

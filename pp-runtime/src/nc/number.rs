@@ -1,17 +1,10 @@
 //! Numbers in words: whole units of the last decimal, written without trailing zeros, without an exponent, and never as
 //! `-0`. [`Numerals`] adds the requirements of a control: a point in every number, a sign before every number.
 
-use wide::f64x2;
+use crate::kinematics::math::rounded;
 
 /// Largest number of whole units of a word: all integers up to here are exact in an `f64`.
 const LARGEST: f64 = 9_007_199_254_740_992.0;
-
-/// 2^52 + 2^51: the sum with a smaller number than 2^51 has no bits after the point, and its lowest bits are those of the nearest
-/// whole number.
-const SHIFT: f64 = 6_755_399_441_055_744.0;
-
-/// 2^51.
-const LARGEST_SHIFTED: f64 = 2_251_799_813_685_248.0;
 
 /// Smallest value that [`Decimal::significant`] writes: 18 decimals for six digits.
 const SMALLEST_SIGNIFICANT: f64 = 1e-12;
@@ -48,39 +41,6 @@ fn power_of_ten(exponent: u32) -> f64 {
     EXACT[exponent.min(22) as usize]
 }
 
-/// The nearest whole number, halves away from zero; the nearest `i64` to a value beyond them, and 0 for NaN.
-///
-/// Where the processor has no instruction for it, `f64::round` is a call.
-#[inline]
-#[must_use]
-pub fn rounded(value: f64) -> i64 {
-    let shifted = value + SHIFT;
-    let rest = value - (shifted - SHIFT);
-    if value.abs() < LARGEST_SHIFTED && rest.abs() < 0.5 {
-        shifted.to_bits().wrapping_sub(SHIFT.to_bits()).cast_signed()
-    } else {
-        rounded_in_steps(value)
-    }
-}
-
-/// The nearest whole number to each of two; `None` if one of them is a half or 2^51 at least.
-#[inline(always)]
-pub(crate) fn rounded_both(values: f64x2) -> Option<f64x2> {
-    let whole = (values + f64x2::splat(SHIFT)) - f64x2::splat(SHIFT);
-    let is_near = (values - whole).abs().simd_lt(f64x2::splat(0.5));
-    let is_small = values.abs().simd_lt(f64x2::splat(LARGEST_SHIFTED));
-    (is_near & is_small).all().then_some(whole)
-}
-
-/// The same as [`rounded`] for any number: a half, or a large one.
-#[cold]
-fn rounded_in_steps(value: f64) -> i64 {
-    let whole = value as i64;
-    // Exact: both have the same sign and magnitude.
-    let rest = value - whole as f64;
-    whole.saturating_add(i64::from(rest >= 0.5)).saturating_sub(i64::from(rest <= -0.5))
-}
-
 /// The nearest whole number of units, halves away from zero; `per_unit` is the number of units in 1.
 ///
 /// # Errors
@@ -88,12 +48,6 @@ fn rounded_in_steps(value: f64) -> i64 {
 #[inline]
 pub fn whole_units(value: f64, per_unit: f64) -> Result<i64, Overflow> {
     let units = value * per_unit;
-    let whole = if units.abs() < LARGEST_SHIFTED { rounded(units) } else { many_units(units)? };
-    Ok(whole)
-}
-
-#[cold]
-fn many_units(units: f64) -> Result<i64, Overflow> {
     // A NaN fails the comparison, too.
     if units.abs() <= LARGEST { Ok(rounded(units)) } else { Err(Overflow) }
 }
@@ -368,19 +322,6 @@ mod tests {
     }
 
     proptest! {
-        #[test]
-        fn whole_numbers_are_the_nearest(value in prop_oneof![-1e19..1e19_f64, -1e6..1e6_f64, -3.0..3.0_f64]) {
-            prop_assert_eq!(rounded(value), value.round() as i64);
-        }
-
-        #[test]
-        fn halves_and_their_neighbours_are_rounded_away_from_zero(whole in -(1_i64 << 52)..1 << 52) {
-            let half = whole as f64 + 0.5;
-            for value in [half, half.next_up(), half.next_down(), -half] {
-                prop_assert_eq!(rounded(value), value.round() as i64, "{}", value);
-            }
-        }
-
         #[test]
         fn written_units_read_back_as_the_same_decimal(
             units in prop_oneof![

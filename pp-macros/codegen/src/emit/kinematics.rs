@@ -85,7 +85,7 @@ pub(crate) fn linear_axes(model: &Model, solved: &Solved) -> TokenStream {
     let solved_linear = |place: &AxisId| !solved.position.values.iter().any(|(linear, _)| linear == place);
     let inputs = (0..model.axes.len()).filter(solved_linear);
     quote! {
-        #[inline]
+        #[inline(always)]
         fn linear_axes(
             &self,
             tip: &pp::nalgebra::Point3<f64>,

@@ -13,8 +13,15 @@ pub(crate) mod arc_tangent;
 pub(crate) mod sin_cos;
 #[cfg(test)]
 mod tests;
+#[cfg(feature = "std")]
+mod whole;
 
 use wide::f64x2;
+
+#[cfg(feature = "std")]
+pub use whole::rounded;
+#[cfg(feature = "std")]
+pub(crate) use whole::{LARGEST_SHIFTED, both_integers, near_both, rounded_below, rounded_both};
 
 /// Square root.
 #[must_use]

@@ -4,10 +4,10 @@
 //! Every survivor is the cheapest course to its state; its decisions are a chain of changes, whose beginnings survivors
 //! share. A beginning that all of them share is final.
 
-use crate::kinematics::Branch;
+use crate::kinematics::{Branch, Rotary};
 use crate::motion::course::packed::PackedChanges;
 use crate::motion::course::{CourseAction, CourseChange};
-use crate::motion::rotary::{Cost, Rotary, RotaryMetric, RotaryWords, RotationSense};
+use crate::motion::rotary::{Cost, RotaryMetric, RotaryWords, RotationSense};
 
 /// Number of changes above which chains are compacted for the first time; then at twice the number that was left.
 const COMPACT_ABOVE: usize = 4096;
@@ -707,7 +707,7 @@ impl CourseSearch {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::motion::rotary::AngleScale;
+    use crate::kinematics::AngleScale;
 
     #[test]
     fn abandoned_courses_leave_no_changes() {

@@ -2,12 +2,11 @@
 
 use nalgebra::{UnitVector3, Vector3};
 
-use crate::kinematics::{Branch, Pose, RotaryAngles, Solution, math};
+use crate::kinematics::{Branch, Pose, Rotary, RotaryAngles, Solution, math};
 
 use crate::motion::course::search::{RotaryState, SAME_WORD};
 use crate::motion::geometry::{PathSegment, angle_between};
 use crate::motion::place::Placer;
-use crate::motion::rotary::Rotary;
 use crate::motion::rotary::{MAX_TURNS, RotaryWords};
 
 /// Distance from the pole, rad, at which the direction of a path to the pole is evaluated.

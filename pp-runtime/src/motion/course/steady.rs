@@ -6,9 +6,9 @@
 
 use wide::f64x2;
 
-use crate::kinematics::{Branch, RotaryAngles, Solution};
+use crate::kinematics::{AngleScale, Branch, Rotary, RotaryAngles, RotaryScale, Solution};
 use crate::motion::course::search::RotaryState;
-use crate::motion::rotary::{AngleScale, Cost, Rotary, RotaryMetric, RotaryWords, words_of_both};
+use crate::motion::rotary::{Cost, RotaryMetric, RotaryWords};
 
 /// One branch in a run of cuts. Words and rotations are whole numbers, those of both axes side by side.
 #[derive(Debug, Clone, Copy)]
@@ -34,6 +34,7 @@ pub(crate) struct SteadyRun {
     /// The rotary axes; the second is one that never rotates, where there is one alone.
     axes: [Rotary; 2],
     scale: AngleScale,
+    of_both: RotaryScale,
     /// The second axis has limits that a cut could exceed between its ends.
     is_limited: bool,
 }
@@ -45,7 +46,7 @@ impl SteadyRun {
         let none = Rotary { index: 0, lower: None, upper: None, rest_deg: 0.0 };
         let axes = std::array::from_fn(|axis| rotaries.get(axis).copied().unwrap_or(none));
         let is_limited = branches.iter().any(|known| known.at_limits.iter().any(|limit| limit.is_finite()));
-        Self { branches, axes, scale, is_limited }
+        Self { branches, axes, scale, of_both: RotaryScale::new(rotaries, scale), is_limited }
     }
 
     /// Whether the second axis has limits that a cut could exceed between its ends.
@@ -75,7 +76,7 @@ impl SteadyRun {
         }
         let mut steps = [(f64x2::ZERO, f64x2::ZERO); 2];
         for ((known, solution), step) in self.branches.iter().zip(solutions).zip(&mut steps) {
-            match known.step(solution, reach as f64, (&self.axes, self.scale)) {
+            match known.step(solution, reach as f64, &self.of_both) {
                 Some(found) => *step = found,
                 None => return false,
             }
@@ -120,15 +121,9 @@ fn within_half_turn(words: f64x2, turn: f64x2) -> f64x2 {
 impl RunBranch {
     /// Words of a solution and their change from the last pose; `None` if the run ends before it.
     #[inline(always)]
-    fn step(
-        &self,
-        solution: &Solution<RotaryAngles>,
-        reach: f64,
-        (axes, scale): (&[Rotary; 2], AngleScale),
-    ) -> Option<(f64x2, f64x2)> {
+    fn step(&self, solution: &Solution<RotaryAngles>, reach: f64, scale: &RotaryScale) -> Option<(f64x2, f64x2)> {
         // Both are within half a turn of zero.
-        let words = words_of_both(&solution.axes, axes, scale)?;
-        let turn = f64x2::splat(scale.units_per_turn as f64);
+        let (words, turn) = (scale.words(&solution.axes)?, scale.units_per_turn());
         let by = within_half_turn(words - self.words, turn);
         let rotated = self.rotated + by;
         let quarter = f64x2::splat(0.25) * turn;

@@ -5,9 +5,8 @@ use proptest::prelude::*;
 
 use super::*;
 use crate::config::Config;
-use crate::kinematics::Limits;
-use crate::kinematics::Machine;
 use crate::kinematics::machines::{Cb, Head};
+use crate::kinematics::{Limits, Machine};
 use crate::motion::options::ToolPosture;
 use crate::motion::rotary::MAX_TURNS;
 use crate::motion::tests::hand_on;

@@ -6,9 +6,11 @@ use nalgebra::UnitVector3;
 
 use super::chain::{coordinates, held_tool_axis, orthogonal, poles, xyz_only};
 use super::datum::Datum;
-use crate::kinematics::{AnyMachine, Axis, AxisKind, REACH_TOLERANCE};
+use crate::kinematics::{
+    AngleScale, AnyMachine, Axis, AxisKind, AxisUnits, LinearScale, REACH_TOLERANCE, Rotary, RotaryScale,
+};
 use crate::motion::options::Policy;
-use crate::motion::rotary::{AngleScale, Rotary, RotaryMetric};
+use crate::motion::rotary::RotaryMetric;
 use crate::nc::{Overflow, whole_units};
 use crate::program::Units;
 
@@ -17,6 +19,9 @@ const LIMIT_NOISE: f64 = 1e-6;
 
 /// Largest noise of the square of the distance of two unit vectors.
 const UNIT_NOISE: f64 = 1e-12;
+
+/// Largest bound of words that are compared as numbers of binary64, in which each number of units and a half is exact: 2^51.
+const MOST_UNITS: i64 = 1 << 51;
 
 /// Smallest cosine between tool axis and retract axis at which the two count as parallel.
 const PARALLEL: f64 = 1.0 - 1e-12;
@@ -36,6 +41,8 @@ pub(crate) struct RotaryAxes {
     /// Indexed axes, and their steps in whole units.
     pub(crate) grid: Vec<(Rotary, i64)>,
     pub(crate) scale: AngleScale,
+    /// The same with the limits.
+    pub(crate) of_both: RotaryScale,
     /// Largest rotation of the tool axis by the rounding of the words at both ends of a block.
     pub(crate) rounding_rad: f64,
     pub(crate) metric: RotaryMetric,
@@ -56,8 +63,8 @@ pub(crate) struct LinearAxes {
     pub(crate) mask: u16,
     /// Positions in the chain, in its order.
     pub(crate) solved: Vec<usize>,
-    /// Units of their words in 1 mm.
-    pub(crate) units_per_mm: f64,
+    /// Resolution and range of their words.
+    pub(crate) scale: LinearScale,
     /// One unit, mm.
     pub(crate) unit_mm: f64,
     /// Positions of X Y Z in the chain, if these are the solved linear axes.
@@ -70,16 +77,14 @@ pub(crate) struct LinearAxes {
     pub(crate) retracts_along_tool: bool,
     /// The path length that the control computes from the words equals that of the tip.
     pub(crate) keeps_path_length: bool,
-    /// The linear axes are perpendicular to each other at any rotary angles.
-    pub(crate) orthogonal: bool,
 }
 
 impl LinearAxes {
     /// Word of an axis value in whole units, and the axis value of the rounded word, mm. `shift_mm`: word minus axis value.
     #[inline]
     pub(crate) fn rounded(&self, value_mm: f64, shift_mm: f64) -> Result<(i64, f64), Overflow> {
-        let units = whole_units(value_mm + shift_mm, self.units_per_mm)?;
-        Ok((units, units as f64 / self.units_per_mm - shift_mm))
+        let units = whole_units(value_mm + shift_mm, self.scale.units_per_mm)?;
+        Ok((units, units as f64 / self.scale.units_per_mm - shift_mm))
     }
 }
 
@@ -133,6 +138,7 @@ impl RotaryAxes {
             grid: grid(chain, policy, &axes, scale),
             metric: RotaryMetric::new(&axes, [0, 1].map(speed), scale),
             scale,
+            of_both: RotaryScale::new(&axes, scale),
             rounding_rad: scale.angle(1) * axes.len() as f64,
             axes,
         }
@@ -140,7 +146,13 @@ impl RotaryAxes {
 }
 
 impl LinearAxes {
-    pub(crate) fn new(machine: &dyn AnyMachine, policy: Policy<'_>, units: Units, head: bool) -> Self {
+    /// `bounds`: exclusive bounds of the absolute words.
+    pub(crate) fn new(
+        machine: &dyn AnyMachine,
+        policy: Policy<'_>,
+        units: Units,
+        (head, bounds): (bool, &AxisUnits),
+    ) -> Self {
         let axes = machine.axes();
         let tool_axis = machine.tool_axis();
         let share = |index: usize| {
@@ -161,14 +173,17 @@ impl LinearAxes {
         Self {
             mask: mask(axes, AxisKind::Linear),
             solved: solved(axes, AxisKind::Linear).collect(),
-            units_per_mm,
+            scale: LinearScale {
+                units_per_mm,
+                orthogonal,
+                most_units: bounds.map(|bound| bound.min(MOST_UNITS) as f64 - 0.5),
+            },
             unit_mm: 1.0 / units_per_mm,
             xyz: coordinates(axes),
             retract_axis,
             retract_share: share(retract_axis),
             retracts_along_tool: !head && along_tool,
             keeps_path_length: orthogonal && xyz_only(axes),
-            orthogonal,
         }
     }
 }

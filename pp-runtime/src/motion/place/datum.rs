@@ -7,11 +7,10 @@
 
 use nalgebra::Vector3;
 
-use crate::kinematics::AnyMachine;
+use crate::kinematics::{AngleScale, AnyMachine, AxisValues};
 use crate::motion::options::Policy;
 use crate::set_up::{LengthMode, ProgramZero, along_axes};
 
-use crate::motion::rotary::AngleScale;
 use crate::motion::step::MAX_AXES;
 
 /// Largest noise of an offset, in units of a word, from the conversion of degrees to radians.
@@ -27,7 +26,7 @@ pub(crate) struct Datum {
     /// Addition to the linear words for 1 mm of gauge length.
     share: [f64; MAX_AXES],
     /// Linear words minus axis values with the tool in the spindle.
-    linear_mm: [f64; MAX_AXES],
+    linear_mm: AxisValues,
     /// Rotary offsets in units of words.
     offsets: [f64; MAX_AXES],
     /// Rotary offsets rounded to whole units.
@@ -71,6 +70,12 @@ impl Datum {
     #[inline]
     pub(crate) fn linear_shift_mm(&self, index: usize) -> f64 {
         self.linear_mm[index]
+    }
+
+    /// The same of all axes; 0 for rotary ones.
+    #[inline]
+    pub(crate) fn linear_shifts_mm(&self) -> &AxisValues {
+        &self.linear_mm
     }
 
     /// Part of the offset of a rotary axis that is smaller than one unit, degrees.

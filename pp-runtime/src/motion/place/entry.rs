@@ -126,7 +126,7 @@ impl Placer {
     fn words_across(&self, value_mm: impl Fn(usize) -> f64) -> Result<AxisWords, Fault> {
         let mut words = AxisWords { mask: self.across_mask(), ..AxisWords::default() };
         for index in (0..MAX_AXES).filter(|index| words.mask & (1 << index) != 0) {
-            let units = whole_units(value_mm(index), self.linear.units_per_mm).ok();
+            let units = whole_units(value_mm(index), self.linear.scale.units_per_mm).ok();
             words.units[index] = units
                 .filter(|units| units.abs() < self.bounds[index])
                 .ok_or_else(|| too_large(self.chain[index].letter))?;

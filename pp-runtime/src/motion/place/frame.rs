@@ -214,6 +214,12 @@ impl WordFrame {
         WordMap { rotation, shift_mm: rotation * self.zero_mm }
     }
 
+    /// Whether the words are coordinates of the tip, and no axis values.
+    #[inline(always)]
+    pub(crate) fn is_mapped(&self) -> bool {
+        !matches!(self.meaning, LinearWords::Axes)
+    }
+
     /// Map from the workpiece frame to the words; `None` if the words are axis values.
     #[inline(always)]
     pub(crate) fn map(&self, machine: &dyn AnyMachine, axes: &AxisValues) -> Option<WordMap> {

@@ -25,15 +25,17 @@
 //! Nothing is allocated: a motion is a few positions on the stack, however many pieces it has.
 
 use crate::kinematics::math::{larger, smaller};
-use crate::kinematics::{AxisValues, BlockDeviation, Branch, Deviation, MotionBound, Pose, RotaryAngles, Solution};
+use crate::kinematics::{
+    AxisValues, BlockDeviation, Branch, Deviation, MotionBound, OutOfLimits, Pose, Rotary, RotaryAngles, Solution,
+};
 
 use super::refusal;
 use super::{AxisPosition, Placer};
+use crate::kinematics::math::rounded;
 use crate::motion::fault::Fault;
 use crate::motion::geometry::PathSegment;
-use crate::motion::rotary::{OutOfLimits, Rotary, RotaryWords};
+use crate::motion::rotary::RotaryWords;
 use crate::motion::step::MAX_AXES;
-use crate::nc::rounded;
 
 /// Share of the tolerance from which on a piece is long enough.
 const LONG_ENOUGH: f64 = 0.97;

@@ -24,12 +24,15 @@ use std::collections::BTreeMap;
 
 use nalgebra::{Point3, UnitVector3, Vector3};
 
-use crate::kinematics::{AnyMachine, Axis, AxisKind, AxisValues, Branch, Limits, Pose, Side};
+use crate::kinematics::math::rounded;
+use crate::kinematics::{
+    AngleScale, AnyMachine, Axis, AxisKind, AxisUnits, AxisValues, Branch, Limits, OutOfLimits, Pose, Rotary, Side,
+};
 use crate::motion::fault::Fault;
 use crate::motion::options::{Policy, StretchMode, ToolPosture};
-use crate::motion::rotary::{AngleScale, OutOfLimits, Rotary, RotaryMetric, RotaryTarget, RotaryWords, choose};
+use crate::motion::rotary::{RotaryMetric, RotaryTarget, RotaryWords, choose};
 use crate::motion::step::{AxisWords, MAX_AXES, ReachedPosition, VECTOR_DECIMALS};
-use crate::nc::{rounded, whole_units};
+use crate::nc::whole_units;
 use crate::program::Units;
 use crate::set_up::LengthMode;
 
@@ -93,7 +96,7 @@ pub(crate) struct Placer {
     linear: LinearAxes,
     speeds: AxisSpeeds,
     /// Exclusive bounds of the absolute words, in units.
-    bounds: [i64; MAX_AXES],
+    bounds: AxisUnits,
     /// Zero of the written words.
     datum: Datum,
     /// Frame of the linear words.
@@ -117,7 +120,7 @@ fn too_large(letter: char) -> Fault {
 }
 
 /// Exclusive bounds of the words in whole units.
-fn bounds(axes: &[Axis], policy: Policy<'_>, units: Units) -> [i64; MAX_AXES] {
+fn bounds(axes: &[Axis], policy: Policy<'_>, units: Units) -> AxisUnits {
     let formats = &policy.formats;
     let bound = |whole: u32, decimals: u32| 10_i64.saturating_pow(whole + decimals);
     let mut bounds = [i64::MAX; MAX_AXES];
@@ -142,15 +145,16 @@ impl Placer {
         let largest_bend_rad = tool_vectors::largest_bend(policy, rotary.limited);
         // A motion is led through a pole by a block there: words with the tool axis of the pole are at the pole.
         let at_pole_rad = if largest_bend_rad.is_some() { 0.5 * scale.angle(1) } else { 0.0 };
+        let bounds = bounds(chain, policy, units);
         let mut placer = Self {
             part_origin: policy.set_up.part_origin.into(),
             poles: Poles::new(&*machine, policy, &rotary.axes, at_pole_rad),
-            linear: LinearAxes::new(&*machine, policy, units, head),
+            linear: LinearAxes::new(&*machine, policy, units, (head, &bounds)),
             speeds: AxisSpeeds {
                 timed: options.feed.keep_speeds && speeds.iter().any(Option::is_some),
                 per_axis: speeds,
             },
-            bounds: bounds(chain, policy, units),
+            bounds,
             limits: policy.set_up.travel(chain).limits,
             travel: TravelCheck::new(&*machine, policy),
             frame: WordFrame::new(&*machine, policy),
@@ -528,35 +532,43 @@ impl Placer {
     /// Computes the linear axes and words of a position whose rotary angles are known; the travel is not compared.
     #[inline(always)]
     pub(crate) fn solve_linear(&self, place: &mut AxisPosition) -> Result<(), Fault> {
+        if self.frame.is_mapped() {
+            return self.solve_in_frame(place);
+        }
+        let (scale, shift_mm) = (&self.linear.scale, self.datum.linear_shifts_mm());
+        let (AxisPosition { pose, axes, words, .. }, machine) = (&mut *place, &self.machine);
+        match machine.set_linear_words(&pose.tip, scale, shift_mm, axes, words) {
+            Some(rounding_mm) => place.rounding_mm = rounding_mm,
+            None => return Err(self.not_solved(place)),
+        }
+        Ok(())
+    }
+
+    /// The same where the words are coordinates of the tip in a frame.
+    fn solve_in_frame(&self, place: &mut AxisPosition) -> Result<(), Fault> {
         if !self.machine.set_linear_axes(&place.pose.tip, &mut place.axes) {
             return Err(refusal::unreachable(self, &place.pose, &place.axes));
         }
-        if let Some(map) = self.frame.map(&*self.machine, &place.axes) {
-            return self.solve_tip(place, &map);
+        match self.frame.map(&*self.machine, &place.axes) {
+            Some(map) => self.solve_tip(place, &map),
+            None => Ok(()),
         }
-        let (mut sum, mut squares, mut fit) = (0.0, 0.0, true);
-        for &index in &self.linear.solved {
-            let (value, shift) = (&mut place.axes[index], self.datum.linear_shift_mm(index));
-            let Ok((units, written)) = self.linear.rounded(*value, shift) else {
-                return Err(too_large(self.chain[index].letter));
-            };
-            place.words[index] = units;
-            fit &= units.abs() < self.bounds[index];
-            let off = written - *value;
-            *value = written;
-            sum += off.abs();
-            squares += off * off;
-        }
-        place.rounding_mm = if self.linear.orthogonal { squares.sqrt() } else { sum };
-        let fits = |rotary: &Rotary| place.words[rotary.index].abs() < self.bounds[rotary.index];
-        if fit && self.rotary.axes.iter().all(fits) { Ok(()) } else { Err(self.words_too_large(place)) }
     }
 
-    /// The fault that a word of a position has more digits than are allowed.
+    /// The fault that a position has no linear axes, or a word more digits than are allowed.
     #[cold]
-    fn words_too_large(&self, place: &AxisPosition) -> Fault {
-        let index = (0..self.chain.len()).find(|&index| place.words[index].abs() >= self.bounds[index]);
-        too_large(self.chain[index.unwrap_or_default()].letter)
+    fn not_solved(&self, place: &AxisPosition) -> Fault {
+        let Some(values) = self.machine.linear_axes(&place.pose.tip, &place.axes) else {
+            return refusal::unreachable(self, &place.pose, &place.axes);
+        };
+        let fits = |index: usize| match self.chain[index].kind {
+            AxisKind::Rotary => place.words[index].abs() < self.bounds[index],
+            AxisKind::Linear => {
+                let word = self.linear.rounded(values[index], self.datum.linear_shift_mm(index));
+                self.chain[index].held || word.is_ok_and(|(units, _)| units.abs() < self.bounds[index])
+            }
+        };
+        too_large(self.chain[(0..self.chain.len()).find(|&index| !fits(index)).unwrap_or_default()].letter)
     }
 
     /// Whether offsets along two axes have more digits than their words allow.
@@ -579,7 +591,7 @@ impl Placer {
 
     /// Largest possible displacement of the tip by rounding of the linear words, mm.
     pub(crate) fn largest_rounding(&self) -> f64 {
-        0.5 * self.unit_mm() * if self.linear.orthogonal { 3_f64.sqrt() } else { 3.0 }
+        0.5 * self.unit_mm() * if self.linear.scale.orthogonal { 3_f64.sqrt() } else { 3.0 }
     }
 
     /// Position with the rotary angles of a pose from which motion starts (FROM); `None` if it cannot be reached.
@@ -613,7 +625,7 @@ impl Placer {
     /// Words of a linear axis at a machine coordinate.
     pub(crate) fn machine_words(&self, index: usize, coordinate_mm: f64) -> Result<AxisWords, Fault> {
         self.travel.check_machine(index, coordinate_mm)?;
-        let units = whole_units(coordinate_mm, self.linear.units_per_mm)
+        let units = whole_units(coordinate_mm, self.linear.scale.units_per_mm)
             .ok()
             .filter(|units| units.abs() < self.bounds[index])
             .ok_or_else(|| too_large(self.chain[index].letter))?;

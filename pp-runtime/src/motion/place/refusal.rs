@@ -1,10 +1,10 @@
 //! Messages for poses that the machine cannot reach.
 
-use crate::kinematics::{AxisValues, Pose};
+use crate::kinematics::{AxisValues, OutOfLimits, Pose, Rotary};
 
 use super::Placer;
 use crate::motion::fault::Fault;
-use crate::motion::rotary::{OutOfLimits, Rotary, RotaryWords};
+use crate::motion::rotary::RotaryWords;
 
 /// Limits of a rotary axis as text.
 pub(crate) fn limits_text(placer: &Placer, index: usize) -> String {

@@ -2,7 +2,10 @@
 
 use nalgebra::UnitVector3;
 
-use crate::kinematics::{AxisValues, Branch, Pose, REACH_TOLERANCE, RotaryAngles, Side, Solution, Solutions, math};
+use crate::kinematics::{
+    AxisValues, Branch, CutStart, OutOfLimits, Pose, REACH_TOLERANCE, Rotary, RotaryAngles, Side, Solution, Solutions,
+    math,
+};
 use crate::program::{RotaryDirection, Rotation};
 
 use super::linearise::PathTolerance;
@@ -10,9 +13,7 @@ use super::refusal;
 use super::{AxisPosition, Placer};
 use crate::motion::fault::Fault;
 use crate::motion::geometry::angle_between;
-use crate::motion::rotary::{
-    Choice, MAX_TURNS, OutOfLimits, Rotary, RotaryTarget, RotaryWords, RotationSense, choose, nearest_words,
-};
+use crate::motion::rotary::{Choice, MAX_TURNS, RotaryTarget, RotaryWords, RotationSense, choose};
 use crate::motion::step::MAX_AXES;
 
 /// Largest travel of a rotary axis, rad, in a feed motion whose turn is forced by limits; more would swing the tool in
@@ -222,6 +223,28 @@ impl Placer {
             *to = self.rotaries_at_pole(pose, pole, from)?;
             return Ok(());
         }
+        // Nearly always a feed motion that keeps its branch.
+        if feed && !from.at_pole && self.follow_branch(pose, from, to) {
+            return Ok(());
+        }
+        self.choose_branch(pose, from, feed, to)
+    }
+
+    /// Sets the rotary angles of a pose on the branch of the present ones, in the nearest turns. Returns false where there are none
+    /// inside the limits.
+    #[inline(always)]
+    fn follow_branch(&self, pose: &Pose, from: &AxisPosition, to: &mut AxisPosition) -> bool {
+        let start = CutStart { branch: from.branch, axes: &from.axes, words: &from.words };
+        let followed =
+            self.machine.set_rotary_words(&pose.axis, start, &self.rotary.of_both, &mut to.axes, &mut to.words);
+        let Some(deviation_rad) = followed else { return false };
+        to.pose = *pose;
+        (to.branch, to.deviation_rad, to.at_pole, to.rounding_mm) = (from.branch, deviation_rad, false, 0.0);
+        true
+    }
+
+    /// Chooses branch and turns of a pose from the present ones.
+    fn choose_branch(&self, pose: &Pose, from: &AxisPosition, feed: bool, to: &mut AxisPosition) -> Result<(), Fault> {
         let solutions = self.machine.rotary_axes(&pose.axis, &from.axes);
         if solutions.is_empty() {
             return Err(refusal::unreachable(self, pose, &from.axes));
@@ -230,15 +253,7 @@ impl Placer {
         let same = solutions.iter().position(|solution| solution.branch == from.branch && feed && !from.at_pole);
         let of_branch = same.map_or(0..solutions.len(), |same| same..same + 1);
         let branch = &solutions[of_branch.clone()];
-        // Nearly always a feed motion that keeps its branch.
-        let nearest = match branch {
-            [only] => nearest_words(&only.axes, &self.rotary.axes, &before, self.rotary.scale).ok(),
-            _ => None,
-        };
-        let Choice { solution, words } = match nearest {
-            Some(words) => Choice { solution: 0, words },
-            None => self.choose_words(&solutions, of_branch, &before)?,
-        };
+        let Choice { solution, words } = self.choose_words(&solutions, of_branch, &before)?;
         let solution = &branch[solution];
         self.set_rotaries(to, pose, &words);
         (to.branch, to.deviation_rad) = (solution.branch, solution.deviation);
@@ -275,7 +290,6 @@ impl Placer {
     }
 
     /// Refuses a swing of the tool in the cut: another turn than the nearest, which limits force.
-    #[inline(always)]
     fn check_swing(
         &self,
         branch: &[Solution<RotaryAngles>],
@@ -286,16 +300,6 @@ impl Placer {
         if self.rotary.scale.angle(travel) <= MAX_LIMIT_SWING {
             return Ok(());
         }
-        self.check_large_swing(branch, before, after)
-    }
-
-    #[cold]
-    fn check_large_swing(
-        &self,
-        branch: &[Solution<RotaryAngles>],
-        before: &RotaryWords,
-        after: &RotaryWords,
-    ) -> Result<(), Fault> {
         match choose(branch, &self.rotary.endless, before, self.rotary.scale) {
             Ok(nearest) if nearest.words != *after => Err(refusal::jump(self, before, after, &nearest.words)),
             _ => Ok(()),

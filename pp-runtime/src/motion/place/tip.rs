@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use nalgebra::{Matrix3, Point3, UnitVector3, Vector3};
 
-use crate::kinematics::AxisValues;
+use crate::kinematics::{AxisValues, Rotary};
 use crate::nc::whole_units;
 
 use super::frame::{WordMap, no_plane};
@@ -13,7 +13,6 @@ use super::tilted_plane::{PlaneAbility, PoseRule, TiltedPlane, plane_across};
 use super::{AxisPosition, Placer, too_large};
 use crate::motion::fault::Fault;
 use crate::motion::geometry::angle_between;
-use crate::motion::rotary::Rotary;
 
 /// Largest deviation of a map from an orthogonal one: rounding of the arithmetic of angles.
 const ORTHOGONAL: f64 = 1e-9;
@@ -131,7 +130,7 @@ impl Placer {
         let fits = |(index, [low, high]): (usize, [f64; 2])| {
             let furthest = (0.5 * (low + high) + self.datum.linear_shift_mm(index)).abs() + 0.5 * (high - low);
             // The unit is for the rounding of this sum.
-            whole_units(furthest, self.linear.units_per_mm).is_ok_and(|units| units + 1 < self.bounds[index])
+            whole_units(furthest, self.linear.scale.units_per_mm).is_ok_and(|units| units + 1 < self.bounds[index])
         };
         if !solved.into_iter().zip(ranges).all(fits) {
             return false;
@@ -166,11 +165,12 @@ impl Placer {
         let mut written = map.words(&place.pose.tip);
         let letters = self.frame.letters();
         for (index, value) in letters.into_iter().zip(written.iter_mut()) {
-            let units =
-                whole_units(*value, self.linear.units_per_mm).ok().filter(|units| units.abs() < self.bounds[index]);
+            let units = whole_units(*value, self.linear.scale.units_per_mm)
+                .ok()
+                .filter(|units| units.abs() < self.bounds[index]);
             let units = units.ok_or_else(|| too_large(self.chain[index].letter))?;
             place.words[index] = units;
-            *value = units as f64 / self.linear.units_per_mm;
+            *value = units as f64 / self.linear.scale.units_per_mm;
         }
         let reached = map.tip(&written);
         let axes = self.machine.linear_axes(&reached, &place.axes);

@@ -6,11 +6,10 @@
 
 use std::io;
 
-use crate::kinematics::Axis;
+use crate::kinematics::{Axis, Rotary};
 
 use crate::motion::options::{ClampCodes, Policy};
 use crate::motion::plan::output::Output;
-use crate::motion::rotary::Rotary;
 use crate::motion::step::{MAX_AXES, Sink, Step};
 
 /// One clamp.

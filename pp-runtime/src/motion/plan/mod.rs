@@ -35,7 +35,7 @@ use std::io;
 use std::ops::RangeInclusive;
 
 use crate::diag::Diagnostic;
-use crate::kinematics::{AnyMachine, Pose};
+use crate::kinematics::{AnyMachine, Pose, Rotary};
 use crate::motion::modes::{ModeFollower, StretchModes};
 use crate::motion::options::{Policy, StretchMode};
 use crate::motion::place::UsableModes;
@@ -45,7 +45,7 @@ use crate::program::{self, Coolant, Location, Move};
 use crate::motion::course::{Course, CourseAction, CourseChange, CourseFollower};
 use crate::motion::fault::{Fault, ItemError, Planned, PlanningError};
 use crate::motion::geometry::PathSegment;
-use crate::motion::rotary::{Rotary, RotaryTarget, RotaryWords};
+use crate::motion::rotary::{RotaryTarget, RotaryWords};
 use crate::motion::source::{Begins, ItemAction, LinePart, MotionIndex, Next, ProgramItem, Stage};
 use crate::motion::step::BlockReason;
 use crate::motion::step::Sink;

@@ -6,13 +6,12 @@
 
 use nalgebra::{Point3, UnitVector3};
 
-use crate::kinematics::{Pose, Side};
+use crate::kinematics::{Pose, Rotary, Side};
 use crate::program::{Event, Feed, Location, Move, Rotation, Spindle, ToolCall};
 
 use crate::motion::fault::{Fault, ItemError, Planned, PlanningError};
 use crate::motion::place::PathTolerance;
 use crate::motion::plan::{MotionAndNext, Planner, records};
-use crate::motion::rotary::Rotary;
 use crate::motion::rotary::{RotaryTarget, RotaryWords};
 use crate::motion::source::Next;
 use crate::motion::step::BlockReason;

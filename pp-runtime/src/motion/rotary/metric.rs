@@ -1,7 +1,7 @@
 //! Travel and time of the rotary axes between two positions, and their cost.
 
-use super::nearest_turn::{AngleScale, Rotary};
-use crate::nc::rounded;
+use crate::kinematics::math::rounded;
+use crate::kinematics::{AngleScale, Rotary};
 
 /// Words of the solved rotary axes in the order of the chain; 0 for an axis that the machine does not have.
 pub(crate) type RotaryWords = [i64; 2];

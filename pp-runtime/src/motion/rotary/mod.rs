@@ -8,7 +8,5 @@ mod rollover;
 
 pub use metric::Cost;
 pub(crate) use metric::{RotaryMetric, RotaryTarget, RotaryWords, RotationSense};
-pub(crate) use nearest_turn::{
-    AngleScale, Choice, MAX_TURNS, OutOfLimits, Rotary, choose, nearest_words, words_of_both,
-};
+pub(crate) use nearest_turn::{Choice, MAX_TURNS, choose};
 pub(crate) use rollover::Rollover;

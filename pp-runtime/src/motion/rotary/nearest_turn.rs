@@ -3,40 +3,13 @@
 //! Computes in whole units of the rotary words, so that limits hold for the written values, ties are exact, and turns
 //! are exact. The choice is made pose by pose, without look-ahead.
 
-use wide::f64x2;
-
-use crate::kinematics::{RotaryAngles, Solution};
+use crate::kinematics::{AngleScale, OutOfLimits, Rotary, RotaryAngles, Solution};
 
 use super::RotaryWords;
-use crate::nc::{rounded, rounded_both};
 
 /// Most turns of one axis that are tried for one pose, nearest to zero first. Of an axis with a wider range the turns
 /// at its ends and those near the current course are tried in addition.
 pub(crate) const MAX_TURNS: i64 = 24;
-
-/// A solved rotary axis and the range of its words.
-///
-/// The words are axis values; the zero of the written words is applied when they are written.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Rotary {
-    /// Position in the chain.
-    pub(crate) index: usize,
-    /// Smallest word, inclusive; `None` for an endless axis.
-    pub(crate) lower: Option<i64>,
-    /// Largest word, inclusive; `None` for an endless axis.
-    pub(crate) upper: Option<i64>,
-    /// Axis value at word 0: the part of a rotary offset that is smaller than one unit.
-    pub(crate) rest_deg: f64,
-}
-
-/// A rotary axis that is outside its limits in every whole turn.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct OutOfLimits {
-    /// The axis.
-    pub(crate) rotary: Rotary,
-    /// Its word nearest to the previous one, outside the limits.
-    pub(crate) word: i64,
-}
 
 /// A chosen solution with its words.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -45,164 +18,6 @@ pub(crate) struct Choice {
     pub(crate) solution: usize,
     /// Words of the rotary axes.
     pub(crate) words: RotaryWords,
-}
-
-/// Resolution of rotary words.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct AngleScale {
-    /// Units in one degree.
-    pub(crate) units_per_degree: f64,
-    /// Units in one revolution.
-    pub(crate) units_per_turn: i64,
-}
-
-impl AngleScale {
-    pub(crate) fn new(decimals: u32) -> Self {
-        let units_per_degree = 10_i64.pow(decimals);
-        Self { units_per_degree: units_per_degree as f64, units_per_turn: 360 * units_per_degree }
-    }
-
-    /// The word nearest to an angle, rad.
-    #[inline(always)]
-    pub(crate) fn word(self, angle_rad: f64) -> i64 {
-        rounded(angle_rad.to_degrees() * self.units_per_degree)
-    }
-
-    /// Angle of a word or of a difference of words, rad.
-    #[inline(always)]
-    pub(crate) fn angle(self, word: i64) -> f64 {
-        self.degrees(word).to_radians()
-    }
-
-    /// Angle of a word or of a difference of words, degrees.
-    #[inline(always)]
-    pub(crate) fn degrees(self, word: i64) -> f64 {
-        word as f64 / self.units_per_degree
-    }
-}
-
-impl Rotary {
-    /// The word nearest to an axis value, rad.
-    #[inline(always)]
-    pub(crate) fn word(self, angle_rad: f64, scale: AngleScale) -> i64 {
-        rounded((angle_rad.to_degrees() - self.rest_deg) * scale.units_per_degree)
-    }
-
-    /// Axis value of a word, rad.
-    #[inline(always)]
-    pub(crate) fn angle(self, word: i64, scale: AngleScale) -> f64 {
-        self.degrees(word, scale).to_radians()
-    }
-
-    /// Axis value of a word for messages, degrees.
-    pub(crate) fn degrees_for_display(self, word: i64, scale: AngleScale) -> f64 {
-        (self.degrees(word, scale) * 1e9).round() / 1e9
-    }
-
-    /// Axis value of a word, degrees.
-    fn degrees(self, word: i64, scale: AngleScale) -> f64 {
-        scale.degrees(word) + self.rest_deg
-    }
-
-    /// Whether the axis has no limits, so that any whole turn is allowed.
-    pub(crate) fn endless(self) -> bool {
-        self.lower.is_none() || self.upper.is_none()
-    }
-
-    /// The same axis without its limits.
-    pub(crate) fn without_limits(self) -> Self {
-        Self { lower: None, upper: None, ..self }
-    }
-
-    /// Whether a word is inside the limits.
-    pub(crate) fn contains(&self, word: i64) -> bool {
-        self.lower.is_none_or(|lower| word >= lower) && self.upper.is_none_or(|upper| word <= upper)
-    }
-
-    /// Smallest word; 0 for an endless axis.
-    pub(crate) fn lower_end(self) -> i64 {
-        self.lower.unwrap_or_default()
-    }
-
-    /// Largest word; 0 for an endless axis.
-    pub(crate) fn upper_end(self) -> i64 {
-        self.upper.unwrap_or_default()
-    }
-
-    /// The word inside the limits that is nearest to this one; not only by whole turns.
-    pub(crate) fn clamped(self, word: i64) -> i64 {
-        let word = self.upper.map_or(word, |upper| word.min(upper));
-        self.lower.map_or(word, |lower| word.max(lower))
-    }
-
-    /// Words inside the limits that equal `word` modulo one revolution, nearest to zero first, at most `most` of them;
-    /// for an endless axis only the one nearest to zero. `turn`: units in one revolution.
-    pub(crate) fn turns(self, word: i64, turn: i64, most: i64) -> impl Iterator<Item = i64> {
-        let nearest = self.without_limits().nearest(word, 0, turn).unwrap_or(word);
-        // Beyond the farthest turn inside the limits there is none.
-        let farthest = match (self.lower, self.upper) {
-            (Some(lower), Some(upper)) => ((upper - nearest) / turn).max((nearest - lower) / turn).max(0),
-            _ => 0,
-        };
-        let count = most.min(2 * farthest + 1);
-        let step_towards_zero = if nearest > 0 { -turn } else { turn };
-        // The nearest, one turn towards zero and past it, one turn away, two turns towards zero, ...
-        let all = (0..count)
-            .map(move |step| nearest + step_towards_zero * if step % 2 == 1 { (step + 1) / 2 } else { -step / 2 });
-        all.filter(move |&word| self.contains(word))
-    }
-
-    /// Whether at most one word of a revolution is inside the limits, or taken: of an endless axis the one nearest to zero.
-    pub(crate) fn has_one_turn(self, turn: i64) -> bool {
-        self.lower.zip(self.upper).is_none_or(|(lower, upper)| upper - lower < turn)
-    }
-
-    /// The only one of [`turns`](Self::turns), where [`has_one_turn`](Self::has_one_turn); `None` if it is outside.
-    #[inline]
-    pub(crate) fn only_turn(self, word: i64, turn: i64) -> Option<i64> {
-        match self.lower.zip(self.upper) {
-            Some((lower, upper)) => Some(lower + (word - lower).rem_euclid(turn)).filter(|word| *word <= upper),
-            None => {
-                let above = word.rem_euclid(turn);
-                Some(if 2 * above > turn { above - turn } else { above })
-            }
-        }
-    }
-
-    /// The word inside the limits that equals `word` modulo one revolution and is nearest to `previous`; at equal
-    /// distance the one of smaller absolute value, then the positive one. `turn`: units in one revolution.
-    #[inline]
-    pub(crate) fn nearest(&self, word: i64, previous: i64, turn: i64) -> Result<i64, OutOfLimits> {
-        let near = if 2 * (previous - word).abs() < turn { word } else { nearest_of_all(word, previous, turn) };
-        if self.contains(near) { Ok(near) } else { self.nearest_inside(near, turn) }
-    }
-
-    /// The word inside the limits that is the fewest turns from one outside.
-    #[cold]
-    fn nearest_inside(&self, near: i64, turn: i64) -> Result<i64, OutOfLimits> {
-        let out = OutOfLimits { rotary: *self, word: near };
-        let mut choice = near;
-        if let Some(upper) = self.upper
-            && choice > upper
-        {
-            choice -= (choice - upper + turn - 1).div_euclid(turn) * turn;
-        }
-        if let Some(lower) = self.lower
-            && choice < lower
-        {
-            choice += (lower - choice + turn - 1).div_euclid(turn) * turn;
-        }
-        // Each candidate may be inside at its own limit only: the nearer one has been chosen above.
-        if self.contains(choice) { Ok(choice) } else { Err(out) }
-    }
-}
-
-/// The word that equals `word` modulo one revolution and is nearest to `previous`, as in [`Rotary::nearest`].
-fn nearest_of_all(word: i64, previous: i64, turn: i64) -> i64 {
-    // The candidates next to the previous word: at or below it, and above it.
-    let below = word + (previous - word).div_euclid(turn) * turn;
-    let above = below + turn;
-    if (previous - below, below.abs(), -below) <= (above - previous, above.abs(), -above) { below } else { above }
 }
 
 /// Solution and turns with the least total rotary travel from `previous`; ties go to the first branch.
@@ -240,7 +55,7 @@ pub(crate) fn choose(
 /// # Errors
 /// The first axis that no whole turn brings inside its limits.
 #[inline(always)]
-pub(crate) fn nearest_words(
+fn nearest_words(
     angles: &RotaryAngles,
     rotaries: &[Rotary],
     previous: &RotaryWords,
@@ -251,13 +66,6 @@ pub(crate) fn nearest_words(
         *word = rotary.nearest(rotary.word(*angle, scale), *before, scale.units_per_turn)?;
     }
     Ok(words)
-}
-
-/// The words nearest to the angles of two axes, rad; `None` if one is half way between two words.
-#[inline(always)]
-pub(crate) fn words_of_both(angles: &RotaryAngles, axes: &[Rotary; 2], scale: AngleScale) -> Option<f64x2> {
-    let degrees = f64x2::from(angles.map(f64::to_degrees)) - f64x2::from([axes[0].rest_deg, axes[1].rest_deg]);
-    rounded_both(degrees * f64x2::splat(scale.units_per_degree))
 }
 
 #[cfg(test)]

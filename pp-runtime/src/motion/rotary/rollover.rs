@@ -3,10 +3,9 @@
 //! Planning uses angles beyond 360°. Where an axis of the control rolls over, the words stay within one revolution, and
 //! the control rotates by the shorter path, or in the direction given by the sign.
 
-use crate::kinematics::Axis;
+use crate::kinematics::{Axis, Rotary};
 use crate::motion::options::{Policy, Wrap};
 
-use crate::motion::rotary::Rotary;
 use crate::motion::step::{AxisWords, MAX_AXES};
 
 /// An axis whose words stay within one revolution.

@@ -4,9 +4,8 @@ use nalgebra::{Point3, UnitVector3, Vector3};
 
 use super::*;
 use crate::config::Config;
-use crate::kinematics::Machine;
-use crate::kinematics::Pose;
 use crate::kinematics::machines::{Head, Xyz};
+use crate::kinematics::{Machine, Pose};
 use crate::motion::Transition;
 use crate::program::{Coolant, Drilling, Feed, Spindle};
 

@@ -1,0 +1,513 @@
+//! Words of axis values: whole units of the last decimal of an address.
+//!
+//! Rounding comes first: the rotary words are rounded, then the linear axes are computed for the *rounded* angles. Both happen for
+//! each pose of a program, so they are compiled for each machine, with its number of axes and their places in the chain.
+
+use nalgebra::{Point3, UnitVector3};
+use wide::f64x2;
+
+use super::any::trimmed;
+use super::math::{LARGEST_SHIFTED, both_integers, near_both, rounded, rounded_below, rounded_both, sqrt};
+use super::{Axis, AxisKind, AxisValues, Branch, MAX_AXES, Machine, RotaryAngles};
+
+/// Words in chain order, in whole units: of linear axes as written, of rotary axes those of the axis values.
+pub(crate) type AxisUnits = [i64; MAX_AXES];
+
+/// Resolution and range of linear words.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LinearScale {
+    /// Units in 1 mm.
+    pub units_per_mm: f64,
+    /// The axes are perpendicular to each other at any rotary angles.
+    pub orthogonal: bool,
+    /// Half a unit less than the bounds of the absolute words of all axes, linear and rotary; the bounds are exclusive.
+    pub most_units: AxisValues,
+}
+
+/// Resolution and range of the words of both rotary axes, side by side; one that a machine does not have never rotates.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RotaryScale {
+    units_per_degree: f64x2,
+    units_per_turn: f64x2,
+    /// Axis values at word 0, degrees.
+    rest_deg: f64x2,
+    /// Smallest and largest words, inclusive.
+    lowest: f64x2,
+    highest: f64x2,
+}
+
+impl RotaryScale {
+    /// The scale of some axes, at most two.
+    pub fn new(rotaries: &[Rotary], scale: AngleScale) -> Self {
+        let of = |number: fn(&Rotary) -> f64| f64x2::from([0, 1].map(|axis| rotaries.get(axis).map_or(0.0, number)));
+        let largest = LARGEST_SHIFTED - 1.0;
+        let within =
+            |limit: Option<i64>, none: f64| limit.map_or(none, |limit| (limit as f64).clamp(-largest, largest));
+        Self {
+            units_per_degree: f64x2::splat(scale.units_per_degree),
+            units_per_turn: f64x2::splat(scale.units_per_turn as f64),
+            rest_deg: of(|rotary| rotary.rest_deg),
+            lowest: f64x2::from(
+                [0, 1].map(|axis| within(rotaries.get(axis).and_then(|rotary| rotary.lower), -largest)),
+            ),
+            highest: f64x2::from(
+                [0, 1].map(|axis| within(rotaries.get(axis).and_then(|rotary| rotary.upper), largest)),
+            ),
+        }
+    }
+
+    /// Units in one revolution, of each axis.
+    #[inline(always)]
+    pub fn units_per_turn(&self) -> f64x2 {
+        self.units_per_turn
+    }
+
+    /// The words nearest to two angles, rad; `None` if one is half way between two words.
+    #[inline(always)]
+    pub fn words(&self, angles: &RotaryAngles) -> Option<f64x2> {
+        rounded_both((f64x2::from(angles.map(f64::to_degrees)) - self.rest_deg) * self.units_per_degree)
+    }
+
+    /// Axis values of two words, rad.
+    #[inline(always)]
+    fn angles(&self, words: f64x2) -> f64x2 {
+        let degrees = words / self.units_per_degree + self.rest_deg;
+        degrees.to_array().map(f64::to_radians).into()
+    }
+
+    /// The words of two angles, rad, in the turns nearest to `before`; `None` where those are outside the limits, or it is not
+    /// certain which they are.
+    #[inline(always)]
+    fn nearest_words(&self, angles: &RotaryAngles, before: f64x2) -> Option<f64x2> {
+        let words = self.words(angles)?;
+        let words = words + near_both((before - words) / self.units_per_turn) * self.units_per_turn;
+        let off = (before - words).abs();
+        let is_near = (off + off).simd_lt(self.units_per_turn);
+        let is_inside = words.simd_ge(self.lowest) & words.simd_le(self.highest);
+        (is_near & is_inside).all().then_some(words)
+    }
+}
+
+/// Rotary words from which a cut begins, and its branch.
+#[derive(Debug, Clone, Copy)]
+pub struct CutStart<'a> {
+    /// Branch of the inverse kinematics.
+    pub branch: Branch,
+    /// Axis values: those of the held axes count.
+    pub axes: &'a AxisValues,
+    /// Words of the axes.
+    pub words: &'a AxisUnits,
+}
+
+/// Words of poses, computed in the loops of one machine.
+pub trait Words {
+    /// Sets the rotary words of a tool axis at the end of a cut, which keeps its branch, in the turns nearest to its start, and the
+    /// axis values of these words. Returns the angle between the tool axis and the one that is reached, rad; `None`, with any
+    /// words, where there is no such solution or these turns are outside the limits.
+    fn set_rotary_words(
+        &self,
+        axis: &UnitVector3<f64>,
+        start: CutStart<'_>,
+        scale: &RotaryScale,
+        axes: &mut AxisValues,
+        words: &mut AxisUnits,
+    ) -> Option<f64>;
+
+    /// Sets the linear words of a tip at the rotary axis values of `axes`, and the axis values of these words. `shift_mm`: word
+    /// minus axis value. Returns the largest displacement of the tip by the rounding, mm; `None`, with any words, where the axes
+    /// are degenerate or a word, also a rotary one, has more digits than it may.
+    fn set_linear_words(
+        &self,
+        tip: &Point3<f64>,
+        scale: &LinearScale,
+        shift_mm: &AxisValues,
+        axes: &mut AxisValues,
+        words: &mut AxisUnits,
+    ) -> Option<f64>;
+}
+
+/// Positions in the chain of the solved axes of one kind, and their number.
+const fn solved(chain: &[Axis], rotary: bool) -> ([usize; MAX_AXES], usize) {
+    let (mut places, mut count, mut index) = ([0; MAX_AXES], 0, 0);
+    while index < chain.len() {
+        if matches!(chain[index].kind, AxisKind::Rotary) == rotary && !chain[index].held {
+            places[count] = index;
+            count += 1;
+        }
+        index += 1;
+    }
+    (places, count)
+}
+
+impl<M: Machine> Words for M {
+    #[inline]
+    fn set_rotary_words(
+        &self,
+        axis: &UnitVector3<f64>,
+        start: CutStart<'_>,
+        scale: &RotaryScale,
+        axes: &mut AxisValues,
+        words: &mut AxisUnits,
+    ) -> Option<f64> {
+        let (places, count) = const { solved(M::AXES, true) };
+        let solutions = Machine::rotary_axes(self, axis, &trimmed::<M>(start.axes));
+        let solution = solutions.iter().find(|solution| solution.branch == start.branch)?;
+        let mut before = [0.0; 2];
+        for (word, &index) in before.iter_mut().zip(&places[..count]) {
+            *word = start.words[index] as f64;
+        }
+        let found = scale.nearest_words(&solution.axes, before.into())?;
+        let (angles, units) = (scale.angles(found).to_array(), both_integers(found));
+        for (axis, &index) in places[..count].iter().enumerate() {
+            (axes[index], words[index]) = (angles[axis], units[axis]);
+        }
+        Some(solution.deviation)
+    }
+
+    #[inline]
+    fn set_linear_words(
+        &self,
+        tip: &Point3<f64>,
+        scale: &LinearScale,
+        shift_mm: &AxisValues,
+        axes: &mut AxisValues,
+        words: &mut AxisUnits,
+    ) -> Option<f64> {
+        let (places, count) = const { solved(M::AXES, false) };
+        let (rotary_places, rotary_count) = const { solved(M::AXES, true) };
+        let values = Machine::linear_axes(self, tip, &trimmed::<M>(axes))?;
+        let (mut sum, mut squares) = (0.0, 0.0);
+        for &index in &places[..count] {
+            let (value, shift) = (values.as_ref()[index], shift_mm[index]);
+            let word = rounded_below((value + shift) * scale.units_per_mm, scale.most_units[index])?;
+            let written = word as f64 / scale.units_per_mm - shift;
+            let off = written - value;
+            (axes[index], words[index]) = (written, word);
+            sum += off.abs();
+            squares += off * off;
+        }
+        let fits = |&index: &usize| (words[index] as f64).abs() < scale.most_units[index];
+        let fit = rotary_places[..rotary_count].iter().all(fits);
+        fit.then(|| if scale.orthogonal { sqrt(squares) } else { sum })
+    }
+}
+
+/// A solved rotary axis and the range of its words.
+///
+/// The words are axis values; the zero of the written words is applied when they are written.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Rotary {
+    /// Position in the chain.
+    pub index: usize,
+    /// Smallest word, inclusive; `None` for an endless axis.
+    pub lower: Option<i64>,
+    /// Largest word, inclusive; `None` for an endless axis.
+    pub upper: Option<i64>,
+    /// Axis value at word 0: the part of a rotary offset that is smaller than one unit.
+    pub rest_deg: f64,
+}
+
+/// A rotary axis that is outside its limits in every whole turn.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct OutOfLimits {
+    /// The axis.
+    pub rotary: Rotary,
+    /// Its word nearest to the previous one, outside the limits.
+    pub word: i64,
+}
+
+/// Resolution of rotary words.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AngleScale {
+    /// Units in one degree.
+    pub units_per_degree: f64,
+    /// Units in one revolution.
+    pub units_per_turn: i64,
+}
+
+impl AngleScale {
+    pub fn new(decimals: u32) -> Self {
+        let units_per_degree = 10_i64.pow(decimals);
+        Self { units_per_degree: units_per_degree as f64, units_per_turn: 360 * units_per_degree }
+    }
+
+    /// The word nearest to an angle, rad.
+    #[inline(always)]
+    pub fn word(self, angle_rad: f64) -> i64 {
+        rounded(angle_rad.to_degrees() * self.units_per_degree)
+    }
+
+    /// Angle of a word or of a difference of words, rad.
+    #[inline(always)]
+    pub fn angle(self, word: i64) -> f64 {
+        self.degrees(word).to_radians()
+    }
+
+    /// Angle of a word or of a difference of words, degrees.
+    #[inline(always)]
+    pub fn degrees(self, word: i64) -> f64 {
+        word as f64 / self.units_per_degree
+    }
+}
+
+impl Rotary {
+    /// The word nearest to an axis value, rad.
+    #[inline(always)]
+    pub fn word(self, angle_rad: f64, scale: AngleScale) -> i64 {
+        rounded((angle_rad.to_degrees() - self.rest_deg) * scale.units_per_degree)
+    }
+
+    /// Axis value of a word, rad.
+    #[inline(always)]
+    pub fn angle(self, word: i64, scale: AngleScale) -> f64 {
+        self.degrees(word, scale).to_radians()
+    }
+
+    /// Axis value of a word for messages, degrees.
+    pub fn degrees_for_display(self, word: i64, scale: AngleScale) -> f64 {
+        (self.degrees(word, scale) * 1e9).round() / 1e9
+    }
+
+    /// Axis value of a word, degrees.
+    fn degrees(self, word: i64, scale: AngleScale) -> f64 {
+        scale.degrees(word) + self.rest_deg
+    }
+
+    /// Whether the axis has no limits, so that any whole turn is allowed.
+    pub fn endless(self) -> bool {
+        self.lower.is_none() || self.upper.is_none()
+    }
+
+    /// The same axis without its limits.
+    pub fn without_limits(self) -> Self {
+        Self { lower: None, upper: None, ..self }
+    }
+
+    /// Whether a word is inside the limits.
+    pub fn contains(&self, word: i64) -> bool {
+        self.lower.is_none_or(|lower| word >= lower) && self.upper.is_none_or(|upper| word <= upper)
+    }
+
+    /// Smallest word; 0 for an endless axis.
+    pub fn lower_end(self) -> i64 {
+        self.lower.unwrap_or_default()
+    }
+
+    /// Largest word; 0 for an endless axis.
+    pub fn upper_end(self) -> i64 {
+        self.upper.unwrap_or_default()
+    }
+
+    /// The word inside the limits that is nearest to this one; not only by whole turns.
+    pub fn clamped(self, word: i64) -> i64 {
+        let word = self.upper.map_or(word, |upper| word.min(upper));
+        self.lower.map_or(word, |lower| word.max(lower))
+    }
+
+    /// Words inside the limits that equal `word` modulo one revolution, nearest to zero first, at most `most` of them;
+    /// for an endless axis only the one nearest to zero. `turn`: units in one revolution.
+    pub fn turns(self, word: i64, turn: i64, most: i64) -> impl Iterator<Item = i64> {
+        let nearest = self.without_limits().nearest(word, 0, turn).unwrap_or(word);
+        // Beyond the farthest turn inside the limits there is none.
+        let farthest = match (self.lower, self.upper) {
+            (Some(lower), Some(upper)) => ((upper - nearest) / turn).max((nearest - lower) / turn).max(0),
+            _ => 0,
+        };
+        let count = most.min(2 * farthest + 1);
+        let step_towards_zero = if nearest > 0 { -turn } else { turn };
+        // The nearest, one turn towards zero and past it, one turn away, two turns towards zero, ...
+        let all = (0..count)
+            .map(move |step| nearest + step_towards_zero * if step % 2 == 1 { (step + 1) / 2 } else { -step / 2 });
+        all.filter(move |&word| self.contains(word))
+    }
+
+    /// Whether at most one word of a revolution is inside the limits, or taken: of an endless axis the one nearest to zero.
+    pub fn has_one_turn(self, turn: i64) -> bool {
+        self.lower.zip(self.upper).is_none_or(|(lower, upper)| upper - lower < turn)
+    }
+
+    /// The only one of [`turns`](Self::turns), where [`has_one_turn`](Self::has_one_turn); `None` if it is outside.
+    #[inline]
+    pub fn only_turn(self, word: i64, turn: i64) -> Option<i64> {
+        match self.lower.zip(self.upper) {
+            Some((lower, upper)) => Some(lower + (word - lower).rem_euclid(turn)).filter(|word| *word <= upper),
+            None => {
+                let above = word.rem_euclid(turn);
+                Some(if 2 * above > turn { above - turn } else { above })
+            }
+        }
+    }
+
+    /// The word inside the limits that equals `word` modulo one revolution and is nearest to `previous`; at equal
+    /// distance the one of smaller absolute value, then the positive one. `turn`: units in one revolution.
+    #[inline]
+    pub fn nearest(&self, word: i64, previous: i64, turn: i64) -> Result<i64, OutOfLimits> {
+        let near = if 2 * (previous - word).abs() < turn { word } else { nearest_of_all(word, previous, turn) };
+        if self.contains(near) { Ok(near) } else { self.nearest_inside(near, turn) }
+    }
+
+    /// The word inside the limits that is the fewest turns from one outside.
+    #[cold]
+    fn nearest_inside(&self, near: i64, turn: i64) -> Result<i64, OutOfLimits> {
+        let out = OutOfLimits { rotary: *self, word: near };
+        let mut choice = near;
+        if let Some(upper) = self.upper
+            && choice > upper
+        {
+            choice -= (choice - upper + turn - 1).div_euclid(turn) * turn;
+        }
+        if let Some(lower) = self.lower
+            && choice < lower
+        {
+            choice += (lower - choice + turn - 1).div_euclid(turn) * turn;
+        }
+        // Each candidate may be inside at its own limit only: the nearer one has been chosen above.
+        if self.contains(choice) { Ok(choice) } else { Err(out) }
+    }
+}
+
+/// The word that equals `word` modulo one revolution and is nearest to `previous`, as in [`Rotary::nearest`].
+fn nearest_of_all(word: i64, previous: i64, turn: i64) -> i64 {
+    // The candidates next to the previous word: at or below it, and above it.
+    let below = word + (previous - word).div_euclid(turn) * turn;
+    let above = below + turn;
+    if (previous - below, below.abs(), -below) <= (above - previous, above.abs(), -above) { below } else { above }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::kinematics::AnyMachine;
+    use crate::kinematics::machines::{Ay, Cb, Head, Mirrored, Xyz};
+    use crate::nc::whole_units;
+
+    /// Numbers that make limits, half turns and halves of a unit likely.
+    #[derive(Debug, Clone)]
+    struct Case {
+        axis: [f64; 3],
+        tip: [f64; 3],
+        before: [i64; 2],
+        /// Limits from the nearest words.
+        limits: [Option<(i64, i64)>; 2],
+        rest_deg: f64,
+        shift_mm: f64,
+        digits: u32,
+        second: bool,
+    }
+
+    fn cases() -> impl Strategy<Value = Case> {
+        let number = || prop_oneof![-1.0..1.0_f64, (-2_i32..=2).prop_map(|half| f64::from(half) * 0.5)];
+        let length = || prop_oneof![-2e3..2e3_f64, (-9999_i32..9999).prop_map(|half| f64::from(half) * 0.0005)];
+        let limits = || prop::option::of((-2_i64..=1, -1_i64..=2));
+        (
+            prop::array::uniform3(number()).prop_filter("a direction", |axis| axis.iter().any(|part| part.abs() > 0.1)),
+            prop::array::uniform3(length()),
+            prop::array::uniform2(prop_oneof![-1_800_i64..1_800, -9_000_000_i64..9_000_000]),
+            [limits(), limits()],
+            prop_oneof![Just(0.0), -0.05..0.05_f64],
+            prop_oneof![Just(0.0), -500.0..500.0_f64],
+            4_u32..8,
+            any::<bool>(),
+        )
+            .prop_map(|(axis, tip, before, limits, rest_deg, shift_mm, digits, second)| Case {
+                axis,
+                tip,
+                before,
+                limits,
+                rest_deg,
+                shift_mm,
+                digits,
+                second,
+            })
+    }
+
+    /// The words in the loops of one machine are those that are found one by one.
+    fn compare<M: Machine>(case: &Case) -> Result<(), TestCaseError> {
+        let machine = M::default();
+        let (scale, units_per_mm) = (AngleScale::new(1), 1000.0);
+        let places = |kind: AxisKind| {
+            let solved = M::AXES.iter().enumerate().filter(move |(_, axis)| axis.kind == kind && !axis.held);
+            solved.map(|(index, _)| index).collect::<Vec<_>>()
+        };
+        let (held, branch) = (machine.held(), if case.second { Branch::Second } else { Branch::First });
+        let axis = UnitVector3::new_normalize(case.axis.into());
+        let solutions = AnyMachine::rotary_axes(&machine, &axis, &held);
+        let solution = solutions.iter().find(|solution| solution.branch == branch);
+        let (mut rotaries, mut before) = (Vec::new(), AxisUnits::default());
+        let (mut expected, mut is_certain) = (before, solution.is_some());
+        for (axis, index) in places(AxisKind::Rotary).into_iter().enumerate() {
+            let endless = Rotary { index, lower: None, upper: None, rest_deg: case.rest_deg };
+            let angle = solution.map_or(0.0, |solution| solution.axes[axis]);
+            let near = nearest_of_all(endless.word(angle, scale), case.before[axis], scale.units_per_turn);
+            let (lower, upper) = case.limits[axis].map(|(lower, upper)| (near + lower, near + upper)).unzip();
+            let rotary = Rotary { lower, upper, ..endless };
+            let is_half = ((angle.to_degrees() - rotary.rest_deg) * scale.units_per_degree).fract().abs() == 0.5;
+            let is_tie = 2 * (case.before[axis] - near).abs() == scale.units_per_turn;
+            is_certain &= !is_half && !is_tie && rotary.contains(near);
+            (before[index], expected[index]) = (case.before[axis], near);
+            rotaries.push(rotary);
+        }
+        let start = CutStart { branch, axes: &held, words: &before };
+        let (mut axes, mut words) = (held, AxisUnits::default());
+        let of_both = RotaryScale::new(&rotaries, scale);
+        let found = machine.set_rotary_words(&axis, start, &of_both, &mut axes, &mut words);
+        prop_assert_eq!(found.is_some(), is_certain, "{:?}", case);
+        let mut at = held;
+        for rotary in &rotaries {
+            at[rotary.index] = rotary.angle(expected[rotary.index], scale);
+        }
+        if found.is_some() {
+            prop_assert_eq!(found, solution.map(|solution| solution.deviation));
+            for rotary in &rotaries {
+                prop_assert_eq!(words[rotary.index], expected[rotary.index]);
+                prop_assert_eq!(axes[rotary.index].to_bits(), at[rotary.index].to_bits());
+            }
+        }
+
+        let (tip, most) = (Point3::from(case.tip), 10_i64.pow(case.digits));
+        let mut linear =
+            LinearScale { units_per_mm, orthogonal: case.second, most_units: [most as f64 - 0.5; MAX_AXES] };
+        let shift_mm = [case.shift_mm; MAX_AXES];
+        let (mut axes, mut words) = (at, expected);
+        let found = machine.set_linear_words(&tip, &linear, &shift_mm, &mut axes, &mut words);
+        let Some(values) = (&machine as &dyn AnyMachine).linear_axes(&tip, &at) else {
+            prop_assert_eq!(found, None);
+            return Ok(());
+        };
+        let (mut reached, mut fits) = (at, rotaries.iter().all(|rotary| expected[rotary.index].abs() < most));
+        let mut off = Vec::new();
+        for index in places(AxisKind::Linear) {
+            let units = whole_units(values[index] + case.shift_mm, units_per_mm).expect("few units");
+            expected[index] = units;
+            fits &= units.abs() < most;
+            reached[index] = units as f64 / units_per_mm - case.shift_mm;
+            off.push((reached[index] - values[index]).abs());
+        }
+        prop_assert_eq!(found.is_some(), fits);
+        if let Some(rounding_mm) = found {
+            prop_assert_eq!((words, axes.map(f64::to_bits)), (expected, reached.map(f64::to_bits)));
+            let least =
+                if linear.orthogonal { off.iter().map(|off| off * off).sum::<f64>().sqrt() } else { off.iter().sum() };
+            prop_assert!((rounding_mm - least).abs() <= 1e-15, "{} {}", rounding_mm, least);
+        }
+        // A bound that no number of binary64 has a half beside.
+        linear.most_units = [LARGEST_SHIFTED - 0.5; MAX_AXES];
+        prop_assert!(
+            machine.set_linear_words(&Point3::new(1e13, 0.0, 0.0), &linear, &shift_mm, &mut axes, &mut words).is_none()
+        );
+        Ok(())
+    }
+
+    proptest! {
+        #[test]
+        fn words_of_a_machine_are_those_that_are_found_one_by_one(case in cases()) {
+            compare::<Cb>(&case)?;
+            compare::<Head>(&case)?;
+            compare::<Ay>(&case)?;
+            compare::<Mirrored>(&case)?;
+            compare::<Xyz>(&case)?;
+        }
+    }
+}
