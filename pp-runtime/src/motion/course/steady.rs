@@ -20,8 +20,9 @@ struct RunBranch {
     rotated: f64x2,
     lowest: f64x2,
     highest: f64x2,
-    /// Rotations of the second axis at which its outermost turns are at the limits; infinite without limits.
-    at_limits: [f64; 2],
+    /// Rotations of the second axis at which its outermost turns are at the limits; infinite without limits, as of the first.
+    at_lower: f64x2,
+    at_upper: f64x2,
     /// Travel and time of the rotation.
     travel: f64x2,
     time_ns: u64,
@@ -45,7 +46,9 @@ impl SteadyRun {
         let branches: Vec<_> = solutions.iter().map(|solution| RunBranch::begin(solution, rotaries, scale)).collect();
         let none = Rotary { index: 0, lower: None, upper: None, rest_deg: 0.0 };
         let axes = std::array::from_fn(|axis| rotaries.get(axis).copied().unwrap_or(none));
-        let is_limited = branches.iter().any(|known| known.at_limits.iter().any(|limit| limit.is_finite()));
+        let is_limited = branches
+            .iter()
+            .any(|known| [known.at_lower, known.at_upper].iter().any(|limits| limits.to_array()[1].is_finite()));
         Self { branches, axes, scale, of_both: RotaryScale::new(rotaries, scale), is_limited }
     }
 
@@ -74,9 +77,10 @@ impl SteadyRun {
         if solutions.len() != self.branches.len() {
             return false;
         }
+        let reach = f64x2::from([0.0, reach as f64]);
         let mut steps = [(f64x2::ZERO, f64x2::ZERO); 2];
         for ((known, solution), step) in self.branches.iter().zip(solutions).zip(&mut steps) {
-            match known.step(solution, reach as f64, &self.of_both) {
+            match known.step(solution, reach, &self.of_both) {
                 Some(found) => *step = found,
                 None => return false,
             }
@@ -121,21 +125,22 @@ fn within_half_turn(words: f64x2, turn: f64x2) -> f64x2 {
 impl RunBranch {
     /// Words of a solution and their change from the last pose; `None` if the run ends before it.
     #[inline(always)]
-    fn step(&self, solution: &Solution<RotaryAngles>, reach: f64, scale: &RotaryScale) -> Option<(f64x2, f64x2)> {
-        // Both are within half a turn of zero.
+    fn step(&self, solution: &Solution<RotaryAngles>, reach: f64x2, scale: &RotaryScale) -> Option<(f64x2, f64x2)> {
         let (words, turn) = (scale.words(&solution.axes)?, scale.units_per_turn());
+        // Both are within half a turn of zero.
         let by = within_half_turn(words - self.words, turn);
         let rotated = self.rotated + by;
-        let quarter = f64x2::splat(0.25) * turn;
-        let ends = by.abs().simd_ge(quarter) | rotated.simd_lt(self.lowest) | rotated.simd_gt(self.highest);
-        let second = rotated.to_array()[1];
-        let is_inside = second - reach >= self.at_limits[0] && second + reach <= self.at_limits[1];
-        (solution.branch == self.branch && !ends.any() && is_inside).then_some((words, by))
+        let ends = by.abs().simd_ge(f64x2::splat(0.25) * turn)
+            | rotated.simd_lt(self.lowest)
+            | rotated.simd_gt(self.highest)
+            | (rotated - reach).simd_lt(self.at_lower)
+            | (rotated + reach).simd_gt(self.at_upper);
+        (solution.branch == self.branch && !ends.any()).then_some((words, by))
     }
 
     fn begin(solution: &Solution<RotaryAngles>, rotaries: &[Rotary], scale: AngleScale) -> Self {
         let (mut words, mut lowest, mut highest) = (RotaryWords::default(), [f64::NEG_INFINITY; 2], [f64::INFINITY; 2]);
-        let mut at_limits = [f64::NEG_INFINITY, f64::INFINITY];
+        let (mut at_lower, mut at_upper) = (f64::NEG_INFINITY, f64::INFINITY);
         // A branch without a state gets one only where each axis has a turn inside its limits.
         let mut missing = None;
         for (axis, rotary) in rotaries.iter().enumerate().take(words.len()) {
@@ -143,14 +148,14 @@ impl RunBranch {
             let Some(room) = TurnsInside::of(rotary, words[axis], scale.units_per_turn) else { continue };
             (lowest[axis], highest[axis]) = (room.lowest as f64, room.highest as f64);
             if axis > 0 {
-                at_limits = room.at_limits.map(|limit| limit as f64);
+                (at_lower, at_upper) = (room.at_limits[0] as f64, room.at_limits[1] as f64);
             }
             if room.is_empty {
                 missing = Some(axis);
             }
         }
         if let Some(missing) = missing {
-            at_limits = [f64::NEG_INFINITY, f64::INFINITY];
+            (at_lower, at_upper) = (f64::NEG_INFINITY, f64::INFINITY);
             for axis in (0..words.len()).filter(|axis| *axis != missing) {
                 (lowest[axis], highest[axis]) = (f64::NEG_INFINITY, f64::INFINITY);
             }
@@ -161,7 +166,8 @@ impl RunBranch {
             rotated: f64x2::ZERO,
             lowest: lowest.into(),
             highest: highest.into(),
-            at_limits,
+            at_lower: [f64::NEG_INFINITY, at_lower].into(),
+            at_upper: [f64::INFINITY, at_upper].into(),
             travel: f64x2::ZERO,
             time_ns: 0,
         }
