@@ -106,126 +106,194 @@ impl Decimal {
     }
 }
 
-/// Number of letters of a word for which there is room before its number.
-pub(super) const LETTERS: usize = 8;
+/// Room for any number and a blank: a sign, 20 digits, and a point.
+pub(super) const NUMBER_ROOM: usize = 64;
 
-/// Room for letters, a number of at most a sign, 19 digits and a point, a blank, and what is written after them.
-pub(super) const WORD_ROOM: usize = 64;
+/// Room for a short word, and what is written after it.
+pub(super) const SHORT_ROOM: usize = 32;
 
-/// Form of the numbers of a word: their decimals, what a control requires, and what follows from both.
+/// Largest number of letters of a short word.
+const SHORT_LETTERS: usize = 6;
+
+/// Largest number of decimals of a short word.
+const SHORT_DECIMALS: usize = 6;
+
+/// Form of words that are written three digits at once: at most six letters, six digits before the point, and six decimals.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct NumberForm {
-    pub(super) decimals: u32,
-    numerals: Numerals,
-    /// Millionths in a unit of the last decimal.
-    millionths: u64,
-    /// Fewest units that need more than six digits before the point; 0 for more than six decimals.
-    many: u64,
+pub(super) struct ShortForm {
+    /// Letters and sign before a number, and before a negative one: the first in the lowest byte, their number in the three
+    /// highest bits.
+    prefixes: [u64; 2],
+    /// Fewest units that need more than six digits before the point; 0 if no word is short.
+    too_many: u64,
+    /// 2^64 - 1 divided by the units in 1, without its rest.
+    factor: u64,
+    endings: &'static Endings,
 }
 
-impl NumberForm {
+impl ShortForm {
+    pub(super) fn new(letters: &str, decimals: u32, numerals: Numerals) -> Self {
+        let scale = SCALES.get(decimals as usize).filter(|_| letters.len() <= SHORT_LETTERS);
+        let (too_many, factor) = scale.copied().unwrap_or_default();
+        Self {
+            prefixes: prefixes(letters, numerals.plus),
+            too_many,
+            factor,
+            endings: &ENDINGS[usize::from(numerals.point)],
+        }
+    }
+
+    /// Puts a word and a blank into the room; returns their length, or `None` if the word is not short.
     #[inline(always)]
-    pub(super) fn new(decimals: u32, numerals: Numerals) -> Self {
-        const POWERS: [u64; 7] = [1, 10, 100, 1000, 10_000, 100_000, MILLION];
-        let (millionths, many) = match POWERS.get(decimals as usize) {
-            Some(per_one) => (POWERS[6 - decimals as usize], MILLION * per_one),
-            None => (0, 0),
+    pub(super) fn put(&self, room: &mut [u8; SHORT_ROOM], units: i64) -> Option<usize> {
+        let (mut prefix, mut magnitude) = (self.prefixes[0], units.cast_unsigned());
+        // A negative number is a large one without a sign.
+        if magnitude >= self.too_many {
+            (prefix, magnitude) = (self.prefixes[1], magnitude.wrapping_neg());
+            if magnitude >= self.too_many {
+                return None;
+            }
+        }
+        room[..8].copy_from_slice(&prefix.to_le_bytes());
+        let start = (prefix >> 61) as usize;
+        // The whole number, and its fraction in units of 2^-64. The factor is at most 1 too small, so the product lacks at
+        // most `magnitude` of them. With `too_many` added it is too large, by at most 10^12 of them: less than a millionth.
+        let scaled = u128::from(magnitude) * u128::from(self.factor) + u128::from(self.too_many);
+        let (whole, fraction) = ((scaled >> 64) as usize, scaled as u64);
+        let at = match FIRST_DIGITS.get(whole) {
+            Some(digits) => put_first_digits(room, start, *digits),
+            None => put_six_digits(room, start, whole as u32)?,
         };
-        Self { decimals, numerals, millionths, many }
+        let (first, fraction) = next_three_digits(fraction);
+        let (last, _) = next_three_digits(fraction);
+        let ending = self.endings[first];
+        if last == 0 {
+            room[at..at + 8].copy_from_slice(&ending.to_le_bytes());
+            return Some(at + ending_length(ending));
+        }
+        room[at..at + 4].copy_from_slice(&all_digits(ending).to_le_bytes());
+        let ending = self.endings[last];
+        // Without its point.
+        room[at + 4..at + 12].copy_from_slice(&(ending >> 8).to_le_bytes());
+        Some(at + 3 + ending_length(ending))
     }
 }
 
 const MILLION: u64 = 1_000_000;
 
-/// Puts whole units of the last decimal at `start`, at most [`LETTERS`], and a blank after them; returns the index after the
-/// blank.
-#[inline(always)]
-pub(super) fn put_number(room: &mut [u8; WORD_ROOM], start: usize, units: i64, form: &NumberForm) -> usize {
-    let negative = units < 0;
-    // A plus or, two codes after it, a minus.
-    room[start] = b'+' + 2 * u8::from(negative);
-    let start = start + usize::from(negative || form.numerals.plus);
-    let units = units.unsigned_abs();
-    let end = if units < form.many {
-        put_short(room, start, units * form.millionths, form.numerals.point)
-    } else {
-        put_long(room, start, units, form.decimals, form.numerals.point)
-    };
-    room[end % WORD_ROOM] = b' ';
-    end + 1
-}
-
-/// Of each number below 1000 how many digits are left without the zeros at the end, in the lowest byte, and its three digits as
-/// text, the first one next.
-const THREE_DIGITS: [u32; 1000] = {
-    let mut table = [0; 1000];
-    let mut number = 0;
-    while number < 1000 {
-        let count = 3 - (number % 10 == 0) as u8 - (number % 100 == 0) as u8 - (number == 0) as u8;
-        table[number] = u32::from_le_bytes([count, digit(number / 100), digit(number / 10), digit(number)]);
-        number += 1;
+/// By the decimals of a short word the fewest units that need more than six digits before the point, and 2^64 - 1 divided by the
+/// units in 1, without its rest.
+const SCALES: [(u64, u64); SHORT_DECIMALS + 1] = {
+    let mut scales = [(0, 0); SHORT_DECIMALS + 1];
+    let mut decimals = 0;
+    while decimals <= SHORT_DECIMALS {
+        let per_one = 10_u64.pow(decimals as u32);
+        scales[decimals] = (MILLION * per_one, u64::MAX / per_one);
+        decimals += 1;
     }
-    table
+    scales
 };
 
+/// The letters of a short word with the sign of its numbers, and with that of negative ones.
+fn prefixes(letters: &str, plus: bool) -> [u64; 2] {
+    let mut bytes = [0; 8];
+    let count =
+        bytes[..SHORT_LETTERS].iter_mut().zip(letters.bytes()).map(|(byte, letter)| *byte = letter).count() as u64;
+    let text = u64::from_le_bytes(bytes);
+    let signed = |sign: u8| text | u64::from(sign) << (8 * count) | (count + 1) << 61;
+    [if plus { signed(b'+') } else { text | count << 61 }, signed(b'-')]
+}
+
 /// Of each number below 1000 its digits as text without the zeros before them, the first one in the lowest byte, and how many
-/// they are, in the highest.
+/// they are, in the two highest bits.
 const FIRST_DIGITS: [u32; 1000] = {
     let mut table = [0; 1000];
     let mut number = 0;
     while number < 1000 {
-        let (hundreds, tens, ones) = (digit(number / 100), digit(number / 10), digit(number));
+        let [hundreds, tens, ones] = three_digits(number);
         table[number] = u32::from_le_bytes(match number {
-            0..10 => [ones, 0, 0, 1],
-            10..100 => [tens, ones, 0, 2],
-            _ => [hundreds, tens, ones, 3],
+            0..10 => [ones, 0, 0, 1 << 6],
+            10..100 => [tens, ones, 0, 2 << 6],
+            _ => [hundreds, tens, ones, 3 << 6],
         });
         number += 1;
     }
     table
 };
 
-const fn digit(number: usize) -> u8 {
-    b'0' + (number % 10) as u8
+/// Of each number of thousandths a point, their digits without the zeros at the end, and a blank, the point in the lowest byte;
+/// their length in the three highest bits. Without digits a blank alone, or a point and a blank.
+type Endings = [u64; 1024];
+
+/// Endings of numbers without and with a point after a whole number. Those after the first 1000 are of no number.
+static ENDINGS: [Endings; 2] = [endings(false), endings(true)];
+
+const fn endings(point: bool) -> Endings {
+    let mut table = [0; 1024];
+    let mut number = 0;
+    while number < 1000 {
+        let [tenths, hundredths, thousandths] = three_digits(number);
+        let (text, length) = match (number, number % 100, number % 10) {
+            (0, ..) if point => ([b'.', b' ', b' ', b' '], 2),
+            (0, ..) => ([b' '; 4], 1),
+            (_, 0, _) => ([b'.', tenths, b' ', b' '], 3),
+            (.., 0) => ([b'.', tenths, hundredths, b' '], 4),
+            _ => ([b'.', tenths, hundredths, thousandths], 5),
+        };
+        let [point, tenths, hundredths, thousandths] = text;
+        table[number] = u64::from_le_bytes([point, tenths, hundredths, thousandths, b' ', 0, 0, length << 5]);
+        number += 1;
+    }
+    table
 }
 
-/// Puts a number of less than 10^12 millionths at `start`, three digits at once.
-#[inline(always)]
-fn put_short(room: &mut [u8; WORD_ROOM], start: usize, millionths: u64, point: bool) -> usize {
-    let (whole, fraction) = ((millionths / MILLION) as u32, (millionths % MILLION) as u32);
-    let count = if whole < 1000 { put_first_digits(room, start, whole) } else { put_long_whole(room, start, whole) };
-    let at = (start + count) % 32;
-    let [first, last] = [fraction / 1000 % 1000, fraction % 1000].map(|three| THREE_DIGITS[three as usize]);
-    let text = u64::from(b'.') | u64::from(first & !0xff) | u64::from(last & !0xff) << 24;
-    room[at..at + 8].copy_from_slice(&text.to_le_bytes());
-    let [first, last] = [first, last].map(|digits| (digits & 0xff) as usize);
-    let written = if last > 0 { 3 + last } else { first };
-    at + written + usize::from(written > 0 || point)
+const fn three_digits(number: usize) -> [u8; 3] {
+    [b'0' + (number / 100) as u8, b'0' + (number / 10 % 10) as u8, b'0' + (number % 10) as u8]
 }
 
-/// Puts the digits of a number below 1000 at `start`; returns how many.
 #[inline(always)]
-fn put_first_digits(room: &mut [u8; WORD_ROOM], start: usize, number: u32) -> usize {
-    let digits = FIRST_DIGITS[number as usize % 1000];
+const fn ending_length(ending: u64) -> usize {
+    (ending >> 61) as usize
+}
+
+/// Point and three digits of an ending with the zeros that it leaves out: all bits of a blank are in a zero and in a point.
+#[inline(always)]
+const fn all_digits(ending: u64) -> u32 {
+    ending as u32 | u32::from_le_bytes(*b".000")
+}
+
+/// The first three digits of a fraction in units of 2^-64, and the fraction after them.
+#[inline(always)]
+fn next_three_digits(fraction: u64) -> (usize, u64) {
+    let product = u128::from(fraction) * 1000;
+    ((product >> 64) as usize, product as u64)
+}
+
+/// Puts first digits at `start`; returns their end.
+#[inline(always)]
+fn put_first_digits(room: &mut [u8; SHORT_ROOM], start: usize, digits: u32) -> usize {
     room[start..start + 4].copy_from_slice(&digits.to_le_bytes());
-    (digits >> 24) as usize
+    start + (digits >> 30) as usize
 }
 
-/// Puts a whole number of four to six digits at `start`; returns how many.
-#[inline]
-fn put_long_whole(room: &mut [u8; WORD_ROOM], start: usize, whole: u32) -> usize {
-    let count = put_first_digits(room, start, whole / 1000);
-    let (at, last) = ((start + count) % 32, THREE_DIGITS[whole as usize % 1000] >> 8);
-    room[at..at + 4].copy_from_slice(&last.to_le_bytes());
-    count + 3
+/// Puts a whole number of four to six digits at `start`; returns their end, or `None` if it has more.
+#[inline(always)]
+fn put_six_digits(room: &mut [u8; SHORT_ROOM], start: usize, whole: u32) -> Option<usize> {
+    let at = put_first_digits(room, start, *FIRST_DIGITS.get(whole as usize / 1000)?);
+    let digits = all_digits(ENDINGS[0][whole as usize % 1000]) >> 8;
+    room[at..at + 4].copy_from_slice(&digits.to_le_bytes());
+    Some(at + 3)
 }
 
-/// Puts any number at `start`.
-#[cold]
-fn put_long(room: &mut [u8; WORD_ROOM], start: usize, units: u64, decimals: u32, point: bool) -> usize {
-    let per_one = 10_u64.pow(decimals);
+/// Puts any number and a blank into the room; returns their length.
+pub(super) fn put_number(room: &mut [u8; NUMBER_ROOM], number: Decimal, numerals: Numerals) -> usize {
+    let negative = number.units < 0;
+    room[0] = if negative { b'-' } else { b'+' };
+    let start = usize::from(negative || numerals.plus);
+    let per_one = 10_u64.pow(number.decimals);
+    let units = number.units.unsigned_abs();
     let (mut whole, mut fraction) = (units / per_one, units % per_one);
-    let decimals = decimals as usize;
+    let decimals = number.decimals as usize;
     let at = start + whole.checked_ilog10().unwrap_or(0) as usize + 1;
     let mut digits = |from: usize, to: usize, number: &mut u64| {
         for byte in room[from..to].iter_mut().rev() {
@@ -237,17 +305,19 @@ fn put_long(room: &mut [u8; WORD_ROOM], start: usize, units: u64, decimals: u32,
     digits(at + 1, at + 1 + decimals, &mut fraction);
     room[at] = b'.';
     let zeros = room[at + 1..at + 1 + decimals].iter().rev().take_while(|byte| **byte == b'0').count();
-    match decimals - zeros {
-        0 => at + usize::from(point),
+    let end = match decimals - zeros {
+        0 => at + usize::from(numerals.point),
         written => at + 1 + written,
-    }
+    };
+    room[end] = b' ';
+    end + 1
 }
 
 /// Writes a number in the number format of a control.
 pub fn write_number(out: &mut Vec<u8>, number: Decimal, numerals: Numerals) {
-    let mut room = [0; WORD_ROOM];
-    let end = put_number(&mut room, 0, number.units, &NumberForm::new(number.decimals, numerals));
-    out.extend_from_slice(&room[..end - 1]);
+    let mut room = [0; NUMBER_ROOM];
+    let length = put_number(&mut room, number, numerals);
+    out.extend_from_slice(&room[..length - 1]);
 }
 
 /// Writes a number: no zeros after the last digit, no point without decimals, no `-0`.
@@ -321,7 +391,68 @@ mod tests {
         assert_eq!(six(1e-13), "0");
     }
 
+    const NUMERALS: [Numerals; 4] = [
+        Numerals { point: false, plus: false },
+        Numerals { point: true, plus: false },
+        Numerals { point: false, plus: true },
+        Numerals { point: true, plus: true },
+    ];
+
+    /// A word with these decimals as a short one, in every number format, equals letters and a number of any length.
+    fn short_words_are_as_long_ones(units: i64, decimals: u32) {
+        for (letters, numerals) in
+            ["", "X", "C12=", "ABCDEF"].into_iter().flat_map(|text| NUMERALS.map(|how| (text, how)))
+        {
+            let mut short = [b'#'; SHORT_ROOM];
+            let length = ShortForm::new(letters, decimals, numerals).put(&mut short, units);
+            assert_eq!(length.is_some(), units.unsigned_abs() < MILLION * 10_u64.pow(decimals), "{units} {decimals}");
+            let mut room = [0; NUMBER_ROOM];
+            let end = put_number(&mut room, Decimal { units, decimals }, numerals);
+            let expected = [letters.as_bytes(), &room[..end]].concat();
+            if let Some(length) = length {
+                assert_eq!(short[..length], expected, "{units} {decimals} {numerals:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_short_word_is_written_as_a_long_one_up_to_the_ends_of_its_range() {
+        for decimals in 0..=SHORT_DECIMALS as u32 {
+            let per_one = 10_i64.pow(decimals);
+            for end in [0, per_one, 10 * per_one, 100 * per_one, 1000 * per_one, MILLION as i64 * per_one] {
+                for units in end - 1100..end + 1100 {
+                    short_words_are_as_long_ones(units, decimals);
+                    short_words_are_as_long_ones(-units, decimals);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn words_with_more_letters_or_decimals_are_not_short() {
+        let is_short = |letters: &str, decimals, units| {
+            ShortForm::new(letters, decimals, Numerals::default()).put(&mut [0; SHORT_ROOM], units).is_some()
+        };
+        assert!(is_short("ABCDEF", 6, 0) && !is_short("ABCDEFG", 6, 0) && !is_short("X", 7, 0));
+        assert!(!is_short("X", 3, i64::MIN) && !is_short("X", 3, i64::MAX));
+    }
+
     proptest! {
+        #[test]
+        fn a_short_word_is_written_as_a_long_one(
+            units in prop_oneof![
+                -1_000_000_000_000_i64..1_000_000_000_000,
+                -1_000_000_000_i64..1_000_000_000,
+                -1_000_000_i64..1_000_000,
+            ],
+            zeros in 0_u32..6,
+            decimals in 0..=SHORT_DECIMALS as u32,
+        ) {
+            short_words_are_as_long_ones(units, decimals);
+            let rounded = units / 10_i64.pow(zeros) * 10_i64.pow(zeros);
+            short_words_are_as_long_ones(rounded, decimals);
+        }
+
         #[test]
         fn written_units_read_back_as_the_same_decimal(
             units in prop_oneof![

@@ -1,8 +1,10 @@
 //! Writer of blocks: one reused buffer, handed to the output in large pieces. It has no modal state.
 
+use std::borrow::Cow;
 use std::io::{self, Write};
+use std::iter;
 
-use super::number::{Decimal, LETTERS, NumberForm, Numerals, WORD_ROOM, put_number};
+use super::number::{Decimal, NUMBER_ROOM, Numerals, ShortForm, put_number};
 
 /// Number of bytes collected before they are written to the output.
 const PIECE: usize = 64 * 1024;
@@ -33,18 +35,19 @@ pub struct WrittenLine {
 
 /// Letters of a word, `X` or `C1=`, and the form of its numbers.
 #[derive(Debug, Clone)]
-pub struct WordForm {
-    letters: String,
-    /// The first of them, to be written at once.
-    first: [u8; LETTERS],
-    number: NumberForm,
+pub struct WordForm<'l> {
+    letters: Cow<'l, str>,
+    decimals: u32,
+    numerals: Numerals,
+    short: ShortForm,
 }
 
-impl WordForm {
+impl<'l> WordForm<'l> {
     /// A word with numbers of these decimals.
     #[must_use]
-    pub fn new(letters: String, decimals: u32, numerals: Numerals) -> Self {
-        Self { first: first_letters(&letters), letters, number: NumberForm::new(decimals, numerals) }
+    pub fn new(letters: impl Into<Cow<'l, str>>, decimals: u32, numerals: Numerals) -> Self {
+        let letters = letters.into();
+        Self { short: ShortForm::new(&letters, decimals, numerals), letters, decimals, numerals }
     }
 
     /// Its letters.
@@ -56,15 +59,8 @@ impl WordForm {
     /// Decimals of its numbers.
     #[must_use]
     pub fn decimals(&self) -> u32 {
-        self.number.decimals
+        self.decimals
     }
-}
-
-#[inline]
-fn first_letters(letters: &str) -> [u8; LETTERS] {
-    let mut first = [0; LETTERS];
-    first.iter_mut().zip(letters.as_bytes()).for_each(|(first, letter)| *first = *letter);
-    first
 }
 
 /// Writes blocks word by word; a block without words writes no line.
@@ -77,6 +73,7 @@ pub struct Writer<'a> {
     /// Start of the current block in the buffer.
     block: usize,
     numbering: Numbering,
+    number_word: WordForm<'static>,
     next_number: u32,
     /// Number for the next block only, where blocks are not numbered.
     single_number: Option<u32>,
@@ -110,12 +107,14 @@ impl Journal {
 impl<'a> Writer<'a> {
     /// A writer for a new program.
     pub fn new(out: &'a mut dyn Write, numbering: Numbering) -> Self {
+        let letters = if numbering == Numbering::EveryLine { "" } else { "N" };
         Self {
             out,
             buffer: vec![0; PIECE + 4096],
             end: 0,
             block: 0,
             numbering,
+            number_word: WordForm::new(letters, 0, Numerals::default()),
             next_number: if let Numbering::Step(step) = numbering { step } else { 0 },
             single_number: None,
             blocks: 0,
@@ -142,7 +141,8 @@ impl<'a> Writer<'a> {
     /// Begins a block, if none is begun. In a block a blank follows each word; that after the last becomes the line feed.
     #[inline]
     fn begin(&mut self) {
-        if self.end == self.block {
+        let is_new = self.end == self.block;
+        if is_new && (self.skippable || self.numbering != Numbering::None || self.single_number.is_some()) {
             self.begin_block();
         }
     }
@@ -153,12 +153,12 @@ impl<'a> Writer<'a> {
             Numbering::Step(step) => {
                 let number = self.next_number;
                 self.next_number = if number > LAST_NUMBER - step.min(LAST_NUMBER) { step } else { number + step };
-                self.number("N", number);
+                self.number(number);
             }
             Numbering::EveryLine => self.number_line(),
             Numbering::None => {
                 if let Some(number) = self.single_number.take() {
-                    self.number("N", number);
+                    self.number(number);
                 }
             }
         }
@@ -174,18 +174,13 @@ impl<'a> Writer<'a> {
     fn number_line(&mut self) {
         let number = self.next_number;
         self.next_number += 1;
-        self.number("", number);
+        self.number(number);
     }
 
-    fn number(&mut self, prefix: &str, number: u32) {
+    fn number(&mut self, number: u32) {
         self.number = Some(number);
-        self.put_word(prefix, Decimal { units: number.into(), decimals: 0 }, Numerals::default());
-    }
-
-    #[inline(always)]
-    fn put_word(&mut self, prefix: &str, number: Decimal, numerals: Numerals) {
-        let (first, form) = (first_letters(prefix), NumberForm::new(number.decimals, numerals));
-        self.end = put_word(&mut self.buffer, self.end, (prefix, &first), (number.units, &form));
+        let word = Some((&self.number_word, number.into()));
+        self.end = put_words(&mut self.buffer, self.end, word, iter::empty());
     }
 
     /// Writes a code with a fixed number: `G1`, `M30`.
@@ -198,26 +193,21 @@ impl<'a> Writer<'a> {
     }
 
     /// Writes a word: `X` or `C1=`, and its number.
-    #[inline]
     pub fn word(&mut self, prefix: &str, number: Decimal, numerals: Numerals) {
-        self.begin();
-        self.put_word(prefix, number, numerals);
+        self.words([(&WordForm::new(prefix, number.decimals, numerals), number.units)]);
     }
 
     /// Writes words in their order, each with whole units of its last decimal; without words no block begins. Returns whether
     /// there is a block.
     #[inline(always)]
-    pub fn words<'w>(&mut self, words: impl IntoIterator<Item = (&'w WordForm, i64)>) -> bool {
-        let mut end = self.end;
-        for (form, units) in words {
-            if end == self.block {
-                self.begin_block();
-                end = self.end;
-            }
-            end = put_word(&mut self.buffer, end, (&form.letters, &form.first), (units, &form.number));
+    pub fn words<'w>(&mut self, words: impl IntoIterator<Item = (&'w WordForm<'w>, i64)>) -> bool {
+        let mut words = words.into_iter();
+        let first = words.next();
+        if first.is_some() {
+            self.begin();
         }
-        self.end = end;
-        end > self.block
+        self.end = put_words(&mut self.buffer, self.end, first, words);
+        self.end > self.block
     }
 
     /// Ends the block; a block without words writes no line.
@@ -252,10 +242,10 @@ impl<'a> Writer<'a> {
     /// Takes the line that has ended.
     #[inline(always)]
     fn finish_line(&mut self) -> io::Result<()> {
-        let number = self.number.take();
         if let Some(journal) = &mut self.journal {
-            journal.add(&self.buffer[self.block..self.end], number);
+            journal.add(&self.buffer[self.block..self.end], self.number);
         }
+        self.number = None;
         self.block = self.end;
         if self.end >= PIECE { self.hand_on() } else { Ok(()) }
     }
@@ -292,26 +282,38 @@ impl<'a> Writer<'a> {
     }
 }
 
-/// Puts a word and a blank at `end`; returns their end. `first`: the first letters.
+/// Puts words at `end`, each with a blank after it; returns their end.
 #[inline(always)]
-fn put_word(
+fn put_words<'w>(
     buffer: &mut Vec<u8>,
     end: usize,
-    (letters, first): (&str, &[u8; LETTERS]),
-    (units, form): (i64, &NumberForm),
+    first: Option<(&'w WordForm<'w>, i64)>,
+    mut others: impl Iterator<Item = (&'w WordForm<'w>, i64)>,
 ) -> usize {
-    let (count, end) = match letters.len() {
-        count @ 0..=LETTERS => (count, end),
-        _ => (0, put_text(buffer, end, letters.as_bytes())),
-    };
-    let room = loop {
-        match buffer.get_mut(end..end + WORD_ROOM).and_then(<[u8]>::first_chunk_mut) {
-            Some(room) => break room,
-            None => grow(buffer, end + WORD_ROOM),
+    let mut rest = &mut buffer[end..];
+    let mut next = first;
+    while let Some((form, units)) = next {
+        match rest.first_chunk_mut().and_then(|room| form.short.put(room, units)) {
+            Some(length) => rest = &mut rest[length..],
+            None => {
+                let left = rest.len();
+                let end = put_long_word(buffer, buffer.len() - left, form, units);
+                rest = &mut buffer[end..];
+            }
         }
-    };
-    room[..LETTERS].copy_from_slice(first);
-    end + put_number(room, count, units, form)
+        next = others.next();
+    }
+    let left = rest.len();
+    buffer.len() - left
+}
+
+/// Puts a word of any length and a blank at `end`; returns their end.
+#[cold]
+fn put_long_word(buffer: &mut Vec<u8>, end: usize, form: &WordForm<'_>, units: i64) -> usize {
+    let mut room = [0; NUMBER_ROOM];
+    let length = put_number(&mut room, Decimal { units, decimals: form.decimals }, form.numerals);
+    let end = put_text(buffer, end, form.letters.as_bytes());
+    put_text(buffer, end, &room[..length])
 }
 
 /// Puts text at `end`; returns its end.
@@ -414,6 +416,27 @@ mod tests {
         });
         assert_eq!(text.lines().count(), 50_000);
         assert!(text.ends_with("X49.999\n"));
+    }
+
+    #[test]
+    fn words_are_written_whole_where_the_buffer_ends_and_where_they_are_long() {
+        let words = [
+            WordForm::new("X", 3, Numerals::default()),
+            WordForm::new("SPINDLE=", 3, Numerals { point: true, plus: true }),
+            WordForm::new("Y", 9, Numerals::default()),
+        ];
+        let text = written(Numbering::None, |writer| {
+            for _ in 0..3 {
+                writer.words((0..10_000).flat_map(|_| words.iter().map(|word| (word, -1500))));
+                writer.words([(&words[0], 1_000_000_000)]);
+                writer.end()?;
+            }
+            Ok(())
+        });
+        assert_eq!(
+            text,
+            ["X-1.5 SPINDLE=-1.5 Y-0.0000015 ".repeat(10_000), "X1000000\n".to_owned()].concat().repeat(3)
+        );
     }
 
     #[test]

@@ -27,7 +27,7 @@ struct Address {
     index: usize,
     /// Its bit in the masks of axis words.
     bit: u16,
-    word: WordForm,
+    word: WordForm<'static>,
     linear: bool,
 }
 
@@ -38,9 +38,9 @@ pub(crate) struct ModalWriter<'a> {
     /// Axes in the order of their words in a block.
     axes: Vec<Address>,
     /// F with each number of decimals.
-    feed_words: [WordForm; 7],
+    feed_words: [WordForm<'static>; 7],
     /// Words of the centre of an arc: distances from its start along X, Y and Z.
-    centre_words: [WordForm; 3],
+    centre_words: [WordForm<'static>; 3],
     /// Index of Z in the chain: a length offset may be called with its word.
     z: Option<usize>,
     numerals: Numerals,
@@ -57,6 +57,7 @@ pub(crate) struct ModalWriter<'a> {
     blending: Decimal,
     /// Words for the tool axis as a vector, where it is written instead of rotary words.
     vectors: Option<&'static ToolAxisWords>,
+    vector_words: [WordForm<'static>; 3],
     /// Code that calls the length offset and switches on tip control, where one does both.
     tip_length_code: Option<&'static str>,
     /// Tip control is on, or comes on with the next length offset.
@@ -145,9 +146,9 @@ impl<'a> ModalWriter<'a> {
             writer: Writer::new(out, numbering),
             axes: addresses(control, layout, numerals),
             feed_words: std::array::from_fn(|decimals| {
-                WordForm::new("F".to_owned(), decimals as u32, Numerals { plus: false, ..numerals })
+                WordForm::new("F", decimals as u32, Numerals { plus: false, ..numerals })
             }),
-            centre_words: ["I", "J", "K"].map(|letter| WordForm::new(letter.to_owned(), layout.linear, numerals)),
+            centre_words: ["I", "J", "K"].map(|letter| WordForm::new(letter, layout.linear, numerals)),
             z: layout.axes.iter().position(|&(letter, _)| letter == 'Z'),
             numerals,
             every_word: layout.options.every_word,
@@ -157,6 +158,9 @@ impl<'a> ModalWriter<'a> {
             unit_mm: layout.units.in_mm(),
             blending: path_tolerance(layout.path_tolerance),
             vectors,
+            vector_words: vectors
+                .map_or([""; 3], |vectors| vectors.words)
+                .map(|letters| WordForm::new(letters, VECTOR_DECIMALS, numerals)),
             tip_length_code: tip_length_code(codes, layout, vectors),
             tip_control: false,
             offset_lost: false,
@@ -308,13 +312,12 @@ impl<'a> ModalWriter<'a> {
         let changed = self.axes.iter().filter(|axis| written & axis.bit != 0);
         self.writer.words(changed.map(|axis| (&axis.word, words.units[axis.index])));
         self.modal.set_axes(words, written);
-        if let (Some(vectors), Some(vector)) = (self.vectors, words.vector)
+        if let Some(vector) = words.vector
+            && self.vectors.is_some()
             && self.writes(self.modal.vector_changes(words.vector))
         {
             self.modal.set_vector(vector);
-            for (word, units) in vectors.words.into_iter().zip(vector) {
-                self.writer.word(word, Decimal { units, decimals: VECTOR_DECIMALS }, self.numerals);
-            }
+            self.writer.words(self.vector_words.iter().zip(vector));
         }
     }
 
