@@ -6,15 +6,15 @@ use super::diagnostics::Faults;
 use super::dialect::Dialect;
 use super::meaning::{ArcVote, QueuedEvent, ReadingOptions, RecordInterpreter, StatedFrame, TextUse};
 use super::record::{
-    CIRCLE, CIRCLE_NUMBERS, CatiaMatrix, GOTO, MotionRecord, Point, Record, SubprogramRecord, comment_dialect,
-    joined_record, next_circle, next_goto, parse, read_comment, record_dialect,
+    CIRCLE, CIRCLE_NUMBERS, CatiaMatrix, GOTO, MotionRecord, Record, SubprogramRecord, comment_dialect, joined_record,
+    next_circle, next_goto, parse, read_comment, record_dialect,
 };
 use super::subprogram::{KeptStatement, Subprograms, subprogram_fault};
 use super::text::{
     Beginning, ClFault, LONGEST_STATEMENT, Lexer, NumberLine, PhysicalLine, Span, Statement, StatementKind,
 };
 use crate::diag::{Diagnostic, Severity};
-use crate::program::{Event, Location, Move, Units};
+use crate::program::{Arc, Event, Location, Move, Units};
 
 /// CL text that can be read more than once: a file, or bytes in memory.
 pub trait ReadSeek: Read + Seek {}
@@ -46,13 +46,10 @@ pub struct ClReader<R> {
     kept: Option<KeptStatement>,
 }
 
-/// What has come of a look for a GOTO on a line of its own.
-enum NextGoto {
-    /// A straight motion, while no arc, curve or cycle is open.
-    Straight(Location, Move),
-    /// More than a straight motion: the end of an arc, a hole.
-    Other(PhysicalLine, Point, Location),
-    /// Its events are queued, or it is refused.
+/// What has come of a look for a motion on a line of its own, or on two.
+enum NextMotion<M> {
+    Motion(Location, M),
+    /// Its events are queued, or it is refused, or its end has not been read.
     Taken,
     /// Another statement, which has not been read.
     None,
@@ -88,37 +85,43 @@ impl<R: Read> ClReader<R> {
     /// After the first error the rest of the file is read for diagnostics only and `None` is returned; see
     /// [`failed`](Self::failed).
     pub fn next_event(&mut self) -> io::Result<Option<(Location, Event<'_>)>> {
-        match self.take_goto() {
-            NextGoto::Straight(here, motion) => Ok(Some((here, Event::Move(motion)))),
-            NextGoto::Other(line, point, here) => self.next_after_other(line, &point, here),
-            NextGoto::Taken => self.next_of_any_kind(false),
-            NextGoto::None => self.next_of_any_kind(true),
+        match self.take_straight() {
+            NextMotion::Motion(here, motion) => Ok(Some((here, Event::Move(motion)))),
+            NextMotion::Taken => self.next_of_any_kind(false),
+            NextMotion::None => self.next_unless_straight(),
         }
     }
 
-    /// [`take_goto`](Self::take_goto) after another statement: rare enough to be a call.
+    /// The next event, where the next statement is no straight motion on a line of its own, or an event is queued before it.
     #[inline(never)]
-    fn take_goto_after_other(&mut self) -> NextGoto {
-        self.take_goto()
+    fn next_unless_straight(&mut self) -> io::Result<Option<(Location, Event<'_>)>> {
+        match self.take_arc_or_hole() {
+            NextMotion::Motion(here, arc) => Ok(Some((here, Event::Arc(arc)))),
+            NextMotion::Taken => self.next_of_any_kind(false),
+            NextMotion::None => self.next_of_any_kind(true),
+        }
     }
 
-    /// Takes the next statement if it is a GOTO on a line of its own, as nearly every one is, and no event is queued before it.
+    /// [`take_straight`](Self::take_straight) after another statement: rare enough to be a call.
+    #[inline(never)]
+    fn take_straight_after_other(&mut self) -> NextMotion<Move> {
+        self.take_straight()
+    }
+
+    /// Takes the next statement if it is a GOTO on a line of its own that is a straight motion, as nearly every one is, and no event
+    /// is queued before it.
     #[inline(always)]
-    fn take_goto(&mut self) -> NextGoto {
-        if !self.takes_lines() {
-            return NextGoto::None;
+    fn take_straight(&mut self) -> NextMotion<Move> {
+        if !self.takes_lines() || !self.interpreter.is_straight() {
+            return NextMotion::None;
         }
-        let Some((line, point)) = next_goto(&mut self.lexer, &mut self.goto) else { return NextGoto::None };
-        self.records += 1;
-        let here = Location { line: self.lexer.lines(), column: 1 };
-        if !self.interpreter.is_straight() {
-            return NextGoto::Other(line, point, here);
-        }
+        let Some((line, point)) = next_goto(&mut self.lexer, &mut self.goto) else { return NextMotion::None };
+        let here = self.count_line();
         match self.interpreter.straight(&point, here) {
-            Ok(motion) => NextGoto::Straight(here, motion),
+            Ok(motion) => NextMotion::Motion(here, motion),
             Err(fault) => {
                 self.faults.add(*fault, &self.lexer.last_line(line), &self.lexer);
-                NextGoto::Taken
+                NextMotion::Taken
             }
         }
     }
@@ -134,84 +137,82 @@ impl<R: Read> ClReader<R> {
             && !self.faults.failed()
     }
 
-    /// Takes the next statement if it is a CIRCLE on a line of its own, and returns whether it is.
-    #[inline(never)]
-    fn take_circle(&mut self) -> bool {
-        if !self.takes_lines() {
-            return false;
-        }
-        let Some((line, circle)) = next_circle(&mut self.lexer, &mut self.circle) else { return false };
-        self.records += 1;
-        let here = Location { line: self.lexer.lines(), column: 1 };
-        let statement = self.note_line(line);
-        let begun = self.interpreter.begin_arc(&circle, here);
-        self.note_faults(begun, &statement);
-        true
-    }
-
-    /// Takes a GOTO that is more than a straight motion: the end of an arc, a hole. Returns the arc, if no event is queued before
-    /// it; else the events are queued, or it is refused.
-    #[inline(never)]
-    fn take_end_or_hole(
-        &mut self,
-        line: PhysicalLine,
-        point: &Point,
-        here: Location,
-    ) -> Option<(Location, Event<'static>)> {
-        let statement = self.note_line(line);
-        let fault = match self.interpreter.circle_to_end() {
-            Some(circle) => match self.interpreter.end_arc(&circle, point, here) {
-                Ok(arc) => {
-                    self.note_faults(Ok(()), &statement);
-                    return Some((here, Event::Arc(arc)));
-                }
-                Err(fault) => Err(fault),
-            },
-            None => self.interpreter.take_inline(&Record::Motion(MotionRecord::Goto(*point)), here),
-        };
-        self.note_faults(fault, &statement);
-        None
-    }
-
-    /// The next event from such a GOTO on.
-    #[cold]
-    fn next_after_other(
-        &mut self,
-        line: PhysicalLine,
-        point: &Point,
-        here: Location,
-    ) -> io::Result<Option<(Location, Event<'_>)>> {
-        match self.take_end_or_hole(line, point, here) {
-            Some(found) => Ok(Some(found)),
-            None => self.next_of_any_kind(false),
-        }
-    }
-
-    /// The statement of a line that is a record, which is the statement of its events.
+    /// Takes the next statement if it is a CIRCLE on a line of its own, or a GOTO on such a line that ends an arc or is a hole. The
+    /// GOTO after a CIRCLE is taken with it: then it is the arc, if no event is queued before it.
     #[inline(always)]
-    fn note_line(&mut self, line: PhysicalLine) -> Statement {
-        let statement = self.lexer.last_line(line);
-        (self.statement, self.kept) = (Some(statement), None);
-        statement
+    fn take_arc_or_hole(&mut self) -> NextMotion<Arc> {
+        if !self.takes_lines() {
+            return NextMotion::None;
+        }
+        let mut taken = NextMotion::None;
+        if self.interpreter.may_begin_arc()
+            && let Some((line, circle)) = next_circle(&mut self.lexer, &mut self.circle)
+        {
+            let here = self.count_line();
+            let begun = self.interpreter.begin_arc(&circle, here);
+            // At the end of the file it is refused, if it still has no end.
+            self.statement = Some(self.lexer.last_line(line));
+            self.note_faults_of_line(begun, line);
+            taken = NextMotion::Taken;
+            if !self.takes_lines() {
+                return taken;
+            }
+        }
+        if self.interpreter.is_straight() {
+            return taken;
+        }
+        let Some((line, point)) = next_goto(&mut self.lexer, &mut self.goto) else { return taken };
+        let here = self.count_line();
+        let fault = match self.interpreter.end_arc(&point, here) {
+            Some(Ok(arc)) => {
+                self.note_faults_of_line(Ok(()), line);
+                return NextMotion::Motion(here, arc);
+            }
+            Some(Err(fault)) => Err(fault),
+            None => self.interpreter.take(&Record::Motion(MotionRecord::Goto(point)), here),
+        };
+        self.note_faults_of_line(fault, line);
+        NextMotion::Taken
+    }
+
+    /// The same after another statement: rare enough to be a call.
+    #[inline(never)]
+    fn take_arc_or_hole_after_other(&mut self) -> NextMotion<Arc> {
+        self.take_arc_or_hole()
+    }
+
+    /// Counts the record of the line read last, and returns its place. Its events have no text.
+    #[inline(always)]
+    fn count_line(&mut self) -> Location {
+        self.records += 1;
+        Location { line: self.lexer.lines(), column: 1 }
+    }
+
+    /// Notes what is wrong with the record of the line read last, and its warnings.
+    #[inline(always)]
+    fn note_faults_of_line(&mut self, taken: Result<(), ClFault>, line: PhysicalLine) {
+        if taken.is_err() || self.interpreter.has_warnings() {
+            let statement = self.lexer.last_line(line);
+            self.statement = Some(statement);
+            self.note_faults(taken, &statement);
+        }
     }
 
     /// Notes what is wrong with a record, and its warnings.
-    #[inline]
+    #[inline(never)]
     fn note_faults(&mut self, taken: Result<(), ClFault>, statement: &Statement) {
         if let Err(fault) = taken {
             self.faults.add(fault, statement, &self.lexer);
         }
-        if self.interpreter.has_warnings() {
-            for warning in self.interpreter.take_warnings() {
-                self.faults.add(warning, statement, &self.lexer);
-            }
+        for warning in self.interpreter.take_warnings() {
+            self.faults.add(warning, statement, &self.lexer);
         }
     }
 
-    /// Returns the next event; `no_goto`: the next statement, if no event is queued before it, is no GOTO on a line of its own.
-    fn next_of_any_kind(&mut self, mut no_goto: bool) -> io::Result<Option<(Location, Event<'_>)>> {
+    /// Returns the next event; `no_line`: the next statement, if no event is queued before it, is no motion on a line of its own.
+    fn next_of_any_kind(&mut self, mut no_line: bool) -> io::Result<Option<(Location, Event<'_>)>> {
         let (location, pending) = loop {
-            let no_goto = std::mem::take(&mut no_goto);
+            let no_line = std::mem::take(&mut no_line);
             if let Some(event) = self.interpreter.next_event()
                 && !self.faults.failed()
             {
@@ -220,18 +221,14 @@ impl<R: Read> ClReader<R> {
             match self.progress {
                 Progress::Unread => self.begin()?,
                 Progress::Reading if self.subprograms.is_running() => self.run_kept(),
-                Progress::Reading => match if no_goto { NextGoto::None } else { self.take_goto_after_other() } {
-                    NextGoto::Straight(here, motion) => return Ok(Some((here, Event::Move(motion)))),
-                    NextGoto::Other(line, point, here) => {
-                        if let Some(found) = self.take_end_or_hole(line, &point, here) {
-                            return Ok(Some(found));
-                        }
-                    }
-                    NextGoto::Taken => {}
-                    NextGoto::None if self.take_circle() => {}
-                    NextGoto::None => match self.lexer.next()? {
-                        Some(statement) => self.read(&statement),
-                        None => self.finish(),
+                Progress::Reading if no_line => self.read_next()?,
+                Progress::Reading => match self.take_straight_after_other() {
+                    NextMotion::Motion(here, motion) => return Ok(Some((here, Event::Move(motion)))),
+                    NextMotion::Taken => {}
+                    NextMotion::None => match self.take_arc_or_hole_after_other() {
+                        NextMotion::Motion(here, arc) => return Ok(Some((here, Event::Arc(arc)))),
+                        NextMotion::Taken => {}
+                        NextMotion::None => self.read_next()?,
                     },
                 },
                 Progress::Done => return Ok(None),
@@ -355,6 +352,15 @@ impl<R: Read> ClReader<R> {
         };
         self.faults.add_about_file(Severity::Error, Location { line: 1, column: 1 }, text.into(), help);
         self.progress = Progress::Done;
+        Ok(())
+    }
+
+    /// Reads the next statement, whatever it is.
+    fn read_next(&mut self) -> io::Result<()> {
+        match self.lexer.next()? {
+            Some(statement) => self.read(&statement),
+            None => self.finish(),
+        }
         Ok(())
     }
 

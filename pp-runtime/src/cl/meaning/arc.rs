@@ -29,6 +29,14 @@ const SAME_POINT_MM: f64 = 1e-6;
 /// Chord length below which the ends of an arc may differ by rounding alone: the arc may be empty or a full circle.
 const SHORTEST_CHORD_MM: f64 = 5e-4;
 
+/// Product of the radii at both ends less the dot product of the two: above it no chord is short. The square of the chord is at
+/// least twice as much; around the centre, times the quotient of the radii, which differ by [`ARC_TOLERANCE_MM`] each and are not
+/// below it, at least two thirds.
+const CLEAR_MM2: f64 = 1e-6;
+
+/// Largest part of the product that is rounding of this difference.
+const ROUNDED: f64 = 1e-12;
+
 /// A circle in the workpiece frame whose end is not read yet.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct WaitingCircle {
@@ -278,6 +286,7 @@ impl OpenArc {
 ///
 /// Refused if the tool axis changes, an end lies off the circle, the ends are too near to tell an empty arc from a full
 /// circle, or the angle is not that of MOVARC.
+#[inline(always)]
 pub(crate) fn arc_of(
     circle: &WaitingCircle,
     start: &Pose,
@@ -285,9 +294,21 @@ pub(crate) fn arc_of(
     feed: Option<Feed>,
     at: Span,
 ) -> Result<Arc, ClFault> {
+    let (normal, angle_rad) = normal_and_angle(circle, start, end, at)?;
+    Ok(Arc { start: *start, end: *end, centre: circle.centre, normal, angle_rad, feed })
+}
+
+/// Normal of that arc, and its angle, rad.
+fn normal_and_angle(
+    circle: &WaitingCircle,
+    start: &Pose,
+    end: &Pose,
+    at: Span,
+) -> Result<(UnitVector3<f64>, f64), Box<ClFault>> {
     let fault = |text: String| {
         let text = format!("{text} (circle of line {})", circle.line);
-        ClFault::new("circle", at, text, "check the arc in the CAM system, or have it output lines instead of arcs")
+        let help = "check the arc in the CAM system, or have it output lines instead of arcs";
+        Box::new(ClFault::new("circle", at, text, help))
     };
     if (start.axis.into_inner() - end.axis.into_inner()).norm() > 1e-6 {
         return Err(fault("the tool axis changes on an arc".into()));
@@ -300,7 +321,7 @@ pub(crate) fn arc_of(
                 format!("CIRCLE with 4 numbers does not state the sense of its arc (circle of line {})", circle.line);
             let help = "state it: `--circle-sense ccw` or `cw`, about the tool axis; a GOTO with points between the ends states \
                         it, too";
-            return Err(ClFault::new("circle", at, text, help));
+            return Err(Box::new(ClFault::new("circle", at, text, help)));
         }
     };
     let n = normal.into_inner();
@@ -335,8 +356,7 @@ pub(crate) fn arc_of(
     let rise_mm = (end.tip - start.tip).dot(&n).abs();
     let part = angle_within_revolution(u, v, n, rise_mm, circle.angle_rad.is_some()).map_err(fault)?;
     let Some(stated) = circle.angle_rad else {
-        let angle = part + f64::from(circle.times - 1) * TAU;
-        return Ok(Arc { start: *start, end: *end, centre: circle.centre, normal, angle_rad: angle, feed });
+        return Ok((normal, part + f64::from(circle.times - 1) * TAU));
     };
     let turns = ((stated - part) / TAU).round().max(0.0);
     let angle = part + turns * TAU;
@@ -350,7 +370,7 @@ pub(crate) fn arc_of(
             stated.to_degrees()
         )));
     }
-    Ok(Arc { start: *start, end: *end, centre: circle.centre, normal, angle_rad: angle, feed })
+    Ok((normal, angle))
 }
 
 /// Angle about `n` from the radius vector `u` to the radius vector `v`, with a rise along `n`, rad, 0 to 2π.
@@ -361,15 +381,19 @@ fn angle_within_revolution(
     rise_mm: f64,
     angle_is_stated: bool,
 ) -> Result<f64, String> {
-    // Distance of the ends, and the same around the centre: their radii differ within tolerance.
-    let (chord, around) = ((v - u).norm(), (v * (u.norm() / v.norm()) - u).norm());
-    if chord <= SAME_POINT_MM || (around < SHORTEST_CHORD_MM && rise_mm > ARC_TOLERANCE_MM) {
-        Ok(TAU)
-    } else if around < SHORTEST_CHORD_MM && !angle_is_stated {
-        Err(format!("the ends of an arc are {chord:.5} mm apart: the arc may be empty or a full circle"))
-    } else {
-        Ok(math::from_zero(math::atan2(n.dot(&u.cross(&v)), u.dot(&v))))
+    let (product, along) = (u.norm() * v.norm(), u.dot(&v));
+    // Nearly every chord is far from short.
+    if product - along <= CLEAR_MM2 + ROUNDED * product {
+        // Distance of the ends, and the same around the centre: their radii differ within tolerance.
+        let (chord, around) = ((v - u).norm(), (v * (u.norm() / v.norm()) - u).norm());
+        if chord <= SAME_POINT_MM || (around < SHORTEST_CHORD_MM && rise_mm > ARC_TOLERANCE_MM) {
+            return Ok(TAU);
+        }
+        if around < SHORTEST_CHORD_MM && !angle_is_stated {
+            return Err(format!("the ends of an arc are {chord:.5} mm apart: the arc may be empty or a full circle"));
+        }
     }
+    Ok(math::from_zero(math::atan2(n.dot(&u.cross(&v)), along)))
 }
 
 /// Whether an arc passes the points in their order. A point at either end states no order.
@@ -404,4 +428,40 @@ fn angle_on(arc: &Arc, point: Point3<f64>) -> Option<f64> {
     let rounding = ARC_TOLERANCE_MM / radius;
     let on_circle = (p.norm() - radius).abs() <= ARC_TOLERANCE_MM;
     (on_circle && (angle <= arc.angle_rad + rounding || angle >= TAU - rounding)).then_some(angle)
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    /// The same as [`angle_within_revolution`], without the test of chords that are clearly not short.
+    fn angle_by_chord(u: Vector3<f64>, v: Vector3<f64>, n: Vector3<f64>, rise_mm: f64, stated: bool) -> Option<f64> {
+        let (chord, around) = ((v - u).norm(), (v * (u.norm() / v.norm()) - u).norm());
+        let short = around < SHORTEST_CHORD_MM;
+        if chord <= SAME_POINT_MM || (short && rise_mm > ARC_TOLERANCE_MM) {
+            return Some(TAU);
+        }
+        (!short || stated).then(|| math::from_zero(math::atan2(n.dot(&u.cross(&v)), u.dot(&v))))
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(4000))]
+        /// Ends on radii as different as the tolerance permits, and as near as a chord is short.
+        #[test]
+        fn a_chord_is_short_where_it_is_so_by_its_length(
+            radius in prop_oneof![0.0051_f64..0.05, 0.05_f64..5.0, 1e3_f64..1e6],
+            wider in -2.0 * ARC_TOLERANCE_MM..2.0 * ARC_TOLERANCE_MM,
+            chord in prop_oneof![Just(0.0), 0.0_f64..2.0 * SAME_POINT_MM, 0.0_f64..4.0 * SHORTEST_CHORD_MM, 0.0_f64..1.0],
+            turned in prop_oneof![Just(0.0), 0.0_f64..TAU],
+            (rise_mm, stated) in (prop::sample::select(vec![0.0, 1.0]), any::<bool>()),
+        ) {
+            let last = (radius + wider).max(1.01 * ARC_TOLERANCE_MM);
+            let angle = turned + chord / radius;
+            let (u, v) = (Vector3::x() * radius, Vector3::new(last * angle.cos(), last * angle.sin(), 0.0));
+            let found = angle_within_revolution(u, v, Vector3::z(), rise_mm, stated).ok();
+            prop_assert_eq!(found, angle_by_chord(u, v, Vector3::z(), rise_mm, stated));
+        }
+    }
 }

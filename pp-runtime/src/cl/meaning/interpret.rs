@@ -6,7 +6,7 @@
 mod motion;
 mod state;
 
-use super::arc::{OpenArc, WaitingCircle};
+use super::arc::OpenArc;
 use super::axis::ModalAxis;
 use super::coordinates::Coordinates;
 use super::cycle::CycleInForce;
@@ -148,12 +148,6 @@ impl RecordInterpreter {
 
     /// Interprets the record of the statement at `here`.
     pub(crate) fn take(&mut self, record: &Record<'_>, here: Location) -> Result<(), ClFault> {
-        self.take_inline(record, here)
-    }
-
-    /// The same where the kind of the record is known to the caller.
-    #[inline(always)]
-    pub(crate) fn take_inline(&mut self, record: &Record<'_>, here: Location) -> Result<(), ClFault> {
         let restates = self.is_frame_restated(record, here);
         self.admit(Permitted::of(record), restates)?;
         let taken = self.interpret(record, here);
@@ -161,10 +155,10 @@ impl RecordInterpreter {
         taken
     }
 
-    /// The open circle, if the next GOTO ends its arc and no event is queued before that.
+    /// Whether a CIRCLE may come here: no arc is open, and no cycle is active.
     #[inline]
-    pub(crate) fn circle_to_end(&self) -> Option<WaitingCircle> {
-        self.arc.circle().filter(|_| !self.tool.is_held())
+    pub(crate) fn may_begin_arc(&self) -> bool {
+        !self.arc.is_open() && !self.cycle.is_active()
     }
 
     /// Interprets a CIRCLE.
@@ -176,13 +170,15 @@ impl RecordInterpreter {
         opened
     }
 
-    /// Interprets a GOTO that ends the arc of the open circle.
+    /// Interprets a GOTO that ends the arc of the open circle; `None` if none is open, or an event is to be queued before it.
     #[inline(always)]
-    pub(crate) fn end_arc(&mut self, circle: &WaitingCircle, point: &Point, here: Location) -> Result<Arc, ClFault> {
-        self.admit(Permitted::POINT, false)?;
-        let arc = self.arc_to_point(circle, point, here);
-        self.update_plain_goto();
-        arc
+    pub(crate) fn end_arc(&mut self, point: &Point, here: Location) -> Option<Result<Arc, ClFault>> {
+        let circle = self.arc.circle().filter(|_| !self.tool.is_held())?;
+        Some(self.admit(Permitted::POINT, false).and_then(|()| {
+            let arc = self.arc_to_point(&circle, point, here);
+            self.update_plain_goto();
+            arc
+        }))
     }
 
     /// Checks that a record may come here. `restates`: it states a frame that is in force.

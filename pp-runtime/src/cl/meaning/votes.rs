@@ -73,6 +73,7 @@ pub(crate) struct ArcVotes {
 
 impl ArcVotes {
     /// Adds an arc; `line`: the feed line before it.
+    #[inline]
     pub(crate) fn add_arc(
         &mut self,
         arc: &Arc,
@@ -107,6 +108,7 @@ impl ArcVotes {
     }
 
     /// Concludes the last arc with the feed line after it, or with `None` for any other record.
+    #[inline]
     pub(crate) fn conclude_arc(&mut self, line: Option<Vector3<f64>>) {
         let Some(arc) = self.undecided.take() else { return };
         let after = line.and_then(|line| vote(line, arc.arm, &arc.normal));

@@ -6,7 +6,7 @@
 
 use super::fault::Span;
 use super::lexer::ShortNumbers;
-use super::number::{NumberShape, SHORT_NUMBER};
+use super::number::{NumberShape, SHORT_NUMBER, quotients};
 use wide::u8x16;
 
 /// Longest line with a shape, with its end.
@@ -33,6 +33,8 @@ pub(super) struct LineShape<const N: usize> {
     /// Shapes of the numbers, and where they begin; those of no numbers after `count` of them.
     numbers: [(NumberShape, usize); N],
     count: usize,
+    /// A number has more than eight digits.
+    long: bool,
     /// Place of the numbers in the line.
     at: Span,
 }
@@ -44,6 +46,7 @@ impl<const N: usize> LineShape<N> {
         pieces: [Piece { bytes: u8x16::ZERO, largest: u8x16::MAX }; LONGEST / 16],
         numbers: [(NumberShape::NONE, 0); N],
         count: 0,
+        long: false,
         at: Span { start: 0, end: 0 },
     };
 
@@ -55,7 +58,8 @@ impl<const N: usize> LineShape<N> {
         if line.len() > LONGEST {
             return;
         }
-        *self = Self { numbers, count, at, length: line.len(), ..Self::NONE };
+        let long = numbers.iter().any(|(shape, _)| shape.is_long());
+        *self = Self { numbers, count, long, at, length: line.len(), ..Self::NONE };
         for (piece, line) in self.pieces.iter_mut().zip(line.chunks(16)) {
             let (mut bytes, mut largest) = ([0; 16], [u8::MAX; 16]);
             for (byte, (expected, largest)) in line.iter().zip(bytes.iter_mut().zip(&mut largest)) {
@@ -76,18 +80,36 @@ impl<const N: usize> LineShape<N> {
             return None;
         }
         let mut numbers = [0.0; USED];
-        let (first, others) = numbers.split_at_mut(3);
-        self.set_numbers::<0>(first, text)?;
-        if self.count > 3 {
-            self.set_numbers::<3>(others, text)?;
+        if self.long {
+            self.set_each(&mut numbers, text)?;
+        } else {
+            let (first, others) = numbers.split_at_mut(4);
+            self.set_four::<0>(first, text);
+            if self.count > 4 {
+                self.set_four::<4>(others, text);
+            }
         }
         Some((ShortNumbers { numbers, count: self.count, at: self.at }, self.length))
     }
 
-    /// Sets numbers of `text`, those from the index `FIRST` on.
+    /// Sets four numbers of `text`, those from the index `FIRST` on, none of which is long.
     #[inline(always)]
-    fn set_numbers<const FIRST: usize>(&self, numbers: &mut [f64], text: &[u8; LINE_AND_NUMBER]) -> Option<()> {
-        for (number, (shape, start)) in numbers.iter_mut().zip(&self.numbers[FIRST..]) {
+    fn set_four<const FIRST: usize>(&self, numbers: &mut [f64], text: &[u8; LINE_AND_NUMBER]) {
+        let (mut digits, mut scales) = ([0; 4], [1.0; 4]);
+        for (index, (shape, start)) in self.numbers[FIRST..].iter().take(4).enumerate() {
+            if let Some(text) = text[start % LONGEST..].first_chunk() {
+                (digits[index], scales[index]) = shape.digits_and_scale(text);
+            }
+        }
+        for (number, value) in numbers.iter_mut().zip(quotients(digits, scales)) {
+            *number = value;
+        }
+    }
+
+    /// Sets numbers of `text` one by one.
+    #[inline(never)]
+    fn set_each(&self, numbers: &mut [f64], text: &[u8; LINE_AND_NUMBER]) -> Option<()> {
+        for (number, (shape, start)) in numbers.iter_mut().zip(&self.numbers[..self.count]) {
             *number = shape.known(text[start % LONGEST..].first_chunk()?)?;
         }
         Some(())

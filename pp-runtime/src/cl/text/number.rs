@@ -6,6 +6,9 @@
 //! Nearly every number of a real file has fewer than 16 digits, and then mantissa and power of ten are both exact in
 //! binary64, so one multiplication or division rounds correctly (Clinger). The standard library reads the others.
 
+use wide::bytemuck::cast;
+use wide::{f64x2, i16x8};
+
 /// Powers of ten that binary64 holds exactly.
 const POWERS_OF_TEN: [f64; 23] = [
     1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20,
@@ -114,6 +117,17 @@ impl NumberShape {
         self.sum(self.first_digits(text), text)
     }
 
+    /// Whether a number of this shape has more than eight digits.
+    pub(super) fn is_long(&self) -> bool {
+        self.rest > 0
+    }
+
+    /// What [`quotients`] makes the number at the start of `text` of, which has this shape and is not long.
+    #[inline(always)]
+    pub(super) fn digits_and_scale(&self, text: &[u8; SHORT_NUMBER]) -> (u64, f64) {
+        (self.first_digits(text), self.scale)
+    }
+
     /// The first eight digits as numbers, one in each byte, the last in the highest.
     #[inline(always)]
     fn first_digits(&self, text: &[u8; SHORT_NUMBER]) -> u64 {
@@ -218,6 +232,22 @@ fn value_of(digits: u64) -> i64 {
     let first_and_third = (pairs & PAIRS).wrapping_mul(100 + (1_000_000 << 32));
     let second_and_fourth = ((pairs >> 16) & PAIRS).wrapping_mul(1 + (10_000 << 32));
     (first_and_third.wrapping_add(second_and_fourth) >> 32).cast_signed()
+}
+
+/// Values of four times eight digits as [`value_of`] sums them, divided by `scales`.
+#[inline(always)]
+pub(super) fn quotients(digits: [u64; 4], scales: [f64; 4]) -> [f64; 4] {
+    // Of two numbers at once: bytes are summed in pairs, and these in fours.
+    let fours = |digits: [u64; 2]| {
+        let digits: i16x8 = cast(digits);
+        let pairs: i16x8 = (digits * i16x8::splat(10) + (digits >> 8)) & i16x8::splat(0xFF);
+        pairs.dot(i16x8::new([100, 1, 100, 1, 100, 1, 100, 1]))
+    };
+    let fours = i16x8::from_i32x8_saturate(cast([fours([digits[0], digits[1]]), fours([digits[2], digits[3]])]));
+    let [a, b, c, d] = fours.dot(i16x8::new([10_000, 1, 10_000, 1, 10_000, 1, 10_000, 1])).to_array().map(f64::from);
+    let quotient = |values: [f64; 2], scales: [f64; 2]| (f64x2::from(values) / f64x2::from(scales)).to_array();
+    let [[a, b], [c, d]] = [quotient([a, b], [scales[0], scales[1]]), quotient([c, d], [scales[2], scales[3]])];
+    [a, b, c, d]
 }
 
 /// Returns the number at the start of `text` and the count of its bytes; `None` if no number starts there.

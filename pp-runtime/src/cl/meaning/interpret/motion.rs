@@ -35,9 +35,14 @@ impl RecordInterpreter {
     /// Pose of a point, in the workpiece frame.
     fn pose(&mut self, point: &Point, here: Location) -> Result<Pose, ClFault> {
         let (Pose { tip, axis }, normalised) = self.pose_in_file(point)?;
-        let tip = self.coordinates.point(tip, point.at)?;
+        let transforms = self.coordinates.transforms();
+        let (tip, axis) = if transforms.none() {
+            (tip, axis)
+        } else {
+            (self.coordinates.point(tip, point.at)?, transforms.direction(axis))
+        };
         self.axis.count(normalised, here);
-        Ok(Pose { tip, axis: self.coordinates.transforms().direction(axis) })
+        Ok(Pose { tip, axis })
     }
 
     /// Pose of a point in the frame of the file, which is that of the workpiece where no transform is in force.
@@ -114,7 +119,8 @@ impl RecordInterpreter {
     /// Motion to a pose in the workpiece frame: the end of an arc, a hole, or a straight motion.
     #[cold]
     fn move_to(&mut self, pose: Pose, at: Span, here: Location) -> Result<(), ClFault> {
-        self.begin_motion(&pose, at)?;
+        within_a_kilometre(pose.tip, at)?;
+        self.compare_cutter(at);
         if let Some(circle) = self.arc.circle() {
             let arc = self.arc_to(&circle, pose, at, here)?;
             self.emit(here, Event::Arc(arc));
@@ -131,18 +137,16 @@ impl RecordInterpreter {
         Ok(())
     }
 
-    /// Checks the end of a motion, and compares the cutter with the one before.
+    /// Compares the cutter of a motion with the one before.
     #[inline(always)]
-    fn begin_motion(&mut self, pose: &Pose, at: Span) -> Result<(), ClFault> {
-        within_a_kilometre(pose.tip, at)?;
+    fn compare_cutter(&mut self, at: Span) {
         if let Some(warning) = self.tool.compare(at) {
             self.events.warn(warning);
         }
-        Ok(())
     }
 
     /// Arc on the open circle to a point.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn arc_to_point(
         &mut self,
         circle: &WaitingCircle,
@@ -150,7 +154,7 @@ impl RecordInterpreter {
         here: Location,
     ) -> Result<Arc, ClFault> {
         let pose = self.pose(point, here)?;
-        self.begin_motion(&pose, point.at)?;
+        self.compare_cutter(point.at);
         self.arc_to(circle, pose, point.at, here)
     }
 
