@@ -6,7 +6,7 @@
 
 use super::fault::Span;
 use super::lexer::ShortNumbers;
-use super::number::{NumberShape, SHORT_NUMBER, quotients};
+use super::number::{DigitPlaces, NumberShape, SHORT_NUMBER, two_numbers};
 use wide::u8x16;
 
 /// Longest line with a shape, with its end.
@@ -33,6 +33,8 @@ pub(super) struct LineShape<const N: usize> {
     /// Shapes of the numbers, and where they begin; those of no numbers after `count` of them.
     numbers: [(NumberShape, usize); N],
     count: usize,
+    /// Places of their first eight digits in the line.
+    digits: [DigitPlaces; N],
     /// A number has more than eight digits.
     long: bool,
     /// Place of the numbers in the line.
@@ -46,6 +48,7 @@ impl<const N: usize> LineShape<N> {
         pieces: [Piece { bytes: u8x16::ZERO, largest: u8x16::MAX }; LONGEST / 16],
         numbers: [(NumberShape::NONE, 0); N],
         count: 0,
+        digits: [DigitPlaces::NONE; N],
         long: false,
         at: Span { start: 0, end: 0 },
     };
@@ -59,7 +62,8 @@ impl<const N: usize> LineShape<N> {
             return;
         }
         let long = numbers.iter().any(|(shape, _)| shape.is_long());
-        *self = Self { numbers, count, long, at, length: line.len(), ..Self::NONE };
+        let digits = numbers.map(|(shape, start)| shape.digits().after(start));
+        *self = Self { numbers, count, digits, long, at, length: line.len(), ..Self::NONE };
         for (piece, line) in self.pieces.iter_mut().zip(line.chunks(16)) {
             let (mut bytes, mut largest) = ([0; 16], [u8::MAX; 16]);
             for (byte, (expected, largest)) in line.iter().zip(bytes.iter_mut().zip(&mut largest)) {
@@ -83,26 +87,23 @@ impl<const N: usize> LineShape<N> {
         if self.long {
             self.set_each(&mut numbers, text)?;
         } else {
-            let (first, others) = numbers.split_at_mut(4);
-            self.set_four::<0>(first, text);
-            if self.count > 4 {
-                self.set_four::<4>(others, text);
-            }
+            self.set_pairs(&mut numbers, text);
         }
         Some((ShortNumbers { numbers, count: self.count, at: self.at }, self.length))
     }
 
-    /// Sets four numbers of `text`, those from the index `FIRST` on, none of which is long.
+    /// Sets numbers of `text`, none of which is long, two at once.
     #[inline(always)]
-    fn set_four<const FIRST: usize>(&self, numbers: &mut [f64], text: &[u8; LINE_AND_NUMBER]) {
-        let (mut digits, mut scales) = ([0; 4], [1.0; 4]);
-        for (index, (shape, start)) in self.numbers[FIRST..].iter().take(4).enumerate() {
-            if let Some(text) = text[start % LONGEST..].first_chunk() {
-                (digits[index], scales[index]) = shape.digits_and_scale(text);
+    fn set_pairs<const USED: usize>(&self, numbers: &mut [f64; USED], text: &[u8; LINE_AND_NUMBER]) {
+        let mut index = 0;
+        while index < USED && index < self.count {
+            let places = [&self.digits[index.min(N - 1)], &self.digits[(index + 1).min(N - 1)]];
+            let [first, second] = two_numbers(places, text);
+            numbers[index] = first;
+            if index + 1 < USED {
+                numbers[index + 1] = second;
             }
-        }
-        for (number, value) in numbers.iter_mut().zip(quotients(digits, scales)) {
-            *number = value;
+            index += 2;
         }
     }
 

@@ -7,7 +7,7 @@
 //! binary64, so one multiplication or division rounds correctly (Clinger). The standard library reads the others.
 
 use wide::bytemuck::cast;
-use wide::{f64x2, i16x8};
+use wide::{f64x2, i16x8, u16x8};
 
 /// Powers of ten that binary64 holds exactly.
 const POWERS_OF_TEN: [f64; 23] = [
@@ -42,7 +42,18 @@ pub(crate) struct NumberShape {
     /// Bits of the first eight bytes that are no digits (blanks, sign, point), and their values.
     fixed_bits: u64,
     fixed: u64,
-    /// Bits of the digits before the point in the first eight bytes, and their rotation to their places among eight.
+    /// The first eight digits.
+    digits: DigitPlaces,
+    /// Decimals after those, in bytes that follow: there the number is summed in parts.
+    rest: usize,
+}
+
+/// Places of the digits of a number, of which there are eight at most.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct DigitPlaces {
+    /// Index of the first byte of the number, bits of the digits before the point in eight bytes from there on, and their rotation
+    /// to their places among eight.
+    at: usize,
     whole_bits: u64,
     whole_rotation: u32,
     /// Index of the first decimal, bits of the decimals in the bytes from there on, and their shift.
@@ -51,10 +62,35 @@ pub(crate) struct NumberShape {
     decimal_shift: u32,
     /// Zeros at the places of the digits.
     zeros: u64,
-    /// Decimals after the first eight digits, in bytes that follow: there the number is summed in parts.
-    rest: usize,
     /// Power of ten of the decimals; below zero with a sign.
     scale: f64,
+}
+
+impl DigitPlaces {
+    /// Those of no number.
+    pub(super) const NONE: Self = Self {
+        at: 0,
+        whole_bits: 0,
+        whole_rotation: 0,
+        decimals_at: 0,
+        decimal_bits: 0,
+        decimal_shift: 0,
+        zeros: 0,
+        scale: 1.0,
+    };
+
+    /// The same in a text in which the number begins at an index.
+    pub(super) fn after(self, start: usize) -> Self {
+        Self { at: self.at + start, decimals_at: self.decimals_at + start, ..self }
+    }
+
+    /// The digits as numbers, one in each byte, the last in the highest.
+    #[inline(always)]
+    fn digits<const LENGTH: usize>(&self, text: &[u8; LENGTH]) -> u64 {
+        let whole = (u64_at(text, self.at) & self.whole_bits).rotate_left(self.whole_rotation);
+        let decimals = (u64_at(text, self.decimals_at) & self.decimal_bits) << self.decimal_shift;
+        (whole | decimals) ^ self.zeros
+    }
 }
 
 impl NumberShape {
@@ -64,14 +100,8 @@ impl NumberShape {
         fixed_bits: 0,
         // No byte is all of these bits and none of them.
         fixed: u64::MAX,
-        whole_bits: 0,
-        whole_rotation: 0,
-        decimals_at: 0,
-        decimal_bits: 0,
-        decimal_shift: 0,
-        zeros: 0,
+        digits: DigitPlaces::NONE,
         rest: 0,
-        scale: 1.0,
     };
 
     /// Returns the number at the start of `text`, blanks before it included, and the count of its bytes, and takes its shape;
@@ -108,13 +138,13 @@ impl NumberShape {
         if text[self.end % INDICES] >= b'.' || start & self.fixed_bits != self.fixed {
             return None;
         }
-        self.sum(are_digits(self.first_digits(text))?, text)
+        self.sum(are_digits(self.digits.digits(text))?, text)
     }
 
     /// The number at the start of `text`, which has this shape.
     #[inline(always)]
     pub(super) fn known(&self, text: &[u8; SHORT_NUMBER]) -> Option<f64> {
-        self.sum(self.first_digits(text), text)
+        self.sum(self.digits.digits(text), text)
     }
 
     /// Whether a number of this shape has more than eight digits.
@@ -122,18 +152,9 @@ impl NumberShape {
         self.rest > 0
     }
 
-    /// What [`quotients`] makes the number at the start of `text` of, which has this shape and is not long.
-    #[inline(always)]
-    pub(super) fn digits_and_scale(&self, text: &[u8; SHORT_NUMBER]) -> (u64, f64) {
-        (self.first_digits(text), self.scale)
-    }
-
-    /// The first eight digits as numbers, one in each byte, the last in the highest.
-    #[inline(always)]
-    fn first_digits(&self, text: &[u8; SHORT_NUMBER]) -> u64 {
-        let whole = (u64_at(text, 0) & self.whole_bits).rotate_left(self.whole_rotation);
-        let decimals = (u64_at(text, self.decimals_at) & self.decimal_bits) << self.decimal_shift;
-        (whole | decimals) ^ self.zeros
+    /// The places of the first eight digits.
+    pub(super) fn digits(&self) -> DigitPlaces {
+        self.digits
     }
 
     /// The number with these first digits.
@@ -141,7 +162,7 @@ impl NumberShape {
     fn sum(&self, first: u64, text: &[u8; SHORT_NUMBER]) -> Option<f64> {
         let first = value_of(first);
         let mantissa = if self.rest == 0 { first } else { self.with_rest(first, text)? };
-        Some(mantissa as f64 / self.scale)
+        Some(mantissa as f64 / self.digits.scale)
     }
 
     /// Mantissa with the decimals after the first eight digits.
@@ -180,24 +201,29 @@ impl NumberShape {
             end,
             fixed_bits,
             fixed: u64_at(text, 0) & fixed_bits,
-            whole_bits: bits(first, point),
-            whole_rotation: 8 * (16 - together - first) as u32 % u64::BITS,
-            decimals_at: point + 1,
-            decimal_bits: bits(0, decimals - rest),
-            decimal_shift: 8 * (8 - (decimals - rest)) as u32 % u64::BITS,
-            zeros: ZEROS << (8 * (8 - together)),
+            digits: DigitPlaces {
+                at: 0,
+                whole_bits: bits(first, point),
+                whole_rotation: 8 * (16 - together - first) as u32 % u64::BITS,
+                decimals_at: point + 1,
+                decimal_bits: bits(0, decimals - rest),
+                decimal_shift: 8 * (8 - (decimals - rest)) as u32 % u64::BITS,
+                zeros: ZEROS << (8 * (8 - together)),
+                scale: if signed { -scale } else { scale },
+            },
             rest,
-            scale: if signed { -scale } else { scale },
         })
     }
 }
 
 const ZEROS: u64 = 0x3030_3030_3030_3030;
 
-/// Eight bytes from `at` on, the first in the lowest byte.
-#[inline]
-fn u64_at(text: &[u8; SHORT_NUMBER], at: usize) -> u64 {
-    text[at % INDICES..].first_chunk().map_or(0, |bytes| u64::from_le_bytes(*bytes))
+/// Eight bytes from `at` on, the first in the lowest byte. The index is one of as many, a power of two, as have eight bytes after
+/// them; it is larger only where there are no digits.
+#[inline(always)]
+fn u64_at<const LENGTH: usize>(text: &[u8; LENGTH], at: usize) -> u64 {
+    let indices = const { 1 << (LENGTH - 7).ilog2() };
+    text[at % indices..].first_chunk().map_or(0, |bytes| u64::from_le_bytes(*bytes))
 }
 
 /// Bits of the first of eight bytes that is no digit as a number, and of some after it; 0 if all are digits.
@@ -234,20 +260,17 @@ fn value_of(digits: u64) -> i64 {
     (first_and_third.wrapping_add(second_and_fourth) >> 32).cast_signed()
 }
 
-/// Values of four times eight digits as [`value_of`] sums them, divided by `scales`.
+/// Two numbers with digits at these places of a text.
 #[inline(always)]
-pub(super) fn quotients(digits: [u64; 4], scales: [f64; 4]) -> [f64; 4] {
-    // Of two numbers at once: bytes are summed in pairs, and these in fours.
-    let fours = |digits: [u64; 2]| {
-        let digits: i16x8 = cast(digits);
-        let pairs: i16x8 = (digits * i16x8::splat(10) + (digits >> 8)) & i16x8::splat(0xFF);
-        pairs.dot(i16x8::new([100, 1, 100, 1, 100, 1, 100, 1]))
-    };
-    let fours = i16x8::from_i32x8_saturate(cast([fours([digits[0], digits[1]]), fours([digits[2], digits[3]])]));
-    let [a, b, c, d] = fours.dot(i16x8::new([10_000, 1, 10_000, 1, 10_000, 1, 10_000, 1])).to_array().map(f64::from);
-    let quotient = |values: [f64; 2], scales: [f64; 2]| (f64x2::from(values) / f64x2::from(scales)).to_array();
-    let [[a, b], [c, d]] = [quotient([a, b], [scales[0], scales[1]]), quotient([c, d], [scales[2], scales[3]])];
-    [a, b, c, d]
+pub(super) fn two_numbers<const LENGTH: usize>(places: [&DigitPlaces; 2], text: &[u8; LENGTH]) -> [f64; 2] {
+    // The same sums as in `value_of`.
+    // In the high byte of 256 · 10 + 1 times two digits is ten times the first and the second.
+    let digits: u16x8 = cast(places.map(|places| places.digits(text)));
+    let pairs: i16x8 = cast((digits * u16x8::splat(2561)) >> 8_u32);
+    let fours = pairs.dot(i16x8::new([100, 1, 100, 1, 100, 1, 100, 1]));
+    let fours = i16x8::from_i32x8_saturate(cast([fours, fours]));
+    let eights = fours.dot(i16x8::new([10_000, 1, 10_000, 1, 10_000, 1, 10_000, 1]));
+    (f64x2::from_i32x4_lower2(eights) / f64x2::from(places.map(|places| places.scale))).to_array()
 }
 
 /// Returns the number at the start of `text` and the count of its bytes; `None` if no number starts there.

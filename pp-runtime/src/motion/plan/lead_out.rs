@@ -8,6 +8,10 @@ use crate::kinematics::Pose;
 /// Largest angle between the tool axis and a motion along it, rad.
 const ALONG: f64 = 1e-3;
 
+/// Square of a length in that of its part along the axis, above which the rest is neither along the axis nor too short for a
+/// direction.
+const FAR_FROM_AXIS: f64 = 1.1;
+
 /// Motions shorter than this have no direction, mm.
 const SHORTEST: f64 = 1e-9;
 
@@ -41,6 +45,11 @@ impl LeadOut {
         }
         let step = to.tip - from.tip;
         let along = step.dot(&to.axis);
+        // Nearly every cut: it is far from the direction of the axis.
+        if step.norm_squared() > FAR_FROM_AXIS * (along * along + SHORTEST * SHORTEST) {
+            *self = Self::default();
+            return;
+        }
         let across = (step - to.axis.into_inner() * along).norm();
         if along > SHORTEST && across <= ALONG * along {
             *self = Self { length_mm: self.length_mm + along, end: Some(to.tip) };
