@@ -113,14 +113,15 @@ pub trait Words {
         words: &mut AxisUnits,
     ) -> Option<f64>;
 
-    /// Sets the linear words of a tip at the rotary axis values of `axes`, and the axis values of these words. `shift_mm`: word
-    /// minus axis value. Returns the largest displacement of the tip by the rounding, mm; `None`, with any words, where the axes
-    /// are degenerate or a word, also a rotary one, has more digits than it may.
+    /// Sets the linear words of a tip at the rotary axis values of `axes`, and the axis values of these words. `shifts`: written
+    /// word minus axis value, mm; of a rotary axis minus its word, in units. Returns the largest displacement of the tip by the
+    /// rounding, mm; `None`, with any words, where the axes are degenerate or a written word, also a rotary one, has more digits
+    /// than it may.
     fn set_linear_words(
         &self,
         tip: &Point3<f64>,
         scale: &LinearScale,
-        shift_mm: &AxisValues,
+        shifts: &AxisValues,
         axes: &mut AxisValues,
         words: &mut AxisUnits,
     ) -> Option<f64>;
@@ -169,7 +170,7 @@ impl<M: Machine> Words for M {
         &self,
         tip: &Point3<f64>,
         scale: &LinearScale,
-        shift_mm: &AxisValues,
+        shifts: &AxisValues,
         axes: &mut AxisValues,
         words: &mut AxisUnits,
     ) -> Option<f64> {
@@ -178,7 +179,7 @@ impl<M: Machine> Words for M {
         let values = Machine::linear_axes(self, tip, &trimmed::<M>(axes))?;
         let (mut sum, mut squares) = (0.0, 0.0);
         for &index in &places[..count] {
-            let (value, shift) = (values.as_ref()[index], shift_mm[index]);
+            let (value, shift) = (values.as_ref()[index], shifts[index]);
             let word = rounded_below((value + shift) * scale.units_per_mm, scale.most_units[index])?;
             let written = word as f64 / scale.units_per_mm - shift;
             let off = written - value;
@@ -186,7 +187,7 @@ impl<M: Machine> Words for M {
             sum += off.abs();
             squares += off * off;
         }
-        let fits = |&index: &usize| (words[index] as f64).abs() < scale.most_units[index];
+        let fits = |&index: &usize| (words[index] as f64 + shifts[index]).abs() < scale.most_units[index];
         let fit = rotary_places[..rotary_count].iter().all(fits);
         fit.then(|| if scale.orthogonal { sqrt(squares) } else { sum })
     }
@@ -469,14 +470,16 @@ mod tests {
         let (tip, most) = (Point3::from(case.tip), 10_i64.pow(case.digits));
         let mut linear =
             LinearScale { units_per_mm, orthogonal: case.second, most_units: [most as f64 - 0.5; MAX_AXES] };
-        let shift_mm = [case.shift_mm; MAX_AXES];
+        let mut shifts = [case.shift_mm; MAX_AXES];
+        rotaries.iter().for_each(|rotary| shifts[rotary.index] = case.before[0] as f64);
         let (mut axes, mut words) = (at, expected);
-        let found = machine.set_linear_words(&tip, &linear, &shift_mm, &mut axes, &mut words);
+        let found = machine.set_linear_words(&tip, &linear, &shifts, &mut axes, &mut words);
         let Some(values) = (&machine as &dyn AnyMachine).linear_axes(&tip, &at) else {
             prop_assert_eq!(found, None);
             return Ok(());
         };
-        let (mut reached, mut fits) = (at, rotaries.iter().all(|rotary| expected[rotary.index].abs() < most));
+        let written = |rotary: &Rotary| expected[rotary.index] + case.before[0];
+        let (mut reached, mut fits) = (at, rotaries.iter().all(|rotary| written(rotary).abs() < most));
         let mut off = Vec::new();
         for index in places(AxisKind::Linear) {
             let units = whole_units(values[index] + case.shift_mm, units_per_mm).expect("few units");
@@ -495,7 +498,7 @@ mod tests {
         // A bound that no number of binary64 has a half beside.
         linear.most_units = [LARGEST_SHIFTED - 0.5; MAX_AXES];
         prop_assert!(
-            machine.set_linear_words(&Point3::new(1e13, 0.0, 0.0), &linear, &shift_mm, &mut axes, &mut words).is_none()
+            machine.set_linear_words(&Point3::new(1e13, 0.0, 0.0), &linear, &shifts, &mut axes, &mut words).is_none()
         );
         Ok(())
     }

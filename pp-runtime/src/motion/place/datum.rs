@@ -25,8 +25,8 @@ pub(crate) struct Datum {
     zero_mm: [f64; MAX_AXES],
     /// Addition to the linear words for 1 mm of gauge length.
     share: [f64; MAX_AXES],
-    /// Linear words minus axis values with the tool in the spindle.
-    linear_mm: AxisValues,
+    /// Written words minus axis values with the tool in the spindle: of linear axes, mm; of rotary axes minus their words, in units.
+    shifts: AxisValues,
     /// Rotary offsets in units of words.
     offsets: [f64; MAX_AXES],
     /// Rotary offsets rounded to whole units.
@@ -51,7 +51,9 @@ impl Datum {
             LengthMode::Gauge => along_axes(machine, &machine.tool_axis()),
         };
         let from_table = policy.set_up.program_zero == ProgramZero::Table;
-        Self { from_table, zero_mm, share, linear_mm: zero_mm, offsets, whole }
+        let mut datum = Self { from_table, zero_mm, share, shifts: zero_mm, offsets, whole };
+        datum.set_gauge_length(0.0);
+        datum
     }
 
     /// Sets the position of the part zero from the reference point of the table; the gauge length has to be set again.
@@ -63,19 +65,20 @@ impl Datum {
 
     /// Sets the gauge length of the tool in the spindle.
     pub(crate) fn set_gauge_length(&mut self, length_mm: f64) {
-        self.linear_mm = std::array::from_fn(|index| self.zero_mm[index] + length_mm * self.share[index]);
+        let shift = |index: usize| self.zero_mm[index] + length_mm * self.share[index] - self.whole[index] as f64;
+        self.shifts = std::array::from_fn(shift);
     }
 
     /// Word of a linear axis minus its axis value, mm.
     #[inline]
     pub(crate) fn linear_shift_mm(&self, index: usize) -> f64 {
-        self.linear_mm[index]
+        self.shifts[index]
     }
 
-    /// The same of all axes; 0 for rotary ones.
+    /// The same of all axes; of rotary ones the written word minus the word, in units.
     #[inline]
-    pub(crate) fn linear_shifts_mm(&self) -> &AxisValues {
-        &self.linear_mm
+    pub(crate) fn shifts(&self) -> &AxisValues {
+        &self.shifts
     }
 
     /// Part of the offset of a rotary axis that is smaller than one unit, degrees.

@@ -160,8 +160,9 @@ impl WordFrame {
     }
 
     /// Whether the linear words are coordinates of the tip, not axis values.
+    #[inline(always)]
     pub(crate) fn counts_tip(&self) -> bool {
-        self.meaning != LinearWords::Axes
+        !matches!(self.meaning, LinearWords::Axes)
     }
 
     /// Whether the control rotates the tool axis in the plane of the tool axes at both ends; the rotary axes follow.
@@ -212,12 +213,6 @@ impl WordFrame {
     pub(crate) fn moved_zero_map(&self, machine: &dyn AnyMachine, axes: &AxisValues) -> WordMap {
         let rotation = self.signs * table(machine, axes).0;
         WordMap { rotation, shift_mm: rotation * self.zero_mm }
-    }
-
-    /// Whether the words are coordinates of the tip, and no axis values.
-    #[inline(always)]
-    pub(crate) fn is_mapped(&self) -> bool {
-        !matches!(self.meaning, LinearWords::Axes)
     }
 
     /// Map from the workpiece frame to the words; `None` if the words are axis values.

@@ -119,15 +119,20 @@ fn too_large(letter: char) -> Fault {
         .help("`linear_whole` and `rotary_whole` in [formats] are the digits before the decimal point")
 }
 
-/// Exclusive bounds of the words in whole units.
+/// Exclusive bounds of the words in whole units. A word that stays within one revolution may be one of an axis that has rotated
+/// further.
 fn bounds(axes: &[Axis], policy: Policy<'_>, units: Units) -> AxisUnits {
     let formats = &policy.formats;
     let bound = |whole: u32, decimals: u32| 10_i64.saturating_pow(whole + decimals);
+    let wraps = |axis: &Axis| policy.options.rotaries.wrap.contains_key(&axis.letter);
     let mut bounds = [i64::MAX; MAX_AXES];
     for (bound_of, axis) in bounds.iter_mut().zip(axes) {
         *bound_of = match axis.kind {
             AxisKind::Linear => bound(formats.linear_whole, formats.linear(units)),
-            AxisKind::Rotary => bound(formats.rotary_whole, formats.rotary),
+            AxisKind::Rotary => match bound(formats.rotary_whole, formats.rotary) {
+                bound if wraps(axis) && bound > AngleScale::new(formats.rotary).units_per_turn => i64::MAX,
+                bound => bound,
+            },
         };
     }
     bounds
@@ -532,12 +537,12 @@ impl Placer {
     /// Computes the linear axes and words of a position whose rotary angles are known; the travel is not compared.
     #[inline(always)]
     pub(crate) fn solve_linear(&self, place: &mut AxisPosition) -> Result<(), Fault> {
-        if self.frame.is_mapped() {
+        if self.frame.counts_tip() {
             return self.solve_in_frame(place);
         }
-        let (scale, shift_mm) = (&self.linear.scale, self.datum.linear_shifts_mm());
+        let (scale, shifts) = (&self.linear.scale, self.datum.shifts());
         let (AxisPosition { pose, axes, words, .. }, machine) = (&mut *place, &self.machine);
-        match machine.set_linear_words(&pose.tip, scale, shift_mm, axes, words) {
+        match machine.set_linear_words(&pose.tip, scale, shifts, axes, words) {
             Some(rounding_mm) => place.rounding_mm = rounding_mm,
             None => return Err(self.not_solved(place)),
         }
@@ -562,13 +567,25 @@ impl Placer {
             return refusal::unreachable(self, &place.pose, &place.axes);
         };
         let fits = |index: usize| match self.chain[index].kind {
-            AxisKind::Rotary => place.words[index].abs() < self.bounds[index],
+            AxisKind::Rotary => self.rotary_fits(&place.words, index),
             AxisKind::Linear => {
                 let word = self.linear.rounded(values[index], self.datum.linear_shift_mm(index));
                 self.chain[index].held || word.is_ok_and(|(units, _)| units.abs() < self.bounds[index])
             }
         };
         too_large(self.chain[(0..self.chain.len()).find(|&index| !fits(index)).unwrap_or_default()].letter)
+    }
+
+    /// Whether the written word of a rotary axis has no more digits than it may.
+    fn rotary_fits(&self, words: &AxisUnits, index: usize) -> bool {
+        (words[index] as f64 + self.datum.shifts()[index]).abs() < self.linear.scale.most_units[index]
+    }
+
+    /// Refuses a rotary word with more digits than it may have.
+    #[inline]
+    fn check_rotary_digits(&self, words: &AxisUnits) -> Result<(), Fault> {
+        let beyond = self.rotary.axes.iter().find(|rotary| !self.rotary_fits(words, rotary.index));
+        beyond.map_or(Ok(()), |rotary| Err(too_large(self.chain[rotary.index].letter)))
     }
 
     /// Whether offsets along two axes have more digits than their words allow.

@@ -162,6 +162,9 @@ impl Placer {
 
     /// Computes the linear axes and words of a position whose words are coordinates of the tip.
     pub(crate) fn solve_tip(&self, place: &mut AxisPosition, map: &WordMap) -> Result<(), Fault> {
+        if !self.vectors {
+            self.check_rotary_digits(&place.words)?;
+        }
         let mut written = map.words(&place.pose.tip);
         let letters = self.frame.letters();
         for (index, value) in letters.into_iter().zip(written.iter_mut()) {
@@ -289,7 +292,7 @@ fn differences(map: impl Fn(&Point3<f64>) -> Option<Vector3<f64>>) -> Option<Mat
 
 #[cfg(test)]
 mod tests {
-    use std::f64::consts::PI;
+    use std::f64::consts::{FRAC_PI_2, PI};
 
     use proptest::prelude::*;
 
@@ -298,6 +301,7 @@ mod tests {
     use crate::kinematics::machines::{Ay, Cb, Head, Mirrored};
     use crate::kinematics::{Limits, Machine, Pose};
     use crate::motion::geometry::ArcGeometry;
+    use crate::motion::options::{StretchMode, TcpFrame, Wrap};
     use crate::program::{Arc, Units};
 
     /// A placer with the travel of its linear axes limited, and with a machine zero where `zero`.
@@ -393,6 +397,45 @@ mod tests {
             let round = ArcGeometry::new(&arc);
             let certain = placer.needs_no_travel(&start, round.diameter_mm(), |direction| round.bounds(direction));
             assert_eq!(certain, expected, "{x}");
+        }
+    }
+
+    /// Whether the C of a position may be that many degrees, in words that have three digits before the point.
+    fn may_be(c_deg: f64, mode: StretchMode, change: impl Fn(&mut Config)) -> bool {
+        let mut config = Config::default();
+        config.formats.rotary_whole = 3;
+        change(&mut config);
+        let machine = Box::new(config.set_up.machine::<Cb>().expect("valid"));
+        let mut placer = Placer::new(machine, config.policy(), Units::Millimetres);
+        placer.set_mode(mode);
+        let words = [placer.scale().word(c_deg.to_radians()), 0];
+        let pose = Pose { tip: Point3::new(1.0, 2.0, 3.0), axis: Vector3::z_axis() };
+        placer.with_rotary_words(&pose, &placer.zero(), &words).is_ok()
+    }
+
+    #[test]
+    fn a_written_rotary_word_has_no_more_digits_than_it_may() {
+        for mode in [StretchMode::Axes, StretchMode::Tcp] {
+            for turning in [TcpFrame::TableAtZero, TcpFrame::NotTurning] {
+                let frame = |config: &mut Config| config.motion.tip.tcp_frame = Some(turning);
+                for (c_deg, expected) in [(999.9, true), (-999.9, true), (1000.0, false), (-1000.0, false)] {
+                    assert_eq!(may_be(c_deg, mode, frame), expected, "{mode:?} {turning:?} {c_deg}");
+                    // Within one revolution it has three.
+                    let wrapped = |config: &mut Config| {
+                        frame(config);
+                        config.motion.rotaries.wrap.insert('C', Wrap::Positive);
+                    };
+                    assert!(may_be(c_deg, mode, wrapped), "{mode:?} {turning:?} {c_deg}");
+                }
+                // The zero of the words is at 90° of the axis.
+                let offset = |config: &mut Config| {
+                    frame(config);
+                    config.set_up.rotary_offset.insert('C', FRAC_PI_2);
+                };
+                for (c_deg, expected) in [(1089.9, true), (-909.9, true), (1090.0, false), (-910.0, false)] {
+                    assert_eq!(may_be(c_deg, mode, offset), expected, "{mode:?} {turning:?} {c_deg}");
+                }
+            }
         }
     }
 
