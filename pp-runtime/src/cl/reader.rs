@@ -85,6 +85,9 @@ impl<R: Read> ClReader<R> {
     /// After the first error the rest of the file is read for diagnostics only and `None` is returned; see
     /// [`failed`](Self::failed).
     pub fn next_event(&mut self) -> io::Result<Option<(Location, Event<'_>)>> {
+        if !self.takes_lines() {
+            return self.next_of_any_kind(false);
+        }
         match self.take_straight() {
             NextMotion::Motion(here, motion) => Ok(Some((here, Event::Move(motion)))),
             NextMotion::Taken => self.next_of_any_kind(false),
@@ -92,7 +95,7 @@ impl<R: Read> ClReader<R> {
         }
     }
 
-    /// The next event, where the next statement is no straight motion on a line of its own, or an event is queued before it.
+    /// The next event, where the next statement is no straight motion on a line of its own.
     #[inline(never)]
     fn next_unless_straight(&mut self) -> io::Result<Option<(Location, Event<'_>)>> {
         match self.take_arc_or_hole() {
@@ -108,11 +111,10 @@ impl<R: Read> ClReader<R> {
         self.take_straight()
     }
 
-    /// Takes the next statement if it is a GOTO on a line of its own that is a straight motion, as nearly every one is, and no event
-    /// is queued before it.
+    /// Takes the next statement if it is a GOTO on a line of its own that is a straight motion, as nearly every one is.
     #[inline(always)]
     fn take_straight(&mut self) -> NextMotion<Move> {
-        if !self.takes_lines() || !self.interpreter.is_straight() {
+        if !self.interpreter.is_straight() {
             return NextMotion::None;
         }
         let Some((line, point)) = next_goto(&mut self.lexer, &mut self.goto) else { return NextMotion::None };
@@ -141,9 +143,6 @@ impl<R: Read> ClReader<R> {
     /// GOTO after a CIRCLE is taken with it: then it is the arc, if no event is queued before it.
     #[inline(always)]
     fn take_arc_or_hole(&mut self) -> NextMotion<Arc> {
-        if !self.takes_lines() {
-            return NextMotion::None;
-        }
         let mut taken = NextMotion::None;
         if self.interpreter.may_begin_arc()
             && let Some((line, circle)) = next_circle(&mut self.lexer, &mut self.circle)
@@ -154,7 +153,7 @@ impl<R: Read> ClReader<R> {
             self.statement = Some(self.lexer.last_line(line));
             self.note_faults_of_line(begun, line);
             taken = NextMotion::Taken;
-            if !self.takes_lines() {
+            if self.interpreter.has_events() || self.faults.failed() {
                 return taken;
             }
         }
@@ -209,7 +208,7 @@ impl<R: Read> ClReader<R> {
         }
     }
 
-    /// Returns the next event; `no_line`: the next statement, if no event is queued before it, is no motion on a line of its own.
+    /// Returns the next event; `no_line`: no event is queued before the next statement, which is no motion on a line of its own.
     fn next_of_any_kind(&mut self, mut no_line: bool) -> io::Result<Option<(Location, Event<'_>)>> {
         let (location, pending) = loop {
             let no_line = std::mem::take(&mut no_line);
@@ -221,7 +220,7 @@ impl<R: Read> ClReader<R> {
             match self.progress {
                 Progress::Unread => self.begin()?,
                 Progress::Reading if self.subprograms.is_running() => self.run_kept(),
-                Progress::Reading if no_line => self.read_next()?,
+                Progress::Reading if no_line || !self.takes_lines() => self.read_next()?,
                 Progress::Reading => match self.take_straight_after_other() {
                     NextMotion::Motion(here, motion) => return Ok(Some((here, Event::Move(motion)))),
                     NextMotion::Taken => {}

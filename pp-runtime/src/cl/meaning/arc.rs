@@ -349,12 +349,10 @@ fn normal_and_angle(
     if off_radius(last) > ARC_TOLERANCE_MM {
         return Err(off_circle("end", off_radius(last)));
     }
-    if first.min(last) <= ARC_TOLERANCE_MM {
+    if first <= ARC_TOLERANCE_MM || last <= ARC_TOLERANCE_MM {
         return Err(fault(format!("an arc has no radius: it begins {first:.4} mm from its centre")));
     }
-    // Rise along the axis: a helix that ends above its start has made a full revolution.
-    let rise_mm = (end.tip - start.tip).dot(&n).abs();
-    let part = angle_within_revolution(u, v, n, rise_mm, circle.angle_rad.is_some()).map_err(fault)?;
+    let part = angle_within_revolution(u, v, n, end.tip - start.tip, circle.angle_rad.is_some()).map_err(fault)?;
     let Some(stated) = circle.angle_rad else {
         return Ok((normal, part + f64::from(circle.times - 1) * TAU));
     };
@@ -373,12 +371,13 @@ fn normal_and_angle(
     Ok((normal, angle))
 }
 
-/// Angle about `n` from the radius vector `u` to the radius vector `v`, with a rise along `n`, rad, 0 to 2π.
+/// Angle about `n` from the radius vector `u` to the radius vector `v`, whose ends are `apart`, rad, 0 to 2π.
+#[inline(always)]
 fn angle_within_revolution(
     u: Vector3<f64>,
     v: Vector3<f64>,
     n: Vector3<f64>,
-    rise_mm: f64,
+    apart: Vector3<f64>,
     angle_is_stated: bool,
 ) -> Result<f64, String> {
     let (product, along) = (u.norm() * v.norm(), u.dot(&v));
@@ -386,6 +385,8 @@ fn angle_within_revolution(
     if product - along <= CLEAR_MM2 + ROUNDED * product {
         // Distance of the ends, and the same around the centre: their radii differ within tolerance.
         let (chord, around) = ((v - u).norm(), (v * (u.norm() / v.norm()) - u).norm());
+        // A helix that ends above its start has made a full revolution.
+        let rise_mm = apart.dot(&n).abs();
         if chord <= SAME_POINT_MM || (around < SHORTEST_CHORD_MM && rise_mm > ARC_TOLERANCE_MM) {
             return Ok(TAU);
         }
@@ -460,7 +461,7 @@ mod tests {
             let last = (radius + wider).max(1.01 * ARC_TOLERANCE_MM);
             let angle = turned + chord / radius;
             let (u, v) = (Vector3::x() * radius, Vector3::new(last * angle.cos(), last * angle.sin(), 0.0));
-            let found = angle_within_revolution(u, v, Vector3::z(), rise_mm, stated).ok();
+            let found = angle_within_revolution(u, v, Vector3::z(), v - u + Vector3::z() * rise_mm, stated).ok();
             prop_assert_eq!(found, angle_by_chord(u, v, Vector3::z(), rise_mm, stated));
         }
     }

@@ -174,11 +174,12 @@ impl RecordInterpreter {
     #[inline(always)]
     pub(crate) fn end_arc(&mut self, point: &Point, here: Location) -> Option<Result<Arc, ClFault>> {
         let circle = self.arc.circle().filter(|_| !self.tool.is_held())?;
-        Some(self.admit(Permitted::POINT, false).and_then(|()| {
-            let arc = self.arc_to_point(&circle, point, here);
-            self.update_plain_goto();
-            arc
-        }))
+        if let Err(fault) = self.admit(Permitted::POINT, false) {
+            return Some(Err(fault));
+        }
+        let arc = self.arc_to_point(&circle, point, here);
+        self.update_plain_goto();
+        Some(arc)
     }
 
     /// Checks that a record may come here. `restates`: it states a frame that is in force.
@@ -277,12 +278,12 @@ impl RecordInterpreter {
     #[inline]
     fn update_plain_goto(&mut self) {
         self.plain_goto = !self.arc.is_open()
+            && !self.votes.has_undecided()
             && !self.curve.is_open()
             && !self.tool.is_described_anew()
             && !self.cycle.is_active()
             && !self.path.is_above_hole()
             && !matches!(self.cutcom, CutcomOn::Asked(_))
-            && !self.votes.has_undecided()
             && self.coordinates.transforms().none()
             && self.options.always_tip();
     }

@@ -73,7 +73,7 @@ pub(crate) struct ArcVotes {
 
 impl ArcVotes {
     /// Adds an arc; `line`: the feed line before it.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn add_arc(
         &mut self,
         arc: &Arc,
@@ -110,7 +110,7 @@ impl ArcVotes {
     /// Concludes the last arc with the feed line after it, or with `None` for any other record.
     #[inline]
     pub(crate) fn conclude_arc(&mut self, line: Option<Vector3<f64>>) {
-        let Some(arc) = self.undecided.take() else { return };
+        let Some(arc) = &self.undecided else { return };
         let after = line.and_then(|line| vote(line, arc.arm, &arc.normal));
         let group = &mut self.groups[arc.group];
         match (arc.before, after) {
@@ -124,6 +124,7 @@ impl ArcVotes {
             // The lines before and after contradict each other: a cusp.
             (None, None) | (Some(true), Some(false)) | (Some(false), Some(true)) => {}
         }
+        self.undecided = None;
     }
 
     pub(crate) fn count(&self, given: bool) -> ArcVote {

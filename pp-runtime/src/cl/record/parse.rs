@@ -117,6 +117,7 @@ pub(crate) fn next_goto<R: Read>(lexer: &mut Lexer<R>, before: &mut NumberLine<6
 }
 
 /// Reads a CIRCLE on a line of its own, without TIMES, in the same way.
+#[inline(always)]
 pub(crate) fn next_circle<R: Read>(
     lexer: &mut Lexer<R>,
     before: &mut NumberLine<CIRCLE_NUMBERS>,

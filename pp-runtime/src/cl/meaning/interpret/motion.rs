@@ -329,20 +329,16 @@ impl RecordInterpreter {
             ));
         }
         let start = self.path.position("CIRCLE", at)?;
-        let mut found = arc_of(circle, &start, &end, self.path.feed(), at);
-        if let Ok(arc) = &mut found {
-            let line = self.path.line_before(start.tip);
-            let frame = self.coordinates.workpiece().number();
-            self.votes.add_arc(arc, circle.axis(), line, frame, here);
-            if let Err(fault) = self.take_tip(arc, at) {
-                found = Err(fault);
-            }
-        }
-        found
+        let mut arc = arc_of(circle, &start, &end, self.path.feed(), at)?;
+        let line = self.path.line_before(start.tip);
+        let frame = self.coordinates.workpiece().number();
+        self.votes.add_arc(&arc, circle.axis(), line, frame, here);
+        self.take_tip(&mut arc, at)?;
+        Ok(arc)
     }
 
     /// Executes an arc, which becomes that of the tool tip.
-    #[inline]
+    #[inline(always)]
     fn take_tip(&mut self, arc: &mut Arc, at: Span) -> Result<(), ClFault> {
         self.path.count_motion();
         if self.options.always_tip() {
