@@ -133,16 +133,39 @@ impl<'a> ArcGeometry<'a> {
 
     /// Lowest and highest coordinate of the tip along an axis of the workpiece, mm; where the arc certainly stays within `known`,
     /// those of its ends.
-    fn range(&self, axis: usize, known: Option<[f64; 2]>) -> [f64; 2] {
+    #[inline(always)]
+    fn range(&self, axis: usize, known: Option<[[f64; 3]; 2]>) -> [f64; 2] {
         let (start, end) = (self.arc.start.tip[axis], self.arc.end.tip[axis]);
-        let mut range = [smaller(start, end), larger(start, end)];
-        let mut include = |at: f64| range = [smaller(at, range[0]), larger(at, range[1])];
+        let ends = [smaller(start, end), larger(start, end)];
         let across = math::hypot(self.u[axis], self.v[axis]);
-        let rise_mm = self.arc.normal[axis] * self.rise_mm;
+        // Along its normal the arc only rises.
         if across <= 0.0 {
-            // Along its normal the arc only rises.
-        } else if self.arc.angle_rad <= TAU && rise_mm.abs() <= LEVEL * self.radius() * across * self.arc.angle_rad {
-            let [lowest, highest] = self.turning_points(axis, (across, rise_mm), known);
+            return ends;
+        }
+        let rise_mm = self.arc.normal[axis] * self.rise_mm;
+        if let Some([lowest, highest]) = known
+            && !self.changes(rise_mm)
+            && self.arc.angle_rad <= TAU
+            && lowest[axis] <= self.of_circle(axis, (across, rise_mm), (-1.0, 0.0))
+            && self.of_circle(axis, (across, rise_mm), (1.0, 0.0)) <= highest[axis]
+        {
+            return ends;
+        }
+        self.range_beyond(axis, (across, rise_mm), ends, known)
+    }
+
+    /// The same of an arc whose circle is not known to be within.
+    #[inline(never)]
+    fn range_beyond(
+        &self,
+        axis: usize,
+        (across, rise_mm): (f64, f64),
+        mut range: [f64; 2],
+        known: Option<[[f64; 3]; 2]>,
+    ) -> [f64; 2] {
+        let mut include = |at: f64| range = [smaller(at, range[0]), larger(at, range[1])];
+        if self.arc.angle_rad <= TAU && rise_mm.abs() <= LEVEL * self.radius() * across * self.arc.angle_rad {
+            let [lowest, highest] = self.turning_points(axis, (across, rise_mm));
             if let Some(at) = lowest {
                 include(at);
             }
@@ -152,29 +175,31 @@ impl<'a> ArcGeometry<'a> {
         } else {
             let direction = Vector3::ith_axis(axis).into_inner();
             let [low, high] = self.bounds(direction);
-            if !known.is_some_and(|[lowest, highest]| lowest <= low && high <= highest) {
+            if !known.is_some_and(|[lowest, highest]| lowest[axis] <= low && high <= highest[axis]) {
                 self.extremes(direction).for_each(|part| include(self.tip(part)[axis]));
             }
         }
         range
     }
 
+    /// Whether the radius changes along the arc, or its height along an axis, which has this rise.
+    fn changes(&self, rise_mm: f64) -> bool {
+        (self.radii_mm[1] - self.radii_mm[0]).abs() > 0.0 || rise_mm.abs() > 0.0
+    }
+
+    /// Coordinate along an axis of the point of its circle that is furthest to a side, 1 or -1, at a part of the arc. `across`:
+    /// motion along the axis for a radius of 1; `rise_mm`: rise along it, which moves no extreme.
+    fn of_circle(&self, axis: usize, (across, rise_mm): (f64, f64), (side, part): (f64, f64)) -> f64 {
+        let wider_mm = self.radii_mm[1] - self.radii_mm[0];
+        let start = self.arc.centre[axis] + self.arc.normal[axis] * self.level_mm;
+        start + side * across * (self.radii_mm[0] + wider_mm * part) + rise_mm * part
+    }
+
     /// Coordinates along an axis of the extremes, lowest and highest, that an arc of one revolution at most has between its ends.
-    /// `across`: motion along the axis for a radius of 1; `rise_mm`: rise along it, which moves no extreme.
     ///
     /// They are the coordinate of the centre, less or plus the radius times `across`. An arc of at most half a revolution passes
-    /// the highest point if it begins to climb and ends falling; a longer one, unless the rest of its circle does. None where
-    /// the whole circle is within `known`.
-    fn turning_points(&self, axis: usize, (across, rise_mm): (f64, f64), known: Option<[f64; 2]>) -> [Option<f64>; 2] {
-        let wider_mm = self.radii_mm[1] - self.radii_mm[0];
-        let changes = wider_mm.abs() > 0.0 || rise_mm.abs() > 0.0;
-        let start = self.arc.centre[axis] + self.arc.normal[axis] * self.level_mm;
-        let of_circle =
-            |side: f64, part: f64| start + side * across * (self.radii_mm[0] + wider_mm * part) + rise_mm * part;
-        let is_known = |[lowest, highest]: [f64; 2]| lowest <= of_circle(-1.0, 0.0) && of_circle(1.0, 0.0) <= highest;
-        if !changes && known.is_some_and(is_known) {
-            return [None; 2];
-        }
+    /// the highest point if it begins to climb and ends falling; a longer one, unless the rest of its circle does.
+    fn turning_points(&self, axis: usize, (across, rise_mm): (f64, f64)) -> [Option<f64>; 2] {
         let (a, b) = (self.u[axis], self.v[axis]);
         let (angle, end) = (self.arc.angle_rad, self.arc.end.tip - self.arc.centre);
         let slopes = [b, b * end.dot(&self.u) - a * end.dot(&self.v)];
@@ -185,8 +210,9 @@ impl<'a> ArcGeometry<'a> {
             if !(angle >= TAU || if angle <= PI { short } else { !rest }) {
                 return None;
             }
+            let changes = self.changes(rise_mm);
             let part = if changes { math::from_zero(math::atan2(side * b, side * a)) / angle } else { 0.0 };
-            Some(of_circle(side, part))
+            Some(self.of_circle(axis, (across, rise_mm), (side, part)))
         };
         [turning(-1.0), turning(1.0)]
     }
@@ -211,8 +237,7 @@ impl<'a> ArcGeometry<'a> {
 /// holds the arc, that of its ends.
 pub(crate) fn extent(arc: &Arc, known: Option<[[f64; 3]; 2]>) -> [[f64; 3]; 2] {
     let round = ArcGeometry::new(arc);
-    let along = |axis: usize| round.range(axis, known.map(|corners| corners.map(|corner| corner[axis])));
-    let [x, y, z] = [along(0), along(1), along(2)];
+    let [x, y, z] = [round.range(0, known), round.range(1, known), round.range(2, known)];
     [[x[0], y[0], z[0]], [x[1], y[1], z[1]]]
 }
 

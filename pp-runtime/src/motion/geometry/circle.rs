@@ -159,12 +159,14 @@ impl NominalCircle {
             let along = over(shift, shift_mm);
             let begin = minus(start, self.centre_mm);
             for direction in [along, [-along[0], -along[1]]] {
-                if self.angle_to_run(first, direction) <= sweep {
-                    off = off.max(far(direction));
+                let (there, nominal) = (far(direction), missed(direction));
+                let (is_nearer, nominal_is_nearer) = (there <= off, nominal <= off);
+                if !is_nearer && self.angle_to_run(first, direction) <= sweep {
+                    off = off.max(there);
                 }
                 // The converse: a small loop near the nominal circle would leave most of that circle uncut.
-                if self.angle_to_run(begin, direction) <= self.sweep_rad {
-                    off = off.max(missed(direction));
+                if !nominal_is_nearer && self.angle_to_run(begin, direction) <= self.sweep_rad {
+                    off = off.max(nominal);
                 }
             }
         }

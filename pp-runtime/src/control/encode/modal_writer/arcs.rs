@@ -40,15 +40,9 @@ impl ModalWriter<'_> {
         self.smooth(true)?;
         self.call_length_alone(words)?;
         self.feed_mode(self.codes.per_minute);
-        let [first, second, _] = circle.plane.axes().map(|axis| circle.chain[axis]);
-        let known = self.modal.is_axis(first, circle.start[0]) && self.modal.is_axis(second, circle.start[1]);
-        // Both words of the plane are written: controls differ in the meaning of one that is left out.
-        for axis in &circle.plane.axes()[..2] {
-            self.modal.forget_axis(circle.chain[*axis]);
-        }
         match self.codes.arcs.centre {
             ArcCentre::Offsets => self.arc_with_offsets(words, circle),
-            ArcCentre::Pole => self.arc_about_pole(words, circle, known)?,
+            ArcCentre::Pole => self.arc_about_pole(words, circle)?,
         }
         self.compensation_after_words(false);
         self.changed_feed(feed);
@@ -59,6 +53,7 @@ impl ModalWriter<'_> {
     fn arc_with_offsets(&mut self, words: &AxisWords, circle: &Circle) {
         let arcs = &self.codes.arcs;
         let [first, second, normal] = circle.plane.axes();
+        self.forget_plane(circle);
         self.plane(arcs.planes[normal].unwrap_or_default());
         self.motion(arcs.senses[usize::from(!circle.clockwise)]);
         self.axis_words(words, false);
@@ -67,20 +62,26 @@ impl ModalWriter<'_> {
             self.word(arcs.radius, Decimal { units, decimals });
             return;
         }
-        let mut offsets =
-            [(first, 0), (second, 1)].map(|(axis, place)| (axis, circle.centre[place] - circle.start[place]));
-        if first > second {
-            offsets.swap(0, 1);
-        }
-        self.writer.words(offsets.map(|(axis, units)| (&self.centre_words[axis], units)));
+        let word = |axis: usize, place: usize| (&self.centre_words[axis], circle.centre[place] - circle.start[place]);
+        let offsets = [word(first, 0), word(second, 1)];
+        self.writer.words(if first < second { offsets } else { [offsets[1], offsets[0]] });
     }
 
-    /// `CC X Y`, and `C X Y DR+`, `CR X Y R DR+` or `CP IPA IZ DR+`. `known`: the words in force are those of the start
-    /// of the arc. After a helix, whose end is an angle, they are so only up to rounding, and a full circle by `C`
-    /// might then be none at all.
-    fn arc_about_pole(&mut self, words: &AxisWords, circle: &Circle, known: bool) -> io::Result<()> {
+    /// Makes the block of an arc write both words of its plane: controls differ in the meaning of one that is left out.
+    fn forget_plane(&mut self, circle: &Circle) {
+        let [first, second, _] = circle.plane.axes();
+        self.modal.forget_axis(circle.chain[first]);
+        self.modal.forget_axis(circle.chain[second]);
+    }
+
+    /// `CC X Y`, and `C X Y DR+`, `CR X Y R DR+` or `CP IPA IZ DR+`.
+    fn arc_about_pole(&mut self, words: &AxisWords, circle: &Circle) -> io::Result<()> {
         let arcs = &self.codes.arcs;
         let [first, second, normal] = circle.plane.axes().map(|axis| circle.chain[axis]);
+        // Whether the words in force are those of the start of the arc. After a helix, whose end is an angle, they are so only up to
+        // rounding, and a full circle by `C` might then be none at all.
+        let known = self.modal.is_axis(first, circle.start[0]) && self.modal.is_axis(second, circle.start[1]);
+        self.forget_plane(circle);
         let decimals = self.decimals(first);
         let sense = arcs.senses[usize::from(!circle.clockwise)];
         self.modal.forget(After::OwnMotion);
