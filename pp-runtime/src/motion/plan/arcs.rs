@@ -80,7 +80,7 @@ struct Cuts {
 impl Cuts {
     /// Both divisions of an arc, the preferred one first; none for too many revolutions.
     fn of(angle_rad: f64) -> Option<[Self; 2]> {
-        let revolutions = (angle_rad / TAU - WHOLE).ceil().max(1.0);
+        let revolutions = if angle_rad <= TAU { 1.0 } else { (angle_rad / TAU - WHOLE).ceil().max(1.0) };
         (revolutions <= MOST_REVOLUTIONS).then(|| {
             let (whole, halves) = (revolutions as u32, 2 * revolutions as u32);
             [Self { pieces: whole, part: TAU / angle_rad }, Self { pieces: halves, part: 1.0 / f64::from(halves) }]
@@ -152,7 +152,7 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         self.planner.reach_stretch(&motion, index)?;
         let planned = self.planner.apply_course_changes(&motion, index)?;
         self.planner.restart_after_thread()?;
-        let mut end = *self.planner.mover.here();
+        let mut end = self.planner.mover.position_mut().take_spare();
         self.planner.mover.place_at(&arc.end, true, planned, &mut end)?;
         match self.trace(&end)? {
             Ok(()) => self.statistics().arcs += 1,
@@ -167,7 +167,7 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         }
         position.note_cut(&arc.end);
         position.forget_lead_out();
-        self.planner.mover.arrive(&end);
+        self.planner.mover.arrive_at(end);
         Ok(())
     }
 
@@ -362,6 +362,7 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
             let piece = self.piece(in_program, share, (self.planner.mover.here(), drift), &to);
             let piece = piece.ok_or_else(cannot_be_written)?;
             self.write_piece(&piece.circle, &to, share, (rate, mask))?;
+            self.planner.mover.position_mut().go_to(&to);
             drift = piece.drift;
         }
         self.write_piece(&last.circle, end, cuts.share(cuts.pieces), (rate, mask))
@@ -377,7 +378,6 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         mover.output_mut().feed(&pace, None);
         let words = AxisWords { vector: None, ..mover.placer().words(to, mask) };
         mover.write_motion(&Step::Arc { words, circle, feed }, to)?;
-        mover.position_mut().go_to(to);
         Ok(())
     }
 

@@ -195,7 +195,10 @@ impl Expansion<'_> {
             }
             Event::Arc(arc) => {
                 self.call_assumed_tool(to)?;
-                self.lead_to(Move { pose: arc.start, rapid: false, feed: arc.feed }, LinePart::Whole, to)?;
+                // After a tool change or a stop a motion leads back to the start of the path.
+                if self.operations.between() {
+                    self.line(&Move { pose: arc.start, rapid: false, feed: arc.feed }, LinePart::Whole, to)?;
+                }
                 let index = self.operations.hold(&arc.end);
                 self.lookahead.arc(self.at, arc, index, to)
             }
@@ -306,8 +309,11 @@ impl Expansion<'_> {
     /// Hands on a curve, chord by chord.
     fn curve<S: Stage>(&mut self, spline: &Spline<'_>, to: &mut S) -> Result<(), S::Stop> {
         let Some(start) = curves::start(spline) else { return Ok(()) };
-        let led = self.lead_to(start, LinePart::CurveStart, to)?;
-        let mut part = if led { LinePart::Chord } else { LinePart::CurveStart };
+        let mut part = LinePart::CurveStart;
+        if self.operations.between() {
+            self.line(&start, part, to)?;
+            part = LinePart::Chord;
+        }
         let (at, tolerance) = (self.at, self.curves.tolerance());
         curves::chords(spline, tolerance, |motion| match motion {
             Ok(motion) => self.line(&motion, std::mem::replace(&mut part, LinePart::Chord), to),
@@ -316,16 +322,6 @@ impl Expansion<'_> {
                 Err(fault.at(at, Severity::Error).into())
             }
         })
-    }
-
-    /// Hands on the motion back to the start of the path if a tool change or a stop came before. Returns whether it
-    /// did.
-    fn lead_to<S: Stage>(&mut self, start: Move, part: LinePart, to: &mut S) -> Result<bool, S::Stop> {
-        let interrupted = self.operations.between();
-        if interrupted {
-            self.line(&start, part, to)?;
-        }
-        Ok(interrupted)
     }
 
     /// Calls the tool of the configuration before the first motion of a program without a tool record.
