@@ -302,7 +302,44 @@ mod tests {
         assert!(nominal.fit(start, end, WordGrid { radius_tolerance_mm: 1.0, ..GRID }).is_some());
     }
 
+    /// Deviation in the plane, every direction asked whether the circles pass it.
+    fn deviation_in_all_directions(nominal: &NominalCircle, start: [f64; 2], end: [f64; 2], centre: [f64; 2]) -> f64 {
+        let (first, last, shift) = (minus(start, centre), minus(end, centre), minus(centre, nominal.centre_mm));
+        let (radii, shift_mm) = ([length(first), length(last)], length(shift));
+        let over = |vector: [f64; 2], length: f64| vector.map(|value| value / length);
+        let far = |direction: [f64; 2]| {
+            let distance = length([0, 1].map(|axis| shift[axis] + direction[axis] * radii[0]));
+            larger((distance - nominal.radii_mm[0]).abs(), (distance - nominal.radii_mm[1]).abs())
+        };
+        let mut off = larger(far(over(first, radii[0])), far(over(last, radii[1])));
+        for side in [1.0, -1.0] {
+            let direction = over(shift, side * shift_mm);
+            if shift_mm > 0.0 && nominal.angle_to_run(first, direction) <= nominal.angle_to_run(first, last) {
+                off = off.max(far(direction));
+            }
+            if shift_mm > 0.0 && nominal.angle_to_run(minus(start, nominal.centre_mm), direction) <= nominal.sweep_rad {
+                let point = [0, 1].map(|axis| direction[axis] * nominal.radii_mm[0] - shift[axis]);
+                off = off.max((length(point) - radii[0]).abs());
+            }
+        }
+        off + (radii[1] - radii[0]).abs()
+    }
+
     proptest! {
+        #[test]
+        fn the_deviation_is_that_of_all_directions(
+            from in 0.0_f64..TAU,
+            sweep in prop_oneof![0.01_f64..TAU, -TAU..-0.01_f64],
+            shift in prop_oneof![Just([0.0; 2]), prop::array::uniform2(-0.01_f64..0.01)],
+        ) {
+            let (nominal, start, end) = circle([1.0, 2.0], 10.0, from, sweep);
+            let [start, end] = [start, end].map(|units| units.map(|units| units as f64 / GRID.units_per_mm));
+            let centre = [1.0 + shift[0], 2.0 + shift[1]];
+            let (_, found) = nominal.deviation_of([start, end], centre, false);
+            let expected = deviation_in_all_directions(&nominal, start, end, centre);
+            prop_assert_eq!(found.plane_mm.to_bits(), expected.to_bits());
+        }
+
         /// The path that a control makes of the words, sampled at many points, is within the deviation of the fit.
         #[test]
         fn a_fit_deviates_by_no_more_than_it_states(
