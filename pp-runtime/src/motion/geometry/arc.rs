@@ -143,13 +143,22 @@ impl<'a> ArcGeometry<'a> {
             return ends;
         }
         let rise_mm = self.arc.normal[axis] * self.rise_mm;
-        if let Some([lowest, highest]) = known
-            && !self.changes(rise_mm)
-            && self.arc.angle_rad <= TAU
-            && lowest[axis] <= self.of_circle(axis, (across, rise_mm), (-1.0, 0.0))
-            && self.of_circle(axis, (across, rise_mm), (1.0, 0.0)) <= highest[axis]
-        {
-            return ends;
+        if let Some([lowest, highest]) = known {
+            // A circle may reach the box exactly.
+            let is_circle = !self.changes(rise_mm) && self.arc.angle_rad <= TAU;
+            if is_circle
+                && lowest[axis] <= self.of_circle(axis, (across, rise_mm), (-1.0, 0.0))
+                && self.of_circle(axis, (across, rise_mm), (1.0, 0.0)) <= highest[axis]
+            {
+                return ends;
+            }
+            // No point of any arc is further from the start of its axis.
+            let (centre, level) = (self.arc.centre[axis], self.arc.normal[axis] * self.level_mm);
+            let reach = across * self.radius() + rise_mm.abs();
+            let reach = reach + ROUNDING * (centre.abs() + level.abs() + reach);
+            if !is_circle && lowest[axis] <= centre + level - reach && centre + level + reach <= highest[axis] {
+                return ends;
+            }
         }
         self.range_beyond(axis, (across, rise_mm), ends, known)
     }
