@@ -323,3 +323,48 @@ fn an_axis_that_rolls_over_is_parked_in_one_block_where_its_angle_is_unknown() {
         }
     }
 }
+
+/// A configuration without blocks of the shop.
+fn plain(name: &str, text: &str) -> Config {
+    let frame = if name == "fanuc" { "tcp_frame = 'table_at_start'\n" } else { "" };
+    let text = format!("part_origin = [0.0, 0.0, 0.0]\n{frame}{text}\n[retract]\ndistance = 50.0\n");
+    starting_point(by_name(name)).read_over(&SpinnerU5620::default(), &text).expect("a configuration")
+}
+
+#[test]
+fn a_program_goes_on_after_gohome_and_may_stop_then() {
+    // Rotary axes that are parked where they are, or elsewhere, and come back to the next cut or stay.
+    for axes in [["0,0,1", "0,0,1"], ["0.5,0,0.8660254", "0,0,1"], ["0,0,1", "0,0.5,0.8660254"], ["0.5,0,0.8660254"; 2]]
+    {
+        let [first, then] = axes;
+        let cl = format!(
+            "UNITS/MM\nTOOL PATH/OP1,TOOL,T\nLOADTL/1,LENGTH,100\nSPINDL/RPM,2000,CLW\nFEDRAT/MMPM,300\nRAPID\nGOTO/0,0,30,{first}\n\
+             GOTO/0,0,20\nGOHOME\nTOOL PATH/OP2,TOOL,T\nRAPID\nGOTO/10,0,30,{then}\nGOTO/10,0,20\nSTOP\nFINI\n"
+        );
+        for &(name, ..) in CONTROLS {
+            for mode in MODES {
+                for park in ["B = 0.0", "C = 0.0", "B = 0.0, C = 0.0", "B = 10.0, C = 0.0"] {
+                    // It passes its check.
+                    posted::<SpinnerU5620>(&plain(name, &format!("{mode}\npark = {{ {park} }}")), by_name(name), &cl);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_link_to_an_operation_with_another_tilt_and_speed_passes_its_check() {
+    let cl = "UNITS/MM\nTOOL PATH/OP1,TOOL,T\nLOADTL/1,LENGTH,100\nSPINDL/RPM,500,CLW\nFEDRAT/MMPM,300\nRAPID\nGOTO/0,0,90,0.5,0,0.8660254\n\
+              GOTO/-30,0,38\nGOTO/0,0,90\nTOOL PATH/OP2,TOOL,T\nSPINDL/RPM,3000,CLW\nRAPID\nGOTO/0,10,90,0,0.5,0.8660254\nGOTO/0,-20,38\n\
+              GOTO/0,10,90\nFINI\n";
+    for &(name, ..) in CONTROLS {
+        for mode in MODES {
+            let (config, control) = (plain(name, &format!("{mode}\ntransition = 'direct'")), by_name(name));
+            let program = posted::<SpinnerU5620>(&config, control, cl);
+            let edited = program.replace("S3000", "S2900");
+            assert_ne!(program, edited, "{name} {mode}\n{program}");
+            let found = posting::findings::<SpinnerU5620>(&config, control, cl, &edited);
+            assert!(found.iter().any(|text| text.contains("S is 2900")), "{name} {mode}: {found:?}\n{edited}");
+        }
+    }
+}

@@ -444,7 +444,8 @@ mod tests {
             let near = nearest_of_all(endless.word(angle, scale), case.before[axis], scale.units_per_turn);
             let (lower, upper) = case.limits[axis].map(|(lower, upper)| (near + lower, near + upper)).unzip();
             let rotary = Rotary { lower, upper, ..endless };
-            let is_half = ((angle.to_degrees() - rotary.rest_deg) * scale.units_per_degree).fract().abs() == 0.5;
+            let units = (angle.to_degrees() - rotary.rest_deg) * scale.units_per_degree;
+            let is_half = (units.fract().abs() - 0.5).abs() <= 0.0;
             let is_tie = 2 * (case.before[axis] - near).abs() == scale.units_per_turn;
             is_certain &= !is_half && !is_tie && rotary.contains(near);
             (before[index], expected[index]) = (case.before[axis], near);

@@ -336,6 +336,9 @@ impl<R: Read> Comparison<'_, R> {
         if at_part {
             self.missing_dwells(current, false);
         }
+        if self.start.restarted {
+            self.is_parked(current);
+        }
         let mut retracted = self.retracted(phase, current);
         let rewinds = retracted.rewind.is_some();
         // The cuts after a rewind belong to those before it.
@@ -418,7 +421,8 @@ impl<R: Read> Comparison<'_, R> {
             Phase::Retracted(retracted) => Retracted {
                 rewind: retracted.rewind.take(),
                 perhaps_retract: retracted.perhaps_retract.take(),
-                parks: retracted.parks,
+                // The retract of the next operation: what rotates the axes after it is its approach.
+                parks: retracted.parks && !self.start.restarted,
                 stopped,
                 ..Retracted::default()
             },
@@ -446,13 +450,16 @@ impl<R: Read> Comparison<'_, R> {
         }
     }
 
-    /// State in which the spindle may be at the retract position: as in the last cut, or as a SPINDL after it requests; off
-    /// after a stop.
+    /// State in which the spindle may be at the retract position: as in the last cut, as a SPINDL after it requests, or as in the
+    /// operation to which the link leads; off after a stop.
     fn spindle_may_be(&self, block: &Block, stopped: bool) -> Option<SpindleState> {
         block.state.spindle.flatten().filter(|_| !stopped)?;
         let requested = self.progress.requested_spindle().flatten();
         let in_cut = self.progress.last().and_then(|required| required.spindle);
-        if self.rules.spindle_is(&block.state, requested) { requested } else { in_cut }
+        let linked = self.progress.next().filter(|item| item.motion().is_some_and(|motion| !motion.starts));
+        let in_next = linked.and_then(|item| self.rules.spindle_in_cut(&item.required));
+        let is_so = |spindle: &Option<SpindleState>| self.rules.spindle_is(&block.state, *spindle);
+        [requested, in_next].into_iter().find(is_so).unwrap_or(in_cut)
     }
 
     /// Reads the items on which an approach may depend: the next two motions and what comes between them.
