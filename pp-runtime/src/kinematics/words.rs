@@ -13,7 +13,7 @@ use super::{Axis, AxisKind, AxisValues, Branch, MAX_AXES, Machine, RotaryAngles}
 /// Words in chain order, in whole units: of linear axes as written, of rotary axes those of the axis values.
 pub(crate) type AxisUnits = [i64; MAX_AXES];
 
-/// Resolution and range of linear words.
+/// Resolution of the linear words, and range of all.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LinearScale {
     /// Units in 1 mm.
