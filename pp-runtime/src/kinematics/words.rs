@@ -39,20 +39,16 @@ pub struct RotaryScale {
 impl RotaryScale {
     /// The scale of some axes, at most two.
     pub fn new(rotaries: &[Rotary], scale: AngleScale) -> Self {
-        let of = |number: fn(&Rotary) -> f64| f64x2::from([0, 1].map(|axis| rotaries.get(axis).map_or(0.0, number)));
         let largest = LARGEST_SHIFTED - 1.0;
-        let within =
-            |limit: Option<i64>, none: f64| limit.map_or(none, |limit| (limit as f64).clamp(-largest, largest));
+        let of_each = |number: &dyn Fn(&Rotary) -> Option<f64>, none: f64| {
+            f64x2::from([0, 1].map(|axis| rotaries.get(axis).and_then(number).unwrap_or(none).clamp(-largest, largest)))
+        };
         Self {
             units_per_degree: f64x2::splat(scale.units_per_degree),
             units_per_turn: f64x2::splat(scale.units_per_turn as f64),
-            rest_deg: of(|rotary| rotary.rest_deg),
-            lowest: f64x2::from(
-                [0, 1].map(|axis| within(rotaries.get(axis).and_then(|rotary| rotary.lower), -largest)),
-            ),
-            highest: f64x2::from(
-                [0, 1].map(|axis| within(rotaries.get(axis).and_then(|rotary| rotary.upper), largest)),
-            ),
+            rest_deg: of_each(&|rotary| Some(rotary.rest_deg), 0.0),
+            lowest: of_each(&|rotary| rotary.lower.map(|lower| lower as f64), -largest),
+            highest: of_each(&|rotary| rotary.upper.map(|upper| upper as f64), largest),
         }
     }
 

@@ -15,6 +15,7 @@ pub(crate) const LARGEST_SHIFTED: f64 = 2_251_799_813_685_248.0;
 #[inline]
 #[must_use]
 pub fn rounded(value: f64) -> i64 {
+    // One test for both, unlike `rounded_below`: it spares an instruction or two for each number of a program.
     let shifted = value + SHIFT;
     let rest = value - (shifted - SHIFT);
     if value.abs() < LARGEST_SHIFTED && rest.abs() < 0.5 { integer(shifted) } else { rounded_in_steps(value) }

@@ -6,6 +6,7 @@ use nalgebra::UnitVector3;
 
 use super::chain::{coordinates, held_tool_axis, orthogonal, poles, xyz_only};
 use super::datum::Datum;
+use crate::kinematics::math::LARGEST_SHIFTED;
 use crate::kinematics::{
     AngleScale, AnyMachine, Axis, AxisKind, AxisUnits, LinearScale, REACH_TOLERANCE, Rotary, RotaryScale,
 };
@@ -19,9 +20,6 @@ const LIMIT_NOISE: f64 = 1e-6;
 
 /// Largest noise of the square of the distance of two unit vectors.
 const UNIT_NOISE: f64 = 1e-12;
-
-/// Largest bound of words that are compared as numbers of binary64, in which each number of units and a half is exact: 2^51.
-const MOST_UNITS: i64 = 1 << 51;
 
 /// Smallest cosine between tool axis and retract axis at which the two count as parallel.
 const PARALLEL: f64 = 1.0 - 1e-12;
@@ -176,7 +174,7 @@ impl LinearAxes {
             scale: LinearScale {
                 units_per_mm,
                 orthogonal,
-                most_units: bounds.map(|bound| bound.min(MOST_UNITS) as f64 - 0.5),
+                most_units: bounds.map(|bound| (bound as f64).min(LARGEST_SHIFTED) - 0.5),
             },
             unit_mm: 1.0 / units_per_mm,
             xyz: coordinates(axes),

@@ -551,13 +551,7 @@ impl Placer {
 
     /// The same where the words are coordinates of the tip in a frame.
     fn solve_in_frame(&self, place: &mut AxisPosition) -> Result<(), Fault> {
-        if !self.machine.set_linear_axes(&place.pose.tip, &mut place.axes) {
-            return Err(refusal::unreachable(self, &place.pose, &place.axes));
-        }
-        match self.frame.map(&*self.machine, &place.axes) {
-            Some(map) => self.solve_tip(place, &map),
-            None => Ok(()),
-        }
+        self.frame.map(&*self.machine, &place.axes).map_or(Ok(()), |map| self.solve_tip(place, &map))
     }
 
     /// The fault that a position has no linear axes, or a word more digits than are allowed.

@@ -176,8 +176,9 @@ impl Placer {
             *value = units as f64 / self.linear.scale.units_per_mm;
         }
         let reached = map.tip(&written);
-        let axes = self.machine.linear_axes(&reached, &place.axes);
-        place.axes = axes.ok_or_else(|| refusal::unreachable(self, &place.pose, &place.axes))?;
+        if !self.machine.set_linear_axes(&reached, &mut place.axes) {
+            return Err(refusal::unreachable(self, &place.pose, &place.axes));
+        }
         place.rounding_mm = (reached - place.pose.tip).norm();
         Ok(())
     }
