@@ -54,7 +54,7 @@ pub use policy::CheckPolicy;
 pub use report::{Finding, Outcome};
 pub use stream::{ExecutedBlock, Leg, Observer};
 
-use crate::cl::{ClReader, ReadSeek};
+use crate::cl::{ClData, FromHere, ReadSeek};
 use crate::diag::Diagnostic;
 use crate::kinematics::{AnyMachine, Machine};
 use crate::program::Units;
@@ -116,7 +116,8 @@ pub fn check_for(
     input: &mut dyn ReadSeek,
     program: &mut dyn Read,
 ) -> Result<Checked, CheckError> {
-    run(machine, policy, input, program, None)
+    let mut data = FromHere::new(input).map_err(CheckError::Input)?;
+    check_data(machine, policy, &mut data, program, None)
 }
 
 /// [`check_for`] that shows every block to an observer as it is executed.
@@ -130,25 +131,31 @@ pub fn check_observed(
     program: &mut dyn Read,
     observer: &mut dyn Observer,
 ) -> Result<Checked, CheckError> {
-    run(machine, policy, input, program, Some(observer))
+    let mut data = FromHere::new(input).map_err(CheckError::Input)?;
+    check_data(machine, policy, &mut data, program, Some(observer))
 }
 
-fn run(
+/// [`check_for`] and [`check_observed`] for CL data that may be read ahead.
+///
+/// # Errors
+/// Those of [`check()`].
+pub(crate) fn check_data(
     machine: &dyn AnyMachine,
     policy: &CheckPolicy,
-    input: &mut dyn ReadSeek,
+    data: &mut dyn ClData,
     program: &mut dyn Read,
     mut observer: Option<&mut dyn Observer>,
 ) -> Result<Checked, CheckError> {
     let machine = policy.set_up.machine_for(machine).map_err(|invalid| CheckError::Impossible(invalid.to_string()))?;
     let units = match policy.output_units {
         Some(units) => units,
-        None => expect::units_of(input, &policy.reading).map_err(CheckError::Input)?.unwrap_or_default(),
+        None => expect::units_of(data, &policy.reading).map_err(CheckError::Input)?.unwrap_or_default(),
     };
     let vocabulary = vocabulary::vocabulary(&*machine, policy, units);
     let lines = PlacedLines::of(vocabulary.clone());
     let mut reader = Reader::new(program, vocabulary);
-    let mut checker = Checker::new(machine, policy, units, ClReader::new(input, policy.reading.clone()), lines);
+    let events = data.events(policy.reading.clone()).map_err(CheckError::Input)?;
+    let mut checker = Checker::new(machine, policy, units, events, lines);
     while let Some((block, text)) = reader.next_block().map_err(CheckError::Program)? {
         match &mut observer {
             Some(observer) => checker.observed(block, text, *observer),

@@ -2,7 +2,7 @@
 //!
 //! `text` splits bytes into statements, [`record`] makes typed [`Record`]s of them, and `meaning` applies units and
 //! modes and returns the [`Event`](crate::program::Event)s of [`program`](crate::program). The [`ClReader`] calls these
-//! three in turn and keeps subprograms and diagnostics. Memory is constant: one read buffer, one buffer for joined
+//! three in turn and keeps subprograms and diagnostics; `events` has its events in batches, read ahead or not. Memory is constant: one read buffer, one buffer for joined
 //! statements, no allocation for a record that is understood.
 //!
 //! Reading goes on after an error, so that one run reports all errors of a file; no event is returned after the first.
@@ -29,6 +29,7 @@
 
 mod diagnostics;
 mod dialect;
+mod events;
 mod meaning;
 mod reader;
 pub mod record;
@@ -40,6 +41,7 @@ mod vector;
 mod tests;
 
 pub use self::dialect::Dialect;
+pub(crate) use self::events::{ClData, ClEvents, FileFacts, FromHere};
 pub use self::meaning::{
     ArcVote, CycleArg, FeedLabel, Frames, Insert, ReadingOptions, Sense, SetUpBegins, StatedFrame, ToolArg,
 };

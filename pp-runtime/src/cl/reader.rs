@@ -4,7 +4,8 @@ use std::io::{self, Read, Seek};
 
 use super::diagnostics::Faults;
 use super::dialect::Dialect;
-use super::meaning::{ArcVote, QueuedEvent, ReadingOptions, RecordInterpreter, StatedFrame, TextUse};
+use super::events::{Batch, FileFacts, More, NO_EVENT};
+use super::meaning::{ArcVote, QueuedEvent, ReadingOptions, RecordInterpreter, StatedFrame};
 use super::record::{
     CIRCLE, CIRCLE_NUMBERS, CatiaMatrix, GOTO, MotionRecord, Record, SubprogramRecord, comment_dialect, joined_record,
     next_circle, next_goto, parse, read_comment, record_dialect,
@@ -55,6 +56,15 @@ enum NextMotion<M> {
     None,
 }
 
+/// What has been found after the event before.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Found {
+    Event,
+    /// Its text is in the statement read last, or it is the curve completed last.
+    EventWithText,
+    End,
+}
+
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Progress {
     Unread,
@@ -85,23 +95,81 @@ impl<R: Read> ClReader<R> {
     /// After the first error the rest of the file is read for diagnostics only and `None` is returned; see
     /// [`failed`](Self::failed).
     pub fn next_event(&mut self) -> io::Result<Option<(Location, Event<'_>)>> {
-        if !self.takes_lines() {
-            return self.next_of_any_kind(false);
+        let mut next = NO_EVENT;
+        if !self.straight(false, &mut next) && self.other(&mut next)? == Found::End {
+            return Ok(None);
         }
-        match self.take_straight() {
-            NextMotion::Motion(here, motion) => Ok(Some((here, Event::Move(motion)))),
-            NextMotion::Taken => self.next_of_any_kind(false),
-            NextMotion::None => self.next_unless_straight(),
+        let (here, queued) = next;
+        let event = queued.event(self.text(), self.interpreter.options(), self.interpreter.completed_curve());
+        Ok(Some((here, event)))
+    }
+
+    /// Reads the events of a batch: as many as it holds, or the rest. With the last of them come the facts about the file.
+    pub(super) fn fill(&mut self, batch: &mut Batch) {
+        batch.clear();
+        let mut after_straight = false;
+        while let Some(place) = batch.free_place() {
+            after_straight = self.straight(after_straight, place);
+            if after_straight {
+                batch.take_place();
+                continue;
+            }
+            let found = self.other(place);
+            if self.add_other(found, batch) == More::No {
+                return;
+            }
         }
     }
 
-    /// The next event, where the next statement is no straight motion on a line of its own.
+    /// Adds what is no straight motion to a batch; an event is in its place there. Says whether the batch takes more.
     #[inline(never)]
-    fn next_unless_straight(&mut self) -> io::Result<Option<(Location, Event<'_>)>> {
+    fn add_other(&self, found: io::Result<Found>, batch: &mut Batch) -> More {
+        match found {
+            Ok(Found::Event | Found::EventWithText) => {
+                batch.take_place_with(self.text(), || self.interpreter.completed_curve())
+            }
+            Ok(Found::End) => batch.end(Ok(FileFacts::of(self))),
+            Err(error) => batch.end(Err(error)),
+        }
+    }
+
+    /// The text of the queued events.
+    fn text(&self) -> &[u8] {
+        match (&self.kept, &self.statement) {
+            (Some(kept), _) => self.subprograms.text(kept),
+            (None, Some(statement)) => self.lexer.text(statement),
+            (None, None) => &[],
+        }
+    }
+
+    /// Takes the next statement if it is a GOTO on a line of its own that is a straight motion, as nearly every one is. Its event is
+    /// made at the place where it stays. `after_straight`: the last call took one, and nothing has been read since.
+    #[inline(never)]
+    fn straight(&mut self, after_straight: bool, place: &mut (Location, QueuedEvent)) -> bool {
+        // A straight motion changes nothing that this depends on.
+        if !after_straight && !self.takes_lines() {
+            return false;
+        }
+        let NextMotion::Motion(here, motion) = self.take_straight() else { return false };
+        *place = (here, QueuedEvent::Plain(Event::Move(motion)));
+        true
+    }
+
+    /// The next event, where it is no straight motion.
+    #[inline(never)]
+    fn other(&mut self, place: &mut (Location, QueuedEvent)) -> io::Result<Found> {
+        if self.takes_lines() { self.next_unless_straight(place) } else { self.next_of_any_kind(false, place) }
+    }
+
+    /// The next event, where the next statement is no straight motion on a line of its own.
+    fn next_unless_straight(&mut self, place: &mut (Location, QueuedEvent)) -> io::Result<Found> {
         match self.take_arc_or_hole() {
-            NextMotion::Motion(here, arc) => Ok(Some((here, Event::Arc(arc)))),
-            NextMotion::Taken => self.next_of_any_kind(false),
-            NextMotion::None => self.next_of_any_kind(true),
+            NextMotion::Motion(here, arc) => {
+                *place = (here, QueuedEvent::Plain(Event::Arc(arc)));
+                Ok(Found::Event)
+            }
+            NextMotion::Taken => self.next_of_any_kind(false, place),
+            NextMotion::None => self.next_of_any_kind(true, place),
         }
     }
 
@@ -209,51 +277,38 @@ impl<R: Read> ClReader<R> {
     }
 
     /// Returns the next event; `no_line`: no event is queued before the next statement, which is no motion on a line of its own.
-    fn next_of_any_kind(&mut self, mut no_line: bool) -> io::Result<Option<(Location, Event<'_>)>> {
-        let (location, pending) = loop {
+    fn next_of_any_kind(&mut self, mut no_line: bool, place: &mut (Location, QueuedEvent)) -> io::Result<Found> {
+        loop {
             let no_line = std::mem::take(&mut no_line);
             if let Some(event) = self.interpreter.next_event()
                 && !self.faults.failed()
             {
-                break event;
+                *place = event;
+                let plain = matches!(place.1, QueuedEvent::Plain(_));
+                return Ok(if plain { Found::Event } else { Found::EventWithText });
             }
             match self.progress {
                 Progress::Unread => self.begin()?,
                 Progress::Reading if self.subprograms.is_running() => self.run_kept(),
                 Progress::Reading if no_line || !self.takes_lines() => self.read_next()?,
                 Progress::Reading => match self.take_straight_after_other() {
-                    NextMotion::Motion(here, motion) => return Ok(Some((here, Event::Move(motion)))),
+                    NextMotion::Motion(here, motion) => {
+                        *place = (here, QueuedEvent::Plain(Event::Move(motion)));
+                        return Ok(Found::Event);
+                    }
                     NextMotion::Taken => {}
                     NextMotion::None => match self.take_arc_or_hole_after_other() {
-                        NextMotion::Motion(here, arc) => return Ok(Some((here, Event::Arc(arc)))),
+                        NextMotion::Motion(here, arc) => {
+                            *place = (here, QueuedEvent::Plain(Event::Arc(arc)));
+                            return Ok(Found::Event);
+                        }
                         NextMotion::Taken => {}
                         NextMotion::None => self.read_next()?,
                     },
                 },
-                Progress::Done => return Ok(None),
+                Progress::Done => return Ok(Found::End),
             }
-        };
-        let text = |at: Span| match (&self.kept, &self.statement) {
-            (Some(kept), _) => &self.subprograms.text(kept)[at.start..at.end],
-            (None, Some(statement)) => &self.lexer.text(statement)[at.start..at.end],
-            (None, None) => &[],
-        };
-        let event = match pending {
-            QueuedEvent::Plain(event) => event,
-            QueuedEvent::Text(used, at) => match used {
-                TextUse::Name => Event::Name(text(at)),
-                TextUse::MachineName => Event::MachineName(text(at)),
-                TextUse::Operation => Event::Operation(text(at)),
-                TextUse::Message => Event::Message(text(at)),
-                TextUse::Insert => Event::Insert(text(at)),
-            },
-            QueuedEvent::Own(index) => match self.interpreter.options().given_meanings().own_at(index) {
-                Some(own) if own.probes() => Event::Probe(own.blocks()),
-                own => Event::Insert(own.and_then(|own| own.blocks().first()).map_or(b"", |block| block.as_bytes())),
-            },
-            QueuedEvent::Spline => Event::Spline(self.interpreter.completed_curve()),
-        };
-        Ok(Some((location, event)))
+        }
     }
 
     /// Errors and warnings so far, in the order found. The first 20 of a kind are listed; at the end of the file one

@@ -7,7 +7,7 @@ use std::process::ExitCode;
 
 use crate::control::Control;
 use crate::kinematics::{AnyMachine, Machine};
-use crate::post::post_for;
+use crate::post::post_data;
 
 use super::outcome::{Status, Streams};
 use super::{closed, execute, temporary};
@@ -101,7 +101,7 @@ impl App {
 
     fn execute(&self, machine: &dyn AnyMachine, args: &[OsString], streams: Streams<'_>) -> Status {
         execute(machine, &self.controls, args, streams, &|job, source, sink, line_map| {
-            post_for(machine, job, source, sink, line_map)
+            post_data(machine, job, source, sink, line_map)
         })
     }
 }

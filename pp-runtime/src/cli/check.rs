@@ -6,7 +6,7 @@ use std::path::Path;
 
 use serde::Serialize;
 
-use crate::check::{CheckError, Checked, check_for};
+use crate::check::{CheckError, Checked, check_data};
 use crate::kinematics::AnyMachine;
 
 use super::args::{CheckArgs, MessageFormat};
@@ -34,7 +34,7 @@ struct Figures {
 pub(crate) fn run(machine: &dyn AnyMachine, args: &CheckArgs, streams: &mut Streams<'_>) -> Result<Status, Failure> {
     let mut messages = Messages::new(streams.errors, args.format());
     let config = read_config(machine, &args.set_up, &mut messages)?;
-    let mut source = open_cl_data(&args.input, streams.input)?;
+    let mut source = open_cl_data(&args.input, &args.set_up, streams.input)?;
     let name = source.name().to_owned();
     let mut program: Box<dyn Read + '_> = match (is_standard(&args.program), is_standard(&args.input)) {
         (true, true) => {
@@ -47,8 +47,8 @@ pub(crate) fn run(machine: &dyn AnyMachine, args: &CheckArgs, streams: &mut Stre
         .check_policy_for(machine, args.set_up.control(), None)
         .map_err(|error| Failure::Argument(error.to_string()))?;
     show_progress(&mut source, streams.terminal, &args.set_up, 1);
-    let checked =
-        check_for(machine, &policy, &mut source, &mut program).map_err(|error| failure(error, &name, &args.program))?;
+    let checked = check_data(machine, &policy, &mut source, &mut program, None)
+        .map_err(|error| failure(error, &name, &args.program))?;
     drop(program);
     source.hide_progress();
     if let Some(what) = source.changed_since_opened() {

@@ -1,5 +1,5 @@
-//! The CL data: a file, or a stream copied to a temporary file. It can be read several times and must not change
-//! meanwhile.
+//! The CL data: a file, or a stream copied to a temporary file. It can be read several times, ahead in threads too, and must not
+//! change meanwhile.
 
 use std::fs::{self, File, Metadata};
 use std::io::{self, Read, Seek, SeekFrom};
@@ -10,6 +10,7 @@ use std::time::SystemTime;
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::outcome::{Failure, NamedWriter, is_standard};
+use crate::cl::{ClData, ClEvents, ReadingOptions};
 
 /// Size in bytes above which a progress bar is shown on a terminal.
 pub(crate) const LONG_INPUT_BYTES: u64 = 8 << 20;
@@ -20,7 +21,6 @@ pub(crate) struct ClSource {
     name: String,
     /// Path of a regular file, and its state when it was opened; none for a stream.
     watched: Option<(PathBuf, FileState)>,
-    progress: ProgressBar,
 }
 
 /// A file that is open, with a read position of its own: others read the same file elsewhere.
@@ -28,6 +28,9 @@ pub(crate) struct ClSource {
 pub(crate) struct SharedFile {
     file: Arc<File>,
     position: u64,
+    progress: ProgressBar,
+    /// A thread of its own may read it ahead.
+    ahead: bool,
 }
 
 /// Length, time of change and identity of a file; they differ after a change.
@@ -71,12 +74,19 @@ impl ClSource {
     }
 
     fn of(file: File, name: String, watched: Option<(PathBuf, FileState)>) -> Self {
-        Self { input: SharedFile { file: Arc::new(file), position: 0 }, name, watched, progress: ProgressBar::hidden() }
+        let input = SharedFile { file: Arc::new(file), position: 0, progress: ProgressBar::hidden(), ahead: false };
+        Self { input, name, watched }
     }
 
-    /// The same data once more, from its start and with a read position of its own.
+    /// The same data once more, from its start and with a read position of its own. No progress is shown of it.
     pub(crate) fn again(&self) -> SharedFile {
-        SharedFile { position: 0, ..self.input.clone() }
+        SharedFile { progress: ProgressBar::hidden(), ..self.input.from_start() }
+    }
+
+    /// Sets whether threads of their own may read the data ahead.
+    pub(crate) fn read_ahead(mut self, ahead: bool) -> Self {
+        self.input.ahead = ahead;
+        self
     }
 
     /// Name of the CL data in messages.
@@ -89,15 +99,16 @@ impl ClSource {
         let length = self.input.file.metadata().map_or(0, |metadata| metadata.len());
         if length > longer_than {
             let style = ProgressStyle::with_template("{bar:40} {percent}% {binary_bytes_per_sec} {eta} left");
-            self.progress = ProgressBar::new(length * passes);
-            self.progress.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+            let progress = &mut self.input.progress;
+            *progress = ProgressBar::new(length * passes);
+            progress.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
         }
     }
 
     /// Removes the progress bar.
     pub(crate) fn hide_progress(&mut self) {
-        self.progress.finish_and_clear();
-        self.progress = ProgressBar::hidden();
+        self.input.progress.finish_and_clear();
+        self.input.progress = ProgressBar::hidden();
     }
 
     /// What happened to the file since it was opened; `None` if it is unchanged.
@@ -111,11 +122,42 @@ impl ClSource {
     }
 }
 
+impl ClData for ClSource {
+    fn text(&mut self) -> io::Result<Box<dyn Read + '_>> {
+        self.input.text()
+    }
+
+    fn events(&mut self, options: ReadingOptions) -> io::Result<ClEvents<'_>> {
+        self.input.events(options)
+    }
+}
+
+impl SharedFile {
+    /// The same file, read from its start.
+    fn from_start(&self) -> Self {
+        Self { position: 0, ..self.clone() }
+    }
+}
+
+impl ClData for SharedFile {
+    fn text(&mut self) -> io::Result<Box<dyn Read + '_>> {
+        Ok(Box::new(self.from_start()))
+    }
+
+    fn events(&mut self, options: ReadingOptions) -> io::Result<ClEvents<'_>> {
+        // Without another thread the events are the same.
+        if self.ahead
+            && let Ok(events) = ClEvents::ahead(self.from_start(), options.clone())
+        {
+            return Ok(events);
+        }
+        Ok(ClEvents::here(self.from_start(), options))
+    }
+}
+
 impl Read for ClSource {
     fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-        let count = self.input.read(buffer)?;
-        self.progress.inc(count as u64);
-        Ok(count)
+        self.input.read(buffer)
     }
 }
 
@@ -132,6 +174,7 @@ impl Read for SharedFile {
         #[cfg(windows)]
         let count = std::os::windows::fs::FileExt::seek_read(&*self.file, buffer, self.position)?;
         self.position += count as u64;
+        self.progress.inc(count as u64);
         Ok(count)
     }
 }

@@ -99,7 +99,7 @@ pub(crate) fn run(
 ) -> Result<Status, Failure> {
     let format = args.set_up.message_format;
     let config = read_config(machine, &args.set_up, &mut Messages::new(streams.errors, format))?;
-    let mut source = open_cl_data(&args.input, streams.input)?;
+    let mut source = open_cl_data(&args.input, &args.set_up, streams.input)?;
     let (name, control) = (source.name().to_owned(), args.set_up.control());
     let numbered = config.control.program.line_numbers.are_on_every_block() || control.spellings().numbers_every_line;
     let mut search = BlockSearch { wanted: args.block, found: Vec::new(), count: 0, lines: 0, numbered };

@@ -82,8 +82,9 @@ pub(crate) fn read_text(path: &Path, what: &str) -> Result<String, Failure> {
 }
 
 /// Opens the CL data. Standard input is copied to a temporary file, so that it can be read twice.
-pub(crate) fn open_cl_data(path: &Path, input: &mut dyn Read) -> Result<ClSource, Failure> {
-    if is_standard(path) { ClSource::spool(input, path) } else { ClSource::open(path) }
+pub(crate) fn open_cl_data(path: &Path, args: &SetUpArgs, input: &mut dyn Read) -> Result<ClSource, Failure> {
+    let source = if is_standard(path) { ClSource::spool(input, path)? } else { ClSource::open(path)? };
+    Ok(source.read_ahead(args.threads() > 1))
 }
 
 /// Times that the CL data is read to post it: survey, rehearsal where axes have clamps, program.

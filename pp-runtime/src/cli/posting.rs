@@ -106,7 +106,7 @@ pub(crate) fn run(
     let config = read_config(machine, &args.set_up, &mut messages)?;
     refuse_overwriting(args, &config)?;
     let mut after = after_posting(&config, args)?;
-    let mut source = open_cl_data(&args.input, streams.input)?;
+    let mut source = open_cl_data(&args.input, &args.set_up, streams.input)?;
     let unwritable = |error| Failure::unwritable(&args.output, error);
     let mut target = match is_standard(&args.output) {
         true => None,

@@ -9,7 +9,7 @@ use std::io::{self, Read, Write};
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 use std::thread::{self, JoinHandle};
 
-use crate::check::{CheckError, CheckPolicy, Checked, Finding, check_for};
+use crate::check::{CheckError, CheckPolicy, Checked, Finding, check_data};
 use crate::config::Config;
 use crate::kinematics::AnyMachine;
 use crate::post::ProgramEnd;
@@ -87,7 +87,7 @@ impl SelfCheck {
         let body = move || {
             let mut program = PieceReader { receiver, piece: Vec::new(), at: 0 };
             match points {
-                false => check_for(&*machine, &policy, &mut input, &mut program).map(SelfChecked::Findings),
+                false => check_data(&*machine, &policy, &mut input, &mut program, None).map(SelfChecked::Findings),
                 true => Execution::of(&*machine, &policy, &mut input, &mut program).map(SelfChecked::Points),
             }
         };

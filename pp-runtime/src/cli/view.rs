@@ -127,7 +127,7 @@ fn show(
     let files: Vec<NamedFile<'_>> =
         outputs.iter().filter(|output| !is_standard(output.path)).map(|output| (output.path, output.what)).collect();
     refuse_overwriting((set_up.config.as_deref(), &config), &read, &files)?;
-    let mut source = open_cl_data(input, streams.input)?;
+    let mut source = open_cl_data(input, set_up, streams.input)?;
     let create = |output: &Output<'_>| -> Result<Option<OutputFile>, Failure> {
         let file = (!is_standard(output.path)).then(|| OutputFile::create(output.path));
         file.transpose().map_err(|error| Failure::unwritable(output.path, error))

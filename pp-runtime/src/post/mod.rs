@@ -26,9 +26,10 @@ mod time;
 #[cfg(test)]
 mod tests;
 
-use std::io::{self, Read, Seek, SeekFrom, Write};
+use std::io::{self, Read, Seek, Write};
+use std::ops::ControlFlow;
 
-use crate::cl::{self, ClReader, ReadSeek};
+use crate::cl::{self, ClData, ClEvents, FromHere, ReadSeek};
 use crate::config::Config;
 use crate::control::{self, Control, Encoder, Layout};
 use crate::diag::{Diagnostic, Remarks, Severity, grouped};
@@ -369,13 +370,28 @@ pub fn post_for(
     output: &mut dyn Write,
     line_map: Option<&mut dyn LineMap>,
 ) -> Result<Report, PostError> {
+    let mut data = FromHere::new(input).map_err(PostError::Input)?;
+    post_data(machine, job, &mut data, output, line_map)
+}
+
+/// [`post_for`] for CL data that may be read ahead.
+///
+/// # Errors
+/// Those of [`post_for`].
+pub(crate) fn post_data(
+    machine: &dyn AnyMachine,
+    job: &Job<'_>,
+    data: &mut dyn ClData,
+    output: &mut dyn Write,
+    line_map: Option<&mut dyn LineMap>,
+) -> Result<Report, PostError> {
     let unfit = job.config.unfit(machine, job.control);
     if !unfit.is_empty() {
         return Err(PostError::Unfit(unfit.join("\n")));
     }
     let config = job.config.for_control(job.control);
     let job = &Job { config: &config, ..*job };
-    let mut text = ClText::new(job, input)?;
+    let mut text = ClText { job, data };
     let ready = job.config.set_up.machine_for(machine);
     let usable = control::usable_modes(ready.as_deref().unwrap_or(machine), job.control, job.config.demands());
     let mut survey = text.survey(machine, ready.as_deref().ok(), &usable)?;
@@ -409,10 +425,10 @@ pub fn post_for(
     let moving = if job.config.motion.rotaries.clamp.is_empty() {
         MovingAxes::default()
     } else {
-        pass.rehearse(text.reader()?, course.clone())?
+        pass.rehearse(text.events()?, course.clone())?
     };
     let mapped = MappedEncoder::new(Encoder::new(job.control, &layout, output), line_map);
-    pass.write(text.reader()?, mapped, course, moving, &mut report)?;
+    pass.write(text.events()?, mapped, course, moving, &mut report)?;
     report.diagnostics.sort_by_key(|diagnostic| diagnostic.location);
     Ok(report)
 }
@@ -434,24 +450,13 @@ fn unknown_part_origin(location: Location) -> Diagnostic {
     }
 }
 
-/// The CL text; each pass reads it from its start.
+/// The CL data of a job; each pass reads it from its start.
 struct ClText<'a> {
     job: &'a Job<'a>,
-    input: &'a mut dyn ReadSeek,
-    start: u64,
+    data: &'a mut dyn ClData,
 }
 
-impl<'a> ClText<'a> {
-    fn new(job: &'a Job<'a>, input: &'a mut dyn ReadSeek) -> Result<Self, PostError> {
-        let start = input.stream_position().map_err(PostError::Input)?;
-        Ok(Self { job, input, start })
-    }
-
-    fn options(&self) -> cl::ReadingOptions {
-        let config = self.job.config;
-        cl::ReadingOptions { units: self.job.units.or(config.cl_units), ..config.cl.clone() }
-    }
-
+impl ClText<'_> {
     /// The first pass. `ready`: the machine with the dimensions of the set-up; without it no course is planned.
     fn survey(
         &mut self,
@@ -462,17 +467,15 @@ impl<'a> ClText<'a> {
         let policy = self.job.config.policy();
         let modes = ModeFinder::new(policy, usable);
         let navigator = ready.map(|ready| Navigator::new(ready.to_boxed(), policy).with_modes(usable));
-        let options = self.options();
         // The tool axis may depend on dimensions: that of the set-up, where it is valid.
-        Survey::take(ready.unwrap_or(machine), &mut *self.input, options, policy, (modes, navigator))
-            .map_err(PostError::Input)
+        Survey::take(ready.unwrap_or(machine), self.events()?, policy, (modes, navigator)).map_err(PostError::Input)
     }
 
-    /// A reader of the text from its start.
-    fn reader(&mut self) -> Result<ClReader<&mut dyn ReadSeek>, PostError> {
-        self.input.seek(SeekFrom::Start(self.start)).map_err(PostError::Input)?;
-        let options = self.options();
-        Ok(ClReader::new(&mut *self.input, options))
+    /// The events from the start.
+    fn events(&mut self) -> Result<ClEvents<'_>, PostError> {
+        let config = self.job.config;
+        let options = cl::ReadingOptions { units: self.job.units.or(config.cl_units), ..config.cl.clone() };
+        self.data.events(options).map_err(PostError::Input)
     }
 }
 
@@ -498,17 +501,17 @@ impl PlanningPass<'_> {
     }
 
     /// Plans the whole program without writing it. Returns which axes move between each approach and the next.
-    fn rehearse(&self, reader: ClReader<impl Read>, course: Course) -> Result<MovingAxes, PostError> {
+    fn rehearse(&self, events: ClEvents<'_>, course: Course) -> Result<MovingAxes, PostError> {
         let mut planner = self.planner(course, DiscardSteps);
         // An error here occurs again when the program is written, and is reported then.
-        let _ = self.plan(reader, &mut planner, &mut Remarks::default())?;
+        let _ = self.plan(events, &mut planner, &mut Remarks::default())?;
         Ok(planner.rehearsed())
     }
 
     /// The last pass: writes header, blocks and end code.
     fn write(
         &self,
-        reader: ClReader<impl Read>,
+        events: ClEvents<'_>,
         mapped: MappedEncoder<'_, '_>,
         course: Course,
         moving: MovingAxes,
@@ -523,7 +526,7 @@ impl PlanningPass<'_> {
         mapped.map_head().map_err(PostError::Output)?;
 
         let mut remarks = Remarks::default();
-        let planned = self.plan(reader, &mut planner, &mut remarks)?;
+        let planned = self.plan(events, &mut planner, &mut remarks)?;
         planner.take_warnings().into_iter().for_each(|remark| remarks.add(remark));
         report.diagnostics.append(&mut remarks.conclude());
         report.statistics = planner.statistics();
@@ -545,38 +548,35 @@ impl PlanningPass<'_> {
     /// Plans the CL data from the first event to the last, or to the first error of the reader.
     fn plan<S: Sink>(
         &self,
-        mut reader: ClReader<impl Read>,
+        mut events: ClEvents<'_>,
         planner: &mut Planner<'_, S>,
         remarks: &mut Remarks,
     ) -> Result<Result<(), PlanningError>, PostError> {
         let mut source = Source::new(self.machine, self.job.config.policy());
         let first_error = self.survey.first_error;
         let mut last = Location::default();
-        loop {
-            // Matched by reference: moving an event costs as much as reading it.
-            let found = reader.next_event();
-            match &found {
-                Err(_) => {
-                    found.map_err(PostError::Input)?;
-                }
-                Ok(Some((at, event))) if first_error.is_none_or(|error| *at < error) => {
-                    last = *at;
-                    if let Err(stopped) = source.event(*at, event, planner) {
-                        return Ok(Err(stopped));
-                    }
-                }
-                _ if first_error.is_some() => {
-                    let first_is_waiting = source.awaits_second_motion();
-                    let released = source.finish(planner);
-                    return Ok(if first_is_waiting { without_fault(released) } else { released });
-                }
-                Ok(Some(_)) => {}
-                Ok(None) => return Ok(source.finish(planner).and_then(|()| planner.finish(last))),
+        let stopped = events.all(|at, event| {
+            if first_error.is_some_and(|error| at >= error) {
+                return ControlFlow::Break(Ok(()));
+            }
+            last = at;
+            if let Err(stopped) = source.event(at, event, planner) {
+                return ControlFlow::Break(Err(stopped));
             }
             if planner.has_warnings() {
                 planner.take_warnings().into_iter().for_each(|remark| remarks.add(remark));
             }
-        }
+            ControlFlow::Continue(())
+        });
+        Ok(match stopped.map_err(PostError::Input)? {
+            Some(Err(stopped)) => Err(stopped),
+            _ if first_error.is_some() => {
+                let first_is_waiting = source.awaits_second_motion();
+                let released = source.finish(planner);
+                if first_is_waiting { without_fault(released) } else { released }
+            }
+            _ => source.finish(planner).and_then(|()| planner.finish(last)),
+        })
     }
 }
 

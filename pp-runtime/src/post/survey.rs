@@ -4,12 +4,12 @@
 //! Plans the course of the rotary axes in the same pass, where a machine is given. Writes nothing.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::io::{self, Read};
-use std::ops::RangeInclusive;
+use std::io;
+use std::ops::{ControlFlow, RangeInclusive};
 
 use nalgebra::UnitVector3;
 
-use crate::cl::{ArcVote, ClReader, Dialect, ReadingOptions};
+use crate::cl::{ClEvents, FileFacts};
 use crate::config::Config;
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::math::{larger, smaller};
@@ -18,7 +18,7 @@ use crate::motion::{
     Begins, Course, ItemAction, ModeFinder, MotionIndex, Navigator, OperationSettings, OperationStart, Operations,
     Policy, ProgramItem, Source, Stage, StretchModes, extent, hole_extent,
 };
-use crate::program::{CutterSide, Event, Location, Spindle, ToolCall, Units};
+use crate::program::{CutterSide, Event, Location, Spindle, ToolCall};
 use crate::set_up::FurtherSetUp;
 
 use super::operations::{OperationNames, OperationSelection};
@@ -44,42 +44,6 @@ pub(crate) struct ToolUse {
     pub(crate) cuts_mm: Option<[[f64; 3]; 2]>,
     /// The tool cuts without a SPINDL record after its call: speed and direction come from the configuration.
     pub(crate) spindle_assumed: bool,
-}
-
-/// Facts about the CL file, found by the reader.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub(crate) struct FileFacts {
-    pub(crate) units: Option<Units>,
-    /// The file states no unit; `units` comes from the job or the configuration.
-    pub(crate) units_only_given: bool,
-    /// The file states a coordinate frame.
-    pub(crate) states_frame: bool,
-    pub(crate) dialect: Dialect,
-    pub(crate) arcs: ArcVote,
-    /// Number of different frames.
-    pub(crate) frames: usize,
-    /// Number of changes of CSYS.
-    pub(crate) setup_changes: u64,
-    /// The CL data asks for inverse-time feed.
-    pub(crate) inverse_time: bool,
-    /// Number of lines.
-    pub(crate) lines: u64,
-}
-
-impl FileFacts {
-    fn of<R: Read>(reader: &ClReader<R>) -> Self {
-        Self {
-            units: reader.units(),
-            units_only_given: reader.units_are_only_given(),
-            states_frame: reader.frame().is_some(),
-            dialect: reader.dialect(),
-            arcs: reader.arcs(),
-            frames: reader.different_frames(),
-            setup_changes: reader.setup_changes(),
-            inverse_time: reader.asks_for_inverse_time(),
-            lines: reader.lines(),
-        }
-    }
 }
 
 /// Facts about the whole program.
@@ -149,36 +113,28 @@ impl Survey {
     /// Runs the first pass: reads the whole file once, for the survey and the course.
     pub(crate) fn take(
         machine: &dyn AnyMachine,
-        input: impl Read,
-        options: ReadingOptions,
+        mut events: ClEvents<'_>,
         policy: Policy<'_>,
         (modes, navigator): (ModeFinder, Option<Navigator>),
     ) -> io::Result<Self> {
-        let mut reader = ClReader::new(input, options);
         let mut source = Source::new(machine, policy);
         let surveyor = Surveyor::new(policy.options.selected.clone(), machine.tool_axis());
         let mut pass = FirstPass { surveyor, modes, navigator };
-        loop {
-            // Matched by reference: moving an event costs as much as reading it.
-            let found = reader.next_event();
-            match &found {
-                // An event that cannot be expanded is reported by the planner in the last pass.
-                Ok(Some((at, event))) => drop(source.event(*at, event, &mut pass)),
-                Ok(None) => break,
-                Err(_) => {
-                    found?;
-                }
-            }
-        }
+        // An event that cannot be expanded is reported by the planner in the last pass.
+        events.all(|at, event| {
+            let _ = source.event(at, event, &mut pass);
+            ControlFlow::<()>::Continue(())
+        })?;
         // The first pass reports no errors of the source.
         let _ = source.finish(&mut pass);
         let course = pass.navigator.map_or_else(Course::default, Navigator::finish);
         let modes = pass.modes.finish();
-        let mut survey = Self { course, modes, file: FileFacts::of(&reader), ..pass.surveyor.finish() };
-        let found = reader.diagnostics().iter().cloned();
+        let file = events.facts().cloned().unwrap_or_default();
+        let mut survey = Self { course, modes, file, ..pass.surveyor.finish() };
+        let found = survey.file.diagnostics.iter().cloned();
         survey.diagnostics = found.chain(std::mem::take(&mut survey.diagnostics)).collect();
         if survey.diagnostics.iter().all(|diagnostic| diagnostic.severity != Severity::Error) {
-            let end = Location { line: reader.lines().max(1), column: 1 };
+            let end = Location { line: survey.file.lines.max(1), column: 1 };
             let missing = policy.set_up.set_ups.iter().find(|(number, _)| !survey.set_ups.contains(number));
             survey.diagnostics.extend(missing.map(|(&number, set_up)| set_up_missing(number, set_up, end)));
             let unused =

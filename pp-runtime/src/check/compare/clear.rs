@@ -15,8 +15,6 @@
 //! a tilted plane or under tip control, for which the order of the approach is compared; the motion from hole to hole of a
 //! cycle of the control; rapids to a tool axis by its components, for which the control chooses the angles.
 
-use std::io::Read;
-
 use super::super::geometry::{angle_between, depth_of_box, depth_of_line, size};
 use super::super::policy::LinearMeaning;
 use super::super::read::{Block, MAX_AXES};
@@ -37,7 +35,7 @@ pub(super) struct KeepOut {
 
 impl KeepOut {
     /// Geometry that a block must stay out of; `None` where it cannot run into it.
-    pub(super) fn of<R: Read>(comparison: &Comparison<'_, R>, phase: &Phase, block: &Block) -> Option<Self> {
+    pub(super) fn of(comparison: &Comparison<'_>, phase: &Phase, block: &Block) -> Option<Self> {
         let rules = &comparison.rules;
         if !block.action.is_rapid() || rules.policy().links.direct || rules.rapids_are_interpolated() {
             return None;

@@ -5,7 +5,7 @@
 //! motion; a step of a rapid; a retract along the tool axis.
 
 use std::f64::consts::PI;
-use std::io::{self, Read};
+use std::io;
 use std::rc::Rc;
 
 use super::super::expect::{ClMotion, ExpectedAction, ExpectedItem, Required, RequiredSmoothing};
@@ -23,7 +23,7 @@ use crate::program::{Drilling, Feed, Location};
 /// Largest number of motions ahead without a block that are looked through for the one that a block begins.
 const MOST_NEEDLESS: usize = 16;
 
-impl<R: Read> Comparison<'_, R> {
+impl Comparison<'_> {
     /// A block at the part without an approach.
     pub(super) fn astray(&mut self, phase: &mut Phase, current: &Current<'_>) -> io::Result<Option<Phase>> {
         if !self.rules.is_known(current.block, current.block.known) {

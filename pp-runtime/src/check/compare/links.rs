@@ -1,6 +1,6 @@
 //! Blocks between cuts: machine retract, tool change, approach, stop and end, as the specification requires them.
 
-use std::io::{self, Read};
+use std::io;
 use std::rc::Rc;
 
 use super::super::expect::{ClMotion, ExpectedAction, ExpectedItem, SpindleState};
@@ -23,7 +23,7 @@ const FOR_APPROACH: usize = 8;
 /// Dwells are written to three decimals, s.
 const DWELL_ROUNDING: f64 = 6e-4;
 
-impl<R: Read> Comparison<'_, R> {
+impl Comparison<'_> {
     /// INSERT, codes of the CL data and statements of the shop: a block that is copied.
     #[inline(never)]
     pub(super) fn is_raw(&mut self, phase: &Phase, current: &Current<'_>) -> bool {

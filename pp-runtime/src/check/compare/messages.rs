@@ -1,7 +1,5 @@
 //! Texts for the operator that the control displays: each as in the CL data, in its place among the motions.
 
-use std::io::Read;
-
 use super::super::expect::legible;
 use super::super::read::{Action, is_filled};
 use super::{Comparison, Current};
@@ -11,7 +9,7 @@ fn displayed<'t>(line: &'t [u8], [before, after]: [&str; 2]) -> Option<&'t [u8]>
     line.strip_prefix(before.as_bytes())?.strip_suffix(after.as_bytes())
 }
 
-impl<R: Read> Comparison<'_, R> {
+impl Comparison<'_> {
     /// Compares the text of a line, and reports those that should have come before it.
     pub(super) fn messages(&mut self, current: &Current<'_>) {
         let Some(marks) = self.rules.facts().message.filter(|_| self.rules.policy().shop.displays_messages) else {

@@ -25,7 +25,7 @@ mod retract;
 mod shop_lines;
 mod station;
 
-use std::io::{self, Read};
+use std::io;
 use std::rc::Rc;
 
 use super::Checked;
@@ -37,7 +37,7 @@ use super::report::{Shown, Tally};
 use super::rules::{ModalContext, Rules, StateFault, chord};
 use super::stream::{ExecutedBlock, Observer};
 use super::travel::{Findings, Travel};
-use crate::cl::ClReader;
+use crate::cl::ClEvents;
 use crate::kinematics::AnyMachine;
 use crate::program::{Location, Units};
 use clear::KeepOut;
@@ -48,17 +48,17 @@ use shop_lines::ShopLines;
 use station::Station;
 
 /// A program while it is compared.
-pub(super) struct Checker<'a, R> {
-    comparison: Comparison<'a, R>,
+pub(super) struct Checker<'a> {
+    comparison: Comparison<'a>,
     phase: Phase,
     /// State after the last block that was shown to an observer.
     before: State,
 }
 
 /// Everything of a comparison that does not depend on the phase.
-struct Comparison<'a, R> {
+struct Comparison<'a> {
     rules: Rules<'a>,
-    progress: ClProgress<'a, R>,
+    progress: ClProgress<'a>,
     travel: Travel,
     tally: Tally,
     previous: Previous,
@@ -129,17 +129,17 @@ struct Current<'b> {
     same_modes: bool,
 }
 
-impl<'a, R: Read> Checker<'a, R> {
+impl<'a> Checker<'a> {
     pub(super) fn new(
         machine: Box<dyn AnyMachine>,
         policy: &'a CheckPolicy,
         units: Units,
-        reader: ClReader<R>,
+        events: ClEvents<'a>,
         lines: PlacedLines,
     ) -> Self {
         let rules = Rules::new(machine, policy, units);
         let travel = Travel::new(&rules);
-        let expect = Expect::new(rules.machine(), reader, policy, rules.rounding().unit_mm);
+        let expect = Expect::new(rules.machine(), events, policy, rules.rounding().unit_mm);
         let comparison = Comparison {
             progress: ClProgress::new(expect),
             tally: Tally::new(policy.largest_path_mm(), travel.is_limited()),
@@ -257,7 +257,7 @@ impl<'a, R: Read> Checker<'a, R> {
     }
 }
 
-impl<R: Read> Comparison<'_, R> {
+impl Comparison<'_> {
     /// A block that moves an axis; `phase` is that after it.
     fn moving(&mut self, task: Task, phase: &mut Phase, current: &Current<'_>) -> io::Result<()> {
         let block = current.block;
@@ -399,7 +399,7 @@ impl<R: Read> Comparison<'_, R> {
     /// Passes items for which the program has no block, and reports them.
     fn skip(&mut self, count: usize, here: Option<&ToolPose>, current: &Current<'_>) {
         let (rules, chords) = (&self.rules, self.previous.chords);
-        let needless = |progress: &ClProgress<'_, R>, index: usize| progress.is_needless(index, rules, here, chords);
+        let needless = |progress: &ClProgress<'_>, index: usize| progress.is_needless(index, rules, here, chords);
         if let Some((at, text)) = self.progress.skip(count, needless) {
             self.tally.found(at, current.shown, &text);
         }

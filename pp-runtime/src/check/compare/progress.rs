@@ -1,7 +1,7 @@
 //! The place of a program in its CL data.
 
 use std::cmp::Ordering;
-use std::io::{self, Read};
+use std::io;
 use std::rc::Rc;
 
 use super::super::expect::{ClMotion, Expect, ExpectedAction, ExpectedItem, ExpectedMessage, Required, SpindleState};
@@ -17,8 +17,8 @@ const ON_LINE: f64 = 1e-3;
 const SAME_AXIS: f64 = 1e-6;
 
 /// The place of a program in its CL data: the next item, and how much of it is done.
-pub(super) struct ClProgress<'a, R> {
-    expect: Expect<'a, R>,
+pub(super) struct ClProgress<'a> {
+    expect: Expect<'a>,
     /// End of the last motion of the CL data, or the approach point.
     reached: Option<ToolPose>,
     /// Share of the next motion that is done.
@@ -33,8 +33,8 @@ pub(super) struct ClProgress<'a, R> {
     made: Option<u64>,
 }
 
-impl<'a, R: Read> ClProgress<'a, R> {
-    pub(super) fn new(expect: Expect<'a, R>) -> Self {
+impl<'a> ClProgress<'a> {
+    pub(super) fn new(expect: Expect<'a>) -> Self {
         Self { expect, reached: None, along: 0.0, last: None, lost: false, approached: false, made: None }
     }
 

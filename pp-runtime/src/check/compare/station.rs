@@ -2,7 +2,6 @@
 //! (`retract.tool_change_position`, `cycles.tool_position`).
 
 use std::collections::BTreeMap;
-use std::io::Read;
 
 use super::super::policy::LinkPolicy;
 use super::super::read::{Action, Block, OwnLine, OwnPlace};
@@ -39,7 +38,7 @@ impl Station {
     }
 }
 
-impl<R: Read> Comparison<'_, R> {
+impl Comparison<'_> {
     /// Notes the linear axes that a block moves to their positions.
     pub(super) fn note_stations(&mut self, block: &Block) {
         if block.action != Action::Machine {

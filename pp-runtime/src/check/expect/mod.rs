@@ -10,10 +10,10 @@ mod operations;
 mod placement;
 
 use std::collections::VecDeque;
-use std::io::{self, Read, SeekFrom};
+use std::io;
 use std::rc::Rc;
 
-use crate::cl::{ClReader, ReadSeek, ReadingOptions};
+use crate::cl::{ClData, ClEvents, ClReader, ReadingOptions};
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::{AnyMachine, AxisKind, Side as ChainSide};
 use crate::program::{Clearance, Event, Feed, Location, Rotation, Units};
@@ -149,21 +149,21 @@ pub(super) struct ExpectedMessage {
 }
 
 /// The items of a program.
-pub(super) struct Expect<'a, R> {
-    reader: ClReader<R>,
+pub(super) struct Expect<'a> {
+    events: ClEvents<'a>,
     placement: Placement,
     state: ClState<'a>,
     ended: bool,
 }
 
-impl<'a, R: Read> Expect<'a, R> {
+impl<'a> Expect<'a> {
     /// `unit_mm`: one unit of linear words.
-    pub(super) fn new(machine: &dyn AnyMachine, reader: ClReader<R>, policy: &'a CheckPolicy, unit_mm: f64) -> Self {
+    pub(super) fn new(machine: &dyn AnyMachine, events: ClEvents<'a>, policy: &'a CheckPolicy, unit_mm: f64) -> Self {
         let rotary = |axis: &crate::kinematics::Axis| axis.kind == AxisKind::Rotary && !axis.held;
         let head = machine.axes().iter().any(|axis| rotary(axis) && axis.side == ChainSide::Tool);
         let rotations = policy.set_up.clampings().map(|(number, part)| (number, part.part_rotation.into_inner()));
         Self {
-            reader,
+            events,
             placement: Placement::new(rotations.collect(), policy.links.dry_lift_mm),
             state: ClState::new(policy, head, unit_mm),
             ended: false,
@@ -233,34 +233,30 @@ impl<'a, R: Read> Expect<'a, R> {
 
     /// Whether the CL data has an error so far: no motion after it is known.
     pub(super) fn failed(&self) -> bool {
-        self.reader.failed() || self.state.fault().is_some()
+        self.events.facts().is_some_and(|facts| facts.failed) || self.state.fault().is_some()
     }
 
     /// First error of the CL data.
     pub(super) fn fault(&self) -> Option<Diagnostic> {
-        let errors = self.reader.diagnostics().iter().filter(|found| found.severity == Severity::Error);
+        let found = self.events.facts().map_or(&[][..], |facts| &facts.diagnostics);
+        let errors = found.iter().filter(|found| found.severity == Severity::Error);
         errors.chain(self.state.fault()).min_by_key(|found| found.location).cloned()
     }
 
     #[inline(never)]
     fn read(&mut self) -> io::Result<()> {
-        let next = self.reader.next_event();
-        match &next {
-            Ok(Some((at, event))) => {
-                let placed = self.placement.of(event);
-                self.state.event(*at, placed.as_ref().unwrap_or(event));
-            }
-            Ok(None) => self.ended = true,
-            Err(_) => {}
-        }
-        next.map(|_| ())
+        let Self { events, placement, state, ended } = self;
+        *ended = !events.next(|at, event| {
+            let placed = placement.of(event);
+            state.event(at, placed.as_ref().unwrap_or(event));
+        })?;
+        Ok(())
     }
 }
 
-/// Unit of the CL data, from the records before its first motion. The data is read from the same place again.
-pub(super) fn units_of(input: &mut dyn ReadSeek, options: &ReadingOptions) -> io::Result<Option<Units>> {
-    let start = input.stream_position()?;
-    let mut reader = ClReader::new(&mut *input, options.clone());
+/// Unit of the CL data, from the records before its first motion.
+pub(super) fn units_of(data: &mut dyn ClData, options: &ReadingOptions) -> io::Result<Option<Units>> {
+    let mut reader = ClReader::new(data.text()?, options.clone());
     let mut moved = false;
     while !moved && reader.units().is_none() {
         match reader.next_event()? {
@@ -268,8 +264,5 @@ pub(super) fn units_of(input: &mut dyn ReadSeek, options: &ReadingOptions) -> io
             None => break,
         }
     }
-    let units = reader.units();
-    drop(reader);
-    input.seek(SeekFrom::Start(start))?;
-    Ok(units)
+    Ok(reader.units())
 }

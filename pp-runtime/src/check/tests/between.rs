@@ -29,8 +29,8 @@ fn decided<M: Machine>() -> f64 {
     let policy = config.check_policy::<M>(control, None).expect("it can be checked");
     let rules = Rules::new(Box::new(M::default()), &policy, Units::Millimetres);
     let data = "UNITS/MM\nLOAD/TOOL,2\nFEDRAT/500,MMPM\nGOTO/0,0,0,0,0,1\n";
-    let reader = ClReader::new(Cursor::new(data), policy.reading.clone());
-    let mut expect = Expect::new(rules.machine(), reader, &policy, rules.rounding().unit_mm);
+    let events = ClEvents::here(Cursor::new(data), policy.reading.clone());
+    let mut expect = Expect::new(rules.machine(), events, &policy, rules.rounding().unit_mm);
     expect.fill(1).expect("memory");
     let required = expect
         .get(0)

@@ -2,8 +2,9 @@
 
 use std::collections::VecDeque;
 
+use super::options::ReadingOptions;
 use crate::cl::text::{ClFault, Span};
-use crate::program::{Event, Location};
+use crate::program::{Event, Location, Spline};
 
 /// Kind of event that a text becomes.
 #[derive(Debug, Clone, Copy)]
@@ -23,6 +24,30 @@ pub(crate) enum QueuedEvent {
     /// Block of a statement of the shop, by its index in the options.
     Own(usize),
     Spline,
+}
+
+impl QueuedEvent {
+    /// The event. `text`: where the text of the event is; `curve`: the curve that a spline is.
+    pub(crate) fn event<'a>(self, text: &'a [u8], options: &'a ReadingOptions, curve: Spline<'a>) -> Event<'a> {
+        match self {
+            Self::Plain(event) => event,
+            Self::Text(used, at) => {
+                let text = &text[at.start..at.end];
+                match used {
+                    TextUse::Name => Event::Name(text),
+                    TextUse::MachineName => Event::MachineName(text),
+                    TextUse::Operation => Event::Operation(text),
+                    TextUse::Message => Event::Message(text),
+                    TextUse::Insert => Event::Insert(text),
+                }
+            }
+            Self::Own(index) => match options.given_meanings().own_at(index) {
+                Some(own) if own.probes() => Event::Probe(own.blocks()),
+                own => Event::Insert(own.and_then(|own| own.blocks().first()).map_or(b"", |block| block.as_bytes())),
+            },
+            Self::Spline => Event::Spline(curve),
+        }
+    }
 }
 
 /// Events and warnings of the last record, in order.

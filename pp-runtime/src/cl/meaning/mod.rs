@@ -24,7 +24,7 @@ mod transform;
 mod units;
 mod votes;
 
-pub(crate) use self::event_queue::{QueuedEvent, TextUse};
+pub(crate) use self::event_queue::QueuedEvent;
 pub use self::frame::StatedFrame;
 pub use self::holes::CycleArg;
 pub(crate) use self::interpret::RecordInterpreter;

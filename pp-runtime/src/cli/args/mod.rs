@@ -3,7 +3,9 @@
 mod values;
 
 use std::ffi::OsString;
+use std::num::NonZeroU8;
 use std::path::{Path, PathBuf};
+use std::thread;
 
 use clap::builder::PossibleValuesParser;
 use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand};
@@ -547,6 +549,9 @@ pub(crate) struct SetUpArgs {
     /// Write block numbers
     #[arg(long)]
     pub(crate) line_numbers: bool,
+    /// Threads to use; with 1 the CL data is not read ahead in threads of its own. Without it as many as there are processors
+    #[arg(long, value_name = "N")]
+    threads: Option<NonZeroU8>,
     /// Show no progress
     #[arg(long)]
     pub(crate) quiet: bool,
@@ -559,6 +564,12 @@ impl SetUpArgs {
     /// The control of `--control`.
     pub(crate) fn control(&self) -> &'static dyn Control {
         self.control.0
+    }
+
+    /// Number of threads to use.
+    pub(crate) fn threads(&self) -> usize {
+        let processors = || thread::available_parallelism().map_or(1, usize::from);
+        self.threads.map_or_else(processors, |threads| threads.get().into())
     }
 
     /// Sets the given options in the configuration; they take precedence over the file.

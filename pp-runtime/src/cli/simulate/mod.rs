@@ -130,7 +130,7 @@ pub(crate) fn run(
     let mut read = args.files_read();
     read.extend(cl_file(&args.input));
     refuse_overwriting((args.set_up.config.as_deref(), &config), &read, &args.files_written())?;
-    let mut source = open_cl_data(&args.input, streams.input)?;
+    let mut source = open_cl_data(&args.input, &args.set_up, streams.input)?;
     let name = source.name().to_owned();
     let unreadable = |error| Failure::Unreadable(name.clone(), error);
     let shown = args.program.as_deref().unwrap_or(Path::new(IN_MEMORY));

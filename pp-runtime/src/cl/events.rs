@@ -1,0 +1,376 @@
+//! Events of CL data in batches: read in this thread, or ahead in a thread of their own.
+//!
+//! A batch borrows nothing, so that it may come from another thread: the texts of its events are kept with it. The events and the
+//! order are those of [`ClReader::next_event`] either way.
+
+use std::io::{self, Read, SeekFrom};
+use std::ops::ControlFlow;
+use std::panic;
+use std::sync::mpsc::{Receiver, Sender, SyncSender, channel, sync_channel};
+use std::thread::{self, JoinHandle};
+
+use super::dialect::Dialect;
+use super::meaning::{ArcVote, QueuedEvent, ReadingOptions};
+use super::reader::{ClReader, ReadSeek};
+use super::text::Span;
+use crate::diag::Diagnostic;
+use crate::nalgebra::{Point3, UnitVector3, Vector3};
+use crate::program::{Event, Feed, Location, Spline, Units};
+
+/// Largest number of events of a batch.
+const EVENTS: usize = 256;
+
+/// Bytes of texts after which a batch ends.
+const TEXT_BYTES: usize = 1 << 14;
+
+/// Number of batches of a reader in another thread: those that are read, those that wait, and the one in use.
+const BATCHES: usize = 4;
+
+/// Facts about CL data, known at its end.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct FileFacts {
+    pub(crate) units: Option<Units>,
+    /// The file states no unit; `units` comes from the job or the configuration.
+    pub(crate) units_only_given: bool,
+    /// The file states a coordinate frame.
+    pub(crate) states_frame: bool,
+    pub(crate) dialect: Dialect,
+    pub(crate) arcs: ArcVote,
+    /// Number of different frames.
+    pub(crate) frames: usize,
+    /// Number of changes of CSYS.
+    pub(crate) setup_changes: u64,
+    /// The CL data asks for inverse-time feed.
+    pub(crate) inverse_time: bool,
+    /// Number of lines.
+    pub(crate) lines: u64,
+    /// Errors and warnings, in the order found.
+    pub(crate) diagnostics: Vec<Diagnostic>,
+    /// An error was found.
+    pub(crate) failed: bool,
+}
+
+impl FileFacts {
+    /// The facts, once a reader is at the end.
+    pub(super) fn of<R: Read>(reader: &ClReader<R>) -> Self {
+        Self {
+            units: reader.units(),
+            units_only_given: reader.units_are_only_given(),
+            states_frame: reader.frame().is_some(),
+            dialect: reader.dialect(),
+            arcs: reader.arcs(),
+            frames: reader.different_frames(),
+            setup_changes: reader.setup_changes(),
+            inverse_time: reader.asks_for_inverse_time(),
+            lines: reader.lines(),
+            diagnostics: reader.diagnostics().to_vec(),
+            failed: reader.failed(),
+        }
+    }
+}
+
+/// What is at a place without an event.
+pub(super) const NO_EVENT: (Location, QueuedEvent) = (Location { line: 0, column: 0 }, QueuedEvent::Plain(Event::Home));
+
+/// Whether a batch takes another event.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum More {
+    Yes,
+    No,
+}
+
+/// Events, one after the other, and how they end.
+#[derive(Debug, Default)]
+pub(super) struct Batch {
+    /// The place of a text counts in `text`. A curve is the last event, and is `curve`.
+    places: Vec<(Location, QueuedEvent)>,
+    /// Number of events, in the first places.
+    count: usize,
+    text: Vec<u8>,
+    curve: Curve,
+    /// After the last event of all: the facts about the file, or why no more can be read.
+    end: Option<io::Result<FileFacts>>,
+}
+
+/// A curve that borrows nothing; without points there is none.
+#[derive(Debug)]
+struct Curve {
+    knots: Vec<f64>,
+    points: Vec<Point3<f64>>,
+    axis: UnitVector3<f64>,
+    feed: Option<Feed>,
+}
+
+impl Default for Curve {
+    fn default() -> Self {
+        Self { knots: Vec::new(), points: Vec::new(), axis: Vector3::z_axis(), feed: None }
+    }
+}
+
+impl Batch {
+    pub(super) fn clear(&mut self) {
+        self.places.resize(EVENTS, NO_EVENT);
+        self.count = 0;
+        self.text.clear();
+        self.curve.knots.clear();
+        self.curve.points.clear();
+        self.end = None;
+    }
+
+    /// Where the next event is made, if there is room for it.
+    #[inline]
+    pub(super) fn free_place(&mut self) -> Option<&mut (Location, QueuedEvent)> {
+        self.places.get_mut(self.count)
+    }
+
+    /// The event at the free place is the next one.
+    #[inline]
+    pub(super) fn take_place(&mut self) {
+        self.count += 1;
+    }
+
+    /// The same for an event that has a text, or is a curve.
+    pub(super) fn take_place_with<'a>(&mut self, text: &[u8], curve: impl FnOnce() -> Spline<'a>) -> More {
+        match self.places.get_mut(self.count).map(|(_, event)| event) {
+            Some(QueuedEvent::Text(_, at)) => {
+                let start = self.text.len();
+                self.text.extend_from_slice(&text[at.start..at.end]);
+                *at = Span { start, end: self.text.len() };
+            }
+            Some(QueuedEvent::Spline) => {
+                let Spline { knots, points, axis, feed } = curve();
+                self.curve.knots.extend_from_slice(knots);
+                self.curve.points.extend_from_slice(points);
+                (self.curve.axis, self.curve.feed) = (axis, feed);
+            }
+            _ => {}
+        }
+        self.count += 1;
+        let has_room = self.text.len() < TEXT_BYTES && self.curve.points.is_empty();
+        if has_room { More::Yes } else { More::No }
+    }
+
+    /// No event follows.
+    pub(super) fn end(&mut self, end: io::Result<FileFacts>) -> More {
+        self.end = Some(end);
+        More::No
+    }
+
+    /// Hands the event at a place to a function.
+    #[inline(always)]
+    fn hand<T>(
+        &self,
+        (here, queued): &(Location, QueuedEvent),
+        options: &ReadingOptions,
+        take: impl FnOnce(Location, &Event<'_>) -> T,
+    ) -> T {
+        let with_text;
+        let event = match queued {
+            QueuedEvent::Plain(event) => event,
+            _ => {
+                let Curve { knots, points, axis, feed } = &self.curve;
+                with_text = queued.event(&self.text, options, Spline { knots, points, axis: *axis, feed: *feed });
+                &with_text
+            }
+        };
+        take(*here, event)
+    }
+}
+
+/// What fills batches.
+trait Batches {
+    /// Replaces a batch that has been used by the next one.
+    fn next(&mut self, batch: &mut Batch);
+}
+
+/// A reader in this thread.
+struct Here<R>(ClReader<R>);
+
+impl<R: Read> Batches for Here<R> {
+    fn next(&mut self, batch: &mut Batch) {
+        self.0.fill(batch);
+    }
+}
+
+/// A reader in a thread of its own, which goes on while the batches before are used. Dropped early, it stops.
+struct Ahead {
+    filled: Option<Receiver<Batch>>,
+    used: Option<Sender<Batch>>,
+    thread: Option<JoinHandle<()>>,
+}
+
+impl Ahead {
+    fn start(input: impl Read + Send + 'static, options: ReadingOptions) -> io::Result<Self> {
+        let (used, empty): (Sender<Batch>, Receiver<Batch>) = channel();
+        let (full, filled): (SyncSender<Batch>, Receiver<Batch>) = sync_channel(BATCHES);
+        let body = move || {
+            let mut reader = ClReader::new(input, options);
+            let mut left = BATCHES;
+            loop {
+                // The first ones are new; then those come back that have been used.
+                let mut batch = match left.checked_sub(1) {
+                    Some(less) => {
+                        left = less;
+                        Batch::default()
+                    }
+                    None => match empty.recv() {
+                        Ok(batch) => batch,
+                        Err(_) => return,
+                    },
+                };
+                reader.fill(&mut batch);
+                let is_last = batch.end.is_some();
+                if full.send(batch).is_err() || is_last {
+                    return;
+                }
+            }
+        };
+        let thread = thread::Builder::new().name("reader".to_owned()).spawn(body)?;
+        Ok(Self { filled: Some(filled), used: Some(used), thread: Some(thread) })
+    }
+}
+
+impl Batches for Ahead {
+    fn next(&mut self, batch: &mut Batch) {
+        if let Some(Ok(filled)) = self.filled.as_ref().map(Receiver::recv) {
+            let before = std::mem::replace(batch, filled);
+            // After the last batch no one waits for it.
+            let _ = self.used.as_ref().map(|used| used.send(before));
+            return;
+        }
+        // The thread has ended although more was expected of it: it has panicked.
+        match self.thread.take().map(JoinHandle::join) {
+            Some(Err(panicked)) => panic::resume_unwind(panicked),
+            _ => batch.end = Some(Err(io::ErrorKind::UnexpectedEof.into())),
+        }
+    }
+}
+
+impl Drop for Ahead {
+    fn drop(&mut self) {
+        (self.filled, self.used) = (None, None);
+        // It reads one batch more at most. If it has panicked after the last one that was used, nothing depends on it.
+        let _ = self.thread.take().map(JoinHandle::join);
+    }
+}
+
+/// The events of CL data, one after the other.
+pub(crate) struct ClEvents<'a> {
+    batches: Box<dyn Batches + 'a>,
+    options: ReadingOptions,
+    batch: Batch,
+    /// Number of events of the batch that have been used.
+    used: usize,
+    facts: Option<FileFacts>,
+}
+
+impl<'a> ClEvents<'a> {
+    /// Reads in this thread.
+    pub(crate) fn here(input: impl Read + 'a, options: ReadingOptions) -> Self {
+        Self::of(Box::new(Here(ClReader::new(input, options.clone()))), options)
+    }
+
+    /// Reads ahead in a thread of its own.
+    ///
+    /// # Errors
+    /// The thread cannot be started.
+    pub(crate) fn ahead(input: impl Read + Send + 'static, options: ReadingOptions) -> io::Result<Self> {
+        Ok(Self::of(Box::new(Ahead::start(input, options.clone())?), options))
+    }
+
+    fn of(batches: Box<dyn Batches + 'a>, options: ReadingOptions) -> Self {
+        Self { batches, options, batch: Batch::default(), used: 0, facts: None }
+    }
+
+    /// Hands all events and the places of their statements to a function, up to the first that it stops at; returns what it
+    /// stopped with.
+    #[inline(always)]
+    pub(crate) fn all<T>(
+        &mut self,
+        mut take: impl FnMut(Location, &Event<'_>) -> ControlFlow<T>,
+    ) -> io::Result<Option<T>> {
+        while self.next_batch()? {
+            let Self { batch, options, used, .. } = self;
+            let from = std::mem::replace(used, batch.count);
+            for (index, place) in batch.places[from..batch.count].iter().enumerate() {
+                if let ControlFlow::Break(stopped) = batch.hand(place, options, &mut take) {
+                    *used = from + index + 1;
+                    return Ok(Some(stopped));
+                }
+            }
+        }
+        Ok(None)
+    }
+
+    /// Hands the next event to a function; whether there was one.
+    #[inline(always)]
+    pub(crate) fn next(&mut self, take: impl FnOnce(Location, &Event<'_>)) -> io::Result<bool> {
+        if self.used == self.batch.count && !self.next_batch()? {
+            return Ok(false);
+        }
+        let place = &self.batch.places[self.used];
+        self.used += 1;
+        self.batch.hand(place, &self.options, take);
+        Ok(true)
+    }
+
+    /// Gets the next batch; whether there is another event.
+    #[inline(never)]
+    fn next_batch(&mut self) -> io::Result<bool> {
+        while self.facts.is_none() && self.used == self.batch.count {
+            match self.batch.end.take() {
+                Some(end) => self.facts = Some(end?),
+                None => {
+                    self.batches.next(&mut self.batch);
+                    self.used = 0;
+                }
+            }
+        }
+        Ok(self.facts.is_none())
+    }
+
+    /// The facts about the file, once the last event has been used.
+    #[inline]
+    pub(crate) fn facts(&self) -> Option<&FileFacts> {
+        self.facts.as_ref()
+    }
+}
+
+/// CL data that each pass reads from its start.
+pub(crate) trait ClData {
+    /// Its text.
+    ///
+    /// # Errors
+    /// The input cannot be read from its start.
+    fn text(&mut self) -> io::Result<Box<dyn Read + '_>>;
+
+    /// Its events.
+    ///
+    /// # Errors
+    /// As for the text.
+    fn events(&mut self, options: ReadingOptions) -> io::Result<ClEvents<'_>> {
+        Ok(ClEvents::here(self.text()?, options))
+    }
+}
+
+/// CL data from the place where a stream is.
+pub(crate) struct FromHere<'a> {
+    input: &'a mut dyn ReadSeek,
+    start: u64,
+}
+
+impl<'a> FromHere<'a> {
+    /// # Errors
+    /// The place is not known.
+    pub(crate) fn new(input: &'a mut dyn ReadSeek) -> io::Result<Self> {
+        let start = input.stream_position()?;
+        Ok(Self { input, start })
+    }
+}
+
+impl ClData for FromHere<'_> {
+    fn text(&mut self) -> io::Result<Box<dyn Read + '_>> {
+        self.input.seek(SeekFrom::Start(self.start))?;
+        Ok(Box::new(&mut *self.input))
+    }
+}
