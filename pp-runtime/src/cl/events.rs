@@ -374,3 +374,105 @@ impl ClData for FromHere<'_> {
         Ok(Box::new(&mut *self.input))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Events as text, and the facts after them.
+    fn all(mut events: ClEvents<'_>) -> (Vec<String>, Option<FileFacts>) {
+        let mut found = Vec::new();
+        let stopped = events.all(|here, event| {
+            found.push(format!("{here:?} {event:?}"));
+            ControlFlow::<()>::Continue(())
+        });
+        assert_eq!(stopped.expect("memory"), None);
+        assert!(!events.next(|_, _| unreachable!("the end stays the end")).expect("memory"));
+        (found, events.facts().cloned())
+    }
+
+    /// Points, arcs, texts and curves, more than a batch holds; then an error, if `fault`.
+    fn data(fault: bool) -> String {
+        let mut text = "PARTNO LONG\nUNITS/MM\nLOAD/TOOL,1\nFEDRAT/500,MMPM\nGOTO/0,0,9\n".to_owned();
+        for index in 0..3 * EVENTS {
+            text += &format!("GOTO/{index},0.5,{}\n", index % 7);
+            if index % 97 == 0 {
+                text +=
+                    &format!("PPRINT POINT {index}\nCIRCLE/{index},5.5,{},0,0,1,5\nGOTO/{index},10.5,{0}\n", index % 7);
+            }
+            if index % 150 == 0 {
+                text += "NURBS\nKNOT/1\nCNTRL/1,2,3\nCNTRL/4,5,6\nCNTRL/7,8,9\n";
+            }
+        }
+        text + if fault { "GOTO/1,2\nGOTO/1,2,3\n" } else { "FINI\n" }
+    }
+
+    #[test]
+    fn events_read_ahead_are_those_of_the_reader() {
+        for fault in [false, true] {
+            let data = data(fault);
+            let mut reader = ClReader::new(data.as_bytes(), ReadingOptions::default());
+            let mut expected = Vec::new();
+            while let Some((here, event)) = reader.next_event().expect("memory") {
+                expected.push(format!("{here:?} {event:?}"));
+            }
+            assert_eq!(reader.failed(), fault, "{:?}", reader.diagnostics());
+            assert!(expected.len() > 3 * EVENTS);
+            let facts = Some(FileFacts::of(&reader));
+            let options = ReadingOptions::default();
+            assert!(all(ClEvents::here(data.as_bytes(), options.clone())) == (expected.clone(), facts.clone()));
+            let ahead = ClEvents::ahead(io::Cursor::new(data), options).expect("a thread");
+            assert!(all(ahead) == (expected, facts));
+        }
+    }
+
+    /// Input that cannot be read to its end.
+    struct Broken(io::Cursor<String>);
+
+    impl Read for Broken {
+        fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+            match self.0.read(buffer)? {
+                0 => Err(io::ErrorKind::PermissionDenied.into()),
+                count => Ok(count),
+            }
+        }
+    }
+
+    #[test]
+    fn an_error_of_the_input_comes_after_the_events_before_it() {
+        let mut counts = Vec::new();
+        for ahead in [false, true] {
+            let input = Broken(io::Cursor::new(data(false)));
+            let options = ReadingOptions::default();
+            let mut events = match ahead {
+                false => ClEvents::here(input, options),
+                true => ClEvents::ahead(input, options).expect("a thread"),
+            };
+            let mut count = 0;
+            let stopped = events.all(|_, _| {
+                count += 1;
+                ControlFlow::<()>::Continue(())
+            });
+            assert_eq!(stopped.expect_err("it ends early").kind(), io::ErrorKind::PermissionDenied);
+            counts.push(count);
+        }
+        assert!(counts[0] > EVENTS);
+        assert_eq!(counts[0], counts[1]);
+    }
+
+    #[test]
+    fn who_stops_early_goes_on_where_that_was() {
+        let mut events = ClEvents::ahead(io::Cursor::new(data(false)), ReadingOptions::default()).expect("a thread");
+        let mut seen = 0;
+        let stopped = events.all(|here, _| {
+            seen += 1;
+            if seen == 10 { ControlFlow::Break(here) } else { ControlFlow::Continue(()) }
+        });
+        let stopped = stopped.expect("memory").expect("more than ten events");
+        let mut after = Location::default();
+        assert!(events.next(|here, _| after = here).expect("memory"));
+        assert!(after > stopped);
+        // The thread still has much to read.
+        drop(events);
+    }
+}

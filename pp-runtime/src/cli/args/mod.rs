@@ -549,7 +549,8 @@ pub(crate) struct SetUpArgs {
     /// Write block numbers
     #[arg(long)]
     pub(crate) line_numbers: bool,
-    /// Threads to use; with 1 the CL data is not read ahead in threads of its own. Without it as many as there are processors
+    /// With 1 the CL data is read in the threads that use it, with more ahead of them in threads of its own. Without it the number of
+    /// processors decides
     #[arg(long, value_name = "N")]
     threads: Option<NonZeroU8>,
     /// Show no progress
@@ -566,7 +567,7 @@ impl SetUpArgs {
         self.control.0
     }
 
-    /// Number of threads to use.
+    /// Number of threads that the user allows, or of processors.
     pub(crate) fn threads(&self) -> usize {
         let processors = || thread::available_parallelism().map_or(1, usize::from);
         self.threads.map_or_else(processors, |threads| threads.get().into())
