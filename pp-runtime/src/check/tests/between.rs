@@ -7,6 +7,7 @@ use crate::check::expect::{Expect, ExpectedAction};
 use crate::check::geometry::{PathShape, Segment, ToolPose};
 use crate::check::read::{Action, Block, FeedMode, MAX_AXES, State};
 use crate::check::rules::Rules;
+use crate::cl::ClEvents;
 use crate::program::Feed;
 
 /// Numbers from -1 to 1 without an order.
