@@ -235,7 +235,9 @@ impl Batches for Ahead {
         if let Some(Ok(filled)) = self.filled.as_ref().map(Receiver::recv) {
             let before = std::mem::replace(batch, filled);
             // After the last batch no one waits for it.
-            let _ = self.used.as_ref().map(|used| used.send(before));
+            if let Some(used) = &self.used {
+                let _ = used.send(before);
+            }
             return;
         }
         // The thread has ended although more was expected of it: it has panicked.
@@ -334,6 +336,11 @@ impl<'a> ClEvents<'a> {
     pub(crate) fn facts(&self) -> Option<&FileFacts> {
         self.facts.as_ref()
     }
+
+    /// The same facts, to keep.
+    pub(crate) fn into_facts(self) -> Option<FileFacts> {
+        self.facts
+    }
 }
 
 /// CL data that each pass reads from its start.
@@ -388,7 +395,7 @@ mod tests {
         });
         assert_eq!(stopped.expect("memory"), None);
         assert!(!events.next(|_, _| unreachable!("the end stays the end")).expect("memory"));
-        (found, events.facts().cloned())
+        (found, events.into_facts())
     }
 
     /// Points, arcs, texts and curves, more than a batch holds; then an error, if `fault`.

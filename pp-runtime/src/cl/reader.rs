@@ -56,15 +56,6 @@ enum NextMotion<M> {
     None,
 }
 
-/// What has been found after the event before.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Found {
-    Event,
-    /// Its text is in the statement read last, or it is the curve completed last.
-    EventWithText,
-    End,
-}
-
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Progress {
     Unread,
@@ -96,7 +87,7 @@ impl<R: Read> ClReader<R> {
     /// [`failed`](Self::failed).
     pub fn next_event(&mut self) -> io::Result<Option<(Location, Event<'_>)>> {
         let mut next = NO_EVENT;
-        if !self.straight(false, &mut next) && self.other(&mut next)? == Found::End {
+        if !self.straight(false, &mut next) && !self.other(&mut next)? {
             return Ok(None);
         }
         let (here, queued) = next;
@@ -123,12 +114,10 @@ impl<R: Read> ClReader<R> {
 
     /// Adds what is no straight motion to a batch; an event is in its place there. Says whether the batch takes more.
     #[inline(never)]
-    fn add_other(&self, found: io::Result<Found>, batch: &mut Batch) -> More {
+    fn add_other(&self, found: io::Result<bool>, batch: &mut Batch) -> More {
         match found {
-            Ok(Found::Event | Found::EventWithText) => {
-                batch.take_place_with(self.text(), || self.interpreter.completed_curve())
-            }
-            Ok(Found::End) => batch.end(Ok(FileFacts::of(self))),
+            Ok(true) => batch.take_place_with(self.text(), || self.interpreter.completed_curve()),
+            Ok(false) => batch.end(Ok(FileFacts::of(self))),
             Err(error) => batch.end(Err(error)),
         }
     }
@@ -155,18 +144,18 @@ impl<R: Read> ClReader<R> {
         true
     }
 
-    /// The next event, where it is no straight motion.
+    /// Makes the next event at its place, where it is no straight motion. Says whether there is one.
     #[inline(never)]
-    fn other(&mut self, place: &mut (Location, QueuedEvent)) -> io::Result<Found> {
+    fn other(&mut self, place: &mut (Location, QueuedEvent)) -> io::Result<bool> {
         if self.takes_lines() { self.next_unless_straight(place) } else { self.next_of_any_kind(false, place) }
     }
 
-    /// The next event, where the next statement is no straight motion on a line of its own.
-    fn next_unless_straight(&mut self, place: &mut (Location, QueuedEvent)) -> io::Result<Found> {
+    /// The same where the next statement is no straight motion on a line of its own.
+    fn next_unless_straight(&mut self, place: &mut (Location, QueuedEvent)) -> io::Result<bool> {
         match self.take_arc_or_hole() {
             NextMotion::Motion(here, arc) => {
                 *place = (here, QueuedEvent::Plain(Event::Arc(arc)));
-                Ok(Found::Event)
+                Ok(true)
             }
             NextMotion::Taken => self.next_of_any_kind(false, place),
             NextMotion::None => self.next_of_any_kind(true, place),
@@ -276,16 +265,15 @@ impl<R: Read> ClReader<R> {
         }
     }
 
-    /// Returns the next event; `no_line`: no event is queued before the next statement, which is no motion on a line of its own.
-    fn next_of_any_kind(&mut self, mut no_line: bool, place: &mut (Location, QueuedEvent)) -> io::Result<Found> {
+    /// The same in any case; `no_line`: no event is queued before the next statement, which is no motion on a line of its own.
+    fn next_of_any_kind(&mut self, mut no_line: bool, place: &mut (Location, QueuedEvent)) -> io::Result<bool> {
         loop {
             let no_line = std::mem::take(&mut no_line);
             if let Some(event) = self.interpreter.next_event()
                 && !self.faults.failed()
             {
                 *place = event;
-                let plain = matches!(place.1, QueuedEvent::Plain(_));
-                return Ok(if plain { Found::Event } else { Found::EventWithText });
+                return Ok(true);
             }
             match self.progress {
                 Progress::Unread => self.begin()?,
@@ -294,19 +282,19 @@ impl<R: Read> ClReader<R> {
                 Progress::Reading => match self.take_straight_after_other() {
                     NextMotion::Motion(here, motion) => {
                         *place = (here, QueuedEvent::Plain(Event::Move(motion)));
-                        return Ok(Found::Event);
+                        return Ok(true);
                     }
                     NextMotion::Taken => {}
                     NextMotion::None => match self.take_arc_or_hole_after_other() {
                         NextMotion::Motion(here, arc) => {
                             *place = (here, QueuedEvent::Plain(Event::Arc(arc)));
-                            return Ok(Found::Event);
+                            return Ok(true);
                         }
                         NextMotion::Taken => {}
                         NextMotion::None => self.read_next()?,
                     },
                 },
-                Progress::Done => return Ok(Found::End),
+                Progress::Done => return Ok(false),
             }
         }
     }

@@ -80,7 +80,7 @@ impl ClSource {
 
     /// The same data once more, from its start and with a read position of its own. No progress is shown of it.
     pub(crate) fn again(&self) -> SharedFile {
-        SharedFile { progress: ProgressBar::hidden(), ..self.input.from_start() }
+        SharedFile { progress: ProgressBar::hidden(), ..self.input.at_start() }
     }
 
     /// Sets whether threads of their own may read the data ahead.
@@ -134,24 +134,24 @@ impl ClData for ClSource {
 
 impl SharedFile {
     /// The same file, read from its start.
-    fn from_start(&self) -> Self {
+    fn at_start(&self) -> Self {
         Self { position: 0, ..self.clone() }
     }
 }
 
 impl ClData for SharedFile {
     fn text(&mut self) -> io::Result<Box<dyn Read + '_>> {
-        Ok(Box::new(self.from_start()))
+        Ok(Box::new(self.at_start()))
     }
 
     fn events(&mut self, options: ReadingOptions) -> io::Result<ClEvents<'_>> {
         // Without another thread the events are the same.
         if self.ahead
-            && let Ok(events) = ClEvents::ahead(self.from_start(), options.clone())
+            && let Ok(events) = ClEvents::ahead(self.at_start(), options.clone())
         {
             return Ok(events);
         }
-        Ok(ClEvents::here(self.from_start(), options))
+        Ok(ClEvents::here(self.at_start(), options))
     }
 }
 

@@ -129,10 +129,10 @@ impl Survey {
         let _ = source.finish(&mut pass);
         let course = pass.navigator.map_or_else(Course::default, Navigator::finish);
         let modes = pass.modes.finish();
-        let file = events.facts().cloned().unwrap_or_default();
+        let mut file = events.into_facts().unwrap_or_default();
+        let found = std::mem::take(&mut file.diagnostics);
         let mut survey = Self { course, modes, file, ..pass.surveyor.finish() };
-        let found = survey.file.diagnostics.iter().cloned();
-        survey.diagnostics = found.chain(std::mem::take(&mut survey.diagnostics)).collect();
+        survey.diagnostics.splice(..0, found);
         if survey.diagnostics.iter().all(|diagnostic| diagnostic.severity != Severity::Error) {
             let end = Location { line: survey.file.lines.max(1), column: 1 };
             let missing = policy.set_up.set_ups.iter().find(|(number, _)| !survey.set_ups.contains(number));

@@ -549,8 +549,8 @@ pub(crate) struct SetUpArgs {
     /// Write block numbers
     #[arg(long)]
     pub(crate) line_numbers: bool,
-    /// With 1 the CL data is read in the threads that use it, with more ahead of them in threads of its own. Without it the number of
-    /// processors decides
+    /// Remove material of a simulation with N threads, and read CL data ahead in threads of its own if N is above 1. Without it, N is
+    /// the number of processors
     #[arg(long, value_name = "N")]
     threads: Option<NonZeroU8>,
     /// Show no progress

@@ -58,7 +58,8 @@ impl AfterPosting for Posted<'_> {
         show_simulation(source, terminal, &args.set_up);
         let policy = run.policy(machine)?;
         let keep = args.view.is_some();
-        let simulated = simulate(machine, policy, (source, &mut text, run.output), bodies, &args.simulation, keep)?;
+        let how = (&args.simulation, args.set_up.threads());
+        let simulated = simulate(machine, policy, (source, &mut text, run.output), bodies, how, keep)?;
         simulated.findings(messages);
         let line = simulated.line();
         Ok((if simulated.passed { Ok(vec![line]) } else { Err(line) }, Box::new(simulated)))

@@ -13,7 +13,6 @@ mod saved_stock;
 use std::fs::File;
 use std::io::{self, BufReader, Seek as _, Write as _};
 use std::path::Path;
-use std::thread;
 
 use crate::check::{CheckPolicy, Checked, check_observed};
 use crate::kinematics::AnyMachine;
@@ -181,7 +180,8 @@ pub(crate) fn run(
     let policy = run.policy(machine)?;
     show_simulation(&mut source, streams.terminal, &args.set_up);
     let keep = page.is_some();
-    let simulated = simulate(machine, policy, (&mut source, &mut program, shown), bodies, &args.simulation, keep)?;
+    let how = (&args.simulation, args.set_up.threads());
+    let simulated = simulate(machine, policy, (&mut source, &mut program, shown), bodies, how, keep)?;
     source.hide_progress();
     if let Some(what) = source.changed_since_opened() {
         return Err(Failure::Changed(name, what));
@@ -205,14 +205,14 @@ pub(crate) fn run(
     Ok(if simulated.passed { Status::Done } else { Status::Rejected })
 }
 
-/// Executes a program with the bodies of a job. Both files are at their start; `shown`: name of the program; `keep`: a page will
-/// show it.
+/// Executes a program with the bodies of a job. Both files are at their start; `shown`: name of the program; `threads`:
+/// number of those of the removal; `keep`: a page will show it.
 fn simulate(
     machine: &dyn AnyMachine,
     mut policy: CheckPolicy,
     (source, program, shown): (&mut ClSource, &mut File, &Path),
     bodies: Bodies,
-    args: &SimulationArgs,
+    (args, threads): (&SimulationArgs, usize),
     keep: bool,
 ) -> Result<Simulated, Failure> {
     let name = source.name().to_owned();
@@ -229,7 +229,6 @@ fn simulate(
     let placed = policy.set_up.machine_for(machine).map_err(|invalid| Failure::Argument(invalid.to_string()))?;
     let mut sentences = Vec::new();
     let distances = clearances(&*placed, &policy.set_up, &solids, &tools, &stock, &mut sentences);
-    let threads = thread::available_parallelism().map_or(1, usize::from);
     let places = PartPlaces::of(&policy.set_up, &facts);
     let kept_tools = keep.then(|| tools.clone());
     let machining = Machining::new(policy, tools, (stock, places.clone()), threads);
