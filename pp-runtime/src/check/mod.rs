@@ -59,7 +59,7 @@ use crate::diag::Diagnostic;
 use crate::kinematics::{AnyMachine, Machine};
 use crate::program::Units;
 use compare::Checker;
-use read::{PlacedLines, Reader};
+use read::{Pieces, PlacedLines, Reader};
 
 /// The reason why a program could not be checked.
 #[derive(Debug, thiserror::Error)]
@@ -114,10 +114,10 @@ pub fn check_for(
     machine: &dyn AnyMachine,
     policy: &CheckPolicy,
     input: &mut dyn ReadSeek,
-    program: &mut dyn Read,
+    mut program: &mut dyn Read,
 ) -> Result<Checked, CheckError> {
     let mut data = FromHere::new(input).map_err(CheckError::Input)?;
-    check_data(machine, policy, &mut data, program, None)
+    check_data(machine, policy, &mut data, &mut program, None)
 }
 
 /// [`check_for`] that shows every block to an observer as it is executed.
@@ -128,11 +128,11 @@ pub fn check_observed(
     machine: &dyn AnyMachine,
     policy: &CheckPolicy,
     input: &mut dyn ReadSeek,
-    program: &mut dyn Read,
+    mut program: &mut dyn Read,
     observer: &mut dyn Observer,
 ) -> Result<Checked, CheckError> {
     let mut data = FromHere::new(input).map_err(CheckError::Input)?;
-    check_data(machine, policy, &mut data, program, Some(observer))
+    check_data(machine, policy, &mut data, &mut program, Some(observer))
 }
 
 /// [`check_for`] and [`check_observed`] for CL data that may be read ahead.
@@ -143,7 +143,7 @@ pub(crate) fn check_data(
     machine: &dyn AnyMachine,
     policy: &CheckPolicy,
     data: &mut dyn ClData,
-    program: &mut dyn Read,
+    program: &mut dyn Pieces,
     mut observer: Option<&mut dyn Observer>,
 ) -> Result<Checked, CheckError> {
     let machine = policy.set_up.machine_for(machine).map_err(|invalid| CheckError::Impossible(invalid.to_string()))?;
@@ -181,10 +181,10 @@ pub fn blocks<M: Machine>(policy: &CheckPolicy, mut program: impl Read) -> Resul
 pub fn blocks_for(
     machine: &dyn AnyMachine,
     policy: &CheckPolicy,
-    program: &mut dyn Read,
+    mut program: &mut dyn Read,
 ) -> Result<Vec<read::Block>, CheckError> {
     let units: Units = policy.output_units.or(policy.reading.units).unwrap_or_default();
-    let mut reader = Reader::new(program, vocabulary::vocabulary(machine, policy, units));
+    let mut reader = Reader::new(&mut program as &mut dyn Pieces, vocabulary::vocabulary(machine, policy, units));
     let mut blocks = Vec::new();
     while let Some((block, _)) = reader.next_block().map_err(CheckError::Program)? {
         blocks.push(block.clone());

@@ -117,19 +117,19 @@ impl Batch {
         self.end = None;
     }
 
-    /// Where the next event is made, if there is room for it.
+    /// Where the next events are made.
     #[inline]
-    pub(super) fn free_place(&mut self) -> Option<&mut (Location, QueuedEvent)> {
-        self.places.get_mut(self.count)
+    pub(super) fn free_places(&mut self) -> &mut [(Location, QueuedEvent)] {
+        &mut self.places[self.count..]
     }
 
-    /// The event at the free place is the next one.
+    /// The events at so many of the free places are the next ones.
     #[inline]
-    pub(super) fn take_place(&mut self) {
-        self.count += 1;
+    pub(super) fn take_places(&mut self, count: usize) {
+        self.count += count;
     }
 
-    /// The same for an event that has a text, or is a curve.
+    /// The event at the first free place is the next one; it may have a text, or be a curve.
     pub(super) fn take_place_with<'a>(&mut self, text: &[u8], curve: impl FnOnce() -> Spline<'a>) -> More {
         match self.places.get_mut(self.count).map(|(_, event)| event) {
             Some(QueuedEvent::Text(_, at)) => {

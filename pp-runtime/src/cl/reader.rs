@@ -86,11 +86,11 @@ impl<R: Read> ClReader<R> {
     /// After the first error the rest of the file is read for diagnostics only and `None` is returned; see
     /// [`failed`](Self::failed).
     pub fn next_event(&mut self) -> io::Result<Option<(Location, Event<'_>)>> {
-        let mut next = NO_EVENT;
-        if !self.straight(false, &mut next) && !self.other(&mut next)? {
+        let mut next = [NO_EVENT];
+        if self.straights(&mut next) == 0 && !self.other(&mut next[0])? {
             return Ok(None);
         }
-        let (here, queued) = next;
+        let [(here, queued)] = next;
         let event = queued.event(self.text(), self.interpreter.options(), self.interpreter.completed_curve());
         Ok(Some((here, event)))
     }
@@ -98,13 +98,10 @@ impl<R: Read> ClReader<R> {
     /// Reads the events of a batch: as many as it holds, or the rest. With the last of them come the facts about the file.
     pub(super) fn fill(&mut self, batch: &mut Batch) {
         batch.clear();
-        let mut after_straight = false;
-        while let Some(place) = batch.free_place() {
-            after_straight = self.straight(after_straight, place);
-            if after_straight {
-                batch.take_place();
-                continue;
-            }
+        loop {
+            let straights = self.straights(batch.free_places());
+            batch.take_places(straights);
+            let Some(place) = batch.free_places().first_mut() else { return };
             let found = self.other(place);
             if self.add_other(found, batch) == More::No {
                 return;
@@ -131,17 +128,20 @@ impl<R: Read> ClReader<R> {
         }
     }
 
-    /// Takes the next statement if it is a GOTO on a line of its own that is a straight motion, as nearly every one is. Its event is
-    /// made at the place where it stays. `after_straight`: the last call took one, and nothing has been read since.
+    /// Takes the next statements as long as each is a GOTO on a line of its own that is a straight motion, as nearly every one is, and
+    /// there are places for their events; returns their number.
     #[inline(never)]
-    fn straight(&mut self, after_straight: bool, place: &mut (Location, QueuedEvent)) -> bool {
+    fn straights(&mut self, places: &mut [(Location, QueuedEvent)]) -> usize {
         // A straight motion changes nothing that this depends on.
-        if !after_straight && !self.takes_lines() {
-            return false;
+        if !self.takes_lines() {
+            return 0;
         }
-        let NextMotion::Motion(here, motion) = self.take_straight() else { return false };
-        *place = (here, QueuedEvent::Plain(Event::Move(motion)));
-        true
+        let count = places.len();
+        for (index, place) in places.iter_mut().enumerate() {
+            let NextMotion::Motion(here, motion) = self.take_straight() else { return index };
+            *place = (here, QueuedEvent::Plain(Event::Move(motion)));
+        }
+        count
     }
 
     /// Makes the next event at its place, where it is no straight motion. Says whether there is one.

@@ -5,10 +5,11 @@
 //! its own. The last lines, with the end code, are held back until the check is done. A program with findings gets no end
 //! code. In a program without findings the figures of the check may be a comment before the end code.
 
-use std::io::{self, Read, Write};
+use std::io::{self, Write};
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 use std::thread::{self, JoinHandle};
 
+use crate::check::read::Pieces;
 use crate::check::{CheckError, CheckPolicy, Checked, Finding, check_data};
 use crate::config::Config;
 use crate::kinematics::AnyMachine;
@@ -85,7 +86,7 @@ impl SelfCheck {
         let (sender, receiver) = sync_channel(MOST_PIECES);
         let (machine, mut input) = (machine.to_boxed(), source.again());
         let body = move || {
-            let mut program = PieceReader { receiver, piece: Vec::new(), at: 0 };
+            let mut program = Handed(receiver);
             match points {
                 false => check_data(&*machine, &policy, &mut input, &mut program, None).map(SelfChecked::Findings),
                 true => Execution::of(&*machine, &policy, &mut input, &mut program).map(SelfChecked::Points),
@@ -93,7 +94,7 @@ impl SelfCheck {
         };
         let thread = thread::Builder::new().name("check".to_owned()).spawn(body);
         let thread = thread.map_err(|error| Failure::Argument(format!("the check cannot be started: {error}")))?;
-        Ok(Self { sender: Some(sender), piece: Vec::with_capacity(PIECE_BYTES), thread })
+        Ok(Self { sender: Some(sender), piece: Vec::new(), thread })
     }
 
     fn take(&mut self, bytes: &[u8]) {
@@ -105,7 +106,7 @@ impl SelfCheck {
 
     /// Hands a piece over. If the check has ended early, `finish` returns the reason.
     fn send(&mut self) {
-        let piece = std::mem::replace(&mut self.piece, Vec::with_capacity(PIECE_BYTES));
+        let piece = std::mem::take(&mut self.piece);
         if self.sender.as_ref().is_some_and(|sender| sender.send(piece).is_err()) {
             self.sender = None;
         }
@@ -141,23 +142,13 @@ pub(crate) fn rejection(
     Some(format!("the program differs from the CL data: {}", headline(name, &first)))
 }
 
-/// Reads the pieces as a stream.
-struct PieceReader {
-    receiver: Receiver<Vec<u8>>,
-    piece: Vec<u8>,
-    at: usize,
-}
+/// The pieces as they come.
+struct Handed(Receiver<Vec<u8>>);
 
-impl Read for PieceReader {
-    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-        while self.at >= self.piece.len() {
-            let Ok(piece) = self.receiver.recv() else { return Ok(0) };
-            (self.piece, self.at) = (piece, 0);
-        }
-        let count = buffer.len().min(self.piece.len() - self.at);
-        buffer[..count].copy_from_slice(&self.piece[self.at..self.at + count]);
-        self.at += count;
-        Ok(count)
+impl Pieces for Handed {
+    fn next_piece(&mut self, piece: &mut Vec<u8>) -> io::Result<()> {
+        *piece = self.0.recv().unwrap_or_default();
+        Ok(())
     }
 }
 

@@ -20,14 +20,15 @@ mod sheet;
 #[cfg(feature = "simulate")]
 mod simulated;
 
-use std::io::{self, Read, SeekFrom};
+use std::io::{self, Cursor, Read};
 
 use nalgebra::Point3;
 
 #[cfg(feature = "simulate")]
 use crate::check::read::MAX_AXES;
-use crate::check::{CheckError, CheckPolicy, Checked, check_observed};
-use crate::cl::ReadSeek;
+use crate::check::read::Pieces;
+use crate::check::{CheckError, CheckPolicy, Checked, check_data};
+use crate::cl::{ClData, FromHere};
 use crate::kinematics::{AnyMachine, AxisKind};
 
 use columns::{Column, Columns};
@@ -84,11 +85,11 @@ impl Execution {
     pub(crate) fn of(
         machine: &dyn AnyMachine,
         policy: &CheckPolicy,
-        cl: &mut dyn ReadSeek,
-        text: &mut dyn Read,
+        cl: &mut dyn ClData,
+        text: &mut dyn Pieces,
     ) -> Result<Self, CheckError> {
         let mut collector = Collector::new(machine, policy);
-        let checked = check_observed(machine, policy, cl, text, &mut collector)?;
+        let checked = check_data(machine, policy, cl, text, Some(&mut collector))?;
         Ok(Self { executed: collector.finish(), checked })
     }
 }
@@ -118,20 +119,20 @@ impl<'a> ViewedProgram<'a> {
     pub(crate) fn new(
         machine: &dyn AnyMachine,
         policy: &'a CheckPolicy,
-        cl: &mut dyn ReadSeek,
+        cl: &mut dyn Read,
         (text, reasons): (&'a [u8], &'a Reasons),
         titles: Titles,
         execution: Option<Execution>,
     ) -> Result<Self, CheckError> {
-        let start = cl.stream_position().map_err(CheckError::Input)?;
         let mut cl_text = Vec::new();
         cl.read_to_end(&mut cl_text).map_err(CheckError::Input)?;
         let facts = ClFacts::read(&*cl_text, policy.reading.clone()).map_err(CheckError::Input)?;
         let Execution { executed, checked } = match execution {
             Some(execution) => execution,
             None => {
-                cl.seek(SeekFrom::Start(start)).map_err(CheckError::Input)?;
-                Execution::of(machine, policy, cl, &mut &*text)?
+                let mut cl = Cursor::new(&cl_text);
+                let mut cl = FromHere::new(&mut cl).map_err(CheckError::Input)?;
+                Execution::of(machine, policy, &mut cl, &mut &*text)?
             }
         };
         let machine =

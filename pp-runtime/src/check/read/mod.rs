@@ -41,7 +41,7 @@ mod text;
 #[cfg(test)]
 mod tests;
 
-use std::io::{self, BufRead, BufReader, Read};
+use std::io::{self, Read};
 
 pub(crate) use block::set_bits;
 pub use block::{
@@ -65,6 +65,9 @@ use text::GOES_ON;
 
 /// A line longer than this is no line of a program, bytes.
 const LONGEST: usize = 1 << 16;
+
+/// Number of bytes of a program that are read at once.
+const PIECE: usize = 1 << 16;
 
 /// Byte order marks, and what a text that begins with one is written in.
 const MARKS: [(&[u8], &str); 3] = [(b"\xEF\xBB\xBF", "UTF-8"), (b"\xFF\xFE", "UTF-16"), (b"\xFE\xFF", "UTF-16")];
@@ -130,6 +133,35 @@ pub(crate) struct Vocabulary {
     pub(crate) rounding: f64,
 }
 
+/// Text of a program, in pieces.
+pub(crate) trait Pieces {
+    /// Replaces a piece by the next one; after the last one it is empty.
+    ///
+    /// # Errors
+    /// The program cannot be read.
+    fn next_piece(&mut self, piece: &mut Vec<u8>) -> io::Result<()>;
+}
+
+impl<R: Read> Pieces for R {
+    fn next_piece(&mut self, piece: &mut Vec<u8>) -> io::Result<()> {
+        piece.resize(PIECE, 0);
+        let read = loop {
+            match self.read(piece) {
+                Err(error) if error.kind() == io::ErrorKind::Interrupted => (),
+                read => break read,
+            }
+        };
+        piece.truncate(*read.as_ref().unwrap_or(&0));
+        read.map(drop)
+    }
+}
+
+impl Pieces for &mut dyn Pieces {
+    fn next_piece(&mut self, piece: &mut Vec<u8>) -> io::Result<()> {
+        (**self).next_piece(piece)
+    }
+}
+
 /// The family's own part.
 #[derive(Debug)]
 enum Syntax {
@@ -140,8 +172,11 @@ enum Syntax {
 
 /// Reads a program block by block.
 #[derive(Debug)]
-pub(crate) struct Reader<R> {
-    input: BufReader<R>,
+pub(crate) struct Reader<P> {
+    input: P,
+    piece: Vec<u8>,
+    /// Number of bytes of the piece that have been read.
+    used: usize,
     vocabulary: Vocabulary,
     facts: Facts,
     syntax: Syntax,
@@ -163,8 +198,8 @@ pub(crate) struct Reader<R> {
     block: Block,
 }
 
-impl<R: Read> Reader<R> {
-    pub(crate) fn new(input: R, mut vocabulary: Vocabulary) -> Self {
+impl<P: Pieces> Reader<P> {
+    pub(crate) fn new(input: P, mut vocabulary: Vocabulary) -> Self {
         own::prepare(&mut vocabulary);
         let facts = vocabulary.family.facts();
         let own_retract = vocabulary.own.iter().any(|own| matches!(own.place, OwnPlace::Retract { .. }));
@@ -175,7 +210,9 @@ impl<R: Read> Reader<R> {
             Form::Statements => Syntax::Heidenhain(Heidenhain::default()),
         };
         Self {
-            input: BufReader::with_capacity(1 << 16, input),
+            input,
+            piece: Vec::new(),
+            used: 0,
             vocabulary,
             facts,
             syntax,
@@ -418,38 +455,36 @@ impl<R: Read> Reader<R> {
     fn take_line(&mut self) -> io::Result<usize> {
         let mut read = 0;
         loop {
-            let buffer = match self.input.fill_buf() {
-                Err(error) if error.kind() == io::ErrorKind::Interrupted => continue,
-                buffer => buffer?,
-            };
-            let buffer = &buffer[..buffer.len().min(LONGEST - read)];
-            let end = memchr::memchr(b'\n', buffer).map(|end| end + 1);
-            let count = end.unwrap_or(buffer.len());
-            self.line.extend_from_slice(&buffer[..count]);
-            self.input.consume(count);
+            let text = &self.piece[self.used..];
+            let text = &text[..text.len().min(LONGEST - read)];
+            let end = memchr::memchr(b'\n', text).map(|end| end + 1);
+            let count = end.unwrap_or(text.len());
+            self.line.extend_from_slice(&text[..count]);
+            self.used += count;
             read += count;
-            if end.is_some() || count == 0 {
+            if end.is_some() || read == LONGEST || !self.next_piece()? {
                 return Ok(read);
             }
         }
     }
 
+    /// Passes over the bytes up to the next line end.
     fn skip_line(&mut self) -> io::Result<()> {
         loop {
-            let buffer = self.input.fill_buf()?;
-            if buffer.is_empty() {
-                return Ok(());
+            match memchr::memchr(b'\n', &self.piece[self.used..]) {
+                Some(end) => self.used += end + 1,
+                None if self.next_piece()? => continue,
+                None => (),
             }
-            match memchr::memchr(b'\n', buffer) {
-                Some(end) => {
-                    self.input.consume(end + 1);
-                    return Ok(());
-                }
-                None => {
-                    let length = buffer.len();
-                    self.input.consume(length);
-                }
-            }
+            return Ok(());
         }
+    }
+
+    /// Gets the next piece; whether there is one.
+    #[inline(never)]
+    fn next_piece(&mut self) -> io::Result<bool> {
+        self.used = 0;
+        self.input.next_piece(&mut self.piece)?;
+        Ok(!self.piece.is_empty())
     }
 }
