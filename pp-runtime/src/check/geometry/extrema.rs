@@ -4,7 +4,7 @@
 //! eighth of their second difference. Where the whole of that difference would matter, the peak is sought, to the noise of
 //! the function. What stays inside costs nothing but its samples.
 
-use super::super::read::MAX_AXES;
+use super::super::read::{MAX_AXES, set_bits};
 
 /// Sections of a search: the last is 1e-6 of the first, and what that leaves of a parabola is 1e-12 of its rise.
 const SECTIONS: u32 = 29;
@@ -41,6 +41,11 @@ impl Extent {
             self.low[index] = self.low[index].min(*value);
             self.high[index] = self.high[index].max(*value);
         }
+    }
+
+    /// Whether all values of some axes are within it: bits.
+    pub(crate) fn holds(&self, other: &Self, axes: u16) -> bool {
+        set_bits(axes).all(|axis| self.low[axis] <= other.low[axis] && other.high[axis] <= self.high[axis])
     }
 
     /// The bound on one side, + up; values there count with their side, so that more is always farther.

@@ -22,6 +22,9 @@ const SAME_ANGLE: f64 = 1e-9;
 /// A motion whose square is shorter than this has no direction, mm².
 const POINT: f64 = 1e-18;
 
+/// An angle whose tangent is the angle, and whose cosine is 1 less half its square, but for less than a nanometre on any arc; rad.
+const SMALL: f64 = 1e-3;
+
 /// Rounding may put a point of an arc so far before the one before it, mm.
 const ROUNDED: f64 = 1e-3;
 
@@ -101,6 +104,46 @@ impl ArcPath {
         self.centre + (self.u * cosine + self.v * sine) * between(self.radii) + self.normal * between(self.heights)
     }
 
+    /// Its angle, rad.
+    pub(crate) fn angle(&self) -> f64 {
+        self.angle
+    }
+
+    /// Towards a point of it at an angle from the start, and a quarter turn on, with the radius of the start; mm.
+    pub(crate) fn radii_at(&self, angle: f64) -> [Vector3<f64>; 2] {
+        let (sine, cosine) = angle.sin_cos();
+        [self.u * cosine + self.v * sine, self.v * cosine - self.u * sine].map(|direction| direction * self.radii[0])
+    }
+
+    /// Point of its centre line at a share, mm; and for a part of it from there on the way along that line, mm, and a bound of the
+    /// difference of its radius from that of the start, mm.
+    pub(crate) fn axis_from(&self, share: f64, part: f64) -> (Vector3<f64>, Vector3<f64>, f64) {
+        let rise = self.heights[1] - self.heights[0];
+        let middle = self.centre + self.normal * (self.heights[0] + rise * share);
+        (middle, self.normal * (rise * part), (self.radii[1] - self.radii[0]).abs())
+    }
+
+    /// Distance of a point from the arc, mm, where its foot is near to the place at this angle; `None` elsewhere, and at the
+    /// ends. Sine and cosine are those of the angle.
+    pub(crate) fn distance_near(&self, point: &Vector3<f64>, angle: f64, (sine, cosine): (f64, f64)) -> Option<f64> {
+        let between = |[a, b]: [f64; 2], share: f64| a + (b - a) * share;
+        let from = point - self.centre;
+        let (a, b, height) = (from.dot(&self.u), from.dot(&self.v), from.dot(&self.normal));
+        let (outwards, ahead) = (a * cosine + b * sine, b * cosine - a * sine);
+        if ahead.abs() > outwards * SMALL {
+            return None;
+        }
+        let same_angle = (angle + ahead / outwards) / self.angle;
+        let share = self.foot_at(height, same_angle);
+        let turned = (share - same_angle) * self.angle;
+        if !(0.0..=1.0).contains(&share) || turned.abs() > SMALL {
+            return None;
+        }
+        let (distance, radius) = ((a * a + b * b).sqrt(), between(self.radii, share));
+        let (out, up) = (distance - radius, height - between(self.heights, share));
+        Some((out * out + distance * radius * turned * turned + up * up).sqrt())
+    }
+
     /// The share of the motion that an angle is.
     pub(crate) fn share_of(&self, angle: f64) -> f64 {
         angle / self.angle
@@ -123,9 +166,13 @@ impl ArcPath {
     /// The share nearest to a point whose angle is about this one: on a steep helix a small error of the angle is a large
     /// one of the height, and the foot of the point lies between the shares of both.
     fn foot(&self, point: &Vector3<f64>, share: f64) -> f64 {
+        self.foot_at((point - self.centre).dot(&self.normal), share)
+    }
+
+    /// The same for a point at a height.
+    fn foot_at(&self, height: f64, share: f64) -> f64 {
         let rise = self.heights[1] - self.heights[0];
         let round = self.angle * f64::midpoint(self.radii[0], self.radii[1]);
-        let height = (point - self.centre).dot(&self.normal);
         let off = height - self.heights[0] - rise * share;
         let whole = rise * rise + round * round;
         if whole > POINT { share + off * rise / whole } else { share }

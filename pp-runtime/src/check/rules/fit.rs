@@ -4,7 +4,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use nalgebra::{SVector, Vector3};
 
-use super::super::geometry::{PathShape, Segment, ToolPose, angle_between};
+use super::super::geometry::{ArcPath, PathShape, Segment, ToolPose, angle_between};
 use super::super::policy::RapidForm;
 use super::super::read::{Action, ArcMove, Block, MAX_AXES, TipControl};
 use super::{AT_POLE, AXIS_NOISE, Rules};
@@ -423,6 +423,11 @@ impl Rules<'_> {
             return None;
         }
         let sweep = sweep(block);
+        if let PathShape::Arc(arc) = &segment.shape
+            && let Some(deviation) = self.arc_deviation(path, (segment, arc), along)
+        {
+            return Some(deviation);
+        }
         let count = points(rotated + sweep);
         let axes = (rotated > 0.0).then(|| segment.axis_arc());
         let in_step = self.policy.words.axis_in_plane && segment.length() > 0.0;
@@ -435,11 +440,7 @@ impl Rules<'_> {
             fastest.add(on.tip - std::mem::replace(&mut last, on.tip));
             found.tip_mm = found.tip_mm.max(match &segment.shape {
                 PathShape::Arc(arc) if sweep > 0.0 => {
-                    let done = along + arc.share_of(sweep * share);
-                    let near = arc.share_near(&on.tip, done).clamp(0.0, 1.0);
-                    // In the other sense about the same centre, or some other turn.
-                    let strays = (near - done).abs() > arc.share_of(FRAC_PI_2);
-                    (on.tip - segment.tip_at(if strays { done.clamp(0.0, 1.0) } else { near })).norm()
+                    off_arc((segment, arc), &on.tip, along + arc.share_of(sweep * share))
                 }
                 _ => segment.distance(&on, along),
             });
@@ -471,6 +472,15 @@ impl Rules<'_> {
     }
 }
 
+/// Distance of a tip from an arc where so much of it is done, mm.
+#[inline(never)]
+pub(super) fn off_arc((segment, arc): (&Segment, &ArcPath), tip: &Vector3<f64>, done: f64) -> f64 {
+    let near = arc.share_near(tip, done).clamp(0.0, 1.0);
+    // In the other sense about the same centre, or some other turn.
+    let strays = (near - done).abs() > arc.share_of(FRAC_PI_2);
+    (tip - segment.tip_at(if strays { done.clamp(0.0, 1.0) } else { near })).norm()
+}
+
 /// Factor on the allowance for the tip after arcs by their angle, whose chords add up to `chords` diameters.
 pub(crate) fn drift(chords: f64) -> f64 {
     1.0 + POLE * chords
@@ -492,6 +502,6 @@ fn longer([a, b]: &[Vector3<f64>; 2]) -> f64 {
 }
 
 /// Number of points of a block that are compared besides its ends.
-fn points(rotated: f64) -> f64 {
+pub(super) fn points(rotated: f64) -> f64 {
     (POINTS + (rotated / ANGLE_PER_POINT).floor()).min(MOST_POINTS)
 }

@@ -1,8 +1,10 @@
 //! The rules that a program is compared with: meaning of its words, rounding, F, modal state.
 //!
 //! [`Rules`] is what is given for a whole program, apart from the tool in the spindle. `words` converts words into tip and
-//! tool axis, `feed` has the rules of F, `state` the modal state of a block, `fit` whether a block ends on a motion.
+//! tool axis, `feed` has the rules of F, `state` the modal state of a block, `fit` whether a block ends on a motion,
+//! and `arc` the blocks along arcs.
 
+mod arc;
 mod feed;
 mod fit;
 mod state;
@@ -20,6 +22,7 @@ use super::expect::{ClMotion, Required};
 use super::geometry::{Segment, ToolPose, angle_between, is_within_angle};
 use super::policy::{CheckPolicy, LinearMeaning, RapidForm};
 use super::read::{Block, Facts, MAX_AXES, OwnPlace, State, TipControl, WorkOffset};
+pub(super) use arc::ArcWords;
 pub(super) use feed::{FeedLaw, Stroke};
 use fit::FastestStep;
 pub(super) use fit::{Arrival, BOTH, BlockPath, Deviation, DeviationBound, SHARE, chord, sweep};

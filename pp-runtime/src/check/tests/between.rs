@@ -1,14 +1,17 @@
 //! Blocks between their ends: bounds that decide instead of points.
 
-use nalgebra::Vector3;
+use std::rc::Rc;
+
+use nalgebra::{Point3, Rotation3, UnitVector3, Vector3};
 
 use super::*;
 use crate::check::expect::{Expect, ExpectedAction};
-use crate::check::geometry::{PathShape, Segment, ToolPose};
-use crate::check::read::{Action, Block, FeedMode, MAX_AXES, State};
+use crate::check::geometry::{ArcPath, PathShape, Segment, ToolPose, tool_pose};
+use crate::check::read::{Action, ArcMove, Block, FeedMode, MAX_AXES, State, WorkPlane};
 use crate::check::rules::Rules;
 use crate::cl::ClEvents;
-use crate::program::Feed;
+use crate::kinematics::Pose;
+use crate::program::{Arc, Feed};
 
 /// Numbers from -1 to 1 without an order.
 struct Noise(u64);
@@ -97,4 +100,97 @@ fn decided<M: Machine>() -> f64 {
 fn bounds_of_a_block_are_never_below_what_its_points_show_and_decide_no_f_that_they_would_refuse() {
     let shares = [decided::<Tables>(), decided::<HeadTable>(), decided::<TwoInHead>()];
     assert!(shares.iter().all(|share| *share > 0.3), "{shares:?}");
+}
+
+/// Random arcs with the rotary axes at rest, each as a part of a motion that is about the same arc: how many are decided by their
+/// bounds where twice their deviation is allowed.
+fn decided_arcs<M: Machine>(by_mm: f64) -> f64 {
+    let (control, config) = configured::<M>("linuxcnc", Mode::Axes, "");
+    let policy = config.check_policy::<M>(control, None).expect("it can be checked");
+    let rules = Rules::new(Box::new(M::default()), &policy, Units::Millimetres);
+    let mut noise = Noise(11);
+    let mut decided = 0.0;
+    for turn in 0..500 {
+        let mut before = [0.0; MAX_AXES];
+        let bits = (rules.words().linear_bits(), rules.words().rotary_bits());
+        for (index, word) in before.iter_mut().enumerate() {
+            let bit = 1 << index;
+            *word = noise.next()
+                * if bits.0 & bit != 0 {
+                    100.0
+                } else if bits.1 & bit != 0 {
+                    2.0
+                } else {
+                    0.0
+                };
+        }
+        let plane = [WorkPlane::Xy, WorkPlane::Zx, WorkPlane::Yz][turn % 3];
+        let [u, v, w] = plane.axes().map(|axis| rules.words().xyz()[axis].expect("it has X, Y and Z"));
+        let radius = 10_f64.powf(1.5 * noise.next());
+        let (sine, cosine) = (3.0 * noise.next()).sin_cos();
+        let sweep = 3.0 * noise.next();
+        let (mut centre, mut values) = ([0.0; 3], before);
+        centre[plane.axes()[0]] = before[u] - radius * cosine;
+        centre[plane.axes()[1]] = before[v] - radius * sine;
+        let (far, rise) = ((3.0 * noise.next()).sin_cos(), if turn % 2 == 0 { 0.0 } else { 5.0 * noise.next() });
+        (values[u], values[v], values[w]) = (before[u] + far.0, before[v] + far.1, before[w] + rise);
+        let action = Action::Arc(ArcMove { centre, sweep, by_angle: false });
+        let state = State { plane: Some(plane), ..State::default() };
+        let block = Block { action, values, state, ..Block::default() };
+        let path = rules.path(before, &block);
+        let tip = |share: f64| rules.pose_from(&path.at(share), &block);
+
+        // The same circle from a place before the block to one behind it.
+        let (start, half) = (tip(0.0), tip(0.5).tip);
+        let part = 0.4 + 0.3 * noise.next();
+        let along = (1.0 - part) * 0.5 * (1.0 + noise.next());
+        let axis = rules.pose_from(&axis_words(before, w, 1.0), &block).tip - start.tip;
+        let normal = UnitVector3::new_normalize(axis * sweep.signum());
+        let climb = axis * rise;
+        let middle = {
+            let mut words = before;
+            (words[u], words[v]) = (centre[plane.axes()[0]], centre[plane.axes()[1]]);
+            rules.pose_from(&words, &block).tip
+        };
+        let angle = sweep.abs() / part;
+        let at = |share: f64| {
+            let rotation = Rotation3::from_axis_angle(&normal, (share - along) * angle);
+            middle + rotation * (start.tip - middle) + climb * ((share - along) / part)
+        };
+        assert!((at(along + 0.5 * part) - half).norm() < 1e-9, "{turn}");
+        let mut end = |share: f64| Pose {
+            tip: Point3::from(at(share) + noise.vector() * by_mm),
+            axis: UnitVector3::new_unchecked(start.axis),
+        };
+        let (from, to) = (end(0.0), end(1.0));
+        let centre = Point3::from(middle + noise.vector() * by_mm);
+        let round = Arc { centre, normal, start: from, end: to, angle_rad: angle, feed: None };
+        let round = Rc::new(ArcPath::of(&round));
+        let segment = Segment { from: tool_pose(&from), to: tool_pose(&to), shape: PathShape::Arc(Rc::clone(&round)) };
+
+        let measured = rules.deviation(&path, [&start, &tip(1.0)], &segment, along).expect("an arc").tip_mm;
+        let count = 3.0 + (sweep.abs() / 0.02).floor();
+        let points = (1..).map(f64::from).take_while(|point| *point <= count);
+        let offs = points.map(|point| segment.distance(&tip(point / (count + 1.0)), 0.0));
+        let largest = offs.fold(0.0, f64::max);
+        assert!((measured - largest).abs() <= 1e-9 + 1e-3 * by_mm * by_mm, "{turn}: {measured} {largest}");
+        let bound = rules.arc_bound(&path, &round, along).expect("its rotary axes rest").tip_mm;
+        assert!(measured <= bound + 1e-9, "{turn}: {measured} {bound}");
+        decided += f64::from(u8::from(bound <= 2.0 * measured));
+    }
+    decided / 500.0
+}
+
+/// Words with one of them changed.
+fn axis_words(mut words: [f64; MAX_AXES], index: usize, by: f64) -> [f64; MAX_AXES] {
+    words[index] += by;
+    words
+}
+
+#[test]
+fn the_deviation_of_an_arc_is_that_of_its_points_and_no_bound_is_below_it() {
+    for by_mm in [0.0005, 0.02] {
+        let shares = [decided_arcs::<Tables>(by_mm), decided_arcs::<HeadTable>(by_mm), decided_arcs::<Mill>(by_mm)];
+        assert!(shares.iter().all(|share| *share > 0.3), "{by_mm}: {shares:?}");
+    }
 }

@@ -8,7 +8,7 @@ use std::f64::consts::{PI, TAU};
 
 use super::super::geometry::{PathPoint, PathShape, Search, Segment};
 use super::super::read::PoseSelector;
-use super::super::rules::{AT_POLE, BlockPath};
+use super::super::rules::{AT_POLE, ArcWords, BlockPath};
 use super::{Block, Extent, Findings, MAX_AXES, Rules, TipControl, ToolPose, Travel, Vector3, sweep};
 
 /// Largest distance between points of a block, rad: of the rotary axes, of which two may add up, and of an arc; unless
@@ -193,8 +193,17 @@ impl Travel {
             words.axes(&here, state).map(|values| PathPoint { share, words: here, values })
         };
         let Some(values) = words.axes(&path.before, state) else { return };
+        let quiet = self.quiet(words);
+        let rests = words.rotary_travel(&path.before, &path.block.values) <= 0.0;
+        if rests
+            && let Some(arc) = path.arc()
+            && let Some(circle) = circle(&arc, &values, |at| words.axes(at, state))
+            && quiet.holds(&circle, self.bits())
+        {
+            return;
+        }
         let first = PathPoint { share: 0.0, words: path.before, values };
-        let (quiet, step) = (self.quiet(words), step(angle, sweep));
+        let step = step(angle, sweep);
         let mut search = Search { at, quiet: &quiet, axes: self.bits(), extent: Extent::of(&values) };
         // Revolutions of a helix differ by its rise alone: the extreme is in the first or the last.
         let revolution = TAU / sweep;
@@ -208,6 +217,22 @@ impl Travel {
         let extent = search.extent;
         self.judge(words, &extent, [&first.values, &last.values], "within this block ", findings);
     }
+}
+
+/// Bounds of the axes on the whole circle of an arc, and on all of its rise, while the rotary axes rest. `start`: values of the
+/// axes before the block; `at`: those with words.
+fn circle(
+    arc: &ArcWords,
+    start: &[f64; MAX_AXES],
+    at: impl Fn(&[f64; MAX_AXES]) -> Option<[f64; MAX_AXES]>,
+) -> Option<Extent> {
+    let (middle, quarter, end) = (at(&arc.middle)?, at(&arc.quarter)?, at(&arc.end)?);
+    let radius = |axis: usize| (start[axis] - middle[axis]).hypot(quarter[axis] - middle[axis]);
+    let rise = |axis: usize| end[axis] - start[axis];
+    Some(Extent {
+        low: std::array::from_fn(|axis| middle[axis] - radius(axis) + rise(axis).min(0.0)),
+        high: std::array::from_fn(|axis| middle[axis] + radius(axis) + rise(axis).max(0.0)),
+    })
 }
 
 /// The nearest position of the rotary axes that has this tool axis and suits.
