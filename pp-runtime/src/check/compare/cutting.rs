@@ -9,7 +9,7 @@ use std::io;
 use std::rc::Rc;
 
 use super::super::expect::{ClMotion, ExpectedAction, ExpectedItem, Required, RequiredSmoothing};
-use super::super::geometry::{ArcPath, PathShape, Segment, ToolPose, angle_between, is_within_angle};
+use super::super::geometry::{PathShape, Segment, ToolPose, angle_between, is_within_angle};
 use super::super::policy::RapidForm;
 use super::super::read::{Action, Block, CycleMove, MAX_AXES, Side};
 use super::super::rules::{BOTH, Deviation, DeviationBound, LinkForm, ModalContext, StateFault, Stroke};
@@ -350,11 +350,7 @@ impl Comparison<'_> {
         (ends, on): ([&ToolPose; 2], &ToolPose),
         part: &Part,
     ) -> BetweenEnds {
-        let bound = match &part.segment.shape {
-            PathShape::Arc(arc) => self.small_arc_deviation(current, arc, part),
-            _ => self.small_deviation(current, (ends, on), part),
-        };
-        if let Some(bound) = bound {
+        if let Some(bound) = self.small_deviation(current, (ends, on), part) {
             return BetweenEnds::Within(bound);
         }
         self.compare_points(current, ends, part)
@@ -426,14 +422,6 @@ impl Comparison<'_> {
         let tip_mm = smaller(tip_mm, self.tally.largest_path_deviation());
         let bound = self.rules.deviation_bound([&self.previous.words, &block.values], ends, [before, on], tip_mm);
         (bound.tip_mm <= tip_mm && bound.axis_rad <= axis_rad).then_some(bound)
-    }
-
-    /// The same for a block along an arc.
-    fn small_arc_deviation(&self, current: &Current<'_>, arc: &ArcPath, part: &Part) -> Option<DeviationBound> {
-        let path = self.rules.path(self.previous.words, current.block);
-        let bound = self.rules.arc_bound(&path, arc, self.progress.along())?;
-        let (tip_mm, _) = self.largest_between(part);
-        (bound.tip_mm <= smaller(tip_mm, self.tally.largest_path_deviation())).then_some(bound)
     }
 
     /// `ends`: poses before and after the block; `along`: share of the motion that was done before it.

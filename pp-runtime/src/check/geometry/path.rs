@@ -109,20 +109,6 @@ impl ArcPath {
         self.angle
     }
 
-    /// Towards a point of it at an angle from the start, and a quarter turn on, with the radius of the start; mm.
-    pub(crate) fn radii_at(&self, angle: f64) -> [Vector3<f64>; 2] {
-        let (sine, cosine) = angle.sin_cos();
-        [self.u * cosine + self.v * sine, self.v * cosine - self.u * sine].map(|direction| direction * self.radii[0])
-    }
-
-    /// Point of its centre line at a share, mm; and for a part of it from there on the way along that line, mm, and a bound of the
-    /// difference of its radius from that of the start, mm.
-    pub(crate) fn axis_from(&self, share: f64, part: f64) -> (Vector3<f64>, Vector3<f64>, f64) {
-        let rise = self.heights[1] - self.heights[0];
-        let middle = self.centre + self.normal * (self.heights[0] + rise * share);
-        (middle, self.normal * (rise * part), (self.radii[1] - self.radii[0]).abs())
-    }
-
     /// Distance of a point from the arc, mm, where its foot is near to the place at this angle; `None` elsewhere, and at the
     /// ends. Sine and cosine are those of the angle.
     pub(crate) fn distance_near(&self, point: &Vector3<f64>, angle: f64, (sine, cosine): (f64, f64)) -> Option<f64> {

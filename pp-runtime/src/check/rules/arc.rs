@@ -5,8 +5,12 @@ use nalgebra::Vector3;
 
 use super::super::geometry::{ArcPath, Segment};
 use super::super::read::{Action, ArcMove, MAX_AXES, State};
-use super::fit::{BlockPath, Deviation, DeviationBound, off_arc, points};
+use super::fit::{BlockPath, Deviation, MOST_POINTS, POINTS, off_arc};
 use super::{Rules, Words};
+
+/// Angle of an arc between points that are compared, rad. Its distance from an arc near to it has one wave or two in a turn: between
+/// such points it is larger by half a percent at most.
+const ANGLE_PER_POINT: f64 = 0.1;
 
 /// Words of a block along an arc. Those at a share `t` of its angle `a` are
 /// `middle + (start - middle) cos a t + (quarter - middle) sin a t + (end - start) t`.
@@ -84,29 +88,10 @@ impl ArcTip {
         let rise = if start == end { Vector3::zeros() } else { tip(end) - before };
         Some(Self { middle, start: before - middle, quarter: tip(quarter) - middle, rise, sweep: *sweep })
     }
-
-    /// Bound of its distance from a motion that goes round as it does, from a share of that on; mm.
-    fn largest_distance(&self, arc: &ArcPath, along: f64) -> f64 {
-        let (sense, begin) = (self.sweep.signum(), arc.angle() * along);
-        let [start, ahead] = arc.radii_at(begin);
-        let part = arc.share_of(self.sweep.abs());
-        let (middle, climb, widened) = arc.axis_from(along, part);
-        // The angle of the motion is that of the block, so that its tip is at each share no farther away than this. Where
-        // the motion ends before the block, its end is farther back by the angle that is left.
-        let round = (self.start - start).norm_squared() + (self.quarter - ahead * sense).norm_squared();
-        let past = ((along + part - 1.0) * arc.angle()).max(0.0) * start.norm();
-        (self.middle - middle).norm() + round.sqrt() + (self.rise - climb).norm() + widened + past
-    }
 }
 
 impl Rules<'_> {
-    /// Bounds of [`deviation`](Self::deviation) for a block along an arc whose rotary axes rest.
-    pub(crate) fn arc_bound(&self, path: &BlockPath<'_>, arc: &ArcPath, along: f64) -> Option<DeviationBound> {
-        let tip = ArcTip::of(&self.words, &path.arc()?, &path.block.state)?;
-        Some(DeviationBound { tip_mm: tip.largest_distance(arc, along), axis_rad: 0.0, tip_rate_mm: 0.0 })
-    }
-
-    /// [`deviation`](Self::deviation) of such a block.
+    /// [`deviation`](Self::deviation) of a block along an arc whose rotary axes rest.
     pub(super) fn arc_deviation(
         &self,
         path: &BlockPath<'_>,
@@ -115,7 +100,7 @@ impl Rules<'_> {
     ) -> Option<Deviation> {
         let ArcTip { middle, start, quarter, rise, sweep } = ArcTip::of(&self.words, &path.arc()?, &path.block.state)?;
         let angle = sweep.abs();
-        let count = points(angle);
+        let count = (POINTS + (angle / ANGLE_PER_POINT).floor()).min(MOST_POINTS);
         let step = 1.0 / (count + 1.0);
         let begin = along * arc.angle();
         let (mut block, mut motion) = (Turned::new(0.0, sweep * step), Turned::new(begin, angle * step));
