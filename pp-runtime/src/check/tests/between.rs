@@ -126,6 +126,7 @@ fn follows_arcs<M: Machine>(by_mm: f64) {
         let plane = [WorkPlane::Xy, WorkPlane::Zx, WorkPlane::Yz][turn % 3];
         let [u, v, w] = plane.axes().map(|axis| rules.words().xyz()[axis].expect("it has X, Y and Z"));
         let radius = 10_f64.powf(1.5 * noise.next());
+        let by_mm = by_mm.min(0.01 * radius);
         let (sine, cosine) = (3.0 * noise.next()).sin_cos();
         let sweep = 3.0 * noise.next();
         let (mut centre, mut values) = ([0.0; 3], before);
@@ -171,7 +172,11 @@ fn follows_arcs<M: Machine>(by_mm: f64) {
         // The first and the last of its points are so far from its ends, which are compared on their own.
         let first = 1.0 / (4.0 + (sweep.abs() / 0.1).floor());
         let shares = (0..=1000).map(|point| first + (1.0 - 2.0 * first) * 1e-3 * f64::from(point));
-        let largest = shares.map(|share| segment.distance(&tip(share), 0.0)).fold(0.0, f64::max);
+        let off = |share: f64| {
+            let on = tip(share).tip;
+            (on - segment.tip_at(round.share_near(&on, along + part * share).clamp(0.0, 1.0))).norm()
+        };
+        let largest = shares.map(off).fold(0.0, f64::max);
         assert!((0.993 * largest..1.001 * largest).contains(&measured), "{turn}: {measured} {largest}");
     }
 }
