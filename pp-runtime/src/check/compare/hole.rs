@@ -74,10 +74,12 @@ impl CycleComparison<'_> {
 
     /// Whether the cycle leaves the way up to a motion: a thread that only goes in and out.
     pub(super) fn stays_at_clearance(&self) -> bool {
-        let end = pose_at(self.rules, self.block, self.cycle.back_to);
         let tap = matches!(self.cycle.kind, CycleKind::Tap(_) | CycleKind::FloatingTap(_));
-        let short = tap && end.is_some_and(|end| self.rules.is_at(&end, &self.pose(self.hole.clearance_mm)));
-        short && self.hole.return_mm - self.hole.clearance_mm > SAME_LEVEL
+        if !tap || self.hole.return_mm - self.hole.clearance_mm <= SAME_LEVEL {
+            return false;
+        }
+        let end = pose_at(self.rules, self.block, self.cycle.back_to);
+        end.is_some_and(|end| self.rules.is_at(&end, &self.pose(self.hole.clearance_mm)))
     }
 
     /// Levels of the cycle, and the expected pose at its end.
@@ -111,7 +113,8 @@ impl CycleComparison<'_> {
         let step = at.tip - expected.tip;
         let along = step.dot(&expected.axis);
         let across = (step - expected.axis * along).norm();
-        let leans_mm = (level.above_mm.abs() * self.lean()?).min(self.tolerance_mm);
+        let above_mm = level.above_mm.abs();
+        let leans_mm = if above_mm > 0.0 { (above_mm * self.lean()?).min(self.tolerance_mm) } else { 0.0 };
         let wrong = along.hypot((across - leans_mm).max(0.0)) > self.rules.rounding().tip_mm
             || !self.rules.is_axis_near(&at.axis, &expected.axis, 1.0);
         let off = step.norm();

@@ -5,6 +5,8 @@
 //! is used: the joints are those that the declaration states. The product is applied to tip and axis from the tool
 //! outwards, which costs a rotation of two vectors for each rotary axis.
 
+use std::cell::Cell;
+
 use nalgebra::{Matrix3, Vector3};
 use wide::f64x2;
 
@@ -12,7 +14,7 @@ use super::super::read::MAX_AXES;
 use crate::kinematics::{AnyMachine, Axis, AxisKind, Side};
 
 /// One factor of the product.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 struct Link {
     rotary: bool,
     workpiece: bool,
@@ -30,6 +32,23 @@ struct Link {
     centre: Pair,
     /// Of a rotary axis whose neighbour towards the tool is rotary, too.
     next: Option<Arm>,
+    /// The angle of the last rotation: often the next one is the same.
+    last: Cell<Turn>,
+}
+
+/// An angle with its sine and cosine.
+#[derive(Debug, Clone, Copy)]
+struct Turn {
+    angle: f64,
+    sine: f64,
+    cosine: f64,
+}
+
+impl Turn {
+    fn of(angle: f64) -> Self {
+        let (sine, cosine) = angle.sin_cos();
+        Self { angle, sine, cosine }
+    }
 }
 
 /// Distances of a point from a rotary axis, mm.
@@ -135,6 +154,7 @@ impl Chain {
                 both: pair(&direction, &direction),
                 moves_tip: of_tip(direction),
                 centre: of_tip(joint.point.coords),
+                last: Cell::new(Turn::of(0.0)),
                 next: next.map(|_| Arm::of(&direction, &(machine.joint(index + 1).point.coords - joint.point.coords))),
             }
         };
@@ -269,7 +289,7 @@ impl Link {
 
     /// [`rotation`](Self::rotation) of the tip about the centre line, and of the tool axis.
     fn rotated(&self, tool: &Pair, angle: f64) -> Pair {
-        let (sine, cosine) = angle.sin_cos();
+        let Turn { sine, cosine, .. } = self.turn(angle);
         let (sine, cosine, n) = (f64x2::splat(sine), f64x2::splat(cosine), &self.both);
         let arm = [0, 1, 2].map(|index| tool[index] - self.centre[index]);
         let part = n[0] * arm[0] + n[1] * arm[1] + n[2] * arm[2];
@@ -280,9 +300,20 @@ impl Link {
         })
     }
 
+    /// Sine and cosine of an angle.
+    fn turn(&self, angle: f64) -> Turn {
+        let last = self.last.get();
+        if last.angle.to_bits() == angle.to_bits() {
+            return last;
+        }
+        let turn = Turn::of(angle);
+        self.last.set(turn);
+        turn
+    }
+
     /// Rodrigues: the part along the direction stays, the rest rotates.
     fn rotation(&self, angle: f64) -> Matrix3<f64> {
-        let (sine, cosine) = angle.sin_cos();
+        let Turn { sine, cosine, .. } = self.turn(angle);
         self.along + self.across * cosine + self.quarter * sine
     }
 }
