@@ -855,9 +855,8 @@ impl Comparison<'_> {
         }
         self.tally.deviation(off, 0.0);
         if let Some(values) = words_at(&self.rules, current.block, level_mm) {
-            let block = Block { values, ..current.block.clone() };
             let mut findings = Findings { tally: &mut self.tally, at: current.at, shown: current.shown };
-            self.travel.at_end(&self.rules, &block, &mut findings);
+            self.travel.at_end(&self.rules, current.block, &values, &mut findings);
         }
     }
 

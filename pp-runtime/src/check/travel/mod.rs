@@ -109,11 +109,17 @@ impl Travel {
             return;
         }
         self.within(rules, (before, known), block, &mut findings);
-        self.at_end(rules, block, &mut findings);
+        self.at_end(rules, block, &block.values, &mut findings);
     }
 
-    /// Whether the axes are within their limits at the end of a block.
-    pub(super) fn at_end(&mut self, rules: &Rules<'_>, block: &Block, findings: &mut Findings<'_>) {
+    /// Whether the axes are within their limits with some words in the state of a block.
+    pub(super) fn at_end(
+        &mut self,
+        rules: &Rules<'_>,
+        block: &Block,
+        at: &[f64; MAX_AXES],
+        findings: &mut Findings<'_>,
+    ) {
         let words = rules.words();
         let solved = words.linear_bits() | words.rotary_bits();
         let direct = !block.state.has_frame();
@@ -122,9 +128,9 @@ impl Travel {
         }
         let by_control = block.state.vector.is_some();
         let text = if direct && !by_control {
-            self.judge_known(block, words, |index| words.value(index, block.values[index]))
+            self.judge_known(block, words, |index| words.value(index, at[index]))
         } else {
-            let rotated = if by_control { self.rotated } else { Some(block.values) };
+            let rotated = if by_control { self.rotated } else { Some(*at) };
             let values = rotated.and_then(|rotated| words.axes_with_rotary(&rotated, &block.state));
             values.and_then(|values| self.judge_known(block, words, |index| values[index]))
         };
