@@ -9,12 +9,14 @@ mod kernel;
 mod parts;
 mod reference;
 
+use std::fs;
 use std::hint::black_box;
 use std::io::Cursor;
 use std::time::{Duration, Instant};
 
 use machines::SpinnerU5620;
 use pp_runtime::check::check;
+use pp_runtime::cli::{Status, Streams, run_with};
 use pp_runtime::config::{Config, Units, starting_point};
 use pp_runtime::control::{self, Control};
 use pp_runtime::kinematics::{Machine, Pose};
@@ -140,6 +142,7 @@ fn pipeline() {
     let policy = plain.check_policy::<SpinnerU5620>(control, Some(Units::Millimetres)).expect("a policy");
     let (blade, plane) = (parts::blade(POINTS), parts::plane(POINTS));
     let (short, holes) = (parts::short_operations(POINTS), parts::holes(POINTS / 5));
+    let arcs = parts::arcs(POINTS / 10);
     let (windows, commented) = (blade.replace('\n', "\r\n"), blade.replace('\n', "\n$$ A COMMENT BETWEEN ALL LINES\n"));
     let mut program = Vec::new();
     posted(&blade, &plain, control, &mut program);
@@ -174,8 +177,40 @@ fn pipeline() {
             work("one operation of points", POINTS, || post_to_memory(&blade, &plain)),
             work("operations of 100 points", POINTS, || post_to_memory(&short, &plain)),
             work("holes", POINTS / 5, || post_to_memory(&holes, &plain)),
+            work("lines and arcs", 2 * (POINTS / 10), || post_to_memory(&arcs, &plain)),
             work("lines end in CR LF", POINTS, || post_to_memory(&windows, &plain)),
             work("a comment after each line", POINTS, || post_to_memory(&commented, &plain)),
+        ],
+    );
+}
+
+/// The whole command, in files, with one thread and with as many as there are processors; its check on and off.
+fn commands() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let [input, output, other] =
+        ["part.cls", "part.nc", "other.nc"].map(|name| folder.path().join(name).display().to_string());
+    fs::write(&input, parts::blade(POINTS)).expect("a file");
+    let post = |options: &[&str]| {
+        let args = ["spinner", "post", &input, "-o", &output, "--units", "mm", "--quiet"];
+        let args: Vec<_> = args.iter().chain(options).map(Into::into).collect();
+        let (mut shown, mut errors) = (Vec::new(), Vec::new());
+        let streams = Streams { input: &mut &b""[..], output: &mut shown, errors: &mut errors, terminal: false };
+        let status = run_with::<SpinnerU5620>(&args, streams);
+        assert_eq!(status, Status::Done, "{}", String::from_utf8_lossy(&errors));
+    };
+    compare(
+        "the whole command, five axes, each word changes in each line",
+        "point",
+        11,
+        vec![
+            work("reference: only the core of the job", POINTS, || {
+                let data = fs::read(&input).expect("a file");
+                fs::write(&other, reference::post(&data)).expect("a file");
+            }),
+            work("post without check, one thread", POINTS, || post(&["--no-check", "--threads", "1"])),
+            work("post without check, all threads", POINTS, || post(&["--no-check"])),
+            work("post with its check, one thread that reads", POINTS, || post(&["--threads", "1"])),
+            work("post with its check, all threads", POINTS, || post(&[])),
         ],
     );
 }
@@ -196,4 +231,5 @@ fn main() {
     println!("ratios of median times in this run; the first of each group is 1");
     kinematics(|title, works| compare(title, "pose", 61, works));
     pipeline();
+    commands();
 }

@@ -42,6 +42,23 @@ pub(crate) fn plane(points: usize) -> String {
     text + "END-OF-PATH\n"
 }
 
+/// Half circles in rows, each a record of its own with the point at its end.
+pub(crate) fn arcs(count: usize) -> String {
+    let mut text = HEAD.to_owned() + "GOTO/100,100,20,0,0,1\n";
+    for arc in 0..count {
+        let (row, radius) = (100.0 + (arc / 50) as f64 * 0.25, 10.0 + (arc % 7) as f64 * 0.25);
+        let (start, end) = if arc % 2 == 0 { (100.0, 100.0 + 2.0 * radius) } else { (100.0 + 2.0 * radius, 100.0) };
+        writeln!(
+            text,
+            "GOTO/{start:.4},{row:.4},20.0000\nCIRCLE/{:.4},{row:.4},20.0000,0.0,0.0,1.0,{radius:.4}\n\
+             GOTO/{end:.4},{row:.4},20.0000",
+            0.5 * (start + end),
+        )
+        .expect("memory takes everything");
+    }
+    text + "END-OF-PATH\n"
+}
+
 /// Drilled holes in rows.
 pub(crate) fn holes(count: usize) -> String {
     let mut text = HEAD.to_owned() + "RAPID\nGOTO/0,0,60,0,0,1\nCYCLE/DRILL,FEDTO,-10,RAPTO,2,MMPM,200\n";

@@ -85,7 +85,7 @@ impl ArcTip {
         }
         let tip = |at: &[f64; MAX_AXES]| words.place(at, state).tip;
         let (middle, before) = (tip(middle), tip(start));
-        let rise = if start == end { Vector3::zeros() } else { tip(end) - before };
+        let rise = tip(end) - before;
         Some(Self { middle, start: before - middle, quarter: tip(quarter) - middle, rise, sweep: *sweep })
     }
 }
