@@ -7,8 +7,8 @@ use super::dialect::Dialect;
 use super::events::{Batch, FileFacts, More, NO_EVENT};
 use super::meaning::{ArcVote, QueuedEvent, ReadingOptions, RecordInterpreter, StatedFrame};
 use super::record::{
-    CIRCLE, CIRCLE_NUMBERS, CatiaMatrix, GOTO, MotionRecord, Record, SubprogramRecord, comment_dialect, joined_record,
-    next_circle, next_goto, parse, read_comment, record_dialect,
+    CIRCLE, CIRCLE_NUMBERS, CatiaMatrix, GOTO, MotionRecord, Record, SubprogramRecord, comment_dialect, joined_goto,
+    joined_record, next_circle, next_goto, parse, read_comment, record_dialect,
 };
 use super::subprogram::{KeptStatement, Subprograms, subprogram_fault};
 use super::text::{
@@ -32,8 +32,11 @@ const SMALLEST_LARGEST_CUTTER_MM: f64 = 1.5;
 /// column.
 pub struct ClReader<R> {
     lexer: Lexer<R>,
-    /// Shapes of the GOTO and of the CIRCLE read last.
+    /// Shapes of the GOTO and of the CIRCLE read last, and of the GOTO that was joined of several lines.
     goto: NumberLine<6>,
+    joined_goto: NumberLine<6>,
+    /// Number of statements in succession that were joined of several lines.
+    joined_in_a_row: u32,
     circle: NumberLine<CIRCLE_NUMBERS>,
     interpreter: RecordInterpreter,
     matrix: CatiaMatrix,
@@ -69,6 +72,8 @@ impl<R: Read> ClReader<R> {
         ClReader {
             lexer: Lexer::new(input, options.columns),
             goto: NumberLine::new(GOTO.name),
+            joined_goto: NumberLine::new(GOTO.name),
+            joined_in_a_row: 0,
             circle: NumberLine::new(CIRCLE.name),
             interpreter: RecordInterpreter::new(options),
             matrix: CatiaMatrix::default(),
@@ -132,16 +137,20 @@ impl<R: Read> ClReader<R> {
     /// there are places for their events; returns their number.
     #[inline(never)]
     fn straights(&mut self, places: &mut [(Location, QueuedEvent)]) -> usize {
-        // A straight motion changes nothing that this depends on.
-        if !self.takes_lines() {
+        // A straight motion changes nothing that this depends on. Where statements are continued, so is probably the next one.
+        if self.joined_in_a_row > 1 || !self.takes_lines() {
             return 0;
         }
-        let count = places.len();
-        for (index, place) in places.iter_mut().enumerate() {
-            let NextMotion::Motion(here, motion) = self.take_straight() else { return index };
+        let mut taken = 0;
+        for place in places {
+            let NextMotion::Motion(here, motion) = self.take_straight() else { break };
             *place = (here, QueuedEvent::Plain(Event::Move(motion)));
+            taken += 1;
         }
-        count
+        if taken > 0 {
+            self.joined_in_a_row = 0;
+        }
+        taken
     }
 
     /// Makes the next event at its place, where it is no straight motion. Says whether there is one.
@@ -399,11 +408,29 @@ impl<R: Read> ClReader<R> {
 
     /// Reads the next statement, whatever it is.
     fn read_next(&mut self) -> io::Result<()> {
-        match self.lexer.next()? {
+        let next = self.lexer.next()?;
+        let is_joined = next.is_some_and(|statement| statement.is_joined_code());
+        self.joined_in_a_row = if is_joined { self.joined_in_a_row.saturating_add(1) } else { 0 };
+        match next {
+            Some(statement) if self.take_joined(&statement) => {}
             Some(statement) => self.read(&statement),
             None => self.finish(),
         }
         Ok(())
+    }
+
+    /// Takes a statement if it is a GOTO that was joined of several lines. Says whether it is.
+    fn take_joined(&mut self, statement: &Statement) -> bool {
+        if !statement.is_joined_code() || !self.takes_lines() {
+            return false;
+        }
+        let Some(point) = joined_goto(&self.lexer, statement, &mut self.joined_goto) else { return false };
+        self.records += 1;
+        (self.statement, self.kept) = (Some(*statement), None);
+        let here = self.lexer.locate(statement, 0).0;
+        let taken = self.interpreter.take(&Record::Motion(MotionRecord::Goto(point)), here);
+        self.note_faults(taken, statement);
+        true
     }
 
     fn read(&mut self, statement: &Statement) {

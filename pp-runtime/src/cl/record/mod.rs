@@ -51,7 +51,7 @@ pub use super::text::Span;
 pub(crate) use self::arc::CIRCLE_NUMBERS;
 pub(crate) use self::comment::{CatiaMatrix, comment_dialect, read_comment};
 pub(crate) use self::own::GivenMeanings;
-pub(crate) use self::parse::{if_harmless, joined_record, next_circle, next_goto, parse, record_dialect};
+pub(crate) use self::parse::{if_harmless, joined_goto, joined_record, next_circle, next_goto, parse, record_dialect};
 pub(crate) use self::words::{CIRCLE, GOTO, nearest_word};
 
 use std::fmt::{self, Display, Formatter};

@@ -12,7 +12,7 @@ use super::own::GivenMeanings;
 use super::values::{Point, Text};
 use super::words::{Handling, look_up};
 use crate::cl::dialect::Dialect;
-use crate::cl::text::{Args, ClFault, Help, Lexer, NumberLine, PhysicalLine, Span, quoted, skip_blanks};
+use crate::cl::text::{Args, ClFault, Help, Lexer, NumberLine, PhysicalLine, Span, Statement, quoted, skip_blanks};
 use crate::diag::Severity;
 
 /// Largest number of bytes of an unknown word that its message shows.
@@ -114,6 +114,15 @@ pub(crate) fn record_dialect(text: &[u8]) -> Dialect {
 #[inline(always)]
 pub(crate) fn next_goto<R: Read>(lexer: &mut Lexer<R>, before: &mut NumberLine<6>) -> Option<(PhysicalLine, Point)> {
     lexer.next_numbers::<6, 6, _>(before, |found| Point::of(found.numbers, found.count, found.at))
+}
+
+/// The point of a GOTO that has been joined of several lines; `None` for any other statement.
+pub(crate) fn joined_goto<R: Read>(
+    lexer: &Lexer<R>,
+    statement: &Statement,
+    before: &mut NumberLine<6>,
+) -> Option<Point> {
+    lexer.joined_numbers::<6, 6, _>(statement, before, |found| Point::of(found.numbers, found.count, found.at))
 }
 
 /// Reads a CIRCLE on a line of its own, without TIMES, in the same way.

@@ -96,6 +96,38 @@ proptest! {
         prop_assert_eq!(found.diagnostics, expected.diagnostics);
     }
 
+    /// The same of lines that are continued, several in succession or one.
+    #[test]
+    fn a_joined_statement_read_in_one_pass_has_the_meaning_it_has_else(
+        lines in prop::collection::vec(
+            (
+                "(GOTO|GOTO|goto| GOTO|GOTO )/ ?(-?[0-9]{1,4}[.][0-9]{0,5}, ?){2}-?[0-9]{1,4}[.][0-9]{0,5}(,0,[.]6,[.]8)?(,|x| )?",
+                prop::collection::vec((any::<prop::sample::Index>(), "[$] {0,2}"), 0..4),
+                1_usize..4,
+            ),
+            1..6,
+        ),
+        between in prop::sample::select(vec!["", "$$ A\n", "FEDRAT/5,MMPM\n", "CYCLE/DRILL,DEPTH,5,MMPM,5\n", "CYCLE/OFF\n"]),
+        end in prop::sample::select(vec!["\n", "\r\n", "\r"]),
+        size in prop::sample::select(vec![1_usize, 5, 64, 4096]),
+    ) {
+        let mut text = String::new();
+        for (line, breaks, times) in &lines {
+            let mut line = line.clone();
+            for (at, mark) in breaks {
+                line.insert_str(at.index(line.len()), &format!("{mark}\n"));
+            }
+            (0..*times).for_each(|_| text += &format!("{line}\n"));
+            text += between;
+        }
+        let text = text.replace('\n', end);
+        let options = ReadingOptions { columns: Some(4096), ..MM.into() };
+        let (found, expected) =
+            (read_from(InPieces { bytes: text.as_bytes(), size }, MM), read_from(text.as_bytes(), options));
+        prop_assert_eq!(found.events, expected.events);
+        prop_assert_eq!(found.diagnostics, expected.diagnostics);
+    }
+
     /// The same of circles, whose axis and ends are right where the text of their numbers is.
     #[test]
     fn a_circle_read_in_one_pass_has_the_meaning_it_has_else(

@@ -12,7 +12,7 @@
 
 use super::args::skip_blanks;
 use super::fault::Span;
-use super::line_shape::LineShape;
+use super::line_shape::{LINE_AND_NUMBER, LineShape};
 use super::number::NumberShape;
 use crate::program::Location;
 use memchr::{memchr, memchr2};
@@ -23,6 +23,13 @@ const CHUNK: usize = 256 * 1024;
 
 /// Longest statement and longest line that is read, in bytes; it bounds the memory. Real ones are far shorter.
 pub(crate) const LONGEST_STATEMENT: usize = 1 << 20;
+
+/// What follows a joined statement in its buffer: a line end, and bytes that a reader of whole lines may look at.
+const AFTER_JOINED: [u8; LINE_AND_NUMBER] = {
+    let mut bytes = [0; LINE_AND_NUMBER];
+    bytes[0] = b'\n';
+    bytes
+};
 
 /// Number of bytes at the start of the file that are searched for a NUL, the mark of a binary file.
 const BINARY_SEARCH: usize = 1024;
@@ -50,6 +57,13 @@ pub(crate) struct Statement {
     line: u64,
     /// Index of the line's first byte in the read buffer; meaningless for a joined statement.
     line_start: usize,
+}
+
+impl Statement {
+    /// Whether it is a record that has been joined of several lines.
+    pub(crate) fn is_joined_code(&self) -> bool {
+        self.joined && self.kind == StatementKind::Code
+    }
 }
 
 /// Numbers of a statement that has no other arguments, at most `N`.
@@ -190,7 +204,7 @@ impl<R: Read> Lexer<R> {
         let known = line.first_chunk().and_then(|text| before.whole.read::<USED>(text));
         let (numbers, length) = match known {
             Some(read) => read,
-            None => self.unlike_the_last(before)?,
+            None => unlike_the_last(line, self.line, before)?,
         };
         // After the end of what has been read there are bytes of earlier reads.
         if self.start + length > self.end {
@@ -205,70 +219,20 @@ impl<R: Read> Lexer<R> {
         Some((line, made))
     }
 
-    /// The numbers of a line that has not the shape of the last one, and the number of its bytes with its end.
-    #[inline(never)]
-    fn unlike_the_last<const N: usize, const USED: usize>(
+    /// [`next_numbers`](Self::next_numbers) of a statement that has been joined.
+    pub(crate) fn joined_numbers<const N: usize, const USED: usize, T>(
         &self,
+        statement: &Statement,
         before: &mut NumberLine<N>,
-    ) -> Option<(ShortNumbers<USED>, usize)> {
-        let line = &self.buffer[self.start..];
-        // Nearly every line of another word has another first letter.
-        if line.first() != before.word.first() {
+        make: impl FnOnce(ShortNumbers<USED>) -> Option<T>,
+    ) -> Option<T> {
+        if !statement.is_joined_code() || self.columns < usize::MAX {
             return None;
         }
-        let Some(read) = line.first_chunk().and_then(|text| before.other.read::<USED>(text)) else {
-            return self.one_by_one(before);
-        };
-        // Lines in succession are of one shape: it is the one to be expected.
-        if before.before_other + 1 == self.line {
-            std::mem::swap(&mut before.whole, &mut before.other);
-        }
-        before.before_other = self.line;
-        Some(read)
-    }
-
-    /// The numbers of a line that begins with the word, and the number of its bytes with its end.
-    #[inline(never)]
-    fn one_by_one<const N: usize, const USED: usize>(
-        &self,
-        before: &mut NumberLine<N>,
-    ) -> Option<(ShortNumbers<USED>, usize)> {
-        let line = &self.buffer[self.start..];
-        let slash = skip_blanks(line, before.word.len());
-        if !line.starts_with(before.word) || line.get(slash) != Some(&b'/') {
-            return None;
-        }
-        let (mut numbers, mut starts, mut count, mut end, mut anew) = ([0.0; N], [0; N], 0, slash, false);
-        for ((shape, number), start) in before.shapes.iter_mut().zip(&mut numbers).zip(&mut starts) {
-            *start = end + 1;
-            // At the end of the buffer there may be no such bytes.
-            let (value, used) = shape.read(line.get(*start..)?.first_chunk()?, &mut anew)?;
-            *number = value;
-            count += 1;
-            end += 1 + used;
-            if line.get(end) != Some(&b',') {
-                break;
-            }
-        }
-        let after = skip_blanks(line, end);
-        let length = match line.get(after)? {
-            b'\n' => after + 1,
-            b'\r' if line.get(after + 1) == Some(&b'\n') => after + 2,
-            _ => return None,
-        };
-        let at = Span { start: skip_blanks(line, slash + 1), end };
-        let mark = before.shapes[..count].iter().fold(0, |mark, shape| shape.mark(mark));
-        let alternates = before.marks[1] == mark;
-        if !anew || alternates {
-            let shape = |index: usize| if index < count { before.shapes[index] } else { NumberShape::NONE };
-            let shapes = std::array::from_fn(|index| (shape(index), starts[index]));
-            if anew {
-                std::mem::swap(&mut before.whole, &mut before.other);
-            }
-            before.whole.take(&line[..length], shapes, (count, at));
-        }
-        before.marks = [mark, before.marks[0]];
-        Some((ShortNumbers { numbers: *numbers.first_chunk()?, count, at }, length))
+        let text = &self.joined[statement.start..];
+        let known = text.first_chunk().and_then(|text| before.whole.read::<USED>(text));
+        let (numbers, _) = known.or_else(|| unlike_the_last(text, self.line, before))?;
+        make(numbers)
     }
 
     /// The statement of the line that [`next_numbers`](Self::next_numbers) has returned last.
@@ -377,7 +341,9 @@ impl<R: Read> Lexer<R> {
             self.pieces.clear();
             self.pieces.push(JoinedPiece { offset: 0, location: Location { line: first, column: 1 } });
         }
-        Ok(Statement { kind, joined: true, start: 0, end: self.joined.len(), line: first, line_start: 0 })
+        let end = self.joined.len();
+        self.joined.extend_from_slice(&AFTER_JOINED);
+        Ok(Statement { kind, joined: true, start: 0, end, line: first, line_start: 0 })
     }
 
     fn on_one_line(&self, line: PhysicalLine, kind: StatementKind) -> Statement {
@@ -454,6 +420,72 @@ impl<R: Read> Lexer<R> {
             return Ok(());
         }
     }
+}
+
+/// The numbers of a line that has not the shape of the last one, and the number of its bytes with its end. `number`: of the line
+/// before.
+#[inline(never)]
+fn unlike_the_last<const N: usize, const USED: usize>(
+    line: &[u8],
+    number: u64,
+    before: &mut NumberLine<N>,
+) -> Option<(ShortNumbers<USED>, usize)> {
+    // Nearly every line of another word has another first letter.
+    if line.first() != before.word.first() {
+        return None;
+    }
+    let Some(read) = line.first_chunk().and_then(|text| before.other.read::<USED>(text)) else {
+        return one_by_one(line, before);
+    };
+    // Lines in succession are of one shape: it is the one to be expected.
+    if before.before_other + 1 == number {
+        std::mem::swap(&mut before.whole, &mut before.other);
+    }
+    before.before_other = number;
+    Some(read)
+}
+
+/// The numbers of a line that begins with the word, and the number of its bytes with its end.
+#[inline(never)]
+fn one_by_one<const N: usize, const USED: usize>(
+    line: &[u8],
+    before: &mut NumberLine<N>,
+) -> Option<(ShortNumbers<USED>, usize)> {
+    let slash = skip_blanks(line, before.word.len());
+    if !line.starts_with(before.word) || line.get(slash) != Some(&b'/') {
+        return None;
+    }
+    let (mut numbers, mut starts, mut count, mut end, mut anew) = ([0.0; N], [0; N], 0, slash, false);
+    for ((shape, number), start) in before.shapes.iter_mut().zip(&mut numbers).zip(&mut starts) {
+        *start = end + 1;
+        // At the end of the buffer there may be no such bytes.
+        let (value, used) = shape.read(line.get(*start..)?.first_chunk()?, &mut anew)?;
+        *number = value;
+        count += 1;
+        end += 1 + used;
+        if line.get(end) != Some(&b',') {
+            break;
+        }
+    }
+    let after = skip_blanks(line, end);
+    let length = match line.get(after)? {
+        b'\n' => after + 1,
+        b'\r' if line.get(after + 1) == Some(&b'\n') => after + 2,
+        _ => return None,
+    };
+    let at = Span { start: skip_blanks(line, slash + 1), end };
+    let mark = before.shapes[..count].iter().fold(0, |mark, shape| shape.mark(mark));
+    let alternates = before.marks[1] == mark;
+    if !anew || alternates {
+        let shape = |index: usize| if index < count { before.shapes[index] } else { NumberShape::NONE };
+        let shapes = std::array::from_fn(|index| (shape(index), starts[index]));
+        if anew {
+            std::mem::swap(&mut before.whole, &mut before.other);
+        }
+        before.whole.take(&line[..length], shapes, (count, at));
+    }
+    before.marks = [mark, before.marks[0]];
+    Some((ShortNumbers { numbers: *numbers.first_chunk()?, count, at }, length))
 }
 
 /// Content of a file by its first bytes.
