@@ -12,6 +12,9 @@ use super::{Rules, Words};
 /// such points it is larger by half a percent at most.
 const ANGLE_PER_POINT: f64 = 0.1;
 
+/// Angle of the first of them from the start of an arc, and of the last from its end, rad.
+const ANGLE_AT_ENDS: f64 = 0.02;
+
 /// Words of a block along an arc. Those at a share `t` of its angle `a` are
 /// `middle + (start - middle) cos a t + (quarter - middle) sin a t + (end - start) t`.
 #[derive(Debug, Clone, Copy)]
@@ -103,18 +106,21 @@ impl Rules<'_> {
         let count = (POINTS + (angle / ANGLE_PER_POINT).floor()).min(MOST_POINTS);
         let step = 1.0 / (count + 1.0);
         let begin = along * arc.angle();
+        let distance = |share: f64, (sine, cosine): (f64, f64), motion: (f64, f64)| {
+            let on = middle + start * cosine + quarter * sine + rise * share;
+            let near = arc.distance_near(&on, begin + angle * share, motion);
+            near.unwrap_or_else(|| off_arc((segment, arc), &on, along + arc.share_of(angle * share)))
+        };
+        let first = step.min(ANGLE_AT_ENDS / angle);
+        let at_ends = [first, 1.0 - first]
+            .map(|share| distance(share, (sweep * share).sin_cos(), (begin + angle * share).sin_cos()));
+        let mut tip_mm = at_ends[0].max(at_ends[1]);
         let (mut block, mut motion) = (Turned::new(0.0, sweep * step), Turned::new(begin, angle * step));
-        let mut found = Deviation::default();
         let mut point = 1.0;
         while point <= count {
-            let share = point * step;
-            let (sine, cosine) = block.next();
-            let on = middle + start * cosine + quarter * sine + rise * share;
-            let near = arc.distance_near(&on, begin + angle * share, motion.next());
-            let off = near.unwrap_or_else(|| off_arc((segment, arc), &on, along + arc.share_of(angle * share)));
-            found.tip_mm = found.tip_mm.max(off);
+            tip_mm = tip_mm.max(distance(point * step, block.next(), motion.next()));
             point += 1.0;
         }
-        Some(found)
+        Some(Deviation { tip_mm, ..Deviation::default() })
     }
 }

@@ -170,7 +170,7 @@ fn follows_arcs<M: Machine>(by_mm: f64) {
 
         let measured = rules.deviation(&path, [&start, &tip(1.0)], &segment, along).expect("an arc").tip_mm;
         // The first and the last of its points are so far from its ends, which are compared on their own.
-        let first = 1.0 / (4.0 + (sweep.abs() / 0.1).floor());
+        let first = (1.0 / (4.0 + (sweep.abs() / 0.1).floor())).min(0.02 / sweep.abs());
         let shares = (0..=1000).map(|point| first + (1.0 - 2.0 * first) * 1e-3 * f64::from(point));
         let off = |share: f64| {
             let on = tip(share).tip;
