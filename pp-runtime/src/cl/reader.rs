@@ -153,13 +153,13 @@ impl<R: Read> ClReader<R> {
         taken
     }
 
-    /// Makes the next event at its place, where it is no straight motion. Says whether there is one.
+    /// Makes the next event at its place, whatever it is. Says whether there is one.
     #[inline(never)]
     fn other(&mut self, place: &mut (Location, QueuedEvent)) -> io::Result<bool> {
         if self.takes_lines() { self.next_unless_straight(place) } else { self.next_of_any_kind(false, place) }
     }
 
-    /// The same where the next statement is no straight motion on a line of its own.
+    /// The same where the next statement is probably no straight motion on a line of its own; if it is, it is read as any other.
     fn next_unless_straight(&mut self, place: &mut (Location, QueuedEvent)) -> io::Result<bool> {
         match self.take_arc_or_hole() {
             NextMotion::Motion(here, arc) => {
@@ -274,7 +274,8 @@ impl<R: Read> ClReader<R> {
         }
     }
 
-    /// The same in any case; `no_line`: no event is queued before the next statement, which is no motion on a line of its own.
+    /// The same in any case; `no_line`: no event is queued before the next statement,
+    /// which is not to be read as a motion on a line of its own.
     fn next_of_any_kind(&mut self, mut no_line: bool, place: &mut (Location, QueuedEvent)) -> io::Result<bool> {
         loop {
             let no_line = std::mem::take(&mut no_line);

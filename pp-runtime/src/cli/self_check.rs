@@ -107,7 +107,8 @@ impl SelfCheck {
     /// Hands a piece over. If the check has ended early, `finish` returns the reason.
     fn send(&mut self) {
         let piece = std::mem::take(&mut self.piece);
-        if self.sender.as_ref().is_some_and(|sender| sender.send(piece).is_err()) {
+        // An empty piece would be the end.
+        if !piece.is_empty() && self.sender.as_ref().is_some_and(|sender| sender.send(piece).is_err()) {
             self.sender = None;
         }
     }

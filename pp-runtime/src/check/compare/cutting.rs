@@ -820,7 +820,7 @@ impl Comparison<'_> {
         let tolerance_mm = required.tolerance_mm.max(0.5 * self.rules.rounding().unit_mm);
         let comparison = CycleComparison { rules: &self.rules, block, cycle, hole: &hole, spindle, tolerance_mm };
         let stays = comparison.stays_at_clearance();
-        let (levels, back) = comparison.levels();
+        let (levels, back) = comparison.levels(stays);
         let way_out_mm = comparison.way_out_mm(&back);
         let levels = levels.map(|level| {
             let found = comparison.compare(&level);

@@ -82,10 +82,10 @@ impl CycleComparison<'_> {
         end.is_some_and(|end| self.rules.is_at(&end, &self.pose(self.hole.clearance_mm)))
     }
 
-    /// Levels of the cycle, and the expected pose at its end.
-    pub(super) fn levels(&self) -> ([Level; 3], ToolPose) {
+    /// Levels of the cycle, and the expected pose at its end. `stays`: it leaves the way up to a motion.
+    pub(super) fn levels(&self, stays: bool) -> ([Level; 3], ToolPose) {
         let (cycle, hole) = (self.cycle, self.hole);
-        let end = if self.stays_at_clearance() { hole.clearance_mm } else { hole.return_mm };
+        let end = if stays { hole.clearance_mm } else { hole.return_mm };
         let level = |name, level_mm, height| Level {
             name,
             level_mm,

@@ -22,7 +22,7 @@ const SAME_ANGLE: f64 = 1e-9;
 /// A motion whose square is shorter than this has no direction, mm².
 const POINT: f64 = 1e-18;
 
-/// An angle whose tangent is the angle, and whose cosine is 1 less half its square, but for less than a nanometre on any arc; rad.
+/// An angle whose tangent is the angle, and whose cosine is 1 less half its square, for distances to a nanometre; rad.
 const SMALL: f64 = 1e-3;
 
 /// Rounding may put a point of an arc so far before the one before it, mm.
@@ -109,8 +109,8 @@ impl ArcPath {
         self.angle
     }
 
-    /// Distance of a point from the arc, mm, where its foot is near to the place at this angle; `None` elsewhere, and at the
-    /// ends. Sine and cosine are those of the angle.
+    /// Distance of a point from the arc, mm, where its foot is near to the place at this angle; `None` elsewhere, and beyond
+    /// the ends. Angles count from the start of the motion; sine and cosine are those of this one.
     pub(crate) fn distance_near(&self, point: &Vector3<f64>, angle: f64, (sine, cosine): (f64, f64)) -> Option<f64> {
         let between = |[a, b]: [f64; 2], share: f64| a + (b - a) * share;
         let from = point - self.centre;

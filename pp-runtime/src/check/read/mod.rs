@@ -135,7 +135,7 @@ pub(crate) struct Vocabulary {
 
 /// Text of a program, in pieces.
 pub(crate) trait Pieces {
-    /// Replaces a piece by the next one; after the last one it is empty.
+    /// Replaces a piece by the next one. An empty one is the end.
     ///
     /// # Errors
     /// The program cannot be read.

@@ -1,19 +1,24 @@
-//! Blocks along an arc in which the rotary axes rest: there all that depends on the words follows evenly from the linear ones,
-//! and goes round as these do.
+//! Blocks along an arc in which the rotary axes rest. There tip and axis values are affine functions of the linear words: what
+//! these do along a circle, those do along an ellipse.
 
 use nalgebra::Vector3;
 
 use super::super::geometry::{ArcPath, Segment};
 use super::super::read::{Action, ArcMove, MAX_AXES, State};
-use super::fit::{BlockPath, Deviation, MOST_POINTS, POINTS, off_arc};
+use super::fit::{BlockPath, Deviation, off_arc};
 use super::{Rules, Words};
 
-/// Angle of an arc between points that are compared, rad. Its distance from an arc near to it has one wave or two in a turn: between
-/// such points it is larger by half a percent at most.
-const ANGLE_PER_POINT: f64 = 0.1;
+/// Largest angle of an arc between points that are compared, rad, unless there were more points than this. The distance from an arc
+/// near to it has one wave or two in a turn, so that between two points it is hardly larger than at them. Of arcs with the same ends
+/// it is largest in the middle: the number of points is odd.
+const STEP: f64 = 0.1;
+const MOST_POINTS: f64 = 3999.0;
 
-/// Angle of the first of them from the start of an arc, and of the last from its end, rad.
-const ANGLE_AT_ENDS: f64 = 0.02;
+/// Smallest number of points.
+const LEAST_POINTS: f64 = 3.0;
+
+/// Two more points are no farther than this from the ends of an arc, rad.
+const FROM_ENDS: f64 = 0.02;
 
 /// Words of a block along an arc. Those at a share `t` of its angle `a` are
 /// `middle + (start - middle) cos a t + (quarter - middle) sin a t + (end - start) t`.
@@ -103,7 +108,7 @@ impl Rules<'_> {
     ) -> Option<Deviation> {
         let ArcTip { middle, start, quarter, rise, sweep } = ArcTip::of(&self.words, &path.arc()?, &path.block.state)?;
         let angle = sweep.abs();
-        let count = (POINTS + (angle / ANGLE_PER_POINT).floor()).min(MOST_POINTS);
+        let count = (LEAST_POINTS + 2.0 * (0.5 * angle / STEP).floor()).min(MOST_POINTS);
         let step = 1.0 / (count + 1.0);
         let begin = along * arc.angle();
         let distance = |share: f64, (sine, cosine): (f64, f64), motion: (f64, f64)| {
@@ -111,7 +116,7 @@ impl Rules<'_> {
             let near = arc.distance_near(&on, begin + angle * share, motion);
             near.unwrap_or_else(|| off_arc((segment, arc), &on, along + arc.share_of(angle * share)))
         };
-        let first = step.min(ANGLE_AT_ENDS / angle);
+        let first = step.min(FROM_ENDS / angle);
         let at_ends = [first, 1.0 - first]
             .map(|share| distance(share, (sweep * share).sin_cos(), (begin + angle * share).sin_cos()));
         let mut tip_mm = at_ends[0].max(at_ends[1]);

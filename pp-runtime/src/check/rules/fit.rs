@@ -11,9 +11,9 @@ use super::{AT_POLE, AXIS_NOISE, Rules};
 use crate::kinematics::math::larger;
 
 /// Points of a block that are compared besides its ends, and one more for each of these angles that it rotates, rad.
-pub(super) const POINTS: f64 = 3.0;
+const POINTS: f64 = 3.0;
 const ANGLE_PER_POINT: f64 = 0.02;
-pub(super) const MOST_POINTS: f64 = 400.0;
+const MOST_POINTS: f64 = 400.0;
 
 /// A share that suits both tip and axis leaves each of them this much farther off than its own best share would.
 pub(crate) const BOTH: f64 = std::f64::consts::SQRT_2;

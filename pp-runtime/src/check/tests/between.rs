@@ -170,7 +170,7 @@ fn follows_arcs<M: Machine>(by_mm: f64) {
 
         let measured = rules.deviation(&path, [&start, &tip(1.0)], &segment, along).expect("an arc").tip_mm;
         // The first and the last of its points are so far from its ends, which are compared on their own.
-        let first = (1.0 / (4.0 + (sweep.abs() / 0.1).floor())).min(0.02 / sweep.abs());
+        let first = (1.0 / (4.0 + 2.0 * (sweep.abs() / 0.2).floor())).min(0.02 / sweep.abs());
         let shares = (0..=1000).map(|point| first + (1.0 - 2.0 * first) * 1e-3 * f64::from(point));
         let off = |share: f64| {
             let on = tip(share).tip;
@@ -193,5 +193,43 @@ fn the_deviation_of_an_arc_is_that_of_its_points() {
         follows_arcs::<Tables>(by_mm);
         follows_arcs::<HeadTable>(by_mm);
         follows_arcs::<Mill>(by_mm);
+    }
+}
+
+/// An arc with the ends of its motion and another radius is farthest off in its middle, however short it is.
+#[test]
+fn the_middle_of_an_arc_with_another_radius_is_seen() {
+    let (control, config) = configured::<Mill>("linuxcnc", Mode::Axes, "");
+    let policy = config.check_policy::<Mill>(control, None).expect("it can be checked");
+    let rules = Rules::new(Box::new(Mill::default()), &policy, Units::Millimetres);
+    let [x, y, _] = rules.words().xyz().map(|axis| axis.expect("it has X, Y and Z"));
+    for step in 1..200 {
+        let (angle, radius, other) = (0.015 * f64::from(step), 100.0, 100.5);
+        let chord = 2.0 * radius * (0.5 * angle).sin();
+        // Both from the origin along X, about centres below it.
+        let below = |radius: f64| (radius * radius - 0.25 * chord * chord).sqrt();
+        let mut values = [0.0; MAX_AXES];
+        values[x] = chord;
+        let sweep = -2.0 * (0.5 * chord / other).asin();
+        let action = Action::Arc(ArcMove { centre: [0.5 * chord, -below(other), 0.0], sweep, by_angle: false });
+        let state = State { plane: Some(WorkPlane::Xy), ..State::default() };
+        let block = Block { action, values, state, ..Block::default() };
+        let path = rules.path([0.0; MAX_AXES], &block);
+        let pose = |words: &[f64; MAX_AXES]| rules.pose_from(words, &block);
+        let (start, end) = (pose(&[0.0; MAX_AXES]), pose(&values));
+        let centre = {
+            let mut words = [0.0; MAX_AXES];
+            (words[x], words[y]) = (0.5 * chord, -below(radius));
+            Point3::from(pose(&words).tip)
+        };
+        let at = |pose: &ToolPose| Pose { tip: Point3::from(pose.tip), axis: UnitVector3::new_unchecked(pose.axis) };
+        let normal = -Vector3::z_axis();
+        let round = Arc { centre, normal, start: at(&start), end: at(&end), angle_rad: angle, feed: None };
+        let shape = PathShape::Arc(Rc::new(ArcPath::of(&round)));
+        let segment = Segment { from: start, to: end, shape };
+        let measured = rules.deviation(&path, [&start, &end], &segment, 0.0).expect("an arc").tip_mm;
+        let height = |radius: f64| radius - below(radius);
+        let middle = (height(radius) - height(other)).abs();
+        assert!((measured - middle).abs() < 1e-6 * middle + 1e-12, "{angle}: {measured} {middle}");
     }
 }
