@@ -85,28 +85,25 @@ impl BlockPath<'_> {
 }
 
 impl ArcTip {
-    /// `None` where a rotary axis rotates.
-    fn of(words: &Words, arc: &ArcWords, state: &State) -> Option<Self> {
+    /// The rotary axes rest.
+    fn of(words: &Words, arc: &ArcWords, state: &State) -> Self {
         let ArcWords { middle, start, quarter, end, sweep } = arc;
-        if words.rotary_travel(start, end) > 0.0 {
-            return None;
-        }
         let tip = |at: &[f64; MAX_AXES]| words.place(at, state).tip;
         let (middle, before) = (tip(middle), tip(start));
         let rise = tip(end) - before;
-        Some(Self { middle, start: before - middle, quarter: tip(quarter) - middle, rise, sweep: *sweep })
+        Self { middle, start: before - middle, quarter: tip(quarter) - middle, rise, sweep: *sweep }
     }
 }
 
 impl Rules<'_> {
-    /// [`deviation`](Self::deviation) of a block along an arc whose rotary axes rest.
+    /// [`deviation`](Self::deviation) of a block whose rotary axes rest, if it goes along an arc.
     pub(super) fn arc_deviation(
         &self,
         path: &BlockPath<'_>,
         (segment, arc): (&Segment, &ArcPath),
         along: f64,
     ) -> Option<Deviation> {
-        let ArcTip { middle, start, quarter, rise, sweep } = ArcTip::of(&self.words, &path.arc()?, &path.block.state)?;
+        let ArcTip { middle, start, quarter, rise, sweep } = ArcTip::of(&self.words, &path.arc()?, &path.block.state);
         let angle = sweep.abs();
         let count = (LEAST_POINTS + 2.0 * (0.5 * angle / STEP).floor()).min(MOST_POINTS);
         let step = 1.0 / (count + 1.0);

@@ -423,7 +423,8 @@ impl Rules<'_> {
             return None;
         }
         let sweep = sweep(block);
-        if let PathShape::Arc(arc) = &segment.shape
+        if rotated <= 0.0
+            && let PathShape::Arc(arc) = &segment.shape
             && let Some(deviation) = self.arc_deviation(path, (segment, arc), along)
         {
             return Some(deviation);
