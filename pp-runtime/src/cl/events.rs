@@ -24,7 +24,10 @@ const EVENTS: usize = 256;
 const TEXT_BYTES: usize = 1 << 14;
 
 /// Number of batches of a reader in another thread: those that are read, those that wait, and the one in use.
-const BATCHES: usize = 4;
+const BATCHES: usize = 16;
+
+/// Number of used batches that go back to the reader together: it is woken once for all of them.
+const HANDED_BACK: usize = BATCHES / 2;
 
 /// Facts about CL data, known at its end.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -195,28 +198,26 @@ impl<R: Read> Batches for Here<R> {
 /// A reader in a thread of its own, which goes on while the batches before are used. Dropped early, it stops.
 struct Ahead {
     filled: Option<Receiver<Batch>>,
-    used: Option<Sender<Batch>>,
+    /// Batches that have been used.
+    used: Vec<Batch>,
+    empty: Option<Sender<Vec<Batch>>>,
     thread: Option<JoinHandle<()>>,
 }
 
 impl Ahead {
     fn start(input: impl Read + Send + 'static, options: ReadingOptions) -> io::Result<Self> {
-        let (used, empty): (Sender<Batch>, Receiver<Batch>) = channel();
+        let (empty, emptied): (Sender<Vec<Batch>>, Receiver<Vec<Batch>>) = channel();
         let (full, filled): (SyncSender<Batch>, Receiver<Batch>) = sync_channel(BATCHES);
         let body = move || {
             let mut reader = ClReader::new(input, options);
-            let mut left = BATCHES;
+            let mut free: Vec<_> = (0..BATCHES).map(|_| Batch::default()).collect();
             loop {
-                // The first ones are new; then those come back that have been used.
-                let mut batch = match left.checked_sub(1) {
-                    Some(less) => {
-                        left = less;
-                        Batch::default()
-                    }
-                    None => match empty.recv() {
-                        Ok(batch) => batch,
+                let Some(mut batch) = free.pop() else {
+                    match emptied.recv() {
+                        Ok(used) => free = used,
                         Err(_) => return,
-                    },
+                    }
+                    continue;
                 };
                 reader.fill(&mut batch);
                 let is_last = batch.end.is_some();
@@ -226,17 +227,23 @@ impl Ahead {
             }
         };
         let thread = thread::Builder::new().name("reader".to_owned()).spawn(body)?;
-        Ok(Self { filled: Some(filled), used: Some(used), thread: Some(thread) })
+        Ok(Self {
+            filled: Some(filled),
+            used: Vec::with_capacity(HANDED_BACK),
+            empty: Some(empty),
+            thread: Some(thread),
+        })
     }
 }
 
 impl Batches for Ahead {
     fn next(&mut self, batch: &mut Batch) {
         if let Some(Ok(filled)) = self.filled.as_ref().map(Receiver::recv) {
-            let before = std::mem::replace(batch, filled);
-            // After the last batch no one waits for it.
-            if let Some(used) = &self.used {
-                let _ = used.send(before);
+            self.used.push(std::mem::replace(batch, filled));
+            if let (Some(empty), HANDED_BACK) = (&self.empty, self.used.len()) {
+                let used = std::mem::replace(&mut self.used, Vec::with_capacity(HANDED_BACK));
+                // After the last batch no one waits for them.
+                let _ = empty.send(used);
             }
             return;
         }
@@ -250,7 +257,7 @@ impl Batches for Ahead {
 
 impl Drop for Ahead {
     fn drop(&mut self) {
-        (self.filled, self.used) = (None, None);
+        (self.filled, self.empty) = (None, None);
         // It reads one batch more at most. If it has panicked after the last one that was used, nothing depends on it.
         let _ = self.thread.take().map(JoinHandle::join);
     }
