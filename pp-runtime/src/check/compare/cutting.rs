@@ -401,27 +401,44 @@ impl Comparison<'_> {
         (part.required.tolerance_mm + rounding.tip_mm, axis_rad)
     }
 
-    /// Bounds of the deviation between the ends of a straight block, if they show that it is allowed, and no larger than the
-    /// largest so far: then nothing depends on its value.
+    /// Bounds of the deviation between the ends of a block, if they show that it is allowed, and no larger than the largest so
+    /// far: then nothing depends on its value.
     fn small_deviation(
         &self,
         current: &Current<'_>,
         (ends, on): ([&ToolPose; 2], &ToolPose),
         part: &Part,
     ) -> Option<DeviationBound> {
+        let (tip_mm, axis_rad) = self.largest_between(part);
+        let tip_mm = smaller(tip_mm, self.tally.largest_path_deviation());
+        let bound = match &part.segment.shape {
+            PathShape::Line => self.bound_of_line(current, (ends, on), part, tip_mm)?,
+            PathShape::Arc(arc) => {
+                let path = self.rules.path(self.previous.words, current.block);
+                self.rules.arc_bound(&path, arc, self.progress.along())?
+            }
+            PathShape::Cubic(_) => return None,
+        };
+        (bound.tip_mm <= tip_mm && bound.axis_rad <= axis_rad).then_some(bound)
+    }
+
+    /// The bounds of a straight block on a straight motion; one for the tip of `enough_mm` or less need not be the smallest.
+    fn bound_of_line(
+        &self,
+        current: &Current<'_>,
+        (ends, on): ([&ToolPose; 2], &ToolPose),
+        part: &Part,
+        enough_mm: f64,
+    ) -> Option<DeviationBound> {
         let block = current.block;
-        let straight = block.action.is_feed() && matches!(part.segment.shape, PathShape::Line);
         let by_axes = self.previous.at_part && !self.rules.policy().words.axis_in_plane;
-        if !straight || !by_axes || block.state.has_frame() {
+        if !block.action.is_feed() || !by_axes || block.state.has_frame() {
             return None;
         }
         let along = self.progress.along();
         let done = (along > 0.0).then(|| part.segment.at(along));
         let before = done.as_ref().unwrap_or(&part.segment.from);
-        let (tip_mm, axis_rad) = self.largest_between(part);
-        let tip_mm = smaller(tip_mm, self.tally.largest_path_deviation());
-        let bound = self.rules.deviation_bound([&self.previous.words, &block.values], ends, [before, on], tip_mm);
-        (bound.tip_mm <= tip_mm && bound.axis_rad <= axis_rad).then_some(bound)
+        Some(self.rules.deviation_bound([&self.previous.words, &block.values], ends, [before, on], enough_mm))
     }
 
     /// `ends`: poses before and after the block; `along`: share of the motion that was done before it.

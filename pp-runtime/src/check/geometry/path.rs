@@ -3,10 +3,10 @@
 //! A straight motion turns its axis evenly along the great circle between its ends; arcs and curves hold theirs. Shares
 //! run from 0 to 1.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 use std::rc::Rc;
 
-use nalgebra::{Point3, Vector3};
+use nalgebra::{Point3, Vector2, Vector3};
 
 use super::ToolPose;
 use crate::kinematics::Pose;
@@ -24,6 +24,9 @@ const POINT: f64 = 1e-18;
 
 /// An angle whose tangent is the angle, and whose cosine is 1 less half its square, for distances to a nanometre; rad.
 const SMALL: f64 = 1e-3;
+
+/// Largest difference of the centres of arcs that are nearly the same, in radii, and of their beginnings and ends, rad.
+const ABOUT: f64 = 1e-2;
 
 /// Rounding may put a point of an arc so far before the one before it, mm.
 const ROUNDED: f64 = 1e-3;
@@ -49,6 +52,17 @@ pub(crate) struct ArcPath {
     radii: [f64; 2],
     heights: [f64; 2],
     angle: f64,
+}
+
+/// A tip on its way round: at a share `t` of its angle `a` at `middle + start cos a t + quarter sin a t + rise t`, mm.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct RoundTip {
+    pub(crate) middle: Vector3<f64>,
+    pub(crate) start: Vector3<f64>,
+    pub(crate) quarter: Vector3<f64>,
+    pub(crate) rise: Vector3<f64>,
+    /// Not negative, rad.
+    pub(crate) angle: f64,
 }
 
 /// One motion.
@@ -128,6 +142,65 @@ impl ArcPath {
         let (distance, radius) = ((a * a + b * b).sqrt(), between(self.radii, share));
         let (out, up) = (distance - radius, height - between(self.heights, share));
         Some((out * out + distance * radius * turned * turned + up * up).sqrt())
+    }
+
+    /// Bound of the distance of a tip that goes round from the arc, mm; it begins about where this share of the arc is done.
+    /// `None` where it begins or ends elsewhere, or about another centre.
+    ///
+    /// Each of its points is compared with that of the arc at the same angle about the centre. The distance of a circle from a
+    /// point within it is largest and smallest towards and away from its centre, or at an end of its arc. Radii and heights of the
+    /// arc change evenly: their differences are largest at the ends. What the tip's own turn is no circle in this plane is added.
+    /// Beyond an end of the arc the point is that end: no other is farther from it than the last.
+    pub(crate) fn farthest(&self, tip: &RoundTip, along: f64) -> Option<f64> {
+        let parts = |of: &Vector3<f64>| (Vector2::new(of.dot(&self.u), of.dot(&self.v)), of.dot(&self.normal));
+        let (off, height) = parts(&(tip.middle - self.centre));
+        let (start, tilt_start) = parts(&tip.start);
+        let (quarter, tilt_quarter) = parts(&tip.quarter);
+        let (rise_beside, rise) = parts(&tip.rise);
+        let begin = along * self.angle;
+        let towards = if along > 0.0 { direction(begin) } else { Vector2::x() };
+        let (radius, centre_off) = (start.norm(), off.norm());
+        let turned = towards.perp(&start) / towards.dot(&start);
+        let is_about_it = turned.abs() <= ABOUT && towards.dot(&start) > 0.0 && centre_off <= radius * ABOUT;
+        let (sine, cosine) = tip.angle.sin_cos();
+        let end = start * cosine + quarter * sine;
+        // Angles of its ends about the centre of the arc.
+        let about = |place: &Vector2<f64>| place.perp(&off) / (radius * radius + place.dot(&off));
+        let first = begin + turned + about(&start);
+        let last = begin + turned + tip.angle + about(&end);
+        if !is_about_it || first < -ABOUT || last > self.angle + ABOUT {
+            return None;
+        }
+        let passes = |way: &Vector2<f64>| match tip.angle {
+            ..PI => start.perp(way) >= 0.0 && way.perp(&end) >= 0.0,
+            PI..TAU => start.perp(way) >= 0.0 || way.perp(&end) >= 0.0,
+            _ => true,
+        };
+        let at_ends = [(off + start).norm(), (off + end).norm()];
+        let farthest = if passes(&off) { radius + centre_off } else { larger(at_ends[0], at_ends[1]) };
+        let nearest = if passes(&-off) { radius - centre_off } else { smaller(at_ends[0], at_ends[1]) };
+        let between = |[a, b]: [f64; 2], angle: f64| a + (b - a) * (angle / self.angle);
+        let radii = [first, last].map(|angle| between(self.radii, angle));
+        let out = larger(farthest - smaller(radii[0], radii[1]), larger(radii[0], radii[1]) - nearest);
+        let up =
+            larger((height - between(self.heights, first)).abs(), (height + rise - between(self.heights, last)).abs());
+        let square = Vector2::new(-start.y, start.x);
+        let beside = rise_beside.norm() + (quarter - square).norm();
+        let ahead = centre_off / (radius - centre_off) / self.angle;
+        let uneven = [self.radii, self.heights].map(|[a, b]| (b - a).abs() * ahead);
+        let tilted = Vector2::new(tilt_start, tilt_quarter).norm();
+        let mut largest = (out + beside + uneven[0]).hypot(up + tilted + uneven[1]);
+        let beyond = [larger(-first, 0.0), larger(last - self.angle, 0.0)];
+        if beyond[0] > 0.0 {
+            largest = larger(largest, (tip.middle + tip.start - self.at(0.0)).norm());
+        }
+        if beyond[1] > 0.0 {
+            let end = tip.middle + tip.start * cosine + tip.quarter * sine + tip.rise;
+            largest = larger(largest, (end - self.at(1.0)).norm());
+        }
+        // The way beyond an end is no chord.
+        let bent = larger(beyond[0], beyond[1]);
+        Some(largest + radius * bent * bent / 8.0)
     }
 
     /// The share of the motion that an angle is.
@@ -310,6 +383,12 @@ impl AxisArc {
     }
 }
 
+/// The unit vector at an angle.
+fn direction(angle: f64) -> Vector2<f64> {
+    let (sine, cosine) = angle.sin_cos();
+    Vector2::new(cosine, sine)
+}
+
 fn cubic(points: &[Vector3<f64>; 4], t: f64) -> Vector3<f64> {
     let s = 1.0 - t;
     points[0] * (s * s * s) + points[1] * (3.0 * s * s * t) + points[2] * (3.0 * s * t * t) + points[3] * (t * t * t)
@@ -393,8 +472,6 @@ fn polar(knots: &[f64], points: &[Point3<f64>], span: usize, at: [f64; 3]) -> Ve
 
 #[cfg(test)]
 mod tests {
-    use std::f64::consts::PI;
-
     use nalgebra::UnitVector3;
 
     use super::*;
@@ -456,5 +533,61 @@ mod tests {
         }
         assert_eq!(roots(&polynomial, 0.4, 0.6).1, 1);
         assert_eq!(roots(&[1.0, 0.0, 1.0, 0.0, 0.0, 0.0], 0.0, 1.0).1, 0);
+    }
+
+    /// Tips that go round about as a spiral helix does, the other way or in a plane that is tilted: none is farther off than the
+    /// bound says.
+    #[test]
+    fn no_point_of_a_tip_that_goes_round_is_farther_from_an_arc_than_its_bound() {
+        let mut seed = 7_u64;
+        let mut noise = || {
+            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (seed >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+        };
+        let mut bounded = 0;
+        for turn in 0..2000 {
+            let mut vector = |by: f64| Vector3::new(noise(), noise(), noise()) * by;
+            let (centre, normal) = (vector(50.0), UnitVector3::new_normalize(vector(1.0)));
+            let (across, by) = (normal.cross(&vector(1.0)).normalize(), 10_f64.powf(-1.0 - f64::from(turn % 5)));
+            let (slope, tilt) = (vector(1.0), vector(by));
+            let (radius, angle) = (5.0 + 4.0 * slope.x, 4.0 * (1.01 + slope.y));
+            let at = |turned: f64, radius: f64, height: f64| {
+                centre + (across * turned.cos() + normal.cross(&across) * turned.sin()) * radius + *normal * height
+            };
+            let pose = |tip: Vector3<f64>| Pose { tip: Point3::from(tip), axis: normal };
+            let (widened, rise) = (radius * (1.0 + by * slope.z), 3.0 * slope.x);
+            let ends = [at(0.0, radius, 0.0), at(angle, widened, rise)].map(pose);
+            let arc = Arc {
+                centre: Point3::from(centre),
+                normal,
+                start: ends[0],
+                end: ends[1],
+                angle_rad: angle,
+                feed: None,
+            };
+            let arc = ArcPath::of(&arc);
+            // A part of it, as it is, tilted, or the other way.
+            let (along, part) = (0.25 * (1.0 + slope.y), 0.25 * (2.0 + slope.z));
+            let from = along * angle + 1e-5 * tilt.x;
+            let start = at(from, radius, along * rise) - centre - *normal * (along * rise) + tilt * 1e-3;
+            let side = if turn % 7 == 0 { -1.0 } else { 1.0 };
+            let tip = RoundTip {
+                middle: centre + *normal * (along * rise) + tilt.cross(&normal),
+                start,
+                quarter: normal.cross(&start) * side + tilt * 1e-2,
+                rise: *normal * (part * rise) + tilt * 1e-2,
+                angle: part * angle,
+            };
+            let Some(bound) = arc.farthest(&tip, along) else { continue };
+            bounded += 1;
+            for point in 0..=200 {
+                let share = f64::from(point) / 200.0;
+                let (sine, cosine) = (tip.angle * share).sin_cos();
+                let on = tip.middle + tip.start * cosine + tip.quarter * sine + tip.rise * share;
+                let off = (on - arc.at(arc.share_near(&on, along + part * share).clamp(0.0, 1.0))).norm();
+                assert!(off <= bound + 1e-6, "{turn}: {off} {bound}");
+            }
+        }
+        assert!(bounded > 1000, "{bounded}");
     }
 }

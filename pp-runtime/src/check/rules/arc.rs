@@ -1,11 +1,9 @@
 //! Blocks along an arc in which the rotary axes rest. There tip and axis values are affine functions of the linear words: what
 //! these do along a circle, those do along an ellipse.
 
-use nalgebra::Vector3;
-
-use super::super::geometry::{ArcPath, Segment};
+use super::super::geometry::{ArcPath, RoundTip, Segment};
 use super::super::read::{Action, ArcMove, MAX_AXES, State};
-use super::fit::{BlockPath, Deviation, off_arc};
+use super::fit::{BlockPath, Deviation, DeviationBound, off_arc};
 use super::{Rules, Words};
 
 /// Largest angle of an arc between points that are compared, rad, unless there were more points than this. The distance from an arc
@@ -33,16 +31,6 @@ pub(crate) struct ArcWords {
     /// In the plane of the arc as before the block, else as after it.
     pub(crate) end: [f64; MAX_AXES],
     /// Angle of the arc, + in the positive sense, rad.
-    sweep: f64,
-}
-
-/// Tip in a block along an arc, at a share `t` of its angle `a`: `middle + start cos a t + quarter sin a t + rise t`, mm.
-#[derive(Debug, Clone, Copy)]
-struct ArcTip {
-    middle: Vector3<f64>,
-    start: Vector3<f64>,
-    quarter: Vector3<f64>,
-    rise: Vector3<f64>,
     sweep: f64,
 }
 
@@ -84,14 +72,14 @@ impl BlockPath<'_> {
     }
 }
 
-impl ArcTip {
-    /// The rotary axes rest.
+impl RoundTip {
+    /// The tip of a block along an arc whose rotary axes rest.
     fn of(words: &Words, arc: &ArcWords, state: &State) -> Self {
         let ArcWords { middle, start, quarter, end, sweep } = arc;
         let tip = |at: &[f64; MAX_AXES]| words.place(at, state).tip;
         let (middle, before) = (tip(middle), tip(start));
-        let rise = tip(end) - before;
-        Self { middle, start: before - middle, quarter: tip(quarter) - middle, rise, sweep: *sweep }
+        let quarter = (tip(quarter) - middle) * sweep.signum();
+        Self { middle, start: before - middle, quarter, rise: tip(end) - before, angle: sweep.abs() }
     }
 }
 
@@ -103,8 +91,8 @@ impl Rules<'_> {
         (segment, arc): (&Segment, &ArcPath),
         along: f64,
     ) -> Option<Deviation> {
-        let ArcTip { middle, start, quarter, rise, sweep } = ArcTip::of(&self.words, &path.arc()?, &path.block.state);
-        let angle = sweep.abs();
+        let tip = RoundTip::of(&self.words, &path.arc()?, &path.block.state);
+        let RoundTip { middle, start, quarter, rise, angle } = tip;
         let count = (LEAST_POINTS + 2.0 * (0.5 * angle / STEP).floor()).min(MOST_POINTS);
         let step = 1.0 / (count + 1.0);
         let begin = along * arc.angle();
@@ -115,14 +103,25 @@ impl Rules<'_> {
         };
         let first = step.min(FROM_ENDS / angle);
         let at_ends = [first, 1.0 - first]
-            .map(|share| distance(share, (sweep * share).sin_cos(), (begin + angle * share).sin_cos()));
+            .map(|share| distance(share, (angle * share).sin_cos(), (begin + angle * share).sin_cos()));
         let mut tip_mm = at_ends[0].max(at_ends[1]);
-        let (mut block, mut motion) = (Turned::new(0.0, sweep * step), Turned::new(begin, angle * step));
+        let (mut block, mut motion) = (Turned::new(0.0, angle * step), Turned::new(begin, angle * step));
         let mut point = 1.0;
         while point <= count {
             tip_mm = tip_mm.max(distance(point * step, block.next(), motion.next()));
             point += 1.0;
         }
         Some(Deviation { tip_mm, ..Deviation::default() })
+    }
+
+    /// Bound of the deviation of a block from an arc, between its ends; `None` where it rotates, goes along no arc, or along one
+    /// far from this.
+    pub(crate) fn arc_bound(&self, path: &BlockPath<'_>, arc: &ArcPath, along: f64) -> Option<DeviationBound> {
+        if self.words.rotary_travel(&path.before, &path.block.values) > 0.0 {
+            return None;
+        }
+        let tip = RoundTip::of(&self.words, &path.arc()?, &path.block.state);
+        let tip_mm = arc.farthest(&tip, along)?;
+        Some(DeviationBound { tip_mm, axis_rad: 0.0, tip_rate_mm: 0.0 })
     }
 }
