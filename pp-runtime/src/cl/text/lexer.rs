@@ -13,7 +13,7 @@
 use super::args::skip_blanks;
 use super::fault::Span;
 use super::line_shape::{LINE_AND_NUMBER, LineShape};
-use super::number::NumberShape;
+use super::number::ShortNumber;
 use crate::program::Location;
 use memchr::{memchr, memchr2};
 use std::io::{self, Read};
@@ -74,17 +74,16 @@ pub(crate) struct ShortNumbers<const N: usize> {
     pub(crate) at: Span,
 }
 
-/// A word and at most `N` short numbers, with the shapes that these had on the line read last.
+/// A word and at most `N` short numbers, with the shapes that lines of them had.
 pub(crate) struct NumberLine<const N: usize> {
     word: &'static [u8],
-    shapes: [NumberShape; N],
-    /// Shape of the last line whose numbers had the shapes of those before.
-    whole: LineShape<N>,
+    /// Shape of the last line that had the layout of one of the two before it.
+    whole: Box<LineShape<N>>,
     /// Shape of lines that alternate with those, as the ends of arcs to and fro do.
-    other: LineShape<N>,
+    other: Box<LineShape<N>>,
     /// Number of the line before the last line of that shape.
     before_other: u64,
-    /// Marks of the shapes of the last two lines that were read number by number, the last one first.
+    /// Marks of the layouts of the last two lines that were read number by number, the last one first.
     marks: [u64; 2],
 }
 
@@ -92,9 +91,8 @@ impl<const N: usize> NumberLine<N> {
     pub(crate) fn new(word: &'static str) -> Self {
         NumberLine {
             word: word.as_bytes(),
-            shapes: [NumberShape::NONE; N],
-            whole: LineShape::NONE,
-            other: LineShape::NONE,
+            whole: Box::new(LineShape::NONE),
+            other: Box::new(LineShape::NONE),
             before_other: 0,
             marks: [0; 2],
         }
@@ -455,14 +453,13 @@ fn one_by_one<const N: usize, const USED: usize>(
     if !line.starts_with(before.word) || line.get(slash) != Some(&b'/') {
         return None;
     }
-    let (mut numbers, mut starts, mut count, mut end, mut anew) = ([0.0; N], [0; N], 0, slash, false);
-    for ((shape, number), start) in before.shapes.iter_mut().zip(&mut numbers).zip(&mut starts) {
-        *start = end + 1;
+    let (mut numbers, mut count, mut end, mut mark) = ([0.0; N], 0, slash, 0_u64);
+    for number in &mut numbers {
+        let start = end + 1;
         // At the end of the buffer there may be no such bytes.
-        let (value, used) = shape.read(line.get(*start..)?.first_chunk()?, &mut anew)?;
-        *number = value;
-        count += 1;
-        end += 1 + used;
+        let read = ShortNumber::read(line.get(start..)?.first_chunk()?)?;
+        *number = read.value;
+        (count, end, mark) = (count + 1, start + read.end, mark.rotate_left(11) ^ read.mark);
         if line.get(end) != Some(&b',') {
             break;
         }
@@ -474,17 +471,14 @@ fn one_by_one<const N: usize, const USED: usize>(
         _ => return None,
     };
     let at = Span { start: skip_blanks(line, slash + 1), end };
-    let mark = before.shapes[..count].iter().fold(0, |mark, shape| shape.mark(mark));
-    let alternates = before.marks[1] == mark;
-    if !anew || alternates {
-        let shape = |index: usize| if index < count { before.shapes[index] } else { NumberShape::NONE };
-        let shapes = std::array::from_fn(|index| (shape(index), starts[index]));
-        if anew {
+    let [last, second] = before.marks;
+    before.marks = [mark, last];
+    if last == mark || second == mark {
+        if last != mark {
             std::mem::swap(&mut before.whole, &mut before.other);
         }
-        before.whole.take(&line[..length], shapes, (count, at));
+        before.whole.take(line, length, (count, at));
     }
-    before.marks = [mark, before.marks[0]];
     Some((ShortNumbers { numbers: *numbers.first_chunk()?, count, at }, length))
 }
 

@@ -24,6 +24,24 @@ struct Piece {
     largest: u8x16,
 }
 
+impl Piece {
+    /// Of the bytes of a line; of the last ones there may be fewer.
+    fn of(line: &[u8]) -> Self {
+        let Some(bytes) = line.first_chunk() else {
+            let (mut bytes, mut within) = ([0; 16], [u8::MAX; 16]);
+            bytes[..line.len()].copy_from_slice(line);
+            within[..line.len()].fill(0);
+            let Self { bytes, largest } = Self::of(&bytes);
+            return Self { bytes, largest: largest | u8x16::from(within) };
+        };
+        let bytes = u8x16::from(*bytes);
+        let number = bytes - u8x16::splat(b'0');
+        let is_digit = number.min(u8x16::splat(9)).simd_eq(number);
+        let fixed = |byte| u8x16::splat(byte) & is_digit;
+        Self { bytes: fixed(b'0') | bytes & !is_digit, largest: fixed(9) }
+    }
+}
+
 /// Digits and other bytes of a line of numbers.
 #[derive(Debug, Clone)]
 pub(super) struct LineShape<const N: usize> {
@@ -53,24 +71,29 @@ impl<const N: usize> LineShape<N> {
         at: Span { start: 0, end: 0 },
     };
 
-    /// Takes the shape of a line, its end included, whose numbers have these shapes and begin at these indices. A long line has
-    /// none.
+    /// Takes the shape of a line of as many numbers with a byte after each, at this place; `text` begins with it and goes on. A long
+    /// line has none.
     #[inline(never)]
-    pub(super) fn take(&mut self, line: &[u8], numbers: [(NumberShape, usize); N], (count, at): (usize, Span)) {
+    pub(super) fn take(&mut self, text: &[u8], length: usize, (count, at): (usize, Span)) {
         self.length = 0;
-        if line.len() > LONGEST {
+        if length > LONGEST {
             return;
         }
-        let long = numbers.iter().any(|(shape, _)| shape.is_long());
-        let digits = numbers.map(|(shape, start)| shape.digits().after(start));
-        *self = Self { numbers, count, digits, long, at, length: line.len(), ..Self::NONE };
-        for (piece, line) in self.pieces.iter_mut().zip(line.chunks(16)) {
-            let (mut bytes, mut largest) = ([0; 16], [u8::MAX; 16]);
-            for (byte, (expected, largest)) in line.iter().zip(bytes.iter_mut().zip(&mut largest)) {
-                (*expected, *largest) = if byte.is_ascii_digit() { (b'0', 9) } else { (*byte, 0) };
-            }
-            *piece = Piece { bytes: bytes.into(), largest: largest.into() };
+        self.numbers = [(NumberShape::NONE, 0); N];
+        self.digits = [DigitPlaces::NONE; N];
+        self.long = false;
+        let mut start = at.start;
+        for (number, digits) in self.numbers.iter_mut().zip(&mut self.digits).take(count) {
+            let Some(shape) = text.get(start..).and_then(<[u8]>::first_chunk).and_then(NumberShape::of) else { return };
+            (*number, *digits) = ((shape, start), shape.digits().after(start));
+            self.long |= shape.is_long();
+            start += shape.end() + 1;
         }
+        let line = &text[..length];
+        for (piece, line) in self.pieces.iter_mut().zip(line.chunks(16)) {
+            *piece = Piece::of(line);
+        }
+        (self.length, self.count, self.at) = (length, count, at);
     }
 
     /// The first `USED` numbers of the line at the start of `text`, if it has this shape, and the number of its bytes with its end.
@@ -111,7 +134,7 @@ impl<const N: usize> LineShape<N> {
     #[inline(never)]
     fn set_each(&self, numbers: &mut [f64], text: &[u8; LINE_AND_NUMBER]) -> Option<()> {
         for (number, (shape, start)) in numbers.iter_mut().zip(&self.numbers[..self.count]) {
-            *number = shape.known(text[start % LONGEST..].first_chunk()?)?;
+            *number = shape.value(text[start % LONGEST..].first_chunk()?)?;
         }
         Some(())
     }

@@ -7,7 +7,7 @@
 //! binary64, so one multiplication or division rounds correctly (Clinger). The standard library reads the others.
 
 use wide::bytemuck::cast;
-use wide::{f64x2, i16x8, u16x8};
+use wide::{f64x2, i16x8, u8x16, u16x8};
 
 /// Powers of ten that binary64 holds exactly.
 const POWERS_OF_TEN: [f64; 23] = [
@@ -24,24 +24,39 @@ const DIGITS_OF_U64: usize = 19;
 /// Number of decimal digits whose mantissa is always exact in binary64.
 const EXACT_DIGITS: usize = 15;
 
-/// Bytes that [`NumberShape::read`] may look at.
+/// Bytes that [`ShortNumber::read`] may look at.
 pub(crate) const SHORT_NUMBER: usize = 40;
 
-/// No byte of a short number, nor the one after it, is as far from its start; any index modulo this has eight bytes after it.
-const INDICES: usize = SHORT_NUMBER - 8;
-
 /// Blanks, sign, digits and point of a short number: one whose point is among its first eight bytes, with fifteen digits at
-/// most, and no exponent.
-///
-/// Nearly every number of a file is short, and has the shape of the number at its place in the line before. Where the digits
-/// are known in advance, they are moved into the bytes of one integer and summed there.
+/// most, and no exponent. Nearly every number of a file is short.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct NumberShape {
+struct NumberLayout {
+    /// Index of the first digit, or of the point before it.
+    first: usize,
+    /// Index of the byte after the digits before the point.
+    point: usize,
+    decimals: usize,
     /// Index of the byte after the number.
     end: usize,
-    /// Bits of the first eight bytes that are no digits (blanks, sign, point), and their values.
-    fixed_bits: u64,
-    fixed: u64,
+    negative: bool,
+}
+
+/// A short number.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct ShortNumber {
+    pub(super) value: f64,
+    /// Index of the byte after the number.
+    pub(super) end: usize,
+    /// The same for all numbers with digits at the same places.
+    pub(super) mark: u64,
+}
+
+/// Where the digits of a short number are. Where that is known in advance, they are moved into the bytes of one integer and summed
+/// there.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct NumberShape {
+    /// Index of the byte after the number.
+    end: usize,
     /// The first eight digits.
     digits: DigitPlaces,
     /// Decimals after those, in bytes that follow: there the number is summed in parts.
@@ -93,58 +108,110 @@ impl DigitPlaces {
     }
 }
 
-impl NumberShape {
-    /// That of no number.
-    pub(crate) const NONE: Self = Self {
-        end: 0,
-        fixed_bits: 0,
-        // No byte is all of these bits and none of them.
-        fixed: u64::MAX,
-        digits: DigitPlaces::NONE,
-        rest: 0,
-    };
-
-    /// Returns the number at the start of `text`, blanks before it included, and the count of its bytes, and takes its shape;
-    /// `None` if the number is not short, or no byte after it ends a number of a list. `anew` is set where the shape changes.
-    #[inline]
-    pub(crate) fn read(&mut self, text: &[u8; SHORT_NUMBER], anew: &mut bool) -> Option<(f64, usize)> {
-        match self.value(text) {
-            Some(value) => Some((value, self.end)),
-            None => {
-                *anew = true;
-                self.read_anew(text)
+impl NumberLayout {
+    /// That of the number at the start of `text`, blanks before it included; `None` if it is not short, or no byte after it ends a
+    /// number of a list.
+    #[inline(always)]
+    fn of(text: &[u8; SHORT_NUMBER]) -> Option<Self> {
+        let mut first = 0;
+        while text[first] == b' ' {
+            first += 1;
+            if first == 8 {
+                return None;
             }
         }
-    }
-
-    /// A mark of this shape after those with the mark `before`; the same of equal shapes, and seldom that of others.
-    #[inline]
-    pub(super) fn mark(&self, before: u64) -> u64 {
-        before.rotate_left(9) ^ self.fixed ^ self.end as u64
-    }
-
-    /// The same where the number has another shape than the last one.
-    #[inline(never)]
-    fn read_anew(&mut self, text: &[u8; SHORT_NUMBER]) -> Option<(f64, usize)> {
-        *self = Self::of(text)?;
-        Some((self.value(text)?, self.end))
-    }
-
-    /// The number at the start of `text`, if it has this shape.
-    #[inline(always)]
-    fn value(&self, text: &[u8; SHORT_NUMBER]) -> Option<f64> {
-        let start = u64_at(text, 0);
-        // What may follow a number of a list comes before the point in the alphabet: a comma, a blank, the end of the line.
-        if text[self.end % INDICES] >= b'.' || start & self.fixed_bits != self.fixed {
+        let negative = text[first] == b'-';
+        first += usize::from(negative);
+        // A short number is no longer than these.
+        let bytes = u8x16::from(*text[first..].first_chunk()?);
+        let numbers = bytes - u8x16::splat(b'0');
+        let others = numbers.max(u8x16::splat(10)).simd_eq(numbers).to_bitmask() | 1 << 16;
+        let whole = others.trailing_zeros() as usize;
+        let point = first + whole;
+        if point >= 8 {
             return None;
         }
-        self.sum(are_digits(self.digits.digits(text))?, text)
+        let (decimals, end) = if text[point] == b'.' {
+            let end = (others & (others - 1)).trailing_zeros() as usize;
+            (end - whole - 1, first + end)
+        } else {
+            (0, point)
+        };
+        // What may follow a number of a list comes before the point in the alphabet: a comma, a blank, the end of the line.
+        let is_short = (1..=EXACT_DIGITS).contains(&(whole + decimals)) && text[end] < b'.';
+        is_short.then_some(Self { first, point, decimals, end, negative })
+    }
+
+    /// Power of ten of the decimals, below zero with a sign.
+    #[inline(always)]
+    fn scale(&self) -> f64 {
+        let scale = POWERS_OF_TEN[self.decimals % POWERS_OF_TEN.len()];
+        if self.negative { -scale } else { scale }
+    }
+}
+
+impl ShortNumber {
+    /// The number at the start of `text`, blanks before it included; `None` if it is not short, or no byte after it ends a number of
+    /// a list.
+    #[inline(always)]
+    pub(super) fn read(text: &[u8; SHORT_NUMBER]) -> Option<Self> {
+        let layout = NumberLayout::of(text)?;
+        let NumberLayout { first, point, decimals, end, .. } = layout;
+        // The last digit is to be in the highest byte.
+        let digits = |from: usize, to: usize| ((u64_at(text, from) ^ ZEROS) << (8 * (7 - (to - from)) % 64)) << 8;
+        let mut mantissa = value_of(digits(first, point));
+        let mut from = point + 1;
+        if decimals >= 8 {
+            mantissa = mantissa * 100_000_000 + value_of(u64_at(text, from) ^ ZEROS);
+            from += 8;
+        }
+        mantissa = mantissa * POWERS[decimals % 8] + value_of(digits(from, from + decimals % 8));
+        let mark = (first | point << 8 | end << 16) as u64 ^ u64::from(layout.negative) << 32;
+        Some(Self { value: mantissa as f64 / layout.scale(), end, mark })
+    }
+}
+
+impl NumberShape {
+    /// That of no number.
+    pub(super) const NONE: Self = Self { end: 0, digits: DigitPlaces::NONE, rest: 0 };
+
+    /// That of the short number at the start of `text`.
+    pub(super) fn of(text: &[u8; SHORT_NUMBER]) -> Option<Self> {
+        let layout = NumberLayout::of(text)?;
+        let NumberLayout { first, point, decimals, end, .. } = layout;
+        // Bits of the bytes from one on, below eight, up to another.
+        let bits =
+            |from: usize, to: usize| u64::MAX.checked_shr(8 * (8 - (to - from)) as u32).unwrap_or(0) << (8 * from);
+        // The first eight digits end in the highest byte.
+        let digits = point - first + decimals;
+        let (together, rest) = (digits.min(8), digits.saturating_sub(8));
+        Some(Self {
+            end,
+            digits: DigitPlaces {
+                at: 0,
+                whole_bits: bits(first, point),
+                whole_rotation: 8 * (16 - together - first) as u32 % u64::BITS,
+                decimals_at: point + 1,
+                decimal_bits: bits(0, decimals - rest),
+                decimal_shift: 8 * (8 - (decimals - rest)) as u32 % u64::BITS,
+                zeros: ZEROS << (8 * (8 - together)),
+                scale: layout.scale(),
+            },
+            rest,
+        })
+    }
+
+    /// Index of the byte after the number.
+    pub(super) fn end(&self) -> usize {
+        self.end
     }
 
     /// The number at the start of `text`, which has this shape.
     #[inline(always)]
-    pub(super) fn known(&self, text: &[u8; SHORT_NUMBER]) -> Option<f64> {
-        self.sum(self.digits.digits(text), text)
+    pub(super) fn value(&self, text: &[u8; SHORT_NUMBER]) -> Option<f64> {
+        let first = value_of(self.digits.digits(text));
+        let mantissa = if self.rest == 0 { first } else { self.with_rest(first, text)? };
+        Some(mantissa as f64 / self.digits.scale)
     }
 
     /// Whether a number of this shape has more than eight digits.
@@ -157,64 +224,18 @@ impl NumberShape {
         self.digits
     }
 
-    /// The number with these first digits.
-    #[inline(always)]
-    fn sum(&self, first: u64, text: &[u8; SHORT_NUMBER]) -> Option<f64> {
-        let first = value_of(first);
-        let mantissa = if self.rest == 0 { first } else { self.with_rest(first, text)? };
-        Some(mantissa as f64 / self.digits.scale)
-    }
-
     /// Mantissa with the decimals after the first eight digits.
     #[inline(never)]
     fn with_rest(&self, first: i64, text: &[u8; SHORT_NUMBER]) -> Option<i64> {
-        const POWERS: [i64; 8] = [1, 10, 100, 1_000, 10_000, 100_000, 1_000_000, 10_000_000];
         let shift = 8 * (8 - self.rest);
         let bytes = u64_at(text, self.end - self.rest) << shift;
-        Some(first * POWERS[self.rest] + value_of(are_digits(bytes ^ ZEROS << shift)?))
-    }
-
-    /// Shape of the number at the start of `text`.
-    fn of(text: &[u8; SHORT_NUMBER]) -> Option<Self> {
-        let blanks = text.iter().take_while(|byte| **byte == b' ').count();
-        let signed = text.get(blanks) == Some(&b'-');
-        let first = blanks + usize::from(signed);
-        let whole = digits_from(text, first);
-        let point = first + whole;
-        if point >= 8 {
-            return None;
-        }
-        let has_point = text[point] == b'.';
-        let decimals = if has_point { digits_from(text, point + 1) } else { 0 };
-        let (digits, end) = (whole + decimals, point + usize::from(has_point) + decimals);
-        if !(1..=EXACT_DIGITS).contains(&digits) || matches!(text[end], b'E' | b'e' | b'D' | b'd') {
-            return None;
-        }
-        // Bits of the bytes from one on, below eight, up to another.
-        let bits =
-            |from: usize, to: usize| u64::MAX.checked_shr(8 * (8 - (to - from)) as u32).unwrap_or(0) << (8 * from);
-        let fixed_bits = bits(0, first) | bits(point, point + usize::from(has_point));
-        // The first eight digits end in the highest byte.
-        let (together, rest) = (digits.min(8), digits.saturating_sub(8));
-        let scale = POWERS_OF_TEN[decimals];
-        Some(Self {
-            end,
-            fixed_bits,
-            fixed: u64_at(text, 0) & fixed_bits,
-            digits: DigitPlaces {
-                at: 0,
-                whole_bits: bits(first, point),
-                whole_rotation: 8 * (16 - together - first) as u32 % u64::BITS,
-                decimals_at: point + 1,
-                decimal_bits: bits(0, decimals - rest),
-                decimal_shift: 8 * (8 - (decimals - rest)) as u32 % u64::BITS,
-                zeros: ZEROS << (8 * (8 - together)),
-                scale: if signed { -scale } else { scale },
-            },
-            rest,
-        })
+        let rest = bytes ^ ZEROS << shift;
+        (others(rest) == 0).then(|| first * POWERS[self.rest] + value_of(rest))
     }
 }
+
+/// Powers of ten by which fewer than eight digits are moved.
+const POWERS: [i64; 8] = [1, 10, 100, 1_000, 10_000, 100_000, 1_000_000, 10_000_000];
 
 const ZEROS: u64 = 0x3030_3030_3030_3030;
 
@@ -232,22 +253,6 @@ fn others(bytes: u64) -> u64 {
     const HIGH_BITS: u64 = 0x8080_8080_8080_8080;
     // No sum of a digit has the high bit, and none before another byte carries.
     (bytes.wrapping_add(0x7676_7676_7676_7676) | bytes) & HIGH_BITS
-}
-
-/// Eight bytes, if each is a digit as a number.
-#[inline]
-fn are_digits(bytes: u64) -> Option<u64> {
-    (others(bytes) == 0).then_some(bytes)
-}
-
-/// Count of the digits from one of the first bytes on; 16 for more than a short number has.
-#[inline]
-fn digits_from(text: &[u8; SHORT_NUMBER], at: usize) -> usize {
-    let in_eight = |at: usize| others(u64_at(text, at) ^ ZEROS).trailing_zeros() as usize / 8;
-    match in_eight(at) {
-        8 => 8 + in_eight(at + 8),
-        count => count,
-    }
 }
 
 /// Value of eight digits, one in each byte, the last in the highest. They are summed in pairs, fours and eights.
@@ -375,7 +380,7 @@ fn rounded_by_library(text: &[u8], letter: usize) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::{NumberShape, SHORT_NUMBER, number_at_start as prefix, whole_number as whole};
+    use super::{NumberShape, SHORT_NUMBER, ShortNumber, number_at_start as prefix, whole_number as whole};
     use proptest::prelude::*;
 
     #[test]
@@ -424,31 +429,29 @@ mod tests {
     ];
 
     #[test]
-    fn short_numbers_are_read_as_any_number_whatever_the_shape_before() {
+    fn short_numbers_are_read_as_any_number() {
         for text in SHORT {
-            for before in SHORT {
-                let mut shape = NumberShape::NONE;
-                read(&mut shape, before);
-                let blanks = text.len() - text.trim_start().len();
-                let expected = prefix(text.trim_start().as_bytes()).map(|(value, used)| (value, blanks + used));
-                assert_eq!(read(&mut shape, text), expected, "{text} after {before}");
-            }
+            let blanks = text.len() - text.trim_start().len();
+            let expected = prefix(text.trim_start().as_bytes()).map(|(value, used)| (value, blanks + used));
+            assert_eq!(read(text), expected, "{text}");
         }
         for text in
             ["", "-", ".", "-.", "+1", "123456789", "0.123456789012345", "1E5", "1.5D2", "1.2.3", "1/2", "x", "/"]
         {
-            let mut shape = NumberShape::NONE;
-            read(&mut shape, "7.25");
-            assert_eq!(read(&mut shape, text), None, "{text}");
+            assert_eq!(read(text), None, "{text}");
         }
     }
 
-    /// The number at the start of `text`, which may be shorter than the bytes that are looked at.
-    fn read(shape: &mut NumberShape, text: &str) -> Option<(f64, usize)> {
+    /// The number at the start of `text`, which may be shorter than the bytes that are looked at, and the count of its bytes. By its
+    /// shape it is the same.
+    fn read(text: &str) -> Option<(f64, usize)> {
         let mut room = [b','; SHORT_NUMBER];
         let bytes = text.len().min(SHORT_NUMBER);
         room[..bytes].copy_from_slice(&text.as_bytes()[..bytes]);
-        shape.read(&room, &mut false)
+        let ShortNumber { value, end, .. } = ShortNumber::read(&room)?;
+        let shape = NumberShape::of(&room).expect("a short number");
+        assert_eq!((shape.value(&room).map(f64::to_bits), shape.end()), (Some(value.to_bits()), end), "{text}");
+        Some((value, end))
     }
 
     #[test]
@@ -486,36 +489,19 @@ mod tests {
         }
 
         #[test]
-        fn random_short_numbers_read_as_any_number(
-            texts in proptest::collection::vec("-?[0-9]{0,7}(\\.[0-9]{0,16})?[ -~]{0,6}", 1..4)
-        ) {
-            let mut shape = NumberShape::NONE;
-            for text in &texts {
-                if let Some((value, used)) = read(&mut shape, text) {
-                    // Blanks before a number are skipped.
-                    let number = text.trim_start();
-                    let (expected, end) = prefix(number.as_bytes()).unwrap();
-                    let end = text.len() - number.len() + end;
-                    prop_assert_eq!((value.to_bits(), used), (expected.to_bits(), end));
-                }
+        fn random_short_numbers_read_as_any_number(text in " {0,3}-?[0-9]{0,7}(\\.[0-9]{0,16})?[ -~]{0,6}") {
+            if let Some((value, used)) = read(&text) {
+                // Blanks before a number are skipped.
+                let number = text.trim_start();
+                let (expected, end) = prefix(number.as_bytes()).unwrap();
+                let end = text.len() - number.len() + end;
+                prop_assert_eq!((value.to_bits(), used), (expected.to_bits(), end));
             }
         }
 
         #[test]
-        fn numbers_of_one_shape_are_read_at_once(one in 1_u32..1000, other in 1_u32..1000, decimals in 0_usize..10) {
-            let text = |number: u32| format!("-{}.{:0>decimals$}", 1000 + number, &"1234567890"[..decimals]);
-            let mut shape = NumberShape::NONE;
-            read(&mut shape, &text(one));
-            let known = format!("{shape:?}");
-            let found = read(&mut shape, &text(other)).unwrap();
-            prop_assert_eq!(found.0.to_bits(), text(other).parse::<f64>().unwrap().to_bits());
-            prop_assert_eq!(format!("{shape:?}"), known);
-        }
-
-        #[test]
         fn numbers_of_real_files_are_short(text in "-?[0-9]{1,5}\\.[0-9]{0,10}[,\r\n$ ]") {
-            let mut shape = NumberShape::NONE;
-            prop_assert!(read(&mut shape, &text).is_some());
+            prop_assert!(read(&text).is_some());
         }
     }
 }
