@@ -458,12 +458,12 @@ impl Comparison<'_> {
         };
         let (rules, words, lengths) = (&self.rules, &self.previous.words, (length, segment.length()));
         let stroke = rules.stroke(words, block, lengths, part.feed, &part.required);
-        let largest_rate_mm = match &between {
-            BetweenEnds::Straight => 0.0,
-            BetweenEnds::Measured(deviation) => deviation.tip_rate_mm,
-            BetweenEnds::Within(bound) => bound.tip_rate_mm,
+        let rates_mm = match &between {
+            BetweenEnds::Straight => [0.0; 2],
+            BetweenEnds::Measured(deviation) => [deviation.tip_rate_mm; 2],
+            BetweenEnds::Within(bound) => [0.0, bound.tip_rate_mm],
         };
-        if !rules.is_feed_plainly_right(&stroke, &block.state, largest_rate_mm, &part.required) {
+        if !rules.is_feed_plainly_right(&stroke, &block.state, rates_mm, &part.required) {
             self.compare_feed_closely(current, part, (ends, along), stroke, between);
         }
     }
@@ -480,6 +480,12 @@ impl Comparison<'_> {
     ) {
         let (block, segment) = (current.block, &part.segment);
         let (rules, words) = (&self.rules, &self.previous.words);
+        if matches!(&between, BetweenEnds::Within(bound) if bound.tip_rate_mm > 0.0) {
+            let rates_mm = rules.tip_rates([words, &block.values], ends);
+            if rules.is_feed_plainly_right(&stroke, &block.state, rates_mm, &part.required) {
+                return;
+            }
+        }
         let deviation = match between {
             BetweenEnds::Straight => None,
             BetweenEnds::Measured(deviation) => Some(deviation),

@@ -93,6 +93,8 @@ pub(crate) struct ToolPose {
 pub(crate) struct Swing {
     /// Second derivative of the tip, mm.
     pub(crate) bend_mm: f64,
+    /// Third derivative of the tip, mm.
+    pub(crate) jerk_mm: f64,
     /// Rotation of the tool axis, rad: that of all rotary axes together. Its square is the bound of the second derivative.
     pub(crate) angle: f64,
 }
@@ -179,12 +181,13 @@ impl Chain {
     /// Bounds of a motion to axis values, each of which changes evenly, by `change` in the whole motion, mm and rad.
     ///
     /// From the tool outwards, `r` being the tip in the frame of a link: a linear axis adds to its speed. A rotary axis leads the
-    /// arm `a = r - c` to `R a`, with the derivatives `ω n×Ra + R a'` and `ω² n×(n×Ra) + 2ω n×Ra' + R a''`. Arms are those at
-    /// the end of the motion, by their lengths where another axis rotates them, and no longer before it than by the speed.
+    /// arm `a = r - c` to `R a`, with the derivatives `ω n×Ra + R a'` and `ω² n×(n×Ra) + 2ω n×Ra' + R a''`; the third is bounded
+    /// by `ω³|a| + 3ω²|a'| + 3ω|a''| + |a'''|`. Arms are those at the end of the motion, by their lengths where another axis rotates
+    /// them, and no longer before it than by the speed.
     pub(crate) fn swing(&self, values: &[f64; MAX_AXES], change: &[f64; MAX_AXES]) -> Swing {
         // The tip from the last centre, and the length of what has been rotated about it.
         let (mut arm_and_step, mut rotated_mm) = ([f64x2::splat(0.0); 3], 0.0);
-        let (mut speed_mm, mut bend_mm, mut angle) = (0.0, 0.0, 0.0);
+        let (mut speed_mm, mut bend_mm, mut jerk_mm, mut angle) = (0.0, 0.0, 0.0, 0.0);
         for ((link, value), change) in self.links.iter().zip(values).zip(change).rev() {
             if !link.rotary {
                 let by = f64x2::new([*value, *change]);
@@ -198,11 +201,30 @@ impl Chain {
                 Arm::of(&link.direction, &(arm - link.point))
             });
             let lever_mm = arm.lever_mm + rotated_mm + speed_mm;
+            jerk_mm += turn * (3.0 * bend_mm + turn * (3.0 * speed_mm + turn * lever_mm));
             (bend_mm, speed_mm) = (bend_mm + turn * (2.0 * speed_mm + turn * lever_mm), speed_mm + turn * lever_mm);
             (arm_and_step, rotated_mm) = (link.centre, rotated_mm + arm.length_mm);
             angle += turn;
         }
-        Swing { bend_mm, angle }
+        Swing { bend_mm, jerk_mm, angle }
+    }
+
+    /// Speed of the tip at axis values, each of which changes by `change` in the whole motion, mm in the whole of it.
+    pub(crate) fn speed(&self, values: &[f64; MAX_AXES], change: &[f64; MAX_AXES]) -> Vector3<f64> {
+        // The tip and its speed.
+        let mut moving = [f64x2::splat(0.0); 3];
+        for ((link, value), change) in self.links.iter().zip(values).zip(change).rev() {
+            if !link.rotary {
+                let by = f64x2::new([*value, *change]);
+                moving = [0, 1, 2].map(|index| moving[index] + link.both[index] * by);
+                continue;
+            }
+            moving = link.rotated(&moving, *value);
+            let [tip, speed] = vectors(&moving);
+            moving = pair(&tip, &(speed + link.direction.cross(&(tip - link.point)) * *change));
+        }
+        let [_, speed] = vectors(&moving);
+        speed
     }
 
     /// Tip positions of the axis values around `values`, each by `by` or less on its own, mm and rad.
@@ -414,11 +436,11 @@ mod tests {
     }
 
     #[test]
-    fn no_motion_bends_more_than_its_swing() {
+    fn no_motion_bends_more_than_its_swing_and_its_speed_is_that_of_its_places() {
         let mut head = Head::default();
         Machine::set_up(&mut head, Vector3::new(3.0, -4.0, 25.0), 120.0);
         for chain in [Chain::of(&head), Chain::of(&Cb::default())] {
-            let mut tightest = [0.0_f64; 2];
+            let mut tightest = [0.0_f64; 3];
             for turn in 0..200 {
                 let at = 0.37 * f64::from(turn);
                 let scaled = |index: usize, value: f64| match chain.links.get(index) {
@@ -442,10 +464,25 @@ mod tests {
                     let axis = (a.axis - b.axis * 2.0 + c.axis).norm() / (STEP * STEP);
                     assert!(tip <= swing.bend_mm + 1e-5, "{turn} {share}: {tip} {swing:?}");
                     assert!(axis <= swing.angle * swing.angle + 1e-7, "{turn} {share}: {axis} {swing:?}");
-                    tightest = [tightest[0].max(tip / swing.bend_mm), tightest[1].max(axis / swing.angle.powi(2))];
+                    let speed = |share: f64| {
+                        let at = std::array::from_fn(|index| values[index] - change[index] * (1.0 - share));
+                        chain.speed(&at, &change)
+                    };
+                    let [before, here, after] = [-STEP, 0.0, STEP].map(|step| speed(share + step));
+                    assert!(
+                        ((c.tip - a.tip) / (2.0 * STEP) - here).norm() <= STEP * STEP * swing.jerk_mm,
+                        "{turn} {share}"
+                    );
+                    let jerk = (before - here * 2.0 + after).norm() / (STEP * STEP);
+                    assert!(jerk <= swing.jerk_mm + 1e-5, "{turn} {share}: {jerk} {swing:?}");
+                    tightest = [
+                        tightest[0].max(tip / swing.bend_mm),
+                        tightest[1].max(axis / swing.angle.powi(2)),
+                        tightest[2].max(jerk / swing.jerk_mm),
+                    ];
                 }
             }
-            assert!(tightest.iter().all(|share| *share > 0.7), "{tightest:?}");
+            assert!(tightest.iter().all(|share| *share > 0.5), "{tightest:?}");
         }
     }
 

@@ -369,17 +369,22 @@ impl FeedLaw {
     }
 
     /// Whether F is between that of the longest tip path and that of the shortest, the axes moving as their words show: both are
-    /// within [`bounds`](Self::bounds), so that it is right. `tip_rate_mm`: largest lower bound of the speed of the tip times the
-    /// time of the block. Nothing is decided where that, or rounding of anything but the length, may change the rule.
-    pub(crate) fn is_plainly_right(&self, stroke: &Stroke, state: &State, tip_rate_mm: f64) -> bool {
+    /// within [`bounds`](Self::bounds), so that it is right. `tip_rates_mm`: the largest lower and the smallest upper bound of the
+    /// speed of the tip times the time of the block. Nothing is decided where rounding of anything but the length may change the
+    /// rule.
+    pub(crate) fn is_plainly_right(&self, stroke: &Stroke, state: &State, tip_rates_mm: [f64; 2]) -> bool {
         let (Some(programmed), Some(written)) = (Self::programmed(stroke), state.feed) else { return false };
         let extent = self.extent(stroke);
         let mode = self.mode(&extent);
         let (shortest, longest) = self.lengths(stroke, &extent);
-        if state.feed_mode != Some(mode) || self.even_mm(tip_rate_mm) > shortest {
+        if state.feed_mode != Some(mode) {
             return false;
         }
+        let [fast_mm, slow_mm] = tip_rates_mm.map(|rate_mm| self.even_mm(rate_mm));
         if self.along_tip || self.is_plain(&extent) {
+            if fast_mm > shortest {
+                return false;
+            }
             let expected = self.value(programmed, &extent);
             return self.is_between(written, mode, expected, expected);
         }
@@ -389,7 +394,7 @@ impl FeedLaw {
         }
         let counted = self.counted(&extent);
         let least_min = self.least_needed_min(&extent, counted);
-        let [low, high] = [longest, shortest].map(|length_mm| {
+        let [low, high] = [larger(longest, slow_mm), larger(shortest, fast_mm)].map(|length_mm| {
             let needed_min = larger(length_mm / programmed, least_min);
             self.in_time(needed_min, mode, counted)
         });
@@ -579,18 +584,22 @@ mod tests {
                 (0.01 * f64::from(step % 3), Stroke { length_mm: size, ..stroke(size * 0.7, degrees, 600.0) })
             }) {
                 let law = FeedLaw { path, speeds: speeds.clone(), largest_mm_per_min: 900.0, ..law(held_s) };
-                let extent = law.extent(&seen);
-                let (mode, expected) = (law.mode(&extent), law.value(600.0, &extent));
-                for part in -60..=60 {
-                    let feed = expected * (1.0 + 0.002 * f64::from(part));
-                    let state = State { feed: Some(feed), feed_mode: Some(mode), ..State::default() };
-                    let plainly = law.is_plainly_right(&seen, &state, seen.length_mm);
-                    assert!(!plainly || law.wrong(&seen, &state).is_none(), "{law:?} {seen:?} {feed}");
-                    decided += i32::from(plainly);
+                for faster in [0.0, 1.0, 1.02, 1.1, 1.5] {
+                    let rates_mm = [faster * seen.length_mm, faster * (1.01 * seen.length_mm + 0.002)];
+                    let followed = Stroke { tip_rate_mm: rates_mm, ..seen.clone() };
+                    let extent = law.extent(&followed);
+                    let (mode, expected) = (law.mode(&extent), law.value(600.0, &extent));
+                    for part in -60..=60 {
+                        let feed = expected * (1.0 + 0.002 * f64::from(part));
+                        let state = State { feed: Some(feed), feed_mode: Some(mode), ..State::default() };
+                        let plainly = law.is_plainly_right(&seen, &state, rates_mm);
+                        assert!(!plainly || law.wrong(&followed, &state).is_none(), "{law:?} {followed:?} {feed}");
+                        decided += i32::from(plainly);
+                    }
                 }
             }
         }
-        assert!(decided > 5000, "{decided}");
+        assert!(decided > 25_000, "{decided}");
     }
 
     #[test]

@@ -403,6 +403,19 @@ impl Rules<'_> {
         }
     }
 
+    /// Bounds of [`tip_rate_mm`](Deviation::tip_rate_mm) for a block whose words are axis positions, on a straight motion. `ends`: tool
+    /// poses with the words before and after it.
+    ///
+    /// The mean of the speeds at the ends of a motion with a third derivative `b` is its chord but for `b/12`, and no speed between
+    /// them is larger than the larger one by more than `b/8`. What the parabola through three steps of a quarter at most shows is the
+    /// speed at the end but for `0.17 b`. So neither bound is farther than `0.34 b` from the larger speed.
+    pub(crate) fn tip_rates(&self, [before, after]: [&[f64; MAX_AXES]; 2], ends: [&ToolPose; 2]) -> [f64; 2] {
+        let last = self.words.last_speed(before, after);
+        let first = (ends[1].tip - ends[0].tip) * 2.0 - last;
+        let unsure_mm = 0.34 * self.words.swing(before, after).jerk_mm;
+        [-unsure_mm, unsure_mm].map(|unsure_mm| longer(&[first, last]) + unsure_mm)
+    }
+
     /// Deviation of a block from its motion between its ends; `None` where words and motion are straight. `ends`: poses before
     /// and after it.
     pub(crate) fn deviation(

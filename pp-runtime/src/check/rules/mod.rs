@@ -350,16 +350,19 @@ impl<'a> Rules<'a> {
         Stroke { length_mm, longest_mm, tip_rate_mm: [0.0; 2], change, uneven, feed, speed_rev_per_min }
     }
 
-    /// Whether F of a block that goes along a motion is right whatever the speed of the tip, up to a bound of it times the time of
-    /// the block; `false` where that is not decided. The tip of `stroke` is led evenly.
+    /// Whether F of a block that goes along a motion is right whatever the largest speed of the tip times the time of the block is
+    /// between these bounds, mm; `false` where that is not decided. The tip of `stroke` is led evenly.
     pub(super) fn is_feed_plainly_right(
         &self,
         stroke: &Stroke,
         state: &State,
-        largest_rate_mm: f64,
+        [smallest_mm, largest_mm]: [f64; 2],
         required: &Required,
     ) -> bool {
-        state.vector.is_none() && self.law.is_plainly_right(stroke, state, tip_rates(largest_rate_mm, required)[0])
+        // The faster and the slower motion that any of them may show.
+        let fast_mm = tip_rates(largest_mm, required)[0];
+        let slow_mm = if smallest_mm > 0.0 { tip_rates(smallest_mm, required)[1] } else { 0.0 };
+        state.vector.is_none() && self.law.is_plainly_right(stroke, state, [fast_mm, slow_mm])
     }
 
     /// Largest speeds of the axes in a block under tip control that rotates, times its time, by the axis values at many places

@@ -419,6 +419,11 @@ impl Words {
         self.chain.swing(&self.values(to), &self.change(from, to))
     }
 
+    /// Speed of the tip at the end of a straight motion of words that are axis positions, mm in the whole of it.
+    pub(crate) fn last_speed(&self, from: &[f64; MAX_AXES], to: &[f64; MAX_AXES]) -> Vector3<f64> {
+        self.chain.speed(&self.values(to), &self.change(from, to))
+    }
+
     /// Tool axis on the workpiece of known rotary words.
     pub(crate) fn tool_axis_at(&self, words: &[f64; MAX_AXES]) -> Vector3<f64> {
         self.chain.place(&self.values(words)).axis

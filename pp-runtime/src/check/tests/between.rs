@@ -27,8 +27,8 @@ impl Noise {
     }
 }
 
-/// Random blocks: how many are decided by their bounds, of those whose F is right.
-fn decided<M: Machine>() -> f64 {
+/// Random blocks: how many are decided by their bounds, of those whose F is right, by the speed along the chord and at the ends.
+fn decided<M: Machine>() -> [f64; 2] {
     let (control, config) = configured::<M>("linuxcnc", Mode::Axes, "");
     let policy = config.check_policy::<M>(control, None).expect("it can be checked");
     let rules = Rules::new(Box::new(M::default()), &policy, Units::Millimetres);
@@ -44,7 +44,7 @@ fn decided<M: Machine>() -> f64 {
         .clone();
     let (linear, rotary) = (rules.words().linear_bits(), rules.words().rotary_bits());
     let mut noise = Noise(7);
-    let (mut right, mut decided) = (0.0, 0.0);
+    let (mut right, mut decided) = (0.0, [0.0; 2]);
     for turn in 0..1000 {
         let size = 10_f64.powf(2.0 * noise.next() - 1.0);
         let mut words = [[0.0; MAX_AXES]; 2];
@@ -78,6 +78,10 @@ fn decided<M: Machine>() -> f64 {
         assert!(measured.axis_rad <= bound.axis_rad + 1e-12, "{turn}: {measured:?} {bound:?}");
         assert!(measured.tip_rate_mm <= bound.tip_rate_mm + 1e-12, "{turn}: {measured:?} {bound:?}");
 
+        let rates = rules.tip_rates([&words[0], &words[1]], ends);
+        let within = rates[0] - 1e-12..=rates[1] + 1e-12;
+        assert!(within.contains(&measured.tip_rate_mm), "{turn}: {measured:?} {rates:?}");
+
         let lengths = (segment.length_between(ends.map(|end| &end.tip)), segment.length());
         let feed = Some(Feed::PerMinute(500.0));
         let stroke =
@@ -87,19 +91,22 @@ fn decided<M: Machine>() -> f64 {
             let written = Some(500.0 / lengths.0 * (1.0 + 0.001 * f64::from(part)));
             block.state = State { feed: written, feed_mode: Some(FeedMode::InverseTime), ..State::default() };
             let fault = rules.feed_fault(&followed, &block.state, &segment, [0.0, 1.0]);
-            let plainly = rules.is_feed_plainly_right(&even, &block.state, bound.tip_rate_mm, &required);
-            assert!(!plainly || fault.is_none(), "{turn}: {written:?} {fault:?}");
+            let plainly = [[0.0, bound.tip_rate_mm], rates]
+                .map(|rates| rules.is_feed_plainly_right(&even, &block.state, rates, &required));
+            assert!(plainly == [false; 2] || fault.is_none(), "{turn}: {written:?} {fault:?}");
             right += f64::from(u8::from(fault.is_none()));
-            decided += f64::from(u8::from(plainly));
+            for (share, plainly) in decided.iter_mut().zip(plainly) {
+                *share += f64::from(u8::from(plainly));
+            }
         }
     }
-    decided / right
+    decided.map(|decided| decided / right)
 }
 
 #[test]
 fn bounds_of_a_block_are_never_below_what_its_points_show_and_decide_no_f_that_they_would_refuse() {
     let shares = [decided::<Tables>(), decided::<HeadTable>(), decided::<TwoInHead>()];
-    assert!(shares.iter().all(|share| *share > 0.3), "{shares:?}");
+    assert!(shares.iter().all(|[chord, ends]| *chord > 0.3 && *ends > 0.5), "{shares:?}");
 }
 
 /// Random arcs with the rotary axes at rest, each as a part of a motion that is about the same arc: their deviation is that of their
