@@ -360,3 +360,68 @@ fn under_tip_control_a_block_may_turn_the_tool_alone() {
     assert_eq!(block.action, Action::Feed);
     assert!((block.state.vector.expect("a tool axis").y - 0.6).abs() < 1e-12);
 }
+
+/// A program in pieces of so many bytes.
+struct InPieces<'a> {
+    bytes: &'a [u8],
+    size: usize,
+}
+
+impl Pieces for InPieces<'_> {
+    fn next_piece(&mut self, piece: &mut Vec<u8>) -> io::Result<()> {
+        let (now, later) = self.bytes.split_at(self.size.min(self.bytes.len()));
+        self.bytes = later;
+        piece.clear();
+        piece.extend_from_slice(now);
+        Ok(())
+    }
+}
+
+/// Every block of a program in pieces of so many bytes, and the text of its line.
+fn in_pieces(family: Family, bytes: &[u8], size: usize) -> Vec<(Block, Vec<u8>)> {
+    let mut reader = Reader::new(InPieces { bytes, size }, vocabulary(family));
+    let mut blocks = Vec::new();
+    while let Some((block, text)) = reader.next_block().expect("text in memory") {
+        blocks.push((block.clone(), text.to_vec()));
+    }
+    blocks
+}
+
+#[test]
+fn a_piece_may_end_anywhere_in_a_line() {
+    let tnc = format!("{TNC}2 L X+1 Y+2 Z+3 B+0 C+0 R0 FMAX\n3 CYCL DEF 200 DRILLING~\n  Q200=2 ~\n  Q201=-5\n4 M99\n");
+    for (family, text) in [
+        (Family::LinuxCnc, format!("{LINUXCNC}(a comment)\n\nG0 X1 Y2 Z3 B90 C-720\nG1 X-4.5 F250\nG3 X1 Y0 I2\nZ.5")),
+        (Family::Siemens, format!("{SIEMENS}G0 X1 Y2 Z3\nG1 X=-4.5 F250 ; to the end\nM30\n")),
+        (Family::Heidenhain, tnc),
+    ] {
+        for text in [text.clone(), text.replace('\n', "\r\n")] {
+            let whole = in_pieces(family, text.as_bytes(), usize::MAX);
+            assert!(whole.len() > 3);
+            for size in [1, 2, 3, 7, 64] {
+                assert_eq!(in_pieces(family, text.as_bytes(), size), whole, "{size}: {text:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_line_is_read_up_to_the_longest_and_the_next_one_after_it() {
+    for length in LONGEST - 2..LONGEST + 3 {
+        let comment = format!("({})", "x".repeat(length - 5));
+        for end in ["\n", "\r\n"] {
+            let text = format!("G21 G90 G94 G17\nG1 {comment}{end}G0 X1 Y2 Z3\n");
+            for size in [1, 1000, LONGEST - 1, LONGEST, LONGEST + 1, usize::MAX] {
+                let blocks = in_pieces(Family::LinuxCnc, text.as_bytes(), size);
+                let faults: Vec<_> = blocks.iter().map(|(block, _)| block.faults.len()).collect();
+                // The line end counts as a byte of the line.
+                let too_long = length + end.len() > LONGEST;
+                assert_eq!(blocks.len(), 3, "{length} {size}");
+                assert_eq!((faults[0], faults[2]), (0, 0), "{length} {size}: {:?}", blocks[2].0.faults);
+                let is_long = blocks[1].0.faults.iter().any(|fault| fault.text.contains("longer than"));
+                assert_eq!(is_long, too_long, "{length} {size}");
+                assert_eq!((blocks[2].0.line, xyz(&blocks[2].0)), (3, [1.0, 2.0, 3.0]), "{length} {size}");
+            }
+        }
+    }
+}
