@@ -184,6 +184,7 @@ impl Chain {
     /// arm `a = r - c` to `R a`, with the derivatives `ω n×Ra + R a'` and `ω² n×(n×Ra) + 2ω n×Ra' + R a''`; the third is bounded
     /// by `ω³|a| + 3ω²|a'| + 3ω|a''| + |a'''|`. Arms are those at the end of the motion, by their lengths where another axis rotates
     /// them, and no longer before it than by the speed.
+    #[inline(always)]
     pub(crate) fn swing(&self, values: &[f64; MAX_AXES], change: &[f64; MAX_AXES]) -> Swing {
         // The tip from the last centre, and the length of what has been rotated about it.
         let (mut arm_and_step, mut rotated_mm) = ([f64x2::splat(0.0); 3], 0.0);

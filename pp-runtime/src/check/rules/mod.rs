@@ -352,6 +352,7 @@ impl<'a> Rules<'a> {
 
     /// Whether F of a block that goes along a motion is right whatever the largest speed of the tip times the time of the block is
     /// between these bounds, mm; `false` where that is not decided. The tip of `stroke` is led evenly.
+    #[inline(always)]
     pub(super) fn is_feed_plainly_right(
         &self,
         stroke: &Stroke,

@@ -415,6 +415,7 @@ impl Words {
     }
 
     /// Bounds of a straight motion of words that are axis positions.
+    #[inline(always)]
     pub(crate) fn swing(&self, from: &[f64; MAX_AXES], to: &[f64; MAX_AXES]) -> Swing {
         self.chain.swing(&self.values(to), &self.change(from, to))
     }
