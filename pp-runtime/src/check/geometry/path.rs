@@ -163,7 +163,8 @@ impl ArcPath {
         let turned = towards.perp(&start) / towards.dot(&start);
         let is_about_it = turned.abs() <= ABOUT && towards.dot(&start) > 0.0 && centre_off <= radius * ABOUT;
         let (sine, cosine) = tip.angle.sin_cos();
-        let end = start * cosine + quarter * sine;
+        let square = Vector2::new(-start.y, start.x);
+        let end = start * cosine + square * sine;
         // Angles of its ends about the centre of the arc.
         let about = |place: &Vector2<f64>| place.perp(&off) / (radius * radius + place.dot(&off));
         let first = begin + turned + about(&start);
@@ -184,9 +185,9 @@ impl ArcPath {
         let out = larger(farthest - smaller(radii[0], radii[1]), larger(radii[0], radii[1]) - nearest);
         let up =
             larger((height - between(self.heights, first)).abs(), (height + rise - between(self.heights, last)).abs());
-        let square = Vector2::new(-start.y, start.x);
         let beside = rise_beside.norm() + (quarter - square).norm();
-        let ahead = centre_off / (radius - centre_off) / self.angle;
+        // By so much of its angle the place on the arc is ahead of even steps, or behind.
+        let ahead = 2.0 * (centre_off + beside) / (radius - centre_off) / self.angle;
         let uneven = [self.radii, self.heights].map(|[a, b]| (b - a).abs() * ahead);
         let tilted = Vector2::new(tilt_start, tilt_quarter).norm();
         let mut largest = (out + beside + uneven[0]).hypot(up + tilted + uneven[1]);
