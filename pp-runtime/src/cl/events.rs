@@ -23,8 +23,8 @@ const EVENTS: usize = 256;
 /// Bytes of texts after which a batch ends.
 const TEXT_BYTES: usize = 1 << 14;
 
-/// Number of batches of a reader in another thread: those that are read, those that wait, and the one in use.
-const BATCHES: usize = 16;
+/// Number of batches with which a reader in another thread begins; one more is in use.
+const BATCHES: usize = 8;
 
 /// Number of used batches that go back to the reader together: it is woken once for all of them.
 const HANDED_BACK: usize = BATCHES / 2;

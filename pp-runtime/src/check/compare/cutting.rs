@@ -480,11 +480,10 @@ impl Comparison<'_> {
     ) {
         let (block, segment) = (current.block, &part.segment);
         let (rules, words) = (&self.rules, &self.previous.words);
-        if matches!(&between, BetweenEnds::Within(bound) if bound.tip_rate_mm > 0.0) {
-            let rates_mm = rules.tip_rates([words, &block.values], ends);
-            if rules.is_feed_plainly_right(&stroke, &block.state, rates_mm, &part.required) {
-                return;
-            }
+        let is_line = matches!(segment.shape, PathShape::Line) && matches!(between, BetweenEnds::Within(_));
+        let rates_mm = if is_line { rules.rates_by_ends([words, &block.values], ends) } else { None };
+        if rates_mm.is_some_and(|mm| rules.is_feed_plainly_right(&stroke, &block.state, mm, &part.required)) {
+            return;
         }
         let deviation = match between {
             BetweenEnds::Straight => None,

@@ -25,7 +25,8 @@ const POINT: f64 = 1e-18;
 /// An angle whose tangent is the angle, and whose cosine is 1 less half its square, for distances to a nanometre; rad.
 const SMALL: f64 = 1e-3;
 
-/// Largest difference of the centres of arcs that are nearly the same, in radii, and of their beginnings and ends, rad.
+/// Largest distance of the centres of two arcs that are nearly the same, as a share of the radius; and largest angle between their
+/// beginnings or ends, rad.
 const ABOUT: f64 = 1e-2;
 
 /// Rounding may put a point of an arc so far before the one before it, mm.
@@ -54,7 +55,8 @@ pub(crate) struct ArcPath {
     angle: f64,
 }
 
-/// A tip on its way round: at a share `t` of its angle `a` at `middle + start cos a t + quarter sin a t + rise t`, mm.
+/// A tip on its way round: at a share `t` of its angle `a` at `middle + start cos a t + quarter sin a t + rise t`, mm. `quarter` is a
+/// quarter turn on in the sense in which it goes.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct RoundTip {
     pub(crate) middle: Vector3<f64>,
@@ -149,8 +151,9 @@ impl ArcPath {
     ///
     /// Each of its points is compared with that of the arc at the same angle about the centre. The distance of a circle from a
     /// point within it is largest and smallest towards and away from its centre, or at an end of its arc. Radii and heights of the
-    /// arc change evenly: their differences are largest at the ends. What the tip's own turn is no circle in this plane is added.
-    /// Beyond an end of the arc the point is that end: no other is farther from it than the last.
+    /// arc change evenly with the angle: their differences are largest at the ends, but for what the angle about another centre is
+    /// ahead of even steps. By how much the tip's path differs from a circle in this plane is added. Beyond an end of the arc the
+    /// point is that end: the last point of the tip is the farthest from it.
     pub(crate) fn farthest(&self, tip: &RoundTip, along: f64) -> Option<f64> {
         let parts = |of: &Vector3<f64>| (Vector2::new(of.dot(&self.u), of.dot(&self.v)), of.dot(&self.normal));
         let (off, height) = parts(&(tip.middle - self.centre));
@@ -161,15 +164,17 @@ impl ArcPath {
         let towards = if along > 0.0 { direction(begin) } else { Vector2::x() };
         let (radius, centre_off) = (start.norm(), off.norm());
         let turned = towards.perp(&start) / towards.dot(&start);
-        let is_about_it = turned.abs() <= ABOUT && towards.dot(&start) > 0.0 && centre_off <= radius * ABOUT;
-        let (sine, cosine) = tip.angle.sin_cos();
         let square = Vector2::new(-start.y, start.x);
+        let is_about_it = turned.abs() <= ABOUT && towards.dot(&start) > 0.0 && centre_off <= radius * ABOUT;
+        let same_sense = quarter.dot(&square) > 0.0;
+        let (sine, cosine) = tip.angle.sin_cos();
         let end = start * cosine + square * sine;
         // Angles of its ends about the centre of the arc.
         let about = |place: &Vector2<f64>| place.perp(&off) / (radius * radius + place.dot(&off));
         let first = begin + turned + about(&start);
         let last = begin + turned + tip.angle + about(&end);
-        if !is_about_it || first < -ABOUT || last > self.angle + ABOUT {
+        let is_part = self.angle > 0.0 && first >= -ABOUT && last <= self.angle + ABOUT;
+        if !(is_about_it && same_sense && is_part) {
             return None;
         }
         let passes = |way: &Vector2<f64>| match tip.angle {
@@ -186,7 +191,7 @@ impl ArcPath {
         let up =
             larger((height - between(self.heights, first)).abs(), (height + rise - between(self.heights, last)).abs());
         let beside = rise_beside.norm() + (quarter - square).norm();
-        // By so much of its angle the place on the arc is ahead of even steps, or behind.
+        // The share of the arc by which a point may be ahead of even steps between the ends, and what radius and height change in it.
         let ahead = 2.0 * (centre_off + beside) / (radius - centre_off) / self.angle;
         let uneven = [self.radii, self.heights].map(|[a, b]| (b - a).abs() * ahead);
         let tilted = Vector2::new(tilt_start, tilt_quarter).norm();

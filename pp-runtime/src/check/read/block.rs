@@ -203,8 +203,8 @@ pub struct OwnValues {
 pub struct ArcMove {
     /// Of X Y Z; the component along the normal means nothing, mm.
     pub centre: [f64; 3],
-    /// Angle, + counter-clockwise about the normal of the plane, rad; 0 where start and end are in one direction from a centre that
-    /// is not as far from both.
+    /// Angle, + counter-clockwise about the normal of the plane, rad; 0 only counter-clockwise, where start and
+    /// end are in one direction from a centre that is not quite as far from both.
     pub sweep: f64,
     /// The angle is what the block says, and its end follows.
     pub by_angle: bool,

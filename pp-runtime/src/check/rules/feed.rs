@@ -369,9 +369,9 @@ impl FeedLaw {
     }
 
     /// Whether F is between that of the longest tip path and that of the shortest, the axes moving as their words show: both are
-    /// within [`bounds`](Self::bounds), so that it is right. `tip_rates_mm`: the largest lower and the smallest upper bound of the
-    /// speed of the tip times the time of the block. Nothing is decided where rounding of anything but the length may change the
-    /// rule.
+    /// within [`bounds`](Self::bounds), so that it is right. `tip_rates_mm`: speeds of the tip times the time of the block, slow and
+    /// fast, both within what is allowed for the one that is measured; the second is 0 where nothing is known of it. Nothing is
+    /// decided where rounding of anything but the length may change the rule.
     pub(crate) fn is_plainly_right(&self, stroke: &Stroke, state: &State, tip_rates_mm: [f64; 2]) -> bool {
         let (Some(programmed), Some(written)) = (Self::programmed(stroke), state.feed) else { return false };
         let extent = self.extent(stroke);
@@ -380,9 +380,9 @@ impl FeedLaw {
         if state.feed_mode != Some(mode) {
             return false;
         }
-        let [fast_mm, slow_mm] = tip_rates_mm.map(|rate_mm| self.even_mm(rate_mm));
+        let [least_mm, most_mm] = tip_rates_mm.map(|rate_mm| self.even_mm(rate_mm));
         if self.along_tip || self.is_plain(&extent) {
-            if fast_mm > shortest {
+            if least_mm > shortest {
                 return false;
             }
             let expected = self.value(programmed, &extent);
@@ -394,7 +394,7 @@ impl FeedLaw {
         }
         let counted = self.counted(&extent);
         let least_min = self.least_needed_min(&extent, counted);
-        let [low, high] = [larger(longest, slow_mm), larger(shortest, fast_mm)].map(|length_mm| {
+        let [low, high] = [larger(longest, most_mm), larger(shortest, least_mm)].map(|length_mm| {
             let needed_min = larger(length_mm / programmed, least_min);
             self.in_time(needed_min, mode, counted)
         });

@@ -403,17 +403,24 @@ impl Rules<'_> {
         }
     }
 
-    /// Bounds of [`tip_rate_mm`](Deviation::tip_rate_mm) for a block whose words are axis positions, on a straight motion. `ends`: tool
-    /// poses with the words before and after it.
+    /// Bounds of [`tip_rate_mm`](Deviation::tip_rate_mm), smallest and largest, for a block whose words are axis positions, on a
+    /// straight motion; `None` where no rotary axis rotates. `ends`: tool poses with the words before and after it.
     ///
-    /// The mean of the speeds at the ends of a motion with a third derivative `b` is its chord but for `b/12`, and no speed between
-    /// them is larger than the larger one by more than `b/8`. What the parabola through three steps of a quarter at most shows is the
-    /// speed at the end but for `0.17 b`. So neither bound is farther than `0.34 b` from the larger speed.
-    pub(crate) fn tip_rates(&self, [before, after]: [&[f64; MAX_AXES]; 2], ends: [&ToolPose; 2]) -> [f64; 2] {
+    /// The mean of the speeds at the ends of a motion with a third derivative `b` is its chord but for `b/12`, so that the first is
+    /// known from the last but for `b/6`. No speed between them is larger than the larger one by more than `b/8`, and what the
+    /// parabola through three steps, each of a quarter or less, shows is the speed at the end but for `0.17 b`. The sum is `0.34 b`.
+    pub(crate) fn rates_by_ends(
+        &self,
+        [before, after]: [&[f64; MAX_AXES]; 2],
+        ends: [&ToolPose; 2],
+    ) -> Option<[f64; 2]> {
+        if self.words.rotary_travel(before, after) <= 0.0 {
+            return None;
+        }
         let last = self.words.last_speed(before, after);
         let first = (ends[1].tip - ends[0].tip) * 2.0 - last;
         let unsure_mm = 0.34 * self.words.swing(before, after).jerk_mm;
-        [-unsure_mm, unsure_mm].map(|unsure_mm| longer(&[first, last]) + unsure_mm)
+        Some([-unsure_mm, unsure_mm].map(|unsure_mm| longer(&[first, last]) + unsure_mm))
     }
 
     /// Deviation of a block from its motion between its ends; `None` where words and motion are straight. `ends`: poses before

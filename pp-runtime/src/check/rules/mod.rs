@@ -360,10 +360,9 @@ impl<'a> Rules<'a> {
         [smallest_mm, largest_mm]: [f64; 2],
         required: &Required,
     ) -> bool {
-        // The faster and the slower motion that any of them may show.
-        let fast_mm = tip_rates(largest_mm, required)[0];
-        let slow_mm = if smallest_mm > 0.0 { tip_rates(smallest_mm, required)[1] } else { 0.0 };
-        state.vector.is_none() && self.law.is_plainly_right(stroke, state, [fast_mm, slow_mm])
+        let least_mm = tip_rates(largest_mm, required)[0];
+        let most_mm = if smallest_mm > 0.0 { tip_rates(smallest_mm, required)[1] } else { 0.0 };
+        state.vector.is_none() && self.law.is_plainly_right(stroke, state, [least_mm, most_mm])
     }
 
     /// Largest speeds of the axes in a block under tip control that rotates, times its time, by the axis values at many places

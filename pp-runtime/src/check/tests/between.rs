@@ -78,7 +78,7 @@ fn decided<M: Machine>() -> [f64; 2] {
         assert!(measured.axis_rad <= bound.axis_rad + 1e-12, "{turn}: {measured:?} {bound:?}");
         assert!(measured.tip_rate_mm <= bound.tip_rate_mm + 1e-12, "{turn}: {measured:?} {bound:?}");
 
-        let rates = rules.tip_rates([&words[0], &words[1]], ends);
+        let rates = rules.rates_by_ends([&words[0], &words[1]], ends).expect("it rotates");
         let within = rates[0] - 1e-12..=rates[1] + 1e-12;
         assert!(within.contains(&measured.tip_rate_mm), "{turn}: {measured:?} {rates:?}");
 
@@ -107,6 +107,20 @@ fn decided<M: Machine>() -> [f64; 2] {
 fn bounds_of_a_block_are_never_below_what_its_points_show_and_decide_no_f_that_they_would_refuse() {
     let shares = [decided::<Tables>(), decided::<HeadTable>(), decided::<TwoInHead>()];
     assert!(shares.iter().all(|[chord, ends]| *chord > 0.3 && *ends > 0.5), "{shares:?}");
+}
+
+/// A straight block that rotates nothing is led as its length says, whatever the chain of its axes.
+#[test]
+fn the_speed_of_a_tip_is_not_judged_where_nothing_rotates() {
+    let (control, config) = configured::<Tables>("linuxcnc", Mode::Axes, "");
+    let policy = config.check_policy::<Tables>(control, None).expect("it can be checked");
+    let rules = Rules::new(Box::new(Tables::default()), &policy, Units::Millimetres);
+    let before = [0.1; MAX_AXES];
+    let mut after = before;
+    rules.words().xyz().iter().flatten().for_each(|index| after[*index] += 5.0);
+    let block = Block { action: Action::Feed, values: after, ..Block::default() };
+    let ends = [before, after].map(|words| rules.pose_from(&words, &block));
+    assert_eq!(rules.rates_by_ends([&before, &after], [&ends[0], &ends[1]]), None);
 }
 
 /// Random arcs with the rotary axes at rest, each as a part of a motion that is about the same arc: their deviation is that of their

@@ -77,13 +77,14 @@ pub(crate) struct ShortNumbers<const N: usize> {
 /// A word and at most `N` short numbers, with the shapes that lines of them had.
 pub(crate) struct NumberLine<const N: usize> {
     word: &'static [u8],
-    /// Shape of the last line that had the layout of one of the two before it.
+    /// Shape of the last line, of those read number by number, that was laid out as one of the two before it.
     whole: Box<LineShape<N>>,
     /// Shape of lines that alternate with those, as the ends of arcs to and fro do.
     other: Box<LineShape<N>>,
     /// Number of the line before the last line of that shape.
     before_other: u64,
-    /// Marks of the layouts of the last two lines that were read number by number, the last one first.
+    /// Marks of the last two lines that were read number by number, the last one first; the same of lines with their digits at the
+    /// same places, and seldom that of others.
     marks: [u64; 2],
 }
 

@@ -71,8 +71,8 @@ impl<const N: usize> LineShape<N> {
         at: Span { start: 0, end: 0 },
     };
 
-    /// Takes the shape of a line of as many numbers with a byte after each, at this place; `text` begins with it and goes on. A long
-    /// line has none.
+    /// Takes the shape of a line of `count` numbers, each a byte after the one before; `at` is their place. `text` begins with the line
+    /// and goes on. A long line has none.
     #[inline(never)]
     pub(super) fn take(&mut self, text: &[u8], length: usize, (count, at): (usize, Span)) {
         self.length = 0;

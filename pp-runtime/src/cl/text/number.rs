@@ -47,7 +47,7 @@ pub(super) struct ShortNumber {
     pub(super) value: f64,
     /// Index of the byte after the number.
     pub(super) end: usize,
-    /// The same for all numbers with digits at the same places.
+    /// The same for all numbers with sign, digits and point at the same places.
     pub(super) mark: u64,
 }
 
