@@ -134,7 +134,7 @@ impl<const N: usize> LineShape<N> {
     #[inline(never)]
     fn set_each(&self, numbers: &mut [f64], text: &[u8; LINE_AND_NUMBER]) -> Option<()> {
         for (number, (shape, start)) in numbers.iter_mut().zip(&self.numbers[..self.count]) {
-            *number = shape.value(text[start % LONGEST..].first_chunk()?)?;
+            *number = shape.value(text[start % LONGEST..].first_chunk()?);
         }
         Some(())
     }

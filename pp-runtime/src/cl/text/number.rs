@@ -208,10 +208,10 @@ impl NumberShape {
 
     /// The number at the start of `text`, which has this shape.
     #[inline(always)]
-    pub(super) fn value(&self, text: &[u8; SHORT_NUMBER]) -> Option<f64> {
+    pub(super) fn value(&self, text: &[u8; SHORT_NUMBER]) -> f64 {
         let first = value_of(self.digits.digits(text));
-        let mantissa = if self.rest == 0 { first } else { self.with_rest(first, text)? };
-        Some(mantissa as f64 / self.digits.scale)
+        let mantissa = if self.rest == 0 { first } else { self.with_rest(first, text) };
+        mantissa as f64 / self.digits.scale
     }
 
     /// Whether a number of this shape has more than eight digits.
@@ -226,11 +226,9 @@ impl NumberShape {
 
     /// Mantissa with the decimals after the first eight digits.
     #[inline(never)]
-    fn with_rest(&self, first: i64, text: &[u8; SHORT_NUMBER]) -> Option<i64> {
-        let shift = 8 * (8 - self.rest);
-        let bytes = u64_at(text, self.end - self.rest) << shift;
-        let rest = bytes ^ ZEROS << shift;
-        (others(rest) == 0).then(|| first * POWERS[self.rest] + value_of(rest))
+    fn with_rest(&self, first: i64, text: &[u8; SHORT_NUMBER]) -> i64 {
+        let rest = (u64_at(text, self.end - self.rest) ^ ZEROS) << (8 * (8 - self.rest));
+        first * POWERS[self.rest] + value_of(rest)
     }
 }
 
@@ -245,14 +243,6 @@ const ZEROS: u64 = 0x3030_3030_3030_3030;
 fn u64_at<const LENGTH: usize>(text: &[u8; LENGTH], at: usize) -> u64 {
     let indices = const { 1 << (LENGTH - 7).ilog2() };
     text[at % indices..].first_chunk().map_or(0, |bytes| u64::from_le_bytes(*bytes))
-}
-
-/// Bits of the first of eight bytes that is no digit as a number, and of some after it; 0 if all are digits.
-#[inline]
-fn others(bytes: u64) -> u64 {
-    const HIGH_BITS: u64 = 0x8080_8080_8080_8080;
-    // No sum of a digit has the high bit, and none before another byte carries.
-    (bytes.wrapping_add(0x7676_7676_7676_7676) | bytes) & HIGH_BITS
 }
 
 /// Value of eight digits, one in each byte, the last in the highest. They are summed in pairs, fours and eights.
@@ -450,7 +440,7 @@ mod tests {
         room[..bytes].copy_from_slice(&text.as_bytes()[..bytes]);
         let ShortNumber { value, end, .. } = ShortNumber::read(&room)?;
         let shape = NumberShape::of(&room).expect("a short number");
-        assert_eq!((shape.value(&room).map(f64::to_bits), shape.end()), (Some(value.to_bits()), end), "{text}");
+        assert_eq!((shape.value(&room).to_bits(), shape.end()), (value.to_bits(), end), "{text}");
         Some((value, end))
     }
 
@@ -497,6 +487,19 @@ mod tests {
                 let end = text.len() - number.len() + end;
                 prop_assert_eq!((value.to_bits(), used), (expected.to_bits(), end));
             }
+        }
+
+        #[test]
+        fn numbers_of_one_shape_are_read_at_once(one in 1_u32..1000, other in 1_u32..1000, decimals in 0_usize..10) {
+            let text = |number: u32| format!("-{}.{:0>decimals$}", 1000 + number, &"1234567890"[..decimals]);
+            let room = |text: &str| {
+                let mut room = [b','; SHORT_NUMBER];
+                room[..text.len()].copy_from_slice(text.as_bytes());
+                room
+            };
+            let shape = NumberShape::of(&room(&text(one))).unwrap();
+            let expected = text(other).parse::<f64>().unwrap();
+            prop_assert_eq!(shape.value(&room(&text(other))).to_bits(), expected.to_bits());
         }
 
         #[test]
