@@ -136,6 +136,19 @@ impl NominalCircle {
         if angle > 0.0 { angle } else { TAU }
     }
 
+    /// Whether a direction is between two others, `sweep` rad apart in the sense of the circle.
+    fn passes(&self, direction: [f64; 2], [first, last]: [[f64; 2]; 2], sweep: f64) -> bool {
+        let left_of = |from: [f64; 2], to: [f64; 2]| {
+            let left = from[0] * to[1] - from[1] * to[0];
+            if self.clockwise { -left } else { left }
+        };
+        match sweep {
+            TAU.. => true,
+            ..=PI => left_of(first, direction) >= 0.0 && left_of(direction, last) >= 0.0,
+            _ => left_of(last, direction) <= 0.0 || left_of(direction, first) <= 0.0,
+        }
+    }
+
     /// Sweep, rad, and deviation of the circle between two rounded points about `centre`, mm.
     fn deviation_of(&self, [start, end]: [[f64; 2]; 2], centre: [f64; 2], whole: bool) -> (f64, CircleDeviation) {
         let (first, last) = (minus(start, centre), minus(end, centre));
@@ -160,13 +173,12 @@ impl NominalCircle {
             let begin = minus(start, self.centre_mm);
             for direction in [along, [-along[0], -along[1]]] {
                 let (there, nominal) = (far(direction), missed(direction));
-                let (is_nearer, nominal_is_nearer) = (there <= off, nominal <= off);
-                if !is_nearer && self.angle_to_run(first, direction) <= sweep {
-                    off = off.max(there);
+                if there > off && self.passes(direction, [first, last], sweep) {
+                    off = there;
                 }
                 // The converse: a small loop near the nominal circle would leave most of that circle uncut.
-                if !nominal_is_nearer && self.angle_to_run(begin, direction) <= self.sweep_rad {
-                    off = off.max(nominal);
+                if nominal > off && self.angle_to_run(begin, direction) <= self.sweep_rad {
+                    off = nominal;
                 }
             }
         }
@@ -190,26 +202,35 @@ impl NominalCircle {
         if nearest.iter().any(|units| units.abs() > MAX_UNITS) {
             return None;
         }
-        let unequal = |centre: [i64; 2]| {
+        // The difference of the squares of both distances, in units: whole numbers, and exact for arcs of less than 2^26 units. Where
+        // the distances are equal it is zero.
+        let twice = [0, 1].map(|axis| (start[axis] + end[axis] - 2 * nearest[axis]) as f64);
+        let chord = [0, 1].map(|axis| (start[axis] - end[axis]) as f64);
+        let of_nearest = dot(chord, twice);
+        let units_in_mm2 = grid.units_per_mm * grid.units_per_mm;
+        // The difference of the distances, mm.
+        let unequal = |squares: f64, centre: [i64; 2]| {
             let centre = mm(centre);
-            (length(minus(from, centre)) - length(minus(to, centre))).abs()
+            squares / units_in_mm2 / (length(minus(from, centre)) + length(minus(to, centre)))
         };
-        let (mut centre, mut least) = (nearest, unequal(nearest));
+        let (mut centre, mut least_squares) = (nearest, of_nearest.abs());
+        let mut least = unequal(least_squares, nearest);
         // Of equals the first is kept: the nearest.
         for step in [[0, 1], [1, 0], [0, -1], [-1, 0], [1, 1], [1, -1], [-1, 1], [-1, -1]] {
-            if whole || least <= 0.0 {
-                break;
-            }
-            let other = [nearest[0] + step[0], nearest[1] + step[1]];
-            let difference = unequal(other);
-            if difference < 0.5 * least {
-                (centre, least) = (other, difference);
+            let squares = (of_nearest - 2.0 * dot(chord, step.map(f64::from))).abs();
+            if squares < least_squares {
+                let other = [nearest[0] + i64::from(step[0]), nearest[1] + i64::from(step[1])];
+                let difference = unequal(squares, other);
+                if difference < 0.5 * least {
+                    (centre, least, least_squares) = (other, difference, squares);
+                }
             }
         }
-        if least > grid.radius_tolerance_mm || centre == start {
+        if least > grid.radius_tolerance_mm || centre == start || centre == end {
             return None;
         }
-        let (sweep_rad, deviation) = self.deviation_of([from, to], mm(centre), whole);
+        let centre_mm = mm(centre);
+        let (sweep_rad, deviation) = self.deviation_of([from, to], centre_mm, whole);
         ((sweep_rad - self.sweep_rad).abs() <= SAME_SWEEP).then_some(CircleFit { centre, sweep_rad, deviation })
     }
 
@@ -300,6 +321,68 @@ mod tests {
         assert!(nominal.fit(start, end, GRID).is_some());
         assert!(nominal.fit(start, end, WordGrid { radius_tolerance_mm: 1e-9, ..GRID }).is_none());
         assert!(nominal.fit(start, end, WordGrid { radius_tolerance_mm: 1.0, ..GRID }).is_some());
+    }
+
+    proptest! {
+        /// Ends as far from a point of the grid as each other: the centre of the CL data is that of the words.
+        #[test]
+        fn a_centre_that_words_can_express_is_kept(
+            centre in prop::array::uniform2(-300_000_i64..300_000),
+            [across, along] in prop::array::uniform2(1_i64..90_000),
+            kind in 0..4,
+            clockwise in prop::bool::ANY,
+            units_per_mm in prop_oneof![Just(1e3), Just(1e4), Just(1e4 / 25.4)],
+        ) {
+            let offsets = match kind {
+                0 => [[across, along], [across, -along]],
+                1 => [[across, along], [-across, along]],
+                2 => [[across, along], [along, across]],
+                _ => [[across, 0], [0, across]],
+            };
+            let [start, end] = offsets.map(|offset| [centre[0] + offset[0], centre[1] + offset[1]]);
+            prop_assume!(start != end);
+            let mm = |units: i64| units as f64 / units_per_mm;
+            let radius = length([mm(offsets[0][0]), mm(offsets[0][1])]);
+            let mut nominal =
+                NominalCircle { centre_mm: centre.map(mm), radii_mm: [radius; 2], clockwise, sweep_rad: 0.0 };
+            nominal.sweep_rad = nominal.angle_to_run(offsets[0].map(mm), offsets[1].map(mm));
+            let fit = nominal.fit(start, end, WordGrid { units_per_mm, ..GRID });
+            prop_assert_eq!(fit.map(|fit| fit.centre), Some(centre));
+        }
+    }
+
+    #[test]
+    fn a_neighbour_of_the_nearest_centre_is_taken_where_its_distances_differ_by_less_than_half() {
+        let mut taken = 0;
+        for turn in 0..2000 {
+            let (from, sweep) = (0.37 * f64::from(turn), 0.3 + 0.002 * f64::from(turn));
+            // Small arcs, too, whose distances from neighbours are not nearly the same.
+            let radius = if turn % 2 == 0 { 0.06 } else { 15.0 };
+            let (nominal, start, end) = circle([0.0, 0.0], radius, from, sweep);
+            let Some(fit) = nominal.fit(start, end, WordGrid { radius_tolerance_mm: 1.0, ..GRID }) else { continue };
+            let off = |centre: [i64; 2]| {
+                let [first, last] = [start, end].map(|point| {
+                    let [x, y] = [point[0] - centre[0], point[1] - centre[1]].map(|units| units as f64);
+                    x.hypot(y)
+                });
+                (first - last).abs()
+            };
+            // The foot of the nominal centre on the bisector.
+            let [x, y] = [end[0] - start[0], end[1] - start[1]].map(|units| units as f64);
+            let middle = [start[0] + end[0], start[1] + end[1]].map(|units| 0.5 * units as f64);
+            let along = (middle[0] * x + middle[1] * y) / (x * x + y * y);
+            let nearest = [along * x, along * y].map(|units| units.round() as i64);
+            let around = (-1..=1).flat_map(|dx| (-1..=1).map(move |dy| [nearest[0] + dx, nearest[1] + dy]));
+            let best = around.map(off).fold(f64::INFINITY, f64::min);
+            assert!(off(fit.centre) < 2.0 * best + 1e-9, "{turn}: {fit:?}");
+            if fit.centre == nearest {
+                assert!(off(nearest) < 2.0 * best + 1e-9, "{turn}");
+            } else {
+                taken += 1;
+                assert!(off(fit.centre) < 0.5 * off(nearest), "{turn}: {fit:?} for {nearest:?}");
+            }
+        }
+        assert!(taken > 500, "{taken}");
     }
 
     /// Deviation in the plane, every direction asked whether the circles pass it.
