@@ -267,13 +267,14 @@ impl Navigator {
         }
     }
 
-    /// Takes a motion; `air`: the tool is out of the part.
+    /// Takes a motion; `air`: the tool is out of the part. Returns whether the searches have taken it.
     #[inline(always)]
-    fn move_to(&mut self, end: &Pose, index: MotionIndex, air: bool) {
+    fn move_to(&mut self, end: &Pose, index: MotionIndex, air: bool) -> bool {
         self.has_moved = true;
         self.motion = index.motion;
-        self.go(end, air, index.begins == Begins::Operation);
+        let searched = self.go(end, air, index.begins == Begins::Operation);
         self.sense = None;
+        searched
     }
 
     /// Parks the rotary axes at the configured angles; the planner reports an angle outside the limits.
@@ -300,8 +301,9 @@ impl Navigator {
         }
     }
 
+    /// Takes a motion; returns whether the searches have taken it, and not a run.
     #[inline(always)]
-    fn go(&mut self, pose: &Pose, air: bool, begins: bool) {
+    fn go(&mut self, pose: &Pose, air: bool, begins: bool) -> bool {
         let follows = match air {
             false => self.stays(pose) || self.goes_on(pose),
             true => !begins && self.rests_at_pole() && self.stays(pose),
@@ -309,6 +311,7 @@ impl Navigator {
         if !follows {
             self.search(pose, air, begins);
         }
+        !follows
     }
 
     /// Takes a motion in both searches.
@@ -364,11 +367,13 @@ impl Navigator {
     #[inline]
     fn stays(&mut self, pose: &Pose) -> bool {
         let Some(here) = self.here.as_mut().filter(|here| here.axis == pose.axis) else { return false };
-        let stays = self.pole.is_some() || self.run.is_some();
-        if stays {
-            here.tip = pose.tip;
+        if let Some(run) = &self.run {
+            rewind_before(&mut self.searches, self.motion, run);
+        } else if self.pole.is_none() {
+            return false;
         }
-        stays
+        here.tip = pose.tip;
+        true
     }
 
     /// Takes a cut that belongs to the run, or with which one begins; false for any other.
@@ -376,7 +381,9 @@ impl Navigator {
     fn goes_on(&mut self, pose: &Pose) -> bool {
         let Some(run) = &mut self.run else { return self.begins_run(pose) };
         let Some(from) = &mut self.here else { return false };
-        let follows = self.finder.passes_far_from_poles(&from.axis, &pose.axis) && takes(run, &self.finder, from, pose);
+        let finder = &self.finder;
+        let follows = finder.passes_far_from_poles(&from.axis, &pose.axis)
+            && takes((run, &mut self.searches), finder, self.motion, (from, pose));
         if follows {
             *from = *pose;
         }
@@ -389,9 +396,10 @@ impl Navigator {
         if !self.finder.passes_far_from_poles(&from.axis, &pose.axis) {
             return false;
         }
-        let settled = |run: &mut SearchRun| run.ended || run.search.is_settled();
         let placer = self.finder.placer();
-        if placer.has_indexed_axes() || !self.searches.iter_mut().all(settled) {
+        let compares = !placer.has_many_turns();
+        let begins = |run: &mut SearchRun| run.ended || run.search.begin_run(compares);
+        if placer.has_indexed_axes() || !self.searches.iter_mut().all(begins) {
             return false;
         }
         let solutions = placer.machine().rotary_axes(&from.axis, placer.held());
@@ -402,7 +410,7 @@ impl Navigator {
         let mut run = SteadyRun::begin(&solutions, placer.rotaries(), placer.scale());
         let same_turns = || run.tries_same_turns(&placer.machine().rotary_axes(&pose.axis, placer.held()));
         let begins = (start == RunStart::AfterCut || !placer.has_many_turns() || same_turns())
-            && takes(&mut run, &self.finder, &from, pose);
+            && takes((&mut run, &mut self.searches), &self.finder, self.motion, (&from, pose));
         if begins {
             (self.run, self.here) = (Some(run), Some(*pose));
         }
@@ -486,13 +494,29 @@ impl Navigator {
     }
 }
 
-/// Whether a run takes a cut between two poses, far from the poles.
+/// Whether a run, and the searches in it, take a cut between two poses, far from the poles.
 #[inline(always)]
-fn takes(run: &mut SteadyRun, finder: &StateFinder, from: &Pose, pose: &Pose) -> bool {
+fn takes(
+    (run, searches): (&mut SteadyRun, &mut [SearchRun]),
+    finder: &StateFinder,
+    motion: u64,
+    (from, pose): (&Pose, &Pose),
+) -> bool {
     let placer = finder.placer();
     let solutions = placer.machine().rotary_axes(&pose.axis, placer.held());
     let reach = if run.is_limited() { finder.reach_between(&from.axis, &pose.axis) } else { 0 };
-    run.follow(&solutions, reach, placer.metric())
+    let Some(rotations) = run.rotations(&solutions, reach) else { return false };
+    rewind_before(searches, motion, run);
+    run.take(rotations, placer.metric());
+    true
+}
+
+/// Lets the searches look for rewinds before a cut of a run.
+#[inline(always)]
+fn rewind_before(searches: &mut [SearchRun], motion: u64, run: &SteadyRun) {
+    for SearchRun { search, .. } in searches.iter_mut().filter(|run| !run.ended && run.search.compares_rewinds()) {
+        search.rewind_before(motion, |state| run.rotated(state));
+    }
 }
 
 impl Stage for Navigator {
@@ -501,26 +525,37 @@ impl Stage for Navigator {
     /// Follows one item; refused is a course of more changes than memory is given for.
     #[inline(always)]
     fn take(&mut self, item: &ProgramItem<'_>) -> Result<(), Diagnostic> {
-        match item.action {
+        let searched = match item.action {
             ItemAction::Line { motion, index, .. } => {
                 let begins = index.begins == Begins::Operation;
-                self.move_to(&motion.pose, index, begins || motion.rapid);
+                self.move_to(&motion.pose, index, begins || motion.rapid)
             }
-            _ => self.take_other(item),
-        }
-        if self.searches.iter().any(|run| run.search.is_too_long()) { Err(too_long(item.at)) } else { Ok(()) }
+            _ => {
+                self.take_other(item);
+                true
+            }
+        };
+        if searched && self.is_too_long() { Err(too_long(item.at)) } else { Ok(()) }
     }
 }
 
 impl Navigator {
+    fn is_too_long(&self) -> bool {
+        self.searches.iter().any(|run| run.search.is_too_long())
+    }
+
     /// Follows any item that is no straight motion.
     fn take_other(&mut self, item: &ProgramItem<'_>) {
         match item.action {
             ItemAction::Line { .. } => {}
             // The tool is at its start.
-            ItemAction::Arc { arc, index } => self.move_to(&arc.end, index, false),
+            ItemAction::Arc { arc, index } => {
+                self.move_to(&arc.end, index, false);
+            }
             // A rapid leads to the hole.
-            ItemAction::Hole { hole, index } => self.move_to(&hole.top, index, true),
+            ItemAction::Hole { hole, index } => {
+                self.move_to(&hole.top, index, true);
+            }
             ItemAction::Operation(start) => {
                 self.end_run();
                 let singular = start.chosen.singular.map_or(self.singular, |singular| singular.value);

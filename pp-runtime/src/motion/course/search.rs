@@ -25,6 +25,11 @@ pub(crate) struct RotaryState {
     pub(crate) words: RotaryWords,
 }
 
+/// Order of the turns of a branch: those nearest to zero first, positive before negative.
+pub(crate) fn preference(words: &RotaryWords) -> (i64, RotaryWords) {
+    (words[0].abs() + words[1].abs(), [-words[0], -words[1]])
+}
+
 /// The cheapest course to a state.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Survivor {
@@ -145,12 +150,43 @@ struct Predecessor {
     rewound: bool,
 }
 
+/// In a run of cuts, a state of the branch with more rewinds.
+#[derive(Debug, Clone, Copy)]
+struct WithMoreRewinds {
+    /// Index of its survivor.
+    survivor: usize,
+    /// Cost of the rotation of its branch from where the run began up to the last pose at which rewinds were compared.
+    sum: Cost,
+    rewind: Option<RunRewind>,
+}
+
+/// A rewind in a run of cuts that has led cheaper to a state than its own course.
+#[derive(Debug, Clone, Copy)]
+struct RunRewind {
+    /// Last change of the course that rewinds.
+    last_change: HistoryIndex,
+    motion: u64,
+    /// Words after the rewind.
+    words: RotaryWords,
+}
+
+/// A state from which axes may be rewound in a run of cuts.
+#[derive(Debug, Clone, Copy)]
+struct RewindStart {
+    /// Cost of the course to it, with a rewind.
+    cost: Cost,
+    words: RotaryWords,
+    last_change: HistoryIndex,
+}
+
 /// The search for the cheapest course.
 #[derive(Debug)]
 pub(crate) struct CourseSearch {
     metric: RotaryMetric,
     /// All states of the last pose, in the order of preference; empty at the pole.
     layer: Vec<RotaryState>,
+    /// Those that are reached. In a run of cuts their states are those with which it began, and their costs, too; but that of a state
+    /// [with more rewinds](WithMoreRewinds) is up to the pose at which rewinds were last compared.
     survivors: Vec<Survivor>,
     next: Vec<Survivor>,
     predecessors: Vec<Predecessor>,
@@ -158,6 +194,10 @@ pub(crate) struct CourseSearch {
     starts: Vec<usize>,
     /// Number of starts up to the end of each row.
     row_ends: Vec<usize>,
+    /// States of the branch with more rewinds in the present run, in the order of their survivors.
+    with_more_rewinds: Vec<WithMoreRewinds>,
+    /// Those from which they may be reached by a rewind.
+    rewind_starts: Vec<RewindStart>,
     history: History,
     /// Only the cheapest survivor is kept: the search is made motion by motion.
     greedy: bool,
@@ -187,6 +227,8 @@ impl CourseSearch {
             predecessors: Vec::new(),
             starts: Vec::new(),
             row_ends: Vec::new(),
+            with_more_rewinds: Vec::new(),
+            rewind_starts: Vec::new(),
             history: History::default(),
             greedy,
             by_control: false,
@@ -487,9 +529,14 @@ impl CourseSearch {
         self.finish_layer(states)
     }
 
-    /// Whether each state of the last pose is the beginning of the course to the same state, rotated, of the next one, as long
-    /// as their branches and turns stay the same: a course would only begin elsewhere after a rewind from another branch.
-    pub(crate) fn is_settled(&mut self) -> bool {
+    /// Begins a run of cuts in which branches and turns of the states stay the same. False if some state of the last pose may
+    /// not be the beginning of the course to the same state, rotated, of the next one.
+    ///
+    /// A course begins elsewhere only after a rewind. From another turn of its branch that is as much cheaper or dearer in
+    /// every cut as in the first. From the other branch, where that one has fewer rewinds, it may be cheaper in some cut: with
+    /// `compares` a run may begin there too, in which the two are [compared](Self::rewind_before) before each cut.
+    pub(crate) fn begin_run(&mut self, compares: bool) -> bool {
+        self.with_more_rewinds.clear();
         if self.layer.is_empty() {
             return false;
         }
@@ -497,14 +544,80 @@ impl CourseSearch {
             return self.layer.contains(&self.survivors[0].state);
         }
         self.collect_predecessors();
-        let stays = |(source, last): (&Predecessor, &RotaryState)| !source.rewound && source.from.state == *last;
         let fewest = self.survivors.iter().map(|survivor| survivor.cost.rewinds).min();
-        let mut branches = self.survivors.iter().map(|survivor| survivor.state.branch);
-        let one_branch = branches.next().is_none_or(|first| branches.all(|branch| branch == first));
-        self.survivors.len() == self.layer.len()
+        let has_fewest = |survivor: &Survivor| Some(survivor.cost.rewinds) == fewest;
+        // The branch of all survivors with the fewest rewinds; `None` if these are of both.
+        let mut least =
+            self.survivors.iter().filter(|survivor| has_fewest(survivor)).map(|survivor| survivor.state.branch);
+        let least = least.next().filter(|first| least.all(|branch| branch == *first));
+        let has_more = |survivor: &Survivor| least.is_some_and(|least| survivor.state.branch != least);
+        let begins = self.survivors.len() == self.layer.len()
             && self.predecessors.len() == self.layer.len()
-            && self.predecessors.iter().zip(&self.layer).all(stays)
-            && (one_branch || self.survivors.iter().all(|survivor| Some(survivor.cost.rewinds) == fewest))
+            && self.survivors.iter().zip(&self.predecessors).zip(&self.layer).all(|((survivor, source), last)| {
+                survivor.state == *last
+                    && source.from.state == *last
+                    && match has_more(survivor) {
+                        true => compares,
+                        false => !source.rewound && (least.is_some() || has_fewest(survivor)),
+                    }
+            });
+        if begins {
+            let more = (0..self.survivors.len()).filter(|index| has_more(&self.survivors[*index]));
+            let more = more.map(|survivor| WithMoreRewinds { survivor, sum: Cost::default(), rewind: None });
+            self.with_more_rewinds.extend(more);
+        }
+        begins
+    }
+
+    /// Whether in the present run a rewind may lead cheaper to a state than its own course.
+    #[inline]
+    pub(crate) fn compares_rewinds(&self) -> bool {
+        !self.with_more_rewinds.is_empty()
+    }
+
+    /// Whether in the present run a rewind has led cheaper to a state than its own course.
+    #[cfg(test)]
+    pub(crate) fn has_rewound(&self) -> bool {
+        self.with_more_rewinds.iter().any(|state| state.rewind.is_some())
+    }
+
+    /// Compares, before a cut of a run, the course to each state of the branch with more rewinds with those by a rewind from the
+    /// other branch. `rotated`: see [`rotate`](Self::rotate).
+    pub(crate) fn rewind_before(&mut self, motion: u64, rotated: impl Fn(&RotaryState) -> (RotaryState, Cost)) {
+        let Self { survivors, with_more_rewinds, rewind_starts, metric, .. } = self;
+        let fewest = survivors.iter().map(|survivor| survivor.cost.rewinds).min();
+        rewind_starts.clear();
+        rewind_starts.extend(survivors.iter().filter(|survivor| Some(survivor.cost.rewinds) == fewest).map(|from| {
+            let (state, sum) = rotated(&from.state);
+            RewindStart {
+                cost: from.cost.plus(sum).plus(Cost::REWIND),
+                words: state.words,
+                last_change: from.last_change,
+            }
+        }));
+        for known in with_more_rewinds {
+            let survivor = &mut survivors[known.survivor];
+            let (state, sum) = rotated(&survivor.state);
+            survivor.cost = survivor.cost.plus(sum.since(known.sum));
+            known.sum = sum;
+            let cost = |start: &RewindStart| start.cost.plus(metric.cost(&start.words, &state.words));
+            let mut cheapest: Option<(Cost, &RewindStart)> = None;
+            for start in &*rewind_starts {
+                let cost = cost(start);
+                // Of equals that of the first state of the pose.
+                let is_before = |(least, of): (Cost, &RewindStart)| {
+                    cost < least || cost == least && preference(&start.words) < preference(&of.words)
+                };
+                if cheapest.is_none_or(is_before) {
+                    cheapest = Some((cost, start));
+                }
+            }
+            // Of equals the earliest.
+            if let Some((cost, start)) = cheapest.filter(|(cost, _)| *cost < survivor.cost) {
+                survivor.cost = cost;
+                known.rewind = Some(RunRewind { last_change: start.last_change, motion, words: state.words });
+            }
+        }
     }
 
     /// States of the survivors.
@@ -512,12 +625,19 @@ impl CourseSearch {
         self.survivors.iter().map(|survivor| &survivor.state)
     }
 
-    /// Takes a run of cuts that began where the search [is settled](Self::is_settled). `rotated`: a state at the end of the
-    /// run, and the cost of its rotation. The layer of the last pose must [follow](Self::enter).
+    /// Takes a run of cuts that [has begun](Self::begin_run). `rotated`: a state of the pose at which it began as it is now, and
+    /// the cost of its rotation. The layer of the last pose must [follow](Self::enter).
     pub(crate) fn rotate(&mut self, rotated: impl Fn(&RotaryState) -> (RotaryState, Cost)) {
-        for survivor in &mut self.survivors {
-            let (state, cost) = rotated(&survivor.state);
-            *survivor = Survivor { state, cost: survivor.cost.plus(cost), air: None, zeroable: false, ..*survivor };
+        let mut with_more_rewinds = self.with_more_rewinds.drain(..).peekable();
+        for (index, survivor) in self.survivors.iter_mut().enumerate() {
+            let (state, mut sum) = rotated(&survivor.state);
+            if let Some(known) = with_more_rewinds.next_if(|known| known.survivor == index) {
+                sum = sum.since(known.sum);
+                if let Some(RunRewind { last_change, motion, words }) = known.rewind {
+                    survivor.last_change = self.history.push(last_change, motion, CourseAction::Rewind, words);
+                }
+            }
+            *survivor = Survivor { state, cost: survivor.cost.plus(sum), air: None, zeroable: false, ..*survivor };
         }
     }
 

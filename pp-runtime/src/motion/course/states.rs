@@ -4,7 +4,7 @@ use nalgebra::{UnitVector3, Vector3};
 
 use crate::kinematics::{Branch, Pose, Rotary, RotaryAngles, Solution, math};
 
-use crate::motion::course::search::{RotaryState, SAME_WORD};
+use crate::motion::course::search::{RotaryState, SAME_WORD, preference};
 use crate::motion::geometry::{PathSegment, angle_between};
 use crate::motion::place::Placer;
 use crate::motion::rotary::{MAX_TURNS, RotaryWords};
@@ -107,8 +107,7 @@ impl StateFinder {
                     }
                 }
             }
-            let far = |state: &RotaryState| state.words[0].abs() + state.words[1].abs();
-            out[start..].sort_by_key(|state| (far(state), [-state.words[0], -state.words[1]]));
+            out[start..].sort_by_key(|state| preference(&state.words));
         }
     }
 
@@ -257,25 +256,32 @@ impl StateFinder {
         }
         let change = [0, 1].map(|axis| self.placer.metric().change(axis, start.words[axis], end.words[axis]));
         let end = [start.words[0] + change[0], start.words[1] + change[1]];
-        self.is_continuous((a, start.words), (b, end), MAX_HALVINGS)
+        let Some(segment) = PathSegment::new(a, b) else { return false };
+        self.is_continuous(&segment, (0.0, start.words), (1.0, end), MAX_HALVINGS)
     }
 
-    /// Whether repeated halving of a block leads to rotations below 10°.
-    fn is_continuous(&self, from: (&Pose, RotaryWords), to: (&Pose, RotaryWords), halvings: u32) -> bool {
+    /// Whether repeated halving of a part of a block, from share to share with their words, leads to rotations below 10°.
+    fn is_continuous(
+        &self,
+        segment: &PathSegment,
+        from: (f64, RotaryWords),
+        to: (f64, RotaryWords),
+        halvings: u32,
+    ) -> bool {
         let travel = (0..2).map(|axis| (to.1[axis] - from.1[axis]).abs()).max().unwrap_or(0);
         if 36 * travel < self.placer.scale().units_per_turn {
             return true;
         }
-        let Some(middle) = PathSegment::new(from.0, to.0).map(|segment| segment.at(0.5)) else { return false };
         if halvings == 0 {
             return false;
         }
+        let share = 0.5 * (from.0 + to.0);
         let expected = [0, 1].map(|axis| (from.1[axis] + to.1[axis]) / 2);
-        let Some(words) = self.nearest_turns(&middle, &expected) else { return false };
+        let Some(words) = self.nearest_turns(&segment.at(share), &expected) else { return false };
         let off = (0..2).map(|axis| (words[axis] - expected[axis]).abs()).max().unwrap_or(0);
         off < travel
-            && self.is_continuous(from, (&middle, words), halvings - 1)
-            && self.is_continuous((&middle, words), to, halvings - 1)
+            && self.is_continuous(segment, from, (share, words), halvings - 1)
+            && self.is_continuous(segment, (share, words), to, halvings - 1)
     }
 
     /// Words of a pose nearest to the expected ones, on any branch, without limits.

@@ -1,8 +1,11 @@
-//! Runs of cuts in which nothing can change.
+//! Runs of cuts in which branches and turns stay the same.
 //!
 //! In a cut that rotates every axis by less than a quarter turn, all turns of a branch rotate alike, and as long as none enters
 //! or leaves the limits, each state of a pose comes from the state of its branch and turn in the pose before. Increments,
 //! times and travel are then the same for all of them: one sum for each branch takes the place of the layers of states.
+//!
+//! Only a rewind from the other branch can lead cheaper to a state than its own course, where that branch has fewer rewinds:
+//! before each cut the search [compares](super::search::CourseSearch::rewind_before) the two.
 
 use wide::f64x2;
 
@@ -26,6 +29,13 @@ struct RunBranch {
     /// Travel and time of the rotation.
     travel: f64x2,
     time_ns: u64,
+}
+
+/// Rotation of one branch in a cut: the words at its end, within half a turn of zero, and their change.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct BranchRotation {
+    words: f64x2,
+    by: f64x2,
 }
 
 /// A run of cuts in which the states of each pose are those of the one before, rotated.
@@ -70,32 +80,35 @@ impl SteadyRun {
         })
     }
 
-    /// Takes a cut to a pose with these solutions; `reach`: how far the second axis may go beyond the ends of the cut. Returns
-    /// false, and changes nothing, if the run ends before it.
-    #[inline]
-    pub(crate) fn follow(&mut self, solutions: &[Solution<RotaryAngles>], reach: i64, metric: &RotaryMetric) -> bool {
+    /// The rotations of a cut to a pose with these solutions; `reach`: how far the second axis may go beyond the ends of the
+    /// cut. `None` if the run ends before it.
+    #[inline(always)]
+    pub(crate) fn rotations(&self, solutions: &[Solution<RotaryAngles>], reach: i64) -> Option<[BranchRotation; 2]> {
         if solutions.len() != self.branches.len() {
-            return false;
+            return None;
         }
         let reach = f64x2::from([0.0, reach as f64]);
-        let mut steps = [(f64x2::ZERO, f64x2::ZERO); 2];
-        for ((known, solution), step) in self.branches.iter().zip(solutions).zip(&mut steps) {
-            match known.step(solution, reach, &self.of_both) {
-                Some(found) => *step = found,
-                None => return false,
-            }
+        let mut rotations = [BranchRotation { words: f64x2::ZERO, by: f64x2::ZERO }; 2];
+        for ((known, solution), rotation) in self.branches.iter().zip(solutions).zip(&mut rotations) {
+            *rotation = known.rotation(solution, reach, &self.of_both)?;
         }
-        for (known, (words, change)) in self.branches.iter_mut().zip(steps) {
+        Some(rotations)
+    }
+
+    /// Takes a cut with these [rotations](Self::rotations).
+    #[inline(always)]
+    pub(crate) fn take(&mut self, rotations: [BranchRotation; 2], metric: &RotaryMetric) {
+        for (known, BranchRotation { words, by }) in self.branches.iter_mut().zip(rotations) {
             known.words = words;
-            known.rotated += change;
-            let travel = change.abs();
+            known.rotated += by;
+            let travel = by.abs();
             known.travel += travel;
             known.time_ns = known.time_ns.saturating_add(metric.time_ns(travel.to_array()));
         }
-        true
     }
 
     /// A state of the pose at which the run began as it is at the last pose, and the cost of its rotation.
+    #[inline]
     pub(crate) fn rotated(&self, state: &RotaryState) -> (RotaryState, Cost) {
         let Some(known) = self.branches.iter().find(|known| known.branch == state.branch) else {
             return (*state, Cost::default());
@@ -109,8 +122,8 @@ impl SteadyRun {
                 rotated
             };
         }
-        let [first, second] = known.travel.to_array().map(|travel| travel as u64);
-        let cost = Cost { time_ns: known.time_ns, travel_units: first + second, ..Cost::default() };
+        let [first, second] = known.travel.to_array();
+        let cost = Cost { time_ns: known.time_ns, travel_units: (first + second) as u64, ..Cost::default() };
         (RotaryState { words, ..*state }, cost)
     }
 }
@@ -123,9 +136,9 @@ fn within_half_turn(words: f64x2, turn: f64x2) -> f64x2 {
 }
 
 impl RunBranch {
-    /// Words of a solution and their change from the last pose; `None` if the run ends before it.
+    /// The rotation to a solution; `None` if the run ends before it.
     #[inline(always)]
-    fn step(&self, solution: &Solution<RotaryAngles>, reach: f64x2, scale: &RotaryScale) -> Option<(f64x2, f64x2)> {
+    fn rotation(&self, solution: &Solution<RotaryAngles>, reach: f64x2, scale: &RotaryScale) -> Option<BranchRotation> {
         let (words, turn) = (scale.words(&solution.axes)?, scale.units_per_turn());
         // Both are within half a turn of zero.
         let by = within_half_turn(words - self.words, turn);
@@ -135,7 +148,7 @@ impl RunBranch {
             | rotated.simd_gt(self.highest)
             | (rotated - reach).simd_lt(self.at_lower)
             | (rotated + reach).simd_gt(self.at_upper);
-        (solution.branch == self.branch && !ends.any()).then_some((words, by))
+        (solution.branch == self.branch && !ends.any()).then_some(BranchRotation { words, by })
     }
 
     fn begin(solution: &Solution<RotaryAngles>, rotaries: &[Rotary], scale: AngleScale) -> Self {

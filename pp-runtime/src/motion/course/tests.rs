@@ -286,18 +286,115 @@ proptest! {
             config.set_up.speeds.insert('C', 60.0);
             config.set_up.speeds.insert('B', 25.0);
         }
-        let course = |in_air: bool| {
-            let mut navigator = Navigator::new(Box::new(config.set_up.machine::<Cb>().expect("valid")), config.policy());
-            for (motion, point) in (0..).zip(&path(start, &steps)) {
-                navigator.run_start = navigator.run_start.filter(|start| in_air || *start == RunStart::AfterCut);
-                navigator.motion = motion;
-                navigator.go(&point.pose, motion == 0 || point.rapid, motion == 0);
-            }
-            let course = navigator.finish();
-            (course.cost, course.greedy, changes(course))
-        };
-        prop_assert_eq!(course(true), course(false));
+        let course = |begins: fn(&RunStart) -> bool| course_in_runs(&config, &path(start, &steps), begins, |_| ());
+        prop_assert_eq!(course(|_| true), course(|start| *start == RunStart::AfterCut));
     }
+}
+
+/// The course of a navigator that takes a run of cuts where one can begin and `begins`, and searches elsewhere; `after` sees it after
+/// each motion.
+fn course_in_runs(
+    config: &Config,
+    points: &[Point],
+    begins: fn(&RunStart) -> bool,
+    mut after: impl FnMut(&Navigator),
+) -> (Cost, Option<Cost>, Vec<CourseChange>) {
+    let mut navigator = Navigator::new(Box::new(config.set_up.machine::<Cb>().expect("valid")), config.policy());
+    for (motion, point) in (0..).zip(points) {
+        navigator.run_start = navigator.run_start.filter(begins);
+        navigator.motion = motion;
+        navigator.go(&point.pose, motion == 0 || point.rapid, motion == 0);
+        after(&navigator);
+    }
+    let course = navigator.finish();
+    (course.cost, course.greedy, changes(course))
+}
+
+#[test]
+fn a_run_in_which_one_branch_needs_more_rewinds_has_the_course_of_a_search_motion_by_motion() {
+    let mut random = 1_u64;
+    let mut next = |range: i64| {
+        random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (random >> 33) as i64 % range
+    };
+    let (mut compared, mut rewound, mut rewinds) = (0, 0, 0);
+    for run in 0..200 {
+        let mut config = Config::default();
+        config.motion.course.greedy = run % 5 == 0;
+        // B on one side by a little more than the paths need, on the other side by less.
+        let (less, more) = (-5.0 - next(20) as f64, 60.0 + next(60) as f64);
+        config.set_up.limits.insert('B', if run % 2 == 0 { limits(less, more) } else { limits(-more, -less) });
+        if run % 4 > 0 {
+            let lower = -100.0 - next(500) as f64;
+            config.set_up.limits.insert('C', limits(lower, lower + (200 + next(700)) as f64));
+        }
+        if run % 3 == 0 {
+            config.set_up.speeds.insert('C', 60.0);
+            config.set_up.speeds.insert('B', (5 + next(50)) as f64);
+        }
+        // In whole degrees from a quarter turn there are rewinds of equal cost.
+        let (start, step) = if run % 8 < 4 { (90 * next(4), 1.0) } else { (next(360), 0.01) };
+        let (mut turn, mut tilt) = (start as f64, 8.0 + next(50) as f64);
+        let (mut around, mut along) = (0.0, 0.0);
+        let points: Vec<Point> = (0..120)
+            .map(|motion| {
+                if motion % 12 == 0 {
+                    // Mostly around one way, to and fro beside the pole.
+                    around = (f64::from(next(900) as i32 - 200) / 100.0 / step).round() * step;
+                    along = f64::from(next(700) as i32 - 400) / 100.0;
+                }
+                // Now and then the tool axis stays, or the tool is in the air.
+                if next(8) > 0 {
+                    (turn, tilt) = (turn + around, (tilt + along).clamp(3.0, 70.0));
+                }
+                let pose = Pose { tip: Point3::origin(), axis: axis(turn, tilt) };
+                Point { pose, rapid: next(60) == 0 }
+            })
+            .collect();
+        let one = course_in_runs(
+            &config,
+            &points,
+            |_| true,
+            |navigator| {
+                let search = &navigator.searches[0].search;
+                let is_running = navigator.run.is_some();
+                compared += usize::from(is_running && search.compares_rewinds());
+                rewound += usize::from(is_running && search.has_rewound());
+            },
+        );
+        rewinds += one.0.rewinds;
+        assert_eq!(one, course_in_runs(&config, &points, |_| false, |_| ()), "path {run}");
+    }
+    assert!(
+        compared > 2000 && rewound > 1000 && rewinds > 30,
+        "{compared} compared, {rewound} rewound, {rewinds} rewinds"
+    );
+}
+
+#[test]
+fn of_equal_rewinds_in_a_run_that_from_the_turn_nearest_to_zero_is_taken() {
+    let mut config = Config::default();
+    config.set_up.limits.insert('C', limits(-300.0, 300.0));
+    config.set_up.limits.insert('B', limits(-5.0, 120.0));
+    // Near the pole C rotates back and forth about 180: 180 and -180 change places as the turn nearest to zero.
+    let mut angles: Vec<(f64, f64)> = [8.0, 7.0, 6.0, 5.5, 4.8, 4.7, 4.6].map(|tilt| (180.0, tilt)).to_vec();
+    angles.extend([178.0, 176.0, 175.0].map(|turn| (turn, 4.5)));
+    angles.extend((0..6).map(|step| (176.0 + 2.0 * f64::from(step), 4.4 - 0.1 * f64::from(step))));
+    // At 300 it is at its limit.
+    angles.extend((0..=30).map(|step| (188.0 + 4.0 * f64::from(step), 4.6)));
+    angles.extend((0..=72).map(|step| (308.0 - 4.0 * f64::from(step), 4.6)));
+    let points: Vec<Point> = angles.into_iter().map(|(turn, tilt)| path((turn, tilt), &[])[0]).collect();
+    let mut compared = 0;
+    let one = course_in_runs(
+        &config,
+        &points,
+        |_| true,
+        |navigator| {
+            compared += usize::from(navigator.run.is_some() && navigator.searches[0].search.compares_rewinds());
+        },
+    );
+    assert!(compared > 20 && one.0.rewinds == 1, "{compared} {one:?}");
+    assert_eq!(one, course_in_runs(&config, &points, |_| false, |_| ()));
 }
 
 #[test]

@@ -48,6 +48,17 @@ impl Cost {
         }
     }
 
+    /// The part of a sum that came after an earlier one. That of a bounded time is bounded, too.
+    #[inline]
+    pub(crate) fn since(self, earlier: Self) -> Self {
+        Self {
+            rewinds: self.rewinds - earlier.rewinds,
+            against_preference: self.against_preference - earlier.against_preference,
+            time_ns: if self.time_ns < u64::MAX { self.time_ns - earlier.time_ns } else { u64::MAX },
+            travel_units: self.travel_units - earlier.travel_units,
+        }
+    }
+
     pub(crate) const REWIND: Self = Self { rewinds: 1, against_preference: 0, time_ns: 0, travel_units: 0 };
     pub(crate) const AGAINST_PREFERENCE: Self = Self { rewinds: 0, against_preference: 1, time_ns: 0, travel_units: 0 };
 }
