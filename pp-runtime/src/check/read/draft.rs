@@ -225,7 +225,8 @@ pub(super) struct Draft {
     pub(crate) effects: u8,
     pub(crate) clamp_on: u16,
     pub(crate) clamp_off: u16,
-    /// Words of axes, F, S and N, and nothing else: no state changes but F and S.
+    /// Words of axes and the centre of an arc, F, S and N, and nothing else, or those of axes and N of a hole that is drilled again: no
+    /// state changes but F and S.
     pub(crate) only_moves: bool,
     /// It has nothing else to forget, and no effect is declared for its words.
     pub(crate) is_moves: bool,
@@ -238,6 +239,8 @@ impl Draft {
     pub(super) fn forget_moves(&mut self) {
         (self.number, self.feed) = (None, None);
         (self.axes, self.written) = ([0.0; MAX_AXES], 0);
+        (self.centre, self.centre_written) = ([0.0; 3], 0);
+        self.define = None;
     }
 
     /// Forgets the block. `empty`: a draft without words; most blocks leave few.

@@ -1,8 +1,8 @@
 //! Canned cycles: the code, and words that stay in force until another motion code.
 
 use super::super::block::{CycleKind, FeedMode, FineBore};
-use super::super::draft::{Code, Cycle};
-use super::super::language::{Pattern, letters};
+use super::super::draft::{Code, Cycle, group};
+use super::super::language::{Letters, Pattern, letters};
 use super::Reading;
 
 /// Words of a cycle that stay in force, mm and seconds.
@@ -26,7 +26,28 @@ impl CycleWords {
     }
 }
 
+/// A hole that every line of axis words drills.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct SameHole {
+    pub(super) cycle: Cycle,
+    /// Position in the chain of the axis along the normal, whose word would be another bottom.
+    pub(super) normal: usize,
+}
+
 impl Reading<'_, '_> {
+    /// Notes the hole of the block; `before`: that of the line before. A block of axis words that drills it again only moves.
+    pub(super) fn note_hole(&mut self, before: Option<SameHole>) {
+        const AXES: Letters = letters("NXYZABCUVW");
+        let hole = self.line.draft.define.zip(self.line.normal()).map(|(cycle, normal)| SameHole { cycle, normal });
+        self.iso.again = hole.filter(|_| self.line.fault_count() == 0);
+        let draft = &mut *self.line.draft;
+        let moves = draft.groups == 1 << group::FREE
+            && draft.written != 0
+            && draft.letters & !AXES == 0
+            && hole.is_some_and(|hole| draft.written & (1 << hole.normal) == 0);
+        draft.only_moves |= moves && !self.iso.rigid && hole == before;
+    }
+
     /// Words of a canned cycle, in the block that begins it or in a later one. Every block with one of its words, or with an
     /// axis word, drills.
     pub(super) fn cycle_words(&mut self) {

@@ -71,14 +71,14 @@ impl Reading<'_, '_> {
         self.tool_words();
     }
 
-    /// Whether the block has axis words without a code, and nothing is in force that gives words another meaning: most
-    /// blocks of a program.
+    /// Whether the block has axis words without a code, those of an arc included, and nothing is in force that gives words another
+    /// meaning: most blocks of a program.
     fn only_moves(&self) -> bool {
         let draft = &*self.line.draft;
         draft.groups == 1 << group::FREE
             && draft.written != 0
-            && draft.letters & !MOVING == 0
             && self.iso.cycle.is_off()
+            && draft.letters & !(MOVING | self.iso.centre_letters()) == 0
             && !self.iso.rigid
     }
 

@@ -13,7 +13,7 @@ mod guard;
 mod loose;
 mod moves;
 
-use self::cycle::CycleWords;
+use self::cycle::{CycleWords, SameHole};
 use self::guard::Guards;
 use self::loose::Loose;
 use self::moves::MoveWords;
@@ -47,6 +47,8 @@ pub(super) struct Iso {
     moves: MoveWords,
     guards: Guards,
     cycle: CycleWords,
+    /// The hole of the line before, if a line of other axis words drills it again.
+    again: Option<SameHole>,
     /// I J K are the tool axis (G43.5).
     vectors: bool,
     /// Address words that the motion code in force takes.
@@ -73,6 +75,7 @@ impl Iso {
             moves: MoveWords::new(vocabulary, machine),
             guards: Guards::default(),
             cycle: CycleWords::default(),
+            again: None,
             vectors: false,
             modal: 0,
             rigid: false,
@@ -95,9 +98,11 @@ impl Iso {
             }
             return is_block;
         }
+        let before = self.again.take();
         let mut reading = Reading { iso: self, line, loose: Loose::default() };
         if reading.words() {
             reading.conclude();
+            reading.note_hole(before);
         }
         let says = line.draft.groups != 0 || line.draft.written != 0 || line.fault_count() > 0;
         self.began |= says;
@@ -109,16 +114,29 @@ impl Iso {
         true
     }
 
-    /// Reads a line that only moves axes; `false` if it is another, or may mean something else. Then nothing has been read.
+    /// Those of I J K that are the centre of an arc whose code is in force.
+    fn centre_letters(&self) -> Letters {
+        if self.vectors { 0 } else { self.modal & letters("IJK") }
+    }
+
+    /// Reads a line that only moves axes, and may drill the hole of the line before again; `false` if it is another, or may mean something else. Then nothing has been read.
     pub(super) fn moves(&mut self, text: &[u8], draft: &mut Draft) -> bool {
-        if !self.cycle.is_off() || self.rigid || self.thread_due || self.guards.is_open() {
+        if self.rigid || self.thread_due || self.guards.is_open() {
             return false;
         }
-        if !self.moves.read(text, draft) {
+        let permitted = match &self.again {
+            _ if self.cycle.is_off() => moves::permitted(self.centre_letters()),
+            Some(again) => moves::AXES & !(1 << again.normal),
+            None => return false,
+        };
+        if !self.moves.read(text, permitted, draft) {
             draft.forget_moves();
             return false;
         }
         (draft.only_moves, draft.is_moves) = (true, true);
+        if let Some(again) = &self.again {
+            draft.define = Some(again.cycle);
+        }
         draft.speaks();
         self.began = true;
         true
@@ -144,7 +162,7 @@ impl Iso {
 
     /// Forgets what stays in force.
     pub(super) fn forget(&mut self) {
-        (self.cycle, self.vectors, self.modal) = (CycleWords::default(), false, 0);
+        (self.cycle, self.again, self.vectors, self.modal) = (CycleWords::default(), None, false, 0);
         (self.rigid, self.thread_due) = (false, false);
     }
 

@@ -1,9 +1,9 @@
-//! Lines of axis words and F alone: most lines of a program.
+//! Lines of axis words and F alone, and of arcs whose code is in force: most lines of a program.
 
 use super::super::Vocabulary;
 use super::super::block::MAX_AXES;
 use super::super::draft::Draft;
-use super::super::language::Address;
+use super::super::language::{Address, Letters, letters};
 use super::super::machine::Interpreter;
 use super::super::text::{Cursor, Number, whole};
 
@@ -12,13 +12,26 @@ use super::super::text::{Cursor, Number, whole};
 enum Part {
     Blank,
     BlockNumber,
-    /// A word of an axis, by its position in the chain, or [`FEED`].
+    /// A word of an axis, by its position in the chain, [`FEED`], or one of [`CENTRE`].
     Word(u8),
     Other,
 }
 
 /// The word of F, after those of the axes.
 const FEED: u8 = MAX_AXES as u8;
+
+/// The words of I, J and K.
+const CENTRE: [u8; 3] = [FEED + 1, FEED + 2, FEED + 3];
+
+/// Bits of the words of axes.
+pub(super) const AXES: u32 = (1 << FEED) - 1;
+
+/// Bits of the words that a line may have: those of the axes and F, and of I J K those among the letters.
+pub(super) fn permitted(centre: Letters) -> u32 {
+    const WITHOUT_CENTRE: u32 = (1 << CENTRE[0]) - 1;
+    let centre = (centre & letters("IJK")) >> (b'I' - b'A');
+    WITHOUT_CENTRE | centre << CENTRE[0]
+}
 
 /// The words of such lines, for one program.
 #[derive(Debug)]
@@ -39,6 +52,7 @@ impl MoveWords {
                 machine.axis_named(&[byte]).map_or(Part::Other, |index| Part::Word(index as u8))
             }
             (_, Some(Address::Feed)) => Part::Word(FEED),
+            (b'I'..=b'K', Some(Address::Centre)) => Part::Word(CENTRE[usize::from(byte - b'I')]),
             _ => Part::Other,
         };
         Self {
@@ -47,20 +61,20 @@ impl MoveWords {
         }
     }
 
-    /// Reads a line of axis words and F, each once and none in least increments, after a block number at most; `false` if
-    /// another word comes. A function of its own, whose registers no other line needs.
+    /// Reads a line of [`permitted`] words, each once and none in least increments, after a block number at most; `false` if
+    /// another word comes, or none of an axis. A function of its own, whose registers no other line needs.
     #[inline(never)]
-    pub(super) fn read(&self, text: &[u8], draft: &mut Draft) -> bool {
-        self.words::<true>(text, draft) || {
+    pub(super) fn read(&self, text: &[u8], permitted: u32, draft: &mut Draft) -> bool {
+        self.words::<true>(text, permitted, draft) || {
             draft.forget_moves();
-            self.words::<false>(text, draft)
+            self.words::<false>(text, permitted, draft)
         }
     }
 
     /// Takes the words; `SHORT`: none has a longer number than [`Cursor::short_number`] takes, as in nearly every line. A byte
     /// that goes on with its number is no part of such a line.
     #[inline(always)]
-    fn words<const SHORT: bool>(&self, text: &[u8], draft: &mut Draft) -> bool {
+    fn words<const SHORT: bool>(&self, text: &[u8], permitted: u32, draft: &mut Draft) -> bool {
         let number = |at: &mut Cursor<'_>| if SHORT { at.short_number() } else { at.number() };
         let mut at = Cursor::new(text);
         if at.peek().map(|byte| self.parts[usize::from(byte)]) == Some(Part::BlockNumber) {
@@ -71,7 +85,8 @@ impl MoveWords {
                 return false;
             }
         }
-        let mut written = 0_u32;
+        // Each once.
+        let mut left = permitted;
         while let Some(byte) = at.peek() {
             at.skip(1);
             let part = self.parts[usize::from(byte)];
@@ -79,16 +94,19 @@ impl MoveWords {
                 continue;
             }
             let Part::Word(index) = part else { return false };
-            let suits = |number: &Number| written & (1 << index) == 0 && (number.point || self.plain);
+            let suits = |number: &Number| left & (1 << index) != 0 && (number.point || self.plain);
             let Some(number) = number(&mut at).filter(suits) else { return false };
-            written |= 1 << index;
-            match draft.axes.get_mut(usize::from(index)) {
-                Some(axis) => *axis = number.value,
-                None if number.value > 0.0 => draft.feed = Some(number.value),
-                None => return false,
+            left &= !(1 << index);
+            match (draft.axes.get_mut(usize::from(index)), index) {
+                (Some(axis), _) => *axis = number.value,
+                (None, FEED) if number.value > 0.0 => draft.feed = Some(number.value),
+                (None, FEED) => return false,
+                (None, centre) => draft.centre[usize::from(centre - CENTRE[0])] = number.value,
             }
         }
-        draft.written = written as u16 & !(1 << FEED);
+        let written = permitted & !left;
+        draft.centre_written = (written >> CENTRE[0]) as u8;
+        draft.written = (written & AXES) as u16;
         draft.written != 0
     }
 }

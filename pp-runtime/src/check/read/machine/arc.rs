@@ -7,6 +7,7 @@ use std::f64::consts::TAU;
 use super::super::block::{ArcMove, MAX_AXES};
 use super::super::draft::Draft;
 use super::Interpreter;
+use crate::kinematics::math::hypot;
 
 /// Radii at both ends may differ by so much more than rounding, mm.
 const SAME_RADIUS: f64 = 0.002;
@@ -41,7 +42,7 @@ pub(super) fn of(
         Some(sweep) => sweep,
         None => turn(start, stop, centre, clockwise),
     };
-    let radii = [start, stop].map(|[x, y]| (x - centre[0]).hypot(y - centre[1]));
+    let radii = [start, stop].map(|[x, y]| hypot(x - centre[0], y - centre[1]));
     let largest = SAME_RADIUS + 3.0 * machine.rounding;
     if (radii[0] - radii[1]).abs() > largest || radii[0] < ONE_POINT {
         return Err(format!(
@@ -76,7 +77,7 @@ fn by_centre(draft: &Draft, unit: f64, start: [f64; 2], [u, v, w]: [usize; 3]) -
 /// A negative radius is that of the longer way round.
 fn by_radius(start: [f64; 2], stop: [f64; 2], radius: f64, clockwise: bool) -> Result<[f64; 2], String> {
     let (dx, dy) = (stop[0] - start[0], stop[1] - start[1]);
-    let chord = dx.hypot(dy);
+    let chord = hypot(dx, dy);
     if chord < ONE_POINT {
         return Err("a full circle cannot be programmed with its radius".to_owned());
     }
@@ -93,7 +94,7 @@ fn by_radius(start: [f64; 2], stop: [f64; 2], radius: f64, clockwise: bool) -> R
 fn turn(start: [f64; 2], stop: [f64; 2], centre: [f64; 2], clockwise: bool) -> f64 {
     let (a, b) = ([start[0] - centre[0], start[1] - centre[1]], [stop[0] - centre[0], stop[1] - centre[1]]);
     let left = (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1]).rem_euclid(TAU);
-    let whole = (start[0] - stop[0]).hypot(start[1] - stop[1]) < ONE_POINT;
+    let whole = hypot(start[0] - stop[0], start[1] - stop[1]) < ONE_POINT;
     match (whole, clockwise) {
         (true, false) => TAU,
         (true, true) => -TAU,

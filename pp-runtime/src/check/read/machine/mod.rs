@@ -199,7 +199,8 @@ impl Interpreter {
 
     /// Whether a draft does nothing but move axes, and where it counts is known: most blocks.
     fn moves_alone(&self, draft: &Draft) -> bool {
-        draft.is_moves && self.frames.unknown == 0 && self.facts.motion_modal
+        let is_straight = draft.centre_written == 0 && draft.define.is_none();
+        draft.is_moves && is_straight && self.frames.unknown == 0 && self.facts.motion_modal
     }
 
     /// Moves the axes of a draft that does nothing else.

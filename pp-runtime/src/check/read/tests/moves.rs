@@ -19,6 +19,103 @@ fn assert_alike(family: Family, start: &str, lines: &[&str]) {
 }
 
 #[test]
+fn lines_of_an_arc_in_force_are_read_alike_in_one_pass_and_word_by_word() {
+    let start = "G21 G17 G40 G49 G80 G90 G94 G54\nG0 X10. Y0. Z0. B0. C0.\n";
+    let lines = [
+        "X0. Y-10. I-10. J0.",
+        "N20 X0. Y-10. Z-1. I-10. J0. F50.",
+        "X0. Y10. I-10.",
+        "Y-10. X0. J0. I-10.",
+        "X0. Y10. R10.",
+        "X0. Y10. I-10. R10.",
+        "X10. Y0. I-10. P2",
+        "X0. Y-10. I-10. J0. K0.",
+        "X0. Y-10. I-10. I-10.",
+        "X0. Y-10. I-10. J",
+        "X0. Y-10. I-10 J0",
+        "X0. Y-10. I-9. J0.",
+        "I-10. J0.",
+        "X0. Y-10.",
+        "X0. Y-10. I-10. J0. S500",
+        "X0. Y-10. I-10. J0. M8",
+        "G1 X0. I1.",
+    ];
+    for family in [Family::LinuxCnc, Family::Fanuc, Family::Haas] {
+        for line in lines {
+            for code in [
+                "G3 X-10. Y0. I-10. J0. F100.",
+                "G2 X-10. Y0. R10. F100.",
+                "G1 X1. F100.",
+                "G18 G3 X-10. Z0. I-10. K0. F100.",
+            ] {
+                let turned = line.replace("I-10", "I10").replace("I-9", "I9");
+                assert_alike(family, start, &[code, &turned, "X3. Y4.", "G1 X3.", line]);
+                assert_alike(family, start, &[code, "G91", &turned, "G90", &turned]);
+                assert_alike(family, start, &[code, "G43.5 H1", &turned, "G49", &turned]);
+                assert_alike(family, start, &[code, "G0 X10. Y0. Z0.", line, "G80", line]);
+            }
+        }
+    }
+}
+
+#[test]
+fn holes_that_are_drilled_again_are_read_alike_in_one_pass_and_word_by_word() {
+    let start = "G21 G17 G40 G49 G80 G90 G94 G54\nM3 S1000\nG0 X10. Y0. Z9. B0. C0.\n";
+    let cycles = [
+        "G98 G81 Z-5. R2. F100.",
+        "G99 G82 X1. Y2. Z-5. R2. P500 F100.",
+        "G98 G83 Z-5. R2. Q1. F100.",
+        "G98 G84 Z-5. R2. F1000.",
+        "G95 G98 G74 Z-5. R2. F1.",
+        "G98 G86 Z-5. R2. F100.",
+        "G18 G98 G81 Y-5. R2. F100.",
+        "G98 G81 Z-5. F100.",
+        "G98 G81 R2. F100.",
+        "M29 S500",
+    ];
+    let between = [
+        "X5. Y6.",
+        "N10 X5. Y6.",
+        "X5.",
+        "X5. B30.",
+        "X5. Z-6.",
+        "Z-6.",
+        "X5. F50.",
+        "F50.",
+        "S500",
+        "X5. S500",
+        "R3.",
+        "X5. R3.",
+        "Q2.",
+        "X5. Q2.",
+        "P300",
+        "G91",
+        "X5. I1.",
+        "G99",
+        "G18",
+        "G4 P100",
+        "M8",
+        "X5. X6.",
+        "X",
+        "(A)",
+        "",
+        "G43 H1",
+        "G80",
+        "G0 X3.",
+        "G20",
+        "M0",
+        "/ X5. Y6.",
+    ];
+    for family in [Family::LinuxCnc, Family::Fanuc, Family::Haas] {
+        for cycle in cycles {
+            for line in between {
+                assert_alike(family, start, &[cycle, "X1. Y1.", line, "X2. Y-2.", "Y7.", line, line, "G80", "X1."]);
+            }
+        }
+    }
+}
+
+#[test]
 fn lines_of_words_are_read_alike_in_one_pass_and_word_by_word() {
     let start = "G21 G17 G40 G49 G80 G90 G94 G54\n";
     let lines = [
