@@ -6,6 +6,7 @@ use super::super::expect::{ExpectedHole, SAME_LEVEL, SpindleState};
 use super::super::geometry::{ToolPose, angle_between, tool_pose};
 use super::super::read::{Block, CycleKind, CycleMove, FeedMode, FineBore, MAX_AXES};
 use super::super::rules::{Rules, Stroke};
+use crate::kinematics::math::hypot;
 use crate::program::{Drilling, Dwell, Feed, Hole, Rotation};
 
 /// Dwells are written to a thousandth of a second, s.
@@ -115,7 +116,7 @@ impl CycleComparison<'_> {
         let across = (step - expected.axis * along).norm();
         let above_mm = level.above_mm.abs();
         let leans_mm = if above_mm > 0.0 { (above_mm * self.lean()?).min(self.tolerance_mm) } else { 0.0 };
-        let wrong = along.hypot((across - leans_mm).max(0.0)) > self.rules.rounding().tip_mm
+        let wrong = hypot(along, (across - leans_mm).max(0.0)) > self.rules.rounding().tip_mm
             || !self.rules.is_axis_near(&at.axis, &expected.axis, 1.0);
         let off = step.norm();
         let text = wrong.then(|| format!("{} of the cycle is {off:.4} mm from that of the CL data", level.name));
@@ -212,7 +213,7 @@ impl CycleComparison<'_> {
         let normal = self.rules.words().xyz()[self.block.state.plane?.axes()[2]]?;
         let across = (0..MAX_AXES)
             .filter(|index| *index != normal && self.block.written & (1 << index) != 0)
-            .fold(0.0_f64, |sum, index| sum.hypot(self.block.values[index] - before[index]));
+            .fold(0.0_f64, |sum, index| hypot(sum, self.block.values[index] - before[index]));
         let rounding = self.rules.rounding();
         if across <= rounding.unit_mm || known & (1 << normal) == 0 {
             return None;

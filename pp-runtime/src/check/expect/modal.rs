@@ -209,7 +209,7 @@ impl<'a> ClState<'a> {
     }
 
     pub(super) fn event(&mut self, at: Location, event: &Event<'_>) {
-        self.process_due |= !matches!(event, Event::Move(_));
+        self.process_due |= !matches!(event, Event::Move(_) | Event::Arc(_));
         match *event {
             Event::Move(motion) => self.line(at, &motion),
             Event::Arc(arc) => self.arc(at, &arc),
@@ -542,8 +542,11 @@ impl<'a> ClState<'a> {
     #[inline(never)]
     fn take_process(&mut self) {
         let (spindle, coolant) = (self.spindle_state(), self.coolant_bits());
-        let required = self.require();
-        (required.spindle, required.coolant) = (spindle, coolant);
+        // Motions of one state share it.
+        if self.required.spindle != spindle || self.required.coolant != coolant {
+            let required = self.require();
+            (required.spindle, required.coolant) = (spindle, coolant);
+        }
     }
 
     /// Takes the rules of the operation that begins.

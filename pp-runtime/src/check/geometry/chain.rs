@@ -63,6 +63,9 @@ struct Arm {
 /// Components of two vectors, as tip and tool axis: what is done to one is done to the other by the same instruction.
 type Pair = [f64x2; 3];
 
+/// Of two vectors.
+const NO_CENTRE: Pair = [f64x2::ZERO; 3];
+
 fn pair(one: &Vector3<f64>, other: &Vector3<f64>) -> Pair {
     [0, 1, 2].map(|index| f64x2::new([one[index], other[index]]))
 }
@@ -176,6 +179,27 @@ impl Chain {
         }
         let [tip, axis] = vectors(&tool);
         ToolPose { tip, axis }
+    }
+
+    /// Tip at axis values, and how far each of three changes of the linear axes moves it.
+    pub(crate) fn tip_and_shifts(
+        &self,
+        values: &[f64; MAX_AXES],
+        [first, second, third]: &[[f64; MAX_AXES]; 3],
+    ) -> (Vector3<f64>, [Vector3<f64>; 3]) {
+        let (mut tip_and_first, mut others) = ([f64x2::splat(0.0); 3], [f64x2::splat(0.0); 3]);
+        for (index, (link, value)) in self.links.iter().zip(values).enumerate().rev() {
+            if link.rotary {
+                tip_and_first = link.rotated(&tip_and_first, *value);
+                others = link.rotated_about(&NO_CENTRE, &others, *value);
+            } else {
+                let by = [f64x2::new([*value, first[index]]), f64x2::new([second[index], third[index]])];
+                tip_and_first = [0, 1, 2].map(|axis| tip_and_first[axis] + link.both[axis] * by[0]);
+                others = [0, 1, 2].map(|axis| others[axis] + link.both[axis] * by[1]);
+            }
+        }
+        let ([tip, first], [second, third]) = (vectors(&tip_and_first), vectors(&others));
+        (tip, [first, second, third])
     }
 
     /// Bounds of a motion to axis values, each of which changes evenly, by `change` in the whole motion, mm and rad.
@@ -311,15 +335,22 @@ impl Link {
     }
 
     /// [`rotation`](Self::rotation) of the tip about the centre line, and of the tool axis.
+    #[inline(always)]
     fn rotated(&self, tool: &Pair, angle: f64) -> Pair {
+        self.rotated_about(&self.centre, tool, angle)
+    }
+
+    /// The same of any two points, or vectors, each with a point of its centre line.
+    #[inline(always)]
+    fn rotated_about(&self, centre: &Pair, tool: &Pair, angle: f64) -> Pair {
         let Turn { sine, cosine, .. } = self.turn(angle);
         let (sine, cosine, n) = (f64x2::splat(sine), f64x2::splat(cosine), &self.both);
-        let arm = [0, 1, 2].map(|index| tool[index] - self.centre[index]);
+        let arm = [0, 1, 2].map(|index| tool[index] - centre[index]);
         let part = n[0] * arm[0] + n[1] * arm[1] + n[2] * arm[2];
-        [[0, 1, 2], [1, 2, 0], [2, 0, 1]].map(|[index, next, last]| {
+        let quarter = [n[1] * arm[2] - n[2] * arm[1], n[2] * arm[0] - n[0] * arm[2], n[0] * arm[1] - n[1] * arm[0]];
+        [0, 1, 2].map(|index| {
             let along = n[index] * part;
-            let quarter = n[next] * arm[last] - n[last] * arm[next];
-            self.centre[index] + along + (arm[index] - along) * cosine + quarter * sine
+            centre[index] + along + (arm[index] - along) * cosine + quarter[index] * sine
         })
     }
 
@@ -485,6 +516,28 @@ mod tests {
             }
             let [tip, axis, jerk] = tightest;
             assert!(tip > 0.7 && axis > 0.7 && jerk > 0.5, "{tightest:?}");
+        }
+    }
+
+    #[test]
+    fn shifts_of_the_tip_are_differences_of_its_places() {
+        let mut head = Head::default();
+        Machine::set_up(&mut head, Vector3::new(3.0, -4.0, 25.0), 120.0);
+        for chain in [Chain::of(&head), Chain::of(&Cb::default())] {
+            for turn in 0..40 {
+                let at = 0.37 * f64::from(turn);
+                let values: [f64; MAX_AXES] = std::array::from_fn(|index| at - 0.7 * index as f64);
+                let linear = |index: usize| chain.links.get(index).is_some_and(|link| !link.rotary);
+                let changes = [11.0, -3.0, 0.5].map(|scale| {
+                    std::array::from_fn(|index| if linear(index) { scale * (at + index as f64).sin() } else { 0.0 })
+                });
+                let (tip, shifts) = chain.tip_and_shifts(&values, &changes);
+                assert!((tip - chain.place(&values).tip).norm() < 1e-12);
+                for (change, shift) in changes.iter().zip(shifts) {
+                    let moved = chain.place(&std::array::from_fn(|index| values[index] + change[index])).tip;
+                    assert!((moved - tip - shift).norm() < 1e-12, "{turn}: {shift}");
+                }
+            }
         }
     }
 

@@ -10,7 +10,7 @@ use nalgebra::{Point3, Vector2, Vector3};
 
 use super::ToolPose;
 use crate::kinematics::Pose;
-use crate::kinematics::math::{larger, smaller};
+use crate::kinematics::math::{hypot, larger, smaller};
 use crate::program::Arc;
 
 /// Angle below which the chord of an arc of axes is the arc, rad.
@@ -195,7 +195,7 @@ impl ArcPath {
         let ahead = 2.0 * (centre_off + beside) / (radius - centre_off) / self.angle;
         let uneven = [self.radii, self.heights].map(|[a, b]| (b - a).abs() * ahead);
         let tilted = Vector2::new(tilt_start, tilt_quarter).norm();
-        let mut largest = (out + beside + uneven[0]).hypot(up + tilted + uneven[1]);
+        let mut largest = hypot(out + beside + uneven[0], up + tilted + uneven[1]);
         let beyond = [larger(-first, 0.0), larger(last - self.angle, 0.0)];
         if beyond[0] > 0.0 {
             largest = larger(largest, (tip.middle + tip.start - self.at(0.0)).norm());
@@ -294,7 +294,7 @@ impl Segment {
             PathShape::Line => (self.to.tip - self.from.tip).norm(),
             PathShape::Arc(round) => {
                 let radius = f64::midpoint(round.radii[0], round.radii[1]);
-                (radius * round.angle).hypot(round.heights[1] - round.heights[0])
+                hypot(radius * round.angle, round.heights[1] - round.heights[0])
             }
             PathShape::Cubic(points) => points.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum(),
         }

@@ -76,10 +76,9 @@ impl RoundTip {
     /// The tip of a block along an arc whose rotary axes rest.
     fn of(words: &Words, arc: &ArcWords, state: &State) -> Self {
         let ArcWords { middle, start, quarter, end, sweep } = arc;
-        let tip = |at: &[f64; MAX_AXES]| words.place(at, state).tip;
-        let (middle, before) = (tip(middle), tip(start));
-        let quarter = (tip(quarter) - middle) * sweep.signum();
-        Self { middle, start: before - middle, quarter, rise: tip(end) - before, angle: sweep.abs() }
+        let ways = [[middle, start], [middle, quarter], [start, end]];
+        let (middle, [start, quarter, rise]) = words.tip_and_shifts(middle, ways, state);
+        Self { middle, start, quarter: quarter * sweep.signum(), rise, angle: sweep.abs() }
     }
 }
 

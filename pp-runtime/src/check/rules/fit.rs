@@ -183,6 +183,16 @@ impl Rules<'_> {
     ) -> Option<f64> {
         let rounding = &self.rounding;
         let along = arrival.along;
+        let on_arc = match (&block.action, &segment.shape) {
+            (Action::Arc(arc), PathShape::Arc(path)) => {
+                Some(path.share_near(&end.tip, along + path.share_of(arc.sweep.abs())))
+            }
+            _ => None,
+        };
+        let is_done = |share: f64| (share - 1.0).abs() * segment.angle() < SAME_REVOLUTION;
+        if on_arc.is_some_and(is_done) && self.is_at(end, &segment.to) {
+            return Some(1.0);
+        }
         let past_pole = self.pole.is_some_and(|pole| {
             let arc = segment.axis_arc();
             [pole, -pole].iter().any(|pole| arc.is_within(pole, self.policy.tolerances.pole_rad))
@@ -192,13 +202,8 @@ impl Rules<'_> {
             true => rounding.pole_rad,
             false => rounding.axis_rad,
         };
-        let share = match (&block.action, &segment.shape) {
-            (Action::Arc(arc), PathShape::Arc(path)) => {
-                path.share_near(&end.tip, along + path.share_of(arc.sweep.abs()))
-            }
-            _ => segment.share(end, along, rounding.tip_mm, rounding.tip_mm / axis),
-        };
-        let done = (share - 1.0).abs() * segment.angle() < SAME_REVOLUTION;
+        let share = on_arc.unwrap_or_else(|| segment.share(end, along, rounding.tip_mm, rounding.tip_mm / axis));
+        let done = is_done(share);
         if matches!(segment.shape, PathShape::Arc(_)) && done && self.is_at(end, &segment.to) {
             return Some(1.0);
         }

@@ -75,8 +75,9 @@ impl Rules<'_> {
     /// Whether the state of a cut is right or wrong whatever block has it.
     pub(crate) fn is_judged_by_state(&self, block: &Block, required: &Required) -> bool {
         let state = &block.state;
+        let on_path = matches!(block.action, Action::Feed | Action::Arc(_));
         let in_plane = state.plane == Some(WorkPlane::Xy) && required.side == Side::None;
-        block.action.is_feed() && in_plane && !state.has_frame() && self.meaning == LinearMeaning::AxisPositions
+        on_path && in_plane && !state.has_frame() && self.meaning == LinearMeaning::AxisPositions
     }
 
     /// In a step of the approach; `last`: to the approach point.

@@ -7,9 +7,10 @@
 use std::f64::consts::{PI, TAU};
 
 use super::super::geometry::{PathPoint, PathShape, Search, Segment};
-use super::super::read::PoseSelector;
+use super::super::read::{PoseSelector, set_bits};
 use super::super::rules::{AT_POLE, ArcWords, BlockPath};
 use super::{Block, Extent, Findings, MAX_AXES, Rules, TipControl, ToolPose, Travel, Vector3, sweep};
+use crate::kinematics::math::{hypot, larger, smaller};
 
 /// Largest distance between points of a block, rad: of the rotary axes, of which two may add up, and of an arc; unless
 /// there were more points than this.
@@ -197,7 +198,7 @@ impl Travel {
         let rests = words.rotary_travel(&path.before, &path.block.values) <= 0.0;
         if rests
             && let Some(arc) = path.arc()
-            && let Some(circle) = circle(&arc, &values, |at| words.axes(at, state))
+            && let Some(circle) = circle(self.bits(), &arc, &values, |at| words.axes(at, state))
             && quiet.holds(&circle, self.bits())
         {
             return;
@@ -219,20 +220,23 @@ impl Travel {
     }
 }
 
-/// Bounds of the axes on the whole circle of an arc, and on all of its rise, while the rotary axes rest. `start`: values of the
-/// axes before the block; `at`: those with words.
+/// Bounds of some axes, as bits, on the whole circle of an arc, and on all of its rise, while the rotary axes rest. `start`:
+/// values of the axes before the block; `at`: those with words.
 fn circle(
+    axes: u16,
     arc: &ArcWords,
     start: &[f64; MAX_AXES],
     at: impl Fn(&[f64; MAX_AXES]) -> Option<[f64; MAX_AXES]>,
 ) -> Option<Extent> {
     let (middle, quarter, end) = (at(&arc.middle)?, at(&arc.quarter)?, at(&arc.end)?);
-    let radius = |axis: usize| (start[axis] - middle[axis]).hypot(quarter[axis] - middle[axis]);
-    let rise = |axis: usize| end[axis] - start[axis];
-    Some(Extent {
-        low: std::array::from_fn(|axis| middle[axis] - radius(axis) + rise(axis).min(0.0)),
-        high: std::array::from_fn(|axis| middle[axis] + radius(axis) + rise(axis).max(0.0)),
-    })
+    let mut extent = Extent::of(start);
+    for axis in set_bits(axes) {
+        let radius = hypot(start[axis] - middle[axis], quarter[axis] - middle[axis]);
+        let rise = end[axis] - start[axis];
+        extent.low[axis] = middle[axis] - radius + smaller(rise, 0.0);
+        extent.high[axis] = middle[axis] + radius + larger(rise, 0.0);
+    }
+    Some(extent)
 }
 
 /// The nearest position of the rotary axes that has this tool axis and suits.
