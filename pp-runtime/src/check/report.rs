@@ -135,9 +135,9 @@ impl Outcome {
             Some(line) => format!("; from line {line} on not compared, because the CL data has an error"),
             None => String::new(),
         };
-        // The words are rounded within no tolerance.
+        // Rounding of the words is allowed in addition to the tolerance.
         let rounding =
-            if self.passed() && self.path_mm > self.tolerance_mm { " plus rounding of the words" } else { "" };
+            if self.count == 0 && self.path_mm > self.tolerance_mm { " plus rounding of the words" } else { "" };
         format!(
             "checked: {} motion blocks{found}, largest deviation of tip {} µm, of tool axis {:.4}°, of path {} µm of {} \
              allowed{rounding}, {limits}{rest}",
@@ -338,12 +338,12 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_path_that_exceeds_its_tolerance_by_rounding_alone_is_said_to() {
+    fn the_summary_names_rounding_where_a_path_exceeds_its_tolerance_by_it() {
         let summary =
             |path_mm: f64, count: u64| Outcome { path_mm, tolerance_mm: 0.01, count, ..Outcome::default() }.summary();
         assert!(summary(0.0098, 0).contains("of path 9.8 µm of 10 allowed, "));
         assert!(summary(0.0108, 0).contains("of path 11 µm of 10 allowed plus rounding of the words, "));
-        // A finding says by how much.
+        // A finding has its own figures.
         assert!(summary(0.4, 1).contains("of path 400 µm of 10 allowed, "));
     }
 }

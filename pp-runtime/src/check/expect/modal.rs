@@ -542,7 +542,7 @@ impl<'a> ClState<'a> {
     #[inline(never)]
     fn take_process(&mut self) {
         let (spindle, coolant) = (self.spindle_state(), self.coolant_bits());
-        // Motions of one state share it.
+        // Motions with the same requirements share them.
         if self.required.spindle != spindle || self.required.coolant != coolant {
             let required = self.require();
             (required.spindle, required.coolant) = (spindle, coolant);

@@ -63,7 +63,7 @@ struct Arm {
 /// Components of two vectors, as tip and tool axis: what is done to one is done to the other by the same instruction.
 type Pair = [f64x2; 3];
 
-/// Of two vectors.
+/// Centre of vectors, which rotate without one.
 const NO_CENTRE: Pair = [f64x2::ZERO; 3];
 
 fn pair(one: &Vector3<f64>, other: &Vector3<f64>) -> Pair {
@@ -340,7 +340,7 @@ impl Link {
         self.rotated_about(&self.centre, tool, angle)
     }
 
-    /// The same of any two points, or vectors, each with a point of its centre line.
+    /// The same of two points, each about its own centre, or of vectors.
     #[inline(always)]
     fn rotated_about(&self, centre: &Pair, tool: &Pair, angle: f64) -> Pair {
         let Turn { sine, cosine, .. } = self.turn(angle);

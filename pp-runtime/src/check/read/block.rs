@@ -446,8 +446,9 @@ pub struct Block {
     pub known_before: u16,
     /// Axes whose words stand in the block.
     pub written: u16,
-    /// Its words are those of axes, of the centre of an arc, F and N alone, without a declared effect, or those of axes and N, and
-    /// the hole is that of the block before: all modes are those of the block before, unless blocks that may be skipped end here.
+    /// Its words are those of axes, of the centre of an arc, F and N alone, without a declared effect; or it drills the hole of the
+    /// block before again, by words of axes and N alone. All modes are those of the block before, unless blocks that may be skipped
+    /// end here.
     pub only_moves: bool,
     /// A complete state begins here: the block names the unit, or what stands for it.
     pub restart: bool,

@@ -225,8 +225,8 @@ pub(super) struct Draft {
     pub(crate) effects: u8,
     pub(crate) clamp_on: u16,
     pub(crate) clamp_off: u16,
-    /// Words of axes and the centre of an arc, F, S and N, and nothing else, or those of axes and N of a hole that is drilled again: no
-    /// state changes but F and S.
+    /// Words of axes and the centre of an arc, F, S and N, and nothing else; or a hole again, by words of axes and N alone. No state
+    /// changes but F and S.
     pub(crate) only_moves: bool,
     /// It has nothing else to forget, and no effect is declared for its words.
     pub(crate) is_moves: bool,

@@ -76,8 +76,8 @@ impl RoundTip {
     /// The tip of a block along an arc whose rotary axes rest.
     fn of(words: &Words, arc: &ArcWords, state: &State) -> Self {
         let ArcWords { middle, start, quarter, end, sweep } = arc;
-        let ways = [[middle, start], [middle, quarter], [start, end]];
-        let (middle, [start, quarter, rise]) = words.tip_and_shifts(middle, ways, state);
+        let steps = [[middle, start], [middle, quarter], [start, end]];
+        let (middle, [start, quarter, rise]) = words.tip_and_shifts(middle, steps, state);
         Self { middle, start, quarter: quarter * sweep.signum(), rise, angle: sweep.abs() }
     }
 }

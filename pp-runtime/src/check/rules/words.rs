@@ -228,18 +228,18 @@ impl Words {
         if state.has_frame() { self.place_in_frame(words, state) } else { self.chain.place(&self.values(words)) }
     }
 
-    /// Tip of words, and its way from each of three words to others; the rotary axes are at the same values in all of them.
+    /// Tip of words, and its displacement from each of three words to others; the rotary axes are at the same values in all of them.
     pub(crate) fn tip_and_shifts(
         &self,
         words: &[f64; MAX_AXES],
-        others: [[&[f64; MAX_AXES]; 2]; 3],
+        steps: [[&[f64; MAX_AXES]; 2]; 3],
         state: &State,
     ) -> (Vector3<f64>, [Vector3<f64>; 3]) {
         if state.has_frame() {
             let tip = |words: &[f64; MAX_AXES]| self.place(words, state).tip;
-            return (tip(words), others.map(|[from, to]| tip(to) - tip(from)));
+            return (tip(words), steps.map(|[from, to]| tip(to) - tip(from)));
         }
-        self.chain.tip_and_shifts(&self.values(words), &others.map(|[from, to]| self.change(from, to)))
+        self.chain.tip_and_shifts(&self.values(words), &steps.map(|[from, to]| self.change(from, to)))
     }
 
     /// The same where linear words count in a frame.

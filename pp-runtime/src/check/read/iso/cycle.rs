@@ -26,9 +26,9 @@ impl CycleWords {
     }
 }
 
-/// A hole that every line of axis words drills.
+/// Hole that the next line of axis words drills again.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct SameHole {
+pub(super) struct RepeatedHole {
     pub(super) cycle: Cycle,
     /// Position in the chain of the axis along the normal, whose word would be another bottom.
     pub(super) normal: usize,
@@ -36,10 +36,12 @@ pub(super) struct SameHole {
 
 impl Reading<'_, '_> {
     /// Notes the hole of the block; `before`: that of the line before. A block of axis words that drills it again only moves.
-    pub(super) fn note_hole(&mut self, before: Option<SameHole>) {
+    pub(super) fn note_hole(&mut self, before: Option<RepeatedHole>) {
         const AXES: Letters = letters("NXYZABCUVW");
-        let hole = self.line.draft.define.zip(self.line.normal()).map(|(cycle, normal)| SameHole { cycle, normal });
-        self.iso.again = hole.filter(|_| self.line.fault_count() == 0);
+        let hole = self.line.draft.define.zip(self.line.normal()).map(|(cycle, normal)| RepeatedHole { cycle, normal });
+        let is_thread = |hole: &RepeatedHole| matches!(hole.cycle.kind, CycleKind::Tap(_) | CycleKind::FloatingTap(_));
+        let hole = hole.filter(|hole| !is_thread(hole));
+        self.iso.repeated_hole = hole.filter(|_| self.line.fault_count() == 0);
         let draft = &mut *self.line.draft;
         let moves = draft.groups == 1 << group::FREE
             && draft.written != 0
@@ -131,13 +133,19 @@ impl Reading<'_, '_> {
         })
     }
 
-    /// What feed and speed make of a thread, mm per turn.
+    /// What feed and speed make of a thread, mm per turn; 0 where they make none.
     fn pitch(&self) -> f64 {
         let (draft, state) = (&self.line.draft, &self.line.machine().state());
-        let feed = draft.feed.or(state.feed).unwrap_or(0.0) * self.line.unit();
+        // The F before the block is lost with its unit and its mode, and holds for its block alone under inverse time.
+        let same_mode = |mode| state.feed_mode == Some(mode) && !self.line.facts().feed_mode_clears_feed;
+        let stays = draft.units.is_none()
+            && draft.feed_mode.is_none_or(same_mode)
+            && state.feed_mode != Some(FeedMode::InverseTime);
+        let feed = draft.feed.or(state.feed.filter(|_| stays)).unwrap_or(0.0) * self.line.unit();
         match draft.feed_mode.or(state.feed_mode) {
             Some(FeedMode::PerRevolution) => feed,
-            _ => feed / draft.speed.or(state.speed).unwrap_or(0.0),
+            Some(FeedMode::InverseTime) => 0.0,
+            Some(FeedMode::PerMinute) | None => feed / draft.speed.or(state.speed).unwrap_or(0.0),
         }
     }
 }

@@ -13,7 +13,7 @@ mod guard;
 mod loose;
 mod moves;
 
-use self::cycle::{CycleWords, SameHole};
+use self::cycle::{CycleWords, RepeatedHole};
 use self::guard::Guards;
 use self::loose::Loose;
 use self::moves::MoveWords;
@@ -47,8 +47,8 @@ pub(super) struct Iso {
     moves: MoveWords,
     guards: Guards,
     cycle: CycleWords,
-    /// The hole of the line before, if a line of other axis words drills it again.
-    again: Option<SameHole>,
+    /// Hole that the next line of axis words drills again.
+    repeated_hole: Option<RepeatedHole>,
     /// I J K are the tool axis (G43.5).
     vectors: bool,
     /// Address words that the motion code in force takes.
@@ -75,7 +75,7 @@ impl Iso {
             moves: MoveWords::new(vocabulary, machine),
             guards: Guards::default(),
             cycle: CycleWords::default(),
-            again: None,
+            repeated_hole: None,
             vectors: false,
             modal: 0,
             rigid: false,
@@ -87,6 +87,7 @@ impl Iso {
 
     /// Reads one line into its draft; `false` if the line is no block of words.
     pub(super) fn line(&mut self, line: &mut Line<'_>) -> bool {
+        let before = self.repeated_hole.take();
         line.at.blanks();
         if line.at.rest().is_empty() {
             return false;
@@ -98,7 +99,6 @@ impl Iso {
             }
             return is_block;
         }
-        let before = self.again.take();
         let mut reading = Reading { iso: self, line, loose: Loose::default() };
         if reading.words() {
             reading.conclude();
@@ -119,14 +119,15 @@ impl Iso {
         if self.vectors { 0 } else { self.modal & letters("IJK") }
     }
 
-    /// Reads a line that only moves axes, and may drill the hole of the line before again; `false` if it is another, or may mean something else. Then nothing has been read.
+    /// Reads a line that only moves axes, and may drill the hole of the line before again; `false` if it is another, or may mean
+    /// something else. Then nothing has been read.
     pub(super) fn moves(&mut self, text: &[u8], draft: &mut Draft) -> bool {
         if self.rigid || self.thread_due || self.guards.is_open() {
             return false;
         }
-        let permitted = match &self.again {
+        let permitted = match &self.repeated_hole {
             _ if self.cycle.is_off() => moves::permitted(self.centre_letters()),
-            Some(again) => moves::AXES & !(1 << again.normal),
+            Some(hole) => moves::AXES & !(1 << hole.normal),
             None => return false,
         };
         if !self.moves.read(text, permitted, draft) {
@@ -134,8 +135,8 @@ impl Iso {
             return false;
         }
         (draft.only_moves, draft.is_moves) = (true, true);
-        if let Some(again) = &self.again {
-            draft.define = Some(again.cycle);
+        if let Some(hole) = &self.repeated_hole {
+            draft.define = Some(hole.cycle);
         }
         draft.speaks();
         self.began = true;
@@ -162,7 +163,7 @@ impl Iso {
 
     /// Forgets what stays in force.
     pub(super) fn forget(&mut self) {
-        (self.cycle, self.again, self.vectors, self.modal) = (CycleWords::default(), None, false, 0);
+        (self.cycle, self.repeated_hole, self.vectors, self.modal) = (CycleWords::default(), None, false, 0);
         (self.rigid, self.thread_due) = (false, false);
     }
 

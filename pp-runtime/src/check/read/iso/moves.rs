@@ -85,7 +85,7 @@ impl MoveWords {
                 return false;
             }
         }
-        // Each once.
+        // Words that may still come.
         let mut left = permitted;
         while let Some(byte) = at.peek() {
             at.skip(1);

@@ -131,7 +131,9 @@ impl Interpreter {
         if self.modal != before.modal {
             self.modal = None;
         }
-        self.cycle = self.cycle.or(before.cycle);
+        if self.cycle != before.cycle {
+            self.cycle = None;
+        }
         let (now, then) = (&mut self.state, &before.state);
         self.frames.unknown |= before.frames.unknown;
         self.frames.used |= before.frames.used;

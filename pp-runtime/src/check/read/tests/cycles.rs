@@ -77,6 +77,66 @@ fn a_thread_is_in_step_with_the_spindle_only_after_m29_on_fanuc() {
     assert!(!faults(Family::Haas, "M29 S500").is_empty());
 }
 
+#[test]
+fn the_pitch_of_each_thread_is_that_of_the_f_in_force_in_its_block() {
+    let pitches = |family: Family, text: &str| -> Vec<f64> {
+        let found = holes(family, &format!("{AT}{text}G80\n"));
+        let pitch = |cycle: &CycleMove| match cycle.kind {
+            CycleKind::Tap(pitch) | CycleKind::FloatingTap(pitch) => pitch,
+            other => panic!("{other:?}"),
+        };
+        found.iter().map(pitch).collect()
+    };
+    for family in [Family::LinuxCnc, Family::Fanuc, Family::Haas] {
+        let thread = |more: &str| pitches(family, &format!("G98 G84 X1. Y2. Z-10. R2. F500.\n{more}"));
+        assert_eq!(thread("X5.\nX6. F250.\nX7.\nS1000 X8.\nX9.\n"), [1.0, 1.0, 0.5, 0.5, 0.25, 0.25], "{family:?}");
+        // F of an inverse-time feed is none of a thread, and holds for its block.
+        let inverse = pitches(family, "G93 G98 G84 X1. Y2. Z-10. R2. F500.\nX5.\nX6. F500.\nG94 X7.\nX8.\n");
+        assert_eq!(inverse, [0.0; 5], "{family:?}");
+        assert_eq!(thread("G95 X5.\nX6.\nX7. F1.5\nX8.\n"), [1.0, 0.0, 0.0, 1.5, 1.5], "{family:?}");
+        // LinuxCNC loses F with each code of a feed mode.
+        let same = if family == Family::LinuxCnc { 0.0 } else { 1.0 };
+        assert_eq!(thread("G94 X5.\nX6.\n"), [1.0, same, same], "{family:?}");
+    }
+}
+
+#[test]
+fn a_hole_that_is_drilled_again_keeps_its_levels_and_its_modes() {
+    for family in [Family::LinuxCnc, Family::Fanuc, Family::Haas] {
+        let blocks = read(
+            family,
+            &format!("{AT}G99 G83 X1. Y2. Z-10. R2. Q3. F100.\nX5.\n X6. Y7.\nX7. Z-11.\nX8. F50.\nX9.\n"),
+        );
+        let holes: Vec<_> = blocks
+            .iter()
+            .filter_map(|block| match block.action {
+                Action::Cycle(cycle) => Some((cycle.bottom, cycle.back_to, block.only_moves, block.state.feed)),
+                _ => None,
+            })
+            .collect();
+        let expected = [
+            (-10.0, false, 100.0),
+            (-10.0, true, 100.0),
+            (-10.0, true, 100.0),
+            (-11.0, false, 100.0),
+            (-11.0, false, 50.0),
+            (-11.0, true, 50.0),
+        ];
+        let expected: Vec<_> = expected.map(|(bottom, again, feed)| (bottom, 2.0, again, Some(feed))).to_vec();
+        assert_eq!(holes, expected, "{family:?}");
+    }
+}
+
+#[test]
+fn after_a_cycle_that_may_have_been_skipped_none_is_known() {
+    for family in [Family::LinuxCnc, Family::Fanuc, Family::Haas] {
+        let text = format!("{AT}G98 G81 X1. Y2. Z-10. R2. F100.\n/ X5. Z-6.\nX6.\n");
+        assert_eq!(faults(family, &text).len(), 1, "{family:?}");
+        let same = format!("{AT}G98 G81 X1. Y2. Z-10. R2. F100.\n/ X5.\nX6.\n");
+        assert_eq!(faults(family, &same).len(), 0, "{family:?}");
+    }
+}
+
 const PECKING: &str = "CYCL DEF 205 UNIVERSAL PECKING ~\n Q200=+2 ~\n Q201=-10 ~\n Q206=+100 ~\n Q202=+3 ~\n Q203=+0 ~\n \
     Q204=+25 ~\n Q212=+0 ~\n Q205=+0 ~\n Q258=+0.5 ~\n Q259=+0.5 ~\n Q257=+0 ~\n Q256=+0.2 ~\n Q211=+1 ~\n Q379=+0 ~\n Q253=+99999";
 const BREAKING: &str = "CYCL DEF 203 UNIVERSAL DRILLING ~\n Q200=+2 ~\n Q201=-10 ~\n Q206=+100 ~\n Q202=+3 ~\n Q210=+0 ~\n \

@@ -9,7 +9,7 @@ fn assert_alike(family: Family, start: &str, lines: &[&str]) {
         read(family, &format!("{start}{lines}"))
     };
     let (plain, commented) = (program(""), program(" (A)"));
-    assert_eq!(plain.len(), commented.len(), "{family:?}");
+    assert_eq!(plain.len(), commented.len(), "{family:?} {start} {lines:?}");
     for (plain, commented) in plain.iter().zip(&commented) {
         // The text of a fault may show the rest of its line.
         let mut commented = commented.clone();
@@ -59,6 +59,25 @@ fn lines_of_an_arc_in_force_are_read_alike_in_one_pass_and_word_by_word() {
 }
 
 #[test]
+fn a_line_of_an_arc_in_force_only_moves() {
+    let start = "G21 G17 G40 G49 G80 G90 G94 G54\nG0 X10. Y0. Z0. B0. C0.\nG3 X-10. Y0. I-10. J0. F100.\n";
+    for family in [Family::LinuxCnc, Family::Fanuc, Family::Haas] {
+        let last = |line: &str| read(family, &format!("{start}{line}\n")).pop().expect("a block");
+        let plain = last("X0. Y-10. I10. J0.");
+        assert!(plain.only_moves && plain.faults.is_empty(), "{family:?}: {plain:?}");
+        let Action::Arc(arc) = plain.action else { panic!("{family:?}: {plain:?}") };
+        assert!(arc.centre[0].abs() < 1e-12 && (arc.sweep - std::f64::consts::FRAC_PI_2).abs() < 1e-12, "{arc:?}");
+        // No arc follows from words that are a tool axis, and nothing else is in force where I and J have no meaning.
+        assert!(!last("X0. Y-10. I10. J0. K1.").faults.is_empty(), "{family:?}");
+        assert!(!last("G1 X0. Y-10.\nX1. I10.").faults.is_empty(), "{family:?}");
+    }
+    // Under G43.5 I and J of a line without a code are the tool axis.
+    let vectors = "G43.5 H1 Z0.\nG0 X10. Y0. Z0. I0. J0. K1.\nG3 X-10. Y0. I-10. J0. F100.\nX0. Y-10. I10. J0.\n";
+    let blocks = read(Family::Fanuc, &format!("{start}{vectors}"));
+    assert_eq!(blocks.last().map(|block| block.action), Some(Action::Feed), "{blocks:?}");
+}
+
+#[test]
 fn holes_that_are_drilled_again_are_read_alike_in_one_pass_and_word_by_word() {
     let start = "G21 G17 G40 G49 G80 G90 G94 G54\nM3 S1000\nG0 X10. Y0. Z9. B0. C0.\n";
     let cycles = [
@@ -98,13 +117,20 @@ fn holes_that_are_drilled_again_are_read_alike_in_one_pass_and_word_by_word() {
         "X5. X6.",
         "X",
         "(A)",
-        "",
         "G43 H1",
         "G80",
         "G0 X3.",
         "G20",
         "M0",
         "/ X5. Y6.",
+        "/ X5. Z-6.",
+        "G93",
+        "G94",
+        "G95 X5.",
+        "G94 X5.",
+        "G93 X5. F10.",
+        "G21 G98 X5.",
+        "G18 X5.",
     ];
     for family in [Family::LinuxCnc, Family::Fanuc, Family::Haas] {
         for cycle in cycles {
