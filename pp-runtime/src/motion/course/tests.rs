@@ -339,7 +339,7 @@ fn a_run_in_which_one_branch_needs_more_rewinds_has_the_course_of_a_search_motio
         let points: Vec<Point> = (0..120)
             .map(|motion| {
                 if motion % 12 == 0 {
-                    // Mostly around one way, to and fro beside the pole.
+                    // Mostly around in one sense, to and fro beside the pole.
                     around = (f64::from(next(900) as i32 - 200) / 100.0 / step).round() * step;
                     along = f64::from(next(700) as i32 - 400) / 100.0;
                 }
