@@ -39,8 +39,6 @@ impl Reading<'_, '_> {
     pub(super) fn note_hole(&mut self, before: Option<RepeatedHole>) {
         const AXES: Letters = letters("NXYZABCUVW");
         let hole = self.line.draft.define.zip(self.line.normal()).map(|(cycle, normal)| RepeatedHole { cycle, normal });
-        let is_thread = |hole: &RepeatedHole| matches!(hole.cycle.kind, CycleKind::Tap(_) | CycleKind::FloatingTap(_));
-        let hole = hole.filter(|hole| !is_thread(hole));
         self.iso.repeated_hole = hole.filter(|_| self.line.fault_count() == 0);
         let draft = &mut *self.line.draft;
         let moves = draft.groups == 1 << group::FREE
@@ -136,12 +134,7 @@ impl Reading<'_, '_> {
     /// What feed and speed make of a thread, mm per turn; 0 where they make none.
     fn pitch(&self) -> f64 {
         let (draft, state) = (&self.line.draft, &self.line.machine().state());
-        // The F before the block is lost with its unit and its mode, and holds for its block alone under inverse time.
-        let same_mode = |mode| state.feed_mode == Some(mode) && !self.line.facts().feed_mode_clears_feed;
-        let stays = draft.units.is_none()
-            && draft.feed_mode.is_none_or(same_mode)
-            && state.feed_mode != Some(FeedMode::InverseTime);
-        let feed = draft.feed.or(state.feed.filter(|_| stays)).unwrap_or(0.0) * self.line.unit();
+        let feed = self.line.machine().feed_in(draft).unwrap_or(0.0) * self.line.unit();
         match draft.feed_mode.or(state.feed_mode) {
             Some(FeedMode::PerRevolution) => feed,
             Some(FeedMode::InverseTime) => 0.0,

@@ -9,6 +9,7 @@ const UNIT: f64 = 5e-3;
 
 impl Interpreter {
     pub(super) fn set_state(&mut self, draft: &Draft, faults: &mut Vec<Fault>) {
+        self.set_feed_and_speed(draft);
         let state = &mut self.state;
         let (before_length, before) = (state.length, (state.work_offset, state.units));
         let reframes = draft.tilt.is_some()
@@ -19,16 +20,9 @@ impl Interpreter {
         state.units = draft.units.or(state.units);
         // An operation can be entered at its complete state: F and the return level are not of what was before.
         if draft.restart || draft.units.is_some() {
-            (state.feed, state.to_initial) = (None, None);
+            state.to_initial = None;
         }
-        if let Some(mode) = draft.feed_mode {
-            if state.feed_mode != Some(mode) || self.facts.feed_mode_clears_feed {
-                state.feed = None;
-            }
-            state.feed_mode = Some(mode);
-        }
-        self.set_feed_and_speed(draft);
-        let state = &mut self.state;
+        state.feed_mode = draft.feed_mode.or(state.feed_mode);
         state.selected = draft.tool.or(state.selected);
         state.diameter = draft.diameter.or(state.diameter);
         state.plane = draft.plane.or(state.plane);
@@ -93,16 +87,21 @@ impl Interpreter {
         }
     }
 
-    /// F of an inverse-time feed holds for its block.
+    /// The F of a block: its own, or that before it, which is lost with its unit and its mode, and which holds for its block alone
+    /// under inverse time.
+    pub(in super::super) fn feed_in(&self, draft: &Draft) -> Option<f64> {
+        let (state, clears) = (&self.state, self.facts.feed_mode_clears_feed);
+        let stays = !draft.restart
+            && draft.units.is_none()
+            && draft.feed_mode.is_none_or(|mode| state.feed_mode == Some(mode) && !clears)
+            && state.feed_mode != Some(FeedMode::InverseTime);
+        draft.feed.or(state.feed.filter(|_| stays))
+    }
+
+    /// Sets F and S of a block before its modes.
     pub(super) fn set_feed_and_speed(&mut self, draft: &Draft) {
-        let state = &mut self.state;
-        if state.feed_mode == Some(FeedMode::InverseTime) {
-            state.feed = None;
-        }
-        if let Some(feed) = draft.feed {
-            state.feed = Some(feed);
-        }
-        state.speed = draft.speed.or(state.speed);
+        self.state.feed = self.feed_in(draft);
+        self.state.speed = draft.speed.or(self.state.speed);
     }
 
     fn set_length(&mut self, draft: &Draft, faults: &mut Vec<Fault>) {
