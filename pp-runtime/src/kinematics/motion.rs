@@ -100,6 +100,13 @@ pub struct Curve {
 /// Sine of the angle between two tool axes below which no great circle is defined.
 const SAME_AXIS: f64 = 1e-9;
 
+/// Largest angle, rad, by which the tool axis may rotate in a block with a [rough bound](BlockCurves::rough_bound).
+const LARGEST_ROUGH_RATE: f64 = 0.25;
+
+/// Largest angle, rad, by which an even motion along the chord of two tool axes less than a rad apart is off an even rotation,
+/// per cube of the angle between them.
+const UNEVEN: f64 = 0.02;
+
 /// Relative rounding error of the bounds.
 const RELATIVE_ROUNDING: f64 = 1e-12;
 
@@ -169,6 +176,13 @@ impl BlockCurves {
     /// A bound that is never below [`bound`](Self::bound) and takes a fraction of its arithmetic; `None` unless it is below
     /// `most`. Only the lengths of the derivatives count: with `b = |a''|/8 + M/48`, a deviation of the tool axis is at most
     /// `asin b`, and that from the evenly rotating motion `asin` of the same with `|a''| (1 + V/2)`, divided by `1 - b`.
+    ///
+    /// `V`, at most a quarter, is `|a'| + |a''|/2 + M/4`: so `b <= V/4`, the angle is at most `V (1 + V²/20)`, and
+    ///
+    /// ```text
+    /// asin b <= b (1 + b²) <= 1.004 b
+    /// e = b (1 + V/2) / (1 - b) <= b (1 + 0.81 V)     asin e <= 1.006 e
+    /// ```
     #[must_use]
     #[inline(always)]
     pub fn rough_bound(&self, most: &Deviation) -> Option<MotionBound> {
@@ -176,23 +190,19 @@ impl BlockCurves {
         let (bend, rate) = (length(&axis.bend), length(&axis.rate));
         let largest_rate = rate + 0.5 * bend + 0.25 * axis.third;
         let distance = axis.sagitta(bend);
-        let sine = axis.sagitta(bend * (1.0 + 0.5 * largest_rate)) / (1.0 - distance);
         let off = tip.sagitta(length(&tip.bend));
-        let turn = axis.largest_turn();
-        // Both are sines, and e / sqrt(1 - e²) is at most e (1 + e²) up to here.
-        let is_small = distance < 0.5 && sine < 0.5;
-        let angle = |sine: f64| sine * (1.0 + sine * sine) * (1.0 + RELATIVE_ROUNDING);
+        let turn = 1.004 * largest_rate;
         let bound = self.rounded(MotionBound {
-            tip: off * (1.0 + RELATIVE_ROUNDING),
-            axis: angle(distance),
+            tip: off,
+            axis: 1.004 * distance,
             tip_rate: tip.largest_rate(),
-            axis_step: angle(sine) + uneven(turn),
+            axis_step: 1.006 * distance * (1.0 + 0.81 * largest_rate) + UNEVEN * turn * turn * turn,
             tip_step: off,
             length: 0.0,
             turn,
         });
         let is_below = bound.tip < most.tip && bound.axis < most.axis && bound.axis_step < most.axis_step;
-        (is_small && is_below).then_some(bound)
+        (largest_rate <= LARGEST_ROUGH_RATE && is_below).then_some(bound)
     }
 
     /// A bound with the rounding errors of its computation and of forward kinematics.
@@ -212,10 +222,10 @@ impl BlockCurves {
     }
 }
 
-/// An even motion along the chord of two tool axes is off an even rotation by less than a fiftieth of the cube of the angle.
+/// An even motion along the chord of two tool axes is off an even rotation by [less than this](UNEVEN).
 #[inline]
 fn uneven(turn: f64) -> f64 {
-    if turn < 1.0 { 0.02 * turn * turn * turn } else { core::f64::consts::PI }
+    if turn < 1.0 { UNEVEN * turn * turn * turn } else { core::f64::consts::PI }
 }
 
 impl MotionBound {

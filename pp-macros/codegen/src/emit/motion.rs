@@ -7,7 +7,7 @@ use super::body::{Body, lets};
 use super::inputs::{InputVariables, prelude};
 use crate::model::{AxisKind, Model};
 use crate::solve::{Curve, Motion};
-use crate::symbolic::{Id, NodeVector, Symbol};
+use crate::symbolic::{Id, Node, NodeVector, Symbol};
 
 /// `curves` and `rates`.
 pub(crate) fn motion(model: &Model, motion: &Motion) -> TokenStream {
@@ -51,7 +51,7 @@ fn curves(model: &Model, motion: &Motion) -> TokenStream {
     let places: Vec<usize> = (0..model.axes.len()).collect();
     let magnitudes = |kind: AxisKind| {
         let places = places.iter().filter(|place| model.axes[**place].kind == kind);
-        let terms = places.map(|place| quote!(+ math::abs(from[#place]) + math::abs(to[#place])));
+        let terms = places.map(|place| quote!(+ (math::abs(from[#place]) + math::abs(to[#place]))));
         quote!(0.0 #(#terms)*)
     };
     let (turns, travel) = (magnitudes(AxisKind::Rotary), magnitudes(AxisKind::Linear));
@@ -69,18 +69,28 @@ fn curves(model: &Model, motion: &Motion) -> TokenStream {
     }
 }
 
-/// `+ 4 Σ |c|`, component by component; constants are added up here.
+/// `+ 4 Σ |c|`, component by component; constants are added up here, and equal components counted.
 fn arms(motion: &Motion, body: &Body<'_>, centres: &[Id]) -> TokenStream {
     let mut known = 0.0;
-    let mut terms = TokenStream::new();
+    let mut counts: Vec<(Id, f64)> = Vec::new();
     for &component in centres {
-        match motion.graph.constant_of(component).and_then(|value| motion.graph.ring().value(value)) {
-            Some(value) => known += 4.0 * value.abs(),
-            None => {
-                let component = body.tokens(component);
-                terms.extend(quote!(+ 4.0 * math::abs(#component)));
-            }
+        if let Some(value) = motion.graph.constant_of(component).and_then(|value| motion.graph.ring().value(value)) {
+            known += 4.0 * value.abs();
+            continue;
         }
+        let unsigned = match *motion.graph.node(component) {
+            Node::Neg(inner) => inner,
+            _ => component,
+        };
+        match counts.iter_mut().find(|(counted, _)| *counted == unsigned) {
+            Some((_, factor)) => *factor += 4.0,
+            None => counts.push((unsigned, 4.0)),
+        }
+    }
+    let mut terms = TokenStream::new();
+    for (component, factor) in counts {
+        let (component, factor) = (body.tokens(component), Literal::f64_unsuffixed(factor));
+        terms.extend(quote!(+ #factor * math::abs(#component)));
     }
     let known = (known > 0.0).then(|| Literal::f64_unsuffixed(known)).map(|known| quote!(+ #known));
     quote!(#known #terms)

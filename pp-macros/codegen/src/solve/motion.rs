@@ -70,10 +70,10 @@ pub(crate) fn solve(model: &Model) -> Motion {
             AxisKind::Linear => {
                 let displacement = derivation.displacement(id);
                 tip.offset = tip.offset + displacement;
-                tip_curve.rate = tip_curve.rate + moving.change(id) * derivation.step(id);
+                tip_curve = tip_curve.moved(moving.change(id) * derivation.step(id));
                 if let (Some((inside, ..)), Some(outermost)) = (&mut seen_inside, outermost) {
-                    inside.rate =
-                        inside.rate + moving.change(id) * derivation.rotated_back(outermost, derivation.step(id));
+                    let step = derivation.rotated_back(outermost, derivation.step(id));
+                    *inside = inside.moved(moving.change(id) * step);
                 }
             }
             AxisKind::Rotary => {
@@ -110,9 +110,21 @@ struct Derivatives<'g> {
     rate: TermVector<'g>,
     bend: TermVector<'g>,
     third: Term<'g>,
+    /// Vectors as long as the first two, with shorter formulas: as seen before the last rotation.
+    as_long: [TermVector<'g>; 2],
 }
 
-impl Derivatives<'_> {
+impl<'g> Derivatives<'g> {
+    fn new(rate: TermVector<'g>, bend: TermVector<'g>, third: Term<'g>) -> Self {
+        Self { rate, bend, third, as_long: [rate, bend] }
+    }
+
+    /// With a motion of a linear axis.
+    fn moved(self, rate: TermVector<'g>) -> Self {
+        let rate = self.rate + rate;
+        Self { rate, as_long: [rate, self.as_long[1]], ..self }
+    }
+
     fn nodes(self) -> Curve {
         Curve { rate: self.rate.ids(), bend: self.bend.ids(), third: self.third.id() }
     }
@@ -121,7 +133,7 @@ impl Derivatives<'_> {
 impl<'g> Moving<'g> {
     fn at_rest(&self) -> Derivatives<'g> {
         let zero = self.derivation.graph.zero_vector();
-        Derivatives { rate: zero, bend: zero, third: self.derivation.graph.integer(0) }
+        Derivatives::new(zero, zero, self.derivation.graph.integer(0))
     }
 
     /// Derivatives of a point after a rotary axis, as seen before its rotation; `lever` is the vector from the centre of the axis
@@ -141,7 +153,7 @@ impl<'g> Moving<'g> {
         let third = self.third(axis, swing, curve);
         let by_rotation = change * swing;
         let by_bend = change * direction.cross(rate + rate + by_rotation);
-        Derivatives { rate: rate + by_rotation, bend: bend + by_bend, third }
+        Derivatives::new(rate + by_rotation, bend + by_bend, third)
     }
 
     fn rotated(&self, axis: AxisId, curve: Derivatives<'g>) -> Derivatives<'g> {
@@ -151,7 +163,7 @@ impl<'g> Moving<'g> {
 
     /// `M + |δ| (3 A + |δ| (3 V + |δ| ρ))`, computed from the innermost bracket outwards.
     fn third(&self, axis: AxisId, swing: TermVector<'g>, curve: Derivatives<'g>) -> Term<'g> {
-        let Derivatives { rate, bend, third } = curve;
+        let Derivatives { third, as_long: [rate, bend], .. } = curve;
         let (bend, rate, swing) = (self.norm(bend), self.norm(rate), self.norm(swing));
         let size = self.size(axis);
         let largest_bend = bend + third / 2;
@@ -163,25 +175,30 @@ impl<'g> Moving<'g> {
         third + sum
     }
 
-    /// Length of a vector; the absolute value where it is the motion of a single axis.
+    /// Length of a vector; the absolute value where only one component is not zero, and that is a product of changes.
     fn norm(&self, v: TermVector<'g>) -> Term<'g> {
-        match self.derivation.graph.with(|graph| self.single_axis(graph, v.ids())) {
-            Some(axis) => self.size(axis),
-            None => v.norm(),
-        }
+        let graph = &self.derivation.graph;
+        let factors = graph.with(|graph| {
+            let mut parts = v.ids().into_iter().filter(|id| !graph.is_zero(*id));
+            let (only, None) = (parts.next()?, parts.next()) else { return None };
+            let mut factors = Vec::new();
+            self.collect_changes(graph, only, &mut factors).then_some(factors)
+        });
+        let size = factors.and_then(|axes| axes.into_iter().map(|axis| self.size(axis)).reduce(|a, b| a * b));
+        size.unwrap_or_else(|| v.norm())
     }
 
-    /// The axis whose change, or its negative, is the only component that is not zero.
-    fn single_axis(&self, graph: &Graph, v: NodeVector) -> Option<AxisId> {
-        let mut parts = v.into_iter().filter(|id| !graph.is_zero(*id));
-        let (Some(only), None) = (parts.next(), parts.next()) else { return None };
-        let unsigned = match *graph.node(only) {
-            Node::Neg(inner) => inner,
-            _ => only,
-        };
-        match *graph.node(unsigned) {
-            Node::Input(symbol) => self.changes.iter().position(|change| *change == symbol),
-            _ => None,
+    /// Adds the axes whose changes a product is of, whatever its sign. Returns false if it has other factors.
+    fn collect_changes(&self, graph: &Graph, product: Id, out: &mut Vec<AxisId>) -> bool {
+        match *graph.node(product) {
+            Node::Neg(inner) => self.collect_changes(graph, inner, out),
+            Node::Mul(a, b) => self.collect_changes(graph, a, out) && self.collect_changes(graph, b, out),
+            Node::Input(symbol) => {
+                let axis = self.changes.iter().position(|change| *change == symbol);
+                out.extend(axis);
+                axis.is_some()
+            }
+            _ => false,
         }
     }
 
