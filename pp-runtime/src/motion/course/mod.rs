@@ -26,6 +26,7 @@ use std::collections::BTreeMap;
 use nalgebra::UnitVector3;
 
 use crate::diag::{Diagnostic, Severity};
+use crate::kinematics::math::smaller;
 use crate::kinematics::{AnyMachine, Branch, Pose};
 use crate::motion::options::{Mode, Policy, Singular, StretchMode};
 use crate::program::Units;
@@ -39,7 +40,7 @@ use crate::motion::source::{Begins, ItemAction, MotionIndex, ProgramItem, Stage}
 
 use packed::PackedChanges;
 use search::{CourseSearch, RotaryState};
-use states::StateFinder;
+use states::{StateFinder, TestedCuts, chord};
 use steady::SteadyRun;
 
 /// Largest number of points at which one block is split, at poles and at limits.
@@ -177,6 +178,8 @@ pub struct Navigator {
     near: Vec<RotaryWords>,
     /// Words of the second rotary axis at a pole.
     second_words: Vec<i64>,
+    /// Cuts to the present pose.
+    tested: TestedCuts,
 }
 
 impl Navigator {
@@ -213,6 +216,7 @@ impl Navigator {
             states: Vec::new(),
             near: Vec::new(),
             second_words: Vec::new(),
+            tested: TestedCuts::default(),
         }
     }
 
@@ -335,6 +339,7 @@ impl Navigator {
             self.searches.iter_mut().for_each(|run| run.ended = true);
             return;
         }
+        self.tested.clear();
         let steady = !air && pole.is_none() && self.is_away_from_poles(&pose) && !self.is_near_limit(&pose);
         let mut followed = steady;
         for run in 0..self.searches.len() {
@@ -367,8 +372,10 @@ impl Navigator {
     #[inline]
     fn stays(&mut self, pose: &Pose) -> bool {
         let Some(here) = self.here.as_mut().filter(|here| here.axis == pose.axis) else { return false };
-        if let Some(run) = &self.run {
-            rewind_before(&mut self.searches, self.motion, run);
+        if let Some(run) = &mut self.run {
+            if run.awaits_comparison() {
+                compare_rewinds(&mut self.searches, self.motion, run);
+            }
         } else if self.pole.is_none() {
             return false;
         }
@@ -382,8 +389,9 @@ impl Navigator {
         let Some(run) = &mut self.run else { return self.begins_run(pose) };
         let Some(from) = &mut self.here else { return false };
         let finder = &self.finder;
-        let follows = finder.passes_far_from_poles(&from.axis, &pose.axis)
-            && takes((run, &mut self.searches), finder, self.motion, (from, pose));
+        let chord = chord(from, pose);
+        let follows = finder.passes_far_from_poles(chord, &pose.axis)
+            && takes((run, &mut self.searches), finder, self.motion, (pose, chord));
         if follows {
             *from = *pose;
         }
@@ -393,7 +401,8 @@ impl Navigator {
     /// Takes the first cut of a run, where one can begin; false if none does.
     fn begins_run(&mut self, pose: &Pose) -> bool {
         let (Some(start), Some(from)) = (self.run_start.take(), self.here) else { return false };
-        if !self.finder.passes_far_from_poles(&from.axis, &pose.axis) {
+        let chord = chord(&from, pose);
+        if !self.finder.passes_far_from_poles(chord, &pose.axis) {
             return false;
         }
         let placer = self.finder.placer();
@@ -407,10 +416,11 @@ impl Navigator {
         if solutions.len() != placer.rotaries().len().clamp(1, 2) {
             return false;
         }
-        let mut run = SteadyRun::begin(&solutions, placer.rotaries(), placer.scale());
+        let compares = self.searches.iter().any(|run| !run.ended && run.search.compares_rewinds());
+        let mut run = SteadyRun::begin(&solutions, placer.rotaries(), placer.scale(), compares);
         let same_turns = || run.tries_same_turns(&placer.machine().rotary_axes(&pose.axis, placer.held()));
         let begins = (start == RunStart::AfterCut || !placer.has_many_turns() || same_turns())
-            && takes((&mut run, &mut self.searches), &self.finder, self.motion, (&from, pose));
+            && takes((&mut run, &mut self.searches), &self.finder, self.motion, (pose, chord));
         if begins {
             (self.run, self.here) = (Some(run), Some(*pose));
         }
@@ -477,7 +487,7 @@ impl Navigator {
                     search.cut_to_pole(motion, Some(part), |state| finder.at_pole(&pole, &from.axis, state))
                         && search.leave_pole(motion, &self.states, &exits, is_preferred)
                 }
-                None => cut(finder, search, motion, &from, pose, &self.states),
+                None => cut(finder, search, motion, (&from, pose), &self.states, &mut self.tested),
             },
         }
     }
@@ -494,29 +504,32 @@ impl Navigator {
     }
 }
 
-/// Whether a run, and the searches in it, take a cut between two poses, far from the poles.
+/// Whether a run, and the searches in it, take a cut to a pose, far from the poles. `chord`: square of the distance between the
+/// tool axes of its ends.
 #[inline(always)]
 fn takes(
     (run, searches): (&mut SteadyRun, &mut [SearchRun]),
     finder: &StateFinder,
     motion: u64,
-    (from, pose): (&Pose, &Pose),
+    (pose, chord): (&Pose, f64),
 ) -> bool {
     let placer = finder.placer();
     let solutions = placer.machine().rotary_axes(&pose.axis, placer.held());
-    let reach = if run.is_limited() { finder.reach_between(&from.axis, &pose.axis) } else { 0 };
+    let reach = if run.is_limited() { finder.reach_along(chord) } else { 0.0 };
     let Some(rotations) = run.rotations(&solutions, reach) else { return false };
-    rewind_before(searches, motion, run);
+    if run.awaits_comparison() {
+        compare_rewinds(searches, motion, run);
+    }
     run.take(rotations, placer.metric());
     true
 }
 
-/// Lets the searches look for rewinds before a cut of a run.
-#[inline(always)]
-fn rewind_before(searches: &mut [SearchRun], motion: u64, run: &SteadyRun) {
-    for SearchRun { search, .. } in searches.iter_mut().filter(|run| !run.ended && run.search.compares_rewinds()) {
-        search.rewind_before(motion, |state| run.rotated(state));
-    }
+/// Lets the searches look for rewinds before a motion of a run.
+#[inline(never)]
+fn compare_rewinds(searches: &mut [SearchRun], motion: u64, run: &mut SteadyRun) {
+    let running = searches.iter_mut().filter(|run| !run.ended);
+    let least = running.map(|known| known.search.compare_rewinds(motion, |state| run.rotated(state)));
+    run.compared(least.fold(f64::INFINITY, smaller));
 }
 
 impl Stage for Navigator {
@@ -581,9 +594,9 @@ fn cut(
     finder: &StateFinder,
     search: &mut CourseSearch,
     motion: u64,
-    from: &Pose,
-    to: &Pose,
+    (from, to): (&Pose, &Pose),
     states: &[RotaryState],
+    tested: &mut TestedCuts,
 ) -> bool {
     // Between opposite tool axes the path is undefined, and is not split.
     let segment = PathSegment::new(from, to);
@@ -592,7 +605,8 @@ fn cut(
     let (mut near, mut split) = (Vec::new(), Vec::new());
     for _ in 0..MAX_CROSSINGS {
         let merged = finder.merged(to, states) || finder.merged(&here, search.layer());
-        if search.cut(motion, states, None, |a, b| finder.connected((&here, a), (to, b), merged)) {
+        tested.begin_at(done);
+        if search.cut(motion, states, None, |a, b| finder.connected((&here, a), (to, b), merged, tested)) {
             return true;
         }
         let Some(segment) = &segment else { return false };
@@ -603,8 +617,10 @@ fn cut(
         let mut split_at = |search: &mut CourseSearch, part: f64| {
             let pose = segment.at(part);
             finder.states(&pose, &near, &mut split);
-            let reached =
-                search.cut(motion, &split, Some(part), |a, b| finder.connected((&here, a), (&pose, b), false));
+            let mut tested = TestedCuts::default();
+            let mut connected =
+                |a: &RotaryState, b: &RotaryState| finder.connected((&here, a), (&pose, b), false, &mut tested);
+            let reached = search.cut(motion, &split, Some(part), &mut connected);
             reached.then_some(pose)
         };
         if let Some(part) = passing.filter(|part| *part > done)

@@ -4,6 +4,7 @@
 //! Every survivor is the cheapest course to its state; its decisions are a chain of changes, whose beginnings survivors
 //! share. A beginning that all of them share is final.
 
+use crate::kinematics::math::smaller;
 use crate::kinematics::{Branch, Rotary};
 use crate::motion::course::packed::PackedChanges;
 use crate::motion::course::{CourseAction, CourseChange};
@@ -534,7 +535,7 @@ impl CourseSearch {
     ///
     /// A course begins elsewhere only after a rewind. From another turn of its branch that is as much cheaper or dearer in
     /// every cut as in the first. From the other branch, where that one has fewer rewinds, it may be cheaper in some cut: with
-    /// `compares` a run may begin there too, in which the two are [compared](Self::rewind_before) before each cut.
+    /// `compares` a run may begin there too, in which the two are [compared](Self::compare_rewinds) before each cut.
     pub(crate) fn begin_run(&mut self, compares: bool) -> bool {
         self.with_more_rewinds.clear();
         if self.layer.is_empty() {
@@ -582,8 +583,16 @@ impl CourseSearch {
     }
 
     /// Compares, before a cut of a run, the course to each state of the branch with more rewinds with those by a rewind from the
-    /// other branch. `rotated`: see [`rotate`](Self::rotate).
-    pub(crate) fn rewind_before(&mut self, motion: u64, rotated: impl Fn(&RotaryState) -> (RotaryState, Cost)) {
+    /// other branch. `rotated`: see [`rotate`](Self::rotate). Returns by how much these are longer at least.
+    pub(crate) fn compare_rewinds(
+        &mut self,
+        motion: u64,
+        rotated: impl Fn(&RotaryState) -> (RotaryState, Cost),
+    ) -> f64 {
+        let mut least = f64::INFINITY;
+        if !self.compares_rewinds() {
+            return least;
+        }
         let Self { survivors, with_more_rewinds, rewind_starts, metric, .. } = self;
         let fewest = survivors.iter().map(|survivor| survivor.cost.rewinds).min();
         rewind_starts.clear();
@@ -612,12 +621,15 @@ impl CourseSearch {
                     cheapest = Some((cost, start));
                 }
             }
+            let Some((cost, start)) = cheapest else { continue };
             // Of equals the earliest.
-            if let Some((cost, start)) = cheapest.filter(|(cost, _)| *cost < survivor.cost) {
+            if cost < survivor.cost {
                 survivor.cost = cost;
                 known.rewind = Some(RunRewind { last_change: start.last_change, motion, words: state.words });
             }
+            least = smaller(metric.longer_by(survivor.cost, cost), least);
         }
+        least
     }
 
     /// States of the survivors.

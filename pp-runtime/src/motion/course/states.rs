@@ -22,6 +22,12 @@ const LIMIT_POINTS: u32 = 16;
 /// at which the axes still move.
 const MAX_HALVINGS: u32 = 30;
 
+/// Square of the distance between the tool axes of two poses.
+#[inline(always)]
+pub(crate) fn chord(from: &Pose, to: &Pose) -> f64 {
+    (to.axis.into_inner() - from.axis.into_inner()).norm_squared()
+}
+
 /// Finds the states of poses on one machine.
 #[derive(Debug)]
 pub(crate) struct StateFinder {
@@ -30,6 +36,38 @@ pub(crate) struct StateFinder {
     single_turns: Option<[Rotary; 2]>,
     /// Largest angle between a pole and a path that is led through it, rad; `None` if none is.
     largest_bend_rad: Option<f64>,
+}
+
+/// Cuts along one path that have been tested for continuity, by the words of their ends. Both searches ask for the same ones.
+#[derive(Debug, Default)]
+pub(crate) struct TestedCuts {
+    /// Fraction of the path at which the cuts begin.
+    start: f64,
+    results: Vec<([RotaryWords; 2], bool)>,
+}
+
+impl TestedCuts {
+    /// Forgets all cuts.
+    pub(crate) fn clear(&mut self) {
+        self.results.clear();
+    }
+
+    /// From here on cuts begin at this fraction of the path.
+    pub(crate) fn begin_at(&mut self, start: f64) {
+        if start.to_bits() != self.start.to_bits() {
+            self.clear();
+        }
+        self.start = start;
+    }
+
+    fn is_continuous(&mut self, ends: [RotaryWords; 2], test: impl FnOnce() -> bool) -> bool {
+        if let Some((_, result)) = self.results.iter().find(|(known, _)| *known == ends) {
+            return *result;
+        }
+        let result = test();
+        self.results.push((ends, result));
+        result
+    }
 }
 
 impl StateFinder {
@@ -138,13 +176,12 @@ impl StateFinder {
     }
 
     /// Whether a path between two tool axes is so short, and so far from the poles, that [`pole_between`](Self::pole_between)
-    /// finds none, and neither end is at one.
+    /// finds none, and neither end is at one. `chord`: square of the distance between both.
     #[inline(always)]
-    pub(crate) fn passes_far_from_poles(&self, from: &UnitVector3<f64>, to: &UnitVector3<f64>) -> bool {
+    pub(crate) fn passes_far_from_poles(&self, chord: f64, to: &UnitVector3<f64>) -> bool {
         // A pole on the path, within its tolerance, is no farther from an end than the path is long and the tolerance.
         let poles = self.placer.poles();
-        let path = (to.into_inner() - from.into_inner()).norm_squared();
-        let least = 4.0 * (path + poles.tolerance_rad * poles.tolerance_rad);
+        let least = 4.0 * (chord + poles.tolerance_rad * poles.tolerance_rad);
         self.largest_bend_rad.is_none() && poles.are_farther(to, least)
     }
 
@@ -208,23 +245,29 @@ impl StateFinder {
 
     /// Whether a cut from one state to another keeps the tool on its path: the axes move continuously from end to end, and
     /// inside their limits. `merged`: both branches are the same.
-    pub(crate) fn connected(&self, from: (&Pose, &RotaryState), to: (&Pose, &RotaryState), merged: bool) -> bool {
-        self.is_joined(from, to, merged) && self.stays_inside(from, to)
+    pub(crate) fn connected(
+        &self,
+        from: (&Pose, &RotaryState),
+        to: (&Pose, &RotaryState),
+        merged: bool,
+        tested: &mut TestedCuts,
+    ) -> bool {
+        self.is_joined(from, to, merged, tested) && self.stays_inside(from, to)
     }
 
     /// Whether the words of one of these states are so near to a limit that a cut to a pose, whose tool axis moves along a great
     /// circle, could exceed the limit between its ends.
     pub(crate) fn is_near_limit(&self, from: &Pose, to: &Pose, states: &[RotaryState]) -> bool {
         let Some(second) = self.placer.rotaries().get(1).filter(|rotary| !rotary.endless()) else { return false };
-        let reach = self.reach_between(&from.axis, &to.axis);
+        let reach = math::rounded(self.reach_along(chord(from, to)));
         states.iter().any(|state| !(second.contains(state.words[1] - reach) && second.contains(state.words[1] + reach)))
     }
 
     /// How far the second rotary axis may go beyond the ends of a cut, whose tool axis moves along a great circle, in units of the
-    /// words.
+    /// words. `chord`: square of the distance between both tool axes.
     #[inline(always)]
-    pub(crate) fn reach_between(&self, from: &UnitVector3<f64>, to: &UnitVector3<f64>) -> i64 {
-        self.placer.scale().word((from.into_inner() - to.into_inner()).norm() * SLOPE)
+    pub(crate) fn reach_along(&self, chord: f64) -> f64 {
+        (math::sqrt(chord) * SLOPE).to_degrees() * self.placer.scale().units_per_degree
     }
 
     /// Whether a cut stays inside the limits between its ends, where the rotary axes do not go evenly.
@@ -246,7 +289,13 @@ impl StateFinder {
     }
 
     /// Whether the axes move continuously from one state to another.
-    fn is_joined(&self, from: (&Pose, &RotaryState), to: (&Pose, &RotaryState), merged: bool) -> bool {
+    fn is_joined(
+        &self,
+        from: (&Pose, &RotaryState),
+        to: (&Pose, &RotaryState),
+        merged: bool,
+        tested: &mut TestedCuts,
+    ) -> bool {
         let ((a, start), (b, end)) = (from, to);
         if !self.placer.metric().short(&start.words, &end.words) || (start.branch != end.branch && !merged) {
             return false;
@@ -256,8 +305,10 @@ impl StateFinder {
         }
         let change = [0, 1].map(|axis| self.placer.metric().change(axis, start.words[axis], end.words[axis]));
         let end = [start.words[0] + change[0], start.words[1] + change[1]];
-        let Some(segment) = PathSegment::new(a, b) else { return false };
-        self.is_continuous(&segment, (0.0, start.words), (1.0, end), MAX_HALVINGS)
+        tested.is_continuous([start.words, end], || {
+            let segment = PathSegment::new(a, b);
+            segment.is_some_and(|path| self.is_continuous(&path, (0.0, start.words), (1.0, end), MAX_HALVINGS))
+        })
     }
 
     /// Whether repeated halving of a part of a block, from share to share with their words, leads to rotations below 10°.

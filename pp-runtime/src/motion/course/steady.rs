@@ -5,7 +5,8 @@
 //! times and travel are then the same for all of them: one sum for each branch takes the place of the layers of states.
 //!
 //! Only a rewind from the other branch can lead cheaper to a state than its own course, where that branch has fewer rewinds:
-//! before each cut the search [compares](super::search::CourseSearch::rewind_before) the two.
+//! before a cut the search [compares](super::search::CourseSearch::compare_rewinds) the two, unless the branches have [drifted
+//! apart](Drift) too little since the last comparison.
 
 use wide::f64x2;
 
@@ -23,9 +24,6 @@ struct RunBranch {
     rotated: f64x2,
     lowest: f64x2,
     highest: f64x2,
-    /// Rotations of the second axis at which its outermost turns are at the limits; infinite without limits, as of the first.
-    at_lower: f64x2,
-    at_upper: f64x2,
     /// Travel and time of the rotation.
     travel: f64x2,
     time_ns: u64,
@@ -38,6 +36,19 @@ pub(crate) struct BranchRotation {
     by: f64x2,
 }
 
+/// By how much the two branches of a run have travelled unlike each other since courses with a rewind were compared with those
+/// without.
+///
+/// A rewind costs the travel between both branches. In a cut in which they rotate by `a` and `b`, that changes by at most
+/// `|a - b|`, and the difference of their travels by `||a| - |b||`: the difference of the two courses changes by no more than
+/// the sum of both.
+#[derive(Debug, Clone, Copy)]
+struct Drift {
+    by: f64x2,
+    /// Drift up to which no course with a rewind becomes cheaper; below zero it is unknown.
+    least: f64,
+}
+
 /// A run of cuts in which the states of each pose are those of the one before, rotated.
 #[derive(Debug, Clone)]
 pub(crate) struct SteadyRun {
@@ -48,18 +59,25 @@ pub(crate) struct SteadyRun {
     of_both: RotaryScale,
     /// The second axis has limits that a cut could exceed between its ends.
     is_limited: bool,
+    /// Where courses with a rewind are compared.
+    drift: Option<Drift>,
 }
 
 impl SteadyRun {
-    /// Begins a run at a pose with these solutions.
-    pub(crate) fn begin(solutions: &[Solution<RotaryAngles>], rotaries: &[Rotary], scale: AngleScale) -> Self {
-        let branches: Vec<_> = solutions.iter().map(|solution| RunBranch::begin(solution, rotaries, scale)).collect();
+    /// Begins a run at a pose with these solutions. `compares`: courses with a rewind are compared in it.
+    pub(crate) fn begin(
+        solutions: &[Solution<RotaryAngles>],
+        rotaries: &[Rotary],
+        scale: AngleScale,
+        compares: bool,
+    ) -> Self {
+        let begun = solutions.iter().map(|solution| RunBranch::begin(solution, rotaries, scale));
+        let (branches, limited): (Vec<_>, Vec<_>) = begun.unzip();
         let none = Rotary { index: 0, lower: None, upper: None, rest_deg: 0.0 };
         let axes = std::array::from_fn(|axis| rotaries.get(axis).copied().unwrap_or(none));
-        let is_limited = branches
-            .iter()
-            .any(|known| [known.at_lower, known.at_upper].iter().any(|limits| limits.to_array()[1].is_finite()));
-        Self { branches, axes, scale, of_both: RotaryScale::new(rotaries, scale), is_limited }
+        let is_limited = limited.contains(&true);
+        let drift = compares.then_some(Drift { by: f64x2::ZERO, least: f64::NEG_INFINITY });
+        Self { branches, axes, scale, of_both: RotaryScale::new(rotaries, scale), is_limited, drift }
     }
 
     /// Whether the second axis has limits that a cut could exceed between its ends.
@@ -81,13 +99,13 @@ impl SteadyRun {
     }
 
     /// The rotations of a cut to a pose with these solutions; `reach`: how far the second axis may go beyond the ends of the
-    /// cut. `None` if the run ends before it.
+    /// cut, in units of the words. `None` if the run ends before it.
     #[inline(always)]
-    pub(crate) fn rotations(&self, solutions: &[Solution<RotaryAngles>], reach: i64) -> Option<[BranchRotation; 2]> {
+    pub(crate) fn rotations(&self, solutions: &[Solution<RotaryAngles>], reach: f64) -> Option<[BranchRotation; 2]> {
         if solutions.len() != self.branches.len() {
             return None;
         }
-        let reach = f64x2::from([0.0, reach as f64]);
+        let reach = f64x2::from([0.0, reach]);
         let mut rotations = [BranchRotation { words: f64x2::ZERO, by: f64x2::ZERO }; 2];
         for ((known, solution), rotation) in self.branches.iter().zip(solutions).zip(&mut rotations) {
             *rotation = known.rotation(solution, reach, &self.of_both)?;
@@ -101,10 +119,29 @@ impl SteadyRun {
         for (known, BranchRotation { words, by }) in self.branches.iter_mut().zip(rotations) {
             known.words = words;
             known.rotated += by;
-            let travel = by.abs();
-            known.travel += travel;
-            known.time_ns = known.time_ns.saturating_add(metric.time_ns(travel.to_array()));
+            known.travel += by.abs();
         }
+        if metric.has_speeds() {
+            for (known, rotation) in self.branches.iter_mut().zip(rotations) {
+                let time_ns = metric.time_ns(rotation.by.abs().to_array());
+                known.time_ns = known.time_ns.saturating_add(time_ns);
+            }
+        }
+        if let Some(drift) = &mut self.drift {
+            let [a, b] = rotations.map(|rotation| rotation.by);
+            drift.by += (a - b).abs() + (a.abs() - b.abs()).abs();
+        }
+    }
+
+    /// Whether rewinds are to be compared before the next cut.
+    #[inline(always)]
+    pub(crate) fn awaits_comparison(&self) -> bool {
+        self.drift.is_some_and(|drift| drift.by.reduce_add() > drift.least)
+    }
+
+    /// Rewinds have been compared: they are not cheaper before the branches have drifted apart by `least`, in units of the words.
+    pub(crate) fn compared(&mut self, least: f64) {
+        self.drift = Some(Drift { by: f64x2::ZERO, least });
     }
 
     /// A state of the pose at which the run began as it is at the last pose, and the cost of its rotation.
@@ -144,46 +181,39 @@ impl RunBranch {
         let by = within_half_turn(words - self.words, turn);
         let rotated = self.rotated + by;
         let ends = by.abs().simd_ge(f64x2::splat(0.25) * turn)
-            | rotated.simd_lt(self.lowest)
-            | rotated.simd_gt(self.highest)
-            | (rotated - reach).simd_lt(self.at_lower)
-            | (rotated + reach).simd_gt(self.at_upper);
+            | (rotated - reach).simd_lt(self.lowest)
+            | (rotated + reach).simd_gt(self.highest);
         (solution.branch == self.branch && !ends.any()).then_some(BranchRotation { words, by })
     }
 
-    fn begin(solution: &Solution<RotaryAngles>, rotaries: &[Rotary], scale: AngleScale) -> Self {
+    /// A branch at the begin of a run; true if its second axis has limits that a cut could exceed between its ends.
+    fn begin(solution: &Solution<RotaryAngles>, rotaries: &[Rotary], scale: AngleScale) -> (Self, bool) {
         let (mut words, mut lowest, mut highest) = (RotaryWords::default(), [f64::NEG_INFINITY; 2], [f64::INFINITY; 2]);
-        let (mut at_lower, mut at_upper) = (f64::NEG_INFINITY, f64::INFINITY);
         // A branch without a state gets one only where each axis has a turn inside its limits.
         let mut missing = None;
         for (axis, rotary) in rotaries.iter().enumerate().take(words.len()) {
             words[axis] = rotary.word(solution.axes[axis], scale);
             let Some(room) = TurnsInside::of(rotary, words[axis], scale.units_per_turn) else { continue };
             (lowest[axis], highest[axis]) = (room.lowest as f64, room.highest as f64);
-            if axis > 0 {
-                (at_lower, at_upper) = (room.at_limits[0] as f64, room.at_limits[1] as f64);
-            }
             if room.is_empty {
                 missing = Some(axis);
             }
         }
         if let Some(missing) = missing {
-            (at_lower, at_upper) = (f64::NEG_INFINITY, f64::INFINITY);
             for axis in (0..words.len()).filter(|axis| *axis != missing) {
                 (lowest[axis], highest[axis]) = (f64::NEG_INFINITY, f64::INFINITY);
             }
         }
-        Self {
+        let begun = Self {
             branch: solution.branch,
             words: words.map(|word| word as f64).into(),
             rotated: f64x2::ZERO,
             lowest: lowest.into(),
             highest: highest.into(),
-            at_lower: [f64::NEG_INFINITY, at_lower].into(),
-            at_upper: [f64::INFINITY, at_upper].into(),
             travel: f64x2::ZERO,
             time_ns: 0,
-        }
+        };
+        (begun, missing.is_none() && lowest[1].is_finite())
     }
 }
 
@@ -191,8 +221,6 @@ impl RunBranch {
 struct TurnsInside {
     lowest: i64,
     highest: i64,
-    /// Rotations at which the first is at the lower limit, and the last at the upper one.
-    at_limits: [i64; 2],
     /// No turn is inside.
     is_empty: bool,
 }
@@ -210,13 +238,8 @@ impl TurnsInside {
         let is_empty = first > last;
         let (lowest, highest) = (at_upper - turn + 1, at_lower + turn - 1);
         Some(match is_empty {
-            true => Self { lowest, highest, at_limits: [at_lower, at_upper], is_empty },
-            false => Self {
-                lowest: lowest.max(at_lower),
-                highest: highest.min(at_upper),
-                at_limits: [at_lower, at_upper],
-                is_empty,
-            },
+            true => Self { lowest, highest, is_empty },
+            false => Self { lowest: lowest.max(at_lower), highest: highest.min(at_upper), is_empty },
         })
     }
 }

@@ -122,6 +122,16 @@ impl RotaryMetric {
         self.is_untimed && !self.endless[0]
     }
 
+    /// Travel by which a course is longer than one that costs no more; infinite if more than travel tells them apart. Below zero
+    /// where an axis has a known speed: there times do.
+    pub(crate) fn longer_by(&self, cheaper: Cost, other: Cost) -> f64 {
+        if !self.is_untimed {
+            return f64::NEG_INFINITY;
+        }
+        let alike = Cost { travel_units: other.travel_units, ..cheaper } == other;
+        if alike { (other.travel_units - cheaper.travel_units) as f64 } else { f64::INFINITY }
+    }
+
     /// Cost of rotating all axes together.
     #[inline]
     pub(crate) fn cost(&self, from: &RotaryWords, to: &RotaryWords) -> Cost {
@@ -134,6 +144,12 @@ impl RotaryMetric {
         let travel = changes.map(i64::unsigned_abs);
         let time_ns = self.time_ns(travel.map(|travel| travel as f64));
         Cost { time_ns, travel_units: travel[0] + travel[1], ..Cost::default() }
+    }
+
+    /// Whether an axis has a known speed.
+    #[inline(always)]
+    pub(crate) fn has_speeds(&self) -> bool {
+        !self.is_untimed
     }
 
     /// Time of these travels, in units of the words, ns; 0 where no speed is known.
