@@ -206,10 +206,8 @@ struct Surveyor {
     turned_before: bool,
     /// In the first set-up: the blank is in its coordinates.
     first_set_up: bool,
-    /// Number of feed motions.
-    feeds: u64,
-    /// Number of feed motions with the tool axis pointing down.
-    feeds_down: u64,
+    /// The tool axis has pointed down in every feed motion; `None` before the first.
+    cuts_down: Option<bool>,
 }
 
 impl Surveyor {
@@ -230,14 +228,13 @@ impl Surveyor {
             turning: false,
             turned_before: false,
             first_set_up: true,
-            feeds: 0,
-            feeds_down: 0,
+            cuts_down: None,
         }
     }
 
     fn finish(mut self) -> Survey {
         self.end_stretch();
-        self.survey.upside_down = self.feeds > 0 && self.feeds == self.feeds_down;
+        self.survey.upside_down = self.cuts_down == Some(true);
         self.survey.selected = self.selection.numbers(self.survey.operations);
         self.survey
     }
@@ -431,8 +428,9 @@ impl Surveyor {
     fn moved(&mut self, cuts: bool, [lowest, highest]: [[f64; 3]; 2], pose: &Pose) {
         if cuts {
             self.cuts = true;
-            self.feeds += 1;
-            self.feeds_down += u64::from(pose.axis.dot(&self.tool_axis) < 0.0);
+            if self.cuts_down != Some(false) {
+                self.cuts_down = Some(pose.axis.dot(&self.tool_axis) < 0.0);
+            }
         }
         if let Some(index) = self.tool {
             let tool = &mut self.survey.tools[index];

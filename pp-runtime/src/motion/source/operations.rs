@@ -39,7 +39,8 @@ pub struct MotionIndex {
     pub stretch: u64,
     /// Whether the motion begins an operation.
     pub begins: Begins,
-    /// The motion rotates the tool axis at feed: its axis is not the one with which the stretch began.
+    /// The motion is at feed, and its tool axis is not the one with which the stretch began, or that of a motion before it in the
+    /// stretch was not.
     pub rotates_axis: bool,
 }
 
@@ -78,6 +79,8 @@ pub(crate) struct MotionCounter {
     since: Since,
     /// Tool axis at the begin of the stretch.
     stretch_axis: Option<UnitVector3<f64>>,
+    /// A cut of the stretch has had another one.
+    has_rotated: bool,
     /// The last motion was a hole.
     in_holes: bool,
 }
@@ -97,6 +100,7 @@ impl MotionCounter {
             end: None,
             since: Since::NoNewStart,
             stretch_axis: None,
+            has_rotated: false,
             in_holes: false,
         }
     }
@@ -211,8 +215,10 @@ impl MotionCounter {
         if stretch_begins {
             // A feed motion at the begin starts from the last tool axis, unless the safe sequence leads to its end.
             self.stretch_axis = before.filter(|_| !air && begins != Begins::Operation).or(Some(end.axis));
+            self.has_rotated = false;
         }
-        let rotates_axis = !air && self.stretch_axis.is_some_and(|axis| differs(axis, HELD));
+        let rotates_axis = !air && (self.has_rotated || self.stretch_axis.is_some_and(|axis| differs(axis, HELD)));
+        self.has_rotated |= rotates_axis;
         let motion = self.next_motion;
         self.next_motion += 1;
         MotionIndex { motion, operation: self.operation, stretch: self.stretch, begins, rotates_axis }

@@ -43,8 +43,14 @@ impl Setting {
         }
     }
 
-    /// Returns an event rotated and lifted; `None` if nothing changes.
+    /// Whether the CL data stays as it is.
     #[inline]
+    pub(crate) fn is_plain(&self) -> bool {
+        self.plain
+    }
+
+    /// Returns an event rotated and lifted; `None` if nothing changes.
+    #[inline(always)]
     pub(crate) fn event<'s>(&'s mut self, event: &Event<'s>) -> Option<Event<'s>> {
         if let Event::SetUp(number) = event {
             self.enter(*number);
@@ -60,6 +66,7 @@ impl Setting {
         self.plain = self.rotation == Rotation3::identity() && !self.lifted;
     }
 
+    #[inline(never)]
     fn rotated<'s>(&'s mut self, event: &Event<'s>) -> Event<'s> {
         match *event {
             Event::Move(motion) => Event::Move(Move { pose: self.pose(&motion.pose), ..motion }),

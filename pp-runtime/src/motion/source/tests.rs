@@ -167,8 +167,11 @@ fn a_stretch_ends_where_the_tool_axis_changes_in_the_air() {
         // A change of the tool axis in the air: another stretch.
         rapid(3.0, TILTED),
         feed(4.0, TILTED),
-        // A change at feed: the same stretch, and `rotates_axis` is set.
+        // A change at feed: the same stretch, and `rotates_axis` is set; it stays set where the tool axis comes back.
         feed(5.0, UP),
+        feed(5.5, TILTED),
+        rapid(5.7, TILTED),
+        feed(5.8, TILTED),
         rapid(6.0, UP),
         hole(7.0, TILTED),
         hole(8.0, TILTED),
@@ -178,7 +181,24 @@ fn a_stretch_ends_where_the_tool_axis_changes_in_the_air() {
     let indices = seen::<Xyz>(&Config::default(), &events).indices;
     let stretches: Vec<_> = indices.iter().map(|index| (index.stretch, index.rotates_axis)).collect();
     let held = |stretch| (stretch, false);
-    assert_eq!(stretches, [held(1), held(1), held(2), held(2), (2, true), held(2), held(3), held(3), held(4)],);
+    let rotates = |stretch| (stretch, true);
+    assert_eq!(
+        stretches,
+        [
+            held(1),
+            held(1),
+            held(2),
+            held(2),
+            rotates(2),
+            rotates(2),
+            held(2),
+            rotates(2),
+            held(3),
+            held(4),
+            held(4),
+            held(5)
+        ]
+    );
 }
 
 #[test]
