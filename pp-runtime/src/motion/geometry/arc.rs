@@ -242,9 +242,27 @@ impl<'a> ArcGeometry<'a> {
     }
 }
 
+/// Whether a box certainly holds an arc about an axis parallel to Z, but for the heights of its ends: no point is further from that
+/// axis than one of them.
+fn holds_upright(arc: &Arc, [lowest, highest]: [[f64; 3]; 2]) -> bool {
+    let [x, y, _] = <[f64; 3]>::from(arc.normal.into_inner());
+    let from_axis = |tip: Point3<f64>| math::hypot(tip.x - arc.centre.x, tip.y - arc.centre.y);
+    let radius = larger(from_axis(arc.start.tip), from_axis(arc.end.tip));
+    let holds = |axis: usize| {
+        let centre = arc.centre[axis];
+        let reach = radius + ROUNDING * (centre.abs() + radius);
+        lowest[axis] <= centre - reach && centre + reach <= highest[axis]
+    };
+    x == 0.0 && y == 0.0 && holds(0) && holds(1)
+}
+
 /// Bounding box of the tip on an arc: its lowest and its highest corner, mm. Along an axis on which a box in `known` certainly
 /// holds the arc, that of its ends.
 pub(crate) fn extent(arc: &Arc, known: Option<[[f64; 3]; 2]>) -> [[f64; 3]; 2] {
+    if known.is_some_and(|known| holds_upright(arc, known)) {
+        let (start, end) = (arc.start.tip, arc.end.tip);
+        return [smaller, larger].map(|of| std::array::from_fn(|axis| of(start[axis], end[axis])));
+    }
     let round = ArcGeometry::new(arc);
     let [x, y, z] = [round.range(0, known), round.range(1, known), round.range(2, known)];
     [[x[0], y[0], z[0]], [x[1], y[1], z[1]]]

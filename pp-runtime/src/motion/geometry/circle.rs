@@ -18,6 +18,10 @@ const SAME_SWEEP: f64 = 0.5;
 /// diameter.
 const CLEAR_SWEEP: [f64; 2] = [0.05, 0.95 * PI];
 
+/// Steps from a point of the grid to those around it.
+const NEIGHBOURS: [[f64; 2]; 8] =
+    [[0.0, 1.0], [1.0, 0.0], [0.0, -1.0], [-1.0, 0.0], [1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]];
+
 /// Largest coordinate of a centre, in units of the words.
 const MAX_UNITS: i64 = 1_000_000_000_000_000;
 
@@ -98,13 +102,14 @@ pub(crate) struct WordGrid {
     pub(crate) radius_tolerance_mm: f64,
 }
 
-/// Words of a circle, and their deviation from the nominal circle.
+/// Words of a circle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct CircleFit {
     pub(crate) centre: [i64; 2],
     /// Sweep of the circle that the words describe.
     pub(crate) sweep_rad: f64,
-    pub(crate) deviation: CircleDeviation,
+    /// No less than its [deviation](NominalCircle::deviation) from the nominal circle, and seldom as much as twice that.
+    pub(crate) largest_deviation: CircleDeviation,
 }
 
 /// Deviation of the circle of some words from the nominal circle.
@@ -149,10 +154,28 @@ impl NominalCircle {
         }
     }
 
-    /// Sweep, rad, and deviation of the circle between two rounded points about `centre`, mm.
-    fn deviation_of(&self, [start, end]: [[f64; 2]; 2], centre: [f64; 2], whole: bool) -> (f64, CircleDeviation) {
+    /// An upper bound of the deviation of a circle about a centre with these radii, from the displacements of the centre and of
+    /// the radii, mm.
+    fn largest_deviation(&self, centre: [f64; 2], radii: [f64; 2]) -> CircleDeviation {
+        let centre_mm = length(minus(centre, self.centre_mm));
+        let wider = larger((radii[0] - self.radii_mm[0]).abs(), (radii[0] - self.radii_mm[1]).abs());
+        CircleDeviation { plane_mm: centre_mm + wider + (radii[1] - radii[0]).abs(), centre_mm }
+    }
+
+    /// Deviation of the circle of a fit between two points in whole units.
+    pub(crate) fn deviation(
+        &self,
+        ends: [[i64; 2]; 2],
+        fit: &CircleFit,
+        WordGrid { units_per_mm, .. }: WordGrid,
+    ) -> CircleDeviation {
+        let mm = |units: [i64; 2]| units.map(|units| units as f64 / units_per_mm);
+        self.deviation_of(ends.map(mm), mm(fit.centre), fit.sweep_rad)
+    }
+
+    /// Deviation of the circle between two rounded points, `sweep` rad apart about `centre`, mm.
+    fn deviation_of(&self, [start, end]: [[f64; 2]; 2], centre: [f64; 2], sweep: f64) -> CircleDeviation {
         let (first, last) = (minus(start, centre), minus(end, centre));
-        let sweep = if whole { TAU } else { self.angle_to_run(first, last) };
         let radii = [length(first), length(last)];
         let shift = minus(centre, self.centre_mm);
         let far = |direction: [f64; 2]| {
@@ -182,7 +205,7 @@ impl NominalCircle {
                 }
             }
         }
-        (sweep, CircleDeviation { plane_mm: off + (radii[1] - radii[0]).abs(), centre_mm: shift_mm })
+        CircleDeviation { plane_mm: off + (radii[1] - radii[0]).abs(), centre_mm: shift_mm }
     }
 
     /// Words of the circle between two points in whole units; `None` if no words describe it.
@@ -216,10 +239,10 @@ impl NominalCircle {
         let (mut centre, mut least_squares) = (nearest, of_nearest.abs());
         let mut least = unequal(least_squares, nearest);
         // Of equals the first is kept: the nearest.
-        for step in [[0, 1], [1, 0], [0, -1], [-1, 0], [1, 1], [1, -1], [-1, 1], [-1, -1]] {
-            let squares = (of_nearest - 2.0 * dot(chord, step.map(f64::from))).abs();
+        for step in NEIGHBOURS {
+            let squares = (of_nearest - 2.0 * dot(chord, step)).abs();
             if squares < least_squares {
-                let other = [nearest[0] + i64::from(step[0]), nearest[1] + i64::from(step[1])];
+                let other = [nearest[0] + step[0] as i64, nearest[1] + step[1] as i64];
                 let difference = unequal(squares, other);
                 if difference < 0.5 * least {
                     (centre, least, least_squares) = (other, difference, squares);
@@ -230,8 +253,10 @@ impl NominalCircle {
             return None;
         }
         let centre_mm = mm(centre);
-        let (sweep_rad, deviation) = self.deviation_of([from, to], centre_mm, whole);
-        ((sweep_rad - self.sweep_rad).abs() <= SAME_SWEEP).then_some(CircleFit { centre, sweep_rad, deviation })
+        let (first, last) = (minus(from, centre_mm), minus(to, centre_mm));
+        let sweep_rad = if whole { TAU } else { self.angle_to_run(first, last) };
+        let largest_deviation = self.largest_deviation(centre_mm, [length(first), length(last)]);
+        ((sweep_rad - self.sweep_rad).abs() <= SAME_SWEEP).then_some(CircleFit { centre, sweep_rad, largest_deviation })
     }
 
     /// Radius word, in whole units, that describes the same circle as the centre of a fit, and the deviation of its
@@ -257,7 +282,8 @@ impl NominalCircle {
         let left = [-chord[1] / length(chord), chord[0] / length(chord)];
         let side = dot(minus(centre, middle), left).signum();
         let centre = [middle[0] + left[0] * height * side, middle[1] + left[1] * height * side];
-        let (_, deviation) = self.deviation_of([from, to], centre, false);
+        let sweep_rad = self.angle_to_run(minus(from, centre), minus(to, centre));
+        let deviation = self.deviation_of([from, to], centre, sweep_rad);
         let units = units as i64;
         Some((if fit.sweep_rad > PI { -units } else { units }, deviation))
     }
@@ -291,8 +317,10 @@ mod tests {
                 NominalCircle { centre_mm: [0.0; 2], radii_mm: [radius; 2], clockwise: false, sweep_rad: TAU };
             let units = (radius * 1e3).floor() as i64;
             for aside in 0..40 {
-                let fit = nominal.fit([units, aside], [units + 1, aside], GRID);
-                let off = fit.map(|fit| (fit.deviation.plane_mm, length(fit.centre.map(|units| units as f64 / 1e3))));
+                let ends = [[units, aside], [units + 1, aside]];
+                let fit = nominal.fit(ends[0], ends[1], GRID);
+                let deviation = |fit: &CircleFit| nominal.deviation(ends, fit, GRID).plane_mm;
+                let off = fit.map(|fit| (deviation(&fit), length(fit.centre.map(|units| units as f64 / 1e3))));
                 assert!(off.is_none_or(|(off, shift)| off > 0.8 * shift), "{radius} {aside}: {off:?}");
             }
         }
@@ -422,9 +450,13 @@ mod tests {
             let (nominal, start, end) = circle([1.0, 2.0], 10.0, from, sweep);
             let [start, end] = [start, end].map(|units| units.map(|units| units as f64 / GRID.units_per_mm));
             let centre = [1.0 + shift[0], 2.0 + shift[1]];
-            let (_, found) = nominal.deviation_of([start, end], centre, false);
+            let (first, last) = (minus(start, centre), minus(end, centre));
+            let found = nominal.deviation_of([start, end], centre, nominal.angle_to_run(first, last));
             let expected = deviation_in_all_directions(&nominal, start, end, centre);
             prop_assert_eq!(found.plane_mm.to_bits(), expected.to_bits());
+            let largest = nominal.largest_deviation(centre, [length(first), length(last)]);
+            prop_assert!(found.plane_mm <= largest.plane_mm + 1e-12);
+            prop_assert_eq!(found.centre_mm.to_bits(), largest.centre_mm.to_bits());
         }
 
         /// The path that a control makes of the words, sampled at many points, is within the deviation of the fit.
@@ -437,6 +469,8 @@ mod tests {
         ) {
             let (nominal, start, end) = circle(centre, radius, from, sweep);
             if let Some(fit) = nominal.fit(start, end, GRID) {
+                let deviation = nominal.deviation([start, end], &fit, GRID).plane_mm;
+                prop_assert!(deviation <= fit.largest_deviation.plane_mm + 1e-12, "{fit:?}");
                 let [start, end, middle] = [start, end, fit.centre].map(|units| units.map(|units| units as f64 / 1e3));
                 let (first, last) = (minus(start, middle), minus(end, middle));
                 let unequal = (length(first) - length(last)).abs();
@@ -448,7 +482,7 @@ mod tests {
                     let r = length(first) + (length(last) - length(first)) * part;
                     let point = [middle[0] + r * angle.cos(), middle[1] + r * angle.sin()];
                     let off = (length(minus(point, centre)) - radius).abs();
-                    prop_assert!(off <= fit.deviation.plane_mm + 1e-9, "{off} {fit:?}");
+                    prop_assert!(off <= deviation + 1e-9, "{off} {fit:?}");
                 }
                 let reached = begin + sweep.signum() * fit.sweep_rad;
                 let (x, y) = (middle[0] + length(last) * reached.cos(), middle[1] + length(last) * reached.sin());
@@ -486,7 +520,7 @@ mod tests {
         ) {
             let (nominal, start, end) = circle(centre, radius, from, sweep);
             let fit = nominal.fit(start, end, GRID);
-            prop_assert!(fit.is_some_and(|fit| fit.deviation.plane_mm < 0.004), "{fit:?}");
+            prop_assert!(fit.is_some_and(|fit| fit.largest_deviation.plane_mm < 0.004), "{fit:?}");
         }
     }
 }

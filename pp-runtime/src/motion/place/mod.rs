@@ -19,7 +19,7 @@ mod tip;
 mod tool_vectors;
 mod travel;
 
-use std::cell::Cell;
+use std::cell::RefCell;
 use std::collections::BTreeMap;
 
 use nalgebra::{Point3, UnitVector3, Vector3};
@@ -91,7 +91,7 @@ pub(crate) struct Placer {
     /// The last motion, if it kept the rotary angles.
     stay: Option<rotary_angles::Stay>,
     /// The last [`axis_map`](Self::axis_map).
-    last_map: Cell<Option<tip::AxisMap>>,
+    last_map: RefCell<Option<tip::AxisMap>>,
     poles: Poles,
     linear: LinearAxes,
     speeds: AxisSpeeds,
@@ -171,7 +171,7 @@ impl Placer {
             even_rad: (options.tip.tool_posture == ToolPosture::Axes).then_some(options.axis_tolerance_path_rad),
             rotary,
             stay: None,
-            last_map: Cell::new(None),
+            last_map: RefCell::new(None),
             held: machine.held(),
             chain,
             machine,

@@ -1,5 +1,6 @@
 //! Words that are coordinates of the tip in a frame of the control, and the map from the workpiece to the words.
 
+use std::cell::Ref;
 use std::f64::consts::TAU;
 
 use nalgebra::{Matrix3, Point3, UnitVector3, Vector3};
@@ -44,15 +45,16 @@ impl Placer {
     pub(crate) fn orthogonal_map(&self, at: &AxisPosition) -> Option<([usize; 3], Matrix3<f64>)> {
         let letters = self.linear.xyz?;
         if !self.frame.counts_tip()
-            && let Some((solved, AxisMap { map, orthogonal, .. })) = self.known_map(at)
+            && let Some((solved, known)) = self.known_map(at)
         {
             // A word is an axis value and a constant.
+            let map = &known.map;
             if solved == letters {
-                return orthogonal.then_some((letters, map));
+                return known.orthogonal.then_some((letters, *map));
             }
             let row = |letter: usize| solved.iter().position(|index| *index == letter);
             if let [Some(x), Some(y), Some(z)] = letters.map(row) {
-                return orthogonal.then(|| (letters, Matrix3::from_rows(&[map.row(x), map.row(y), map.row(z)])));
+                return known.orthogonal.then(|| (letters, Matrix3::from_rows(&[map.row(x), map.row(y), map.row(z)])));
             }
         }
         let map = differences(|tip| self.program_point(tip, at))?;
@@ -67,28 +69,28 @@ impl Placer {
 
     /// The same with what is known about the derivative.
     #[inline(always)]
-    fn known_map(&self, at: &AxisPosition) -> Option<([usize; 3], AxisMap)> {
+    fn known_map(&self, at: &AxisPosition) -> Option<([usize; 3], Ref<'_, AxisMap>)> {
         let solved = *self.linear.solved.first_chunk()?;
         let bits = |rotary: &Rotary| at.axes[rotary.index].to_bits();
         let axis = |axis: usize| self.rotary.axes.get(axis).map_or(0, bits);
         let angles = [axis(0), axis(1)];
-        match self.last_map.get() {
-            Some(known) if known.angles == angles => Some((solved, known)),
-            _ => self.new_map(at, solved, angles),
+        if self.last_map.borrow().as_ref().is_none_or(|known| known.angles != angles) {
+            self.find_map(at, solved, angles)?;
         }
+        let known = Ref::filter_map(self.last_map.borrow(), Option::as_ref).ok()?;
+        Some((solved, known))
     }
 
     #[inline(never)]
-    fn new_map(&self, at: &AxisPosition, solved: [usize; 3], angles: [u64; 2]) -> Option<([usize; 3], AxisMap)> {
+    fn find_map(&self, at: &AxisPosition, solved: [usize; 3], angles: [u64; 2]) -> Option<()> {
         let values = |tip: &Point3<f64>| {
             let axes = self.machine.linear_axes(tip, &at.axes)?;
             Some(Vector3::from(solved.map(|index| axes[index])))
         };
         let map = differences(values)?;
         let lengths = [0, 1, 2].map(|row| map.row(row).transpose().norm());
-        let found = AxisMap { angles, map, lengths, orthogonal: is_orthogonal(&map) };
-        self.last_map.set(Some(found));
-        Some((solved, found))
+        self.last_map.replace(Some(AxisMap { angles, map, lengths, orthogonal: is_orthogonal(&map) }));
+        Some(())
     }
 
     /// Whether a path of the tip at the rotary angles of `at` certainly keeps the linear axes within the travel that they have
@@ -105,7 +107,8 @@ impl Placer {
         if self.frame.counts_tip() {
             return false;
         }
-        let Some((solved, AxisMap { map, lengths, .. })) = self.known_map(at) else { return false };
+        let Some((solved, known)) = self.known_map(at) else { return false };
+        let AxisMap { map, lengths, .. } = &*known;
         // Nearly always the axes may move on by that distance from their rounded positions.
         let near = |row: usize| {
             let (value, aside) = (at.axes[solved[row]], lengths[row] * reach_mm + self.unit_mm());
@@ -130,7 +133,7 @@ impl Placer {
         let fits = |(index, [low, high]): (usize, [f64; 2])| {
             let furthest = (0.5 * (low + high) + self.datum.linear_shift_mm(index)).abs() + 0.5 * (high - low);
             // The unit is for the rounding of this sum.
-            whole_units(furthest, self.linear.scale.units_per_mm).is_ok_and(|units| units + 1 < self.bounds[index])
+            furthest * self.linear.scale.units_per_mm + 1.0 < self.linear.scale.most_units[index]
         };
         if !solved.into_iter().zip(ranges).all(fits) {
             return false;

@@ -115,6 +115,13 @@ struct Piece {
     drift: [f64; 2],
 }
 
+/// Whether an arc of less than a rad deviates from its chord by less than `least`.
+fn is_straight(angle_rad: f64, radius: f64, least: f64) -> bool {
+    // The cosine of half the angle is at most 1 - 0.97 angle²/8.
+    let is_flat = || radius * (1.0 - math::sin_cos(0.5 * angle_rad).1) < least;
+    angle_rad < 1.0 && radius * (0.97 / 8.0) * angle_rad * angle_rad < least && is_flat()
+}
+
 fn cannot_be_written() -> Fault {
     Fault::new("an arc within tolerance cannot be written")
 }
@@ -202,8 +209,7 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         if setup.output == ArcOutput::Lines {
             return Err(NoArc::Configured);
         }
-        if arc.angle_rad < 1.0 && round.radius() * (1.0 - math::sin_cos(0.5 * arc.angle_rad).1) < 0.5 * placer.unit_mm()
-        {
+        if is_straight(arc.angle_rad, round.radius(), 0.5 * placer.unit_mm()) {
             return Err(NoArc::Straight);
         }
         if self.planner.mover.rotates(end) {
@@ -311,9 +317,8 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         let drifted = unit * math::hypot(drift[0], drift[1]);
         let within =
             |deviation: CircleDeviation| math::hypot(deviation.plane_mm, height(deviation)) + drifted <= tolerance;
-        if !within(fit.deviation)
-            || placer.too_large([fit.centre[0] - start[0], fit.centre[1] - start[1]], [first, second])
-        {
+        let fits = within(fit.largest_deviation) || within(nominal.deviation([start, end], &fit, grid));
+        if !fits || placer.too_large([fit.centre[0] - start[0], fit.centre[1] - start[1]], [first, second]) {
             return None;
         }
         let radius = match self.planner.policy.options.arcs.form {
