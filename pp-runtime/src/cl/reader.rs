@@ -104,8 +104,11 @@ impl<R: Read> ClReader<R> {
     pub(super) fn fill(&mut self, batch: &mut Batch) {
         batch.clear();
         loop {
-            let straights = self.straights(batch.free_places());
-            batch.take_places(straights);
+            // Not in a cycle; and after an arc there is probably another CIRCLE.
+            if self.interpreter.is_straight() && !self.lexer.begins_with(b'C') {
+                let straights = self.straights(batch.free_places());
+                batch.take_places(straights);
+            }
             let Some(place) = batch.free_places().first_mut() else { return };
             let found = self.other(place);
             if self.add_other(found, batch) == More::No {

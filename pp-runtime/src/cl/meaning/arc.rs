@@ -310,7 +310,7 @@ fn normal_and_angle(
         let help = "check the arc in the CAM system, or have it output lines instead of arcs";
         Box::new(ClFault::new("circle", at, text, help))
     };
-    if (start.axis.into_inner() - end.axis.into_inner()).norm() > 1e-6 {
+    if start.axis != end.axis && (start.axis.into_inner() - end.axis.into_inner()).norm() > 1e-6 {
         return Err(fault("the tool axis changes on an arc".into()));
     }
     let normal = match circle.sense {
