@@ -110,7 +110,7 @@ struct Derivatives<'g> {
     rate: TermVector<'g>,
     bend: TermVector<'g>,
     third: Term<'g>,
-    /// Vectors as long as the first two, with shorter formulas: as seen before the last rotation.
+    /// Vectors as long as the first two, with shorter formulas where the last axis is a rotary one: as seen before its rotation.
     as_long: [TermVector<'g>; 2],
 }
 

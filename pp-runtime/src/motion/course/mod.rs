@@ -617,6 +617,7 @@ fn cut(
         let mut split_at = |search: &mut CourseSearch, part: f64| {
             let pose = segment.at(part);
             finder.states(&pose, &near, &mut split);
+            // No other search asks for cuts to this pose.
             let mut tested = TestedCuts::default();
             let mut connected =
                 |a: &RotaryState, b: &RotaryState| finder.connected((&here, a), (&pose, b), false, &mut tested);

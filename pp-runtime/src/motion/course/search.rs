@@ -535,7 +535,7 @@ impl CourseSearch {
     ///
     /// A course begins elsewhere only after a rewind. From another turn of its branch that is as much cheaper or dearer in
     /// every cut as in the first. From the other branch, where that one has fewer rewinds, it may be cheaper in some cut: with
-    /// `compares` a run may begin there too, in which the two are [compared](Self::compare_rewinds) before each cut.
+    /// `compares` a run may begin there too, in which the two are [compared](Self::compare_rewinds).
     pub(crate) fn begin_run(&mut self, compares: bool) -> bool {
         self.with_more_rewinds.clear();
         if self.layer.is_empty() {

@@ -24,6 +24,8 @@ struct RunBranch {
     rotated: f64x2,
     lowest: f64x2,
     highest: f64x2,
+    /// 1 for a second axis with limits, if the branch has a state: a cut must not exceed them between its ends either. Else 0.
+    is_limited: f64x2,
     /// Travel and time of the rotation.
     travel: f64x2,
     time_ns: u64,
@@ -71,11 +73,10 @@ impl SteadyRun {
         scale: AngleScale,
         compares: bool,
     ) -> Self {
-        let begun = solutions.iter().map(|solution| RunBranch::begin(solution, rotaries, scale));
-        let (branches, limited): (Vec<_>, Vec<_>) = begun.unzip();
+        let branches: Vec<_> = solutions.iter().map(|solution| RunBranch::begin(solution, rotaries, scale)).collect();
         let none = Rotary { index: 0, lower: None, upper: None, rest_deg: 0.0 };
         let axes = std::array::from_fn(|axis| rotaries.get(axis).copied().unwrap_or(none));
-        let is_limited = limited.contains(&true);
+        let is_limited = branches.iter().any(|known| known.is_limited != f64x2::ZERO);
         let drift = compares.then_some(Drift { by: f64x2::ZERO, least: f64::NEG_INFINITY });
         Self { branches, axes, scale, of_both: RotaryScale::new(rotaries, scale), is_limited, drift }
     }
@@ -105,7 +106,7 @@ impl SteadyRun {
         if solutions.len() != self.branches.len() {
             return None;
         }
-        let reach = f64x2::from([0.0, reach]);
+        let reach = f64x2::splat(reach);
         let mut rotations = [BranchRotation { words: f64x2::ZERO, by: f64x2::ZERO }; 2];
         for ((known, solution), rotation) in self.branches.iter().zip(solutions).zip(&mut rotations) {
             *rotation = known.rotation(solution, reach, &self.of_both)?;
@@ -179,15 +180,14 @@ impl RunBranch {
         let (words, turn) = (scale.words(&solution.axes)?, scale.units_per_turn());
         // Both are within half a turn of zero.
         let by = within_half_turn(words - self.words, turn);
-        let rotated = self.rotated + by;
+        let (rotated, reach) = (self.rotated + by, reach * self.is_limited);
         let ends = by.abs().simd_ge(f64x2::splat(0.25) * turn)
             | (rotated - reach).simd_lt(self.lowest)
             | (rotated + reach).simd_gt(self.highest);
         (solution.branch == self.branch && !ends.any()).then_some(BranchRotation { words, by })
     }
 
-    /// A branch at the begin of a run; true if its second axis has limits that a cut could exceed between its ends.
-    fn begin(solution: &Solution<RotaryAngles>, rotaries: &[Rotary], scale: AngleScale) -> (Self, bool) {
+    fn begin(solution: &Solution<RotaryAngles>, rotaries: &[Rotary], scale: AngleScale) -> Self {
         let (mut words, mut lowest, mut highest) = (RotaryWords::default(), [f64::NEG_INFINITY; 2], [f64::INFINITY; 2]);
         // A branch without a state gets one only where each axis has a turn inside its limits.
         let mut missing = None;
@@ -204,16 +204,17 @@ impl RunBranch {
                 (lowest[axis], highest[axis]) = (f64::NEG_INFINITY, f64::INFINITY);
             }
         }
-        let begun = Self {
+        let is_limited = missing.is_none() && lowest[1].is_finite();
+        Self {
             branch: solution.branch,
             words: words.map(|word| word as f64).into(),
             rotated: f64x2::ZERO,
             lowest: lowest.into(),
             highest: highest.into(),
+            is_limited: [0.0, f64::from(u8::from(is_limited))].into(),
             travel: f64x2::ZERO,
             time_ns: 0,
-        };
-        (begun, missing.is_none() && lowest[1].is_finite())
+        }
     }
 }
 

@@ -317,7 +317,7 @@ fn a_run_in_which_one_branch_needs_more_rewinds_has_the_course_of_a_search_motio
         random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (random >> 33) as i64 % range
     };
-    let (mut compared, mut rewound, mut rewinds) = (0, 0, 0);
+    let (mut compared, mut left_out, mut rewound, mut rewinds) = (0, 0, 0, 0);
     for run in 0..200 {
         let mut config = Config::default();
         config.motion.course.greedy = run % 5 == 0;
@@ -359,6 +359,9 @@ fn a_run_in_which_one_branch_needs_more_rewinds_has_the_course_of_a_search_motio
                 let search = &navigator.searches[0].search;
                 let is_running = navigator.run.is_some();
                 compared += usize::from(is_running && search.compares_rewinds());
+                left_out += usize::from(
+                    navigator.run.as_ref().is_some_and(|run| search.compares_rewinds() && !run.awaits_comparison()),
+                );
                 rewound += usize::from(is_running && search.has_rewound());
             },
         );
@@ -366,9 +369,20 @@ fn a_run_in_which_one_branch_needs_more_rewinds_has_the_course_of_a_search_motio
         assert_eq!(one, course_in_runs(&config, &points, |_| false, |_| ()), "path {run}");
     }
     assert!(
-        compared > 2000 && rewound > 1000 && rewinds > 20,
-        "{compared} compared, {rewound} rewound, {rewinds} rewinds"
+        compared > 2000 && left_out > 500 && rewound > 1000 && rewinds > 20,
+        "{compared} in runs, {left_out} not compared, {rewound} rewound, {rewinds} rewinds"
     );
+}
+
+#[test]
+fn a_path_beside_a_limit_of_the_other_branch_is_one_run() {
+    let mut config = Config::default();
+    config.set_up.limits.insert('B', limits(-5.0, 110.0));
+    // The other branch would have B at -6: it has no state.
+    let points: Vec<Point> = (0..200).map(|step| path((3.0 * f64::from(step), 6.0), &[])[0]).collect();
+    let mut running = 0;
+    course_in_runs(&config, &points, |_| true, |navigator| running += usize::from(navigator.run.is_some()));
+    assert!(running > 190, "{running}");
 }
 
 #[test]

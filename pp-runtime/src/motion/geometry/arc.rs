@@ -242,8 +242,8 @@ impl<'a> ArcGeometry<'a> {
     }
 }
 
-/// Whether a box certainly holds an arc about an axis parallel to Z, but for the heights of its ends: no point is further from that
-/// axis than one of them.
+/// Whether an arc is about an axis parallel to Z, and a box certainly holds it in X and Y: no point is further from that axis than
+/// one of its ends.
 fn holds_upright(arc: &Arc, [lowest, highest]: [[f64; 3]; 2]) -> bool {
     let [x, y, _] = <[f64; 3]>::from(arc.normal.into_inner());
     let from_axis = |tip: Point3<f64>| math::hypot(tip.x - arc.centre.x, tip.y - arc.centre.y);

@@ -122,8 +122,8 @@ impl RotaryMetric {
         self.is_untimed && !self.endless[0]
     }
 
-    /// Travel by which a course is longer than one that costs no more; infinite if more than travel tells them apart. Below zero
-    /// where an axis has a known speed: there times do.
+    /// Travel by which a course is longer than a cheaper one, or an equal one; infinite if more than travel tells them apart. Negative
+    /// infinity where an axis has a known speed: there times tell them apart, and these are rounded.
     pub(crate) fn longer_by(&self, cheaper: Cost, other: Cost) -> f64 {
         if !self.is_untimed {
             return f64::NEG_INFINITY;

@@ -39,8 +39,8 @@ pub struct MotionIndex {
     pub stretch: u64,
     /// Whether the motion begins an operation.
     pub begins: Begins,
-    /// The motion is at feed, and its tool axis is not the one with which the stretch began, or that of a motion before it in the
-    /// stretch was not.
+    /// The motion is at feed, and its tool axis is not the one with which the stretch began, or that of a feed line before it in
+    /// the stretch was not.
     pub rotates_axis: bool,
 }
 
@@ -79,7 +79,7 @@ pub(crate) struct MotionCounter {
     since: Since,
     /// Tool axis at the begin of the stretch.
     stretch_axis: Option<UnitVector3<f64>>,
-    /// A cut of the stretch has had another one.
+    /// A feed line of the stretch has had another one.
     has_rotated: bool,
     /// The last motion was a hole.
     in_holes: bool,
@@ -186,7 +186,9 @@ impl MotionCounter {
     /// Counts a straight motion.
     #[inline]
     pub(crate) fn line(&mut self, motion: &Move) -> MotionIndex {
-        self.count(&motion.pose, motion.rapid, false)
+        let index = self.count(&motion.pose, motion.rapid, false);
+        self.has_rotated |= index.rotates_axis;
+        index
     }
 
     /// Counts a motion at feed with a constant tool axis.
@@ -218,7 +220,6 @@ impl MotionCounter {
             self.has_rotated = false;
         }
         let rotates_axis = !air && (self.has_rotated || self.stretch_axis.is_some_and(|axis| differs(axis, HELD)));
-        self.has_rotated |= rotates_axis;
         let motion = self.next_motion;
         self.next_motion += 1;
         MotionIndex { motion, operation: self.operation, stretch: self.stretch, begins, rotates_axis }
