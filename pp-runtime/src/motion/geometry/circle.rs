@@ -102,6 +102,13 @@ pub(crate) struct WordGrid {
     pub(crate) radius_tolerance_mm: f64,
 }
 
+impl WordGrid {
+    /// A point in whole units, mm.
+    fn mm(self, units: [i64; 2]) -> [f64; 2] {
+        units.map(|units| units as f64 / self.units_per_mm)
+    }
+}
+
 /// Words of a circle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct CircleFit {
@@ -163,14 +170,8 @@ impl NominalCircle {
     }
 
     /// Deviation of the circle of a fit between two points in whole units.
-    pub(crate) fn deviation(
-        &self,
-        ends: [[i64; 2]; 2],
-        fit: &CircleFit,
-        WordGrid { units_per_mm, .. }: WordGrid,
-    ) -> CircleDeviation {
-        let mm = |units: [i64; 2]| units.map(|units| units as f64 / units_per_mm);
-        self.deviation_of(ends.map(mm), mm(fit.centre), fit.sweep_rad)
+    pub(crate) fn deviation(&self, ends: [[i64; 2]; 2], fit: &CircleFit, grid: WordGrid) -> CircleDeviation {
+        self.deviation_of(ends.map(|end| grid.mm(end)), grid.mm(fit.centre), fit.sweep_rad)
     }
 
     /// Deviation of the circle between two rounded points, `sweep` rad apart about `centre`, mm.
@@ -210,8 +211,7 @@ impl NominalCircle {
 
     /// Words of the circle between two points in whole units; `None` if no words describe it.
     pub(crate) fn fit(&self, start: [i64; 2], end: [i64; 2], grid: WordGrid) -> Option<CircleFit> {
-        let mm = |units: [i64; 2]| units.map(|units| units as f64 / grid.units_per_mm);
-        let (from, to) = (mm(start), mm(end));
+        let (from, to) = (grid.mm(start), grid.mm(end));
         let whole = start == end;
         let mut wanted = self.centre_mm;
         if !whole {
@@ -233,7 +233,7 @@ impl NominalCircle {
         let units_in_mm2 = grid.units_per_mm * grid.units_per_mm;
         // The difference of the distances, mm.
         let unequal = |squares: f64, centre: [i64; 2]| {
-            let centre = mm(centre);
+            let centre = grid.mm(centre);
             squares / units_in_mm2 / (length(minus(from, centre)) + length(minus(to, centre)))
         };
         let (mut centre, mut least_squares) = (nearest, of_nearest.abs());
@@ -252,7 +252,7 @@ impl NominalCircle {
         if least > grid.radius_tolerance_mm || centre == start || centre == end {
             return None;
         }
-        let centre_mm = mm(centre);
+        let centre_mm = grid.mm(centre);
         let (first, last) = (minus(from, centre_mm), minus(to, centre_mm));
         let sweep_rad = if whole { TAU } else { self.angle_to_run(first, last) };
         let largest_deviation = self.largest_deviation(centre_mm, [length(first), length(last)]);
@@ -272,8 +272,7 @@ impl NominalCircle {
         if !(CLEAR_SWEEP[0]..=CLEAR_SWEEP[1]).contains(&small) {
             return None;
         }
-        let mm = |units: [i64; 2]| units.map(|units| units as f64 / grid.units_per_mm);
-        let (from, to, centre) = (mm(start), mm(end), mm(fit.centre));
+        let (from, to, centre) = (grid.mm(start), grid.mm(end), grid.mm(fit.centre));
         let chord = minus(to, from);
         let middle = [0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1])];
         let units = (length(minus(from, centre)) * grid.units_per_mm).round();
