@@ -519,7 +519,8 @@ mod tests {
         ) {
             let (nominal, start, end) = circle(centre, radius, from, sweep);
             let fit = nominal.fit(start, end, GRID);
-            prop_assert!(fit.is_some_and(|fit| fit.largest_deviation.plane_mm < 0.004), "{fit:?}");
+            let deviation = fit.map(|fit| nominal.deviation([start, end], &fit, GRID));
+            prop_assert!(deviation.is_some_and(|deviation| deviation.plane_mm < 0.004), "{deviation:?} {fit:?}");
         }
     }
 }
