@@ -278,7 +278,7 @@ impl NominalCircle {
         let units = (length(minus(from, centre)) * grid.units_per_mm).round();
         let radius = units / grid.units_per_mm;
         let square = radius * radius - 0.25 * dot(chord, chord);
-        // A radius of some units, rounded down, may be less than half the chord: controls refuse such an arc.
+        // A radius of some units, rounded down, may be less than half the chord: such an arc does not reach its end.
         if square < 0.0 {
             return None;
         }
@@ -390,9 +390,9 @@ mod tests {
     fn words_of_long_arcs_deviate_by_less_than_four_units() {
         for turn in 0..5000 {
             let part = |times: f64| (times * f64::from(turn)).fract();
-            let centre = [600.0 * part(0.618) - 300.0, 600.0 * part(0.414) - 300.0];
+            let centre = [600.0 * part(0.618_034) - 300.0, 600.0 * part(0.414_214) - 300.0];
             let (nominal, start, end) =
-                circle(centre, 5.0 + 95.0 * part(0.732), TAU * part(0.236), 0.5 + 4.5 * part(0.303));
+                circle(centre, 5.0 + 95.0 * part(0.732_051), TAU * part(0.236_068), 0.5 + 4.5 * part(0.302_776));
             let deviation = nominal.fit(start, end, GRID).map(|fit| nominal.deviation([start, end], &fit, GRID));
             assert!(deviation.is_some_and(|deviation| deviation.plane_mm < 0.004), "{turn}: {deviation:?}");
         }
