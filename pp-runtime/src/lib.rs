@@ -53,6 +53,9 @@ pub mod post;
 pub mod program;
 #[cfg(feature = "std")]
 pub mod set_up;
+#[cfg(feature = "std")]
+#[doc(hidden)]
+pub mod shortcut;
 #[cfg(feature = "simulate")]
 pub mod simulate;
 #[cfg(feature = "std")]

@@ -16,6 +16,7 @@ use super::text::{
 };
 use crate::diag::{Diagnostic, Severity};
 use crate::program::{Arc, Event, Location, Move, Units};
+use crate::shortcut::Shortcut;
 
 /// CL text that can be read more than once: a file, or bytes in memory.
 pub trait ReadSeek: Read + Seek {}
@@ -200,7 +201,8 @@ impl<R: Read> ClReader<R> {
     /// Whether a record on a line of its own may be read in one pass: it is executed, and no event is queued before it.
     #[inline(always)]
     fn takes_lines(&self) -> bool {
-        self.progress == Progress::Reading
+        Shortcut::LinesOfNumbers.is_on()
+            && self.progress == Progress::Reading
             && !self.interpreter.has_events()
             && !self.matrix.is_open()
             && !self.subprograms.is_open()

@@ -61,7 +61,7 @@ pub use ranges::AxisRanges;
 pub use refusal::{Cone, Invalid, Unreachable};
 pub use solutions::{Branch, RotaryAngles, Solution, Solutions};
 #[cfg(feature = "std")]
-pub(crate) use words::{AngleScale, AxisUnits, CutStart, LinearScale, OutOfLimits, Rotary, RotaryScale};
+pub(crate) use words::{AngleScale, AxisUnits, LinearScale, OutOfLimits, Rotary, RotaryScale};
 
 /// Largest angle of a tool axis outside the reachable set at which it is still posted, rad.
 ///

@@ -3,12 +3,12 @@
 //! Rounding comes first: the rotary words are rounded, then the linear axes are computed for the *rounded* angles. Both happen for
 //! each pose of a program, so they are compiled for each machine, with its number of axes and their places in the chain.
 
-use nalgebra::{Point3, UnitVector3};
+use nalgebra::Point3;
 use wide::f64x2;
 
 use super::any::trimmed;
-use super::math::{LARGEST_SHIFTED, both_integers, near_both, rounded, rounded_below, rounded_both, sqrt};
-use super::{Axis, AxisKind, AxisValues, Branch, MAX_AXES, Machine, RotaryAngles};
+use super::math::{rounded, rounded_below, rounded_both, sqrt};
+use super::{Axis, AxisKind, AxisValues, MAX_AXES, Machine, RotaryAngles};
 
 /// Words in chain order, in whole units: of linear axes as written, of rotary axes those of the axis values.
 pub(crate) type AxisUnits = [i64; MAX_AXES];
@@ -24,91 +24,41 @@ pub struct LinearScale {
     pub most_units: AxisValues,
 }
 
-/// Resolution and range of the words of both rotary axes, side by side; one that a machine does not have never rotates.
+/// Resolution of the words of both rotary axes, side by side; one that a machine does not have never rotates.
 #[derive(Debug, Clone, PartialEq)]
-pub struct RotaryScale {
+pub(crate) struct RotaryScale {
     units_per_degree: f64x2,
     units_per_turn: f64x2,
     /// Axis values at word 0, degrees.
     rest_deg: f64x2,
-    /// Smallest and largest words, inclusive.
-    lowest: f64x2,
-    highest: f64x2,
 }
 
 impl RotaryScale {
     /// The scale of some axes, at most two.
-    pub fn new(rotaries: &[Rotary], scale: AngleScale) -> Self {
-        let largest = LARGEST_SHIFTED - 1.0;
-        let of_each = |number: &dyn Fn(&Rotary) -> Option<f64>, none: f64| {
-            f64x2::from([0, 1].map(|axis| rotaries.get(axis).and_then(number).unwrap_or(none).clamp(-largest, largest)))
-        };
+    pub(crate) fn new(rotaries: &[Rotary], scale: AngleScale) -> Self {
+        let rest_deg = [0, 1].map(|axis| rotaries.get(axis).map_or(0.0, |rotary: &Rotary| rotary.rest_deg));
         Self {
             units_per_degree: f64x2::splat(scale.units_per_degree),
             units_per_turn: f64x2::splat(scale.units_per_turn as f64),
-            rest_deg: of_each(&|rotary| Some(rotary.rest_deg), 0.0),
-            lowest: of_each(&|rotary| rotary.lower.map(|lower| lower as f64), -largest),
-            highest: of_each(&|rotary| rotary.upper.map(|upper| upper as f64), largest),
+            rest_deg: rest_deg.into(),
         }
     }
 
     /// Units in one revolution, of each axis.
     #[inline(always)]
-    pub fn units_per_turn(&self) -> f64x2 {
+    pub(crate) fn units_per_turn(&self) -> f64x2 {
         self.units_per_turn
     }
 
     /// The words nearest to two angles, rad; `None` if one is half way between two words.
     #[inline(always)]
-    pub fn words(&self, angles: &RotaryAngles) -> Option<f64x2> {
+    pub(crate) fn words(&self, angles: &RotaryAngles) -> Option<f64x2> {
         rounded_both((f64x2::from(angles.map(f64::to_degrees)) - self.rest_deg) * self.units_per_degree)
     }
-
-    /// Axis values of two words, rad.
-    #[inline(always)]
-    fn angles(&self, words: f64x2) -> f64x2 {
-        let degrees = words / self.units_per_degree + self.rest_deg;
-        degrees.to_array().map(f64::to_radians).into()
-    }
-
-    /// The words of two angles, rad, in the turns nearest to `before`; `None` where those are outside the limits, or it is not
-    /// certain which they are.
-    #[inline(always)]
-    fn nearest_words(&self, angles: &RotaryAngles, before: f64x2) -> Option<f64x2> {
-        let words = self.words(angles)?;
-        let words = words + near_both((before - words) / self.units_per_turn) * self.units_per_turn;
-        let off = (before - words).abs();
-        let is_near = (off + off).simd_lt(self.units_per_turn);
-        let is_inside = words.simd_ge(self.lowest) & words.simd_le(self.highest);
-        (is_near & is_inside).all().then_some(words)
-    }
-}
-
-/// Rotary words from which a cut begins, and its branch.
-#[derive(Debug, Clone, Copy)]
-pub struct CutStart<'a> {
-    /// Branch of the inverse kinematics.
-    pub branch: Branch,
-    /// Axis values: those of the held axes count.
-    pub axes: &'a AxisValues,
-    /// Words of the axes.
-    pub words: &'a AxisUnits,
 }
 
 /// Words of poses, computed in the loops of one machine.
 pub trait Words {
-    /// Sets the rotary words of a tool axis at the end of a cut, which keeps its branch, in the turns nearest to its start, and the
-    /// axis values of these words. Returns the angle between the tool axis and the one that is reached, rad; `None`, with any
-    /// words, where there is no such solution or these turns are outside the limits.
-    fn set_rotary_words(
-        &self,
-        axis: &UnitVector3<f64>,
-        start: CutStart<'_>,
-        scale: &RotaryScale,
-        axes: &mut AxisValues,
-        words: &mut AxisUnits,
-    ) -> Option<f64>;
-
     /// Sets the linear words of a tip at the rotary axis values of `axes`, and the axis values of these words. `shifts`: written
     /// word minus axis value, mm; of a rotary axis minus its word, in units. Returns the largest displacement of the tip by the
     /// rounding, mm; `None`, with any words, where the axes are degenerate or a written word, also a rotary one, has more digits
@@ -137,30 +87,6 @@ const fn solved(chain: &[Axis], rotary: bool) -> ([usize; MAX_AXES], usize) {
 }
 
 impl<M: Machine> Words for M {
-    #[inline]
-    fn set_rotary_words(
-        &self,
-        axis: &UnitVector3<f64>,
-        start: CutStart<'_>,
-        scale: &RotaryScale,
-        axes: &mut AxisValues,
-        words: &mut AxisUnits,
-    ) -> Option<f64> {
-        let (places, count) = const { solved(M::AXES, true) };
-        let solutions = Machine::rotary_axes(self, axis, &trimmed::<M>(start.axes));
-        let solution = solutions.iter().find(|solution| solution.branch == start.branch)?;
-        let mut before = [0.0; 2];
-        for (word, &index) in before.iter_mut().zip(&places[..count]) {
-            *word = start.words[index] as f64;
-        }
-        let found = scale.nearest_words(&solution.axes, before.into())?;
-        let (angles, units) = (scale.angles(found).to_array(), both_integers(found));
-        for (axis, &index) in places[..count].iter().enumerate() {
-            (axes[index], words[index]) = (angles[axis], units[axis]);
-        }
-        Some(solution.deviation)
-    }
-
     #[inline]
     fn set_linear_words(
         &self,
@@ -373,11 +299,13 @@ fn nearest_of_all(word: i64, previous: i64, turn: i64) -> i64 {
 
 #[cfg(test)]
 mod tests {
+    use nalgebra::UnitVector3;
     use proptest::prelude::*;
 
     use super::*;
-    use crate::kinematics::AnyMachine;
     use crate::kinematics::machines::{Ay, Cb, Head, Mirrored, Xyz};
+    use crate::kinematics::math::LARGEST_SHIFTED;
+    use crate::kinematics::{AnyMachine, Branch};
     use crate::nc::whole_units;
 
     /// Numbers that make limits, half turns and halves of a unit likely.
@@ -386,8 +314,6 @@ mod tests {
         axis: [f64; 3],
         tip: [f64; 3],
         before: [i64; 2],
-        /// Limits from the nearest words.
-        limits: [Option<(i64, i64)>; 2],
         rest_deg: f64,
         shift_mm: f64,
         digits: u32,
@@ -397,22 +323,19 @@ mod tests {
     fn cases() -> impl Strategy<Value = Case> {
         let number = || prop_oneof![-1.0..1.0_f64, (-2_i32..=2).prop_map(|half| f64::from(half) * 0.5)];
         let length = || prop_oneof![-2e3..2e3_f64, (-9999_i32..9999).prop_map(|half| f64::from(half) * 0.0005)];
-        let limits = || prop::option::of((-2_i64..=1, -1_i64..=2));
         (
             prop::array::uniform3(number()).prop_filter("a direction", |axis| axis.iter().any(|part| part.abs() > 0.1)),
             prop::array::uniform3(length()),
             prop::array::uniform2(prop_oneof![-1_800_i64..1_800, -9_000_000_i64..9_000_000]),
-            [limits(), limits()],
             prop_oneof![Just(0.0), -0.05..0.05_f64],
             prop_oneof![Just(0.0), -500.0..500.0_f64],
             4_u32..8,
             any::<bool>(),
         )
-            .prop_map(|(axis, tip, before, limits, rest_deg, shift_mm, digits, second)| Case {
+            .prop_map(|(axis, tip, before, rest_deg, shift_mm, digits, second)| Case {
                 axis,
                 tip,
                 before,
-                limits,
                 rest_deg,
                 shift_mm,
                 digits,
@@ -432,38 +355,18 @@ mod tests {
         let axis = UnitVector3::new_normalize(case.axis.into());
         let solutions = AnyMachine::rotary_axes(&machine, &axis, &held);
         let solution = solutions.iter().find(|solution| solution.branch == branch);
-        let (mut rotaries, mut before) = (Vec::new(), AxisUnits::default());
-        let (mut expected, mut is_certain) = (before, solution.is_some());
+        let (mut rotaries, mut expected) = (Vec::new(), AxisUnits::default());
         for (axis, index) in places(AxisKind::Rotary).into_iter().enumerate() {
             let endless = Rotary { index, lower: None, upper: None, rest_deg: case.rest_deg };
             let angle = solution.map_or(0.0, |solution| solution.axes[axis]);
             let near = nearest_of_all(endless.word(angle, scale), case.before[axis], scale.units_per_turn);
-            let (lower, upper) = case.limits[axis].map(|(lower, upper)| (near + lower, near + upper)).unzip();
-            let rotary = Rotary { lower, upper, ..endless };
-            let units = (angle.to_degrees() - rotary.rest_deg) * scale.units_per_degree;
-            let is_half = (units.fract().abs() - 0.5).abs() <= 0.0;
-            let is_tie = 2 * (case.before[axis] - near).abs() == scale.units_per_turn;
-            is_certain &= !is_half && !is_tie && rotary.contains(near);
-            (before[index], expected[index]) = (case.before[axis], near);
-            rotaries.push(rotary);
+            expected[index] = near;
+            rotaries.push(endless);
         }
-        let start = CutStart { branch, axes: &held, words: &before };
-        let (mut axes, mut words) = (held, AxisUnits::default());
-        let of_both = RotaryScale::new(&rotaries, scale);
-        let found = machine.set_rotary_words(&axis, start, &of_both, &mut axes, &mut words);
-        prop_assert_eq!(found.is_some(), is_certain, "{:?}", case);
         let mut at = held;
         for rotary in &rotaries {
             at[rotary.index] = rotary.angle(expected[rotary.index], scale);
         }
-        if found.is_some() {
-            prop_assert_eq!(found, solution.map(|solution| solution.deviation));
-            for rotary in &rotaries {
-                prop_assert_eq!(words[rotary.index], expected[rotary.index]);
-                prop_assert_eq!(axes[rotary.index].to_bits(), at[rotary.index].to_bits());
-            }
-        }
-
         let (tip, most) = (Point3::from(case.tip), 10_i64.pow(case.digits));
         let mut linear =
             LinearScale { units_per_mm, orthogonal: case.second, most_units: [most as f64 - 0.5; MAX_AXES] };

@@ -19,6 +19,7 @@ use super::rapid::{RapidPart, RapidRules, is_on_line, rollover_travel};
 use super::{Comparison, Current, Findings, Previous, retract};
 use crate::kinematics::math::smaller;
 use crate::program::{Drilling, Feed, Location};
+use crate::shortcut::Shortcut;
 
 /// Largest number of motions ahead without a block that are looked through for the one that a block begins.
 const MOST_NEEDLESS: usize = 16;
@@ -409,6 +410,9 @@ impl Comparison<'_> {
         (ends, on): ([&ToolPose; 2], &ToolPose),
         part: &Part,
     ) -> Option<DeviationBound> {
+        if !Shortcut::DeviationBounds.is_on() {
+            return None;
+        }
         let (tip_mm, axis_rad) = self.largest_between(part);
         let tip_mm = smaller(tip_mm, self.tally.largest_path_deviation());
         let bound = match &part.segment.shape {
@@ -463,7 +467,9 @@ impl Comparison<'_> {
             BetweenEnds::Measured(deviation) => [deviation.tip_rate_mm; 2],
             BetweenEnds::Within(bound) => [0.0, bound.tip_rate_mm],
         };
-        if !rules.is_feed_plainly_right(&stroke, &block.state, rates_mm, &part.required) {
+        if !Shortcut::FeedBounds.is_on()
+            || !rules.is_feed_plainly_right(&stroke, &block.state, rates_mm, &part.required)
+        {
             self.compare_feed_closely(current, part, (ends, along), stroke, between);
         }
     }

@@ -40,6 +40,7 @@ use super::travel::{Findings, Travel};
 use crate::cl::ClEvents;
 use crate::kinematics::AnyMachine;
 use crate::program::{Location, Units};
+use crate::shortcut::Shortcut;
 use clear::KeepOut;
 use functions::FunctionState;
 use phase::{Phase, Task};
@@ -168,7 +169,8 @@ impl<'a> Checker<'a> {
         let Self { comparison, phase, .. } = self;
         comparison.progress.fill(2)?;
         let compared = std::mem::take(&mut comparison.compared);
-        let same_modes = compared && block.only_moves && block.skippable == comparison.skippable;
+        let same_modes =
+            Shortcut::SameModes.is_on() && compared && block.only_moves && block.skippable == comparison.skippable;
         let shown = Shown { line: block.line, text };
         let current = Current { block, shown, at: comparison.progress.location(), same_modes };
         comparison.stop_at_fault(&current);

@@ -7,6 +7,7 @@
 use super::fault::Span;
 use super::lexer::ShortNumbers;
 use super::number::{DigitPlaces, NumberShape, SHORT_NUMBER, two_numbers};
+use crate::shortcut::Shortcut;
 use wide::u8x16;
 
 /// Longest line with a shape, with its end.
@@ -99,6 +100,9 @@ impl<const N: usize> LineShape<N> {
     /// The first `USED` numbers of the line at the start of `text`, if it has this shape, and the number of its bytes with its end.
     #[inline(always)]
     pub(super) fn read<const USED: usize>(&self, text: &[u8; LINE_AND_NUMBER]) -> Option<(ShortNumbers<USED>, usize)> {
+        if !Shortcut::LineShapes.is_on() {
+            return None;
+        }
         let mut beyond = u8x16::ZERO;
         for (text, piece) in text.as_chunks().0.iter().zip(&self.pieces[..self.length.div_ceil(16)]) {
             beyond |= (u8x16::from(*text) ^ piece.bytes).saturating_sub(piece.largest);

@@ -176,9 +176,6 @@ impl<'a> Encoder<'a> {
         if !matches!(step, Step::Cycle { .. }) {
             self.holes.end_cycle(out)?;
         }
-        if !matches!(step, Step::Feed { .. }) {
-            out.end_cuts();
-        }
         match *step {
             Step::Feed { ref words, feed } => out.feed(words, feed),
             Step::Cycle { cycle } => self.holes.cycle(cycle, out),

@@ -174,26 +174,7 @@ impl ModalState {
     /// Enters the words of these axes.
     #[inline]
     pub(crate) fn set_axes(&mut self, words: &AxisWords, axes: u16) {
-        // Nearly always these words are of all axes that are known, and those that do not change are in force.
-        if axes | self.known_axes == words.mask {
-            (self.axes, self.known_axes) = (words.units, words.mask);
-        } else {
-            (0..MAX_AXES)
-                .filter(|axis| axes & (1 << axis) != 0)
-                .for_each(|axis| self.set_axis(axis, words.units[axis]));
-        }
-    }
-
-    /// Whether each of these axes has a word in force.
-    #[inline]
-    pub(crate) fn knows(&self, axes: u16) -> bool {
-        axes & !self.known_axes == 0
-    }
-
-    /// Whether a word differs from that of an axis that has one in force.
-    #[inline]
-    pub(crate) fn differs(&self, axis: usize, units: i64) -> bool {
-        self.axes[axis] != units
+        (0..MAX_AXES).filter(|axis| axes & (1 << axis) != 0).for_each(|axis| self.set_axis(axis, words.units[axis]));
     }
 
     /// Whether a tool axis vector differs from the one in force.

@@ -21,7 +21,7 @@ use wide::f64x2;
 #[cfg(feature = "std")]
 pub use whole::rounded;
 #[cfg(feature = "std")]
-pub(crate) use whole::{LARGEST_SHIFTED, both_integers, near_both, rounded_below, rounded_both};
+pub(crate) use whole::{LARGEST_SHIFTED, rounded_below, rounded_both};
 
 /// Square root.
 #[must_use]

@@ -24,22 +24,10 @@ pub fn rounded(value: f64) -> i64 {
 /// The nearest whole number to each of two; `None` if one of them is a half or [`LARGEST_SHIFTED`] at least.
 #[inline(always)]
 pub(crate) fn rounded_both(values: f64x2) -> Option<f64x2> {
-    let whole = near_both(values);
+    let whole = (values + f64x2::splat(SHIFT)) - f64x2::splat(SHIFT);
     let is_near = (values - whole).abs().simd_lt(f64x2::splat(0.5));
     let is_small = values.abs().simd_lt(f64x2::splat(LARGEST_SHIFTED));
     (is_near & is_small).all().then_some(whole)
-}
-
-/// A nearest whole number to each of two below [`LARGEST_SHIFTED`].
-#[inline(always)]
-pub(crate) fn near_both(values: f64x2) -> f64x2 {
-    (values + f64x2::splat(SHIFT)) - f64x2::splat(SHIFT)
-}
-
-/// Two whole numbers below [`LARGEST_SHIFTED`] as integers.
-#[inline(always)]
-pub(crate) fn both_integers(whole: f64x2) -> [i64; 2] {
-    (whole + f64x2::splat(SHIFT)).to_array().map(integer)
 }
 
 /// The integer whose sum with [`SHIFT`] this is.
@@ -88,11 +76,6 @@ mod tests {
                 let below = rounded_below(value, LARGEST_SHIFTED);
                 prop_assert_eq!(below, (value.abs() < LARGEST_SHIFTED).then(|| rounded(value)), "{}", value);
             }
-        }
-
-        #[test]
-        fn whole_numbers_are_the_same_integers(two in prop::array::uniform2(-(1_i64 << 51) + 1..1 << 51)) {
-            prop_assert_eq!(both_integers(two.map(|whole| whole as f64).into()), two);
         }
     }
 }

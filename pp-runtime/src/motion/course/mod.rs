@@ -37,6 +37,7 @@ use crate::motion::geometry::PathSegment;
 use crate::motion::place::{Placer, UsableModes};
 use crate::motion::rotary::{Cost, RotaryWords, RotationSense};
 use crate::motion::source::{Begins, ItemAction, MotionIndex, ProgramItem, Stage};
+use crate::shortcut::Shortcut;
 
 use packed::PackedChanges;
 use search::{CourseSearch, RotaryState};
@@ -400,7 +401,9 @@ impl Navigator {
 
     /// Takes the first cut of a run, where one can begin; false if none does.
     fn begins_run(&mut self, pose: &Pose) -> bool {
-        let (Some(start), Some(from)) = (self.run_start.take(), self.here) else { return false };
+        let (Some(start), Some(from), true) = (self.run_start.take(), self.here, Shortcut::SteadyRuns.is_on()) else {
+            return false;
+        };
         let chord = chord(&from, pose);
         if !self.finder.passes_far_from_poles(chord, &pose.axis) {
             return false;

@@ -9,6 +9,7 @@ use crate::kinematics::{Branch, Rotary};
 use crate::motion::course::packed::PackedChanges;
 use crate::motion::course::{CourseAction, CourseChange};
 use crate::motion::rotary::{Cost, RotaryMetric, RotaryWords, RotationSense};
+use crate::shortcut::Shortcut;
 
 /// Number of changes above which chains are compacted for the first time; then at twice the number that was left.
 const COMPACT_ABOVE: usize = 4096;
@@ -502,7 +503,7 @@ impl CourseSearch {
     ///
     /// The result is that of [`cut`](Self::cut): where the branches are merged, all states are of the first one.
     pub(crate) fn follow(&mut self, motion: u64, states: &[RotaryState]) -> bool {
-        if !self.rotates_plainly(states) {
+        if !Shortcut::StatesFollowed.is_on() || !self.rotates_plainly(states) {
             return false;
         }
         if self.greedy && self.survivors.len() == 1 {

@@ -7,9 +7,7 @@ use nalgebra::UnitVector3;
 use super::chain::{coordinates, held_tool_axis, orthogonal, poles, xyz_only};
 use super::datum::Datum;
 use crate::kinematics::math::LARGEST_SHIFTED;
-use crate::kinematics::{
-    AngleScale, AnyMachine, Axis, AxisKind, AxisUnits, LinearScale, REACH_TOLERANCE, Rotary, RotaryScale,
-};
+use crate::kinematics::{AngleScale, AnyMachine, Axis, AxisKind, AxisUnits, LinearScale, REACH_TOLERANCE, Rotary};
 use crate::motion::options::Policy;
 use crate::motion::rotary::RotaryMetric;
 use crate::nc::{Overflow, whole_units};
@@ -39,8 +37,6 @@ pub(crate) struct RotaryAxes {
     /// Indexed axes, and their steps in whole units.
     pub(crate) grid: Vec<(Rotary, i64)>,
     pub(crate) scale: AngleScale,
-    /// The same with the limits.
-    pub(crate) of_both: RotaryScale,
     /// Largest rotation of the tool axis by the rounding of the words at both ends of a block.
     pub(crate) rounding_rad: f64,
     pub(crate) metric: RotaryMetric,
@@ -136,7 +132,6 @@ impl RotaryAxes {
             grid: grid(chain, policy, &axes, scale),
             metric: RotaryMetric::new(&axes, [0, 1].map(speed), scale),
             scale,
-            of_both: RotaryScale::new(&axes, scale),
             rounding_rad: scale.angle(1) * axes.len() as f64,
             axes,
         }

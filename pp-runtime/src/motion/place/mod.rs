@@ -484,28 +484,15 @@ impl Placer {
         planned: Option<RotaryTarget>,
     ) -> Result<AxisPosition, Fault> {
         let mut place = *from;
-        self.place_at(pose, from, feed, planned, &mut place)?;
-        Ok(place)
-    }
-
-    /// The same, set in `to`, a position of this placer whose held axes are at their values.
-    #[inline(always)]
-    pub(crate) fn place_at(
-        &mut self,
-        pose: &Pose,
-        from: &AxisPosition,
-        feed: bool,
-        planned: Option<RotaryTarget>,
-        to: &mut AxisPosition,
-    ) -> Result<(), Fault> {
         match planned {
-            Some(target) => *to = self.follow_course(pose, from, &target)?,
-            None => self.set_rotaries_for(pose, from, feed, to)?,
+            Some(target) => place = self.follow_course(pose, from, &target)?,
+            None => self.set_rotaries_for(pose, from, feed, &mut place)?,
         }
         if self.has_indexed_axes() {
-            self.snap_to_index(to, from, feed)?;
+            self.snap_to_index(&mut place, from, feed)?;
         }
-        self.solve_linear_in_travel(to)
+        self.solve_linear_in_travel(&mut place)?;
+        Ok(place)
     }
 
     /// Position of another tip at the rotary angles of `at`.

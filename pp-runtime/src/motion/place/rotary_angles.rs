@@ -3,8 +3,7 @@
 use nalgebra::UnitVector3;
 
 use crate::kinematics::{
-    AxisValues, Branch, CutStart, OutOfLimits, Pose, REACH_TOLERANCE, Rotary, RotaryAngles, Side, Solution, Solutions,
-    math,
+    AxisValues, Branch, OutOfLimits, Pose, REACH_TOLERANCE, Rotary, RotaryAngles, Side, Solution, Solutions, math,
 };
 use crate::program::{RotaryDirection, Rotation};
 
@@ -223,24 +222,7 @@ impl Placer {
             *to = self.rotaries_at_pole(pose, pole, from)?;
             return Ok(());
         }
-        // Nearly always a feed motion that keeps its branch.
-        if feed && !from.at_pole && self.follow_branch(pose, from, to) {
-            return Ok(());
-        }
         self.choose_branch(pose, from, feed, to)
-    }
-
-    /// Sets the rotary angles of a pose on the branch of the present ones, in the nearest turns. Returns false where there are none
-    /// inside the limits.
-    #[inline(always)]
-    fn follow_branch(&self, pose: &Pose, from: &AxisPosition, to: &mut AxisPosition) -> bool {
-        let start = CutStart { branch: from.branch, axes: &from.axes, words: &from.words };
-        let followed =
-            self.machine.set_rotary_words(&pose.axis, start, &self.rotary.of_both, &mut to.axes, &mut to.words);
-        let Some(deviation_rad) = followed else { return false };
-        to.pose = *pose;
-        (to.branch, to.deviation_rad, to.at_pole, to.rounding_mm) = (from.branch, deviation_rad, false, 0.0);
-        true
     }
 
     /// Chooses branch and turns of a pose from the present ones.

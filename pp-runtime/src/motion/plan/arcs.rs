@@ -159,8 +159,7 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         self.planner.reach_stretch(&motion, index)?;
         let planned = self.planner.apply_course_changes(&motion, index)?;
         self.planner.restart_after_thread()?;
-        let mut end = self.planner.mover.position_mut().take_spare();
-        self.planner.mover.place_at(&arc.end, true, planned, &mut end)?;
+        let end = self.planner.mover.place(&arc.end, true, planned)?;
         match self.trace(&end)? {
             Ok(()) => self.statistics().arcs += 1,
             Err(why) => {
@@ -174,7 +173,7 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         }
         position.note_cut(&arc.end);
         position.forget_lead_out();
-        self.planner.mover.arrive_at(end);
+        self.planner.mover.arrive(&end);
         Ok(())
     }
 

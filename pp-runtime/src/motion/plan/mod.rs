@@ -89,8 +89,6 @@ pub struct Planner<'a, S> {
     feed_cap: Option<FeedCap>,
     /// An operation has begun, and not ended.
     in_operation: bool,
-    /// The last item was a cut, in this stretch: nothing that a further one needs can have changed.
-    cutting: Option<u64>,
 }
 
 /// A motion, and the next one where the approach depends on it.
@@ -136,7 +134,6 @@ impl<'a, S: Sink> Planner<'a, S> {
             usable: UsableModes::default(),
             feed_cap: None,
             in_operation: false,
-            cutting: None,
         }
     }
 
@@ -262,11 +259,7 @@ impl<'a, S: Sink> Planner<'a, S> {
     /// A straight motion of the CL data.
     fn line(&mut self, ahead: MotionAndNext<'_>, index: MotionIndex) -> Planned {
         match index.begins {
-            Begins::Nothing if self.cutter.is_idle() => {
-                self.run(ahead, index)?;
-                self.cutting = (!ahead.motion.rapid).then_some(index.stretch);
-                Ok(())
-            }
+            Begins::Nothing if self.cutter.is_idle() => self.run(ahead, index),
             Begins::Nothing => cutter::line(self, ahead, index),
             Begins::Linked | Begins::Operation => self.begin(ahead, index),
         }
@@ -374,25 +367,13 @@ impl<'a, S: Sink> Planner<'a, S> {
         self.go(ahead, planned)
     }
 
-    /// A cut after another one in the same stretch.
-    #[inline(always)]
-    fn cut_on(&mut self, motion: &Move, index: MotionIndex) -> Planned {
-        self.check_floor(motion)?;
-        let planned = self.apply_course_changes(motion, index)?;
-        self.cut(motion, planned)?;
-        self.cutting = Some(index.stretch);
-        Ok(())
-    }
-
     /// A cut, after the changes of its course.
-    #[inline(always)]
     fn cut(&mut self, motion: &Move, planned: Option<RotaryTarget>) -> Planned {
-        let mut place = self.mover.position_mut().take_spare();
-        self.mover.place_at(&motion.pose, true, planned, &mut place)?;
+        let place = self.mover.place(&motion.pose, true, planned)?;
         let rate = self.rate(motion.feed)?;
         self.mover.position_mut().cut_to(&motion.pose);
         self.mover.feed_to(&place, rate)?;
-        self.mover.arrive_at(place);
+        self.mover.arrive(&place);
         Ok(())
     }
 
@@ -527,18 +508,8 @@ impl<S: Sink> Stage for Planner<'_, S> {
         if self.selection.is_over() {
             return Ok(());
         }
-        let (at, cutting) = (item.at, self.cutting.take());
+        let at = item.at;
         let planned = match item.action {
-            ItemAction::Line { motion, index, part: LinePart::Whole, .. }
-                if cutting == Some(index.stretch)
-                    && index.begins == Begins::Nothing
-                    && !motion.rapid
-                    && motion.feed.is_some() =>
-            {
-                self.mover.output_mut().serve(at, BlockReason::Record);
-                self.mover.begin_motion(true);
-                self.cut_on(motion, index)
-            }
             ItemAction::Line { motion, index, ref next, part } => {
                 let why = if part == LinePart::Whole { BlockReason::Record } else { BlockReason::Curve };
                 self.mover.output_mut().serve(at, why);

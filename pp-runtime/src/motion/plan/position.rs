@@ -15,11 +15,8 @@ const PLUNGE: f64 = 0.001;
 /// Position of the machine.
 #[derive(Debug, Clone)]
 pub(crate) struct Position {
-    /// Last known place of the axes; before the first motion, the one from which rotary axes count. In a box, so that the place
-    /// that a cut has reached takes its place without a copy.
-    place: Box<AxisPosition>,
-    /// A place that is used again: its held axes are at their values.
-    spare: Option<Box<AxisPosition>>,
+    /// Last known place of the axes; before the first motion, the one from which rotary axes count.
+    place: AxisPosition,
     /// Something has moved: `place` is more than a reference.
     moved: bool,
     /// The tool is at `place`.
@@ -45,8 +42,7 @@ impl Position {
     /// Nothing has moved; the rotary axes count from here.
     pub(crate) fn new(reference: AxisPosition) -> Self {
         Self {
-            place: Box::new(reference),
-            spare: None,
+            place: reference,
             moved: false,
             known: false,
             rotary_known: false,
@@ -112,31 +108,13 @@ impl Position {
         if !self.moved
             && let Some(place) = reference(&self.place)
         {
-            *self.place = place;
+            self.place = place;
         }
-    }
-
-    /// A place to be set, whose held axes are at their values.
-    #[inline]
-    pub(crate) fn take_spare(&mut self) -> Box<AxisPosition> {
-        self.spare.take().unwrap_or_else(|| self.place.clone())
-    }
-
-    /// A motion of the CL data has ended at a place that was [spare](Self::take_spare).
-    #[inline]
-    pub(crate) fn arrive_at(&mut self, place: Box<AxisPosition>) {
-        self.spare = Some(std::mem::replace(&mut self.place, place));
-        self.has_arrived();
     }
 
     /// A motion of the CL data has ended here.
     pub(crate) fn arrive(&mut self, place: &AxisPosition) {
-        *self.place = *place;
-        self.has_arrived();
-    }
-
-    #[inline(always)]
-    fn has_arrived(&mut self) {
+        self.place = *place;
         self.moved = true;
         self.known = true;
         self.rotary_known = true;
@@ -147,12 +125,12 @@ impl Position {
     /// A block within a motion, or between two motions, has ended here.
     #[inline]
     pub(crate) fn go_to(&mut self, place: &AxisPosition) {
-        *self.place = *place;
+        self.place = *place;
     }
 
     /// The rotary axes are parked here; the next rotation begins here.
     pub(crate) fn park(&mut self, place: AxisPosition) {
-        *self.place = place;
+        self.place = place;
         self.moved = true;
     }
 

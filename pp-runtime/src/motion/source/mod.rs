@@ -142,26 +142,11 @@ impl Source {
     ///
     /// # Errors
     /// Those of the stage, and a curve that cannot be cut into chords.
-    #[inline]
     pub fn event<S: Stage>(&mut self, at: Location, event: &Event<'_>, to: &mut S) -> Result<(), S::Stop> {
-        let plain = self.setting.is_plain();
-        let taken = if plain { cut((&mut self.operations, &mut self.lookahead), (at, event), to) } else { None };
-        match taken {
-            Some(done) => done,
-            None => self.expand(at, event, to),
-        }
-    }
-
-    /// The same for any event.
-    #[inline(never)]
-    fn expand<S: Stage>(&mut self, at: Location, event: &Event<'_>, to: &mut S) -> Result<(), S::Stop> {
         let Self { setting, operations, settings, curves, lookahead } = self;
         let set = setting.event(event);
         let event = set.as_ref().unwrap_or(event);
-        match cut((operations, lookahead), (at, event), to) {
-            Some(done) => done,
-            None => Expansion { at, operations, settings, curves, lookahead }.event(event, to),
-        }
+        Expansion { at, operations, settings, curves, lookahead }.event(event, to)
     }
 
     /// Whether the first motion of an operation is held back until the next motion.
@@ -184,18 +169,6 @@ impl Source {
     }
 }
 
-/// Hands on a feed motion inside an operation; `None`, and nothing done, for any other event.
-#[inline(always)]
-fn cut<S: Stage>(
-    (operations, lookahead): (&mut MotionCounter, &mut Lookahead),
-    (at, event): (Location, &Event<'_>),
-    to: &mut S,
-) -> Option<Result<(), S::Stop>> {
-    let Event::Move(motion) = event else { return None };
-    let index = operations.cut(motion)?;
-    Some(lookahead.line(at, motion, index, LinePart::Whole, to))
-}
-
 /// Converts one event: through curves and operations to the look-ahead.
 struct Expansion<'s> {
     at: Location,
@@ -207,7 +180,6 @@ struct Expansion<'s> {
 
 impl Expansion<'_> {
     /// Decides what an event means to the passes over a program; no other function does.
-    #[cold]
     fn event<S: Stage>(&mut self, event: &Event<'_>, to: &mut S) -> Result<(), S::Stop> {
         match event {
             Event::Move(motion) => {

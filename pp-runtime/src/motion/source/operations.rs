@@ -177,12 +177,6 @@ impl MotionCounter {
         !std::mem::replace(&mut self.passed_over, true)
     }
 
-    /// Counts a feed motion inside an operation; `None`, and nothing counted, for any other motion.
-    #[inline]
-    pub(crate) fn cut(&mut self, motion: &Move) -> Option<MotionIndex> {
-        (self.begins == Begins::Nothing && !motion.rapid).then(|| self.line(motion))
-    }
-
     /// Counts a straight motion.
     #[inline]
     pub(crate) fn line(&mut self, motion: &Move) -> MotionIndex {

@@ -43,12 +43,6 @@ impl Setting {
         }
     }
 
-    /// Whether the CL data stays as it is.
-    #[inline]
-    pub(crate) fn is_plain(&self) -> bool {
-        self.plain
-    }
-
     /// Returns an event rotated and lifted; `None` if nothing changes.
     #[inline(always)]
     pub(crate) fn event<'s>(&'s mut self, event: &Event<'s>) -> Option<Event<'s>> {

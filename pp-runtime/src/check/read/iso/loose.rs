@@ -16,14 +16,11 @@
 //! | R | G2, G3 | radius of an arc |
 
 use super::super::block::{PathMode, Smoothing, WorkOffset};
-use super::super::draft::{Code, LengthCode, TiltCode, group};
+use super::super::draft::{Code, LengthCode, TiltCode};
 use super::super::frames;
 use super::super::language::{Letters, PathCode, Plane, Smoother, letters};
 use super::super::text::{Number, whole};
 use super::{ALWAYS, Reading};
-
-/// Words that move, or change F and S.
-const MOVING: Letters = letters("NXYZABCUVWFS");
 
 /// Words of a block that wait for its end.
 #[derive(Debug, Clone, Copy, Default)]
@@ -39,10 +36,6 @@ pub(super) struct Loose {
 impl Reading<'_, '_> {
     /// Gives the loose words to what they belong to.
     pub(super) fn conclude(&mut self) {
-        if self.only_moves() {
-            self.line.draft.only_moves = true;
-            return self.line.feed_and_speed();
-        }
         self.modal();
         self.line.account(ALWAYS, self.iso.modal | if self.iso.vectors { letters("IJK") } else { 0 });
         self.line.contradictions();
@@ -69,17 +62,6 @@ impl Reading<'_, '_> {
         self.cycle_words();
         self.arc_words();
         self.tool_words();
-    }
-
-    /// Whether the block has axis words without a code, those of an arc included, and nothing is in force that gives words another
-    /// meaning: most blocks of a program.
-    fn only_moves(&self) -> bool {
-        let draft = &*self.line.draft;
-        draft.groups == 1 << group::FREE
-            && draft.written != 0
-            && self.iso.cycle.is_off()
-            && draft.letters & !(MOVING | self.iso.centre_letters()) == 0
-            && !self.iso.rigid
     }
 
     /// What the motion code of the block takes stays in force with it.

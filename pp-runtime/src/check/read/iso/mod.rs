@@ -24,6 +24,7 @@ use super::line::Line;
 use super::machine::Interpreter;
 use super::text::{Number, shown, whole};
 use crate::program::Units;
+use crate::shortcut::Shortcut;
 
 /// Least increment of mm and degrees, and of inches.
 const LEAST: f64 = 1e-3;
@@ -122,7 +123,7 @@ impl Iso {
     /// Reads a line that only moves axes, and may drill the hole of the line before again; `false` if it is another, or may mean
     /// something else. Then nothing has been read.
     pub(super) fn moves(&mut self, text: &[u8], draft: &mut Draft) -> bool {
-        if self.rigid || self.thread_due || self.guards.is_open() {
+        if !Shortcut::LinesOfWords.is_on() || self.rigid || self.thread_due || self.guards.is_open() {
             return false;
         }
         let permitted = match &self.repeated_hole {

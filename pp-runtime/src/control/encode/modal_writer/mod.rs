@@ -71,8 +71,6 @@ pub(crate) struct ModalWriter<'a> {
     own_retract: Vec<String>,
     /// Side of cutter compensation from the next feed block on, true for left; `None`: off.
     side: Option<bool>,
-    /// The last step was a cut, in inverse time or not, and a further one needs no code of its own.
-    cutting: Option<bool>,
     modal: ModalState,
     values: Values,
 }
@@ -168,7 +166,6 @@ impl<'a> ModalWriter<'a> {
             retract: layout.options.retract_form(codes),
             own_retract: layout.options.own_retract().cloned().unwrap_or_default(),
             side: None,
-            cutting: None,
             modal: ModalState::default(),
             values: values(control, layout, numerals),
         }

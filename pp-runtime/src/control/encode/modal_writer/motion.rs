@@ -6,29 +6,12 @@ use std::io;
 use crate::control::dialects::LengthCall;
 use crate::motion::{AxisWords, FeedWord};
 
-use super::{Address, ModalWriter};
+use super::ModalWriter;
 use crate::control::encode::modal_state::LengthState;
 
 impl ModalWriter<'_> {
     /// Writes a straight motion at feed, unless no axis word changes.
     pub(crate) fn feed(&mut self, words: &AxisWords, feed: FeedWord) -> io::Result<()> {
-        let in_inverse_time = matches!(feed, FeedWord::InverseTime(_));
-        if self.cutting != Some(in_inverse_time) || words.vector.is_some() || !self.modal.knows(words.mask) {
-            return self.first_feed(words, feed);
-        }
-        let Self { axes, modal, writer, .. } = self;
-        let differs =
-            |axis: &&Address| words.mask & axis.bit != 0 && modal.differs(axis.index, words.units[axis.index]);
-        let changed = axes.iter().filter(differs);
-        if !writer.words(changed.map(|axis| (&axis.word, words.units[axis.index]))) {
-            return Ok(());
-        }
-        modal.set_axes(words, words.mask);
-        self.feed_of(feed)
-    }
-
-    /// The same, with the codes that a cut needs.
-    fn first_feed(&mut self, words: &AxisWords, feed: FeedWord) -> io::Result<()> {
         let changed = self.modal.changed_axes(words);
         if !self.changes_with(words, changed) {
             return Ok(());
@@ -47,21 +30,6 @@ impl ModalWriter<'_> {
         self.compensation_before_words();
         self.words_of(words, if pending { self.modal.changed_axes(words) } else { changed });
         self.compensation_after_words(along.is_some());
-        let is_plain = words.vector.is_none() && !self.has_pending_length();
-        let all_in_force = is_plain && self.codes.motion_modal && !self.every_word;
-        self.cutting = all_in_force.then_some(matches!(feed, FeedWord::InverseTime(_)));
-        self.feed_of(feed)
-    }
-
-    /// A step comes that is no cut: it may change any state.
-    #[inline]
-    pub(crate) fn end_cuts(&mut self) {
-        self.cutting = None;
-    }
-
-    /// Writes F, and ends the block.
-    #[inline(always)]
-    fn feed_of(&mut self, feed: FeedWord) -> io::Result<()> {
         match feed {
             FeedWord::PerMinute(value) => self.changed_feed(value),
             FeedWord::InverseTime(value) => {

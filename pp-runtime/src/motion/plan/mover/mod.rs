@@ -28,6 +28,7 @@ use crate::motion::rotary::{Rollover, RotaryTarget, RotaryWords};
 use crate::motion::source::HELD;
 use crate::motion::step::{AxisWords, MAX_AXES, Sink, Step};
 use crate::motion::step::{BlockReason, ReachedPosition};
+use crate::shortcut::Shortcut;
 
 /// Moves the machine.
 pub(crate) struct Mover<'a, S> {
@@ -204,36 +205,22 @@ impl<'a, S: Sink> Mover<'a, S> {
         self.position.count_from(|from| placer.reference(pose, from));
     }
 
-    /// The place of a pose, reached from the present place: see [`Placer::place`].
+    /// The place of a pose, reached from the present place: see [`Placer::place`]. In a plane the rotary axes stay where the
+    /// tool axis is that of the plane but for the digits of CL data.
     pub(crate) fn place(
         &mut self,
         pose: &Pose,
         feed: bool,
         planned: Option<RotaryTarget>,
     ) -> Result<AxisPosition, Fault> {
-        let mut place = *self.here();
-        self.place_at(pose, feed, planned, &mut place)?;
-        Ok(place)
-    }
-
-    /// The same, set in `to`, whose held axes are at their values. In a plane the rotary axes stay where the tool axis is that of the
-    /// plane but for the digits of CL data.
-    #[inline]
-    pub(crate) fn place_at(
-        &mut self,
-        pose: &Pose,
-        feed: bool,
-        planned: Option<RotaryTarget>,
-        to: &mut AxisPosition,
-    ) -> Result<(), Fault> {
+        let here = self.position.place();
         if self.placer.mode() == StretchMode::Plane && planned.is_none() && self.position.is_known() {
-            let here = self.position.place();
-            if (here.pose.axis.into_inner() - pose.axis.into_inner()).norm_squared() <= HELD * HELD {
-                *to = *here;
-                return self.placer.shift(to, pose.tip);
+            let distance = here.pose.axis.into_inner() - pose.axis.into_inner();
+            if distance.norm_squared() <= HELD * HELD {
+                return self.placer.shifted(pose.tip, here);
             }
         }
-        self.placer.place_at(pose, self.position.place(), feed, planned, to)
+        self.placer.place(pose, here, feed, planned)
     }
 
     /// Compares a place with the travel of the linear axes.
@@ -363,9 +350,9 @@ impl<'a, S: Sink> Mover<'a, S> {
         block: BlockMotion,
         tolerance: PathTolerance,
     ) -> Planned {
-        // Nearly every motion: nothing is copied.
         let seen = self.output.statistics().largest_deviation(tolerance);
-        let whole = Linearised::in_one_block(&self.placer, (self.here(), place), (tolerance, seen), self.law);
+        let whole = || Linearised::in_one_block(&self.placer, (self.here(), place), (tolerance, seen), self.law);
+        let whole = if Shortcut::OneBlock.is_on() { whole() } else { None };
         let Some(WholeMotion { tip_rate, bound }) = whole else {
             return self.feed_in_several(place, rate, tolerance);
         };
@@ -604,13 +591,6 @@ impl<'a, S: Sink> Mover<'a, S> {
     pub(crate) fn arrive(&mut self, place: &AxisPosition) {
         self.output.count_motion(place);
         self.position.arrive(place);
-    }
-
-    /// The same for a place that was spare.
-    #[inline]
-    pub(crate) fn arrive_at(&mut self, place: Box<AxisPosition>) {
-        self.output.count_motion(&place);
-        self.position.arrive_at(place);
     }
 }
 
