@@ -1,4 +1,4 @@
-//! Dependencies between modules as in ARCHITECTURE.md, read from the sources.
+//! Dependencies between modules as in ARCHITECTURE.md, read from the sources, and its code map.
 //!
 //! A module of the first level uses another one by a path that begins with `crate`, or with enough `super` to reach the
 //! root of the crate. Tests inside the packages may use everything.
@@ -246,6 +246,35 @@ fn modules_of_the_runtime_use_what_architecture_allows() {
 #[test]
 fn modules_of_the_engine_use_what_architecture_allows() {
     compare("pp-macros/codegen", ENGINE);
+}
+
+/// The modules in the first column of a table of the code map, and those of the first level among them.
+fn mapped(title: &str) -> (Vec<String>, Vec<String>) {
+    let text = fs::read_to_string(workspace().join("ARCHITECTURE.md")).expect("ARCHITECTURE.md");
+    let rows = text.lines().skip_while(|line| *line != format!("| {title} | |")).skip(2);
+    let first_cells = rows.map_while(|line| line.strip_prefix('|')?.split('|').next());
+    let all: Vec<String> = first_cells.flat_map(|cell| cell.split('`').skip(1).step_by(2)).map(str::to_owned).collect();
+    let first_level = all.iter().filter(|name| !name.contains('/')).cloned().collect();
+    (all, first_level)
+}
+
+#[test]
+fn the_code_map_has_every_module_and_no_other() {
+    for (title, package, table) in
+        [("module of the engine", "pp-macros/codegen", ENGINE), ("module of the runtime", "pp-runtime", RUNTIME)]
+    {
+        let (all, first_level) = mapped(title);
+        assert_eq!(
+            first_level,
+            table.iter().map(|(name, _)| *name).collect::<Vec<_>>(),
+            "{title}: in the order of the layers"
+        );
+        let source = workspace().join(package).join("src");
+        for name in all {
+            let is_there = source.join(&name).is_dir() || source.join(&name).with_extension("rs").is_file();
+            assert!(is_there, "{title}: there is no {name}");
+        }
+    }
 }
 
 #[test]

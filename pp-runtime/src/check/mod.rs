@@ -6,7 +6,8 @@
 //! carry out, `rules` what a block must be like, `travel` has the limits of the axes. `compare` compares the two, block by
 //! block. Memory does not grow with the length of the program.
 //!
-//! It shares no code with the planner and the controls: [`CheckPolicy`] is all that it reads of a job.
+//! It shares no code with the planner and the controls: [`CheckPolicy`] is all that it reads of a job, and the
+//! configuration builds it. A convention that both sides need is written twice, each with a test.
 //!
 //! ```
 //! use std::io::Cursor;

@@ -1,7 +1,8 @@
 //! The executed program as a stream: each block with the state before and after it, the path of the axes, the record of the
 //! CL data that it carries out, and the findings about it.
 //!
-//! Positions are axis values of the machine; [`Leg::pose`] has tip and tool axis on the workpiece.
+//! Positions are axis values of the machine; [`Leg::pose`] has tip and tool axis on the workpiece. A block whose words
+//! are not all known begins at a position that the observer gives ([`ExecutedBlock::legs_from`]).
 
 use nalgebra::{Point3, UnitVector3, Vector3};
 

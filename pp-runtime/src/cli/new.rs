@@ -1,4 +1,5 @@
-//! `new`: a folder with the postprocessor of another machine, made of the template.
+//! `new`: a folder with the postprocessor of another machine, made of the template, which `cargo generate` reads
+//! too.
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -1,8 +1,8 @@
 //! Kinematics of a machine tool: its axes, poses, and the maps between axis values and poses.
 //!
-//! Units are millimetres and radians. *Forward* is always axes to pose, *inverse* pose to axes. Everything but `digest` and `any`,
-//! the object-safe form of a machine, builds without `std` and allocates nothing; [`machine!`](crate::machine) implements
-//! [`Machine`] for one declared machine.
+//! Units are millimetres and radians. *Forward* is always axes to pose, *inverse* pose to axes. Everything but
+//! `digest`, `words` and `any`, the object-safe form of a machine, builds without `std` and allocates nothing;
+//! [`machine!`](crate::machine) implements [`Machine`] for one declared machine.
 //!
 //! ```
 //! use pp_runtime::kinematics::{Machine, Pose};

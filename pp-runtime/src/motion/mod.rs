@@ -1,9 +1,10 @@
 //! Planning: events of the CL data become the steps of one machine's program.
 //!
 //! Input: [`Event`](crate::program::Event)s in mm and rad. Output: [`Step`]s, whose axis words are whole units of their
-//! last decimal. Decides branch and revolutions of the rotary axes, limits, feeds and the safe sequence between operations.
-//! Does not write the codes of a control and does not read CL text. Memory is constant, and nothing is allocated for a
-//! motion.
+//! last decimal. Decides branch and revolutions of the rotary axes, limits, feeds and the safe sequence between
+//! operations. Does not write the codes of a control and does not read CL text. Nothing is allocated for a motion, and
+//! memory does not grow with the number of motions: data kept for an operation, a tool or a change of the course is
+//! packed or bounded.
 //!
 //! The command line and [`post`](crate::post) run it. Its options are part of a configuration, its figures part of a report:
 //!

@@ -1,4 +1,4 @@
-//! The plain call: a program in memory, with the result of its check.
+//! The plain call: a program in memory, with the result of its check. No other file of `post` uses `check`.
 
 use std::io::{Read, Seek, SeekFrom};
 

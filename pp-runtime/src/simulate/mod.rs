@@ -5,6 +5,9 @@
 //! side, however the tool turns and however closely a line grazes it: `sweep` has the mathematics. What lies between two lines
 //! is not seen: nothing thinner than the pitch is.
 //!
+//! Motions are those of the check's stream, as the page gets them. The result is the same with any number of threads,
+//! and memory depends on the stock, not on the program. What is not given is named as assumed or not checked.
+//!
 //! ```
 //! use nalgebra::{Point3, Vector3};
 //! use pp_runtime::kinematics::Pose;

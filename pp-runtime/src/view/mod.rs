@@ -1,7 +1,8 @@
 //! A program as people look at it: the page (`view`), the set-up sheet (`report`), and pictures.
 //!
-//! What is shown is the program as the check's reader understands its text, not what the planner meant: `executed` collects
-//! its points while it is checked. `cl_facts` has what only the CL data states, `reasons` why a line is there.
+//! What is shown is the program as the check's reader understands its text, not what the planner meant: `executed`
+//! collects its points while it is checked, and holds them in memory. `cl_facts` has what only the CL data states,
+//! `reasons` why a line is there.
 //!
 //! The page is one file: `html` writes it, with the data of `head` and `columns` and the script of `page/`. `sheet` has the
 //! facts that are readable without a script, in the page and in the set-up sheet (`report`), `picture` the drawings. Text from

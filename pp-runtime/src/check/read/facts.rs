@@ -1,4 +1,4 @@
-//! Properties of the families of controls on which reader and comparison depend.
+//! Properties of the families of controls on which reader and comparison depend. Nothing else compares families.
 
 use super::Family;
 use super::block::{Action, CycleKind, CycleMove};

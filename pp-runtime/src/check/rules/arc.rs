@@ -1,5 +1,6 @@
-//! Blocks along an arc in which the rotary axes rest. There tip and axis values are affine functions of the linear words: what
-//! these do along a circle, those do along an ellipse.
+//! Blocks along an arc in which the rotary axes rest. There tip and axis values are affine functions of the linear
+//! words: what these do along a circle, those do along an ellipse. The deviation is measured at points, unless the bound of
+//! one arc about another decides ([`ArcPath::farthest`]).
 
 use super::super::geometry::{ArcPath, RoundTip, Segment};
 use super::super::read::{Action, ArcMove, MAX_AXES, State};

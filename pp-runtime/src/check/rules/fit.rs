@@ -1,4 +1,5 @@
-//! Whether a block ends on a motion of the CL data, and its deviation from the path between its ends.
+//! Whether a block ends on a motion of the CL data, and its deviation from the path between its ends: at points, unless
+//! a bound from the rates of its axes decides.
 
 use std::f64::consts::FRAC_PI_2;
 

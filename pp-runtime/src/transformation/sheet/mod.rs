@@ -1,9 +1,9 @@
 //! Compare sheets: the parameters that the five-axis transformation of a control must hold for a machine.
 //!
-//! A sheet has each parameter with the value that follows from the declaration, next to a blank for the value that the
-//! machine holds. A person compares and signs: nothing here is a file that a control loads. Each parameter has its
-//! source; where no public manual settles a value, the sheet says so and names the test at the machine that does. A chain
-//! that the model of the control cannot express is refused with the reason.
+//! A sheet has each parameter with the value that follows from the declaration, or the key that is missing, next to a
+//! blank for the value that the machine holds. A person compares and signs: nothing here is a file that a control
+//! loads. Each parameter has its source; where no public manual settles a value, the sheet says so and names the test
+//! at the machine that does. A chain that the model of the control cannot express is refused with the reason.
 //!
 //! One file for each control; `chain` has the chain as such models see it, `rows` the parameters, `print` the text,
 //! `tests_at_machine` the tests.
