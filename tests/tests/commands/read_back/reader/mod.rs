@@ -12,8 +12,8 @@ use tests::foreign::state::Units;
 use tests::foreign::{Axes, Effect, Executed, Feed};
 use tests::oracle::{Oracle, angle_between, wrapped};
 
-use crate::given::{SetUp, WordDatum};
-use crate::points::{ClData, Goto};
+use super::given::{SetUp, WordDatum};
+use super::points::{ClData, Goto};
 
 /// The last digit of a rotary word, degrees.
 const ROTARY_UNIT: f64 = 1e-4;

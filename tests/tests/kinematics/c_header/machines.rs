@@ -13,7 +13,7 @@ macro_rules! agree {
 
                 #[test]
                 fn agrees() {
-                    crate::agrees::<Chain>(stringify!($name).len() as u64);
+                    crate::c_header::agrees::<Chain>(stringify!($name).len() as u64);
                 }
             }
         )*
@@ -23,10 +23,10 @@ macro_rules! agree {
 mod of_the_papers {
     #[test]
     fn agree() {
-        crate::agrees::<machines::SpinnerU5620>(1);
-        crate::agrees::<machines::Dmu70e>(2);
-        crate::agrees::<machines::LolaXoyzba>(3);
-        crate::agrees::<machines::MultiProDesk>(4);
+        crate::c_header::agrees::<machines::SpinnerU5620>(1);
+        crate::c_header::agrees::<machines::Dmu70e>(2);
+        crate::c_header::agrees::<machines::LolaXoyzba>(3);
+        crate::c_header::agrees::<machines::MultiProDesk>(4);
     }
 }
 
@@ -35,18 +35,18 @@ mod of_the_library {
 
     #[test]
     fn agree() {
-        crate::agrees::<library::BridgeMill>(5);
-        crate::agrees::<library::HaasRotary>(6);
-        crate::agrees::<library::HaasTrunnion>(7);
-        crate::agrees::<library::HaasUmc>(8);
-        crate::agrees::<library::IntegrexI200>(9);
-        crate::agrees::<library::Max5>(10);
-        crate::agrees::<library::ObliqueYLathe>(11);
-        crate::agrees::<library::PocketNcV2>(12);
-        crate::agrees::<library::XyzabTdr>(13);
-        crate::agrees::<library::XyzacTrt>(14);
-        crate::agrees::<library::XyzacbTrsrn>(15);
-        crate::agrees::<library::XyzbcTrt>(16);
+        crate::c_header::agrees::<library::BridgeMill>(5);
+        crate::c_header::agrees::<library::HaasRotary>(6);
+        crate::c_header::agrees::<library::HaasTrunnion>(7);
+        crate::c_header::agrees::<library::HaasUmc>(8);
+        crate::c_header::agrees::<library::IntegrexI200>(9);
+        crate::c_header::agrees::<library::Max5>(10);
+        crate::c_header::agrees::<library::ObliqueYLathe>(11);
+        crate::c_header::agrees::<library::PocketNcV2>(12);
+        crate::c_header::agrees::<library::XyzabTdr>(13);
+        crate::c_header::agrees::<library::XyzacTrt>(14);
+        crate::c_header::agrees::<library::XyzacbTrsrn>(15);
+        crate::c_header::agrees::<library::XyzbcTrt>(16);
     }
 }
 

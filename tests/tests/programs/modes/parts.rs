@@ -8,7 +8,7 @@ use pp_runtime::program::{Event, Feed, Move, Rotation, Spindle, ToolCall};
 use tests::oracle::Oracle;
 use tests::random::Random;
 
-use crate::LENGTH;
+use super::LENGTH;
 
 /// Operations, each with its own tool axis, and cuts in which the axis changes unless `hold` is set.
 pub(crate) fn events<M: Machine>(machine: &M, random: &mut Random, hold: bool) -> Vec<Event<'static>> {

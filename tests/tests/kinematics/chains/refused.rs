@@ -1,6 +1,6 @@
 //! The 120 orders whose last rotary is C: it rotates about the tool axis and cannot tilt the tool.
 
-use crate::all_orders;
+use super::all_orders;
 
 /// Text of an expansion, with the messages of all `compile_error!`s.
 fn messages(expansion: &proc_macro2::TokenStream) -> String {

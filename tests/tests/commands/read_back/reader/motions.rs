@@ -6,11 +6,11 @@ use tests::block::{angle_to_arc, deviation, deviation_from, distance_to_line, ti
 use tests::foreign::{Axes, Feed};
 use tests::oracle::angle_between;
 
+use super::super::points::Goto;
 use super::{
     BLOCK_POINTS, INDEX_ANGLE, LARGEST_ROTATION, Motion, NOISE, ON_LINE, ROTARY_UNIT, Reader, SIX_DIGITS, SplitMotion,
     Stage, TOLERANCE,
 };
-use crate::points::Goto;
 
 impl<M: Machine> Reader<'_, M> {
     /// Checks the approach point: the first GOTO if the next is straight below it, else a point above the first GOTO.

@@ -15,11 +15,8 @@ use pp_runtime::control::{self, Control};
 use pp_runtime::post::{self, post};
 use tests::binaries::workspace;
 use tests::foreign::{Control as Foreign, lexer};
-use tests::heap::{Counting, allocations, peak};
+use tests::heap::{allocations, peak};
 use tests::random::Random;
-
-#[global_allocator]
-static ALLOCATOR: Counting = Counting;
 
 /// Additional memory that a longer program may take, bytes: a name, a number with more digits.
 const ALLOWANCE: usize = 16 << 10;

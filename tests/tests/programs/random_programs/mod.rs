@@ -5,8 +5,8 @@
 //! shortened as long as it fails with the same fault, and printed. `PP_RANDOM_PROGRAMS=N` sets the number of programs
 //! and prints a summary of the outcomes; `PP_RANDOM_SEED=S` sets the first seed; with `N` = 1 the input is printed too.
 
-mod cl;
-mod set_up;
+pub(crate) mod cl;
+pub(crate) mod set_up;
 mod shorten;
 
 use std::collections::BTreeMap;

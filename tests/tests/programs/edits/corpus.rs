@@ -9,9 +9,9 @@ use tests::binaries::{golden_programs, part_and_mode, workspace};
 use tests::edits::{Case, Posted};
 use tests::random::Random;
 
-use super::random_programs::cl::{self, AxisRange};
-use super::random_programs::set_up::{self, BUILDER_CODES, MachineKind};
 use super::{CONTROLS, RANDOM_PROGRAMS, environment_number};
+use crate::random_programs::cl::{self, AxisRange};
+use crate::random_programs::set_up::{self, BUILDER_CODES, MachineKind};
 
 const KINDS: &[MachineKind] = &[
     MachineKind {

@@ -5,7 +5,7 @@ use pp_runtime::config::{Config, Mode, TcpFrame};
 use pp_runtime::kinematics::{AxisKind, Machine, Side};
 use tests::oracle::{Oracle, rotation, rotation_about};
 
-use crate::listener::ProgramState;
+use super::listener::ProgramState;
 
 /// Rotation about a coordinate direction.
 pub(crate) fn about(axis: usize, degrees: f64) -> Matrix3<f64> {

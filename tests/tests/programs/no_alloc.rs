@@ -8,12 +8,9 @@ use pp_runtime::control;
 use pp_runtime::kinematics::Machine;
 use pp_runtime::nalgebra::Vector3;
 use pp_runtime::post::{Job, post};
-use tests::heap::{Counting, allocations};
+use tests::heap::allocations;
 use tests::oracle::Oracle;
 use tests::random::Random;
-
-#[global_allocator]
-static ALLOCATOR: Counting = Counting;
 
 /// Checks every function of the kinematics, also where there is no solution.
 fn check<M: Machine>() {
