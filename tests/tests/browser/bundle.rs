@@ -5,9 +5,10 @@
 
 use std::path::Path;
 use std::process::Command;
-use std::{env, fs, io};
+use std::{fs, io};
 
 use tests::binaries::workspace;
+use tests::environment;
 
 /// What is made, not written.
 const MADE: [&str; 2] = ["node_modules", "dist"];
@@ -44,7 +45,7 @@ fn the_bundle_is_what_its_sources_make() {
     let folder = tempfile::tempdir().expect("a folder");
     copy(&page, folder.path()).expect("the sources can be copied");
     if let Err(reason) = npm(folder.path(), &["ci", "--no-audit", "--no-fund"]) {
-        let required = env::var_os("PP_REQUIRE_NODE").is_some_and(|value| value == "1");
+        let required = environment::is_one("PP_REQUIRE_NODE");
         assert!(!required, "PP_REQUIRE_NODE=1, but npm cannot install the libraries of the page: {reason}");
         println!("skipped: npm cannot install the libraries of the page: {reason}");
         return;

@@ -18,6 +18,8 @@ use nalgebra::Vector3;
 use serde_json::{Value, json};
 use tempfile::TempDir;
 use tests::binaries::{SAMPLES, binary, example_config, workspace};
+use tests::by_name;
+use tests::environment;
 use tests::page::{Page, number};
 use url::{ParseError, Url};
 
@@ -38,13 +40,6 @@ const SAME_PICTURE: f64 = 2.0;
 
 /// Points of a page that are looked at.
 const LOOKS: usize = 15;
-
-/// Modes with the controls that have them, and the operations that can be posted.
-const MODES: [(&str, &[&str], &str); 3] = [
-    ("axes", &["linuxcnc", "fanuc", "haas", "siemens", "heidenhain"], "1..5"),
-    ("tcp", &["fanuc", "haas", "siemens", "heidenhain"], "1..4"),
-    ("plane", &["fanuc", "haas", "siemens", "heidenhain"], "1..3"),
-];
 
 /// Switches of the browser: no network, no state of another run, and a renderer that needs no graphics card.
 const SWITCHES: [&str; 9] = [
@@ -73,7 +68,7 @@ fn is_installed() -> bool {
     if missing.is_empty() {
         return true;
     }
-    let required = env::var_os("PP_REQUIRE_CHROMIUM").is_some_and(|value| value == "1");
+    let required = environment::is_one("PP_REQUIRE_CHROMIUM");
     assert!(!required, "PP_REQUIRE_CHROMIUM=1, but there is no {}", missing.join(" and no "));
     println!("skipped: {} not installed", missing.join(" and "));
     false
@@ -270,7 +265,7 @@ impl Browser {
             .expect("frames are drawn");
         let png = self.client.screenshot().await.expect("a picture");
         let of_book = |name: &str| workspace().join(format!("docs/src/{name}.png"));
-        if env::var_os("PP_BLESS").is_some_and(|value| value == "1") {
+        if environment::blesses() {
             return fs::write(of_book(name), png).expect("it can be written");
         }
         self.client.goto("about:blank").await.expect("an empty page");
@@ -345,13 +340,11 @@ fn the_page_of_each_sample_is_drawn_as_the_cl_data_says_and_can_be_used() {
 #[test]
 fn programs_of_each_control_are_drawn_in_each_mode() {
     in_browser(async |browser| {
-        for (mode, controls, operations) in MODES {
-            for control in controls {
-                let args = ["view", "tests/data/works/works.cls", "--config", "tests/data/works/table.toml"];
-                let more = ["--control", control, "--mode", mode, "--ops", operations];
-                let page = browser.open(binary("dmu-70e"), &[&args[..], &more[..]].concat()).await;
-                browser.look(&format!("{control}, {mode}"), &page).await;
-            }
+        for (mode, control, operations) in by_name::works().filter(|(mode, ..)| *mode != "auto") {
+            let args = ["view", "tests/data/works/works.cls", "--config", "tests/data/works/table.toml"];
+            let more = ["--control", control, "--mode", mode, "--ops", operations];
+            let page = browser.open(binary("dmu-70e"), &[&args[..], &more[..]].concat()).await;
+            browser.look(&format!("{control}, {mode}"), &page).await;
         }
     });
 }

@@ -13,10 +13,9 @@ use pp_runtime::kinematics::{AxisKind, Machine, Pose};
 use pp_runtime::nalgebra::{Point3, Vector3};
 use serde_json::Value;
 use tests::binaries::{binary, workspace};
+use tests::by_name;
 
 const MACHINES: [&str; 4] = ["dmu-70e", "lola-xoyzba", "multiprodesk", "spinner-u5-620"];
-const CONTROLS: [&str; 5] = ["linuxcnc", "fanuc", "siemens", "heidenhain", "haas"];
-
 /// Faults of a value against a schema, each with its path; supports only the keywords that the printed schema uses.
 fn faults(schema: &Value, value: &Value, path: &str) -> Vec<String> {
     let mut found = Vec::new();
@@ -112,7 +111,7 @@ fn examples() -> Vec<(PathBuf, &'static str, &'static str)> {
     let named = |path: PathBuf| {
         let stem = path.file_stem().expect("a name").to_string_lossy().into_owned();
         let machine = MACHINES.into_iter().find(|machine| stem.starts_with(machine))?;
-        let control = CONTROLS.into_iter().find(|control| stem == format!("{machine}-{control}")).expect("a control");
+        let control = by_name::controls().find(|control| stem == format!("{machine}-{control}")).expect("a control");
         Some((path, machine, control))
     };
     files.into_iter().filter_map(named).collect()
@@ -121,7 +120,7 @@ fn examples() -> Vec<(PathBuf, &'static str, &'static str)> {
 #[test]
 fn every_printed_file_fits_its_schema_with_all_lines_enabled() {
     for machine in MACHINES {
-        for control in CONTROLS {
+        for control in by_name::controls() {
             let text = printed(binary(machine).args(["config", "--control", control]));
             let enabled = |line: &str| {
                 let default = line.strip_prefix('#').filter(|rest| !rest.is_empty() && !rest.starts_with(' '));

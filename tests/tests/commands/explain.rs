@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 use tests::binaries::{binary, workspace};
+use tests::environment;
 
 const MACHINES: &[&str] = &["dmu-70e", "lola-xoyzba", "multiprodesk", "spinner-u5-620"];
 
@@ -35,7 +36,7 @@ fn difference(path: &Path, now: &str) -> Option<String> {
 
 #[test]
 fn every_machine_is_explained_as_before() {
-    let bless = env::var_os("PP_BLESS").is_some_and(|value| value == "1");
+    let bless = environment::blesses();
     let mut differences = Vec::new();
     for machine in MACHINES {
         for (extension, options) in [("txt", &[] as &[&str]), ("tex", &["--latex"])] {

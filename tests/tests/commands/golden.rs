@@ -20,11 +20,12 @@
 //! | `works`, `works_4axis` | arcs, a helix, 3+2, every cycle, simultaneous motion, a rewind, a thread, stops; in each mode |
 //! | `pads` | a set-up with tool lengths, part origin, retract along the axis, limits, parking |
 
-use std::env;
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use tests::binaries::{binary, golden_programs, workspace};
+use tests::by_name;
+use tests::environment;
 
 /// CL file, configuration, machines; paths are relative to the workspace.
 type Part = (&'static str, Option<&'static str>, &'static [&'static str]);
@@ -69,15 +70,6 @@ const WORKS: &[(&str, &str, &str)] = &[
     ("tests/data/works/works.cls", "tests/data/works/works.toml", "lola-xoyzba"),
     ("tests/data/works_4axis/works_4axis.cls", "tests/data/works_4axis/works_4axis.toml", "multiprodesk"),
     ("tests/data/works/works.cls", "tests/data/works/table.toml", "spinner-u5-620"),
-];
-
-/// Modes, the controls that have them, and the operations that are posted: the fifth is a thread, which no control
-/// cuts under tip control; in the fourth the tool axis rotates.
-const MODES: &[(&str, &[&str], &str)] = &[
-    ("axes", &["linuxcnc", "fanuc", "siemens", "heidenhain", "haas"], "1..5"),
-    ("tcp", &["fanuc", "siemens", "heidenhain", "haas"], "1..4"),
-    ("plane", &["fanuc", "siemens", "heidenhain", "haas"], "1..3"),
-    ("auto", &["linuxcnc", "fanuc", "siemens", "heidenhain", "haas"], "1..5"),
 ];
 
 /// A whole job: two set-ups, four tools, holes and threads, tilted faces with arcs and cutter compensation, a blade with a
@@ -132,23 +124,19 @@ fn goldens() -> Vec<Golden> {
         controls.iter().map(move |&control| Golden { cl, config, machine, control, mode: None })
     });
     let works = WORKS.iter().flat_map(|&(cl, config, machine)| {
-        MODES.iter().flat_map(move |&(mode, controls, operations)| {
-            let config = Some(config);
-            let mode = Some((mode, operations));
-            controls.iter().map(move |&control| Golden { cl, config, machine, control, mode })
+        by_name::works().map(move |(mode, control, operations)| Golden {
+            cl,
+            config: Some(config),
+            machine,
+            control,
+            mode: Some((mode, operations)),
         })
     });
     let jobs = [MIXED, PASSES].into_iter().flat_map(|job| [(job, "spinner-u5-620"), (job, "dmu-70e")]);
     let jobs = jobs.chain([(SHOP, "spinner-u5-620")]);
     let auto = jobs.flat_map(|((cl, config), machine)| {
-        let posted = move |&control: &&'static str| Golden {
-            cl,
-            config: Some(config),
-            machine,
-            control,
-            mode: Some(("auto", "")),
-        };
-        ["linuxcnc", "fanuc", "siemens", "heidenhain", "haas"].iter().map(posted)
+        let posted = move |control| Golden { cl, config: Some(config), machine, control, mode: Some(("auto", "")) };
+        by_name::controls().map(posted)
     });
     linuxcnc.chain(others).chain(works).chain(auto).collect()
 }
@@ -192,7 +180,7 @@ fn difference(golden: &str, now: &str) -> Option<String> {
 
 #[test]
 fn every_part_is_posted_as_before() {
-    let bless = env::var_os("PP_BLESS").is_some_and(|value| value == "1");
+    let bless = environment::blesses();
     let mut differences = Vec::new();
     for golden in goldens() {
         let (path, now) = (golden.path(), golden.posted());

@@ -4,6 +4,7 @@
 use machines::SpinnerU5620;
 use pp_runtime::config::{Config, starting_point};
 use pp_runtime::control::{self, Control};
+use tests::by_name;
 use tests::posting::{self, bare, posted, renumbered};
 
 /// A slot around a square; `BETWEEN` stands in the middle of it.
@@ -122,7 +123,7 @@ fn it_does_in_every_mode_and_with_a_tool_axis_that_rotates() {
 
 #[test]
 fn an_operation_that_begins_with_a_cut_is_remarked_on() {
-    let linuxcnc = control::by_name("linuxcnc").expect("a control");
+    let linuxcnc = by_name::control("linuxcnc");
     let remarks = |between: &str| -> Vec<u64> {
         let cl = CL.replace("BETWEEN", between);
         let written = posting::written::<SpinnerU5620>(&config(linuxcnc, "axes"), linuxcnc, &cl);

@@ -12,6 +12,7 @@ use pp_runtime::control::LinuxCnc;
 use pp_runtime::kinematics::{AxisKind, Machine, Pose};
 use serde_json::Value;
 use tests::binaries::{binary, workspace};
+use tests::by_name;
 use tests::foreign::{Control, Effect, Options, Trace, lexer, run};
 use tests::oracle::{Oracle, angle_between};
 
@@ -247,12 +248,12 @@ fn only_motions_have_positions_for_any_selection_of_operations() {
         let with_position = posted.lines.iter().filter(still).find(|line| !line["axes"].is_null());
         assert_eq!(with_position, None, "{control} {mode} {operations}");
     };
-    for control in ["linuxcnc", "fanuc", "siemens", "heidenhain", "haas"] {
+    for control in by_name::controls() {
         for operations in ["2", "2..3", "3..", "5"] {
             check(control, "axes", operations);
         }
     }
-    for control in ["fanuc", "siemens", "heidenhain", "haas"] {
+    for control in by_name::controls_with_tip_control() {
         check(control, "tcp", "2..4");
         check(control, "plane", "2..3");
     }

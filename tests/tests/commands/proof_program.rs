@@ -13,11 +13,10 @@ use pp_runtime::kinematics::{Axis, AxisKind, Machine};
 use pp_runtime::nalgebra::Point3;
 use tempfile::TempDir;
 use tests::binaries::binary;
+use tests::by_name;
 use tests::foreign::state::{Coolant, Spindle, Units};
 use tests::foreign::{Control, Effect, Options, Trace, run};
 use tests::oracle::Oracle;
-
-const CONTROLS: [&str; 5] = ["linuxcnc", "fanuc", "siemens", "heidenhain", "haas"];
 
 /// Largest distance of the tip from its point between the ends of a block, mm: the default of `tolerance`.
 const TOLERANCE: f64 = 0.01;
@@ -138,7 +137,7 @@ const LOLA: Case = Case {
 
 #[test]
 fn the_tip_stays_on_its_point_while_each_rotary_sweeps_its_travel_on_every_control() {
-    for control in CONTROLS {
+    for control in by_name::controls() {
         assert_swept(&check_blocks::<SpinnerU5620>(&SPINNER, control), &[('B', -5.0, 110.0), ('C', 0.0, 360.0)]);
         assert_swept(&check_blocks::<Dmu70e>(&DMU, control), &[('B', 0.0, 180.0), ('C', 0.0, 360.0)]);
         assert_swept(&check_blocks::<MultiProDesk>(&DESK, control), &[('A', 0.0, 360.0)]);
@@ -148,7 +147,7 @@ fn the_tip_stays_on_its_point_while_each_rotary_sweeps_its_travel_on_every_contr
 
 #[test]
 fn a_table_that_rolls_over_is_swept_by_quarter_turns() {
-    for control in CONTROLS.iter().filter(|control| **control != "haas") {
+    for control in by_name::controls().filter(|control| *control != "haas") {
         let config = "units = 'mm'\nmode = 'axes'\nwrap = { C = '0..360' }\n";
         for case in [Case { config, ..DMU }, Case { config, ..SPINNER }] {
             let program =
@@ -203,7 +202,7 @@ fn check_tip_control<M: Machine>(case: &Case, control: &str) -> BTreeMap<char, (
 
 #[test]
 fn under_tip_control_the_rotary_axes_sweep_alone_and_the_tip_is_the_point() {
-    for control in CONTROLS {
+    for control in by_name::controls() {
         assert_swept(&check_tip_control::<SpinnerU5620>(&SPINNER, control), &[('B', -5.0, 110.0), ('C', 0.0, 360.0)]);
     }
 }

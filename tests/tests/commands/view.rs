@@ -15,6 +15,7 @@ use pp_runtime::kinematics::{AxisKind, Machine};
 use pp_runtime::nalgebra::{Matrix3, Vector3};
 use serde_json::Value;
 use tests::binaries::{SAMPLES, binary, example_config, golden_programs, workspace};
+use tests::environment;
 use tests::golden::Golden;
 use tests::oracle::{Oracle, angle_between};
 use tests::page::{Page, number};
@@ -129,7 +130,7 @@ fn axis_values_of_the_page_are_those_of_the_checks_reader_in_every_mode_of_every
     let (mut programs, mut compared) = (0, 0);
     for path in golden_programs() {
         let golden = &Golden::read(&path);
-        let count = with_machine!(golden, agrees);
+        let count = with_machine!(&*golden.machine, agrees(golden));
         assert!(count > 5, "{}: {count} blocks", golden.name);
         (programs, compared) = (programs + 1, compared + count);
     }
@@ -259,7 +260,7 @@ fn set_up_sheets_are_those_that_were_read() {
                 run(binary(machine), &["report", cl, "--control", control, "--config", config, "--jog"], &sheet);
             assert!(output.status.success(), "{name}: {}", String::from_utf8_lossy(&output.stderr));
             let (kept, sheet) = (workspace().join("tests/data/sheets").join(&name), read(&output, &sheet));
-            if std::env::var_os("PP_BLESS").is_some() {
+            if environment::blesses() {
                 fs::write(&kept, sheet).expect("it can be written");
             } else if fs::read_to_string(&kept).ok().as_ref() != Some(&sheet) {
                 differ.push(name);

@@ -8,10 +8,10 @@ use std::io::Cursor;
 use machines::{LolaXoyzba, SpinnerU5620};
 use pp_runtime::check::check;
 use pp_runtime::config::{Mode, starting_point};
-use pp_runtime::control;
 use pp_runtime::diag::Severity;
 use pp_runtime::kinematics::Machine;
 use pp_runtime::post::{Job, post};
+use tests::by_name;
 
 const HEAD: &str = "UNITS/MM\nTOOL PATH/OP,TOOL,T\nLOADTL/1,LENGTH,100\nSPINDL/RPM,2000,CLW\n";
 
@@ -65,7 +65,7 @@ fn posted<M: Machine>(control: &str, keys: &str, operation: &str) -> Result<Stri
 }
 
 fn posted_in<M: Machine>(mode: &str, control: &str, keys: &str, operation: &str) -> Result<String, (u64, String)> {
-    let control = control::by_name(control).expect("a control");
+    let control = by_name::control(control);
     let mut config =
         starting_point(control).read_over(&M::default(), &format!("{ORIGIN}{keys}\n{KEYS}")).expect("valid keys");
     config.motion.mode = Mode::NAMES.into_iter().find(|(name, _)| *name == mode).expect("a mode").1;

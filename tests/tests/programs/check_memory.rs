@@ -11,9 +11,10 @@ use std::io::{self, Cursor, Read, Seek, SeekFrom, Write as _};
 use machines::SpinnerU5620;
 use pp_runtime::check::{Checked, check};
 use pp_runtime::config::{Config, Units, starting_point};
-use pp_runtime::control::{self, Control};
+use pp_runtime::control::Control;
 use pp_runtime::post::{self, post};
 use tests::binaries::workspace;
+use tests::by_name;
 use tests::foreign::{Control as Foreign, lexer};
 use tests::heap::{allocations, peak};
 use tests::random::Random;
@@ -157,7 +158,7 @@ fn floor() -> String {
 
 impl Long {
     fn posted(control: &str, part: &str) -> Self {
-        let control = control::by_name(control).expect("a control");
+        let control = by_name::control(control);
         let config = starting_point(control).read_over(&SpinnerU5620::default(), &text("table.toml"));
         let config = Config { output_units: Some(Units::Millimetres), ..config.expect("a configuration") };
         let mut program = Vec::new();

@@ -10,18 +10,19 @@
 use std::fs;
 use std::io::Cursor;
 
-use machines::{Dmu70e, LolaXoyzba, MultiProDesk, SpinnerU5620};
 use nalgebra::Vector3;
 use pp_runtime::check::read::{Action, ArcMove, Block, CycleKind, CycleMove, FeedMode, Side, State, TipControl};
 use pp_runtime::check::{blocks, check};
 use pp_runtime::config::{Config, Operations, TcpWords, Units, starting_point};
-use pp_runtime::control::{self, Control};
+use pp_runtime::control::Control;
 use pp_runtime::kinematics::{AxisKind, Machine};
 use pp_runtime::post::{self, post};
 use tests::binaries::workspace;
 use tests::block::{angle_to_arc, distance_to_line};
+use tests::by_name;
 use tests::damage::damage;
 use tests::random::Random;
+use tests::with_machine;
 
 /// CL data of a golden program, its configuration, its machine and its control.
 type Sample = (&'static str, Option<&'static str>, &'static str, &'static str);
@@ -123,7 +124,7 @@ fn text(path: &str) -> String {
 
 /// A golden program.
 fn golden<M: Machine>((cl, config, machine, control): &Sample) -> Part {
-    let control = control::by_name(control).expect("a control");
+    let control = by_name::control(control);
     let mut set_up = starting_point(control);
     if let Some(config) = config {
         set_up = set_up.read_over(&M::default(), &text(config)).expect("a configuration");
@@ -139,7 +140,7 @@ fn golden<M: Machine>((cl, config, machine, control): &Sample) -> Part {
 
 /// A program posted here, of the first `operations` of the CL data.
 fn posted<M: Machine>(data: &[u8], operations: usize, config: &str, control: &str) -> Part {
-    let control = control::by_name(control).expect("a control");
+    let control = by_name::control(control);
     let set_up = starting_point(control).read_over(&M::default(), config);
     let set_up = set_up.unwrap_or_else(|faults| panic!("{config}: {faults:?}"));
     let output_units = Some(set_up.output_units.unwrap_or(Units::Millimetres));
@@ -404,18 +405,6 @@ fn pose<M: Machine>(config: &Config, block: &Block) -> (Vector3<f64>, Vector3<f6
         (TipControl::Off, Some(tilt)) => (tilt.origin + tilt.rotation * words(), axis),
         (TipControl::Off, None) => (pose.tip.coords, pose.axis.into_inner()),
     }
-}
-
-/// Calls a function for the machine with a given name.
-macro_rules! with_machine {
-    ($name:expr, $function:ident($($argument:expr),*)) => {
-        match $name {
-            "spinner-u5-620" => $function::<SpinnerU5620>($($argument),*),
-            "dmu-70e" => $function::<Dmu70e>($($argument),*),
-            "lola-xoyzba" => $function::<LolaXoyzba>($($argument),*),
-            _ => $function::<MultiProDesk>($($argument),*),
-        }
-    };
 }
 
 /// Checks that every harmful damage is reported, and that enough damages are harmful.

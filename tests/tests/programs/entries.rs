@@ -9,16 +9,16 @@ use std::f64::consts::PI;
 use std::fs;
 use std::path::Path;
 
-use machines::{Dmu70e, LolaXoyzba, MultiProDesk, SpinnerU5620};
 use nalgebra::{Matrix3, Point3, Vector3};
 use pp_runtime::config::{Config, starting_point};
-use pp_runtime::control as product;
 use pp_runtime::kinematics::{AxisKind, Machine, Side};
 use tests::binaries::{config_of, golden_programs};
+use tests::by_name;
 use tests::foreign::axes::{Axes, is_rotary};
 use tests::foreign::state::State;
 use tests::foreign::{Control, Effect, Executed, Options, run};
 use tests::oracle::Oracle;
+use tests::with_machine;
 
 /// Largest motion of another axis while the retract axis moves down, mm: two units of the words, and a thousandth of a
 /// degree of a plane at the distance of the part.
@@ -46,7 +46,7 @@ struct Converter<M: Machine> {
 impl<M: Machine> Converter<M> {
     fn new(path: &Path, machine: &str, control: Control) -> Self {
         let (keys, mode) = config_of(path, machine);
-        let control = product::by_name(control.name()).expect("a control");
+        let control = by_name::control(control.name());
         let mut config = starting_point(control).read_over(&M::default(), &keys).expect("a configuration");
         config.motion.mode = mode;
         let machine = config.set_up.machine::<M>().expect("a valid machine");
@@ -180,13 +180,7 @@ fn the_retract_axis_moves_alone_down_to_the_approach_point() {
         let name = path.file_stem().expect("a name").to_string_lossy().into_owned();
         let (machine, control) = name.split_once('.').expect("machine and control");
         let control = Control::by_name(control).expect("a control");
-        match machine {
-            "dmu-70e" => compare::<Dmu70e>(&path, machine, control, &mut entries),
-            "lola-xoyzba" => compare::<LolaXoyzba>(&path, machine, control, &mut entries),
-            "multiprodesk" => compare::<MultiProDesk>(&path, machine, control, &mut entries),
-            "spinner-u5-620" => compare::<SpinnerU5620>(&path, machine, control, &mut entries),
-            name => panic!("{name} is no machine"),
-        }
+        with_machine!(machine, compare(&path, machine, control, &mut entries));
     }
     let Entries { axes, tip, plane, moved_zero } = entries;
     assert!(axes > 50 && tip > 50 && plane > 50 && moved_zero > 10, "{entries:?}");

@@ -8,7 +8,7 @@ use std::io::Cursor;
 use machines::SpinnerU5620;
 use pp_runtime::check::check;
 use pp_runtime::config::{Config, Mode, starting_point};
-use pp_runtime::control::{self, Control};
+use pp_runtime::control::{CONTROLS, Control};
 use pp_runtime::diag::Severity;
 use pp_runtime::kinematics::Machine;
 use pp_runtime::post;
@@ -20,8 +20,6 @@ struct Set {
     mode: Mode,
     cl: String,
 }
-
-const CONTROLS: [&str; 5] = ["linuxcnc", "fanuc", "haas", "siemens", "heidenhain"];
 
 /// Rotation by 10° about X, then 15° about Y, then 20° about Z.
 const MATRIX_XYZ: &str = "[[0.907673371190369, -0.294591055321609, 0.298906609756981], [0.330366089549352, 0.940788145499406, -0.075999422127131], [-0.258819045102521, 0.167731259496521, 0.951251242564198]]";
@@ -84,10 +82,9 @@ impl Set {
 /// Calls a function for every control and mode in which the part can be posted.
 fn everywhere(cl: &str, test: impl Fn(&Set)) {
     let mut sets = 0;
-    for name in CONTROLS {
+    for control in CONTROLS.iter().copied() {
         for mode in [Mode::Axes, Mode::Tcp, Mode::Plane] {
-            let control = control::by_name(name).expect("a control");
-            if name == "linuxcnc" && mode == Mode::Plane {
+            if control.spellings().plane.is_none() && mode == Mode::Plane {
                 continue;
             }
             test(&Set { control, mode, cl: cl.to_owned() });

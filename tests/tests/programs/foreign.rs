@@ -6,13 +6,13 @@
 use std::fs;
 use std::path::Path;
 
-use machines::{Dmu70e, LolaXoyzba, MultiProDesk, SpinnerU5620};
 use pp_runtime::config::starting_point;
-use pp_runtime::control;
 use pp_runtime::kinematics::Machine;
 use tests::agreement::{self, Compared};
 use tests::binaries::{config_of, golden_programs};
+use tests::by_name;
 use tests::foreign::{Control, Effect, Options, Trace, run};
+use tests::with_machine;
 
 /// Machine and control in the name of a golden program.
 fn names(path: &Path) -> (String, Control) {
@@ -32,7 +32,7 @@ fn traced(path: &Path) -> (String, Trace) {
 fn compare<M: Machine>(path: &Path) -> usize {
     let text = fs::read_to_string(path).expect("ASCII");
     let (machine, foreign) = names(path);
-    let control = control::by_name(foreign.name()).expect("a control");
+    let control = by_name::control(foreign.name());
     let (config, mode) = config_of(path, &machine);
     let mut config = starting_point(control).read_over(&M::default(), &config).expect("a configuration");
     config.motion.mode = mode;
@@ -44,13 +44,7 @@ fn compare<M: Machine>(path: &Path) -> usize {
 fn both_readers_find_the_same_motions_in_every_golden_program() {
     let (mut programs, mut motions) = (0, 0);
     for path in golden_programs() {
-        motions += match names(&path).0.as_str() {
-            "dmu-70e" => compare::<Dmu70e>(&path),
-            "lola-xoyzba" => compare::<LolaXoyzba>(&path),
-            "multiprodesk" => compare::<MultiProDesk>(&path),
-            "spinner-u5-620" => compare::<SpinnerU5620>(&path),
-            name => panic!("{name} is no machine"),
-        };
+        motions += with_machine!(&*names(&path).0, compare(&path));
         programs += 1;
     }
     assert!(programs >= 110 && motions > 10_000, "{programs} programs, {motions} motions");

@@ -6,10 +6,10 @@ use std::io::Cursor;
 
 use pp_runtime::check::check;
 use pp_runtime::config::{Mode, starting_point};
-use pp_runtime::control;
 use pp_runtime::diag::Severity;
 use pp_runtime::post::{Job, post};
 use tests::binaries::workspace;
+use tests::by_name;
 use tests::further::HeadTable;
 
 /// The program, or its first error with its line.
@@ -17,7 +17,7 @@ fn posted(control: &str) -> Result<String, (u64, String)> {
     let folder = workspace().join("tests/data/mixed");
     let read = |name: &str| fs::read_to_string(folder.join(name)).expect("a file");
     let (cl, keys) = (read("mixed.cls"), read("mixed.toml"));
-    let control = control::by_name(control).expect("a control");
+    let control = by_name::control(control);
     let mut config = starting_point(control).read_over(&HeadTable::default(), &keys).expect("valid keys");
     config.motion.mode = Mode::Auto;
     let job = Job { cl_name: "mixed.cls", config: &config, control, units: None };

@@ -8,10 +8,10 @@ use std::io::Cursor;
 use machines::{Dmu70e, LolaXoyzba, MultiProDesk, SpinnerU5620};
 use pp_runtime::check::check;
 use pp_runtime::config::starting_point;
-use pp_runtime::control;
 use pp_runtime::diag::Severity;
 use pp_runtime::kinematics::Machine;
 use pp_runtime::post::{Job, post};
+use tests::by_name;
 use tests::further::HeadTable;
 
 const DEFAULTS: &str = "[defaults]\nspeed = 2000\ndirection = \"CLW\"\n";
@@ -24,7 +24,7 @@ struct Checked {
 
 /// Posts CL data and checks the program after `edit`.
 fn checked<M: Machine>(control: &str, keys: &str, cl: &str, edit: impl Fn(&str) -> String) -> Checked {
-    let control = control::by_name(control).expect("a control");
+    let control = by_name::control(control);
     let origin = if keys.contains("part_origin") { "" } else { "part_origin = [0.0, 0.0, 0.0]\n" };
     let keys = format!("{origin}{keys}{DEFAULTS}");
     let config = starting_point(control).read_over(&M::default(), &keys).expect("valid keys");
@@ -192,7 +192,7 @@ fn the_f_of_a_cut_after_a_rotation_at_the_pole_is_that_of_its_tip_path() {
         let found = checked::<SpinnerU5620>("linuxcnc", &linuxcnc, AT_THE_POLE, wrong).findings;
         assert!(found.len() == 1 && found[0].contains("expected 1170.17"), "{found:?}");
     }
-    for control in ["fanuc", "siemens", "heidenhain", "haas"] {
+    for control in by_name::controls_with_tip_control() {
         for mode in ["axes", "tcp"] {
             passes::<SpinnerU5620>(
                 control,
@@ -282,7 +282,7 @@ fn a_pole_passed_too_far_to_lead_through_it_and_too_closely_for_the_control_is_r
     // The tool axis passes the pole at 0.002 degrees, and may leave its path by 0.001.
     let refused = |words: &str| {
         let keys = format!("axis_tolerance_path = 0.001\ntcp_words = \"{words}\"\n{LIMITED}{DEFAULTS}");
-        let control = control::by_name("siemens").expect("a control");
+        let control = by_name::control("siemens");
         let config = starting_point(control).read_over(&HeadTable::default(), &keys).expect("valid keys");
         let job = Job { cl_name: "near.cls", config: &config, control, units: None };
         let report = post::<HeadTable>(&job, &mut Cursor::new(PAST_THE_POLE), &mut Vec::new()).expect("it can run");

@@ -14,11 +14,12 @@ use machines::{Dmu70e, SpinnerU5620};
 use nalgebra::{Point3, Vector3};
 use pp_runtime::check;
 use pp_runtime::config::starting_point;
-use pp_runtime::control;
 use pp_runtime::diag::Severity;
 use pp_runtime::kinematics::{AxisKind, Machine};
 use pp_runtime::post::{Job, post};
 use tests::block::{deviation, distance_to_line};
+use tests::by_name;
+use tests::environment;
 use tests::foreign::{Control, Effect, Feed, Options, run};
 use tests::further::{HeadTable, NutatingHead, Trunnion};
 use tests::oracle::Oracle;
@@ -96,7 +97,7 @@ fn case(random: &mut Random, decades: [f64; 2]) -> Case {
 /// # Errors
 /// The reason, without its numbers, if it is refused.
 fn posted<M: Machine>(case: &Case, control: Control, keys: &str) -> Result<String, String> {
-    let named = control::by_name(control.name()).expect("a control");
+    let named = by_name::control(control.name());
     let keys = format!("{keys}{}", case.keys);
     let config = starting_point(named).read_over(&M::default(), &keys).expect("valid keys");
     let job = Job { cl_name: "near.cls", config: &config, control: named, units: None };
@@ -166,8 +167,7 @@ fn compare<M: Machine>(case: &Case, control: Control) -> Result<(), String> {
 
 /// Runs `post` on random programs; none may be wrong.
 fn each_program(usual: u64, again: &[u64], post: impl Fn(&mut Random) -> Result<(), String>) {
-    let number =
-        |name: &str, usual: u64| std::env::var(name).ok().map_or(usual, |text| text.parse().expect("a number"));
+    let number = |name: &str, usual: u64| environment::number(name).unwrap_or(usual);
     let (count, seed) = (number("PP_RANDOM_PROGRAMS", usual), number("PP_RANDOM_SEED", 1));
     let (mut reasons, mut wrong) = (BTreeMap::<String, u64>::new(), Vec::new());
     for seed in (seed..seed + count).chain(again.iter().copied()) {

@@ -4,10 +4,10 @@ use std::hint::black_box;
 use std::io::{self, Cursor};
 
 use pp_runtime::config::{Mode, TcpFrame, Units, starting_point};
-use pp_runtime::control;
 use pp_runtime::kinematics::Machine;
 use pp_runtime::nalgebra::Vector3;
 use pp_runtime::post::{Job, post};
+use tests::by_name;
 use tests::heap::allocations;
 use tests::oracle::Oracle;
 use tests::random::Random;
@@ -85,7 +85,7 @@ fn a_motion_is_read_planned_and_written_without_allocating() {
         ("heidenhain", Mode::Tcp),
         ("haas", Mode::Axes),
     ] {
-        let control = control::by_name(control).expect("a control");
+        let control = by_name::control(control);
         let mut config = starting_point(control);
         config.motion.mode = mode;
         config.set_up.part_origin = [0.0, 0.0, 20.0];

@@ -6,6 +6,7 @@ use pp_runtime::config::{Config, starting_point};
 use pp_runtime::control::{self, Control};
 use pp_runtime::diag::Severity;
 use pp_runtime::kinematics::Machine;
+use tests::by_name;
 use tests::posting::{findings, written};
 
 const FIRST: &str = "TOOL PATH/OP10,TOOL,T
@@ -120,7 +121,7 @@ fn a_set_up_is_posted_as_it_would_be_alone() {
 
 #[test]
 fn what_is_wrong_between_two_set_ups_is_found() {
-    let control = control::by_name("siemens").expect("a control");
+    let control = by_name::control("siemens");
     let cl = format!("UNITS/MM\n{FIRST}{SECOND}FINI\n");
     let config = config::<SpinnerU5620>(control, "axes", &format!("park = {{ C = 0.0 }}\n{KEYS}[set_ups.2]\n{HERE}"));
     let program = posted::<SpinnerU5620>(&config, control, &cl).expect("it can be posted");
@@ -146,7 +147,7 @@ fn what_is_wrong_between_two_set_ups_is_found() {
 /// `machine_zero` is stated for the first set-up; a part that is clamped higher is nearer to the end of the travel.
 #[test]
 fn the_travel_counts_from_where_the_part_is_clamped() {
-    let control = control::by_name("linuxcnc").expect("a control");
+    let control = by_name::control("linuxcnc");
     let cl = format!("UNITS/MM\n{FIRST}{SECOND}FINI\n");
     let clamped = |height: f64| {
         let travel = "tcp_confirmed = true\nretract = { distance = 40.0 }\nmachine_zero = { X = 0.0, Y = 0.0, Z = -400.0 }\n[limits]\nZ = [-600.0, 0.0]\n";
@@ -161,7 +162,7 @@ fn the_travel_counts_from_where_the_part_is_clamped() {
 
 #[test]
 fn a_set_up_that_does_not_begin_is_an_error() {
-    let control = control::by_name("haas").expect("a control");
+    let control = by_name::control("haas");
     let cl = format!("UNITS/MM\n{FIRST}FINI\n");
     for (begins, text) in [("begins = \"OP21\"", "no operation is called `OP21`"), ("frames = [3]", "its frames")] {
         let keys = format!("{KEYS}[set_ups.2]\nwork_offset = \"G55\"\n{begins}\n");
@@ -173,7 +174,7 @@ fn a_set_up_that_does_not_begin_is_an_error() {
 
 #[test]
 fn without_a_table_a_second_frame_is_refused_with_one_to_paste() {
-    let control = control::by_name("heidenhain").expect("a control");
+    let control = by_name::control("heidenhain");
     let cl = format!("UNITS/MM\n{FIRST}{SECOND}FINI\n");
     let alone = config::<SpinnerU5620>(control, "auto", KEYS);
     let (line, text) = posted::<SpinnerU5620>(&alone, control, &cl).expect_err("a second frame");
@@ -192,7 +193,7 @@ fn the_header_states_the_zero_of_each_set_up_where_it_is_known() {
             ],
         ),
     ] {
-        let control = control::by_name(name).expect("a control");
+        let control = by_name::control(name);
         let zero = "table_zero = { X = -200.0, Y = -100.0, Z = -500.0 }\npark = { C = 0.0 }\n";
         let config = config::<SpinnerU5620>(control, "axes", &format!("{zero}{KEYS}[set_ups.2]\n{HERE}"));
         let (program, _) =

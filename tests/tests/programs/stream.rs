@@ -64,7 +64,7 @@ fn axis_values_of_a_leg_give_its_pose() {
     let (mut programs, mut compared) = (0, 0);
     for path in golden_programs() {
         let golden = &Golden::read(&path);
-        let count = with_machine!(golden, posed);
+        let count = with_machine!(&*golden.machine, posed(golden));
         assert!(count > 20, "{}: {count} poses", golden.name);
         (programs, compared) = (programs + 1, compared + count);
     }
@@ -111,7 +111,7 @@ fn a_leg_begins_where_the_one_before_has_ended() {
     let mut compared = 0;
     for path in golden_programs() {
         let golden = &Golden::read(&path);
-        let count = with_machine!(golden, continued);
+        let count = with_machine!(&*golden.machine, continued(golden));
         assert!(count > 5, "{}: {count} legs", golden.name);
         compared += count;
     }
@@ -136,7 +136,7 @@ fn counted<M: Machine>(golden: &Golden) -> u64 {
 fn every_block_is_executed_once_in_the_order_of_its_lines() {
     for path in golden_programs() {
         let golden = &Golden::read(&path);
-        assert!(with_machine!(golden, counted) > 0, "{}", golden.name);
+        assert!(with_machine!(&*golden.machine, counted(golden)) > 0, "{}", golden.name);
     }
 }
 
@@ -202,7 +202,7 @@ fn a_cut_off_its_path_is_found_at_its_block() {
     let mut edits = 0;
     for path in golden_programs() {
         let golden = &Golden::read(&path);
-        edits += with_machine!(golden, edited);
+        edits += with_machine!(&*golden.machine, edited(golden));
     }
     assert!(edits > 250, "{edits} edits");
 }
@@ -219,8 +219,8 @@ fn a_leg_begins_where_the_one_before_has_ended_where_the_tool_axis_is_a_vector()
         golden.keys =
             format!("tcp_words = \"vectors\"\ntool_posture = \"plane\"\ntcp_confirmed = true\n{}", golden.keys);
         let golden = &mut golden;
-        with_machine!(golden, repost);
-        compared += with_machine!(golden, continued);
+        with_machine!(&*golden.machine, repost(golden));
+        compared += with_machine!(&*golden.machine, continued(golden));
     }
     assert!(compared > 500, "{compared} legs");
 }

@@ -3,6 +3,7 @@
 use machines::SpinnerU5620;
 use pp_runtime::config::{Config, starting_point};
 use pp_runtime::control::{self, Control};
+use tests::by_name;
 use tests::posting::{findings, posted};
 
 /// Two threads and a hole, a cut before and after them.
@@ -36,7 +37,7 @@ fn config(control: &dyn Control, feed: &str, rigid: bool) -> Config {
 #[test]
 fn f_of_a_thread_is_its_pitch_in_feed_per_revolution() {
     for (name, rigid) in [("fanuc", true), ("fanuc", false), ("haas", true)] {
-        let control = control::by_name(name).expect("a control");
+        let control = by_name::control(name);
         let [per_minute, config] = ["minute", "revolution"].map(|feed| config(control, feed, rigid));
         let program = posted::<SpinnerU5620>(&config, control, CL);
         let lines: Vec<&str> = program.lines().collect();
@@ -64,7 +65,7 @@ fn f_of_a_thread_is_its_pitch_in_feed_per_revolution() {
 #[test]
 fn controls_that_take_the_pitch_refuse_it() {
     for name in ["linuxcnc", "siemens", "heidenhain"] {
-        let control = control::by_name(name).expect("a control");
+        let control = by_name::control(name);
         let config = config(control, "revolution", true);
         let unfit = control::unfit(&SpinnerU5620::default(), control, config.demands()).join("\n");
         assert!(unfit.contains("take their pitch in any case: leave `cycles.thread_feed` out"), "{unfit}");

@@ -1,17 +1,17 @@
 //! The sheets of the papers' machines as the binaries print them, and the files that they write.
 
-use std::env;
 use std::fs;
 use std::path::PathBuf;
 
 use tests::binaries::{binary, example_config, workspace};
+use tests::by_name;
+use tests::environment;
 
 use super::printed::WIDTH;
 
 /// Machines and the control of their example configuration.
 const MACHINES: [(&str, &str); 4] =
     [("spinner-u5-620", "siemens"), ("dmu-70e", "heidenhain"), ("lola-xoyzba", "linuxcnc"), ("multiprodesk", "fanuc")];
-const CONTROLS: [&str; 4] = ["siemens", "fanuc", "heidenhain", "haas"];
 
 /// Standard output and exit status of a sheet; of a refusal its message.
 fn run(machine: &str, arguments: &[&str]) -> (String, i32) {
@@ -28,11 +28,11 @@ fn golden(machine: &str, control: &str) -> PathBuf {
 
 #[test]
 fn sheets_are_as_before() {
-    let bless = env::var_os("PP_BLESS").is_some_and(|value| value == "1");
+    let bless = environment::blesses();
     let mut differences = Vec::new();
     for (machine, set_up) in MACHINES {
         let set_up = example_config(machine, set_up);
-        for control in CONTROLS {
+        for control in by_name::controls_with_tip_control() {
             let (text, status) = run(machine, &[&format!("--{control}"), "--config", &set_up]);
             assert_eq!(status, if text.starts_with("error: ") { 2 } else { 0 }, "{machine} {control}: {text}");
             let path = golden(machine, control);
@@ -60,7 +60,7 @@ fn sheets_are_as_before() {
 #[test]
 fn lines_fit_a_page() {
     for (machine, _) in MACHINES {
-        for control in CONTROLS {
+        for control in by_name::controls_with_tip_control() {
             let (text, status) = run(machine, &[&format!("--{control}")]);
             for line in text.lines().filter(|_| status == 0) {
                 assert!(line.chars().count() <= WIDTH && line.trim_end() == line, "{machine} {control}: {line}");

@@ -19,10 +19,10 @@ mod siemens;
 
 use nalgebra::{Point3, Vector3};
 use pp_runtime::config::{Config, starting_point};
-use pp_runtime::control;
 use pp_runtime::kinematics::{AxisKind, DimensionKind, Machine};
 use pp_runtime::nalgebra;
 use pp_runtime::transformation::{NotExpressible, SheetControl, compare_sheet};
+use tests::by_name;
 use tests::oracle::Oracle;
 use tests::random::Random;
 
@@ -33,7 +33,7 @@ const ROUNDING: f64 = 0.001;
 
 /// A set-up file for a control.
 fn config<M: Machine>(control: SheetControl, keys: &str) -> Config {
-    let control = control::by_name(control.name()).expect("a control");
+    let control = by_name::control(control.name());
     starting_point(control).read_over(&M::default(), keys).unwrap_or_else(|faults| panic!("{faults:?}"))
 }
 

@@ -10,14 +10,14 @@ use machine_library::{
 };
 use pp_runtime::check::check;
 use pp_runtime::config::starting_point;
-use pp_runtime::control;
 use pp_runtime::kinematics::{Axis, Machine, Side};
 use pp_runtime::post::{Job, post};
 use tests::binaries::{example_config, workspace};
+use tests::by_name;
 
 /// Posts a sample of `examples/cl` and checks the program.
 fn posts<M: Machine>(machine: &str, control_name: &str, part: &str) {
-    let control = control::by_name(control_name).expect("a control");
+    let control = by_name::control(control_name);
     let keys = fs::read_to_string(workspace().join(example_config(machine, control_name))).expect("a configuration");
     let config = starting_point(control).read_over(&M::default(), &keys);
     let config = config.unwrap_or_else(|faults| panic!("{machine}: {faults:?}"));

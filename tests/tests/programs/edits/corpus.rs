@@ -1,74 +1,17 @@
 //! The programs that are edited: the golden ones, the part with every feature with options that few programs have, and
 //! random ones, all posted here.
 
-use std::fs;
-use std::path::Path;
-
 use pp_runtime::config::Mode;
-use tests::binaries::{golden_programs, part_and_mode, workspace};
+use tests::binaries::{golden_programs, workspace};
 use tests::edits::{Case, Posted};
+use tests::environment;
+use tests::foreign::Control;
+use tests::golden::Golden;
 use tests::random::Random;
 
-use super::{CONTROLS, RANDOM_PROGRAMS, environment_number};
-use crate::random_programs::cl::{self, AxisRange};
-use crate::random_programs::set_up::{self, BUILDER_CODES, MachineKind};
-
-const KINDS: &[MachineKind] = &[
-    MachineKind {
-        name: "spinner",
-        rotaries: &['C', 'B'],
-        travel: &[('C', -200, 200), ('B', -100, 100)],
-        endless: &['C'],
-        axis_range: AxisRange::UpTo(90),
-        table: true,
-        head: false,
-    },
-    MachineKind {
-        name: "dmu",
-        rotaries: &['C', 'B'],
-        travel: &[('C', -190, 270), ('B', -180, 180)],
-        endless: &['C'],
-        axis_range: AxisRange::UpTo(85),
-        table: true,
-        head: false,
-    },
-    MachineKind {
-        name: "lola",
-        rotaries: &['A', 'B'],
-        travel: &[('A', -100, 100), ('B', -110, 110)],
-        endless: &['A', 'B'],
-        axis_range: AxisRange::UpTo(80),
-        table: false,
-        head: true,
-    },
-    MachineKind {
-        name: "multiprodesk",
-        rotaries: &['A'],
-        travel: &[('A', -100, 100)],
-        endless: &['A'],
-        axis_range: AxisRange::AboutX,
-        table: true,
-        head: false,
-    },
-    MachineKind {
-        name: "head_table",
-        rotaries: &['C', 'B'],
-        travel: &[('C', -200, 200), ('B', -100, 100)],
-        endless: &['C', 'B'],
-        axis_range: AxisRange::UpTo(85),
-        table: true,
-        head: true,
-    },
-    MachineKind {
-        name: "mill",
-        rotaries: &[],
-        travel: &[],
-        endless: &[],
-        axis_range: AxisRange::Vertical,
-        table: false,
-        head: false,
-    },
-];
+use super::RANDOM_PROGRAMS;
+use crate::random_programs::cl;
+use crate::random_programs::set_up::{self, BUILDER_CODES, KINDS};
 
 /// Keys that few golden programs have, with the first of them in the part with every feature.
 const OPTIONS: &[&str] = &[
@@ -83,7 +26,7 @@ const OPTIONS: &[&str] = &[
 
 /// Every program; the seed chooses the random ones.
 pub(crate) fn programs(seed: u64) -> Vec<Posted> {
-    let edits = environment_number("PP_EDITS").unwrap_or(0) as usize;
+    let edits = environment::number("PP_EDITS").unwrap_or(0) as usize;
     let mut programs = Vec::new();
     golden(&mut programs);
     with_options(&mut programs);
@@ -91,40 +34,25 @@ pub(crate) fn programs(seed: u64) -> Vec<Posted> {
     programs
 }
 
-/// CL data and configuration of a part.
-fn part(folder: &Path, name: &str, machine: &str) -> (Vec<u8>, String) {
-    let config = if name == "works" && machine != "lola-xoyzba" { "table" } else { name };
-    let config = fs::read_to_string(folder.join(format!("{config}.toml"))).unwrap_or_default();
-    let files = fs::read_dir(folder).expect("a part").map(|entry| entry.expect("an entry").path());
-    let cl = files.into_iter().find(|path| {
-        path.extension().is_some_and(|extension| ["cls", "ncl", "apt", "aptsource"].iter().any(|cl| extension == *cl))
-    });
-    let cl = cl.unwrap_or_else(|| workspace().join(format!("examples/cl/{name}.cls")));
-    (fs::read(&cl).expect("CL data"), config)
-}
-
-/// Operations of the part with every feature: no control cuts its thread under tip control, and in the fourth the tool
-/// axis rotates.
-fn operations(part: &str, mode: Mode) -> Option<(u64, u64)> {
-    part.starts_with("works").then_some(match mode {
-        Mode::Axes | Mode::Auto => (1, 5),
-        Mode::Tcp => (1, 4),
-        Mode::Plane => (1, 3),
-    })
+/// The case of a golden program.
+fn case(golden: &Golden) -> Case<'_> {
+    Case {
+        name: &golden.name,
+        machine: &golden.machine,
+        control: golden.control.spellings().name,
+        mode: golden.mode,
+        operations: golden.last_operation().map(|last| (1, last)),
+        config: &golden.keys,
+        cl: golden.cl.as_bytes(),
+        idle: &[],
+    }
 }
 
 /// The golden programs, posted.
 fn golden(programs: &mut Vec<Posted>) {
     for path in golden_programs() {
-        let (folder, mode) = part_and_mode(&path);
-        let name = folder.file_name().expect("a name").to_string_lossy().into_owned();
-        let stem = path.file_stem().expect("a name").to_string_lossy().into_owned();
-        let (machine, control) = stem.split_once('.').expect("machine and control");
-        let (cl, config) = part(folder, &name, machine);
-        let title = format!("{name} {machine} {control} {}", mode.name());
-        let operations = operations(&name, mode);
-        let case = Case { name: &title, machine, control, mode, operations, config: &config, cl: &cl, idle: &[] };
-        programs.push(Posted::of(&case).unwrap_or_else(|why| panic!("{title}: {why}")));
+        let golden = Golden::read(&path);
+        programs.push(Posted::of(&case(&golden)).unwrap_or_else(|why| panic!("{}: {why}", golden.name)));
     }
 }
 
@@ -138,29 +66,18 @@ fn merged(config: &str, more: &str) -> String {
 
 /// The part with every feature, with options that golden programs do not have.
 fn with_options(programs: &mut Vec<Posted>) {
-    let folder = workspace().join("tests/data/works");
     for (index, more) in OPTIONS.iter().enumerate() {
         for machine in ["spinner-u5-620", "lola-xoyzba"] {
-            let (cl, config) = part(&folder, "works", machine);
-            for control in CONTROLS {
+            for control in Control::ALL.map(Control::name) {
                 for mode in [Mode::Axes, Mode::Tcp, Mode::Plane] {
-                    let title = format!("works, options {index}, {machine} {control} {}", mode.name());
-                    let config = merged(&config, more);
-                    let operations = operations("works", mode);
-                    let idle = ["M10", "M11"];
-                    let case = Case {
-                        name: &title,
-                        machine,
-                        control,
-                        mode,
-                        operations,
-                        config: &config,
-                        cl: &cl,
-                        idle: &idle,
-                    };
+                    let path = workspace().join(format!("tests/data/works/{machine}.linuxcnc.nc"));
+                    let name = format!("works, options {index}, {machine} {control} {}", mode.name());
+                    let golden = Golden { mode, name, ..Golden::read(&path) };
+                    let config = merged(&golden.keys, more);
+                    let case = Case { control, config: &config, idle: &["M10", "M11"], ..case(&golden) };
                     match Posted::of(&case) {
                         Ok(posted) => programs.push(posted),
-                        Err(why) if environment_number("PP_EDITS").is_some() => println!("{title}: {why}"),
+                        Err(why) if environment::number("PP_EDITS").is_some() => println!("{}: {why}", golden.name),
                         Err(_) => {}
                     }
                 }
@@ -179,7 +96,7 @@ fn random(programs: &mut Vec<Posted>, count: usize, first: u64) {
         let mut random = Random::new(seed);
         let random = &mut random;
         let kind = &KINDS[random.below(KINDS.len())];
-        let control = CONTROLS[random.below(CONTROLS.len())];
+        let control = Control::ALL[random.below(Control::ALL.len())].name();
         let modes: &[Mode] = match control {
             _ if kind.rotaries.is_empty() => &[Mode::Axes],
             "linuxcnc" => &[Mode::Axes, Mode::Tcp, Mode::Auto],

@@ -7,13 +7,14 @@
 use std::collections::BTreeMap;
 
 use tests::edits::{Allowed, Edit, Posted, Verdict, verdict};
+use tests::environment;
 use tests::foreign::{Control, run};
 use tests::linuxcnc::installed;
 use tests::linuxcnc::interpreter::{PRINTED, interpret, interpret_edited};
 use tests::random::Random;
 
 use super::corpus::programs;
-use super::{EDITS, chosen, environment_number, is_matter_of_taste, places, shown};
+use super::{EDITS, chosen, is_matter_of_taste, places, shown};
 
 /// A motion, a wait or a stop with the state in which it is made.
 #[derive(Debug, Clone, PartialEq)]
@@ -184,8 +185,8 @@ fn the_interpreter_of_linuxcnc_agrees_with_the_verdicts() {
     if !installed() {
         return;
     }
-    let edits = environment_number("PP_EDITS").map_or(EDITS as u64, |edits| edits) / 15;
-    let seed = environment_number("PP_EDITS_SEED").unwrap_or(1);
+    let edits = environment::number("PP_EDITS").map_or(EDITS as u64, |edits| edits) / 15;
+    let seed = environment::number("PP_EDITS_SEED").unwrap_or(1);
     let mut programs = programs(seed);
     programs.retain(|posted| posted.subject.options.control == Control::LinuxCnc && posted.subject.lines.len() < 600);
     let originals: Vec<Option<String>> = programs.iter().map(|posted| interpret(&posted.text, 0.0).ok()).collect();

@@ -17,6 +17,7 @@ use std::fs;
 use std::path::Path;
 
 use tests::edits::{Edit, Posted, Verdict, edit, restarts_differ, verdict};
+use tests::environment;
 use tests::foreign::{Control, Entry, Options, Refused, Trace, run};
 use tests::random::Random;
 
@@ -30,14 +31,6 @@ const RANDOM_PROGRAMS: usize = 40;
 
 /// Edits that are shown where a test fails.
 const SHOWN: usize = 12;
-
-const CONTROLS: [&str; 5] = ["linuxcnc", "fanuc", "haas", "siemens", "heidenhain"];
-
-fn environment_number(name: &str) -> Option<u64> {
-    std::env::var(name)
-        .ok()
-        .map(|text| text.parse().unwrap_or_else(|_| panic!("{name} must be a number, found {text}")))
-}
 
 /// Edits of one control.
 #[derive(Debug, Default, Clone, Copy)]
@@ -254,9 +247,9 @@ fn report(failures: &[Failure]) -> String {
 
 #[test]
 fn every_harmful_edit_is_found_and_no_harmless_one() {
-    let more = environment_number("PP_EDITS");
+    let more = environment::number("PP_EDITS");
     let edits = more.map_or(EDITS, |edits| edits as usize);
-    let seed = environment_number("PP_EDITS_SEED").unwrap_or(1);
+    let seed = environment::number("PP_EDITS_SEED").unwrap_or(1);
     let programs = programs(seed);
     let mut faulty = Vec::new();
     for posted in programs.iter().filter(|_| more.is_some()) {
@@ -279,7 +272,7 @@ fn every_harmful_edit_is_found_and_no_harmless_one() {
     let mut tallies = [Tally::default(); 5];
     let mut failures = Vec::new();
     for number in 0..edits {
-        let (posted, edit) = chosen(&programs, &places, CONTROLS[number % 5], &mut random);
+        let (posted, edit) = chosen(&programs, &places, Control::ALL[number % 5].name(), &mut random);
         let failure = judged(posted, &edit, &mut tallies[number % 5]);
         if let (Some(failure), Ok(path)) = (&failure, std::env::var("PP_EDITS_REPORT")) {
             let folder = format!("{path}.files/{}", failures.len());
@@ -288,8 +281,8 @@ fn every_harmful_edit_is_found_and_no_harmless_one() {
         }
         failures.extend(failure);
     }
-    for (control, tally) in CONTROLS.iter().zip(&tallies) {
-        println!("{control:10} {tally:?}");
+    for (control, tally) in Control::ALL.iter().zip(&tallies) {
+        println!("{:10} {tally:?}", control.name());
     }
     if let Ok(path) = std::env::var("PP_EDITS_REPORT") {
         fs::write(&path, report(&failures)).expect("the report can be written");

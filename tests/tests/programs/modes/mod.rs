@@ -16,6 +16,7 @@ use pp_runtime::kinematics::{AxisKind, Machine, Pose};
 use pp_runtime::machine;
 use pp_runtime::program::{Event, Feed, Move, Rotation, Spindle, ToolCall};
 use tests::block::{angle_to_arc, distance_to_line};
+use tests::by_name;
 use tests::further::{HeadTable, Trunnion};
 use tests::oracle::{Oracle, angle_between};
 use tests::posting::written;
@@ -332,7 +333,7 @@ fn unsupported_modes_are_refused_with_the_alternative() {
 
 #[test]
 fn tip_control_of_haas_over_a_rotated_table_needs_the_dynamic_offset() {
-    let haas = control::by_name("haas").expect("a control");
+    let haas = by_name::control("haas");
     let cl = "UNITS/MM\nTOOL PATH/OP10,TOOL,T\nLOADTL/1,LENGTH,100\nSPINDL/RPM,2000,CLW\nRAPID\nGOTO/0,0,90,0.5,0,0.8660254\n\
               FEDRAT/MMPM,300\nGOTO/0,0,20\nGOTO/0,20,20,0,0.5,0.8660254\nRAPID\nGOTO/0,20,90\nFINI\n";
     let run = |functions: &str| {

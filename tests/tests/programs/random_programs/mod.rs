@@ -13,28 +13,21 @@ use std::collections::BTreeMap;
 use std::io::Cursor;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use machines::{Dmu70e, LolaXoyzba, MultiProDesk, SpinnerU5620};
 use pp_runtime::check::Finding;
 use pp_runtime::check::read::coolant;
 use pp_runtime::config::{Config, Mode, starting_point};
 use pp_runtime::control::{self, Control};
 use pp_runtime::diag::Severity;
 use pp_runtime::kinematics::Machine;
-use pp_runtime::{check, machine, post};
+use pp_runtime::{check, post};
 use tests::agreement::{self, Compared};
 use tests::damage::damage;
+use tests::environment;
 use tests::foreign::{Control as Foreign, Options};
-use tests::further::HeadTable;
 use tests::random::Random;
+use tests::with_machine;
 
-use cl::AxisRange;
-use set_up::MachineKind;
-
-machine! {
-    /// Three axes.
-    pub struct Mill;
-    chain: X Y | Z;
-}
+use set_up::{KINDS, MachineKind};
 
 /// Number of programs in a test run.
 const PROGRAMS: usize = 300;
@@ -47,63 +40,6 @@ const ONCE_REJECTED: [u64; 9] =
 
 /// Largest number of faulty programs that are printed.
 const SHOWN: usize = 3;
-
-const KINDS: &[MachineKind] = &[
-    MachineKind {
-        name: "spinner",
-        rotaries: &['C', 'B'],
-        travel: &[('C', -200, 200), ('B', -100, 100)],
-        endless: &['C'],
-        axis_range: AxisRange::UpTo(90),
-        table: true,
-        head: false,
-    },
-    MachineKind {
-        name: "dmu",
-        rotaries: &['C', 'B'],
-        travel: &[('C', -190, 270), ('B', -180, 180)],
-        endless: &['C'],
-        axis_range: AxisRange::UpTo(85),
-        table: true,
-        head: false,
-    },
-    MachineKind {
-        name: "lola",
-        rotaries: &['A', 'B'],
-        travel: &[('A', -100, 100), ('B', -110, 110)],
-        endless: &['A', 'B'],
-        axis_range: AxisRange::UpTo(80),
-        table: false,
-        head: true,
-    },
-    MachineKind {
-        name: "multiprodesk",
-        rotaries: &['A'],
-        travel: &[('A', -100, 100)],
-        endless: &['A'],
-        axis_range: AxisRange::AboutX,
-        table: true,
-        head: false,
-    },
-    MachineKind {
-        name: "head_table",
-        rotaries: &['C', 'B'],
-        travel: &[('C', -200, 200), ('B', -100, 100)],
-        endless: &['C', 'B'],
-        axis_range: AxisRange::UpTo(85),
-        table: true,
-        head: true,
-    },
-    MachineKind {
-        name: "mill",
-        rotaries: &[],
-        travel: &[],
-        endless: &[],
-        axis_range: AxisRange::Vertical,
-        table: false,
-        head: false,
-    },
-];
 
 /// Input of one test, with set-up and CL data as text.
 #[derive(Clone)]
@@ -152,14 +88,7 @@ impl Case {
     }
 
     fn run(&self) -> Outcome {
-        let run = || match self.kind.name {
-            "spinner" => run::<SpinnerU5620>(self),
-            "dmu" => run::<Dmu70e>(self),
-            "lola" => run::<LolaXoyzba>(self),
-            "multiprodesk" => run::<MultiProDesk>(self),
-            "head_table" => run::<HeadTable>(self),
-            _ => run::<Mill>(self),
-        };
+        let run = || with_machine!(self.kind.name, run(self));
         catch_unwind(AssertUnwindSafe(run)).unwrap_or_else(|_| Outcome::Wrong("a panic".to_owned(), Vec::new()))
     }
 
@@ -222,13 +151,6 @@ fn same_motions<M: Machine>(case: &Case, config: &Config, program: &[u8]) -> Res
     agreement::compare::<M>(text, (config, case.control), &options, compared).map(|_| ())
 }
 
-/// A number from the environment.
-fn environment_number(name: &str) -> Option<usize> {
-    std::env::var(name)
-        .ok()
-        .map(|text| text.parse().unwrap_or_else(|_| panic!("{name} must be a number, found {text}")))
-}
-
 /// Text of a fault without its numbers, the same for all faults of a kind.
 fn fault_kind(text: &str) -> String {
     let text = text.split("; line").next().unwrap_or_default();
@@ -246,8 +168,8 @@ fn fault_kind(text: &str) -> String {
 
 #[test]
 fn every_posted_program_passes_its_check() {
-    let count = environment_number("PP_RANDOM_PROGRAMS").unwrap_or(PROGRAMS);
-    let first = environment_number("PP_RANDOM_SEED").unwrap_or(0) as u64;
+    let count = environment::number("PP_RANDOM_PROGRAMS").map_or(PROGRAMS, |count| count as usize);
+    let first = environment::number("PP_RANDOM_SEED").unwrap_or(0);
     let again: &[u64] = if count == 1 { &[] } else { &ONCE_REJECTED };
     let mut tally: BTreeMap<String, [usize; 4]> = BTreeMap::new();
     let mut reasons: BTreeMap<String, (usize, String)> = BTreeMap::new();
@@ -280,7 +202,7 @@ fn every_posted_program_passes_its_check() {
         };
         tally.entry(case.name()).or_default()[outcome] += 1;
     }
-    if environment_number("PP_RANDOM_PROGRAMS").is_some() {
+    if environment::number("PP_RANDOM_PROGRAMS").is_some() {
         println!("{with_settings} programs with settings of operations pass");
         print_summary(&tally, &reasons);
     }
@@ -307,8 +229,8 @@ const DAMAGES: usize = 5;
 
 #[test]
 fn a_damaged_program_is_checked_to_its_end() {
-    let count = environment_number("PP_RANDOM_PROGRAMS").unwrap_or(PROGRAMS / 4);
-    let first = environment_number("PP_RANDOM_SEED").unwrap_or(1_000_000) as u64;
+    let count = environment::number("PP_RANDOM_PROGRAMS").map_or(PROGRAMS / 4, |count| count as usize);
+    let first = environment::number("PP_RANDOM_SEED").unwrap_or(1_000_000);
     let mut damaged = 0;
     for seed in first..first + count as u64 {
         let case = Case::of(seed);
@@ -335,14 +257,7 @@ fn a_damaged_program_is_checked_to_its_end() {
 impl Case {
     /// Number of findings in a program of this case, and number of those that are listed.
     fn findings(&self, program: &[u8]) -> (u64, usize) {
-        match self.kind.name {
-            "spinner" => findings::<SpinnerU5620>(self, program),
-            "dmu" => findings::<Dmu70e>(self, program),
-            "lola" => findings::<LolaXoyzba>(self, program),
-            "multiprodesk" => findings::<MultiProDesk>(self, program),
-            "head_table" => findings::<HeadTable>(self, program),
-            _ => findings::<Mill>(self, program),
-        }
+        with_machine!(self.kind.name, findings(self, program))
     }
 }
 

@@ -14,6 +14,7 @@ pub(crate) const BUILDER_CODES: [&str; 12] =
 /// Properties of a machine on which a set-up depends.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct MachineKind {
+    /// Name for `with_machine!`.
     pub(crate) name: &'static str,
     pub(crate) rotaries: &'static [char],
     /// Travel of these axes, degrees; wide enough for every tool axis of `axis_range`.
@@ -26,6 +27,64 @@ pub(crate) struct MachineKind {
     /// Whether a rotary axis rotates the tool.
     pub(crate) head: bool,
 }
+
+/// Kinds of machines.
+pub(crate) const KINDS: &[MachineKind] = &[
+    MachineKind {
+        name: "spinner-u5-620",
+        rotaries: &['C', 'B'],
+        travel: &[('C', -200, 200), ('B', -100, 100)],
+        endless: &['C'],
+        axis_range: AxisRange::UpTo(90),
+        table: true,
+        head: false,
+    },
+    MachineKind {
+        name: "dmu-70e",
+        rotaries: &['C', 'B'],
+        travel: &[('C', -190, 270), ('B', -180, 180)],
+        endless: &['C'],
+        axis_range: AxisRange::UpTo(85),
+        table: true,
+        head: false,
+    },
+    MachineKind {
+        name: "lola-xoyzba",
+        rotaries: &['A', 'B'],
+        travel: &[('A', -100, 100), ('B', -110, 110)],
+        endless: &['A', 'B'],
+        axis_range: AxisRange::UpTo(80),
+        table: false,
+        head: true,
+    },
+    MachineKind {
+        name: "multiprodesk",
+        rotaries: &['A'],
+        travel: &[('A', -100, 100)],
+        endless: &['A'],
+        axis_range: AxisRange::AboutX,
+        table: true,
+        head: false,
+    },
+    MachineKind {
+        name: "head-table",
+        rotaries: &['C', 'B'],
+        travel: &[('C', -200, 200), ('B', -100, 100)],
+        endless: &['C', 'B'],
+        axis_range: AxisRange::UpTo(85),
+        table: true,
+        head: true,
+    },
+    MachineKind {
+        name: "mill",
+        rotaries: &[],
+        travel: &[],
+        endless: &[],
+        axis_range: AxisRange::Vertical,
+        table: false,
+        head: false,
+    },
+];
 
 /// Keys of a file by section; the empty name has the keys before the first section.
 struct File<'r> {
