@@ -9,6 +9,7 @@ use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 use std::{env, fs};
 
+use approx::{abs_diff_eq, assert_abs_diff_eq};
 use base64::Engine as _;
 use base64::prelude::BASE64_STANDARD;
 use fantoccini::wd::WebDriverCompatibleCommand;
@@ -405,9 +406,9 @@ fn the_page_of_a_simulation_shows_stock_machine_and_findings() {
             let state = browser.state().await;
             let origin = |name: &str| Vector3::from_fn(|row, _| number(&state["simulation"]["origins"][name][row]));
             let gauge = page.tip(point) + TOOL_MM * page.tool_axis(point);
-            assert!((origin("nose") - gauge).norm() < 2e-3, "point {point}: {} {gauge}", origin("nose"));
+            assert!(abs_diff_eq!(origin("nose"), gauge, epsilon = 1e-3), "point {point}: {} {gauge}", origin("nose"));
             for name in ["riser", "table"] {
-                assert!((origin(name) - Vector3::new(0.0, 0.0, -80.0)).norm() < 2e-3, "{}", origin(name));
+                assert_abs_diff_eq!(origin(name), Vector3::new(0.0, 0.0, -80.0), epsilon = 1e-3);
             }
         }
 
@@ -422,7 +423,9 @@ fn the_page_of_a_simulation_shows_stock_machine_and_findings() {
             browser.script(&format!("window.ppView.seek({point})")).await;
             let volume = number(&browser.state().await["simulation"]["volume"]);
             match left {
-                Some(left) => assert!((volume - left).abs() < 0.02 * removed, "at {share}: {volume}, not {left}"),
+                Some(left) => {
+                    assert!(abs_diff_eq!(volume, left, epsilon = 0.02 * removed), "at {share}: {volume}, not {left}");
+                }
                 None => assert!(volume < before && volume > block - removed, "at {share}: {volume}"),
             }
             before = volume;

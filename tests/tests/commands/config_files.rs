@@ -5,6 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use approx::abs_diff_eq;
 use machine_library::{HaasTrunnion, ObliqueYLathe, XyzacTrt};
 use machines::{LolaXoyzba, SpinnerU5620};
 use pp_runtime::config::{Config, print, starting_point};
@@ -250,7 +251,7 @@ fn machine_zero_follows<M: Machine>(dimensions: &str) {
         let index = M::AXES.iter().position(|axis| axis.letter == letter).expect("an axis");
         let expected = table + values.as_ref()[index];
         let found = config.set_up.machine_zero[&letter];
-        assert!((found - expected).abs() < 1e-9, "{} {letter}: {found} {expected}", M::NAME);
+        assert!(abs_diff_eq!(found, expected, epsilon = 1e-9), "{} {letter}: {found} {expected}", M::NAME);
     }
     let both = Config::read::<M>(&format!("machine_zero = {{ X = 1.0 }}\n{text}"), &LinuxCnc).expect_err("both");
     assert!(both[0].text.contains("`machine_zero` beside `table_zero`"), "{both:?}");

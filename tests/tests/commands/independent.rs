@@ -14,6 +14,7 @@ use std::io::Cursor;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use approx::abs_diff_eq;
 use pp_runtime::config::{Config, GivenTool, LengthMode, ProgramZero, Units};
 use pp_runtime::control::LinuxCnc;
 use pp_runtime::kinematics::{AxisKind, Machine};
@@ -180,8 +181,10 @@ fn assert_same_chain<M: Machine>(machine: &M, description: &Value) {
         let joint = machine.joint(index);
         let kind = if ours.kind == AxisKind::Linear { "linear" } else { "rotary" };
         assert_eq!((theirs["name"].as_str(), theirs["type"].as_str()), (Some(&*ours.letter.to_string()), Some(kind)));
-        assert!((joint.direction.into_inner() - numbers(&theirs["dir"]).normalize()).norm() < 1e-12, "{theirs}");
-        assert!((joint.sign - theirs["sign"].as_f64().unwrap_or(1.0)).abs() < 1e-12, "{theirs}");
+        let direction = numbers(&theirs["dir"]).normalize();
+        assert!(abs_diff_eq!(joint.direction.into_inner(), direction, epsilon = 5e-13), "{theirs}");
+        let sign = theirs["sign"].as_f64().unwrap_or(1.0);
+        assert!(abs_diff_eq!(joint.sign, sign, epsilon = 1e-12), "{theirs}");
     }
     let plain = description["frame"].get("x").is_none() && description.get("offsets").is_none();
     assert!(plain, "a frame or offsets that are not supported here: {description}");

@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
+use approx::abs_diff_eq;
 use machines::{Dmu70e, LolaXoyzba, SpinnerU5620};
 use nalgebra::Vector3;
 use pp_runtime::config::Config;
@@ -152,7 +153,7 @@ fn assert_words(posted: &Posted) {
             let known = *shifts.entry((letter, block.state.tool)).or_insert(shift);
             // At the end of a cycle the words are those above the hole, rounded separately.
             let room = if cycle { 1.1e-3 } else { 1e-5 };
-            assert!((shift - known).abs() < room, "{context}: {letter} is {word} in the block");
+            assert!(abs_diff_eq!(shift, known, epsilon = room), "{context}: {letter} is {word} in the block");
             compared += 1;
         }
     }

@@ -6,6 +6,7 @@
 use std::collections::BTreeMap;
 use std::fs;
 
+use approx::abs_diff_eq;
 use machines::{Dmu70e, LolaXoyzba, MultiProDesk, SpinnerU5620};
 use pp_runtime::config::Config;
 use pp_runtime::control::LinuxCnc;
@@ -116,7 +117,8 @@ fn check_blocks<M: Machine>(case: &Case, control: &str) -> BTreeMap<char, (f64, 
 fn assert_swept(found: &BTreeMap<char, (f64, f64)>, wanted: &[(char, f64, f64)]) {
     for (letter, low, high) in wanted {
         let (from, to) = found[letter];
-        assert!((from - low).abs() < 1e-3 && (to - high).abs() < 1e-3, "{letter}: {from} to {to}");
+        let same = abs_diff_eq!([from, to][..], [*low, *high][..], epsilon = 1e-3);
+        assert!(same, "{letter}: {from} to {to}");
     }
 }
 
@@ -188,7 +190,8 @@ fn check_tip_control<M: Machine>(case: &Case, control: &str) -> BTreeMap<char, (
         blocks += 1;
         for (letter, expected) in ['X', 'Y', 'Z'].into_iter().zip(case.point) {
             let found = step.state.position.get(letter).unwrap_or_else(|| panic!("{letter} is unknown"));
-            assert!((found - expected).abs() <= 1e-3, "{control}, line {}: {letter} {found}", step.line);
+            let same = abs_diff_eq!(found, expected, epsilon = 1e-3);
+            assert!(same, "{control}, line {}: {letter} {found}", step.line);
         }
         for axis in M::AXES.iter().filter(|axis| axis.kind == AxisKind::Rotary) {
             let degrees = step.state.position.get(axis.letter).unwrap_or_else(|| panic!("{} is unknown", axis.letter));

@@ -7,6 +7,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
+use approx::abs_diff_eq;
 use machine_library::XyzacTrt;
 use pp_runtime::cli::{Status, Streams, run_with};
 use pp_runtime::config::Config;
@@ -118,7 +119,8 @@ fn agrees<M: Machine>(golden: &Golden) -> usize {
         let Some(point) = ends.get(&line) else { return };
         for ((shown, value), axis) in page.axes(*point).iter().zip(values).zip(M::AXES) {
             let value = if axis.kind == AxisKind::Rotary { value.to_degrees() } else { value };
-            assert!((shown - value).abs() < 1e-4, "{}, line {line}, {}: {shown} for {value}", golden.name, axis.letter);
+            let same = abs_diff_eq!(*shown, value, epsilon = 1e-4);
+            assert!(same, "{}, line {line}, {}: {shown} for {value}", golden.name, axis.letter);
         }
         compared += 1;
     });
@@ -411,7 +413,7 @@ fn the_machine_is_followed_through_its_retracts() {
             if machine && text.contains('Z') {
                 let zero = number(&page.head["placements"][placement(point)]["zero"][z]);
                 let coordinate = page.axes(point)[z] + zero;
-                assert!(coordinate.abs() < 1e-4, "{}, {text}: Z is at {coordinate}", given.0);
+                assert!(abs_diff_eq!(coordinate, 0.0, epsilon = 1e-4), "{}, {text}: Z is at {coordinate}", given.0);
                 retracts += 1;
             }
         }
@@ -556,7 +558,8 @@ fn extremes_of_a_sheet_under_tip_control_of_linuxcnc_are_those_of_the_axes() {
         let added = "XYZ".find(letter).map_or(0.0, |axis| ZERO_MM[axis] + [0.0, 0.0, GAUGE_MM][axis]);
         let (low, high) = followed.extremes[index];
         let [lowest, highest] = ["lowest", "highest"].map(|key| number(&row[key]) - added);
-        assert!((lowest - low).abs() < 0.02 && (highest - high).abs() < 0.02, "{letter}: {row} for {low} to {high}");
+        let same = abs_diff_eq!([lowest, highest][..], [low, high][..], epsilon = 0.02);
+        assert!(same, "{letter}: {row} for {low} to {high}");
         assert!(row.get("outside_limits").is_none(), "{row}");
     }
 }

@@ -5,6 +5,7 @@
 use std::fmt::Write;
 use std::io::Cursor;
 
+use approx::abs_diff_eq;
 use machines::{LolaXoyzba, SpinnerU5620};
 use pp_runtime::check::check;
 use pp_runtime::config::{Mode, starting_point};
@@ -247,13 +248,14 @@ fn vertical_operations_are_at_zero() {
             };
             let after_tilted = |operation: &str| angles("", &(tilted.to_owned() + operation));
             let [first, second] = after_tilted(&vertical)[..] else { panic!("two positions") };
-            assert!((first.abs() - 90.0).abs() < 1e-3 && second.abs() < 1e-9, "{mode} {control}: {first} {second}");
+            let same = abs_diff_eq!(first.abs(), 90.0, epsilon = 1e-3) && abs_diff_eq!(second, 0.0, epsilon = 1e-9);
+            assert!(same, "{mode} {control}: {first} {second}");
             for keys in ["singular = \"previous\"", "singular = \"shortest\""] {
                 let previous = angles(keys, &(tilted.to_owned() + &vertical));
                 assert_eq!(previous.last(), previous.first(), "{mode} {control} {keys}");
             }
             let [.., begin] = after_tilted(tilting)[..] else { panic!("a position") };
-            assert!((begin.abs() - 90.0).abs() < 1e-3, "{mode} {control}: {begin}");
+            assert!(abs_diff_eq!(begin.abs(), 90.0, epsilon = 1e-3), "{mode} {control}: {begin}");
         }
     }
 }

@@ -7,6 +7,7 @@
 use std::fmt::Write as _;
 use std::io::Cursor;
 
+use approx::abs_diff_eq;
 use machines::{Dmu70e, LolaXoyzba, MultiProDesk, SpinnerU5620};
 use pp_runtime::config::{Config, Mode, ToolPosture};
 use pp_runtime::control::LinuxCnc;
@@ -491,11 +492,16 @@ fn assert_times_add_up<M: Machine>(poses: &[Pose]) {
     let (report, text) = posted::<M>(&config, &poses);
     let blocks = timed::<M>(&text);
     let wanted = expected_minutes::<M>(&config, &blocks);
-    assert!((report.times.cutting_min / wanted - 1.0).abs() < TIMED, "{}: {:?}, {wanted} min", M::NAME, report.times);
+    let cutting_min = report.times.cutting_min;
+    assert!(abs_diff_eq!(cutting_min / wanted, 1.0, epsilon = TIMED), "{}: {:?}, {wanted} min", M::NAME, report.times);
     assert_eq!(report.times.slowed_blocks, 0);
     // Six digits of an F, and three decimals of an F per minute.
     let printed: f64 = blocks.iter().map(|(_, _, minutes)| minutes).sum();
-    assert!((printed / wanted - 1.0).abs() < TIMED, "{}: {printed} min printed, expected {wanted}", M::NAME);
+    assert!(
+        abs_diff_eq!(printed / wanted, 1.0, epsilon = TIMED),
+        "{}: {printed} min printed, expected {wanted}",
+        M::NAME
+    );
 }
 
 #[test]
@@ -521,7 +527,8 @@ fn assert_no_axis_is_too_fast<M: Machine>(poses: &[Pose]) {
     let (times, wanted) = (&report.times, expected_minutes::<M>(&config, &blocks));
     assert!(times.slowed_blocks > 0 && times.slowed_min > 0.0, "{}: {times:?}", M::NAME);
     let excess = times.cutting_min - wanted;
-    assert!((excess - times.slowed_min).abs() < TIMED * times.cutting_min, "{}: {excess} min more, {times:?}", M::NAME);
+    let same = abs_diff_eq!(excess, times.slowed_min, epsilon = TIMED * times.cutting_min);
+    assert!(same, "{}: {excess} min more, {times:?}", M::NAME);
     for (from, to, minutes) in blocks {
         for (index, axis) in M::AXES.iter().enumerate() {
             let speed = (to[index] - from[index]).abs() / minutes;

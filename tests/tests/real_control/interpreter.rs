@@ -5,6 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::slice::Iter;
 
+use approx::abs_diff_eq;
 use machines::SpinnerU5620;
 use pp_runtime::check::blocks;
 use pp_runtime::check::read::{Action, ArcMove, Block, CycleKind, CycleMove};
@@ -89,7 +90,8 @@ impl<M: Machine> Comparison<'_, M> {
 
     fn same(&self, what: &str, ours: f64, theirs: f64) {
         let context = &self.context;
-        assert!((ours - theirs).abs() <= PRINTED, "{context}: {what}: reader {ours}, interpreter {theirs}");
+        let same = abs_diff_eq!(ours, theirs, epsilon = PRINTED);
+        assert!(same, "{context}: {what}: reader {ours}, interpreter {theirs}");
     }
 
     /// Compares the end of a block, for every axis of `letters` whose position is known.

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use approx::assert_abs_diff_eq;
 use pp_runtime::nalgebra::{Point3, Vector3};
 
 /// A GOTO; millimetres.
@@ -95,10 +96,10 @@ pub(crate) fn read(text: &str) -> ClData {
 fn every_goto_of_the_three_dialects_is_found() {
     let nx = read("UNITS/INCH\nRAPID\nGOTO/1.0,2.0,3.0,0.0,0.6,0.8\nFEDRAT/IPM,10.0\nGOTO/1.0,2.0,2.0\n");
     assert_eq!(nx.points.len(), 2);
-    assert!((nx.points[1].tip - Point3::new(25.4, 50.8, 50.8)).norm() < 1e-12);
-    assert!((nx.points[1].axis - Vector3::new(0.0, 0.6, 0.8)).norm() < 1e-12);
+    assert_abs_diff_eq!(nx.points[1].tip, Point3::new(25.4, 50.8, 50.8), epsilon = 5e-13);
+    assert_abs_diff_eq!(nx.points[1].axis, Vector3::new(0.0, 0.6, 0.8), epsilon = 5e-13);
     assert_eq!((nx.points[0].rapid, nx.points[1].rapid), (true, false));
-    assert!((nx.points[1].feed_mm_per_min - 254.0).abs() < 1e-12);
+    assert_abs_diff_eq!(nx.points[1].feed_mm_per_min, 254.0, epsilon = 1e-12);
     let catia = read("GOTO  /  1.0, 2.0, 3.0, 0.0, 0.0, 0$\n.5\n$$ GOTO/9,9,9 $\nGOTO/4,5,6\n");
     assert_eq!(catia.points.len(), 2);
     let creo = read("$$-> CSYS / 1.0,  $\nGOTO / 0.0\nGOTO / 1.0, 2.0, 3.0,  $\n0.0, 0.0, 1.0\n");

@@ -1,5 +1,6 @@
 //! Worked examples of the Siemens manuals: their numbers, the sheet of the same machine, and the machine's own matrices.
 
+use approx::{abs_diff_eq, assert_abs_diff_eq};
 use pp_runtime::kinematics::Machine;
 use pp_runtime::machine;
 use pp_runtime::nalgebra::{Point3, Vector3};
@@ -70,11 +71,14 @@ struct Printout {
 fn head_agrees<M: Machine>(manual: &Printout) {
     let record = Carrier::of_record(&Printed::read(&sheet::<M>(Siemens, "").expect("a sheet")));
     assert_eq!(record.kind, 'T');
-    assert!((record.l[1] - manual.l[1]).norm() < 1e-9 && (record.l[2] - manual.l[2]).norm() < 1e-9, "{:?}", record.l);
-    for (sheet, manual) in record.v.iter().zip(manual.v) {
-        assert!((sheet - manual.normalize()).norm() < 1e-6, "{sheet:?}");
+    for index in [1, 2] {
+        assert_abs_diff_eq!(record.l[index], manual.l[index], epsilon = 5e-10);
     }
-    assert!((record.l[0] + record.l[1] + record.l[2]).norm() < 1e-9, "a closed chain");
+    for (sheet, manual) in record.v.iter().zip(manual.v) {
+        assert_abs_diff_eq!(*sheet, manual.normalize(), epsilon = 5e-7);
+    }
+    // A closed chain.
+    assert_abs_diff_eq!(record.l[0] + record.l[1] + record.l[2], Vector3::zeros(), epsilon = 5e-10);
     let [l1, l2, l3] = manual.l;
     let example = Carrier { kind: 'T', l: [l1, l2, l3, Vector3::zeros()], v: manual.v };
     let mut machine = M::default();
@@ -86,7 +90,7 @@ fn head_agrees<M: Machine>(manual: &Printout) {
         // The chain of the example need not be closed: only the motion of the tip is compared.
         let moved = example.tool([0.0; 2], &length) - example.tool(angles, &length);
         let tip = oracle.forward(&[0.0, 0.0, 0.0, angles[0], angles[1]]).tip;
-        assert!((moved - tip.coords).norm() < 1e-9, "{}: {moved:?} is not {tip:?}", M::NAME);
+        assert!(abs_diff_eq!(moved, tip.coords, epsilon = 5e-10), "{}: {moved:?} is not {tip:?}", M::NAME);
     }
 }
 

@@ -3,6 +3,7 @@
 use std::cell::RefCell;
 use std::path::Path;
 
+use approx::abs_diff_eq;
 use machine_library::{BridgeMill, XyzabTdr, XyzacTrt, XyzbcTrt};
 use pp_runtime::kinematics::Machine;
 use pp_runtime::machine;
@@ -88,7 +89,7 @@ fn module_agrees<M: Machine>(name: &str, letters: &str, joints: &str) {
         let found = module.inverse(&pose).expect("joints");
         for (letter, angle) in &position.angles {
             let joint = found[joints.find(*letter).expect("a joint")];
-            assert!((joint - angle.to_degrees()).abs() < 1e-9, "{name}: {letter}");
+            assert!(abs_diff_eq!(joint, angle.to_degrees(), epsilon = 1e-9), "{name}: {letter}");
         }
         Vector3::from_fn(|component, _| found[joints.find(['X', 'Y', 'Z'][component]).expect("a joint")])
     });

@@ -1,5 +1,6 @@
 //! Checks of one motion: approach, retract, cut, piece of a cut, machine coordinates, travel.
 
+use approx::abs_diff_eq;
 use pp_runtime::kinematics::{AxisKind, Machine, Pose, Side};
 use pp_runtime::nalgebra::{Point3, Vector3};
 use tests::block::{angle_to_arc, deviation, deviation_from, distance_to_line, timed_mm};
@@ -259,7 +260,8 @@ fn check_feed(line: usize, written: Feed, feed: f64, length: (f64, f64), rotatio
     match written {
         Feed::PerMinute(word) => {
             assert!(rotation == 0.0, "line {line}: G94 in a block with rotary motion");
-            assert!((word - feed / scale).abs() <= 0.5e-3 + 1e-9, "line {line}: F{word} for {feed} mm/min");
+            let same = abs_diff_eq!(word, feed / scale, epsilon = 0.5e-3 + 1e-9);
+            assert!(same, "line {line}: F{word} for {feed} mm/min");
         }
         Feed::PerRevolution(_) => panic!("line {line}: G95"),
         Feed::InverseTime(word) => {
