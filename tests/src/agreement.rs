@@ -3,6 +3,7 @@
 //! Compared are kind, axis words, positions where both readers know them, F and feed mode, circle, hole, and the modal
 //! state during the motion. The readers share no code.
 
+use approx::{abs_diff_eq, relative_eq};
 use pp_runtime::check::blocks;
 use pp_runtime::check::read::{self, Action, Block, coolant};
 use pp_runtime::config::Config;
@@ -64,7 +65,7 @@ pub fn compare<M: Machine>(
 }
 
 fn near(one: f64, other: f64) -> bool {
-    (one - other).abs() <= 1e-9 * one.abs().max(1.0)
+    relative_eq!(one, other, epsilon = 1e-9, max_relative = 1e-9)
 }
 
 /// Whether two angles, rad, are the same direction. The sign of `one` may be the sense of rotation and is then ignored.
@@ -119,7 +120,7 @@ fn motion_difference(block: &Block, executed: &Executed, unit: f64) -> Option<St
         (Action::Arc(one), Effect::Arc(other)) => {
             let [first, second, _] = block.state.plane.expect("a plane of arcs").axes();
             let centres = [first, second].into_iter().all(|index| near(one.centre[index], other.centre[index] * unit));
-            centres && (one.sweep.to_degrees() - other.sweep_deg).abs() < 1e-6
+            centres && abs_diff_eq!(one.sweep.to_degrees(), other.sweep_deg, epsilon = 1e-6)
         }
         (Action::Cycle(one), Effect::Hole(other)) => {
             let kind = match (one.kind, other.cycle.kind) {

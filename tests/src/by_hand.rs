@@ -1,9 +1,9 @@
 //! Machines against their chains written out by hand.
 
+use approx::abs_diff_eq;
 use nalgebra::Vector3;
-use pp_runtime::kinematics::{AxisKind, DimensionKind, Machine, Pose};
+use pp_runtime::kinematics::{AxisKind, DimensionKind, Machine, Pose, PoseTolerance};
 
-use crate::oracle::angle_between;
 use crate::random::Random;
 
 /// A machine with random dimensions, part origin and gauge length.
@@ -50,8 +50,8 @@ pub fn compare<M: Machine>(letters: &str, by_hand: impl Fn(&M, &M::Axes, &Vector
         let axes = axes::<M>(random);
         let expected = by_hand(&machine, &axes, &part_origin, gauge_length);
         let pose = machine.forward_kinematics(&axes);
-        let distance = (expected.tip - pose.tip).norm();
-        let angle = angle_between(&expected.axis, &pose.axis);
-        assert!(distance <= 1e-9 && angle <= 1e-13, "{} at {axes:?}: {distance:e} mm, {angle:e} rad", M::NAME);
+        let largest = PoseTolerance { tip_mm: 1e-9, axis_rad: 1e-13 };
+        let same = abs_diff_eq!(expected, pose, epsilon = largest);
+        assert!(same, "{} at {axes:?}: {pose:?} is not {expected:?}", M::NAME);
     }
 }

@@ -35,3 +35,9 @@ machine! {
     axes = { B: Rx(45 deg) * Y };
     d = { C: (0, 0, 210), B: (0, 25, 180) };
 }
+
+machine! {
+    /// Three axes.
+    pub struct Mill;
+    chain: X Y | Z;
+}

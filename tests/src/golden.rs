@@ -6,10 +6,11 @@ use std::path::Path;
 
 use pp_runtime::check::{Checked, ExecutedBlock, check_observed};
 use pp_runtime::config::{Config, Mode, Operations, starting_point};
-use pp_runtime::control::{self, Control};
+use pp_runtime::control::Control;
 use pp_runtime::kinematics::Machine;
 
 use crate::binaries::{part_and_mode, workspace};
+use crate::by_name;
 
 /// A golden program with all that its check needs.
 pub struct Golden {
@@ -47,7 +48,7 @@ impl Golden {
         Self {
             name: format!("{part} {name} {}", mode.name()),
             machine: machine.to_owned(),
-            control: control::by_name(control).expect("a control"),
+            control: by_name::control(control),
             mode,
             keys: fs::read_to_string(folder.join(format!("{keys}.toml"))).unwrap_or_default(),
             cl: fs::read_to_string(cl).expect("ASCII"),
@@ -71,11 +72,9 @@ impl Golden {
     /// Number of the last operation that was posted; `None` for all.
     #[must_use]
     pub fn last_operation(&self) -> Option<u64> {
-        self.name.starts_with("works").then_some(match self.mode {
-            Mode::Axes | Mode::Auto => 5,
-            Mode::Tcp => 4,
-            Mode::Plane => 3,
-        })
+        let of_works = |(mode, _): &(&str, &str)| self.name.starts_with("works") && *mode == self.mode.name();
+        let (_, operations) = by_name::WORKS.into_iter().find(of_works)?;
+        operations.rsplit('.').next()?.parse().ok()
     }
 
     /// Checks a program in its place, block by block.
@@ -103,18 +102,4 @@ impl Golden {
         let inches = self.cl.replace(' ', "").contains("UNITS/IN");
         numbers.map_or(0.0, |length| if inches { 25.4 * length } else { length })
     }
-}
-
-/// Calls a generic function for the machine of a golden program.
-#[macro_export]
-macro_rules! with_machine {
-    ($golden:expr, $function:ident) => {
-        match &*$golden.machine {
-            "dmu-70e" => $function::<machines::Dmu70e>($golden),
-            "lola-xoyzba" => $function::<machines::LolaXoyzba>($golden),
-            "multiprodesk" => $function::<machines::MultiProDesk>($golden),
-            "spinner-u5-620" => $function::<machines::SpinnerU5620>($golden),
-            name => panic!("{name} is no machine"),
-        }
-    };
 }

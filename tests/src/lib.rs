@@ -1,6 +1,7 @@
 //! The library of the suites: the conformance checks of [`pp_conformance`], and an independent reader of programs.
 //!
 //! - [`further`]: machines of kinds that the papers do not have.
+//! - [`by_name`]: machines and controls by their names.
 //! - [`heap`]: a counting allocator.
 //! - [`by_hand`]: machines against chains written out by hand.
 //! - [`damage`]: programs with one fault.
@@ -12,6 +13,7 @@
 //! - [`posting`]: CL data posted in memory, and compared by the check.
 //! - [`page`]: the data of a page, decoded, and its machine multiplied out.
 //! - [`binaries`]: the machines' binaries, built and run.
+//! - [`environment`]: environment variables of the suites.
 //!
 //! Nothing here depends on how a machine solves its equations. NaN fails a check; it never passes one.
 
@@ -20,8 +22,10 @@ pub use pp_conformance::{block, conformance, oracle, random};
 pub mod agreement;
 pub mod binaries;
 pub mod by_hand;
+pub mod by_name;
 pub mod damage;
 pub mod edits;
+pub mod environment;
 pub mod foreign;
 pub mod further;
 pub mod golden;

@@ -367,13 +367,14 @@ pub mod papers {
 mod tests {
     use core::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, SQRT_2};
 
+    use approx::assert_abs_diff_eq;
     use nalgebra::{Point3, Vector3};
 
     use super::{angle_between, papers, rotation, wrapped};
     use crate::random::Random;
 
     fn assert_near(left: f64, right: f64) {
-        assert!((left - right).abs() <= 1e-11, "{left} is not {right}");
+        assert_abs_diff_eq!(left, right, epsilon = 1e-11);
     }
 
     fn draw_angle(random: &mut Random) -> f64 {
@@ -387,14 +388,14 @@ mod tests {
     #[test]
     fn a_rotation_of_90_degrees_about_z_brings_x_to_y() {
         let rotated = rotation(&Vector3::z(), FRAC_PI_2) * Vector3::x().push(0.0);
-        assert!((rotated.xyz() - Vector3::y()).norm() < 1e-15);
+        assert_abs_diff_eq!(rotated.xyz(), Vector3::y(), epsilon = 5e-16);
     }
 
     #[test]
     fn small_and_flat_angles_are_exact() {
         let tilted = Vector3::new(1e-12, 0.0, 1.0);
-        assert!((angle_between(&tilted, &Vector3::z()) - 1e-12).abs() < 1e-24);
-        assert!((wrapped(3.0 * FRAC_PI_2) + FRAC_PI_2).abs() < 1e-15);
+        assert_abs_diff_eq!(angle_between(&tilted, &Vector3::z()), 1e-12, epsilon = 1e-24);
+        assert_abs_diff_eq!(wrapped(3.0 * FRAC_PI_2), -FRAC_PI_2, epsilon = 1e-15);
     }
 
     #[test]

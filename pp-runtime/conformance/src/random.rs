@@ -62,6 +62,8 @@ impl Random {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::Random;
 
     #[test]
@@ -79,7 +81,7 @@ mod tests {
             let x = random.between(-2.0, 3.0);
             assert!((-2.0..3.0).contains(&x));
             let [i, j, k] = random.direction();
-            assert!((i * i + j * j + k * k - 1.0).abs() < 1e-15);
+            assert_abs_diff_eq!(i * i + j * j + k * k, 1.0, epsilon = 1e-15);
             assert!(random.below(5) < 5);
         }
     }

@@ -2,11 +2,12 @@
 
 use core::fmt::Debug;
 
+use approx::AbsDiffEq;
 use nalgebra::{Point3, UnitVector3, Vector3};
 
 use super::{
     BlockCurves, CSource, Explanation, Invalid, MotionBound, RotaryAngles, Solutions, Unreachable, curves_of_joints,
-    rates_of_joints,
+    math, rates_of_joints,
 };
 
 /// Tool tip and tool axis in the workpiece frame; no spin about the tool.
@@ -20,6 +21,29 @@ pub struct Pose {
     /// Unit vector from the tip to the spindle.
     #[cfg_attr(feature = "serde", serde(deserialize_with = "unit_vector"))]
     pub axis: UnitVector3<f64>,
+}
+
+/// Largest differences between two poses, for the macros of the crate `approx`: `assert_abs_diff_eq!(a, b, epsilon = ..)`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PoseTolerance {
+    /// Distance of the tips, mm.
+    pub tip_mm: f64,
+    /// Angle between the tool axes, rad.
+    pub axis_rad: f64,
+}
+
+impl AbsDiffEq for Pose {
+    type Epsilon = PoseTolerance;
+
+    fn default_epsilon() -> PoseTolerance {
+        PoseTolerance { tip_mm: f64::EPSILON, axis_rad: f64::EPSILON }
+    }
+
+    /// A pose with NaN is equal to none.
+    fn abs_diff_eq(&self, other: &Self, largest: PoseTolerance) -> bool {
+        let angle = math::atan2(self.axis.cross(&other.axis).norm(), self.axis.dot(&other.axis));
+        (self.tip - other.tip).norm() <= largest.tip_mm && angle <= largest.axis_rad
+    }
 }
 
 /// Largest difference of the length of a tool axis from 1 where one is read: the rounding of a unit vector.
@@ -252,5 +276,29 @@ pub trait Machine: Default + Clone + Send + Sync + 'static {
     /// As for [`curves`](Self::curves), a machine written by hand may leave it out.
     fn rates(&self, axes: &Self::Axes, change: &Self::Axes) -> (Vector3<f64>, Vector3<f64>) {
         rates_of_joints(self, axes, change)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use approx::abs_diff_eq;
+
+    use super::*;
+
+    #[test]
+    fn poses_are_compared_by_the_distance_of_their_tips_and_the_angle_between_their_axes() {
+        let pose = |tip, axis: [f64; 3]| Pose { tip: Point3::from(tip), axis: UnitVector3::new_normalize(axis.into()) };
+        let one = pose([1.0, 2.0, 3.0], [0.0, 0.0, 1.0]);
+        let same =
+            |other: &Pose, tip_mm, axis_rad| abs_diff_eq!(one, other, epsilon = PoseTolerance { tip_mm, axis_rad });
+        let other = pose([4.0, 6.0, 3.0], [0.0, 1.0, 1.0]);
+        let angle = core::f64::consts::FRAC_PI_4;
+        assert!(same(&other, 5.0 + 1e-12, angle + 1e-12) && same(&one, 0.0, 0.0));
+        assert!(!same(&other, 5.0 - 1e-12, angle + 1e-12) && !same(&other, 5.0 + 1e-12, angle - 1e-12));
+        assert!(!same(&pose([1.0, 2.0, 3.0], [0.0, 0.0, -1.0]), 1.0, 3.0), "the opposite direction");
+        let infinite = |other: &Pose| same(other, f64::INFINITY, f64::INFINITY);
+        assert!(infinite(&other));
+        assert!(!infinite(&pose([1.0, f64::NAN, 3.0], [0.0, 0.0, 1.0])));
+        assert!(!infinite(&pose([1.0, 2.0, 3.0], [0.0, 0.0, f64::NAN])));
     }
 }

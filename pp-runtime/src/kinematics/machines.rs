@@ -1,11 +1,12 @@
 //! Small machines written by hand for the tests: closed-form angles, and linear axes solved numerically from the
 //! product of the joints.
 
+use approx::abs_diff_eq;
 use nalgebra::{Isometry3, Matrix3, Point3, Translation3, UnitQuaternion, UnitVector3, Vector3};
 
 use crate::kinematics::{
-    Axis, AxisKind, Branch, Dimension, Explanation, Invalid, Joint, Limits, Machine, Pose, Side, Sign, Solution,
-    Solutions, Unreachable, math,
+    Axis, AxisKind, Branch, Dimension, Explanation, Invalid, Joint, Limits, Machine, Pose, PoseTolerance, Side, Sign,
+    Solution, Solutions, Unreachable, math,
 };
 
 const fn axis(letter: char, side: Side, limits: Option<Limits>) -> Axis {
@@ -271,8 +272,8 @@ fn the_machines_of_the_tests_agree_with_themselves() {
         let pose = machine.forward_kinematics(&axes);
         for solution in machine.inverse_kinematics(&pose, &M::HELD).iter() {
             let again = machine.forward_kinematics(&solution.axes);
-            assert!((again.tip - pose.tip).norm() < 1e-9, "{}", M::NAME);
-            assert!((again.axis.into_inner() - pose.axis.into_inner()).norm() < 1e-12, "{}", M::NAME);
+            let largest = PoseTolerance { tip_mm: 1e-9, axis_rad: 1e-12 };
+            assert!(abs_diff_eq!(again, pose, epsilon = largest), "{}: {again:?} is not {pose:?}", M::NAME);
         }
     }
     check::<Cb>();

@@ -51,7 +51,7 @@ pub use any::{AxisValues, MAX_AXES};
 #[cfg(feature = "std")]
 pub use digest::digest;
 pub use explanation::{CSource, Explanation, Section};
-pub use machine::{Axis, AxisKind, Dimension, DimensionKind, Joint, Limits, Machine, Pose, Side, Sign};
+pub use machine::{Axis, AxisKind, Dimension, DimensionKind, Joint, Limits, Machine, Pose, PoseTolerance, Side, Sign};
 #[cfg(feature = "simulate")]
 pub use motion::StepBound;
 pub use motion::{BlockCurves, BlockDeviation, Curve, Deviation, MotionBound, curves_of_joints, rates_of_joints};

@@ -18,9 +18,10 @@ use machines::SpinnerU5620;
 use pp_runtime::check::check;
 use pp_runtime::cli::{Status, Streams, run_with};
 use pp_runtime::config::{Config, Units, starting_point};
-use pp_runtime::control::{self, Control};
+use pp_runtime::control::Control;
 use pp_runtime::kinematics::{Machine, Pose};
 use pp_runtime::post::{Job, post};
+use tests::by_name;
 use tests::oracle::Oracle;
 use tests::random::Random;
 
@@ -135,7 +136,7 @@ fn posted(part: &str, config: &Config, control: &'static dyn Control, program: &
 }
 
 fn pipeline() {
-    let control = control::by_name("linuxcnc").expect("a control");
+    let control = by_name::control("linuxcnc");
     let plain = starting_point(control);
     let limits = include_str!("../../data/blade/one_turn.toml");
     let one_turn = starting_point(control).read_over(&SpinnerU5620::default(), limits).expect("a configuration");

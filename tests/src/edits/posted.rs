@@ -5,26 +5,20 @@ use std::io::{self, Cursor};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 
-use machines::{Dmu70e, LolaXoyzba, MultiProDesk, SpinnerU5620};
 use pp_runtime::check::check;
 use pp_runtime::config::{Config, Mode, Operations, TcpFrame, starting_point};
 use pp_runtime::control::{self, Control};
 use pp_runtime::diag::Severity;
 use pp_runtime::kinematics::Machine;
-use pp_runtime::{machine, post};
+use pp_runtime::post;
 
 use super::verdict::ToolAxis;
 use super::{Allowed, Subject};
+use crate::by_name;
 use crate::foreign::axes::is_rotary;
 use crate::foreign::{self, Axes, Options, Trace, run};
-use crate::further::HeadTable;
 use crate::oracle::Oracle;
-
-machine! {
-    /// Three axes.
-    pub struct Mill;
-    chain: X Y | Z;
-}
+use crate::with_machine;
 
 /// Input of a posted program.
 #[derive(Debug, Clone)]
@@ -62,20 +56,6 @@ pub struct Posted {
     cl: Vec<u8>,
 }
 
-/// Calls a generic function for the machine with a name.
-macro_rules! with_machine {
-    ($name:expr, $function:ident($($argument:expr),*)) => {
-        match $name {
-            "dmu-70e" | "dmu" => $function::<Dmu70e>($($argument),*),
-            "lola-xoyzba" | "lola" => $function::<LolaXoyzba>($($argument),*),
-            "multiprodesk" => $function::<MultiProDesk>($($argument),*),
-            "head_table" => $function::<HeadTable>($($argument),*),
-            "mill" => $function::<Mill>($($argument),*),
-            _ => $function::<SpinnerU5620>($($argument),*),
-        }
-    };
-}
-
 impl Posted {
     /// Posts a case.
     ///
@@ -85,7 +65,7 @@ impl Posted {
     /// # Panics
     /// If the control does not exist.
     pub fn of(case: &Case<'_>) -> Result<Self, String> {
-        let control = control::by_name(case.control).expect("a control");
+        let control = by_name::control(case.control);
         let (config, text) = with_machine!(case.machine, posted(case, control))?;
         let foreign = foreign::Control::by_name(case.control).expect("a control");
         let options = Options {

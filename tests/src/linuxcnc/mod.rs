@@ -38,7 +38,7 @@ fn has(programs: &[&str]) -> bool {
 
 /// Prints that a test is skipped because something is not there; fails if `PP_REQUIRE_LINUXCNC=1` requires it.
 fn absent(what: &str) {
-    let required = std::env::var_os("PP_REQUIRE_LINUXCNC").is_some_and(|value| value == "1");
+    let required = crate::environment::is_one("PP_REQUIRE_LINUXCNC");
     assert!(!required, "PP_REQUIRE_LINUXCNC=1, but there is not {what}");
     println!("skipped: there is not {what}");
 }

@@ -7,9 +7,10 @@ use std::{env, fs};
 
 use tempfile::TempDir;
 use tests::binaries::workspace;
+use tests::environment;
 
 use crate::chapter::{Listing, Part};
-use crate::{bless, machines};
+use crate::machines;
 
 /// A temporary folder with the samples of the project.
 pub(crate) struct Folder {
@@ -113,7 +114,7 @@ impl Folder {
     pub(crate) fn picture(&self, kept: &Path) -> Result<(), String> {
         let name = kept.file_name().and_then(|name| name.to_str()).expect("a name");
         let written = fs::read(self.path(name)).map_err(|_| format!("no command writes the picture {name}"))?;
-        if bless() {
+        if environment::blesses() {
             fs::write(kept, written).expect("a picture can be written");
             return Ok(());
         }

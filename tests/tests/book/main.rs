@@ -30,11 +30,8 @@ use machines::COMMANDS;
 use pp_runtime::config::Config;
 use pp_runtime::control::LinuxCnc;
 use tests::binaries::{golden_programs, workspace};
-
-/// Whether the files are rewritten.
-fn bless() -> bool {
-    std::env::var_os("PP_BLESS").is_some_and(|value| value == "1")
-}
+use tests::by_name;
+use tests::environment;
 
 /// Fails with what was found, if anything was.
 fn assert_none(found: &[String]) {
@@ -97,7 +94,7 @@ fn every_listing_is_what_its_commands_write() {
             found.extend(fault.map(|fault| format!("{}: {fault}", chapter.path.display())));
         }
         found.extend(folder.unread().map(|name| format!("{}: no command reads {name}", chapter.path.display())));
-        if bless() {
+        if environment::blesses() {
             chapter.rewrite(folder.outputs());
         }
         folder::leave();
@@ -207,7 +204,7 @@ const DEFAULTS: &[(&str, &str, &str)] = &[
 
 #[test]
 fn defaults_in_the_text_are_those_of_config() {
-    let siemens = pp_runtime::control::by_name("siemens").expect("a control");
+    let siemens = by_name::control("siemens");
     let printed = pp_runtime::config::print(&::machines::SpinnerU5620::default(), siemens);
     for (chapter, text, line) in DEFAULTS {
         let chapter_text = std::fs::read_to_string(workspace().join(chapter)).expect("a chapter");

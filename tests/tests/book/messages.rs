@@ -13,11 +13,12 @@
 //! - all others: the CL data.
 
 use std::fs;
-use tests::binaries::workspace;
 
 use serde_json::Value;
+use tests::binaries::workspace;
+use tests::environment;
 
-use crate::{assert_none, bless, chapter, machines};
+use crate::{assert_none, chapter, machines};
 
 const CASES: &str = include_str!("messages.txt");
 
@@ -133,7 +134,7 @@ fn the_page_of_messages_has_what_is_printed() {
     assert_none(&found);
     let path = workspace().join(chapter::SOURCE).join("messages.md");
     let written = fs::read_to_string(&path).unwrap_or_default();
-    if bless() {
+    if environment::blesses() {
         fs::write(&path, page).expect("the page can be written");
     } else {
         assert_eq!(written, page, "PP_BLESS=1 rewrites the page: read every changed line");

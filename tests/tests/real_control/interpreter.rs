@@ -5,15 +5,17 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::slice::Iter;
 
-use machines::{Dmu70e, LolaXoyzba, MultiProDesk, SpinnerU5620};
+use approx::abs_diff_eq;
+use machines::SpinnerU5620;
 use pp_runtime::check::blocks;
 use pp_runtime::check::read::{Action, ArcMove, Block, CycleKind, CycleMove};
 use pp_runtime::config::{Config, Units, starting_point};
-use pp_runtime::control;
 use pp_runtime::kinematics::{AxisKind, Machine};
 use tests::binaries::{binary, workspace};
+use tests::by_name;
 use tests::linuxcnc::installed;
 use tests::linuxcnc::interpreter::{Arc, Motion, PRINTED, interpret, motions};
+use tests::with_machine;
 
 /// Numbers of motions that have been compared.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -26,7 +28,7 @@ struct Compared {
 }
 
 fn read<M: Machine>(program: &str, units: Units) -> Vec<Block> {
-    let control = control::by_name("linuxcnc").expect("it is there");
+    let control = by_name::control("linuxcnc");
     let config = Config { output_units: Some(units), ..starting_point(control) };
     blocks::<M>(
         &config.check_policy::<M>(control, None).expect("the configuration suits control and machine"),
@@ -88,7 +90,8 @@ impl<M: Machine> Comparison<'_, M> {
 
     fn same(&self, what: &str, ours: f64, theirs: f64) {
         let context = &self.context;
-        assert!((ours - theirs).abs() <= PRINTED, "{context}: {what}: reader {ours}, interpreter {theirs}");
+        let same = abs_diff_eq!(ours, theirs, epsilon = PRINTED);
+        assert!(same, "{context}: {what}: reader {ours}, interpreter {theirs}");
     }
 
     /// Compares the end of a block, for every axis of `letters` whose position is known.
@@ -156,13 +159,7 @@ fn compare_texts<M: Machine>(name: &str, text: &str, read_text: &str) -> Compare
 }
 
 fn compare_on(machine: &str, name: &str, text: &str) -> Compared {
-    match machine {
-        "spinner-u5-620" => compare_texts::<SpinnerU5620>(name, text, text),
-        "dmu-70e" => compare_texts::<Dmu70e>(name, text, text),
-        "lola-xoyzba" => compare_texts::<LolaXoyzba>(name, text, text),
-        "multiprodesk" => compare_texts::<MultiProDesk>(name, text, text),
-        other => panic!("no machine has the name {other}"),
-    }
+    with_machine!(machine, compare_texts(name, text, text))
 }
 
 /// Every golden program for LinuxCNC, and its machine.

@@ -10,12 +10,13 @@
 
 use std::io::Cursor;
 
+use approx::abs_diff_eq;
 use nalgebra::{Point3, Rotation3, UnitVector3, Vector3};
 use pp_runtime::check::blocks;
 use pp_runtime::check::read::{Action, Block, Length, TipControl};
 use pp_runtime::config::{Config, GivenTool, Mode};
 use pp_runtime::control::LinuxCnc;
-use pp_runtime::kinematics::{AxisKind, Machine, Pose};
+use pp_runtime::kinematics::{AxisKind, Machine, Pose, PoseTolerance};
 use pp_runtime::machine;
 use pp_runtime::nalgebra;
 use pp_runtime::post::{Job, post};
@@ -88,7 +89,7 @@ pub(crate) const JOINT: f64 = TIP + ROUNDED;
 pub(crate) const AXIS: f64 = 0.5e-4 * 1.4143 / 57.295 + 1e-8;
 
 /// Largest distance, mm, and angle, rad, between a point and the block that goes there: the rounding of its words.
-const PARTNER: (f64, f64) = (TIP, 2e-6);
+const PARTNER: PoseTolerance = PoseTolerance { tip_mm: TIP, axis_rad: 2e-6 };
 
 pub(crate) fn set_up(mode: Mode) -> Config {
     let mut config = Config::default();
@@ -202,10 +203,8 @@ fn partners<M: Machine>(blocks: &[Block], config: &Config) -> Vec<usize> {
     machine.set_up(config.set_up.part_origin.into(), LENGTH);
     let mut next = 0;
     let partner = |point: &Pose| {
-        let goes_there = |block: &Block| {
-            let pose = pose_of_block(&machine, block, config.motion.mode);
-            (pose.tip - point.tip).norm() <= PARTNER.0 && angle_between(&pose.axis, &point.axis) <= PARTNER.1
-        };
+        let goes_there =
+            |block: &Block| abs_diff_eq!(pose_of_block(&machine, block, config.motion.mode), *point, epsilon = PARTNER);
         let found = blocks[next..].iter().position(goes_there).map(|index| next + index);
         next = found.unwrap_or_else(|| panic!("{}: no block goes to {point:?}", M::NAME)) + 1;
         next - 1

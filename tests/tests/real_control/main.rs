@@ -6,5 +6,6 @@ mod generated;
 mod interpreter;
 mod job;
 mod kinematics;
+mod linuxcnc;
 mod module;
 mod sweep;

@@ -56,10 +56,12 @@ pub(super) fn rotated(matrix: &Matrix, vector: [f64; 3]) -> [f64; 3] {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     fn assert_near(found: [f64; 3], wanted: [f64; 3]) {
-        assert!(found.iter().zip(wanted).all(|(found, wanted)| (found - wanted).abs() < 1e-12), "{found:?}");
+        assert_abs_diff_eq!(found[..], wanted[..], epsilon = 1e-12);
     }
 
     #[test]

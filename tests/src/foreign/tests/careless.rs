@@ -1,5 +1,7 @@
 //! What a control executes where no careful programmer writes it, as edits of a program leave it.
 
+use approx::assert_abs_diff_eq;
+
 use super::super::Control::{self, Fanuc, Haas, Heidenhain, LinuxCnc, Siemens};
 use super::super::state::{Coolant, CycleKind, State};
 use super::super::{Effect, Options, Refused, Trace, run};
@@ -111,8 +113,8 @@ fn a_word_of_a_cycle_drills_again() {
             .filter_map(|effect| if let Effect::Hole(hole) = effect { Some(hole) } else { None })
             .collect::<Vec<_>>()
     };
-    assert!((holes("Z-40.")[1].cycle.bottom + 40.0).abs() < 1e-12);
-    assert!((holes("R-1.")[1].cycle.reference + 1.0).abs() < 1e-12);
+    assert_abs_diff_eq!(holes("Z-40.")[1].cycle.bottom, -40.0, epsilon = 1e-12);
+    assert_abs_diff_eq!(holes("R-1.")[1].cycle.reference, -1.0, epsilon = 1e-12);
     assert_eq!(holes("B5.").len(), 2);
     assert_eq!(holes("G80").len(), 1);
 }

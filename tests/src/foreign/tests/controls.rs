@@ -1,5 +1,7 @@
 //! Motions of each control: arcs, holes, distances, machine coordinates, and what is unknown to it.
 
+use approx::assert_abs_diff_eq;
+
 use super::super::Control::{self, Fanuc, Haas, Heidenhain, LinuxCnc, Siemens};
 use super::super::axes::Axes;
 use super::super::state::CycleKind;
@@ -32,7 +34,9 @@ fn arcs_by_centre_radius_pole_and_polar_angle_are_the_same_quarter() {
     assert_eq!(last_arc(Heidenhain, "L X+5 Y+0 Z+0 R0 FMAX\nCC X+0 Y+0\nC X+0 Y+5 DR+ R0 F9"), quarter);
     let (centre, sweep, at) = last_arc(Heidenhain, "L X+5 Y+0 Z+0 R0 FMAX\nCC X+0 Y+0\nCP IPA+90 IZ-1 DR+ R0 F9");
     assert_eq!((centre, sweep, at.get('Z')), ([0.0; 3], 90, Some(-1.0)));
-    assert!(at.get('X').is_some_and(|x| x.abs() < 1e-12) && at.get('Y').is_some_and(|y| (y - 5.0).abs() < 1e-12));
+    for (letter, value) in [('X', 0.0), ('Y', 5.0)] {
+        assert_abs_diff_eq!(at.get(letter).expect("known"), value, epsilon = 1e-12);
+    }
 }
 
 #[test]
@@ -42,7 +46,7 @@ fn sense_full_circles_revolutions_and_planes_are_seen() {
     assert_eq!(last_arc(LinuxCnc, "G0 X5 Y0 Z0\nG3 I-5 J0 F9").1, 360);
     assert_eq!(last_arc(LinuxCnc, "G0 X5 Y0 Z0\nG3 X0 Y5 R-5 F9").0.map(|value| value.round() as i64), [5, 5, 0]);
     let polar = last_arc(Heidenhain, "L X+0 Y+5 Z+0 R0 FMAX\nCC X+0 Y+0\nCP IPA+90 DR+ R0 F9").2;
-    assert!(polar.get('X').is_some_and(|x| (x + 5.0).abs() < 1e-12), "{polar:?}");
+    assert_abs_diff_eq!(polar.get('X').expect("known"), -5.0, epsilon = 1e-12);
     assert_eq!(last_arc(Siemens, "G0 X5 Y0 Z0\nG3 X5 Y0 Z1 I-5 J0 TURN=2 F9").1, 1080);
     assert_eq!(last_arc(LinuxCnc, "G19\nG0 X0 Y5 Z0\nG3 Y0 Z5 J-5 K0 F9").1, 90);
     assert!(refusal(LinuxCnc, "G0 X5 Y0\nG3 X0 Y6 I-5 J0 F9").contains("from its centre"));
@@ -105,7 +109,7 @@ fn numbers_count_as_the_control_counts_them() {
         let read = run(&program(control, block), &options).expect("it is read");
         read.motions().next().and_then(|motion| motion.words.get('X')).expect("an X word")
     };
-    let near = |one: f64, other: f64| assert!((one - other).abs() < 1e-12, "{one} for {other}");
+    let near = |one: f64, other: f64| assert_abs_diff_eq!(one, other, epsilon = 1e-12);
     near(x(Fanuc, "G0 X5", false), 0.005);
     near(x(Fanuc, "G0 X5", true), 5.0);
     near(x(Fanuc, "G0 X5.", false), 5.0);

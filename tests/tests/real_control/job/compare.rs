@@ -3,8 +3,9 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::ops::Range;
 
+use approx::abs_diff_eq;
 use nalgebra::{Point3, Vector3};
-use pp_runtime::kinematics::Pose;
+use pp_runtime::kinematics::{Pose, PoseTolerance};
 use tests::block::{angle_to_arc, distance_to_line};
 use tests::linuxcnc::simulation::SPINDLE_SCALE;
 use tests::oracle::angle_between;
@@ -221,7 +222,7 @@ impl Comparison {
 
 /// Whether a pose is at a point of the CL data.
 fn is_at(pose: &Pose, point: &Pose) -> bool {
-    (pose.tip - point.tip).norm() <= TIP && angle_between(&pose.axis, &point.axis) <= AXIS
+    abs_diff_eq!(*pose, *point, epsilon = PoseTolerance { tip_mm: TIP, axis_rad: AXIS })
 }
 
 fn direction(from: &Pose, to: &Pose) -> Vector3<f64> {

@@ -1,0 +1,4 @@
+//! The page of a program in Chromium, and its bundle made again by Node.
+
+mod bundle;
+mod pages;

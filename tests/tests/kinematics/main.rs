@@ -1,0 +1,12 @@
+//! Machines: equations of the papers, chains of every class, kinematics in C, parameters for controls that have a
+//! transformation of their own.
+//!
+//! A suite is a module: `cargo test -p tests --test kinematics chains::` runs one.
+
+mod c_header;
+mod chains;
+mod compare_sheets;
+mod drawing;
+mod library;
+mod machines;
+mod papers;

@@ -1,0 +1,49 @@
+//! Programs in memory: posted, read back, damaged and checked on all machines, controls and modes.
+//!
+//! A suite is a module: `cargo test -p tests --test programs edits::` runs one. Nothing here runs another program, except the
+//! LinuxCNC interpreter in `edits`.
+
+mod architecture;
+mod attacks;
+mod auto;
+mod block_skip;
+mod check_memory;
+mod corruption;
+mod course;
+mod edits;
+mod entries;
+mod eyes;
+mod findings;
+mod fine_boring;
+mod foreign;
+mod indexed_holes;
+mod linearised;
+mod links;
+mod mixed_job;
+mod modes;
+mod near_limits;
+mod near_poles;
+mod new_folder;
+mod no_alloc;
+mod numbers;
+mod operations;
+mod own_control;
+mod plane_guards;
+mod probing;
+mod random_programs;
+mod restart;
+mod retracts;
+mod set_ups;
+mod single_edits;
+mod stops;
+mod stream;
+mod threads;
+mod tilted_holes;
+mod tool_blocks;
+mod tool_position;
+
+use tests::heap::Counting;
+
+/// Counts for each test alone, since each runs in a thread of its own.
+#[global_allocator]
+static ALLOCATOR: Counting = Counting;
