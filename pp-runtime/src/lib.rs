@@ -56,6 +56,8 @@ pub mod set_up;
 #[cfg(feature = "simulate")]
 pub mod simulate;
 #[cfg(feature = "std")]
+mod tolerance;
+#[cfg(feature = "std")]
 pub mod transformation;
 #[cfg(feature = "std")]
 mod view;

@@ -12,6 +12,7 @@ use tests::binaries::workspace;
 
 /// Modules that each module of pp-runtime may use; the lower layers come first.
 const RUNTIME: &[(&str, &[&str])] = &[
+    ("tolerance", &[]),
     ("kinematics", &[]),
     ("program", &["kinematics"]),
     ("diag", &["program"]),
@@ -19,9 +20,9 @@ const RUNTIME: &[(&str, &[&str])] = &[
     ("nc", &["keys", "kinematics", "program"]),
     ("set_up", &["keys", "kinematics", "program"]),
     ("cl", &["diag", "keys", "kinematics", "program", "set_up"]),
-    ("motion", &["diag", "keys", "kinematics", "nc", "program", "set_up"]),
+    ("motion", &["diag", "keys", "kinematics", "nc", "program", "set_up", "tolerance"]),
     ("control", &["keys", "kinematics", "motion", "nc", "program", "set_up"]),
-    ("check", &["cl", "diag", "kinematics", "program", "set_up"]),
+    ("check", &["cl", "diag", "kinematics", "program", "set_up", "tolerance"]),
     ("config", &["check", "cl", "control", "diag", "keys", "kinematics", "motion", "nc", "program", "set_up"]),
     ("post", &["check", "cl", "config", "control", "diag", "kinematics", "motion", "nc", "program", "set_up"]),
     ("transformation", &["config", "kinematics"]),

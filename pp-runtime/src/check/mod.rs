@@ -43,6 +43,7 @@ pub mod read;
 mod report;
 mod rules;
 mod stream;
+pub(crate) mod tolerances;
 mod travel;
 mod vocabulary;
 
